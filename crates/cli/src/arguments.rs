@@ -3,7 +3,7 @@
 use crate::clock::Keeps;
 use crate::{
     bodies, chart, choose, conform, derive, ensemble, failures, inverse, ledger, linearise, motor, new, phantom, prove,
-    reference, regimes, report, review, run, scenes, stationary,
+    reference, regimes, regulate, report, review, run, scenes, stationary,
 };
 use clap::{Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
@@ -56,6 +56,7 @@ impl Arguments {
             Some(Command::Derive(_)) => ("derive", Nothing, Some(USUAL)),
             Some(Command::Inverse(_)) => ("inverse", Nothing, Some(USUAL)),
             Some(Command::Linearise(_)) => ("linearise", Nothing, Some(USUAL)),
+            Some(Command::Regulate(_)) => ("regulate", Nothing, Some(USUAL)),
             Some(Command::Prove(_)) => ("prove", Nothing, Some(USUAL)),
             Some(Command::Bodies(_)) => ("bodies", Nothing, Some(USUAL)),
             Some(Command::Stationary(_)) => ("stationary", Nothing, Some(USUAL)),
@@ -101,6 +102,8 @@ pub enum Command {
     Linearise(linearise::Asked),
     /// The forces under which a system that is written in its file moves as prescribed
     Inverse(inverse::Asked),
+    /// The optimal regulator of a system that is written in its file, by Riccati's equation, and its run on the nonlinear model
+    Regulate(regulate::Asked),
     /// What the bodies of a scene come to: both inertia tensors, principal axes, centre of mass, weight
     Bodies(bodies::Asked),
     /// All stationary motions of a scene's gyrostat with its motor, and why none is missing

@@ -2,7 +2,7 @@
 
 use crate::ending::{Ending, print, warn};
 use crate::run::one_form;
-use ::scenes::{Task, read_model, start_of, without_implied};
+use ::scenes::{Task, read_model, start_of, starting, without_implied};
 use clap::{Args, ValueEnum};
 use derivations::derive::{Equation, Principle, derive as equations_of, motor_of};
 use derivations::scene::any::holds_model;
@@ -41,11 +41,13 @@ pub enum PrincipleName {
     Appell,
     /// Boltzmann and Hamel, in quasi-velocities
     Hamel,
-    /// Lagrange of the second kind, in Euler's angles
+    /// Lagrange of the second kind; with multipliers of the constraints (first kind) where a file has these
+    #[value(alias = "lagrange-1", alias = "lagrange-2")]
     Lagrange,
     /// Lagrange and Maxwell, for motors
     Maxwell,
     /// Newton's and Euler's equations of every body, projected onto partial velocities (Jourdain, Kane)
+    #[value(alias = "kane", alias = "jourdain")]
     VirtualPower,
     /// Gauss, from the least constraint
     Gauss,
@@ -53,8 +55,10 @@ pub enum PrincipleName {
     NewtonEuler,
     /// Hamilton's canonical equations, back along the speeds
     Hamilton,
-    /// Maggi: Lagrange's equations along the quasi-velocities of the file
+    /// Maggi: Lagrange's equations along the quasi-velocities of the file, or along independent rates
     Maggi,
+    /// Shulgin: the kinetic energy knows the constraints, along independent rates
+    Shulgin,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -105,29 +109,37 @@ fn of_model(asked: &Asked, path: &Path) -> Result<String, Ending> {
     without_implied(path, &mut model)?;
     let file = read_text(path)?;
     if let Some(principle) = quasi_principle(asked, &model) {
+        let is_own = !model.quasi_velocities.is_empty() && principle != QuasiPrinciple::Shulgin;
+        if !is_own {
+            if model.constraints.is_empty() {
+                return Err(Ending::refused(format!(
+                    "without constraints the equations of {} are those of lagrange",
+                    principle.name()
+                )));
+            }
+            // rates are independent there
+            if let Ok(state) = start_of(&model) {
+                model = starting(&model, &state);
+            }
+            model = model.along_independent_rates();
+        }
         return in_quasi_velocities(asked, &model, &file, principle);
     }
     let principle = match asked.principle {
         None if model.energies.kinetic.is_some() => model::principles::Principle::Lagrange,
-        None | Some(PrincipleName::VirtualPower) => model::principles::Principle::VirtualPower,
         Some(PrincipleName::Lagrange) => model::principles::Principle::Lagrange,
         Some(PrincipleName::Appell) => model::principles::Principle::Appell,
         Some(PrincipleName::Gauss) => model::principles::Principle::Gauss,
         Some(PrincipleName::NewtonEuler) => model::principles::Principle::NewtonEuler,
         Some(PrincipleName::Hamel) => model::principles::Principle::Hamel,
         Some(PrincipleName::Hamilton) => model::principles::Principle::Hamilton,
-        Some(PrincipleName::Maggi) => {
-            return Err(Ending::refused(
-                "maggi's equations stand along quasi-velocities: the table [speeds] gives these, v = \"velocity(G) . A.x\"; `prove` \
-                 compares them without it",
-            ));
-        }
         Some(PrincipleName::Momentum | PrincipleName::Maxwell) => {
             return Err(Ending::refused(
                 "for a system that is written in its file the principle may be: virtual-power, lagrange, appell, gauss, newton-euler, \
-                 hamel, hamilton; maggi too, where it has [speeds]",
+                 hamel, hamilton, maggi, shulgin",
             ));
         }
+        _ => model::principles::Principle::VirtualPower,
     };
     // what is written there means nothing outside of its graph
     symbolic::apart(|| {
@@ -137,17 +149,17 @@ fn of_model(asked: &Asked, path: &Path) -> Result<String, Ending> {
     })
 }
 
-/// The principle of a system with quasi-velocities, where that uses them; the others keep the rates of coordinates.
+/// The principle of equations along quasi-velocities; the others keep the rates of all coordinates.
 fn quasi_principle(asked: &Asked, model: &Model) -> Option<QuasiPrinciple> {
-    if model.quasi_velocities.is_empty() {
-        return None;
-    }
+    let has_own = !model.quasi_velocities.is_empty();
     match asked.principle {
+        Some(PrincipleName::Maggi) => Some(QuasiPrinciple::Maggi),
+        Some(PrincipleName::Shulgin) => Some(QuasiPrinciple::Shulgin),
+        _ if !has_own => None,
         None if model.energies.kinetic.is_some() || model.energies.coenergy.is_some() => Some(QuasiPrinciple::Hamel),
         None | Some(PrincipleName::VirtualPower) => Some(QuasiPrinciple::VirtualPower),
         Some(PrincipleName::Appell) => Some(QuasiPrinciple::Appell),
         Some(PrincipleName::Hamel) => Some(QuasiPrinciple::Hamel),
-        Some(PrincipleName::Maggi) => Some(QuasiPrinciple::Maggi),
         Some(_) => None,
     }
 }
@@ -384,9 +396,9 @@ fn built_in(name: PrincipleName) -> Result<Principle, Ending> {
         PrincipleName::Maxwell => Principle::Maxwell,
         PrincipleName::VirtualPower => Principle::VirtualPower,
         PrincipleName::Gauss => Principle::Gauss,
-        PrincipleName::NewtonEuler | PrincipleName::Hamilton | PrincipleName::Maggi => {
+        PrincipleName::NewtonEuler | PrincipleName::Hamilton | PrincipleName::Maggi | PrincipleName::Shulgin => {
             return Err(Ending::refused(
-                "newton-euler, hamilton and maggi are for a system that is written in its file; a gyrostat follows momentum, appell, hamel \
+                "newton-euler, hamilton, maggi and shulgin are for a system that is written in its file; a gyrostat follows momentum, appell, hamel \
                  or lagrange, a motor maxwell",
             ));
         }

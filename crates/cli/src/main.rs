@@ -2,7 +2,7 @@
 //!
 //! # Overview
 //! * [`arguments`]: the command line; what can be asked of a command stands beside it;
-//! * `report`, `ledger`, `review`, `derive`, `linearise`, `inverse`, `bodies`, `run`, `ensemble`, `regimes`, `stationary`, `phantom`, `motor`, `conform`, `new`,
+//! * `report`, `ledger`, `review`, `derive`, `linearise`, `inverse`, `regulate`, `bodies`, `run`, `ensemble`, `regimes`, `stationary`, `phantom`, `motor`, `conform`, `new`,
 //!   `failures`, `chart`, `choose`, `reference`, `scenes`: one file for each command;
 //! * [`rough`]: runs with rough contacts, with their logs;
 //! * [`summary`], [`csv`], [`pictures`], [`sphere`]: a run as text, JSON, a table and the data of pictures;
@@ -38,6 +38,7 @@ mod prove;
 mod reference;
 mod regimes;
 mod region_map;
+mod regulate;
 mod report;
 mod review;
 mod rough;
@@ -88,6 +89,7 @@ fn main() -> ExitCode {
         Some(Command::Derive(asked)) => derive::derive(&asked),
         Some(Command::Inverse(asked)) => inverse::show(&asked),
         Some(Command::Linearise(asked)) => linearise::linearise(&asked),
+        Some(Command::Regulate(asked)) => regulate::show(&asked),
         Some(Command::Prove(asked)) => prove::prove(&asked),
         Some(Command::Bodies(asked)) => bodies::show(&asked),
         Some(Command::Stationary(asked)) => stationary::show(&asked),

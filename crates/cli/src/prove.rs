@@ -153,7 +153,7 @@ fn in_quasi_velocities(trace: &Trace<'_>) -> Vec<Row> {
     }
     let speeds: Vec<String> = trace.model.quasi_velocities.iter().map(|speed| speed.name.clone()).collect();
     let quasi = QuasiVelocities::of(trace);
-    let [first, others @ ..] = QuasiPrinciple::ALL;
+    let [first, others @ ..] = QuasiPrinciple::ALONG_ANY;
     let compared = |other: QuasiPrinciple| Row {
         subject: Subject::InQuasiVelocities { principles: [first.name(), other.name()], speeds: speeds.clone() },
         agreement: match &quasi {

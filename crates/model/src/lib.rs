@@ -46,8 +46,8 @@ pub use elaboration::{HALF_TURN, bare_angle, is_reserved, misplaced};
 pub use fault::Fault;
 pub use parts::{
     Along, Assignment, Body, BodyId, Constraint, Contact, Coordinate, Defined, Direction, Energies, Event, Force,
-    Frame, FrameId, GeneralisedForce, Implied, Inertia, Input, Material, Model, Moves, Output, Parameter, Point,
-    PointId, QuasiVelocity, Restitution, Sides, StartSpeed, StartValue, Torque, Turn, Zero,
+    Frame, FrameId, GeneralisedForce, Implied, Inertia, Input, Material, Model, Moves, OneWay, Output, Parameter,
+    Point, PointId, QuasiVelocity, Regulator, Restitution, Sides, StartSpeed, StartValue, Torque, Turn, Zero,
 };
 pub use presentation::{
     Cosine, Divisor, Held, InQuasiVelocities, Lines, MatrixForm, Typeset, axes, code, constraints, latex, left_out,
@@ -56,7 +56,7 @@ pub use presentation::{
 pub use quasi_velocities::{Coefficient, QuasiPrinciple, QuasiVelocities, quasi_agreement};
 pub use source::{
     BodySource, ConstraintSource, ContactSource, DriveSource, Entry, EventSource, InertiaSource, InputSource,
-    LoadSource, Source, Text, WindingSource,
+    LoadSource, OneWaySource, RegulatorSource, Source, Text, WindingSource,
 };
 pub use statements::{Mistake, Mistaken, Statement, mistaken, statements};
 pub use trace::{Trace, Vector, quaternion_rates, turned_further};

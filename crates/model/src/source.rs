@@ -1,5 +1,6 @@
 //! A system as somebody wrote it: keys with texts, each text with its place.
 
+use crate::OneWay;
 use std::ops::Range;
 
 /// A text and the byte of its file at which it begins.
@@ -74,11 +75,13 @@ pub struct Source {
     pub torques: Vec<LoadSource>,
     pub constraints: Vec<ConstraintSource>,
     pub contacts: Vec<ContactSource>,
+    pub one_ways: Vec<OneWaySource>,
     pub drives: Vec<DriveSource>,
     /// Scalars and vectors that a run shows.
     pub outputs: Vec<Entry>,
     pub inputs: Vec<InputSource>,
     pub events: Vec<EventSource>,
+    pub regulator: Option<RegulatorSource>,
     /// `theta = "30 deg"`, `theta' = "2 rad/s"`; zero where left out.
     pub start: Vec<Entry>,
     /// Where it is said that the start is an equilibrium near these.
@@ -173,6 +176,19 @@ pub struct ContactSource {
     pub at: Range<usize>,
 }
 
+/// A diode or a freewheel: a speed that does not fall below zero.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OneWaySource {
+    pub is: OneWay,
+    pub name: Option<Text>,
+    /// A current of charges, or a speed.
+    pub speed: Text,
+    /// The voltage, or the torque or force, that it takes while the speed is positive; zero where left out.
+    pub drop: Option<Text>,
+    /// Where it stands.
+    pub at: Range<usize>,
+}
+
 /// A motor between two bodies, or on one that turns beside the ground.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct DriveSource {
@@ -216,6 +232,22 @@ pub struct InputSource {
     pub unit: Text,
     /// A scalar of time and state; none: a letter, for linearisation.
     pub value: Option<Text>,
+}
+
+/// The criterion of an optimal regulator.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct RegulatorSource {
+    /// Names of inputs; all where there are none.
+    pub inputs: Vec<Text>,
+    /// A quadratic form of deviations.
+    pub cost: Text,
+    /// The cost of the end.
+    pub last: Option<Text>,
+    pub horizon: Option<Text>,
+    /// Deviations at the start.
+    pub displaced: Vec<Entry>,
+    /// Where it stands.
+    pub at: Range<usize>,
 }
 
 /// An instant at which an expression passes zero.

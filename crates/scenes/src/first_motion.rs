@@ -13,7 +13,7 @@ use crate::modes::{Case, Mode};
 use derivations::scene::Issue;
 use derivations::taped::Program;
 use integrators::Ode;
-use model::{Model, Trace};
+use model::{Coordinate, Model, Trace};
 use nalgebra::DMatrix;
 use std::ops::Range;
 use symbolic::{Sym, substitute_all};
@@ -85,7 +85,18 @@ fn resisted_by_nothing(model: &Model, direction: &[f64]) -> Issue {
         ),
     };
     let issue = Issue::at(at, format!("this system cannot run: {why}"), label);
-    issue.accepted("a body that moves with it, or a constraint that determines it")
+    issue.accepted(inertia_for(model, largest(direction)))
+}
+
+/// What gives a speed an inertia.
+pub(crate) fn inertia_for(model: &Model, speed: usize) -> &'static str {
+    let is_charge = |of: &Coordinate| of.dimension == symbolic::Dimension::current() * symbolic::Dimension::time();
+    match model.coordinates.get(speed) {
+        Some(coordinate) if is_charge(coordinate) => {
+            "an inductance of its current, coenergy = \"L/2*q'^2\", or a constraint that determines it"
+        }
+        _ => "a body that moves with it, or a constraint that determines it",
+    }
 }
 
 /// Parts of a direction below this part of the largest one are rounding.

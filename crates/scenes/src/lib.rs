@@ -26,6 +26,7 @@ mod parametric_law;
 mod program;
 mod quoted_keys;
 mod readiness;
+pub mod regulator;
 mod row_units;
 mod scene;
 mod size;

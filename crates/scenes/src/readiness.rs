@@ -3,7 +3,7 @@
 use crate::branch::in_words;
 use crate::compiled_system::{CompiledSystem, NotCompiled};
 use crate::equilibrium::{Equilibrium, NoEquilibrium, equilibrium};
-use crate::first_motion::{massless, missing};
+use crate::first_motion::{inertia_for, massless, missing};
 use crate::modes::{Modes, Refused, Unfit};
 use crate::row_units::measured;
 use crate::start::{Completed, Open, Unmet, consistent};
@@ -303,7 +303,8 @@ fn place_of(model: &Model, reason: &NotCompiled) -> (Range<usize>, &'static str,
             )
         }
         NotCompiled::Massless { coordinate: name } => {
-            (coordinate(name), "this coordinate", "a body that moves with it, or a constraint that determines it")
+            let speed = model.coordinates.iter().position(|one| one.name == *name);
+            (coordinate(name), "this coordinate", inertia_for(model, speed.unwrap_or(usize::MAX)))
         }
         NotCompiled::OfAccelerations { at } => (
             Some(at.clone()),

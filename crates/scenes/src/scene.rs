@@ -123,6 +123,9 @@ impl ModelScene {
             }
         };
         let mut model = model.take()?;
+        if model.regulator.is_some() {
+            Arc::make_mut(&mut model).close_regulated_inputs();
+        }
         if let Some(issue) = too_large(&model, Task::Run) {
             issues.push(issue);
             return None;

@@ -16,6 +16,8 @@ enum Wrong {
     Askew,
     /// No speed changes the gap of a contact that pushes on one side.
     Fixed,
+    /// The speed of a diode or a freewheel is none, or not linear.
+    Bent,
 }
 
 /// Refuses contacts that mean nothing.
@@ -30,6 +32,12 @@ pub(super) fn checked(model: &Model) -> Result<(), Vec<Fault>> {
 }
 
 fn wrong(trace: &Trace<'_>, contact: &Contact) -> Option<Wrong> {
+    if contact.one_way.is_some() {
+        let slopes = (0..trace.speeds.len()).map(|k| trace.by_speed(trace.scalar(contact.gap), k));
+        let slopes: Vec<Sym> = slopes.filter(|slope| varies(*slope)).collect();
+        let bends = |slope: &Sym| slope.symbols_of().iter().any(|symbol| trace.speeds.contains(symbol));
+        return (slopes.is_empty() || slopes.iter().any(bends)).then_some(Wrong::Bent);
+    }
     let normal = trace.vector(contact.normal);
     let velocity = trace.vector(contact.velocity);
     let up = Vector::axis(FrameId::GROUND, 2);
@@ -82,6 +90,11 @@ fn fault(model: &Model, place: usize, wrong: Wrong) -> Fault {
             format!("the gap of {title} does not grow along its normal"),
             "its rate is not the velocity along the normal",
             "the normal of a curve is the gradient of its gap: gap = \"y - a*x^2\", normal = \"N.y - 2*a*x*N.x\"",
+        ),
+        Wrong::Bent => (
+            format!("{title} has a speed that is linear in rates of coordinates"),
+            "this one is not, or holds none",
+            "a current of charges: current = \"q'\"; a speed: speed = \"a' - n*b'\"",
         ),
         Wrong::Fixed => (
             format!("no motion changes the gap of {title}"),

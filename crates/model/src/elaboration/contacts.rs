@@ -24,7 +24,9 @@ struct Plane {
 
 impl Elaborator<'_> {
     pub(super) fn contact(&mut self, place: usize, source: &ContactSource) -> Sound<Contact> {
-        self.name_is_free(source)?;
+        if let Some(name) = &source.name {
+            self.contact_name_is_free(name)?;
+        }
         let (of, mut plane) = match (&source.of, &source.between) {
             (Some(of), None) => (of.clone(), self.plane(source)?),
             (None, Some(between)) => {
@@ -76,11 +78,13 @@ impl Elaborator<'_> {
         Ok(Contact {
             name: source.name.as_ref().map_or_else(String::new, |name| name.text.clone()),
             gap,
+            one_way: None,
             normal,
             velocity,
             slide,
             sides: plane.sides,
             reactions,
+            reaction_unit: "N".to_owned(),
             friction,
             restitution,
             law,
@@ -93,8 +97,7 @@ impl Elaborator<'_> {
         })
     }
 
-    fn name_is_free(&self, source: &ContactSource) -> Sound<()> {
-        let Some(name) = &source.name else { return Ok(()) };
+    pub(super) fn contact_name_is_free(&self, name: &Text) -> Sound<()> {
         let is_taken = self.model.contacts.iter().any(|other| other.name == name.text)
             || self.model.constraints.iter().any(|other| other.name.as_ref() == Some(&name.text));
         if !is_taken {

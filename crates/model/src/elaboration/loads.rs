@@ -68,6 +68,12 @@ impl Elaborator<'_> {
                 self.model.contacts.push(contact);
             }
         }
+        for (number, one_way) in self.source.one_ways.iter().enumerate() {
+            let found = self.one_way(self.source.contacts.len() + number, one_way);
+            if let Some(contact) = self.kept(found) {
+                self.model.contacts.push(contact);
+            }
+        }
         self.show_quasi_velocities();
         self.shows_loads = true;
         for output in &self.source.outputs {

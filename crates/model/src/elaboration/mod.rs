@@ -17,6 +17,7 @@ mod guides;
 mod headings;
 mod loads;
 mod neighbours;
+mod one_ways;
 mod operations;
 mod order;
 mod orders;
@@ -26,6 +27,7 @@ mod oversights;
 mod quasi_velocities;
 mod rates;
 mod reactions;
+mod regulator;
 mod released;
 mod system;
 #[cfg(test)]
@@ -90,6 +92,7 @@ fn elaborated(source: &Source) -> Result<Model, Vec<Fault>> {
     elaborator.events();
     elaborator.quasi_velocities();
     elaborator.start();
+    elaborator.regulator();
     elaborator.model.equilibrium.clone_from(&source.equilibrium);
     let Elaborator { mut model, mut faults, headless, .. } = elaborator;
     model.warnings.sort_by_key(|warning| warning.span.start);

@@ -3,6 +3,9 @@
 use crate::arena::{Scalar, Vector};
 use crate::{FrameId, Material, Model, PointId, ScalarId, Turn, VectorId};
 
+/// The order of speeds.
+pub(super) const SPEEDS: usize = 1;
+
 /// The order of accelerations, and of reactions, which hold these.
 pub(super) const ACCELERATIONS: usize = 2;
 

@@ -61,6 +61,10 @@ fn parts_of_law(model: &Model) -> Vec<bool> {
         crate::Torque::On { is, .. } | crate::Torque::Between { is, .. } => is.0,
     }));
     open.extend(model.generalised.iter().map(|force| force.is.0));
+    open.extend(model.generalised.iter().filter_map(|force| match force.along {
+        crate::Along::Expression(speed) => Some(speed.0),
+        _ => None,
+    }));
     for constraint in &model.constraints {
         open.push(match constraint.zero {
             Zero::Scalar(zero) => zero.0,

@@ -1,6 +1,8 @@
 //! Parameters that were forgotten: those that nothing uses, and those without a unit in expressions whose dimensions do not fit.
 
-use crate::{ContactSource, DriveSource, Entry, Fault, InertiaSource, LoadSource, Source, Text, WindingSource};
+use crate::{
+    ContactSource, DriveSource, Entry, Fault, InertiaSource, LoadSource, OneWaySource, Source, Text, WindingSource,
+};
 use rustc_hash::FxHashSet;
 
 /// A warning for each parameter whose name stands nowhere.
@@ -66,6 +68,9 @@ fn texts(source: &Source) -> Vec<&Text> {
     }
     for ContactSource { of, with, between, through, normal, gap, friction, restitution, .. } in &source.contacts {
         texts.extend([of, with, between, through, normal, gap, friction, restitution].into_iter().flatten());
+    }
+    for OneWaySource { speed, drop, .. } in &source.one_ways {
+        texts.extend(drop.iter().chain([speed]));
     }
     for DriveSource { turns, between, ratio, inertia, torque, windings, .. } in &source.drives {
         texts.extend([turns, ratio, inertia, torque].into_iter().flatten().chain(between.iter().flatten()));

@@ -55,7 +55,8 @@ impl Elaborator<'_> {
         let all: Vec<usize> = (0..constraints.len()).filter(|&place| named(&constraints[place])).collect();
         let constraint = match (all.as_slice(), place, written.len()) {
             ([], ..) => {
-                let contacts = self.source.contacts.iter().filter_map(|one| one.name.as_ref());
+                let contacts = self.source.contacts.iter().map(|one| &one.name);
+                let contacts = contacts.chain(self.source.one_ways.iter().map(|one| &one.name)).flatten();
                 let names = self.source.constraints.iter().filter_map(|one| one.name.as_ref()).chain(contacts);
                 let names = names.map(|name| name.text.as_str());
                 // it is there, and what is wrong with it is told
@@ -104,6 +105,10 @@ impl Elaborator<'_> {
             }
             return Err(Box::new(unknown(&self.broken, span.clone(), name, "contact", names)));
         };
+        if let Some(one_way) = contact.one_way {
+            let title = format!("`{name}` is a {}, which has a `reaction` alone", one_way.name());
+            return Err(refused(span, title, "here", &format!("reaction({name})")));
+        }
         Ok(super::Value::Scalar(match function {
             "friction" => contact.reactions[1],
             "gap" => contact.gap,

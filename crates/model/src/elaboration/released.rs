@@ -14,6 +14,9 @@ pub(super) fn release(source: &Source, model: &mut Model) -> Result<(), Vec<Faul
     let guides: Vec<usize> = apart(|| {
         let trace = Trace::of(model);
         let is_kept = |&place: &usize| {
+            if model.contacts[place].one_way.is_some() {
+                return false;
+            }
             let rate = trace.rate_of(trace.scalar(model.contacts[place].gap));
             (0..trace.speeds.len()).all(|speed| is_zero(trace.by_speed(rate, speed)))
         };

@@ -2,12 +2,13 @@
 //!
 //! With the constraints' rates J u + b = 0 the dependent speeds are u_d = A w + a, and every admissible displacement is a combination
 //! of the directions N = du/dw, for which J N = 0. Which speeds are dependent is found at a random point, a pivot for each equation;
-//! those in whose columns the shortest expressions stand come first.
+//! those in whose columns the shortest expressions stand come first, unless they are no pivots at the start.
 
 use super::constraints::Equation;
 use super::generic_point::pivots;
 use crate::Trace;
 use crate::presentation::simplified;
+use crate::real_points::value_at_start;
 use symbolic::{Sym, substitute_all};
 
 /// The directions that constraints leave, and the equations that determine the other speeds.
@@ -35,7 +36,10 @@ impl Characteristics {
             let column: Vec<Sym> = rows.iter().map(|row| row[i]).collect();
             Sym::operations_of(&column)
         });
-        let found = pivots(&rows, &order);
+        let generic = pivots(&rows, &order);
+        let found = pivots_at_start(trace, &rows, &order)
+            .filter(|found| found.iter().map(|(row, _)| row).eq(generic.iter().map(|(row, _)| row)))
+            .unwrap_or(generic);
         let dependent: Vec<(usize, usize)> = found.iter().map(|&(row, column)| (column, row)).collect();
         let is_dependent = |i: &usize| dependent.iter().any(|(column, _)| column == i);
         let independent: Vec<usize> = (0..trace.speeds.len()).filter(|i| !is_dependent(i)).collect();
@@ -125,12 +129,48 @@ impl Motion {
     }
 }
 
+/// A pivot is at least this part of the largest entry of its row.
+const LEAST_PIVOT: f64 = 0.05;
+
+/// A row below this part of its size before elimination depends on others.
+const ROUNDED: f64 = 1e-9;
+
+/// Pivots as at a random point, by the values at the start; none where these are not known.
+fn pivots_at_start(trace: &Trace<'_>, rows: &[Vec<Sym>], order: &[usize]) -> Option<Vec<(usize, usize)>> {
+    let size = |row: &[f64]| row.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
+    let mut reduced: Vec<Vec<f64>> = Vec::new();
+    let mut pivots: Vec<(usize, usize)> = Vec::new();
+    for (row, entries) in rows.iter().enumerate() {
+        let mut values = entries.iter().map(|&entry| value_at_start(trace, entry)).collect::<Option<Vec<f64>>>()?;
+        let before = size(&values);
+        for &(above, column) in &pivots {
+            let factor = values[column] / reduced[above][column];
+            values.iter_mut().zip(&reduced[above]).for_each(|(value, above)| *value -= factor * above);
+            values[column] = 0.0;
+        }
+        let largest = size(&values);
+        let is_pivot = |column: &&usize| values[**column].abs() >= LEAST_PIVOT * largest;
+        if largest > ROUNDED * before
+            && let Some(&column) = order.iter().find(is_pivot)
+        {
+            pivots.push((row, column));
+        }
+        reduced.push(values);
+    }
+    Some(pivots)
+}
+
 /// Expressions of more operations are left as they are.
 const MOST_SIMPLIFIED: usize = 200;
 
-/// Short expressions in normal form: a coefficient is 1, and not cos^2 + sin^2.
+/// Short expressions in normal form where that is shorter: a coefficient is 1, and not cos^2 + sin^2.
 fn in_short(expression: Sym) -> Sym {
-    if Sym::operations_of(&[expression]) > MOST_SIMPLIFIED { expression } else { simplified(expression) }
+    let operations = Sym::operations_of(&[expression]);
+    if operations > MOST_SIMPLIFIED {
+        return expression;
+    }
+    let normal = simplified(expression);
+    if Sym::operations_of(&[normal]) < operations { normal } else { expression }
 }
 
 /// The columns of the dependent speeds in the equations that they are found from.
@@ -140,7 +180,7 @@ fn square(rows: &[Vec<Sym>], dependent: &[(usize, usize)]) -> Vec<Vec<Sym>> {
 
 /// The solution of matrix * x = right, for every column of it, by elimination: pivots in order, none of which vanishes.
 fn solved(matrix: &[Vec<Sym>], right: Vec<Vec<Sym>>) -> Vec<Vec<Sym>> {
-    eliminated(matrix.to_vec(), right, |entry| entry).0
+    eliminated(matrix.to_vec(), right, in_short).0
 }
 
 /// The same with the pivots, short entries in normal form at every step: no denominator stays that cancels.

@@ -3,7 +3,7 @@
 //! Pivots are taken in order. M is positive definite where the system is regular, so that every pivot is positive there; entries
 //! that are the constant zero cost nothing.
 
-use super::Equations;
+use super::{Equations, vanishes};
 use std::fmt;
 use symbolic::Sym;
 
@@ -78,7 +78,13 @@ fn inertia_of(equations: &Equations) -> Result<(Factors, Vec<Sym>), Singular> {
     let mut is_added = vec![false; constraints.len()];
     loop {
         let coordinate = match Factors::of(&mass) {
-            Ok(factors) => return Ok((factors, bias)),
+            Ok(factors) => {
+                let is_open = |pivot: &Sym| is_added.contains(&true) && vanishes(*pivot);
+                match factors.pivots.iter().position(is_open) {
+                    None => return Ok((factors, bias)),
+                    Some(coordinate) => coordinate,
+                }
+            }
             Err(coordinate) => coordinate,
         };
         let holds = |k: &usize| !is_added[*k] && constraints[*k].row[coordinate] != Sym::ZERO;

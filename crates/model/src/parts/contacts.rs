@@ -24,16 +24,39 @@ pub enum Restitution {
     Poisson,
 }
 
+/// What keeps a speed from falling below zero, in the place of a plane.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum OneWay {
+    /// A current.
+    Diode,
+    /// The speed of a shaft beside another one.
+    Freewheel,
+}
+
+impl OneWay {
+    /// As files and sentences call it.
+    pub fn name(self) -> &'static str {
+        match self {
+            OneWay::Diode => "diode",
+            OneWay::Freewheel => "freewheel",
+        }
+    }
+}
+
 /// A contact.
 ///
 /// N acts on the body along the normal, T along the tangent, and both in the opposite direction on the other body. In touch
 /// |T| <= mu |N| where the sliding velocity v is zero, else T = -mu |N| sign(v); N >= 0 where one side reacts; N = T = 0 apart.
+///
+/// A diode, and a freewheel, is one whose gap is a speed u: u >= 0, N >= 0, N u = 0, with the power N u.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Contact {
     /// Empty where it has none.
     pub name: String,
     /// Positive apart, zero in touch.
     pub gap: ScalarId,
+    /// Where the gap is a speed.
+    pub one_way: Option<OneWay>,
     /// The normal n, of length one, and the velocity of the place of the body beside the other one.
     pub normal: VectorId,
     pub velocity: VectorId,
@@ -42,6 +65,8 @@ pub struct Contact {
     pub sides: Sides,
     /// The letters N and T.
     pub reactions: [ScalarId; 2],
+    /// The unit of N.
+    pub reaction_unit: String,
     /// mu; none where it is smooth.
     pub friction: Option<ScalarId>,
     /// e, of an impact; zero where left out.
@@ -71,6 +96,7 @@ impl Contact {
 
     /// As sentences call it, by its place.
     pub fn title(&self, place: usize) -> String {
-        if self.name.is_empty() { format!("contact {}", place + 1) } else { format!("contact `{}`", self.name) }
+        let what = self.one_way.map_or("contact", OneWay::name);
+        if self.name.is_empty() { format!("{what} {}", place + 1) } else { format!("{what} `{}`", self.name) }
     }
 }

@@ -17,7 +17,8 @@ pub enum Force {
     },
 }
 
-/// A generalised force: its power is `is` times the speed, or times the part of a quasi-velocity that is linear in the speeds.
+/// A generalised force: its power is `is` times the speed, or times the part of a quasi-velocity, or of an expression, that is linear in
+/// the speeds.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GeneralisedForce {
     pub along: Along,
@@ -29,6 +30,8 @@ pub struct GeneralisedForce {
 pub enum Along {
     Speed(usize),
     QuasiVelocity(usize),
+    /// An expression that is linear in the speeds.
+    Expression(ScalarId),
 }
 
 /// A torque.

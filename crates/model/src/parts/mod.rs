@@ -4,11 +4,13 @@ mod constraints;
 mod contacts;
 mod events;
 mod loads;
+mod regulator;
 
 pub use constraints::{Constraint, Implied, Zero};
-pub use contacts::{Contact, Restitution, Sides};
+pub use contacts::{Contact, OneWay, Restitution, Sides};
 pub use events::{Assignment, Direction, Event, StartSpeed, StartValue};
 pub use loads::{Along, Energies, Force, GeneralisedForce, Torque};
+pub use regulator::Regulator;
 
 use crate::arena::{Arena, Number, Scalar};
 use crate::{Fault, ScalarId, Source, VectorId};
@@ -214,6 +216,7 @@ pub struct Model {
     /// Vectors and points of definitions, by their names.
     pub definitions: Vec<(String, Defined)>,
     pub inputs: Vec<Input>,
+    pub regulator: Option<Regulator>,
     /// Expressions at whose zeros something is chosen anew.
     pub switches: Vec<ScalarId>,
     /// Where each of them stands first.
@@ -242,8 +245,19 @@ impl Model {
 
     /// Gives every input without a value the value zero.
     pub fn close_inputs(&mut self) {
-        let open: Vec<usize> = (0..self.inputs.len()).filter(|&place| self.inputs[place].value.is_none()).collect();
-        for place in open {
+        self.close((0..self.inputs.len()).collect());
+    }
+
+    /// Gives the inputs that a regulator chooses the value zero, where they have none: the motion that it brings back to has this one.
+    pub fn close_regulated_inputs(&mut self) {
+        if let Some(regulator) = &self.regulator {
+            self.close(regulator.inputs.clone());
+        }
+    }
+
+    fn close(&mut self, mut places: Vec<usize>) {
+        places.retain(|&place| self.inputs[place].value.is_none());
+        for place in places {
             let zero = Scalar::Number(Number { value: 0.0, times: 1.0, per: 1.0 });
             let zero = self.arena.scalar(zero, Some(self.inputs[place].dimension));
             self.inputs[place].value = Some(zero);

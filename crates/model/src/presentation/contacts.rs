@@ -10,8 +10,11 @@ use symbolic::Sym;
 pub(super) fn open_letters(trace: &Trace<'_>) -> Vec<(Sym, String)> {
     let open = trace.model.inputs.iter().filter(|input| input.value.is_none());
     let open = open.map(|input| (Sym::symbol(&input.name), input.unit.clone()));
-    let reactions = (0..trace.model.contacts.len()).flat_map(|place| letters_of(trace, place));
-    open.chain(reactions.map(|letter| (letter, "N".to_owned()))).collect()
+    let reactions = (0..trace.model.contacts.len()).flat_map(|place| {
+        let unit = &trace.model.contacts[place].reaction_unit;
+        letters_of(trace, place).into_iter().map(move |letter| (letter, unit.clone()))
+    });
+    open.chain(reactions).collect()
 }
 
 /// N, and T of a rough contact.
@@ -32,6 +35,13 @@ pub(super) fn laws(trace: &Trace<'_>, form: &MatrixForm) -> Vec<String> {
 fn law(trace: &Trace<'_>, place: usize, contact: &Contact, balance: Option<Sym>) -> Vec<String> {
     let [normal, tangent] = [0, 1].map(|component| trace.reaction(place, component));
     let text = |scalar: Sym| simplified(scalar).decimal_text();
+    if contact.one_way.is_some() {
+        return vec![
+            contact.title(place),
+            format!("  u = {}, which is not negative", text(trace.scalar(contact.gap))),
+            format!("  where u = 0, u' = 0 and {normal} >= 0, or {normal} = 0 and u begins to grow; else {normal} = 0"),
+        ];
+    }
     let sides = match contact.sides {
         Sides::One => "pushes on one side",
         Sides::Both => "holds on both sides",

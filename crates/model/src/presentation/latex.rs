@@ -34,10 +34,11 @@ pub fn equations(trace: &Trace<'_>, form: &MatrixForm) -> Vec<Vec<Typeset>> {
         first.insert(1, equation(format!(r"\mathbf{{J}} {rate} + \mathbf{{c}}"), r"\mathbf{0}".to_owned()));
     }
     let meanings = form.quasi.iter().flat_map(|quasi| form.speeds.iter().zip(&quasi.definitions));
+    let meanings = meanings.filter(|(speed, is)| speed != is);
     let meanings = meanings.map(|(speed, is)| equation(speed.latex(), is.decimal_latex())).collect();
     let turned = form.positions.iter().zip(&form.position_rates).skip(form.plain());
-    let turned =
-        turned.map(|(part, rate)| equation(format!(r"\dot{{{}}}", part.latex()), rate.decimal_latex())).collect();
+    let turned = turned.map(|(part, rate)| equation(format!(r"\dot{{{}}}", part.latex()), rate.decimal_latex()));
+    let turned = turned.filter(|Typeset { left, right }| left != right).collect();
     let coefficients = form.quasi.iter().flat_map(|quasi| &quasi.coefficients).flat_map(|each| {
         [(each.letter, each.is), (each.rate, each.rate_is)]
             .map(|(letter, is)| equation(letter.latex(), is.decimal_latex()))

@@ -59,11 +59,15 @@ pub fn text(trace: &Trace<'_>, form: &MatrixForm) -> String {
     };
     section(&mut text, "Parameters", parameters(trace));
     let speeds = trace.model.quasi_velocities.iter().zip(form.quasi.iter().flat_map(|quasi| &quasi.definitions));
-    let speeds = speeds.map(|(speed, is)| format!("{} = {}, in {}", speed.name, is.decimal_text(), speed.unit()));
+    let own = form.quasi.iter().all(|quasi| quasi.definitions == form.speeds);
+    let speeds = speeds.map(|(speed, is)| match is.to_string() == speed.name {
+        true => format!("{} in {}", speed.name, speed.unit()),
+        false => format!("{} = {}, in {}", speed.name, is.decimal_text(), speed.unit()),
+    });
     let speeds: Vec<String> = speeds.collect();
     let units = trace.model.coordinates.iter().map(|each| format!("{} in {}", each.name, each.unit)).collect();
     section(&mut text, "Coordinates q", units);
-    section(&mut text, "Quasi-velocities u", speeds);
+    section(&mut text, if own { "Independent speeds u" } else { "Quasi-velocities u" }, speeds);
     let kinematics = match form.quasi {
         Some(_) if trace.model.free.is_empty() => "Kinematic equations",
         Some(_) => "Kinematic equations; free frames have quaternions q0 + q1 i + q2 j + q3 k",
@@ -135,7 +139,8 @@ pub fn text(trace: &Trace<'_>, form: &MatrixForm) -> String {
 /// The rate of each coordinate that is no speed.
 fn position_rates(form: &MatrixForm) -> Vec<String> {
     let parts = form.positions.iter().zip(&form.position_rates).skip(form.plain());
-    parts.map(|(part, rate)| format!("{part}' = {}", rate.decimal_text())).collect()
+    let lines = parts.map(|(part, rate)| (format!("{part}'"), rate.decimal_text()));
+    lines.filter(|(part, rate)| part != rate).map(|(part, rate)| format!("{part} = {rate}")).collect()
 }
 
 /// Each with its value as it was written, or its unit where it has none.

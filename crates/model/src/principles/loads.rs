@@ -66,6 +66,7 @@ pub(crate) fn along(trace: &Trace<'_>, speed: usize) -> Sym {
     trace.model.generalised.iter().fold(Sym::ZERO, |sum, force| match force.along {
         Along::Speed(own) if own == speed => sum + trace.scalar(force.is),
         Along::Speed(_) => sum,
+        Along::Expression(own) => sum + trace.scalar(force.is) * trace.by_speed(trace.scalar(own), speed),
         Along::QuasiVelocity(place) => {
             let velocity = trace.scalar(trace.model.quasi_velocities[place].is);
             sum + trace.scalar(force.is) * trace.by_speed(velocity, speed)

@@ -18,15 +18,7 @@ impl<'t, 'm> QuasiVelocities<'t, 'm> {
                 Dependence::Forms(faults) => faults,
                 Dependence::Ranks(fault) => vec![fault],
             })?;
-        let letters = |primes: &str, dot: &str| -> Vec<Sym> {
-            let named = |speed: &crate::QuasiVelocity| {
-                let latex = Sym::symbol(&speed.name).latex();
-                let latex = if dot.is_empty() { latex } else { format!("{dot}{{{latex}}}") };
-                Sym::named(&format!("{}{primes}", speed.name), &latex)
-            };
-            model.quasi_velocities.iter().map(named).collect()
-        };
-        let (symbols, accelerations) = (letters("", ""), letters("'", r"\dot"));
+        let (symbols, accelerations) = letters(trace);
         let n = trace.speeds.len();
         let at_rest: Vec<(Sym, Sym)> = trace.speeds.iter().map(|&speed| (speed, Sym::ZERO)).collect();
         // constraints first, then quasi-velocities; each row with its unit column and what is left of it at rest
@@ -109,4 +101,17 @@ impl<'t, 'm> QuasiVelocities<'t, 'm> {
             known: [by_speeds, by_accelerations],
         })
     }
+}
+
+/// Letters of quasi-velocities and of their rates; a speed that stands for itself keeps its own.
+fn letters(trace: &Trace<'_>) -> (Vec<Sym>, Vec<Sym>) {
+    let own = |name: &str| trace.speeds.iter().position(|speed| speed.to_string() == name);
+    let letters = |speed: &crate::QuasiVelocity| match own(&speed.name) {
+        Some(place) => (trace.speeds[place], trace.accelerations[place]),
+        None => {
+            let letter = Sym::symbol(&speed.name);
+            (letter, Sym::named(&format!("{}'", speed.name), &format!(r"\dot{{{}}}", letter.latex())))
+        }
+    };
+    trace.model.quasi_velocities.iter().map(letters).unzip()
 }

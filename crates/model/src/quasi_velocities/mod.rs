@@ -16,10 +16,12 @@ mod coefficients;
 mod construction;
 mod hamel;
 mod independence;
+mod independent_rates;
 mod inverse;
 mod maggi;
 mod reduced_equations;
 mod short_forms;
+mod shulgin;
 mod virtual_power;
 
 pub use coefficients::Coefficient;

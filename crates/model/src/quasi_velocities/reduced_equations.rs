@@ -1,6 +1,6 @@
 //! Equations of motion in quasi-velocities by every principle that uses them, and whether these agree.
 
-use super::{QuasiVelocities, appell, hamel, maggi, virtual_power};
+use super::{QuasiVelocities, appell, hamel, maggi, shulgin, virtual_power};
 use crate::agreement::{Agreement, decided};
 use crate::principles::NotApplicable;
 use symbolic::Sym;
@@ -16,10 +16,13 @@ pub enum QuasiPrinciple {
     Appell,
     /// From the kinetic energy in quasi-velocities, with three-index symbols (Boltzmann, Hamel).
     Hamel,
+    /// From the kinetic energy that knows the constraints, with the term that this loses; along independent speeds alone.
+    Shulgin,
 }
 
 impl QuasiPrinciple {
-    pub const ALL: [QuasiPrinciple; 4] =
+    /// Those whose equations stand along any quasi-velocities.
+    pub const ALONG_ANY: [QuasiPrinciple; 4] =
         [QuasiPrinciple::Maggi, QuasiPrinciple::VirtualPower, QuasiPrinciple::Appell, QuasiPrinciple::Hamel];
 
     /// As commands name it.
@@ -29,6 +32,7 @@ impl QuasiPrinciple {
             QuasiPrinciple::VirtualPower => "virtual-power",
             QuasiPrinciple::Appell => "appell",
             QuasiPrinciple::Hamel => "hamel",
+            QuasiPrinciple::Shulgin => "shulgin",
         }
     }
 
@@ -52,6 +56,7 @@ impl QuasiPrinciple {
             QuasiPrinciple::VirtualPower => virtual_power::residual(quasi, trace),
             QuasiPrinciple::Appell => appell::residual(quasi, trace),
             QuasiPrinciple::Hamel => hamel::residual(quasi, trace),
+            QuasiPrinciple::Shulgin => shulgin::residual(quasi, trace)?,
         };
         Ok(quasi.by_quasi_velocities(&residual))
     }

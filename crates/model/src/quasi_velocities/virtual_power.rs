@@ -38,6 +38,9 @@ fn by_energies(quasi: &QuasiVelocities<'_, '_>, trace: &Trace<'_>) -> Vec<Sym> {
             Along::Speed(speed) => sum + quasi.moved(trace.scalar(force.is)) * quasi.speeds[speed].diff(w),
             Along::QuasiVelocity(own) if own == place => sum + quasi.moved(trace.scalar(force.is)),
             Along::QuasiVelocity(_) => sum,
+            Along::Expression(own) => {
+                sum + quasi.moved(trace.scalar(force.is)) * quasi.moved(trace.scalar(own)).diff(w)
+            }
         })
     };
     let all = quasi.symbols.iter().enumerate();

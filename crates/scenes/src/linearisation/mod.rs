@@ -34,6 +34,8 @@ pub struct Linearisation {
     pub coordinates: Vec<usize>,
     /// Speeds that do.
     pub speeds: Vec<usize>,
+    /// All displacements, then all speeds, by the state.
+    pub variations: DMatrix<f64>,
     pub a: DMatrix<f64>,
     pub b: DMatrix<f64>,
     pub c: DMatrix<f64>,
@@ -180,7 +182,12 @@ impl VariedEquations {
         // a condition of an output that is zero here has a slope beyond all sizes
         let is_finite = [&a, &b, &c, &d].iter().all(|matrix| matrix.iter().all(|value| value.abs() < STEEP));
         match is_finite {
-            true => Ok(Linearisation { point, coordinates: free, speeds: free_speeds, a, b, c, d }),
+            true => {
+                let variations = DMatrix::from_fn(2 * n, x_q + x_u, |row, column| {
+                    if row < n { coordinates[(row, column)] } else { speeds[(row - n, column)] }
+                });
+                Ok(Linearisation { point, coordinates: free, speeds: free_speeds, variations, a, b, c, d })
+            }
             false => Err(NotLinear::NotFinite),
         }
     }

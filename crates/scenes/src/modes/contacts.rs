@@ -1,6 +1,6 @@
 //! The reactions of contacts in touch, over symbols:
 //!
-//!   gap'' = 0 for N,    v' = 0 for T of a contact that sticks,    T = -mu |N| sign(v) of one that slides .
+//!   gap'' = 0 for N (u' = 0 of a diode),    v' = 0 for T of a contact that sticks,    T = -mu |N| sign(v) of one that slides .
 
 use super::mode::{Mode, Phase};
 use crate::compiled_system::NotCompiled;
@@ -12,7 +12,7 @@ use symbolic::{Derivation, Sym, substitute_all};
 /// forces across it. They hold accelerations and multipliers.
 pub(super) fn kept_at_zero(trace: &Trace<'_>) -> Vec<[Sym; 2]> {
     let of = |(contact, balance): (&Contact, Option<Sym>)| {
-        let normal = balance.unwrap_or_else(|| trace.rate_of(trace.rate_of(trace.scalar(contact.gap))));
+        let normal = balance.unwrap_or_else(|| trace.rate_of(trace.gap_rate(contact)));
         [normal, trace.rate_of(trace.scalar(contact.slide))]
     };
     trace.model.contacts.iter().zip(balances(trace)).map(of).collect()

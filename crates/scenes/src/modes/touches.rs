@@ -3,7 +3,7 @@
 use super::Modes;
 use super::course::Sets;
 use super::decision::TERMS;
-use super::expansion::{Instant, NotStruck, Touching};
+use super::expansion::{Instant, Kind, NotStruck, Touching};
 use super::jet::Jet;
 use super::mode::{Case, Face, Mode, Phase};
 use super::passage::{SLACK, refused};
@@ -66,9 +66,17 @@ impl Modes {
         let mut opened = Vec::new();
         let approaches = |contact: &Touching<1>| contact.gap_rate.sign_of(0, SLACK) < 0.0;
         if let Some(contact) = closing {
-            expansions.return_to_touch(time, state, contact);
+            match expansions.kinds[contact].is_one_way {
+                true => {
+                    let mut blocked = mode.clone();
+                    blocked.phases[contact] = Phase::Slips { forwards: true, face: Face::Front };
+                    expansions.return_to_zero(time, state, &blocked, 0.0);
+                }
+                false => expansions.return_to_touch(time, state, contact),
+            }
         }
         if let Some(contact) = closing
+            && !expansions.kinds[contact].is_one_way
             && approaches(&expansions.contacts(&Instant { time, state, late }, &mode.cases)[contact])
         {
             let in_touch: Vec<usize> = (0..phases.len()).filter(|&other| phases[other] != Phase::Apart).collect();
@@ -79,6 +87,11 @@ impl Modes {
                 NotStruck::Restitution => RESTITUTION,
                 NotStruck::Friction => NEGATIVE,
             })?;
+            let after = expansions.contacts(&Instant { time, state, late }, &mode.cases);
+            let turned = |(kind, contact): (&Kind, &Touching<1>)| kind.is_one_way && approaches(contact);
+            if expansions.kinds.iter().zip(&after).any(turned) {
+                return Err(TOGETHER);
+            }
             sets = Sets::Impact(contact);
             if self.bounces_end(mode, contact, time, state)? {
                 sets = Sets::LastBounce;
@@ -92,6 +105,7 @@ impl Modes {
         };
         let of = |(place, (contact, phase)): (usize, (Touching<1>, &Phase))| match *phase {
             Phase::Apart if Some(place) != closing => Touch::Open,
+            Phase::Apart if expansions.kinds[place].is_one_way => touching(&contact),
             // a bounce
             Phase::Apart if contact.gap_rate.sign_of(0, SLACK) > 0.0 => Touch::Open,
             Phase::Apart => touching(&contact),

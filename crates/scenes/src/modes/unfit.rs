@@ -8,6 +8,8 @@ use model::Sides;
 
 const PENETRATES: &str = "a contact penetrates at the start: its gap is negative";
 const LEFT: &str = "a guide is left at the start: its gap is not zero";
+const STIFF: &str = "the speed of a diode or a freewheel is one that nothing moves";
+const TURNED: &str = "a diode or a freewheel starts with a speed against it";
 const CLOSES: &str = "a contact closes with a velocity at the start: an impact, before which a motion has to begin";
 const PULLS: &str =
     "a contact pulls where it should push: its normal does not point to where its gap grows, or nothing moves along it";
@@ -38,15 +40,21 @@ fn wrong(
     (contact, cases): (usize, &[Case]),
     touching: &Touching<1>,
 ) -> Option<(&'static str, &'static str)> {
-    let Kind { sides, is_rough, is_guide, .. } = expansions.kinds[contact];
+    let Kind { sides, is_rough, is_guide, is_one_way, .. } = expansions.kinds[contact];
     let [friction, restitution] = expansions.coefficients(*time, state, (contact, cases));
     let [gap, rate] = [touching.gap, touching.gap_rate].map(|jet| jet.sign_of(0, SLACK));
     let is_left = sides == Sides::Both && (gap, rate) != (0.0, 0.0);
     let faults = [
         (is_rough && friction < 0.0, NEGATIVE, "a number that is not negative"),
         (!(0.0..=1.0).contains(&restitution), RESTITUTION, "a number from 0, without a bounce, to 1, without a loss"),
-        (!is_guide && !expansions.yields(instant, contact), PULLS, "the direction in which the gap grows"),
+        (is_one_way && !expansions.yields(instant, contact), STIFF, "an inductance or an inertia that its speed moves"),
+        (
+            !is_guide && !is_one_way && !expansions.yields(instant, contact),
+            PULLS,
+            "the direction in which the gap grows",
+        ),
         (is_left, LEFT, "a start on the guide; `through` is a point of its line"),
+        (is_one_way && gap < 0.0, TURNED, "a speed that is zero or positive"),
         (
             sides == Sides::One && gap < 0.0,
             PENETRATES,

@@ -2,7 +2,7 @@
 
 use super::mode::{Case, Mode, Phase};
 use super::signals::Fall;
-use model::{Model, Trace};
+use model::{Model, OneWay, Trace};
 use symbolic::apart;
 
 /// The names of conditions, contacts and events.
@@ -11,6 +11,7 @@ pub(super) struct Words {
     contacts: Vec<String>,
     /// Whether each contact has friction.
     are_rough: Vec<bool>,
+    one_ways: Vec<Option<OneWay>>,
     events: Vec<String>,
 }
 
@@ -19,7 +20,8 @@ impl Words {
         let conditions = apart(|| Trace::of(model).switches.iter().map(ToString::to_string).collect());
         let contacts = model.contacts.iter().enumerate().map(|(place, contact)| contact.title(place)).collect();
         let are_rough = model.contacts.iter().map(|contact| contact.friction.is_some()).collect();
-        Words { conditions, contacts, are_rough, events: events.to_vec() }
+        let one_ways = model.contacts.iter().map(|contact| contact.one_way).collect();
+        Words { conditions, contacts, are_rough, one_ways, events: events.to_vec() }
     }
 
     /// An event.
@@ -28,6 +30,15 @@ impl Words {
             Fall::Passes { switch } => format!("{} changes", self.conditions[switch]),
             Fall::Leaves { switch, .. } => format!("nothing keeps {} at its change any more", self.conditions[switch]),
             Fall::Frees { switch } => format!("the share of {} leaves its bound", self.conditions[switch]),
+            Fall::Closes { contact } | Fall::Lifts { contact } if self.one_ways[contact].is_some() => {
+                let (name, is_diode) = (&self.contacts[contact], self.one_ways[contact] == Some(OneWay::Diode));
+                match (fall, is_diode) {
+                    (Fall::Closes { .. }, true) => format!("the current of {name} falls to zero"),
+                    (Fall::Closes { .. }, false) => format!("the speed of {name} falls to zero"),
+                    (_, true) => format!("the voltage across {name} falls to zero"),
+                    (_, false) => format!("the load of {name} falls to zero"),
+                }
+            }
             Fall::Closes { contact } => format!("{} closes", self.contacts[contact]),
             Fall::Lifts { contact } => format!("the normal reaction of {} falls to zero", self.contacts[contact]),
             Fall::Slides { contact, .. } => format!("friction does not hold {} any more", self.contacts[contact]),
@@ -47,8 +58,12 @@ impl Words {
             Case::Off => format!("{name} = 0"),
             Case::Held | Case::Shared | Case::Spent { .. } => format!("{name} stays at its change"),
         };
-        let phase = |((name, is_rough), phase): ((&String, &bool), &Phase)| {
+        let phase = |(((name, is_rough), one_way), phase): (((&String, &bool), &Option<OneWay>), &Phase)| {
             let what = match phase {
+                Phase::Apart if *one_way == Some(OneWay::Diode) => "conducts",
+                Phase::Apart if one_way.is_some() => "runs free",
+                _ if *one_way == Some(OneWay::Diode) => "blocks",
+                _ if one_way.is_some() => "holds",
                 Phase::Slips { .. } if !is_rough => "touches",
                 Phase::Apart => "is apart",
                 Phase::Sticks(_) | Phase::Rests { .. } => "sticks",
@@ -59,7 +74,7 @@ impl Words {
             format!("{name} {what}")
         };
         let cases = self.conditions.iter().zip(&mode.cases).map(case);
-        let phases = self.contacts.iter().zip(&self.are_rough).zip(&mode.phases).map(phase);
+        let phases = self.contacts.iter().zip(&self.are_rough).zip(&self.one_ways).zip(&mode.phases).map(phase);
         cases.chain(phases).collect::<Vec<String>>().join(", ")
     }
 }

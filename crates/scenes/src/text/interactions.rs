@@ -1,9 +1,9 @@
-//! Forces, torques, contacts and drives: what bodies do to each other.
+//! Forces, torques, contacts, diodes, freewheels and drives: what bodies do to each other.
 
 use super::{placed, text_of};
 use derivations::scene::Issue;
 use derivations::scene::read::Table;
-use model::{ContactSource, DriveSource, LoadSource, Text, WindingSource};
+use model::{ContactSource, DriveSource, LoadSource, OneWay, OneWaySource, Text, WindingSource};
 
 pub(super) fn loads(top: &mut Table<'_>, name: &str) -> Vec<LoadSource> {
     let needed = format!("[[{name}]] in double brackets is accepted, since a system may have several");
@@ -110,4 +110,28 @@ pub(super) fn contacts(top: &mut Table<'_>) -> Vec<ContactSource> {
         }
     }
     contacts
+}
+
+/// Diodes, then freewheels.
+pub(super) fn one_ways(top: &mut Table<'_>) -> Vec<OneWaySource> {
+    let mut one_ways = Vec::new();
+    for (is, key, needed) in [
+        (OneWay::Diode, "current", "current that does not turn round, \"q'\""),
+        (OneWay::Freewheel, "speed", "speed that does not turn round, \"a'\""),
+    ] {
+        let several = format!("[[{}]] in double brackets is accepted, since a system may have several", is.name());
+        for mut table in top.tables(is.name(), &several) {
+            let name = text_of(&mut table, "name", "name");
+            let speed = table.text(key, needed);
+            let speed = placed(&table, &speed);
+            let drop = text_of(&mut table, "drop", "what it takes while it lets through");
+            let at = table.span();
+            let sound = !table.has_issues();
+            top.absorb(table);
+            if sound {
+                one_ways.push(OneWaySource { is, name, speed, drop, at });
+            }
+        }
+    }
+    one_ways
 }

@@ -4,8 +4,10 @@ mod interactions;
 
 use derivations::scene::Issue;
 use derivations::scene::read::{At, Table};
-use interactions::{contacts, drives, loads};
-use model::{BodySource, ConstraintSource, Entry, EventSource, Fault, InertiaSource, InputSource, Source, Text};
+use interactions::{contacts, drives, loads, one_ways};
+use model::{
+    BodySource, ConstraintSource, Entry, EventSource, Fault, InertiaSource, InputSource, RegulatorSource, Source, Text,
+};
 use std::ops::Range;
 
 /// Tables that the language will have.
@@ -19,7 +21,7 @@ pub fn source(top: &mut Table<'_>) -> Source {
         if let Some(span) = top.place_of(key) {
             top.known(&[key]);
             let issue = Issue::at(span, format!("{what} are not there yet"), "not there yet");
-            top.report(issue.accepted("parameters, coordinates, speeds, definitions, frames, points, bodies, energies, forces, torques, constraints, contacts, drives, inputs, events, outputs, start"));
+            top.report(issue.accepted("parameters, coordinates, speeds, definitions, frames, points, bodies, energies, forces, torques, constraints, contacts, diodes, freewheels, drives, inputs, events, outputs, start"));
         }
     }
     let (start, equilibrium) = start(top);
@@ -37,13 +39,31 @@ pub fn source(top: &mut Table<'_>) -> Source {
         torques: loads(top, "torque"),
         constraints: constraints(top),
         contacts: contacts(top),
+        one_ways: one_ways(top),
         drives: drives(top),
         outputs: entries(top, "outputs"),
+        regulator: regulator(top),
         inputs: inputs(top),
         events: events(top),
         start,
         equilibrium,
     }
+}
+
+/// The criterion of an optimal regulator.
+fn regulator(top: &mut Table<'_>) -> Option<RegulatorSource> {
+    let mut table = top.optional_table("regulator")?;
+    let inputs = table.texts("inputs", "names of inputs, [\"u\"]");
+    let inputs = inputs.iter().map(|name| placed(&table, name)).collect();
+    let cost = table.text("cost", "cost by the time, a quadratic form of deviations");
+    let cost = placed(&table, &cost);
+    let last = text_of(&mut table, "last", "cost of what is left at the end of the horizon");
+    let horizon = text_of(&mut table, "horizon", "time for which the cost counts");
+    let displaced = entries(&mut table, "displaced");
+    let at = table.span();
+    let sound = !table.has_issues();
+    top.absorb(table);
+    sound.then_some(RegulatorSource { inputs, cost, last, horizon, displaced, at })
 }
 
 /// Coordinates and rates at time zero; where `equilibrium` stands among them, they are guesses of one.
@@ -58,7 +78,7 @@ fn start(top: &mut Table<'_>) -> (Vec<Entry>, Option<Range<usize>>) {
 }
 
 /// Tables and keys at the top of a file.
-const TOP: [&str; 21] = [
+const TOP: [&str; 24] = [
     "title",
     "description",
     "language",
@@ -75,9 +95,12 @@ const TOP: [&str; 21] = [
     "torque",
     "constraint",
     "contact",
+    "diode",
+    "freewheel",
     "drive",
     "inputs",
     "outputs",
+    "regulator",
     "event",
     "start",
 ];

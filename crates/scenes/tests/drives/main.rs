@@ -2,6 +2,7 @@
 
 mod circuits;
 mod gears;
+mod one_ways;
 mod refusals;
 
 use derivations::scene::{Choice, Smooth, Trajectory};

@@ -45,11 +45,44 @@ fn equations_stand_in_quasi_velocities_where_the_principle_uses_them() {
         assert!(text.contains(part), "{format}: {part}\n{text}");
     }
     refused(
-        &["derive", "scenes/models/chaplygin_sleigh.toml", "--principle", "maggi"],
-        "the table [speeds] gives these",
+        &["derive", "gyrostat", "--principle", "maggi"],
+        "newton-euler, hamilton, maggi and shulgin are for a system",
     );
-    refused(&["derive", "gyrostat", "--principle", "maggi"], "newton-euler, hamilton and maggi are for a system");
     std::fs::remove_file(path).expect("it is there");
+}
+
+#[test]
+fn without_quasi_velocities_equations_stand_along_independent_rates() {
+    for scene in ["scenes/models/chaplygin_sleigh.toml", "scenes/models/slider_crank.toml"] {
+        let [maggi, shulgin] =
+            ["maggi", "shulgin"].map(|principle| printed(&["derive", scene, "--principle", principle]));
+        assert_eq!(maggi, shulgin, "{scene}");
+    }
+    let text = printed(&["derive", "scenes/models/chaplygin_sleigh.toml", "--principle", "shulgin"]);
+    for line in [
+        "M u' + h = Q, with u = (x', psi')",
+        "y' = x'*sin(psi)/cos(psi)",
+        "M[x', x'] = m/cos(psi)^2",
+        "h[x'] = m*x'*psi'*sin(psi)/cos(psi)^3 - m*a*psi'^2/cos(psi)",
+    ] {
+        assert!(text.lines().any(|known| known.trim() == line), "{line}\n{text}");
+    }
+    assert!(!text.contains("x' = x'"), "{text}");
+    for format in ["latex", "mathml", "sympy", "c", "python", "rust"] {
+        let text =
+            printed(&["derive", "scenes/models/rolling_disc.toml", "--principle", "shulgin", "--format", format]);
+        assert!(text.len() > 500, "{format}: {text}");
+    }
+    refused(
+        &["derive", "scenes/models/double_pendulum.toml", "--principle", "maggi"],
+        "without constraints the equations of maggi are those of lagrange",
+    );
+    // the other names of two principles
+    for (name, of) in [("kane", "virtual-power"), ("lagrange-1", "lagrange")] {
+        let [one, other] =
+            [name, of].map(|name| printed(&["derive", "scenes/models/slider_crank.toml", "--principle", name]));
+        assert_eq!(one, other);
+    }
 }
 
 #[test]

@@ -174,7 +174,10 @@ impl Program {
                 format!("u = ({speeds}): quasi-velocities"),
             ],
         };
-        lines.extend_from_slice(&self.meanings);
+        // independent rates stand for themselves
+        lines.extend(
+            self.meanings.iter().filter(|line| line.split_once(" = ").is_none_or(|(name, is)| name != is)).cloned(),
+        );
         let name = |(k, name): (usize, &String)| match name.as_str() {
             "" => format!("{}", k + 1),
             name => format!("{} ({name})", k + 1),

@@ -26,6 +26,39 @@ impl Factor {
     }
 }
 
+impl Factor {
+    /// Its cosines and sines with their exponents: of each angle the sine first.
+    pub fn waves(&self) -> Vec<(Wave, u32)> {
+        match self {
+            Factor::Wave(wave) if wave.angle.is_empty() => Vec::new(),
+            Factor::Wave(wave) => vec![(wave.clone(), 1)],
+            Factor::Powers(powers) => powers
+                .iter()
+                .flat_map(|&(atom, step, [cosine, sine])| {
+                    let wave = |is_sine| Wave { angle: vec![(atom, step)], is_sine };
+                    [(wave(true), sine), (wave(false), cosine)]
+                })
+                .filter(|(_, exponent)| *exponent > 0)
+                .collect(),
+        }
+    }
+
+    /// With one power less of a cosine or sine; none where it has no such.
+    pub fn without(&self, is_it: impl Fn(&Wave) -> bool) -> Option<Self> {
+        let (found, _) = self.waves().into_iter().find(|(wave, _)| is_it(wave))?;
+        match self {
+            Factor::Wave(_) => Some(Factor::Wave(Wave::default())),
+            Factor::Powers(powers) => {
+                let mut powers = powers.clone();
+                let own = powers.iter_mut().find(|(atom, step, _)| found.angle == [(*atom, *step)])?;
+                own.2[usize::from(found.is_sine)] -= 1;
+                powers.retain(|(_, _, exponents)| *exponents != [0, 0]);
+                Some(Factor::of(powers))
+            }
+        }
+    }
+}
+
 /// Angles whose multiples together are larger are not opened.
 const MOST_TURNS: i64 = 8;
 

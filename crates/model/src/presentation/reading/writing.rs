@@ -22,11 +22,26 @@ impl Reading {
             let (parameters, others): (Monomial, Monomial) =
                 monomial.into_iter().partition(|(place, _)| *place < self.parameters);
             for (factor, coefficient) in shorter(&waves) {
-                shared.entry((others.clone(), factor)).or_default().push((parameters.clone(), coefficient));
+                let cancelled = self.cancelled(others.clone(), factor);
+                shared.entry(cancelled).or_default().push((parameters.clone(), coefficient));
             }
         }
         let terms = shared.iter().map(|((others, factor), parameters)| self.term(parameters, others, factor));
         terms.fold(Sym::ZERO, |sum, term| sum + term)
+    }
+
+    /// Letters and angles without the cosines and sines that a divisor has too.
+    fn cancelled(&self, mut others: Monomial, mut factor: Factor) -> (Monomial, Factor) {
+        for (place, exponent) in others.iter_mut().filter(|(_, exponent)| *exponent < 0) {
+            let divisor = self.leaves[*place as usize].expression;
+            while *exponent < 0
+                && let Some(rest) = factor.without(|wave| self.angle(wave) == divisor)
+            {
+                (factor, *exponent) = (rest, *exponent + 1);
+            }
+        }
+        others.retain(|(_, exponent)| *exponent != 0);
+        (others, factor)
     }
 
     /// A sum of monomials of parameters, times letters and angles.
@@ -72,30 +87,18 @@ impl Reading {
     }
 
     fn angles(&self, factor: &Factor) -> Vec<Sym> {
-        match factor {
-            Factor::Wave(wave) if wave.angle.is_empty() => Vec::new(),
-            Factor::Wave(wave) => {
-                let angle = wave.angle.iter().fold(Sym::ZERO, |sum, (atom, multiple)| {
-                    let size = Rational::new(multiple.numerator.abs(), multiple.denominator);
-                    let term = times(size, self.atoms[*atom as usize]);
-                    if multiple.numerator < 0 { sum - term } else { sum + term }
-                });
-                let point = angle.circle_as_written();
-                vec![if wave.is_sine { point.sin } else { point.cos }]
-            }
-            Factor::Powers(powers) => {
-                let mut all = Vec::new();
-                for (atom, step, [cosine, sine]) in powers {
-                    let point = times(step.value(), self.atoms[*atom as usize]).circle_as_written();
-                    for (part, exponent) in [(point.sin, *sine), (point.cos, *cosine)] {
-                        if exponent > 0 {
-                            all.push(part.powi(exponent as i32));
-                        }
-                    }
-                }
-                all
-            }
-        }
+        factor.waves().into_iter().map(|(wave, exponent)| self.angle(&wave).powi(exponent as i32)).collect()
+    }
+
+    /// A cosine or a sine.
+    fn angle(&self, wave: &Wave) -> Sym {
+        let angle = wave.angle.iter().fold(Sym::ZERO, |sum, (atom, multiple)| {
+            let size = Rational::new(multiple.numerator.abs(), multiple.denominator);
+            let term = times(size, self.atoms[*atom as usize]);
+            if multiple.numerator < 0 { sum - term } else { sum + term }
+        });
+        let point = angle.circle_as_written();
+        if wave.is_sine { point.sin } else { point.cos }
     }
 }
 

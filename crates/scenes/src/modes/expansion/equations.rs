@@ -27,6 +27,7 @@ pub(super) fn expansions(model: &Model) -> Result<Expansions, NotCompiled> {
         is_rough: contact.friction.is_some(),
         law: contact.law,
         is_guide: contact.guide.is_some(),
+        is_one_way: contact.one_way.is_some(),
     };
     let kinds: Vec<Kind> = model.contacts.iter().map(kind).collect();
     let places = || (0..kinds.len()).flat_map(|contact| [[contact, 0], [contact, 1]]);
@@ -49,7 +50,7 @@ pub(super) fn expansions(model: &Model) -> Result<Expansions, NotCompiled> {
         }
     }
     let gaps: Vec<Sym> = model.contacts.iter().map(|contact| trace.scalar(contact.gap)).collect();
-    let gap_rates = gaps.iter().map(|gap| trace.rate_of(*gap)).collect();
+    let gap_rates = model.contacts.iter().map(|contact| trace.gap_rate(contact)).collect();
     let slides = model.contacts.iter().map(|contact| trace.scalar(contact.slide)).collect();
     let frictions = (0..kinds.len()).map(|contact| friction(&trace, contact)).collect();
     let restitutions =

@@ -59,6 +59,8 @@ pub(super) struct Kind {
     pub law: Restitution,
     /// Whether the coordinates keep the body in it.
     pub is_guide: bool,
+    /// Whether its gap is a speed.
+    pub is_one_way: bool,
 }
 
 /// The slope of a row by a letter, and the letters that change it.

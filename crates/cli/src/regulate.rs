@@ -1,0 +1,207 @@
+//! `dalembert regulate`: the optimal regulator of a system, its run on the nonlinear model, and the cost beside Riccati's.
+
+use crate::arguments::Format;
+use crate::ending::{Ending, placed, print};
+use crate::output::Writes;
+use crate::progress::Progress;
+use crate::{clock, csv};
+use ::scenes::regulator::{ClosedRun, Controllability, Regulated, regulated};
+use ::scenes::{ModelScene, unit_of};
+use clap::Args;
+use derivations::scene::file::read_text;
+use model::{Model, Regulator};
+use nalgebra::{Complex, DMatrix};
+use serde_json::json;
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+
+/// The scene, and where its run goes.
+#[derive(Args, Debug)]
+pub struct Asked {
+    /// A file with `[coordinates]` and `[regulator]`
+    #[arg(value_name = "SCENE.toml")]
+    pub scene: PathBuf,
+    /// Writes the regulated motion as a table, each column with its unit: time, states, inputs, cost
+    #[arg(long, value_name = "FILE.csv")]
+    pub out: Option<PathBuf>,
+    /// Replaces the file of --out even where `regulate` did not write what stands there
+    #[arg(long)]
+    pub force: bool,
+    /// How to print the regulator
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+}
+
+/// Finds the regulator, runs its loop and prints both.
+pub fn show(asked: &Asked) -> Result<Ending, Ending> {
+    let path: &Path = &asked.scene;
+    let text = read_text(path)?;
+    let scene = ModelScene::parse(&path.display().to_string(), &text)?;
+    let model = &*scene.model;
+    let names: Vec<String> = model.state_names().into_iter().map(|(name, _)| name).collect();
+    let chosen =
+        model.regulator.iter().flat_map(|regulator| &regulator.inputs).map(|&input| model.inputs[input].name.clone());
+    let chosen: Vec<String> = chosen.collect();
+    let headed = |name: &String| csv::headed(name, &unit_of(model, name));
+    let columns: Vec<String> = names.iter().chain(&chosen).map(headed).chain(["cost".to_owned()]).collect();
+    let writes = Writes { command: "regulate", force: asked.force, reads: vec![path] };
+    let table = csv::Table::at(&writes, asked.out.as_deref(), &columns)?;
+    let work = Progress::new("the regulator");
+    let found = regulated(&scene, clock::left()).map_err(|issue| placed(path, issue))?;
+    drop(work);
+    let Regulated { run, .. } = &found;
+    let rows: Vec<Vec<f64>> = (run.states.iter().zip(&run.inputs).zip(&run.costs))
+        .map(|((state, inputs), cost)| [&state[..], inputs, &[*cost]].concat())
+        .collect();
+    let told = Told { model, found: &found, names: &names, chosen: &chosen };
+    print(&match asked.format {
+        Format::Text => told.text(&scene.title),
+        Format::Json => format!("{:#}\n", told.object()),
+    })?;
+    if let Some(row) = rows.last()
+        && let Some(written) = table.write(&run.times, &rows, (run.outcome.time, row))?
+    {
+        written.tell(asked.format)?;
+    }
+    Ok(if run.outcome.failure().is_some() { Ending::Stopped } else { Ending::Done })
+}
+
+/// A regulator with its names.
+struct Told<'a> {
+    model: &'a Model,
+    found: &'a Regulated,
+    names: &'a [String],
+    chosen: &'a [String],
+}
+
+impl Told<'_> {
+    fn states(&self) -> Vec<&str> {
+        self.found.places.iter().map(|&place| self.names[place].as_str()).collect()
+    }
+
+    /// The cost of the run up to its end, and of what is left there.
+    fn cost(&self) -> f64 {
+        self.found.run.costs.last().copied().unwrap_or(0.0) + self.found.left
+    }
+
+    fn text(&self, title: &str) -> String {
+        let Regulated { controllability, gains, value, residual, open, closed, predicted, left, run, .. } = self.found;
+        let horizon = self.model.regulator.as_ref().and_then(|Regulator { horizon, .. }| *horizon);
+        let states = self.states();
+        let mut text = format!("{title}\n\n");
+        let mut line = |name: &str, value: String| {
+            let _ = writeln!(text, "{name:<21}{value}");
+        };
+        line("states", states.join(", "));
+        line("inputs", self.chosen.join(", "));
+        match horizon {
+            None => line("criterion", "the integral of the cost without an end".to_owned()),
+            Some(horizon) => line("criterion", format!("the integral of the cost up to t = {horizon} s")),
+        }
+        line("controllability", said(controllability));
+        line(if horizon.is_some() { "eigenvalues at t = 0" } else { "eigenvalues" }, eigenvalues(open));
+        if let Some(closed) = closed {
+            line("of the closed loop", eigenvalues(closed));
+        }
+        let _ = writeln!(text, "gains K, u = u0 - K (x - x0){}", if horizon.is_some() { ", at the start" } else { "" });
+        table(&mut text, self.chosen, &states, gains);
+        let _ = writeln!(text, "P of the least cost x^T P x{}", if horizon.is_some() { ", at the start" } else { "" });
+        let rows: Vec<String> = states.iter().map(|name| (*name).to_owned()).collect();
+        table(&mut text, &rows, &states, value);
+        let mut line = |name: &str, value: String| {
+            let _ = writeln!(text, "{name:<21}{value}");
+        };
+        match horizon {
+            None => line("Bellman's equation", format!("holds to {residual:.0e} of its largest part")),
+            Some(_) => line(
+                "Riccati's equation",
+                format!("P changes by {residual:.0e} of its largest entry with half the steps"),
+            ),
+        }
+        line("cost by Riccati", number(*predicted));
+        let rest =
+            if *left == 0.0 { String::new() } else { format!(", {left:.1e} of it after t = {} s", run.outcome.time) };
+        line("cost of the run", number(self.cost()) + &rest);
+        match run.outcome.failure() {
+            None => line("reached", format!("t = {} s", run.outcome.time)),
+            Some(failure) => line("stopped", format!("{failure}")),
+        }
+        let last = run.states.last().into_iter().flatten();
+        for (name, value) in self.names.iter().zip(last) {
+            let _ = writeln!(text, "  {name:<19}{value:.9}");
+        }
+        text
+    }
+
+    fn object(&self) -> serde_json::Value {
+        let Regulated { controllability, gains, value, residual, open, closed, predicted, run, .. } = self.found;
+        let rows = |matrix: &DMatrix<f64>| -> Vec<Vec<f64>> {
+            matrix.row_iter().map(|row| row.iter().copied().collect()).collect()
+        };
+        let pairs = |values: &[Complex<f64>]| values.iter().map(|value| [value.re, value.im]).collect::<Vec<_>>();
+        let ClosedRun { times, states, inputs, costs, .. } = run;
+        json!({
+            "states": self.states(),
+            "inputs": self.chosen,
+            "controllable": is_whole(controllability),
+            "controllability": said(controllability),
+            "eigenvalues": pairs(open),
+            "eigenvalues_closed": closed.as_deref().map(pairs),
+            "gains": rows(gains),
+            "riccati": rows(value),
+            "residual": residual,
+            "cost_by_riccati": predicted,
+            "cost_of_run": self.cost(),
+            "reached": run.outcome.failure().is_none(),
+            "columns": self.names,
+            "run": { "times": times, "states": states, "inputs": inputs, "costs": costs },
+        })
+    }
+}
+
+/// A number with about nine digits.
+fn number(value: f64) -> String {
+    if value == 0.0 || (1e-3..1e6).contains(&value.abs()) { format!("{value:.9}") } else { format!("{value:.8e}") }
+}
+
+fn is_whole(controllability: &Controllability) -> bool {
+    match controllability {
+        Controllability::Modes(modes) => modes.is_empty(),
+        Controllability::Directions { rank, of } => rank == of,
+    }
+}
+
+fn said(controllability: &Controllability) -> String {
+    match controllability {
+        Controllability::Modes(modes) if modes.is_empty() => "every variation can be reached by the inputs".to_owned(),
+        Controllability::Modes(modes) => {
+            format!("no input reaches the eigenvalues {}, which die away", eigenvalues(modes))
+        }
+        Controllability::Directions { rank, of } if rank == of => {
+            format!("every variation can be reached within the horizon: the Gramian has the rank {rank}")
+        }
+        Controllability::Directions { rank, of } => {
+            format!(
+                "within the horizon the inputs reach {rank} of {of} independent variations: the rank of the Gramian"
+            )
+        }
+    }
+}
+
+fn eigenvalues(values: &[Complex<f64>]) -> String {
+    let shown = |value: &Complex<f64>| match value.im {
+        0.0 => format!("{:.6}", value.re),
+        im => format!("{:.6} {} {:.6} i", value.re, if im < 0.0 { "-" } else { "+" }, im.abs()),
+    };
+    values.iter().map(shown).collect::<Vec<_>>().join(", ")
+}
+
+fn table(text: &mut String, rows: &[String], columns: &[&str], matrix: &DMatrix<f64>) {
+    let wide = rows.iter().map(|name| name.chars().count()).max().unwrap_or(0);
+    let heading: String = columns.iter().map(|name| format!(" {name:>16}")).collect();
+    let _ = writeln!(text, "  {:wide$}{heading}", "");
+    for (name, row) in rows.iter().zip(matrix.row_iter()) {
+        let entries: String = row.iter().map(|value| format!(" {value:>16.9}")).collect();
+        let _ = writeln!(text, "  {name:wide$}{entries}");
+    }
+}

@@ -1,0 +1,65 @@
+//! Diodes and freewheels: a speed u that does not fall below zero, u >= 0, N >= 0, N u = 0.
+//!
+//! N is the voltage with which a diode blocks, or the torque with which a freewheel holds its shaft. What either takes while it lets
+//! through acts all the time: it is a part of N where the speed is zero.
+
+use super::loads::joule;
+use super::orders::{ACCELERATIONS, SPEEDS};
+use super::windings::ampere;
+use super::{Elaborator, Sound};
+use crate::arena::{Scalar, Vector};
+use crate::{Along, Contact, Fault, GeneralisedForce, OneWay, OneWaySource, PointId, Restitution, Sides};
+use symbolic::Dimension;
+
+impl Elaborator<'_> {
+    pub(super) fn one_way(&mut self, place: usize, source: &OneWaySource) -> Sound<Contact> {
+        let kind = source.is;
+        if let Some(name) = &source.name {
+            self.contact_name_is_free(name)?;
+        }
+        let what = format!("the {} of a {}", if kind == OneWay::Diode { "current" } else { "speed" }, kind.name());
+        let needed = (kind == OneWay::Diode).then(ampere);
+        let speed = self.scalar_value(&source.speed, &what, needed)?;
+        if !self.orders.of(speed.0).is_some_and(|order| (SPEEDS..ACCELERATIONS).contains(&order)) {
+            let accepted = match kind {
+                OneWay::Diode => "the current of a charge, current = \"q'\", or a sum of such",
+                OneWay::Freewheel => "the speed of a shaft, speed = \"a'\", or beside another one, \"a' - n*b'\"",
+            };
+            let title = format!("{what} is linear in rates of coordinates");
+            return Err(Box::new(Fault::at(source.speed.span(), title, "this is not", accepted)));
+        }
+        let own = self.dimension_of(speed.0).unwrap_or_else(Dimension::none);
+        let across = joule() / Dimension::time() / own;
+        let reactions =
+            std::array::from_fn(|component| self.scalar(Scalar::Contact { contact: place, component }, Some(across)));
+        let along = Along::Expression(speed);
+        self.model.generalised.push(GeneralisedForce { along, is: reactions[0] });
+        if let Some(drop) = &source.drop {
+            let drop = self.law(drop, &format!("the drop of a {}", kind.name()), across)?;
+            let is = self.scalar(Scalar::Negation(drop), Some(across));
+            self.model.generalised.push(GeneralisedForce { along, is });
+        }
+        let none = self.vector(Vector::Zero, None);
+        let still = self.scalar(Scalar::Difference(speed, speed), Some(own));
+        Ok(Contact {
+            name: source.name.as_ref().map_or_else(String::new, |name| name.text.clone()),
+            gap: speed,
+            one_way: Some(kind),
+            normal: none,
+            velocity: none,
+            slide: still,
+            sides: Sides::One,
+            reactions,
+            reaction_unit: units::Dimension::of(&across.to_string()).coherent(),
+            friction: None,
+            restitution: None,
+            law: Restitution::default(),
+            with: None,
+            point: PointId::ORIGIN,
+            through: None,
+            guide: None,
+            is_touching: false,
+            at: source.at.clone(),
+        })
+    }
+}

@@ -1,0 +1,172 @@
+//! The closed loop on the nonlinear model: the motion from the start beside the one that is displaced and regulated, and its cost.
+
+use super::criterion::opened;
+use super::horizon::Backwards;
+use crate::compiled_system::{NotCompiled, rates, values};
+use crate::letters::Letters;
+use crate::modes::Mode;
+use crate::program::recorded;
+use derivations::taped::Program;
+use field::{DoubleDouble, Over};
+use integrators::{Directions, Method, Ode, Outcome, Real, Record, Span, System, Tolerance, integrate};
+use model::{Model, Regulator, Trace};
+use nalgebra::DMatrix;
+use std::cell::RefCell;
+use std::time::Instant;
+use symbolic::{Sym, apart, substitute_all};
+
+/// Gains of a loop.
+#[derive(Clone, Debug)]
+pub(super) enum Gains {
+    Lasting(DMatrix<f64>),
+    Along(Backwards),
+}
+
+impl Gains {
+    /// At a time, column after column.
+    pub fn at(&self, time: f64) -> DMatrix<f64> {
+        match self {
+            Gains::Lasting(gains) => gains.clone(),
+            Gains::Along(backwards) => backwards.gains(time).unwrap_or_default(),
+        }
+    }
+}
+
+/// The largest number of gains.
+pub(super) const MOST: usize = 256;
+
+/// The law of both motions and of the cost, over their states and the gains; behind the rates stand the inputs.
+struct ClosedLoop<'a> {
+    program: Program,
+    gains: &'a Gains,
+    states: usize,
+    count: usize,
+    chosen: usize,
+    room: (Room<f64>, Room<Directions>, Room<DoubleDouble>),
+}
+
+/// Inputs and outputs of the program.
+type Room<S> = RefCell<[Vec<S>; 2]>;
+
+macro_rules! runs {
+    ($($field:ty, $room:tt, $approximate:expr);*) => {$(
+        impl Ode<$field> for ClosedLoop<'_> {
+            fn dimension(&self) -> usize {
+                2 * self.states + 1
+            }
+
+            fn rates(&self, t: $field, y: &[$field], dy: &mut [$field]) {
+                let [all, out] = &mut *self.room.$room.borrow_mut();
+                all.resize(y.len() + self.count, <$field>::lift(0.0));
+                out.resize(y.len() + self.chosen, <$field>::lift(0.0));
+                all[..y.len()].copy_from_slice(y);
+                let approximate: fn($field) -> f64 = $approximate;
+                for (place, gain) in all[y.len()..].iter_mut().zip(self.gains.at(approximate(t)).iter()) {
+                    *place = <$field>::lift(*gain);
+                }
+                self.program.run(t, all, out).unwrap_or(());
+                dy.copy_from_slice(&out[..y.len()]);
+            }
+        }
+    )*};
+}
+runs!(f64, 0, |t| t; Directions, 1, |t| t.re; DoubleDouble, 2, |t| t.approx());
+
+impl System for ClosedLoop<'_> {}
+
+impl ClosedLoop<'_> {
+    /// The inputs at a state.
+    fn inputs(&self, time: f64, state: &[f64]) -> Vec<f64> {
+        let mut rates = vec![0.0; state.len()];
+        Ode::<f64>::rates(self, time, state, &mut rates);
+        self.room.0.borrow()[1][state.len()..].to_vec()
+    }
+}
+
+/// A run of the closed loop.
+#[derive(Clone, Debug)]
+pub struct ClosedRun {
+    pub outcome: Outcome<f64>,
+    pub times: Vec<f64>,
+    /// The regulated motion: coordinates, then speeds.
+    pub states: Vec<Vec<f64>>,
+    /// Its deviation from the motion that it is regulated to.
+    pub deviations: Vec<Vec<f64>>,
+    pub inputs: Vec<Vec<f64>>,
+    /// The cost up to each time.
+    pub costs: Vec<f64>,
+}
+
+/// Runs the loop from a start and a displaced one; `places` are those of the state that gains know.
+///
+/// # Errors
+/// Where the law cannot be written down.
+pub(super) fn run(
+    (model, regulator): (&Model, &Regulator),
+    (places, gains): (&[usize], &Gains),
+    [start, displaced]: [&[f64]; 2],
+    (span, tolerance, samples): (f64, f64, usize),
+    deadline: Instant,
+) -> Result<ClosedRun, NotCompiled> {
+    let open = opened(model, regulator);
+    let (states, chosen, count) = (start.len(), regulator.inputs.len(), places.len() * regulator.inputs.len());
+    let written = |time: Sym, state: &[Sym]| rates(&open, &Mode::default(), Letters::with_data(time, state));
+    // why there is none, where there is none
+    apart(|| {
+        let state: Vec<Sym> = (0..states).map(|place| Sym::symbol(&format!("y{place}"))).collect();
+        written(Sym::symbol("t"), &state).map(|_| ())
+    })?;
+    let program = recorded(2 * states + 1 + count, |time, all| {
+        let (own, rest) = all.split_at(states);
+        let (moved, rest) = rest.split_at(states);
+        let gains = &rest[1..];
+        let (trace, given) = (Trace::of(&open), Trace::of(model));
+        let inputs = || regulator.inputs.iter().map(|&input| &model.inputs[input]);
+        let letters: Vec<Sym> = inputs().map(|input| Sym::symbol(&input.name)).collect();
+        // the inputs of the motion that the loop is regulated to
+        let values_given: Vec<Sym> =
+            inputs().map(|input| input.value.map_or(Sym::ZERO, |value| given.scalar(value))).collect();
+        let values_given = substitute_all(&values_given, &values(&given, time, own));
+        let deviation = |place: usize| moved[place] - own[place];
+        let added: Vec<Sym> = (0..chosen)
+            .map(|row| {
+                let terms = places.iter().enumerate().map(|(k, &place)| gains[k * chosen + row] * deviation(place));
+                -terms.fold(Sym::ZERO, |sum, term| sum + term)
+            })
+            .collect();
+        let sums: Vec<Sym> = values_given.iter().zip(&added).map(|(given, by)| *given + *by).collect();
+        let with = |state: &[Sym], by: &[Sym]| -> Vec<Sym> {
+            let known: Vec<(Sym, Sym)> = letters.iter().copied().zip(by.iter().copied()).collect();
+            substitute_all(&written(time, state).unwrap_or_default(), &known)
+        };
+        let own_letters = trace.coordinates.iter().chain(&trace.speeds).copied();
+        let deviations = own_letters.clone().enumerate().map(|(place, letter)| (letter, deviation(place)));
+        let deviations: Vec<(Sym, Sym)> =
+            deviations.chain(letters.iter().copied().zip(added.iter().copied())).collect();
+        let state: Vec<Sym> = own_letters.collect();
+        let cost = Letters::with_data(time, &state).put_into(&trace, &[trace.scalar(regulator.cost)])[0];
+        [with(own, &values_given), with(moved, &sums), vec![cost.substitute(&deviations)], sums].concat()
+    })?;
+    let law = ClosedLoop { program, gains, states, count, chosen, room: Default::default() };
+    let both = [start, displaced, &[0.0]].concat();
+    let mut span = Span::new(0.0, span, &both).with_deadline(deadline);
+    span.outputs = (1..=samples).map(|k| span.end * k as f64 / samples as f64).collect();
+    let mut record = Record::new();
+    let outcome = integrate(&law, Method::DormandPrince8, &Tolerance::both(tolerance), &span, &mut record);
+    let (mut times, mut all) = (record.times, record.states);
+    if times.first().is_none_or(|first| *first > 0.0) {
+        times.insert(0, 0.0);
+        all.insert(0, both.clone());
+    }
+    let part = |from: usize, to: usize| all.iter().map(|state| state[from..to].to_vec()).collect::<Vec<_>>();
+    let (own, moved) = (part(0, states), part(states, 2 * states));
+    let deviations = moved.iter().zip(&own).map(|(one, other)| one.iter().zip(other).map(|(a, b)| a - b).collect());
+    Ok(ClosedRun {
+        deviations: deviations.collect(),
+        inputs: times.iter().zip(&all).map(|(&time, state)| law.inputs(time, state)).collect(),
+        costs: all.iter().map(|state| state[2 * states]).collect(),
+        states: moved,
+        times,
+        outcome,
+    })
+}

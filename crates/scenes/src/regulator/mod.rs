@@ -1,0 +1,263 @@
+//! Optimal regulators: inputs that bring a model back to the motion from its start at the least cost.
+//!
+//! The model is linearised along that motion, Riccati's equation follows from Bellman's, and the gains close the loop on the nonlinear
+//! model. Without a horizon the motion is an equilibrium, or one along which the linear equations stay as they are.
+
+mod closed_loop;
+mod controllability;
+mod criterion;
+mod horizon;
+mod riccati;
+
+pub use closed_loop::ClosedRun;
+pub use controllability::Controllability;
+pub use riccati::Stage;
+
+use crate::compiled_system::changes;
+use crate::linearisation::{Linearisation, Standing, VariedEquations, eigenvalues, points};
+use crate::readiness::{unmet_at, without_law};
+use crate::scene::ModelScene;
+use crate::start::displaced;
+use closed_loop::{Gains, MOST};
+use criterion::{Form, forms};
+use derivations::scene::Issue;
+use horizon::Backwards;
+use model::{Model, Regulator};
+use nalgebra::{Complex, DMatrix, DVector};
+use std::time::{Duration, Instant};
+
+/// An optimal regulator of a model, and its run.
+#[derive(Clone, Debug)]
+pub struct Regulated {
+    /// Places of the states that gains know: coordinates, then speeds.
+    pub places: Vec<usize>,
+    pub controllability: Controllability,
+    /// K at the start: u = u0 - K (x - x0).
+    pub gains: DMatrix<f64>,
+    /// P at the start.
+    pub value: DMatrix<f64>,
+    /// The largest entry of Bellman's equation, relative; of a horizon the change of P by halved steps.
+    pub residual: f64,
+    /// Eigenvalues of A at the start, and without a horizon those of A - B K.
+    pub open: Vec<Complex<f64>>,
+    pub closed: Option<Vec<Complex<f64>>>,
+    /// x^T P x of the displaced start, and the cost of what is left at the end of the run.
+    pub predicted: f64,
+    pub left: f64,
+    pub run: ClosedRun,
+}
+
+/// Steps of a horizon, in the beginning and at most.
+const STEPS: usize = 64;
+const MOST_STEPS: usize = 8192;
+
+/// The change of P by halved steps, relative, that is small enough.
+const FINE: f64 = 1e-10;
+
+/// A real part above this part of the size of A is none that dies away.
+const STABLE: f64 = 1e-10;
+
+/// The largest rest of Riccati's equation, relative.
+const LASTS: f64 = 1e-6;
+
+/// The largest error of a step of the closed loop.
+const RUN: f64 = 1e-10;
+
+/// Gains, with all that is told of them.
+struct Found {
+    gains: Gains,
+    value: DMatrix<f64>,
+    residual: f64,
+    controllability: Controllability,
+}
+
+/// A scene with its criterion and its linear equations.
+struct Task<'a> {
+    scene: &'a ModelScene,
+    model: &'a Model,
+    regulator: &'a Regulator,
+    equations: VariedEquations,
+    /// The inputs of the regulator among those of the equations.
+    chosen: Vec<usize>,
+    cost: Form,
+    last: Option<Form>,
+}
+
+/// Finds the regulator of a scene, and runs it.
+///
+/// # Errors
+/// Why there is none, at its place.
+pub fn regulated(scene: &ModelScene, allowed: Duration) -> Result<Regulated, Issue> {
+    let deadline = Instant::now() + allowed;
+    let task = Task::of(scene)?;
+    let Task { model, regulator, .. } = task;
+    let first = task.about(0.0, &scene.start)?;
+    let speeds = first.speeds.iter().map(|&speed| model.positions() + speed);
+    let places: Vec<usize> = first.coordinates.iter().copied().chain(speeds).collect();
+    let count = places.len() * task.chosen.len();
+    if count > MOST {
+        return Err(task.refused(format!("this regulator has {count} gains"), "at most 256"));
+    }
+    let found = match regulator.horizon {
+        None => task.lasting(&first)?,
+        Some(horizon) => task.over(horizon, &first, deadline)?,
+    };
+    let span = regulator.horizon.unwrap_or(scene.run.span);
+    let varied = |state: &[f64], own: &[f64]| {
+        DVector::from_iterator(places.len(), places.iter().map(|&place| state[place] - own[place]))
+    };
+    let cost = |x: &DVector<f64>, value: &DMatrix<f64>| (x.transpose() * value * x)[(0, 0)];
+    let moved = displaced(model, &scene.start, &regulator.displaced).map_err(|unmet| unmet_at(model, unmet))?;
+    let predicted = cost(&varied(&moved, &scene.start), &found.value);
+    let run = closed_loop::run(
+        (model, regulator),
+        (&places, &found.gains),
+        [&scene.start, &moved],
+        (span, scene.run.tolerance.min(RUN), scene.run.samples),
+        deadline,
+    );
+    let run = run.map_err(|why| without_law(model, &why, "this loop cannot run"))?;
+    let rest = vec![0.0; scene.start.len()];
+    let at_end = varied(run.deviations.last().unwrap_or(&rest), &rest);
+    let left = match (&task.last, regulator.horizon) {
+        (_, None) => cost(&at_end, &found.value),
+        (None, Some(_)) => 0.0,
+        (Some(last), Some(_)) => {
+            let state = run.states.last().unwrap_or(&scene.start);
+            cost(&at_end, &last.of_state(&task.about(span, state)?.variations))
+        }
+    };
+    let stage = task.stage(&first);
+    let gains = found.gains.at(0.0);
+    let closed = regulator.horizon.is_none().then(|| eigenvalues(&(&stage.a - &stage.b * &gains)).values);
+    let Found { value, residual, controllability, .. } = found;
+    let open = eigenvalues(&stage.a).values;
+    Ok(Regulated { places, controllability, gains, value, residual, open, closed, predicted, left, run })
+}
+
+impl<'a> Task<'a> {
+    fn of(scene: &'a ModelScene) -> Result<Self, Issue> {
+        let model = &*scene.model;
+        let Some(regulator) = &model.regulator else {
+            let issue = Issue::at(0..0, "this file has no [regulator]", "in this file");
+            return Err(issue.accepted("[regulator] with cost = \"(x/(1 m))^2 + (u/(10 N))^2\""));
+        };
+        let refused = |title: String, accepted: &str| {
+            Err(Issue::at(regulator.at[0].clone(), title, "this regulator").accepted(accepted.to_owned()))
+        };
+        if changes(model) {
+            let title = "regulators of a law that changes at conditions, events or contacts are not there yet";
+            return refused(title.to_owned(), "a law without them");
+        }
+        if !model.free.is_empty() {
+            let title = "regulators of a model with free frames are not there yet";
+            return refused(title.to_owned(), "angles of frames in their place");
+        }
+        let (cost, last) = forms(model, regulator)?;
+        let equations =
+            VariedEquations::of(model, &[]).map_err(|why| without_law(model, &why, "there are no linear equations"))?;
+        let place = |&input: &usize| equations.inputs.iter().position(|name| *name == model.inputs[input].name);
+        let chosen: Option<Vec<usize>> = regulator.inputs.iter().map(place).collect();
+        let Some(chosen) = chosen else {
+            return refused("an input of this regulator moves a constraint".to_owned(), "inputs of forces");
+        };
+        Ok(Task { scene, model, regulator, equations, chosen, cost, last })
+    }
+
+    fn refused(&self, title: String, accepted: &str) -> Issue {
+        Issue::at(self.regulator.at[0].clone(), title, "this regulator").accepted(accepted.to_owned())
+    }
+
+    fn about(&self, time: f64, state: &[f64]) -> Result<Linearisation, Issue> {
+        let point = self.equations.point(time, state);
+        self.equations.linearised(point).map_err(|why| why.at(self.model, time))
+    }
+
+    fn stage(&self, linear: &Linearisation) -> Stage {
+        let b = DMatrix::from_fn(linear.b.nrows(), self.chosen.len(), |row, input| linear.b[(row, self.chosen[input])]);
+        let [state, mixed, input] = self.cost.parts(&linear.variations);
+        Stage { a: linear.a.clone(), b, state, mixed, input }
+    }
+
+    /// Without an end.
+    fn lasting(&self, first: &Linearisation) -> Result<Found, Issue> {
+        let standing = self.equations.standing(first).map_err(|why| why.at(self.model, 0.0))?;
+        if standing == Standing::Moving {
+            let title = "the motion from the start is no equilibrium, and its linear equations change";
+            return Err(self.refused(title.to_owned(), "[start] with equilibrium = true; or a `horizon`"));
+        }
+        let stage = self.stage(first);
+        let controllability = Controllability::of_constant(&stage);
+        if let Controllability::Modes(modes) = &controllability
+            && let Some(mode) = modes.iter().find(|mode| mode.re >= -STABLE * stage.a.norm())
+        {
+            let title = format!(
+                "no input reaches the variation with the eigenvalue {}, which does not die away by itself",
+                shown(*mode)
+            );
+            return Err(self.refused(title, "an input that moves it; a `horizon`, which asks for no stability"));
+        }
+        let rest = |value: &DMatrix<f64>| stage.residual(value).filter(|rest| *rest <= LASTS);
+        let found = stage.lasting().and_then(|value| Some((rest(&value)?, stage.gains(&value)?, value)));
+        let is_stable = |gains: &DMatrix<f64>| {
+            let closed = (&stage.a - &stage.b * gains).complex_eigenvalues();
+            closed.iter().all(|value| value.re < -STABLE * stage.a.norm())
+        };
+        match found.filter(|(_, gains, _)| is_stable(gains)) {
+            Some((residual, gains, value)) => {
+                Ok(Found { gains: Gains::Lasting(gains), value, residual, controllability })
+            }
+            None => Err(self.refused(
+                "Riccati's equation has no solution with which every variation dies away".to_owned(),
+                "a cost that grows with every variation that does not die away by itself; or a `horizon`",
+            )),
+        }
+    }
+
+    /// Up to the end of a horizon, along the motion from the start.
+    fn over(&self, horizon: f64, first: &Linearisation, deadline: Instant) -> Result<Found, Issue> {
+        let mut steps = STEPS;
+        let mut known: Option<DMatrix<f64>> = None;
+        loop {
+            let step = horizon / steps as f64;
+            let times: Vec<f64> = (0..=2 * steps).map(|k| 0.5 * step * k as f64).collect();
+            let left = deadline.saturating_duration_since(Instant::now());
+            let states = points::along(self.scene, &times, left).map_err(|why| {
+                let title = format!("the motion to which the loop brings back does not last: {why}");
+                self.refused(title, "a shorter horizon")
+            })?;
+            let mut all = Vec::with_capacity(states.len());
+            for (time, state) in &states {
+                let linear = self.about(*time, state)?;
+                if (&linear.coordinates, &linear.speeds) != (&first.coordinates, &first.speeds) {
+                    let title = format!("at t = {time} s other coordinates are independent than at the start");
+                    return Err(self.refused(title, "a horizon that ends before"));
+                }
+                all.push(linear);
+            }
+            let stages: Vec<Stage> = all.iter().map(|linear| self.stage(linear)).collect();
+            let n = stages[0].a.nrows();
+            let end = match (&self.last, all.last()) {
+                (Some(last), Some(linear)) => last.of_state(&linear.variations),
+                _ => DMatrix::zeros(n, n),
+            };
+            let Some(backwards) = Backwards::of(stages, step, end) else {
+                let title = "Riccati's equation has no finite solution over the horizon".to_owned();
+                return Err(self.refused(title, "a shorter horizon, or a cost that is not negative"));
+            };
+            let value = backwards.first().clone();
+            let size = value.amax().max(f64::MIN_POSITIVE);
+            let residual = known.map_or(f64::INFINITY, |known| (&known - &value).amax() / size);
+            if residual <= FINE || steps >= MOST_STEPS {
+                let (stages, step) = backwards.stages();
+                let controllability = Controllability::along(stages, step);
+                return Ok(Found { gains: Gains::Along(backwards), value, residual, controllability });
+            }
+            (steps, known) = (2 * steps, Some(value));
+        }
+    }
+}
+
+fn shown(value: Complex<f64>) -> String {
+    if value.im == 0.0 { format!("{:.4} 1/s", value.re) } else { format!("{:.4} {:+.4} i 1/s", value.re, value.im) }
+}

@@ -1,0 +1,23 @@
+//! A start beside another one.
+
+use super::{Completed, Unmet, consistent};
+use model::{Model, StartValue};
+
+/// A state with some of its values moved, by their coordinates and orders; others follow where constraints ask for it.
+///
+/// # Errors
+/// Why constraints cannot be met there.
+pub fn displaced(model: &Model, state: &[f64], by: &[(usize, usize, f64)]) -> Result<Vec<f64>, Unmet> {
+    let n = model.positions();
+    let value = |(place, &value): (usize, &f64)| {
+        let own = by.iter().find(|(coordinate, order, _)| order * n + coordinate == place);
+        let added = own.map_or(0.0, |(.., added)| *added);
+        StartValue { coordinate: place % n, order: place / n, value: value + added, is_guess: own.is_none() }
+    };
+    let mut beside = model.clone();
+    beside.start_speeds.clear();
+    beside.equilibrium = None;
+    beside.start = state.iter().enumerate().map(value).collect();
+    let Completed { state, .. } = consistent(&beside)?;
+    Ok(state)
+}

@@ -1,0 +1,154 @@
+//! Optimal regulators: Riccati's equation beside Bellman's, the cost of the nonlinear run beside its value, and what is refused.
+
+use mechanics::bellman::Regulator;
+use scenes::ModelScene;
+use scenes::regulator::{Controllability, Regulated, regulated};
+use std::time::Duration;
+
+fn cart_pole(from: &str, to: &str) -> String {
+    let path = format!("{}/../../scenes/models/cart_pole.toml", env!("CARGO_MANIFEST_DIR"));
+    let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{path}: {error}"));
+    assert!(text.contains(from), "{from}");
+    text.replace(from, to)
+}
+
+/// A pendulum that swings with a torque about its pin, led back to its swing.
+const SWING: &str = "title = \"swing\"\ngravity = \"-g*N.y\"\n[parameters]\nm = \"1 kg\"\nl = \"1 m\"\ng = \"9.81 m/s^2\"\n[coordinates]\na = \"rad\"\n\
+                     [frames]\nA = \"N turned a about z\"\n[points]\nP = \"O - l*A.y\"\n[bodies]\nbob = { centre = \"P\", mass = \"m\" }\n\
+                     [inputs]\nu = \"N m\"\n[[force]]\nalong = \"a\"\nis = \"u\"\n[start]\na = \"100 deg\"\n[regulator]\n\
+                     cost = \"(a/(0.1 rad))^2 + (u/(1 N m))^2\"\nhorizon = \"3 s\"\ndisplaced = { a = \"0.01 deg\", \"a'\" = \"0.1 deg/s\" }\n\
+                     [run]\nspan = \"3 s\"\n";
+
+fn found(text: &str) -> Result<Regulated, String> {
+    let scene = ModelScene::parse("scene.toml", text).map_err(|error| error.to_string())?;
+    regulated(&scene, Duration::from_secs(60))
+        .map_err(|issue| format!("{} {} {}", issue.title, issue.label, issue.help.unwrap_or_default()))
+}
+
+fn one(text: &str) -> Regulated {
+    found(text).unwrap_or_else(|why| panic!("{why}"))
+}
+
+fn cost(found: &Regulated) -> f64 {
+    found.run.costs.last().expect("it runs") + found.left
+}
+
+/// The cost of the nonlinear run and x^T P x part by terms beyond the second degree of the deviation.
+#[test]
+fn the_cost_of_the_run_is_riccatis_value_but_for_higher_degrees() {
+    let last = "horizon = \"2 s\"\nlast = \"(theta/(0.01 rad))^2 + (theta'/(0.1 rad/s))^2\"\ndisplaced = { theta = \"0.05 deg\" }";
+    for text in [
+        cart_pole("5 deg", "0.05 deg"),
+        cart_pole("displaced = { theta = \"5 deg\" }", "horizon = \"2 s\"\ndisplaced = { theta = \"0.05 deg\" }"),
+        cart_pole("displaced = { theta = \"5 deg\" }", last),
+        SWING.to_owned(),
+    ] {
+        let found = one(&text);
+        let (cost, predicted) = (cost(&found), found.predicted);
+        assert!(predicted > 0.0 && (cost / predicted - 1.0).abs() < 1e-4, "{cost} {predicted}");
+        assert!(found.residual < 1e-9, "{}", found.residual);
+    }
+    // at ten times the deviation of a symmetric system a hundred times the difference
+    let [small, large] = ["0.5 deg", "5 deg"].map(|angle| {
+        let found = one(&cart_pole("5 deg", angle));
+        cost(&found) / found.predicted - 1.0
+    });
+    assert!((large / small / 100.0 - 1.0).abs() < 0.05, "{small} {large}");
+}
+
+/// Any other gains cost more.
+#[test]
+fn no_other_gains_cost_less() {
+    let text = cart_pole("5 deg", "0.05 deg");
+    let best = cost(&one(&text));
+    // gains of another criterion, the cost of this one: the weights of the state alone differ
+    let closed = |change: f64| {
+        let gains = one(&text).gains * change;
+        let terms = ["x/(1 m)", "theta/(1 rad)", "x'/(1 m/s)", "theta'/(1 rad/s)"];
+        let law: Vec<String> =
+            terms.iter().zip(gains.iter()).map(|(term, gain)| format!("({gain:e})*{term}")).collect();
+        let closed = format!("u = {{ unit = \"N\", value = \"-({})*(1 N)\" }}", law.join(" + "));
+        let (system, _) = text.split_once("[regulator]").expect("it has one");
+        let system = system.replace("u = \"N\"", &closed)
+            + "[start]\ntheta = \"0.05 deg\"\n[outputs]\nw = \"(x/(1 m))^2 + (theta/(0.1 rad))^2 + (u/(10 N))^2\"\n[run]\nspan = \"10 s\"\nsamples = 20000\ntolerance = 1e-10\n";
+        let scene = ModelScene::parse("closed.toml", &system).unwrap_or_else(|error| panic!("{error}"));
+        let run = derivations::scene::Smooth::run(&scene).choice();
+        let trajectory = derivations::scene::Smooth::problem(&scene, run.axes).simulate(&run, |_| {});
+        let column = trajectory.column("w").expect("it is shown");
+        // the trapezoidal rule over equal steps
+        let sum: f64 = trajectory.rows.iter().map(|row| row[column]).sum();
+        (sum - 0.5 * trajectory.rows[0][column]) * 10.0 / 20_000.0
+    };
+    assert!((closed(1.0) / best - 1.0).abs() < 1e-4, "{} {best}", closed(1.0));
+    assert!(closed(1.1) > best * 1.0005 && closed(0.95) > best * 1.0005, "{} {} {best}", closed(1.1), closed(0.95));
+}
+
+/// P leaves no rest in the equation that follows from Bellman's by derivatives alone.
+#[test]
+fn riccatis_solution_obeys_the_equation_that_bellmans_gives() {
+    let found = one(&cart_pole("5 deg", "5 deg"));
+    let (cart, bob, l, g) = (1.0, 0.1, 0.5, 9.81);
+    let matrix = [
+        [0.0, 0.0, 1.0, 0.0],
+        [0.0, 0.0, 0.0, 1.0],
+        [0.0, -bob * g / cart, 0.0, 0.0],
+        [0.0, (cart + bob) * g / (cart * l), 0.0, 0.0],
+    ];
+    let control = [0.0, 0.0, 1.0 / cart, -1.0 / (cart * l)];
+    let regulator = Regulator { matrix, control, weights: [1.0, 100.0, 0.0, 0.0], price: 0.01 };
+    let value: [[f64; 4]; 4] = std::array::from_fn(|i| std::array::from_fn(|j| found.value[(i, j)]));
+    for rate in regulator.riccati(value).as_flattened() {
+        assert!(rate.abs() < 1e-10, "{rate}");
+    }
+    for (k, unit) in [[1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 1.0]].into_iter().enumerate() {
+        let gain = -found.gains[(0, 3 * k)];
+        assert!((regulator.optimal(value, unit) - gain).abs() < 1e-9, "{gain}");
+    }
+}
+
+/// A second bob that nothing moves; with a damper on a spring its variation dies away.
+#[test]
+fn what_inputs_do_not_reach_is_told() {
+    let beside = |force: &str| {
+        cart_pole("x = \"m\"\n", "x = \"m\"\ny = \"m\"\n")
+            .replace("[bodies]\n", "[bodies]\nother = { centre = \"O + y*N.y\", mass = \"m\" }\n")
+            .replace("-g*N.y\"\n\n[parameters]", "-g*N.y\"\n\n[parameters]\nk = \"5 N/m\"\nd = \"1 N s/m\"")
+            + &format!("[[force]]\nalong = \"y\"\nis = \"m*g{force}\"\n")
+    };
+    let why = found(&beside("")).expect_err("nothing moves y");
+    assert!(why.contains("no input reaches the variation with the eigenvalue 0.0000 1/s"), "{why}");
+    let damped = one(&beside(" - k*y - d*y'"));
+    let Controllability::Modes(modes) = damped.controllability else { panic!("{:?}", damped.controllability) };
+    assert_eq!(modes.len(), 2);
+    let over = one(&beside("").replace("displaced", "horizon = \"1 s\"\ndisplaced"));
+    assert_eq!(over.controllability, Controllability::Directions { rank: 4, of: 6 });
+    assert_eq!(one(SWING).controllability, Controllability::Directions { rank: 2, of: 2 });
+}
+
+#[test]
+fn criteria_that_mean_nothing_are_refused_at_their_place() {
+    let cost = "(x/(1 m))^2 + (theta/(0.1 rad))^2 + (u/(10 N))^2";
+    for (from, to, message) in [
+        (cost, "x/(1 m) + (u/(10 N))^2", "terms of the first degree"),
+        (cost, "(x/(1 m))^4 + (u/(10 N))^2", "terms beyond the second degree"),
+        (cost, "(x/(1 m))^2", "the cost grows with every input"),
+        (cost, "(x/(1 m))^2 + (x''/(1 m/s^2))^2 + (u/(10 N))^2", "holds accelerations"),
+        (cost, "(theta'/(1 rad/s))^2 + (u/(10 N))^2", "no solution with which every variation dies away"),
+        ("inputs = [\"u\"]", "inputs = [\"v\"]", "no input is called `v`"),
+        ("displaced = {", "last = \"(x/(1 m))^2\"\ndisplaced = {", "a cost of the end belongs to a horizon"),
+        ("displaced = {", "horizon = \"2 m\"\ndisplaced = {", "the horizon cannot be read"),
+        ("displaced = {", "horizon = \"-2 s\"\ndisplaced = {", "the horizon of a regulator is positive"),
+        ("{ theta = \"5 deg\" }", "{ theta = \"5 m\" }", "the deviation of `theta` cannot be read"),
+        ("[regulator]\ninputs = [\"u\"]", "[regulator]\nweight = 2", "unknown key `weight`"),
+        (
+            "displaced = {",
+            "horizon = \"2 s\"\nlast = \"(u/(1 N))^2\"\ndisplaced = {",
+            "the cost of the end holds inputs",
+        ),
+        ("[run]", "[start]\ntheta = \"30 deg\"\n[run]", "is no equilibrium"),
+        ("[run]", "[[event]]\nwhen = \"x - (1 m)\"\nend = true\n[run]", "are not there yet"),
+    ] {
+        let why = found(&cart_pole(from, to)).expect_err(to);
+        assert!(why.contains(message), "{message}: {why}");
+    }
+}

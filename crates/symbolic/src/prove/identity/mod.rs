@@ -1,0 +1,197 @@
+//! Identity testing: an expression that vanishes at random points of random prime fields vanishes, but for a small probability of
+//! error that is computed (Schwartz 1980; Zippel 1979).
+//!
+//! Symbols take random values, each angle a random point of the circle by the tangent of its half. Functions take random values of
+//! their own, as if they were independent of their arguments: what vanishes even then vanishes for the true ones. Angles are the
+//! same, and arguments of functions, where their values are: w t and t w. Those that differ have equal values at few points, and the
+//! error holds the chance of such. An expression that does not vanish is not zero where its angles are linearly independent: cos (a + b) t
+//! is no new function beside those of a t and b t. A root takes
+//! both roots of its argument at the point, and the expression must vanish for all of them; a point where one has none in the field is
+//! drawn again. If it does not vanish then some symmetric function of its conjugates does not either, with twice the degree for each
+//! root, and twice the chance where all roots exist. Where there are more than four, roots are taken as functions. So the expression is a quotient
+//! of polynomials in random numbers, of a degree d and with coefficients of so many bits b, both bounded operation by operation. One
+//! that is not zero is zero in a random field of the set with a probability of at most (b/60)/2^54, since it has no more than b/60
+//! such primes as divisors; where it is not, it vanishes at a random point with one of at most d/2^60. No product is expanded: the
+//! cost is one operation for each node and point.
+
+mod bounds;
+mod point;
+mod prime_field;
+
+use crate::Sym;
+use crate::graph::Node;
+use bounds::{Bounded, Bounds, bounds};
+use point::{angles_are_independent, values};
+use prime_field::{Field, Random};
+
+/// Primes lie between 2^60 and 2^61: more than 2^54 of them (their density is one in 42).
+const BITS: f64 = 60.0;
+const PRIMES: f64 = 54.0;
+
+/// The error that is allowed, as a power of two.
+const ALLOWED: f64 = -100.0;
+
+/// Points beyond which the degree is too high to be tested.
+const MOST_POINTS: usize = 64;
+
+/// Roots that are taken in the field, at most.
+const MOST_ROOTS: usize = 4;
+
+/// Points in vain, at which a denominator vanishes, or for each root four times as many where it is none of the field, after which it is taken to vanish everywhere.
+const MOST_IN_VAIN: usize = 16;
+
+/// The result of a test at random points.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Identity {
+    /// The expression vanishes at every point: it is zero, but for a probability of error of at most 2^`error`.
+    Identified { degree: f64, points: usize, error: f64 },
+    /// The expression does not vanish; its angles are linearly independent.
+    NotZero,
+    /// It was not tested, for this reason.
+    Untested(&'static str),
+}
+
+/// Tests whether expressions vanish, all at the same points.
+pub fn identified(expressions: &[Sym]) -> Identity {
+    let nodes = Sym::ascending(expressions);
+    let roots = nodes.iter().filter(|each| matches!(each.node(), Node::Root(_))).count();
+    let taken = if roots <= MOST_ROOTS { roots } else { 0 };
+    let is_opaque = |each: &Sym| match each.node() {
+        Node::Elementary(..) | Node::Function(..) => true,
+        Node::Root(_) => taken == 0,
+        _ => false,
+    };
+    let opaque = nodes.iter().any(is_opaque);
+    if nodes.contains(&Sym::UNDEFINED) {
+        return Identity::Untested("a denominator is the constant zero");
+    }
+    let Bounds { degree, bits, mistaken } = bounds(&nodes, expressions);
+    let chance = |degree: f64, bits: f64| (degree.log2() - BITS).exp2() + (bits / BITS) * (-PRIMES).exp2();
+    let each = (chance(degree, bits)
+        + mistaken.map_or(0.0, |Bounded { degree, bits, pairs }| pairs * chance(degree, bits)))
+    .log2();
+    // conjugates, and the points at which all roots are in the field
+    let each = each + 2.0 * taken as f64 + if taken > 0 { 1.0 } else { 0.0 };
+    let points = if each < 0.0 { (ALLOWED / each).ceil() } else { f64::INFINITY };
+    if !(1.0..=MOST_POINTS as f64).contains(&points) {
+        return Identity::Untested("the degree is too high for these fields");
+    }
+    let points = points as usize;
+    let (mut random, mut in_vain, mut done) = (Random(0x9e37_79b9_7f4a_7c15), 0, 0);
+    // for each choice of signs of the roots
+    let mut vanishes = vec![true; 1 << taken];
+    while done < points && vanishes.contains(&true) {
+        let field = Field(random.prime(taken > 0));
+        let drawn = random.0;
+        let of_signs = |signs: u32| {
+            let mut random = Random(drawn);
+            let values = values(&nodes, &field, &mut random, (taken > 0).then_some(signs))?;
+            Some((expressions.iter().all(|each| values[each] == 0), random.0))
+        };
+        let all: Option<Vec<(bool, u64)>> = (0..1 << taken).map(of_signs).collect();
+        match all {
+            None if in_vain == MOST_IN_VAIN << (2 * taken) => {
+                return Identity::Untested("a denominator vanishes at every point that was tried");
+            }
+            None => {
+                in_vain += 1;
+                random.next();
+            }
+            Some(all) => {
+                done += 1;
+                vanishes.iter_mut().zip(&all).for_each(|(vanishes, (here, _))| *vanishes &= here);
+                random.0 = all[0].1;
+                if taken == 0 && !vanishes[0] {
+                    break;
+                }
+            }
+        }
+    }
+    match (vanishes.iter().all(|all| *all), vanishes.contains(&true), opaque) {
+        (true, ..) => Identity::Identified { degree, points, error: each * points as f64 },
+        (false, true, _) => Identity::Untested("it vanishes for some signs of its roots alone"),
+        (false, false, true) => Identity::Untested("it does not vanish for functions that are independent"),
+        (false, false, false) if !angles_are_independent(&nodes, &mut random) => {
+            Identity::Untested("it does not vanish for angles that are independent")
+        }
+        (false, false, false) => Identity::NotZero,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::prime_field::is_prime;
+    use super::*;
+    use crate::symbols;
+    use field::{Analytic, Elementary, Scalar};
+
+    #[test]
+    fn angles_are_the_same_in_whatever_order_their_factors_stand() {
+        let [w, v, t, s] = symbols(["w", "v", "t", "s"]);
+        let point = |angle: Sym| angle.circle();
+        for zero in [
+            point(w * t).cos - point(t * w).cos,
+            point(w * t * s).sin - point(w * (s * t)).sin,
+            (w * t).elementary(Elementary::Exp, w * t) - (t * w).elementary(Elementary::Exp, t * w),
+        ] {
+            assert!(matches!(identified(&[zero]), Identity::Identified { .. }), "{zero}: {:?}", identified(&[zero]));
+        }
+        // a sum of angles in parentheses is no angle of its own
+        let (a, b) = (point(w * t), point(v * t));
+        let sum = point((w + v) * t).cos - (a.cos * b.cos - a.sin * b.sin);
+        assert!(matches!(identified(&[sum]), Identity::Untested(_)), "{:?}", identified(&[sum]));
+        assert_eq!(identified(&[a.cos - b.cos]), Identity::NotZero);
+    }
+
+    #[test]
+    fn identities_are_seen_without_being_expanded() {
+        let [x, y] = symbols(["x", "y"]);
+        let (a, b) = (x.circle(), y.circle());
+        let sum = (a.cos * b.cos - a.sin * b.sin) - (x + y).circle().cos;
+        let tower = (0..20).fold(x + y, |power, _| power * power) - (0..20).fold(y + x, |power, _| power * power);
+        let quotient = x / y - Sym::int(1) - (x - y) / y;
+        for zero in [a.cos * a.cos + a.sin * a.sin - Sym::int(1), sum, quotient] {
+            let Identity::Identified { error, .. } = identified(&[zero]) else { panic!("{zero}") };
+            assert!(error <= ALLOWED, "{error}");
+        }
+        assert!(matches!(identified(&[tower]), Identity::Identified { .. }), "{:?}", identified(&[tower]));
+        assert_eq!(identified(&[a.cos * a.cos + a.sin * a.sin - Sym::ratio(1_000_001, 1_000_000)]), Identity::NotZero);
+    }
+
+    #[test]
+    fn a_number_that_one_prime_divides_is_not_taken_for_zero() {
+        let [x] = symbols(["x"]);
+        let prime = Random(0x9e37_79b9_7f4a_7c15).prime(false);
+        assert_eq!(identified(&[x * Sym::int(prime as i64)]), Identity::NotZero);
+        assert!(is_prime((1 << 61) - 1) && !is_prime((1 << 61) + 1) && is_prime(101) && !is_prime(3 * 5 * 17));
+    }
+
+    #[test]
+    fn roots_are_those_of_their_squares() {
+        let [x, y] = symbols(["x", "y"]);
+        let length = (x * x + y * y).sqrt();
+        let unit = x / length * (x / length) + y / length * (y / length) - Sym::ONE;
+        assert!(matches!(identified(&[unit, length * length - x * x - y * y]), Identity::Identified { .. }));
+        assert_eq!(identified(&[length - x - y]), Identity::NotZero);
+        // a root of a square has one of two signs
+        assert!(matches!(identified(&[(x * x).sqrt() - x]), Identity::Untested(_)));
+        assert_eq!(identified(&[(x * x).sqrt() - y]), Identity::NotZero);
+    }
+
+    #[test]
+    fn what_has_no_value_in_the_field_is_not_tested() {
+        let [x] = symbols(["x"]);
+        let many: Vec<Sym> = (1..6).map(|k| (x + Sym::int(k)).sqrt()).collect();
+        assert_eq!(identified(&many[..3]), Identity::NotZero);
+        assert!(matches!(identified(&many), Identity::Untested(_)));
+        let twice = x.elementary(Elementary::Exp, x) - (x + x).elementary(Elementary::Exp, x).sqrt();
+        assert!(matches!(identified(&[twice]), Identity::Untested(_)));
+        let opaque = (x.sqrt() + Sym::ONE) * (x.sqrt() - Sym::ONE) - x.sqrt() * x.sqrt() + Sym::ONE;
+        assert!(matches!(identified(&[opaque]), Identity::Identified { .. }));
+        assert!(matches!(identified(&[Sym::ONE / (x - x)]), Identity::Untested(_)));
+        let zero = (x + Sym::ONE) * (x - Sym::ONE) - x * x + Sym::ONE;
+        assert!(matches!(identified(&[Sym::ONE / zero]), Identity::Untested(_)));
+        let towering = (0..80).fold(x, |power, _| power * power);
+        assert!(matches!(identified(&[towering]), Identity::Untested(_)));
+    }
+}
