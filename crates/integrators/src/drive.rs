@@ -14,11 +14,15 @@ pub(crate) enum Attempt {
         next: f64,
         cause: Cause,
     },
-    /// The method ends the run here.
-    Ended {
-        cause: Cause,
+    /// Accepted, and stability limits the steps of the method, not accuracy: the problem is stiff.
+    Limited {
+        next: f64,
     },
 }
+
+/// A stiff problem is followed to its end by an explicit method where no more than so many steps are left: they cost less than it would to
+/// be asked for another method.
+const FEW: f64 = 5_000.0;
 
 /// Why a step was rejected: if no shorter one succeeds, why the run failed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,7 +31,6 @@ pub(crate) enum Cause {
     Newton,
     Singular,
     Undefined,
-    Stiff,
     GoesBack { back: f64, rate: f64, most: f64 },
 }
 
@@ -38,7 +41,6 @@ impl Cause {
             Cause::Newton => Failure::NewtonFailed { at, step },
             Cause::Singular => Failure::Singular { at },
             Cause::Undefined => Failure::LeftTheNumbers { at },
-            Cause::Stiff => Failure::Stiff { at },
             Cause::GoesBack { back, rate, most } => Failure::GoesBack { at, step, back, rate, most },
         }
     }
@@ -98,7 +100,10 @@ pub(crate) fn drive<S: Real>(
             return watch.fail(failure, meter);
         }
         match attempt {
-            Attempt::Accepted { next } if after.iter().all(|y| y.finite()) => {
+            Attempt::Limited { .. } if (watch.length() - tau).approx() > FEW * step.approx() => {
+                return watch.fail(Failure::Stiff { at }, meter);
+            }
+            Attempt::Accepted { next } | Attempt::Limited { next } if after.iter().all(|y| y.finite()) => {
                 let end = match even.next() {
                     _ if lands => stop,
                     Some(end) => end,
@@ -118,14 +123,13 @@ pub(crate) fn drive<S: Real>(
                 watch.take(tau, &mut after);
                 proposed = if lands { next.max(proposed) } else { next };
             }
-            Attempt::Accepted { .. } if stepper.fixed().is_some() => {
+            Attempt::Accepted { .. } | Attempt::Limited { .. } if stepper.fixed().is_some() => {
                 return watch.fail(Failure::LeftTheNumbers { at }, meter);
             }
-            Attempt::Accepted { .. } => {
+            Attempt::Accepted { .. } | Attempt::Limited { .. } => {
                 (proposed, last_cause) = (step.approx() / 4.0, Cause::Undefined);
                 watch.reject();
             }
-            Attempt::Ended { cause } => return watch.fail(cause.failure(at, step.approx()), meter),
             Attempt::Rejected { cause, .. } if stepper.fixed().is_some() => {
                 return watch.fail(cause.failure(at, step.approx()), meter);
             }

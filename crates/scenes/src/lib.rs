@@ -15,6 +15,7 @@ mod equilibrium;
 mod first_motion;
 mod hybrid;
 mod implicit;
+mod inductances;
 pub mod inverse;
 mod layout;
 mod letters;

@@ -27,7 +27,7 @@ pub(crate) fn refused(model: &Model, reason: &NotCompiled) -> Issue {
 
 /// A system that has no law, where it says so, with what cannot be done without one.
 pub fn without_law(model: &Model, reason: &NotCompiled, what: &str) -> Issue {
-    if matches!(reason, NotCompiled::Massless { .. })
+    if matches!(reason, NotCompiled::Massless { .. } | NotCompiled::Undefined { .. })
         && let Some(issue) = massless(model)
     {
         return issue;

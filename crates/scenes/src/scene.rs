@@ -4,6 +4,7 @@ use crate::admissible::impossible;
 use crate::branch::settled;
 use crate::compiled_system::{CompiledSystem, ENERGIES, changes};
 use crate::ensemble::parse_ensemble;
+use crate::inductances::impossible_inductances;
 use crate::modes::Modes;
 use crate::quoted_keys::with_quoted_primes;
 use crate::readiness::{ready, start_of, without_run};
@@ -135,6 +136,10 @@ impl ModelScene {
         issues.extend(bodies);
         let ready = exist.then(|| ready(&mut model))?;
         let (start, system) = ready.map_err(|issue| issues.push(issue)).ok()?;
+        if let Some(issue) = impossible_inductances(&model, &start) {
+            issues.push(issue);
+            return None;
+        }
         let description = description.map_or_else(String::new, |text| text.value.trim().to_owned());
         let events = model.events.iter().map(|event| called(event, text)).collect();
         Some(ModelScene { title, description, model, system, start, run: run?, events })

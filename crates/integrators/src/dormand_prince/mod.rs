@@ -182,13 +182,11 @@ impl Stepper<f64> for DormandPrince {
         if !pair.error_needs_end {
             slope_at_end(&mut self.slopes, &self.after);
         }
-        if self.stiffness.is_due() && self.stiffness.found(self.stretching(step) > pair.stretching) {
-            return Attempt::Ended { cause: Cause::Stiff };
-        }
+        let is_stiff = self.stiffness.is_due() && self.stiffness.found(self.stretching(step) > pair.stretching);
         self.slopes.begin_at(end);
         self.slope_at = Some(tau + step);
         after.copy_from_slice(&self.after.as_flattened()[..n]);
-        Attempt::Accepted { next }
+        if is_stiff { Attempt::Limited { next } } else { Attempt::Accepted { next } }
     }
 }
 
@@ -218,6 +216,6 @@ impl Stiffness {
                 self.limited = 0;
             }
         }
-        self.limited == 15
+        self.limited >= 15
     }
 }

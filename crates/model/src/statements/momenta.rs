@@ -29,7 +29,8 @@ pub(super) fn statements(trace: &Trace<'_>) -> Vec<Statement> {
         let kept = [(trace.rate_of(momenta[i]), residual[i])];
         let agreement = decided(trace, &kept.into_iter().chain(idle).collect::<Vec<_>>());
         let subject = format!("momentum of {}", trace.direction(i));
-        let says = piecewise(trace, &format!("(dT/d{})' is zero", trace.speeds[i]));
+        let kinetic = if trace.model.energies.coenergy.is_some() { "d(T + W')" } else { "dT" };
+        let says = piecewise(trace, &format!("({kinetic}/d{})' is zero", trace.speeds[i]));
         Statement { subject, says: while_inputs_rest(trace, &[lagrangian], says), agreement }
     };
     cyclic.into_iter().map(of).collect()

@@ -22,7 +22,7 @@ struct Energy {
     is: Sym,
     /// Whether it is T + V.
     is_whole: bool,
-    /// d(V - T)/dt at rest.
+    /// d(V - T)/dt at rest, T with the co-energy.
     by_time: Sym,
 }
 
@@ -81,7 +81,8 @@ fn says(trace: &Trace<'_>, energy: &Energy, by_forces: &Power, powers: &[Reactio
         parts.push(format!("the power of the reactions ({sum})"));
     }
     if energy.by_time != Sym::ZERO {
-        parts.push("the partial rate of V - T by t".to_owned());
+        let has_coenergy = trace.model.energies.coenergy.is_some();
+        parts.push(format!("the partial rate of V - T{} by t", if has_coenergy { " - W'" } else { "" }));
     }
     if !trace.solid().is_empty() {
         parts.push(format!("sum m' d({short})/dm over the masses and moments of inertia m that vary"));
