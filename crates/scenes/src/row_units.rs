@@ -26,6 +26,11 @@ pub(crate) fn measured(value: f64, unit: &str) -> String {
 
 /// The unit of a rate: m/s, and m/s^2 of m/s.
 pub(crate) fn rate_unit(unit: &str) -> String {
+    match unit {
+        "C" => return "A".to_owned(),
+        "Wb" => return "V".to_owned(),
+        _ => {}
+    }
     if let Some(of) = unit.strip_suffix("/s") {
         return format!("{of}/s^2");
     }

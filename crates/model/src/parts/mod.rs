@@ -308,7 +308,12 @@ impl Model {
     /// The names of coordinates and speeds with their units, in the order of a state.
     pub fn state_names(&self) -> Vec<(String, String)> {
         let own = |rate: &str, per: &str| -> Vec<(String, String)> {
-            let named = |of: &Coordinate| (format!("{}{rate}", of.name), format!("{}{per}", of.unit));
+            let unit = |of: &str| match (of, per) {
+                // a current
+                ("C", "/s") => "A".to_owned(),
+                _ => format!("{of}{per}"),
+            };
+            let named = |of: &Coordinate| (format!("{}{rate}", of.name), unit(&of.unit));
             self.coordinates.iter().map(named).collect()
         };
         let free = |parts: &[&str], unit: &str| -> Vec<(String, String)> {

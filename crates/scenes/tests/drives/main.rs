@@ -2,6 +2,7 @@
 
 mod circuits;
 mod gears;
+mod machines;
 mod one_ways;
 mod refusals;
 
