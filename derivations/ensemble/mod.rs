@@ -23,7 +23,7 @@ pub mod vary;
 
 pub use fingerprint::Fingerprint;
 pub use lane_series::lane_series;
-pub use parametric_system::{Column, Drawn, LANES, Member, ParametricSystem, Shape, Sizes, Variable};
+pub use parametric_system::{Column, Drawn, Ended, LANES, Member, ParametricSystem, RunsAlone, Shape, Sizes, Variable};
 pub use run::{Last, Row};
 pub use stop_reason::Stopped;
 
@@ -62,7 +62,9 @@ impl EnsembleScene {
     pub fn new(system: Arc<dyn ParametricSystem>, variation: Variation) -> Result<Self, TooLong> {
         let Variation { members, seed, varied } = variation;
         // the room does not depend on the order
-        system.series(integrators::lanes_order(1.0)).ok_or(TooLong)?;
+        if system.alone().is_none() {
+            system.series(integrators::lanes_order(1.0)).ok_or(TooLong)?;
+        }
         Ok(EnsembleScene { system, members, seed, varied })
     }
 
@@ -71,13 +73,18 @@ impl EnsembleScene {
     /// # Errors
     /// Why there is none.
     pub fn member(&self, number: u64) -> Result<Member<'_>, Stopped> {
+        self.system.member(&self.numbers(number)?)
+    }
+
+    /// The numbers of a member, all finite.
+    fn numbers(&self, number: u64) -> Result<Vec<Drawn>, Stopped> {
         let drawn: Vec<Drawn> = self.varied.iter().map(|varied| varied.drawn(self.seed, number)).collect();
         for (varied, Drawn { numbers, .. }) in self.varied.iter().zip(&drawn) {
             if numbers.iter().any(|x| !x.is_finite()) {
                 return Err(Stopped::NotFinite { datum: varied.name.clone() });
             }
         }
-        self.system.member(&drawn)
+        Ok(drawn)
     }
 
     /// The numbers of a member that vary, in the order of the columns.

@@ -25,6 +25,11 @@ pub trait ParametricSystem: fmt::Debug + Send + Sync {
     /// The series of members side by side, to this order; `None` where the law is too long for them.
     fn series(&self, order: usize) -> Option<Box<dyn LaneSeries<LANES> + '_>>;
 
+    /// The way in which members run, where they do not run side by side.
+    fn alone(&self) -> Option<&dyn RunsAlone> {
+        None
+    }
+
     /// The member with these numbers in the place of the scene's own.
     ///
     /// # Errors
@@ -42,6 +47,23 @@ pub trait ParametricSystem: fmt::Debug + Send + Sync {
 
     /// The name of the machine, or of the kind of system.
     fn name(&self) -> &str;
+}
+
+/// Members that run one by one: their laws change at events, each at its own.
+pub trait RunsAlone: Sync {
+    /// Runs the member with these numbers, while it may go on.
+    ///
+    /// # Errors
+    /// Why there is no such member.
+    fn run_alone(&self, drawn: &[Drawn], goes_on: &dyn Fn() -> bool) -> Result<Ended, Stopped>;
+}
+
+/// A member after its run.
+pub struct Ended {
+    pub last: Last,
+    pub steps: u64,
+    /// Why it stopped before its end.
+    pub stopped: Option<Stopped>,
 }
 
 /// The length of a member's state, and of the parameters of its law.

@@ -1,7 +1,7 @@
 //! An ensemble run: lanes in every thread, results in the order of the members.
 
 use super::lane_end::LaneEnd;
-use super::parametric_system::{Column, LANES, Member};
+use super::parametric_system::{Column, Ended, LANES, Member, RunsAlone};
 use super::{EnsembleScene, Stopped};
 use crate::scene::Margin;
 use integrators::{Ensemble, Failure, LaneStep, Members};
@@ -115,12 +115,38 @@ struct Aboard<'a> {
 impl Worker<'_> {
     fn work(mut self) {
         let (system, run) = (&self.scene.system, self.scene.system.run());
+        if let Some(alone) = system.alone() {
+            return self.work_alone(alone);
+        }
         // that there is one was seen when the scene was made
         let Some(series) = system.series(integrators::lanes_order(run.tolerance)) else { return };
         let sizes = system.sizes();
         Ensemble::new(series, run.tolerance, run.span, sizes.states, sizes.parameters)
             .with_most_steps(MOST_STEPS)
             .run(&mut self);
+    }
+
+    /// One member after the other.
+    fn work_alone(&self, alone: &dyn RunsAlone) {
+        let goes_on = || !self.stop.load(Ordering::Relaxed);
+        loop {
+            let number = self.next.fetch_add(1, Ordering::Relaxed);
+            if number > self.last || !goes_on() {
+                return;
+            }
+            let ended = self.scene.numbers(number).and_then(|drawn| alone.run_alone(&drawn, &goes_on));
+            let drawn = self.scene.drawn(number);
+            if !goes_on() {
+                return;
+            }
+            self.hand_on(match ended {
+                Ok(Ended { last, steps, stopped }) => {
+                    let stopped = stopped.map(|stopped| stopped.to_string());
+                    Row { number, drawn, stopped, steps, last: Some(last) }
+                }
+                Err(why) => Row { number, drawn, stopped: Some(why.to_string()), steps: 0, last: None },
+            });
+        }
     }
 
     /// The other end lives as long as the run.

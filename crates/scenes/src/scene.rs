@@ -147,6 +147,13 @@ impl ModelScene {
 }
 
 impl ModelScene {
+    /// The same scene with other numbers: a model, its law at its start, and the start.
+    pub(crate) fn with(&self, model: Arc<Model>, system: Arc<CompiledSystem>, start: Vec<f64>) -> Self {
+        let ModelScene { title, description, run, events, .. } = self;
+        let (title, description) = (title.clone(), description.clone());
+        ModelScene { title, description, model, system, start, run: run.clone(), events: events.clone() }
+    }
+
     /// The problem of the run, with the modes of a law that changes.
     pub(crate) fn switched(&self) -> (Problem, Option<Arc<Modes>>) {
         let (shown, kept) = (Arc::clone(&self.system), Arc::clone(&self.system));

@@ -32,7 +32,10 @@ impl Elaborator<'_> {
     pub(super) fn charges(&mut self) {
         for (place, source) in self.source.drives.iter().enumerate() {
             let found = self.named_drive(place, source);
-            self.kept(found);
+            if self.kept(found).is_none() {
+                // those behind it keep their places
+                self.drives.push(Drive::default());
+            }
         }
     }
 
@@ -108,7 +111,7 @@ impl Elaborator<'_> {
     pub(super) fn rotors(&mut self) {
         for (place, source) in self.source.drives.iter().enumerate() {
             // one without a name is told
-            if place < self.drives.len() {
+            if !self.drives[place].name.is_empty() {
                 let found = self.rotor(place, source);
                 self.kept(found);
             }

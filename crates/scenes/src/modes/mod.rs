@@ -99,6 +99,19 @@ struct Moded {
     signals: Signals,
 }
 
+/// All that decides the laws of a model and its events, as text.
+///
+/// # Errors
+/// Why there is none.
+pub(crate) fn described(model: &Model) -> Result<String, NotCompiled> {
+    let expansions = Expansions::of(model)?;
+    let signals = Signals::of(model, &Mode::off(model))?;
+    Ok(format!(
+        "{expansions:?} {signals:?} {:?}",
+        model.events.iter().map(|event| (event.direction, event.ends)).collect::<Vec<_>>()
+    ))
+}
+
 impl Laws {
     /// The law in a mode.
     ///

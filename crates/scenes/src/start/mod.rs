@@ -76,7 +76,7 @@ pub fn consistent(model: &Model) -> Result<Completed, Unmet> {
 }
 
 /// The model with the gap of each contact that touches at the start as a constraint.
-fn in_touch(model: &Model) -> Cow<'_, Model> {
+pub(crate) fn in_touch(model: &Model) -> Cow<'_, Model> {
     let touches = |contact: &&Contact| contact.is_touching && contact.guide.is_none();
     let held: Vec<Constraint> = model.contacts.iter().filter(touches).map(Contact::closed).collect();
     if held.is_empty() {

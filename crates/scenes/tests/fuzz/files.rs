@@ -3,10 +3,15 @@
 use super::{Drawn, changed};
 use derivations::scene::{Choice, Smooth};
 use scenes::ModelScene;
+use scenes::regulator::regulated;
 use std::time::{Duration, Instant};
 
-const TEXTS: [&str; 8] = [
+const TEXTS: [&str; 12] = [
     EVERYTHING,
+    MACHINE,
+    include_str!("../../../../scenes/models/cart_pole.toml"),
+    include_str!("../../../../scenes/models/leaning_ladder.toml"),
+    include_str!("../../../../scenes/models/geared_motor.toml"),
     include_str!("../../../../scenes/models/bouncing_ball.toml"),
     include_str!("../../../../scenes/models/dry_friction.toml"),
     include_str!("../../../../scenes/models/double_pendulum.toml"),
@@ -15,6 +20,99 @@ const TEXTS: [&str; 8] = [
     include_str!("../../../../scenes/models/cart_with_two_links.toml"),
     include_str!("../../../../scenes/models/chaplygin_sleigh.toml"),
 ];
+
+/// Windings, diodes, a freewheel, a contact, a regulator.
+const MACHINE: &str = r#"
+title = "A machine"
+gravity = "-g*N.y"
+
+[parameters]
+m = "2 kg"
+J = "1e-3 kg m^2"
+L = "10 mH"
+M = "4 mH"
+R = "2 ohm"
+k = "0.05 V s"
+U = "12 V"
+g = "9.81 m/s^2"
+mu = "0.3"
+e = "0.5"
+
+[coordinates]
+theta = "rad"
+load = "rad"
+x = "m"
+y = "m"
+q = "C"
+
+[points]
+C = "O + x*N.x + y*N.y"
+
+[bodies]
+block = { centre = "C", mass = "m" }
+wheel = { turns = "load", inertia = "J" }
+rotor = { turns = "theta", inertia = "J" }
+
+[energies]
+coenergy = "L/2*q'^2 + M*q'*motor.i"
+dissipation = "R/2*q'^2"
+
+[inputs]
+u = "N"
+
+[[force]]
+along = "q"
+is = "U*sin((300 rad/s)*t)"
+
+[[force]]
+along = "x"
+is = "u"
+
+[[drive]]
+name = "motor"
+turns = "theta"
+torque = "-(1e-4 N m s)*motor.speed"
+
+[[drive.winding]]
+inductance = "L"
+resistance = "R"
+supply = "U"
+motional = "k"
+
+[[diode]]
+name = "D"
+current = "q'"
+drop = "(0.7 V)"
+
+[[freewheel]]
+name = "F"
+speed = "load' - theta'"
+
+[[contact]]
+name = "floor"
+of = "block"
+through = "O"
+normal = "N.y"
+friction = "mu"
+restitution = "e"
+
+[regulator]
+inputs = ["u"]
+cost = "(x/(1 m))^2 + (u/(1 N))^2"
+horizon = "0.1 s"
+
+[outputs]
+blocked = "reaction(D)"
+pressure = "reaction(floor)"
+
+[start]
+y = "0.1 m"
+"x'" = "0.5 m/s"
+
+[run]
+span = "0.2 s"
+samples = 5
+"#;
 
 /// A little of everything that the language has.
 const EVERYTHING: &str = r#"
@@ -131,6 +229,10 @@ fn whatever_stands_in_a_file_it_is_read_or_refused_with_reasons() {
                 let choice = Choice { samples: 4, allowed: Duration::from_millis(100), ..scene.run().choice() };
                 let trajectory = scene.problem(choice.axes).simulate(&choice, |_| {});
                 assert!(trajectory.outcome.state.iter().all(|number| number.is_finite()), "{text}");
+                if let Ok(found) = regulated(&scene, Duration::from_millis(100)) {
+                    let numbers = found.gains.iter().chain(found.value.iter()).chain([&found.predicted]);
+                    assert!(numbers.copied().all(f64::is_finite), "{text}");
+                }
             }
             Err(error) => {
                 refused += 1;

@@ -8,7 +8,7 @@ mod free_frames;
 mod members;
 
 /// Pieces that take the place of a part of a text.
-const PIECES: [&str; 82] = [
+const PIECES: [&str; 94] = [
     "v",
     "w'",
     "velocity(P) . A.x",
@@ -91,6 +91,18 @@ const PIECES: [&str; 82] = [
     "[[constraint]]\nzero = \"theta\"\n",
     "programmed = { gains = [\"(1 1/s)\"] }\n",
     "[energies]\nkinetic = \"(1 kg)*x'^2\"\n",
+    "[[diode]]\ncurrent = \"q'\"\n",
+    "[[freewheel]]\nspeed = \"theta'\"\n",
+    "drop = \"(1 V)\"\n",
+    "[[contact]]\nof = \"block\"\nthrough = \"O\"\nnormal = \"N.x\"\n",
+    "[regulator]\ncost = \"(theta/(1 rad))^2 + (u/(1 N))^2\"\n",
+    "horizon = \"1 s\"\n",
+    "last = \"(x/(1 m))^2\"\n",
+    "displaced = { theta = \"1 deg\" }\n",
+    "[energies]\ncoenergy = \"(1 H)*q'^2/2\"\n",
+    "motor.i",
+    "reaction(D)",
+    "touching = true\n",
 ];
 
 /// Numbers that are drawn the same way each time.

@@ -1,5 +1,6 @@
 //! Ensembles of systems that are text: each member is the run of a file with its numbers, whoever runs beside it.
 
+mod changing;
 mod exponentials;
 mod free_frames;
 

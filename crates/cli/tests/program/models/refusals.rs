@@ -41,14 +41,6 @@ fn the_place_of_what_a_command_cannot_take_is_shown() {
     let file = path.display().to_string();
     std::fs::write(&path, BLOCK.replace("\"f1'\" = \"1 m/s\"\n", "")).expect("it is written");
     refused(&["linearise", &file], "taken.toml:14:20");
-    std::fs::write(
-        &path,
-        BLOCK.to_owned()
-            + "[ensemble]\nmembers = 2\n[ensemble.vary]\nparameters.m = { from = \"1 kg\", to = \"2 kg\" }\n",
-    )
-    .expect("it is written");
-    refused(&["ensemble", &file, "--out", "none.csv"], "`ensemble` does not apply: this system has an event");
-    refused(&["ensemble", &file, "--out", "none.csv"], "taken.toml:21:1");
     refused(&["run", &file, "--method", "strang:1000"], "strang:1000 does not apply to");
     refused(&["inverse", &file, "--motion", "f1 = (1 m)*sin(tt)"], "--motion:1:16");
     refused(&["inverse", &file, "--motion", "f1 = 30 mm"], "30 mm");

@@ -1,15 +1,20 @@
 //! A system that is written in its file as an ensemble: parameters, coordinates and speeds of its own for every member.
+//!
+//! Members of one law run side by side; those whose law changes run one by one (`alone.rs`).
+
+mod alone;
 
 use crate::admissible::BodyNumbers;
-use crate::compiled_system::{ENERGIES, NotCompiled, one_law};
+use crate::compiled_system::{ENERGIES, NotCompiled};
 use crate::parametric_law::ParametricLaw;
 use crate::readiness::{changes, refused, unmet_at};
 use crate::scene::{ModelScene, columns};
-use crate::start::{Completed, SingularPositions, StartSolver, Unmet, given, start_speeds};
+use crate::start::{Completed, SingularPositions, StartSolver, Unmet, given, in_touch, start_speeds};
 use crate::warnings::warn_of;
+use alone::laws_of;
 use derivations::ensemble::{
-    Column, Drawn, EnsembleScene, LANES, Last, Member, ParametricSystem, Shape, Sizes, Stopped, Variable, lane_series,
-    vary,
+    Column, Drawn, EnsembleScene, LANES, Last, Member, ParametricSystem, RunsAlone, Shape, Sizes, Stopped, Variable,
+    lane_series, vary,
 };
 use derivations::scene::file::tables;
 use derivations::scene::law_end::Margins;
@@ -23,13 +28,21 @@ use std::sync::Arc;
 #[derive(Debug)]
 struct ModelEnsemble {
     scene: ModelScene,
-    law: ParametricLaw,
+    law: Law,
     start: StartSolver,
     /// None of a system without closed loops.
     singular: Option<SingularPositions>,
     bodies: BodyNumbers,
     /// Target of each variable.
     targets: Vec<Target>,
+}
+
+/// The law of all members.
+#[derive(Debug)]
+enum Law {
+    SideBySide(Box<ParametricLaw>),
+    /// What decides the laws of members that run by themselves.
+    Alone(String),
 }
 
 /// A number of a model that may vary, by its place.
@@ -151,54 +164,48 @@ fn example(model: &Model) -> String {
 impl ModelEnsemble {
     fn of(scene: ModelScene, targets: Vec<Target>) -> Result<Self, Unmet> {
         let model = &scene.model;
-        one_law(model).map_err(Unmet::NotCompiled)?;
-        if !model.events.is_empty() || model.equilibrium.is_some() {
+        if model.equilibrium.is_some() {
             return Err(Unmet::NotCompiled(NotCompiled::Changes));
         }
-        let law = ParametricLaw::of(model).map_err(Unmet::NotCompiled)?;
+        let law = match laws_of(model) {
+            Some(laws) => Law::Alone(laws),
+            None => Law::SideBySide(Box::new(ParametricLaw::of(model).map_err(Unmet::NotCompiled)?)),
+        };
         // members may start where other constraints follow from others
-        let start = StartSolver::of(&model.whole())?;
+        let start = StartSolver::of(&in_touch(&model.whole()))?;
         let bodies = BodyNumbers::of(model).map_err(Unmet::NotCompiled)?;
         let singular = SingularPositions::of(model, &scene.start);
         Ok(ModelEnsemble { scene, law, start, singular, bodies, targets })
     }
 
     /// The end of a member as a row shows it.
-    fn end(&self, parameters: &[f64], start: &[f64], time: f64, state: &[f64]) -> Last {
+    fn end(law: &ParametricLaw, [parameters, start]: [&[f64]; 2], time: f64, state: &[f64]) -> Last {
         let energy = |outputs: &[f64]| outputs[outputs.len() - ENERGIES..].iter().sum::<f64>();
-        let outputs = self.law.outputs(time, state, parameters);
+        let outputs = law.outputs(time, state, parameters);
         let mut derived = outputs.clone();
-        if self.law.keeps_energy {
-            derived.push(energy(&outputs) - energy(&self.law.outputs(0.0, start, parameters)));
+        if law.keeps_energy {
+            derived.push(energy(&outputs) - energy(&law.outputs(0.0, start, parameters)));
         }
         let finite = |number: f64| number.is_finite().then_some(number);
         Last { time, state: state.to_vec(), derived: derived.into_iter().map(finite).collect() }
     }
-}
 
-impl ParametricSystem for ModelEnsemble {
-    fn title(&self) -> &str {
-        &self.scene.title
+    /// The quasi-velocities of a member at its start.
+    fn speeds_of(&self, drawn: &[Drawn]) -> Vec<f64> {
+        let mut speeds = start_speeds(&self.scene.model);
+        for Drawn { variable, numbers } in drawn {
+            if let (Target::StartSpeed(place), Some(number)) = (self.targets[*variable], numbers.first()) {
+                speeds[place] = *number;
+            }
+        }
+        speeds
     }
 
-    fn run(&self) -> &Run {
-        &self.scene.run
-    }
-
-    fn sizes(&self) -> Sizes {
-        Sizes { states: self.law.law.states(), parameters: self.law.law.parameters() }
-    }
-
-    fn series(&self, order: usize) -> Option<Box<dyn LaneSeries<LANES> + '_>> {
-        lane_series(&self.law.law, order)
-    }
-
-    /// # Errors
-    /// Bodies that cannot exist, or a start that no motion can have.
-    fn member(&self, drawn: &[Drawn]) -> Result<Member<'_>, Stopped> {
+    /// Parameters and start of a member.
+    fn placed(&self, drawn: &[Drawn]) -> Result<(Vec<f64>, Vec<f64>), Stopped> {
         let model = &self.scene.model;
         let mut parameters: Vec<f64> = model.parameters.iter().filter_map(|parameter| parameter.value).collect();
-        let (mut state, mut given, mut speeds) = (model.start_state(), given(model), start_speeds(model));
+        let (mut state, mut given, speeds) = (model.start_state(), given(model), self.speeds_of(drawn));
         let n = model.positions();
         let is_guess = |place: usize| {
             model.start.iter().any(|value| value.is_guess && value.order * n + value.coordinate == place)
@@ -209,10 +216,7 @@ impl ParametricSystem for ModelEnsemble {
                     numbers.iter().take(1).for_each(|number| parameters[place] = *number);
                     continue;
                 }
-                Target::StartSpeed(place) => {
-                    numbers.iter().take(1).for_each(|number| speeds[place] = *number);
-                    continue;
-                }
+                Target::StartSpeed(_) => continue,
                 Target::Start(place) => {
                     numbers.iter().take(1).for_each(|number| state[place] = *number);
                     place..place + 1
@@ -233,14 +237,52 @@ impl ParametricSystem for ModelEnsemble {
         }
         let start = self.start.complete(&parameters, &speeds, state, &given);
         let Completed { state: start, implied } = start.map_err(|unmet| Stopped::Start(told(&unmet)))?;
-        if !implied.iter().copied().eq(model.implied.iter().map(|implied| implied.of)) {
+        let of_model = |[constraint, _]: &[usize; 2]| *constraint < model.constraints.len();
+        if !implied.into_iter().filter(of_model).eq(model.implied.iter().map(|implied| implied.of)) {
             return Err(Stopped::Start(
                 "other constraints follow from others than at the start of the file".to_owned(),
             ));
         }
+        Ok((parameters, start))
+    }
+}
+
+impl ParametricSystem for ModelEnsemble {
+    fn title(&self) -> &str {
+        &self.scene.title
+    }
+
+    fn run(&self) -> &Run {
+        &self.scene.run
+    }
+
+    fn sizes(&self) -> Sizes {
+        let model = &self.scene.model;
+        Sizes { states: model.positions() + model.speeds(), parameters: model.parameters.len() }
+    }
+
+    fn series(&self, order: usize) -> Option<Box<dyn LaneSeries<LANES> + '_>> {
+        match &self.law {
+            Law::SideBySide(law) => lane_series(&law.law, order),
+            Law::Alone(_) => None,
+        }
+    }
+
+    fn alone(&self) -> Option<&dyn RunsAlone> {
+        matches!(self.law, Law::Alone(_)).then_some(self)
+    }
+
+    fn member(&self, drawn: &[Drawn]) -> Result<Member<'_>, Stopped> {
+        let (parameters, start) = self.placed(drawn)?;
         let (own, before) = (parameters.clone(), start.clone());
-        let end = Box::new(move |time: f64, state: &[f64]| self.end(&own, &before, time, state));
-        let singular = self.singular.as_ref().and_then(|singular| singular.of_member(&parameters, &speeds, &start));
+        let end = Box::new(move |time: f64, state: &[f64]| match &self.law {
+            Law::SideBySide(law) => ModelEnsemble::end(law, [&own, &before], time, state),
+            Law::Alone(_) => Last { time, state: state.to_vec(), derived: Vec::new() },
+        });
+        let singular = self.singular.as_ref().and_then(|singular| {
+            let speeds = self.speeds_of(drawn);
+            singular.of_member(&parameters, &speeds, &start)
+        });
         let margins = singular.map(|singular| -> Box<Margins> {
             Box::new(move |time, state, rates| vec![singular.margin(time, state, rates)])
         });
@@ -248,7 +290,8 @@ impl ParametricSystem for ModelEnsemble {
     }
 
     fn columns(&self) -> Vec<Column> {
-        let change = self.law.keeps_energy.then(|| Column { name: "energy_change".to_owned(), unit: "J".to_owned() });
+        let keeps_energy = matches!(&self.law, Law::SideBySide(law) if law.keeps_energy);
+        let change = keeps_energy.then(|| Column { name: "energy_change".to_owned(), unit: "J".to_owned() });
         let shown = columns(&self.scene.model).into_iter();
         shown.map(|name| Column { unit: self.scene.unit(&name).into_owned(), name }).chain(change).collect()
     }
@@ -256,7 +299,11 @@ impl ParametricSystem for ModelEnsemble {
     fn write_law(&self, out: &mut dyn Write) -> fmt::Result {
         let ModelEnsemble { scene: ModelScene { model, .. }, law, .. } = self;
         let values: Vec<Option<f64>> = model.parameters.iter().map(|parameter| parameter.value).collect();
-        write!(out, "{law:?} {values:?} {:?} {:?} ", model.start, model.start_speeds)?;
+        match law {
+            Law::SideBySide(law) => write!(out, "{law:?}")?,
+            Law::Alone(laws) => write!(out, "{laws} {:?}", self.scene.run.method)?,
+        }
+        write!(out, " {values:?} {:?} {:?} ", model.start, model.start_speeds)?;
         self.start.write(out)
     }
 

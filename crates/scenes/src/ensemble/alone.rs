@@ -1,0 +1,51 @@
+//! Members whose law changes at conditions, at events or with contacts: each runs by itself, with laws of its own numbers.
+
+use super::ModelEnsemble;
+use crate::compiled_system::changes;
+use crate::modes::{Modes, Refused, described};
+use derivations::ensemble::{Drawn, Ended, Last, RunsAlone, Stopped};
+use derivations::scene::{Choice, Smooth};
+use model::Model;
+use std::ops::ControlFlow;
+use std::sync::Arc;
+use std::time::Duration;
+
+/// A member takes as long as it needs: the whole run is ended by its own time.
+const UNLIMITED: Duration = Duration::from_secs(1 << 30);
+
+/// What decides the laws of a model that changes, for its fingerprint; none of one that does not.
+pub(super) fn laws_of(model: &Model) -> Option<String> {
+    changes(model).then(|| described(model).unwrap_or_else(|reason| reason.to_string()))
+}
+
+impl RunsAlone for ModelEnsemble {
+    fn run_alone(&self, drawn: &[Drawn], goes_on: &dyn Fn() -> bool) -> Result<Ended, Stopped> {
+        let (parameters, start) = self.placed(drawn)?;
+        let mut model = (*self.scene.model).clone();
+        for (parameter, value) in model.parameters.iter_mut().zip(parameters) {
+            parameter.value = Some(value);
+        }
+        let model = Arc::new(model);
+        let system = Modes::of(&model, &[]).first(&start).map_err(|refused| {
+            Stopped::Start(match refused {
+                Refused::Law(reason) => reason.to_string(),
+                Refused::Motion { why, .. } => why.to_owned(),
+                Refused::Contact(unfit) => unfit.why.to_owned(),
+            })
+        })?;
+        let scene = self.scene.with(model, system, start);
+        let states = scene.start.len();
+        let choice = Choice { samples: 1, allowed: UNLIMITED, ..scene.run.choice() };
+        let on = |_| if goes_on() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) };
+        let trajectory = scene.problem(choice.axes).simulate_while(&choice, on);
+        let (state, derived) = trajectory.last.split_at(states.min(trajectory.last.len()));
+        let finite = |number: &f64| number.is_finite().then_some(*number);
+        let last = Last {
+            time: trajectory.outcome.time,
+            state: state.to_vec(),
+            derived: derived.iter().map(finite).collect(),
+        };
+        let stopped = trajectory.left.map(Stopped::Left).or(trajectory.outcome.failure().map(Stopped::Run));
+        Ok(Ended { last, steps: trajectory.outcome.work.steps, stopped })
+    }
+}
