@@ -37,3 +37,26 @@ fn a_drive_that_means_nothing_is_refused_at_its_place() {
         assert!(said.contains(message), "{message}: {said}");
     }
 }
+
+/// Inductances that no windings have: negative, mutual beyond sqrt(L1 L2), or three that bend downwards together.
+#[test]
+fn inductances_that_nothing_has_are_refused() {
+    let text = |coenergy: &str| {
+        format!(
+            "title = \"coils\"\n[parameters]\nL = \"10 mH\"\nU = \"60 V\"\n[coordinates]\na = \"C\"\nb = \"C\"\nc = \"C\"\n\
+             [energies]\ncoenergy = \"{coenergy}\"\n[[force]]\nalong = \"a\"\nis = \"U\"\n[run]\nspan = \"1 ms\"\n"
+        )
+    };
+    let said = |coenergy: &str| ModelScene::parse("scene.toml", &text(coenergy)).map_err(|error| error.to_string());
+    let own = "L/2*(a'^2 + b'^2 + c'^2)";
+    assert!(said(&format!("{own} + 0.9*L*a'*b'")).is_ok());
+    for (coenergy, message) in [
+        ("L/2*(a'^2 + b'^2 - c'^2)".to_owned(), "the inductance of the current c' is negative"),
+        (format!("{own} + 1.2*L*a'*b'"), "the mutual inductance of the currents a' and b' is larger"),
+        (format!("{own} - 0.6*L*(a'*b' + b'*c' + c'*a')"), "the currents a', b', c' together have a negative energy"),
+        ("L/2*(a' + b')^2 + L/2*c'^2".to_owned(), "resists the speeds a' = 1 A, b' = -1 A together"),
+    ] {
+        let why = said(&coenergy).expect_err(message);
+        assert!(why.contains(message), "{message}: {why}");
+    }
+}
