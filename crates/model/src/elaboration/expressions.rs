@@ -183,6 +183,11 @@ impl Elaborator<'_> {
                 let title = format!("no letter is called `{name}`");
                 Err(Box::new(Fault::at(span.clone(), title, "not known", "half a turn is (180 deg)")))
             }
+            (None, _) if self.source.outputs.iter().any(|output| output.name.text == name) => {
+                let title = format!("`{name}` is an output, and no letter");
+                let accepted = format!("{name} under [definitions]: then expressions and outputs have it");
+                Err(Box::new(Fault::at(span.clone(), title, "not known here", accepted)))
+            }
             (None, _) => {
                 let rates = self.model.coordinates.iter().map(|coordinate| coordinate.name.as_str());
                 let known: Vec<&str> = self.names.keys().map(String::as_str).chain(rates).collect();

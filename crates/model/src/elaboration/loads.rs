@@ -89,7 +89,11 @@ impl Elaborator<'_> {
             "dissipation" => joule() / Dimension::time(),
             _ => joule(),
         };
-        let what = format!("the {} energy", name.text);
+        let what = match name.text.as_str() {
+            "dissipation" => "the dissipation".to_owned(),
+            "coenergy" => "the co-energy".to_owned(),
+            other => format!("the {other} energy"),
+        };
         let id = self.scalar_value(value, &what, Some(needed))?;
         let energies = &mut self.model.energies;
         match name.text.as_str() {

@@ -80,9 +80,10 @@ impl MatrixForm {
         written_operations(&substitute_all(&all, &letters))
     }
 
-    /// Whether equations in quasi-velocities are short enough to be read: longer ones take minutes to be brought into order.
+    /// Whether equations in quasi-velocities are short enough to be brought into order for reading, with common parts once: longer ones take
+    /// minutes.
     pub fn is_read(&self) -> bool {
-        self.quasi.is_none() || self.written_operations() <= MOST_READ
+        self.quasi.is_none() || Sym::operations_of(&self.expressions().collect::<Vec<_>>()) <= MOST_READ
     }
 
     /// The same where it is known which divisors of the speeds vanish at a start, whose parameters have values.
@@ -179,8 +180,8 @@ const MOST_TOLD: f64 = 150.0;
 /// A divisor below this part of its values nearby vanishes but for rounding.
 const ROUNDED: f64 = 1e-10;
 
-/// Longer systems are code alone.
-const MOST_READ: f64 = 30_000.0;
+/// Longer systems are code alone. A chain of ten links has 2,400 and takes four seconds.
+const MOST_READ: usize = 3_000;
 
 /// Polynomials of more letters are not collected.
 const MOST_COLLECTED: usize = 12;

@@ -1,12 +1,12 @@
 //! A system with quasi-velocities, and one with a constraint that follows from others.
 
 use super::{printed, refused};
-use crate::{json, run, temporary};
+use crate::{json, root, run, temporary};
 use std::path::PathBuf;
 
 /// A scene of the folder with other tables.
 fn edited(name: &str, scene: &str, from: &str, to: &str) -> PathBuf {
-    let text = std::fs::read_to_string(crate::root().join("scenes/models").join(scene)).expect("it is there");
+    let text = std::fs::read_to_string(root().join("scenes/models").join(scene)).expect("it is there");
     assert_eq!(text.matches(from).count(), 1, "`{from}` must stand once");
     let path = temporary(name);
     std::fs::write(&path, text.replace(from, to)).expect("it is written");
@@ -143,6 +143,21 @@ fn of_constraints_that_contradict_each_other_nothing_is_derived_or_proved() {
     assert!(printed(&["derive", file]).contains("M q'' + h"));
     assert!(printed(&["prove", file]).contains("proved by normal form"));
     std::fs::remove_file(path).expect("it is there");
+}
+
+/// Eight pole pairs: powers of cosines and sines come together again as multiple angles, inside exponentials too.
+#[test]
+fn machines_of_many_poles_have_short_equations() {
+    let text = std::fs::read_to_string(root().join("scenes/models/interior_magnet.toml")).expect("it is there");
+    let path = temporary("eight_pairs.toml");
+    std::fs::write(&path, text.replace("2*theta", "8*theta")).expect("it is written");
+    let text = printed(&["derive", path.to_str().expect("a path in UTF-8")]);
+    std::fs::remove_file(path).expect("it is there");
+    for line in ["h[id] = -8*Lq*turning*iq", "a' = id*cos(8*theta) - iq*sin(8*theta)"] {
+        assert!(text.lines().any(|known| known.trim() == line), "{line}\n{text}");
+    }
+    let text = printed(&["derive", "scenes/models/synchronous_reluctance.toml"]);
+    assert!(text.contains("exp(id/i0)") && !text.contains("cos(theta)"), "{text}");
 }
 
 /// Seven speeds, four constraints: the kinematic equations alone are pages.

@@ -153,6 +153,10 @@ impl Reading {
             }
             Node::Cos(angle) => Sum::circle(self.harmonic(angle)?, false),
             Node::Sin(angle) => Sum::circle(self.harmonic(angle)?, true),
+            Node::Elementary(function, a, b) => {
+                let [a, b] = [a, b].map(|argument| self.of(argument));
+                Sum::letter(self.leaf(field::Analytic::elementary(a, function, b), None))
+            }
             _ => Sum::letter(self.leaf(expression, None)),
         })
     }
