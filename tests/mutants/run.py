@@ -74,7 +74,6 @@ SUBJECT_OF = {
     "crates/integrators/src/transition.rs": ["runs::transition"],
     "derivations/scene/transition.rs": ["runs::transition"],
     "crates/integrators/src/bader_deuflhard.rs": ["methods"],
-    "crates/integrators/src/drive.rs": ["methods"],
     "crates/integrators/src/dormand_prince/": ["integrators", "methods"],
     "crates/integrators/src/linearised.rs": ["methods"],
     "crates/integrators/src/composition.rs": ["methods"],

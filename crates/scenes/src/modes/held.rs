@@ -109,14 +109,15 @@ fn is_linear(expressions: &[Sym], letters: &[Sym]) -> bool {
     slopes.all(|slope| letters.iter().all(|letter| !slope.symbols_of().contains(letter)))
 }
 
-/// For each condition g, where it has the form c u + d of a speed u with a number c, that u is -d/c where g is zero.
+/// For each condition g, where it has the form c u + d of a speed u with a number c, or a parameter, that u is -d/c where g is zero.
 fn zeros(trace: &Trace<'_>, conditions: &[Sym]) -> Vec<(Sym, Sym)> {
     let mut known: Vec<(Sym, Sym)> = Vec::new();
     for condition in conditions {
         let condition = condition.substitute(&known);
         let solved = trace.speeds.iter().find_map(|&speed| {
             let slope = by(condition, speed);
-            let is_number = slope != Sym::ZERO && slope.symbols_of().is_empty();
+            let data = |name: &str| trace.model.parameters.iter().find(|one| one.name == name)?.value;
+            let is_number = slope.evaluate_analytic(&data).is_ok_and(|value: f64| value.is_finite() && value != 0.0);
             is_number.then(|| (speed, -condition.substitute(&[(speed, Sym::ZERO)]) / slope))
         });
         if let Some((speed, value)) = solved {

@@ -58,3 +58,29 @@ fn windings_know_each_others_currents() {
     close(last(&trajectory, "theta'"), speed, 1e-8);
     close(last(&trajectory, "i_a"), c * speed / (m * field), 1e-8);
 }
+
+/// Constant losses, and losses that grow with the transmitted torque, stop the wheel once the supply is off, and hold it there.
+#[test]
+fn a_gear_with_losses_comes_to_rest_and_stays() {
+    let text = stored("geared_motor")
+        .replace(
+            "torque = \"-c*motor.speed\"",
+            "torque = \"-c*motor.speed - (T0 + eta*abs(k*motor.i))*sign(motor.speed)\"",
+        )
+        .replace("[coordinates]", "T0 = \"2 mN m\"\neta = \"0.1\"\n[coordinates]")
+        .replace("supply = \"U\"", "supply = \"if(t < (0.15 s), U, 0)\"")
+        .replace("span = \"0.3 s\"", "span = \"1 s\"");
+    let trajectory = runs(&text);
+    close(last(&trajectory, "theta'"), 0.0, 1e-12);
+    close(last(&trajectory, "current"), 0.0, 1e-9);
+    assert!(last(&trajectory, "theta") > 3.0);
+    // on the way the losses slow it down
+    let free = runs(
+        &text
+            .replace("T0 = \"2 mN m\"", "T0 = \"0 N m\"")
+            .replace("eta = \"0.1\"", "eta = \"0\"")
+            .replace("1 s\"", "0.14 s\""),
+    );
+    let lossy = runs(&text.replace("span = \"1 s\"", "span = \"0.14 s\""));
+    assert!(last(&lossy, "theta'") < 0.95 * last(&free, "theta'"));
+}
