@@ -131,7 +131,7 @@ impl Worker<'_> {
         let goes_on = || !self.stop.load(Ordering::Relaxed);
         loop {
             let number = self.next.fetch_add(1, Ordering::Relaxed);
-            if number > self.last || !goes_on() {
+            if !goes_on() || number > self.last {
                 return;
             }
             let ended = self.scene.numbers(number).and_then(|drawn| alone.run_alone(&drawn, &goes_on));
