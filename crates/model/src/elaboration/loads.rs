@@ -89,11 +89,7 @@ impl Elaborator<'_> {
             "dissipation" => joule() / Dimension::time(),
             _ => joule(),
         };
-        let what = match name.text.as_str() {
-            "dissipation" => "the dissipation".to_owned(),
-            "coenergy" => "the co-energy".to_owned(),
-            other => format!("the {other} energy"),
-        };
+        let what = super::rates::called(&name.text);
         let id = self.scalar_value(value, &what, Some(needed))?;
         let energies = &mut self.model.energies;
         match name.text.as_str() {

@@ -175,6 +175,10 @@ impl Elaborator<'_> {
 }
 
 /// An energy as sentences call it.
-fn called(energy: &str) -> String {
-    if energy == "coenergy" { "the co-energy".to_owned() } else { format!("the {energy} energy") }
+pub(super) fn called(energy: &str) -> String {
+    match energy {
+        "coenergy" => "the co-energy".to_owned(),
+        "dissipation" => "the dissipation".to_owned(),
+        other => format!("the {other} energy"),
+    }
 }
