@@ -119,8 +119,11 @@ impl Told<'_> {
             ),
         }
         line("cost by Riccati", number(*predicted));
-        let rest =
-            if *left == 0.0 { String::new() } else { format!(", {left:.1e} of it after t = {} s", run.outcome.time) };
+        let rest = match horizon {
+            _ if *left == 0.0 => String::new(),
+            None => format!(", {left:.1e} of it after t = {} s", run.outcome.time),
+            Some(_) => format!(", {left:.1e} of it the cost of the end"),
+        };
         line("cost of the run", number(self.cost()) + &rest);
         match run.outcome.failure() {
             None => line("reached", format!("t = {} s", run.outcome.time)),

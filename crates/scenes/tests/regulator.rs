@@ -152,3 +152,32 @@ fn criteria_that_mean_nothing_are_refused_at_their_place() {
         assert!(why.contains(message), "{message}: {why}");
     }
 }
+
+/// An upright rod whose angle has no exact digits: the loop brings back to it, and not to what rounding makes of it in twenty seconds.
+#[test]
+fn an_unstable_equilibrium_stays_where_it_is() {
+    let text = "title = \"rod\"\ngravity = \"-(9.81 m/s^2)*N.y\"\n[coordinates]\na = \"rad\"\n[frames]\nA = \"N turned a about z\"\n[bodies.rod]\n\
+                frame = \"A\"\ncentre = \"O + (0.5 m)*A.x\"\nmass = \"(1 kg)\"\ninertia = \"(0.01 kg m^2)\"\n\
+                [inputs]\nT = { unit = \"N m\", value = \"(0.5 m)*(1 kg)*(9.81 m/s^2)*cos(60*pi/180)\" }\n[[torque]]\non = \"rod\"\nis = \"T*N.z\"\n\
+                [start]\na = \"60 deg\"\n[regulator]\ncost = \"(a/(0.1 rad))^2 + (T/(1 N m))^2\"\ndisplaced = { a = \"2 deg\" }\n[run]\nspan = \"40 s\"\n";
+    let found = one(text);
+    let end = found.run.states.last().expect("it runs");
+    assert!((end[0] - 60.0_f64.to_radians()).abs() < 1e-9 && end[1].abs() < 1e-9, "{end:?}");
+}
+
+/// x'' = u with x^2 + u^2: P = (sqrt 2, 1; 1, sqrt 2), also far before the end of a long horizon, whatever the end costs.
+#[test]
+fn a_long_horizon_has_the_value_of_none() {
+    let text = |more: &str| {
+        format!(
+            "title = \"mass\"\n[coordinates]\nx = \"m\"\n[bodies]\nb = {{ centre = \"O + x*N.x\", mass = \"(1 kg)\" }}\n[inputs]\nu = \"N\"\n\
+             [[force]]\nalong = \"x\"\nis = \"u\"\n[regulator]\ncost = \"(x/(1 m))^2 + (u/(1 N))^2\"\n{more}[run]\nspan = \"1 s\"\n"
+        )
+    };
+    for more in ["", "horizon = \"1e3 s\"\nlast = \"3*(x/(1 m))^2\"\n", "horizon = \"1e6 s\"\n"] {
+        let found = one(&text(more)).value;
+        for (entry, known) in found.iter().zip([2.0_f64.sqrt(), 1.0, 1.0, 2.0_f64.sqrt()]) {
+            assert!((entry - known).abs() < 1e-9, "{more}: {found}");
+        }
+    }
+}

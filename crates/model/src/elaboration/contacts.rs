@@ -79,6 +79,7 @@ impl Elaborator<'_> {
             name: source.name.as_ref().map_or_else(String::new, |name| name.text.clone()),
             gap,
             one_way: None,
+            drop: None,
             normal,
             velocity,
             slide,

@@ -34,8 +34,9 @@ impl Elaborator<'_> {
             std::array::from_fn(|component| self.scalar(Scalar::Contact { contact: place, component }, Some(across)));
         let along = Along::Expression(speed);
         self.model.generalised.push(GeneralisedForce { along, is: reactions[0] });
-        if let Some(drop) = &source.drop {
-            let drop = self.law(drop, &format!("the drop of a {}", kind.name()), across)?;
+        let drop = source.drop.as_ref().map(|drop| self.law(drop, &format!("the drop of a {}", kind.name()), across));
+        let drop = drop.transpose()?;
+        if let Some(drop) = drop {
             let is = self.scalar(Scalar::Negation(drop), Some(across));
             self.model.generalised.push(GeneralisedForce { along, is });
         }
@@ -45,6 +46,7 @@ impl Elaborator<'_> {
             name: source.name.as_ref().map_or_else(String::new, |name| name.text.clone()),
             gap: speed,
             one_way: Some(kind),
+            drop,
             normal: none,
             velocity: none,
             slide: still,

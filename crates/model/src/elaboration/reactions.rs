@@ -45,7 +45,11 @@ impl Elaborator<'_> {
         };
         let contact = self.model.contacts.iter().position(|contact| contact.name == name && place.is_none());
         if let Some(contact) = contact.filter(|_| !name.is_empty()) {
-            return Ok(super::Value::Scalar(self.model.contacts[contact].reactions[0]));
+            let crate::Contact { reactions: [normal, _], drop, .. } = self.model.contacts[contact];
+            let dimension = self.dimension_of(normal.0);
+            // the voltage across a diode: what holds its current, less what it takes
+            let across = drop.map(|drop| self.scalar(Scalar::Difference(normal, drop), dimension));
+            return Ok(super::Value::Scalar(across.unwrap_or(normal)));
         }
         let named = |constraint: &Constraint| {
             let own = &constraint.name;

@@ -57,6 +57,8 @@ pub struct Contact {
     pub gap: ScalarId,
     /// Where the gap is a speed.
     pub one_way: Option<OneWay>,
+    /// What a diode or a freewheel takes while it lets through.
+    pub drop: Option<ScalarId>,
     /// The normal n, of length one, and the velocity of the place of the body beside the other one.
     pub normal: VectorId,
     pub velocity: VectorId,

@@ -104,6 +104,10 @@ impl Modes {
             known.get(place).is_some_and(|before| (now.slide - before.slide).sign_of(0, SLACK) != 0.0)
         };
         let of = |(place, (contact, phase)): (usize, (Touching<1>, &Phase))| match *phase {
+            // others of the same current
+            Phase::Apart if expansions.kinds[place].is_one_way && contact.gap.sign_of(0, SLACK) == 0.0 => {
+                touching(&contact)
+            }
             Phase::Apart if Some(place) != closing => Touch::Open,
             Phase::Apart if expansions.kinds[place].is_one_way => touching(&contact),
             // a bounce

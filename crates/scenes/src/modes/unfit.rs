@@ -54,7 +54,7 @@ fn wrong(
             "the direction in which the gap grows",
         ),
         (is_left, LEFT, "a start on the guide; `through` is a point of its line"),
-        (is_one_way && gap < 0.0, TURNED, "a speed that is zero or positive"),
+        (is_one_way && gap < 0.0, TURNED, "a start with a speed that is zero or positive"),
         (
             sides == Sides::One && gap < 0.0,
             PENETRATES,

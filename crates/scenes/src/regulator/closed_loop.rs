@@ -103,7 +103,7 @@ pub struct ClosedRun {
 /// Where the law cannot be written down.
 pub(super) fn run(
     (model, regulator): (&Model, &Regulator),
-    (places, gains): (&[usize], &Gains),
+    (places, gains_of): (&[usize], &Gains),
     [start, displaced]: [&[f64]; 2],
     (span, tolerance, samples): (f64, f64, usize),
     deadline: Instant,
@@ -145,9 +145,14 @@ pub(super) fn run(
             deviations.chain(letters.iter().copied().zip(added.iter().copied())).collect();
         let state: Vec<Sym> = own_letters.collect();
         let cost = Letters::with_data(time, &state).put_into(&trace, &[trace.scalar(regulator.cost)])[0];
-        [with(own, &values_given), with(moved, &sums), vec![cost.substitute(&deviations)], sums].concat()
+        let of_own = match gains_of {
+            // an equilibrium, or a steady motion, and not what rounding makes of it
+            Gains::Lasting(_) => own[states / 2..].iter().copied().chain(vec![Sym::ZERO; states / 2]).collect(),
+            Gains::Along(_) => with(own, &values_given),
+        };
+        [of_own, with(moved, &sums), vec![cost.substitute(&deviations)], sums].concat()
     })?;
-    let law = ClosedLoop { program, gains, states, count, chosen, room: Default::default() };
+    let law = ClosedLoop { program, gains: gains_of, states, count, chosen, room: Default::default() };
     let both = [start, displaced, &[0.0]].concat();
     let mut span = Span::new(0.0, span, &both).with_deadline(deadline);
     span.outputs = (1..=samples).map(|k| span.end * k as f64 / samples as f64).collect();

@@ -48,8 +48,30 @@ impl Backwards {
     }
 }
 
+/// An exponent beyond this has no exponential: the step is made in parts.
+const MOST: f64 = 30.0;
+
+/// Parts of a step, at most.
+const PARTS: f64 = 4096.0;
+
 /// P at the beginning of a step from that at its end.
 fn moved(stages: [&Stage; 3], step: f64, value: &DMatrix<f64>) -> Option<DMatrix<f64>> {
+    let size = stages.iter().map(|stage| stage.hamiltonian().map_or(f64::NAN, |all| all.norm())).fold(0.0, f64::max);
+    let parts = (size * step / MOST).ceil();
+    if parts <= 1.0 {
+        return moved_once(stages, step, value);
+    }
+    let parts = if parts <= PARTS { parts as usize } else { return None };
+    let all = stages.map(Clone::clone);
+    let mut value = value.clone();
+    for k in (0..parts).rev() {
+        let at = |s: f64| between(&all, (k as f64 + s) / parts as f64);
+        value = moved_once([&at(0.0), &at(0.5), &at(1.0)], step / parts as f64, &value)?;
+    }
+    Some(value)
+}
+
+fn moved_once(stages: [&Stage; 3], step: f64, value: &DMatrix<f64>) -> Option<DMatrix<f64>> {
     let n = value.nrows();
     let [first, middle, last] = stages.map(Stage::hamiltonian);
     let (first, middle, last) = (first?, middle?, last?);

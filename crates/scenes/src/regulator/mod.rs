@@ -51,6 +51,9 @@ pub struct Regulated {
 const STEPS: usize = 64;
 const MOST_STEPS: usize = 8192;
 
+/// The equations of the loop are written down once for both motions.
+const MOST_UNKNOWNS: usize = 24;
+
 /// The change of P by halved steps, relative, that is small enough.
 const FINE: f64 = 1e-10;
 
@@ -107,7 +110,11 @@ pub fn regulated(scene: &ModelScene, allowed: Duration) -> Result<Regulated, Iss
         DVector::from_iterator(places.len(), places.iter().map(|&place| state[place] - own[place]))
     };
     let cost = |x: &DVector<f64>, value: &DMatrix<f64>| (x.transpose() * value * x)[(0, 0)];
-    let moved = displaced(model, &scene.start, &regulator.displaced).map_err(|unmet| unmet_at(model, unmet))?;
+    let moved = displaced(model, &scene.start, &regulator.displaced).map_err(|unmet| {
+        let mut issue = unmet_at(model, unmet);
+        issue.title = format!("the displaced start of the regulator: {}", issue.title);
+        issue.accepted("deviations that constraints leave free; coordinates without one follow")
+    })?;
     let predicted = cost(&varied(&moved, &scene.start), &found.value);
     let run = closed_loop::run(
         (model, regulator),
@@ -145,6 +152,12 @@ impl<'a> Task<'a> {
         let refused = |title: String, accepted: &str| {
             Err(Issue::at(regulator.at[0].clone(), title, "this regulator").accepted(accepted.to_owned()))
         };
+        if model.speeds() + model.constraints.len() > MOST_UNKNOWNS {
+            let title = format!(
+                "regulators of a model with more than {MOST_UNKNOWNS} speeds and constraints are not there yet"
+            );
+            return refused(title, "a smaller model");
+        }
         if changes(model) {
             let title = "regulators of a law that changes at conditions, events or contacts are not there yet";
             return refused(title.to_owned(), "a law without them");
@@ -197,8 +210,15 @@ impl<'a> Task<'a> {
             );
             return Err(self.refused(title, "an input that moves it; a `horizon`, which asks for no stability"));
         }
-        let rest = |value: &DMatrix<f64>| stage.residual(value).filter(|rest| *rest <= LASTS);
-        let found = stage.lasting().and_then(|value| Some((rest(&value)?, stage.gains(&value)?, value)));
+        let found = stage.lasting().and_then(|value| Some((stage.residual(&value)?, stage.gains(&value)?, value)));
+        if let Some((rest, ..)) = &found
+            && (rest.is_nan() || *rest > LASTS)
+        {
+            let title = format!(
+                "Riccati's equation is solved to {rest:.0e} of its largest part alone: double precision does not do"
+            );
+            return Err(self.refused(title, "fewer states, or weights that are closer together; or a `horizon`"));
+        }
         let is_stable = |gains: &DMatrix<f64>| {
             let closed = (&stage.a - &stage.b * gains).complex_eigenvalues();
             closed.iter().all(|value| value.re < -STABLE * stage.a.norm())
@@ -242,6 +262,10 @@ impl<'a> Task<'a> {
                 _ => DMatrix::zeros(n, n),
             };
             let Some(backwards) = Backwards::of(stages, step, end) else {
+                if steps < MOST_STEPS {
+                    steps *= 2;
+                    continue;
+                }
                 let title = "Riccati's equation has no finite solution over the horizon".to_owned();
                 return Err(self.refused(title, "a shorter horizon, or a cost that is not negative"));
             };

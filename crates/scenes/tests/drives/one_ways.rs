@@ -104,3 +104,15 @@ fn diodes_that_mean_nothing_are_refused_at_their_place() {
         assert!(said.contains(message), "{message}: {said}");
     }
 }
+
+/// Two diodes in one branch block and conduct together; the voltage across one that blocks is without its drop.
+#[test]
+fn diodes_of_one_current_change_together() {
+    let second = "[[diode]]\nname = \"E\"\ncurrent = \"q'\"\n[outputs]";
+    let text = HALF_WAVE.replace("[outputs]", second).replace("0.02 s", "0.06 s");
+    let trajectory = runs(&text);
+    assert_eq!(trajectory.passages.len(), runs(&HALF_WAVE.replace("0.02 s", "0.06 s")).passages.len());
+    close(last(&trajectory, "q'"), 0.0, 1e-9);
+    let dropped = HALF_WAVE.replace("current = \"q'\"\n", "current = \"q'\"\ndrop = \"(0.7 V)\"\n");
+    close(last(&runs(&dropped), "blocked"), -325.0 * (314.0 * 0.02_f64).sin(), 1e-9);
+}
