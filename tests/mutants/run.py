@@ -104,7 +104,7 @@ SUBJECT_OF = {
     "crates/model/src/elaboration/guides.rs": ["rough"],
     "crates/model/src/elaboration/drives.rs": ["drives"],
     "crates/model/src/elaboration/one_ways.rs": ["drives"],
-    "crates/model/src/trace/mod.rs": ["drives", "principles", "model", "exports"],
+    "crates/model/src/trace/contacts.rs": ["drives", "principles", "model", "exports"],
     "crates/model/src/trace/motion.rs": ["rough", "principles"],
     "crates/model/src/trace/bodies.rs": ["drives", "principles", "model", "exports"],
     "crates/model/src/equations/elimination.rs": ["rough", "principles", "model", "exports"],

@@ -27,7 +27,7 @@ pub struct Asked {
     /// Replaces the file of --out even where `regulate` did not write what stands there
     #[arg(long)]
     pub force: bool,
-    /// How to print the regulator
+    /// The format of the answer
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
 }

@@ -133,7 +133,7 @@ fn is_possible([a, b, c]: [f64; 3]) -> bool {
 }
 
 /// A number without the rounding of its last digits.
-fn shown(value: f64) -> f64 {
+pub(crate) fn shown(value: f64) -> f64 {
     format!("{value:.11e}").parse().unwrap_or(value)
 }
 

@@ -88,7 +88,7 @@ fn resisted_by_nothing(model: &Model, direction: &[f64]) -> Issue {
     issue.accepted(inertia_for(model, largest(direction)))
 }
 
-/// What gives a speed an inertia.
+/// A remedy for a speed without inertia, in words.
 pub(crate) fn inertia_for(model: &Model, speed: usize) -> &'static str {
     let is_charge = |of: &Coordinate| of.dimension == symbolic::Dimension::current() * symbolic::Dimension::time();
     match model.coordinates.get(speed) {

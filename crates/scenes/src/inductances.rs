@@ -1,5 +1,6 @@
 //! Whether magnetic fields with a co-energy can exist: the energy of small currents beside those of the start is positive.
 
+use crate::admissible::shown;
 use derivations::scene::Issue;
 use model::{Model, Trace};
 use nalgebra::DMatrix;
@@ -77,9 +78,4 @@ pub(crate) fn impossible_inductances(model: &Model, start: &[f64]) -> Option<Iss
     let together: Vec<&str> = (0..n).filter(taking).map(|place| name(place).as_str()).collect();
     let title = format!("the currents {} together have a negative energy at the start", together.join(", "));
     fault((0..n).find(taking)?, title, "of these inductances".to_owned())
-}
-
-/// A number without the rounding of its last digits.
-fn shown(value: f64) -> f64 {
-    format!("{value:.11e}").parse().unwrap_or(value)
 }

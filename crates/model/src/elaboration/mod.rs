@@ -16,6 +16,7 @@ mod functions;
 mod guides;
 mod headings;
 mod loads;
+mod names;
 mod neighbours;
 mod one_ways;
 mod operations;
@@ -43,11 +44,12 @@ use crate::{
 };
 use constants::Constant;
 use drives::Drive;
+use names::{defined_twice, once_for_each_name, unknown};
 use orders::Orders;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::ops::Range;
 use symbolic::Dimension;
-use value::Value;
+use value::{Value, mismatch};
 
 pub use angles::bare_angle;
 pub use constants::HALF_TURN;
@@ -113,15 +115,6 @@ fn elaborated(source: &Source) -> Result<Model, Vec<Fault>> {
         model.warnings.sort_by_key(|warning| warning.span.start);
     }
     if faults.is_empty() { Ok(model) } else { Err(faults) }
-}
-
-/// Leaves of several faults about one name that is not known the first.
-fn once_for_each_name(faults: &mut Vec<Fault>) {
-    let mut told: FxHashSet<String> = FxHashSet::default();
-    faults.retain(|fault| match fault.title.split_once(" is called ") {
-        Some((_, name)) => told.insert(name.to_owned()),
-        None => true,
-    });
 }
 
 /// The meaning of a name of the system.
@@ -382,80 +375,5 @@ impl<'s> Elaborator<'s> {
     }
 }
 
-/// The fault of a name that has a meaning already, and which.
-fn defined_twice(source: &Source, name: &Text) -> Fault {
-    let Source { parameters, coordinates, definitions, frames, points, speeds, bodies, inputs, .. } = source;
-    let tables = [
-        ("a parameter", parameters),
-        ("a coordinate", coordinates),
-        ("a definition", definitions),
-        ("a frame", frames),
-        ("a point", points),
-        ("a quasi-velocity", speeds),
-    ];
-    let entries = tables.into_iter().flat_map(|(kind, table)| table.iter().map(move |entry| (kind, &entry.name)));
-    let bodies = bodies.iter().map(|body| ("a body", &body.name));
-    let inputs = inputs.iter().map(|input| ("an input", &input.name));
-    let is_other = |(_, other): &(&str, &Text)| other.text == name.text && !std::ptr::eq(*other, name);
-    let other = entries.chain(bodies).chain(inputs).find(is_other);
-    let label = other.map_or_else(|| "again".to_owned(), |(kind, _)| format!("it is the name of {kind} already"));
-    Fault::at(name.span(), format!("`{}` is defined twice", name.text), label, "each name stands for one thing")
-}
-
 const EXAMPLES: &str =
     "for example `k*(x - (20 mm))`, `O + l*(cos(theta)*N.x + sin(theta)*N.y)`, `velocity(disc at P) . N.x`";
-
-fn mismatch(span: &Range<usize>, what: &str, needed: &str, found: &Value) -> Box<Fault> {
-    let found = found.describe();
-    let accepted = instead(what, needed, found);
-    Box::new(Fault::at(span.clone(), format!("{what} is {needed}"), format!("this is {found}"), accepted))
-}
-
-/// An expression that would be accepted in the place of another.
-fn instead(what: &str, needed: &str, found: &str) -> String {
-    let example = match (needed, found) {
-        ("a vector", "a scalar") if what == TORQUE => ", such as a*N.x; about the axis of a planar system a*N.z",
-        ("a vector", "a scalar") if what == GRAVITY => ", such as -a*N.y",
-        ("a vector", "a scalar") => ", such as a*N.x",
-        ("a vector", "a point") => ", such as P - O",
-        ("a scalar", "a vector") => ", such as the component v . N.x, or norm(v)",
-        ("a scalar", "a point") => ", such as (P - O) . N.x, or distance(O, P)",
-        ("a point", "a vector") => ", such as O + v",
-        ("a point", "a scalar") => ", such as O + x*N.x",
-        _ => " is accepted",
-    };
-    format!("{needed}{example}")
-}
-
-/// A name that is not known; of a name whose definition is wrong, a consequence of that.
-fn unknown<'a>(
-    broken: &FxHashSet<String>,
-    span: Range<usize>,
-    name: &str,
-    kind: &str,
-    known: impl Iterator<Item = &'a str>,
-) -> Fault {
-    if broken.contains(name.trim()) {
-        return Fault::consequence(span);
-    }
-    let mut known: Vec<&str> = known.collect();
-    known.sort_unstable();
-    known.dedup();
-    let accepted = match rate_in_letters(name, &known)
-        .or_else(|| units::nearest(name, known.iter().copied()).map(str::to_owned))
-    {
-        Some(nearest) => format!("is `{nearest}` meant?"),
-        None if known.is_empty() => format!("the system has no {kind}"),
-        None => format!("known here: {}", known.join(", ")),
-    };
-    Fault::at(span, format!("no {kind} is called `{name}`"), "not known", accepted)
-}
-
-/// `thdot`, `th_dot` and `thddot` as they are written: th' and th''.
-fn rate_in_letters(name: &str, known: &[&str]) -> Option<String> {
-    let of = |ends: [&str; 2], primes: &str| {
-        let base = ends.into_iter().find_map(|end| name.strip_suffix(end))?;
-        known.contains(&base).then(|| format!("{base}{primes}"))
-    };
-    of(["_ddot", "ddot"], "''").or_else(|| of(["_dot", "dot"], "'"))
-}

@@ -1,6 +1,8 @@
 //! Values of expressions and of their parts.
 
-use crate::{FrameId, PointId, ScalarId, VectorId};
+use super::{GRAVITY, TORQUE};
+use crate::{Fault, FrameId, PointId, ScalarId, VectorId};
+use std::ops::Range;
 
 /// The value of an expression.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,4 +27,27 @@ impl Value {
             Value::Frame(_) => "a frame",
         }
     }
+}
+
+/// The fault of a value of another kind.
+pub(super) fn mismatch(span: &Range<usize>, what: &str, needed: &str, found: &Value) -> Box<Fault> {
+    let found = found.describe();
+    let accepted = instead(what, needed, found);
+    Box::new(Fault::at(span.clone(), format!("{what} is {needed}"), format!("this is {found}"), accepted))
+}
+
+/// An expression that would be accepted in the place of another.
+fn instead(what: &str, needed: &str, found: &str) -> String {
+    let example = match (needed, found) {
+        ("a vector", "a scalar") if what == TORQUE => ", such as a*N.x; about the axis of a planar system a*N.z",
+        ("a vector", "a scalar") if what == GRAVITY => ", such as -a*N.y",
+        ("a vector", "a scalar") => ", such as a*N.x",
+        ("a vector", "a point") => ", such as P - O",
+        ("a scalar", "a vector") => ", such as the component v . N.x, or norm(v)",
+        ("a scalar", "a point") => ", such as (P - O) . N.x, or distance(O, P)",
+        ("a point", "a vector") => ", such as O + v",
+        ("a point", "a scalar") => ", such as O + x*N.x",
+        _ => " is accepted",
+    };
+    format!("{needed}{example}")
 }

@@ -24,7 +24,7 @@ pub enum Restitution {
     Poisson,
 }
 
-/// What keeps a speed from falling below zero, in the place of a plane.
+/// An element that keeps a speed from falling below zero, as a plane keeps a gap.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OneWay {
     /// A current.
@@ -57,7 +57,7 @@ pub struct Contact {
     pub gap: ScalarId,
     /// Where the gap is a speed.
     pub one_way: Option<OneWay>,
-    /// What a diode or a freewheel takes while it lets through.
+    /// The voltage or torque that a diode or a freewheel takes while it lets through.
     pub drop: Option<ScalarId>,
     /// The normal n, of length one, and the velocity of the place of the body beside the other one.
     pub normal: VectorId,

@@ -6,6 +6,7 @@
 
 mod angle;
 mod bodies;
+mod contacts;
 mod free_frame;
 mod motion;
 mod rotation;
@@ -23,7 +24,7 @@ use crate::equations::held_of;
 use crate::expression::Exponent;
 use crate::joints::Joints;
 use crate::presentation::FreeTurn;
-use crate::{Contact, FrameId, Input, Model, ScalarId, Turn, VectorId};
+use crate::{FrameId, Input, Model, ScalarId, Turn, VectorId};
 use field::{Analytic, Elementary, Over, Rational, Scalar as _};
 use std::cell::RefCell;
 use std::f64::consts::{PI, TAU};
@@ -182,23 +183,6 @@ impl<'m> Trace<'m> {
             Some(coordinate) => coordinate.name.clone(),
             None => self.speeds[speed].to_string(),
         }
-    }
-
-    /// The letter of a contact's reaction, normal (0) or tangential (1).
-    pub fn reaction(&self, contact: usize, component: usize) -> Sym {
-        let name = match self.model.contacts.get(contact) {
-            Some(contact) if !contact.name.is_empty() => contact.name.clone(),
-            Some(Contact { one_way: Some(one_way), .. }) => format!("{}{}", one_way.name(), contact + 1),
-            _ => format!("contact{}", contact + 1),
-        };
-        let letter = ["N", "T"][component];
-        Sym::named(&format!("{name}.{letter}"), &format!("{letter}_{{\\text{{{name}}}}}"))
-    }
-
-    /// The rate of the gap of a contact; of a diode or a freewheel the speed that is its gap.
-    pub fn gap_rate(&self, contact: &Contact) -> Sym {
-        let gap = self.scalar(contact.gap);
-        if contact.one_way.is_some() { gap } else { self.rate_of(gap) }
     }
 
     /// A scalar expression.

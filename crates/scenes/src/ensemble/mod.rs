@@ -1,8 +1,8 @@
 //! A system that is written in its file as an ensemble: parameters, coordinates and speeds of its own for every member.
 //!
-//! Members of one law run side by side; those whose law changes run one by one (`alone.rs`).
+//! Members of one law run side by side; those whose law changes run one by one (`lone_members.rs`).
 
-mod alone;
+mod lone_members;
 
 use crate::admissible::BodyNumbers;
 use crate::compiled_system::{ENERGIES, NotCompiled};
@@ -11,7 +11,6 @@ use crate::readiness::{changes, refused, unmet_at};
 use crate::scene::{ModelScene, columns};
 use crate::start::{Completed, SingularPositions, StartSolver, Unmet, given, in_touch, start_speeds};
 use crate::warnings::warn_of;
-use alone::laws_of;
 use derivations::ensemble::{
     Column, Drawn, EnsembleScene, LANES, Last, Member, ParametricSystem, RunsAlone, Shape, Sizes, Stopped, Variable,
     lane_series, vary,
@@ -20,6 +19,7 @@ use derivations::scene::file::tables;
 use derivations::scene::law_end::Margins;
 use derivations::scene::{Run, SceneError, Smooth};
 use integrators::LaneSeries;
+use lone_members::laws_of;
 use model::{Fault, Model, bare_angle, turned_further};
 use std::fmt::{self, Write};
 use std::sync::Arc;
@@ -41,7 +41,7 @@ struct ModelEnsemble {
 #[derive(Debug)]
 enum Law {
     SideBySide(Box<ParametricLaw>),
-    /// What decides the laws of members that run by themselves.
+    /// All that decides the laws of members that run by themselves.
     Alone(String),
 }
 

@@ -11,6 +11,7 @@ use field::{DoubleDouble, Over};
 use integrators::{Directions, Method, Ode, Outcome, Real, Record, Span, System, Tolerance, integrate};
 use model::{Model, Regulator, Trace};
 use nalgebra::DMatrix;
+use std::borrow::Cow;
 use std::cell::RefCell;
 use std::time::Instant;
 use symbolic::{Sym, apart, substitute_all};
@@ -23,11 +24,11 @@ pub(super) enum Gains {
 }
 
 impl Gains {
-    /// At a time, column after column.
-    pub fn at(&self, time: f64) -> DMatrix<f64> {
+    /// At a time; where P has no value they have none. Those of a horizon are exponentials of matrices, which take room of their own.
+    pub fn at(&self, time: f64) -> Cow<'_, DMatrix<f64>> {
         match self {
-            Gains::Lasting(gains) => gains.clone(),
-            Gains::Along(backwards) => backwards.gains(time).unwrap_or_default(),
+            Gains::Lasting(gains) => Cow::Borrowed(gains),
+            Gains::Along(backwards) => Cow::Owned(backwards.gains(time).unwrap_or_default()),
         }
     }
 }
@@ -61,6 +62,8 @@ macro_rules! runs {
                 out.resize(y.len() + self.chosen, <$field>::lift(0.0));
                 all[..y.len()].copy_from_slice(y);
                 let approximate: fn($field) -> f64 = $approximate;
+                // without gains there are no rates, and the run ends here
+                all[y.len()..].fill(<$field>::lift(f64::NAN));
                 for (place, gain) in all[y.len()..].iter_mut().zip(self.gains.at(approximate(t)).iter()) {
                     *place = <$field>::lift(*gain);
                 }

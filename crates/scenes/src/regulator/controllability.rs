@@ -1,4 +1,4 @@
-//! What inputs reach: modes of constant equations (Hautus 1969), directions of those that change with the time (Kalman 1960).
+//! The reach of inputs: modes of constant equations (Hautus 1969), directions of those that change with the time (Kalman 1960).
 
 use super::riccati::Stage;
 use nalgebra::{Complex, DMatrix};
@@ -11,7 +11,7 @@ const RANK: f64 = 1e-10;
 pub enum Controllability {
     /// Eigenvalues of A that no input changes; none of a controllable system.
     Modes(Vec<Complex<f64>>),
-    /// Of a motion: the rank of the Gramian over its time, beside the number of states.
+    /// The rank of the Gramian over the time of a motion, beside the number of states.
     Directions { rank: usize, of: usize },
 }
 

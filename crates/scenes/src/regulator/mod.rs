@@ -135,7 +135,7 @@ pub fn regulated(scene: &ModelScene, allowed: Duration) -> Result<Regulated, Iss
         }
     };
     let stage = task.stage(&first);
-    let gains = found.gains.at(0.0);
+    let gains = found.gains.at(0.0).into_owned();
     let closed = regulator.horizon.is_none().then(|| eigenvalues(&(&stage.a - &stage.b * &gains)).values);
     let Found { value, residual, controllability, .. } = found;
     let open = eigenvalues(&stage.a).values;

@@ -4,7 +4,7 @@
 //! of positions hold; then speeds so that all constraints hold, which is linear in them.
 
 mod constraints;
-mod displaced;
+mod displacement;
 mod gimbal;
 mod leaf;
 mod multiple_roots;
@@ -12,7 +12,7 @@ mod redundancy;
 mod singular_positions;
 mod unmet;
 
-pub use displaced::displaced;
+pub use displacement::displaced;
 pub(crate) use leaf::Leaf;
 pub(crate) use singular_positions::SingularPositions;
 pub use unmet::{Open, Unmet};

@@ -1,8 +1,8 @@
 //! Ensembles of systems that are text: each member is the run of a file with its numbers, whoever runs beside it.
 
-mod changing;
 mod exponentials;
 mod free_frames;
+mod lone_members;
 
 use derivations::ensemble::{EnsembleScene, Row};
 use derivations::scene::{Axes, Smooth};

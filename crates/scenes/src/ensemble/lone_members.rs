@@ -13,7 +13,7 @@ use std::time::Duration;
 /// A member takes as long as it needs: the whole run is ended by its own time.
 const UNLIMITED: Duration = Duration::from_secs(1 << 30);
 
-/// What decides the laws of a model that changes, for its fingerprint; none of one that does not.
+/// All that decides the laws of a model that changes, for its fingerprint; none of one that does not.
 pub(super) fn laws_of(model: &Model) -> Option<String> {
     changes(model).then(|| described(model).unwrap_or_else(|reason| reason.to_string()))
 }
