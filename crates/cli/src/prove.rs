@@ -175,10 +175,12 @@ fn of_mistake(trace: &Trace<'_>, mistake: Mistake) -> Row {
         Ok(Mistaken { says, agreement, lost }) => {
             let lost = lost.into_iter().map(|(name, term)| {
                 let term = shorter(trace, term);
-                let written = term.to_string();
-                let term = match written.len() <= MOST_READ {
-                    true => written,
-                    false => format!("a term of {} operations", symbolic::Sym::operations_of(&[term])),
+                let operations = symbolic::Sym::operations_of(&[term]);
+                // an expression has at least a character for each operation
+                let written = (operations <= MOST_READ).then(|| term.to_string());
+                let term = match written.filter(|written| written.len() <= MOST_READ) {
+                    Some(written) => written,
+                    None => format!("a term of {operations} operations"),
                 };
                 format!("lost in the equation of {name}: {term}")
             });
@@ -230,7 +232,7 @@ fn text(row: &Row, known: &mut Vec<(Vec<String>, String)>) -> String {
 fn object(row: &Row) -> serde_json::Value {
     let verdict = row.agreement.as_ref().map_or("does not apply", Agreement::rung);
     let error = match &row.agreement {
-        Ok(Agreement::Identified { error, .. }) => Some(*error),
+        Ok(Agreement::Identified { error, .. } | Agreement::Theorem { error, .. }) => Some(*error),
         _ => None,
     };
     let mut object = json!({ "verdict": verdict, "log2_error": error, "said": row.said(), "behind": row.behind });

@@ -5,6 +5,7 @@ use crate::divisors::named;
 use crate::equations::{Characteristics, constraints_of};
 use crate::principles::{NotApplicable, Principle, Projection, linear};
 use crate::real_points::{equal_digits, value_at_start};
+use crate::theorem;
 use std::fmt;
 use symbolic::{Decision, Hypotheses, Identity, Sym, decide, identified};
 
@@ -14,6 +15,9 @@ pub enum Agreement {
     /// The normal form of every difference is zero: for all values of all letters for which no divisor vanishes; with those divisors
     /// that vanish at the start of the model, where it gives one.
     Proved { divisors: Vec<String>, at_start: Option<Vec<String>> },
+    /// The theorem about principles holds for the model, and every difference vanishes at random points of prime fields: the equations that
+    /// were formed are the ones of the theorem but for an error of at most 2^`error`.
+    Theorem { points: usize, error: f64 },
     /// Every difference vanishes at random points of prime fields: but for an error of at most 2^`error`.
     Identified { points: usize, error: f64 },
     /// Both sides have equal values at real points, to so many digits.
@@ -28,7 +32,7 @@ impl Agreement {
     /// In one word.
     pub fn rung(&self) -> &'static str {
         match self {
-            Self::Proved { .. } => "proved",
+            Self::Proved { .. } | Self::Theorem { .. } => "proved",
             Self::Identified { .. } => "identified",
             Self::Tested { .. } => "tested",
             Self::Refuted { .. } => "refuted",
@@ -71,6 +75,12 @@ impl fmt::Display for Agreement {
                 divisors.join("; "),
                 of_start(at_start.as_deref())
             ),
+            Self::Theorem { points, error } => write!(
+                f,
+                "proved by the theorem on principles: equal for any masses, inertias and forces; these equations are equal at {points} random \
+                 points of random prime fields (probability of error below 2^{:.0})",
+                error.ceil()
+            ),
             Self::Identified { points, error } => write!(
                 f,
                 "identified: equal at {points} random points of random prime fields; the probability of error is below 2^{:.0}",
@@ -90,13 +100,19 @@ impl fmt::Display for Agreement {
 /// Expressions with more operations have normal forms that may explode: they are identified instead.
 const MOST_EXPANDED: usize = 4_000;
 
-/// Compares the residuals of two principles.
+/// Compares the residuals of two principles. Equations too long for their normal form are compared by the theorem on principles, and at
+/// random points: the theorem knows nothing of the code that formed them.
 ///
 /// # Errors
 /// Where one of them does not apply to the model.
 pub fn agreement(trace: &Trace<'_>, one: Principle, other: Principle) -> Result<Agreement, NotApplicable> {
-    let (one, other) = (one.residual(trace)?, other.residual(trace)?);
-    Ok(decided(trace, &one.into_iter().zip(other).collect::<Vec<_>>()))
+    let (of_one, of_other) = (one.residual(trace)?, other.residual(trace)?);
+    Ok(match decided(trace, &of_one.into_iter().zip(of_other).collect::<Vec<_>>()) {
+        Agreement::Identified { points, error } if theorem::holds(trace, one) && theorem::holds(trace, other) => {
+            Agreement::Theorem { points, error }
+        }
+        decided => decided,
+    })
 }
 
 /// The agreement of a principle that knows the constraints, and the points at which it was decided.
@@ -141,7 +157,12 @@ pub fn projected_agreement(trace: &Trace<'_>, projection: Projection) -> Result<
             let by_multipliers = motion.on_constraints(&by_multipliers);
             // a mass may depend on dependent speeds
             let by_shulgin = motion.on_constraints(&trace.with_masses(&by_shulgin));
-            let agreement = decided(trace, &by_multipliers.into_iter().zip(by_shulgin).collect::<Vec<_>>());
+            let agreement = match decided(trace, &by_multipliers.into_iter().zip(by_shulgin).collect::<Vec<_>>()) {
+                Agreement::Identified { points, error } if theorem::holds_on_constraints(trace) => {
+                    Agreement::Theorem { points, error }
+                }
+                decided => decided,
+            };
             let points = format!(
                 "at points on the constraints: all letters and {} are free, {dependent} and their rates follow",
                 or_nothing(&independent)

@@ -37,6 +37,7 @@ mod quasi_velocities;
 mod real_points;
 mod source;
 mod statements;
+mod theorem;
 mod trace;
 mod variations;
 

@@ -33,6 +33,7 @@ mod released;
 mod system;
 #[cfg(test)]
 mod tests;
+mod turning_inertias;
 mod unheld_axes;
 mod value;
 mod windings;
@@ -107,6 +108,7 @@ fn elaborated(source: &Source) -> Result<Model, Vec<Fault>> {
     if faults.is_empty() {
         output_switches::stepped(&mut model);
         faults = axial::tilted(&model);
+        faults.extend(turning_inertias::turning(&model));
     }
     oversights::name_bare_parameters(source, &mut faults);
     if faults.is_empty() {

@@ -11,7 +11,7 @@
 mod tree;
 mod wrenches;
 
-use crate::equations::{held_of, vanishes};
+use crate::equations::{constraints_of, held_of, vanishes};
 use crate::principles::loads::{FrameTorque, PointForce, forces, torques};
 use crate::{BodyId, PointId, Trace, Vector, Zero};
 use symbolic::Sym;
@@ -180,6 +180,28 @@ fn inertia(trace: &Trace<'_>, link: &Link) -> Load {
         load.torque = trace.sum(load.torque, rate);
     }
     load
+}
+
+/// The power of every reaction where it acts, per speed and multiplier, beside the derivative of its constraint's rate; none where a
+/// constraint has no reaction of its own.
+pub(crate) fn powers_of_reactions(trace: &Trace<'_>) -> Option<Vec<(Sym, Sym)>> {
+    let wrenches = reactions(trace);
+    let mut pairs = Vec::new();
+    for constraint in constraints_of(trace) {
+        let (_, wrench) = wrenches.iter().find(|(multiplier, _)| *multiplier == constraint.multiplier)?;
+        for (i, &slope) in constraint.row.iter().enumerate() {
+            let by_forces = wrench.forces.iter().map(|(at, is)| {
+                let velocity = trace.material_velocity(*at);
+                trace.dot(*is, trace.vector_by_speed(velocity, i))
+            });
+            let by_torques =
+                wrench.torques.iter().map(|(on, is)| trace.dot(*is, trace.vector_by_speed(trace.turning(*on), i)));
+            let by_name = wrench.along.iter().filter(|(coordinate, _)| *coordinate == i).map(|(_, slope)| *slope);
+            let power = by_forces.chain(by_torques).chain(by_name).fold(Sym::ZERO, |sum, each| sum + each);
+            pairs.push((power, slope));
+        }
+    }
+    Some(pairs)
 }
 
 /// The multiplier of every scalar equation, with its wrench.

@@ -33,7 +33,7 @@ pub(crate) fn turned_axes(trace: &Trace<'_>, number: usize, turning: Vector) -> 
 }
 
 /// Quaternion, angular velocity in the frame's own axes, and its rate.
-pub(super) struct FreeFrame {
+pub(crate) struct FreeFrame {
     pub quaternion: [Sym; 4],
     pub speeds: [Sym; 3],
     pub accelerations: [Sym; 3],

@@ -12,11 +12,12 @@ mod motion;
 mod rotation;
 mod vector;
 
-use free_frame::FreeFrame;
+pub(crate) use free_frame::FreeFrame;
 pub(crate) use free_frame::turned_axes;
-use rotation::Rotation;
+pub(crate) use rotation::Rotation;
 pub(crate) use rotation::quaternion_product;
 pub use rotation::{quaternion_rates, turned_further};
+pub(crate) use vector::Frames;
 pub use vector::Vector;
 
 use crate::arena::{Function, Number, Part, Scalar};
@@ -29,7 +30,6 @@ use field::{Analytic, Elementary, Over, Rational, Scalar as _};
 use std::cell::RefCell;
 use std::f64::consts::{PI, TAU};
 use symbolic::{Derivation, Sym};
-use vector::Frames;
 
 /// A model over symbols.
 pub struct Trace<'m> {

@@ -74,7 +74,7 @@ impl Trace<'_> {
     }
 
     /// The angular velocity of a frame as another sees it.
-    pub(super) fn turning_beside(&self, of: FrameId, seen: FrameId) -> Vector {
+    pub(crate) fn turning_beside(&self, of: FrameId, seen: FrameId) -> Vector {
         self.sum(self.frames.turning(of), self.frames.turning(seen).map(|component| -component))
     }
 

@@ -44,11 +44,19 @@ struct Link {
 
 /// The tree of frames.
 #[derive(Default)]
-pub(super) struct Frames {
+pub(crate) struct Frames {
     links: Vec<Link>,
 }
 
 impl Frames {
+    /// A first frame that turns at any angular velocity, by its components in its own axes.
+    pub fn turning_at(turning: Vector) -> Self {
+        let mut frames = Frames::default();
+        frames.push(None);
+        frames.links[0].turning = turning;
+        frames
+    }
+
     pub fn count(&self) -> usize {
         self.links.len()
     }

@@ -117,6 +117,36 @@ fn bodies_that_cannot_exist_are_refused() {
 }
 
 #[test]
+fn an_inertia_that_would_change_in_its_body_is_refused() {
+    let spun = |inertia: &str| {
+        let frames = "B = \"N turned tilt about x\"\nA = \"B turned theta about z\"";
+        let body = format!("[bodies.bob]\nframe = \"A\"\ninertia = {inertia}");
+        let edits = [
+            ("theta = \"rad\"", "theta = \"rad\"\ntilt = \"rad\""),
+            ("A = \"N turned theta about z\"", frames),
+            ("[bodies.bob]", body.as_str()),
+        ];
+        messages(&edits)
+    };
+    let moments = |axes: &str, second: &str| {
+        spun(&format!("{{ {axes}principal = [\"(0.3 kg m^2)\", \"{second}\", \"(0.4 kg m^2)\"] }}"))
+    };
+    let round = "3*(0.1 kg m^2)";
+    assert_eq!(moments("axes = \"B\", ", round), Vec::<String>::new());
+    assert_eq!(moments("", "(0.2 kg m^2)"), Vec::<String>::new());
+    let refused = moments("axes = \"B\", ", "(0.2 kg m^2)");
+    assert_eq!(refused.len(), 1, "{refused:?}");
+    let told = [
+        "`bob` turns with `A` in the axes of its inertia, `B`",
+        "its moments differ about axes of `B`",
+        "axes that rest in `A`",
+    ];
+    assert!(told.iter().all(|part| refused[0].contains(part)), "{}", refused[0]);
+    let axial = spun("\"(0.3 kg m^2)\"");
+    assert!(axial[0].contains("turns about more than its z axis"), "{axial:?}");
+}
+
+#[test]
 fn products_of_inertia_leave_principal_moments_that_a_body_can_have() {
     let solid = |products: &str| {
         let moments = "xx = \"(1 kg m^2)\", yy = \"(1 kg m^2)\", zz = \"(1 kg m^2)\"";

@@ -1,0 +1,191 @@
+//! Three directions of motion, and letters for whatever depends on them.
+//!
+//! With the displacements X_k along three directions, the speeds u_k along them, and all others together, the rate along a motion is
+//!
+//!   ' = sum u_k X_k + X_others + sum u_k' d/du_k + ... ,    [X_k, X_(k+1)] = e X_(k+2) .
+//!
+//! Of coordinates the letter e is 0; of turns about the axes of a free frame it is 1: one proof is for both.
+
+use super::Equations;
+use crate::FrameId;
+use crate::trace::Vector;
+use symbolic::{Derivation, Sym};
+
+/// The three directions, with every derivative of every letter.
+pub(super) struct Directions {
+    pub speeds: [Sym; 3],
+    pub accelerations: [Sym; 3],
+    bracket: Sym,
+    rates: Vec<(Sym, Sym)>,
+    by_place: [Vec<(Sym, Sym)>; 3],
+    by_speed: [Vec<(Sym, Sym)>; 3],
+    by_acceleration: [Vec<(Sym, Sym)>; 3],
+}
+
+/// The two directions behind this one.
+fn behind(k: usize) -> [usize; 2] {
+    [(k + 1) % 3, (k + 2) % 3]
+}
+
+fn three(name: &str) -> [Sym; 3] {
+    std::array::from_fn(|k| Sym::symbol(&format!("{name} {}", k + 1)))
+}
+
+impl Directions {
+    /// Of coordinates or of turns.
+    pub fn any() -> Self {
+        Directions::along(three("u"), three("u'"), Sym::symbol("e"))
+    }
+
+    /// Along speeds whose displacements have the bracket e.
+    pub fn along(speeds: [Sym; 3], accelerations: [Sym; 3], bracket: Sym) -> Self {
+        let alone = |letters: [Sym; 3]| letters.map(|letter| vec![(letter, Sym::ONE)]);
+        Directions {
+            speeds,
+            accelerations,
+            bracket,
+            rates: speeds.into_iter().zip(accelerations).collect(),
+            by_place: Default::default(),
+            by_speed: alone(speeds),
+            by_acceleration: alone(accelerations),
+        }
+    }
+
+    /// A letter with its rate, and how it changes with the place.
+    pub fn changes(&mut self, letter: Sym, rate: Sym, by_place: [Sym; 3]) {
+        self.rates.push((letter, rate));
+        for (known, slope) in self.by_place.iter_mut().zip(by_place) {
+            known.push((letter, slope));
+        }
+    }
+
+    /// How a letter changes with the speeds.
+    pub fn changes_with_speeds(&mut self, letter: Sym, slopes: [Sym; 3]) {
+        for (known, slope) in self.by_speed.iter_mut().zip(slopes) {
+            known.push((letter, slope));
+        }
+    }
+
+    /// How a letter changes with the accelerations.
+    pub fn changes_with_accelerations(&mut self, letter: Sym, slopes: [Sym; 3]) {
+        for (known, slope) in self.by_acceleration.iter_mut().zip(slopes) {
+            known.push((letter, slope));
+        }
+    }
+
+    /// Letters that change with place and time, in any way.
+    pub fn free(&mut self, name: &str) -> Sym {
+        let letter = Sym::symbol(name);
+        self.changes(letter, Sym::symbol(&format!("{name}'")), three(&format!("{name} by place")));
+        letter
+    }
+
+    /// A function of positions and time, as [`super::functions`] finds it to be.
+    pub fn function(&mut self, name: &str) -> Sym {
+        let [letter, rate, second] = ["", "'", "''"].map(|primes| Sym::symbol(&format!("{name}{primes}")));
+        let (slopes, slope_rates) = (three(&format!("{name} by")), three(&format!("{name}' by")));
+        self.changes(letter, rate, slopes);
+        self.rates.extend(slopes.into_iter().zip(slope_rates));
+        let rate_by_place = std::array::from_fn(|k| slope_rates[k] + self.transposed(k, |j| slopes[j]));
+        self.changes(rate, second, rate_by_place);
+        self.changes_with_speeds(rate, slopes);
+        self.changes_with_accelerations(second, slopes);
+        letter
+    }
+
+    /// The velocity of any point, by components in the axes of the ground, as [`super::points`] finds it to be; and its rate.
+    pub fn velocity(&mut self, name: &str) -> (Vector, Vector) {
+        let components: [(Sym, Sym); 3] = std::array::from_fn(|part| {
+            let [letter, rate] = ["", "'"].map(|prime| Sym::symbol(&format!("{name}{prime} part {}", part + 1)));
+            let (slopes, slope_rates) = self.slopes(&format!("{name} part {}", part + 1));
+            let by_place = std::array::from_fn(|k| slope_rates[k] + self.transposed(k, |j| slopes[j]));
+            self.changes(letter, rate, by_place);
+            self.changes_with_speeds(letter, slopes);
+            self.changes_with_accelerations(rate, slopes);
+            (letter, rate)
+        });
+        (in_axes(components.map(|(letter, _)| letter)), in_axes(components.map(|(_, rate)| rate)))
+    }
+
+    /// The angular velocity of any frame, in its own axes, as [`super::frames`] finds it to be:
+    ///
+    ///   dw/dq = (dw/du)' + w x dw/du ,    with the turns of a free frame beside (dw/du)'.
+    pub fn turning(&mut self, name: &str) -> Vector {
+        let letters = three(name);
+        let slopes: [([Sym; 3], [Sym; 3]); 3] =
+            std::array::from_fn(|part| self.slopes(&format!("{name} {}", part + 1)));
+        for (part, letter) in letters.into_iter().enumerate() {
+            let (of_part, rates) = slopes[part];
+            let by_place = std::array::from_fn(|k| {
+                let [next, last] = behind(part);
+                let across = letters[next] * slopes[last].0[k] - letters[last] * slopes[next].0[k];
+                rates[k] + self.transposed(k, |j| of_part[j]) + across
+            });
+            let rate = Sym::symbol(&format!("{name}' {}", part + 1));
+            self.changes(letter, rate, by_place);
+            self.changes_with_speeds(letter, of_part);
+            self.changes_with_accelerations(rate, of_part);
+        }
+        in_axes(letters)
+    }
+
+    /// Letters for the derivatives by the speeds, and for their rates.
+    fn slopes(&mut self, name: &str) -> ([Sym; 3], [Sym; 3]) {
+        let (slopes, rates) = (three(&format!("{name} by")), three(&format!("{name}' by")));
+        self.rates.extend(slopes.into_iter().zip(rates));
+        (slopes, rates)
+    }
+
+    /// The rate along a motion.
+    pub fn rate(&self, of: Sym) -> Sym {
+        Derivation::new(self.rates.iter().copied()).of(of)
+    }
+
+    /// By a displacement along a direction.
+    pub fn by_place(&self, of: Sym, k: usize) -> Sym {
+        Derivation::new(self.by_place[k].iter().copied()).of(of)
+    }
+
+    pub fn by_speed(&self, of: Sym, k: usize) -> Sym {
+        Derivation::new(self.by_speed[k].iter().copied()).of(of)
+    }
+
+    pub fn by_acceleration(&self, of: Sym, k: usize) -> Sym {
+        Derivation::new(self.by_acceleration[k].iter().copied()).of(of)
+    }
+
+    pub fn vector_by_speed(&self, of: Vector, k: usize) -> Vector {
+        of.map(|component| self.by_speed(component, k))
+    }
+
+    /// (w x p)_k of turns, zero of coordinates.
+    pub fn transposed(&self, k: usize, of: impl Fn(usize) -> Sym) -> Sym {
+        let [next, last] = behind(k);
+        self.bracket * (self.speeds[next] * of(last) - self.speeds[last] * of(next))
+    }
+
+    /// Lagrange's operator: (dT/du)' - dT/dq.
+    pub fn lagrange(&self, kinetic: Sym, k: usize) -> Sym {
+        let momentum = |j: usize| self.by_speed(kinetic, j);
+        self.rate(momentum(k)) + self.transposed(k, momentum) - self.by_place(kinetic, k)
+    }
+
+    /// That derivatives by place and by time commute: X_k f' = (X_k f)', with the turns of a free frame.
+    pub fn commute(&self, f: Sym) -> Equations {
+        let of = |k: usize| {
+            let by_place = |j: usize| self.by_place(f, j);
+            (self.by_place(self.rate(f), k), self.rate(by_place(k)) + self.transposed(k, by_place))
+        };
+        (0..3).map(of).collect()
+    }
+}
+
+/// A vector by its components in the axes that stand first.
+pub(super) fn in_axes(components: [Sym; 3]) -> Vector {
+    Vector { frame: FrameId::GROUND, components }
+}
+
+/// The components of two vectors, one beside the other.
+pub(super) fn equal(one: Vector, other: Vector) -> Equations {
+    one.components.into_iter().zip(other.components).collect()
+}
