@@ -1,14 +1,17 @@
-//! `dalembert regimes`: every consistent regime of a scene with rough contacts at its start.
+//! `dalembert regimes`: every consistent regime of contacts and conditions at the start of a scene.
 
 use crate::arguments::Format;
-use crate::ending::{Ending, print};
+use crate::ending::{Ending, placed, print};
+use ::scenes::{Motions, Regimes, Task, read_titled, regimes};
 use clap::Args;
 use derivations::friction::log::{Names, describe};
 use derivations::friction::{ForRough, RoughScene};
 use derivations::scene::Family;
+use derivations::scene::any::holds_model;
+use derivations::scene::file::read_text;
 use mechanics::constrained::State;
 use mechanics::constrained::contacts::Contacts;
-use mechanics::regimes::{Dry, Found, Touch, Verdict, conditions, consistent, posed, verdict};
+use mechanics::regimes::{Condition, Dry, Found, Touch, Verdict, conditions, consistent, posed, verdict};
 use serde_json::{Value, json};
 use std::fmt::{Display, Write};
 use std::path::PathBuf;
@@ -16,7 +19,7 @@ use std::path::PathBuf;
 /// Whose regimes are to be found.
 #[derive(Args, Debug)]
 pub struct Asked {
-    /// The scene, a TOML file; the folder `scenes/friction` holds examples
+    /// The scene, a TOML file with contacts or conditions; the folders `scenes/friction` and `scenes/models` hold examples
     #[arg(value_name = "SCENE.toml")]
     pub scene: PathBuf,
     /// How to print them
@@ -26,11 +29,19 @@ pub struct Asked {
 
 /// Prints the consistent regimes at the start of a scene.
 pub fn show(asked: &Asked) -> Result<Ending, Ending> {
-    let scene = RoughScene::open(&asked.scene)?;
-    let answer = scene.apply(Start);
+    let text = read_text(&asked.scene)?;
+    let (title, answer) = if holds_model(&text) {
+        let (title, model) = read_titled(&asked.scene, Task::Run)?;
+        let found = regimes(model).map_err(|issue| placed(&asked.scene, issue))?;
+        (title, Answer::of(found))
+    } else {
+        let scene = RoughScene::open(&asked.scene)?;
+        let answer = scene.apply(Start);
+        (scene.title, answer)
+    };
     print(&match asked.format {
-        Format::Text => format!("{}\n{}", scene.title, answer.text()),
-        Format::Json => format!("{:#}\n", answer.object(&scene.title)),
+        Format::Text => format!("{title}\n{}", answer.text()),
+        Format::Json => format!("{:#}\n", answer.object(&title)),
     })?;
     Ok(if answer.determined { Ending::Done } else { Ending::Stopped })
 }
@@ -42,11 +53,19 @@ struct Answer {
     determined: bool,
 }
 
-/// A regime with its conditions: the contact, what is asked, and by how much it is met.
+/// A regime with its conditions.
 struct Regime {
     name: String,
-    margins: Vec<(String, String, f64)>,
+    margins: Vec<Margin>,
     reactions_determined: bool,
+}
+
+/// The contact, what is asked, and by how much it is met.
+struct Margin {
+    contact: String,
+    condition: String,
+    value: f64,
+    unit: &'static str,
 }
 
 impl Answer {
@@ -54,13 +73,42 @@ impl Answer {
         Answer { regimes: Vec::new(), verdict: format!("no regime: {reason}"), determined: false }
     }
 
+    /// Of a system that is written in its file.
+    fn of(found: Regimes) -> Self {
+        let shared = |motion: usize| found.regimes.iter().filter(|regime| regime.motion == motion).count() > 1;
+        let regimes = found.regimes.iter().map(|regime| Regime {
+            name: regime.name.clone(),
+            margins: (regime.margins.iter())
+                .map(|margin| Margin {
+                    contact: margin.of.clone(),
+                    condition: margin.asks.to_owned(),
+                    value: margin.value,
+                    unit: margin.unit,
+                })
+                .collect(),
+            reactions_determined: !shared(regime.motion),
+        });
+        let verdict = match found.motions {
+            Motions::One => "one motion",
+            Motions::OneOnItsBoundary => "one motion, on the boundary of its regime",
+            Motions::None => "no motion",
+            Motions::Several => "several motions",
+            Motions::NotTried => "not decided: more combinations of contacts and conditions than are tried",
+        };
+        let determined = matches!(found.motions, Motions::One | Motions::OneOnItsBoundary);
+        Answer { regimes: regimes.collect(), verdict: verdict.to_owned(), determined }
+    }
+
     fn text(&self) -> String {
         let mut text = String::new();
         // writing to a String cannot fail
+        let width = self.regimes.iter().flat_map(|regime| &regime.margins).map(|margin| margin.contact.chars().count());
+        let width = width.max().unwrap_or(0).max(8);
         for Regime { name, margins, reactions_determined } in &self.regimes {
             let _ = writeln!(text, "\n{name}");
-            for (contact, condition, margin) in margins {
-                let _ = writeln!(text, "  {contact:<8} {condition:<28} {margin:>14.6}");
+            for Margin { contact, condition, value, unit } in margins {
+                let line = format!("  {contact:<width$} {condition:<28} {value:>14.6} {unit}");
+                let _ = writeln!(text, "{}", line.trim_end());
             }
             if !reactions_determined {
                 let _ = writeln!(text, "  the reactions are not determined by the motion: these are possible ones");
@@ -73,7 +121,7 @@ impl Answer {
     fn object(&self, title: &str) -> Value {
         let regimes = self.regimes.iter().map(|regime| {
             let margins = regime.margins.iter().map(
-                |(contact, condition, margin)| json!({ "contact": contact, "condition": condition, "margin": margin }),
+                |Margin { contact, condition, value, unit }| json!({ "contact": contact, "condition": condition, "margin": value, "unit": unit }),
             );
             json!({
                 "regime": regime.name, "margins": margins.collect::<Vec<_>>(),
@@ -129,11 +177,19 @@ fn margins<const K: usize>(
     touch: &[Touch; K],
     names: &Names<K>,
     found: &Found<f64, K>,
-) -> Vec<(String, String, f64)> {
+) -> Vec<Margin> {
     let conditions = conditions(dry, touch, &found.regime);
     let of_contacts =
         conditions.iter().enumerate().flat_map(|(k, all)| all.iter().flatten().map(move |each| (k, each)));
     of_contacts
-        .map(|(k, (condition, form))| (names[k].to_string(), condition.to_string(), form.at(&found.reactions)))
+        .map(|(k, (condition, form))| Margin {
+            contact: names[k].to_string(),
+            condition: condition.to_string(),
+            value: form.at(&found.reactions),
+            unit: match condition {
+                Condition::Separates | Condition::Departs => "m/s^2",
+                _ => "N",
+            },
+        })
         .collect()
 }

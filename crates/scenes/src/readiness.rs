@@ -1,10 +1,11 @@
 //! The start and the law of a model that can run; of another one the reason, at its place in the file.
 
+use crate::admissible::impossible;
 use crate::branch::in_words;
 use crate::compiled_system::{CompiledSystem, NotCompiled};
 use crate::equilibrium::{Equilibrium, NoEquilibrium, equilibrium};
 use crate::first_motion::{inertia_for, massless, missing};
-use crate::modes::{Modes, Refused, Unfit};
+use crate::modes::{Modes, Refused, Regimes, Unfit};
 use crate::row_units::measured;
 use crate::start::{Completed, Open, Unmet, consistent};
 use derivations::scene::Issue;
@@ -41,7 +42,16 @@ pub(crate) fn ready(model: &mut Arc<Model>) -> Result<(Vec<f64>, Arc<CompiledSys
     // before the law: what depends on others makes it singular
     let start = independent_start(Arc::make_mut(model))?;
     let model = &*model;
-    let system = Modes::of(model, &[]).first(&start).map_err(|why| match why {
+    let system = Modes::of(model, &[]).first(&start).map_err(|why| not_started(model, why))?;
+    match missing(model, &system, &start) {
+        Some(issue) => Err(issue),
+        None => Ok((start, system)),
+    }
+}
+
+/// Why a motion does not start, at its place.
+fn not_started(model: &Model, why: Refused) -> Issue {
+    match why {
         Refused::Law(reason) => refused(model, &reason),
         Refused::Contact(Unfit { contact, why, accepted }) => {
             let one = &model.contacts[contact];
@@ -67,11 +77,29 @@ pub(crate) fn ready(model: &mut Arc<Model>) -> Result<(Vec<f64>, Arc<CompiledSys
                 None => issue.accepted(accepted),
             }
         }
-    })?;
-    match missing(model, &system, &start) {
-        Some(issue) => Err(issue),
-        None => Ok((start, system)),
     }
+}
+
+/// The regimes of a model at its start; inputs that a regulator sets are without it.
+///
+/// # Errors
+/// Why the model cannot be there, at its place, or has no regimes.
+pub fn regimes(model: Model) -> Result<Regimes, Issue> {
+    let mut model = Arc::new(model);
+    if model.contacts.is_empty() && model.switches.is_empty() {
+        let place = model.coordinates.first().map_or(0..0, |first| first.at.clone());
+        let issue =
+            Issue::at(place, "this system has one regime: it has no contact and no condition", "it moves by one law");
+        return Err(issue.accepted(
+            "[[contact]], [[diode]], [[freewheel]], or an expression with `if`, `sign`, `abs`, `min`, `max` or `table`",
+        ));
+    }
+    if let Some(issue) = impossible(&model).into_iter().next() {
+        return Err(issue);
+    }
+    Arc::make_mut(&mut model).close_regulated_inputs();
+    let start = independent_start(Arc::make_mut(&mut model))?;
+    Modes::of(&model, &[]).regimes(0.0, &start).map_err(|why| not_started(&model, why))
 }
 
 /// The state at time zero: as the file gives it, completed so that constraints hold; or an equilibrium, where it asks for one.

@@ -63,17 +63,34 @@ pub fn register(warn: Warn) {
 /// # Errors
 /// All that is wrong with the system, each at its place.
 pub fn read_model(path: &Path, task: Task) -> Result<Model, SceneError> {
-    let (name, text) = (path.display().to_string(), read_text(path)?);
-    let model = tables(&name, &text, |top, issues| {
-        top.known(&["title", "description", "run", "ensemble"]);
+    read_titled(path, task).map(|(_, model)| model)
+}
+
+/// The same with the title of the file, empty where it has none.
+///
+/// # Errors
+/// All that is wrong with the system, each at its place.
+pub fn read_titled(path: &Path, task: Task) -> Result<(String, Model), SceneError> {
+    parse_titled(&path.display().to_string(), &read_text(path)?, task)
+}
+
+/// The same of a text; `name` is what messages call it.
+///
+/// # Errors
+/// All that is wrong with the system, each at its place.
+pub fn parse_titled(name: &str, text: &str, task: Task) -> Result<(String, Model), SceneError> {
+    let read = tables(name, text, |top, issues| {
+        top.known(&["description", "run", "ensemble"]);
+        let title =
+            top.optional_text("title", "one line that says what happens").map_or_else(String::new, |title| title.value);
         let (model, _) = model(top, issues)?;
         let large = too_large(&model, task);
         issues.extend(large.clone());
-        large.is_none().then_some(model)
+        large.is_none().then_some((title.split_whitespace().collect::<Vec<_>>().join(" "), model))
     });
-    let model = model.map_err(with_quoted_primes)?;
-    warn_of(&name, &text, &model.warnings);
-    Ok(model)
+    let (title, model) = read.map_err(with_quoted_primes)?;
+    warn_of(name, text, &model.warnings);
+    Ok((title, model))
 }
 
 /// The system of a file with its source; what is wrong with it goes into the list.

@@ -74,21 +74,7 @@ impl Open<'_> {
 
 /// Decides the cases of open conditions, beginning with those of a mode, and the phases of contacts; other conditions keep theirs.
 pub(super) fn decided(expansions: &Expansions, instant: &Instant<'_>, mode: &Mode, open: Open<'_>) -> Decided {
-    // cases without shares
-    let mut alone = mode.clone();
-    for &switch in open.switches {
-        alone.cases[switch] = match mode.cases[switch] {
-            Case::Shared => Case::Off,
-            Case::Spent { on } => {
-                if on {
-                    Case::On
-                } else {
-                    Case::Off
-                }
-            }
-            case => case,
-        };
-    }
+    let alone = without_shares(mode, open);
     let Some(phases) = combinations(expansions, instant, open) else { return Decided::TooMany };
     let found = if open.switches.len() > MOST_OPEN {
         many(expansions, instant, (&alone, &phases), open)
@@ -106,6 +92,20 @@ pub(super) fn decided(expansions: &Expansions, instant: &Instant<'_>, mode: &Mod
         }
         none => none,
     }
+}
+
+/// A mode whose open conditions are on, off or held.
+fn without_shares(mode: &Mode, open: Open<'_>) -> Mode {
+    let mut alone = mode.clone();
+    for &switch in open.switches {
+        alone.cases[switch] = match mode.cases[switch] {
+            Case::Shared => Case::Off,
+            Case::Spent { on: true } => Case::On,
+            Case::Spent { on: false } => Case::Off,
+            case => case,
+        };
+    }
+    alone
 }
 
 /// The same by pivots.
@@ -138,50 +138,113 @@ fn tried(
     (mode, phases): (&Mode, &[Vec<Phase>]),
     open: Open<'_>,
 ) -> Decided {
-    // of cases that rest the one that the event led to comes first
-    let cases = |switch: usize| match mode.cases[switch] {
-        Case::On => [Case::On, Case::Off, Case::Held],
-        Case::Off => [Case::Off, Case::On, Case::Held],
-        _ => [Case::Held, Case::On, Case::Off],
-    };
-    let (mut candidates, mut not_held) = (Vec::new(), false);
-    let widest = SLACKS[SLACKS.len() - 1];
-    for combination in 0..phases.len() * 3_usize.pow(open.switches.len() as u32) {
-        let mut candidate = Mode { phases: phases[combination % phases.len()].clone(), ..mode.clone() };
-        let mut rest = combination / phases.len();
-        for &switch in open.switches {
-            candidate.cases[switch] = cases(switch)[rest % 3];
-            rest /= 3;
-        }
-        expansions.mirror(&mut candidate);
-        let Some(sifted) = expansions.at::<FEW>(instant, &candidate) else {
-            not_held = true;
-            continue;
-        };
-        if is_possible(&sifted, &candidate, open, widest)
-            && let Some(expansion) = expansions.at::<TERMS>(instant, &candidate)
-        {
-            candidates.push((candidate, expansion));
-        }
-    }
+    let Candidates { mut all, not_held } = Candidates::of(expansions, instant, (mode, phases), open);
     let mut several = false;
     for slack in SLACKS {
-        let standings: Vec<Option<Standing>> =
-            candidates.iter().map(|(mode, expansion)| standing(expansion, mode, open, slack)).collect();
-        let Some(best) = standings.iter().copied().max().flatten() else { continue };
-        let mut agreeing = (0..candidates.len()).filter(|&place| standings[place] == Some(best));
-        let Some(first) = agreeing.next() else { continue };
-        let differs = |place: usize| differ(&candidates[first].1, &candidates[place].1, slack);
-        several = matches!(best, Standing::Moves | Standing::Carries) && agreeing.any(differs);
+        let Some((best, agreeing)) = best(&all, open, slack) else { continue };
+        let differs = |place: &usize| differ(&all[agreeing[0]].1, &all[*place].1, slack);
+        several = matches!(best, Standing::Moves | Standing::Carries) && agreeing.iter().skip(1).any(differs);
         if !several {
-            let (mut mode, expansion) = candidates.swap_remove(first);
-            for ((phase, contact), touch) in mode.phases.iter_mut().zip(&expansion.contacts).zip(open.touches) {
-                *phase = at_rest(contact, *phase, (*touch, open.is_alone()), slack);
-            }
+            let (mut mode, expansion) = all.swap_remove(agreeing[0]);
+            mode.rest(&expansion, open, slack);
             return Decided::One { mode, expansion: Box::new(expansion), slack };
         }
     }
     if several { Decided::Several } else { Decided::None { not_held } }
+}
+
+/// The combinations that no number contradicts at once.
+struct Candidates {
+    all: Vec<(Mode, Expansion<TERMS>)>,
+    /// Whether a combination cannot be held.
+    not_held: bool,
+}
+
+impl Candidates {
+    fn of(
+        expansions: &Expansions,
+        instant: &Instant<'_>,
+        (mode, phases): (&Mode, &[Vec<Phase>]),
+        open: Open<'_>,
+    ) -> Self {
+        // of cases that rest the one that the event led to comes first
+        let cases = |switch: usize| match mode.cases[switch] {
+            Case::On => [Case::On, Case::Off, Case::Held],
+            Case::Off => [Case::Off, Case::On, Case::Held],
+            _ => [Case::Held, Case::On, Case::Off],
+        };
+        let mut candidates = Candidates { all: Vec::new(), not_held: false };
+        let widest = SLACKS[SLACKS.len() - 1];
+        for combination in 0..phases.len() * 3_usize.pow(open.switches.len() as u32) {
+            let mut candidate = Mode { phases: phases[combination % phases.len()].clone(), ..mode.clone() };
+            let mut rest = combination / phases.len();
+            for &switch in open.switches {
+                candidate.cases[switch] = cases(switch)[rest % 3];
+                rest /= 3;
+            }
+            expansions.mirror(&mut candidate);
+            let Some(sifted) = expansions.at::<FEW>(instant, &candidate) else {
+                candidates.not_held = true;
+                continue;
+            };
+            if is_possible(&sifted, &candidate, open, widest)
+                && let Some(expansion) = expansions.at::<TERMS>(instant, &candidate)
+            {
+                candidates.all.push((candidate, expansion));
+            }
+        }
+        candidates
+    }
+}
+
+/// The highest standing of candidates, and those that have it; none where all contradict themselves.
+fn best(all: &[(Mode, Expansion<TERMS>)], open: Open<'_>, slack: f64) -> Option<(Standing, Vec<usize>)> {
+    let standings: Vec<Option<Standing>> =
+        all.iter().map(|(mode, expansion)| standing(expansion, mode, open, slack)).collect();
+    let best = standings.iter().copied().max().flatten()?;
+    Some((best, (0..all.len()).filter(|&place| standings[place] == Some(best)).collect()))
+}
+
+/// Every combination that agrees with the motion that it gives, with the number of this motion among them; none where they are too many
+/// to be tried.
+pub(super) fn agreeing(
+    expansions: &Expansions,
+    instant: &Instant<'_>,
+    mode: &Mode,
+    open: Open<'_>,
+) -> Option<Vec<(Mode, Expansion<TERMS>, usize)>> {
+    let phases = combinations(expansions, instant, open)?;
+    if open.switches.len() > MOST_OPEN || phases.len() * 3_usize.pow(open.switches.len() as u32) > MOST_TRIED {
+        return None;
+    }
+    let all = Candidates::of(expansions, instant, (mode, &phases), open).all;
+    let Some((slack, (_, agreeing))) = SLACKS.iter().find_map(|&slack| Some((slack, best(&all, open, slack)?))) else {
+        return Some(Vec::new());
+    };
+    let mut found: Vec<(Mode, Expansion<TERMS>, usize)> = Vec::new();
+    let mut motions = 0;
+    for place in agreeing {
+        let (mut mode, expansion) = all[place].clone();
+        mode.rest(&expansion, open, slack);
+        let same = found.iter().find(|(_, known, _)| !differ(known, &expansion, slack)).map(|(.., motion)| *motion);
+        let motion = same.unwrap_or_else(|| {
+            motions += 1;
+            motions - 1
+        });
+        if found.iter().all(|(known, ..)| *known != mode) {
+            found.push((mode, expansion, motion));
+        }
+    }
+    Some(found)
+}
+
+impl Mode {
+    /// Contacts that should leave zero and stay there rest.
+    fn rest(&mut self, expansion: &Expansion<TERMS>, open: Open<'_>, slack: f64) {
+        for ((phase, contact), touch) in self.phases.iter_mut().zip(&expansion.contacts).zip(open.touches) {
+            *phase = at_rest(contact, *phase, (*touch, open.is_alone()), slack);
+        }
+    }
 }
 
 /// The case to which a condition points that contradicts its own.

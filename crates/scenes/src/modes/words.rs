@@ -24,6 +24,43 @@ impl Words {
         Words { conditions, contacts, are_rough, one_ways, events: events.to_vec() }
     }
 
+    /// A condition.
+    pub fn condition(&self, switch: usize) -> String {
+        self.conditions[switch].clone()
+    }
+
+    /// A contact.
+    pub fn contact(&self, contact: usize) -> String {
+        self.contacts[contact].clone()
+    }
+
+    /// Whether a contact is a diode or a freewheel.
+    pub fn one_way(&self, contact: usize) -> Option<OneWay> {
+        self.one_ways[contact]
+    }
+
+    pub fn is_rough(&self, contact: usize) -> bool {
+        self.are_rough[contact]
+    }
+
+    /// What is positive while a contact presses.
+    pub fn pressure(&self, contact: usize) -> &'static str {
+        match self.one_ways[contact] {
+            None => "normal reaction |N|",
+            Some(OneWay::Diode) => "voltage that it blocks",
+            Some(OneWay::Freewheel) => "torque that it holds",
+        }
+    }
+
+    /// What is positive where a contact opens.
+    pub fn leaving(&self, contact: usize) -> &'static str {
+        match self.one_ways[contact] {
+            None => "separation gap''",
+            Some(OneWay::Diode) => "rate of its current",
+            Some(OneWay::Freewheel) => "rate of its speed",
+        }
+    }
+
     /// An event.
     pub fn fall(&self, fall: Fall) -> String {
         match fall {

@@ -8,6 +8,7 @@ mod guides;
 mod impacts;
 mod ladders;
 mod refusals;
+mod regimes;
 
 use derivations::scene::{Choice, Smooth, Trajectory};
 use integrators::Method;

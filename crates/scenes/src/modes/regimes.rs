@@ -1,0 +1,161 @@
+//! Every regime of contacts and conditions at a state: which of them agree with the motion that they give, and by how much.
+
+use super::decision::{Decided, Open, TERMS, agreeing, decided};
+use super::expansion::{Expansion, Instant};
+use super::mode::{Case, Mode, Phase};
+use super::touch::{Touch, margins};
+use super::unfit::Unfit;
+use super::{Modes, Refused};
+use model::OneWay;
+
+/// A regime that agrees with its motion.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Regime {
+    /// Conditions and contacts with what they do.
+    pub name: String,
+    pub margins: Vec<Margin>,
+    /// The motion that it gives, by its number: several regimes may give one motion, with other reactions.
+    pub motion: usize,
+}
+
+/// What a regime asks, and by how much it is met; in SI units.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Margin {
+    /// The contact or the condition.
+    pub of: String,
+    pub asks: &'static str,
+    pub value: f64,
+    pub unit: &'static str,
+}
+
+/// How many motions go on from a state.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Motions {
+    One,
+    /// One, where a margin is zero.
+    OneOnItsBoundary,
+    None,
+    Several,
+    /// More combinations than are tried.
+    NotTried,
+}
+
+/// All regimes at a state.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Regimes {
+    pub regimes: Vec<Regime>,
+    pub motions: Motions,
+}
+
+impl Modes {
+    /// The regimes at a state that no mode has led to.
+    ///
+    /// # Errors
+    /// Where there is no law, or a contact cannot be at the state.
+    pub fn regimes(&self, time: f64, state: &[f64]) -> Result<Regimes, Refused> {
+        let expansions = self.laws.expansions().map_err(Refused::Law)?;
+        let instant = Instant { time, state, late: 0.0 };
+        let refused = |why| Refused::Motion { why, switch: self.at_zero(time, state) };
+        let cases = self.cases_next(&instant).map_err(refused)?;
+        if let Some(unfit) = Unfit::first(expansions, &instant, &cases) {
+            return Err(Refused::Contact(unfit));
+        }
+        let touches = self.touches(time, state, &cases).map_err(refused)?;
+        let (mode, switches) = self.cases_at(&instant, &[]).map_err(refused)?;
+        let open = Open { switches: &switches, touches: &touches };
+        let verdict = decided(expansions, &instant, &mode, open);
+        let one = |mode: &Mode, expansion: &Expansion<TERMS>, slack: f64| match self
+            .is_on_a_bound(mode, expansion, open, slack)
+        {
+            true => Motions::OneOnItsBoundary,
+            false => Motions::One,
+        };
+        let motions = match &verdict {
+            Decided::One { mode, expansion, slack } => one(mode, expansion, *slack),
+            Decided::None { .. } => Motions::None,
+            Decided::Several => Motions::Several,
+            Decided::TooMany => Motions::NotTried,
+        };
+        let all = match (agreeing(expansions, &instant, &mode, open), verdict) {
+            (Some(all), _) => all,
+            // among very many conditions the one that was found by pivots
+            (None, Decided::One { mode, expansion, .. }) => vec![(mode, *expansion, 0)],
+            (None, _) => Vec::new(),
+        };
+        let regime = |(mode, expansion, motion): (Mode, Expansion<TERMS>, usize)| Regime {
+            name: self.laws.words.mode(&mode),
+            margins: self.margins_of(&mode, &expansion, open),
+            motion,
+        };
+        Ok(Regimes { regimes: all.into_iter().map(regime).collect(), motions })
+    }
+
+    fn is_on_a_bound(&self, mode: &Mode, expansion: &Expansion<TERMS>, open: Open<'_>, slack: f64) -> bool {
+        let of_contacts = expansion.contacts.iter().zip(&mode.phases).filter_map(|(contact, phase)| {
+            let kept = margins(contact, phase.face()?);
+            let counted = if matches!(phase, Phase::Sticks(_)) { &kept[..] } else { &kept[..1] };
+            Some(counted.iter().any(|margin| margin.sign_of(0, slack) == 0.0))
+        });
+        let of_conditions = open.switches.iter().filter(|&&switch| mode.cases[switch].rests());
+        of_contacts
+            .chain(
+                of_conditions
+                    .map(|&switch| expansion.margins(switch).iter().any(|margin| margin.sign_of(0, slack) == 0.0)),
+            )
+            .any(|is_zero| is_zero)
+    }
+
+    fn margins_of(&self, mode: &Mode, expansion: &Expansion<TERMS>, open: Open<'_>) -> Vec<Margin> {
+        let words = &self.laws.words;
+        let mut found = Vec::new();
+        for &switch in open.switches {
+            let condition = &expansion.conditions[switch];
+            let (asks, value) = match mode.cases[switch] {
+                Case::On => ("its rate is positive", condition.terms[1]),
+                Case::Off => ("its rate is negative", -condition.terms[1]),
+                _ => {
+                    let [low, high] = expansion.margins(switch).map(|margin| margin.terms[0]);
+                    ("smaller share of its two sides", low.min(high))
+                }
+            };
+            // the units of a condition are its own
+            found.push(Margin { of: words.condition(switch), asks, value, unit: "" });
+        }
+        for (place, (contact, (phase, touch))) in
+            expansion.contacts.iter().zip(mode.phases.iter().zip(open.touches)).enumerate()
+        {
+            let of = || words.contact(place);
+            let [force, motion] = units(words.one_way(place));
+            let mut add = |asks, value, unit| found.push(Margin { of: of(), asks, value, unit });
+            match phase {
+                Phase::Apart if *touch == Touch::Open => {}
+                Phase::Apart => add(words.leaving(place), contact.gap_rate.terms[1], motion),
+                Phase::Carried => {}
+                Phase::Sticks(face) => {
+                    let [pressure, forwards, backwards] = margins(contact, *face).map(|margin| margin.terms[0]);
+                    add("normal reaction |N|", pressure, force);
+                    add("friction limit f|N| - T", forwards, force);
+                    add("friction limit f|N| + T", backwards, force);
+                }
+                Phase::Slips { face, forwards } => {
+                    add(words.pressure(place), margins(contact, *face)[0].terms[0], force);
+                    if words.is_rough(place) && *touch == Touch::Rest {
+                        let way = if *forwards { 1.0 } else { -1.0 };
+                        add("acceleration of the slip", way * contact.slide.terms[1], "m/s^2");
+                    }
+                }
+                Phase::Rests { face, .. } => add("normal reaction |N|", margins(contact, *face)[0].terms[0], force),
+            }
+        }
+        found
+    }
+}
+
+/// Units of a reaction, and of what a contact without one does.
+fn units(one_way: Option<OneWay>) -> [&'static str; 2] {
+    match one_way {
+        None => ["N", "m/s^2"],
+        Some(OneWay::Diode) => ["V", "A/s"],
+        Some(OneWay::Freewheel) => ["N m", "rad/s^2"],
+    }
+}

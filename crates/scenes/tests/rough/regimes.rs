@@ -1,0 +1,101 @@
+//! Every regime at a start: which agree with the motion that they give, by how much, and how many motions there are.
+
+use super::{rod, stored};
+use scenes::{Motions, Regimes, Task, parse_titled, regimes};
+
+fn of(text: &str) -> Regimes {
+    let (_, model) = parse_titled("scene.toml", text, Task::Run).unwrap_or_else(|error| panic!("{error}"));
+    regimes(model).unwrap_or_else(|issue| panic!("{issue:?}"))
+}
+
+/// The names of the regimes, and their margins rounded.
+fn shown(found: &Regimes) -> Vec<String> {
+    let margin = |margin: &scenes::Margin| format!("{} {:.5} {}", margin.asks, margin.value, margin.unit);
+    let of = |regime: &scenes::Regime| {
+        let margins: Vec<String> = regime.margins.iter().map(margin).collect();
+        format!("{}: {}", regime.name, margins.join(", "))
+    };
+    found.regimes.iter().map(of).collect()
+}
+
+/// With friction beyond (1 + 3 cos^2)/(3 sin cos) and a spin that would lift it, the rod may leave or be pressed (Painleve). The numbers
+/// are those of the program's own rod.
+#[test]
+fn painleves_rod_has_no_motion_one_or_several() {
+    let none = of(&rod("63 deg", "0 rad/s", -3.0));
+    assert_eq!((none.motions, shown(&none)), (Motions::None, Vec::new()));
+    let several = of(&rod("63 deg", "4 rad/s", -8.0));
+    assert_eq!(several.motions, Motions::Several);
+    let known = [
+        "contact `end` slides backwards: normal reaction |N| 5.49765 N",
+        "contact `end` is apart: separation gap'' 4.44610 m/s^2",
+    ];
+    assert_eq!(shown(&several), known);
+    assert_eq!(several.regimes.iter().map(|regime| regime.motion).collect::<Vec<_>>(), [0, 1]);
+    let one = of(&rod("34 deg", "3 rad/s", -4.677_578_710_412_241));
+    assert_eq!(one.motions, Motions::One);
+    assert_eq!(shown(&one), ["contact `end` slides backwards: normal reaction |N| 17.03985 N"]);
+}
+
+/// N = mg cos - F sin is pushed up to what friction holds: at F = f m g exactly on the boundary.
+#[test]
+fn a_block_on_the_boundary_of_sticking_has_one_motion() {
+    let block = |push: &str| {
+        of(&format!(
+            "title = \"block\"\ngravity = \"-(10 m/s^2)*N.y\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n\
+             [points]\nP = \"O + x*N.x + y*N.y\"\n[bodies.block]\ncentre = \"P\"\nmass = \"(2 kg)\"\n\
+             [[force]]\non = \"block\"\nis = \"({push} N)*N.x\"\n\
+             [[contact]]\nname = \"floor\"\nof = \"block\"\nthrough = \"O\"\nnormal = \"N.y\"\nfriction = \"0.25\"\ntouching = true\n\
+             [run]\nspan = \"1 s\"\n"
+        ))
+    };
+    let sticks = block("3");
+    assert_eq!(sticks.motions, Motions::One);
+    let margins =
+        "normal reaction |N| 20.00000 N, friction limit f|N| - T 8.00000 N, friction limit f|N| + T 2.00000 N";
+    assert_eq!(shown(&sticks), [format!("contact `floor` sticks: {margins}")]);
+    let bound = block("5");
+    assert_eq!(bound.motions, Motions::OneOnItsBoundary, "{:?}", shown(&bound));
+    let slides = block("7");
+    assert_eq!(slides.motions, Motions::One);
+    let margins = "normal reaction |N| 20.00000 N, acceleration of the slip 1.00000 m/s^2";
+    assert_eq!(shown(&slides), [format!("contact `floor` slides forwards: {margins}")]);
+}
+
+/// A block on more feet than its motion determines: one motion, whose reactions are possible ones.
+#[test]
+fn several_regimes_may_give_one_motion() {
+    let found = of(&stored("models/leaning_ladder")
+        .replace("\"-0.7 rad/s\"", "\"0 rad/s\"")
+        .replace("f = \"0.3\"", "f = \"0.9\""));
+    assert_eq!(found.motions, Motions::One);
+    assert!(found.regimes.len() > 1, "{:?}", shown(&found));
+    assert!(found.regimes.iter().all(|regime| regime.motion == 0), "{:?}", shown(&found));
+}
+
+#[test]
+fn conditions_and_diodes_have_regimes_too() {
+    let dry = stored("models/dry_friction");
+    let rest = dry.lines().map(|line| {
+        if line.starts_with("\"x'\"") {
+            "\"x'\" = \"0 m/s\""
+        } else if line == "x = \"12 m\"" {
+            "x = \"0.5 m\""
+        } else {
+            line
+        }
+    });
+    let found = of(&rest.collect::<Vec<_>>().join("\n"));
+    assert_eq!(found.regimes.len(), 1, "{:?}", shown(&found));
+    assert!(shown(&found)[0].contains("[x' > 0]"), "{:?}", shown(&found));
+    let rectifier = of(&stored("models/rectifier_drive"));
+    assert!(shown(&rectifier)[0].starts_with("diode `A` blocks, diode `B` conducts"), "{:?}", shown(&rectifier));
+}
+
+#[test]
+fn a_system_without_contacts_and_conditions_is_refused() {
+    let read = parse_titled("scene.toml", &stored("models/double_pendulum"), Task::Run);
+    let (_, model) = read.unwrap_or_else(|error| panic!("{error}"));
+    let issue = regimes(model).expect_err("it has one regime");
+    assert!(issue.title.contains("one regime"), "{issue:?}");
+}
