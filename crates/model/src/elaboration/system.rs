@@ -341,8 +341,10 @@ impl Elaborator<'_> {
             }
         }
         let has_energy = !self.source.energies.is_empty();
-        if self.source.bodies.is_empty() && !has_energy {
-            let accepted = "[bodies.NAME] with `mass` and `centre`, or [energies]";
+        let turns_a_rotor =
+            self.source.drives.iter().any(|drive| drive.inertia.is_some() || !drive.windings.is_empty());
+        if self.source.bodies.is_empty() && !has_energy && !turns_a_rotor {
+            let accepted = "[bodies.NAME] with `mass` and `centre`, [energies], or a drive with an inertia";
             self.faults.push(Fault::at(
                 0..0,
                 "the system has no bodies and no energies",

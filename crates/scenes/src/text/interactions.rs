@@ -1,9 +1,10 @@
 //! Forces, torques, contacts, diodes, freewheels and drives: what bodies do to each other.
 
+use super::machines::machine;
 use super::{placed, text_of};
 use derivations::scene::Issue;
 use derivations::scene::read::Table;
-use model::{ContactSource, DriveSource, LoadSource, OneWay, OneWaySource, Text, WindingSource};
+use model::{ContactSource, DriveSource, Entry, LoadSource, OneWay, OneWaySource, Text, WindingSource};
 
 pub(super) fn loads(top: &mut Table<'_>, name: &str) -> Vec<LoadSource> {
     let needed = format!("[[{name}]] in double brackets is accepted, since a system may have several");
@@ -39,12 +40,15 @@ fn pair(table: &mut Table<'_>, example: &str) -> Option<[Text; 2]> {
     }
 }
 
-pub(super) fn drives(top: &mut Table<'_>) -> Vec<DriveSource> {
-    let mut drives = Vec::new();
+/// The drives, and the data of motors with laws of their own, which become parameters.
+pub(super) fn drives(top: &mut Table<'_>) -> (Vec<DriveSource>, Vec<Entry>) {
+    let (mut drives, mut parameters) = (Vec::new(), Vec::new());
     for mut table in top.tables("drive", "[[drive]] in double brackets is accepted, since a system may have several") {
         if let Some(model) = table.optional_text("model", "model of the motor").filter(|model| model.value != "text") {
-            let issue = Issue::at(model.span.clone(), "motors of the program are not there yet", "not there yet");
-            table.report(issue.accepted("model = \"text\": windings, and a torque"));
+            let issue = Issue::at(model.span.clone(), "the model of a motor stands in [drive.machine]", "not here");
+            table.report(issue.accepted(
+                "[drive.machine] with `model` and its data; or [[drive.winding]] and `torque` of this drive",
+            ));
         }
         let mut text = |key: &str, needed: &str| text_of(&mut table, key, needed);
         let mut drive = DriveSource {
@@ -70,6 +74,14 @@ pub(super) fn drives(top: &mut Table<'_>) -> Vec<DriveSource> {
             table.absorb(winding);
             drive.windings.push(WindingSource { inductance, at, ..source });
         }
+        if !drive.windings.is_empty()
+            && let Some(place) = table.place_of("machine")
+        {
+            let issue =
+                Issue::at(place, "a drive has windings of its own, or a machine with its windings", "beside windings");
+            table.report(issue.accepted("one of [[drive.winding]] and [drive.machine]"));
+        }
+        parameters.extend(machine(&mut table, &mut drive));
         drive.at = table.span();
         let sound = !table.has_issues();
         top.absorb(table);
@@ -77,7 +89,7 @@ pub(super) fn drives(top: &mut Table<'_>) -> Vec<DriveSource> {
             drives.push(drive);
         }
     }
-    drives
+    (drives, parameters)
 }
 
 pub(super) fn contacts(top: &mut Table<'_>) -> Vec<ContactSource> {

@@ -1,6 +1,7 @@
 //! The tables of a file as a system: keys, texts and their places.
 
 mod interactions;
+mod machines;
 
 use derivations::scene::Issue;
 use derivations::scene::read::{At, Table};
@@ -11,7 +12,7 @@ use model::{
 use std::ops::Range;
 
 /// Tables that the language will have.
-const LATER: [(&str, &str); 3] = [("machine", "machines"), ("circuit", "circuits"), ("controls", "controls")];
+const LATER: [(&str, &str); 2] = [("circuit", "circuits"), ("controls", "controls")];
 
 /// Reads every table of the system.
 pub fn source(top: &mut Table<'_>) -> Source {
@@ -24,9 +25,15 @@ pub fn source(top: &mut Table<'_>) -> Source {
             top.report(issue.accepted("parameters, coordinates, speeds, definitions, frames, points, bodies, energies, forces, torques, constraints, contacts, diodes, freewheels, drives, inputs, events, outputs, start"));
         }
     }
+    if let Some(span) = top.place_of("machine") {
+        top.known(&["machine"]);
+        let issue = Issue::at(span, "a machine stands in the drive that it moves", "no drive");
+        top.report(issue.accepted("[[drive]] with `turns` or `between`, then [drive.machine]"));
+    }
     let (start, equilibrium) = start(top);
+    let (drives, data) = drives(top);
     Source {
-        parameters: entries(top, "parameters"),
+        parameters: [entries(top, "parameters"), data].concat(),
         coordinates: entries(top, "coordinates"),
         speeds: entries(top, "speeds"),
         definitions: entries(top, "definitions"),
@@ -40,7 +47,7 @@ pub fn source(top: &mut Table<'_>) -> Source {
         constraints: constraints(top),
         contacts: contacts(top),
         one_ways: one_ways(top),
-        drives: drives(top),
+        drives,
         outputs: entries(top, "outputs"),
         regulator: regulator(top),
         inputs: inputs(top),

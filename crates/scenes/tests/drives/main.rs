@@ -4,6 +4,7 @@ mod circuits;
 mod gears;
 mod machines;
 mod one_ways;
+mod program_motors;
 mod refusals;
 
 use derivations::scene::{Choice, Smooth, Trajectory};

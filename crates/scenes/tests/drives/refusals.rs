@@ -27,7 +27,7 @@ fn a_drive_that_means_nothing_is_refused_at_its_place() {
         ("supply = \"U\"", "suply = \"U\"", "unknown key `suply`"),
         ("motor.i\"", "motor.j\"", "the drive `motor` has no `j`"),
         ("\"motor.i\"", "\"motor\"", "`motor` is a drive, which is no quantity"),
-        ("name = \"motor\"", "name = \"motor\"\nmodel = \"brushed\"", "motors of the program are not there yet"),
+        ("name = \"motor\"", "name = \"motor\"\nmodel = \"brushed\"", "the model of a motor stands in [drive.machine]"),
         ("name = \"motor\"", "name = \"wheel\"", "`wheel` is defined twice"),
         ("[[drive.winding]]", "[[drive.winding]]\ncurrent = \"speed\"", "no name for the current"),
         ("W = \"C turned theta about z\"", "W = \"C turned theta about x\"", "drives in space are not there yet"),

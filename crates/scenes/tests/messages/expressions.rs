@@ -123,7 +123,7 @@ fn units_of_engineers_and_spaces_about_a_slash_are_read() {
 
 #[test]
 fn what_the_language_will_have_is_refused_by_name() {
-    one(&[("[outputs]", "[machine]\nmodel = \"text\"\n\n[outputs]")], &["machines are not there yet"]);
+    one(&[("[outputs]", "[machine]\nmodel = \"text\"\n\n[outputs]")], &["a machine stands in the drive that it moves"]);
     one(&[("width = \"reach\"", "width = \"left.i\"")], &["no drive is called `left`"]);
 }
 

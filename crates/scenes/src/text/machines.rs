@@ -1,0 +1,143 @@
+//! Motors with laws of their own in a drive: those of the program by their names, and `model = "text"` in the letters of a motor.
+//!
+//! A machine knows the angle g = p - W t from the field to its rotor, with the angle p of the motor. Its laws are evaluated once over the
+//! quantities of the drive as letters; what follows are expressions like those that a file may hold itself:
+//!
+//!   torque m(g', p') - dU/dg,    for each winding  L i' = v + W psi' - R i - (psi' + c) p' .
+
+use derivations::machines::{Catalogued, ForMachine, Machine, Quantity, RotorState, Source, text::Laws};
+use derivations::scene::Issue;
+use derivations::scene::machine::{self, MachineData};
+use derivations::scene::read::Table;
+use field::Analytic;
+use model::{DriveSource, Entry, Text, WindingSource};
+use std::convert::Infallible;
+use std::sync::Arc;
+use symbolic::{Sym, apart};
+
+/// The laws of `[drive.machine]`; its data become parameters of the system, `motor_voltage` of the drive `motor`.
+pub(super) fn machine(table: &mut Table<'_>, drive: &mut DriveSource) -> Vec<Entry> {
+    table.known(&["machine"]);
+    let Some(at) = table.place_of("machine").map(|at| at.start) else { return Vec::new() };
+    let mut issues = Vec::new();
+    let found = machine::read(table, &mut issues);
+    issues.into_iter().for_each(|issue| table.report(issue));
+    let Some((machine, data)) = found else { return Vec::new() };
+    if machine.clone().apply(IsPrescribed) {
+        let title = format!("`{}` keeps the speed of its rotor under every load", machine.name());
+        let issue = Issue::at(at..at, title, "this is a constraint, no motor");
+        table.report(issue.accepted("[[constraint]] zero = \"theta' - w\" in the place of this drive"));
+        return Vec::new();
+    }
+    let name = drive.name.as_ref().map_or("drive", |name| name.text.as_str()).to_owned();
+    let written = |text: String| Text::at(text, at);
+    let laws = apart(|| machine.apply(Written { drive: &name, data: &data }));
+    drive.torque = match drive.torque.take() {
+        Some(own) => Some(Text { text: format!("({}) + ({})", own.text, laws.torque), ..own }),
+        None => Some(written(laws.torque)),
+    };
+    drive.windings.extend(laws.windings.into_iter().map(|winding| WindingSource {
+        current: Some(written(winding.current)),
+        inductance: written(winding.inductance),
+        resistance: Some(written(winding.resistance)),
+        supply: winding.supply.map(written),
+        motional: winding.motional.map(written),
+        at: at..at,
+    }));
+    let datum = |(quantity, value): &(Quantity, f64)| Entry {
+        name: written(letter(&name, &quantity.name)),
+        value: written(match &*quantity.unit {
+            "1" => format!("{value:?}"),
+            unit => format!("{value:?} {unit}"),
+        }),
+    };
+    data.numbers.iter().map(datum).collect()
+}
+
+/// Whether a machine keeps the speed of its rotor.
+struct IsPrescribed;
+
+impl ForMachine for IsPrescribed {
+    type Output = bool;
+
+    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, _: M) -> bool {
+        M::ROTOR == RotorState::Prescribed
+    }
+}
+
+/// The letter of a datum.
+fn letter(drive: &str, datum: &str) -> String {
+    format!("{drive}_{datum}")
+}
+
+/// Laws as texts.
+struct Texts {
+    torque: String,
+    windings: Vec<Circuit>,
+}
+
+struct Circuit {
+    current: String,
+    inductance: String,
+    resistance: String,
+    supply: Option<String>,
+    motional: Option<String>,
+}
+
+/// Writes the laws of a machine down.
+struct Written<'a> {
+    drive: &'a str,
+    data: &'a MachineData,
+}
+
+impl ForMachine for Written<'_> {
+    type Output = Texts;
+
+    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, _: M) -> Texts {
+        let Ok(machine) = M::read::<Sym, Infallible>(&mut Letters { drive: self.drive, data: self.data });
+        let of_drive = |part: &str| Sym::symbol(&format!("{}.{part}", self.drive));
+        let (speed, field_speed) = (of_drive("speed"), machine.frame_speed());
+        let turned = field_speed * Sym::symbol("t");
+        let angle = (of_drive("angle") - turned).circle();
+        let varied = angle.varied();
+        let torque = machine.moment_law(speed - field_speed, speed) - machine.field_energy(varied).slope;
+        let currents: Vec<Sym> =
+            (0..machine.windings()).map(|winding| of_drive(&machine.current_name(winding))).collect();
+        let some = |law: Sym| (law != Sym::ZERO).then(|| law.to_string());
+        let circuit = |winding: usize| {
+            let by_angle = machine.linkage(winding, varied).slope;
+            let supply = machine.supply(winding, angle).unwrap_or(Sym::ZERO);
+            let motional = machine.motional(winding, &currents).unwrap_or(Sym::ZERO);
+            Circuit {
+                current: machine.current_name(winding),
+                inductance: machine.inductance(winding).to_string(),
+                resistance: machine.resistance(winding).to_string(),
+                supply: some(supply + field_speed * by_angle),
+                motional: some(by_angle + motional),
+            }
+        };
+        Texts { torque: torque.to_string(), windings: (0..machine.windings()).map(circuit).collect() }
+    }
+}
+
+/// Data as letters.
+struct Letters<'a> {
+    drive: &'a str,
+    data: &'a MachineData,
+}
+
+impl Source<Sym> for Letters<'_> {
+    type Error = Infallible;
+
+    fn quantity(&mut self, quantity: &Quantity) -> Result<Sym, Infallible> {
+        Ok(Sym::symbol(&letter(self.drive, &quantity.name)))
+    }
+
+    fn count(&mut self, name: &'static str, _: &'static str) -> Result<usize, Infallible> {
+        Ok(self.data.counts.iter().find(|(given, ..)| *given == name).map_or(1, |(.., count)| *count))
+    }
+
+    fn laws(&mut self) -> Option<Arc<Laws>> {
+        self.data.laws.clone()
+    }
+}

@@ -1,0 +1,138 @@
+//! Motors with laws of their own in a drive: each of the program beside its law as it is compiled, and a text in the letters of a motor.
+
+use super::{close, last, runs};
+use derivations::machines::{AnyMachine, Catalogued, ForMachine, Quantity, RotorState, drive};
+use derivations::scene::MachineData;
+use field::Circle;
+use integrators::Ode;
+use scenes::ModelScene;
+
+const INERTIA: f64 = 0.01;
+
+/// A rotor with the data of a machine as a scene would give them.
+fn scene(model: &str, data: &MachineData) -> String {
+    let unit = |quantity: &Quantity| if quantity.unit == "1" { String::new() } else { format!(" {}", quantity.unit) };
+    let number = |(quantity, value): &(Quantity, f64)| format!("{} = \"{value:?}{}\"\n", quantity.name, unit(quantity));
+    let numbers = data.numbers.iter().map(number);
+    let counts = data.counts.iter().map(|(name, _, count)| format!("{name} = {count}\n"));
+    let data: String = numbers.chain(counts).collect();
+    format!(
+        "title = \"rotor\"\n[coordinates]\ntheta = \"rad\"\n[[drive]]\nname = \"motor\"\nturns = \"theta\"\ninertia = \"({INERTIA} kg m^2)\"\n\
+         [drive.machine]\nmodel = \"{model}\"\n{data}[outputs]\nM = \"motor.torque\"\n[run]\nspan = \"0.1 s\"\ntolerance = 1e-10\n"
+    )
+}
+
+fn sampled(model: &str) -> (AnyMachine, MachineData) {
+    let mut number = 0;
+    let value = |quantity: &Quantity| {
+        number += 1;
+        match &*quantity.name {
+            "pole_pairs" => 2.0,
+            _ => 0.3 + 0.125 * f64::from(number),
+        }
+    };
+    MachineData::sampled(model, value, 3).unwrap_or_else(|| panic!("{model}"))
+}
+
+/// Moment and rates of currents at an angle to the field and a slip.
+struct Compiled<'a> {
+    angle: f64,
+    slip: f64,
+    currents: &'a [f64],
+}
+
+impl ForMachine for Compiled<'_> {
+    type Output = (f64, Vec<f64>, f64);
+
+    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> Self::Output {
+        let mut rates = vec![0.0; machine.windings()];
+        let (sin, cos) = self.angle.sin_cos();
+        let currents = &self.currents[..machine.windings()];
+        let moment = drive(&machine, Circle { cos, sin }, self.slip, currents, &mut rates);
+        (moment, rates, machine.frame_speed())
+    }
+}
+
+struct IsPrescribed;
+
+impl ForMachine for IsPrescribed {
+    type Output = bool;
+
+    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, _: M) -> bool {
+        M::ROTOR == RotorState::Prescribed
+    }
+}
+
+#[test]
+fn every_motor_of_the_program_has_its_own_law_in_a_drive() {
+    for (model, _) in AnyMachine::LIST {
+        let (machine, data) = sampled(model);
+        let text = scene(model, &data);
+        if machine.clone().apply(IsPrescribed) {
+            let said = ModelScene::parse("scene.toml", &text).expect_err("it is a constraint").to_string();
+            assert!(said.contains("keeps the speed of its rotor"), "{said}");
+            continue;
+        }
+        let scene = ModelScene::parse("scene.toml", &text).unwrap_or_else(|error| panic!("{model}: {error}"));
+        let (time, theta, speed) = (0.37, 0.7, 1.9);
+        let currents: Vec<f64> =
+            (0..scene.start.len() / 2 - 1).map(|place| 0.4 - 0.3 * f64::from(place as u32)).collect();
+        let (_, _, field_speed) = machine.clone().apply(Compiled { angle: 0.0, slip: 0.0, currents: &currents });
+        let at = Compiled { angle: theta - field_speed * time, slip: speed - field_speed, currents: &currents };
+        let (moment, rates, _) = machine.apply(at);
+        let state = [&[theta], &vec![0.0; currents.len()][..], &[speed], &currents].concat();
+        let mut found = vec![0.0; state.len()];
+        Ode::<f64>::rates(&*scene.system, time, &state, &mut found);
+        let accelerations = &found[state.len() / 2..];
+        close(accelerations[0], moment / INERTIA, 1e-12 * (1.0 + moment.abs() / INERTIA));
+        assert_eq!(rates.len(), currents.len(), "{model}");
+        for (found, known) in accelerations[1..].iter().zip(&rates) {
+            close(*found, *known, 1e-12 * (1.0 + known.abs()));
+        }
+    }
+}
+
+/// A brushed motor at its last speed: U k/(R f + k^2).
+#[test]
+fn a_motor_in_its_own_letters_runs_in_a_gear() {
+    let data = "[drive.machine]\nmodel = \"text\"\nfield_speed = \"0 rad/s\"\nmoment_law = \"-f*phi'\"\n[drive.machine.parameters]\n\
+                v = \"24 V\"\nk = \"45 mWb\"\nl = \"2 mH\"\nr = \"0.6 ohm\"\nf = \"0.1 mN m s\"\n\
+                [[drive.machine.winding]]\ncurrent = \"ia\"\ninductance = \"l\"\nresistance = \"r\"\nsupply = \"v\"\nmotional = \"k\"\n";
+    let text = format!(
+        "title = \"gear\"\n[coordinates]\ntheta = \"rad\"\n[bodies.load]\nturns = \"theta\"\ninertia = \"(0.02 kg m^2)\"\n\
+         [[drive]]\nname = \"motor\"\nturns = \"theta\"\nratio = \"10\"\ninertia = \"(1e-4 kg m^2)\"\n{data}\
+         [outputs]\ni = \"motor.ia\"\nw = \"motor.speed\"\n[run]\nspan = \"4 s\"\n"
+    );
+    let trajectory = runs(&text);
+    let speed = 24.0 * 0.045 / (0.6 * 1e-4 + 0.045 * 0.045);
+    close(last(&trajectory, "w"), speed, 1e-7 * speed);
+    close(last(&trajectory, "i"), 1e-4 * speed / 0.045, 1e-6);
+}
+
+/// The motor sits on a carriage that is free to turn: what the rotor gets the carriage gives.
+#[test]
+fn a_motor_of_the_program_turns_one_body_against_another() {
+    let (_, data) = sampled("multi_current");
+    let text = scene("multi_current", &data)
+        .replacen("theta = \"rad\"\n", "theta = \"rad\"\nhousing = \"rad\"\n", 1)
+        .replacen("[[drive]]", "[frames]\nH = \"N turned housing about z\"\nR = \"N turned theta about z\"\n[bodies.housing]\nframe = \"H\"\ninertia = \"(0.03 kg m^2)\"\n[bodies.shaft]\nframe = \"R\"\ninertia = \"(0.005 kg m^2)\"\n[[drive]]", 1)
+        .replacen("turns = \"theta\"", "between = [\"housing\", \"shaft\"]", 1)
+        .replacen("[run]", "[start]\n\"theta'\" = \"2 rad/s\"\n[run]", 1)
+        .replacen("[bodies.housing]\nframe", "[bodies.base]\nframe", 1)
+        .replacen("[\"housing\",", "[\"base\",", 1);
+    let trajectory = runs(&text);
+    let momentum = 0.03 * last(&trajectory, "housing'") + (0.005 + INERTIA) * last(&trajectory, "theta'");
+    close(momentum, 2.0 * (0.005 + INERTIA), 1e-9);
+    assert!(last(&trajectory, "housing'").abs() > 1e-3);
+}
+
+#[test]
+fn a_drive_has_one_motor() {
+    let (_, data) = sampled("brushed");
+    let text = scene("brushed", &data).replacen("[outputs]", "[[drive.winding]]\ninductance = \"(1 H)\"\n[outputs]", 1);
+    let said = ModelScene::parse("scene.toml", &text).expect_err("two motors").to_string();
+    assert!(said.contains("windings of its own, or a machine"), "{said}");
+    let text = scene("brushed", &data).replacen("model = \"brushed\"", "model = \"brush\"", 1);
+    let said = ModelScene::parse("scene.toml", &text).expect_err("unknown").to_string();
+    assert!(said.contains("is `brushed` meant?"), "{said}");
+}
