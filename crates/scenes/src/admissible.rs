@@ -141,7 +141,9 @@ pub(crate) fn shown(value: f64) -> f64 {
 fn entries(body: &Body) -> [Option<ScalarId>; 6] {
     match &body.inertia {
         None => [None; 6],
-        Some(Inertia::Axial(axial)) => [Some(*axial), None, None, None, None, None],
+        Some(Inertia::Axial(axial) | Inertia::OfShaft { moment: axial, .. }) => {
+            [Some(*axial), None, None, None, None, None]
+        }
         Some(Inertia::Tensor { entries, .. }) => *entries,
     }
 }

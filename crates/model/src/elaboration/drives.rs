@@ -27,6 +27,22 @@ pub(super) struct Drive {
     torque: Option<ScalarId>,
 }
 
+/// The shaft of a drive: the frame on which the motor sits, the axis of that frame, and the angle of what it turns.
+struct Shaft {
+    base: FrameId,
+    axis: usize,
+    angle: ScalarId,
+}
+
+/// The rotor of a drive.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Rotor {
+    drive: usize,
+    base: FrameId,
+    axis: usize,
+    frame: FrameId,
+}
+
 impl Elaborator<'_> {
     /// The charges of all windings, and the names of drives.
     pub(super) fn charges(&mut self) {
@@ -130,17 +146,17 @@ impl Elaborator<'_> {
 
     fn rotor(&mut self, place: usize, source: &DriveSource) -> Sound<()> {
         let number = Some(Dimension::none());
-        let (base, shaft) = match (&source.turns, &source.between) {
-            (Some(turns), None) => (FrameId::GROUND, self.position(turns, "the angle of a shaft")?),
+        let Shaft { base, axis, angle: shaft } = match (&source.turns, &source.between) {
+            (Some(turns), None) => {
+                Shaft { base: FrameId::GROUND, axis: 2, angle: self.position(turns, "the angle of a shaft")? }
+            }
             (None, Some([first, second])) => {
                 let frames = [self.turning_frame(first)?, self.turning_frame(second)?];
                 if frames[0] == frames[1] {
                     let title = "a drive turns one body beside another, and these turn together";
                     return Err(Box::new(Fault::at(second.span(), title, "the frame before", EXAMPLE)));
                 }
-                let [on, of] = [(frames[0], first), (frames[1], second)].map(|(frame, text)| self.about_z(frame, text));
-                let (on, of) = (on?, of?);
-                (frames[0], self.scalar(Scalar::Difference(of, on), number))
+                self.shaft(frames, [first, second])?
             }
             _ => {
                 let title = "a drive has one of `turns` and `between`";
@@ -156,9 +172,9 @@ impl Elaborator<'_> {
         };
         let speed = self.scalar(Scalar::RateOf(angle), Some(Dimension::none() / Dimension::time()));
         let name = self.drives[place].name.clone();
-        let rotor = self.new_frame(&format!("rotor of {name}"), base, Turn::About { axis: 2, angle });
+        let rotor = self.new_frame(&format!("rotor of {name}"), base, Turn::About { axis, angle });
         (self.drives[place].angle, self.drives[place].speed) = (Some(angle), Some(speed));
-        self.rotor_frames.push((place, base, rotor));
+        self.rotor_frames.push(Rotor { drive: place, base, axis, frame: rotor });
         if let Some(text) = &source.inertia {
             let needed = Dimension::mass() * Dimension::length().power(Rational::new(2, 1));
             let inertia = self.scalar_value(text, "the moment of inertia", Some(needed))?;
@@ -168,7 +184,7 @@ impl Elaborator<'_> {
                 frame: Some(rotor),
                 centre: None,
                 mass: None,
-                inertia: Some(Inertia::Axial(inertia)),
+                inertia: Some(Inertia::OfShaft { moment: inertia, axis }),
                 mass_at: at.clone(),
                 inertia_at: at.clone(),
                 at,
@@ -187,14 +203,53 @@ impl Elaborator<'_> {
         Ok(found)
     }
 
+    /// The shaft between two frames: one turns in the other about one axis of both, or each turns about z in the ground.
+    fn shaft(&mut self, [first, second]: [FrameId; 2], texts: [&Text; 2]) -> Sound<Shaft> {
+        let number = Some(Dimension::none());
+        if let Some((axis, angle)) = self.turned_in(second, first) {
+            return Ok(Shaft { base: first, axis, angle });
+        }
+        if let Some((axis, angle)) = self.turned_in(first, second) {
+            let angle = self.scalar(Scalar::Negation(angle), number);
+            return Ok(Shaft { base: first, axis, angle });
+        }
+        let (on, of) = (self.about_z(first, texts[0])?, self.about_z(second, texts[1])?);
+        Ok(Shaft { base: first, axis: 2, angle: self.scalar(Scalar::Difference(of, on), number) })
+    }
+
+    /// The axis about which a frame turns in one above it, and the angle; none where it turns about several, or freely.
+    fn turned_in(&mut self, mut frame: FrameId, above: FrameId) -> Option<(usize, ScalarId)> {
+        let mut found: Option<(usize, ScalarId)> = None;
+        while frame != above {
+            let (parent, turn) = self.model.frames[frame.0].parent?;
+            let Turn::About { axis, angle } = turn else { return None };
+            found = Some(match found {
+                None => (axis, angle),
+                Some((known, sum)) if known == axis => {
+                    (axis, self.scalar(Scalar::Sum(angle, sum), Some(Dimension::none())))
+                }
+                Some(_) => return None,
+            });
+            frame = parent;
+        }
+        found
+    }
+
     /// The angle of a frame beside the ground, of turns about z alone.
     fn about_z(&mut self, mut frame: FrameId, text: &Text) -> Sound<ScalarId> {
         let number = Some(Dimension::none());
         let mut sum: Option<ScalarId> = None;
         while let Some((parent, turn)) = self.model.frames[frame.0].parent {
             let Turn::About { axis: 2, angle } = turn else {
-                let title = "drives in space are not there yet: this frame turns about another axis than z";
-                return Err(Box::new(Fault::at(text.span(), title, "not there yet", "turns = \"theta\", an angle")));
+                let title =
+                    "the shaft of this drive has no axis: neither frame turns in the other about one axis of both";
+                let accepted = "a second frame that turns in the first, W = \"C turned theta about x\"; or frames that turn about z alone";
+                return Err(Box::new(Fault::at(
+                    text.span(),
+                    title,
+                    "it turns about another axis than z, or freely",
+                    accepted,
+                )));
             };
             sum = Some(match sum {
                 None => angle,
@@ -209,7 +264,8 @@ impl Elaborator<'_> {
     }
 
     fn wound(&mut self, place: usize, source: &DriveSource) -> Sound<()> {
-        let Some((_, base, rotor)) = self.rotor_frames.iter().copied().find(|(own, ..)| *own == place) else {
+        let Some(Rotor { base, axis, frame, .. }) = self.rotor_frames.iter().copied().find(|one| one.drive == place)
+        else {
             return Ok(());
         };
         let mut torque = match &source.torque {
@@ -231,9 +287,9 @@ impl Elaborator<'_> {
         }
         let Some(torque) = torque else { return Ok(()) };
         self.drives[place].torque = Some(torque);
-        let axis = self.vector(Vector::Axis { frame: FrameId::GROUND, axis: 2 }, Some(Dimension::none()));
+        let axis = self.vector(Vector::Axis { frame: base, axis }, Some(Dimension::none()));
         let is = self.vector(Vector::Scaled(torque, axis), Some(joule()));
-        self.driving.0.push(Torque::Between { frames: [base, rotor], is });
+        self.driving.0.push(Torque::Between { frames: [base, frame], is });
         Ok(())
     }
 }

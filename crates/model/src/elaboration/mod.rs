@@ -149,7 +149,7 @@ struct Elaborator<'s> {
     /// The letter of each current, by the place of its charge.
     currents: FxHashMap<usize, ScalarId>,
     /// For each drive the frame on which the motor sits, and that of its rotor.
-    rotor_frames: Vec<(usize, FrameId, FrameId)>,
+    rotor_frames: Vec<drives::Rotor>,
     /// Torques and voltages of drives, which stand behind the loads of the file.
     driving: (Vec<Torque>, Vec<GeneralisedForce>),
     /// Tables with keys of another one, whose heading is missing.

@@ -44,7 +44,7 @@ fn parts_of_law(model: &Model) -> Vec<bool> {
     for body in &model.bodies {
         open.extend(body.mass.map(|mass| mass.0));
         match &body.inertia {
-            Some(Inertia::Axial(moment)) => open.push(moment.0),
+            Some(Inertia::Axial(moment) | Inertia::OfShaft { moment, .. }) => open.push(moment.0),
             Some(Inertia::Tensor { entries, .. }) => open.extend(entries.iter().flatten().map(|entry| entry.0)),
             None => {}
         }

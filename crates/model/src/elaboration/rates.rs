@@ -35,7 +35,7 @@ fn highest(orders: &Orders, ids: &[ScalarId]) -> Option<usize> {
 fn moments(body: &crate::Body) -> Vec<ScalarId> {
     match &body.inertia {
         None => Vec::new(),
-        Some(Inertia::Axial(moment)) => vec![*moment],
+        Some(Inertia::Axial(moment) | Inertia::OfShaft { moment, .. }) => vec![*moment],
         Some(Inertia::Tensor { entries, .. }) => entries.iter().flatten().copied().collect(),
     }
 }

@@ -69,11 +69,8 @@ impl Trace<'_> {
     /// I v, in the axes of the inertia, of a ball in those of v.
     pub fn inertia_times(&self, inertia: &Inertia, vector: Vector) -> Vector {
         match inertia {
-            Inertia::Axial(axial) => {
-                let axial = self.solidified(*axial);
-                let [_, _, z] = vector.components;
-                Vector { frame: vector.frame, components: [Sym::ZERO, Sym::ZERO, axial * z] }
-            }
+            Inertia::Axial(axial) => self.about_axis(*axial, 2, vector),
+            Inertia::OfShaft { moment, axis } => self.about_axis(*moment, *axis, vector),
             Inertia::Tensor { entries: [Some(moment), ..], .. } if self.is_of_ball(inertia) => {
                 let moment = self.solidified(*moment);
                 vector.map(|component| moment * component)
@@ -86,6 +83,12 @@ impl Trace<'_> {
                 Vector { frame: *axes, components }
             }
         }
+    }
+
+    fn about_axis(&self, moment: ScalarId, axis: usize, vector: Vector) -> Vector {
+        let mut components = [Sym::ZERO; 3];
+        components[axis] = self.solidified(moment) * vector.components[axis];
+        Vector { frame: vector.frame, components }
     }
 
     /// Bodies with an axial inertia that turn about another axis than z, by their names.

@@ -126,6 +126,42 @@ fn a_motor_of_the_program_turns_one_body_against_another() {
     assert!(last(&trajectory, "housing'").abs() > 1e-3);
 }
 
+/// A wheel in a body that turns freely, about each of its axes and from either side: the angular momentum of both is kept.
+#[test]
+fn a_reaction_wheel_turns_a_satellite_and_keeps_the_angular_momentum() {
+    for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
+        let along = |own: usize, moment: &str, w: &str| match own == axis {
+            true => format!("(({moment}) + (0.002 kg m^2))*F.{w} + (0.002 kg m^2)*s'"),
+            false => format!("({moment})*F.{w}"),
+        };
+        let moments = ["0.4 kg m^2", "0.5 kg m^2", "0.6 kg m^2"];
+        let momenta: Vec<String> = moments
+            .iter()
+            .zip(["wx", "wy", "wz"])
+            .enumerate()
+            .map(|(own, (moment, w))| along(own, moment, w))
+            .collect();
+        let text = format!(
+            "title = \"satellite\"\n[coordinates]\ns = \"rad\"\n[frames]\nF = \"N free\"\nW = \"F turned s about {name}\"\n\
+             [bodies.satellite]\nframe = \"F\"\ninertia = {{ principal = [\"(0.4 kg m^2)\", \"(0.5 kg m^2)\", \"(0.6 kg m^2)\"] }}\n\
+             [[drive]]\nname = \"wheel\"\nbetween = [\"satellite\", \"W\"]\ninertia = \"(0.002 kg m^2)\"\n\
+             torque = \"(0.05 N m) - (1e-4 N m s)*wheel.speed\"\n\
+             [outputs]\nH = \"sqrt(({})^2 + ({})^2 + ({})^2)\"\n\
+             [start]\n\"F.wx\" = \"0.1 rad/s\"\n\"F.wy\" = \"0.3 rad/s\"\n\"F.wz\" = \"-0.2 rad/s\"\n[run]\nspan = \"3 s\"\n",
+            momenta[0], momenta[1], momenta[2]
+        );
+        let trajectory = runs(&text);
+        let squares = [0.402_f64, 0.502, 0.602].iter().zip([0.4, 0.5, 0.6]).enumerate();
+        let at_start: f64 = squares
+            .map(|(own, (with_wheel, alone))| if own == axis { *with_wheel } else { alone })
+            .zip([0.1, 0.3, -0.2])
+            .map(|(moment, speed): (f64, f64)| (moment * speed).powi(2))
+            .sum();
+        close(last(&trajectory, "H"), at_start.sqrt(), 1e-12);
+        assert!(last(&trajectory, "s'").abs() > 10.0);
+    }
+}
+
 #[test]
 fn a_drive_has_one_motor() {
     let (_, data) = sampled("brushed");

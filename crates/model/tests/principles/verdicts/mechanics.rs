@@ -73,6 +73,9 @@ impl<'s, 't, 'm> Mechanics<'s, 't, 'm> {
             let moments = match &body.inertia {
                 None => [None; 6],
                 Some(Inertia::Axial(moment)) => [None, None, Some(*moment), None, None, None],
+                Some(Inertia::OfShaft { moment, axis }) => {
+                    std::array::from_fn(|entry| (entry == *axis).then_some(*moment))
+                }
                 Some(Inertia::Tensor { entries, .. }) => *entries,
             };
             [scalar(body.mass)].into_iter().chain(moments.map(scalar)).collect::<Vec<_>>()
