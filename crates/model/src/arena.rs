@@ -90,6 +90,10 @@ pub enum Scalar {
     KineticEnergy,
     /// V of the whole system.
     PotentialEnergy,
+    /// Inertia less forces of coordinates without inertia, which holds no acceleration: by its place among the laws of the model.
+    Law {
+        number: usize,
+    },
     /// dT/du of a speed u, by its place.
     Momentum {
         speed: usize,

@@ -93,9 +93,9 @@ pub(crate) fn inertia_for(model: &Model, speed: usize) -> &'static str {
     let is_charge = |of: &Coordinate| of.dimension == symbolic::Dimension::current() * symbolic::Dimension::time();
     match model.coordinates.get(speed) {
         Some(coordinate) if is_charge(coordinate) => {
-            "an inductance of its current, coenergy = \"L/2*q'^2\", or a constraint that determines it"
+            "an inductance of its current, coenergy = \"L/2*q'^2\"; a resistance or a capacitor; or a constraint that determines it"
         }
-        _ => "a body that moves with it, or a constraint that determines it",
+        _ => "a body that moves with it, a damper or a spring on it, or a constraint that determines it",
     }
 }
 

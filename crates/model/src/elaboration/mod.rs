@@ -15,6 +15,7 @@ mod forces;
 mod functions;
 mod guides;
 mod headings;
+mod inertialess;
 mod loads;
 mod names;
 mod neighbours;
@@ -109,6 +110,9 @@ fn elaborated(source: &Source) -> Result<Model, Vec<Fault>> {
         output_switches::stepped(&mut model);
         faults = axial::tilted(&model);
         faults.extend(turning_inertias::turning(&model));
+    }
+    if faults.is_empty() {
+        faults = inertialess::settle(&mut model);
     }
     oversights::name_bare_parameters(source, &mut faults);
     if faults.is_empty() {

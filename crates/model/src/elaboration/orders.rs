@@ -33,7 +33,7 @@ impl Orders {
             Scalar::Number(_) | Scalar::Parameter(_) | Scalar::Time | Scalar::Switch(_) | Scalar::Pi => None,
             Scalar::Reaction { .. } | Scalar::Contact { .. } => Some(ACCELERATIONS),
             Scalar::Coordinate(_) | Scalar::PotentialEnergy => Some(0),
-            Scalar::KineticEnergy | Scalar::Momentum { .. } => Some(1),
+            Scalar::KineticEnergy | Scalar::Momentum { .. } | Scalar::Law { .. } => Some(1),
             Scalar::Rate { order, .. } => Some(*order),
             Scalar::Input(input) => model.inputs[*input].value.as_ref().and_then(of),
             Scalar::Negation(a) | Scalar::Power(a, _) | Scalar::Function(_, a) | Scalar::Step(a) => of(a),

@@ -1,5 +1,6 @@
 //! Constraints as equations between accelerations.
 
+use crate::arena::Scalar;
 use crate::{Constraint, FrameId, Trace, Vector, Zero};
 use std::ops::Range;
 use symbolic::{Hypotheses, Identity, Sym, decide, identified};
@@ -31,6 +32,8 @@ pub struct Equation {
     pub bias: Sym,
     /// Gains of a constraint that is led to zero and may start elsewhere: of f' first, of positions.
     pub gains: Option<Vec<Sym>>,
+    /// The combination of equations of motion, speeds with factors, that it is; they hold no acceleration, and its multiplier is zero.
+    pub law: Option<Vec<(usize, i64)>>,
     /// Where the model has it.
     pub at: Range<usize>,
 }
@@ -133,5 +136,12 @@ fn equation(trace: &Trace<'_>, constraint: &Constraint, of: [usize; 2], zero: Sy
     }
     let name = name.clone().unwrap_or_default();
     let multiplier = Trace::multiplier(of);
-    Equation { name, of, multiplier, level, zero, rate, row, bias, gains, at: at.clone() }
+    let law = match constraint.zero {
+        Zero::Scalar(zero) => match trace.model.arena.scalar_at(zero) {
+            Some(Scalar::Law { number }) => Some(trace.model.laws[*number].clone()),
+            _ => None,
+        },
+        Zero::Vector(_) => None,
+    };
+    Equation { name, of, multiplier, level, zero, rate, row, bias, gains, law, at: at.clone() }
 }

@@ -123,6 +123,18 @@ impl<'t, 'm> Backward<'t, 'm> {
             | Scalar::KineticEnergy
             | Scalar::PotentialEnergy
             | Scalar::Momentum { .. } => {}
+            Scalar::Law { .. } => {
+                let slope = |speed: usize| match varied {
+                    Varied::Positions => self.trace.by_coordinate(value, speed),
+                    Varied::Speeds => self.trace.by_speed(value, speed),
+                };
+                for speed in 0..self.trace.speeds.len() {
+                    let slope = slope(speed);
+                    if slope != Sym::ZERO {
+                        self.wrench.along.push((speed, weight * slope));
+                    }
+                }
+            }
             Scalar::Input(input) => {
                 if let Some(value) = self.trace.model.inputs[*input].value {
                     self.add(value, varied, weight);

@@ -145,6 +145,9 @@ pub enum Inertia {
     Tensor { axes: FrameId, entries: [Option<ScalarId>; 6] },
 }
 
+/// A combination of the laws of coordinates: speeds by their places, with factors.
+pub(crate) type Combination = Vec<(usize, i64)>;
+
 /// A vector or a point that a definition names.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Defined {
@@ -207,6 +210,8 @@ pub struct Model {
     pub torques: Vec<Torque>,
     pub generalised: Vec<GeneralisedForce>,
     pub constraints: Vec<Constraint>,
+    /// Laws without accelerations, which are constraints: combinations of the laws of coordinates.
+    pub(crate) laws: Vec<Combination>,
     pub contacts: Vec<Contact>,
     /// The system with one coordinate more for each guide that its coordinates satisfy: its reaction is the force along that one.
     pub released: Option<Box<Model>>,
@@ -243,6 +248,22 @@ impl Model {
     /// All that is wrong, each at its place.
     pub fn of(source: &Source) -> Result<Self, Vec<Fault>> {
         crate::elaboration::elaborate(source)
+    }
+
+    /// The model without the laws of coordinates without inertia, and the coordinates that these determine; none where it has none.
+    pub fn without_laws(&self) -> Option<(Model, Vec<usize>)> {
+        if self.laws.is_empty() {
+            return None;
+        }
+        let mut without = self.clone();
+        without.constraints.retain(|constraint| match constraint.zero {
+            Zero::Scalar(zero) => !matches!(self.arena.scalar_at(zero), Some(Scalar::Law { .. })),
+            Zero::Vector(_) => true,
+        });
+        let mut own: Vec<usize> = self.laws.iter().flatten().map(|(coordinate, _)| *coordinate).collect();
+        own.sort_unstable();
+        own.dedup();
+        Some((without, own))
     }
 
     /// Gives every input without a value the value zero.

@@ -2,10 +2,11 @@
 //! of speeds, found a second time by partial derivatives alone; with the gains of a constraint that is led to zero.
 
 use super::reaction_power::{ReactionPower, multiplier};
-use super::{Statement, piecewise, while_inputs_rest};
+use super::{Statement, piecewise, residual, while_inputs_rest};
 use crate::Trace;
 use crate::agreement::decided;
 use crate::equations::{Equation, Level, constraints_of};
+use field::Scalar as _;
 use symbolic::Sym;
 
 pub(super) fn statements(trace: &Trace<'_>) -> Vec<Statement> {
@@ -23,9 +24,23 @@ fn statement(trace: &Trace<'_>, place: usize, constraint: &Equation, relative: &
     let kept = kept.fold(constraint.bias, |sum, (&slope, &acceleration)| sum + slope * acceleration);
     let (led, rates) = led(trace, constraint);
     let power = ReactionPower::of(trace, constraint);
-    let agreement = decided(trace, &[(kept, led), (power.along, power.idle + power.working)]);
+    let mut pairs = vec![(kept, led), (power.along, power.idle + power.working)];
+    if let Some(law) = &constraint.law {
+        // the combination of the equations of motion is the law, and no other constraint stands in it
+        let combined = |of: &dyn Fn(usize) -> Sym| {
+            law.iter().fold(Sym::ZERO, |sum, &(speed, factor)| sum + Sym::int(factor) * of(speed))
+        };
+        let inertia = residual(trace);
+        pairs.push((combined(&|speed| inertia[speed]), constraint.zero));
+        let others = constraints_of(trace).into_iter().filter(|other| other.law.is_none());
+        pairs.extend(others.map(|other| (combined(&|speed| other.row[speed]), Sym::ZERO)));
+    }
+    let agreement = decided(trace, &pairs);
     let written = || power.written(trace, place).unwrap_or_else(|| format!("{} J u", multiplier(trace, place)));
     let work = match power.is_zero() {
+        true if constraint.law.is_some() => {
+            "it is an equation of motion without accelerations, and its multiplier is zero".to_owned()
+        }
         true => "its reaction does no work".to_owned(),
         false => format!("the power of its reaction is {}", written()),
     };

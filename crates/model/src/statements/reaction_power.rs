@@ -6,7 +6,7 @@
 //!
 //! the power is lambda w. A constraint that is linear in the speeds has n = 1, and -w is the part of its rate that no speed multiplies.
 //! For a constraint that is homogeneous of degree n in the speeds w vanishes (Euler). A programmed constraint is not zero along its
-//! motion: n is 0 there, and w is J u.
+//! motion: n is 0 there, and w is J u. The law of a coordinate without inertia has no reaction at all: its multiplier is zero.
 
 use crate::Trace;
 use crate::equations::{Equation, Level, vanishes};
@@ -37,6 +37,10 @@ impl ReactionPower {
     pub fn of(trace: &Trace<'_>, constraint: &Equation) -> Self {
         let along =
             constraint.row.iter().zip(&trace.speeds).fold(Sym::ZERO, |sum, (&slope, &speed)| sum + slope * speed);
+        if constraint.law.is_some() {
+            // its multiplier is zero
+            return ReactionPower { along, idle: along, working: Sym::ZERO };
+        }
         let by_speeds = constraint.row.iter().flat_map(|slope| slope.symbols_of());
         let is_linear =
             constraint.level == Level::Position || !by_speeds.into_iter().any(|one| trace.speeds.contains(&one));

@@ -25,6 +25,8 @@ use crate::equations::held_of;
 use crate::expression::Exponent;
 use crate::joints::Joints;
 use crate::presentation::FreeTurn;
+use crate::principles::lagrange::inertia;
+use crate::principles::loads::generalised;
 use crate::{FrameId, Input, Model, ScalarId, Turn, VectorId};
 use field::{Analytic, Elementary, Over, Rational, Scalar as _};
 use std::cell::RefCell;
@@ -287,10 +289,18 @@ impl<'m> Trace<'m> {
                 false => Trace::multiplier([*constraint, 0]),
             },
             Scalar::Contact { contact, component } => self.reaction(*contact, *component),
+            Scalar::Law { number } => self.with_mass(self.law(&self.model.laws[*number])),
             Scalar::KineticEnergy => self.with_mass(self.kinetic_energy()),
             Scalar::PotentialEnergy => self.with_mass(self.potential_energy()),
             Scalar::Momentum { speed } => self.with_mass(self.by_speed(self.kinetic_and_coenergy(), *speed)),
         }
+    }
+
+    /// Inertia less forces along a combination of speeds.
+    pub(crate) fn law(&self, combination: &[(usize, i64)]) -> Sym {
+        let forces = generalised(self, true);
+        let of = |&(speed, factor): &(usize, i64)| Sym::int(factor) * (inertia(self, speed) - forces[speed]);
+        combination.iter().map(of).fold(Sym::ZERO, |sum, each| sum + each)
     }
 
     /// An expression with the values of masses that vary.

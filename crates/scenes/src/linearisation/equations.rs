@@ -42,6 +42,8 @@ pub struct Known {
     pub unit: String,
     /// Whether it is led to zero, and not kept there.
     pub is_programmed: bool,
+    /// Whether it is an equation of motion without accelerations: inputs stand in it as in others.
+    pub is_law: bool,
     pub at: Range<usize>,
 }
 
@@ -128,6 +130,7 @@ impl VariedEquations {
                 of: coherent(&model.constraints[each.of[0]].dimension.to_string()),
                 unit: multiplier_unit(model, &each),
                 is_programmed: each.gains.is_some(),
+                is_law: each.law.is_some() && each.level == Level::Speed,
                 name: each.name,
                 at: each.at,
             };
@@ -265,12 +268,13 @@ impl VariedEquations {
 }
 
 /// The model with its inputs as letters, and which of them are: an input in a constraint keeps its value, since the constraint asks for
-/// its rates.
+/// its rates. In a law of speeds it moves the speeds alone.
 fn opened(model: &Model) -> (Model, Vec<usize>) {
     let mut open = model.clone();
     open.inputs.iter_mut().for_each(|input| input.value = None);
     let own: Vec<usize> = symbolic::apart(|| {
-        let held = constraints_of(&Trace::of(&open)).into_iter();
+        let is_led = |one: &Equation| one.law.is_none() || one.level == Level::Position;
+        let held = constraints_of(&Trace::of(&open)).into_iter().filter(is_led);
         let used: Vec<Sym> = held.flat_map(|each| [each.zero, each.bias]).flat_map(Sym::symbols_of).collect();
         let is_free = |place: &usize| !used.contains(&Sym::symbol(&model.inputs[*place].name));
         (0..model.inputs.len()).filter(is_free).collect()

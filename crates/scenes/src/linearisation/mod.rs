@@ -126,7 +126,7 @@ impl VariedEquations {
         }
         let at = self.at(&point);
         let (n, m, positions, kept) = (point.speeds.len(), self.constraints.len(), self.positions(), self.kept());
-        for (row, constraint) in self.constraints[..kept].iter().enumerate() {
+        for (row, constraint) in self.constraints[..kept].iter().enumerate().filter(|(_, known)| !known.is_law) {
             if let Some(column) = (0..self.inputs.len()).find(|&column| {
                 [&at.zero, &at.rate, &at.acceleration].iter().any(|part| part.by_inputs[(row, column)] != 0.0)
             }) {
@@ -138,14 +138,28 @@ impl VariedEquations {
         let rows = &at.acceleration.by_accelerations.rows(0, kept).into_owned();
         let fixed_speeds = dependent(rows).map_err(redundant)?;
         let (fixed, _) = fixed_speeds.split_at(positions);
+        // an acceleration that a law gives has rates of inputs in it
+        for (row, constraint) in self.constraints[..kept].iter().enumerate().filter(|(_, known)| known.is_law) {
+            let is_shown = at.outputs.by_accelerations.column(fixed_speeds[row]).iter().any(|slope| *slope != 0.0);
+            let driving = (0..self.inputs.len()).find(|&column| at.rate.by_inputs[(row, column)] != 0.0);
+            if let (true, Some(column)) = (is_shown, driving) {
+                let input = self.inputs[column].clone();
+                return Err(NotLinear::DrivenConstraint { input, constraint: Box::new(constraint.clone()) });
+            }
+        }
         let (free, free_speeds) = (others(n, fixed), others(n, &fixed_speeds));
 
-        // dq = N x_q, du = P x_u + K dq
+        // dq = N x_q, du = P x_u + K dq, with the inputs of laws
+        let k = self.inputs.len();
         let held = rows.rows(0, positions).into_owned();
         let by_free = tied(&held, fixed, &free, &DMatrix::zeros(positions, 0)).ok_or(NotLinear::NotFinite)?;
-        let by_speeds = tied(rows, &fixed_speeds, &free_speeds, &at.rate.by_coordinates.rows(0, kept).into_owned())
-            .ok_or(NotLinear::NotFinite)?;
-        let (of_speeds, carried) = by_speeds.columns_range_pair(0..free_speeds.len(), free_speeds.len()..);
+        let mut more = DMatrix::zeros(kept, n + k);
+        more.columns_mut(0, n).copy_from(&at.rate.by_coordinates.rows(0, kept));
+        more.columns_mut(n, k).copy_from(&at.rate.by_inputs.rows(0, kept));
+        let by_speeds = tied(rows, &fixed_speeds, &free_speeds, &more).ok_or(NotLinear::NotFinite)?;
+        let of_speeds = by_speeds.columns(0, free_speeds.len());
+        let carried = by_speeds.columns(free_speeds.len(), n);
+        let driven = by_speeds.columns(free_speeds.len() + n, k).into_owned();
         let (x_q, x_u) = (free.len(), free_speeds.len());
         let mut coordinates = DMatrix::zeros(n, x_q + x_u);
         coordinates.columns_mut(0, x_q).copy_from(&by_free);
@@ -154,14 +168,14 @@ impl VariedEquations {
         speeds.columns_mut(x_q, x_u).copy_from(&of_speeds);
 
         // accelerations and multipliers by coordinates, speeds and inputs
-        let k = self.inputs.len();
         let mut right = DMatrix::zeros(n + m, x_q + x_u + k);
         let by_state =
             |values: &equations::Values| -(&values.by_coordinates * &coordinates + &values.by_speeds * &speeds);
         right.view_mut((0, 0), (n, x_q + x_u)).copy_from(&by_state(&at.motion));
         right.view_mut((n, 0), (m, x_q + x_u)).copy_from(&by_state(&at.acceleration));
-        right.view_mut((0, x_q + x_u), (n, k)).copy_from(&-&at.motion.by_inputs);
-        right.view_mut((n, x_q + x_u), (m, k)).copy_from(&-&at.acceleration.by_inputs);
+        let by_inputs = |values: &equations::Values| -(&values.by_inputs + &values.by_speeds * &driven);
+        right.view_mut((0, x_q + x_u), (n, k)).copy_from(&by_inputs(&at.motion));
+        right.view_mut((n, x_q + x_u), (m, k)).copy_from(&by_inputs(&at.acceleration));
         let moved = solved(&at, &right).map_err(NotLinear::Undetermined)?;
 
         let mut a = DMatrix::zeros(x_q + x_u, x_q + x_u);
@@ -169,6 +183,7 @@ impl VariedEquations {
         let rates = self.displacement_rates(&point, &coordinates, &speeds);
         for (row, &place) in free.iter().enumerate() {
             a.row_mut(row).copy_from(&rates.row(place));
+            b.row_mut(row).copy_from(&driven.row(place));
         }
         for (row, &place) in free_speeds.iter().enumerate() {
             a.row_mut(x_q + row).copy_from(&moved.view((place, 0), (1, x_q + x_u)));
@@ -178,7 +193,7 @@ impl VariedEquations {
         let shown = &at.outputs.by_accelerations * accelerations + &at.outputs.by_multipliers * multipliers;
         let c =
             &at.outputs.by_coordinates * &coordinates + &at.outputs.by_speeds * &speeds + shown.columns(0, x_q + x_u);
-        let d = &at.outputs.by_inputs + shown.columns(x_q + x_u, k);
+        let d = &at.outputs.by_inputs + &at.outputs.by_speeds * &driven + shown.columns(x_q + x_u, k);
         // a condition of an output that is zero here has a slope beyond all sizes
         let is_finite = [&a, &b, &c, &d].iter().all(|matrix| matrix.iter().all(|value| value.abs() < STEEP));
         match is_finite {

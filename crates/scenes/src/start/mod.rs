@@ -49,6 +49,8 @@ const RANK: f64 = 1e-10;
 #[derive(Debug)]
 pub(crate) struct StartSolver {
     constraints: Option<Constraints>,
+    /// Constraints other than laws of coordinates without inertia, and these coordinates.
+    before_laws: Option<(Option<Constraints>, Vec<usize>)>,
 }
 
 /// A start that meets all constraints.
@@ -125,7 +127,11 @@ impl StartSolver {
     /// # Errors
     /// Where they have no values, or a constraint cannot be completed.
     pub fn of(model: &Model) -> Result<Self, Unmet> {
-        Ok(StartSolver { constraints: Constraints::of(model)? })
+        let before_laws = match model.without_laws() {
+            Some((without, own)) => Some((Constraints::of(&without)?, own)),
+            None => None,
+        };
+        Ok(StartSolver { constraints: Constraints::of(model)?, before_laws })
     }
 
     /// A state with these parameters and quasi-velocities, where what is not given is moved until the constraints hold.
@@ -136,63 +142,22 @@ impl StartSolver {
         &self,
         parameters: &[f64],
         speeds: &[f64],
-        mut state: Vec<f64>,
+        state: Vec<f64>,
         given: &[bool],
     ) -> Result<Completed, Unmet> {
-        let Some(constraints) = &self.constraints else { return Ok(Completed { state, ..Completed::default() }) };
-        let parameters = &[parameters, speeds].concat();
-        let layout = constraints.layout;
-        for (order, level) in [(0, Some(Level::Position)), (1, None)] {
-            let is_given = |speed: &usize| layout.places(*speed, order).any(|at| given[at]);
-            let free: Vec<usize> = (0..layout.speeds()).filter(|speed| !is_given(speed)).collect();
-            let written = state.clone();
-            let mut is_met = false;
-            for _ in 0..MOST_STEPS {
-                let (residuals, jacobian) = constraints.at(&state, parameters, level);
-                // met, one more step leaves rounding alone
-                if is_met || residuals.amax() <= ROUNDED || free.is_empty() {
-                    break;
-                }
-                is_met = residuals.amax() <= MET;
-                let columns = DMatrix::from_fn(residuals.len(), free.len(), |row, at| jacobian[(row, free[at])]);
-                if !residuals.iter().chain(columns.iter()).all(|number| number.is_finite()) {
-                    break;
-                }
-                let decomposed = columns.svd(true, true);
-                let largest = decomposed.singular_values.amax();
-                let Ok(step) = decomposed.solve(&residuals, RANK * largest) else { break };
-                if !step.iter().all(|part| part.is_finite()) || step.amax() == 0.0 {
-                    break;
-                }
-                for (&at, part) in free.iter().zip(step.iter()) {
-                    layout.displace(&mut state, (at, order), -part);
-                }
-            }
-            // what rounding alone has moved stays as it was written
-            let (coordinates, speeds) = (0..layout.positions(), layout.positions()..state.len());
-            for parts in [coordinates, speeds] {
-                let largest = state[parts.clone()].iter().fold(0.0, |largest: f64, part| largest.max(part.abs()));
-                for (now, &written) in state[parts.clone()].iter_mut().zip(&written[parts]) {
-                    let size = if written == 0.0 { largest } else { written.abs() };
-                    if (*now - written).abs() <= STAYS * size {
-                        *now = written;
-                    }
-                }
-            }
-            if let Some(open) = constraints.open(&state, parameters, level, &free) {
-                let contradiction = constraints.contradiction(&state, parameters, level);
-                let locked = || constraints.locked(&state, parameters).filter(|_| level.is_none());
-                let named = |row: usize| (constraints.known[row].at.clone(), constraints.known[row].title.clone());
-                let locked = || locked().map(named).map(|(at, name)| Unmet::Locked { at, name });
-                return Err(contradiction.or_else(locked).unwrap_or(Unmet::Open(Box::new(open))));
+        let by_all =
+            |state: Vec<f64>, given: &[bool]| completed(self.constraints.as_ref(), parameters, speeds, state, given);
+        let Some((others, own)) = &self.before_laws else { return by_all(state, given) };
+        // a law moves its own coordinates, where that is enough: what has inertia starts as it is written
+        let first = completed(others.as_ref(), parameters, speeds, state.clone(), given)?;
+        let positions = self.constraints.as_ref().map_or(0, |constraints| constraints.layout.positions());
+        let mut kept = vec![true; given.len()];
+        for &coordinate in own {
+            for place in [coordinate, positions + coordinate] {
+                kept[place] = given[place];
             }
         }
-        if let Some(multiple) = constraints.with_multiple_root(&state, parameters) {
-            return Err(multiple);
-        }
-        let implied = constraints.implied(&state, parameters)?;
-        let implied = implied.into_iter().filter_map(|row| constraints.known[row].of).collect();
-        Ok(Completed { state, implied })
+        by_all(first.state, &kept).or_else(|_| by_all(state, given))
     }
 
     /// Writes all that decides a completed start beside the given numbers.
@@ -205,4 +170,68 @@ impl StartSolver {
             }
         }
     }
+}
+
+/// The state that meets constraints.
+fn completed(
+    constraints: Option<&Constraints>,
+    parameters: &[f64],
+    speeds: &[f64],
+    mut state: Vec<f64>,
+    given: &[bool],
+) -> Result<Completed, Unmet> {
+    let Some(constraints) = constraints else { return Ok(Completed { state, ..Completed::default() }) };
+    let parameters = &[parameters, speeds].concat();
+    let layout = constraints.layout;
+    for (order, level) in [(0, Some(Level::Position)), (1, None)] {
+        let is_given = |speed: &usize| layout.places(*speed, order).any(|at| given[at]);
+        let free: Vec<usize> = (0..layout.speeds()).filter(|speed| !is_given(speed)).collect();
+        let written = state.clone();
+        let mut is_met = false;
+        for _ in 0..MOST_STEPS {
+            let (residuals, jacobian) = constraints.at(&state, parameters, level);
+            // met, one more step leaves rounding alone
+            if is_met || residuals.amax() <= ROUNDED || free.is_empty() {
+                break;
+            }
+            is_met = residuals.amax() <= MET;
+            let columns = DMatrix::from_fn(residuals.len(), free.len(), |row, at| jacobian[(row, free[at])]);
+            if !residuals.iter().chain(columns.iter()).all(|number| number.is_finite()) {
+                break;
+            }
+            let decomposed = columns.svd(true, true);
+            let largest = decomposed.singular_values.amax();
+            let Ok(step) = decomposed.solve(&residuals, RANK * largest) else { break };
+            if !step.iter().all(|part| part.is_finite()) || step.amax() == 0.0 {
+                break;
+            }
+            for (&at, part) in free.iter().zip(step.iter()) {
+                layout.displace(&mut state, (at, order), -part);
+            }
+        }
+        // what rounding alone has moved stays as it was written
+        let (coordinates, speeds) = (0..layout.positions(), layout.positions()..state.len());
+        for parts in [coordinates, speeds] {
+            let largest = state[parts.clone()].iter().fold(0.0, |largest: f64, part| largest.max(part.abs()));
+            for (now, &written) in state[parts.clone()].iter_mut().zip(&written[parts]) {
+                let size = if written == 0.0 { largest } else { written.abs() };
+                if (*now - written).abs() <= STAYS * size {
+                    *now = written;
+                }
+            }
+        }
+        if let Some(open) = constraints.open(&state, parameters, level, &free) {
+            let contradiction = constraints.contradiction(&state, parameters, level);
+            let locked = || constraints.locked(&state, parameters).filter(|_| level.is_none());
+            let named = |row: usize| (constraints.known[row].at.clone(), constraints.known[row].title.clone());
+            let locked = || locked().map(named).map(|(at, name)| Unmet::Locked { at, name });
+            return Err(contradiction.or_else(locked).unwrap_or(Unmet::Open(Box::new(open))));
+        }
+    }
+    if let Some(multiple) = constraints.with_multiple_root(&state, parameters) {
+        return Err(multiple);
+    }
+    let implied = constraints.implied(&state, parameters)?;
+    let implied = implied.into_iter().filter_map(|row| constraints.known[row].of).collect();
+    Ok(Completed { state, implied })
 }

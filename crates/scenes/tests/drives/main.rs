@@ -6,6 +6,7 @@ mod machines;
 mod one_ways;
 mod program_motors;
 mod refusals;
+mod without_inertia;
 
 use derivations::scene::{Choice, Smooth, Trajectory};
 use integrators::Method;

@@ -30,7 +30,11 @@ fn a_drive_that_means_nothing_is_refused_at_its_place() {
         ("name = \"motor\"", "name = \"motor\"\nmodel = \"brushed\"", "the model of a motor stands in [drive.machine]"),
         ("name = \"motor\"", "name = \"wheel\"", "`wheel` is defined twice"),
         ("[[drive.winding]]", "[[drive.winding]]\ncurrent = \"speed\"", "no name for the current"),
-        ("W = \"C turned theta about z\"", "W = \"C turned theta about x\"", "the shaft of this drive has no axis"),
+        (
+            "W = \"C turned theta about z\"",
+            "V = \"C turned theta about x\"\nW = \"V turned theta about z\"",
+            "the shaft of this drive has no axis",
+        ),
         ("[run]", "[start]\n\"motor.j\" = \"1 A\"\n[run]", "motor.j"),
     ] {
         let said = said(from, to);
