@@ -1,10 +1,13 @@
-//! `dalembert conform`: what every motor must do, and whether this one does.
+//! `dalembert conform`: what every motor and every system should do, and whether this one does.
 
 use crate::arguments::Format;
 use crate::ending::{Ending, print};
+use ::scenes::{Task, read_titled};
 use clap::Args;
 use derivations::conformance::{Finding, Verdict, conform, page, sample};
 use derivations::machines::{AnyMachine, text};
+use derivations::scene::any::holds_model;
+use derivations::scene::file::read_text;
 use derivations::scene::{Family, NoModel, Scene};
 use serde_json::{Value, json};
 use std::path::Path;
@@ -12,7 +15,7 @@ use std::path::Path;
 /// Which motor is to be checked.
 #[derive(Args, Debug)]
 pub struct Asked {
-    /// A machine by its name, with data of a small motor; or a scene, a TOML file, whose motor may be written in it
+    /// A machine by its name, with data of a small motor; or a scene, a TOML file, whose motor or whose system may be written in it
     #[arg(value_name = "MACHINE|SCENE.toml")]
     pub motor: String,
     /// Another machine, made of the scene's data
@@ -25,7 +28,16 @@ pub struct Asked {
 
 /// Prints every check with its verdict.
 pub fn show(asked: &Asked) -> Result<Ending, Ending> {
-    let (title, findings) = if asked.motor.ends_with(".toml") {
+    let path = Path::new(&asked.motor);
+    let is_system = || read_text(path).is_ok_and(|text| holds_model(&text));
+    let (title, findings) = if asked.motor.ends_with(".toml") && is_system() {
+        if asked.model.is_some() {
+            let why = "--model does not apply to a system that is written in its file; it is accepted with a gyrostat or a bench";
+            return Err(Ending::refused(why.to_owned()));
+        }
+        let (title, model) = read_titled(path, Task::Write)?;
+        (title, ::scenes::conformance::conform(&model))
+    } else if asked.motor.ends_with(".toml") {
         let scene = Scene::open(Path::new(&asked.motor))?;
         let scene = match &asked.model {
             None => scene,

@@ -10,6 +10,7 @@
 mod admissible;
 mod branch;
 mod compiled_system;
+pub mod conformance;
 mod ensemble;
 mod equilibrium;
 mod first_motion;

@@ -97,11 +97,11 @@ fn null_space(mut rows: Vec<Vec<Rational>>, columns: usize) -> Vec<Vec<Rational>
         let Some(found) = (done..rows.len()).find(|&row| !is_zero(rows[row][column])) else { continue };
         rows.swap(done, found);
         let pivot = rows[done][column];
-        rows[done].iter_mut().for_each(|entry| *entry = *entry / pivot);
+        rows[done].iter_mut().for_each(|entry| *entry /= pivot);
         let own = rows[done].clone();
         for (_, row) in rows.iter_mut().enumerate().filter(|(place, _)| *place != done) {
             let factor = row[column];
-            row.iter_mut().zip(&own).for_each(|(entry, own)| *entry = *entry - factor * *own);
+            row.iter_mut().zip(&own).for_each(|(entry, own)| *entry -= factor * *own);
         }
         pivots.push(column);
     }

@@ -1,5 +1,6 @@
 //! Systems as text: read, proved, run, beside closed forms and beside what must stay what it is.
 
+mod conformity;
 mod outputs;
 mod quasi_velocities;
 mod redundant;

@@ -1,0 +1,73 @@
+//! `conform` on systems that are text: what is sound passes, and each mistake is found by its check.
+
+use super::{all, path};
+use derivations::conformance::{Finding, Verdict};
+use scenes::conformance::conform;
+use scenes::{Task, parse_titled, read_model};
+
+fn found(text: &str) -> Vec<Finding> {
+    let (_, model) = parse_titled("scene.toml", text, Task::Write).unwrap_or_else(|error| panic!("{error}"));
+    conform(&model)
+}
+
+fn verdict<'f>(findings: &'f [Finding], check: &str) -> &'f Verdict {
+    let finding = findings.iter().find(|finding| finding.check == check);
+    &finding.unwrap_or_else(|| panic!("no {check}")).verdict
+}
+
+/// A fan whose square law drives it backwards, and learning that is supplied by its own rate.
+const ACTIVE: [&str; 2] = ["learning", "series_motor"];
+
+#[test]
+fn every_model_conforms_but_for_two_whose_forces_give_energy() {
+    for path in all() {
+        let model = read_model(&path, Task::Write).unwrap_or_else(|error| panic!("{error}"));
+        let name = path.file_stem().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+        for Finding { check, verdict } in conform(&model) {
+            let sound = !matches!(verdict, Verdict::Fails(_) | Verdict::Undecided(_));
+            let active = check == "passivity" && ACTIVE.contains(&name.as_str());
+            assert_eq!(sound, !active, "{name}, {check}: {}", verdict.says());
+        }
+    }
+}
+
+/// Two blocks on a line with a damper between them.
+fn blocks(force: &str) -> Vec<Finding> {
+    found(&format!(
+        "title = \"blocks\"\n[parameters]\nc = \"3 N s/m\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n[points]\nP = \"O + x*N.x\"\nQ = \"O + y*N.x + (1 m)*N.x\"\n\
+         [bodies.a]\ncentre = \"P\"\nmass = \"(1 kg)\"\n[bodies.b]\ncentre = \"Q\"\nmass = \"(2 kg)\"\n[[force]]\n{force}\n[run]\nspan = \"1 s\"\n"
+    ))
+}
+
+#[test]
+fn a_damper_between_bodies_takes_energy_whoever_looks() {
+    let sound = blocks("between = [\"a\", \"b\"]\nis = \"-c*rate(distance(P, Q))\"");
+    assert!(matches!(verdict(&sound, "passivity"), Verdict::Tested(_)));
+    for check in ["principles", "power", "pairs", "frame"] {
+        assert!(matches!(verdict(&sound, check), Verdict::Proved(_)), "{check}: {}", verdict(&sound, check).says());
+    }
+    let wrong_sign = blocks("between = [\"a\", \"b\"]\nis = \"c*rate(distance(P, Q))\"");
+    assert!(matches!(verdict(&wrong_sign, "passivity"), Verdict::Fails(says) if says.contains(" W at ")));
+    // where the blocks have passed each other, y' - x' is no rate of their distance
+    let passed = blocks("between = [\"a\", \"b\"]\nis = \"-c*(y' - x')\"");
+    assert!(matches!(verdict(&passed, "passivity"), Verdict::Fails(_)));
+    // drag by the velocity beside the ground is no force between two bodies
+    let of_ground = blocks("between = [\"a\", \"b\"]\nis = \"-c*(velocity(Q) . N.x)\"");
+    assert!(matches!(verdict(&of_ground, "frame"), Verdict::Fails(says) if says.contains("`a` and `b`")));
+    let relative = blocks("between = [\"a\", \"b\"]\nis = \"-c*((velocity(Q) - velocity(P)) . N.x)\"");
+    assert!(matches!(verdict(&relative, "frame"), Verdict::Proved(_)));
+    let alone = blocks("on = \"b\"\nis = \"-c*y'*N.x\"");
+    assert!(
+        verdict(&alone, "pairs").says().contains("from outside: a force on `b`"),
+        "{}",
+        verdict(&alone, "pairs").says()
+    );
+}
+
+#[test]
+fn dry_friction_with_a_wrong_sign_gives_energy() {
+    let sound = std::fs::read_to_string(path("dry_friction")).expect("it is there");
+    assert!(matches!(verdict(&found(&sound), "passivity"), Verdict::Tested(_)));
+    let wrong = sound.replace("k*x + F*sign(x')", "k*x - F*sign(x')");
+    assert!(matches!(verdict(&found(&wrong), "passivity"), Verdict::Fails(_)));
+}
