@@ -162,6 +162,28 @@ fn a_reaction_wheel_turns_a_satellite_and_keeps_the_angular_momentum() {
     }
 }
 
+/// The motor sits in the wheel and turns the satellite: its speed is that of the satellite beside the wheel.
+#[test]
+fn a_motor_may_sit_on_what_turns() {
+    let turned = |between: &str| {
+        runs(&format!(
+            "title = \"satellite\"\n[coordinates]\ns = \"rad\"\n[frames]\nF = \"N free\"\nW = \"F turned s about y\"\n\
+             [bodies.satellite]\nframe = \"F\"\ninertia = {{ principal = [\"(1 kg m^2)\", \"(1 kg m^2)\", \"(1 kg m^2)\"] }}\n\
+             [bodies.wheel]\nframe = \"W\"\ninertia = {{ principal = [\"(0.1 kg m^2)\", \"(0.1 kg m^2)\", \"(0.1 kg m^2)\"] }}\n\
+             [[drive]]\nname = \"motor\"\nbetween = {between}\ntorque = \"(0.2 N m)\"\n\
+             [outputs]\nw = \"motor.speed\"\n[run]\nspan = \"1 s\"\n"
+        ))
+    };
+    // two bodies of 1 and 0.1 kg m^2 from rest by 0.2 N m
+    let relative = 0.2 + 2.0;
+    let (from_satellite, from_wheel) = (turned("[\"satellite\", \"wheel\"]"), turned("[\"wheel\", \"satellite\"]"));
+    for trajectory in [&from_satellite, &from_wheel] {
+        close(last(trajectory, "w"), relative, 1e-11);
+    }
+    close(last(&from_satellite, "s'"), relative, 1e-11);
+    close(last(&from_wheel, "s'"), -relative, 1e-11);
+}
+
 #[test]
 fn a_drive_has_one_motor() {
     let (_, data) = sampled("brushed");
