@@ -9,7 +9,7 @@
 //! coordinates, as Kirchhoff's law ties the currents of a node, the combinations that these leave have a law each.
 
 use crate::arena::Scalar;
-use crate::equations::{constraints_of, vanishes};
+use crate::equations::{Equation, Level, constraints_of, vanishes};
 use crate::parts::Combination;
 use crate::{Constraint, Fault, Model, QuasiVelocities, Trace, Zero};
 use field::{Rational, Scalar as _};
@@ -17,7 +17,13 @@ use symbolic::{Sym, apart};
 
 /// Gives a model a constraint for each law without accelerations; the faults of quasi-velocities that are then too many.
 pub(super) fn settle(model: &mut Model) -> Vec<Fault> {
-    for combination in apart(|| combinations(&Trace::of(model))) {
+    let (open, found) = apart(|| {
+        let trace = Trace::of(model);
+        let open = open(&trace);
+        let found = if open.is_empty() { Vec::new() } else { combinations(&trace, &open) };
+        (open, found)
+    });
+    for combination in found {
         let [(first, _), others @ ..] = combination.as_slice() else { continue };
         let coordinate = &model.coordinates[*first];
         let name = match others {
@@ -41,20 +47,31 @@ pub(super) fn settle(model: &mut Model) -> Vec<Fault> {
             at,
         });
     }
+    model.determining = apart(|| determining(&Trace::of(model), &open));
+    model.inertialess = open;
     if model.laws.is_empty() || model.quasi_velocities.is_empty() {
         return Vec::new();
     }
     apart(|| QuasiVelocities::of(&Trace::of(model)).err().unwrap_or_default())
 }
 
-/// The combinations of laws that hold no acceleration and no multiplier, and that determine a motion.
-fn combinations(trace: &Trace<'_>) -> Vec<Combination> {
+/// The coordinates on whose speeds no inertia depends.
+fn open(trace: &Trace<'_>) -> Vec<usize> {
     let moved = trace.kinetic_and_coenergy().symbols_of();
-    let open: Vec<usize> =
-        (0..trace.model.coordinates.len()).filter(|&place| !moved.contains(&trace.speeds[place])).collect();
-    if open.is_empty() {
-        return Vec::new();
-    }
+    (0..trace.model.coordinates.len()).filter(|&place| !moved.contains(&trace.speeds[place])).collect()
+}
+
+/// The laws, and the constraints of speeds that hold one without inertia.
+fn determining(trace: &Trace<'_>, open: &[usize]) -> Vec<usize> {
+    let holds = |one: &Equation| one.level == Level::Speed && open.iter().any(|&place| one.row[place] != Sym::ZERO);
+    let own = constraints_of(trace).into_iter().filter(|one| one.law.is_some() || holds(one));
+    let mut places: Vec<usize> = own.map(|one| one.of[0]).collect();
+    places.dedup();
+    places
+}
+
+/// The combinations of laws that hold no acceleration and no multiplier, and that determine a motion.
+fn combinations(trace: &Trace<'_>, open: &[usize]) -> Vec<Combination> {
     let rows =
         constraints_of(trace).into_iter().map(|one| open.iter().map(|&place| one.row[place].as_constant()).collect());
     let Some(rows) = rows.collect::<Option<Vec<Vec<Rational>>>>() else { return Vec::new() };

@@ -212,6 +212,9 @@ pub struct Model {
     pub constraints: Vec<Constraint>,
     /// Laws without accelerations, which are constraints: combinations of the laws of coordinates.
     pub(crate) laws: Vec<Combination>,
+    /// Coordinates on whose speeds no inertia depends, and the constraints that determine such speeds.
+    pub(crate) inertialess: Vec<usize>,
+    pub(crate) determining: Vec<usize>,
     pub contacts: Vec<Contact>,
     /// The system with one coordinate more for each guide that its coordinates satisfy: its reaction is the force along that one.
     pub released: Option<Box<Model>>,
@@ -250,20 +253,15 @@ impl Model {
         crate::elaboration::elaborate(source)
     }
 
-    /// The model without the laws of coordinates without inertia, and the coordinates that these determine; none where it has none.
-    pub fn without_laws(&self) -> Option<(Model, Vec<usize>)> {
-        if self.laws.is_empty() {
+    /// The model without the constraints that determine speeds without inertia, and the coordinates of these; none where it has none.
+    pub fn with_inertia_alone(&self) -> Option<(Model, Vec<usize>)> {
+        if self.determining.is_empty() {
             return None;
         }
         let mut without = self.clone();
-        without.constraints.retain(|constraint| match constraint.zero {
-            Zero::Scalar(zero) => !matches!(self.arena.scalar_at(zero), Some(Scalar::Law { .. })),
-            Zero::Vector(_) => true,
-        });
-        let mut own: Vec<usize> = self.laws.iter().flatten().map(|(coordinate, _)| *coordinate).collect();
-        own.sort_unstable();
-        own.dedup();
-        Some((without, own))
+        let kept = self.constraints.iter().enumerate().filter(|(place, _)| !self.determining.contains(place));
+        without.constraints = kept.map(|(_, constraint)| constraint.clone()).collect();
+        Some((without, self.inertialess.clone()))
     }
 
     /// Gives every input without a value the value zero.

@@ -49,8 +49,8 @@ const RANK: f64 = 1e-10;
 #[derive(Debug)]
 pub(crate) struct StartSolver {
     constraints: Option<Constraints>,
-    /// Constraints other than laws of coordinates without inertia, and these coordinates.
-    before_laws: Option<(Option<Constraints>, Vec<usize>)>,
+    /// Constraints of what has inertia, and the coordinates that have none.
+    with_inertia: Option<(Option<Constraints>, Vec<usize>)>,
 }
 
 /// A start that meets all constraints.
@@ -127,11 +127,11 @@ impl StartSolver {
     /// # Errors
     /// Where they have no values, or a constraint cannot be completed.
     pub fn of(model: &Model) -> Result<Self, Unmet> {
-        let before_laws = match model.without_laws() {
+        let with_inertia = match model.with_inertia_alone() {
             Some((without, own)) => Some((Constraints::of(&without)?, own)),
             None => None,
         };
-        Ok(StartSolver { constraints: Constraints::of(model)?, before_laws })
+        Ok(StartSolver { constraints: Constraints::of(model)?, with_inertia })
     }
 
     /// A state with these parameters and quasi-velocities, where what is not given is moved until the constraints hold.
@@ -147,8 +147,8 @@ impl StartSolver {
     ) -> Result<Completed, Unmet> {
         let by_all =
             |state: Vec<f64>, given: &[bool]| completed(self.constraints.as_ref(), parameters, speeds, state, given);
-        let Some((others, own)) = &self.before_laws else { return by_all(state, given) };
-        // a law moves its own coordinates, where that is enough: what has inertia starts as it is written
+        let Some((others, own)) = &self.with_inertia else { return by_all(state, given) };
+        // what has inertia starts as it is written, where it is enough to move the others
         let first = completed(others.as_ref(), parameters, speeds, state.clone(), given)?;
         let positions = self.constraints.as_ref().map_or(0, |constraints| constraints.layout.positions());
         let mut kept = vec![true; given.len()];

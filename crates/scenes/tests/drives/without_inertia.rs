@@ -91,6 +91,20 @@ fn a_step_down_converter_gives_the_part_of_the_voltage_in_which_its_switch_is_cl
     close(last(&trajectory, "u"), 12.0, 0.1);
 }
 
+/// A controller with an integral: J e'' + kp e' + ki e = 0 for the error e, a double root of -10/s; what has inertia starts at rest.
+#[test]
+fn an_integral_of_an_error_is_a_coordinate_without_a_reaction() {
+    let text = "title = \"PI\"\n[parameters]\nJ = \"1e-3 kg m^2\"\nkp = \"0.02 N m s\"\nki = \"0.1 N m\"\nw0 = \"100 rad/s\"\n\
+        load = \"0.3 N m\"\n[coordinates]\ntheta = \"rad\"\nz = \"rad\"\n[bodies.disc]\nturns = \"theta\"\ninertia = \"J\"\n\
+        [inputs]\nu = { unit = \"N m\", value = \"kp*(w0 - theta') + ki*z\" }\n[[constraint]]\nname = \"integral\"\nzero = \"z' - (w0 - theta')\"\n\
+        [[torque]]\non = \"disc\"\nis = \"(u - load)*N.z\"\n[outputs]\nback = \"reaction(integral)\"\n[run]\nspan = \"1 s\"\n";
+    let scene = ModelScene::parse("scene.toml", text).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(scene.start[2..], [0.0, 100.0]);
+    let trajectory = runs(text);
+    close(last(&trajectory, "theta'"), 100.0 + 600.0 * (-10.0_f64).exp(), 1e-9);
+    close(last(&trajectory, "back"), 0.0, 1e-12);
+}
+
 #[test]
 fn a_coordinate_that_nothing_resists_is_still_refused() {
     let nothing = RC.replace("potential = \"q^2/(2*C)\"\ndissipation = \"R/2*q'^2\"\n", "potential = \"(1 J)\"\n");
