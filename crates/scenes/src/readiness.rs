@@ -42,7 +42,7 @@ pub(crate) fn ready(model: &mut Arc<Model>) -> Result<(Vec<f64>, Arc<CompiledSys
     // before the law: what depends on others makes it singular
     let start = independent_start(Arc::make_mut(model))?;
     let model = &*model;
-    let system = Modes::of(model, &[]).first(&start).map_err(|why| not_started(model, why))?;
+    let system = Modes::of(model, &[], &[]).first(&start).map_err(|why| not_started(model, why))?;
     match missing(model, &system, &start) {
         Some(issue) => Err(issue),
         None => Ok((start, system)),
@@ -99,7 +99,7 @@ pub fn regimes(model: Model) -> Result<Regimes, Issue> {
     }
     Arc::make_mut(&mut model).close_regulated_inputs();
     let start = independent_start(Arc::make_mut(&mut model))?;
-    Modes::of(&model, &[]).regimes(0.0, &start).map_err(|why| not_started(&model, why))
+    Modes::of(&model, &[], &[]).regimes(0.0, &start).map_err(|why| not_started(&model, why))
 }
 
 /// The state at time zero: as the file gives it, completed so that constraints hold; or an equilibrium, where it asks for one.

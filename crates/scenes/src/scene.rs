@@ -45,6 +45,8 @@ pub struct ModelScene {
     pub run: Run,
     /// Each event by its name, or by its line in the file.
     events: Vec<String>,
+    /// The line of each condition.
+    condition_lines: Vec<usize>,
 }
 
 /// Makes every command read files with `[coordinates]`; `warn` is told what is accepted in them and perhaps means something else.
@@ -159,22 +161,24 @@ impl ModelScene {
         }
         let description = description.map_or_else(String::new, |text| text.value.trim().to_owned());
         let events = model.events.iter().map(|event| called(event, text)).collect();
-        Some(ModelScene { title, description, model, system, start, run: run?, events })
+        let condition_lines = model.switch_places.iter().map(|place| line_of(text, place.start)).collect();
+        Some(ModelScene { title, description, model, system, start, run: run?, events, condition_lines })
     }
 }
 
 impl ModelScene {
     /// The same scene with other numbers: a model, its law at its start, and the start.
     pub(crate) fn with(&self, model: Arc<Model>, system: Arc<CompiledSystem>, start: Vec<f64>) -> Self {
-        let ModelScene { title, description, run, events, .. } = self;
+        let ModelScene { title, description, run, events, condition_lines, .. } = self;
         let (title, description) = (title.clone(), description.clone());
-        ModelScene { title, description, model, system, start, run: run.clone(), events: events.clone() }
+        let (run, events, condition_lines) = (run.clone(), events.clone(), condition_lines.clone());
+        ModelScene { title, description, model, system, start, run, events, condition_lines }
     }
 
     /// The problem of the run, with the modes of a law that changes.
     pub(crate) fn switched(&self) -> (Problem, Option<Arc<Modes>>) {
         let (shown, kept) = (Arc::clone(&self.system), Arc::clone(&self.system));
-        let modes = changes(&self.model).then(|| Arc::new(Modes::of(&self.model, &self.events)));
+        let modes = changes(&self.model).then(|| Arc::new(Modes::of(&self.model, &self.events, &self.condition_lines)));
         let of_mode = modes.clone();
         let row = move |time: f64, state: &[f64]| {
             let current = of_mode.as_ref().and_then(|modes| modes.current());
@@ -210,10 +214,15 @@ impl ModelScene {
     }
 }
 
+/// The number of the line in which a byte stands.
+fn line_of(text: &str, byte: usize) -> usize {
+    text.get(..byte).unwrap_or(text).matches('\n').count() + 1
+}
+
 /// An event by its name, or by its line.
 fn called(event: &Event, text: &str) -> String {
     match event.name.as_str() {
-        "" => format!("the event in line {}", text.get(..event.at.start).unwrap_or(text).matches('\n').count() + 1),
+        "" => format!("the event in line {}", line_of(text, event.at.start)),
         name => format!("the event `{name}`"),
     }
 }

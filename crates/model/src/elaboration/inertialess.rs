@@ -1,4 +1,4 @@
-//! Coordinates without inertia: the charge of a capacitor behind a resistor, the joint of a spring and a damper.
+//! Coordinates without inertia: the charge of a capacitor behind a resistor, a point between an elastic and a viscous element.
 //!
 //! No acceleration stands in the law of such a coordinate: r(q, u, t) = 0, inertia less forces, is an equation of speeds, or of positions.
 //! It becomes a constraint of the system. In

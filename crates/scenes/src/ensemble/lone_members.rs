@@ -26,7 +26,7 @@ impl RunsAlone for ModelEnsemble {
             parameter.value = Some(value);
         }
         let model = Arc::new(model);
-        let system = Modes::of(&model, &[]).first(&start).map_err(|refused| {
+        let system = Modes::of(&model, &[], &[]).first(&start).map_err(|refused| {
             Stopped::Start(match refused {
                 Refused::Law(reason) => reason.to_string(),
                 Refused::Motion { why, .. } => why.to_owned(),

@@ -3,7 +3,7 @@
 use super::mode::{Case, Mode, Phase};
 use super::signals::Fall;
 use model::{Model, OneWay, Trace};
-use symbolic::apart;
+use symbolic::{Sym, apart};
 
 /// The names of conditions, contacts and events.
 pub(super) struct Words {
@@ -16,8 +16,17 @@ pub(super) struct Words {
 }
 
 impl Words {
-    pub fn of(model: &Model, events: &[String]) -> Self {
-        let conditions = apart(|| Trace::of(model).switches.iter().map(ToString::to_string).collect());
+    pub fn of(model: &Model, events: &[String], condition_lines: &[usize]) -> Self {
+        // a long condition has a number and the line in which it stands
+        let condition = |(place, letter): (usize, &Sym)| {
+            let name = letter.to_string();
+            match (name.strip_prefix("[condition ").and_then(|rest| rest.strip_suffix(']')), condition_lines.get(place))
+            {
+                (Some(rest), Some(line)) => format!("[condition {rest} in line {line}]"),
+                _ => name,
+            }
+        };
+        let conditions = apart(|| Trace::of(model).switches.iter().enumerate().map(condition).collect());
         let contacts = model.contacts.iter().enumerate().map(|(place, contact)| contact.title(place)).collect();
         let are_rough = model.contacts.iter().map(|contact| contact.friction.is_some()).collect();
         let one_ways = model.contacts.iter().map(|contact| contact.one_way).collect();

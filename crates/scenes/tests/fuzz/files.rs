@@ -2,13 +2,15 @@
 
 use super::{Drawn, changed};
 use derivations::scene::{Choice, Smooth};
-use scenes::ModelScene;
+use scenes::conformance::conform;
 use scenes::regulator::regulated;
+use scenes::{ModelScene, regimes};
 use std::time::{Duration, Instant};
 
-const TEXTS: [&str; 12] = [
+const TEXTS: [&str; 13] = [
     EVERYTHING,
     MACHINE,
+    MOTORS,
     include_str!("../../../../scenes/models/cart_pole.toml"),
     include_str!("../../../../scenes/models/leaning_ladder.toml"),
     include_str!("../../../../scenes/models/geared_motor.toml"),
@@ -111,6 +113,97 @@ y = "0.1 m"
 
 [run]
 span = "0.2 s"
+samples = 5
+"#;
+
+/// Motors of the program and in their own letters, a shaft in space, charges without inductances.
+const MOTORS: &str = r#"
+title = "Motors"
+
+[parameters]
+A = "0.4 kg m^2"
+J = "1e-3 kg m^2"
+U = "10 V"
+R = "1 kohm"
+C = "1 uF"
+
+[coordinates]
+s = "rad"
+theta = "rad"
+q = "C"
+p = "C"
+z = "rad"
+
+[frames]
+F = "N free"
+W = "F turned s about x"
+
+[bodies.satellite]
+frame = "F"
+inertia = { principal = ["A", "A", "2*A"] }
+
+[bodies.disc]
+turns = "theta"
+inertia = "J"
+
+[energies]
+potential = "q^2/(2*C)"
+dissipation = "R/2*(p' - q')^2 + R/2*p'^2"
+
+[[force]]
+along = "p"
+is = "U*cos((300 rad/s)*t)"
+
+[[constraint]]
+name = "integral"
+zero = "z' - ((100 rad/s) - theta')"
+
+[[drive]]
+name = "wheel"
+between = ["satellite", "W"]
+inertia = "J"
+
+[drive.machine]
+model = "brushed"
+voltage = "24 V"
+flux = "45 mWb"
+inductance = "2 mH"
+resistance = "0.6 ohm"
+f = "1e-4 N m s"
+
+[[drive]]
+name = "motor"
+turns = "theta"
+ratio = "3"
+torque = "(1e-3 N m)*z"
+
+[drive.machine]
+model = "text"
+field_speed = "50 rad/s"
+field_energy = "-b*cos(g)"
+moment_law = "-f*phi' - k*g'"
+
+[drive.machine.parameters]
+b = "0.1 N m"
+f = "1e-3 N m s"
+k = "2e-3 N m s"
+l = "3 mH"
+r = "2 ohm"
+
+[[drive.machine.winding]]
+inductance = "l"
+resistance = "r"
+flux = "(0.05 Wb)*cos(g)"
+
+[outputs]
+current = "wheel.i"
+torque = "motor.torque"
+
+[start]
+"F.wy" = "0.3 rad/s"
+
+[run]
+span = "0.05 s"
 samples = 5
 "#;
 
@@ -229,6 +322,11 @@ fn whatever_stands_in_a_file_it_is_read_or_refused_with_reasons() {
                 let choice = Choice { samples: 4, allowed: Duration::from_millis(100), ..scene.run().choice() };
                 let trajectory = scene.problem(choice.axes).simulate(&choice, |_| {});
                 assert!(trajectory.outcome.state.iter().all(|number| number.is_finite()), "{text}");
+                if let Ok(found) = regimes((*scene.model).clone()) {
+                    let values = found.regimes.iter().flat_map(|regime| &regime.margins).map(|margin| margin.value);
+                    assert!(values.into_iter().all(f64::is_finite), "{text}");
+                }
+                assert_eq!(conform(&scene.model).len(), 7, "{text}");
                 if let Ok(found) = regulated(&scene, Duration::from_millis(100)) {
                     let numbers = found.gains.iter().chain(found.value.iter()).chain([&found.predicted]);
                     assert!(numbers.copied().all(f64::is_finite), "{text}");
