@@ -107,7 +107,7 @@ SUBJECT_OF = {
     "crates/model/src/elaboration/inertialess.rs": ["drives"],
     "crates/model/src/elaboration/turning_inertias.rs": ["messages"],
     "crates/scenes/src/text/machines.rs": ["drives"],
-    "crates/scenes/src/conformance.rs": ["models"],
+    "crates/scenes/src/conformance/": ["models"],
     "crates/scenes/src/modes/regimes.rs": ["rough"],
     "crates/scenes/src/start/mod.rs": ["drives", "models"],
     "crates/scenes/src/linearisation/mod.rs": ["drives", "linearisation", "scenes"],

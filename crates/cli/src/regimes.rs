@@ -75,7 +75,6 @@ impl Answer {
 
     /// Of a system that is written in its file.
     fn of(found: Regimes) -> Self {
-        let shared = |motion: usize| found.regimes.iter().filter(|regime| regime.motion == motion).count() > 1;
         let regimes = found.regimes.iter().map(|regime| Regime {
             name: regime.name.clone(),
             margins: (regime.margins.iter())
@@ -86,7 +85,7 @@ impl Answer {
                     unit: margin.unit,
                 })
                 .collect(),
-            reactions_determined: !shared(regime.motion),
+            reactions_determined: !regime.is_one_choice,
         });
         let verdict = match found.motions {
             Motions::One => "one motion",

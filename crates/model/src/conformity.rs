@@ -1,10 +1,8 @@
-//! What the loads of every system should do, whoever wrote it: act in pairs, ask for no observer, and take energy where speeds bring
-//! them in.
+//! The loads of a system: which act in pairs, and which have no partner; those without a potential along each speed.
 
-use crate::equations::vanishes;
 use crate::principles::loads::generalised;
-use crate::{Force, Material, Model, Torque, Trace, Vector};
-use symbolic::Sym;
+use crate::{Along, Force, Material, Model, Torque, Trace, Vector};
+use symbolic::{Dimension, Sym};
 
 /// Loads of a system by where they come from.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -13,54 +11,51 @@ pub struct Pairs {
     pub between: usize,
     /// Loads that act on one body alone, by what they act on.
     pub from_outside: Vec<String>,
-    /// Loads between two bodies that change for an observer who moves and turns steadily.
-    pub observed: Vec<String>,
+    /// Loads along coordinates that are no charges.
+    pub along: Vec<String>,
 }
 
 impl Pairs {
     /// Of all loads of a model.
     pub fn of(model: &Model) -> Self {
-        let (rests, moves) = (Trace::of(model), Trace::observed(model));
-        let mut found = Pairs::default();
+        let trace = Trace::of(model);
+        // a contact is a pair of its own
+        let letters: Vec<Sym> =
+            (0..model.contacts.len()).flat_map(|contact| [0, 1].map(|part| trace.reaction(contact, part))).collect();
         let is_contact = |vector: Vector| {
-            let held: Vec<Sym> = vector.components.iter().flat_map(|component| component.symbols_of()).collect();
-            let mut letters =
-                (0..model.contacts.len()).flat_map(|contact| [0, 1].map(|part| rests.reaction(contact, part)));
-            letters.any(|letter| held.contains(&letter))
+            vector.components.iter().flat_map(|component| component.symbols_of()).any(|held| letters.contains(&held))
         };
+        let mut found = Pairs::default();
         for force in &model.forces {
             match force {
-                // a contact is a pair of its own
-                Force::On { is, .. } if is_contact(rests.vector(*is)) => {}
-                Force::On { at, .. } => found.from_outside.push(format!("a force on {}", place(model, *at))),
-                Force::Between { points: [first, second], is } => {
-                    found.between += 1;
-                    if !vanishes(rests.scalar(*is) - moves.scalar(*is)) {
-                        found.observed.push(format!(
-                            "the force between {} and {}",
-                            place(model, *first),
-                            place(model, *second)
-                        ));
-                    }
-                }
+                Force::Between { .. } => found.between += 1,
+                Force::On { is, .. } if is_contact(trace.vector(*is)) => {}
+                Force::On { at, .. } => found.from_outside.push(format!("a force acts on {}", place(model, *at))),
             }
         }
         for torque in &model.torques {
-            let frame = |frame: crate::FrameId| format!("`{}`", model.frames[frame.0].name);
             match torque {
-                Torque::On { is, .. } if is_contact(rests.vector(*is)) => {}
-                Torque::On { frame: on, .. } => found.from_outside.push(format!("a torque on {}", frame(*on))),
-                Torque::Between { frames: [first, second], is } => {
-                    found.between += 1;
-                    let (one, other) = (rests.vector(*is), moves.vector(*is));
-                    let other = moves.express(other, one.frame);
-                    let differs = one.components.iter().zip(other).any(|(one, other)| !vanishes(*one - other));
-                    if differs {
-                        found.observed.push(format!("the torque between {} and {}", frame(*first), frame(*second)));
-                    }
+                Torque::Between { .. } => found.between += 1,
+                Torque::On { is, .. } if is_contact(trace.vector(*is)) => {}
+                Torque::On { frame, .. } => {
+                    found.from_outside.push(format!("a torque acts on `{}`", model.frames[frame.0].name))
                 }
             }
         }
+        let charge = Dimension::current() * Dimension::time();
+        for force in &model.generalised {
+            let coordinate = match force.along {
+                Along::Speed(place) => model.coordinates.get(place),
+                _ => None,
+            };
+            match coordinate {
+                Some(coordinate) if coordinate.dimension == charge => {}
+                Some(coordinate) => found.along.push(format!("a force acts along `{}`", coordinate.name)),
+                None => found.along.push("a force acts along a speed".to_owned()),
+            }
+        }
+        found.from_outside.dedup();
+        found.along.dedup();
         found
     }
 }

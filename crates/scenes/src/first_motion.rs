@@ -65,6 +65,18 @@ pub(crate) fn massless(model: &Model) -> Option<Issue> {
     Some(resisted_by_nothing(model, &direction))
 }
 
+/// Why a coordinate without inertia has no law, where its law holds a condition or a contact.
+pub(crate) fn with_piecewise_law(model: &Model) -> Option<Issue> {
+    let (name, at) = moved(model, *model.piecewise_laws.first()?);
+    let title = format!(
+        "this system cannot run: nothing has inertia along `{name}`, and its law changes at a condition or holds a contact"
+    );
+    let issue = Issue::at(at, title, "laws without inertia that change are not there yet");
+    Some(issue.accepted(
+        "an inductance or an inertia along it, small if it must be; a smooth function of time in the place of `if`, `sign`, `abs`, `min`, `max` and `table`",
+    ))
+}
+
 /// A direction of speeds that no inertia resists and no constraint determines: one speed, or a combination of several.
 fn resisted_by_nothing(model: &Model, direction: &[f64]) -> Issue {
     let (name, at) = moved(model, largest(direction));

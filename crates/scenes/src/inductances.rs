@@ -35,6 +35,9 @@ pub(crate) fn impossible_inductances(model: &Model, start: &[f64]) -> Option<Iss
         all.map(|all| (currents, DMatrix::from_row_slice(n, n, &all)))
     })?;
     let n = currents.len();
+    if n == 0 {
+        return None;
+    }
     let names: Vec<String> = model.state_names().into_iter().skip(model.positions()).map(|(name, _)| name).collect();
     let name = |place: usize| &names[currents[place]];
     let largest = inductances.amax();

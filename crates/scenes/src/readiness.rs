@@ -4,7 +4,7 @@ use crate::admissible::impossible;
 use crate::branch::in_words;
 use crate::compiled_system::{CompiledSystem, NotCompiled};
 use crate::equilibrium::{Equilibrium, NoEquilibrium, equilibrium};
-use crate::first_motion::{inertia_for, massless, missing};
+use crate::first_motion::{inertia_for, massless, missing, with_piecewise_law};
 use crate::modes::{Modes, Refused, Regimes, Unfit};
 use crate::row_units::measured;
 use crate::start::{Completed, Open, Unmet, consistent};
@@ -29,7 +29,7 @@ pub(crate) fn refused(model: &Model, reason: &NotCompiled) -> Issue {
 /// A system that has no law, where it says so, with what cannot be done without one.
 pub fn without_law(model: &Model, reason: &NotCompiled, what: &str) -> Issue {
     if matches!(reason, NotCompiled::Massless { .. } | NotCompiled::Undefined { .. })
-        && let Some(issue) = massless(model)
+        && let Some(issue) = with_piecewise_law(model).or_else(|| massless(model))
     {
         return issue;
     }

@@ -148,7 +148,9 @@ impl Elaborator<'_> {
         let number = Some(Dimension::none());
         let Shaft { base, axis, angle: shaft } = match (&source.turns, &source.between) {
             (Some(turns), None) => {
-                Shaft { base: FrameId::GROUND, axis: 2, angle: self.position(turns, "the angle of a shaft")? }
+                let angle = self.position(turns, "the angle of a shaft")?;
+                self.warn_of_a_shaft_that_is_carried(turns, angle);
+                Shaft { base: FrameId::GROUND, axis: 2, angle }
             }
             (None, Some([first, second])) => {
                 let frames = [self.turning_frame(first)?, self.turning_frame(second)?];
@@ -201,6 +203,21 @@ impl Elaborator<'_> {
             return Err(Box::new(Fault::at(text.span(), title, "a rate stands in it", "an angle: turns = \"theta\"")));
         }
         Ok(found)
+    }
+
+    /// An angle of a frame inside one that moves: a motor that turns by it would sit on the ground.
+    fn warn_of_a_shaft_that_is_carried(&mut self, turns: &Text, angle: ScalarId) {
+        let carried = self.model.frames.iter().find_map(|frame| match frame.parent {
+            Some((parent, Turn::About { angle: own, .. })) if own == angle && parent != FrameId::GROUND => {
+                Some((frame.name.clone(), self.model.frames[parent.0].name.clone()))
+            }
+            _ => None,
+        });
+        if let Some((frame, parent)) = carried {
+            let title = format!("this motor sits on the ground, and turns by the angle of `{frame}` in `{parent}`");
+            let accepted = format!("between = [\"{parent}\", \"{frame}\"] for a motor that `{parent}` carries");
+            self.model.warnings.push(Fault::at(turns.span(), title, "it is no angle beside the ground", accepted));
+        }
     }
 
     /// The shaft between two frames: one turns in the other about one axis of both, or each turns about z in the ground.

@@ -13,17 +13,18 @@ use crate::equations::{Equation, Level, constraints_of, vanishes};
 use crate::parts::Combination;
 use crate::{Constraint, Fault, Model, QuasiVelocities, Trace, Zero};
 use field::{Rational, Scalar as _};
-use symbolic::{Sym, apart};
+use symbolic::{Sym, apart, substitute_all};
 
 /// Gives a model a constraint for each law without accelerations; the faults of quasi-velocities that are then too many.
 pub(super) fn settle(model: &mut Model) -> Vec<Fault> {
     let (open, found) = apart(|| {
         let trace = Trace::of(model);
         let open = open(&trace);
-        let found = if open.is_empty() { Vec::new() } else { combinations(&trace, &open) };
-        (open, found)
+        let laws = if open.is_empty() { Laws::default() } else { Laws::of(&trace, &open) };
+        (open, laws)
     });
-    for combination in found {
+    model.piecewise_laws = found.piecewise;
+    for combination in found.found {
         let [(first, _), others @ ..] = combination.as_slice() else { continue };
         let coordinate = &model.coordinates[*first];
         let name = match others {
@@ -70,39 +71,96 @@ fn determining(trace: &Trace<'_>, open: &[usize]) -> Vec<usize> {
     places
 }
 
-/// The combinations of laws that hold no acceleration and no multiplier, and that determine a motion.
-fn combinations(trace: &Trace<'_>, open: &[usize]) -> Vec<Combination> {
-    let rows =
-        constraints_of(trace).into_iter().map(|one| open.iter().map(|&place| one.row[place].as_constant()).collect());
-    let Some(rows) = rows.collect::<Option<Vec<Vec<Rational>>>>() else { return Vec::new() };
-    let found = null_space(rows, open.len());
-    let combined = found.into_iter().map(|factors| -> Option<Combination> {
-        let all = open.iter().copied().zip(whole(&factors)?);
-        Some(all.filter(|(_, factor)| *factor != 0).collect())
-    });
-    let Some(combined) = combined.collect::<Option<Vec<Combination>>>() else { return Vec::new() };
-    let laws: Vec<Sym> = combined.iter().map(|combination| trace.law(combination)).collect();
-    match determines(trace, &combined, &laws) {
-        true => combined,
-        false => Vec::new(),
+/// Laws that hold no acceleration.
+#[derive(Default)]
+struct Laws {
+    /// Combinations without multipliers that determine a motion.
+    found: Vec<Combination>,
+    /// Coordinates whose laws hold a condition, or the reaction of a contact.
+    piecewise: Vec<usize>,
+}
+
+impl Laws {
+    fn of(trace: &Trace<'_>, open: &[usize]) -> Self {
+        let rows = constraints_of(trace).into_iter();
+        let rows = rows.map(|one| open.iter().map(|&place| one.row[place].as_constant()).collect());
+        let Some(rows) = rows.collect::<Option<Vec<Vec<Rational>>>>() else { return Laws::default() };
+        let own: Vec<Sym> = open.iter().map(|&place| trace.law(&[(place, 1)])).collect();
+        let directions = basis(&rows, &speed_free(trace, &own, open), open.len());
+        let mut laws = Laws::default();
+        for factors in directions {
+            let Some(factors) = whole(&factors) else { continue };
+            let all = open.iter().copied().zip(factors);
+            let combination: Combination = all.filter(|(_, factor)| *factor != 0).collect();
+            match kind(trace, &combination) {
+                Kind::Determines => laws.found.push(combination),
+                Kind::Piecewise => laws.piecewise.extend(combination.iter().map(|(place, _)| *place)),
+                Kind::DeterminesNothing => {}
+            }
+        }
+        laws
     }
 }
 
-/// Whether every law changes with a speed or a position along its own combination, and holds no condition and no reaction of a contact.
-fn determines(trace: &Trace<'_>, combined: &[Combination], laws: &[Sym]) -> bool {
+enum Kind {
+    Determines,
+    /// It holds a condition, or the reaction of a contact.
+    Piecewise,
+    DeterminesNothing,
+}
+
+/// Whether a law changes with a speed or a position along its own combination.
+fn kind(trace: &Trace<'_>, combination: &Combination) -> Kind {
+    let law = trace.law(combination);
+    let along = |derivative: &dyn Fn(usize) -> Sym| {
+        combination.iter().fold(Sym::ZERO, |sum, &(place, factor)| sum + Sym::int(factor) * derivative(place))
+    };
+    let held = law.symbols_of();
     let reactions =
         (0..trace.model.contacts.len()).flat_map(|contact| [0, 1].map(|part| trace.reaction(contact, part)));
-    let chosen: Vec<Sym> = trace.switches.iter().copied().chain(reactions).collect();
-    combined.iter().zip(laws).all(|(combination, law)| {
-        let along = |derivative: &dyn Fn(usize) -> Sym| {
-            combination.iter().fold(Sym::ZERO, |sum, &(place, factor)| sum + Sym::int(factor) * derivative(place))
-        };
-        let held = law.symbols_of();
-        let is_steady = !held.iter().any(|symbol| chosen.contains(symbol));
-        let by_speed = along(&|place| trace.by_speed(*law, place));
-        let by_place = along(&|place| trace.by_coordinate(*law, place));
-        is_steady && (!vanishes(by_speed) || !held.iter().any(|one| trace.speeds.contains(one)) && !vanishes(by_place))
-    })
+    let mut chosen = trace.switches.iter().copied().chain(reactions);
+    let by_speed = || along(&|place| trace.by_speed(law, place));
+    let by_place = || along(&|place| trace.by_coordinate(law, place));
+    let is_of_places = || !held.iter().any(|one| trace.speeds.contains(one));
+    if chosen.any(|symbol| held.contains(&symbol)) {
+        Kind::Piecewise
+    } else if !vanishes(by_speed()) || is_of_places() && !vanishes(by_place()) {
+        Kind::Determines
+    } else {
+        Kind::DeterminesNothing
+    }
+}
+
+/// Rows that take a direction to zero where no law changes with the speeds along it: slopes of laws at points of whole numbers; none
+/// where they have no such value.
+fn speed_free(trace: &Trace<'_>, laws: &[Sym], open: &[usize]) -> Option<Vec<Vec<Rational>>> {
+    let slopes: Vec<Vec<Sym>> =
+        laws.iter().map(|law| open.iter().map(|&place| trace.by_speed(*law, place)).collect()).collect();
+    let mut letters: Vec<Sym> = slopes.iter().flatten().flat_map(|slope| slope.symbols_of()).collect();
+    letters.sort_by_key(|letter| letter.to_string());
+    letters.dedup();
+    let at = |point: i64| -> Option<Vec<Vec<Rational>>> {
+        let values =
+            letters.iter().zip(1_i64..).map(|(&letter, place)| (letter, Sym::int(3 + (7 * place * point) % 101)));
+        let values: Vec<(Sym, Sym)> = values.collect();
+        let row = |row: &Vec<Sym>| substitute_all(row, &values).into_iter().map(Sym::as_constant).collect();
+        slopes.iter().map(row).collect()
+    };
+    Some([1, 5, 13].map(at).into_iter().collect::<Option<Vec<_>>>()?.concat())
+}
+
+/// A basis of what rows take to zero, directions along which more rows vanish first.
+fn basis(rows: &[Vec<Rational>], more: &Option<Vec<Vec<Rational>>>, columns: usize) -> Vec<Vec<Rational>> {
+    let all = null_space(rows.to_vec(), columns);
+    let first = more.as_ref().map(|more| null_space([rows, more].concat(), columns)).unwrap_or_default();
+    let mut chosen: Vec<Vec<Rational>> = Vec::new();
+    for direction in first.into_iter().chain(all) {
+        chosen.push(direction);
+        if columns - null_space(chosen.clone(), columns).len() < chosen.len() {
+            chosen.pop();
+        }
+    }
+    chosen
 }
 
 /// A basis of what rows take to zero.

@@ -215,6 +215,8 @@ pub struct Model {
     /// Coordinates on whose speeds no inertia depends, and the constraints that determine such speeds.
     pub(crate) inertialess: Vec<usize>,
     pub(crate) determining: Vec<usize>,
+    /// Coordinates without inertia whose laws hold a condition, or the reaction of a contact.
+    pub piecewise_laws: Vec<usize>,
     pub contacts: Vec<Contact>,
     /// The system with one coordinate more for each guide that its coordinates satisfy: its reaction is the force along that one.
     pub released: Option<Box<Model>>,

@@ -61,8 +61,6 @@ pub struct Trace<'m> {
     /// By a displacement along each speed alone: of its coordinate, or about an axis of a free frame.
     by_coordinate: Vec<RefCell<Derivation>>,
     frames: Frames,
-    /// The velocity that an observer gives to the origin.
-    drift: Vector,
     points: RefCell<Vec<motion::PointMotion>>,
     scalars: Vec<Sym>,
     vectors: Vec<Vector>,
@@ -73,19 +71,6 @@ pub struct Trace<'m> {
 impl<'m> Trace<'m> {
     /// Writes the model down: expressions in the order in which they were read.
     pub fn of(model: &'m Model) -> Self {
-        Trace::seen(model, None)
-    }
-
-    /// The model as an observer sees it who moves and turns at any constant velocities: to him the ground drifts, and all with it.
-    pub fn observed(model: &'m Model) -> Self {
-        let letters = |name: &str| Vector {
-            frame: FrameId::GROUND,
-            components: ["x", "y", "z"].map(|axis| Sym::symbol(&format!("{name} of the observer along {axis}"))),
-        };
-        Trace::seen(model, Some([letters("velocity"), letters("turning")]))
-    }
-
-    fn seen(model: &'m Model, observer: Option<[Vector; 2]>) -> Self {
         let letters = |primes: &str, dots: &str| -> Vec<Sym> {
             let named = |coordinate: &crate::Coordinate| {
                 let letter = Sym::symbol(&coordinate.name).latex();
@@ -130,8 +115,7 @@ impl<'m> Trace<'m> {
             speeds,
             switches: Vec::new(),
             accelerations,
-            frames: Frames::turning_at(observer.map_or(Vector::ZERO, |[_, turning]| turning)),
-            drift: observer.map_or(Vector::ZERO, |[velocity, _]| velocity),
+            frames: Frames::default(),
             points: RefCell::new(Vec::new()),
             scalars: vec![Sym::ZERO; model.arena.parts.len()],
             vectors: vec![Vector::ZERO; model.arena.parts.len()],

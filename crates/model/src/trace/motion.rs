@@ -14,7 +14,7 @@ pub(super) struct PointMotion {
 impl Trace<'_> {
     /// The motion of a point; those that it is found from first.
     fn moving(&self, point: PointId) -> PointMotion {
-        let rest = PointMotion { position: Vector::ZERO, velocity: self.drift, acceleration: Vector::ZERO };
+        let rest = PointMotion { position: Vector::ZERO, velocity: Vector::ZERO, acceleration: Vector::ZERO };
         loop {
             // a point is found from those before it
             let next = self.points.borrow().len();

@@ -11,7 +11,7 @@ use super::touch::{Touch, margins};
 use super::touches::NEGATIVE;
 use super::{Current, Modes};
 use crate::compiled_system::NotCompiled;
-use crate::start::broken;
+use crate::start::{broken, follow};
 use integrators::{Event, Happening};
 use model::Direction;
 
@@ -232,7 +232,10 @@ impl Modes {
         if !counts {
             return with_side(side(&known.events[number], Past::Passed(from), SLACK));
         }
-        let set = before.moded.signals.set_by(number, event.time, state);
+        let mut set = before.moded.signals.set_by(number, event.time, state);
+        if !self.laws.model.events[number].ends {
+            follow(&self.laws.model, event.time, &mut set);
+        }
         if self.laws.model.events[number].ends {
             state.copy_from_slice(&set);
             return Ok(After::Ended);

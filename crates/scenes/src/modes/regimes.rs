@@ -1,7 +1,8 @@
 //! Every regime of contacts and conditions at a state: which of them agree with the motion that they give, and by how much.
 
-use super::decision::{Decided, Open, TERMS, agreeing, decided};
+use super::decision::{Decided, Open, SLACKS, TERMS, agreeing, decided};
 use super::expansion::{Expansion, Instant};
+use super::jet::Jet;
 use super::mode::{Case, Mode, Phase};
 use super::touch::{Touch, margins};
 use super::unfit::Unfit;
@@ -16,6 +17,8 @@ pub struct Regime {
     pub margins: Vec<Margin>,
     /// The motion that it gives, by its number: several regimes may give one motion, with other reactions.
     pub motion: usize,
+    /// Whether other reactions give the same motion: those of the margins are one choice.
+    pub is_one_choice: bool,
 }
 
 /// What a regime asks, and by how much it is met; in SI units.
@@ -86,8 +89,24 @@ impl Modes {
             name: self.laws.words.mode(&mode),
             margins: self.margins_of(&mode, &expansion, open),
             motion,
+            is_one_choice: false,
         };
-        Ok(Regimes { regimes: all.into_iter().map(regime).collect(), motions })
+        let mut regimes: Vec<Regime> = Vec::new();
+        for found in all.into_iter().map(regime) {
+            // a foot at rest holds, or is held by others: the same in words
+            match regimes.iter_mut().find(|known| (&known.name, known.motion) == (&found.name, found.motion)) {
+                Some(known) => known.is_one_choice = true,
+                None => regimes.push(found),
+            }
+        }
+        for place in 0..regimes.len() {
+            let motion = regimes[place].motion;
+            let shares = |other: &Regime| other.motion == motion;
+            if regimes.iter().filter(|other| shares(other)).count() > 1 {
+                regimes[place].is_one_choice = true;
+            }
+        }
+        Ok(Regimes { regimes, motions })
     }
 
     fn is_on_a_bound(&self, mode: &Mode, expansion: &Expansion<TERMS>, open: Open<'_>, slack: f64) -> bool {
@@ -111,8 +130,8 @@ impl Modes {
         for &switch in open.switches {
             let condition = &expansion.conditions[switch];
             let (asks, value) = match mode.cases[switch] {
-                Case::On => ("its rate is positive", condition.terms[1]),
-                Case::Off => ("its rate is negative", -condition.terms[1]),
+                Case::On => (RISES[order(condition) - 1], leaving(condition)),
+                Case::Off => (FALLS[order(condition) - 1], -leaving(condition)),
                 _ => {
                     let [low, high] = expansion.margins(switch).map(|margin| margin.terms[0]);
                     ("smaller share of its two sides", low.min(high))
@@ -149,6 +168,33 @@ impl Modes {
         }
         found
     }
+}
+
+/// What a condition at zero does, by the first of its rates that is not zero.
+const RISES: [&str; TERMS - 1] = [
+    "its rate is positive",
+    "its second rate is positive",
+    "its third rate is positive",
+    "its fourth rate is positive",
+    "its fifth rate is positive",
+];
+const FALLS: [&str; TERMS - 1] = [
+    "its rate is negative",
+    "its second rate is negative",
+    "its third rate is negative",
+    "its fourth rate is negative",
+    "its fifth rate is negative",
+];
+
+/// The order of the first rate that is not zero beside its rounding.
+fn order(condition: &Jet<TERMS>) -> usize {
+    (1..TERMS).find(|&order| condition.sign_of(order, SLACKS[0]) != 0.0).unwrap_or(1)
+}
+
+/// That rate.
+fn leaving(condition: &Jet<TERMS>) -> f64 {
+    let order = order(condition);
+    (1..=order).fold(condition.terms[order], |rate, factor| rate * factor as f64)
 }
 
 /// Units of a reaction, and of what a contact without one does.

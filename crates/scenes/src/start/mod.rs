@@ -5,6 +5,7 @@
 
 mod constraints;
 mod displacement;
+mod following;
 mod gimbal;
 mod leaf;
 mod multiple_roots;
@@ -13,6 +14,7 @@ mod singular_positions;
 mod unmet;
 
 pub use displacement::displaced;
+pub(crate) use following::follow;
 pub(crate) use leaf::Leaf;
 pub(crate) use singular_positions::SingularPositions;
 pub use unmet::{Open, Unmet};

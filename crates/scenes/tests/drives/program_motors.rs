@@ -185,6 +185,27 @@ fn a_motor_may_sit_on_what_turns() {
 }
 
 #[test]
+fn a_motor_without_inductance_and_without_supply_is_no_fault() {
+    let drive = "inertia = \"(1 kg m^2)\"\n[[drive.winding]]\ninductance = \"(0 H)\"\nresistance = \"(1 ohm)\"\nmotional = \"(1 V s)\"\n";
+    let text = format!(
+        "title = \"brake\"\n[coordinates]\ntheta = \"rad\"\n[[drive]]\nname = \"motor\"\nturns = \"theta\"\n{drive}\
+         [start]\n\"theta'\" = \"2 rad/s\"\n[run]\nspan = \"1 s\"\n"
+    );
+    // J w' = -k^2 w/R
+    close(last(&runs(&text), "theta'"), 2.0 * (-1.0_f64).exp(), 1e-11);
+}
+
+#[test]
+fn a_motor_that_turns_by_an_angle_inside_a_body_is_warned_of() {
+    let text = "title = \"satellite\"\n[coordinates]\ns = \"rad\"\n[frames]\nF = \"N free\"\nW = \"F turned s about x\"\n\
+                [bodies.satellite]\nframe = \"F\"\ninertia = { principal = [\"(1 kg m^2)\", \"(1 kg m^2)\", \"(1 kg m^2)\"] }\n\
+                [[drive]]\nturns = \"s\"\ninertia = \"(1 kg m^2)\"\ntorque = \"(1 N m)\"\n[run]\nspan = \"1 s\"\n";
+    let scene = ModelScene::parse("scene.toml", text).unwrap_or_else(|error| panic!("{error}"));
+    let told: Vec<&str> = scene.model.warnings.iter().map(|warning| warning.title.as_str()).collect();
+    assert_eq!(told, ["this motor sits on the ground, and turns by the angle of `W` in `F`"]);
+}
+
+#[test]
 fn a_drive_has_one_motor() {
     let (_, data) = sampled("brushed");
     let text = scene("brushed", &data).replacen("[outputs]", "[[drive.winding]]\ninductance = \"(1 H)\"\n[outputs]", 1);

@@ -105,6 +105,36 @@ fn an_integral_of_an_error_is_a_coordinate_without_a_reaction() {
     close(last(&trajectory, "back"), 0.0, 1e-12);
 }
 
+/// Two capacitors in parallel behind a resistor: their laws have no speed between them, a/C1 = b/C2.
+#[test]
+fn capacitors_in_parallel_share_a_charge() {
+    let text = RC
+        .replace("q = \"C\"\n", "q = \"C\"\na = \"C\"\nb = \"C\"\n")
+        .replace("q^2/(2*C)", "a^2/(2*C) + b^2/(6*C)")
+        .replace("[run]", "[[constraint]]\nzero = \"q' - a' - b'\"\n[run]");
+    let trajectory = runs(&text);
+    // 4 C behind R
+    let voltage = 10.0 * (1.0 - (-0.75_f64).exp());
+    close(last(&trajectory, "a"), 1e-3 * voltage, 1e-11);
+    close(last(&trajectory, "b"), 3e-3 * voltage, 1e-11);
+    let emptied =
+        runs(&text.replace(
+            "[run]",
+            "[[event]]\nwhen = \"t - (1 s)\"\nset = { q = \"0*q\", a = \"0*a\", b = \"0*b\" }\n[run]",
+        ));
+    close(last(&emptied, "a"), 0.01 * (1.0 - (-0.5_f64).exp()), 1e-10);
+}
+
+#[test]
+fn a_law_with_a_condition_is_refused_by_its_reason() {
+    let switched = RC.replace("is = \"U\"", "is = \"if(t < (1 s), U, 0*U)\"");
+    let said = ModelScene::parse("scene.toml", &switched).expect_err("not there yet").to_string();
+    assert!(said.contains("its law changes at a condition"), "{said}");
+    let none = RC.replace("[coordinates]\n", "[coordinates]\nb = \"m\"\n");
+    let said = ModelScene::parse("scene.toml", &none).expect_err("b has no law").to_string();
+    assert!(said.contains("moves with `b`"), "{said}");
+}
+
 #[test]
 fn a_coordinate_that_nothing_resists_is_still_refused() {
     let nothing = RC.replace("potential = \"q^2/(2*C)\"\ndissipation = \"R/2*q'^2\"\n", "potential = \"(1 J)\"\n");

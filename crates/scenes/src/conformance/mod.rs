@@ -1,0 +1,91 @@
+//! What every system that is text should do: its routes agree, energy goes where forces send it, loads act in pairs and ask for no
+//! observer, what comes with the speeds takes energy, and inertia resists.
+
+mod observer;
+mod passivity;
+mod states;
+
+use crate::admissible::impossible;
+use crate::inductances::impossible_inductances;
+use crate::readiness::start_of;
+use derivations::conformance::{Finding, Verdict};
+use model::principles::Principle;
+use model::{Agreement, Model, Pairs, Trace, agreement, statements};
+use symbolic::apart;
+
+/// Every check of a model, inputs without a value at zero.
+pub fn conform(model: &Model) -> Vec<Finding> {
+    let mut model = model.clone();
+    model.close_inputs();
+    let model = &model;
+    let dimensions = Verdict::Proved("the units of all expressions agree, as they were read".to_owned());
+    [
+        ("principles", apart(|| principles(model))),
+        ("power", apart(|| power(model))),
+        ("passivity", passivity::verdict(model)),
+        ("pairs", apart(|| pairs(model))),
+        ("frame", observer::verdict(model)),
+        ("inertia", inertia(model)),
+        ("dimensions", dimensions),
+    ]
+    .into_iter()
+    .map(|(check, verdict)| Finding { check, verdict })
+    .collect()
+}
+
+/// The verdict of an agreement, with what it says of.
+fn verdict(found: &Agreement, says: &str) -> Verdict {
+    match found {
+        Agreement::Proved { .. } | Agreement::Theorem { .. } => Verdict::Proved(says.to_owned()),
+        Agreement::Identified { .. } | Agreement::Tested { .. } => Verdict::Tested(format!("{says}: {found}")),
+        Agreement::Refuted { .. } => Verdict::Fails(format!("{says}: {found}")),
+        Agreement::Undecided { .. } => Verdict::Undecided(format!("{says}: {found}")),
+    }
+}
+
+/// Energies and virtual displacements beside bodies with the loads of their joints.
+fn principles(model: &Model) -> Verdict {
+    let trace = Trace::of(model);
+    match agreement(&trace, Principle::Lagrange, Principle::NewtonEuler) {
+        Ok(found) => verdict(&found, "Lagrange's equations are those of the bodies with the loads of their joints"),
+        Err(why) => Verdict::DoesNotApply(why.to_string()),
+    }
+}
+
+fn power(model: &Model) -> Verdict {
+    let trace = Trace::of(model);
+    match statements(&trace).into_iter().find(|one| one.subject == "energy") {
+        Some(energy) => verdict(&energy.agreement, &energy.says),
+        None => Verdict::DoesNotApply("it has no energy".to_owned()),
+    }
+}
+
+fn pairs(model: &Model) -> Verdict {
+    let Pairs { between, from_outside, along } = Pairs::of(model);
+    let pairs = match between {
+        0 => "no load acts between two bodies".to_owned(),
+        1 => "one load acts between two bodies, equal and opposite".to_owned(),
+        several => format!("{several} loads act between two bodies, equal and opposite"),
+    };
+    let alone = [from_outside, along].concat();
+    match (between, alone.is_empty()) {
+        (0, true) => Verdict::DoesNotApply(pairs),
+        (_, true) => Verdict::Proved(format!("{pairs}; none acts on one alone")),
+        (_, false) => Verdict::DoesNotApply(format!("{pairs}; {}: on what it reacts is not said", alone.join(", "))),
+    }
+}
+
+fn inertia(model: &Model) -> Verdict {
+    if let Some(issue) = impossible(model).into_iter().next() {
+        return Verdict::Fails(issue.title);
+    }
+    let Ok(start) = start_of(model) else {
+        return Verdict::DoesNotApply("it has no start: parameters or coordinates are open".to_owned());
+    };
+    match impossible_inductances(model, &start) {
+        Some(issue) => Verdict::Fails(issue.title),
+        None => {
+            Verdict::Tested("masses, moments of inertia and inductances are those of bodies and windings".to_owned())
+        }
+    }
+}

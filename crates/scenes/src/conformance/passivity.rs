@@ -1,0 +1,148 @@
+//! Whether the forces that come with the speeds take energy.
+
+use super::states::{Expressions, States};
+use crate::letters::Letters;
+use crate::row_units::unit_of;
+use derivations::conformance::Verdict;
+use field::Rational;
+use model::{Model, Trace, forces_without_potential};
+use num_traits::Zero;
+use symbolic::{Hypotheses, Sym, apart, decide, substitute_all};
+
+/// States at which the power is looked at.
+const STATES: usize = 2_000;
+
+/// Part of the sum of sizes that counts as rounding.
+const ROUNDING: f64 = 1e-11;
+
+/// Positions about the start: near it first, then anywhere about.
+const NEAR: f64 = 0.05;
+const ANYWHERE: f64 = 1.0;
+
+/// Exactly where their power is a quadratic form, else at many states.
+pub(super) fn verdict(model: &Model) -> Verdict {
+    if model.parameters.iter().any(|parameter| parameter.value.is_none()) {
+        return Verdict::DoesNotApply("some parameters have no value".to_owned());
+    }
+    apart(|| {
+        let trace = Trace::of(model);
+        let forces = forces_without_potential(&trace);
+        let held: Vec<Sym> = forces.iter().flat_map(|force| force.symbols_of()).collect();
+        let chooses = trace.switches.iter().any(|switch| held.contains(switch));
+        if !chooses && !trace.speeds.iter().any(|speed| held.contains(speed)) {
+            let rubs = model.contacts.iter().any(|contact| contact.friction.is_some());
+            let beside = if rubs { ", beside friction in contacts" } else { "" };
+            return Verdict::Proved(format!("no force changes with the speeds{beside}"));
+        }
+        match (!chooses).then(|| quadratic(&trace, &forces)).flatten().map(is_never_positive) {
+            Some(true) => Verdict::Proved(
+                "what comes with the speeds takes energy, for any positions and speeds and for these data".to_owned(),
+            ),
+            _ => sampled(&trace, &forces),
+        }
+    })
+}
+
+/// sum (Q(q, u) - Q(q, 0)) u as a quadratic form with constant coefficients.
+fn quadratic(trace: &Trace<'_>, forces: &[Sym]) -> Option<Vec<Vec<Rational>>> {
+    let state: Vec<Sym> = trace.coordinates.iter().chain(&trace.speeds).copied().collect();
+    let at_rest: Vec<(Sym, Sym)> = trace.speeds.iter().map(|&speed| (speed, Sym::ZERO)).collect();
+    let still = substitute_all(forces, &at_rest);
+    let terms = forces.iter().zip(still).zip(&trace.speeds);
+    let power = terms.fold(Sym::ZERO, |sum, ((&force, still), &speed)| sum + (force - still) * speed);
+    let power = Letters::with_data(trace.time, &state).put_into(trace, &[power])[0];
+    let form: Vec<Vec<Sym>> = trace
+        .speeds
+        .iter()
+        .map(|&one| trace.speeds.iter().map(|&other| power.diff(one).diff(other)).collect())
+        .collect();
+    let constant = |entry: &Sym| {
+        let decided = decide(*entry, &Hypotheses::none());
+        entry.as_constant().or_else(|| decided.is_zero().then(Rational::zero))
+    };
+    let numbers = form.iter().map(|row| row.iter().map(constant).collect()).collect::<Option<Vec<Vec<Rational>>>>()?;
+    let again = (0..form.len()).fold(Sym::ZERO, |sum, i| {
+        (0..form.len()).fold(sum, |sum, j| sum + Sym::constant(numbers[i][j]) * trace.speeds[i] * trace.speeds[j])
+    });
+    let rest = power + power - again;
+    decide(rest, &Hypotheses::none()).is_zero().then_some(numbers)
+}
+
+/// Whether a form is positive nowhere, by its pivots.
+fn is_never_positive(mut form: Vec<Vec<Rational>>) -> bool {
+    let sign = |number: Rational| number.sign().unwrap_or(1);
+    let mut open: Vec<usize> = (0..form.len()).collect();
+    while let Some(&pivot) = open.iter().find(|&&place| sign(form[place][place]) != 0) {
+        if sign(form[pivot][pivot]) > 0 {
+            return false;
+        }
+        open.retain(|&place| place != pivot);
+        let own = form[pivot].clone();
+        for &row in &open {
+            let factor = form[row][pivot] / own[pivot];
+            for &column in &open {
+                let less = factor * own[column];
+                form[row][column] -= less;
+            }
+        }
+    }
+    // where the diagonal is zero the rest must be
+    open.iter().all(|&row| open.iter().all(|&column| sign(form[row][column]) == 0))
+}
+
+/// Looks for a state at which the power is positive.
+fn sampled(trace: &Trace<'_>, forces: &[Sym]) -> Verdict {
+    let model = trace.model;
+    let Some(expressions) = Expressions::of(trace, forces) else {
+        return Verdict::Undecided("the power has no values".to_owned());
+    };
+    let mut states = States::about_start(trace);
+    let mut seen = 0;
+    for part in [NEAR, ANYWHERE] {
+        for _ in 0..STATES / 2 {
+            let (time, state) = states.next(part);
+            let (positions, speeds) = state.split_at(model.positions());
+            let still = expressions.at(time, &[positions, &vec![0.0; speeds.len()]].concat());
+            let moving = expressions.at(time, &state);
+            let each = || moving.iter().zip(&still).zip(speeds);
+            let power: f64 = each().map(|((moving, still), speed)| (moving - still) * speed).sum();
+            let sizes: f64 = each().map(|((moving, still), speed)| ((moving.abs() + still.abs()) * speed).abs()).sum();
+            if !power.is_finite() {
+                continue;
+            }
+            seen += 1;
+            if power > ROUNDING * sizes && power > 0.0 {
+                let found = gives(model, &state, power);
+                return match part == NEAR {
+                    true => Verdict::Fails(format!(
+                        "forces that come with the speeds give {found}: a wrong sign, or a motor whose field or supply they stand for"
+                    )),
+                    false => Verdict::Tested(format!(
+                        "near the start what comes with the speeds takes energy; away from it, forces give {found}"
+                    )),
+                };
+            }
+        }
+    }
+    match seen {
+        0 => Verdict::Undecided("the power has a value at no state that was tried".to_owned()),
+        _ => Verdict::Tested(format!("at {seen} states what comes with the speeds takes energy")),
+    }
+}
+
+/// Numbers of a state that are shown.
+const MOST_SHOWN: usize = 6;
+
+fn gives(model: &Model, state: &[f64], power: f64) -> String {
+    let names = model.state_names().into_iter().map(|(name, _)| name).zip(state);
+    // the speeds first: positions explain them
+    let (places, speeds): (Vec<_>, Vec<_>) = names.enumerate().partition(|(place, _)| *place < model.positions());
+    let shown = speeds.into_iter().chain(places).take(MOST_SHOWN);
+    let shown = shown.map(|(_, (name, value))| format!("{name} = {} {}", short(*value), unit_of(model, &name)));
+    format!("{} W at {}", short(power), shown.collect::<Vec<_>>().join(", "))
+}
+
+/// Four digits.
+fn short(value: f64) -> f64 {
+    format!("{value:.3e}").parse().unwrap_or(value)
+}

@@ -1,0 +1,84 @@
+//! Expressions of a model at states that are drawn, the same in every run.
+
+use crate::letters::Letters;
+use crate::readiness::start_of;
+use model::Trace;
+use std::cell::RefCell;
+use symbolic::{Sym, Tape, substitute_all};
+
+/// Expressions by time and state, conditions as they are there.
+pub(super) struct Expressions {
+    tape: Tape,
+    conditions: usize,
+    values: RefCell<Vec<f64>>,
+}
+
+impl Expressions {
+    /// None where they have no values.
+    pub fn of(trace: &Trace<'_>, expressions: &[Sym]) -> Option<Self> {
+        let model = trace.model;
+        let named =
+            |letter: &str, count: usize| (0..count).map(|i| Sym::symbol(&format!("{letter}{i}"))).collect::<Vec<_>>();
+        let (state, time) = (named("y", model.positions() + model.speeds()), Sym::symbol("t"));
+        let cases = named("s", model.switches.len());
+        let conditions: Vec<Sym> = model.switches.iter().map(|condition| trace.scalar(*condition)).collect();
+        let all = Letters::with_data(time, &state).put_into(trace, &[&conditions[..], expressions].concat());
+        let known: Vec<(Sym, Sym)> = trace.switches.iter().copied().zip(cases.iter().copied()).collect();
+        let all = substitute_all(&all, &known);
+        let tape = Tape::record(&[&state[..], &[time], &cases].concat(), &all).ok()?;
+        Some(Expressions { tape, conditions: cases.len(), values: RefCell::new(vec![0.0; all.len()]) })
+    }
+
+    /// Their values; a condition may ask for those before it, and one that is at zero has either side.
+    pub fn at(&self, time: f64, state: &[f64]) -> Vec<f64> {
+        let mut values = self.values.borrow_mut();
+        let mut numbers = [state, &[time], &vec![0.5; self.conditions]].concat();
+        for _ in 0..=self.conditions {
+            self.tape.over::<f64>().evaluate(&numbers, &mut values);
+            for (case, condition) in numbers[state.len() + 1..].iter_mut().zip(values.iter()) {
+                *case = if *condition == 0.0 { 0.5 } else { f64::from(u8::from(*condition > 0.0)) };
+            }
+        }
+        values[self.conditions..].to_vec()
+    }
+}
+
+/// States about the start of a model.
+pub(super) struct States {
+    start: Vec<f64>,
+    positions: usize,
+    drawn: Drawn,
+}
+
+impl States {
+    pub fn about_start(trace: &Trace<'_>) -> Self {
+        let model = trace.model;
+        let start = start_of(model).unwrap_or_else(|_| model.start_state());
+        States { start, positions: model.positions(), drawn: Drawn(1) }
+    }
+
+    /// A time and a state: positions within a part of their size and of one, speeds of any size.
+    pub fn next(&mut self, part: f64) -> (f64, Vec<f64>) {
+        let size = 10_f64.powf(3.0 * self.drawn.number());
+        let mut state = self.start.clone();
+        for (place, value) in state.iter_mut().enumerate() {
+            let number = self.drawn.number();
+            *value = if place < self.positions { *value + part * (1.0 + value.abs()) * number } else { size * number };
+        }
+        (self.drawn.number().abs(), state)
+    }
+}
+
+/// Numbers between -1 and 1 that are the same in every run (splitmix64).
+struct Drawn(u64);
+
+impl Drawn {
+    fn number(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut bits = self.0;
+        bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        bits ^= bits >> 31;
+        2.0 * (bits >> 11) as f64 / (1_u64 << 53) as f64 - 1.0
+    }
+}
