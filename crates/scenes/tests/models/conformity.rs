@@ -71,6 +71,19 @@ fn a_damper_between_bodies_takes_energy_whoever_looks() {
     );
 }
 
+/// D = c/2 (x'^2 + y'^2) + b x' y' gives energy where b exceeds c: its diagonal alone does not tell.
+#[test]
+fn a_dissipation_that_is_indefinite_gives_energy() {
+    let with = |b: &str| {
+        found(&format!(
+            "title = \"coupled\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n[bodies.a]\ncentre = \"O + x*N.x + y*N.y\"\nmass = \"(1 kg)\"\n\
+             [energies]\ndissipation = \"(1 N s/m)/2*(x'^2 + y'^2) + ({b} N s/m)*x'*y'\"\n[run]\nspan = \"1 s\"\n"
+        ))
+    };
+    assert!(matches!(verdict(&with("0.9"), "passivity"), Verdict::Proved(_)));
+    assert!(matches!(verdict(&with("1.1"), "passivity"), Verdict::Fails(_)));
+}
+
 #[test]
 fn dry_friction_with_a_wrong_sign_gives_energy() {
     let sound = std::fs::read_to_string(path("dry_friction")).expect("it is there");
