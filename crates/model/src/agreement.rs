@@ -100,6 +100,12 @@ impl fmt::Display for Agreement {
 /// Expressions with more operations have normal forms that may explode: they are identified instead.
 const MOST_EXPANDED: usize = 4_000;
 
+/// The same where a theorem says that they are equal.
+const MOST_BESIDE_THEOREM: usize = 1_200;
+
+/// The same of quotients by determinants.
+const MOST_OF_QUOTIENTS: usize = 300;
+
 /// Compares the residuals of two principles. Equations too long for their normal form are compared by the theorem on principles, and at
 /// random points: the theorem knows nothing of the code that formed them.
 ///
@@ -107,12 +113,18 @@ const MOST_EXPANDED: usize = 4_000;
 /// Where one of them does not apply to the model.
 pub fn agreement(trace: &Trace<'_>, one: Principle, other: Principle) -> Result<Agreement, NotApplicable> {
     let (of_one, of_other) = (one.residual(trace)?, other.residual(trace)?);
-    Ok(match decided(trace, &of_one.into_iter().zip(of_other).collect::<Vec<_>>()) {
-        Agreement::Identified { points, error } if theorem::holds(trace, one) && theorem::holds(trace, other) => {
-            Agreement::Theorem { points, error }
-        }
+    let pairs: Vec<(Sym, Sym)> = of_one.into_iter().zip(of_other).collect();
+    Ok(with_theorem(trace, &pairs, MOST_BESIDE_THEOREM, || theorem::holds(trace, one) && theorem::holds(trace, other)))
+}
+
+/// The same where a theorem says that both sides are equal, if it does: then long ones need no normal form.
+fn with_theorem(trace: &Trace<'_>, pairs: &[(Sym, Sym)], most: usize, holds: impl Fn() -> bool) -> Agreement {
+    let differences: Vec<Sym> = pairs.iter().map(|&(one, other)| one - other).collect();
+    let is_long = Sym::operations_of(&differences) > most;
+    match if is_long && holds() { up_to(trace, pairs, most) } else { decided(trace, pairs) } {
+        Agreement::Identified { points, error } if holds() => Agreement::Theorem { points, error },
         decided => decided,
-    })
+    }
 }
 
 /// The agreement of a principle that knows the constraints, and the points at which it was decided.
@@ -143,7 +155,8 @@ pub fn projected_agreement(trace: &Trace<'_>, projection: Projection) -> Result<
             // letters in the place of inertia less forces: what follows holds for any
             let any: Vec<Sym> = (0..trace.speeds.len()).map(|i| Sym::symbol(&format!("residual {}", i + 1))).collect();
             let (by_maggi, by_multipliers) = (characteristics.along(&any), characteristics.without_reactions(&any));
-            let agreement = decided(trace, &by_multipliers.into_iter().zip(by_maggi).collect::<Vec<_>>());
+            let pairs: Vec<(Sym, Sym)> = by_multipliers.into_iter().zip(by_maggi).collect();
+            let agreement = with_theorem(trace, &pairs, MOST_OF_QUOTIENTS, theorem::holds_for_any_rows);
             let points = format!(
                 "for any inertia and any forces: multipliers drop out along du/dw, with {dependent} by {}",
                 or_nothing(&independent)
@@ -157,12 +170,8 @@ pub fn projected_agreement(trace: &Trace<'_>, projection: Projection) -> Result<
             let by_multipliers = motion.on_constraints(&by_multipliers);
             // a mass may depend on dependent speeds
             let by_shulgin = motion.on_constraints(&trace.with_masses(&by_shulgin));
-            let agreement = match decided(trace, &by_multipliers.into_iter().zip(by_shulgin).collect::<Vec<_>>()) {
-                Agreement::Identified { points, error } if theorem::holds_on_constraints(trace) => {
-                    Agreement::Theorem { points, error }
-                }
-                decided => decided,
-            };
+            let pairs: Vec<(Sym, Sym)> = by_multipliers.into_iter().zip(by_shulgin).collect();
+            let agreement = with_theorem(trace, &pairs, MOST_BESIDE_THEOREM, || theorem::holds_on_constraints(trace));
             let points = format!(
                 "at points on the constraints: all letters and {} are free, {dependent} and their rates follow",
                 or_nothing(&independent)
@@ -178,10 +187,15 @@ fn or_nothing(names: &str) -> &str {
 
 /// Whether the two sides of every pair are equal, masses that vary by their values: on the highest rung that is reached.
 pub(crate) fn decided(trace: &Trace<'_>, pairs: &[(Sym, Sym)]) -> Agreement {
+    up_to(trace, pairs, MOST_EXPANDED)
+}
+
+/// The same, with normal forms of differences up to so many operations.
+fn up_to(trace: &Trace<'_>, pairs: &[(Sym, Sym)], most: usize) -> Agreement {
     let (ones, others): (Vec<Sym>, Vec<Sym>) = pairs.iter().copied().unzip();
     let (ones, others) = (trace.with_masses(&ones), trace.with_masses(&others));
     let pairs: Vec<(Sym, Sym)> = ones.into_iter().zip(others).collect();
-    compared(&pairs, |divisor| value_at_start(trace, divisor), |divisor| named(trace, divisor))
+    compared(&pairs, most, |divisor| value_at_start(trace, divisor), |divisor| named(trace, divisor))
 }
 
 /// Divisors below this are taken for zero at a start.
@@ -190,14 +204,13 @@ const VANISHES: f64 = 1e-12;
 /// Whether the two sides of every pair are equal as they stand; divisors have values at the start, and names, where they may vanish.
 fn compared(
     pairs: &[(Sym, Sym)],
+    most: usize,
     value_at_start: impl Fn(Sym) -> Option<f64>,
     named: impl Fn(Sym) -> Option<String>,
 ) -> Agreement {
     let differences: Vec<Sym> = pairs.iter().map(|&(one, other)| one - other).collect();
     let identity = identified(&differences);
-    if let (Identity::Identified { points, error, .. }, true) =
-        (&identity, Sym::operations_of(&differences) > MOST_EXPANDED)
-    {
+    if let (Identity::Identified { points, error, .. }, true) = (&identity, Sym::operations_of(&differences) > most) {
         return Agreement::Identified { points: *points, error: *error };
     }
     if identity == Identity::NotZero {
@@ -267,7 +280,8 @@ mod tests {
         apart(|| {
             let [x, y] = symbols(["x", "y"]);
             let root = (x * x + y * y).sqrt();
-            let compared = |pairs: &[(Sym, Sym)]| compared(pairs, |_| None, |divisor| Some(divisor.to_string()));
+            let compared =
+                |pairs: &[(Sym, Sym)]| compared(pairs, MOST_EXPANDED, |_| None, |divisor| Some(divisor.to_string()));
             assert!(matches!(compared(&[(root * root, x * x + y * y)]), Agreement::Proved { .. }));
             assert!(matches!(compared(&[(root, x + y)]), Agreement::Refuted { .. }));
         });
@@ -281,9 +295,9 @@ mod tests {
             let at = |x: f64, y: f64| {
                 let value =
                     |divisor: Sym| divisor.evaluate_analytic(&|name: &str| Some(if name == "x" { x } else { y })).ok();
-                compared(&pairs, value, |divisor| Some(divisor.to_string())).to_string()
+                compared(&pairs, MOST_EXPANDED, value, |divisor| Some(divisor.to_string())).to_string()
             };
-            let none = compared(&pairs, |_| None, |divisor| Some(divisor.to_string())).to_string();
+            let none = compared(&pairs, MOST_EXPANDED, |_| None, |divisor| Some(divisor.to_string())).to_string();
             assert!(none.starts_with("proved") && !none.contains("at the start"), "{none}");
             assert!(at(2.0, 3.0).ends_with(" (at the start none of them does)"), "{}", at(2.0, 3.0));
             assert!(at(0.0, 3.0).ends_with(" (at the start x vanishes)"), "{}", at(0.0, 3.0));
@@ -295,7 +309,7 @@ mod tests {
         apart(|| {
             let [x, y] = symbols(["x", "y"]);
             let long = (0..2_500).fold(x, |sum, k| sum * y + Sym::int(k));
-            let found = compared(&[(x, x), (long, long * Sym::int(2))], |_| None, |_| None);
+            let found = compared(&[(x, x), (long, long * Sym::int(2))], MOST_EXPANDED, |_| None, |_| None);
             let Agreement::Refuted { equation: 1, point } = found else { panic!("{found}") };
             assert_eq!(point, "not zero at a random point of a prime field");
         });

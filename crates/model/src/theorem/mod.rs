@@ -10,6 +10,7 @@
 //! | [`points`] | dr/dq = dv/du = da/du' and d(dv/du)/dt = dv/dq, from a point to one that is found from it |
 //! | [`bodies`] | then d/dt dT/du - dT/dq = m a . dv/du + (I w)' . dw/du = dS/du' |
 //! | [`energies`] | Hamilton's, Hamel's and Shulgin's equations are Lagrange's for any T; weights, potentials and dissipation as they stand in them |
+//! | [`multipliers`] | they drop out along the directions that constraints leave |
 //! | [`joints`] | the loads of joints do no work on motions that the joints leave |
 //!
 //! From the ground outwards the lemmas reach every frame and every point of a model, one step after the other. What a model must
@@ -22,6 +23,7 @@ mod frames;
 mod functions;
 mod hypotheses;
 mod joints;
+mod multipliers;
 mod points;
 
 use crate::Trace;
@@ -33,7 +35,7 @@ use symbolic::{Hypotheses, Sym, apart, decide};
 type Equations = Vec<(Sym, Sym)>;
 
 /// Every lemma.
-const LEMMAS: [fn() -> Equations; 16] = [
+const LEMMAS: [fn() -> Equations; 17] = [
     functions::of_places,
     frames::turned_by_an_angle,
     frames::turned_freely,
@@ -50,6 +52,7 @@ const LEMMAS: [fn() -> Equations; 16] = [
     energies::quasi_velocities,
     energies::constrained,
     joints::carried,
+    multipliers::eliminated,
 ];
 
 /// Whether the theorem says of a model that a principle gives Lagrange's equations.
@@ -60,6 +63,11 @@ pub(crate) fn holds(trace: &Trace<'_>, principle: Principle) -> bool {
 /// Whether the theorem says of a model that Shulgin's equations are Lagrange's along the directions that constraints leave.
 pub(crate) fn holds_on_constraints(trace: &Trace<'_>) -> bool {
     hypotheses::are_functions_of_places(trace) && all_are_proved()
+}
+
+/// Whether the theorem says that multipliers drop out along du/dw, for any rows of constraints.
+pub(crate) fn holds_for_any_rows() -> bool {
+    all_are_proved()
 }
 
 fn all_are_proved() -> bool {
