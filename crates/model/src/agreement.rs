@@ -171,7 +171,7 @@ pub fn projected_agreement(trace: &Trace<'_>, projection: Projection) -> Result<
             // a mass may depend on dependent speeds
             let by_shulgin = motion.on_constraints(&trace.with_masses(&by_shulgin));
             let pairs: Vec<(Sym, Sym)> = by_multipliers.into_iter().zip(by_shulgin).collect();
-            let agreement = with_theorem(trace, &pairs, MOST_OF_QUOTIENTS, || theorem::holds_on_constraints(trace));
+            let agreement = with_theorem(trace, &pairs, MOST_BESIDE_THEOREM, || theorem::holds_on_constraints(trace));
             let points = format!(
                 "at points on the constraints: all letters and {} are free, {dependent} and their rates follow",
                 or_nothing(&independent)
