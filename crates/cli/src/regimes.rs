@@ -73,7 +73,7 @@ impl Answer {
         Answer { regimes: Vec::new(), verdict: format!("no regime: {reason}"), determined: false }
     }
 
-    /// Of a system that is written in its file.
+    /// The answer for a system that is written in its file.
     fn of(found: Regimes) -> Self {
         let regimes = found.regimes.iter().map(|regime| Regime {
             name: regime.name.clone(),

@@ -16,7 +16,7 @@ pub struct Pairs {
 }
 
 impl Pairs {
-    /// Of all loads of a model.
+    /// Sorts the loads of a model.
     pub fn of(model: &Model) -> Self {
         let trace = Trace::of(model);
         // a contact is a pair of its own

@@ -1,11 +1,11 @@
 //! The start and the law of a model that can run; of another one the reason, at its place in the file.
 
-use crate::admissible::impossible;
 use crate::branch::in_words;
 use crate::compiled_system::{CompiledSystem, NotCompiled};
 use crate::equilibrium::{Equilibrium, NoEquilibrium, equilibrium};
 use crate::first_motion::{inertia_for, massless, missing, with_piecewise_law};
-use crate::modes::{Modes, Refused, Regimes, Unfit};
+use crate::modes::Modes;
+use crate::refused_start::not_started;
 use crate::row_units::measured;
 use crate::start::{Completed, Open, Unmet, consistent};
 use derivations::scene::Issue;
@@ -47,59 +47,6 @@ pub(crate) fn ready(model: &mut Arc<Model>) -> Result<(Vec<f64>, Arc<CompiledSys
         Some(issue) => Err(issue),
         None => Ok((start, system)),
     }
-}
-
-/// Why a motion does not start, at its place.
-fn not_started(model: &Model, why: Refused) -> Issue {
-    match why {
-        Refused::Law(reason) => refused(model, &reason),
-        Refused::Contact(Unfit { contact, why, accepted }) => {
-            let one = &model.contacts[contact];
-            let title = format!("this system cannot start: {why}");
-            Issue::at(one.at.clone(), title, one.title(contact)).accepted(accepted)
-        }
-        Refused::Motion { why, switch: None } if !model.contacts.is_empty() => {
-            let places = model.contacts.iter().map(|contact| &contact.at);
-            let place =
-                places.clone().map(|at| at.start).min().unwrap_or(0)..places.map(|at| at.end).max().unwrap_or(0);
-            let issue = Issue::at(place, format!("this system cannot start: {why}"), "these contacts");
-            issue.accepted("another start")
-        }
-        Refused::Motion { why, switch } => {
-            let place = switch.map_or(0..0, |switch| model.switch_places[switch].clone());
-            let issue = Issue::at(place, format!("this system cannot start: {why}"), "this is at zero at the start");
-            let accepted =
-                "another start: the conditions of `if`, `sign`, `abs`, `min`, `max` and `table` choose its law";
-            match switch.and_then(|switch| model.coordinate_of_switch(switch)) {
-                Some(name) => issue.accepted(format!(
-                    "`{name}'`, if the sign of a speed is meant, as in dry friction -F*sign({name}'); or {accepted}"
-                )),
-                None => issue.accepted(accepted),
-            }
-        }
-    }
-}
-
-/// The regimes of a model at its start; inputs that a regulator sets are without it.
-///
-/// # Errors
-/// Why the model cannot be there, at its place, or has no regimes.
-pub fn regimes(model: Model) -> Result<Regimes, Issue> {
-    let mut model = Arc::new(model);
-    if model.contacts.is_empty() && model.switches.is_empty() {
-        let place = model.coordinates.first().map_or(0..0, |first| first.at.clone());
-        let issue =
-            Issue::at(place, "this system has one regime: it has no contact and no condition", "it moves by one law");
-        return Err(issue.accepted(
-            "[[contact]], [[diode]], [[freewheel]], or an expression with `if`, `sign`, `abs`, `min`, `max` or `table`",
-        ));
-    }
-    if let Some(issue) = impossible(&model).into_iter().next() {
-        return Err(issue);
-    }
-    Arc::make_mut(&mut model).close_regulated_inputs();
-    let start = independent_start(Arc::make_mut(&mut model))?;
-    Modes::of(&model, &[], &[]).regimes(0.0, &start).map_err(|why| not_started(&model, why))
 }
 
 /// The state at time zero: as the file gives it, completed so that constraints hold; or an equilibrium, where it asks for one.

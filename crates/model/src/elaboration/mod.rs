@@ -2,6 +2,7 @@
 
 mod angles;
 mod axial;
+mod bodies;
 mod choices;
 mod constants;
 mod contact_checks;

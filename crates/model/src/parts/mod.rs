@@ -139,7 +139,7 @@ pub struct Body {
 pub enum Inertia {
     /// About z, of a body that turns about no other axis.
     Axial(ScalarId),
-    /// Of a rotor about an axis of its frame, which its body shares: what it resists across it counts to the body on which it sits.
+    /// The moment of a rotor about its shaft, an axis of its frame. Its resistance across the shaft counts to the body that carries it.
     OfShaft { moment: ScalarId, axis: usize },
     /// xx, yy, zz, xy, xz, yz in the axes of a frame that is fixed in the body.
     Tensor { axes: FrameId, entries: [Option<ScalarId>; 6] },

@@ -39,7 +39,8 @@ fn statement(trace: &Trace<'_>, place: usize, constraint: &Equation, relative: &
     let written = || power.written(trace, place).unwrap_or_else(|| format!("{} J u", multiplier(trace, place)));
     let work = match power.is_zero() {
         true if constraint.law.is_some() => {
-            "it is an equation of motion without accelerations, and its multiplier is zero".to_owned()
+            "it is an equation of motion without accelerations; its multiplier is zero where such laws determine their coordinates"
+                .to_owned()
         }
         true => "its reaction does no work".to_owned(),
         false => format!("the power of its reaction is {}", written()),

@@ -4,7 +4,7 @@
 //!
 //!   ' = sum u_k X_k + X_others + sum u_k' d/du_k + ... ,    [X_k, X_(k+1)] = e X_(k+2) .
 //!
-//! Of coordinates the letter e is 0; of turns about the axes of a free frame it is 1: one proof is for both.
+//! The letter e is 0 for coordinates, and 1 for turns about the axes of a free frame: one proof serves both.
 
 use super::Equations;
 use crate::FrameId;
@@ -32,7 +32,7 @@ fn three(name: &str) -> [Sym; 3] {
 }
 
 impl Directions {
-    /// Of coordinates or of turns.
+    /// Directions of coordinates or of turns, by the letter e.
     pub fn any() -> Self {
         Directions::along(three("u"), three("u'"), Sym::symbol("e"))
     }
@@ -51,7 +51,7 @@ impl Directions {
         }
     }
 
-    /// A letter with its rate, and how it changes with the place.
+    /// Gives a letter its rate and its derivatives by place.
     pub fn changes(&mut self, letter: Sym, rate: Sym, by_place: [Sym; 3]) {
         self.rates.push((letter, rate));
         for (known, slope) in self.by_place.iter_mut().zip(by_place) {
@@ -59,14 +59,14 @@ impl Directions {
         }
     }
 
-    /// How a letter changes with the speeds.
+    /// Gives a letter its derivatives by the speeds.
     pub fn changes_with_speeds(&mut self, letter: Sym, slopes: [Sym; 3]) {
         for (known, slope) in self.by_speed.iter_mut().zip(slopes) {
             known.push((letter, slope));
         }
     }
 
-    /// How a letter changes with the accelerations.
+    /// Gives a letter its derivatives by the accelerations.
     pub fn changes_with_accelerations(&mut self, letter: Sym, slopes: [Sym; 3]) {
         for (known, slope) in self.by_acceleration.iter_mut().zip(slopes) {
             known.push((letter, slope));
@@ -141,7 +141,7 @@ impl Directions {
         Derivation::new(self.rates.iter().copied()).of(of)
     }
 
-    /// By a displacement along a direction.
+    /// The derivative by a displacement along a direction.
     pub fn by_place(&self, of: Sym, k: usize) -> Sym {
         Derivation::new(self.by_place[k].iter().copied()).of(of)
     }
@@ -170,7 +170,7 @@ impl Directions {
         self.rate(momentum(k)) + self.transposed(k, momentum) - self.by_place(kinetic, k)
     }
 
-    /// That derivatives by place and by time commute: X_k f' = (X_k f)', with the turns of a free frame.
+    /// Both sides of the statement that derivatives by place and by time commute: X_k f' = (X_k f)', with the turns of a free frame.
     pub fn commute(&self, f: Sym) -> Equations {
         let of = |k: usize| {
             let by_place = |j: usize| self.by_place(f, j);

@@ -67,7 +67,7 @@ pub(super) fn canonical() -> Equations {
 
 /// Hamel's equations in quasi-velocities w(q, u, t), for any T(q, w, t): those of Lagrange.
 ///
-/// What is shown for two of them holds for any number, since each has terms of its own.
+/// The proof for two of them holds for any number, since each has terms of its own.
 pub(super) fn quasi_velocities() -> Equations {
     let mut any = Directions::any();
     let letters = |name: &str| -> [Sym; 3] { std::array::from_fn(|k| Sym::symbol(&format!("{name} {}", k + 1))) };
@@ -104,7 +104,7 @@ pub(super) fn quasi_velocities() -> Equations {
 
 /// Shulgin's equations, with a dependent speed s(q, w, t) put into T: Lagrange's along the directions that are left.
 ///
-/// What is shown for one dependent speed holds for any number, since each has terms of its own.
+/// The proof for one dependent speed holds for any number, since each has terms of its own.
 pub(super) fn constrained() -> Equations {
     let mut any = Directions::any();
     let letters = |name: &str| -> [Sym; 3] { std::array::from_fn(|k| Sym::symbol(&format!("{name} {}", k + 1))) };

@@ -64,7 +64,7 @@ fn child_of(parent: Vector, rotation: Rotation, rate: [Sym; 3]) -> Frames {
     frames
 }
 
-/// What [`Directions::turning`] takes for known, of the child; and that rates of a vector, and its products, are the same in both axes.
+/// The premises of [`Directions::turning`] for the child. Rates and products of vectors are the same in both axes.
 fn carried(any: &mut Directions, frames: &Frames) -> Equations {
     let [a, b] = ["a", "b"].map(|name| {
         let components = std::array::from_fn(|part| any.free(&format!("{name} {}", part + 1)));

@@ -1,4 +1,4 @@
-//! What a model must fulfil for the theorem: read off its parts.
+//! The conditions of the theorem, read off the parts of a model.
 
 use crate::joints::powers_of_reactions;
 use crate::principles::Principle;

@@ -13,8 +13,8 @@
 //! | [`multipliers`] | they drop out along the directions that constraints leave |
 //! | [`joints`] | the loads of joints do no work on motions that the joints leave |
 //!
-//! From the ground outwards the lemmas reach every frame and every point of a model, one step after the other. What a model must
-//! fulfil for that is read off its parts ([`hypotheses`]).
+//! From the ground outwards the lemmas reach every frame and every point of a model, one step after the other. The conditions on a
+//! model are read off its parts ([`hypotheses`]).
 
 mod bodies;
 mod directions;

@@ -1,4 +1,4 @@
-//! What every system that is text should do: its routes agree, energy goes where forces send it, loads act in pairs and ask for no
+//! Checks for every system that is text: its routes agree, energy goes where forces send it, loads act in pairs and ask for no
 //! observer, what comes with the speeds takes energy, and inertia resists.
 
 mod observer;

@@ -1,4 +1,4 @@
-//! Whether loads between bodies ask for the ground: moved along together, in place or in speed, the bodies exert the same.
+//! Loads between bodies do not depend on the ground: moved along together, in place or in speed, the bodies exert the same loads.
 //!
 //! Where the coordinates let all bodies move alike, along an axis or about it, speeds d give that motion. A load between two of them must be
 //! the same at the speeds u + d, and at positions displaced along d, the speeds with them.

@@ -1,4 +1,4 @@
-//! Whether the forces that come with the speeds take energy.
+//! Forces that come with the speeds take energy: the check, exact for quadratic forms.
 
 use super::states::{Expressions, States};
 use crate::letters::Letters;
@@ -19,7 +19,7 @@ const ROUNDING: f64 = 1e-11;
 const NEAR: f64 = 0.05;
 const ANYWHERE: f64 = 1.0;
 
-/// Exactly where their power is a quadratic form, else at many states.
+/// The verdict: exact where their power is a quadratic form with constant coefficients, else by many states.
 pub(super) fn verdict(model: &Model) -> Verdict {
     if model.parameters.iter().any(|parameter| parameter.value.is_none()) {
         return Verdict::DoesNotApply("some parameters have no value".to_owned());
@@ -138,7 +138,10 @@ fn gives(model: &Model, state: &[f64], power: f64) -> String {
     // the speeds first: positions explain them
     let (places, speeds): (Vec<_>, Vec<_>) = names.enumerate().partition(|(place, _)| *place < model.positions());
     let shown = speeds.into_iter().chain(places).take(MOST_SHOWN);
-    let shown = shown.map(|(_, (name, value))| format!("{name} = {} {}", short(*value), unit_of(model, &name)));
+    let shown = shown.map(|(_, (name, value))| match unit_of(model, &name).as_str() {
+        "1" => format!("{name} = {}", short(*value)),
+        unit => format!("{name} = {} {unit}", short(*value)),
+    });
     format!("{} W at {}", short(power), shown.collect::<Vec<_>>().join(", "))
 }
 

@@ -2,6 +2,7 @@
 
 use crate::letters::Letters;
 use crate::readiness::start_of;
+use derivations::ensemble::draw::Draw;
 use model::Trace;
 use std::cell::RefCell;
 use symbolic::{Sym, Tape, substitute_all};
@@ -47,38 +48,31 @@ impl Expressions {
 pub(super) struct States {
     start: Vec<f64>,
     positions: usize,
-    drawn: Drawn,
+    drawn: Draw,
+    count: usize,
 }
 
 impl States {
     pub fn about_start(trace: &Trace<'_>) -> Self {
         let model = trace.model;
         let start = start_of(model).unwrap_or_else(|_| model.start_state());
-        States { start, positions: model.positions(), drawn: Drawn(1) }
+        States { start, positions: model.positions(), drawn: Draw::new(1, 1, "states"), count: 0 }
+    }
+
+    /// A number between -1 and 1.
+    fn number(&mut self) -> f64 {
+        self.count += 1;
+        2.0 * self.drawn.even(self.count) - 1.0
     }
 
     /// A time and a state: positions within a part of their size and of one, speeds of any size.
     pub fn next(&mut self, part: f64) -> (f64, Vec<f64>) {
-        let size = 10_f64.powf(3.0 * self.drawn.number());
+        let size = 10_f64.powf(3.0 * self.number());
         let mut state = self.start.clone();
         for (place, value) in state.iter_mut().enumerate() {
-            let number = self.drawn.number();
+            let number = self.number();
             *value = if place < self.positions { *value + part * (1.0 + value.abs()) * number } else { size * number };
         }
-        (self.drawn.number().abs(), state)
-    }
-}
-
-/// Numbers between -1 and 1 that are the same in every run (splitmix64).
-struct Drawn(u64);
-
-impl Drawn {
-    fn number(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let mut bits = self.0;
-        bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        bits ^= bits >> 31;
-        2.0 * (bits >> 11) as f64 / (1_u64 << 53) as f64 - 1.0
+        (self.number().abs(), state)
     }
 }

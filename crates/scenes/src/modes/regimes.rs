@@ -21,7 +21,7 @@ pub struct Regime {
     pub is_one_choice: bool,
 }
 
-/// What a regime asks, and by how much it is met; in SI units.
+/// A condition of a regime, and the number by which it is met, in SI units.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Margin {
     /// The contact or the condition.
@@ -31,7 +31,7 @@ pub struct Margin {
     pub unit: &'static str,
 }
 
-/// How many motions go on from a state.
+/// The number of motions that go on from a state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Motions {
     One,
@@ -170,7 +170,7 @@ impl Modes {
     }
 }
 
-/// What a condition at zero does, by the first of its rates that is not zero.
+/// Sentences for the first rate of a condition at zero that is not zero.
 const RISES: [&str; TERMS - 1] = [
     "its rate is positive",
     "its second rate is positive",
@@ -191,7 +191,7 @@ fn order(condition: &Jet<TERMS>) -> usize {
     (1..TERMS).find(|&order| condition.sign_of(order, SLACKS[0]) != 0.0).unwrap_or(1)
 }
 
-/// That rate.
+/// The value of the first rate that is not zero.
 fn leaving(condition: &Jet<TERMS>) -> f64 {
     let order = order(condition);
     (1..=order).fold(condition.terms[order], |rate, factor| rate * factor as f64)

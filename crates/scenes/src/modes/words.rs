@@ -52,7 +52,7 @@ impl Words {
         self.are_rough[contact]
     }
 
-    /// What is positive while a contact presses.
+    /// The quantity that is positive while a contact presses.
     pub fn pressure(&self, contact: usize) -> &'static str {
         match self.one_ways[contact] {
             None => "normal reaction |N|",
@@ -61,7 +61,7 @@ impl Words {
         }
     }
 
-    /// What is positive where a contact opens.
+    /// The quantity that is positive where a contact opens.
     pub fn leaving(&self, contact: usize) -> &'static str {
         match self.one_ways[contact] {
             None => "separation gap''",

@@ -5,8 +5,8 @@
 
 mod constraints;
 mod displacement;
-mod following;
 mod gimbal;
+mod inertialess;
 mod leaf;
 mod multiple_roots;
 mod redundancy;
@@ -14,7 +14,7 @@ mod singular_positions;
 mod unmet;
 
 pub use displacement::displaced;
-pub(crate) use following::follow;
+pub(crate) use inertialess::follow;
 pub(crate) use leaf::Leaf;
 pub(crate) use singular_positions::SingularPositions;
 pub use unmet::{Open, Unmet};

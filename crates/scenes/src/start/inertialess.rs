@@ -1,4 +1,4 @@
-//! What has no inertia follows at once: after an event that sets what has.
+//! Coordinates without inertia follow at once after an event that sets the others.
 
 use super::constraints::Constraints;
 use super::start_speeds;
