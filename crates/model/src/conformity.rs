@@ -20,8 +20,7 @@ impl Pairs {
     pub fn of(model: &Model) -> Self {
         let trace = Trace::of(model);
         // a contact is a pair of its own
-        let letters: Vec<Sym> =
-            (0..model.contacts.len()).flat_map(|contact| [0, 1].map(|part| trace.reaction(contact, part))).collect();
+        let letters: Vec<Sym> = trace.reactions();
         let is_contact = |vector: Vector| {
             vector.components.iter().flat_map(|component| component.symbols_of()).any(|held| letters.contains(&held))
         };

@@ -2,7 +2,7 @@
 
 use crate::implicit::{Implicit, ImplicitLaw, SolvedSlopes, recurrence, unknown_letters};
 use crate::letters::Letters;
-use crate::modes::{Mode, held};
+use crate::modes::{Mode, PARTS, held, reactions_of};
 use crate::program::recorded;
 use derivations::differentiated::Differentiated;
 use derivations::recorded::Recorded;
@@ -293,7 +293,7 @@ pub(crate) struct Motion {
     pub accelerations: Vec<Sym>,
     pub multipliers: Vec<Sym>,
     /// Normal and tangential reaction of each contact.
-    pub reactions: Vec<[Sym; 2]>,
+    pub reactions: Vec<[Sym; PARTS]>,
     /// Of the equations for the reactions.
     pub determinant: Sym,
     /// 1, 0, or what keeps the condition at zero.
@@ -357,7 +357,7 @@ pub(crate) fn outputs(model: &Model, mode: &Mode, letters: Letters<'_>) -> Vec<S
     let used: Vec<Sym> = all.iter().flat_map(|each| each.symbols_of()).collect();
     let multipliers = constraints_of(&trace).into_iter().map(|one| one.multiplier);
     let solved: Vec<Sym> = trace.accelerations.iter().copied().chain(multipliers).collect();
-    let own: Vec<Sym> = (0..model.contacts.len()).flat_map(|k| [trace.reaction(k, 0), trace.reaction(k, 1)]).collect();
+    let own = reactions_of(&trace);
     let mut moved = solved.iter().chain(&trace.switches).chain(&own);
     if moved.any(|symbol| used.contains(symbol))
         && let Ok(Motion { accelerations, multipliers, switches, reactions, .. }) = Motion::of(&trace, mode)

@@ -2,14 +2,14 @@
 
 use crate::equations::vanishes;
 use crate::trace::Vector;
-use crate::{Contact, Fault, FrameId, Model, Sides, Trace};
+use crate::{Contact, Fault, Force, FrameId, Model, Sides, Trace};
 use symbolic::{Identity, Sym, apart, identified};
 
 /// The reason why a contact means nothing.
 #[derive(Clone, Copy)]
 enum Wrong {
-    /// Friction acts in a plane.
-    Spatial,
+    /// A guide along an axis leaves the plane, or a force presses its body against it across the plane.
+    Line,
     /// A point of the plane moves with coordinates, and no body has the plane.
     Carried,
     /// The gap does not grow along the normal.
@@ -40,10 +40,8 @@ fn wrong(trace: &Trace<'_>, contact: &Contact) -> Option<Wrong> {
     }
     let normal = trace.vector(contact.normal);
     let velocity = trace.vector(contact.velocity);
-    let up = Vector::axis(FrameId::GROUND, 2);
-    let leaves = |vector: Vector| varies(trace.dot(vector, up));
-    if contact.friction.is_some() && (leaves(normal) || leaves(velocity)) {
-        return Some(Wrong::Spatial);
+    if contact.is_line && is_in_space(trace, contact, [normal, velocity]) {
+        return Some(Wrong::Line);
     }
     let by_speeds = |scalar: Sym| -> Vec<Sym> { (0..trace.speeds.len()).map(|k| trace.by_speed(scalar, k)).collect() };
     let moves = |scalar: Sym| by_speeds(scalar).into_iter().any(varies);
@@ -63,6 +61,20 @@ fn wrong(trace: &Trace<'_>, contact: &Contact) -> Option<Wrong> {
     is_askew.then_some(Wrong::Askew)
 }
 
+/// Whether the body of a guide leaves the plane of N.x and N.y, or is pressed across it where friction would feel that.
+fn is_in_space(trace: &Trace<'_>, contact: &Contact, own: [Vector; 2]) -> bool {
+    let model = trace.model;
+    let across = |vector: Vector| varies(trace.dot(vector, Vector::axis(FrameId::GROUND, 2)));
+    let pressed = || {
+        let loads = model.forces.iter().filter_map(|force| match force {
+            Force::On { is, .. } => Some(*is),
+            Force::Between { .. } => None,
+        });
+        loads.chain(model.gravity).any(|load| across(trace.vector(load)))
+    };
+    own.into_iter().any(across) || contact.friction.is_some() && pressed()
+}
+
 fn varies(expression: Sym) -> bool {
     expression != Sym::ZERO && !vanishes(expression)
 }
@@ -76,10 +88,12 @@ fn fault(model: &Model, place: usize, wrong: Wrong) -> Fault {
     let contact = &model.contacts[place];
     let title = contact.title(place);
     let (title, label, accepted) = match wrong {
-        Wrong::Spatial => (
-            format!("friction in space is not there yet: {title} leaves the plane of x and y"),
+        Wrong::Line => (
+            format!(
+                "guides along a line in space are not there yet: {title} is pressed, or moves, across the plane of N.x and N.y"
+            ),
             "not there yet",
-            "a contact without `friction`; or a motion in the plane of N.x and N.y",
+            "forces and motions in the plane of N.x and N.y; in space a plane that holds on both sides: of = \"bead\", normal, through, sides = \"both\"",
         ),
         Wrong::Carried => (
             format!("the plane of {title} moves with the coordinates, and no body has it"),

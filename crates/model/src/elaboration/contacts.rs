@@ -2,7 +2,6 @@
 
 use super::forces::Acted;
 use super::loads::newton;
-use super::value::Value;
 use super::{Elaborator, Sound};
 use crate::arena::{Scalar, Vector};
 use crate::equations::vanishes;
@@ -50,8 +49,6 @@ impl Elaborator<'_> {
             self.centre(body, &source.with.as_ref().map_or_else(|| source.at.clone(), Text::span))?;
         }
         let normal = self.unit_of(plane.normal);
-        let up = self.vector(Vector::Axis { frame: FrameId::GROUND, axis: 2 }, Some(Dimension::none()));
-        let tangent = self.vector(Vector::Cross(normal, up), Some(Dimension::none()));
         let beside = plane.body.map(|body| Material { body: Some(body), point: on.point });
         let (gap, through) = self.gap(source, &plane, on.point, normal)?;
         let speed = Some(Dimension::length() / Dimension::time());
@@ -64,7 +61,8 @@ impl Elaborator<'_> {
             let carried = self.vector(Vector::Velocity { of, seen }, speed);
             velocity = self.vector(Vector::Difference(velocity, carried), speed);
         }
-        let slide = self.scalar(Scalar::Dot(velocity, tangent), speed);
+        let tangents = self.tangents(source.friction.is_some(), normal, velocity);
+        let slides = tangents.iter().map(|&tangent| self.scalar(Scalar::Dot(velocity, tangent), speed)).collect();
         let friction = self.coefficient(source.friction.as_ref(), "the coefficient of friction")?;
         let restitution = self.coefficient(source.restitution.as_ref(), "the coefficient of restitution")?;
         if let (Some(text), Sides::Both) = (&source.restitution, plane.sides) {
@@ -72,9 +70,12 @@ impl Elaborator<'_> {
             return Err(Box::new(Fault::at(text.span(), title, "a coefficient of them", "no `restitution` here")));
         }
         let law = law_of(source)?;
-        let reactions: [ScalarId; 2] =
-            std::array::from_fn(|component| self.scalar(Scalar::Contact { contact: place, component }, Some(newton())));
-        self.pair_of_forces(on, beside, reactions, [normal, tangent], friction.is_some());
+        let letter = |component| Scalar::Contact { contact: place, component };
+        let reactions: Vec<ScalarId> =
+            (0..=tangents.len()).map(|component| self.scalar(letter(component), Some(newton()))).collect();
+        let axes: Vec<VectorId> = [normal].into_iter().chain(tangents.iter().copied()).collect();
+        let acting = if friction.is_some() { reactions.len() } else { 1 };
+        self.pair_of_forces(on, beside, &reactions[..acting], &axes);
         Ok(Contact {
             name: source.name.as_ref().map_or_else(String::new, |name| name.text.clone()),
             gap,
@@ -82,7 +83,8 @@ impl Elaborator<'_> {
             drop: None,
             normal,
             velocity,
-            slide,
+            slides,
+            tangents,
             sides: plane.sides,
             reactions,
             reaction_unit: "N".to_owned(),
@@ -92,6 +94,7 @@ impl Elaborator<'_> {
             with: plane.body,
             point: on.point,
             through,
+            is_line: source.between.is_some(),
             guide: None,
             is_touching: source.touching || plane.sides == Sides::Both,
             at: source.at.clone(),
@@ -179,41 +182,14 @@ impl Elaborator<'_> {
             })
     }
 
-    /// N n + T t on a point of a body, and the opposite on the same place of the other one.
-    fn pair_of_forces(
-        &mut self,
-        on: Material,
-        beside: Option<Material>,
-        reactions: [ScalarId; 2],
-        axes: [VectorId; 2],
-        is_rough: bool,
-    ) {
+    /// N n + T t, in space N n + T1 t1 + T2 t2, on a point of a body, and the opposite on the same place of the other one.
+    fn pair_of_forces(&mut self, on: Material, beside: Option<Material>, reactions: &[ScalarId], axes: &[VectorId]) {
         let newton = Some(newton());
-        let mut is = self.vector(Vector::Scaled(reactions[0], axes[0]), newton);
-        if is_rough {
-            let along = self.vector(Vector::Scaled(reactions[1], axes[1]), newton);
-            is = self.vector(Vector::Sum(is, along), newton);
-        }
+        let is = self.along_axes(reactions, axes, newton);
         self.model.forces.push(Force::On { at: on, is });
         if let Some(at) = beside {
             let is = self.vector(Vector::Negation(is), newton);
             self.model.forces.push(Force::On { at, is });
-        }
-    }
-
-    /// A vector over its length; an axis as it is.
-    fn unit_of(&mut self, vector: VectorId) -> VectorId {
-        let is_axis = |of: VectorId| matches!(self.model.arena.vector_at(of), Some(Vector::Axis { .. }));
-        let is_unit = match self.model.arena.vector_at(vector) {
-            Some(Vector::Negation(of)) => is_axis(*of),
-            _ => is_axis(vector),
-        };
-        if is_unit {
-            return vector;
-        }
-        match self.length(&(0..0), true, Value::Vector(vector)) {
-            Ok(Value::Vector(unit)) => unit,
-            _ => vector,
         }
     }
 }

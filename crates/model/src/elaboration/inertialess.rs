@@ -116,9 +116,7 @@ fn kind(trace: &Trace<'_>, combination: &Combination) -> Kind {
         combination.iter().fold(Sym::ZERO, |sum, &(place, factor)| sum + Sym::int(factor) * derivative(place))
     };
     let held = law.symbols_of();
-    let reactions =
-        (0..trace.model.contacts.len()).flat_map(|contact| [0, 1].map(|part| trace.reaction(contact, part)));
-    let mut chosen = trace.switches.iter().copied().chain(reactions);
+    let mut chosen = trace.switches.iter().copied().chain(trace.reactions());
     let by_speed = || along(&|place| trace.by_speed(law, place));
     let by_place = || along(&|place| trace.by_coordinate(law, place));
     let is_of_places = || !held.iter().any(|one| trace.speeds.contains(one));

@@ -33,6 +33,7 @@ mod reactions;
 mod regulator;
 mod released;
 mod system;
+mod tangents;
 #[cfg(test)]
 mod tests;
 mod turning_inertias;

@@ -30,10 +30,9 @@ impl Elaborator<'_> {
         }
         let own = self.dimension_of(speed.0).unwrap_or_else(Dimension::none);
         let across = joule() / Dimension::time() / own;
-        let reactions =
-            std::array::from_fn(|component| self.scalar(Scalar::Contact { contact: place, component }, Some(across)));
+        let reaction = self.scalar(Scalar::Contact { contact: place, component: 0 }, Some(across));
         let along = Along::Expression(speed);
-        self.model.generalised.push(GeneralisedForce { along, is: reactions[0] });
+        self.model.generalised.push(GeneralisedForce { along, is: reaction });
         let drop = source.drop.as_ref().map(|drop| self.law(drop, &format!("the drop of a {}", kind.name()), across));
         let drop = drop.transpose()?;
         if let Some(drop) = drop {
@@ -49,9 +48,10 @@ impl Elaborator<'_> {
             drop,
             normal: none,
             velocity: none,
-            slide: still,
+            slides: vec![still],
+            tangents: vec![none],
             sides: Sides::One,
-            reactions,
+            reactions: vec![reaction],
             reaction_unit: units::Dimension::of(&across.to_string()).coherent(),
             friction: None,
             restitution: None,
@@ -59,6 +59,7 @@ impl Elaborator<'_> {
             with: None,
             point: PointId::ORIGIN,
             through: None,
+            is_line: false,
             guide: None,
             is_touching: false,
             at: source.at.clone(),

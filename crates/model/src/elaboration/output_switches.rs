@@ -73,7 +73,8 @@ fn parts_of_law(model: &Model) -> Vec<bool> {
         scalars(constraint.gains.as_deref().unwrap_or_default(), &mut open);
     }
     for contact in &model.contacts {
-        scalars(&[contact.gap, contact.slide], &mut open);
+        scalars(&[contact.gap], &mut open);
+        scalars(&contact.slides, &mut open);
         open.extend(contact.friction.into_iter().chain(contact.restitution).map(|number| number.0));
     }
     for event in &model.events {

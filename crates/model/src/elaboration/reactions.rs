@@ -45,7 +45,8 @@ impl Elaborator<'_> {
         };
         let contact = self.model.contacts.iter().position(|contact| contact.name == name && place.is_none());
         if let Some(contact) = contact.filter(|_| !name.is_empty()) {
-            let crate::Contact { reactions: [normal, _], drop, .. } = self.model.contacts[contact];
+            let crate::Contact { reactions, drop, .. } = &self.model.contacts[contact];
+            let (normal, drop) = (reactions[0], *drop);
             let dimension = self.dimension_of(normal.0);
             // the voltage across a diode: what holds its current, less what it takes
             let across = drop.map(|drop| self.scalar(Scalar::Difference(normal, drop), dimension));
@@ -89,7 +90,8 @@ impl Elaborator<'_> {
         })
     }
 
-    /// `friction(floor)`, `gap(floor)`, `sliding(floor)`: the tangential reaction of a contact, its gap, its sliding velocity.
+    /// `friction(floor)`, `gap(floor)`, `sliding(floor)`: the tangential reaction of a contact, its gap, its sliding velocity; where it
+    /// slides in space the first and the last are vectors.
     pub(super) fn of_contact(
         &mut self,
         text: &Text,
@@ -113,11 +115,19 @@ impl Elaborator<'_> {
             let title = format!("`{name}` is a {}, which has a `reaction` alone", one_way.name());
             return Err(refused(span, title, "here", &format!("reaction({name})")));
         }
-        Ok(super::Value::Scalar(match function {
-            "friction" => contact.reactions[1],
-            "gap" => contact.gap,
-            _ => contact.slide,
-        }))
+        let parts = match function {
+            "friction" => contact.reactions[1..].to_vec(),
+            "gap" => vec![contact.gap],
+            _ => contact.slides.clone(),
+        };
+        let tangents = contact.tangents.clone();
+        Ok(match parts.as_slice() {
+            [one] => super::Value::Scalar(*one),
+            in_space => {
+                let dimension = self.dimension_of(in_space[0].0);
+                super::Value::Vector(self.along_axes(in_space, &tangents, dimension))
+            }
+        })
     }
 
     /// Power per rate of the constraint: f' of one of positions, f itself of one of speeds.

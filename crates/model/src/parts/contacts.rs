@@ -46,7 +46,8 @@ impl OneWay {
 /// A contact.
 ///
 /// N acts on the body along the normal, T along the tangent, and both in the opposite direction on the other body. In touch
-/// |T| <= mu |N| where the sliding velocity v is zero, else T = -mu |N| sign(v); N >= 0 where one side reacts; N = T = 0 apart.
+/// |T| <= mu |N| where the sliding velocity v is zero, else T = -mu |N| v/|v|; N >= 0 where one side reacts; N = T = 0 apart. In the plane
+/// v and T have one component, in space two, along tangents that are at right angles.
 ///
 /// A diode, and a freewheel, is one whose gap is a speed u: u >= 0, N >= 0, N u = 0, with the power N u.
 #[derive(Clone, Debug, PartialEq)]
@@ -62,11 +63,13 @@ pub struct Contact {
     /// The normal n, of length one, and the velocity of the place of the body beside the other one.
     pub normal: VectorId,
     pub velocity: VectorId,
-    /// The sliding velocity along the tangent.
-    pub slide: ScalarId,
+    /// The sliding velocity along each tangent.
+    pub slides: Vec<ScalarId>,
     pub sides: Sides,
-    /// The letters N and T.
-    pub reactions: [ScalarId; 2],
+    /// The letters N, and T along each tangent.
+    pub reactions: Vec<ScalarId>,
+    /// The tangents.
+    pub tangents: Vec<VectorId>,
     /// The unit of N.
     pub reaction_unit: String,
     /// mu; none where it is smooth.
@@ -80,6 +83,8 @@ pub struct Contact {
     pub point: PointId,
     /// A point of the plane; none where the gap is given.
     pub through: Option<PointId>,
+    /// Whether it is a guide along an axis.
+    pub is_line: bool,
     /// Of a guide that the coordinates satisfy: the place of its coordinate in the released model.
     pub guide: Option<usize>,
     /// Whether it is in touch at the start, which is completed so.
@@ -94,6 +99,11 @@ impl Contact {
         let name = if self.name.is_empty() { None } else { Some(format!("contact {}", self.name)) };
         let (zero, dimension) = (Zero::Scalar(self.gap), Dimension::length());
         Constraint { name, zero, dimension, gains: None, gains_at: self.at.clone(), at: self.at.clone() }
+    }
+
+    /// Whether it slides in two directions.
+    pub fn is_in_space(&self) -> bool {
+        self.slides.len() > 1
     }
 
     /// As sentences call it, by its place.

@@ -19,8 +19,33 @@ pub(super) fn open_letters(trace: &Trace<'_>) -> Vec<(Sym, String)> {
 
 /// N, and T of a rough contact.
 fn letters_of(trace: &Trace<'_>, place: usize) -> Vec<Sym> {
-    let rough = usize::from(trace.model.contacts[place].friction.is_some());
-    (0..=rough).map(|component| trace.reaction(place, component)).collect()
+    let contact = &trace.model.contacts[place];
+    let count = if contact.friction.is_some() { contact.reactions.len() } else { 1 };
+    (0..count).map(|component| trace.reaction(place, component)).collect()
+}
+
+/// Coulomb's law of a contact.
+fn coulomb(trace: &Trace<'_>, place: usize, friction: &str) -> Vec<String> {
+    let contact = &trace.model.contacts[place];
+    let slides = contact.slides.iter().map(|&slide| simplified(trace.scalar(slide)).decimal_text());
+    let slides: Vec<String> = slides.collect();
+    let letters: Vec<Sym> = (0..contact.reactions.len()).map(|component| trace.reaction(place, component)).collect();
+    match (slides.as_slice(), letters.as_slice()) {
+        ([first, second], [normal, one, other]) => vec![
+            format!("  v1 = {first}, v2 = {second}, the sliding velocity along two tangents"),
+            format!(
+                "  where v1 = v2 = 0, sqrt({one}^2 + {other}^2) <= {friction}*|{normal}|, else ({one}, {other}) = \
+                 -{friction}*|{normal}|*(v1, v2)/sqrt(v1^2 + v2^2)"
+            ),
+        ],
+        ([slide], [normal, tangent]) => vec![
+            format!("  v = {slide}, the sliding velocity"),
+            format!(
+                "  where v = 0, |{tangent}| <= {friction}*|{normal}|, else {tangent} = -{friction}*|{normal}|*sign(v)"
+            ),
+        ],
+        _ => Vec::new(),
+    }
 }
 
 /// The laws of the contacts, some lines for each.
@@ -33,7 +58,7 @@ pub(super) fn laws(trace: &Trace<'_>, form: &MatrixForm) -> Vec<String> {
 }
 
 fn law(trace: &Trace<'_>, place: usize, contact: &Contact, balance: Option<Sym>) -> Vec<String> {
-    let [normal, tangent] = [0, 1].map(|component| trace.reaction(place, component));
+    let normal = trace.reaction(place, 0);
     let text = |scalar: Sym| simplified(scalar).decimal_text();
     if contact.one_way.is_some() {
         return vec![
@@ -61,11 +86,7 @@ fn law(trace: &Trace<'_>, place: usize, contact: &Contact, balance: Option<Sym>)
         Sides::Both => {}
     }
     if let Some(friction) = contact.friction {
-        let (slide, friction) = (text(trace.scalar(contact.slide)), text(trace.scalar(friction)));
-        lines.push(format!("  v = {slide}, the sliding velocity"));
-        lines.push(format!(
-            "  where v = 0, |{tangent}| <= {friction}*|{normal}|, else {tangent} = -{friction}*|{normal}|*sign(v)"
-        ));
+        lines.extend(coulomb(trace, place, &text(trace.scalar(friction))));
     }
     if let Some(restitution) = contact.restitution {
         let restitution = text(trace.scalar(restitution));

@@ -2,8 +2,10 @@
 //!
 //! A combination has reactions only where the conditions that they keep, gap'' = 0 of each contact that presses and v' = 0 of each that
 //! sticks, are independent. Of a block on many feet no more than two press at once. Combinations are built contact by contact, and those
-//! whose conditions depend on each other are left out with all that hold them.
+//! whose conditions depend on each other are left out with all that hold them. Contacts that rest in space together hold a body with more
+//! reactions than its motion determines: then one of them leans, with friction along what those before it leave open.
 
+use super::contacts::{PARTS, unknown_parts};
 use super::decision::Open;
 use super::expansion::{Expansions, Instant};
 use super::mode::Phase;
@@ -24,8 +26,14 @@ pub(super) fn combinations(expansions: &Expansions, instant: &Instant<'_>, open:
         for (phases, kept) in &all {
             for phase in touch.phases(*kind) {
                 // a guide that the coordinates satisfy has a balance of its own
-                let added = if kind.is_guide { Some(kept.clone()) } else { kept.with(&responses, contact, phase) };
-                next.extend(added.map(|kept| ([&phases[..], &[phase]].concat(), kept)));
+                let added = [phase].into_iter().chain(leaning(phase, kind.is_in_space)).find_map(|phase| {
+                    let kept = match kind.is_guide {
+                        true => kept.clone(),
+                        false => kept.with(&responses, contact, unknown_parts(phase, kind.is_in_space))?,
+                    };
+                    Some(([&phases[..], &[phase]].concat(), kept))
+                });
+                next.extend(added);
             }
             if next.len() > MOST {
                 return None;
@@ -34,6 +42,16 @@ pub(super) fn combinations(expansions: &Expansions, instant: &Instant<'_>, open:
         all = next;
     }
     Some(all.into_iter().map(|(phases, _)| phases).collect())
+}
+
+/// The phases of a contact that would stick in space, where others hold it along one tangent, or along both.
+pub(super) fn leaning(phase: Phase, is_in_space: bool) -> Vec<Phase> {
+    match phase {
+        Phase::Sticks(face) if is_in_space => {
+            [[true, false], [false, true], [false, false]].map(|held| Phase::Leans { face, held }).to_vec()
+        }
+        _ => Vec::new(),
+    }
 }
 
 /// Conditions that are kept, as directions in the space of motions: rows of Cholesky's factor of their responses.
@@ -45,14 +63,9 @@ struct Kept {
 
 impl Kept {
     /// With those of a contact; none where they depend on these.
-    fn with(&self, responses: &DMatrix<f64>, contact: usize, phase: Phase) -> Option<Self> {
+    fn with(&self, responses: &DMatrix<f64>, contact: usize, parts: &[usize]) -> Option<Self> {
         let mut kept = self.clone();
-        let components = match phase {
-            Phase::Apart | Phase::Carried => 0,
-            Phase::Slips { .. } | Phase::Rests { .. } => 1,
-            Phase::Sticks(_) => 2,
-        };
-        (0..components).all(|component| kept.add(responses, 2 * contact + component)).then_some(kept)
+        parts.iter().all(|part| kept.add(responses, PARTS * contact + part)).then_some(kept)
     }
 
     /// Adds a condition; whether it is independent of the others.

@@ -1,19 +1,24 @@
 //! The reactions of contacts in touch, over symbols:
 //!
-//!   gap'' = 0 for N (u' = 0 of a diode),    v' = 0 for T of a contact that sticks,    T = -mu |N| sign(v) of one that slides .
+//!   gap'' = 0 for N (u' = 0 of a diode),    v' = 0 for T of a contact that sticks,    T = -mu |N| v/|v| of one that slides .
 
 use super::mode::{Mode, Phase};
 use crate::compiled_system::NotCompiled;
+use field::Analytic;
 use model::equations::{balances, constraints_of};
 use model::{Contact, Trace};
 use symbolic::{Derivation, Sym, substitute_all};
 
+/// Letters of a contact: N, and T along each tangent. In the plane the last one is zero.
+pub(crate) const PARTS: usize = 3;
+
 /// The sums that reactions keep at zero, normal and tangential, of each contact; of a guide that the coordinates satisfy the balance of
 /// forces across it. They hold accelerations and multipliers.
-pub(super) fn kept_at_zero(trace: &Trace<'_>) -> Vec<[Sym; 2]> {
+pub(super) fn kept_at_zero(trace: &Trace<'_>) -> Vec<[Sym; PARTS]> {
     let of = |(contact, balance): (&Contact, Option<Sym>)| {
         let normal = balance.unwrap_or_else(|| trace.rate_of(trace.gap_rate(contact)));
-        [normal, trace.rate_of(trace.scalar(contact.slide))]
+        let [along, aside] = slides(trace, contact).map(|slide| trace.rate_of(slide));
+        [normal, along, aside]
     };
     trace.model.contacts.iter().zip(balances(trace)).map(of).collect()
 }
@@ -25,14 +30,52 @@ pub(super) fn motion(trace: &Trace<'_>, accelerations: &[Sym], multipliers: &[Sy
     letters.zip(accelerations.iter().chain(multipliers).copied()).collect()
 }
 
+/// The sliding velocity along each tangent; in the plane the last one is zero.
+pub(super) fn slides(trace: &Trace<'_>, contact: &Contact) -> [Sym; 2] {
+    [0, 1].map(|tangent| contact.slides.get(tangent).map_or(Sym::ZERO, |&slide| trace.scalar(slide)))
+}
+
+/// The reactions of a contact that its phase leaves to be found.
+pub(super) fn unknown_parts(phase: Phase, is_in_space: bool) -> &'static [usize] {
+    match phase {
+        Phase::Apart | Phase::Carried => &[],
+        Phase::Sticks(_) if is_in_space => &[0, 1, 2],
+        Phase::Sticks(_) | Phase::Leans { held: [true, false], .. } => &[0, 1],
+        Phase::Leans { held: [true, true], .. } => &[0, 1, 2],
+        Phase::Leans { held: [false, true], .. } => &[0, 2],
+        Phase::Leans { held: [false, false], .. }
+        | Phase::Slips { .. }
+        | Phase::Glides { .. }
+        | Phase::Rests { .. } => &[0],
+    }
+}
+
 /// Unknown reactions of a mode: contact and component.
-pub(super) fn unknown(mode: &Mode) -> Vec<[usize; 2]> {
-    let of = |(contact, phase): (usize, &Phase)| match phase {
-        Phase::Apart | Phase::Carried => Vec::new(),
-        Phase::Sticks(_) => vec![[contact, 0], [contact, 1]],
-        Phase::Slips { .. } | Phase::Rests { .. } => vec![[contact, 0]],
+pub(super) fn unknown(mode: &Mode, is_in_space: impl Fn(usize) -> bool) -> Vec<[usize; 2]> {
+    let of = |(contact, phase): (usize, &Phase)| {
+        unknown_parts(*phase, is_in_space(contact)).iter().map(move |&component| [contact, component])
     };
     mode.phases.iter().enumerate().flat_map(of).collect()
+}
+
+/// The letters of all reactions, those of each contact together.
+pub(crate) fn letters(trace: &Trace<'_>) -> Vec<Sym> {
+    let contacts = 0..trace.model.contacts.len();
+    contacts.flat_map(|contact| (0..PARTS).map(move |part| trace.reaction(contact, part))).collect()
+}
+
+/// T over N of a contact that slides, along each tangent.
+fn over_normal(trace: &Trace<'_>, contact: usize, phase: Phase) -> Option<[Sym; 2]> {
+    let face = number(phase.face()?.sign());
+    let most = friction(trace, contact) * face;
+    match phase {
+        Phase::Glides { .. } => {
+            let slides = slides(trace, &trace.model.contacts[contact]);
+            let speed = (slides[0] * slides[0] + slides[1] * slides[1]).sqrt();
+            Some(slides.map(|slide| -most * slide / speed))
+        }
+        _ => Some([-number(phase.way()?) * most, Sym::ZERO]),
+    }
 }
 
 /// The coefficient of friction of a contact; zero of a smooth one.
@@ -43,7 +86,7 @@ pub(super) fn friction(trace: &Trace<'_>, contact: usize) -> Sym {
 /// The contacts of a mode.
 pub(super) struct Closed {
     /// Normal and tangential.
-    pub reactions: Vec<[Sym; 2]>,
+    pub reactions: Vec<[Sym; PARTS]>,
     /// Of the equations for them: where it vanishes they are not determined, or grow beyond every bound.
     pub determinant: Sym,
 }
@@ -58,18 +101,19 @@ pub(super) fn closed(
     let letter = |[contact, component]: [usize; 2]| trace.reaction(contact, component);
     let mut given: Vec<(Sym, Sym)> = Vec::new();
     for (contact, phase) in mode.phases.iter().enumerate() {
-        match (phase, phase.face(), phase.way()) {
-            (Phase::Apart | Phase::Carried, ..) => {
-                given.extend([0, 1].map(|component| (letter([contact, component]), Sym::ZERO)))
+        let is_in_space = trace.model.contacts[contact].is_in_space();
+        match over_normal(trace, contact, *phase) {
+            Some(factors) => {
+                given.extend((1..PARTS).map(|part| (letter([contact, part]), factors[part - 1] * letter([contact, 0]))))
             }
-            (_, Some(face), Some(way)) => {
-                let factor = friction(trace, contact) * number(-way * face.sign());
-                given.push((letter([contact, 1]), factor * letter([contact, 0])));
+            None => {
+                let unknown = unknown_parts(*phase, is_in_space);
+                let none = (0..PARTS).filter(|part| !unknown.contains(part));
+                given.extend(none.map(|part| (letter([contact, part]), Sym::ZERO)));
             }
-            _ => {}
         }
     }
-    let unknown = unknown(mode);
+    let unknown = unknown(mode, |contact| trace.model.contacts[contact].is_in_space());
     let kept = kept_at_zero(trace);
     let zeros: Vec<Sym> = unknown.iter().map(|&[contact, component]| kept[contact][component]).collect();
     let zeros = substitute_all(&substitute_all(&zeros, &motion(trace, accelerations, multipliers)), &given);
@@ -83,9 +127,7 @@ pub(super) fn closed(
         super::held::eliminated(rows, right).map_err(|row| NotCompiled::NotHeldContact { contact: unknown[row][0] })?;
     let found: Vec<(Sym, Sym)> = unknown.iter().map(|&of| letter(of)).zip(values).collect();
     let all = |expressions: &[Sym]| substitute_all(&substitute_all(expressions, &given), &found);
-    let letters: Vec<Sym> =
-        (0..mode.phases.len()).flat_map(|contact| [0, 1].map(|component| letter([contact, component]))).collect();
-    let reactions = all(&letters).as_chunks::<2>().0.to_vec();
+    let reactions = all(&letters(trace)).as_chunks::<PARTS>().0.to_vec();
     Ok((Closed { reactions, determinant }, all(&[accelerations, multipliers].concat())))
 }
 

@@ -16,6 +16,8 @@ pub(super) enum Sets {
     Impact(usize),
     /// An impact after which all bounces that are left are taken for none.
     LastBounce,
+    /// The rest of the sliding of a contact in space is taken from the speeds.
+    Rest,
     /// The motion ends.
     End,
 }
@@ -35,6 +37,10 @@ pub(super) struct Leg {
     /// None of the law of the start.
     pub cause: Option<Crossing>,
     pub moded: Arc<Moded>,
+    /// Letters of contacts that slide in space.
+    pub glides: Vec<f64>,
+    /// Whether one of them begins to slide, from rest.
+    pub begins_to_glide: bool,
 }
 
 /// The laws of a run, in their order.

@@ -7,6 +7,7 @@
 
 use super::combinations::combinations;
 use super::expansion::{Expansion, Expansions, Instant};
+use super::headings::headings;
 use super::mode::{Case, Mode, Phase};
 use super::pivots::{NotFound, pivoted};
 use super::shares::shares;
@@ -54,6 +55,8 @@ pub(super) enum Decided {
     Several,
     /// More combinations than are tried.
     TooMany,
+    /// None that is tried agrees: several contacts in space are in touch, and not all of them slide.
+    RestTogether,
 }
 
 /// What is open at an instant.
@@ -66,6 +69,18 @@ pub(super) struct Open<'a> {
 }
 
 impl Open<'_> {
+    /// The contacts that slide in two directions, with what is known of each.
+    fn in_space(&self, expansions: &Expansions) -> impl Iterator<Item = (usize, Touch)> {
+        let kinds = self.touches.iter().zip(&expansions.kinds).enumerate();
+        kinds.filter_map(|(contact, (touch, kind))| kind.is_in_space.then_some((contact, *touch)))
+    }
+
+    /// Whether one of several contacts in space that are in touch rests.
+    fn rest_together(&self, expansions: &Expansions) -> bool {
+        let in_touch = self.in_space(expansions).filter(|(_, touch)| *touch != Touch::Open).count();
+        in_touch > 1 && self.in_space(expansions).any(|(_, touch)| touch == Touch::Rest)
+    }
+
     /// Whether no two contacts are in touch.
     fn is_alone(&self) -> bool {
         self.touches.iter().filter(|touch| **touch != Touch::Open).count() < 2
@@ -117,8 +132,8 @@ fn many(
 ) -> Decided {
     let mut not_held = false;
     for slack in SLACKS {
-        for phases in phases {
-            let mode = Mode { phases: phases.clone(), ..mode.clone() };
+        let modes = phases.iter().map(|phases| Mode { phases: phases.clone(), ..mode.clone() });
+        for mode in modes.flat_map(|mode| directed(expansions, instant, mode, open)) {
             match pivoted(expansions, instant, &mode, open.switches, slack) {
                 Ok((mode, expansion)) if of_contacts(&expansion, &mode, open, slack).is_some() => {
                     return Decided::One { mode, expansion: Box::new(expansion), slack };
@@ -138,7 +153,7 @@ fn tried(
     (mode, phases): (&Mode, &[Vec<Phase>]),
     open: Open<'_>,
 ) -> Decided {
-    let Candidates { mut all, not_held } = Candidates::of(expansions, instant, (mode, phases), open);
+    let Candidates { mut all, not_held, rest_together } = Candidates::of(expansions, instant, (mode, phases), open);
     let mut several = false;
     for slack in SLACKS {
         let Some((best, agreeing)) = best(&all, open, slack) else { continue };
@@ -150,7 +165,11 @@ fn tried(
             return Decided::One { mode, expansion: Box::new(expansion), slack };
         }
     }
-    if several { Decided::Several } else { Decided::None { not_held } }
+    match (several, rest_together) {
+        (true, _) => Decided::Several,
+        (false, true) => Decided::RestTogether,
+        (false, false) => Decided::None { not_held },
+    }
 }
 
 /// The combinations that no number contradicts at once.
@@ -158,6 +177,8 @@ struct Candidates {
     all: Vec<(Mode, Expansion<TERMS>)>,
     /// Whether a combination cannot be held.
     not_held: bool,
+    /// Whether combinations were left out in which several contacts in space rest, or begin to slide.
+    rest_together: bool,
 }
 
 impl Candidates {
@@ -173,7 +194,8 @@ impl Candidates {
             Case::Off => [Case::Off, Case::On, Case::Held],
             _ => [Case::Held, Case::On, Case::Off],
         };
-        let mut candidates = Candidates { all: Vec::new(), not_held: false };
+        let mut candidates =
+            Candidates { all: Vec::new(), not_held: false, rest_together: open.rest_together(expansions) };
         let widest = SLACKS[SLACKS.len() - 1];
         for combination in 0..phases.len() * 3_usize.pow(open.switches.len() as u32) {
             let mut candidate = Mode { phases: phases[combination % phases.len()].clone(), ..mode.clone() };
@@ -183,17 +205,38 @@ impl Candidates {
                 rest /= 3;
             }
             expansions.mirror(&mut candidate);
-            let Some(sifted) = expansions.at::<FEW>(instant, &candidate) else {
-                candidates.not_held = true;
-                continue;
-            };
-            if is_possible(&sifted, &candidate, open, widest)
-                && let Some(expansion) = expansions.at::<TERMS>(instant, &candidate)
-            {
-                candidates.all.push((candidate, expansion));
+            for candidate in directed(expansions, instant, candidate, open) {
+                let Some(sifted) = expansions.at::<FEW>(instant, &candidate) else {
+                    candidates.not_held = true;
+                    continue;
+                };
+                if is_possible(&sifted, &candidate, open, widest)
+                    && let Some(expansion) = expansions.at::<TERMS>(instant, &candidate)
+                {
+                    candidates.all.push((candidate, expansion));
+                }
             }
         }
         candidates
+    }
+}
+
+/// A mode with each direction in which a contact that rests in space may begin to slide; none where several would begin at once.
+fn directed(expansions: &Expansions, instant: &Instant<'_>, mode: Mode, open: Open<'_>) -> Vec<Mode> {
+    let begins =
+        |(contact, touch): (usize, Touch)| (touch == Touch::Rest && mode.phases[contact].moves()).then_some(contact);
+    let beginning: Vec<usize> = open.in_space(expansions).filter_map(begins).collect();
+    match (beginning.as_slice(), beginning.first().and_then(|&contact| mode.phases[contact].face())) {
+        ([], _) => vec![mode],
+        (&[contact], Some(face)) => {
+            let with = |heading| {
+                let mut mode = mode.clone();
+                mode.phases[contact] = Phase::Glides { face, begins: Some(heading) };
+                mode
+            };
+            headings(expansions, instant, &mode, (contact, face)).into_iter().map(with).collect()
+        }
+        _ => Vec::new(),
     }
 }
 

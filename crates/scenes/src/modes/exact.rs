@@ -10,6 +10,9 @@ use std::sync::PoisonError;
 
 /// Newton's iteration doubles the digits: where a run knows thirteen one step comes to all that are kept, and the next finds so.
 const MOST: usize = 8;
+const COMES_TO_REST: &str = "a contact that slides in space comes to rest, which is not followed to all digits,";
+const BEGINS: &str = "a contact begins to slide in space, which is not followed to all digits,";
+
 /// A correction so small, relative to the time, leaves nothing to correct.
 const LAST: f64 = 1e-20;
 
@@ -55,6 +58,10 @@ impl Follower<'_> {
     fn follow(mut self, course: &Course, instants: &[f64]) -> Result<(Followed, Means), Unknown> {
         let (mut states, mut events, mut left) = (Vec::new(), Vec::new(), instants);
         for (place, leg) in course.legs.iter().enumerate() {
+            if leg.begins_to_glide {
+                let time = leg.cause.map_or(0.0, |cause| cause.time);
+                return Err(Unknown::Ends(format!("{BEGINS} at t = {time} s")));
+            }
             let next = course.legs.get(place + 1).and_then(|next| next.cause);
             let within = left.iter().take_while(|instant| next.is_none_or(|next| **instant < next.time)).count();
             for &instant in &left[..within] {
@@ -63,7 +70,7 @@ impl Follower<'_> {
             }
             left = &left[within..];
             if let Some(next) = next {
-                self.pass(&leg.moded, next)?;
+                self.pass(leg, next)?;
                 if next.sets != Sets::Unseen {
                     events.push(self.at.clone());
                 }
@@ -81,32 +88,34 @@ impl Follower<'_> {
     }
 
     /// Goes to an event, and sets the state as it does.
-    fn pass(&mut self, moded: &Moded, crossing: Crossing) -> Result<(), Unknown> {
+    fn pass(&mut self, leg: &Leg, crossing: Crossing) -> Result<(), Unknown> {
+        let Leg { moded, glides, .. } = leg;
         let blunt = || Unknown::Blunt { time: crossing.time };
         if crossing.what == Happening::Falls {
-            self.zero_of(moded, crossing)?;
+            self.zero_of(leg, crossing)?;
         }
         let (time, state) = &mut self.at;
         match crossing.sets {
             Sets::Nothing | Sets::Unseen | Sets::End => {}
-            Sets::Event(event) => *state = moded.signals.set_exactly(event, *time, state),
+            Sets::Event(event) => *state = moded.signals.set_by(event, *time, state, glides),
             Sets::Impact(contact) => {
                 let expansions = self.laws.expansions().map_err(|_| blunt())?;
                 *state =
                     expansions.struck_exactly(*time, state, (contact, &moded.system.mode.cases)).ok_or_else(blunt)?;
             }
+            Sets::Rest => return Err(Unknown::Ends(format!("{COMES_TO_REST} at t = {} s", crossing.time))),
             Sets::LastBounce => return Err(Unknown::LastBounce { time: crossing.time }),
         }
         Ok(())
     }
 
     /// Where a signal is zero, close to where the run found it: Newton's method on the instant, the motion followed to each.
-    fn zero_of(&mut self, moded: &Moded, crossing: Crossing) -> Result<(), Unknown> {
+    fn zero_of(&mut self, Leg { moded, glides, .. }: &Leg, crossing: Crossing) -> Result<(), Unknown> {
         let blunt = Unknown::Blunt { time: crossing.time };
         self.go_to(moded, DoubleDouble::lift(crossing.time))?;
         for _ in 0..MOST {
             let (time, state) = &self.at;
-            let [value, rate] = moded.signals.exactly(crossing.signal, *time, state);
+            let [value, rate] = moded.signals.of_one(crossing.signal, *time, state, glides);
             let step = value / rate;
             if !step.finite() {
                 return Err(blunt);

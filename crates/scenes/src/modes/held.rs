@@ -3,7 +3,7 @@
 //! Along the motion g' = a + b s with the switch s, which the law holds linearly: s = -a/b. Dry friction is such a law: while it
 //! sticks, s takes the value of the force that is needed.
 
-use super::contacts::{Closed, closed};
+use super::contacts::{Closed, PARTS, closed};
 use super::mode::{Case, Mode};
 use super::multiples::{Mirrored, letters as letters_of, mirrored as mirrored_in};
 use crate::compiled_system::{Motion, NotCompiled};
@@ -93,7 +93,7 @@ pub(crate) fn held(
     }
     let shares: Vec<(Sym, Sym)> = own().map(|switch| (letter(&switch), switches[switch])).collect();
     let (accelerations, multipliers) = (in_found(&accelerations), substitute_all(&multipliers, &shares));
-    let reactions = substitute_all(&reactions.concat(), &shares).as_chunks::<2>().0.to_vec();
+    let reactions = substitute_all(&reactions.concat(), &shares).as_chunks::<PARTS>().0.to_vec();
     Ok(Motion { switches, parts, accelerations, multipliers, reactions, determinant })
 }
 

@@ -6,8 +6,11 @@ mod course;
 mod decision;
 mod exact;
 mod expansion;
+mod glides;
+mod headings;
 mod held;
 mod jet;
+mod lateness;
 mod mode;
 mod multiples;
 mod passage;
@@ -22,6 +25,7 @@ mod touches;
 mod unfit;
 mod words;
 
+pub(crate) use contacts::{PARTS, letters as reactions_of};
 pub use course::Course;
 pub(crate) use held::held;
 pub use mode::{Case, Face, Mode, Phase};
@@ -31,12 +35,13 @@ use course::{Crossing, Leg, Sets};
 use derivations::scene::problem::Law;
 use derivations::scene::switching::{Passage, Segment, Switching};
 use expansion::{Expansions, Instant};
+use glides::Glide;
 use integrators::Event;
 use model::Model;
 use passage::After;
 pub use regimes::{Margin, Motions, Regime, Regimes};
 use sides::Side;
-use signals::Signals;
+use signals::{GLIDE, Signals};
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 pub use unfit::Unfit;
@@ -73,8 +78,18 @@ struct Current {
     near_events: Vec<f64>,
     /// The same of each contact: its gap or pressure, then what is left of friction, or its sliding velocity.
     near_contacts: Vec<[f64; 3]>,
+    /// The watch of each contact, where it slides in space.
+    glides: Vec<Option<Glide>>,
     /// The determinant of the equations for the reactions, where the law began.
     determinant: f64,
+}
+
+impl Current {
+    /// Letters of the signals of contacts that slide in space, of all that may.
+    fn glide_letters(&self) -> Vec<f64> {
+        let in_space = self.moded.signals.in_space.iter().map(|&contact| self.glides[contact]);
+        in_space.flat_map(|glide| glide.map_or([0.0; GLIDE], |glide| glide.letters())).collect()
+    }
 }
 
 /// Why a motion does not start.
@@ -164,7 +179,9 @@ impl Modes {
     /// Keeps a law of the run with the event that led to it.
     fn follow(&self, cause: Option<Crossing>, current: &Current) {
         let moded = Arc::clone(&current.moded);
-        self.course.lock().unwrap_or_else(PoisonError::into_inner).push(Leg { cause, moded });
+        let begins_to_glide = current.glides.iter().flatten().any(|glide| glide.begins);
+        let leg = Leg { cause, moded, glides: current.glide_letters(), begins_to_glide };
+        self.course.lock().unwrap_or_else(PoisonError::into_inner).push(leg);
     }
 
     /// The law of a start.
@@ -210,6 +227,7 @@ impl Switching for Modes {
         self.passages.lock().unwrap_or_else(PoisonError::into_inner).clear();
         self.course.lock().unwrap_or_else(PoisonError::into_inner).clear();
         let begun = self.begun(time, state)?;
+        self.push_off(time, state, &begun);
         self.tell(time, "start".to_owned(), Some(&begun.moded.system.mode));
         self.follow(None, &begun);
         Ok(self.enter(begun))
@@ -220,13 +238,15 @@ impl Switching for Modes {
         let Some(before) = before else { return Err("the run has no mode") };
         let fall = before.moded.signals.falls[event.signal];
         let crossing = |sets| Some(Crossing { time: event.time, signal: event.signal, what: event.what, sets });
+        let rest = self.rest_of_a_glide(&before, event, state);
         match self.after(&before, event, state)? {
             After::Unchanged(current) => {
                 self.follow(crossing(Sets::Unseen), &current);
                 Ok(Some(self.enter(current)))
             }
             After::Changed(current, sets) => {
-                self.tell(event.time, self.laws.words.fall(fall), Some(&current.moded.system.mode));
+                let time = if sets == Sets::Rest { event.time + rest } else { event.time };
+                self.tell(time, self.laws.words.fall(fall), Some(&current.moded.system.mode));
                 self.follow(crossing(sets), &current);
                 Ok(Some(self.enter(current)))
             }

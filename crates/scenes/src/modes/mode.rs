@@ -57,6 +57,30 @@ impl Face {
     }
 }
 
+/// The direction in which a contact in space begins to slide, by its angle from the first tangent, and the rate of this angle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Heading {
+    angle: u64,
+    turn: u64,
+}
+
+impl Heading {
+    /// From the angle and its rate.
+    pub fn of(angle: f64, turn: f64) -> Self {
+        Heading { angle: angle.to_bits(), turn: turn.to_bits() }
+    }
+
+    /// The angle from the first tangent.
+    pub fn angle(self) -> f64 {
+        f64::from_bits(self.angle)
+    }
+
+    /// The rate of the angle.
+    pub fn turn(self) -> f64 {
+        f64::from_bits(self.turn)
+    }
+}
+
 /// The phase of a contact.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Phase {
@@ -64,8 +88,13 @@ pub enum Phase {
     Apart,
     /// In touch, the sliding velocity stays zero, |T| <= mu |N|.
     Sticks(Face),
+    /// In touch in space, the sliding velocity stays zero: by friction along the tangents that are `held`, along the others by what else
+    /// holds the body.
+    Leans { face: Face, held: [bool; 2] },
     /// In touch, sliding or beginning to, T = -mu |N| sign(v): whether v is positive. Of a smooth contact the direction means nothing.
     Slips { forwards: bool, face: Face },
+    /// In touch and sliding in space, T = -mu |N| v/|v|; where v is zero so far, the direction in which it begins to slide.
+    Glides { face: Face, begins: Option<Heading> },
     /// In touch and at rest since other contacts hold it there, with T at its bound: of a body that is held by more reactions than motions
     /// determine.
     Rests { forwards: bool, face: Face },
@@ -78,7 +107,11 @@ impl Phase {
     pub fn face(self) -> Option<Face> {
         match self {
             Phase::Apart | Phase::Carried => None,
-            Phase::Sticks(face) | Phase::Slips { face, .. } | Phase::Rests { face, .. } => Some(face),
+            Phase::Sticks(face)
+            | Phase::Leans { face, .. }
+            | Phase::Slips { face, .. }
+            | Phase::Glides { face, .. }
+            | Phase::Rests { face, .. } => Some(face),
         }
     }
 
@@ -86,8 +119,26 @@ impl Phase {
     pub fn way(self) -> Option<f64> {
         match self {
             Phase::Slips { forwards, .. } | Phase::Rests { forwards, .. } => Some(if forwards { 1.0 } else { -1.0 }),
-            Phase::Apart | Phase::Carried | Phase::Sticks(_) => None,
+            Phase::Apart | Phase::Carried | Phase::Sticks(_) | Phase::Leans { .. } | Phase::Glides { .. } => None,
         }
+    }
+
+    /// The face of a contact that friction holds.
+    pub fn sticking(self) -> Option<Face> {
+        match self {
+            Phase::Sticks(face) | Phase::Leans { face, .. } => Some(face),
+            _ => None,
+        }
+    }
+
+    /// Whether T is tied to N.
+    pub fn has_friction(self) -> bool {
+        self.moves() || matches!(self, Phase::Rests { .. })
+    }
+
+    /// Whether it slides, or begins to.
+    pub fn moves(self) -> bool {
+        matches!(self, Phase::Slips { .. } | Phase::Glides { .. })
     }
 }
 
@@ -102,6 +153,26 @@ impl Mode {
     /// Every condition off, every contact apart.
     pub fn off(model: &Model) -> Self {
         Mode { cases: vec![Case::Off; model.switches.len()], phases: vec![Phase::Apart; model.contacts.len()] }
+    }
+
+    /// The same, sliding that begins like sliding that goes on: one law for both.
+    pub fn without_headings(mut self) -> Self {
+        for phase in &mut self.phases {
+            if let Phase::Glides { begins, .. } = phase {
+                *begins = None;
+            }
+        }
+        self
+    }
+
+    /// The same, contacts that slide in space apart.
+    pub fn without_glides(mut self) -> Self {
+        for phase in &mut self.phases {
+            if let Phase::Glides { .. } = phase {
+                *phase = Phase::Apart;
+            }
+        }
+        self
     }
 
     /// Whether nothing is chosen.

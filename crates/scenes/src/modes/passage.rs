@@ -3,7 +3,9 @@
 use super::course::Sets;
 use super::decision::{Decided, Open, SLACKS, TERMS, beyond, decided};
 use super::expansion::{Expansion, Instant, Touching};
+use super::glides::Glide;
 use super::jet::Jet;
+use super::lateness::late;
 use super::mode::{Case, Mode, Phase};
 use super::sides::{Past, Side, side};
 use super::signals::Fall;
@@ -19,6 +21,7 @@ const NO_LAW: &str =
     "no law holds after a condition changes: it would have to be kept at zero, and nothing keeps it there";
 const NONE: &str = "no case of its conditions and contacts agrees with the motion that it gives";
 const SEVERAL: &str = "several motions go on from here, each by another case of its conditions or contacts";
+pub(super) const TOGETHER: &str = "several contacts in space are in touch, and no motion is found in which one alone begins to slide: directions of several are not sought yet";
 const TOO_MANY: &str =
     "so many conditions and contacts are at zero together that their cases are not tried: more than 20,000";
 pub(super) const JAMS: &str = "the equations for the reactions of its contacts become singular: friction makes the reactions grow beyond every bound";
@@ -127,10 +130,12 @@ impl Modes {
     pub(super) fn after(&self, before: &Current, event: &Event, state: &mut [f64]) -> Result<After, &'static str> {
         let expansions = self.laws.expansions().map_err(refused)?;
         let mut mode = before.moded.system.mode.clone();
-        let fall = before.moded.signals.falls[event.signal];
+        let mut fall = before.moded.signals.falls[event.signal];
         expansions.return_to_zero(event.time, state, &mode, SLACK);
         let exact = Instant { time: event.time, state, late: 0.0 };
-        let Some(known) = expansions.at::<TERMS>(&exact, &mode) else { return Err(NO_LAW) };
+        // a contact that has slowed down in space has a direction, and reactions, to few digits, on which nothing here depends
+        let seen = if fall.is_of_a_glide() { mode.clone().without_glides() } else { mode.clone() };
+        let Some(known) = expansions.at::<TERMS>(&exact, &seen) else { return Err(NO_LAW) };
         let late = late(before, &known, event);
         let is_near = |found: &Expansion<TERMS>, switch: usize| {
             let condition = &found.conditions[switch];
@@ -158,11 +163,23 @@ impl Modes {
             Fall::Frees { switch } => Some(switch),
             Fall::Jams => return Err(JAMS),
             Fall::Smooths { .. } => return Err(NEGATIVE),
+            Fall::Slows { contact } | Fall::Turns { contact } => {
+                let has_turned = matches!(fall, Fall::Turns { .. });
+                let next = before.glides[contact].and_then(|glide| glide.next(&known.contacts[contact], has_turned));
+                if next.is_some() {
+                    let mut current = before.clone();
+                    current.glides[contact] = next;
+                    return Ok(After::Unchanged(current));
+                }
+                fall = Fall::Stops { contact };
+                None
+            }
             Fall::Closes { .. } | Fall::Lifts { .. } | Fall::Slides { .. } | Fall::Stops { .. } => None,
         };
         expansions.mirror(&mut mode);
         let cases = &before.moded.system.mode.cases;
-        let (touches, sets) = self.touches_after((cases, &mode), fall, (event.time, late), state)?;
+        let (mut touches, sets) = self.touches_after((cases, &mode), fall, (event.time, late), state)?;
+        self.rest_with(before, event.time, state, &mut touches);
         // a gap that has closed is zero at this time, whatever the error of the time
         let late = if matches!(fall, Fall::Closes { .. }) { 0.0 } else { late };
         let jumped = match fall {
@@ -187,14 +204,16 @@ impl Modes {
         };
         // what sticks now does so at zero
         expansions.return_to_zero(event.time, state, &current.moded.system.mode, 0.0);
-        Ok(After::Changed(current, sets))
+        self.push_off(event.time, state, &current);
+        let comes_to_rest = matches!(fall, Fall::Stops { contact } if before.glides[contact].is_some());
+        Ok(After::Changed(current, if comes_to_rest { Sets::Rest } else { sets }))
     }
 
     /// Whether the determinant of the equations for the reactions has gone to zero since the law began.
     pub(super) fn jams(&self, current: &Current, time: f64, state: &[f64]) -> bool {
         let mode = &current.moded.system.mode;
         let instant = Instant { time, state, late: 0.0 };
-        mode.phases.iter().any(|phase| phase.way().is_some())
+        mode.phases.iter().any(|phase| phase.has_friction())
             && self.laws.expansions().is_ok_and(|expansions| {
                 expansions.determinant(&instant, mode) * current.determinant.signum()
                     < JAMMED * current.determinant.abs()
@@ -220,7 +239,7 @@ impl Modes {
             return with_side(Side { sign: -from, is_open: false });
         }
         // one that has not left zero since it was set there does not come back to it
-        let rate = before.moded.signals.event_rate(number, event.time, state);
+        let rate = before.moded.signals.event_rate(number, event.time, state, &before.glide_letters());
         if rate * from > 0.0 {
             return Ok(After::Unchanged(before.clone()));
         }
@@ -232,7 +251,7 @@ impl Modes {
         if !counts {
             return with_side(side(&known.events[number], Past::Passed(from), SLACK));
         }
-        let mut set = before.moded.signals.set_by(number, event.time, state);
+        let mut set = before.moded.signals.set_by(number, event.time, state, &before.glide_letters());
         if !self.laws.model.events[number].ends {
             follow(&self.laws.model, event.time, &mut set);
         }
@@ -287,6 +306,7 @@ impl Modes {
             Decided::None { not_held } => return Err(if not_held { NO_LAW } else { NONE }),
             Decided::Several => return Err(SEVERAL),
             Decided::TooMany => return Err(TOO_MANY),
+            Decided::RestTogether => return Err(TOGETHER),
         };
         let rounding = |jet: &Jet<TERMS>| if jet.sign_of(0, slack) == 0.0 { slack * jet.doubts[0] } else { 0.0 };
         let near = |switch: usize| {
@@ -301,8 +321,10 @@ impl Modes {
                 // what is far from zero is not near it
                 Phase::Apart => [below(&contact.gap), 0.0, 0.0],
                 Phase::Carried => [0.0; 3],
-                Phase::Sticks(face) => margins(contact, face).each_ref().map(rounding),
-                Phase::Rests { face, .. } => [rounding(&margins(contact, face)[0]), 0.0, 0.0],
+                Phase::Sticks(face) | Phase::Leans { face, .. } => margins(contact, face).each_ref().map(rounding),
+                Phase::Rests { face, .. } | Phase::Glides { face, .. } => {
+                    [rounding(&margins(contact, face)[0]), 0.0, 0.0]
+                }
                 Phase::Slips { face, forwards } => {
                     let way = if forwards { 1.0 } else { -1.0 };
                     let slide = Jet::constant(way, 0.0) * contact.slide;
@@ -329,8 +351,9 @@ impl Modes {
         };
         let (sides, near_events) = (0..self.laws.model.events.len()).map(begun).unzip();
         Ok(Current {
-            moded: self.laws.moded(&mode).map_err(refused)?,
+            moded: self.laws.moded(&mode.clone().without_headings()).map_err(refused)?,
             sides,
+            glides: expansion.contacts.iter().zip(&mode.phases).map(|(one, phase)| Glide::of(one, *phase)).collect(),
             determinant: expansions.determinant(instant, &mode),
             near_contacts: mode.phases.iter().zip(&expansion.contacts).map(near_contact).collect(),
             near: (0..mode.cases.len()).map(near).collect(),
@@ -340,40 +363,6 @@ impl Modes {
             near_events,
         })
     }
-}
-
-/// The error of the time of a fall, by what is left of its signal.
-fn late(before: &Current, known: &Expansion<TERMS>, event: &Event) -> f64 {
-    let (signal, near) = match before.moded.signals.falls[event.signal] {
-        Fall::Passes { switch } => {
-            let side = if before.moded.system.mode.cases[switch] == Case::On { 1.0 } else { -1.0 };
-            (known.conditions[switch], side * before.near[switch])
-        }
-        Fall::Leaves { switch, to } => {
-            let bound = usize::from(to == Case::On);
-            (known.margins(switch)[bound], before.near_bounds[switch][bound])
-        }
-        Fall::Frees { switch } => {
-            let bound = usize::from(before.moded.system.mode.cases[switch].fixed() == Some(true));
-            (-known.margins(switch)[bound], before.near_bounds[switch][bound])
-        }
-        Fall::Closes { contact } => (known.contacts[contact].gap, before.near_contacts[contact][0]),
-        Fall::Lifts { contact } | Fall::Slides { contact, .. } | Fall::Stops { contact } => {
-            let touching = &known.contacts[contact];
-            let phase = before.moded.system.mode.phases[contact];
-            let margins = phase.face().map(|face| margins(touching, face));
-            let own = match (before.moded.signals.falls[event.signal], margins) {
-                (Fall::Slides { margin, .. }, Some(margins)) => (margins[margin], margin),
-                (Fall::Lifts { .. }, Some(margins)) => (margins[0], 0),
-                _ => (Jet::constant(phase.way().unwrap_or(1.0), 0.0) * touching.slide, 1),
-            };
-            (own.0, before.near_contacts[contact][own.1])
-        }
-        Fall::Jams | Fall::Smooths { .. } => return 0.0,
-        Fall::Event { event } => (known.events[event], before.sides[event].sign * before.near_events[event]),
-    };
-    let is_passed = event.what == Happening::Falls && signal.sign_of(1, SLACK).abs() == 1.0;
-    if is_passed { 2.0 * ((signal.terms[0] + near) / signal.terms[1]).abs() } else { 0.0 }
 }
 
 pub(super) fn refused(reason: NotCompiled) -> &'static str {

@@ -4,7 +4,8 @@ use super::decision::{Decided, Open, SLACKS, TERMS, agreeing, decided};
 use super::expansion::{Expansion, Instant};
 use super::jet::Jet;
 use super::mode::{Case, Mode, Phase};
-use super::touch::{Touch, margins};
+use super::passage::TOGETHER;
+use super::touch::{Touch, leaving, margins};
 use super::unfit::Unfit;
 use super::{Modes, Refused};
 use model::OneWay;
@@ -78,6 +79,7 @@ impl Modes {
             Decided::None { .. } => Motions::None,
             Decided::Several => Motions::Several,
             Decided::TooMany => Motions::NotTried,
+            Decided::RestTogether => return Err(refused(TOGETHER)),
         };
         let all = match (agreeing(expansions, &instant, &mode, open), verdict) {
             (Some(all), _) => all,
@@ -89,7 +91,7 @@ impl Modes {
             name: self.laws.words.mode(&mode),
             margins: self.margins_of(&mode, &expansion, open),
             motion,
-            is_one_choice: false,
+            is_one_choice: mode.phases.iter().any(|phase| matches!(phase, Phase::Leans { .. })),
         };
         let mut regimes: Vec<Regime> = Vec::new();
         for found in all.into_iter().map(regime) {
@@ -112,7 +114,7 @@ impl Modes {
     fn is_on_a_bound(&self, mode: &Mode, expansion: &Expansion<TERMS>, open: Open<'_>, slack: f64) -> bool {
         let of_contacts = expansion.contacts.iter().zip(&mode.phases).filter_map(|(contact, phase)| {
             let kept = margins(contact, phase.face()?);
-            let counted = if matches!(phase, Phase::Sticks(_)) { &kept[..] } else { &kept[..1] };
+            let counted = if phase.sticking().is_some() { &kept[..] } else { &kept[..1] };
             Some(counted.iter().any(|margin| margin.sign_of(0, slack) == 0.0))
         });
         let of_conditions = open.switches.iter().filter(|&&switch| mode.cases[switch].rests());
@@ -130,8 +132,8 @@ impl Modes {
         for &switch in open.switches {
             let condition = &expansion.conditions[switch];
             let (asks, value) = match mode.cases[switch] {
-                Case::On => (RISES[order(condition) - 1], leaving(condition)),
-                Case::Off => (FALLS[order(condition) - 1], -leaving(condition)),
+                Case::On => (RISES[order(condition) - 1], first_rate(condition)),
+                Case::Off => (FALLS[order(condition) - 1], -first_rate(condition)),
                 _ => {
                     let [low, high] = expansion.margins(switch).map(|margin| margin.terms[0]);
                     ("smaller share of its two sides", low.min(high))
@@ -150,7 +152,19 @@ impl Modes {
                 Phase::Apart if *touch == Touch::Open => {}
                 Phase::Apart => add(words.leaving(place), contact.gap_rate.terms[1], motion),
                 Phase::Carried => {}
-                Phase::Sticks(face) => {
+                Phase::Sticks(face) | Phase::Leans { face, .. } if contact.is_in_space => {
+                    let [pressure, ..] = margins(contact, *face).map(|margin| margin.terms[0]);
+                    let [_, one, other] = contact.reactions.map(|reaction| reaction.terms[0]);
+                    add("normal reaction |N|", pressure, force);
+                    add("friction limit f|N| - |T|", contact.friction.terms[0] * pressure - one.hypot(other), force);
+                }
+                Phase::Glides { face, begins } => {
+                    add("normal reaction |N|", margins(contact, *face)[0].terms[0], force);
+                    if begins.is_some() {
+                        add("acceleration of the slip", leaving(contact, *phase).terms[1], "m/s^2");
+                    }
+                }
+                Phase::Sticks(face) | Phase::Leans { face, .. } => {
                     let [pressure, forwards, backwards] = margins(contact, *face).map(|margin| margin.terms[0]);
                     add("normal reaction |N|", pressure, force);
                     add("friction limit f|N| - T", forwards, force);
@@ -192,7 +206,7 @@ fn order(condition: &Jet<TERMS>) -> usize {
 }
 
 /// The value of the first rate that is not zero.
-fn leaving(condition: &Jet<TERMS>) -> f64 {
+fn first_rate(condition: &Jet<TERMS>) -> f64 {
     let order = order(condition);
     (1..=order).fold(condition.terms[order], |rate, factor| rate * factor as f64)
 }

@@ -2,7 +2,7 @@
 //!
 //! A block that sticks has accelerations that are zero, and steps without bound, while the force that will move it goes up and down.
 
-use super::mode::{Case, Mode};
+use super::mode::{Case, Mode, Phase};
 use super::signals::{Fall, written};
 use crate::compiled_system::{CompiledSystem, rates};
 use crate::letters::Letters;
@@ -63,7 +63,8 @@ fn all(model: &Model, mode: &Mode, time: Sym, extended: &[Sym]) -> Vec<Sym> {
 
 /// Rates of signals that are not linear in the time and the state.
 fn of_signals(model: &Model, mode: &Mode, time: Sym, state: &[Sym]) -> Option<Vec<Sym>> {
-    let (falls, all) = written(model, mode, time, state).ok()?;
+    // those of contacts that slide in space are speeds
+    let (falls, all) = written(model, mode, time, (state, &[])).ok()?;
     let bends = |signal: Sym| {
         let mut letters = signal.symbols_of().into_iter();
         letters.any(|letter| !Derivation::new([(letter, Sym::ONE)]).of(signal).symbols_of().is_empty())
@@ -71,6 +72,10 @@ fn of_signals(model: &Model, mode: &Mode, time: Sym, state: &[Sym]) -> Option<Ve
     // 1 - s bends with s
     let own = falls.iter().zip(all.as_chunks::<2>().0);
     let own = own.filter(|(fall, _)| !matches!(fall, Fall::Leaves { to: Case::On, .. }));
+    // reactions turn without bound where a contact in space comes to rest; in the rates of the state they stand already
+    let glides = mode.phases.iter().any(|phase| matches!(phase, Phase::Glides { .. }));
+    let own =
+        own.filter(|(fall, _)| !(glides && matches!(fall, Fall::Lifts { .. } | Fall::Slides { .. } | Fall::Jams)));
     Some(own.filter_map(|(_, &[signal, rate])| bends(signal).then_some(rate)).collect())
 }
 

@@ -1,13 +1,13 @@
 //! The signals of a mode: positive while its law holds, and those of the model's own events.
 
 use super::Current;
-use super::contacts::{friction, number};
+use super::contacts::{PARTS, friction, number, slides};
 use super::mode::{Case, Mode, Phase};
 use super::multiples::mirrored;
 use crate::compiled_system::{Motion, NotCompiled, values};
 use crate::program::recorded;
-use derivations::taped::Program;
-use field::DoubleDouble;
+use derivations::taped::{Program, Running};
+use field::{Analytic, Over};
 use integrators::{Signal, Switches};
 use model::equations::vanishes;
 use model::{Model, Trace};
@@ -17,25 +17,59 @@ use symbolic::{Sym, substitute_all};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Fall {
     /// A condition passes to its other case.
-    Passes { switch: usize },
+    Passes {
+        switch: usize,
+    },
     /// A condition that was held would have to leave its cases: to the one that is not there, or to the other.
-    Leaves { switch: usize, to: Case },
+    Leaves {
+        switch: usize,
+        to: Case,
+    },
     /// A switch that is spent would come back from its bound.
-    Frees { switch: usize },
+    Frees {
+        switch: usize,
+    },
     /// A contact closes.
-    Closes { contact: usize },
+    Closes {
+        contact: usize,
+    },
     /// The face of a contact presses no more.
-    Lifts { contact: usize },
+    Lifts {
+        contact: usize,
+    },
     /// Friction holds a contact no more: its second or third margin falls.
-    Slides { contact: usize, margin: usize },
+    Slides {
+        contact: usize,
+        margin: usize,
+    },
     /// The coefficient of friction of a contact in touch falls to zero.
-    Smooths { contact: usize },
+    Smooths {
+        contact: usize,
+    },
     /// The equations for the reactions of contacts that slide become singular.
     Jams,
     /// A contact that slides comes to rest.
-    Stops { contact: usize },
+    Stops {
+        contact: usize,
+    },
+    /// A contact that slides in space has slowed down, or turned, since its watch began.
+    Slows {
+        contact: usize,
+    },
+    Turns {
+        contact: usize,
+    },
     /// An event of the model, on either side of which the run may be.
-    Event { event: usize },
+    Event {
+        event: usize,
+    },
+}
+
+impl Fall {
+    /// Whether it is of the watch of a contact that slides in space.
+    pub fn is_of_a_glide(self) -> bool {
+        matches!(self, Fall::Slows { .. } | Fall::Turns { .. })
+    }
 }
 
 /// Values and rates of all signals, and the states that events set.
@@ -44,13 +78,18 @@ pub(crate) struct Signals {
     pub(super) falls: Vec<Fall>,
     program: Program,
     events: usize,
+    /// Contacts that slide in space.
+    pub(super) in_space: Vec<usize>,
 }
 
 impl Signals {
     pub fn of(model: &Model, mode: &Mode) -> Result<Self, NotCompiled> {
         let (mut falls, mut wrong) = (Vec::new(), None);
-        let program = recorded(model.positions() + model.speeds(), |time, state| {
-            let (found, all) = written(model, mode, time, state).unwrap_or_else(|reason| {
+        let states = model.positions() + model.speeds();
+        let in_space = in_space(model);
+        let program = recorded(states + GLIDE * in_space.len(), |time, all| {
+            let (state, glides) = all.split_at(states);
+            let (found, all) = written(model, mode, time, (state, glides)).unwrap_or_else(|reason| {
                 wrong = Some(reason);
                 (Vec::new(), Vec::new())
             });
@@ -59,58 +98,55 @@ impl Signals {
         });
         match wrong {
             Some(reason) => Err(reason),
-            None => Ok(Signals { program: program?, falls, events: model.events.len() }),
+            None => Ok(Signals { program: program?, falls, events: model.events.len(), in_space }),
         }
     }
 
-    /// The values of everything that is written: signals with their rates, and what events set.
-    fn all(&self, time: f64, state: &[f64]) -> Vec<f64> {
-        let mut values = vec![f64::NAN; 2 * self.falls.len() + self.events * state.len()];
-        self.program.run(time, state, &mut values);
+    /// The values of everything that is written: signals with their rates, and what events set. Behind the state stand the letters of
+    /// contacts that slide in space.
+    fn all<S: Running + Over<f64>>(&self, time: S, state: &[S], glides: &[f64]) -> Vec<S> {
+        let mut values = vec![S::lift(f64::NAN); 2 * self.falls.len() + self.events * state.len()];
+        if glides.is_empty() {
+            self.program.run(time, state, &mut values);
+        } else {
+            let inputs: Vec<S> = state.iter().copied().chain(glides.iter().map(|part| S::lift(*part))).collect();
+            self.program.run(time, &inputs, &mut values);
+        }
         values
     }
 
-    /// The value and the rate of a signal to all digits.
-    pub(super) fn exactly(&self, signal: usize, time: DoubleDouble, state: &[DoubleDouble]) -> [DoubleDouble; 2] {
-        let all = self.all_exactly(time, state);
+    /// The value and the rate of a signal.
+    pub(super) fn of_one<S: Running + Over<f64>>(&self, signal: usize, time: S, state: &[S], glides: &[f64]) -> [S; 2] {
+        let all = self.all(time, state, glides);
         [all[2 * signal], all[2 * signal + 1]]
     }
 
-    /// The state after an event to all digits.
-    pub(super) fn set_exactly(&self, event: usize, time: DoubleDouble, state: &[DoubleDouble]) -> Vec<DoubleDouble> {
-        let first = 2 * self.falls.len() + event * state.len();
-        self.all_exactly(time, state)[first..][..state.len()].to_vec()
-    }
-
-    fn all_exactly(&self, time: DoubleDouble, state: &[DoubleDouble]) -> Vec<DoubleDouble> {
-        let mut values = vec![DoubleDouble::from(f64::NAN); 2 * self.falls.len() + self.events * state.len()];
-        self.program.run(time, state, &mut values);
-        values
-    }
-
-    /// The value and the rate of every signal.
-    fn at(&self, time: f64, state: &[f64]) -> Vec<[f64; 2]> {
-        self.all(time, state).as_chunks::<2>().0[..self.falls.len()].to_vec()
-    }
-
     /// The rate of the expression of an event.
-    pub(super) fn event_rate(&self, event: usize, time: f64, state: &[f64]) -> f64 {
-        self.at(time, state)[self.falls.len() - self.events + event][1]
+    pub(super) fn event_rate(&self, event: usize, time: f64, state: &[f64], glides: &[f64]) -> f64 {
+        self.of_one(self.falls.len() - self.events + event, time, state, glides)[1]
     }
 
     /// The state after an event.
-    pub(super) fn set_by(&self, event: usize, time: f64, state: &[f64]) -> Vec<f64> {
+    pub(super) fn set_by<S: Running + Over<f64>>(&self, event: usize, time: S, state: &[S], glides: &[f64]) -> Vec<S> {
         let first = 2 * self.falls.len() + event * state.len();
-        self.all(time, state)[first..][..state.len()].to_vec()
+        self.all(time, state, glides)[first..][..state.len()].to_vec()
     }
 }
 
-/// The signals of a mode and, over symbols, all that [`Signals::all`] gives.
+/// Letters of a contact that slides in space, of its watch.
+pub(super) const GLIDE: usize = 3;
+
+/// The contacts that slide in space.
+fn in_space(model: &Model) -> Vec<usize> {
+    (0..model.contacts.len()).filter(|&contact| model.contacts[contact].is_in_space()).collect()
+}
+
+/// The signals of a mode and, over symbols, all that [`Signals::all`] gives, from the state and the letters behind it.
 pub(super) fn written(
     model: &Model,
     mode: &Mode,
     time: Sym,
-    state: &[Sym],
+    (state, glides): (&[Sym], &[Sym]),
 ) -> Result<(Vec<Fall>, Vec<Sym>), NotCompiled> {
     if mode.is_only_one() && model.events.is_empty() {
         return Ok((Vec::new(), Vec::new()));
@@ -149,8 +185,11 @@ pub(super) fn written(
             }
         }
     }
-    for (contact, (phase, [normal, tangent])) in mode.phases.iter().zip(reactions).enumerate() {
-        for (fall, signal) in of_contact(&trace, contact, *phase, [normal, tangent]) {
+    let in_space = in_space(model);
+    for (contact, (phase, reactions)) in mode.phases.iter().zip(reactions).enumerate() {
+        let place = in_space.iter().position(|own| *own == contact);
+        let glide = place.and_then(|place| glides.get(GLIDE * place..GLIDE * (place + 1))).unwrap_or_default();
+        for (fall, signal) in of_contact(&trace, contact, *phase, (reactions, glide)) {
             let [value, rate] = with_rate(signal);
             if !rests(rate) {
                 falls.push(fall);
@@ -159,7 +198,7 @@ pub(super) fn written(
         }
     }
     // without friction they are those of a definite matrix
-    if mode.phases.iter().any(|phase| phase.way().is_some()) {
+    if mode.phases.iter().any(|phase| phase.has_friction()) {
         let [value, rate] = with_rate(determinant);
         if !rests(rate) {
             falls.push(Fall::Jams);
@@ -183,25 +222,43 @@ pub(super) fn written(
 }
 
 /// The signals of a contact in a phase.
-fn of_contact(trace: &Trace<'_>, contact: usize, phase: Phase, [normal, tangent]: [Sym; 2]) -> Vec<(Fall, Sym)> {
+fn of_contact(
+    trace: &Trace<'_>,
+    contact: usize,
+    phase: Phase,
+    ([normal, tangent, aside], glide): ([Sym; PARTS], &[Sym]),
+) -> Vec<(Fall, Sym)> {
     let scalar = &trace.model.contacts[contact];
     let mut watched = Vec::new();
     match phase {
         Phase::Apart => watched.push((Fall::Closes { contact }, trace.scalar(scalar.gap))),
         Phase::Carried => {}
-        Phase::Sticks(face) => {
+        Phase::Sticks(face) | Phase::Leans { face, .. } => {
             let pressure = number(face.sign()) * normal;
             let most = friction(trace, contact) * pressure;
             watched.push((Fall::Lifts { contact }, pressure));
-            watched.push((Fall::Slides { contact, margin: 1 }, most - tangent));
-            watched.push((Fall::Slides { contact, margin: 2 }, most + tangent));
+            if scalar.is_in_space() {
+                let beyond = most * most - tangent * tangent - aside * aside;
+                watched.push((Fall::Slides { contact, margin: 1 }, beyond));
+            } else {
+                watched.push((Fall::Slides { contact, margin: 1 }, most - tangent));
+                watched.push((Fall::Slides { contact, margin: 2 }, most + tangent));
+            }
+        }
+        Phase::Glides { face, .. } => {
+            watched.push((Fall::Lifts { contact }, number(face.sign()) * normal));
+            if let (&[cos, sin, slow], [along, aside]) = (glide, slides(trace, scalar)) {
+                let speed = (along * along + aside * aside).sqrt();
+                watched.push((Fall::Slows { contact }, speed - slow));
+                watched.push((Fall::Turns { contact }, cos * along + sin * aside));
+            }
         }
         Phase::Rests { face, .. } => watched.push((Fall::Lifts { contact }, number(face.sign()) * normal)),
         Phase::Slips { face, forwards } => {
             watched.push((Fall::Lifts { contact }, number(face.sign()) * normal));
             if scalar.friction.is_some() {
                 let way = number(if forwards { 1.0 } else { -1.0 });
-                watched.push((Fall::Stops { contact }, way * trace.scalar(scalar.slide)));
+                watched.push((Fall::Stops { contact }, way * slides(trace, scalar)[0]));
             }
         }
     }
@@ -219,7 +276,8 @@ impl Switches for Current {
     fn signals(&self, time: f64, state: &[f64], out: &mut [Signal]) {
         let signals = &self.moded.signals;
         let state = &state[..state.len() - self.moded.followed];
-        for ((signal, fall), [value, rate]) in out.iter_mut().zip(&signals.falls).zip(signals.at(time, state)) {
+        let all = signals.all(time, state, &self.glide_letters());
+        for ((signal, fall), &[value, rate]) in out.iter_mut().zip(&signals.falls).zip(all.as_chunks::<2>().0) {
             let (side, near) = match *fall {
                 Fall::Passes { switch } => (1.0, self.near[switch]),
                 Fall::Leaves { switch, to } => (1.0, self.near_bounds[switch][usize::from(to == Case::On)]),
@@ -230,7 +288,7 @@ impl Switches for Current {
                 Fall::Closes { contact } | Fall::Lifts { contact } => (1.0, self.near_contacts[contact][0]),
                 Fall::Slides { contact, margin } => (1.0, self.near_contacts[contact][margin]),
                 Fall::Stops { contact } => (1.0, self.near_contacts[contact][1]),
-                Fall::Smooths { .. } => (1.0, 0.0),
+                Fall::Slows { .. } | Fall::Turns { .. } | Fall::Smooths { .. } => (1.0, 0.0),
                 Fall::Jams => (self.determinant.signum(), 0.0),
                 Fall::Event { event } => (self.sides[event].sign, self.near_events[event]),
             };

@@ -5,7 +5,7 @@
 //! leaves zero in the direction that friction opposes.
 
 use super::decision::{FEW, Standing, TERMS};
-use super::expansion::{Kind, Touching};
+use super::expansion::{Kind, Touching, direction};
 use super::jet::Jet;
 use super::mode::{Face, Phase};
 use model::Sides;
@@ -23,11 +23,14 @@ pub(super) enum Touch {
 
 impl Touch {
     /// The phases that a contact may be in; of those without a reaction one, whose gap tells which it is.
-    pub fn phases(self, Kind { sides, is_rough, is_guide, .. }: Kind) -> Vec<Phase> {
+    pub fn phases(self, Kind { sides, is_rough, is_guide, is_in_space, .. }: Kind) -> Vec<Phase> {
         let faces = || Face::of(sides).iter().copied();
+        let glides = || faces().map(|face| Phase::Glides { face, begins: None });
         let slips = |forwards: bool| faces().map(move |face| Phase::Slips { forwards, face });
         let mut phases: Vec<Phase> = match self {
             Touch::Open => Vec::new(),
+            Touch::Slides { .. } if is_in_space => glides().collect(),
+            Touch::Rest if is_in_space => faces().map(Phase::Sticks).chain(glides()).collect(),
             Touch::Slides { forwards } => slips(forwards).collect(),
             Touch::Rest if is_rough => faces().map(Phase::Sticks).chain(slips(true)).chain(slips(false)).collect(),
             Touch::Rest => slips(true).collect(),
@@ -41,12 +44,29 @@ impl Touch {
     }
 }
 
-/// The margins of a contact in touch: the pressure, and what friction holds beyond T, forwards and backwards.
+/// The margins of a contact in touch: the pressure, and what friction holds beyond T, forwards and backwards; in space (mu N)^2 - T^2.
 pub(super) fn margins<const N: usize>(contact: &Touching<N>, face: Face) -> [Jet<N>; 3] {
-    let Touching { friction, reactions: [normal, tangent], .. } = *contact;
+    let Touching { friction, reactions: [normal, tangent, aside], .. } = *contact;
     let pressure = normal * Jet::constant(face.sign(), 0.0);
     let most = friction * pressure;
-    [pressure, most - tangent, most + tangent]
+    match contact.is_in_space {
+        true => {
+            let beyond = most * most - tangent * tangent - aside * aside;
+            [pressure, beyond, beyond]
+        }
+        false => [pressure, most - tangent, most + tangent],
+    }
+}
+
+/// The sliding velocity in the direction that friction at its bound opposes, of a slip that begins.
+pub(super) fn leaving<const N: usize>(contact: &Touching<N>, phase: Phase) -> Jet<N> {
+    match phase {
+        Phase::Glides { begins: Some(heading), .. } => {
+            let [cos, sin] = direction(heading);
+            cos * contact.slide + sin * contact.aside
+        }
+        _ => contact.slide * Jet::constant(phase.way().unwrap_or(0.0), 0.0),
+    }
 }
 
 /// Whether a slip begins, and must leave zero.
@@ -60,11 +80,12 @@ pub(super) fn possible(contact: &Touching<FEW>, phase: Phase, touch: Touch, slac
     match phase {
         Phase::Apart => touch == Touch::Open || not_negative(contact.gap_rate, 1),
         Phase::Carried => contact.gap_rate.sign_of(1, slack) == 0.0,
-        Phase::Sticks(face) => margins(contact, face).into_iter().all(|margin| not_negative(margin, 0)),
+        Phase::Sticks(face) | Phase::Leans { face, .. } => {
+            margins(contact, face).into_iter().all(|margin| not_negative(margin, 0))
+        }
         Phase::Rests { face, .. } => not_negative(margins(contact, face)[0], 0),
-        Phase::Slips { face, forwards } => {
-            let way = Jet::constant(if forwards { 1.0 } else { -1.0 }, 0.0);
-            let leaves = !begins(contact, touch) || not_negative(contact.slide * way, 1);
+        Phase::Slips { face, .. } | Phase::Glides { face, .. } => {
+            let leaves = !begins(contact, touch) || not_negative(leaving(contact, phase), 1);
             leaves && not_negative(margins(contact, face)[0], 0)
         }
     }
@@ -85,11 +106,12 @@ pub(super) fn standing_of(
         }
         Phase::Apart => (Vec::new(), vec![leaves(contact.gap_rate)]),
         Phase::Carried => return None,
-        Phase::Sticks(face) => (margins(contact, face).map(|margin| margin.sign(slack)).to_vec(), Vec::new()),
+        Phase::Sticks(face) | Phase::Leans { face, .. } => {
+            (margins(contact, face).map(|margin| margin.sign(slack)).to_vec(), Vec::new())
+        }
         Phase::Rests { face, .. } => (vec![margins(contact, face)[0].sign(slack)], Vec::new()),
-        Phase::Slips { face, forwards } => {
-            let way = if forwards { 1.0 } else { -1.0 };
-            let leaving = if begins(contact, touch) { vec![way * leaves(contact.slide)] } else { Vec::new() };
+        Phase::Slips { face, .. } | Phase::Glides { face, .. } => {
+            let leaving = if begins(contact, touch) { vec![leaves(leaving(contact, phase))] } else { Vec::new() };
             (vec![margins(contact, face)[0].sign(slack)], leaving)
         }
     };

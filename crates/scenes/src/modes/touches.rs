@@ -1,6 +1,7 @@
 //! What contacts do when a run begins, and after its events: in touch or open, at rest or sliding; impacts change the speeds.
 
 use super::Modes;
+use super::combinations::leaning;
 use super::course::Sets;
 use super::decision::TERMS;
 use super::expansion::{Instant, Kind, NotStruck, Touching};
@@ -17,6 +18,8 @@ const IMPULSES: &str =
     "an impact is not determined: no impulse within the cone of friction, or several, by this law of restitution";
 const ENERGY: &str =
     "an impact would add energy: the laws of restitution and of friction contradict each other here (Kane 1984)";
+const TURNS: &str =
+    "an impact with friction in space would turn the direction of sliding, which its laws do not follow";
 pub(super) const NEGATIVE: &str = "a coefficient of friction is negative";
 /// A bounce ends where all bounces after it take less than this part of the time of the run.
 const BOUNCES: f64 = 1e-9;
@@ -52,8 +55,13 @@ impl Modes {
         {
             // contacts that stop together do so at one instant
             let mut stopped = mode.clone();
-            stopped.phases[contact] = Phase::Sticks(face);
-            expansions.return_to_zero(time, state, &stopped, 0.0);
+            let is_in_space = expansions.kinds[contact].is_in_space;
+            let held = [Phase::Sticks(face)].into_iter().chain(leaning(Phase::Sticks(face), is_in_space));
+            let mut held = held.skip_while(|phase| {
+                stopped.phases[contact] = *phase;
+                !expansions.return_to_zero(time, state, &stopped, 0.0)
+            });
+            held.next();
         }
         let closing = match fall {
             Fall::Closes { contact } => Some(contact),
@@ -86,6 +94,7 @@ impl Modes {
                 NotStruck::AddsEnergy => ENERGY,
                 NotStruck::Restitution => RESTITUTION,
                 NotStruck::Friction => NEGATIVE,
+                NotStruck::Turns => TURNS,
             })?;
             let after = expansions.contacts(&Instant { time, state, late }, &mode.cases);
             let turned = |(kind, contact): (&Kind, &Touching<1>)| kind.is_one_way && approaches(contact);
@@ -101,7 +110,8 @@ impl Modes {
             }
         }
         let jumps = |place: usize, now: &Touching<1>| {
-            known.get(place).is_some_and(|before| (now.slide - before.slide).sign_of(0, SLACK) != 0.0)
+            let differ = |now: Jet<1>, before: Jet<1>| (now - before).sign_of(0, SLACK) != 0.0;
+            known.get(place).is_some_and(|before| differ(now.slide, before.slide) || differ(now.aside, before.aside))
         };
         let of = |(place, (contact, phase)): (usize, (Touching<1>, &Phase))| match *phase {
             // others of the same current
@@ -120,7 +130,9 @@ impl Modes {
             Phase::Carried => touching(&contact),
             // a condition may change the speed of a plane at once
             _ if jumps(place, &contact) => touching(&contact),
-            Phase::Sticks(_) | Phase::Rests { .. } => Touch::Rest,
+            Phase::Sticks(_) | Phase::Leans { .. } | Phase::Rests { .. } => Touch::Rest,
+            Phase::Glides { .. } if matches!(fall, Fall::Stops { contact } if contact == place) => Touch::Rest,
+            Phase::Glides { .. } => touching(&contact),
             Phase::Slips { .. } if matches!(fall, Fall::Stops { contact } if contact == place) => Touch::Rest,
             Phase::Slips { forwards, .. } => match touching(&contact) {
                 Touch::Rest => Touch::Rest,
@@ -173,8 +185,8 @@ impl Modes {
 
 /// What a contact in touch does, by its sliding velocity.
 fn touching(contact: &Touching<1>) -> Touch {
-    match contact.slide.sign_of(0, SLACK) {
-        0.0 => Touch::Rest,
-        sign => Touch::Slides { forwards: sign > 0.0 },
+    match [contact.slide, contact.aside].map(|part| part.sign_of(0, SLACK)) {
+        [0.0, 0.0] => Touch::Rest,
+        [along, _] => Touch::Slides { forwards: along > 0.0 },
     }
 }

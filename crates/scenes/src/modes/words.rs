@@ -88,7 +88,9 @@ impl Words {
             Fall::Closes { contact } => format!("{} closes", self.contacts[contact]),
             Fall::Lifts { contact } => format!("the normal reaction of {} falls to zero", self.contacts[contact]),
             Fall::Slides { contact, .. } => format!("friction does not hold {} any more", self.contacts[contact]),
-            Fall::Stops { contact } => format!("the sliding of {} stops", self.contacts[contact]),
+            Fall::Stops { contact } | Fall::Slows { contact } | Fall::Turns { contact } => {
+                format!("the sliding of {} stops", self.contacts[contact])
+            }
             Fall::Smooths { contact } => {
                 format!("the coefficient of friction of {} falls to zero", self.contacts[contact])
             }
@@ -112,7 +114,8 @@ impl Words {
                 _ if one_way.is_some() => "holds",
                 Phase::Slips { .. } if !is_rough => "touches",
                 Phase::Apart => "is apart",
-                Phase::Sticks(_) | Phase::Rests { .. } => "sticks",
+                Phase::Sticks(_) | Phase::Leans { .. } | Phase::Rests { .. } => "sticks",
+                Phase::Glides { .. } => "slides",
                 Phase::Slips { forwards: true, .. } => "slides forwards",
                 Phase::Slips { forwards: false, .. } => "slides backwards",
                 Phase::Carried => "is carried",

@@ -7,10 +7,11 @@ use scenes::regulator::regulated;
 use scenes::{ModelScene, regimes};
 use std::time::{Duration, Instant};
 
-const TEXTS: [&str; 13] = [
+const TEXTS: [&str; 14] = [
     EVERYTHING,
     MACHINE,
     MOTORS,
+    BALL,
     include_str!("../../../../scenes/models/cart_pole.toml"),
     include_str!("../../../../scenes/models/leaning_ladder.toml"),
     include_str!("../../../../scenes/models/geared_motor.toml"),
@@ -22,6 +23,66 @@ const TEXTS: [&str; 13] = [
     include_str!("../../../../scenes/models/cart_with_two_links.toml"),
     include_str!("../../../../scenes/models/chaplygin_sleigh.toml"),
 ];
+
+/// A ball on a rough slope in space, beside a rough wall.
+const BALL: &str = r#"
+title = "A ball"
+gravity = "-g*N.z"
+
+[parameters]
+m = "0.17 kg"
+r = "30 mm"
+g = "9.81 m/s^2"
+mu = "0.2"
+a = "0.1 rad"
+
+[coordinates]
+x = "m"
+y = "m"
+z = "m"
+
+[frames]
+B = "N free"
+S = "N turned a about y"
+
+[points]
+G = "O + x*S.x + y*S.y + z*S.z"
+P = "G - r*S.z"
+
+[bodies.ball]
+frame = "B"
+centre = "G"
+mass = "m"
+inertia = { principal = ["2/5*m*r^2", "2/5*m*r^2", "2/5*m*r^2"] }
+
+[[contact]]
+name = "cloth"
+of = "ball at P"
+through = "O"
+normal = "S.z"
+friction = "mu"
+restitution = "0.5"
+
+[[contact]]
+name = "wall"
+of = "ball at G + r*S.x"
+through = "O + (0.2 m)*S.x"
+normal = "-S.x"
+friction = "mu"
+
+[outputs]
+slip = "norm(sliding(cloth))"
+T = "friction(cloth) . N.x"
+
+[start]
+z = "30 mm"
+"x'" = "1 m/s"
+"y'" = "0.5 m/s"
+"B.wx" = "-30 rad/s"
+
+[run]
+span = "0.3 s"
+"#;
 
 /// Windings, diodes, a freewheel, a contact, a regulator.
 const MACHINE: &str = r#"

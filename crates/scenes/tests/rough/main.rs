@@ -9,6 +9,7 @@ mod impacts;
 mod ladders;
 mod refusals;
 mod regimes;
+mod space;
 
 use derivations::scene::{Choice, Smooth, Trajectory};
 use integrators::Method;

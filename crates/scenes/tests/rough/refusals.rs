@@ -35,21 +35,36 @@ fn a_contact_that_is_incomplete_is_refused_with_an_example() {
 }
 
 #[test]
-fn friction_in_space_is_not_there_yet() {
-    let spatial = "title = \"ball\"\ngravity = \"-g*N.z\"\n[parameters]\nm = \"1 kg\"\ng = \"9.81 m/s^2\"\n\
+fn a_smooth_contact_in_space_takes_the_bounce_alone() {
+    let smooth = "title = \"ball\"\ngravity = \"-g*N.z\"\n[parameters]\nm = \"1 kg\"\ng = \"9.81 m/s^2\"\n\
                    [coordinates]\nx = \"m\"\ny = \"m\"\nz = \"m\"\n[points]\nP = \"O + x*N.x + y*N.y + z*N.z\"\n\
                    [bodies.ball]\ncentre = \"P\"\nmass = \"m\"\n\
-                   [[contact]]\nof = \"ball\"\nthrough = \"O\"\nnormal = \"N.z\"\nfriction = \"0.3\"\nrestitution = \"0.5\"\n\
+                   [[contact]]\nof = \"ball\"\nthrough = \"O\"\nnormal = \"N.z\"\nrestitution = \"0.5\"\n\
                    [start]\nz = \"1 m\"\n\"x'\" = \"1 m/s\"\n[run]\nspan = \"0.6 s\"\n";
-    let said = ModelScene::parse("scene.toml", spatial).expect_err("it is spatial").to_string();
-    assert!(said.contains("friction in space is not there yet"), "{said}");
-    let smooth = spatial.replace("friction = \"0.3\"\n", "");
-    let trajectory = super::runs(&smooth, integrators::Method::DormandPrince8, 1e-12);
+    let trajectory = super::runs(smooth, integrators::Method::DormandPrince8, 1e-12);
     assert_eq!(trajectory.stopped(), None);
     let landed = (2.0_f64 / 9.81).sqrt();
     super::close(super::events(&trajectory)[0], landed, 1e-12);
     super::close(super::last(&trajectory, "z'"), 0.5 * 9.81 * landed - 9.81 * (0.6 - landed), 1e-11);
     super::close(super::last(&trajectory, "x'"), 1.0, 1e-14);
+}
+
+/// The reaction of a line in space has two components, and Coulomb's law takes both together.
+#[test]
+fn a_rough_guide_along_a_line_in_space_is_refused() {
+    let guide = |gravity: &str, friction: &str| {
+        format!(
+            "title = \"bead\"\ngravity = \"-(9.81 m/s^2)*{gravity}\"\n[coordinates]\ns = \"m\"\n[points]\nP = \"O + s*N.x\"\n\
+             [bodies.bead]\ncentre = \"P\"\nmass = \"(1 kg)\"\n[[contact]]\nbetween = \"bead, N along x\"\n{friction}\n\
+             [start]\n\"s'\" = \"1 m/s\"\n[run]\nspan = \"0.1 s\"\n"
+        )
+    };
+    let said =
+        |text: &str| ModelScene::parse("scene.toml", text).map_or_else(|error| error.to_string(), |_| String::new());
+    let rough = "friction = \"0.2\"";
+    assert!(said(&guide("N.z", rough)).contains("guides along a line in space are not there yet"));
+    assert_eq!(said(&guide("N.y", rough)), "");
+    assert_eq!(said(&guide("N.z", "")), "");
 }
 
 #[test]

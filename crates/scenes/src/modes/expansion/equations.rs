@@ -2,7 +2,7 @@
 
 use super::{Expansions, Kind, Slope};
 use crate::compiled_system::{NotCompiled, values};
-use crate::modes::contacts::{friction, kept_at_zero, motion};
+use crate::modes::contacts::{friction, kept_at_zero, letters as reactions, motion, slides};
 use crate::modes::multiples::{letters, mirrored};
 use model::equations::{Equations, Singular};
 use model::{Contact, Model, Trace};
@@ -28,14 +28,13 @@ pub(super) fn expansions(model: &Model) -> Result<Expansions, NotCompiled> {
         law: contact.law,
         is_guide: contact.guide.is_some(),
         is_one_way: contact.one_way.is_some(),
+        is_in_space: contact.is_in_space(),
     };
     let kinds: Vec<Kind> = model.contacts.iter().map(kind).collect();
-    let places = || (0..kinds.len()).flat_map(|contact| [[contact, 0], [contact, 1]]);
     let kept = kept_at_zero(&trace).concat();
     let rows = [rates, substitute_all(&kept, &motion)].concat();
     let (conditions, rows) = (all_in_own(&conditions), all_in_own(&rows));
-    let reactions = places().map(|[contact, component]| trace.reaction(contact, component));
-    let letters: Vec<Sym> = trace.switches.iter().copied().chain(reactions).collect();
+    let letters: Vec<Sym> = trace.switches.iter().copied().chain(reactions(&trace)).collect();
     let is_own = |place: &usize| mirrored.get(*place).is_none_or(Option::is_none);
     let (mut slopes, mut values_of_slopes) = (Vec::new(), Vec::new());
     for row in (0..letters.len()).filter(is_own) {
@@ -51,11 +50,12 @@ pub(super) fn expansions(model: &Model) -> Result<Expansions, NotCompiled> {
     }
     let gaps: Vec<Sym> = model.contacts.iter().map(|contact| trace.scalar(contact.gap)).collect();
     let gap_rates = model.contacts.iter().map(|contact| trace.gap_rate(contact)).collect();
-    let slides = model.contacts.iter().map(|contact| trace.scalar(contact.slide)).collect();
+    let [along, aside] = [0, 1]
+        .map(|tangent| -> Vec<Sym> { model.contacts.iter().map(|contact| slides(&trace, contact)[tangent]).collect() });
     let frictions = (0..kinds.len()).map(|contact| friction(&trace, contact)).collect();
     let restitutions =
         model.contacts.iter().map(|one| one.restitution.map_or(Sym::ZERO, |e| trace.scalar(e))).collect();
-    let of_contacts = [gaps, gap_rates, slides, frictions, restitutions].concat();
+    let of_contacts = [gaps, gap_rates, along, aside, frictions, restitutions].concat();
     let moved: Vec<Sym> = trace.position_rates.iter().copied().chain(accelerations).collect();
     let events: Vec<Sym> = model.events.iter().map(|event| trace.scalar(event.when)).collect();
     let of_contacts = all_in_own(&of_contacts);

@@ -34,6 +34,8 @@ pub(in super::super) enum NotStruck {
     Restitution,
     /// The coefficient of friction is negative.
     Friction,
+    /// Friction would turn the sliding in space.
+    Turns,
 }
 
 /// A contact that closes.

@@ -1,7 +1,9 @@
 //! Impulses: speeds that return conditions and contacts to zero, and impacts.
 
+use super::super::contacts::PARTS;
 use super::super::jet::{Jet, ROUNDING};
 use super::super::mode::{Case, Mode, Phase};
+use super::impact_in_space::Struck;
 use super::impact_law::{Impact, NotStruck};
 use super::letters::Quantity;
 use super::{Expansion, Expansions, Instant, Kind, ROUNDINGS, Touching, solved};
@@ -32,8 +34,20 @@ impl Expansions {
     }
 
     /// Takes from the speeds what held conditions, and contacts in touch, have moved off zero: impulses of the forces that hold them, so
-    /// that constraints stay as they are.
-    pub fn return_to_zero(&self, time: f64, state: &mut [f64], mode: &Mode, slack: f64) {
+    /// that constraints stay as they are. Whether these are determined.
+    pub fn return_to_zero(&self, time: f64, state: &mut [f64], mode: &Mode, slack: f64) -> bool {
+        self.return_to(time, state, mode, slack, |_| [0.0; 2])
+    }
+
+    /// The same to a sliding velocity of each contact that is held.
+    pub fn return_to(
+        &self,
+        time: f64,
+        state: &mut [f64],
+        mode: &Mode,
+        slack: f64,
+        sliding: impl Fn(usize) -> [f64; 2],
+    ) -> bool {
         let held = self.held(mode);
         let reactions = self.unknown_reactions(mode);
         let unknown: Vec<usize> = held.iter().chain(&reactions).copied().collect();
@@ -41,28 +55,35 @@ impl Expansions {
             let clock = Jet::<1>::constant(time, 0.0);
             let parts = rounded(state);
             let Some(Expansion { conditions, contacts, switches, .. }) = self.run(clock, &parts, mode, &[]) else {
-                return;
+                return false;
             };
             let off = |&letter: &usize| match letter.checked_sub(conditions.len()) {
                 None => conditions[letter],
-                Some(place) if place % 2 == 0 => contacts[place / 2].gap_rate,
-                Some(place) => contacts[place / 2].slide,
+                Some(place) => {
+                    let (contact, [along, aside]) = (&contacts[place / PARTS], sliding(place / PARTS));
+                    match place % PARTS {
+                        0 => contact.gap_rate,
+                        1 => contact.slide - Jet::constant(along, 0.0),
+                        _ => contact.aside - Jet::constant(aside, 0.0),
+                    }
+                }
             };
             let off: Vec<Jet<1>> = unknown.iter().map(off).collect();
             if off.iter().all(|value| value.sign_of(0, slack) == 0.0) {
-                return;
+                return true;
             }
             let mut all = switches;
             all.resize(self.letters(), Jet::zero());
             let values = self.values(clock, &parts, &all, &[]);
             let rows = self.slopes_by(&values, &vec![None; self.kinds.len()], &unknown, &unknown);
-            let Some(impulses) = solved(rows, off.into_iter().map(|value| -value).collect()) else { return };
+            let Some(impulses) = solved(rows, off.into_iter().map(|value| -value).collect()) else { return false };
             for (impulse, added) in impulses.iter().zip(self.responses(clock, &parts, &all, &unknown)) {
                 for (part, rate) in state.iter_mut().zip(added) {
                     *part += impulse.terms[0] * rate;
                 }
             }
         }
+        true
     }
 
     /// Moves a contact that has closed to where its gap is zero: along the displacement that a force along the normal gives, so that
@@ -92,20 +113,23 @@ impl Expansions {
         }
     }
 
-    /// A contact that closes, by the values of the tape.
-    fn impact<S: Real>(&self, values: &[S], contact: usize) -> Impact<S> {
-        let letters = [0, 1].map(|component| self.reaction([contact, component]));
+    /// The impulses of a contact that closes, normal and along each tangent, by the values of the tape.
+    fn impulses<S: Real>(&self, values: &[S], contact: usize) -> Result<[S; PARTS], NotStruck> {
+        let letters: [usize; PARTS] = std::array::from_fn(|part| self.reaction([contact, part]));
         let slopes = self.slopes_by(values, &vec![None; self.kinds.len()], &letters, &letters);
         let of = |quantity: Quantity| self.of_contact(values, quantity, contact);
         let Kind { law, is_rough, .. } = self.kinds[contact];
-        Impact {
-            law,
+        let struck = Struck {
             closing: of(Quantity::GapRate),
-            sliding: of(Quantity::Slide),
-            responses: [0, 1].map(|row| [0, 1].map(|column| slopes[row][column])),
-            friction: is_rough.then(|| of(Quantity::Friction)),
-            restitution: of(Quantity::Restitution),
-        }
+            sliding: [of(Quantity::Slide), of(Quantity::Aside)],
+            responses: std::array::from_fn(|row| std::array::from_fn(|column| slopes[row][column])),
+        };
+        let way = if is_rough { struck.way()? } else { [S::one(), S::zero()] };
+        let (closing, sliding, responses) = struck.along(way);
+        let friction = is_rough.then(|| of(Quantity::Friction));
+        let impact = Impact { law, closing, sliding, responses, friction, restitution: of(Quantity::Restitution) };
+        let [normal, tangent] = impact.impulses()?;
+        Ok([normal, way[0] * tangent, way[1] * tangent])
     }
 
     /// Letters with the cases of conditions, and no reactions.
@@ -125,7 +149,7 @@ impl Expansions {
     ) -> Option<Vec<DoubleDouble>> {
         let all = self.letters_in::<DoubleDouble>(cases);
         let values = self.exact_values(time, state, &all);
-        let impulses = self.impact(&values, contact).impulses().ok()?;
+        let impulses = self.impulses(&values, contact).ok()?;
         let mut after = state.to_vec();
         for (component, impulse) in impulses.into_iter().enumerate() {
             let mut one = all.clone();
@@ -159,11 +183,11 @@ impl Expansions {
     ) -> Result<Vec<usize>, NotStruck> {
         let clock = Jet::<1>::constant(time, 0.0);
         let parts = rounded(state);
-        let letters = [0, 1].map(|component| self.reaction([contact, component]));
+        let letters: [usize; PARTS] = std::array::from_fn(|part| self.reaction([contact, part]));
         let all = self.letters_in::<Jet<1>>(cases);
         let values = self.values(clock, &parts, &all, &[]);
         let rounded_values: Vec<f64> = values.iter().map(|value| value.terms[0]).collect();
-        let impulses = self.impact(&rounded_values, contact).impulses()?;
+        let impulses = self.impulses(&rounded_values, contact)?;
         let before = state.to_vec();
         for (impulse, added) in impulses.iter().zip(self.responses(clock, &parts, &all, &letters)) {
             for (part, rate) in state.iter_mut().zip(added) {
@@ -191,7 +215,7 @@ impl Expansions {
     }
 
     /// Whether impulses of another contact act across a guide that the coordinates satisfy.
-    fn presses(&self, values: &[Jet<1>], guide: usize, (letters, impulses): (&[usize], [f64; 2])) -> bool {
+    fn presses(&self, values: &[Jet<1>], guide: usize, (letters, impulses): (&[usize], [f64; PARTS])) -> bool {
         let own = self.reaction([guide, 0]);
         let slopes = self.slopes_by(values, &vec![None; self.kinds.len()], &[own], letters);
         let parts: Vec<Jet<1>> =
@@ -199,10 +223,10 @@ impl Expansions {
         parts.iter().fold(Jet::zero(), |sum: Jet<1>, part| sum + *part).sign_of(0, CHANGES) != 0.0
     }
 
-    /// The parts that unit reactions, normal and tangential of each contact, add to gap'' and v' of each.
+    /// The parts that unit reactions, normal and tangential of each contact, add to gap'' and to both v' of each.
     pub fn responses_of_contacts(&self, Instant { time, state, .. }: &Instant<'_>) -> DMatrix<f64> {
         let letters: Vec<usize> = (0..self.kinds.len())
-            .flat_map(|contact| [0, 1].map(|component| self.reaction([contact, component])))
+            .flat_map(|contact| (0..PARTS).map(move |part| self.reaction([contact, part])))
             .collect();
         let values = self.values(Jet::constant(*time, 0.0), &rounded(state), &vec![Jet::zero(); self.letters()], &[]);
         let slopes = self.slopes_by(&values, &vec![None; self.kinds.len()], &letters, &letters);

@@ -1,10 +1,11 @@
 //! The letters of a model's expressions, switches and reactions: which of them a mode leaves unknown, and the slopes of rows by them.
 
-use super::super::contacts::unknown;
-use super::super::jet::Jet;
-use super::super::mode::{Case, Mode, Phase};
+use super::super::contacts::{PARTS, unknown};
+use super::super::jet::{Jet, ROUNDING};
+use super::super::mode::{Case, Heading, Mode, Phase};
 use super::{Expansions, ROUNDS, Slope};
-use field::Scalar;
+use field::{Analytic, Scalar};
+use num_traits::Zero;
 
 /// Quantities of a contact, in the order of the tape.
 #[derive(Clone, Copy)]
@@ -12,6 +13,7 @@ pub(super) enum Quantity {
     Gap,
     GapRate,
     Slide,
+    Aside,
     Friction,
     Restitution,
 }
@@ -19,7 +21,7 @@ pub(super) enum Quantity {
 impl Expansions {
     /// The number of switches and reactions.
     pub(super) fn letters(&self) -> usize {
-        self.mirrored.len() + 2 * self.kinds.len()
+        self.mirrored.len() + PARTS * self.kinds.len()
     }
 
     /// Steps of Newton's method for unknown letters: one where the rows are linear in them. A law of g that has |g| in it is linear
@@ -39,22 +41,35 @@ impl Expansions {
 
     /// The letter of a reaction.
     pub(super) fn reaction(&self, [contact, component]: [usize; 2]) -> usize {
-        self.mirrored.len() + 2 * contact + component
+        self.mirrored.len() + PARTS * contact + component
     }
 
     /// Letters of reactions that a mode leaves to be found.
     pub(super) fn unknown_reactions(&self, mode: &Mode) -> Vec<usize> {
-        unknown(mode).into_iter().map(|of| self.reaction(of)).collect()
+        unknown(mode, |contact| self.kinds[contact].is_in_space).into_iter().map(|of| self.reaction(of)).collect()
     }
 
-    /// For each normal reaction of a contact that slides, T = factor N.
-    pub(super) fn tied<const N: usize>(&self, mode: &Mode, values: &[Jet<N>]) -> Vec<Option<Jet<N>>> {
+    /// For each normal reaction of a contact that slides, T = factor N along each tangent.
+    pub(super) fn tied<const N: usize>(&self, mode: &Mode, values: &[Jet<N>]) -> Vec<Option<[Jet<N>; 2]>> {
         let of = |(contact, phase): (usize, &Phase)| {
-            let (face, way) = (phase.face()?, phase.way()?);
-            let sign = Jet::constant(-way * face.sign(), 0.0);
-            Some(sign * self.of_contact(values, Quantity::Friction, contact))
+            let against = Jet::constant(-phase.face()?.sign(), 0.0);
+            let most = against * self.of_contact(values, Quantity::Friction, contact);
+            Some(self.way(values, contact, *phase)?.map(|along| most * along))
         };
         mode.phases.iter().enumerate().map(of).collect()
+    }
+
+    /// The direction of sliding that friction opposes at its bound, along each tangent.
+    fn way<const N: usize>(&self, values: &[Jet<N>], contact: usize, phase: Phase) -> Option<[Jet<N>; 2]> {
+        match phase {
+            Phase::Glides { begins: Some(heading), .. } => Some(direction(heading)),
+            Phase::Glides { begins: None, .. } => {
+                let slides = [Quantity::Slide, Quantity::Aside].map(|of| self.of_contact(values, of, contact));
+                let speed = (slides[0] * slides[0] + slides[1] * slides[1]).sqrt();
+                Some(slides.map(|slide| slide / speed))
+            }
+            _ => Some([Jet::constant(phase.way()?, 0.0), Jet::zero()]),
+        }
     }
 
     /// A quantity of a contact.
@@ -67,7 +82,7 @@ impl Expansions {
     pub(super) fn slopes_by<S: Scalar>(
         &self,
         values: &[S],
-        tied: &[Option<S>],
+        tied: &[Option<[S; 2]>],
         rows: &[usize],
         letters: &[usize],
     ) -> Vec<Vec<S>> {
@@ -79,13 +94,24 @@ impl Expansions {
                 all[row][column] += *value;
             }
             // T moves with N
-            let reaction = slope.by.checked_sub(self.mirrored.len()).filter(|place| place % 2 == 1);
-            let Some((place, factor)) = reaction.and_then(|place| Some((place, tied[place / 2]?))) else { continue };
-            let normal = self.mirrored.len() + place - 1;
+            let reaction = slope.by.checked_sub(self.mirrored.len()).filter(|place| place % PARTS > 0);
+            let factor = reaction.and_then(|place| Some((place, tied[place / PARTS]?[place % PARTS - 1])));
+            let Some((place, factor)) = factor else { continue };
+            let normal = self.mirrored.len() + place - place % PARTS;
             if let Some(column) = letters.iter().position(|letter| *letter == normal) {
                 all[row][column] += *value * factor;
             }
         }
         all
     }
+}
+
+/// A direction that begins at an angle and turns.
+pub(in super::super) fn direction<const N: usize>(heading: Heading) -> [Jet<N>; 2] {
+    let mut angle = Jet::constant(heading.angle(), ROUNDING * heading.angle().abs());
+    if N > 1 {
+        angle.terms[1] = heading.turn();
+    }
+    let point = angle.circle();
+    [point.cos, point.sin]
 }

@@ -5,6 +5,7 @@
 
 mod elimination;
 mod equations;
+mod impact_in_space;
 mod impact_law;
 mod impulses;
 mod letters;
@@ -13,10 +14,12 @@ mod trials;
 
 pub(super) use elimination::solved;
 pub(super) use impact_law::NotStruck;
+pub(super) use letters::direction;
 pub(super) use parts::Slopes;
 
 use letters::Quantity;
 
+use super::contacts::PARTS;
 use super::jet::{Jet, ROUNDING};
 use super::mode::{Case, Mode};
 use super::multiples::Mirrored;
@@ -43,7 +46,7 @@ pub(super) struct Expansions {
     tape: Tape,
     states: usize,
     positions: usize,
-    /// Slopes of rows by letters, where they are not zero. Letters are switches, then two reactions of each contact; a row is the rate of
+    /// Slopes of rows by letters, where they are not zero. Letters are switches, then the reactions of each contact; a row is the rate of
     /// a condition, then what the reaction of the same place keeps at zero.
     slopes: Vec<Slope>,
     pub mirrored: Vec<Option<Mirrored>>,
@@ -61,6 +64,8 @@ pub(super) struct Kind {
     pub is_guide: bool,
     /// Whether its gap is a speed.
     pub is_one_way: bool,
+    /// Whether it slides in two directions.
+    pub is_in_space: bool,
 }
 
 /// The slope of a row by a letter, and the letters that change it.
@@ -77,9 +82,12 @@ pub(super) struct Touching<const N: usize> {
     pub gap: Jet<N>,
     pub gap_rate: Jet<N>,
     pub slide: Jet<N>,
+    /// Along the second tangent; zero in the plane.
+    pub aside: Jet<N>,
     pub friction: Jet<N>,
     /// Normal and tangential.
-    pub reactions: [Jet<N>; 2],
+    pub reactions: [Jet<N>; PARTS],
+    pub is_in_space: bool,
 }
 
 /// Where a motion goes on.
@@ -192,8 +200,8 @@ impl Expansions {
                     letters[letter] += change;
                 }
                 for (contact, factor) in tied.iter().enumerate() {
-                    if let Some(factor) = factor {
-                        letters[self.reaction([contact, 1])] = *factor * letters[self.reaction([contact, 0])];
+                    for (factor, part) in factor.iter().flatten().zip(1..) {
+                        letters[self.reaction([contact, part])] = *factor * letters[self.reaction([contact, 0])];
                     }
                 }
                 values = self.values(time, state, &letters, confirmed);
@@ -204,8 +212,10 @@ impl Expansions {
             gap: self.of_contact(&values, Quantity::Gap, contact),
             gap_rate: self.of_contact(&values, Quantity::GapRate, contact),
             slide: self.of_contact(&values, Quantity::Slide, contact),
+            aside: self.of_contact(&values, Quantity::Aside, contact),
             friction: self.of_contact(&values, Quantity::Friction, contact),
-            reactions: [0, 1].map(|component| letters[self.reaction([contact, component])]),
+            reactions: std::array::from_fn(|part| letters[self.reaction([contact, part])]),
+            is_in_space: self.kinds[contact].is_in_space,
         };
         let contacts = (0..self.kinds.len()).map(touching).collect();
         letters.truncate(cases);

@@ -18,7 +18,7 @@ impl Expansions {
         &self,
         cases: usize,
         values: &[Jet<N>],
-        tied: &[Option<Jet<N>>],
+        tied: &[Option<[Jet<N>; 2]>],
         reactions: &[usize],
     ) -> Option<Slopes<N>> {
         let switches: Vec<usize> = (0..cases).collect();

@@ -1,0 +1,81 @@
+//! An impact with friction in space, along the direction in which the contact slides.
+//!
+//! The impulses N and T change the sliding velocity v by N c + D T with a vector c and a matrix D. Where c and D v lie along v, as for a
+//! ball, T does so too in the whole impact, and its law is that of an impact in the plane of the normal and of v. Elsewhere the direction
+//! of sliding turns within the impact (Routh 1860), which is refused.
+
+use super::impact_law::NotStruck;
+use integrators::Real;
+
+/// Parts across the direction of sliding below this part of the others are rounding.
+const ACROSS: f64 = 1e-12;
+
+/// A contact that closes in space: the rate of its gap, its sliding velocity, and what unit impulses add to these.
+pub(super) struct Struck<S> {
+    pub closing: S,
+    pub sliding: [S; 2],
+    pub responses: [[S; 3]; 3],
+}
+
+impl<S: Real> Struck<S> {
+    /// The direction of sliding that the impact keeps.
+    ///
+    /// # Errors
+    /// Where it turns.
+    pub fn way(&self) -> Result<[S; 2], NotStruck> {
+        let [[_, _, _], [by_normal, own, cross], [beside, _, other]] = self.responses;
+        let size = |[a, b]: [S; 2]| (a * a + b * b).sqrt();
+        let (speed, pull) = (size(self.sliding), size([by_normal, beside]));
+        let is_small = |value: S, beside: S| value.approx().abs() <= ACROSS * beside.approx().abs();
+        // at rest it begins to slide to where the normal impulse drives it
+        let way = match (speed.is_zero(), pull.is_zero()) {
+            (false, _) => self.sliding.map(|part| part / speed),
+            (true, false) => [by_normal / pull, beside / pull],
+            (true, true) => [S::one(), S::zero()],
+        };
+        let across = |[first, second]: [S; 2]| way[0] * second - way[1] * first;
+        let response = [own * way[0] + cross * way[1], cross * way[0] + other * way[1]];
+        let keeps = (speed.is_zero() || is_small(across([by_normal, beside]), own + other))
+            && is_small(across(response), own + other);
+        if keeps { Ok(way) } else { Err(NotStruck::Turns) }
+    }
+
+    /// The rate of the gap, the sliding velocity along a direction, and what unit impulses along the normal and along it add to them.
+    pub fn along(&self, [first, second]: [S; 2]) -> (S, S, [[S; 2]; 2]) {
+        let along = |[_, one, other]: [S; 3]| first * one + second * other;
+        let [gap, one, other] = self.responses;
+        let by_normal = along([S::zero(), one[0], other[0]]);
+        let by_tangent = first * along(one) + second * along(other);
+        let sliding = first * self.sliding[0] + second * self.sliding[1];
+        (self.closing, sliding, [[gap[0], along(gap)], [by_normal, by_tangent]])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{NotStruck, Struck};
+
+    /// Of a ball: unit impulses change the velocity of its lowest point by 1/m, and by 7/(2 m) along the tangents.
+    fn ball(sliding: [f64; 2]) -> Struck<f64> {
+        Struck { closing: -1.0, sliding, responses: [[1.0, 0.0, 0.0], [0.0, 3.5, 0.0], [0.0, 0.0, 3.5]] }
+    }
+
+    #[test]
+    fn a_ball_keeps_its_direction() {
+        let way = ball([0.6, -0.8]).way().unwrap();
+        assert!((way[0] - 0.6).abs() < 1e-15 && (way[1] + 0.8).abs() < 1e-15);
+        let (_, sliding, responses) = ball([0.6, -0.8]).along(way);
+        assert!((sliding - 1.0).abs() < 1e-15 && (responses[1][1] - 3.5).abs() < 1e-14);
+    }
+
+    #[test]
+    fn a_body_whose_friction_turns_its_sliding_is_refused() {
+        let mut body = ball([0.6, -0.8]);
+        body.responses[2][2] = 1.0;
+        assert_eq!(body.way(), Err(NotStruck::Turns));
+        body.sliding = [1.0, 0.0];
+        assert!(body.way().is_ok());
+        body.responses[2][0] = 0.1;
+        assert_eq!(body.way(), Err(NotStruck::Turns));
+    }
+}

@@ -1,0 +1,45 @@
+//! The error of the time at which a run finds an event.
+
+use super::Current;
+use super::decision::TERMS;
+use super::expansion::Expansion;
+use super::jet::Jet;
+use super::mode::Case;
+use super::passage::SLACK;
+use super::signals::Fall;
+use super::touch::margins;
+use integrators::{Event, Happening};
+
+/// The error of the time of a fall, by what is left of its signal.
+pub(super) fn late(before: &Current, known: &Expansion<TERMS>, event: &Event) -> f64 {
+    let (signal, near) = match before.moded.signals.falls[event.signal] {
+        Fall::Passes { switch } => {
+            let side = if before.moded.system.mode.cases[switch] == Case::On { 1.0 } else { -1.0 };
+            (known.conditions[switch], side * before.near[switch])
+        }
+        Fall::Leaves { switch, to } => {
+            let bound = usize::from(to == Case::On);
+            (known.margins(switch)[bound], before.near_bounds[switch][bound])
+        }
+        Fall::Frees { switch } => {
+            let bound = usize::from(before.moded.system.mode.cases[switch].fixed() == Some(true));
+            (-known.margins(switch)[bound], before.near_bounds[switch][bound])
+        }
+        Fall::Closes { contact } => (known.contacts[contact].gap, before.near_contacts[contact][0]),
+        Fall::Lifts { contact } | Fall::Slides { contact, .. } | Fall::Stops { contact } => {
+            let touching = &known.contacts[contact];
+            let phase = before.moded.system.mode.phases[contact];
+            let margins = phase.face().map(|face| margins(touching, face));
+            let own = match (before.moded.signals.falls[event.signal], margins) {
+                (Fall::Slides { margin, .. }, Some(margins)) => (margins[margin], margin),
+                (Fall::Lifts { .. }, Some(margins)) => (margins[0], 0),
+                _ => (Jet::constant(phase.way().unwrap_or(1.0), 0.0) * touching.slide, 1),
+            };
+            (own.0, before.near_contacts[contact][own.1])
+        }
+        Fall::Slows { .. } | Fall::Turns { .. } | Fall::Jams | Fall::Smooths { .. } => return 0.0,
+        Fall::Event { event } => (known.events[event], before.sides[event].sign * before.near_events[event]),
+    };
+    let is_passed = event.what == Happening::Falls && signal.sign_of(1, SLACK).abs() == 1.0;
+    if is_passed { 2.0 * ((signal.terms[0] + near) / signal.terms[1]).abs() } else { 0.0 }
+}

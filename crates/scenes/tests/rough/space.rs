@@ -1,0 +1,211 @@
+//! Coulomb friction in space: closed forms, rolling beside constraints, and what is refused.
+
+use super::{METHODS, close, events, last, runs};
+use integrators::Method;
+
+/// A ball on a table; its spin is about x.
+fn ball(friction: f64, rest: &str, height: &str) -> String {
+    format!(
+        "title = \"ball\"\ngravity = \"-g*N.z\"\n[parameters]\nm = \"0.17 kg\"\nr = \"0.03 m\"\ng = \"9.81 m/s^2\"\nmu = \"{friction}\"\n\
+         [coordinates]\nx = \"m\"\ny = \"m\"\nz = \"m\"\n[frames]\nB = \"N free\"\n\
+         [points]\nG = \"O + x*N.x + y*N.y + z*N.z\"\nP = \"G - r*N.z\"\n\
+         [bodies.ball]\nframe = \"B\"\ncentre = \"G\"\nmass = \"m\"\n\
+         inertia = {{ principal = [\"2/5*m*r^2\", \"2/5*m*r^2\", \"2/5*m*r^2\"] }}\n\
+         [[contact]]\nname = \"cloth\"\nof = \"ball at P\"\nthrough = \"O\"\nnormal = \"N.z\"\nfriction = \"mu\"\n{rest}\n\
+         [outputs]\nT = \"norm(friction(cloth))\"\nv = \"norm(sliding(cloth))\"\nspin = \"angular_velocity(B) . N.y\"\n\
+         [start]\nz = \"{height}\"\n\"x'\" = \"2 m/s\"\n\"B.wx\" = \"-60 rad/s\"\n[run]\nspan = \"1 s\"\n"
+    )
+}
+
+/// The velocity u of the lowest point keeps its direction and falls by 7/2 mu g; the path is a parabola until the ball rolls (Euler 1758).
+#[test]
+fn a_ball_with_spin_slides_until_it_rolls() {
+    let (mu, g) = (0.2, 9.81);
+    let slip = [2.0, -1.8_f64];
+    let size = slip[0].hypot(slip[1]);
+    let rolls = 2.0 * size / (7.0 * mu * g);
+    let text = ball(mu, "touching = true", "0.03 m");
+    for method in METHODS {
+        let trajectory = runs(&text, method, 1e-12);
+        assert_eq!(trajectory.stopped(), None, "{method:?}");
+        assert_eq!(events(&trajectory).len(), 1, "{method:?}");
+        close(events(&trajectory)[0], rolls, 1e-10);
+        for (axis, (name, started)) in [("x", 2.0), ("y", 0.0)].into_iter().enumerate() {
+            let slowed = -mu * g * slip[axis] / size;
+            let rolling = started + slowed * rolls;
+            close(last(&trajectory, &format!("{name}'")), rolling, 1e-10);
+            let place = started * rolls + slowed * rolls * rolls / 2.0 + rolling * (1.0 - rolls);
+            close(last(&trajectory, name), place, 1e-10);
+        }
+        for name in ["T", "v"] {
+            close(last(&trajectory, name), 0.0, 1e-11);
+        }
+    }
+}
+
+/// The cloth takes the spin out of the first bounce where mu is large: u goes to zero with 2/7 u of the velocity.
+#[test]
+fn a_ball_that_bounces_with_spin_leaves_without_sliding() {
+    let text = ball(0.4, "restitution = \"0.5\"", "1.03 m");
+    let trajectory = runs(&text, Method::DormandPrince8, 1e-12);
+    assert_eq!(trajectory.stopped(), None);
+    close(events(&trajectory)[0], (2.0_f64 / 9.81).sqrt(), 1e-12);
+    close(last(&trajectory, "x'"), 2.0 * 5.0 / 7.0, 1e-11);
+    close(last(&trajectory, "y'"), 1.8 * 2.0 / 7.0, 1e-11);
+    close(last(&trajectory, "spin"), 2.0 * 5.0 / 7.0 / 0.03, 1e-9);
+}
+
+/// A particle on a slope of 0.5 rad.
+fn slope(friction: &str, start: &str, force: &str) -> String {
+    format!(
+        "title = \"slope\"\ngravity = \"-g*N.z\"\n[parameters]\nm = \"2 kg\"\ng = \"9.81 m/s^2\"\na = \"0.5 rad\"\n\
+         [coordinates]\nx = \"m\"\ny = \"m\"\nz = \"m\"\n[frames]\nS = \"N turned a about y\"\n\
+         [definitions]\nmu = \"{friction}\"\n[points]\nP = \"O + x*S.x + y*S.y + z*S.z\"\n[bodies.block]\ncentre = \"P\"\nmass = \"m\"\n\
+         [[contact]]\nname = \"slope\"\nof = \"block\"\nthrough = \"O\"\nnormal = \"S.z\"\nfriction = \"mu\"\ntouching = true\n{force}\n\
+         [outputs]\nv = \"norm(sliding(slope))\"\nT = \"norm(friction(slope))\"\n\
+         [start]\n{start}\n[run]\nspan = \"2 s\"\n"
+    )
+}
+
+/// With mu = tan a the speed and its part down the slope have a sum that stays.
+#[test]
+fn a_block_that_is_pushed_across_a_slope_turns_down() {
+    for method in METHODS {
+        let trajectory = runs(&slope("sin(a)/cos(a)", "\"y'\" = \"1 m/s\"", ""), method, 1e-12);
+        assert_eq!(trajectory.stopped(), None, "{method:?}");
+        close(last(&trajectory, "v") + last(&trajectory, "x'"), 1.0, 1e-11);
+        assert!(last(&trajectory, "y'") < 0.01);
+    }
+}
+
+#[test]
+fn a_block_that_friction_does_not_hold_slides_down() {
+    let trajectory = runs(&slope("0.3", "x = \"0 m\"", ""), Method::DormandPrince8, 1e-12);
+    let (sin, cos) = 0.5_f64.sin_cos();
+    close(last(&trajectory, "x"), 2.0 * 9.81 * (sin - 0.3 * cos), 1e-10);
+    close(last(&trajectory, "y"), 0.0, 1e-12);
+}
+
+/// |T| = mu N at the event, whatever the directions of both parts of T; what follows is stiff.
+#[test]
+fn a_block_that_is_pulled_aside_more_and_more_begins_to_slide_where_friction_ends() {
+    let force = "[[force]]\non = \"block\"\nis = \"(4 N/s)*t*S.y\"";
+    let text = slope("0.6", "x = \"0 m\"", force);
+    let (sin, cos) = 0.5_f64.sin_cos();
+    let weight = 2.0 * 9.81;
+    let begins = ((0.6 * weight * cos).powi(2) - (weight * sin).powi(2)).sqrt() / 4.0;
+    let runs = [Method::RadauIIA { stages: 5 }, Method::Gauss { stages: 4 }].map(|method| runs(&text, method, 1e-11));
+    for trajectory in &runs {
+        assert_eq!(trajectory.stopped(), None);
+        close(events(trajectory)[0], begins, 1e-10);
+    }
+    let [one, other] = &runs;
+    for name in ["x", "y", "x'", "y'"] {
+        assert!(last(one, name) > 0.01);
+        close(last(one, name), last(other, name), 1e-9);
+    }
+}
+
+/// A particle in a bowl z = x^2/l: N and T stand upon the surface, and T opposes the velocity.
+#[test]
+fn friction_on_a_curved_surface_opposes_the_sliding() {
+    let text = "title = \"bowl\"\ngravity = \"-g*N.z\"\n[parameters]\nm = \"2 kg\"\ng = \"9.81 m/s^2\"\nl = \"1.5 m\"\n\
+                [coordinates]\nx = \"m\"\ny = \"m\"\nz = \"m\"\n[points]\nP = \"O + x*N.x + y*N.y + z*N.z\"\n\
+                [bodies.bead]\ncentre = \"P\"\nmass = \"m\"\n\
+                [[contact]]\nname = \"bowl\"\nof = \"bead\"\ngap = \"z - (x^2 + y^2)/l\"\nnormal = \"N.z - 2*x/l*N.x - 2*y/l*N.y\"\n\
+                friction = \"0.15\"\ntouching = true\n\
+                [outputs]\nlost = \"friction(bowl) . velocity(P) + 0.15*reaction(bowl)*norm(velocity(P))\"\n\
+                across = \"norm(cross(friction(bowl), velocity(P)))\"\ngap = \"gap(bowl)\"\n\
+                [start]\nx = \"0.4 m\"\n\"y'\" = \"1.1 m/s\"\n[run]\nspan = \"0.6 s\"\n";
+    let trajectory = runs(text, Method::DormandPrince8, 1e-12);
+    assert_eq!(trajectory.stopped(), None);
+    assert!(last(&trajectory, "x").abs() > 0.01 && last(&trajectory, "y").abs() > 0.01);
+    for (name, within) in [("lost", 1e-11), ("across", 1e-11), ("gap", 1e-10)] {
+        close(last(&trajectory, name), 0.0, within);
+    }
+}
+
+/// The coin of a radius of 12 mm that starts with pure rolling, held by friction, and by constraints.
+#[test]
+fn a_coin_that_friction_holds_rolls_as_one_that_constraints_hold() {
+    let coin = |held: &str| {
+        format!(
+            "title = \"coin\"\ngravity = \"-g*N.z\"\n[parameters]\nm = \"10 g\"\nr = \"12 mm\"\ng = \"9.81 m/s^2\"\n\
+             [coordinates]\nx = \"m\"\ny = \"m\"\nz = \"m\"\nheading = \"rad\"\nlean = \"rad\"\nspin = \"rad\"\n\
+             [frames]\nB = \"N turned heading about z\"\nC = \"B turned -lean about x\"\nD = \"C turned spin about y\"\n\
+             [points]\nG = \"O + x*N.x + y*N.y + z*N.z\"\nP = \"G - r*C.z\"\n\
+             [bodies.coin]\nframe = \"D\"\ncentre = \"G\"\nmass = \"m\"\n\
+             inertia = {{ axes = \"C\", principal = [\"m*r^2/4\", \"m*r^2/2\", \"m*r^2/4\"] }}\n{held}\n\
+             [start]\nlean = \"0.3 rad\"\n\"spin'\" = \"20 rad/s\"\n\"x'\" = \"0.24 m/s\"\n[run]\nspan = \"0.3 s\"\n"
+        )
+    };
+    let contact = "[[contact]]\nname = \"table\"\nof = \"coin at P\"\nthrough = \"O\"\nnormal = \"N.z\"\nfriction = \"5\"\ntouching = true\n";
+    let rolling = "[[constraint]]\nzero = [\"velocity(coin at P) . N.x\", \"velocity(coin at P) . N.y\"]\n\
+                   [[constraint]]\nzero = \"z - r*cos(lean)\"\n";
+    let [held, constrained] = [contact, rolling].map(|held| runs(&coin(held), Method::DormandPrince8, 1e-12));
+    assert_eq!((held.stopped(), constrained.stopped()), (None, None));
+    for name in ["x", "y", "z", "heading", "lean", "spin", "lean'", "spin'"] {
+        close(last(&held, name), last(&constrained, name), 1e-9 * last(&held, name).abs().max(1.0));
+    }
+}
+
+/// The sentence with which a run of a text ends.
+fn end(text: &str) -> String {
+    runs(text, Method::DormandPrince8, 1e-9).stopped().unwrap_or_default().to_string()
+}
+
+#[test]
+fn impacts_that_turn_the_sliding_are_refused() {
+    let text = ball(0.2, "restitution = \"0.5\"", "1.03 m").replace("[\"2/5*m*r^2\", ", "[\"4/5*m*r^2\", ");
+    assert!(end(&text).contains("would turn the direction of sliding"), "{}", end(&text));
+}
+
+/// A stool on three feet, with a start and a force.
+fn stool(start: &str, force: &str) -> String {
+    let foot = |name: &str, x: f64, y: f64| {
+        let point = format!("{name} = \"G + ({x} m)*B.x + ({y} m)*B.y - (0.4 m)*B.z\"\n");
+        let contact = format!(
+            "[[contact]]\nname = \"{name}\"\nof = \"stool at {name}\"\nthrough = \"O\"\nnormal = \"N.z\"\nfriction = \"0.1\"\ntouching = true\n"
+        );
+        (point, contact)
+    };
+    let feet = [foot("A1", 0.2, 0.0), foot("A2", -0.1, 0.17), foot("A3", -0.1, -0.17)];
+    let points: String = feet.iter().map(|(point, _)| point.as_str()).collect();
+    let contacts: String = feet.iter().map(|(_, contact)| contact.as_str()).collect();
+    format!(
+        "title = \"stool\"\ngravity = \"-(9.81 m/s^2)*N.z\"\n[coordinates]\nx = \"m\"\ny = \"m\"\nz = \"m\"\n\
+         [frames]\nB = \"N free\"\n[points]\nG = \"O + x*N.x + y*N.y + z*N.z\"\n{points}\
+         [bodies.stool]\nframe = \"B\"\ncentre = \"G\"\nmass = \"(4 kg)\"\n\
+         inertia = {{ principal = [\"(0.1 kg m^2)\", \"(0.1 kg m^2)\", \"(0.08 kg m^2)\"] }}\n{contacts}{force}\
+         [start]\nz = \"0.4 m\"\n{start}\n[run]\nspan = \"2 s\"\n"
+    )
+}
+
+/// Without spin every foot has the same way v^2/(2 mu g), and all stop together.
+#[test]
+fn a_stool_slides_on_three_feet_and_stands() {
+    let trajectory = runs(&stool("\"x'\" = \"0.8 m/s\"", ""), Method::DormandPrince8, 1e-9);
+    assert_eq!(trajectory.stopped(), None);
+    close(last(&trajectory, "x"), 0.64 / (2.0 * 0.1 * 9.81), 1e-9);
+    close(events(&trajectory)[0], 0.8 / 0.981, 1e-9);
+    close(last(&trajectory, "x'"), 0.0, 1e-12);
+}
+
+/// A stool that spins beside its centre turns about one foot in the end, and stands.
+#[test]
+fn a_stool_that_spins_comes_to_rest_foot_by_foot() {
+    let trajectory = runs(&stool("\"B.wz\" = \"1 rad/s\"", ""), Method::DormandPrince8, 1e-9);
+    assert_eq!(trajectory.stopped(), None);
+    let stops: Vec<&str> = trajectory.passages.iter().filter_map(|one| one.then.as_deref()).collect();
+    assert_eq!(stops.last(), Some(&"contact `A1` sticks, contact `A2` sticks, contact `A3` sticks"));
+    assert!(stops[1].matches("sticks").count() == 1, "{stops:?}");
+    close(last(&trajectory, "B.wz"), 0.0, 1e-12);
+}
+
+#[test]
+fn feet_that_would_begin_to_slide_together_are_refused() {
+    let push = "[[force]]\non = \"stool\"\nis = \"(10 N)*N.x\"\n";
+    let said =
+        scenes::ModelScene::parse("scene.toml", &stool("x = \"0 m\"", push)).expect_err("three feet").to_string();
+    assert!(said.contains("several contacts in space are in touch"), "{said}");
+}
