@@ -306,7 +306,8 @@ impl Elaborator<'_> {
         self.drives[place].torque = Some(torque);
         let axis = self.vector(Vector::Axis { frame: base, axis }, Some(Dimension::none()));
         let is = self.vector(Vector::Scaled(torque, axis), Some(joule()));
-        self.driving.0.push(Torque::Between { frames: [base, frame], is });
+        let at = source.torque.as_ref().map(Text::span);
+        self.driving.0.push((Torque::Between { frames: [base, frame], is }, at));
         Ok(())
     }
 }

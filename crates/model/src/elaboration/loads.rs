@@ -1,5 +1,6 @@
 //! Gravity, energies, constraints, outputs, and the start; forces and torques stand in `forces`.
 
+use super::one_sided_loads::Load;
 use super::value::Value;
 use super::{Elaborator, GRAVITY, Sound, mismatch};
 use crate::parts::TURNING;
@@ -37,25 +38,32 @@ impl Elaborator<'_> {
                 let found = self.generalised(along, force);
                 let found = self.beside(found, [&force.is]);
                 if let Some(generalised) = self.kept(found) {
+                    self.loads.push((Load::Generalised(self.model.generalised.len()), force.is.span()));
                     self.model.generalised.push(generalised);
                 }
                 continue;
             }
             let found = self.force(force);
             let found = self.beside(found, [&force.is]);
-            if let Some(force) = self.kept(found) {
-                self.model.forces.push(force);
+            if let Some(found) = self.kept(found) {
+                self.loads.push((Load::Force(self.model.forces.len()), force.is.span()));
+                self.model.forces.push(found);
             }
         }
         for torque in &self.source.torques {
             let found = self.torque(torque);
             let found = self.beside(found, [&torque.is]);
-            if let Some(torque) = self.kept(found) {
-                self.model.torques.push(torque);
+            if let Some(found) = self.kept(found) {
+                self.loads.push((Load::Torque(self.model.torques.len()), torque.is.span()));
+                self.model.torques.push(found);
             }
         }
         let (torques, forces) = std::mem::take(&mut self.driving);
-        self.model.torques.extend(torques);
+        for (torque, at) in torques {
+            let place = self.model.torques.len();
+            self.loads.extend(at.map(|at| (Load::Torque(place), at)));
+            self.model.torques.push(torque);
+        }
         self.model.generalised.extend(forces);
         for constraint in &self.source.constraints {
             let found = self.constraint(constraint);

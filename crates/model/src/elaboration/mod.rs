@@ -20,6 +20,7 @@ mod inertialess;
 mod loads;
 mod names;
 mod neighbours;
+mod one_sided_loads;
 mod one_ways;
 mod operations;
 mod order;
@@ -49,6 +50,7 @@ use crate::{
 use constants::Constant;
 use drives::Drive;
 use names::{defined_twice, once_for_each_name, unknown};
+use one_sided_loads::Load;
 use orders::Orders;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::ops::Range;
@@ -100,7 +102,7 @@ fn elaborated(source: &Source) -> Result<Model, Vec<Fault>> {
     elaborator.start();
     elaborator.regulator();
     elaborator.model.equilibrium.clone_from(&source.equilibrium);
-    let Elaborator { mut model, mut faults, headless, .. } = elaborator;
+    let Elaborator { mut model, mut faults, headless, loads, .. } = elaborator;
     model.warnings.sort_by_key(|warning| warning.span.start);
     // what stands under a wrong heading is missing elsewhere: these faults explain others
     if !headless.is_empty() {
@@ -118,6 +120,7 @@ fn elaborated(source: &Source) -> Result<Model, Vec<Fault>> {
     }
     oversights::name_bare_parameters(source, &mut faults);
     if faults.is_empty() {
+        model.warnings.extend(one_sided_loads::one_sided(&model, &loads));
         model.warnings.extend(unheld_axes::unheld_axes(source, &model));
         model.warnings.extend(oversights::unused(source));
         model.warnings.sort_by_key(|warning| warning.span.start);
@@ -156,8 +159,10 @@ struct Elaborator<'s> {
     currents: FxHashMap<usize, ScalarId>,
     /// For each drive the frame on which the motor sits, and that of its rotor.
     rotor_frames: Vec<drives::Rotor>,
-    /// Torques and voltages of drives, which stand behind the loads of the file.
-    driving: (Vec<Torque>, Vec<GeneralisedForce>),
+    /// The loads of the file, each with its expression.
+    loads: Vec<(Load, Range<usize>)>,
+    /// Torques and voltages of drives, which stand behind the loads of the file; a torque with its expression, where it has one.
+    driving: (Vec<(Torque, Option<Range<usize>>)>, Vec<GeneralisedForce>),
     /// Tables with keys of another one, whose heading is missing.
     headless: Vec<(String, Fault)>,
 }
@@ -180,6 +185,7 @@ impl<'s> Elaborator<'s> {
             drives: Vec::new(),
             currents: FxHashMap::default(),
             rotor_frames: Vec::new(),
+            loads: Vec::new(),
             driving: (Vec::new(), Vec::new()),
             headless: Vec::new(),
         };

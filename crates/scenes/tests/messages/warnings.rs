@@ -131,3 +131,27 @@ fn an_output_of_a_reaction_where_its_component_vanishes_is_a_warning() {
         assert_eq!(warned(seen), Vec::<String>::new(), "{seen}");
     }
 }
+
+/// -c w^2 drives a fan that turns backwards; abs(w)*w brakes it both ways, and so does w^3.
+#[test]
+fn a_load_with_even_powers_of_its_speed_is_warned_of() {
+    let warned = |table: &str, law: &str| {
+        let text = format!(
+            "title = \"fan\"\n[parameters]\nJ = \"0.01 kg*m^2\"\nc = \"1e-3 N*m*s^2\"\nd = \"1e-2 N*m*s\"\n[coordinates]\nth = \"rad\"\n\
+             [bodies.fan]\nturns = \"th\"\ninertia = \"J\"\n{table}\n{law}\n[start]\n\"th'\" = \"3 rad/s\"\n[run]\nspan = \"1 s\"\n"
+        );
+        let scene = scenes::ModelScene::parse("scene.toml", &text).unwrap_or_else(|error| panic!("{error}"));
+        scene.model.warnings.iter().any(|warning| warning.title.contains("drives it the other way"))
+    };
+    let torque = |law: &str| warned("[[torque]]\non = \"fan\"", &format!("is = \"({law})*N.z\""));
+    assert!(torque("-c*th'^2") && torque("-d*th' - c*th'^2") && torque("(1 N m) - c*th'^2"));
+    for law in ["-c*abs(th')*th'", "-d*th'", "-c*th'^3*(1 s)", "(1 N m)*sin(th)", "(1 N m)*sign(th')"] {
+        assert!(!torque(law), "{law}");
+    }
+    assert!(warned("[[force]]\nalong = \"th\"", "is = \"-c*th'^2\""));
+    assert!(warned("[[drive]]\nname = \"m\"\nturns = \"th\"", "torque = \"-c*m.speed^2\""));
+    // a motor's torque goes with the square of its current
+    let motor =
+        "[[drive]]\nname = \"m\"\nturns = \"th\"\n[[drive.winding]]\ninductance = \"(1 mH)\"\nresistance = \"(1 ohm)\"";
+    assert!(!warned(motor, "supply = \"(3 V)\"\nmotional = \"(0.1 H)*m.i\""));
+}

@@ -48,10 +48,11 @@ fn end(scene: &ModelScene, method: Method, tolerance: f64) -> (Vec<f64>, Vec<f64
 }
 
 #[test]
-fn no_system_that_is_shown_has_a_warning() {
+fn no_system_that_is_shown_has_a_warning_but_learning_that_drives_itself() {
     for path in all() {
         let warnings = open(&path).model.warnings.clone();
-        assert!(warnings.is_empty(), "{}: {warnings:?}", path.display());
+        let learns = path.ends_with("learning.toml");
+        assert_eq!(warnings.len(), usize::from(learns), "{}: {warnings:?}", path.display());
     }
 }
 
