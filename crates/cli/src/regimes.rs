@@ -2,7 +2,7 @@
 
 use crate::arguments::Format;
 use crate::ending::{Ending, placed, print};
-use ::scenes::{Motions, Regimes, Task, read_titled, regimes};
+use ::scenes::{CriticalFriction, Motions, Regimes, Task, read_titled, regimes};
 use clap::Args;
 use derivations::friction::log::{Names, describe};
 use derivations::friction::{ForRough, RoughScene};
@@ -51,6 +51,8 @@ struct Answer {
     regimes: Vec<Regime>,
     verdict: String,
     determined: bool,
+    /// The friction up to which reactions are determined.
+    critical: Option<CriticalFriction>,
 }
 
 /// A regime with its conditions.
@@ -70,7 +72,7 @@ struct Margin {
 
 impl Answer {
     fn none(reason: &impl Display) -> Self {
-        Answer { regimes: Vec::new(), verdict: format!("no regime: {reason}"), determined: false }
+        Answer { regimes: Vec::new(), verdict: format!("no regime: {reason}"), determined: false, critical: None }
     }
 
     /// The answer for a system that is written in its file.
@@ -95,7 +97,8 @@ impl Answer {
             Motions::NotTried => "not decided: more combinations of contacts and conditions than are tried",
         };
         let determined = matches!(found.motions, Motions::One | Motions::OneOnItsBoundary);
-        Answer { regimes: regimes.collect(), verdict: verdict.to_owned(), determined }
+        let regimes = regimes.collect();
+        Answer { regimes, verdict: verdict.to_owned(), determined, critical: found.critical }
     }
 
     fn text(&self) -> String {
@@ -113,6 +116,12 @@ impl Answer {
                 let _ = writeln!(text, "  the reactions are not determined by the motion: these are possible ones");
             }
         }
+        if let Some(CriticalFriction { factor, regime }) = &self.critical {
+            let _ = writeln!(
+                text,
+                "\nfriction: below {factor:.6} times these coefficients reactions are determined for any loads; there not where {regime}"
+            );
+        }
         let _ = writeln!(text, "\nverdict: {}", self.verdict);
         text
     }
@@ -129,6 +138,7 @@ impl Answer {
         });
         json!({
             "title": title, "regimes": regimes.collect::<Vec<_>>(), "verdict": self.verdict, "determined": self.determined,
+            "critical_friction": self.critical.as_ref().map(|found| json!({ "factor": found.factor, "regime": found.regime })),
         })
     }
 }
@@ -166,7 +176,8 @@ impl ForRough for Start {
             Verdict::Continuum(_) => "motions without end",
             Verdict::Undefined => "the state or the force is not finite",
         };
-        Answer { regimes, verdict: said.to_owned(), determined: matches!(verdict, Verdict::Unique(_)) }
+        let determined = matches!(verdict, Verdict::Unique(_));
+        Answer { regimes, verdict: said.to_owned(), determined, critical: None }
     }
 }
 

@@ -3,6 +3,7 @@
 mod combinations;
 mod contacts;
 mod course;
+mod critical_friction;
 mod decision;
 mod exact;
 mod expansion;
@@ -39,7 +40,7 @@ use glides::Glide;
 use integrators::Event;
 use model::Model;
 use passage::After;
-pub use regimes::{Margin, Motions, Regime, Regimes};
+pub use regimes::{CriticalFriction, Margin, Motions, Regime, Regimes};
 use sides::Side;
 use signals::{GLIDE, Signals};
 use std::collections::HashMap;

@@ -1,5 +1,6 @@
 //! Every regime of contacts and conditions at a state: which of them agree with the motion that they give, and by how much.
 
+use super::critical_friction::Critical;
 use super::decision::{Decided, Open, SLACKS, TERMS, agreeing, decided};
 use super::expansion::{Expansion, Instant};
 use super::jet::Jet;
@@ -49,6 +50,17 @@ pub enum Motions {
 pub struct Regimes {
     pub regimes: Vec<Regime>,
     pub motions: Motions,
+    /// None where no friction reaches it, or contacts slide in space.
+    pub critical: Option<CriticalFriction>,
+}
+
+/// The friction up to which reactions are determined, whatever the loads.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CriticalFriction {
+    /// The multiple of all coefficients of friction at the state.
+    pub factor: f64,
+    /// The contacts whose reactions are not determined there.
+    pub regime: String,
 }
 
 impl Modes {
@@ -108,7 +120,10 @@ impl Modes {
                 regimes[place].is_one_choice = true;
             }
         }
-        Ok(Regimes { regimes, motions })
+        let critical = Critical::of(expansions, &instant, &mode, &touches);
+        let critical = critical
+            .map(|Critical { factor, mode }| CriticalFriction { factor, regime: self.laws.words.contacts_of(&mode) });
+        Ok(Regimes { regimes, motions, critical })
     }
 
     fn is_on_a_bound(&self, mode: &Mode, expansion: &Expansion<TERMS>, open: Open<'_>, slack: f64) -> bool {

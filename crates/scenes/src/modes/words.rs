@@ -99,6 +99,30 @@ impl Words {
         }
     }
 
+    /// The contacts of a mode that are not apart.
+    pub fn contacts_of(&self, mode: &Mode) -> String {
+        let closed = mode.phases.iter().enumerate().filter(|(_, phase)| **phase != Phase::Apart);
+        closed.map(|(contact, phase)| self.phase(contact, *phase)).collect::<Vec<String>>().join(", ")
+    }
+
+    fn phase(&self, contact: usize, phase: Phase) -> String {
+        let (is_rough, one_way) = (self.are_rough[contact], self.one_ways[contact]);
+        let what = match phase {
+            Phase::Apart if one_way == Some(OneWay::Diode) => "conducts",
+            Phase::Apart if one_way.is_some() => "runs free",
+            _ if one_way == Some(OneWay::Diode) => "blocks",
+            _ if one_way.is_some() => "holds",
+            Phase::Slips { .. } if !is_rough => "touches",
+            Phase::Apart => "is apart",
+            Phase::Sticks(_) | Phase::Leans { .. } | Phase::Rests { .. } => "sticks",
+            Phase::Glides { .. } => "slides",
+            Phase::Slips { forwards: true, .. } => "slides forwards",
+            Phase::Slips { forwards: false, .. } => "slides backwards",
+            Phase::Carried => "is carried",
+        };
+        format!("{} {what}", self.contacts[contact])
+    }
+
     /// A mode.
     pub fn mode(&self, mode: &Mode) -> String {
         let case = |(name, case): (&String, &Case)| match case {
@@ -106,24 +130,8 @@ impl Words {
             Case::Off => format!("{name} = 0"),
             Case::Held | Case::Shared | Case::Spent { .. } => format!("{name} stays at its change"),
         };
-        let phase = |(((name, is_rough), one_way), phase): (((&String, &bool), &Option<OneWay>), &Phase)| {
-            let what = match phase {
-                Phase::Apart if *one_way == Some(OneWay::Diode) => "conducts",
-                Phase::Apart if one_way.is_some() => "runs free",
-                _ if *one_way == Some(OneWay::Diode) => "blocks",
-                _ if one_way.is_some() => "holds",
-                Phase::Slips { .. } if !is_rough => "touches",
-                Phase::Apart => "is apart",
-                Phase::Sticks(_) | Phase::Leans { .. } | Phase::Rests { .. } => "sticks",
-                Phase::Glides { .. } => "slides",
-                Phase::Slips { forwards: true, .. } => "slides forwards",
-                Phase::Slips { forwards: false, .. } => "slides backwards",
-                Phase::Carried => "is carried",
-            };
-            format!("{name} {what}")
-        };
         let cases = self.conditions.iter().zip(&mode.cases).map(case);
-        let phases = self.contacts.iter().zip(&self.are_rough).zip(&self.one_ways).zip(&mode.phases).map(phase);
+        let phases = mode.phases.iter().enumerate().map(|(contact, phase)| self.phase(contact, *phase));
         cases.chain(phases).collect::<Vec<String>>().join(", ")
     }
 }

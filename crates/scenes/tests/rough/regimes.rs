@@ -38,6 +38,18 @@ fn painleves_rod_has_no_motion_one_or_several() {
 }
 
 /// N = mg cos - F sin is pushed up to what friction holds: at F = f m g exactly on the boundary.
+/// f* = (1 + k c^2)/(k s c) with k = ml^2/I = 3, as the claims on rods have it; of a block on a plane there is none.
+#[test]
+fn the_friction_at_which_reactions_are_not_determined_is_that_of_the_claims() {
+    let found = of(&super::rod("1 rad", "0 rad/s", -1.0));
+    let (s, c) = 1.0_f64.sin_cos();
+    let critical = found.critical.expect("a rod has one");
+    super::close(2.0 * critical.factor, (1.0 + 3.0 * c * c) / (3.0 * s * c), 1e-12);
+    assert_eq!(critical.regime, "contact `end` slides backwards");
+    // a slip forwards is never critical
+    assert_eq!(of(&super::rod("1 rad", "0 rad/s", 1.0)).critical, None);
+}
+
 #[test]
 fn a_block_on_the_boundary_of_sticking_has_one_motion() {
     let block = |push: &str| {

@@ -1,0 +1,122 @@
+//! The friction up to which the reactions of contacts are determined, whatever the loads.
+//!
+//! Contacts in touch have the reactions N with A N = b, where a contact that slides adds its friction to the column of its N:
+//!
+//!   A = W_nn - mu sign(v) W_nt .
+//!
+//! With all coefficients times s the determinant of A is a polynomial in s, positive at s = 0. At its least zero the reactions grow beyond every
+//! bound, and beyond it motions that slide so may be none or several (Painlevé 1895). It is the reciprocal of the largest real eigenvalue of
+//! W_nn^-1 mu sign(v) W_nt; the least one over all sets of contacts that press, and all directions in which they may slide, is shown.
+
+use super::contacts::PARTS;
+use super::expansion::{Expansions, Instant, Kind};
+use super::mode::{Face, Mode, Phase};
+use super::touch::Touch;
+use nalgebra::DMatrix;
+
+/// More contacts in touch are not asked: three states of each are combined.
+const MOST: usize = 7;
+
+/// An eigenvalue whose imaginary part is below this part of it is real.
+const REAL: f64 = 1e-9;
+
+/// Columns that depend on each other to this part: contacts that do not press together.
+const RANK: f64 = 1e-11;
+
+/// The least multiple of the coefficients of friction at which reactions are not determined, and the mode in which that is so.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Critical {
+    pub factor: f64,
+    pub mode: Mode,
+}
+
+/// A contact in touch as a set takes it: with the sign of its friction in the column of N.
+type Sliding = (usize, Phase);
+
+impl Critical {
+    /// At a state, with what the contacts do there; none where no friction reaches that, or one slides in space.
+    pub fn of(expansions: &Expansions, instant: &Instant<'_>, mode: &Mode, touches: &[Touch]) -> Option<Self> {
+        let in_touch = |kind: &Kind, touch: Touch| touch != Touch::Open && !kind.is_one_way;
+        let touching: Vec<usize> = (0..touches.len()).filter(|&k| in_touch(&expansions.kinds[k], touches[k])).collect();
+        if touching.len() > MOST || touching.iter().any(|&contact| expansions.kinds[contact].is_in_space) {
+            return None;
+        }
+        let responses = expansions.responses_of_contacts(instant);
+        let friction = |contact: usize| {
+            let is_rough = expansions.kinds[contact].is_rough;
+            if is_rough { expansions.coefficients(instant.time, instant.state, (contact, &mode.cases))[0] } else { 0.0 }
+        };
+        let friction: Vec<f64> = (0..touches.len()).map(friction).collect();
+        let mut sets: Vec<Vec<Sliding>> = vec![Vec::new()];
+        for &contact in &touching {
+            let phases = directions(expansions.kinds[contact], touches[contact]);
+            let with = |set: &Vec<Sliding>| {
+                let added = phases.iter().map(|&phase| [&set[..], &[(contact, phase)]].concat());
+                [set.clone()].into_iter().chain(added).collect::<Vec<_>>()
+            };
+            sets = sets.iter().flat_map(with).collect();
+        }
+        let of = |set: Vec<Sliding>| Some((factor(&responses, &friction, &set)?, set));
+        let (factor, set) = sets.into_iter().filter_map(of).min_by(|(a, _), (b, _)| a.total_cmp(b))?;
+        let mut mode = mode.clone();
+        mode.phases.fill(Phase::Apart);
+        set.into_iter().for_each(|(contact, phase)| mode.phases[contact] = phase);
+        Some(Critical { factor, mode })
+    }
+}
+
+/// The ways in which a contact may slide.
+fn directions(kind: Kind, touch: Touch) -> Vec<Phase> {
+    let both = match touch {
+        Touch::Slides { forwards } => vec![forwards],
+        _ if kind.is_rough => vec![true, false],
+        _ => vec![true],
+    };
+    let faces = Face::of(kind.sides);
+    both.into_iter().flat_map(|forwards| faces.iter().map(move |&face| Phase::Slips { forwards, face })).collect()
+}
+
+/// The least multiple of friction at which a set of contacts that slide has no determined reactions.
+fn factor(responses: &DMatrix<f64>, friction: &[f64], set: &[Sliding]) -> Option<f64> {
+    if set.is_empty() {
+        return None;
+    }
+    let place = |contact: usize, part: usize| PARTS * contact + part;
+    let own = DMatrix::from_fn(set.len(), set.len(), |row, column| {
+        responses[(place(set[row].0, 0), place(set[column].0, 0))]
+    });
+    let tied = DMatrix::from_fn(set.len(), set.len(), |row, column| {
+        let (contact, phase) = set[column];
+        let sign = phase.way().unwrap_or(0.0) * phase.face().map_or(1.0, Face::sign);
+        friction[contact] * sign * responses[(place(set[row].0, 0), place(contact, 1))]
+    });
+    if !own.iter().chain(tied.iter()).all(|entry| entry.is_finite()) {
+        return None;
+    }
+    let singular = own.singular_values();
+    if singular.min() <= RANK * singular.max() {
+        return None;
+    }
+    let values = own.lu().solve(&tied)?.complex_eigenvalues();
+    let real = values.iter().filter(|value| value.re > 0.0 && value.im.abs() <= REAL * value.re).map(|value| value.re);
+    let largest = real.fold(0.0, f64::max);
+    (largest > 0.0).then(|| 1.0 / largest)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Face, Phase, factor};
+    use nalgebra::DMatrix;
+
+    /// W_nn = 1 + 3 c^2 and W_nt = -3 s c of a rod: the friction is (1 + 3 c^2)/(3 s c), and backwards nothing is critical.
+    #[test]
+    fn a_rod_has_the_friction_of_painleve() {
+        let (s, c) = 1.0_f64.sin_cos();
+        let mut responses = DMatrix::zeros(3, 3);
+        (responses[(0, 0)], responses[(0, 1)]) = (1.0 + 3.0 * c * c, -3.0 * s * c);
+        let slides = |forwards: bool| factor(&responses, &[0.5], &[(0, Phase::Slips { forwards, face: Face::Front })]);
+        assert_eq!(slides(true), None);
+        let known = (1.0 + 3.0 * c * c) / (3.0 * s * c) / 0.5;
+        assert!((slides(false).unwrap() - known).abs() < 1e-14 * known);
+    }
+}
