@@ -119,7 +119,7 @@ impl Answer {
         if let Some(CriticalFriction { factor, regime }) = &self.critical {
             let _ = writeln!(
                 text,
-                "\nfriction: below {factor:.6} times these coefficients reactions are determined for any loads; there not where {regime}"
+                "\nfriction: below {factor:.6} times these coefficients contacts that slide have determined reactions, whatever the loads; at it not where\n  {regime}"
             );
         }
         let _ = writeln!(text, "\nverdict: {}", self.verdict);
