@@ -5,7 +5,7 @@ use integrators::Happening;
 use std::sync::Arc;
 
 /// The change that an event makes in the state.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Sets {
     Nothing,
     /// The same, of an expression that passes zero in a direction that does not count.
@@ -17,7 +17,11 @@ pub(super) enum Sets {
     /// An impact after which all bounces that are left are taken for none.
     LastBounce,
     /// The rest of the sliding of a contact in space is taken from the speeds.
-    Rest,
+    Rest {
+        contact: usize,
+        /// The largest speed of the slide.
+        fastest: f64,
+    },
     /// The motion ends.
     End,
 }

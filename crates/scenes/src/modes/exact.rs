@@ -1,6 +1,7 @@
 //! The course of a run to all digits: by one method in double-double along its laws, event after event.
 
 use super::course::{Course, Crossing, Leg, Sets};
+use super::signals::{Fall, GLIDE};
 use super::{Laws, Moded, Modes};
 use derivations::scene::hybrid::{At, Followed, Means, Unknown};
 use field::{DoubleDouble, Over};
@@ -10,8 +11,11 @@ use std::sync::PoisonError;
 
 /// Newton's iteration doubles the digits: where a run knows thirteen one step comes to all that are kept, and the next finds so.
 const MOST: usize = 8;
-const COMES_TO_REST: &str = "a contact that slides in space comes to rest, which is not followed to all digits,";
 const BEGINS: &str = "a contact begins to slide in space, which is not followed to all digits,";
+
+/// A contact in space is followed by such parts of the time in which it would come to rest, until such a part of its speed is left.
+const SLOWS: f64 = 0.9;
+const LEFT: f64 = 1e-14;
 
 /// A correction so small, relative to the time, leaves nothing to correct.
 const LAST: f64 = 1e-20;
@@ -70,7 +74,13 @@ impl Follower<'_> {
             }
             left = &left[within..];
             if let Some(next) = next {
-                self.pass(leg, next)?;
+                match next.sets {
+                    Sets::Rest { contact, fastest } => {
+                        let then = &course.legs[place + 1].moded;
+                        self.rest(leg, (contact, fastest), (next.time, then))?;
+                    }
+                    _ => self.pass(leg, next)?,
+                }
                 if next.sets != Sets::Unseen {
                     events.push(self.at.clone());
                 }
@@ -103,9 +113,51 @@ impl Follower<'_> {
                 *state =
                     expansions.struck_exactly(*time, state, (contact, &moded.system.mode.cases)).ok_or_else(blunt)?;
             }
-            Sets::Rest => return Err(Unknown::Ends(format!("{COMES_TO_REST} at t = {} s", crossing.time))),
+            Sets::Rest { .. } => {}
             Sets::LastBounce => return Err(Unknown::LastBounce { time: crossing.time }),
         }
+        Ok(())
+    }
+
+    /// Follows a contact that slides in space until a part of its speed is left whose square is rounding, and takes that part away.
+    fn rest(
+        &mut self,
+        Leg { moded, glides, .. }: &Leg,
+        (contact, fastest): (usize, f64),
+        (told, then): (f64, &Moded),
+    ) -> Result<(), Unknown> {
+        let blunt = Unknown::Blunt { time: told };
+        let signals = &moded.signals;
+        let Some(signal) = signals.falls.iter().position(|fall| *fall == Fall::Slows { contact }) else {
+            return Err(blunt);
+        };
+        let place = signals.in_space.iter().position(|own| *own == contact).unwrap_or(0);
+        let slow = DoubleDouble::lift(glides[GLIDE * place + 2]);
+        // shortly before the run found it, where the speed falls as a straight line does
+        let begun = self.at.0;
+        self.go_to(moded, begun + (DoubleDouble::lift(told) - begun) * DoubleDouble::lift(SLOWS))?;
+        let speed = |at: &At| {
+            let [beyond, rate] = signals.of_one(signal, at.0, &at.1, glides);
+            (beyond + slow, rate)
+        };
+        let (mut left, mut rate) = speed(&self.at);
+        while left.approx() > LEFT * fastest {
+            let known = left.approx();
+            self.go_to(moded, self.at.0 - left / rate * DoubleDouble::lift(SLOWS))?;
+            (left, rate) = speed(&self.at);
+            if left.approx().is_nan() || left.approx() > 0.5 * known {
+                return Err(blunt);
+            }
+        }
+        let expansions = self.laws.expansions().map_err(|_| Unknown::Blunt { time: told })?;
+        let (time, state) = &mut self.at;
+        *state = expansions.rested_exactly(*time, state, &then.system.mode).ok_or(blunt)?;
+        // the rest of the way, by the law that follows
+        let rest = -left / rate;
+        let mut rates = vec![DoubleDouble::zero(); state.len()];
+        then.system.rates(*time, state, &mut rates);
+        state.iter_mut().zip(rates).for_each(|(part, rate)| *part += rest * rate);
+        *time += rest;
         Ok(())
     }
 

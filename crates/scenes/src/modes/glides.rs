@@ -9,6 +9,7 @@
 //! After either the watch begins anew, until so little is left of the speed that it is taken away at once: what reactions do in the rest of
 //! the way differs from that by the square of the part that is left.
 
+use super::course::Sets;
 use super::expansion::{Instant, Touching, direction};
 use super::mode::Phase;
 use super::passage::SLACK;
@@ -67,6 +68,11 @@ impl Glide {
         let (speed, heading) = motion(contact);
         let rests = self.is_over(contact) || has_turned && speed <= SLOWER * self.speed;
         (!rests).then_some(Glide { heading, speed, fastest: speed.max(self.fastest), begins: false })
+    }
+
+    /// Its rest, of a contact.
+    pub fn rest(&self, contact: usize) -> Sets {
+        Sets::Rest { contact, fastest: self.fastest }
     }
 
     /// Whether so little is left of its speed that it is taken away at once.

@@ -246,7 +246,7 @@ impl Switching for Modes {
                 Ok(Some(self.enter(current)))
             }
             After::Changed(current, sets) => {
-                let time = if sets == Sets::Rest { event.time + rest } else { event.time };
+                let time = if matches!(sets, Sets::Rest { .. }) { event.time + rest } else { event.time };
                 self.tell(time, self.laws.words.fall(fall), Some(&current.moded.system.mode));
                 self.follow(crossing(sets), &current);
                 Ok(Some(self.enter(current)))

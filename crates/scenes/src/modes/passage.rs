@@ -205,8 +205,11 @@ impl Modes {
         // what sticks now does so at zero
         expansions.return_to_zero(event.time, state, &current.moded.system.mode, 0.0);
         self.push_off(event.time, state, &current);
-        let comes_to_rest = matches!(fall, Fall::Stops { contact } if before.glides[contact].is_some());
-        Ok(After::Changed(current, if comes_to_rest { Sets::Rest } else { sets }))
+        let rests = match fall {
+            Fall::Stops { contact } => before.glides[contact].map(|glide| glide.rest(contact)),
+            _ => None,
+        };
+        Ok(After::Changed(current, rests.unwrap_or(sets)))
     }
 
     /// Whether the determinant of the equations for the reactions has gone to zero since the law began.

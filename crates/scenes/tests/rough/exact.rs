@@ -127,3 +127,34 @@ fn every_output_is_seen_once_by_constant_steps() {
         assert_eq!(record.times, span.outputs, "{steps} steps");
     }
 }
+
+/// The lowest point slides with 5 m/s, and 7/2 mu g = 7 m/s^2 stop it; 5/7 of the velocity and 2/7 of r w are left (Euler 1758).
+#[test]
+fn a_ball_comes_to_roll_at_an_instant_that_is_known_to_all_digits() {
+    let text = "title = \"ball\"\ngravity = \"-(8 m/s^2)*N.z\"\n[coordinates]\nx = \"m\"\ny = \"m\"\nz = \"m\"\n[frames]\nB = \"N free\"\n\
+                [points]\nG = \"O + x*N.x + y*N.y + z*N.z\"\nP = \"G - (0.5 m)*N.z\"\n\
+                [bodies.ball]\nframe = \"B\"\ncentre = \"G\"\nmass = \"(1 kg)\"\n\
+                inertia = { principal = [\"(0.1 kg m^2)\", \"(0.1 kg m^2)\", \"(0.1 kg m^2)\"] }\n\
+                [[contact]]\nname = \"cloth\"\nof = \"ball at P\"\nthrough = \"O\"\nnormal = \"N.z\"\nfriction = \"0.25\"\ntouching = true\n\
+                [start]\nz = \"0.5 m\"\n\"x'\" = \"3 m/s\"\n\"B.wx\" = \"-8 rad/s\"\n[run]\nspan = \"0.9 s\"\n";
+    let found = exact(text);
+    assert!(found.reference.digits > 25.0, "{}", found.reference.digits);
+    let over_7 = |number: f64| DoubleDouble::from(number) / DoubleDouble::from(7.0);
+    let [event] = found.events.as_slice() else { panic!("{:?}", found.events) };
+    near(event.time, over_7(5.0));
+    near(event.state[7], over_7(15.0));
+    near(event.state[8], over_7(8.0));
+    // at the mean velocity
+    near(event.state[0], (DoubleDouble::from(3.0) + over_7(15.0)) * DoubleDouble::from(0.5) * over_7(5.0));
+}
+
+/// In its beginning a slip from rest has no direction that a series could follow.
+#[test]
+fn a_slip_that_begins_in_space_has_no_reference() {
+    let text = "title = \"slope\"\ngravity = \"-(9.81 m/s^2)*N.z\"\n[parameters]\na = \"0.5 rad\"\n[coordinates]\nx = \"m\"\ny = \"m\"\nz = \"m\"\n\
+                [frames]\nS = \"N turned a about y\"\n[points]\nP = \"O + x*S.x + y*S.y + z*S.z\"\n[bodies.block]\ncentre = \"P\"\nmass = \"(2 kg)\"\n\
+                [[contact]]\nname = \"slope\"\nof = \"block\"\nthrough = \"O\"\nnormal = \"S.z\"\nfriction = \"0.3\"\ntouching = true\n\
+                [run]\nspan = \"1 s\"\n";
+    let Err(unknown) = scene_of(text).exact(PATIENCE) else { panic!("it has one") };
+    assert!(unknown.to_string().contains("begins to slide in space"), "{unknown}");
+}

@@ -7,7 +7,7 @@ use super::impact_in_space::Struck;
 use super::impact_law::{Impact, NotStruck};
 use super::letters::Quantity;
 use super::{Expansion, Expansions, Instant, Kind, ROUNDINGS, Touching, solved};
-use field::{DoubleDouble, Scalar};
+use field::Scalar;
 use integrators::Real;
 use model::Sides;
 use nalgebra::DMatrix;
@@ -114,7 +114,7 @@ impl Expansions {
     }
 
     /// The impulses of a contact that closes, normal and along each tangent, by the values of the tape.
-    fn impulses<S: Real>(&self, values: &[S], contact: usize) -> Result<[S; PARTS], NotStruck> {
+    pub(super) fn impulses<S: Real>(&self, values: &[S], contact: usize) -> Result<[S; PARTS], NotStruck> {
         let letters: [usize; PARTS] = std::array::from_fn(|part| self.reaction([contact, part]));
         let slopes = self.slopes_by(values, &vec![None; self.kinds.len()], &letters, &letters);
         let of = |quantity: Quantity| self.of_contact(values, quantity, contact);
@@ -133,41 +133,11 @@ impl Expansions {
     }
 
     /// Letters with the cases of conditions, and no reactions.
-    fn letters_in<S: Scalar>(&self, cases: &[Case]) -> Vec<S> {
+    pub(super) fn letters_in<S: Scalar>(&self, cases: &[Case]) -> Vec<S> {
         let value = |case: &Case| if case.fixed() == Some(true) { S::one() } else { S::zero() };
         let mut letters: Vec<S> = cases.iter().map(value).collect();
         letters.resize(self.letters(), S::zero());
         letters
-    }
-
-    /// A state after an impact, to all digits; none where the law does not determine it.
-    pub fn struck_exactly(
-        &self,
-        time: DoubleDouble,
-        state: &[DoubleDouble],
-        (contact, cases): (usize, &[Case]),
-    ) -> Option<Vec<DoubleDouble>> {
-        let all = self.letters_in::<DoubleDouble>(cases);
-        let values = self.exact_values(time, state, &all);
-        let impulses = self.impulses(&values, contact).ok()?;
-        let mut after = state.to_vec();
-        for (component, impulse) in impulses.into_iter().enumerate() {
-            let mut one = all.clone();
-            one[self.reaction([contact, component])] = DoubleDouble::one();
-            let moved = self.exact_values(time, state, &one);
-            for (place, part) in after.iter_mut().enumerate() {
-                *part += impulse * (moved[place] - values[place]);
-            }
-        }
-        Some(after)
-    }
-
-    /// The values of the tape in double-double.
-    fn exact_values(&self, time: DoubleDouble, state: &[DoubleDouble], letters: &[DoubleDouble]) -> Vec<DoubleDouble> {
-        let mut found = vec![DoubleDouble::zero(); self.tape.outputs()];
-        let inputs = state.iter().chain([&time]).chain(letters).copied();
-        self.tape.evaluate_long(&self.tape.constants::<DoubleDouble>(), inputs, &mut found);
-        found
     }
 
     /// The speeds after a contact has closed, by its law of impacts, and the contacts in touch that it opens; none must be pressed by it.

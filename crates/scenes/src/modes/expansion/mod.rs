@@ -5,6 +5,7 @@
 
 mod elimination;
 mod equations;
+mod exact_impulses;
 mod impact_in_space;
 mod impact_law;
 mod impulses;
