@@ -5,7 +5,7 @@ use crate::ending::{Ending, placed, print};
 use crate::output::Writes;
 use crate::progress::Progress;
 use crate::{clock, csv};
-use ::scenes::regulator::{ClosedRun, Controllability, Regulated, regulated};
+use ::scenes::regulator::{ClosedRun, Controllability, Regulated, States, regulated};
 use ::scenes::{ModelScene, unit_of};
 use clap::Args;
 use derivations::scene::file::read_text;
@@ -75,8 +75,49 @@ struct Told<'a> {
 }
 
 impl Told<'_> {
-    fn states(&self) -> Vec<&str> {
-        self.found.places.iter().map(|&place| self.names[place].as_str()).collect()
+    /// The name of a variation.
+    fn variation(&self, place: usize) -> &str {
+        &self.names[self.found.places[place]]
+    }
+
+    /// Names of states: that of a variation, less the parts of those that are left out.
+    fn states(&self) -> Vec<String> {
+        let States { by_variations, kept, left_out } = &self.found.states;
+        let named = |(row, &place): (usize, &usize)| {
+            let parts = left_out.iter().map(|&other| (self.variation(other), by_variations[(row, other)]));
+            parts.filter(|(_, factor)| *factor != 0.0).fold(
+                self.variation(place).to_owned(),
+                |name, (other, factor)| {
+                    let (sign, size) = (if factor < 0.0 { '-' } else { '+' }, factor.abs());
+                    match (size - 1.0).abs() < 1e-12 {
+                        true => format!("{name} {sign} {other}"),
+                        false => format!("{name} {sign} {size:.6} {other}"),
+                    }
+                },
+            )
+        };
+        kept.iter().enumerate().map(named).collect()
+    }
+
+    /// Each variation that is no state, with the reason.
+    fn left_out(&self) -> Vec<String> {
+        let States { by_variations, left_out, .. } = &self.found.states;
+        let states = self.states();
+        let told = |&place: &usize| {
+            let column = by_variations.column(place);
+            let with: Vec<&str> = states
+                .iter()
+                .zip(&column)
+                .filter(|(_, factor)| **factor != 0.0)
+                .map(|(name, _)| name.as_str())
+                .collect();
+            let name = self.variation(place);
+            match with.is_empty() {
+                true => format!("{name} is left out: no equation and no cost asks for it"),
+                false => format!("{name} is left out: the equations and the cost ask for {} alone", with.join(", ")),
+            }
+        };
+        left_out.iter().map(told).collect()
     }
 
     /// The cost of the run up to its end, and of what is left there.
@@ -93,6 +134,7 @@ impl Told<'_> {
             let _ = writeln!(text, "{name:<21}{value}");
         };
         line("states", states.join(", "));
+        self.left_out().into_iter().for_each(|told| line("", told));
         line("inputs", self.chosen.join(", "));
         match horizon {
             None => line("criterion", "the integral of the cost without an end".to_owned()),
@@ -106,8 +148,7 @@ impl Told<'_> {
         let _ = writeln!(text, "gains K, u = u0 - K (x - x0){}", if horizon.is_some() { ", at the start" } else { "" });
         table(&mut text, self.chosen, &states, gains);
         let _ = writeln!(text, "P of the least cost x^T P x{}", if horizon.is_some() { ", at the start" } else { "" });
-        let rows: Vec<String> = states.iter().map(|name| (*name).to_owned()).collect();
-        table(&mut text, &rows, &states, value);
+        table(&mut text, &states, &states, value);
         let mut line = |name: &str, value: String| {
             let _ = writeln!(text, "{name:<21}{value}");
         };
@@ -145,6 +186,7 @@ impl Told<'_> {
         let ClosedRun { times, states, inputs, costs, .. } = run;
         json!({
             "states": self.states(),
+            "left_out": self.found.states.left_out.iter().map(|&place| self.variation(place)).collect::<Vec<_>>(),
             "inputs": self.chosen,
             "controllable": is_whole(controllability),
             "controllability": said(controllability),
@@ -199,7 +241,7 @@ fn eigenvalues(values: &[Complex<f64>]) -> String {
     values.iter().map(shown).collect::<Vec<_>>().join(", ")
 }
 
-fn table(text: &mut String, rows: &[String], columns: &[&str], matrix: &DMatrix<f64>) {
+fn table(text: &mut String, rows: &[String], columns: &[String], matrix: &DMatrix<f64>) {
     let wide = rows.iter().map(|name| name.chars().count()).max().unwrap_or(0);
     let heading: String = columns.iter().map(|name| format!(" {name:>16}")).collect();
     let _ = writeln!(text, "  {:wide$}{heading}", "");

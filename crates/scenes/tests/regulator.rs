@@ -106,6 +106,72 @@ fn riccatis_solution_obeys_the_equation_that_bellmans_gives() {
     }
 }
 
+/// A pendulum on a wheel that a DC motor turns; the voltage is chosen, and no equation holds the charge of the winding.
+const MOTOR: &str = "title = \"wheel\"\ngravity = \"-g*N.y\"\n[parameters]\nm = \"0.3 kg\"\nl = \"0.4 m\"\nr = \"0.1 m\"\ng = \"9.81 m/s^2\"\n\
+                     [coordinates]\ntheta = \"rad\"\nphi = \"rad\"\n[points]\nA = \"O + r*theta*N.x\"\nP = \"A + l*(sin(phi)*N.x + cos(phi)*N.y)\"\n\
+                     [bodies.wheel]\ncentre = \"A\"\nmass = \"(1 kg)\"\nturns = \"theta\"\ninertia = \"(0.01 kg m^2)\"\n\
+                     [bodies.bob]\ncentre = \"P\"\nmass = \"m\"\n[inputs]\nu = \"V\"\n[[drive]]\nname = \"motor\"\nturns = \"theta\"\n\
+                     [[drive.winding]]\ninductance = \"(2 mH)\"\nresistance = \"(1 ohm)\"\nsupply = \"u\"\nmotional = \"(0.1 V s)\"\n\
+                     [regulator]\ncost = \"(phi/(0.1 rad))^2 + (theta/(1 rad))^2 + (u/(1 V))^2\"\ndisplaced = { phi = \"0.02 deg\" }\n\
+                     [run]\nspan = \"10 s\"\n";
+
+/// The states are theta, phi, their rates and the current; the matrices are those of the system without a charge, by hand.
+#[test]
+fn the_charge_of_a_motor_is_no_state_of_a_regulator() {
+    let found = one(MOTOR);
+    assert_eq!((&found.states.kept[..], &found.states.left_out[..]), (&[0, 1, 3, 4, 5][..], &[2][..]));
+    let (m, l, r, g, k, inductance) = (0.3, 0.4, 0.1, 9.81, 0.1, 2e-3);
+    let [turning, both, swinging] = [(1.0 + m) * r * r + 0.01, m * r * l, m * l * l];
+    let determinant = turning * swinging - both * both;
+    let weight = m * g * l / determinant;
+    let matrix = [
+        [0.0, 0.0, 1.0, 0.0, 0.0],
+        [0.0, 0.0, 0.0, 1.0, 0.0],
+        [0.0, -both * weight, 0.0, 0.0, swinging * k / determinant],
+        [0.0, turning * weight, 0.0, 0.0, -both * k / determinant],
+        [0.0, 0.0, -k / inductance, 0.0, -1.0 / inductance],
+    ];
+    let control = [0.0, 0.0, 0.0, 0.0, 1.0 / inductance];
+    let regulator = Regulator { matrix, control, weights: [1.0, 100.0, 0.0, 0.0, 0.0], price: 1.0 };
+    let value: [[f64; 5]; 5] = std::array::from_fn(|i| std::array::from_fn(|j| found.value[(i, j)]));
+    for rate in regulator.riccati(value).as_flattened() {
+        assert!(rate.abs() < 1e-9, "{rate}");
+    }
+    for place in 0..5 {
+        let unit = std::array::from_fn(|k| if k == place { 1.0 } else { 0.0 });
+        let gain = -found.gains[(0, place)];
+        assert!((regulator.optimal(value, unit) - gain).abs() < 1e-8, "{gain}");
+    }
+    let last = "horizon = \"2 s\"\nlast = \"(theta'/(1 rad/s))^2\"\ndisplaced";
+    for found in [found, one(&MOTOR.replace("displaced", last))] {
+        let (cost, predicted) = (cost(&found), found.predicted);
+        assert!(predicted > 0.0 && (cost / predicted - 1.0).abs() < 1e-6, "{cost} {predicted}");
+        assert!(found.states.left_out == [2] && found.residual < 1e-9, "{found:?}");
+    }
+}
+
+/// Two carts with a damper on the first: equations and cost ask for their distance alone.
+#[test]
+fn a_regulator_of_a_distance_leaves_the_place_of_both_out() {
+    let text = "title = \"carts\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n[bodies]\na = { centre = \"O + x*N.x\", mass = \"(1 kg)\" }\n\
+                b = { centre = \"O + y*N.x\", mass = \"(1 kg)\" }\n[inputs]\nu = \"N\"\n[[force]]\nalong = \"x\"\nis = \"(1 N/m)*(y - x) - u - (1 N s/m)*x'\"\n\
+                [[force]]\nalong = \"y\"\nis = \"u - (1 N/m)*(y - x)\"\n\
+                [regulator]\ncost = \"((x - y)/(1 m))^2 + (x'/(1 m/s))^2 + (u/(1 N))^2\"\ndisplaced = { x = \"1 m\" }\n[run]\nspan = \"20 s\"\n";
+    let found = one(text);
+    assert_eq!((&found.states.kept[..], &found.states.left_out[..]), (&[0, 2, 3][..], &[1][..]));
+    assert!((found.states.by_variations[(0, 1)] + 1.0).abs() < 1e-14, "{found:?}");
+    let matrix = [[0.0, 1.0, -1.0], [-1.0, -1.0, 0.0], [1.0, 0.0, 0.0]];
+    let regulator = Regulator { matrix, control: [0.0, -1.0, 1.0], weights: [1.0, 1.0, 0.0], price: 1.0 };
+    let value: [[f64; 3]; 3] = std::array::from_fn(|i| std::array::from_fn(|j| found.value[(i, j)]));
+    for rate in regulator.riccati(value).as_flattened() {
+        assert!(rate.abs() < 1e-12, "{rate}");
+    }
+    assert!((cost(&found) / found.predicted - 1.0).abs() < 1e-8, "{} {}", cost(&found), found.predicted);
+    // no force between the carts changes x + x' + y': with a place in the cost it is a variation that does not die away
+    let placed = self::found(&text.replace("(x'/(1 m/s))^2", "(x'/(1 m/s))^2 + (y/(1 m))^2"));
+    assert!(placed.is_err_and(|why| why.contains("no input reaches the variation")));
+}
+
 /// A second bob that nothing moves; with a damper on a spring its variation dies away.
 #[test]
 fn what_inputs_do_not_reach_is_told() {
@@ -121,7 +187,8 @@ fn what_inputs_do_not_reach_is_told() {
     let Controllability::Modes(modes) = damped.controllability else { panic!("{:?}", damped.controllability) };
     assert_eq!(modes.len(), 2);
     let over = one(&beside("").replace("displaced", "horizon = \"1 s\"\ndisplaced"));
-    assert_eq!(over.controllability, Controllability::Directions { rank: 4, of: 6 });
+    // the place of the other bob is no state
+    assert_eq!(over.controllability, Controllability::Directions { rank: 4, of: 5 });
     assert_eq!(one(SWING).controllability, Controllability::Directions { rank: 2, of: 2 });
 }
 

@@ -20,7 +20,8 @@ pub use points::Standing;
 pub use stability::{Spectrum, Stability, eigenvalues};
 
 use derivations::scene::Issue;
-use independence::{dependent, others};
+pub(crate) use independence::dependent;
+use independence::others;
 use model::Model;
 use nalgebra::DMatrix;
 use point::solved;

@@ -2,12 +2,13 @@
 
 use super::criterion::opened;
 use super::horizon::Backwards;
+use super::states::States;
 use crate::compiled_system::{NotCompiled, rates, values};
 use crate::letters::Letters;
 use crate::modes::Mode;
 use crate::program::recorded;
 use derivations::taped::Program;
-use field::{DoubleDouble, Over};
+use field::{DoubleDouble, Over, Rational};
 use integrators::{Directions, Method, Ode, Outcome, Real, Record, Span, System, Tolerance, integrate};
 use model::{Model, Regulator, Trace};
 use nalgebra::DMatrix;
@@ -100,19 +101,19 @@ pub struct ClosedRun {
     pub costs: Vec<f64>,
 }
 
-/// Runs the loop from a start and a displaced one; `places` are those of the state that gains know.
+/// Runs the loop from a start and a displaced one; `places` are those of variations in the state.
 ///
 /// # Errors
 /// Where the law cannot be written down.
 pub(super) fn run(
     (model, regulator): (&Model, &Regulator),
-    (places, gains_of): (&[usize], &Gains),
+    (places, known, gains_of): (&[usize], &States, &Gains),
     [start, displaced]: [&[f64]; 2],
     (span, tolerance, samples): (f64, f64, usize),
     deadline: Instant,
 ) -> Result<ClosedRun, NotCompiled> {
     let open = opened(model, regulator);
-    let (states, chosen, count) = (start.len(), regulator.inputs.len(), places.len() * regulator.inputs.len());
+    let (states, chosen, count) = (start.len(), regulator.inputs.len(), known.kept.len() * regulator.inputs.len());
     let written = |time: Sym, state: &[Sym]| rates(&open, &Mode::default(), Letters::with_data(time, state));
     // why there is none, where there is none
     apart(|| {
@@ -131,9 +132,17 @@ pub(super) fn run(
             inputs().map(|input| input.value.map_or(Sym::ZERO, |value| given.scalar(value))).collect();
         let values_given = substitute_all(&values_given, &values(&given, time, own));
         let deviation = |place: usize| moved[place] - own[place];
+        // states by deviations
+        let varied = known.by_variations.row_iter().map(|row| {
+            let parts = places.iter().zip(row.iter()).filter(|(_, factor)| **factor != 0.0);
+            parts.fold(Sym::ZERO, |sum, (&place, &factor)| {
+                sum + Sym::constant(Rational::exactly(factor)) * deviation(place)
+            })
+        });
+        let varied: Vec<Sym> = varied.collect();
         let added: Vec<Sym> = (0..chosen)
             .map(|row| {
-                let terms = places.iter().enumerate().map(|(k, &place)| gains[k * chosen + row] * deviation(place));
+                let terms = varied.iter().enumerate().map(|(k, &state)| gains[k * chosen + row] * state);
                 -terms.fold(Sym::ZERO, |sum, term| sum + term)
             })
             .collect();

@@ -8,10 +8,12 @@ mod controllability;
 mod criterion;
 mod horizon;
 mod riccati;
+mod states;
 
 pub use closed_loop::ClosedRun;
 pub use controllability::Controllability;
 pub use riccati::Stage;
+pub use states::States;
 
 use crate::compiled_system::changes;
 use crate::linearisation::{Linearisation, Standing, VariedEquations, eigenvalues, points};
@@ -29,12 +31,14 @@ use std::time::{Duration, Instant};
 /// An optimal regulator of a model, and its run.
 #[derive(Clone, Debug)]
 pub struct Regulated {
-    /// Places of the states that gains know: coordinates, then speeds.
+    /// Places of variations in a state: coordinates, then speeds.
     pub places: Vec<usize>,
+    /// Those that gains know.
+    pub states: States,
     pub controllability: Controllability,
     /// K at the start: u = u0 - K (x - x0).
     pub gains: DMatrix<f64>,
-    /// P at the start.
+    /// P at the start, by states as K.
     pub value: DMatrix<f64>,
     /// The largest entry of Bellman's equation, relative; of a horizon the change of P by halved steps.
     pub residual: f64,
@@ -72,6 +76,7 @@ struct Found {
     value: DMatrix<f64>,
     residual: f64,
     controllability: Controllability,
+    states: States,
 }
 
 /// A scene with its criterion and its linear equations.
@@ -97,17 +102,15 @@ pub fn regulated(scene: &ModelScene, allowed: Duration) -> Result<Regulated, Iss
     let first = task.about(0.0, &scene.start)?;
     let speeds = first.speeds.iter().map(|&speed| model.positions() + speed);
     let places: Vec<usize> = first.coordinates.iter().copied().chain(speeds).collect();
-    let count = places.len() * task.chosen.len();
-    if count > MOST {
-        return Err(task.refused(format!("this regulator has {count} gains"), "at most 256"));
-    }
     let found = match regulator.horizon {
         None => task.lasting(&first)?,
         Some(horizon) => task.over(horizon, &first, deadline)?,
     };
     let span = regulator.horizon.unwrap_or(scene.run.span);
+    let states = &found.states;
     let varied = |state: &[f64], own: &[f64]| {
-        DVector::from_iterator(places.len(), places.iter().map(|&place| state[place] - own[place]))
+        let all = places.iter().map(|&place| state[place] - own[place]);
+        &states.by_variations * DVector::from_iterator(places.len(), all)
     };
     let cost = |x: &DVector<f64>, value: &DMatrix<f64>| (x.transpose() * value * x)[(0, 0)];
     let moved = displaced(model, &scene.start, &regulator.displaced).map_err(|unmet| {
@@ -118,7 +121,7 @@ pub fn regulated(scene: &ModelScene, allowed: Duration) -> Result<Regulated, Iss
     let predicted = cost(&varied(&moved, &scene.start), &found.value);
     let run = closed_loop::run(
         (model, regulator),
-        (&places, &found.gains),
+        (&places, &found.states, &found.gains),
         [&scene.start, &moved],
         (span, scene.run.tolerance.min(RUN), scene.run.samples),
         deadline,
@@ -131,15 +134,15 @@ pub fn regulated(scene: &ModelScene, allowed: Duration) -> Result<Regulated, Iss
         (None, Some(_)) => 0.0,
         (Some(last), Some(_)) => {
             let state = run.states.last().unwrap_or(&scene.start);
-            cost(&at_end, &last.of_state(&task.about(span, state)?.variations))
+            cost(&at_end, &states.form(&last.of_state(&task.about(span, state)?.variations)))
         }
     };
-    let stage = task.stage(&first);
+    let stage = states.stage(&task.stage(&first));
     let gains = found.gains.at(0.0).into_owned();
     let closed = regulator.horizon.is_none().then(|| eigenvalues(&(&stage.a - &stage.b * &gains)).values);
-    let Found { value, residual, controllability, .. } = found;
+    let Found { value, residual, controllability, states, .. } = found;
     let open = eigenvalues(&stage.a).values;
-    Ok(Regulated { places, controllability, gains, value, residual, open, closed, predicted, left, run })
+    Ok(Regulated { places, states, controllability, gains, value, residual, open, closed, predicted, left, run })
 }
 
 impl<'a> Task<'a> {
@@ -192,6 +195,20 @@ impl<'a> Task<'a> {
         Stage { a: linear.a.clone(), b, state, mixed, input }
     }
 
+    /// The states of which the gains are not too many.
+    fn states(&self, stages: &[Stage], last: Option<&DMatrix<f64>>, about: &Linearisation) -> Result<States, Issue> {
+        let states = States::of(stages, last, about.coordinates.len());
+        let count = states.kept.len() * self.chosen.len();
+        match count {
+            0 => {
+                let title = "no equation and no cost asks for any variation: nothing is to be regulated".to_owned();
+                Err(self.refused(title, "a cost of coordinates or their rates: (x/(1 m))^2 + (u/(10 N))^2"))
+            }
+            count if count > MOST => Err(self.refused(format!("this regulator has {count} gains"), "at most 256")),
+            _ => Ok(states),
+        }
+    }
+
     /// Without an end.
     fn lasting(&self, first: &Linearisation) -> Result<Found, Issue> {
         let standing = self.equations.standing(first).map_err(|why| why.at(self.model, 0.0))?;
@@ -199,7 +216,9 @@ impl<'a> Task<'a> {
             let title = "the motion from the start is no equilibrium, and its linear equations change";
             return Err(self.refused(title.to_owned(), "[start] with equilibrium = true; or a `horizon`"));
         }
-        let stage = self.stage(first);
+        let whole = self.stage(first);
+        let states = self.states(std::slice::from_ref(&whole), None, first)?;
+        let stage = states.stage(&whole);
         let controllability = Controllability::of_constant(&stage);
         if let Controllability::Modes(modes) = &controllability
             && let Some(mode) = modes.iter().find(|mode| mode.re >= -STABLE * stage.a.norm())
@@ -225,7 +244,7 @@ impl<'a> Task<'a> {
         };
         match found.filter(|(_, gains, _)| is_stable(gains)) {
             Some((residual, gains, value)) => {
-                Ok(Found { gains: Gains::Lasting(gains), value, residual, controllability })
+                Ok(Found { gains: Gains::Lasting(gains), value, residual, controllability, states })
             }
             None => Err(self.refused(
                 "Riccati's equation has no solution with which every variation dies away".to_owned(),
@@ -256,11 +275,14 @@ impl<'a> Task<'a> {
                 all.push(linear);
             }
             let stages: Vec<Stage> = all.iter().map(|linear| self.stage(linear)).collect();
-            let n = stages[0].a.nrows();
             let end = match (&self.last, all.last()) {
-                (Some(last), Some(linear)) => last.of_state(&linear.variations),
-                _ => DMatrix::zeros(n, n),
+                (Some(last), Some(linear)) => Some(last.of_state(&linear.variations)),
+                _ => None,
             };
+            let states = self.states(&stages, end.as_ref(), first)?;
+            let stages: Vec<Stage> = stages.iter().map(|stage| states.stage(stage)).collect();
+            let n = states.kept.len();
+            let end = end.map_or_else(|| DMatrix::zeros(n, n), |end| states.form(&end));
             let Some(backwards) = Backwards::of(stages, step, end) else {
                 if steps < MOST_STEPS {
                     steps *= 2;
@@ -271,11 +293,13 @@ impl<'a> Task<'a> {
             };
             let value = backwards.first().clone();
             let size = value.amax().max(f64::MIN_POSITIVE);
-            let residual = known.map_or(f64::INFINITY, |known| (&known - &value).amax() / size);
+            // between few instants a variation may stand nowhere that counts later
+            let comparable = known.filter(|known| known.shape() == value.shape());
+            let residual = comparable.map_or(f64::INFINITY, |known| (&known - &value).amax() / size);
             if residual <= FINE || steps >= MOST_STEPS {
                 let (stages, step) = backwards.stages();
                 let controllability = Controllability::along(stages, step);
-                return Ok(Found { gains: Gains::Along(backwards), value, residual, controllability });
+                return Ok(Found { gains: Gains::Along(backwards), value, residual, controllability, states });
             }
             (steps, known) = (2 * steps, Some(value));
         }
