@@ -18,6 +18,7 @@ mod hybrid;
 mod implicit;
 mod inductances;
 pub mod inverse;
+mod kernel;
 mod layout;
 mod letters;
 pub mod linearisation;

@@ -10,9 +10,10 @@ use crate::row_units::measured;
 use crate::start::{Completed, Open, Unmet, consistent};
 use derivations::scene::Issue;
 use model::equations::{Level, constraints_of, dependent_everywhere};
-use model::{Fault, Implied, Model, StartValue, Trace, titles};
+use model::{Fault, Implied, Model, StartSpeed, StartValue, Trace, titles};
 use std::ops::Range;
 use std::sync::Arc;
+use symbolic::Dimension;
 
 /// The fault of a file that says nothing of its run, where that would stand: at the end.
 pub(crate) fn without_run(text: &str) -> Issue {
@@ -214,7 +215,8 @@ pub fn equilibrium_of(model: &Model) -> Result<Equilibrium, Issue> {
 
 /// The model with an equilibrium as its start.
 fn at_rest(model: &Model) -> Result<Model, Issue> {
-    if let Some(start) = model.start_speeds.iter().find(|start| start.value != 0.0) {
+    let is_current = |start: &StartSpeed| model.quasi_velocities[start.of].dimension == Dimension::current();
+    if let Some(start) = model.start_speeds.iter().find(|start| start.value != 0.0 && !is_current(start)) {
         let name = &model.quasi_velocities[start.of].name;
         let issue = Issue::at(start.at.clone(), "an equilibrium has no speeds", format!("{name} is not zero"));
         return Err(issue.accepted("speeds that are zero or left out; without `equilibrium` any speeds are accepted"));
@@ -239,11 +241,17 @@ fn sought(model: &Model, all: bool) -> Result<Equilibrium, Issue> {
                                 starts from its speeds";
                 Issue::at(at, title, label).accepted(accepted)
             }
-            NoEquilibrium::NotFound { equation, residual, unit } => {
+            NoEquilibrium::NotFound { equation, residual, unit, is_moved } => {
                 let residual = measured(residual, &unit);
                 let label = format!("{equation} leaves {residual} at the best point that was found");
                 let issue = Issue::at(at, "no equilibrium is found near this start", label);
-                issue.accepted("coordinates nearer to one, written as guesses so that they may move: \"guess 0.3 rad\"")
+                issue.accepted(match is_moved {
+                    true => "coordinates nearer to one, written as guesses so that they may move: \"guess 0.3 rad\"",
+                    false => {
+                        "a force that holds it at rest, such as that of a spring or a brake; a steady motion is no equilibrium: it starts \
+                         from its speeds"
+                    }
+                })
             }
         }
     })

@@ -92,6 +92,7 @@ impl<'a> Names<'a> {
 fn standing(standing: Standing) -> &'static str {
     match standing {
         Standing::Equilibrium => "equilibrium",
+        Standing::SteadyCurrents => "equilibrium with steady currents",
         Standing::Steady => "steady motion",
         Standing::Moving => "moving point",
     }

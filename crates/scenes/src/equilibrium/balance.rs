@@ -18,20 +18,28 @@ impl VariedEquations {
     }
 }
 
-/// The equations at a point: residuals, their derivatives along directions and by multipliers, and the size of what balances.
+/// The equations at a point: residuals, their derivatives along directions, by currents and by multipliers, and the size of what balances.
 pub(super) struct Balance {
     /// Directions of free coordinates, columns.
     pub directions: DMatrix<f64>,
+    /// The number of steady currents.
+    pub currents: usize,
     pub residuals: DVector<f64>,
     pub jacobian: DMatrix<f64>,
     scales: DVector<f64>,
 }
 
 impl Balance {
-    pub fn of(equations: &VariedEquations, point: &Point, free: &[usize], directions: DMatrix<f64>) -> Self {
+    /// `currents` are directions of speeds, columns.
+    pub fn of(
+        equations: &VariedEquations,
+        point: &Point,
+        (free, directions): (&[usize], DMatrix<f64>),
+        currents: &DMatrix<f64>,
+    ) -> Self {
         let At { motion, zero, rate, .. } = equations.at(point);
         let (n, m) = (motion.values.len(), zero.values.len());
-        // constraints of speeds have no f of positions: their row is that of the rate at rest
+        // constraints of speeds have no f of positions: their row is that of the rate
         let places = equations.of_positions();
         let rows = n + places.len() + m;
         let part = |row: usize| match row.checked_sub(n) {
@@ -47,20 +55,41 @@ impl Balance {
             values.by_coordinates[(row, free[column])]
         });
         let along = along * &directions;
-        let jacobian = DMatrix::from_fn(rows, directions.ncols() + m, |row, column| {
-            match column.checked_sub(directions.ncols()) {
-                None => along[(row, column)],
-                Some(multiplier) => part(row).0.by_multipliers[(part(row).1, multiplier)],
-            }
+        let by_speeds = DMatrix::from_fn(rows, n, |row, column| part(row).0.by_speeds[(part(row).1, column)]);
+        let by_currents = &by_speeds * currents;
+        let moved = directions.ncols() + currents.ncols();
+        let jacobian = DMatrix::from_fn(rows, moved + m, |row, column| match column.checked_sub(moved) {
+            None if column < directions.ncols() => along[(row, column)],
+            None => by_currents[(row, column - directions.ncols())],
+            Some(multiplier) => part(row).0.by_multipliers[(part(row).1, multiplier)],
         });
         let size = |row: usize| {
             let (values, at) = part(row);
             let by_place = (0..n).map(|i| values.by_coordinates[(at, i)].abs() * equations.size(point, i));
             let by_reaction = (0..m).map(|k| (values.by_multipliers[(at, k)] * point.multipliers[k]).abs());
-            by_place.chain(by_reaction).sum::<f64>()
+            let by_current = (0..n).map(|i| (by_speeds[(row, i)] * point.speeds[i]).abs());
+            by_place.chain(by_reaction).chain(by_current).sum::<f64>()
         };
         let scales = DVector::from_fn(rows, |row, _| size(row));
-        Balance { directions, residuals: DVector::from_fn(rows, |row, _| value(row)), jacobian, scales }
+        Balance {
+            directions,
+            currents: currents.ncols(),
+            residuals: DVector::from_fn(rows, |row, _| value(row)),
+            jacobian,
+            scales,
+        }
+    }
+
+    /// Parts of an unknown: of coordinates, of currents, of multipliers.
+    pub fn parts(&self, of: &DVector<f64>) -> [DVector<f64>; 3] {
+        let (places, moved) = (self.directions.ncols(), self.directions.ncols() + self.currents);
+        let parts = [(0, places), (places, moved), (moved, of.len())];
+        parts.map(|(from, to)| of.rows(from, to - from).into_owned())
+    }
+
+    /// Whether a coordinate changes an equation.
+    pub fn is_moved(&self, row: usize) -> bool {
+        self.jacobian.row(row).columns(0, self.directions.ncols()).amax() > 0.0
     }
 
     pub fn is_finite(&self) -> bool {

@@ -1,6 +1,8 @@
-//! An equilibrium near a guess: coordinates at which nothing accelerates, with every speed zero.
+//! An equilibrium near a guess: coordinates at which nothing accelerates, with every speed zero but those of steady currents.
 //!
-//!   h(q, 0) - Q(q, 0) - J^T lambda = 0,    f(q) = 0,    df/dt = 0 at rest
+//!   h(q, u) - Q(q, u) - J^T lambda = 0,    f(q) = 0,    df/dt = 0,    u = D i
+//!
+//! The columns of D are directions of charges for which no equation asks; their rates i are unknowns in the place of such charges.
 //!
 //! Newton's method with least changes, by singular values: where equilibria form a family, the nearest one of it is found. Forces are
 //! those of time zero.
@@ -9,6 +11,7 @@
 //! start reach. A start that is to be an equilibrium itself may stand elsewhere, where none is reached.
 
 mod balance;
+mod currents;
 mod ways;
 
 use crate::compiled_system::{NotCompiled, one_law};
@@ -16,8 +19,9 @@ use crate::layout::Layout;
 use crate::linearisation::VariedEquations;
 use crate::row_units::{force_unit, rate_unit};
 use crate::start::{Leaf, consistent, given};
-use model::Model;
+use currents::cyclic;
 use model::equations::Level;
+use model::{Model, StartValue};
 use nalgebra::DMatrix;
 use symbolic::Dimension;
 use ways::Ways;
@@ -25,12 +29,12 @@ use ways::Ways;
 /// An equilibrium.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Equilibrium {
-    /// Coordinates, then speeds, which are zero.
+    /// Coordinates, then speeds, of which steady currents alone are not zero.
     pub state: Vec<f64>,
-    /// Directions of coordinates and reactions in which equilibria stand side by side: of those that motions reach, where they are
+    /// Directions of coordinates, currents and reactions in which equilibria stand side by side: of those that motions reach, where they are
     /// sought among these.
     pub family: usize,
-    /// Coordinates along which no force rises to first order, each the largest part of its direction.
+    /// Coordinates and currents along which no force rises to first order, each the largest part of its direction.
     pub flat: Vec<String>,
     /// Whether it is sought, and found, among positions that motions from the start reach along constraints of speeds.
     pub is_reached: bool,
@@ -43,11 +47,12 @@ pub enum NoEquilibrium {
     Moves {
         speed: String,
     },
-    /// Residual at the best point found.
+    /// Residual at the best point found, and whether a coordinate changes it there.
     NotFound {
         equation: String,
         residual: f64,
         unit: String,
+        is_moved: bool,
     },
     /// A constraint moves the system, wherever it stands: its rate at rest.
     Driven {
@@ -62,6 +67,7 @@ pub enum NoEquilibrium {
 const RANK: f64 = 1e-11;
 
 /// Coordinates that `[start]` gives are kept; those that it leaves out, or gives as a guess, are moved. With `all` every coordinate is.
+/// Currents at the start are those with which the search begins.
 ///
 /// # Errors
 /// Why there is none.
@@ -69,24 +75,31 @@ pub fn equilibrium(model: &Model, all: bool) -> Result<Equilibrium, NoEquilibriu
     one_law(model).map_err(NoEquilibrium::NotCompiled)?;
     let layout = Layout::of(model);
     let (n, names) = (layout.speeds(), model.state_names());
-    if let (Some(start), false) = (model.start.iter().find(|start| start.order == 1 && start.value != 0.0), all) {
+    let equations = VariedEquations::of(model, &[]).map_err(NoEquilibrium::NotCompiled)?;
+    let is_current = |start: &&StartValue| equations.charges.contains(&start.coordinate);
+    let mut moving = model.start.iter().filter(|start| start.order == 1 && start.value != 0.0 && !is_current(start));
+    if let (Some(start), false) = (moving.next(), all) {
         return Err(NoEquilibrium::Moves { speed: names[layout.positions() + start.coordinate].0.clone() });
     }
-    let equations = VariedEquations::of(model, &[]).map_err(NoEquilibrium::NotCompiled)?;
-    let given = given(model);
-    let free: Vec<usize> = (0..n).filter(|&speed| all || !layout.places(speed, 0).any(|at| given[at])).collect();
-    let mut state = match consistent(model) {
-        Ok(completed) if all => completed.state,
+    let state = match consistent(model) {
+        Ok(completed) if all || !model.start_speeds.is_empty() => completed.state,
         _ => model.start_state(),
     };
-    state[layout.positions()..].fill(0.0);
-    let guess = equations.point(0.0, &state);
+    let mut guess = equations.point(0.0, &state);
+    let currents = cyclic(&equations, &guess);
+    guess.speeds = &currents * (currents.transpose() * &guess.speeds);
+    let given = given(model);
+    // a charge that is a direction of its own stays as it starts
+    let is_cyclic = |speed: usize| currents.row(speed).norm() > 1.0 - FLAT;
+    let is_free = |&speed: &usize| !is_cyclic(speed) && (all || !layout.places(speed, 0).any(|at| given[at]));
+    let free: Vec<usize> = (0..n).filter(is_free).collect();
     let sought = |leaf: Option<Leaf<'_>>| {
-        let ways = Ways { equations: &equations, free: &free, leaf };
+        let ways = Ways { equations: &equations, free: &free, currents: &currents, leaf };
         let (point, system) = ways.near(&guess);
         (point, system, ways.leaf.is_some())
     };
-    let leaf = Leaf::of(model);
+    let is_bound = |leaf: &Leaf<'_>| leaf.directions(guess.coordinates.as_slice(), &free).ncols() < free.len();
+    let leaf = Leaf::of(model).filter(is_bound);
     let is_held = leaf.is_some();
     let mut found = sought(leaf);
     if is_held && !all && found.1.unmet().is_some() {
@@ -102,11 +115,15 @@ pub fn equilibrium(model: &Model, all: bool) -> Result<Equilibrium, NoEquilibriu
             let vanish = (0..singular.len()).filter(|&k| singular[k] <= RANK * largest);
             let along = decomposed.as_ref().and_then(|decomposed| decomposed.v_t.as_ref());
             let flat = vanish.clone().filter_map(|k| {
-                let direction = &system.directions * along?.row(k).transpose().rows(0, system.directions.ncols());
-                let most = direction.iamax();
-                (direction.amax() > FLAT).then(|| name_of(&names, layout, free[most]))
+                let [places, rates, _] = system.parts(&along?.row(k).transpose());
+                let (places, rates) = (&system.directions * places, &currents * rates);
+                let of_current = || names[layout.positions() + rates.iamax()].0.clone();
+                match (places.amax() > FLAT, rates.amax() > FLAT) {
+                    (true, _) => Some(name_of(&names, layout, free[places.iamax()])),
+                    (false, is_current) => is_current.then(of_current),
+                }
             });
-            let mut flat: Vec<String> = if unknowns > 0 && !free.is_empty() { flat.collect() } else { Vec::new() };
+            let mut flat: Vec<String> = flat.collect();
             flat.sort();
             flat.dedup();
             let state = point.coordinates.iter().chain(point.speeds.iter()).copied().collect();
@@ -137,12 +154,13 @@ pub fn equilibrium(model: &Model, all: bool) -> Result<Equilibrium, NoEquilibriu
                     }
                 }
             };
-            Err(NoEquilibrium::NotFound { equation, residual: system.residuals[row], unit })
+            let is_moved = system.is_moved(row);
+            Err(NoEquilibrium::NotFound { equation, residual: system.residuals[row], unit, is_moved })
         }
     }
 }
 
-/// A unit direction of coordinates and reactions with smaller parts along coordinates is one of reactions.
+/// Smaller parts of a unit direction are rounding.
 const FLAT: f64 = 1e-6;
 
 /// The name of what a speed moves: of a free frame one of its turns.

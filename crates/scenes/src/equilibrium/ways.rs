@@ -2,6 +2,7 @@
 
 use super::RANK;
 use super::balance::Balance;
+use crate::kernel::Rows;
 use crate::linearisation::{Point, VariedEquations};
 use crate::start::Leaf;
 use nalgebra::{DMatrix, DVector};
@@ -26,6 +27,8 @@ pub(super) struct Ways<'a> {
     pub equations: &'a VariedEquations,
     /// Speeds whose coordinates may move.
     pub free: &'a [usize],
+    /// Directions of charges for which no equation asks: over all speeds, columns.
+    pub currents: &'a DMatrix<f64>,
     /// Constraints of speeds that the ways go along.
     pub leaf: Option<Leaf<'a>>,
 }
@@ -76,15 +79,20 @@ impl Ways<'_> {
             let decomposed = system.jacobian.clone().svd(true, true);
             let largest = decomposed.singular_values.amax();
             let Ok(step) = decomposed.solve(&-&system.residuals, RANK * largest) else { break };
-            let displaced = &system.directions * step.rows(0, system.directions.ncols());
-            let multipliers = step.rows(system.directions.ncols(), m).into_owned();
+            let [displaced, currents, multipliers] = system.parts(&step);
+            // rounding of the largest part: a part that is none of it comes with the next step
+            let felt = |part: f64| if part.abs() > f64::EPSILON * step.amax() { part } else { 0.0 };
+            let (displaced, currents) = (&system.directions * displaced, self.currents * currents);
+            let (displaced, currents) = (displaced.map(felt), currents.map(felt));
             // a step is not longer than the way that derivatives speak for
             let places = self.free.iter().zip(displaced.iter());
             let far = places.map(|(&place, part)| part.abs() / self.equations.size(&point, place));
-            let longest = far.fold(LONGEST, f64::max);
+            let grown = point.speeds.iter().zip(currents.iter()).map(|(now, part)| part.abs() / (1.0 + now.abs()));
+            let longest = far.chain(grown).fold(LONGEST, f64::max);
             let halves = (0..MOST_HALVES).map(|halves| LONGEST / longest * 0.5_f64.powi(halves as i32));
             let trials = halves.map(|share| {
                 let mut trial = self.moved(&point, &(&displaced * share));
+                trial.speeds += &currents * share;
                 trial.multipliers += &multipliers * share;
                 trial
             });
@@ -116,10 +124,14 @@ impl Ways<'_> {
     }
 
     fn system(&self, point: &Point) -> Balance {
-        let directions = match &self.leaf {
+        let all = match &self.leaf {
             Some(leaf) => leaf.directions(point.coordinates.as_slice(), self.free),
             None => DMatrix::identity(self.free.len(), self.free.len()),
         };
-        Balance::of(self.equations, point, self.free, directions)
+        // along the others no equation changes
+        let mut still = Rows::none(all.ncols());
+        still.add(&(self.currents.select_rows(self.free).transpose() * &all));
+        let directions = all * still.kernel();
+        Balance::of(self.equations, point, (self.free, directions), self.currents)
     }
 }

@@ -6,10 +6,10 @@ use crate::program::recorded;
 use crate::row_units::{coherent, multiplier_unit};
 use derivations::taped::Program;
 use model::equations::{Equation, Level, constraints_of};
-use model::{Model, Trace, Variations, Varied, axes};
+use model::{Coordinate, Model, Trace, Variations, Varied, axes};
 use nalgebra::{DMatrix, DVector};
 use std::ops::Range;
-use symbolic::{Sym, substitute_all};
+use symbolic::{Dimension, Sym, substitute_all};
 
 /// A point of a motion: everything that the equations ask for.
 #[derive(Clone, Debug, PartialEq)]
@@ -102,6 +102,8 @@ pub struct VariedEquations {
     pub constraints: Vec<Known>,
     /// Parameters that are inputs, then the inputs of the model, by their names.
     pub inputs: Vec<String>,
+    /// Places of coordinates that are charges.
+    pub charges: Vec<usize>,
     /// Inputs of the model whose values depend on coordinates or speeds: the derivatives by the state hold none of this feedback.
     pub feedback: Vec<String>,
     /// Inputs in which the equations of motion are not linear.
@@ -187,6 +189,7 @@ impl VariedEquations {
             sizes: [n, m, inputs.len(), model.outputs.len(), switches],
             layout,
             constraints: order.iter().map(|&k| known[k].clone()).collect(),
+            charges: charges(model),
             feedback: feedback(model, &own),
             inputs,
             nonlinear,
@@ -265,6 +268,13 @@ impl VariedEquations {
         };
         At { motion: next(n), zero: next(m), rate: next(m), acceleration: next(m), outputs: next(shown) }
     }
+}
+
+/// The coordinates whose rates are currents.
+fn charges(model: &Model) -> Vec<usize> {
+    let charge = Dimension::current() * Dimension::time();
+    let is_charge = |(place, one): (usize, &Coordinate)| (one.dimension == charge).then_some(place);
+    model.coordinates.iter().enumerate().filter_map(is_charge).collect()
 }
 
 /// The model with its inputs as letters, and which of them are: an input in a constraint keeps its value, since the constraint asks for

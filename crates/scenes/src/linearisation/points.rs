@@ -97,6 +97,8 @@ impl Observer<f64> for Seen<'_> {
 pub enum Standing {
     /// Nothing moves, nothing accelerates.
     Equilibrium,
+    /// Nothing moves but charges: currents are steady.
+    SteadyCurrents,
     /// Speeds stay as they are, and so do the linear equations.
     Steady,
     /// It moves, and the linear equations with it.
@@ -127,6 +129,11 @@ impl VariedEquations {
                 return Ok(Standing::Moving);
             }
         }
-        Ok(if point.speeds.iter().all(|speed| *speed == 0.0) { Standing::Equilibrium } else { Standing::Steady })
+        let moving: Vec<usize> = (0..point.speeds.len()).filter(|&place| point.speeds[place] != 0.0).collect();
+        Ok(match moving.as_slice() {
+            [] => Standing::Equilibrium,
+            all if all.iter().all(|place| self.charges.contains(place)) => Standing::SteadyCurrents,
+            _ => Standing::Steady,
+        })
     }
 }

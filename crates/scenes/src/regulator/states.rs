@@ -5,11 +5,12 @@
 //! equation of z alone.
 
 use super::riccati::Stage;
+use crate::kernel::Rows;
 use crate::linearisation::dependent;
 use nalgebra::DMatrix;
 
-/// Singular values below this part of the largest one are taken for zero; so are factors in z = T x, of which the largest are one.
-const RANK: f64 = 1e-10;
+/// Factors in z = T x below this are rounding: those of kept variations are one.
+const ROUNDING: f64 = 1e-10;
 
 /// The states z = T x that a regulator knows.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,7 +28,7 @@ impl States {
     pub fn of(stages: &[Stage], last: Option<&DMatrix<f64>>, displacements: usize) -> Self {
         let all = stages.first().map_or(0, |stage| stage.a.ncols());
         let parts = stages.iter().flat_map(|stage| [&stage.a, &stage.state]).chain(last);
-        let mut rows = Rows(DMatrix::zeros(0, displacements));
+        let mut rows = Rows::none(displacements);
         parts.for_each(|part| rows.add(&part.columns(0, displacements).into_owned()));
         stages.iter().for_each(|stage| rows.add(&stage.mixed.rows(0, displacements).transpose()));
         let idle = rows.kernel();
@@ -43,7 +44,7 @@ impl States {
             for (row, &place) in kept.iter().enumerate().filter(|(_, place)| **place < displacements) {
                 let factors = idle.row(place) * &inverse;
                 for (&pivot, &factor) in left_out.iter().zip(factors.iter()) {
-                    by_variations[(row, pivot)] = if factor.abs() > RANK { -factor } else { 0.0 };
+                    by_variations[(row, pivot)] = if factor.abs() > ROUNDING { -factor } else { 0.0 };
                 }
             }
         }
@@ -64,38 +65,5 @@ impl States {
     /// A quadratic form of variations by the states.
     pub fn form(&self, form: &DMatrix<f64>) -> DMatrix<f64> {
         form.select_rows(&self.kept).select_columns(&self.kept)
-    }
-}
-
-/// Rows, of which as many are kept as there are columns: what they take to zero stays.
-struct Rows(DMatrix<f64>);
-
-impl Rows {
-    /// Each row by its largest entry: units of equations do not count.
-    fn add(&mut self, rows: &DMatrix<f64>) {
-        let Rows(known) = self;
-        let more: Vec<usize> = (0..rows.nrows()).filter(|&row| rows.row(row).amax() > 0.0).collect();
-        let scaled = DMatrix::from_fn(more.len(), rows.ncols(), |row, column| {
-            rows[(more[row], column)] / rows.row(more[row]).amax()
-        });
-        let mut both = DMatrix::zeros(known.nrows() + scaled.nrows(), rows.ncols());
-        both.rows_mut(0, known.nrows()).copy_from(known);
-        both.rows_mut(known.nrows(), scaled.nrows()).copy_from(&scaled);
-        *known = if both.nrows() > both.ncols() { both.qr().r() } else { both };
-    }
-
-    /// Directions that every row takes to zero, columns.
-    fn kernel(&self) -> DMatrix<f64> {
-        let Rows(rows) = self;
-        let n = rows.ncols();
-        if n == 0 || rows.amax() == 0.0 {
-            return DMatrix::identity(n, n);
-        }
-        let mut square = DMatrix::zeros(n, n);
-        square.rows_mut(0, rows.nrows()).copy_from(rows);
-        let decomposed = square.svd(false, true);
-        let largest = decomposed.singular_values.amax();
-        let zero: Vec<usize> = (0..n).filter(|&k| decomposed.singular_values[k] <= RANK * largest).collect();
-        decomposed.v_t.map_or_else(|| DMatrix::zeros(n, 0), |along| along.select_rows(&zero).transpose())
     }
 }

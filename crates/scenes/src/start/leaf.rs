@@ -38,7 +38,7 @@ impl<'m> Leaf<'m> {
     /// Directions of some speeds, the others at rest, that the constraints leave: orthonormal columns over these speeds.
     pub fn directions(&self, coordinates: &[f64], free: &[usize]) -> DMatrix<f64> {
         let projector = self.projector(coordinates, free);
-        if !projector.iter().all(|entry| entry.is_finite()) {
+        if projector.is_empty() || !projector.iter().all(|entry| entry.is_finite()) {
             return DMatrix::zeros(free.len(), 0);
         }
         let parts = projector.symmetric_eigen();

@@ -7,6 +7,7 @@ mod forces;
 mod free_frames;
 mod instants;
 mod reactions;
+mod steady_currents;
 
 use model::Model;
 use scenes::ModelScene;

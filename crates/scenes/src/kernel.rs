@@ -1,0 +1,43 @@
+//! Directions that rows of numbers take to zero.
+
+use nalgebra::DMatrix;
+
+/// Singular values below this part of the largest one are taken for zero.
+const RANK: f64 = 1e-10;
+
+/// Rows, each by its largest entry: units of equations do not count. As many are kept as there are columns.
+pub(crate) struct Rows(DMatrix<f64>);
+
+impl Rows {
+    /// No rows over so many columns: they take every direction to zero.
+    pub fn none(columns: usize) -> Self {
+        Rows(DMatrix::zeros(0, columns))
+    }
+
+    pub fn add(&mut self, rows: &DMatrix<f64>) {
+        let Rows(known) = self;
+        let more: Vec<usize> = (0..rows.nrows()).filter(|&row| rows.row(row).amax() > 0.0).collect();
+        let mut both = DMatrix::zeros(known.nrows() + more.len(), rows.ncols());
+        both.rows_mut(0, known.nrows()).copy_from(known);
+        for (place, &row) in more.iter().enumerate() {
+            let own = rows.row(row);
+            both.row_mut(known.nrows() + place).copy_from(&(own / own.amax()));
+        }
+        *known = if both.nrows() > both.ncols() { both.qr().r() } else { both };
+    }
+
+    /// The directions, orthonormal columns.
+    pub fn kernel(&self) -> DMatrix<f64> {
+        let Rows(rows) = self;
+        let n = rows.ncols();
+        if rows.is_empty() || rows.amax() == 0.0 {
+            return DMatrix::identity(n, n);
+        }
+        let mut square = DMatrix::zeros(n, n);
+        square.rows_mut(0, rows.nrows()).copy_from(rows);
+        let decomposed = square.svd(false, true);
+        let largest = decomposed.singular_values.amax();
+        let zero: Vec<usize> = (0..n).filter(|&k| decomposed.singular_values[k] <= RANK * largest).collect();
+        decomposed.v_t.map_or_else(|| DMatrix::zeros(n, 0), |along| along.select_rows(&zero).transpose())
+    }
+}
