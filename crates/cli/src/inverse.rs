@@ -17,7 +17,8 @@ pub struct Asked {
     #[arg(value_name = "SCENE.toml")]
     pub scene: PathBuf,
     /// A coordinate as an expression of the time and of parameters, such as "theta = 0.5*sin(w*t)"; a free frame by turns, such as
-    /// "F = w*t about z, then (10 deg) about x"; once for each that the constraints leave open
+    /// "F = w*t about z, then (10 deg) about x"; once for each that the constraints leave open. A current, "motor.i_f = (2 A)" or "id = 0",
+    /// where the motion leaves it open
     #[arg(long = "motion", value_name = "Q = EXPRESSION", required = true, value_parser = motion)]
     pub motions: Vec<(String, String)>,
     /// A parameter or an input that is sought, such as a force; may be repeated
@@ -64,22 +65,28 @@ pub fn show(asked: &Asked) -> Result<Ending, Ending> {
         }
     }
     let found = inverse(&model, &prescribed, &unknowns, &times);
-    let AlongMotion { forces, constraints, left_out } = found.map_err(|why| placed(&asked.scene, why.at(&model)))?;
+    let AlongMotion { forces, constraints, left_out, charges } =
+        found.map_err(|why| placed(&asked.scene, why.at(&model)))?;
     for follows in left_out {
         warn(&format!("warning: {}: {}: it has no column", asked.scene.display(), follows.title));
     }
     let with_unit = |name: &String| (name.clone(), unit_of(&model, name));
     let state: Vec<(String, String)> = model.state_names().iter().map(|(name, _)| with_unit(name)).collect();
     let speeds = &state[model.positions()..];
+    // a charge is the integral of its current from wherever it starts
+    let is_shown = |place: &usize| !charges.contains(place);
+    let shown =
+        |all: &[(String, String)]| (0..all.len()).filter(is_shown).map(|place| all[place].clone()).collect::<Vec<_>>();
     let columns: Vec<(String, String)> = std::iter::once(("time".to_owned(), "s".to_owned()))
-        .chain(state.iter().cloned())
+        .chain(shown(&state))
         .chain(speeds.iter().map(|(name, unit)| (format!("{name}'"), unit_of_rate(unit))))
         .chain(unknowns.iter().map(with_unit))
         .chain(constraints.iter().map(|known| (known.multiplier(), known.unit.clone())))
         .collect();
     let row = |forces: &Forces| -> Vec<f64> {
         let Forces { time, coordinates, speeds, accelerations, unknowns, multipliers } = forces;
-        [&[*time][..], coordinates, speeds, accelerations, unknowns, multipliers].concat()
+        let coordinates: Vec<f64> = (0..coordinates.len()).filter(is_shown).map(|place| coordinates[place]).collect();
+        [&[*time][..], &coordinates, speeds, accelerations, unknowns, multipliers].concat()
     };
     let rows: Vec<Vec<f64>> = forces.iter().map(row).collect();
     print(&match asked.format {

@@ -35,6 +35,8 @@ pub struct Varied {
     pub by_accelerations: Vec<Vec<Sym>>,
     pub by_multipliers: Vec<Vec<Sym>>,
     pub by_inputs: Vec<Vec<Sym>>,
+    /// By the time, everything else at rest.
+    pub by_time: Vec<Sym>,
 }
 
 impl Variations {
@@ -56,6 +58,7 @@ impl Variations {
         let outputs: Vec<Sym> = trace.model.outputs.iter().map(|output| trace.scalar(output.is)).collect();
         let mut by_multipliers = alone(&multipliers);
         let mut by_inputs = alone(inputs);
+        let mut by_time = Derivation::new([(trace.time, Sym::ONE)]);
         let mut varied = |values: Vec<Sym>| {
             let n = trace.speeds.len();
             let matrix = |of: &dyn Fn(Sym, usize) -> Sym| -> Vec<Vec<Sym>> {
@@ -70,6 +73,7 @@ impl Variations {
                 by_accelerations: matrix(&|value, i| trace.by_acceleration(value, i)),
                 by_multipliers: by(&mut by_multipliers),
                 by_inputs: by(&mut by_inputs),
+                by_time: values.iter().map(|&value| by_time.of(value)).collect(),
                 values,
             }
         };

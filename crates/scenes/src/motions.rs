@@ -4,9 +4,10 @@ use crate::scene::model;
 use crate::warnings::warn_of;
 use derivations::scene::file::{read_text, tables};
 use derivations::scene::{Issue, SceneError};
-use model::{Entry, Fault, Model, ScalarId, Text, bare_angle};
+use model::{Coordinate, Entry, Fault, Model, ScalarId, Source, Text, WindingSource, bare_angle};
 use std::ops::Range;
 use std::path::Path;
+use symbolic::Dimension;
 
 /// Prescribed motions, each an expression of the time.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,12 +16,15 @@ pub enum Motion {
     Coordinate { place: usize, is: ScalarId },
     /// A free frame, by its number: turns in its parent, one after the other, each about an axis x, y or z that the one before has turned.
     Turns { frame: usize, turns: Vec<(usize, ScalarId)> },
+    /// A current: an output of the model, by its place, is its prescription less its value.
+    Speed { output: usize },
 }
 
 /// A motion before its expressions have a meaning: the texts of them, and of turns the axes.
 enum Written<'a> {
     Coordinate { place: usize, is: &'a str },
     Turns { frame: usize, turns: Vec<(usize, &'a str)> },
+    Speed { is: &'a str },
 }
 
 const TURNS: &str = "turns one after the other: F = 0.3*sin(t*(2 rad/s)) about x, then (10 deg) about z";
@@ -42,7 +46,11 @@ pub fn read_prescribed(path: &Path, motions: &[(String, String)]) -> Result<(Mod
         let mut all: Vec<Written<'_>> = Vec::new();
         for (place, (name, is)) in motions.iter().enumerate() {
             let is_again = motions[..place].iter().any(|(known, _)| known == name);
-            let found = if is_again { Err(("it is prescribed twice", known(&own))) } else { written(&own, name, is) };
+            let found = if is_again {
+                Err(("it is prescribed twice", known(&own, &source)))
+            } else {
+                written(&own, &source, name, is)
+            };
             match found {
                 Ok(motion) => all.push(motion),
                 Err((label, accepted)) => {
@@ -66,6 +74,7 @@ pub fn read_prescribed(path: &Path, motions: &[(String, String)]) -> Result<(Mod
                 Written::Turns { turns, .. } => {
                     turns.iter().for_each(|(_, is)| expression(place, is, format!("{is} + (1 - 1)")));
                 }
+                Written::Speed { is } => expression(place, is, format!("{is} - {name}")),
             }
         }
         let told = |fault: Fault| {
@@ -87,15 +96,17 @@ pub fn read_prescribed(path: &Path, motions: &[(String, String)]) -> Result<(Mod
             }));
         }
         warn_of("--motion", &options.text, &bare);
-        let mut expressions = model.outputs[own.outputs.len()..].iter().map(|output| output.is);
+        let mut expressions = model.outputs.iter().enumerate().skip(own.outputs.len());
+        let mut next = || expressions.next().map(|(place, output)| (place, output.is));
         let mut prescribed = Vec::with_capacity(all.len());
         for motion in all {
             prescribed.push(match motion {
-                Written::Coordinate { place, .. } => Motion::Coordinate { place, is: expressions.next()? },
+                Written::Coordinate { place, .. } => Motion::Coordinate { place, is: next()?.1 },
                 Written::Turns { frame, turns } => {
-                    let axes = turns.into_iter().map(|(axis, _)| axis);
-                    Motion::Turns { frame, turns: axes.zip(expressions.by_ref()).collect() }
+                    let turns = turns.into_iter().map(|(axis, _)| Some((axis, next()?.1)));
+                    Motion::Turns { frame, turns: turns.collect::<Option<_>>()? }
                 }
+                Written::Speed { .. } => Motion::Speed { output: next()?.0 },
             });
         }
         Some((model, prescribed))
@@ -141,13 +152,16 @@ impl<'a> Options<'a> {
     }
 }
 
-/// A motion by the name of its coordinate or free frame; else the fault, and what is accepted.
-fn written<'a>(own: &Model, name: &str, is: &'a str) -> Result<Written<'a>, (&'static str, String)> {
-    if let Some(place) = own.coordinates.iter().position(|coordinate| coordinate.name == name) {
+/// A motion by the name of its coordinate, current, quasi-velocity or free frame; else the fault, and what is accepted.
+fn written<'a>(own: &Model, source: &Source, name: &str, is: &'a str) -> Result<Written<'a>, (&'static str, String)> {
+    if let Some(place) = own.coordinates.iter().position(|one| one.name == name && is_own(one)) {
         return Ok(Written::Coordinate { place, is });
     }
+    if currents(own, source).iter().any(|known| known == name) {
+        return Ok(Written::Speed { is });
+    }
     let Some(frame) = own.free.iter().position(|frame| own.frames[frame.0].name == name) else {
-        return Err(("no coordinate has this name", known(own)));
+        return Err(("no coordinate has this name", known(own, source)));
     };
     let turn = |turn: &'a str| {
         let (angle, axis) = turn.rsplit_once(" about ")?;
@@ -157,9 +171,33 @@ fn written<'a>(own: &Model, name: &str, is: &'a str) -> Result<Written<'a>, (&'s
     turns.map(|turns| Written::Turns { frame, turns }).ok_or(("a free frame turns", TURNS.to_owned()))
 }
 
+/// Whether a coordinate is one of the file: the charge of a winding is known by its current alone.
+fn is_own(coordinate: &Coordinate) -> bool {
+    !coordinate.name.contains('.')
+}
+
+/// Speeds that may be prescribed: currents, and quasi-velocities that are currents.
+fn currents(own: &Model, source: &Source) -> Vec<String> {
+    let of_charge = own.coordinates.iter().filter(|one| one.dimension == Dimension::current() * Dimension::time());
+    let rates = of_charge.filter(|one| is_own(one)).map(|one| format!("{}'", one.name));
+    let quasi = own.quasi_velocities.iter().filter(|one| one.dimension == Dimension::current());
+    let of_drive = source.drives.iter().flat_map(|drive| {
+        let name = drive.name.as_ref().map_or("drive", |name| name.text.as_str());
+        let current =
+            |winding: &WindingSource| winding.current.as_ref().map_or("i", |current| current.text.as_str()).to_owned();
+        drive.windings.iter().map(move |winding| format!("{name}.{}", current(winding)))
+    });
+    of_drive.chain(quasi.map(|one| one.name.clone())).chain(rates).collect()
+}
+
 /// The quantities that may be prescribed.
-fn known(own: &Model) -> String {
+fn known(own: &Model, source: &Source) -> String {
     let frames = own.free.iter().map(|frame| own.frames[frame.0].name.as_str());
-    let names: Vec<&str> = own.coordinates.iter().map(|coordinate| coordinate.name.as_str()).chain(frames).collect();
-    format!("a motion for each of: {}", names.join(", "))
+    let coordinates = own.coordinates.iter().filter(|one| is_own(one)).map(|one| one.name.as_str());
+    let names: Vec<&str> = coordinates.chain(frames).collect();
+    let currents = match currents(own, source) {
+        none if none.is_empty() => String::new(),
+        some => format!("; of currents, where forces leave them open: {}", some.join(", ")),
+    };
+    format!("a motion for each of: {}{currents}", names.join(", "))
 }

@@ -28,9 +28,12 @@ fn agree(source: &Source) {
             is_zero("rate", varied.rate.values[k] - constraint.rate);
             is_zero("acceleration", varied.acceleration.values[k] - trace.rate_of(constraint.rate));
         }
-        for Varied { values, by_coordinates, by_speeds, by_accelerations, by_multipliers, by_inputs } in
+        for Varied { values, by_coordinates, by_speeds, by_accelerations, by_multipliers, by_inputs, by_time } in
             [&varied.motion, &varied.zero, &varied.rate, &varied.acceleration, &varied.outputs]
         {
+            for (slope, value) in by_time.iter().zip(values) {
+                is_zero("a slope by the time", *slope - value.diff(trace.time));
+            }
             let tables = [
                 (by_coordinates, &trace.coordinates),
                 (by_speeds, &trace.speeds),

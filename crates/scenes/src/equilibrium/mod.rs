@@ -11,7 +11,6 @@
 //! start reach. A start that is to be an equilibrium itself may stand elsewhere, where none is reached.
 
 mod balance;
-mod currents;
 mod ways;
 
 use crate::compiled_system::{NotCompiled, one_law};
@@ -19,7 +18,6 @@ use crate::layout::Layout;
 use crate::linearisation::VariedEquations;
 use crate::row_units::{force_unit, rate_unit};
 use crate::start::{Leaf, consistent, given};
-use currents::cyclic;
 use model::equations::Level;
 use model::{Model, StartValue};
 use nalgebra::DMatrix;
@@ -86,7 +84,7 @@ pub fn equilibrium(model: &Model, all: bool) -> Result<Equilibrium, NoEquilibriu
         _ => model.start_state(),
     };
     let mut guess = equations.point(0.0, &state);
-    let currents = cyclic(&equations, &guess);
+    let currents = equations.cyclic(&equations.around(&guess), &equations.charges);
     guess.speeds = &currents * (currents.transpose() * &guess.speeds);
     let given = given(model);
     // a charge that is a direction of its own stays as it starts

@@ -1,5 +1,7 @@
-//! A prescribed motion at an instant: coordinates that are not prescribed follow from the constraints.
+//! A prescribed motion at an instant: coordinates that are not prescribed follow from the constraints, currents from the forces that
+//! they exert.
 
+use super::currents::Currents;
 use super::prescription::Prescribed;
 use super::{NoForces, RANK};
 use crate::linearisation::{Point, VariedEquations};
@@ -17,19 +19,19 @@ pub(super) struct Completion<'a> {
     pub equations: &'a VariedEquations,
     pub model: &'a Model,
     pub prescribed: &'a Prescribed,
+    pub currents: &'a Currents<'a>,
 }
 
 impl Completion<'_> {
     /// # Errors
     /// A constraint that does not hold, or coordinates that nothing determines.
     pub fn of(&self, mut point: Point) -> Result<Point, NoForces> {
-        let (n, time) = (point.speeds.len(), point.time);
-        let (positions, kept) = (self.equations.positions(), self.equations.kept());
-        self.prescribed.put(&mut point);
-        let open: Vec<usize> = (0..n).filter(|&speed| !self.prescribed.has(speed)).collect();
-        let columns = |matrix: &DMatrix<f64>, rows: usize| {
-            DMatrix::from_fn(rows, open.len(), |row, column| matrix[(row, open[column])])
-        };
+        let time = point.time;
+        let positions = self.equations.positions();
+        let third = self.prescribed.put(&mut point);
+        let Currents { open, held, rates, .. } = self.currents;
+        let columns = |matrix: &DMatrix<f64>, rows: &[usize]| matrix.select_rows(rows).select_columns(open);
+        let of_positions: Vec<usize> = (0..positions).collect();
         let rank_of = |matrix: &DMatrix<f64>| match matrix.is_empty() {
             true => 0,
             false => {
@@ -43,7 +45,7 @@ impl Completion<'_> {
             if open.is_empty() || residuals.iter().all(|residual| residual.abs() <= 1e-14) {
                 break;
             }
-            let matrix = columns(&at.zero.by_coordinates, positions);
+            let matrix = columns(&at.zero.by_coordinates, &of_positions);
             let Some(step) = least(&matrix, &residuals) else { break };
             if !step.iter().all(|part| part.is_finite()) || step.amax() <= 1e-16 {
                 break;
@@ -53,43 +55,43 @@ impl Completion<'_> {
             }
         }
         let at = self.equations.at(&point);
-        self.met(&at.zero.values, positions, 0, time)?;
-        if rank_of(&columns(&at.zero.by_coordinates, positions)) < open.len() {
+        self.met(&at.zero.values, &of_positions, 0, time)?;
+        if self.currents.count() + rank_of(&columns(&at.zero.by_coordinates, &of_positions)) < open.len() {
             let names = self.model.state_names();
             let layout = self.prescribed.layout;
             let order = |speed: usize| usize::from(layout.places(speed, 0).len() > 1);
             let name = |&speed: &usize| format!("`{}`", names[layout.places(speed, order(speed)).start].0);
-            let coordinates = open.iter().map(name).collect();
+            let coordinates = open.iter().filter(|place| !self.currents.has(**place)).map(name).collect();
             return Err(NoForces::Open { coordinates, time });
         }
         // rates are linear in speeds once more, accelerations in themselves; constraints of speeds that are not are iterated
         for _ in 0..MOST_STEPS {
             let at = self.equations.at(&point);
-            let matrix = columns(&at.rate.by_speeds, kept);
-            let Some(step) = least(&matrix, &at.rate.values.rows(0, kept).into_owned()) else { break };
+            let matrix = columns(&at.rate.by_speeds, rates);
+            let Some(step) = least(&matrix, &at.rate.values.select_rows(rates)) else { break };
             if step.amax() <= 1e-15 {
                 break;
             }
             open.iter().zip(step.iter()).for_each(|(&place, part)| point.speeds[place] -= part);
         }
         let at = self.equations.at(&point);
-        self.met(&at.rate.values, kept, 1, time)?;
-        let matrix = columns(&at.acceleration.by_accelerations, at.acceleration.values.len());
-        if let Some(step) = least(&matrix, &at.acceleration.values) {
+        self.met(&at.rate.values, rates, 1, time)?;
+        let matrix = columns(&at.acceleration.by_accelerations, held);
+        if let Some(step) = least(&matrix, &at.acceleration.values.select_rows(held)) {
             open.iter().zip(step.iter()).for_each(|(&place, part)| point.accelerations[place] -= part);
         }
         let at = self.equations.at(&point);
-        self.met(&at.acceleration.values, at.acceleration.values.len(), 2, time)?;
+        self.met(&at.acceleration.values, held, 2, time)?;
         self.equations.choose(&mut point);
-        Ok(point)
+        self.currents.flow(self.equations, point, &third)
     }
 
-    /// Whether residuals vanish: of constraints, of their rates, or of the rates of these.
-    fn met(&self, residuals: &DVector<f64>, count: usize, order: usize, time: f64) -> Result<(), NoForces> {
-        let unmet = |residual: &f64| residual.is_nan() || residual.abs() > MET;
-        match residuals.iter().take(count).position(unmet) {
+    /// Whether residuals of some constraints vanish: their own, their rates, or the rates of these.
+    fn met(&self, residuals: &DVector<f64>, rows: &[usize], order: usize, time: f64) -> Result<(), NoForces> {
+        let unmet = |row: &&usize| residuals[**row].is_nan() || residuals[**row].abs() > MET;
+        match rows.iter().find(unmet) {
             None => Ok(()),
-            Some(row) => {
+            Some(&row) => {
                 let known = &self.equations.constraints[row];
                 let rates = if known.level == Level::Position { order } else { order.saturating_sub(1) };
                 let unit = (0..rates).fold(known.of.clone(), |unit, _| rate_unit(&unit));

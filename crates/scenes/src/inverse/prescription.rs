@@ -1,4 +1,4 @@
-//! Prescribed motions as numbers at an instant, with two rates.
+//! Prescribed motions as numbers at an instant, with three rates.
 
 use super::NoForces;
 use crate::compiled_system::values;
@@ -8,13 +8,16 @@ use crate::motions::Motion;
 use crate::program::recorded;
 use derivations::taped::Program;
 use model::{Model, ScalarId, Trace, turned_further};
+use nalgebra::DVector;
 use symbolic::substitute_all;
 
-/// Prescribed coordinates and turns as functions of the time, with two rates.
+/// Prescribed coordinates and turns as functions of the time, with three rates.
 pub(super) struct Prescribed {
     motions: Vec<Motion>,
     pub layout: Layout,
-    /// Values, rates, second rates.
+    /// Outputs of the model that prescribed speeds keep at zero.
+    pub speeds: Vec<usize>,
+    /// Values, rates, second and third rates.
     program: Program,
 }
 
@@ -26,6 +29,7 @@ impl Prescribed {
         let expressions = |motion: &Motion| match motion {
             Motion::Coordinate { is, .. } => vec![*is],
             Motion::Turns { turns, .. } => turns.iter().map(|(_, is)| *is).collect(),
+            Motion::Speed { .. } => Vec::new(),
         };
         let program = recorded(0, |time, _| {
             let trace = Trace::of(model);
@@ -41,16 +45,23 @@ impl Prescribed {
             let positions: Vec<_> = motions.iter().flat_map(expressions).map(|is| trace.scalar(is)).collect();
             let speeds: Vec<_> = positions.iter().map(|&position| trace.rate_of(position)).collect();
             let accelerations: Vec<_> = speeds.iter().map(|&speed| trace.rate_of(speed)).collect();
-            substitute_all(&[positions, speeds, accelerations].concat(), &values(&trace, time, &[]))
+            let third: Vec<_> = accelerations.iter().map(|&acceleration| trace.rate_of(acceleration)).collect();
+            substitute_all(&[positions, speeds, accelerations, third].concat(), &values(&trace, time, &[]))
         });
+        let speeds = motions.iter().filter_map(|motion| match motion {
+            Motion::Speed { output } => Some(*output),
+            Motion::Coordinate { .. } | Motion::Turns { .. } => None,
+        });
+        let (layout, speeds) = (Layout::of(model), speeds.collect());
         match (wrong, program) {
             (Some(place), _) => Err(NoForces::NotOfTime {
                 coordinate: match motions[place] {
                     Motion::Coordinate { place, .. } => model.coordinates[place].name.clone(),
                     Motion::Turns { frame, .. } => model.frames[model.free[frame].0].name.clone(),
+                    Motion::Speed { output } => model.outputs[output].name.clone(),
                 },
             }),
-            (None, Ok(program)) => Ok(Prescribed { motions: motions.to_vec(), layout: Layout::of(model), program }),
+            (None, Ok(program)) => Ok(Prescribed { motions: motions.to_vec(), layout, speeds, program }),
             (None, Err(why)) => Err(NoForces::NotCompiled(why)),
         }
     }
@@ -63,53 +74,65 @@ impl Prescribed {
                 let first = self.layout.turning().nth(*frame).map_or(usize::MAX, |(first, _)| first);
                 (first..first.saturating_add(3)).contains(&speed)
             }
+            Motion::Speed { .. } => false,
         })
     }
 
-    /// Into the coordinates, speeds and accelerations of a point.
-    pub fn put(&self, point: &mut Point) {
+    /// Into the coordinates, speeds and accelerations of a point; rates of prescribed accelerations, zero where none is.
+    pub fn put(&self, point: &mut Point) -> DVector<f64> {
         let expressions = |motion: &Motion| match motion {
             Motion::Coordinate { .. } => 1,
             Motion::Turns { turns, .. } => turns.len(),
+            Motion::Speed { .. } => 0,
         };
         let count: usize = self.motions.iter().map(expressions).sum();
-        let mut numbers = vec![f64::NAN; 3 * count];
+        let mut numbers = vec![f64::NAN; 4 * count];
         self.program.run(point.time, &[], &mut numbers);
-        let mut rates = (0..count).map(|k| [numbers[k], numbers[count + k], numbers[2 * count + k]]);
+        let mut rates = (0..count).map(|k| std::array::from_fn(|order| numbers[order * count + k]));
+        let mut third = DVector::zeros(point.speeds.len());
         for motion in &self.motions {
             match motion {
                 Motion::Coordinate { place, .. } => {
-                    let [value, rate, second] = rates.next().unwrap_or([f64::NAN; 3]);
-                    point.coordinates[*place] = value;
-                    point.speeds[*place] = rate;
-                    point.accelerations[*place] = second;
+                    let own: [f64; 4] = rates.next().unwrap_or([f64::NAN; 4]);
+                    point.coordinates[*place] = own[0];
+                    point.speeds[*place] = own[1];
+                    point.accelerations[*place] = own[2];
+                    third[*place] = own[3];
                 }
+                Motion::Speed { .. } => {}
                 Motion::Turns { frame, turns } => {
                     let Some((speed, coordinate)) = self.layout.turning().nth(*frame) else { continue };
                     let turned = Turned::by(turns.iter().map(|(axis, _)| *axis).zip(rates.by_ref()));
                     point.coordinates.as_mut_slice()[coordinate..coordinate + 4].copy_from_slice(&turned.quaternion);
                     point.speeds.as_mut_slice()[speed..speed + 3].copy_from_slice(&turned.speeds);
                     point.accelerations.as_mut_slice()[speed..speed + 3].copy_from_slice(&turned.accelerations);
+                    third.as_mut_slice()[speed..speed + 3].copy_from_slice(&turned.third);
                 }
             }
         }
+        third
     }
 }
 
 /// The motion of a frame by turns one after the other, in its own axes.
 struct Turned {
     quaternion: [f64; 4],
+    /// The angular velocity with two rates.
     speeds: [f64; 3],
     accelerations: [f64; 3],
+    third: [f64; 3],
 }
 
 impl Turned {
-    /// Each turn about an axis e by an angle with two rates:
+    /// Each turn about an axis e by an angle with three rates. A vector a of the frame before is b = R^T a in the turned one, with the rate
     ///
-    ///   w = R^T w + e theta',    w' = R^T w' - e theta' x R^T w + e theta''
-    fn by(turns: impl Iterator<Item = (usize, [f64; 3])>) -> Self {
-        let mut turned = Turned { quaternion: [1.0, 0.0, 0.0, 0.0], speeds: [0.0; 3], accelerations: [0.0; 3] };
-        for (axis, [angle, rate, second]) in turns {
+    ///   b' = R^T a' - e theta' x b ,
+    ///
+    /// and w = R^T w + e theta' has two such rates.
+    fn by(turns: impl Iterator<Item = (usize, [f64; 4])>) -> Self {
+        let mut turned =
+            Turned { quaternion: [1.0, 0.0, 0.0, 0.0], speeds: [0.0; 3], accelerations: [0.0; 3], third: [0.0; 3] };
+        for (axis, [angle, rate, second, third]) in turns {
             let mut along = [0.0; 3];
             along[axis] = angle;
             turned.quaternion = turned_further(turned.quaternion, along);
@@ -121,11 +144,23 @@ impl Turned {
                 seen[last] = cos * vector[last] - sin * vector[next];
                 seen
             };
-            (turned.speeds, turned.accelerations) = (back(turned.speeds), back(turned.accelerations));
-            turned.accelerations[next] += rate * turned.speeds[last];
-            turned.accelerations[last] -= rate * turned.speeds[next];
-            turned.accelerations[axis] += second;
+            // less e times a number x a vector
+            let carried = |vector: &mut [f64; 3], by: f64, of: [f64; 3]| {
+                vector[next] += by * of[last];
+                vector[last] -= by * of[next];
+            };
+            let (speeds, accelerations) = (back(turned.speeds), back(turned.accelerations));
+            let mut first = accelerations;
+            carried(&mut first, rate, speeds);
+            // R^T w'' - e theta' x R^T w' - e theta'' x b - e theta' x b'
+            let mut jerk = back(turned.third);
+            carried(&mut jerk, rate, accelerations);
+            carried(&mut jerk, second, speeds);
+            carried(&mut jerk, rate, first);
+            (turned.speeds, turned.accelerations, turned.third) = (speeds, first, jerk);
             turned.speeds[axis] += rate;
+            turned.accelerations[axis] += second;
+            turned.third[axis] += third;
         }
         turned
     }

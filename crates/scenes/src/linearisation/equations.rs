@@ -75,6 +75,7 @@ pub struct Values {
     pub by_accelerations: DMatrix<f64>,
     pub by_multipliers: DMatrix<f64>,
     pub by_inputs: DMatrix<f64>,
+    pub by_time: DVector<f64>,
 }
 
 /// Everything at a point.
@@ -96,7 +97,7 @@ pub struct VariedEquations {
     /// Inputs, then conditions of switches, from all that a point has.
     outside: Program,
     /// Speeds, constraints, inputs, outputs, switches.
-    sizes: [usize; 5],
+    pub(super) sizes: [usize; 5],
     pub(super) layout: Layout,
     /// Those of positions that are kept, those of speeds that are kept, those that are led to zero.
     pub constraints: Vec<Known>,
@@ -116,11 +117,20 @@ impl VariedEquations {
     /// # Errors
     /// Why there are no equations with numbers.
     pub fn of(model: &Model, parameters: &[usize]) -> Result<Self, NotCompiled> {
+        let all: Vec<usize> = (0..model.inputs.len()).collect();
+        VariedEquations::with_inputs(model, parameters, &all)
+    }
+
+    /// The same where some inputs of the model alone, by their places, are inputs; others are their values, with all derivatives of these.
+    ///
+    /// # Errors
+    /// Why there are no equations with numbers.
+    pub fn with_inputs(model: &Model, parameters: &[usize], inputs: &[usize]) -> Result<Self, NotCompiled> {
         has_values_but(model, parameters)?;
         if !model.contacts.is_empty() {
             return Err(NotCompiled::Changes);
         }
-        let (open, own) = opened(model);
+        let (open, own) = opened(model, inputs);
         let open = &open;
         let (n, layout) = (model.speeds(), Layout::of(model));
         let known: Vec<Known> = symbolic::apart(|| {
@@ -247,7 +257,7 @@ impl VariedEquations {
     /// Everything at a point.
     pub fn at(&self, point: &Point) -> At {
         let [n, m, k, shown, _] = self.sizes;
-        let width = 1 + 3 * n + m + k;
+        let width = 2 + 3 * n + m + k;
         let mut numbers = vec![f64::NAN; (n + 3 * m + shown) * width];
         self.program.run(point.time, &flat(point), &mut numbers);
         let mut rest = &numbers[..];
@@ -264,6 +274,7 @@ impl VariedEquations {
                 by_accelerations: block(1 + 2 * n, n),
                 by_multipliers: block(1 + 3 * n, m),
                 by_inputs: block(1 + 3 * n + m, k),
+                by_time: DVector::from_fn(rows, |row, _| own[row * width + width - 1]),
             }
         };
         At { motion: next(n), zero: next(m), rate: next(m), acceleration: next(m), outputs: next(shown) }
@@ -277,17 +288,17 @@ fn charges(model: &Model) -> Vec<usize> {
     model.coordinates.iter().enumerate().filter_map(is_charge).collect()
 }
 
-/// The model with its inputs as letters, and which of them are: an input in a constraint keeps its value, since the constraint asks for
+/// The model with some inputs as letters, and which of them are: an input in a constraint keeps its value, since the constraint asks for
 /// its rates. In a law of speeds it moves the speeds alone.
-fn opened(model: &Model) -> (Model, Vec<usize>) {
+fn opened(model: &Model, among: &[usize]) -> (Model, Vec<usize>) {
     let mut open = model.clone();
-    open.inputs.iter_mut().for_each(|input| input.value = None);
+    among.iter().for_each(|&place| open.inputs[place].value = None);
     let own: Vec<usize> = symbolic::apart(|| {
         let is_led = |one: &Equation| one.law.is_none() || one.level == Level::Position;
         let held = constraints_of(&Trace::of(&open)).into_iter().filter(is_led);
         let used: Vec<Sym> = held.flat_map(|each| [each.zero, each.bias]).flat_map(Sym::symbols_of).collect();
         let is_free = |place: &usize| !used.contains(&Sym::symbol(&model.inputs[*place].name));
-        (0..model.inputs.len()).filter(is_free).collect()
+        among.iter().copied().filter(is_free).collect()
     });
     for (place, input) in open.inputs.iter_mut().enumerate().filter(|(place, _)| !own.contains(place)) {
         input.value = model.inputs[place].value;
@@ -343,5 +354,6 @@ fn flatten(varied: &Varied, rows: &[usize], multipliers: &[usize], all: &mut Vec
         all.extend_from_slice(&varied.by_accelerations[row]);
         all.extend(multipliers.iter().map(|&k| varied.by_multipliers[row][k]));
         all.extend_from_slice(&varied.by_inputs[row]);
+        all.push(varied.by_time[row]);
     }
 }

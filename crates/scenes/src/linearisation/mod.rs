@@ -7,6 +7,7 @@
 //!
 //! A free frame varies by three small turns about its own axes, and not by the four parts of its quaternion.
 
+mod cyclic;
 mod displacement;
 mod equations;
 mod independence;
@@ -14,7 +15,7 @@ mod point;
 pub mod points;
 mod stability;
 
-pub use equations::{At, Known, Point, VariedEquations};
+pub use equations::{At, Known, Point, Values, VariedEquations};
 pub use point::Undetermined;
 pub use points::Standing;
 pub use stability::{Spectrum, Stability, eigenvalues};

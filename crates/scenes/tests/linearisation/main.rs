@@ -8,6 +8,7 @@ mod free_frames;
 mod instants;
 mod reactions;
 mod steady_currents;
+mod voltages;
 
 use model::Model;
 use scenes::ModelScene;

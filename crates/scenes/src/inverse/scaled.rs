@@ -1,0 +1,45 @@
+//! Linear equations of mixed units: rows and columns are scaled before they are solved.
+
+use super::RANK;
+use nalgebra::{DMatrix, DVector};
+
+/// The least solution, with the directions that the equations leave.
+pub(super) struct Scaled {
+    pub solution: DVector<f64>,
+    /// Over scaled unknowns, rows.
+    kernel: DMatrix<f64>,
+}
+
+impl Scaled {
+    /// The unknowns that a direction moves by more than a part of its length.
+    pub fn free(&self, part: f64) -> Vec<bool> {
+        self.kernel.column_iter().map(|column| column.amax() > part).collect()
+    }
+}
+
+/// None where a number is none.
+pub(super) fn scaled(matrix: &DMatrix<f64>, right: &DVector<f64>) -> Option<Scaled> {
+    if !matrix.iter().chain(right.iter()).all(|value| value.is_finite()) || matrix.ncols() == 0 {
+        return None;
+    }
+    let size = |amax: f64| if amax > 0.0 { amax } else { 1.0 };
+    // as many rows as columns at least: each direction has then a singular value
+    let rows = matrix.nrows().max(matrix.ncols());
+    let mut square = DMatrix::zeros(rows, matrix.ncols());
+    let mut by = DVector::zeros(rows);
+    for (row, own) in matrix.row_iter().enumerate() {
+        let scale = size(own.amax());
+        square.row_mut(row).copy_from(&(own / scale));
+        by[row] = right[row] / scale;
+    }
+    let columns: Vec<f64> = square.column_iter().map(|column| size(column.amax())).collect();
+    for (mut column, scale) in square.column_iter_mut().zip(&columns) {
+        column.unscale_mut(*scale);
+    }
+    let decomposed = square.svd(true, true);
+    let least = RANK * decomposed.singular_values.amax();
+    let mut solution = decomposed.solve(&by, least).ok()?;
+    solution.iter_mut().zip(&columns).for_each(|(part, scale)| *part /= scale);
+    let zero: Vec<usize> = (0..columns.len()).filter(|&k| decomposed.singular_values[k] <= least).collect();
+    Some(Scaled { solution, kernel: decomposed.v_t?.select_rows(&zero) })
+}

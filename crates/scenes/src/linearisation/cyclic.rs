@@ -1,0 +1,57 @@
+//! Directions of coordinates for which no equation asks, such as the charges of windings, and points at which equations are asked.
+
+use super::{At, Point, VariedEquations};
+use crate::kernel::Rows;
+use nalgebra::DMatrix;
+
+/// Points at which the equations are asked.
+const POINTS: usize = 4;
+
+/// Parts of a point are moved by up to this part of their size, and of one in SI units.
+const ASIDE: f64 = 0.3;
+
+/// Multiples of the golden section are spread evenly.
+const GOLDEN: f64 = 0.618_033_988_749_894_8;
+
+impl VariedEquations {
+    /// The equations at points near another one, at which nothing vanishes by chance; of those points that give them finite values.
+    pub(crate) fn around(&self, point: &Point) -> Vec<At> {
+        let all = (0..POINTS).map(|number| self.at(&self.beside(point, number)));
+        let parts =
+            |at: &At| [&at.motion, &at.zero, &at.rate, &at.acceleration].map(|values| values.by_coordinates.clone());
+        all.filter(|at| parts(at).iter().all(|part| part.iter().all(|slope| slope.is_finite()))).collect()
+    }
+
+    /// Directions of some coordinates along which no equation changes at points: orthonormal columns over all speeds.
+    pub(crate) fn cyclic(&self, points: &[At], among: &[usize]) -> DMatrix<f64> {
+        let [n, ..] = self.sizes;
+        let mut rows = Rows::none(among.len());
+        for At { motion, zero, rate, acceleration, .. } in points {
+            for values in [motion, zero, rate, acceleration] {
+                rows.add(&values.by_coordinates.select_columns(among));
+            }
+        }
+        let own = if points.is_empty() { DMatrix::zeros(among.len(), 0) } else { rows.kernel() };
+        let mut all = DMatrix::zeros(n, own.ncols());
+        for (row, &place) in among.iter().enumerate() {
+            all.row_mut(place).copy_from(&own.row(row));
+        }
+        all
+    }
+
+    /// The first point has the place itself.
+    fn beside(&self, about: &Point, number: usize) -> Point {
+        let mut point = about.clone();
+        let part = |place: usize| ((place + 1 + 31 * number) as f64 * GOLDEN).fract() + 0.5;
+        let share = ASIDE * number as f64 / POINTS as f64;
+        for place in 0..about.speeds.len() {
+            self.displace(&mut point, place, share * self.size(about, place) * part(place));
+        }
+        point.time += share * part(2);
+        let Point { speeds, accelerations, multipliers, inputs, .. } = &mut point;
+        for (first, values) in [(3, speeds), (7, accelerations), (11, multipliers), (13, inputs)] {
+            values.iter_mut().enumerate().for_each(|(place, value)| *value += part(first + place));
+        }
+        point
+    }
+}
