@@ -82,6 +82,16 @@ const TWO: &str = "title = \"two\"\ngravity = \"-(9.81 m/s^2)*N.y\"\n[coordinate
     motional = \"(0.05 V s)\"\n[[drive]]\nname = \"second\"\nbetween = [\"upper\", \"lower\"]\nratio = \"8\"\n[[drive.winding]]\ninductance = \"(8 mH)\"\n\
     resistance = \"(2 ohm)\"\nsupply = \"u2\"\nmotional = \"(0.04 V s)\"\n[run]\nspan = \"1 s\"\n";
 
+/// A satellite that turns as prescribed by torques along its axes, while the motor of a wheel in it follows a prescribed angle.
+fn satellite() -> String {
+    let text = changed("reaction_wheel", &[("[drive.machine]", "[machine]")]);
+    let (before, behind) = text.split_once("[machine]").expect("it has one");
+    let (_, behind) = behind.split_once("[outputs]").expect("it has some");
+    let driven = "[[drive.winding]]\ninductance = \"(20 mH)\"\nresistance = \"(0.6 ohm)\"\nsupply = \"u\"\nmotional = \"(0.05 V s)\"\n[inputs]\nu = \"V\"\n\
+        T1 = \"N m\"\nT2 = \"N m\"\nT3 = \"N m\"\n[[torque]]\non = \"satellite\"\nis = \"T1*F.x + T2*F.y + T3*F.z\"\n[outputs]";
+    format!("{before}{driven}{behind}")
+}
+
 /// Runge and Kutta's classical method from the first instant, with the voltages of each instant.
 fn run(model: &Model, found: &[Forces], unknowns: &[&str], step: f64) -> Vec<f64> {
     let mut closed = model.clone();
@@ -95,7 +105,9 @@ fn run(model: &Model, found: &[Forces], unknowns: &[&str], step: f64) -> Vec<f64
             point.inputs[equations.inputs.iter().position(|input| input == name).expect("it is one")] = *voltage;
         }
         let point = equations.with_accelerations(point).expect("it is determined");
-        [&state[positions..], point.accelerations.as_slice()].concat()
+        let mut rates = vec![0.0; positions];
+        model.position_rates(state, &mut rates);
+        [&rates[..], point.accelerations.as_slice()].concat()
     };
     let moved = |state: &[f64], rate: &[f64], by: f64| -> Vec<f64> {
         state.iter().zip(rate).map(|(part, rate)| part + rate * by).collect()
@@ -119,12 +131,14 @@ fn a_run_with_the_voltages_that_are_found_follows_the_motion() {
         "series_motor",
         &[("supply = \"U\"", "supply = \"u\""), ("[outputs]", "[inputs]\nu = \"V\"\n[outputs]")],
     );
+    let turns = "0.4*sin(t*(3 rad/s)) about z, then 0.3*cos(t*(4 rad/s)) about x, then t^2*(1 1/s^2) about y";
     let along = "(3 A)*cos(t*(2 rad/s))";
     for (name, text, motions, unknowns) in [
         ("arm", ARM.to_owned(), &[("theta", "sin(t*(3 rad/s))")][..], &["u"][..]),
         ("crank", crank(), &[("theta", swinging)], &["u"]),
         ("two", TWO.to_owned(), &[("a", "0.4*sin(t*(5 rad/s))"), ("b", "0.2*cos(t*(3 rad/s))")], &["u1", "u2"]),
         ("series", series, &[("theta", turning)], &["u"]),
+        ("satellite", satellite(), &[("s", "5*sin(t*(3 rad/s))"), ("F", turns)], &["u", "T1", "T2", "T3"]),
         ("saturated", saturated(), &[("theta", turning), ("id", along)], &["ua", "ub"]),
     ] {
         let steps = 2000;
@@ -133,7 +147,7 @@ fn a_run_with_the_voltages_that_are_found_follows_the_motion() {
             forces(name, &text, motions, unknowns, &times).unwrap_or_else(|why| panic!("{name}: {why}"));
         let end = run(&model, &found, unknowns, 0.5 / steps as f64);
         let last = &found[found.len() - 1];
-        let charge = |place: usize| place < model.positions() && model.coordinates[place].unit == "C";
+        let charge = |place: usize| model.coordinates.get(place).is_some_and(|one| one.unit == "C");
         for (place, (part, known)) in end.iter().zip([&last.coordinates[..], &last.speeds].concat()).enumerate() {
             assert!(
                 charge(place) || (part - known).abs() < 1e-9 * (1.0 + known.abs()),
