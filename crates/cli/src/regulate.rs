@@ -4,11 +4,13 @@ use crate::arguments::Format;
 use crate::ending::{Ending, placed, print};
 use crate::output::Writes;
 use crate::progress::Progress;
+use crate::summary::{passed, told_passages};
 use crate::{clock, csv};
 use ::scenes::regulator::{ClosedRun, Controllability, Regulated, States, regulated};
 use ::scenes::{ModelScene, unit_of};
 use clap::Args;
 use derivations::scene::file::read_text;
+use derivations::scene::switching::Passage;
 use model::{Model, Regulator};
 use nalgebra::{Complex, DMatrix};
 use serde_json::json;
@@ -63,7 +65,12 @@ pub fn show(asked: &Asked) -> Result<Ending, Ending> {
     {
         written.tell(asked.format)?;
     }
-    Ok(if run.outcome.failure().is_some() { Ending::Stopped } else { Ending::Done })
+    Ok(if stopped(run).is_some() { Ending::Stopped } else { Ending::Done })
+}
+
+/// Why a run does not reach its end, where it does not.
+fn stopped(run: &ClosedRun) -> Option<String> {
+    run.left.map(str::to_owned).or_else(|| run.outcome.failure().map(|failure| failure.to_string()))
 }
 
 /// A regulator with its names.
@@ -166,9 +173,14 @@ impl Told<'_> {
             Some(_) => format!(", {left:.1e} of it the cost of the end"),
         };
         line("cost of the run", number(self.cost()) + &rest);
-        match run.outcome.failure() {
-            None => line("reached", format!("t = {} s", run.outcome.time)),
-            Some(failure) => line("stopped", format!("{failure}")),
+        told_passages(&run.passages).into_iter().for_each(|(name, told)| line(name, told));
+        let ended = run.passages.last().filter(|passage| passage.then.is_none());
+        match (stopped(run), ended) {
+            (Some(why), _) => line("stopped", why),
+            (None, None) => line("reached", format!("t = {} s", run.outcome.time)),
+            (None, Some(Passage { what, .. })) => {
+                line("reached", format!("t = {} s: {what} ends the run", run.outcome.time));
+            }
         }
         let last = run.states.last().into_iter().flatten();
         for (name, value) in self.names.iter().zip(last) {
@@ -197,7 +209,8 @@ impl Told<'_> {
             "residual": residual,
             "cost_by_riccati": predicted,
             "cost_of_run": self.cost(),
-            "reached": run.outcome.failure().is_none(),
+            "reached": stopped(run).is_none(),
+            "events": run.passages.iter().map(passed).collect::<Vec<_>>(),
             "columns": self.names,
             "run": { "times": times, "states": states, "inputs": inputs, "costs": costs },
         })

@@ -147,7 +147,7 @@ fn made_by() -> String {
 }
 
 /// An event of a run.
-fn passed(Passage { time, what, then }: &Passage) -> Value {
+pub fn passed(Passage { time, what, then }: &Passage) -> Value {
     json!({ "time": time, "what": what, "then": then })
 }
 
@@ -155,7 +155,7 @@ fn passed(Passage { time, what, then }: &Passage) -> Value {
 const MOST_SHOWN: usize = 20;
 
 /// The start and the events of a run, each with its line.
-fn told_passages(passages: &[Passage]) -> Vec<(&'static str, String)> {
+pub fn told_passages(passages: &[Passage]) -> Vec<(&'static str, String)> {
     let told = |Passage { time, what, then }: &Passage| {
         let then = then.as_ref().filter(|then| !then.is_empty()).map_or_else(String::new, |then| format!(": {then}"));
         ("event", format!("t = {time:.9} s: {what}{then}"))

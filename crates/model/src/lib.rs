@@ -24,6 +24,7 @@
 
 mod agreement;
 mod arena;
+mod closed_loop;
 mod conformity;
 mod divisors;
 mod elaboration;
@@ -44,6 +45,7 @@ mod variations;
 
 pub use agreement::{Agreement, Projected, agreement, projected_agreement};
 pub use arena::{Function, Number, ScalarId, VectorId};
+pub use closed_loop::Feedback;
 pub use conformity::{Pairs, forces_without_potential};
 pub use elaboration::{HALF_TURN, bare_angle, is_reserved, misplaced};
 pub use fault::Fault;

@@ -172,6 +172,39 @@ fn a_regulator_of_a_distance_leaves_the_place_of_both_out() {
     assert!(placed.is_err_and(|why| why.contains("no input reaches the variation")));
 }
 
+/// Inside its bounds the loop of a law that changes is that of the law without them; beyond them it costs more, and an event ends it.
+#[test]
+fn a_loop_runs_across_the_bounds_of_its_force_and_across_events() {
+    let fine = |text: String| one(&text.replace("span = \"10 s\"", "span = \"10 s\"\ntolerance = 1e-13"));
+    let free = fine(cart_pole("5 deg", "5 deg"));
+    let bounded = |bound: &str| {
+        cart_pole("is = \"u\"", "is = \"min(max(u, -Umax), Umax)\"")
+            .replace("g = \"9.81", &format!("Umax = \"{bound}\"\ng = \"9.81"))
+    };
+    let wide = fine(bounded("100 N"));
+    assert!(
+        (cost(&wide) / cost(&free) - 1.0).abs() < 1e-10 && wide.run.passages.len() <= 1,
+        "{} {}",
+        cost(&wide),
+        cost(&free)
+    );
+    assert!((wide.predicted - free.predicted).abs() < 1e-12);
+    for (one, other) in wide.run.states.iter().zip(&free.run.states) {
+        assert!(one.iter().zip(other).all(|(one, other)| (one - other).abs() < 1e-10), "{one:?} {other:?}");
+    }
+    let narrow = one(&bounded("2 N"));
+    assert!(cost(&narrow) > 1.02 * cost(&free), "{} {}", cost(&narrow), cost(&free));
+    assert!(narrow.run.passages.len() >= 2 && narrow.run.left.is_none(), "{:?}", narrow.run.passages);
+    let end = narrow.run.states.last().expect("it runs");
+    assert!(end.iter().all(|part| part.abs() < 1e-3), "{end:?}");
+    let stopped = one(&cart_pole(
+        "[run]",
+        "[[event]]\nname = \"wall\"\nwhen = \"x - (0.05 m)\"\ndirection = \"up\"\nend = true\n[run]",
+    ));
+    let end = stopped.run.states.last().expect("it runs");
+    assert!((end[0] - 0.05).abs() < 1e-9 && stopped.run.outcome.time < 1.0, "{end:?} {}", stopped.run.outcome.time);
+}
+
 /// A second bob that nothing moves; with a damper on a spring its variation dies away.
 #[test]
 fn what_inputs_do_not_reach_is_told() {
@@ -213,7 +246,17 @@ fn criteria_that_mean_nothing_are_refused_at_their_place() {
             "the cost of the end holds inputs",
         ),
         ("[run]", "[start]\ntheta = \"30 deg\"\n[run]", "is no equilibrium"),
-        ("[run]", "[[event]]\nwhen = \"x - (1 m)\"\nend = true\n[run]", "are not there yet"),
+        (
+            "displaced = { theta = \"5 deg\" }\n",
+            "horizon = \"2 s\"\n[[event]]\nwhen = \"x - (1 m)\"\nend = true\n",
+            "over a horizon of a law that changes at conditions or events are not there yet",
+        ),
+        ("is = \"u\"", "is = \"u - (1 N)*sign(x')\"", "condition 1 of `if`"),
+        (
+            "[run]",
+            "[[contact]]\nof = \"bob\"\nthrough = \"O - (5 m)*N.x\"\nnormal = \"N.x\"\n[run]",
+            "regulators of a model with contacts are not there yet",
+        ),
     ] {
         let why = found(&cart_pole(from, to)).expect_err(to);
         assert!(why.contains(message), "{message}: {why}");

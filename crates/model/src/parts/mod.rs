@@ -244,6 +244,8 @@ pub struct Model {
     /// Texts that are accepted, and perhaps mean something else.
     pub warnings: Vec<Fault>,
     pub(crate) arena: Arena,
+    /// Expressions that come before all others, since inputs have them: they hold the time and the state alone.
+    pub(crate) ahead: Vec<ScalarId>,
 }
 
 impl Model {

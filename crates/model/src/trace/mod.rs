@@ -122,6 +122,9 @@ impl<'m> Trace<'m> {
             solid: RefCell::default(),
         };
         trace.turn_frames(0);
+        for &ahead in &model.ahead {
+            trace.scalars[ahead.0] = model.arena.scalar_at(ahead).map_or(Sym::ZERO, |scalar| trace.scalar_of(scalar));
+        }
         for (place, part) in model.arena.parts.iter().enumerate() {
             match part {
                 Part::Scalar(Scalar::Switch(_)) => {

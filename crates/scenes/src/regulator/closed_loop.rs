@@ -7,6 +7,7 @@ use crate::compiled_system::{NotCompiled, rates, values};
 use crate::letters::Letters;
 use crate::modes::Mode;
 use crate::program::recorded;
+use derivations::scene::switching::Passage;
 use derivations::taped::Program;
 use field::{DoubleDouble, Over, Rational};
 use integrators::{Directions, Method, Ode, Outcome, Real, Record, Span, System, Tolerance, integrate};
@@ -99,6 +100,10 @@ pub struct ClosedRun {
     pub inputs: Vec<Vec<f64>>,
     /// The cost up to each time.
     pub costs: Vec<f64>,
+    /// Changes of the law, and of the state by events.
+    pub passages: Vec<Passage>,
+    /// Why the law of the run ends, where it does.
+    pub left: Option<&'static str>,
 }
 
 /// Runs the loop from a start and a displaced one; `places` are those of variations in the state.
@@ -183,6 +188,8 @@ pub(super) fn run(
         inputs: times.iter().zip(&all).map(|(&time, state)| law.inputs(time, state)).collect(),
         costs: all.iter().map(|state| state[2 * states]).collect(),
         states: moved,
+        passages: Vec::new(),
+        left: None,
         times,
         outcome,
     })

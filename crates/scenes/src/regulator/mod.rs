@@ -9,6 +9,7 @@ mod criterion;
 mod horizon;
 mod riccati;
 mod states;
+mod switched_loop;
 
 pub use closed_loop::ClosedRun;
 pub use controllability::Controllability;
@@ -24,7 +25,7 @@ use closed_loop::{Gains, MOST};
 use criterion::{Form, forms};
 use derivations::scene::Issue;
 use horizon::Backwards;
-use model::{Model, Regulator};
+use model::{Feedback, Model, Regulator};
 use nalgebra::{Complex, DMatrix, DVector};
 use std::time::{Duration, Instant};
 
@@ -119,14 +120,21 @@ pub fn regulated(scene: &ModelScene, allowed: Duration) -> Result<Regulated, Iss
         issue.accepted("deviations that constraints leave free; coordinates without one follow")
     })?;
     let predicted = cost(&varied(&moved, &scene.start), &found.value);
-    let run = closed_loop::run(
-        (model, regulator),
-        (&places, &found.states, &found.gains),
-        [&scene.start, &moved],
-        (span, scene.run.tolerance.min(RUN), scene.run.samples),
-        deadline,
-    );
-    let run = run.map_err(|why| without_law(model, &why, "this loop cannot run"))?;
+    let tolerance = scene.run.tolerance.min(RUN);
+    let run = match (&found.gains, changes(model)) {
+        (Gains::Lasting(gains), true) => {
+            let feedback = task.feedback(&first, &places, states, gains);
+            switched_loop::run(scene, &feedback, &moved, tolerance, deadline)?
+        }
+        _ => closed_loop::run(
+            (model, regulator),
+            (&places, states, &found.gains),
+            [&scene.start, &moved],
+            (span, tolerance, scene.run.samples),
+            deadline,
+        )
+        .map_err(|why| without_law(model, &why, "this loop cannot run"))?,
+    };
     let rest = vec![0.0; scene.start.len()];
     let at_end = varied(run.deviations.last().unwrap_or(&rest), &rest);
     let left = match (&task.last, regulator.horizon) {
@@ -161,9 +169,12 @@ impl<'a> Task<'a> {
             );
             return refused(title, "a smaller model");
         }
-        if changes(model) {
-            let title = "regulators of a law that changes at conditions, events or contacts are not there yet";
-            return refused(title.to_owned(), "a law without them");
+        if !model.contacts.is_empty() {
+            return refused("regulators of a model with contacts are not there yet".to_owned(), "a law without them");
+        }
+        if changes(model) && regulator.horizon.is_some() {
+            let title = "regulators over a horizon of a law that changes at conditions or events are not there yet";
+            return refused(title.to_owned(), "no `horizon`, about an equilibrium; or a law without them");
         }
         if !model.free.is_empty() {
             let title = "regulators of a model with free frames are not there yet";
@@ -209,12 +220,28 @@ impl<'a> Task<'a> {
         }
     }
 
+    /// The loop about an equilibrium, or a motion with constant speeds.
+    fn feedback(&self, about: &Linearisation, places: &[usize], states: &States, gains: &DMatrix<f64>) -> Feedback {
+        let by_variations = gains * &states.by_variations;
+        let inputs = self.regulator.inputs.iter().zip(&self.chosen).enumerate().map(|(k, (&input, &chosen))| {
+            let mut row = vec![0.0; self.scene.start.len()];
+            places.iter().zip(by_variations.row(k).iter()).for_each(|(&place, gain)| row[place] = *gain);
+            (input, about.point.inputs[chosen], row)
+        });
+        let Form(cost) = &self.cost;
+        Feedback {
+            inputs: inputs.collect(),
+            motion: self.scene.start.clone(),
+            cost: cost.row_iter().map(|row| row.iter().copied().collect()).collect(),
+        }
+    }
+
     /// Without an end.
     fn lasting(&self, first: &Linearisation) -> Result<Found, Issue> {
         let standing = self.equations.standing(first).map_err(|why| why.at(self.model, 0.0))?;
         if standing == Standing::Moving {
             let title = "the motion from the start is no equilibrium, and its linear equations change";
-            return Err(self.refused(title.to_owned(), "[start] with equilibrium = true; or a `horizon`"));
+            return Err(self.refused(title.to_owned(), "[start] with equilibrium = true, and the deviation from it under `displaced`; or a `horizon`"));
         }
         let whole = self.stage(first);
         let states = self.states(std::slice::from_ref(&whole), None, first)?;
