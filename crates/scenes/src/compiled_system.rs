@@ -239,11 +239,6 @@ pub(crate) fn changes(model: &Model) -> bool {
     !(model.switches.is_empty() && model.events.is_empty() && model.contacts.is_empty())
 }
 
-/// Whether a model has one law, in which nothing is chosen at conditions.
-pub(crate) fn one_law(model: &Model) -> Result<(), NotCompiled> {
-    if model.switches.is_empty() && model.contacts.is_empty() { Ok(()) } else { Err(NotCompiled::Changes) }
-}
-
 /// The first condition or event that depends on accelerations or reactions.
 fn of_accelerations(model: &Model) -> Option<Range<usize>> {
     if !changes(model) {

@@ -230,6 +230,13 @@ fn sought(model: &Model, all: bool) -> Result<Equilibrium, Issue> {
         match why {
             NoEquilibrium::NotCompiled(NotCompiled::Changes) => changes(model, "an equilibrium cannot be computed"),
             NoEquilibrium::NotCompiled(reason) => refused(model, &reason),
+            NoEquilibrium::AtCondition { switch } => {
+                let place = model.switch_places[switch].clone();
+                let issue = Issue::at(place, "an equilibrium at which a condition changes is not there yet", "this condition");
+                issue.accepted(
+                    "a guess of one at which no condition of `if`, `sign`, `abs`, `min`, `max` and `table` is zero; `run` runs to rest",
+                )
+            }
             NoEquilibrium::Moves { speed } => {
                 let issue = Issue::at(at, "an equilibrium has no speeds", format!("{speed} is not zero"));
                 issue.accepted("speeds that are zero or left out; without `equilibrium` any speeds are accepted")

@@ -13,9 +13,9 @@
 mod balance;
 mod ways;
 
-use crate::compiled_system::{NotCompiled, one_law};
+use crate::compiled_system::NotCompiled;
 use crate::layout::Layout;
-use crate::linearisation::VariedEquations;
+use crate::linearisation::{Point, VariedEquations};
 use crate::row_units::{force_unit, rate_unit};
 use crate::start::{Leaf, consistent, given};
 use model::equations::Level;
@@ -58,11 +58,25 @@ pub enum NoEquilibrium {
         residual: f64,
         unit: String,
     },
+    /// A condition is zero there, or has another law than the one that leads there.
+    AtCondition {
+        switch: usize,
+    },
     NotCompiled(NotCompiled),
 }
 
 /// Singular values below this part of the largest one are taken for zero.
 const RANK: f64 = 1e-11;
+
+/// The law of conditions at a guess may be another one where it leads: so often it is sought anew.
+const MOST_LAWS: usize = 8;
+
+/// A point with the law of conditions there.
+fn chosen(equations: &VariedEquations, point: &Point) -> Point {
+    let mut there = point.clone();
+    equations.choose(&mut there);
+    there
+}
 
 /// Coordinates that `[start]` gives are kept; those that it leaves out, or gives as a guess, are moved. With `all` every coordinate is.
 /// Currents at the start are those with which the search begins.
@@ -70,10 +84,10 @@ const RANK: f64 = 1e-11;
 /// # Errors
 /// Why there is none.
 pub fn equilibrium(model: &Model, all: bool) -> Result<Equilibrium, NoEquilibrium> {
-    one_law(model).map_err(NoEquilibrium::NotCompiled)?;
     let layout = Layout::of(model);
     let (n, names) = (layout.speeds(), model.state_names());
-    let equations = VariedEquations::of(model, &[]).map_err(NoEquilibrium::NotCompiled)?;
+    // inputs that follow the state are forces as others
+    let equations = VariedEquations::with_inputs(model, &[], &[]).map_err(NoEquilibrium::NotCompiled)?;
     let is_current = |start: &&StartValue| equations.charges.contains(&start.coordinate);
     let mut moving = model.start.iter().filter(|start| start.order == 1 && start.value != 0.0 && !is_current(start));
     if let (Some(start), false) = (moving.next(), all) {
@@ -93,7 +107,14 @@ pub fn equilibrium(model: &Model, all: bool) -> Result<Equilibrium, NoEquilibriu
     let free: Vec<usize> = (0..n).filter(is_free).collect();
     let sought = |leaf: Option<Leaf<'_>>| {
         let ways = Ways { equations: &equations, free: &free, currents: &currents, leaf };
-        let (point, system) = ways.near(&guess);
+        let (mut point, mut system) = ways.near(&guess);
+        for _ in 0..MOST_LAWS {
+            let there = chosen(&equations, &point);
+            if there.switches == point.switches || system.unmet().is_some() {
+                break;
+            }
+            (point, system) = ways.near(&there);
+        }
         (point, system, ways.leaf.is_some())
     };
     let is_bound = |leaf: &Leaf<'_>| leaf.directions(guess.coordinates.as_slice(), &free).ncols() < free.len();
@@ -104,6 +125,13 @@ pub fn equilibrium(model: &Model, all: bool) -> Result<Equilibrium, NoEquilibriu
         found = sought(None);
     }
     let (point, system, is_reached) = found;
+    if system.unmet().is_none() {
+        let there = chosen(&equations, &point);
+        let changed = (0..point.switches.len()).find(|&switch| there.switches[switch] != point.switches[switch]);
+        if let Some(switch) = equations.undecided_switch(&point).or(changed) {
+            return Err(NoEquilibrium::AtCondition { switch });
+        }
+    }
     match system.unmet() {
         None => {
             let unknowns = system.jacobian.ncols();

@@ -241,7 +241,10 @@ impl<'a> Task<'a> {
         let standing = self.equations.standing(first).map_err(|why| why.at(self.model, 0.0))?;
         if standing == Standing::Moving {
             let title = "the motion from the start is no equilibrium, and its linear equations change";
-            return Err(self.refused(title.to_owned(), "[start] with equilibrium = true, and the deviation from it under `displaced`; or a `horizon`"));
+            return Err(self.refused(
+                title.to_owned(),
+                "[start] with equilibrium = true, and the deviation from it under `displaced`; or a `horizon`",
+            ));
         }
         let whole = self.stage(first);
         let states = self.states(std::slice::from_ref(&whole), None, first)?;

@@ -126,3 +126,22 @@ fn a_place_that_terms_of_higher_order_hold_is_told_to_be_known_roughly() {
     let held = bead("0.4 m");
     assert!(held.flat.is_empty() && held.choice().is_none() && held.state[1].abs() < 1e-12, "{held:?}");
 }
+
+/// A spring that is slack below its length, and a controller: x = 1 m + 2 N/(20 N/m) where the spring holds, 2/5 m where the controller does.
+#[test]
+fn an_equilibrium_has_the_law_of_its_conditions_and_of_its_controller() {
+    let pulled = |force: &str, start: &str| {
+        format!(
+            "title = \"pulled\"\n[coordinates]\nx = \"m\"\n[bodies.bob]\ncentre = \"O + x*N.x\"\nmass = \"(1 kg)\"\n[inputs]\n\
+             u = {{ unit = \"N\", value = \"(2 N) - (5 N/m)*x\" }}\n[[force]]\nalong = \"x\"\nis = \"{force}\"\n[start]\nequilibrium = true\n\
+             x = \"guess {start}\"\n[run]\nspan = \"1 s\"\n"
+        )
+    };
+    let slack = "(2 N) - if(x > (1 m), (20 N/m)*(x - (1 m)), 0)";
+    let found = scene(&pulled(slack, "1.2 m")).start;
+    assert!((found[0] - 1.1).abs() < 1e-12, "{found:?}");
+    assert!((scene(&pulled("u", "0 m")).start[0] - 0.4).abs() < 1e-12);
+    let rough =
+        ModelScene::parse("scene.toml", &pulled("u - (1 N)*sign(x')", "0 m")).expect_err("it sticks").to_string();
+    assert!(rough.contains("an equilibrium at which a condition changes"), "{rough}");
+}
