@@ -13,10 +13,10 @@ use crate::modes::{Case, Mode};
 use derivations::scene::Issue;
 use derivations::taped::Program;
 use integrators::Ode;
-use model::{Coordinate, Model, Trace};
+use model::{Coordinate, Model, Parameter, Trace};
 use nalgebra::DMatrix;
 use std::ops::Range;
-use symbolic::{Sym, substitute_all};
+use symbolic::{Sym, apart, substitute_all};
 
 /// Singular values below this part of the largest one are taken for zero.
 const RANK: f64 = 1e-11;
@@ -96,8 +96,25 @@ fn resisted_by_nothing(model: &Model, direction: &[f64]) -> Issue {
             "this coordinate moves in that combination",
         ),
     };
-    let issue = Issue::at(at, format!("this system cannot run: {why}"), label);
-    issue.accepted(inertia_for(model, largest(direction)))
+    let title = format!("this system cannot run: {why}");
+    if let ([_], Some(parameter)) = (parts.as_slice(), vanishing(model, largest(direction))) {
+        let label = format!("`{}` is zero, and no other inertia moves with it", parameter.name);
+        return Issue::at(parameter.at.clone(), title, label).accepted(
+            "a value that is not zero, small if it must be; an inertia or an inductance that is left out of the energies: of a circuit \
+             without one, dissipation = \"R/2*q'^2\" and a force along q",
+        );
+    }
+    Issue::at(at, title, label).accepted(inertia_for(model, largest(direction)))
+}
+
+/// The parameter of the inertia along a speed that is zero.
+fn vanishing(model: &Model, speed: usize) -> Option<&Parameter> {
+    let held: Vec<usize> = apart(|| {
+        let trace = Trace::of(model);
+        let inertia = trace.by_speed(trace.by_speed(trace.kinetic_and_coenergy(), speed), speed).symbols_of();
+        (0..model.parameters.len()).filter(|&place| inertia.contains(&trace.parameters[place])).collect()
+    });
+    held.into_iter().map(|place| &model.parameters[place]).find(|parameter| parameter.value == Some(0.0))
 }
 
 /// A remedy for a speed without inertia, in words.

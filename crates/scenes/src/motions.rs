@@ -4,7 +4,7 @@ use crate::scene::model;
 use crate::warnings::warn_of;
 use derivations::scene::file::{read_text, tables};
 use derivations::scene::{Issue, SceneError};
-use model::{Coordinate, Entry, Fault, Model, ScalarId, Source, Text, WindingSource, bare_angle};
+use model::{Coordinate, Entry, Fault, Model, ScalarId, Text, bare_angle};
 use std::ops::Range;
 use std::path::Path;
 use symbolic::Dimension;
@@ -46,11 +46,7 @@ pub fn read_prescribed(path: &Path, motions: &[(String, String)]) -> Result<(Mod
         let mut all: Vec<Written<'_>> = Vec::new();
         for (place, (name, is)) in motions.iter().enumerate() {
             let is_again = motions[..place].iter().any(|(known, _)| known == name);
-            let found = if is_again {
-                Err(("it is prescribed twice", known(&own, &source)))
-            } else {
-                written(&own, &source, name, is)
-            };
+            let found = if is_again { Err(("it is prescribed twice", known(&own))) } else { written(&own, name, is) };
             match found {
                 Ok(motion) => all.push(motion),
                 Err((label, accepted)) => {
@@ -153,15 +149,15 @@ impl<'a> Options<'a> {
 }
 
 /// A motion by the name of its coordinate, current, quasi-velocity or free frame; else the fault, and what is accepted.
-fn written<'a>(own: &Model, source: &Source, name: &str, is: &'a str) -> Result<Written<'a>, (&'static str, String)> {
+fn written<'a>(own: &Model, name: &str, is: &'a str) -> Result<Written<'a>, (&'static str, String)> {
     if let Some(place) = own.coordinates.iter().position(|one| one.name == name && is_own(one)) {
         return Ok(Written::Coordinate { place, is });
     }
-    if currents(own, source).iter().any(|known| known == name) {
+    if currents(own).iter().any(|known| known == name) {
         return Ok(Written::Speed { is });
     }
     let Some(frame) = own.free.iter().position(|frame| own.frames[frame.0].name == name) else {
-        return Err(("no coordinate has this name", known(own, source)));
+        return Err(("no coordinate has this name", known(own)));
     };
     let turn = |turn: &'a str| {
         let (angle, axis) = turn.rsplit_once(" about ")?;
@@ -177,25 +173,20 @@ fn is_own(coordinate: &Coordinate) -> bool {
 }
 
 /// Speeds that may be prescribed: currents, and quasi-velocities that are currents.
-fn currents(own: &Model, source: &Source) -> Vec<String> {
+fn currents(own: &Model) -> Vec<String> {
     let of_charge = own.coordinates.iter().filter(|one| one.dimension == Dimension::current() * Dimension::time());
     let rates = of_charge.filter(|one| is_own(one)).map(|one| format!("{}'", one.name));
     let quasi = own.quasi_velocities.iter().filter(|one| one.dimension == Dimension::current());
-    let of_drive = source.drives.iter().flat_map(|drive| {
-        let name = drive.name.as_ref().map_or("drive", |name| name.text.as_str());
-        let current =
-            |winding: &WindingSource| winding.current.as_ref().map_or("i", |current| current.text.as_str()).to_owned();
-        drive.windings.iter().map(move |winding| format!("{name}.{}", current(winding)))
-    });
+    let of_drive = own.currents.iter().map(|(name, _)| name.clone());
     of_drive.chain(quasi.map(|one| one.name.clone())).chain(rates).collect()
 }
 
 /// The quantities that may be prescribed.
-fn known(own: &Model, source: &Source) -> String {
+fn known(own: &Model) -> String {
     let frames = own.free.iter().map(|frame| own.frames[frame.0].name.as_str());
     let coordinates = own.coordinates.iter().filter(|one| is_own(one)).map(|one| one.name.as_str());
     let names: Vec<&str> = coordinates.chain(frames).collect();
-    let currents = match currents(own, source) {
+    let currents = match currents(own) {
         none if none.is_empty() => String::new(),
         some => format!("; of currents, where forces leave them open: {}", some.join(", ")),
     };

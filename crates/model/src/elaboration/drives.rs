@@ -84,6 +84,7 @@ impl Elaborator<'_> {
             let letter = self.scalar(Scalar::Rate { coordinate, order: 1 }, Some(ampere()));
             self.currents.insert(coordinate, letter);
             drive.currents.push((current.to_owned(), coordinate));
+            self.model.currents.push((format!("{}.{current}", drive.name), coordinate));
         }
         self.drives.push(drive);
         self.give(&name, Named::Drive(place));

@@ -194,6 +194,8 @@ pub struct Input {
 pub struct Model {
     pub parameters: Vec<Parameter>,
     pub coordinates: Vec<Coordinate>,
+    /// Currents of drives, by their names, each with the place of its charge.
+    pub currents: Vec<(String, usize)>,
     /// None where the file asks for none.
     pub quasi_velocities: Vec<QuasiVelocity>,
     /// The ground first.

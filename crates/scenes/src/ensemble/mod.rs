@@ -112,7 +112,11 @@ fn variables(scene: &ModelScene) -> (Vec<Variable>, Vec<Target>) {
         let unit = scene.unit(name).into_owned();
         (variable("start", name, format!("start of `{name}`"), unit, 1), Target::StartSpeed(place))
     });
-    parameters.chain(start).chain(turns).chain(speeds).unzip()
+    let currents = model.currents.iter().map(|(name, charge)| {
+        let target = Target::Start(model.positions() + charge);
+        (variable("start", name, format!("start of `{name}`"), "A".to_owned(), 1), target)
+    });
+    parameters.chain(start).chain(turns).chain(speeds).chain(currents).unzip()
 }
 
 /// Warnings of starts that vary: angles without a unit that are more than a turn.

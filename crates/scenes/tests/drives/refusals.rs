@@ -21,6 +21,7 @@ fn a_drive_that_means_nothing_is_refused_at_its_place() {
         ("inductance = \"L\"", "inductance = \"R\"", "the inductance of a winding has the dimension"),
         ("inductance = \"L\"", "inductance = \"L*(1 + motor.i/(1 A))\"", "depends on positions alone"),
         ("inductance = \"L\"\n", "", "`inductance` is missing"),
+        ("L = \"2 mH\"", "L = \"0 H\"", "`L` is zero, and no other inertia moves with it"),
         ("resistance = \"R\"", "resistance = \"L\"", "the resistance of a winding has the dimension"),
         ("motional = \"k\"", "motional = \"R\"", "the motional voltage per speed has the dimension"),
         ("supply = \"U\"", "supply = \"k\"", "the supply of a winding has the dimension"),

@@ -144,6 +144,20 @@ fn loops_of_a_slider_crank_are_closed_for_every_member() {
     }
 }
 
+/// A current varies by its name, which is the rate of its charge.
+#[test]
+fn a_current_at_the_start_varies() {
+    let of = |name: &str| {
+        let vary = format!("members = 3\n[ensemble.vary]\nstart.\"{name}\" = {{ values = \"0 1 2 A\" }}\n");
+        let rows = rows(&ensemble(&text("geared_motor", &vary)), 1).into_iter();
+        rows.map(|row| row.last.expect("it starts").state).collect::<Vec<_>>()
+    };
+    let ends = of("motor.i");
+    assert_eq!(ends, of("motor.q'"));
+    // the energy of the winding at the start turns the carriage and the wheel
+    assert!(ends[0] != ends[1] && ends[1] != ends[2], "{ends:?}");
+}
+
 #[test]
 fn a_guess_that_varies_is_still_a_guess() {
     let vary = "members = 3\n[ensemble.vary]\nstart.s = { values = \"0.3 0.35 0.4 m\" }\n";
