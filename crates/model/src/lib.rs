@@ -52,7 +52,8 @@ pub use fault::Fault;
 pub use parts::{
     Along, Assignment, Body, BodyId, Constraint, Contact, Coordinate, Defined, Direction, Energies, Event, Force,
     Frame, FrameId, GeneralisedForce, Implied, Inertia, Input, Material, Model, Moves, OneWay, Output, Parameter,
-    Point, PointId, QuasiVelocity, Regulator, Restitution, Sides, StartSpeed, StartValue, Torque, Turn, Zero,
+    Point, PointId, QuasiVelocity, Regulator, Restitution, Sides, StartSpeed, StartValue, Torque, Turn, UnsolvedLaw,
+    Zero,
 };
 pub use presentation::{
     Cosine, Divisor, Held, InQuasiVelocities, Lines, MatrixForm, Typeset, axes, code, constraints, latex, left_out,

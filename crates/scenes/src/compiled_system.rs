@@ -1,16 +1,17 @@
 //! The equations of motion of a model, ready to run: one trace, in every form that a method asks for.
 
+use crate::conservation::conserves;
 use crate::implicit::{Implicit, ImplicitLaw, SolvedSlopes, recurrence, unknown_letters};
 use crate::letters::Letters;
-use crate::modes::{Mode, PARTS, held, reactions_of};
+use crate::modes::{Mode, Motion, reactions_of};
 use crate::program::recorded;
 use derivations::differentiated::Differentiated;
 use derivations::recorded::Recorded;
 use derivations::scene::problem::Law;
 use derivations::taped::Program;
 use field::DoubleDouble;
-use integrators::{Directions, Ode};
-use model::equations::{Equation, Equations, Level, Singular, constraints_of, vanishes};
+use integrators::{Directions, Ode, Real};
+use model::equations::constraints_of;
 use model::{Model, ScalarId, Trace};
 use std::fmt;
 use std::ops::Range;
@@ -124,10 +125,7 @@ impl CompiledSystem {
     /// # Errors
     /// Why there is no law that runs.
     pub fn of(model: &Arc<Model>, mode: &Mode) -> Result<Self, NotCompiled> {
-        has_values(model)?;
-        if let Some(at) = of_accelerations(model) {
-            return Err(NotCompiled::OfAccelerations { at });
-        }
+        CompiledSystem::has_equations(model)?;
         if Way::of(model) == Way::Solved {
             return CompiledSystem::solved(model);
         }
@@ -138,6 +136,15 @@ impl CompiledSystem {
             }
             other => other,
         }
+    }
+
+    /// Whether all letters of a model have values, and its conditions and events hold no unknowns of its equations.
+    ///
+    /// # Errors
+    /// The first that has none.
+    pub(crate) fn has_equations(model: &Model) -> Result<(), NotCompiled> {
+        has_values(model)?;
+        of_accelerations(model).map_or(Ok(()), |at| Err(NotCompiled::OfAccelerations { at }))
     }
 
     fn solved(model: &Arc<Model>) -> Result<Self, NotCompiled> {
@@ -215,6 +222,21 @@ impl CompiledSystem {
         !changes(&self.model) && self.model.speeds() + self.model.constraints.len() >= LEAST_SOLVED
     }
 
+    /// Sets the algebraic speeds of a state to what they are in this mode: the rates of their coordinates.
+    pub(crate) fn set_algebraic_speeds<S: Real>(&self, time: S, state: &mut [S])
+    where
+        Self: Ode<S>,
+    {
+        if self.model.algebraic_speeds.is_empty() {
+            return;
+        }
+        let mut rates = vec![S::zero(); state.len()];
+        self.rates(time, state, &mut rates);
+        for &speed in &self.model.algebraic_speeds {
+            state[self.model.positions() + speed] = rates[speed];
+        }
+    }
+
     /// The outputs at a time and a state.
     pub fn outputs(&self, time: f64, state: &[f64]) -> Vec<f64> {
         let mut values = vec![f64::NAN; self.model.outputs.len() + ENERGIES];
@@ -227,7 +249,7 @@ impl CompiledSystem {
 }
 
 /// A speed by the name of its coordinate, or of its free frame.
-fn speed_name(model: &Model, speed: usize) -> String {
+pub(crate) fn speed_name(model: &Model, speed: usize) -> String {
     match model.coordinates.get(speed) {
         Some(coordinate) => coordinate.name.clone(),
         None => model.state_names()[model.positions() + speed].0.clone(),
@@ -278,70 +300,9 @@ pub const ENERGIES: usize = 2;
 /// The rates of the state over letters.
 pub(crate) fn rates(model: &Model, mode: &Mode, letters: Letters<'_>) -> Result<Vec<Sym>, NotCompiled> {
     let trace = Trace::of(model);
-    let Motion { accelerations, .. } = Motion::of(&trace, mode)?;
-    let all: Vec<Sym> = trace.position_rates.iter().copied().chain(accelerations).collect();
-    Ok(letters.put_into(&trace, &all))
-}
-
-/// Accelerations in a mode, and the values of the switches.
-pub(crate) struct Motion {
-    pub accelerations: Vec<Sym>,
-    pub multipliers: Vec<Sym>,
-    /// Normal and tangential reaction of each contact.
-    pub reactions: Vec<[Sym; PARTS]>,
-    /// Of the equations for the reactions.
-    pub determinant: Sym,
-    /// 1, 0, or what keeps the condition at zero.
-    pub switches: Vec<Sym>,
-    /// Each switch, or its part of what keeps conditions at zero where that is beyond its bound.
-    pub parts: Vec<Sym>,
-}
-
-impl Motion {
-    pub(crate) fn of(trace: &Trace<'_>, mode: &Mode) -> Result<Self, NotCompiled> {
-        let model = trace.model;
-        let (accelerations, multipliers) = Equations::of(trace).solved().map_err(|singular| match singular {
-            Singular::Massless { coordinate } => NotCompiled::Massless { coordinate: speed_name(model, coordinate) },
-            Singular::Redundant { constraint } => NotCompiled::Redundant { constraint },
-        })?;
-        held(trace, mode, accelerations, multipliers)
-    }
-}
-
-/// Whether nothing but weights and a given potential acts, only positions are held, and nothing knows the time.
-pub(crate) fn conserves(model: &Model) -> bool {
-    let acts = !(model.forces.is_empty() && model.torques.is_empty() && model.generalised.is_empty())
-        || model.energies.dissipation.is_some()
-        || model.energies.coenergy.is_some();
-    if changes(model) {
-        return false;
-    }
-    if acts || model.gravity.is_some() && Trace::of(model).uniform_gravity().is_none() {
-        return false;
-    }
-    let trace = Trace::of(model);
-    let equations = Equations::of(&trace);
-    if !trace.solid().is_empty() {
-        return false;
-    }
-    let held = equations.constraints.iter();
-    let knows_time = |scalar: &Sym| scalar.symbols_of().contains(&trace.time);
-    // reactions do no work where every constraint is homogeneous in the speeds
-    let at_rest: Vec<(Sym, Sym)> = trace.speeds.iter().map(|&speed| (speed, Sym::ZERO)).collect();
-    let is_linear = |one: &Equation| {
-        let moves = one.row.iter().any(|slope| slope.symbols_of().iter().any(|symbol| trace.speeds.contains(symbol)));
-        one.level == Level::Position || !moves && one.zero.substitute(&at_rest) == Sym::ZERO
-    };
-    let do_no_work = held.clone().all(|one| one.gains.is_none() && !knows_time(&one.zero) && is_linear(one));
-    // a system that is driven at a speed of its own moves where its coordinates rest
-    let driven = trace.kinetic_energy().substitute(&at_rest);
-    let is_driven = driven != Sym::ZERO && !vanishes(driven);
-    // a given energy may be linear in the speeds too: then T + V is not the energy that is kept
-    let is_quadratic = model.energies.kinetic.is_none() || trace.has_quadratic_kinetic_energy();
-    do_no_work
-        && !is_driven
-        && is_quadratic
-        && ![trace.kinetic_energy(), trace.potential_energy()].iter().any(knows_time)
+    let Motion { accelerations, speeds, .. } = Motion::of(&trace, mode)?;
+    let moved = substitute_all(&trace.position_rates, &speeds);
+    Ok(letters.put_into(&trace, &[moved, accelerations].concat()))
 }
 
 /// The outputs, the kinetic and the potential energy.
@@ -353,15 +314,16 @@ pub(crate) fn outputs(model: &Model, mode: &Mode, letters: Letters<'_>) -> Vec<S
     let multipliers = constraints_of(&trace).into_iter().map(|one| one.multiplier);
     let solved: Vec<Sym> = trace.accelerations.iter().copied().chain(multipliers).collect();
     let own = reactions_of(&trace);
-    let mut moved = solved.iter().chain(&trace.switches).chain(&own);
+    let algebraic = model.algebraic_speeds.iter().map(|&place| &trace.speeds[place]);
+    let mut moved = solved.iter().chain(&trace.switches).chain(&own).chain(algebraic);
     if moved.any(|symbol| used.contains(symbol))
-        && let Ok(Motion { accelerations, multipliers, switches, reactions, .. }) = Motion::of(&trace, mode)
+        && let Ok(Motion { accelerations, multipliers, switches, reactions, speeds, .. }) = Motion::of(&trace, mode)
     {
         let known: Vec<(Sym, Sym)> =
             trace.switches.iter().copied().zip(switches).chain(own.into_iter().zip(reactions.concat())).collect();
         all = substitute_all(&all, &known);
         let known: Vec<(Sym, Sym)> = solved.into_iter().zip(accelerations.into_iter().chain(multipliers)).collect();
-        all = substitute_all(&all, &known);
+        all = substitute_all(&substitute_all(&all, &known), &speeds);
     }
     letters.put_into(&trace, &all)
 }

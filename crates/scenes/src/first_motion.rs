@@ -13,7 +13,7 @@ use crate::modes::{Case, Mode};
 use derivations::scene::Issue;
 use derivations::taped::Program;
 use integrators::Ode;
-use model::{Coordinate, Model, Parameter, Trace};
+use model::{Coordinate, Model, Parameter, Trace, UnsolvedLaw};
 use nalgebra::DMatrix;
 use std::ops::Range;
 use symbolic::{Sym, apart, substitute_all};
@@ -65,16 +65,36 @@ pub(crate) fn massless(model: &Model) -> Option<Issue> {
     Some(resisted_by_nothing(model, &direction))
 }
 
-/// Why a coordinate without inertia has no law, where its law holds a condition or a contact.
-pub(crate) fn with_piecewise_law(model: &Model) -> Option<Issue> {
-    let (name, at) = moved(model, *model.piecewise_laws.first()?);
-    let title = format!(
-        "this system cannot run: nothing has inertia along `{name}`, and its law changes at a condition or holds a contact"
-    );
-    let issue = Issue::at(at, title, "laws without inertia that change are not there yet");
-    Some(issue.accepted(
-        "an inductance or an inertia along it, small if it must be; a smooth function of time in the place of `if`, `sign`, `abs`, `min`, `max` and `table`",
-    ))
+/// Why the law of a coordinate without inertia, which changes at a condition or holds a contact, cannot be solved.
+pub(crate) fn with_unsolved_law(model: &Model) -> Option<Issue> {
+    let (place, why) = model.unsolved_law?;
+    let (name, at) = moved(model, place);
+    let (why, label, accepted) = match why {
+        UnsolvedLaw::Nonlinear => (
+            "it changes at a condition and is not linear in the speeds without inertia",
+            "the law of this coordinate",
+            "an inductance or an inertia along it; a law that is linear in speeds in each case; or one that holds no `if`, `sign`, `abs`, \
+             `min`, `max`, `table` and no diode",
+        ),
+        UnsolvedLaw::Contact => (
+            "it changes at a condition, and a contact between bodies holds its speed",
+            "the law of this coordinate",
+            "a mass or an inertia that moves with it",
+        ),
+        UnsolvedLaw::Programmed => (
+            "it changes at a condition, and a programmed constraint holds its speed",
+            "the law of this coordinate",
+            "a constraint that holds, without `programmed`; or an inertia along it",
+        ),
+        UnsolvedLaw::OfPositions => (
+            "it holds a condition and no speed, so that it would move at once where the condition changes",
+            "the law of this coordinate",
+            "a resistance or a damper along it, or an inertia",
+        ),
+    };
+    let title =
+        format!("this system cannot run: nothing has inertia along `{name}`, and its law cannot be solved: {why}");
+    Some(Issue::at(at, title, label).accepted(accepted))
 }
 
 /// A direction of speeds that no inertia resists and no constraint determines: one speed, or a combination of several.

@@ -11,6 +11,7 @@ mod admissible;
 mod branch;
 mod compiled_system;
 pub mod conformance;
+mod conservation;
 mod ensemble;
 mod equilibrium;
 mod first_motion;

@@ -3,11 +3,11 @@
 use crate::branch::in_words;
 use crate::compiled_system::{CompiledSystem, NotCompiled};
 use crate::equilibrium::{Equilibrium, NoEquilibrium, equilibrium};
-use crate::first_motion::{inertia_for, massless, missing, with_piecewise_law};
+use crate::first_motion::{inertia_for, massless, missing, with_unsolved_law};
 use crate::modes::Modes;
 use crate::refused_start::not_started;
 use crate::row_units::measured;
-use crate::start::{Completed, Open, Unmet, consistent};
+use crate::start::{Completed, Open, Unmet, complete_algebraic_speeds, consistent, with_algebraic_speeds};
 use derivations::scene::Issue;
 use model::equations::{Level, constraints_of, dependent_everywhere};
 use model::{Fault, Implied, Model, StartSpeed, StartValue, Trace, titles};
@@ -30,7 +30,7 @@ pub(crate) fn refused(model: &Model, reason: &NotCompiled) -> Issue {
 /// A system that has no law, where it says so, with what cannot be done without one.
 pub fn without_law(model: &Model, reason: &NotCompiled, what: &str) -> Issue {
     if matches!(reason, NotCompiled::Massless { .. } | NotCompiled::Undefined { .. })
-        && let Some(issue) = with_piecewise_law(model).or_else(|| massless(model))
+        && let Some(issue) = massless(model)
     {
         return issue;
     }
@@ -40,11 +40,14 @@ pub fn without_law(model: &Model, reason: &NotCompiled, what: &str) -> Issue {
 
 /// The start, completed, and the law that runs from it.
 pub(crate) fn ready(model: &mut Arc<Model>) -> Result<(Vec<f64>, Arc<CompiledSystem>), Issue> {
+    if let Some(issue) = with_unsolved_law(model) {
+        return Err(issue);
+    }
     // before the law: what depends on others makes it singular
-    let start = independent_start(Arc::make_mut(model))?;
+    let mut start = independent_start(Arc::make_mut(model))?;
     let model = &*model;
     let system = Modes::of(model, &[], &[]).first(&start).map_err(|why| not_started(model, why))?;
-    match missing(model, &system, &start) {
+    match missing(model, &system, &start).or_else(|| with_algebraic_speeds(model, &system, &mut start)) {
         Some(issue) => Err(issue),
         None => Ok((start, system)),
     }
@@ -63,7 +66,9 @@ pub(crate) fn completed(model: &Model) -> Result<Completed, Issue> {
         None => consistent(model),
         Some(_) => consistent(&at_rest(model)?),
     };
-    completed.map_err(|unmet| unmet_at(model, unmet))
+    let mut completed = completed.map_err(|unmet| unmet_at(model, unmet))?;
+    complete_algebraic_speeds(model, &mut completed.state);
+    Ok(completed)
 }
 
 /// The start, and the model without the equations of constraints that follow from others: they have no reaction of their own, and the

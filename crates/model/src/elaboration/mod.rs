@@ -60,6 +60,7 @@ use value::{Value, mismatch};
 pub use angles::bare_angle;
 pub use constants::HALF_TURN;
 pub use headings::misplaced;
+pub(crate) use inertialess::with_changing_laws;
 
 /// Vectors of a file, as sentences call them.
 const TORQUE: &str = "a torque";

@@ -3,17 +3,21 @@
 mod constraints;
 mod contacts;
 mod events;
+mod laws;
 mod loads;
 mod regulator;
 
 pub use constraints::{Constraint, Implied, Zero};
 pub use contacts::{Contact, OneWay, Restitution, Sides};
 pub use events::{Assignment, Direction, Event, StartSpeed, StartValue};
+pub(crate) use laws::Combination;
+pub use laws::UnsolvedLaw;
 pub use loads::{Along, Energies, Force, GeneralisedForce, Torque};
 pub use regulator::Regulator;
 
 use crate::arena::{Arena, Number, Scalar};
 use crate::{Fault, ScalarId, Source, VectorId};
+use std::borrow::Cow;
 use std::ops::Range;
 use symbolic::Dimension;
 
@@ -145,9 +149,6 @@ pub enum Inertia {
     Tensor { axes: FrameId, entries: [Option<ScalarId>; 6] },
 }
 
-/// A combination of the laws of coordinates: speeds by their places, with factors.
-pub(crate) type Combination = Vec<(usize, i64)>;
-
 /// A vector or a point that a definition names.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Defined {
@@ -217,8 +218,12 @@ pub struct Model {
     /// Coordinates on whose speeds no inertia depends, and the constraints that determine such speeds.
     pub(crate) inertialess: Vec<usize>,
     pub(crate) determining: Vec<usize>,
-    /// Coordinates without inertia whose laws hold a condition, or the reaction of a contact.
-    pub piecewise_laws: Vec<usize>,
+    /// Coordinates without inertia whose laws change at conditions or with diodes: their speeds are algebraic unknowns of each mode.
+    pub algebraic_speeds: Vec<usize>,
+    /// Their laws.
+    pub(crate) changing_laws: Vec<Combination>,
+    /// The first of them whose law cannot be solved for its speed.
+    pub unsolved_law: Option<(usize, UnsolvedLaw)>,
     pub contacts: Vec<Contact>,
     /// The system with one coordinate more for each guide that its coordinates satisfy: its reaction is the force along that one.
     pub released: Option<Box<Model>>,
@@ -268,6 +273,11 @@ impl Model {
         let kept = self.constraints.iter().enumerate().filter(|(place, _)| !self.determining.contains(place));
         without.constraints = kept.map(|(_, constraint)| constraint.clone()).collect();
         Some((without, self.inertialess.clone()))
+    }
+
+    /// The model with laws without inertia that change at conditions as constraints, which hold between the changes.
+    pub fn with_changing_laws(&self) -> Cow<'_, Model> {
+        crate::elaboration::with_changing_laws(self)
     }
 
     /// Gives every input without a value the value zero.

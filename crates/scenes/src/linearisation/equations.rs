@@ -130,6 +130,7 @@ impl VariedEquations {
         if !model.contacts.is_empty() {
             return Err(NotCompiled::Changes);
         }
+        let model = &*model.with_changing_laws();
         let (open, own) = opened(model, inputs);
         let open = &open;
         let (n, layout) = (model.speeds(), Layout::of(model));

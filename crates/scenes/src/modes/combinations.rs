@@ -25,9 +25,9 @@ pub(super) fn combinations(expansions: &Expansions, instant: &Instant<'_>, open:
         let mut next = Vec::new();
         for (phases, kept) in &all {
             for phase in touch.phases(*kind) {
-                // a guide that the coordinates satisfy has a balance of its own
+                // a guide that the coordinates satisfy has a balance of its own, and of currents that follow at once the whole mode decides
                 let added = [phase].into_iter().chain(leaning(phase, kind.is_in_space)).find_map(|phase| {
-                    let kept = match kind.is_guide {
+                    let kept = match kind.is_guide || kind.is_direct {
                         true => kept.clone(),
                         false => kept.with(&responses, contact, unknown_parts(phase, kind.is_in_space))?,
                     };

@@ -85,22 +85,24 @@ pub(super) fn friction(trace: &Trace<'_>, contact: usize) -> Sym {
 
 /// The contacts of a mode.
 pub(super) struct Closed {
-    /// Normal and tangential.
-    pub reactions: Vec<[Sym; PARTS]>,
+    /// Reactions that others give, then those that are found, by their letters.
+    pub found: Vec<Vec<(Sym, Sym)>>,
     /// Of the equations for them: where it vanishes they are not determined, or grow beyond every bound.
     pub determinant: Sym,
 }
 
 /// The reactions of a mode, from accelerations and multipliers that hold their letters; then both with the reactions in their place.
+/// Letters that are settled stand for themselves no longer, and the reactions of contacts that follow at once are among them.
 pub(super) fn closed(
     trace: &Trace<'_>,
     mode: &Mode,
+    (settled, is_direct): (&[(Sym, Sym)], &[bool]),
     accelerations: &[Sym],
     multipliers: &[Sym],
 ) -> Result<(Closed, Vec<Sym>), NotCompiled> {
     let letter = |[contact, component]: [usize; 2]| trace.reaction(contact, component);
     let mut given: Vec<(Sym, Sym)> = Vec::new();
-    for (contact, phase) in mode.phases.iter().enumerate() {
+    for (contact, phase) in mode.phases.iter().enumerate().filter(|(contact, _)| !is_direct[*contact]) {
         let is_in_space = trace.model.contacts[contact].is_in_space();
         match over_normal(trace, contact, *phase) {
             Some(factors) => {
@@ -113,10 +115,12 @@ pub(super) fn closed(
             }
         }
     }
-    let unknown = unknown(mode, |contact| trace.model.contacts[contact].is_in_space());
+    let mut unknown = unknown(mode, |contact| trace.model.contacts[contact].is_in_space());
+    unknown.retain(|[contact, _]| !is_direct[*contact]);
     let kept = kept_at_zero(trace);
     let zeros: Vec<Sym> = unknown.iter().map(|&[contact, component]| kept[contact][component]).collect();
-    let zeros = substitute_all(&substitute_all(&zeros, &motion(trace, accelerations, multipliers)), &given);
+    let zeros = substitute_all(&zeros, &motion(trace, accelerations, multipliers));
+    let zeros = substitute_all(&substitute_all(&zeros, settled), &given);
     let none: Vec<(Sym, Sym)> = unknown.iter().map(|&of| (letter(of), Sym::ZERO)).collect();
     let mut rows: Vec<Vec<Sym>> = Vec::new();
     for zero in &zeros {
@@ -127,8 +131,8 @@ pub(super) fn closed(
         super::held::eliminated(rows, right).map_err(|row| NotCompiled::NotHeldContact { contact: unknown[row][0] })?;
     let found: Vec<(Sym, Sym)> = unknown.iter().map(|&of| letter(of)).zip(values).collect();
     let all = |expressions: &[Sym]| substitute_all(&substitute_all(expressions, &given), &found);
-    let reactions = all(&letters(trace)).as_chunks::<PARTS>().0.to_vec();
-    Ok((Closed { reactions, determinant }, all(&[accelerations, multipliers].concat())))
+    let moved = all(&[accelerations, multipliers].concat());
+    Ok((Closed { found: vec![given, found], determinant }, moved))
 }
 
 /// 1 or -1.

@@ -306,20 +306,32 @@ pub(super) fn rests(expansion: &Expansion<TERMS>, case: Case, switch: usize, sla
     alone(expansion, case, switch, slack) == Some(Standing::Rests)
 }
 
+/// Whether the constraints that a mode hides hold.
+fn holds_hidden<const N: usize>(expansion: &Expansion<N>, slack: f64) -> bool {
+    expansion.hidden.iter().all(|hidden| hidden.sign_of(0, slack) == 0.0)
+}
+
 /// Whether no open condition contradicts its case by its rate, or its switch by its value, and no contact its phase.
 fn is_possible(sifted: &Expansion<FEW>, mode: &Mode, open: Open<'_>, slack: f64) -> bool {
+    if !holds_hidden(sifted, slack) {
+        return false;
+    }
+    let order = |switch: usize| usize::from(!sifted.is_direct[switch]);
     let mut contacts = sifted.contacts.iter().zip(&mode.phases).zip(open.touches);
     let agree = contacts.all(|((contact, phase), touch)| possible(contact, *phase, *touch, slack));
     agree
         && open.switches.iter().all(|&switch| match mode.cases[switch] {
-            Case::On => sifted.conditions[switch].sign_of(1, slack) >= 0.0,
-            Case::Off => sifted.conditions[switch].sign_of(1, slack) <= 0.0,
+            Case::On => sifted.conditions[switch].sign_of(order(switch), slack) >= 0.0,
+            Case::Off => sifted.conditions[switch].sign_of(order(switch), slack) <= 0.0,
             _ => sifted.margins(switch).iter().all(|margin| margin.sign_of(0, slack) >= 0.0),
         })
 }
 
 /// Whether open conditions and contacts move as they should; none where one contradicts.
 fn standing(expansion: &Expansion<TERMS>, mode: &Mode, open: Open<'_>, slack: f64) -> Option<Standing> {
+    if !holds_hidden(expansion, slack) {
+        return None;
+    }
     let each = open.switches.iter().map(|&switch| alone(expansion, mode.cases[switch], switch, slack));
     each.chain([of_contacts(expansion, mode, open, slack)]).min().unwrap_or(Some(Standing::Moves))
 }
@@ -337,7 +349,11 @@ fn alone(expansion: &Expansion<TERMS>, case: Case, switch: usize, slack: f64) ->
     let condition = &expansion.conditions[switch];
     // one that has moved off zero while it was held must come back through it
     let band = || (slack * condition.doubts[0]).max(4.0 * beyond(condition.terms[0], case));
+    // one whose value follows at once is where its case says, or leaves zero to there
+    let value = if expansion.is_direct[switch] { condition.sign_of(0, slack) } else { 0.0 };
     let (signs, at_zero) = match case {
+        Case::On if value != 0.0 => ([value; 2], Standing::Rests),
+        Case::Off if value != 0.0 => ([-value; 2], Standing::Rests),
         Case::On => ([condition.way(band(), slack); 2], Standing::Rests),
         Case::Off => ([-condition.way(band(), slack); 2], Standing::Rests),
         _ => (expansion.margins(switch).map(|margin| margin.sign(slack)), Standing::AtBound),

@@ -66,6 +66,7 @@ impl Follower<'_> {
                 let time = leg.cause.map_or(0.0, |cause| cause.time);
                 return Err(Unknown::Ends(format!("{BEGINS} at t = {time} s")));
             }
+            leg.moded.system.set_algebraic_speeds(self.at.0, &mut self.at.1);
             let next = course.legs.get(place + 1).and_then(|next| next.cause);
             let within = left.iter().take_while(|instant| next.is_none_or(|next| **instant < next.time)).count();
             for &instant in &left[..within] {
@@ -80,6 +81,9 @@ impl Follower<'_> {
                         self.rest(leg, (contact, fastest), (next.time, then))?;
                     }
                     _ => self.pass(leg, next)?,
+                }
+                if let Some(after) = course.legs.get(place + 1) {
+                    after.moded.system.set_algebraic_speeds(self.at.0, &mut self.at.1);
                 }
                 if next.sets != Sets::Unseen {
                     events.push(self.at.clone());

@@ -3,36 +3,40 @@
 //! Along the motion g' = a + b s with the switch s, which the law holds linearly: s = -a/b. Dry friction is such a law: while it
 //! sticks, s takes the value of the force that is needed.
 
-use super::contacts::{Closed, PARTS, closed};
+use super::algebraic::Parted;
+use super::contacts::{Closed, PARTS, closed, letters as reactions_of};
 use super::mode::{Case, Mode};
+use super::motion::Motion;
 use super::multiples::{Mirrored, letters as letters_of, mirrored as mirrored_in};
-use crate::compiled_system::{Motion, NotCompiled};
+use crate::compiled_system::NotCompiled;
 use model::Trace;
 use symbolic::{Derivation, Sym, substitute_all};
 
-/// The accelerations with every switch replaced, and the values of the switches.
-pub(crate) fn held(
-    trace: &Trace<'_>,
-    mode: &Mode,
-    accelerations: Vec<Sym>,
-    multipliers: Vec<Sym>,
-) -> Result<Motion, NotCompiled> {
+/// The motion in a mode, with every switch and every reaction replaced.
+pub(crate) fn held(trace: &Trace<'_>, mode: &Mode, parted: Parted) -> Result<Motion, NotCompiled> {
+    let settled = parted.settled(trace, mode)?;
+    let Parted { accelerations, multipliers, is_direct, letters, .. } = parted;
+    let [accelerations, multipliers] = [accelerations, multipliers].map(|all| substitute_all(&all, &settled));
     let speeds = accelerations.len();
-    let (Closed { reactions, determinant }, mut accelerations) = match mode.phases.is_empty() {
-        true => (Closed { reactions: Vec::new(), determinant: Sym::ONE }, [accelerations, multipliers].concat()),
-        false => closed(trace, mode, &accelerations, &multipliers)?,
+    let (Closed { found: of_contacts, determinant }, mut accelerations) = match mode.phases.is_empty() {
+        true => (Closed { found: Vec::new(), determinant: Sym::ONE }, [accelerations, multipliers].concat()),
+        false => closed(trace, mode, (&settled, &is_direct.contacts), &accelerations, &multipliers)?,
     };
     let multipliers = accelerations.split_off(speeds);
+    let of_contacts =
+        |all: &[Sym]| of_contacts.iter().fold(substitute_all(all, &settled), |all, found| substitute_all(&all, found));
+    let reactions = of_contacts(&reactions_of(trace));
+    let settled = settled_with(&settled, of_contacts);
     let mode = &mode.cases;
     let mirrored = mirrored_in(trace);
     let others = letters_of(trace, &mirrored);
-    let own = || (0..mode.len()).filter(|switch| mirrored[*switch].is_none());
+    let own = || (0..mode.len()).filter(|&switch| mirrored[switch].is_none() && !is_direct.conditions[switch]);
     let of = |wanted: fn(Case) -> bool| -> Vec<usize> { own().filter(|&switch| wanted(mode[switch])).collect() };
     let letter = |switch: &usize| trace.switches[*switch];
     let fixed = |switch: usize| mode[switch].fixed().map(|on| if on { Sym::ONE } else { Sym::ZERO });
     let known: Vec<(Sym, Sym)> =
         own().filter(|&switch| !mode[switch].rests()).filter_map(|k| Some((letter(&k), fixed(k)?))).collect();
-    let in_mode = |all: &[Sym]| substitute_all(&substitute_all(all, &others), &known);
+    let in_mode = |all: &[Sym]| substitute_all(&substitute_all(&substitute_all(all, &others), &settled), &known);
     let [accelerations, multipliers] = [accelerations, multipliers].map(|all| in_mode(&all));
     let motion: Vec<(Sym, Sym)> = trace.accelerations.iter().copied().zip(accelerations.iter().copied()).collect();
     let resting = of(Case::rests);
@@ -42,6 +46,7 @@ pub(crate) fn held(
     let symbols: Vec<Sym> = resting.iter().map(letter).collect();
     let condition = |switch: &usize| in_mode(&[trace.scalar(trace.model.switches[*switch])])[0];
     let rates: Vec<Sym> = held.iter().map(|k| trace.rate_of(condition(k)).substitute(&motion)).collect();
+    let rates = substitute_all(&rates, &settled);
     // an |g| in the law of g brings powers of the switch, which go where g is zero
     let at_zero = match is_linear(&rates, &symbols) {
         true => Vec::new(),
@@ -85,16 +90,35 @@ pub(crate) fn held(
         }
     }
     let mut switches: Vec<Sym> = (0..mode.len()).map(|k| fixed(k).unwrap_or(parts[k])).collect();
+    let of_own: Vec<(Sym, Sym)> = own().map(|switch| (letter(&switch), switches[switch])).collect();
+    for switch in (0..mode.len()).filter(|&switch| mirrored[switch].is_none() && is_direct.conditions[switch]) {
+        let value = letter(&switch).substitute(&settled).substitute(&of_own);
+        (switches[switch], parts[switch]) = (value, value);
+    }
     for (own, mirrored) in mirrored.iter().enumerate() {
         if let Some(Mirrored { of, same_side }) = *mirrored {
             let own_of = |all: &[Sym]| if same_side { all[of] } else { Sym::ONE - all[of] };
             (switches[own], parts[own]) = (own_of(&switches), own_of(&parts));
         }
     }
-    let shares: Vec<(Sym, Sym)> = own().map(|switch| (letter(&switch), switches[switch])).collect();
-    let (accelerations, multipliers) = (in_found(&accelerations), substitute_all(&multipliers, &shares));
-    let reactions = substitute_all(&reactions.concat(), &shares).as_chunks::<PARTS>().0.to_vec();
-    Ok(Motion { switches, parts, accelerations, multipliers, reactions, determinant })
+    let (mut accelerations, multipliers) = (in_found(&accelerations), substitute_all(&multipliers, &of_own));
+    let reactions = substitute_all(&reactions, &of_own).as_chunks::<PARTS>().0.to_vec();
+    let own_speeds = letters.into_iter().filter(|letter| trace.speeds.contains(letter));
+    let speeds: Vec<(Sym, Sym)> =
+        own_speeds.map(|letter| (letter, letter.substitute(&settled).substitute(&of_own))).collect();
+    let motion: Vec<(Sym, Sym)> = trace.accelerations.iter().copied().zip(accelerations.iter().copied()).collect();
+    for &(letter, is) in &speeds {
+        let rate = trace.rate_of(is).substitute(&motion).substitute(&speeds);
+        let place = trace.speeds.iter().position(|speed| *speed == letter);
+        place.into_iter().for_each(|place| accelerations[place] = rate);
+    }
+    Ok(Motion { switches, parts, accelerations, multipliers, reactions, determinant, speeds })
+}
+
+/// What stands for letters, with the reactions of contacts in it.
+fn settled_with(settled: &[(Sym, Sym)], reactions: impl Fn(&[Sym]) -> Vec<Sym>) -> Vec<(Sym, Sym)> {
+    let (letters, values): (Vec<Sym>, Vec<Sym>) = settled.iter().copied().unzip();
+    letters.into_iter().zip(reactions(&values)).collect()
 }
 
 /// A partial derivative.

@@ -1,5 +1,6 @@
 //! Modes of a model: the case of each of its conditions, the law that holds there, and the instants at which it ends.
 
+mod algebraic;
 mod combinations;
 mod contacts;
 mod course;
@@ -13,6 +14,7 @@ mod held;
 mod jet;
 mod lateness;
 mod mode;
+mod motion;
 mod multiples;
 mod passage;
 mod pivots;
@@ -26,10 +28,10 @@ mod touches;
 mod unfit;
 mod words;
 
-pub(crate) use contacts::{PARTS, letters as reactions_of};
+pub(crate) use contacts::letters as reactions_of;
 pub use course::Course;
-pub(crate) use held::held;
 pub use mode::{Case, Face, Mode, Phase};
+pub(crate) use motion::Motion;
 
 use crate::compiled_system::{CompiledSystem, NotCompiled, changes};
 use course::{Crossing, Leg, Sets};
@@ -190,9 +192,14 @@ impl Modes {
     /// # Errors
     /// Why there is none.
     pub fn first(&self, state: &[f64]) -> Result<Arc<CompiledSystem>, Refused> {
-        let moded = self.laws.moded(&Mode::off(&self.laws.model)).map_err(Refused::Law)?;
-        if !changes(&self.laws.model) {
-            return Ok(Arc::clone(&moded.system));
+        let model = &self.laws.model;
+        CompiledSystem::has_equations(model).map_err(Refused::Law)?;
+        // where speeds are algebraic, a mode in which no run is may have no law
+        if model.algebraic_speeds.is_empty() {
+            let moded = self.laws.moded(&Mode::off(model)).map_err(Refused::Law)?;
+            if !changes(model) {
+                return Ok(Arc::clone(&moded.system));
+            }
         }
         let expansions = self.laws.expansions().map_err(Refused::Law)?;
         let instant = Instant { time: 0.0, state, late: 0.0 };
@@ -228,6 +235,7 @@ impl Switching for Modes {
         self.passages.lock().unwrap_or_else(PoisonError::into_inner).clear();
         self.course.lock().unwrap_or_else(PoisonError::into_inner).clear();
         let begun = self.begun(time, state)?;
+        begun.moded.system.set_algebraic_speeds(time, state);
         self.push_off(time, state, &begun);
         self.tell(time, "start".to_owned(), Some(&begun.moded.system.mode));
         self.follow(None, &begun);

@@ -46,7 +46,7 @@ impl Modes {
     /// The first condition that is at zero.
     pub(super) fn at_zero(&self, time: f64, state: &[f64]) -> Option<usize> {
         let off = Mode::off(&self.laws.model);
-        let found = self.laws.expansions().ok()?.at::<1>(&Instant { time, state, late: 0.0 }, &off)?;
+        let found = self.laws.expansions().ok()?.as_given(&Instant { time, state, late: 0.0 }, &off)?;
         found.conditions.iter().position(|condition| condition.sign_of(0, SLACK) == 0.0)
     }
 
@@ -90,10 +90,11 @@ impl Modes {
         let mut open = Vec::new();
         // a condition may depend on the cases of those before it
         for switch in 0..mode.cases.len() {
-            let Some(Expansion { conditions, .. }) = expansions.at::<1>(instant, &mode) else { return Err(NO_LAW) };
+            let Some(Expansion { conditions, .. }) = expansions.as_given(instant, &mode) else { return Err(NO_LAW) };
             let sign = conditions[switch].sign_of(0, SLACK);
             mode.cases[switch] = if sign > 0.0 { Case::On } else { Case::Off };
-            if expansions.mirrored[switch].is_none() && (sign == 0.0 || held.contains(&switch)) {
+            let is_open = sign == 0.0 || held.contains(&switch) || expansions.direct_conditions[switch];
+            if expansions.mirrored[switch].is_none() && is_open {
                 open.push(switch);
             }
             expansions.mirror(&mut mode);
@@ -111,13 +112,13 @@ impl Modes {
         passed: usize,
     ) -> Result<Vec<usize>, &'static str> {
         let expansions = self.laws.expansions().map_err(refused)?;
-        let Some(now) = expansions.at::<1>(instant, mode) else { return Ok(Vec::new()) };
+        let Some(now) = expansions.as_given(instant, mode) else { return Ok(Vec::new()) };
         let jumps = |switch: &usize| {
             let (now, before) = (&now.conditions[*switch], &known.conditions[*switch]);
             let rounding = SLACK * (now.doubts[0] + before.doubts[0]);
             *switch != passed && (now.terms[0] - before.terms[0]).abs() > rounding
         };
-        let own = |switch: &usize| expansions.mirrored[*switch].is_none();
+        let own = |switch: &usize| expansions.mirrored[*switch].is_none() && !expansions.direct_conditions[*switch];
         let jumped: Vec<usize> = (0..mode.cases.len()).filter(own).filter(jumps).collect();
         for &switch in &jumped {
             mode.cases[switch] = if now.conditions[switch].terms[0] > 0.0 { Case::On } else { Case::Off };
@@ -180,8 +181,11 @@ impl Modes {
         let cases = &before.moded.system.mode.cases;
         let (mut touches, sets) = self.touches_after((cases, &mode), fall, (event.time, late), state)?;
         self.rest_with(before, event.time, state, &mut touches);
-        // a gap that has closed is zero at this time, whatever the error of the time
-        let late = if matches!(fall, Fall::Closes { .. }) { 0.0 } else { late };
+        // a gap that has closed has been set to zero, whatever the error of the time
+        let late = match fall {
+            Fall::Closes { contact } if !expansions.kinds[contact].is_direct => 0.0,
+            _ => late,
+        };
         let jumped = match fall {
             Fall::Passes { switch } => {
                 self.jumped(&Instant { time: event.time, state, late: 0.0 }, &mut mode, &known, switch)?
@@ -190,7 +194,9 @@ impl Modes {
         };
         held.retain(|switch| !jumped.contains(switch));
         let is_open = |switch: &usize| {
-            !jumped.contains(switch) && (held.contains(switch) || Some(*switch) == last || is_near(&known, *switch))
+            let is_direct = expansions.direct_conditions[*switch];
+            let may_rest = held.contains(switch) || Some(*switch) == last || is_near(&known, *switch);
+            !jumped.contains(switch) && (may_rest || is_direct)
         };
         let open: Vec<usize> = (0..mode.cases.len()).filter(own).filter(is_open).collect();
         expansions.mirror(&mut mode);
@@ -204,6 +210,7 @@ impl Modes {
         };
         // what sticks now does so at zero
         expansions.return_to_zero(event.time, state, &current.moded.system.mode, 0.0);
+        current.moded.system.set_algebraic_speeds(event.time, state);
         self.push_off(event.time, state, &current);
         let rests = match fall {
             Fall::Stops { contact } => before.glides[contact].map(|glide| glide.rest(contact)),
@@ -272,7 +279,7 @@ impl Modes {
         let expansions = self.laws.expansions().map_err(refused)?;
         let instant = Instant { time: event.time, state, late };
         // what was held, and is where it was, may be held still
-        let now = expansions.at::<1>(&instant, &Mode::off(&self.laws.model));
+        let now = expansions.as_given(&instant, &Mode::off(&self.laws.model));
         let stays = |switch: &usize| {
             now.as_ref().is_some_and(|now| {
                 let (now, before) = (&now.conditions[*switch], &known.conditions[*switch]);
@@ -292,6 +299,7 @@ impl Modes {
         let now = Mode { cases, phases: phases.clone() };
         let touches = self.touches_set(&now, &known.contacts, event.time, state)?;
         let current = self.at(&instant, (&held, &touches), past)?;
+        current.moded.system.set_algebraic_speeds(event.time, state);
         Ok(After::Changed(current, Sets::Event(number)))
     }
 

@@ -146,7 +146,10 @@ impl Modes {
         let mut found = Vec::new();
         for &switch in open.switches {
             let condition = &expansion.conditions[switch];
+            let is_away = expansion.is_direct[switch] && condition.sign_of(0, SLACKS[0]) != 0.0;
             let (asks, value) = match mode.cases[switch] {
+                Case::On if is_away => ("it is positive", condition.terms[0]),
+                Case::Off if is_away => ("it is negative", -condition.terms[0]),
                 Case::On => (RISES[order(condition) - 1], first_rate(condition)),
                 Case::Off => (FALLS[order(condition) - 1], -first_rate(condition)),
                 _ => {
@@ -165,6 +168,10 @@ impl Modes {
             let mut add = |asks, value, unit| found.push(Margin { of: of(), asks, value, unit });
             match phase {
                 Phase::Apart if *touch == Touch::Open => {}
+                Phase::Apart if *touch == Touch::AtOnce && contact.gap.sign_of(0, SLACKS[0]) != 0.0 => {
+                    let [name, unit] = words.passing(place);
+                    add(name, contact.gap.terms[0], unit);
+                }
                 Phase::Apart => add(words.leaving(place), contact.gap_rate.terms[1], motion),
                 Phase::Carried => {}
                 Phase::Sticks(face) | Phase::Leans { face, .. } if contact.is_in_space => {

@@ -24,6 +24,10 @@ pub(super) fn shares(
     let mut mode = mode.clone();
     let mut shared = Vec::new();
     for &switch in open {
+        // one whose value follows at once has no share
+        if expansions.direct_conditions[switch] {
+            continue;
+        }
         if mode.cases[switch] != Case::Held && rests(expansion, mode.cases[switch], switch, slack) {
             // what rests by its own bound, and not by others, is held there
             match Implied::of(slopes, &expansions.held(&mode), switch) {

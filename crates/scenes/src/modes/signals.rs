@@ -3,8 +3,9 @@
 use super::Current;
 use super::contacts::{PARTS, friction, number, slides};
 use super::mode::{Case, Mode, Phase};
+use super::motion::Motion;
 use super::multiples::mirrored;
-use crate::compiled_system::{Motion, NotCompiled, values};
+use crate::compiled_system::{NotCompiled, values};
 use crate::program::recorded;
 use derivations::taped::{Program, Running};
 use field::{Analytic, Over};
@@ -153,12 +154,12 @@ pub(super) fn written(
     }
     let trace = Trace::of(model);
     let mirrored = mirrored(&trace);
-    let Motion { accelerations, switches, parts, reactions, determinant, .. } = Motion::of(&trace, mode)?;
+    let Motion { accelerations, switches, parts, reactions, determinant, speeds, .. } = Motion::of(&trace, mode)?;
     let cases: Vec<(Sym, Sym)> = trace.switches.iter().copied().zip(switches.iter().copied()).collect();
     let motion: Vec<(Sym, Sym)> = trace.accelerations.iter().copied().zip(accelerations).collect();
     let with_rate = |value: Sym| -> [Sym; 2] {
-        let value = value.substitute(&cases);
-        [value, trace.rate_of(value).substitute(&motion)]
+        let value = value.substitute(&cases).substitute(&speeds);
+        [value, trace.rate_of(value).substitute(&motion).substitute(&speeds)]
     };
     let at_rest = mode.cases.iter().filter(|case| case.rests()).count();
     let may_depend = at_rest + mode.phases.iter().filter(|phase| **phase != Phase::Apart).count() > 1;
@@ -214,7 +215,7 @@ pub(super) fn written(
         let mut after = kept.clone();
         for assignment in &event.set {
             let place = assignment.order * trace.coordinates.len() + assignment.coordinate;
-            after[place] = trace.scalar(assignment.is).substitute(&cases);
+            after[place] = trace.scalar(assignment.is).substitute(&cases).substitute(&speeds);
         }
         all.extend(after);
     }

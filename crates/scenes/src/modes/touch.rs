@@ -19,6 +19,8 @@ pub(super) enum Touch {
     Rest,
     /// In touch and sliding.
     Slides { forwards: bool },
+    /// A diode whose current follows at once from what conducts.
+    AtOnce,
 }
 
 impl Touch {
@@ -33,7 +35,7 @@ impl Touch {
             Touch::Rest if is_in_space => faces().map(Phase::Sticks).chain(glides()).collect(),
             Touch::Slides { forwards } => slips(forwards).collect(),
             Touch::Rest if is_rough => faces().map(Phase::Sticks).chain(slips(true)).chain(slips(false)).collect(),
-            Touch::Rest => slips(true).collect(),
+            Touch::Rest | Touch::AtOnce => slips(true).collect(),
         };
         match sides {
             _ if is_guide => {}
@@ -78,6 +80,7 @@ fn begins<const N: usize>(contact: &Touching<N>, touch: Touch) -> bool {
 pub(super) fn possible(contact: &Touching<FEW>, phase: Phase, touch: Touch, slack: f64) -> bool {
     let not_negative = |jet: Jet<FEW>, order: usize| jet.sign_of(order, slack) >= 0.0;
     match phase {
+        Phase::Apart if touch == Touch::AtOnce => not_negative(contact.gap, 0),
         Phase::Apart => touch == Touch::Open || not_negative(contact.gap_rate, 1),
         Phase::Carried => contact.gap_rate.sign_of(1, slack) == 0.0,
         Phase::Sticks(face) | Phase::Leans { face, .. } => {
@@ -101,6 +104,9 @@ pub(super) fn standing_of(
     let leaves = |jet: Jet<TERMS>| jet.way(slack * jet.doubts[0], slack);
     let (bounds, leaving): (Vec<f64>, Vec<f64>) = match phase {
         Phase::Apart if touch == Touch::Open => (Vec::new(), Vec::new()),
+        Phase::Apart if touch == Touch::AtOnce && contact.gap.sign(slack) != 0.0 => {
+            (Vec::new(), vec![contact.gap.sign(slack)])
+        }
         Phase::Apart | Phase::Carried if leaves(contact.gap_rate) == 0.0 => {
             return Some(if is_alone { Standing::Rests } else { Standing::Carries });
         }
@@ -129,6 +135,7 @@ pub(super) fn at_rest(contact: &Touching<TERMS>, phase: Phase, (touch, is_alone)
     let stays = |jet: &Jet<TERMS>| jet.way(slack * jet.doubts[0], slack) == 0.0;
     match phase {
         // others keep its gap at zero
+        Phase::Apart if touch == Touch::AtOnce && contact.gap.sign(slack) != 0.0 => phase,
         Phase::Apart if touch != Touch::Open && !is_alone && stays(&contact.gap_rate) => Phase::Carried,
         Phase::Slips { forwards, face } if begins(contact, touch) && stays(&contact.slide) => {
             Phase::Rests { forwards, face }

@@ -32,11 +32,14 @@ impl Modes {
         if let Some(Unfit { why, .. }) = Unfit::first(expansions, &instant, cases) {
             return Err(why);
         }
-        let of = |contact: Touching<1>| match [contact.gap, contact.gap_rate].map(|jet| jet.sign_of(0, SLACK)) {
+        let of = |(contact, kind): (Touching<1>, &Kind)| match [contact.gap, contact.gap_rate]
+            .map(|jet| jet.sign_of(0, SLACK))
+        {
+            _ if kind.is_direct => Touch::AtOnce,
             [0.0, 0.0] => touching(&contact),
             _ => Touch::Open,
         };
-        Ok(expansions.contacts(&instant, cases).into_iter().map(of).collect())
+        Ok(expansions.contacts(&instant, cases).into_iter().zip(&expansions.kinds).map(of).collect())
     }
 
     /// The contacts after a fall in some phases, with the cases before it, and the change in the state: an impact changes the speeds.
@@ -75,6 +78,7 @@ impl Modes {
         let approaches = |contact: &Touching<1>| contact.gap_rate.sign_of(0, SLACK) < 0.0;
         if let Some(contact) = closing {
             match expansions.kinds[contact].is_one_way {
+                true if expansions.kinds[contact].is_direct => {}
                 true => {
                     let mut blocked = mode.clone();
                     blocked.phases[contact] = Phase::Slips { forwards: true, face: Face::Front };
@@ -97,7 +101,8 @@ impl Modes {
                 NotStruck::Turns => TURNS,
             })?;
             let after = expansions.contacts(&Instant { time, state, late }, &mode.cases);
-            let turned = |(kind, contact): (&Kind, &Touching<1>)| kind.is_one_way && approaches(contact);
+            let turned =
+                |(kind, contact): (&Kind, &Touching<1>)| kind.is_one_way && !kind.is_direct && approaches(contact);
             if expansions.kinds.iter().zip(&after).any(turned) {
                 return Err(TOGETHER);
             }
@@ -114,6 +119,7 @@ impl Modes {
             known.get(place).is_some_and(|before| differ(now.slide, before.slide) || differ(now.aside, before.aside))
         };
         let of = |(place, (contact, phase)): (usize, (Touching<1>, &Phase))| match *phase {
+            _ if expansions.kinds[place].is_direct => Touch::AtOnce,
             // others of the same current
             Phase::Apart if expansions.kinds[place].is_one_way && contact.gap.sign_of(0, SLACK) == 0.0 => {
                 touching(&contact)
@@ -170,9 +176,10 @@ impl Modes {
             (now.terms[0] - before.terms[0]).abs() <= SLACK * (now.doubts[0] + before.doubts[0])
         };
         let now = expansions.contacts(&Instant { time, state, late: 0.0 }, cases);
-        let kept = now.iter().zip(before).zip(phases).map(|((now, before), phase)| {
+        let all = now.iter().zip(before).zip(phases).zip(&expansions.kinds);
+        let kept = all.map(|(((now, before), phase), kind)| {
             let stays = stays(&now.gap, &before.gap) && stays(&now.gap_rate, &before.gap_rate);
-            (stays && *phase != Phase::Apart).then(|| touching(now))
+            (stays && !kind.is_direct && *phase != Phase::Apart).then(|| touching(now))
         });
         let kept: Vec<Option<Touch>> = kept.collect();
         if kept.iter().all(Option::is_some) {

@@ -40,7 +40,11 @@ fn wrong(
     (contact, cases): (usize, &[Case]),
     touching: &Touching<1>,
 ) -> Option<(&'static str, &'static str)> {
-    let Kind { sides, is_rough, is_guide, is_one_way, .. } = expansions.kinds[contact];
+    let Kind { sides, is_rough, is_guide, is_one_way, is_direct, .. } = expansions.kinds[contact];
+    // its mode gives its speed and its reaction
+    if is_direct {
+        return None;
+    }
     let [friction, restitution] = expansions.coefficients(*time, state, (contact, cases));
     let [gap, rate] = [touching.gap, touching.gap_rate].map(|jet| jet.sign_of(0, SLACK));
     let is_left = sides == Sides::Both && (gap, rate) != (0.0, 0.0);

@@ -61,6 +61,14 @@ impl Words {
         }
     }
 
+    /// The quantity that is positive while a diode or a freewheel lets through, with its unit.
+    pub fn passing(&self, contact: usize) -> [&'static str; 2] {
+        match self.one_ways[contact] {
+            Some(OneWay::Freewheel) => ["speed", "rad/s"],
+            _ => ["current", "A"],
+        }
+    }
+
     /// The quantity that is positive where a contact opens.
     pub fn leaving(&self, contact: usize) -> &'static str {
         match self.one_ways[contact] {

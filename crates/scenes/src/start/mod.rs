@@ -3,6 +3,7 @@
 //! Coordinates that the file does not give, or gives as a guess, are moved by Newton's method with least changes until the constraints
 //! of positions hold; then speeds so that all constraints hold, which is linear in them.
 
+mod algebraic;
 mod constraints;
 mod displacement;
 mod gimbal;
@@ -13,6 +14,7 @@ mod redundancy;
 mod singular_positions;
 mod unmet;
 
+pub(crate) use algebraic::{complete_algebraic_speeds, with_algebraic_speeds};
 pub use displacement::displaced;
 pub(crate) use inertialess::follow;
 pub(crate) use leaf::Leaf;

@@ -1,5 +1,6 @@
 //! Drives and circuits on systems that are text: beside closed forms, and beside the same circuits by energies.
 
+mod changing_laws;
 mod circuits;
 mod gears;
 mod machines;

@@ -94,7 +94,6 @@ fn diodes_that_mean_nothing_are_refused_at_their_place() {
         ("current = \"q'\"", "current = \"q'\"\nside = \"one\"", "unknown key `side`"),
         ("reaction(D)", "gap(D)", "`D` is a diode, which has a `reaction` alone"),
         ("[[diode]]", "[diode]", "double brackets"),
-        ("coenergy = \"L/2*q'^2\"\n", "", "nothing has inertia along `q`"),
         ("[run]", "[start]\n\"q'\" = \"-1 A\"\n[run]", "starts with a speed against it"),
     ] {
         assert!(HALF_WAVE.contains(from), "{from}");

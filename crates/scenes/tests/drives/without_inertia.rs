@@ -126,10 +126,7 @@ fn capacitors_in_parallel_share_a_charge() {
 }
 
 #[test]
-fn a_law_with_a_condition_is_refused_by_its_reason() {
-    let switched = RC.replace("is = \"U\"", "is = \"if(t < (1 s), U, 0*U)\"");
-    let said = ModelScene::parse("scene.toml", &switched).expect_err("not there yet").to_string();
-    assert!(said.contains("its law changes at a condition"), "{said}");
+fn a_coordinate_without_a_law_is_refused_by_its_name() {
     let none = RC.replace("[coordinates]\n", "[coordinates]\nb = \"m\"\n");
     let said = ModelScene::parse("scene.toml", &none).expect_err("b has no law").to_string();
     assert!(said.contains("moves with `b`"), "{said}");

@@ -1,6 +1,7 @@
 //! Linear equations over series with bounds of their errors.
 
 use super::super::jet::Jet;
+use num_traits::{One, Zero};
 
 /// A pivot is zero where it is not so many times its doubt.
 const PIVOT: f64 = 64.0;
@@ -36,4 +37,81 @@ pub(in super::super) fn solved<const N: usize>(
         right[row] = known / rows[row][row];
     }
     Some(right)
+}
+
+/// An equation, slopes times unknowns = right; with its rate, slopes of the rate times unknowns = its right, where only the value of the
+/// equation holds its unknowns.
+pub(in super::super) struct Row<const N: usize> {
+    pub slopes: Vec<Jet<N>>,
+    pub right: Jet<N>,
+    pub rate: Option<(Vec<Jet<N>>, Jet<N>)>,
+}
+
+/// Rows on their way to a triangle.
+struct Reduced<const N: usize> {
+    slopes: Vec<Jet<N>>,
+    right: Jet<N>,
+    /// The factors of the equations of which it is the sum; none of a rate.
+    sum: Option<Vec<Jet<N>>>,
+}
+
+/// The unknowns of equations, and what is left of combinations of equations that hold no unknowns: hidden constraints, whose rates take
+/// their places. None where the unknowns are not determined.
+pub(in super::super) fn with_hidden<const N: usize>(rows: &[Row<N>]) -> Option<(Vec<Jet<N>>, Vec<Jet<N>>)> {
+    let n = rows.len();
+    let unit = |own: usize| (0..n).map(|other| if own == other { Jet::one() } else { Jet::zero() }).collect();
+    let own = |(place, row): (usize, &Row<N>)| Reduced {
+        slopes: row.slopes.clone(),
+        right: row.right,
+        sum: Some(unit(place)),
+    };
+    let mut all: Vec<Reduced<N>> = rows.iter().enumerate().map(own).collect();
+    let (mut pivots, mut hidden): (Vec<(usize, usize)>, Vec<Jet<N>>) = (Vec::new(), Vec::new());
+    while pivots.len() < n {
+        let open: Vec<usize> = (0..n).filter(|row| pivots.iter().all(|(own, _)| own != row)).collect();
+        let free = (0..n).filter(|column| pivots.iter().all(|(_, own)| own != column));
+        let entries = free.flat_map(|column| open.iter().map(move |&row| (row, column)));
+        let size = |&(row, column): &(usize, usize)| all[row].slopes[column].terms[0].abs();
+        let counts = |&(row, column): &(usize, usize)| all[row].slopes[column].sign_of(0, PIVOT).abs() == 1.0;
+        let largest = entries.filter(counts).max_by(|a, b| size(a).total_cmp(&size(b)));
+        if let Some(pivot) = largest {
+            pivots.push(pivot);
+            open.into_iter().filter(|&row| row != pivot.0).for_each(|row| reduce(&mut all, row, pivot));
+            continue;
+        }
+        for row in open {
+            let sum = all[row].sum.take()?;
+            hidden.push(all[row].right);
+            let mut rate = Reduced { slopes: vec![Jet::zero(); n], right: Jet::zero(), sum: None };
+            for (factor, own) in sum.iter().zip(rows).filter(|(factor, _)| factor.sign_of(0, PIVOT) != 0.0) {
+                let (slopes, right) = own.rate.as_ref()?;
+                rate.slopes.iter_mut().zip(slopes).for_each(|(entry, slope)| *entry += *factor * *slope);
+                rate.right += *factor * *right;
+            }
+            all[row] = rate;
+            pivots.iter().for_each(|&pivot| reduce(&mut all, row, pivot));
+        }
+    }
+    let mut values = vec![Jet::zero(); n];
+    for &(row, column) in pivots.iter().rev() {
+        let others = all[row].slopes.iter().zip(&values).enumerate().filter(|(place, _)| *place != column);
+        let rest = others.fold(all[row].right, |rest, (_, (slope, value))| rest - *slope * *value);
+        values[column] = rest / all[row].slopes[column];
+    }
+    Some((values, hidden))
+}
+
+/// Takes the row of a pivot from another one.
+fn reduce<const N: usize>(all: &mut [Reduced<N>], row: usize, (pivot, column): (usize, usize)) {
+    if all[row].slopes[column].terms.iter().all(|term| *term == 0.0) {
+        return;
+    }
+    let Ok([own, above]) = all.get_disjoint_mut([row, pivot]) else { return };
+    let factor = own.slopes[column] / above.slopes[column];
+    own.slopes.iter_mut().zip(&above.slopes).for_each(|(entry, above)| *entry -= factor * *above);
+    own.slopes[column] = Jet::zero();
+    own.right -= factor * above.right;
+    if let (Some(own), Some(above)) = (&mut own.sum, &above.sum) {
+        own.iter_mut().zip(above).for_each(|(part, above)| *part -= factor * *above);
+    }
 }

@@ -2,42 +2,65 @@
 
 use super::{Expansions, Kind, Slope};
 use crate::compiled_system::{NotCompiled, values};
-use crate::modes::contacts::{friction, kept_at_zero, letters as reactions, motion, slides};
+use crate::modes::algebraic::Parted;
+use crate::modes::contacts::{PARTS, friction, kept_at_zero, letters as reactions, motion, slides};
 use crate::modes::multiples::{letters, mirrored};
-use model::equations::{Equations, Singular};
 use model::{Contact, Model, Trace};
 use symbolic::{Derivation, Sym, Tape, substitute_all};
 
-/// Rates of the state; conditions; the rows, which are the rates of these and the sums that reactions keep at zero, with switches and
-/// reactions as they are; the slopes of rows; gaps, their rates, sliding velocities, coefficients of friction; events.
+/// Rates of the state; conditions; the rows, which are the rates of these, the sums that reactions keep at zero and the laws of algebraic
+/// speeds, with switches and reactions as they are; the rates of rows; the slopes of rows; gaps, their rates, sliding velocities, coefficients of friction; events.
 pub(super) fn expansions(model: &Model) -> Result<Expansions, NotCompiled> {
     let trace = Trace::of(model);
     let mirrored = mirrored(&trace);
-    let (accelerations, multipliers) = Equations::of(&trace).solved().map_err(|singular| match singular {
-        Singular::Massless { coordinate } => NotCompiled::Massless { coordinate: trace.direction(coordinate) },
-        Singular::Redundant { constraint } => NotCompiled::Redundant { constraint },
-    })?;
-    let motion = motion(&trace, &accelerations, &multipliers);
+    let parted = Parted::of(&trace)?;
+    let Parted { accelerations, multipliers, .. } = &parted;
+    let motion = motion(&trace, accelerations, multipliers);
     let own = letters(&trace, &mirrored);
     let all_in_own = |all: &[Sym]| substitute_all(all, &own);
     let conditions: Vec<Sym> = model.switches.iter().map(|condition| trace.scalar(*condition)).collect();
     let rates: Vec<Sym> = conditions.iter().map(|&condition| trace.rate_of(condition).substitute(&motion)).collect();
-    let kind = |contact: &Contact| Kind {
+    let is_direct = &parted.is_direct;
+    let kind = |(contact, &is_direct): (&Contact, &bool)| Kind {
         sides: contact.sides,
         is_rough: contact.friction.is_some(),
         law: contact.law,
         is_guide: contact.guide.is_some(),
         is_one_way: contact.one_way.is_some(),
         is_in_space: contact.is_in_space(),
+        is_direct,
     };
-    let kinds: Vec<Kind> = model.contacts.iter().map(kind).collect();
-    let kept = kept_at_zero(&trace).concat();
-    let rows = [rates, substitute_all(&kept, &motion)].concat();
+    let kinds: Vec<Kind> = model.contacts.iter().zip(&is_direct.contacts).map(kind).collect();
+    let kept = substitute_all(&kept_at_zero(&trace).concat(), &motion);
+    let gaps = || model.contacts.iter().map(|contact| trace.scalar(contact.gap));
+    // what follows at once is kept by its value, and where that holds no unknowns by its rate
+    let by_value = |(is_direct, (value, rate)): (&bool, (Sym, Sym))| match is_direct {
+        true => [value, rate],
+        false => [rate, Sym::ZERO],
+    };
+    let of_conditions = conditions.iter().copied().zip(rates);
+    let of_contact = |(value, kept): (Sym, &[Sym; PARTS])| {
+        let tangential = kept[1..].iter().map(|&rate| [rate, Sym::ZERO]);
+        ((value, kept[0]), tangential.collect::<Vec<_>>())
+    };
+    let of_contacts = gaps().zip(kept.as_chunks::<PARTS>().0).map(of_contact);
+    let of_laws = parted.zeros.iter().map(|&zero| [zero, trace.rate_of(zero).substitute(&motion)]);
+    let [rows, rates]: [Vec<Sym>; 2] = {
+        let conditions = is_direct.conditions.iter().zip(of_conditions).map(by_value);
+        let contacts = is_direct.contacts.iter().zip(of_contacts);
+        let contacts = contacts
+            .flat_map(|(is_direct, (normal, tangential))| [vec![by_value((is_direct, normal))], tangential].concat());
+        let (rows, rates) = conditions.chain(contacts).chain(of_laws).map(|[row, rate]| (row, rate)).unzip();
+        [rows, rates]
+    };
+    // a system without algebraic speeds has no use of them
+    let rows = if parted.letters.is_empty() { rows } else { [rows, rates].concat() };
     let (conditions, rows) = (all_in_own(&conditions), all_in_own(&rows));
-    let letters: Vec<Sym> = trace.switches.iter().copied().chain(reactions(&trace)).collect();
+    let letters: Vec<Sym> =
+        trace.switches.iter().copied().chain(reactions(&trace)).chain(parted.letters.iter().copied()).collect();
     let is_own = |place: &usize| mirrored.get(*place).is_none_or(Option::is_none);
     let (mut slopes, mut values_of_slopes) = (Vec::new(), Vec::new());
-    for row in (0..letters.len()).filter(is_own) {
+    for row in (0..rows.len()).filter(|row| is_own(&(row % letters.len().max(1)))) {
         for by in (0..letters.len()).filter(is_own) {
             let slope = Derivation::new([(letters[by], Sym::ONE)]).of(rows[row]);
             if slope != Sym::ZERO {
@@ -48,15 +71,14 @@ pub(super) fn expansions(model: &Model) -> Result<Expansions, NotCompiled> {
             }
         }
     }
-    let gaps: Vec<Sym> = model.contacts.iter().map(|contact| trace.scalar(contact.gap)).collect();
     let gap_rates = model.contacts.iter().map(|contact| trace.gap_rate(contact)).collect();
     let [along, aside] = [0, 1]
         .map(|tangent| -> Vec<Sym> { model.contacts.iter().map(|contact| slides(&trace, contact)[tangent]).collect() });
     let frictions = (0..kinds.len()).map(|contact| friction(&trace, contact)).collect();
     let restitutions =
         model.contacts.iter().map(|one| one.restitution.map_or(Sym::ZERO, |e| trace.scalar(e))).collect();
-    let of_contacts = [gaps, gap_rates, along, aside, frictions, restitutions].concat();
-    let moved: Vec<Sym> = trace.position_rates.iter().copied().chain(accelerations).collect();
+    let of_contacts = [gaps().collect::<Vec<Sym>>(), gap_rates, along, aside, frictions, restitutions].concat();
+    let moved: Vec<Sym> = trace.position_rates.iter().chain(accelerations).copied().collect();
     let events: Vec<Sym> = model.events.iter().map(|event| trace.scalar(event.when)).collect();
     let of_contacts = all_in_own(&of_contacts);
     let all = [all_in_own(&moved), conditions, rows, values_of_slopes, of_contacts, all_in_own(&events)].concat();
@@ -67,7 +89,9 @@ pub(super) fn expansions(model: &Model) -> Result<Expansions, NotCompiled> {
     let (state, time, inputs) = (named("y", states), Sym::symbol("t"), named("s", letters.len()));
     let own = letters.iter().copied().zip(inputs.iter().copied()).enumerate();
     let own = own.filter_map(|(place, known)| is_own(&place).then_some(known));
-    let known: Vec<(Sym, Sym)> = values(&trace, time, &state).into_iter().chain(own).collect();
+    // algebraic speeds are letters, and not those of the state
+    let of_state = values(&trace, time, &state).into_iter().filter(|(letter, _)| !letters.contains(letter));
+    let known: Vec<(Sym, Sym)> = of_state.chain(own).collect();
     let inputs = [&state[..], &[time], &inputs].concat();
     let tape = Tape::record(&inputs, &substitute_all(&all, &known))
         .map_err(|reason| NotCompiled::Undefined { reason: reason.to_string() })?;
@@ -78,6 +102,9 @@ pub(super) fn expansions(model: &Model) -> Result<Expansions, NotCompiled> {
         slopes,
         mirrored,
         kinds,
+        direct_conditions: parted.is_direct.conditions,
+        algebraic: parted.letters.len(),
+        algebraic_speeds: model.algebraic_speeds.clone(),
         events: model.events.len(),
     })
 }

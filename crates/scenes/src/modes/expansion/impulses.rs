@@ -6,7 +6,7 @@ use super::super::mode::{Case, Mode, Phase};
 use super::impact_in_space::Struck;
 use super::impact_law::{Impact, NotStruck};
 use super::letters::Quantity;
-use super::{Expansion, Expansions, Instant, Kind, ROUNDINGS, Touching, solved};
+use super::{Expansion, Expansions, Instant, Kind, ROUNDINGS, Touching};
 use field::Scalar;
 use integrators::Real;
 use model::Sides;
@@ -48,16 +48,17 @@ impl Expansions {
         slack: f64,
         sliding: impl Fn(usize) -> [f64; 2],
     ) -> bool {
-        let held = self.held(mode);
-        let reactions = self.unknown_reactions(mode);
-        let unknown: Vec<usize> = held.iter().chain(&reactions).copied().collect();
+        let mut unknown = self.held(mode);
+        unknown.extend(self.unknown_reactions(mode));
+        unknown.extend(self.algebraic());
         for _ in 0..IMPULSES {
             let clock = Jet::<1>::constant(time, 0.0);
             let parts = rounded(state);
-            let Some(Expansion { conditions, contacts, switches, .. }) = self.run(clock, &parts, mode, &[]) else {
-                return false;
-            };
+            let Some(found) = self.run((clock, &parts), mode, &[], &unknown) else { return false };
+            let Expansion { conditions, contacts, switches, hidden, .. } = found;
             let off = |&letter: &usize| match letter.checked_sub(conditions.len()) {
+                // of values that follow at once what is left is that of hidden constraints
+                _ if self.is_value(letter) => Jet::zero(),
                 None => conditions[letter],
                 Some(place) => {
                     let (contact, [along, aside]) = (&contacts[place / PARTS], sliding(place / PARTS));
@@ -69,14 +70,20 @@ impl Expansions {
                 }
             };
             let off: Vec<Jet<1>> = unknown.iter().map(off).collect();
-            if off.iter().all(|value| value.sign_of(0, slack) == 0.0) {
+            if off.iter().chain(&hidden).all(|value| value.sign_of(0, slack) == 0.0) {
                 return true;
             }
             let mut all = switches;
             all.resize(self.letters(), Jet::zero());
             let values = self.values(clock, &parts, &all, &[]);
-            let rows = self.slopes_by(&values, &vec![None; self.kinds.len()], &unknown, &unknown);
-            let Some(impulses) = solved(rows, off.into_iter().map(|value| -value).collect()) else { return false };
+            let tied = vec![None; self.kinds.len()];
+            let first = self.states + conditions.len();
+            // a combination of values that holds no unknowns is that of a hidden constraint
+            let right = |row: usize| match self.is_value(unknown[row]) {
+                true => [Jet::zero(), -values[first + unknown[row]]],
+                false => [-off[row], Jet::zero()],
+            };
+            let Some((impulses, _)) = self.solved_for((&values, &tied), &unknown, right) else { return false };
             for (impulse, added) in impulses.iter().zip(self.responses(clock, &parts, &all, &unknown)) {
                 for (part, rate) in state.iter_mut().zip(added) {
                     *part += impulse.terms[0] * rate;
@@ -221,12 +228,12 @@ impl Expansions {
         let settled = |case: &Case| if case.fixed() == Some(true) { Case::On } else { Case::Off };
         let phases = vec![Phase::Apart; self.kinds.len()];
         let mode = Mode { cases: cases.iter().map(settled).collect(), phases };
-        self.at::<1>(instant, &mode).map_or_else(Vec::new, |found| found.contacts)
+        self.as_given(instant, &mode).map_or_else(Vec::new, |found| found.contacts)
     }
 
     /// The determinant of the equations for the reactions of a mode.
     pub fn determinant(&self, Instant { time, state, .. }: &Instant<'_>, mode: &Mode) -> f64 {
-        let letters = self.unknown_reactions(mode);
+        let letters = self.inertial_reactions(mode);
         let values = self.values(Jet::constant(*time, 0.0), &rounded(state), &vec![Jet::zero(); self.letters()], &[]);
         let rows = self.slopes_by(&values, &self.tied(mode, &values), &letters, &letters);
         let matrix = DMatrix::from_fn(letters.len(), letters.len(), |row, column| rows[row][column].terms[0]);

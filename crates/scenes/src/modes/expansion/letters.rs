@@ -19,9 +19,28 @@ pub(super) enum Quantity {
 }
 
 impl Expansions {
-    /// The number of switches and reactions.
+    /// The number of switches, reactions, and algebraic speeds with their multipliers.
     pub(super) fn letters(&self) -> usize {
-        self.mirrored.len() + PARTS * self.kinds.len()
+        self.mirrored.len() + PARTS * self.kinds.len() + self.algebraic
+    }
+
+    /// The letters of algebraic speeds and of their multipliers.
+    pub(super) fn algebraic(&self) -> std::ops::Range<usize> {
+        self.letters() - self.algebraic..self.letters()
+    }
+
+    /// The number of rows: one for each letter, and where speeds are algebraic its rate.
+    pub(super) fn rows(&self) -> usize {
+        if self.algebraic == 0 { self.letters() } else { 2 * self.letters() }
+    }
+
+    /// Whether the row of a letter is a value, which follows at once from the mode, and not a rate.
+    pub(super) fn is_value(&self, letter: usize) -> bool {
+        let cases = self.mirrored.len();
+        match letter.checked_sub(cases) {
+            None => self.direct_conditions[letter],
+            Some(place) => self.kinds.get(place / PARTS).is_none_or(|kind| kind.is_direct && place % PARTS == 0),
+        }
     }
 
     /// Steps of Newton's method for unknown letters: one where the rows are linear in them. A law of g that has |g| in it is linear
@@ -49,6 +68,13 @@ impl Expansions {
         unknown(mode, |contact| self.kinds[contact].is_in_space).into_iter().map(|of| self.reaction(of)).collect()
     }
 
+    /// The same of reactions that hang on accelerations.
+    pub(super) fn inertial_reactions(&self, mode: &Mode) -> Vec<usize> {
+        let mut letters = self.unknown_reactions(mode);
+        letters.retain(|&letter| !self.is_value(letter));
+        letters
+    }
+
     /// For each normal reaction of a contact that slides, T = factor N along each tangent.
     pub(super) fn tied<const N: usize>(&self, mode: &Mode, values: &[Jet<N>]) -> Vec<Option<[Jet<N>; 2]>> {
         let of = |(contact, phase): (usize, &Phase)| {
@@ -74,7 +100,7 @@ impl Expansions {
 
     /// A quantity of a contact.
     pub(super) fn of_contact<S: Scalar>(&self, values: &[S], quantity: Quantity, contact: usize) -> S {
-        let first = self.states + self.mirrored.len() + self.letters() + self.slopes.len();
+        let first = self.states + self.mirrored.len() + self.rows() + self.slopes.len();
         values[first + quantity as usize * self.kinds.len() + contact]
     }
 
@@ -87,7 +113,7 @@ impl Expansions {
         letters: &[usize],
     ) -> Vec<Vec<S>> {
         let mut all = vec![vec![S::zero(); letters.len()]; rows.len()];
-        let first = self.states + self.mirrored.len() + self.letters();
+        let first = self.states + self.mirrored.len() + self.rows();
         for (slope, value) in self.slopes.iter().zip(&values[first..]) {
             let Some(row) = rows.iter().position(|row| *row == slope.row) else { continue };
             if let Some(column) = letters.iter().position(|letter| *letter == slope.by) {
@@ -95,8 +121,8 @@ impl Expansions {
             }
             // T moves with N
             let reaction = slope.by.checked_sub(self.mirrored.len()).filter(|place| place % PARTS > 0);
-            let factor = reaction.and_then(|place| Some((place, tied[place / PARTS]?[place % PARTS - 1])));
-            let Some((place, factor)) = factor else { continue };
+            let tied_to = |place: usize| Some((place, (*tied.get(place / PARTS)?)?[place % PARTS - 1]));
+            let Some((place, factor)) = reaction.and_then(tied_to) else { continue };
             let normal = self.mirrored.len() + place - place % PARTS;
             if let Some(column) = letters.iter().position(|letter| *letter == normal) {
                 all[row][column] += *value * factor;

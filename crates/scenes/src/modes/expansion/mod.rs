@@ -14,6 +14,7 @@ mod parts;
 mod trials;
 
 pub(super) use elimination::solved;
+use elimination::{Row, with_hidden};
 pub(super) use impact_law::NotStruck;
 pub(super) use letters::direction;
 pub(super) use parts::Slopes;
@@ -52,6 +53,11 @@ pub(super) struct Expansions {
     slopes: Vec<Slope>,
     pub mirrored: Vec<Option<Mirrored>>,
     pub kinds: Vec<Kind>,
+    /// Whether the value of each condition follows at once from the mode, since it holds an algebraic speed.
+    pub direct_conditions: Vec<bool>,
+    /// The number of algebraic speeds, with the multipliers of their constraints; the speeds, which stand first.
+    algebraic: usize,
+    algebraic_speeds: Vec<usize>,
     events: usize,
 }
 
@@ -67,6 +73,8 @@ pub(super) struct Kind {
     pub is_one_way: bool,
     /// Whether it slides in two directions.
     pub is_in_space: bool,
+    /// Whether this speed follows at once from the mode.
+    pub is_direct: bool,
 }
 
 /// The slope of a row by a letter, and the letters that change it.
@@ -112,6 +120,10 @@ pub(super) struct Expansion<const N: usize> {
     pub events: Vec<Jet<N>>,
     /// Slopes of the rates of conditions by switches, with the reactions that follow.
     pub slopes: Slopes<N>,
+    /// Constraints that the mode hides: of positions, or of speeds with inertia.
+    pub hidden: Vec<Jet<N>>,
+    /// Whether the value of each condition follows at once from the mode.
+    pub is_direct: Vec<bool>,
 }
 
 impl<const N: usize> Expansion<N> {
@@ -130,6 +142,23 @@ impl Expansions {
 
     /// The motion in a mode; none where a condition cannot be held.
     pub fn at<const N: usize>(&self, instant: &Instant<'_>, mode: &Mode) -> Option<Expansion<N>> {
+        let mut unknown = self.held(mode);
+        unknown.extend(self.unknown_reactions(mode));
+        unknown.extend(self.algebraic());
+        self.with_unknown(instant, mode, &unknown)
+    }
+
+    /// Values at a state as it is given, with its algebraic speeds, where no reaction acts.
+    pub fn as_given(&self, instant: &Instant<'_>, mode: &Mode) -> Option<Expansion<1>> {
+        self.with_unknown(instant, mode, &[])
+    }
+
+    fn with_unknown<const N: usize>(
+        &self,
+        instant: &Instant<'_>,
+        mode: &Mode,
+        unknown: &[usize],
+    ) -> Option<Expansion<N>> {
         let Instant { time, state, late } = *instant;
         let mut clock = Jet::<N>::constant(time, ROUNDINGS * ROUNDING * time.abs() + late);
         if N > 1 {
@@ -141,7 +170,7 @@ impl Expansions {
         let mut letters: Vec<f64> = mode.cases.iter().map(value).collect();
         letters.resize(self.letters(), 0.0);
         let confirmed = self.confirmed(time, state, &letters);
-        let first = self.run(clock, &moved, mode, &confirmed)?;
+        let first = self.run((clock, &moved), mode, &confirmed, unknown)?;
         // errors of rates add up from the start on; a run whose digits are fewer than these is not decided by its roundings
         let known = DIGITS * first.rates.iter().map(|rate| rate.terms[0].abs()).fold(0.0, f64::max);
         for (part, rate) in moved.iter_mut().zip(&first.rates) {
@@ -151,10 +180,10 @@ impl Expansions {
             part.doubts[0] += if moved.is_finite() { moved } else { 0.0 };
         }
         for order in 0..N - 1 {
-            let found = self.run(clock, &moved, mode, &confirmed)?;
+            let found = self.run((clock, &moved), mode, &confirmed, unknown)?;
             moved.iter_mut().zip(&found.rates).for_each(|(part, rate)| part.follow(rate, order));
         }
-        self.run(clock, &moved, mode, &confirmed)
+        self.run((clock, &moved), mode, &confirmed, unknown)
     }
 
     /// Gives mirrored conditions the cases that follow from those of others.
@@ -172,13 +201,14 @@ impl Expansions {
         }
     }
 
-    /// The motion from a state; `confirmed` has the parts of the bounds of errors that count.
+    /// The motion from a time and a state; `confirmed` has the parts of the bounds of errors that count. Letters that are unknown are solved
+    /// for.
     fn run<const N: usize>(
         &self,
-        time: Jet<N>,
-        state: &[Jet<N>],
+        (time, state): (Jet<N>, &[Jet<N>]),
         mode: &Mode,
         confirmed: &[f64],
+        unknown: &[usize],
     ) -> Option<Expansion<N>> {
         let value = |case: &Case| match case {
             Case::Shared => Jet::constant(0.5, 0.0),
@@ -188,16 +218,26 @@ impl Expansions {
         let cases = mode.cases.len();
         let mut letters: Vec<Jet<N>> = mode.cases.iter().map(value).collect();
         letters.resize(self.letters(), Jet::zero());
-        let reactions = self.unknown_reactions(mode);
-        let unknown: Vec<usize> = self.held(mode).into_iter().chain(reactions.iter().copied()).collect();
+        if unknown.is_empty() {
+            for (letter, speed) in self.algebraic().zip(&self.algebraic_speeds) {
+                letters[letter] = state[self.positions + speed];
+            }
+        }
+        let mut hidden = Vec::new();
         let mut values = self.values(time, state, &letters, confirmed);
         let tied = self.tied(mode, &values);
         if !unknown.is_empty() {
             let first = self.states + cases;
-            for _ in 0..self.rounds(&unknown) {
-                let rows = self.slopes_by(&values, &tied, &unknown, &unknown);
-                let right = unknown.iter().map(|&letter| -values[first + letter]).collect();
-                for (&letter, change) in unknown.iter().zip(solved(rows, right)?) {
+            for _ in 0..self.rounds(unknown) {
+                let row_of = |letter: usize| -values[first + letter];
+                let right = |row: usize| {
+                    let rate =
+                        if self.is_value(unknown[row]) { row_of(self.letters() + unknown[row]) } else { Jet::zero() };
+                    [row_of(unknown[row]), rate]
+                };
+                let (changes, left) = self.solved_for((&values, &tied), unknown, right)?;
+                hidden = left;
+                for (&letter, change) in unknown.iter().zip(changes) {
                     letters[letter] += change;
                 }
                 for (contact, factor) in tied.iter().enumerate() {
@@ -208,7 +248,8 @@ impl Expansions {
                 values = self.values(time, state, &letters, confirmed);
             }
         }
-        let slopes = self.slopes_of(cases, &values, &tied, &reactions)?;
+        let following: Vec<usize> = unknown.iter().copied().filter(|letter| *letter >= cases).collect();
+        let slopes = self.slopes_of(cases, &values, &tied, &following)?;
         let touching = |contact: usize| Touching {
             gap: self.of_contact(&values, Quantity::Gap, contact),
             gap_rate: self.of_contact(&values, Quantity::GapRate, contact),
@@ -234,7 +275,38 @@ impl Expansions {
         let events = values.split_off(values.len() - self.events);
         let conditions = values[self.states..][..cases].to_vec();
         values.truncate(self.states);
-        Some(Expansion { rates: values, conditions, switches, parts, contacts, events, slopes })
+        Some(Expansion {
+            rates: values,
+            conditions,
+            switches,
+            parts,
+            contacts,
+            events,
+            slopes,
+            hidden,
+            is_direct: self.direct_conditions.clone(),
+        })
+    }
+
+    /// The values of unknown letters that take their rows to the right sides, each with that of its rate; and hidden constraints.
+    fn solved_for<const N: usize>(
+        &self,
+        (values, tied): (&[Jet<N>], &[Option<[Jet<N>; 2]>]),
+        unknown: &[usize],
+        right: impl Fn(usize) -> [Jet<N>; 2],
+    ) -> Option<(Vec<Jet<N>>, Vec<Jet<N>>)> {
+        let slopes = self.slopes_by(values, tied, unknown, unknown);
+        if self.algebraic == 0 {
+            let right = (0..unknown.len()).map(|row| right(row)[0]).collect();
+            return Some((solved(slopes, right)?, Vec::new()));
+        }
+        let rates: Vec<usize> = unknown.iter().map(|letter| self.letters() + letter).collect();
+        let of_rates = self.slopes_by(values, tied, &rates, unknown);
+        let row = |(place, (slopes, of_rate)): (usize, (Vec<Jet<N>>, Vec<Jet<N>>))| {
+            let [right, right_of_rate] = right(place);
+            Row { slopes, right, rate: self.is_value(unknown[place]).then_some((of_rate, right_of_rate)) }
+        };
+        with_hidden(&slopes.into_iter().zip(of_rates).enumerate().map(row).collect::<Vec<_>>())
     }
 
     fn values<const N: usize>(

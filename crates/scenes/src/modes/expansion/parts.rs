@@ -26,12 +26,13 @@ impl Expansions {
         if reactions.is_empty() || cases == 0 {
             return Some(slopes);
         }
-        let own = self.slopes_by(values, tied, reactions, reactions);
         let moved = self.slopes_by(values, tied, reactions, &switches);
         let back = self.slopes_by(values, tied, &switches, reactions);
+        let rates: Vec<usize> = reactions.iter().map(|letter| self.letters() + letter).collect();
+        let moved_rates = self.slopes_by(values, tied, &rates, &switches);
         for switch in 0..cases {
-            let right = moved.iter().map(|row| -row[switch]).collect();
-            let changes = solved(own.clone(), right)?;
+            let right = |row: usize| [-moved[row][switch], -moved_rates[row][switch]];
+            let changes = self.solved_for((values, tied), reactions, right)?.0;
             for (row, back) in slopes.iter_mut().zip(&back) {
                 let through = back.iter().zip(&changes).map(|(slope, change)| *slope * *change);
                 row[switch] = through.fold(row[switch], |sum, term| sum + term);

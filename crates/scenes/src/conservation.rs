@@ -1,0 +1,42 @@
+//! Whether a model keeps its energy.
+
+use crate::compiled_system::changes;
+use model::equations::{Equation, Equations, Level, vanishes};
+use model::{Model, Trace};
+use symbolic::Sym;
+
+/// Whether nothing but weights and a given potential acts, only positions are held, and nothing knows the time.
+pub(crate) fn conserves(model: &Model) -> bool {
+    let acts = !(model.forces.is_empty() && model.torques.is_empty() && model.generalised.is_empty())
+        || model.energies.dissipation.is_some()
+        || model.energies.coenergy.is_some();
+    if changes(model) {
+        return false;
+    }
+    if acts || model.gravity.is_some() && Trace::of(model).uniform_gravity().is_none() {
+        return false;
+    }
+    let trace = Trace::of(model);
+    let equations = Equations::of(&trace);
+    if !trace.solid().is_empty() {
+        return false;
+    }
+    let held = equations.constraints.iter();
+    let knows_time = |scalar: &Sym| scalar.symbols_of().contains(&trace.time);
+    // reactions do no work where every constraint is homogeneous in the speeds
+    let at_rest: Vec<(Sym, Sym)> = trace.speeds.iter().map(|&speed| (speed, Sym::ZERO)).collect();
+    let is_linear = |one: &Equation| {
+        let moves = one.row.iter().any(|slope| slope.symbols_of().iter().any(|symbol| trace.speeds.contains(symbol)));
+        one.level == Level::Position || !moves && one.zero.substitute(&at_rest) == Sym::ZERO
+    };
+    let do_no_work = held.clone().all(|one| one.gains.is_none() && !knows_time(&one.zero) && is_linear(one));
+    // a system that is driven at a speed of its own moves where its coordinates rest
+    let driven = trace.kinetic_energy().substitute(&at_rest);
+    let is_driven = driven != Sym::ZERO && !vanishes(driven);
+    // a given energy may be linear in the speeds too: then T + V is not the energy that is kept
+    let is_quadratic = model.energies.kinetic.is_none() || trace.has_quadratic_kinetic_energy();
+    do_no_work
+        && !is_driven
+        && is_quadratic
+        && ![trace.kinetic_energy(), trace.potential_energy()].iter().any(knows_time)
+}
