@@ -8,7 +8,7 @@ use std::sync::Arc;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Sets {
     Nothing,
-    /// The same, of an expression that passes zero in a direction that does not count.
+    /// The same, of an expression that passes zero in a direction that does not count, or of diodes that block on with other shares.
     Unseen,
     /// An event of the model sets coordinates and speeds.
     Event(usize),

@@ -207,7 +207,8 @@ impl Candidates {
             expansions.mirror(&mut candidate);
             for candidate in directed(expansions, instant, candidate, open) {
                 let Some(sifted) = expansions.at::<FEW>(instant, &candidate) else {
-                    candidates.not_held = true;
+                    // where speeds are algebraic a mode may leave some of them open, and another one holds
+                    candidates.not_held |= !expansions.has_algebraic();
                     continue;
                 };
                 if is_possible(&sifted, &candidate, open, widest)

@@ -113,7 +113,7 @@ impl Modes {
         if before.glides.iter().flatten().next().is_none() {
             return;
         }
-        let contacts = expansions.contacts(&Instant { time, state, late: 0.0 }, &before.moded.system.mode.cases);
+        let contacts = expansions.contacts(&Instant::at(time, state), &before.moded.system.mode.cases);
         for ((touch, glide), contact) in touches.iter_mut().zip(&before.glides).zip(&contacts) {
             if matches!(touch, Touch::Slides { .. }) && glide.is_some_and(|glide| glide.is_over(contact)) {
                 *touch = Touch::Rest;

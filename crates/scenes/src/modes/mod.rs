@@ -6,13 +6,13 @@ mod contacts;
 mod course;
 mod critical_friction;
 mod decision;
+mod event_error;
 mod exact;
 mod expansion;
 mod glides;
 mod headings;
 mod held;
 mod jet;
-mod lateness;
 mod mode;
 mod motion;
 mod multiples;
@@ -202,7 +202,7 @@ impl Modes {
             }
         }
         let expansions = self.laws.expansions().map_err(Refused::Law)?;
-        let instant = Instant { time: 0.0, state, late: 0.0 };
+        let instant = Instant::at(0.0, state);
         if let Ok(cases) = self.cases_next(&instant)
             && let Some(unfit) = Unfit::first(expansions, &instant, &cases)
         {
@@ -221,6 +221,16 @@ impl Modes {
     /// The first condition that the law in which the run is keeps at zero.
     pub fn held_condition(&self) -> Option<usize> {
         self.current()?.mode.cases.iter().position(|case| case.rests())
+    }
+
+    /// Whether nothing changes but the share of each of several diodes in the voltage that they block together.
+    fn only_shares(&self, before: &Current, after: &Current) -> bool {
+        let [before, after] = [before, after].map(|current| &current.moded.system.mode);
+        let kinds = &self.laws.model.contacts;
+        let mut phases = before.phases.iter().zip(&after.phases).zip(kinds);
+        let blocks = |phase: &Phase| *phase != Phase::Apart;
+        before.cases == after.cases
+            && phases.all(|((now, then), kind)| now == then || kind.one_way.is_some() && blocks(now) && blocks(then))
     }
 
     fn enter(&self, current: Current) -> Segment {
@@ -250,6 +260,10 @@ impl Switching for Modes {
         let rest = self.rest_of_a_glide(&before, event, state);
         match self.after(&before, event, state)? {
             After::Unchanged(current) => {
+                self.follow(crossing(Sets::Unseen), &current);
+                Ok(Some(self.enter(current)))
+            }
+            After::Changed(current, Sets::Nothing) if self.only_shares(&before, &current) => {
                 self.follow(crossing(Sets::Unseen), &current);
                 Ok(Some(self.enter(current)))
             }

@@ -2,10 +2,10 @@
 
 use super::course::Sets;
 use super::decision::{Decided, Open, SLACKS, TERMS, beyond, decided};
+use super::event_error::late;
 use super::expansion::{Expansion, Instant, Touching};
 use super::glides::Glide;
 use super::jet::Jet;
-use super::lateness::late;
 use super::mode::{Case, Mode, Phase};
 use super::sides::{Past, Side, side};
 use super::signals::Fall;
@@ -20,6 +20,8 @@ use model::Direction;
 const NO_LAW: &str =
     "no law holds after a condition changes: it would have to be kept at zero, and nothing keeps it there";
 const NONE: &str = "no case of its conditions and contacts agrees with the motion that it gives";
+const NONE_AT_ONCE: &str = "no case of its conditions and diodes agrees with the speeds that it gives: a force or a voltage that meets neither \
+                            inertia nor resistance would move a coordinate at once";
 const SEVERAL: &str = "several motions go on from here, each by another case of its conditions or contacts";
 pub(super) const TOGETHER: &str = "several contacts in space are in touch, and no motion is found in which one alone begins to slide: directions of several are not sought yet";
 const TOO_MANY: &str =
@@ -46,13 +48,13 @@ impl Modes {
     /// The first condition that is at zero.
     pub(super) fn at_zero(&self, time: f64, state: &[f64]) -> Option<usize> {
         let off = Mode::off(&self.laws.model);
-        let found = self.laws.expansions().ok()?.as_given(&Instant { time, state, late: 0.0 }, &off)?;
+        let found = self.laws.expansions().ok()?.as_given(&Instant::at(time, state), &off)?;
         found.conditions.iter().position(|condition| condition.sign_of(0, SLACK) == 0.0)
     }
 
     /// The mode at a state that no mode has led to.
     pub(super) fn begun(&self, time: f64, state: &[f64]) -> Result<Current, &'static str> {
-        let instant = Instant { time, state, late: 0.0 };
+        let instant = Instant::at(time, state);
         let cases = self.cases_next(&instant)?;
         let touches = self.touches(time, state, &cases)?;
         self.at(&instant, (&[], &touches), |_| Past::None)
@@ -133,11 +135,15 @@ impl Modes {
         let mut mode = before.moded.system.mode.clone();
         let mut fall = before.moded.signals.falls[event.signal];
         expansions.return_to_zero(event.time, state, &mode, SLACK);
-        let exact = Instant { time: event.time, state, late: 0.0 };
+        let exact = Instant::at(event.time, state);
         // a contact that has slowed down in space has a direction, and reactions, to few digits, on which nothing here depends
         let seen = if fall.is_of_a_glide() { mode.clone().without_glides() } else { mode.clone() };
         let Some(known) = expansions.at::<TERMS>(&exact, &seen) else { return Err(NO_LAW) };
         let late = late(before, &known, event);
+        let rates: Vec<f64> = match expansions.has_algebraic() {
+            true => known.rates.iter().map(|rate| rate.terms[0]).collect(),
+            false => Vec::new(),
+        };
         let is_near = |found: &Expansion<TERMS>, switch: usize| {
             let condition = &found.conditions[switch];
             condition.terms[0].abs() <= before.near[switch].max(SLACK * condition.doubts[0])
@@ -187,9 +193,7 @@ impl Modes {
             _ => late,
         };
         let jumped = match fall {
-            Fall::Passes { switch } => {
-                self.jumped(&Instant { time: event.time, state, late: 0.0 }, &mut mode, &known, switch)?
-            }
+            Fall::Passes { switch } => self.jumped(&Instant::at(event.time, state), &mut mode, &known, switch)?,
             _ => Vec::new(),
         };
         held.retain(|switch| !jumped.contains(switch));
@@ -200,12 +204,12 @@ impl Modes {
         };
         let open: Vec<usize> = (0..mode.cases.len()).filter(own).filter(is_open).collect();
         expansions.mirror(&mut mode);
-        let instant = Instant { time: event.time, state, late };
+        let instant = Instant { late, before: &rates, ..Instant::at(event.time, state) };
         let current = self.settled(&instant, &mode, Open { switches: &open, touches: &touches }, keeps);
         let current = match current {
             Ok(current) => current,
             // there it is a rounding which condition fails first
-            Err(NONE | SEVERAL) if self.jams(before, event.time, state) => return Err(JAMS),
+            Err(NONE | NONE_AT_ONCE | SEVERAL) if self.jams(before, event.time, state) => return Err(JAMS),
             Err(why) => return Err(why),
         };
         // what sticks now does so at zero
@@ -222,7 +226,7 @@ impl Modes {
     /// Whether the determinant of the equations for the reactions has gone to zero since the law began.
     pub(super) fn jams(&self, current: &Current, time: f64, state: &[f64]) -> bool {
         let mode = &current.moded.system.mode;
-        let instant = Instant { time, state, late: 0.0 };
+        let instant = Instant::at(time, state);
         mode.phases.iter().any(|phase| phase.has_friction())
             && self.laws.expansions().is_ok_and(|expansions| {
                 expansions.determinant(&instant, mode) * current.determinant.signum()
@@ -277,7 +281,7 @@ impl Modes {
         }
         state.copy_from_slice(&set);
         let expansions = self.laws.expansions().map_err(refused)?;
-        let instant = Instant { time: event.time, state, late };
+        let instant = Instant { late, ..Instant::at(event.time, state) };
         // what was held, and is where it was, may be held still
         let now = expansions.as_given(&instant, &Mode::off(&self.laws.model));
         let stays = |switch: &usize| {
@@ -314,7 +318,13 @@ impl Modes {
         let expansions = self.laws.expansions().map_err(refused)?;
         let (mode, expansion, slack) = match decided(expansions, instant, mode, open) {
             Decided::One { mode, expansion, slack } => (mode, expansion, slack),
-            Decided::None { not_held } => return Err(if not_held { NO_LAW } else { NONE }),
+            Decided::None { not_held } => {
+                return Err(match not_held {
+                    true => NO_LAW,
+                    false if expansions.has_algebraic() => NONE_AT_ONCE,
+                    false => NONE,
+                });
+            }
             Decided::Several => return Err(SEVERAL),
             Decided::TooMany => return Err(TOO_MANY),
             Decided::RestTogether => return Err(TOGETHER),

@@ -70,7 +70,7 @@ impl Modes {
     /// Where there is no law, or a contact cannot be at the state.
     pub fn regimes(&self, time: f64, state: &[f64]) -> Result<Regimes, Refused> {
         let expansions = self.laws.expansions().map_err(Refused::Law)?;
-        let instant = Instant { time, state, late: 0.0 };
+        let instant = Instant::at(time, state);
         let refused = |why| Refused::Motion { why, switch: self.at_zero(time, state) };
         let cases = self.cases_next(&instant).map_err(refused)?;
         if let Some(unfit) = Unfit::first(expansions, &instant, &cases) {

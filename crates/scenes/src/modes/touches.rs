@@ -28,7 +28,7 @@ impl Modes {
     /// What the contacts do at a state that is given.
     pub(super) fn touches(&self, time: f64, state: &[f64], cases: &[Case]) -> Result<Vec<Touch>, &'static str> {
         let expansions = self.laws.expansions().map_err(refused)?;
-        let instant = Instant { time, state, late: 0.0 };
+        let instant = Instant::at(time, state);
         if let Some(Unfit { why, .. }) = Unfit::first(expansions, &instant, cases) {
             return Err(why);
         }
@@ -71,7 +71,7 @@ impl Modes {
             _ => None,
         };
         let known = match fall {
-            Fall::Passes { .. } => expansions.contacts(&Instant { time, state, late: 0.0 }, before),
+            Fall::Passes { .. } => expansions.contacts(&Instant::at(time, state), before),
             _ => Vec::new(),
         };
         let mut opened = Vec::new();
@@ -89,7 +89,7 @@ impl Modes {
         }
         if let Some(contact) = closing
             && !expansions.kinds[contact].is_one_way
-            && approaches(&expansions.contacts(&Instant { time, state, late }, &mode.cases)[contact])
+            && approaches(&expansions.contacts(&Instant { late, ..Instant::at(time, state) }, &mode.cases)[contact])
         {
             let in_touch: Vec<usize> = (0..phases.len()).filter(|&other| phases[other] != Phase::Apart).collect();
             opened = expansions.struck(time, state, (contact, &mode.cases), &in_touch).map_err(|why| match why {
@@ -100,7 +100,7 @@ impl Modes {
                 NotStruck::Friction => NEGATIVE,
                 NotStruck::Turns => TURNS,
             })?;
-            let after = expansions.contacts(&Instant { time, state, late }, &mode.cases);
+            let after = expansions.contacts(&Instant { late, ..Instant::at(time, state) }, &mode.cases);
             let turned =
                 |(kind, contact): (&Kind, &Touching<1>)| kind.is_one_way && !kind.is_direct && approaches(contact);
             if expansions.kinds.iter().zip(&after).any(turned) {
@@ -145,7 +145,7 @@ impl Modes {
                 _ => Touch::Slides { forwards },
             },
         };
-        let contacts = expansions.contacts(&Instant { time, state, late }, &mode.cases);
+        let contacts = expansions.contacts(&Instant { late, ..Instant::at(time, state) }, &mode.cases);
         Ok((contacts.into_iter().zip(phases).enumerate().map(of).collect(), sets))
     }
 
@@ -153,7 +153,7 @@ impl Modes {
     fn bounces_end(&self, mode: &Mode, contact: usize, time: f64, state: &[f64]) -> Result<bool, &'static str> {
         let expansions = self.laws.expansions().map_err(refused)?;
         let [_, restitution] = expansions.coefficients(time, state, (contact, &mode.cases));
-        let found = expansions.at::<2>(&Instant { time, state, late: 0.0 }, mode);
+        let found = expansions.at::<2>(&Instant::at(time, state), mode);
         let Some(Touching { gap, gap_rate, .. }) = found.map(|found| found.contacts[contact]) else { return Ok(false) };
         let [rate, acceleration] = gap_rate.terms;
         // the flights take 2 v/a, e times that, and so on; the first one is v^2/(2 a) high
@@ -175,7 +175,7 @@ impl Modes {
         let stays = |now: &Jet<1>, before: &Jet<TERMS>| {
             (now.terms[0] - before.terms[0]).abs() <= SLACK * (now.doubts[0] + before.doubts[0])
         };
-        let now = expansions.contacts(&Instant { time, state, late: 0.0 }, cases);
+        let now = expansions.contacts(&Instant::at(time, state), cases);
         let all = now.iter().zip(before).zip(phases).zip(&expansions.kinds);
         let kept = all.map(|(((now, before), phase), kind)| {
             let stays = stays(&now.gap, &before.gap) && stays(&now.gap_rate, &before.gap_rate);

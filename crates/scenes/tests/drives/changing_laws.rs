@@ -1,7 +1,8 @@
 //! Laws without inertia that change: switched circuits without inductances, and points without mass behind dry friction, beside closed
 //! forms.
 
-use super::{close, last, runs};
+use super::one_ways::root;
+use super::{close, last, runs, stored};
 use derivations::scene::Trajectory;
 use scenes::ModelScene;
 
@@ -117,6 +118,23 @@ fn a_bridge_with_a_resistor_gives_the_size_of_its_voltage() {
         close(row[load], (325.0 * (314.159_265_358_979_3 * time).sin()).abs(), 1e-9);
     }
     assert_eq!(times(&trajectory).len(), 3);
+}
+
+/// C u' = i - u/R with Rs i = U sin wt - u from u = 0 on, until i is zero; the voltages that the diodes share are no events.
+#[test]
+fn a_bridge_charges_a_capacitor_until_its_current_is_spent() {
+    let trajectory = runs(&stored("bridge_rectifier"));
+    let (u, w, rs, r, c) = (325.0, 314.159_26_f64, 0.5, 100.0, 1e-3);
+    let rate = 1.0 / (c * rs) + 1.0 / (c * r);
+    let charged = |t: f64| {
+        let (sin, cos) = (w * t).sin_cos();
+        u / (c * rs) / (rate * rate + w * w) * (rate * sin - w * cos + w * (-rate * t).exp())
+    };
+    let end = root(4e-3, 9e-3, |t| u * (w * t).sin() - charged(t));
+    close(times(&trajectory)[0], end, 1e-13);
+    let begin = root(1e-2, 1.5e-2, |t| -u * (w * t).sin() - charged(end) * (-(t - end) / (r * c)).exp());
+    close(times(&trajectory)[1], begin, 1e-12);
+    assert_eq!(times(&trajectory).len(), 9, "{:?}", trajectory.passages);
 }
 
 /// The line's inductance ends each conduction interval where its current is spent; the voltage is that of one diode behind |U sin wt|.

@@ -9,7 +9,7 @@ const HALF_WAVE: &str = "title = \"half wave\"\n[parameters]\nL = \"0.1 H\"\nR =
                          [outputs]\nblocked = \"reaction(D)\"\n[run]\nspan = \"0.02 s\"\n";
 
 /// The root of a function that changes its sign once.
-fn root(mut low: f64, mut high: f64, of: impl Fn(f64) -> f64) -> f64 {
+pub(super) fn root(mut low: f64, mut high: f64, of: impl Fn(f64) -> f64) -> f64 {
     for _ in 0..200 {
         let middle = 0.5 * (low + high);
         if (of(low) > 0.0) == (of(middle) > 0.0) { low = middle } else { high = middle }

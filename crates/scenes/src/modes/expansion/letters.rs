@@ -24,6 +24,11 @@ impl Expansions {
         self.mirrored.len() + PARTS * self.kinds.len() + self.algebraic
     }
 
+    /// Whether speeds are algebraic.
+    pub fn has_algebraic(&self) -> bool {
+        self.algebraic > 0
+    }
+
     /// The letters of algebraic speeds and of their multipliers.
     pub(super) fn algebraic(&self) -> std::ops::Range<usize> {
         self.letters() - self.algebraic..self.letters()
@@ -31,7 +36,7 @@ impl Expansions {
 
     /// The number of rows: one for each letter, and where speeds are algebraic its rate.
     pub(super) fn rows(&self) -> usize {
-        if self.algebraic == 0 { self.letters() } else { 2 * self.letters() }
+        if self.has_algebraic() { 2 * self.letters() } else { self.letters() }
     }
 
     /// Whether the row of a letter is a value, which follows at once from the mode, and not a rate.

@@ -106,6 +106,16 @@ pub(super) struct Instant<'a> {
     pub state: &'a [f64],
     /// The error of the time of the event that led here.
     pub late: f64,
+    /// Rates of the state before it, which tell the error of the state: in a mode that holds a speed they are zero. None of a system
+    /// without algebraic speeds, in which what is held is set to zero.
+    pub before: &'a [f64],
+}
+
+impl<'a> Instant<'a> {
+    /// One that is known exactly.
+    pub fn at(time: f64, state: &'a [f64]) -> Self {
+        Instant { time, state, late: 0.0, before: &[] }
+    }
 }
 
 /// Quantities along the motion from an instant on.
@@ -159,7 +169,7 @@ impl Expansions {
         mode: &Mode,
         unknown: &[usize],
     ) -> Option<Expansion<N>> {
-        let Instant { time, state, late } = *instant;
+        let Instant { time, state, late, before } = *instant;
         let mut clock = Jet::<N>::constant(time, ROUNDINGS * ROUNDING * time.abs() + late);
         if N > 1 {
             clock.terms[1] = 1.0;
@@ -173,9 +183,10 @@ impl Expansions {
         let first = self.run((clock, &moved), mode, &confirmed, unknown)?;
         // errors of rates add up from the start on; a run whose digits are fewer than these is not decided by its roundings
         let known = DIGITS * first.rates.iter().map(|rate| rate.terms[0].abs()).fold(0.0, f64::max);
-        for (part, rate) in moved.iter_mut().zip(&first.rates) {
+        let before = before.iter().copied().chain(std::iter::repeat(0.0));
+        for ((part, rate), before) in moved.iter_mut().zip(&first.rates).zip(before) {
             let own = (rate.doubts[0] + ROUNDINGS * ROUNDING * rate.terms[0].abs()).min(known);
-            let moved = time.abs() * own + late * rate.terms[0].abs();
+            let moved = time.abs() * own + late * rate.terms[0].abs().max(before.abs());
             // in a case that does not hold an exponential may be beyond all numbers
             part.doubts[0] += if moved.is_finite() { moved } else { 0.0 };
         }

@@ -1,4 +1,4 @@
-//! The error of the time at which a run finds an event.
+//! The error of the time of an event.
 
 use super::Current;
 use super::decision::TERMS;
