@@ -187,6 +187,10 @@ impl CompiledSystem {
         })
     }
 
+    pub(crate) fn model(&self) -> &Model {
+        &self.model
+    }
+
     /// As every method runs it: with series and derivatives where it asks for them.
     pub fn law(self: &Arc<Self>) -> Arc<dyn Law> {
         match &self.rates {

@@ -3,12 +3,16 @@
 use super::Current;
 use super::decision::TERMS;
 use super::expansion::Expansion;
-use super::jet::Jet;
+use super::jet::{Jet, ROUNDING};
 use super::mode::Case;
 use super::passage::SLACK;
 use super::signals::Fall;
 use super::touch::margins;
 use integrators::{Event, Happening};
+
+/// The bound of this error, in roundings of the time, where speeds are algebraic: a signal that decays to zero as an exponential is there by
+/// rounding, with a rate that is as small, and nothing is late.
+const LOCATED: f64 = 64.0;
 
 /// The error of the time of a fall, by what is left of its signal.
 pub(super) fn late(before: &Current, known: &Expansion<TERMS>, event: &Event) -> f64 {
@@ -41,5 +45,7 @@ pub(super) fn late(before: &Current, known: &Expansion<TERMS>, event: &Event) ->
         Fall::Event { event } => (known.events[event], before.sides[event].sign * before.near_events[event]),
     };
     let is_passed = event.what == Happening::Falls && signal.sign_of(1, SLACK).abs() == 1.0;
-    if is_passed { 2.0 * ((signal.terms[0] + near) / signal.terms[1]).abs() } else { 0.0 }
+    let late = if is_passed { 2.0 * ((signal.terms[0] + near) / signal.terms[1]).abs() } else { 0.0 };
+    let has_algebraic = !before.moded.system.model().algebraic_speeds.is_empty();
+    if has_algebraic { late.min(LOCATED * ROUNDING * event.time.abs()) } else { late }
 }

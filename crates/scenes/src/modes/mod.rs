@@ -34,6 +34,7 @@ pub use mode::{Case, Face, Mode, Phase};
 pub(crate) use motion::Motion;
 
 use crate::compiled_system::{CompiledSystem, NotCompiled, changes};
+use crate::start::KeptConstraints;
 use course::{Crossing, Leg, Sets};
 use derivations::scene::problem::Law;
 use derivations::scene::switching::{Passage, Segment, Switching};
@@ -56,6 +57,8 @@ pub struct Laws {
     known: Mutex<HashMap<Mode, Made>>,
     /// Made when a mode is first decided.
     expansions: OnceLock<Result<Expansions, NotCompiled>>,
+    /// Made when an event first sets a state.
+    kept: OnceLock<KeptConstraints>,
     words: Words,
 }
 
@@ -125,11 +128,13 @@ struct Moded {
 /// Why there is none.
 pub(crate) fn described(model: &Model) -> Result<String, NotCompiled> {
     let expansions = Expansions::of(model)?;
-    let signals = Signals::of(model, &Mode::off(model))?;
-    Ok(format!(
-        "{expansions:?} {signals:?} {:?}",
-        model.events.iter().map(|event| (event.direction, event.ends)).collect::<Vec<_>>()
-    ))
+    let events = model.events.iter().map(|event| (event.direction, event.ends)).collect::<Vec<_>>();
+    // where speeds are algebraic, a mode in which no run is may have no law
+    let sets = match model.algebraic_speeds.is_empty() {
+        true => format!("{:?}", Signals::of(model, &Mode::off(model))?),
+        false => format!("{:?}", signals::sets(model)),
+    };
+    Ok(format!("{expansions:?} {sets} {events:?}"))
 }
 
 impl Laws {
@@ -148,6 +153,10 @@ impl Laws {
         made.clone()
     }
 
+    fn kept(&self) -> &KeptConstraints {
+        self.kept.get_or_init(|| KeptConstraints::of(&self.model))
+    }
+
     fn expansions(&self) -> Result<&Expansions, NotCompiled> {
         self.expansions.get_or_init(|| Expansions::of(&self.model)).as_ref().map_err(Clone::clone)
     }
@@ -160,6 +169,7 @@ impl Modes {
             model: Arc::clone(model),
             known: Mutex::default(),
             expansions: OnceLock::new(),
+            kept: OnceLock::new(),
             words: Words::of(model, events, condition_lines),
         }))
     }

@@ -3,7 +3,7 @@
 use super::course::Sets;
 use super::decision::{Decided, Open, SLACKS, TERMS, beyond, decided};
 use super::event_error::late;
-use super::expansion::{Expansion, Instant, Touching};
+use super::expansion::{Expansion, Instant, Kind, Touching};
 use super::glides::Glide;
 use super::jet::Jet;
 use super::mode::{Case, Mode, Phase};
@@ -13,7 +13,6 @@ use super::touch::{Touch, margins};
 use super::touches::NEGATIVE;
 use super::{Current, Modes};
 use crate::compiled_system::NotCompiled;
-use crate::start::{broken, follow};
 use integrators::{Event, Happening};
 use model::Direction;
 
@@ -266,15 +265,14 @@ impl Modes {
             return with_side(side(&known.events[number], Past::Passed(from), SLACK));
         }
         let mut set = before.moded.signals.set_by(number, event.time, state, &before.glide_letters());
-        if !self.laws.model.events[number].ends {
-            follow(&self.laws.model, event.time, &mut set);
-        }
         if self.laws.model.events[number].ends {
             state.copy_from_slice(&set);
             return Ok(After::Ended);
         }
+        let kept = self.laws.kept();
+        kept.follow(event.time, &mut set);
         // the state before the event stays the last good one
-        if let Some(broken) = broken(&self.laws.model, event.time, &set) {
+        if let Some(broken) = kept.broken(event.time, &set) {
             let name = self.laws.words.fall(Fall::Event { event: number });
             self.tell(event.time, format!("after {name} {broken}, which must be zero"), None);
             return Err(BROKEN);
@@ -336,11 +334,14 @@ impl Modes {
             let rounding = (slack * condition.doubts[0]).max(condition.hidden(slack));
             if open.switches.contains(&switch) { (2.0 * beyond).max(rounding) } else { 0.0 }
         };
-        let near_contact = |(phase, contact): (&Phase, &Touching<TERMS>)| {
+        // what follows at once may leave zero more slowly than the terms of which it is the sum
+        let left =
+            |jet: &Jet<TERMS>, is_direct: bool| rounding(jet).max(if is_direct { jet.hidden(slack) } else { 0.0 });
+        let near_contact = |((phase, contact), kind): ((&Phase, &Touching<TERMS>), &Kind)| {
             let below = |jet: &Jet<TERMS>| (-2.0 * jet.terms[0]).max(rounding(jet)).max(0.0);
             match *phase {
                 // what is far from zero is not near it
-                Phase::Apart => [below(&contact.gap), 0.0, 0.0],
+                Phase::Apart => [below(&contact.gap).max(left(&contact.gap, kind.is_direct)), 0.0, 0.0],
                 Phase::Carried => [0.0; 3],
                 Phase::Sticks(face) | Phase::Leans { face, .. } => margins(contact, face).each_ref().map(rounding),
                 Phase::Rests { face, .. } | Phase::Glides { face, .. } => {
@@ -351,7 +352,7 @@ impl Modes {
                     let slide = Jet::constant(way, 0.0) * contact.slide;
                     let begins = slide.terms[0] <= slack * slide.doubts[0];
                     let near = if begins { below(&slide).max(slide.hidden(slack)) } else { 0.0 };
-                    [rounding(&margins(contact, face)[0]), near, 0.0]
+                    [left(&margins(contact, face)[0], kind.is_direct), near, 0.0]
                 }
             }
         };
@@ -370,16 +371,17 @@ impl Modes {
             };
             (side, near)
         };
+        let phases = mode.phases.iter().zip(&expansion.contacts);
         let (sides, near_events) = (0..self.laws.model.events.len()).map(begun).unzip();
         Ok(Current {
             moded: self.laws.moded(&mode.clone().without_headings()).map_err(refused)?,
             sides,
             glides: expansion.contacts.iter().zip(&mode.phases).map(|(one, phase)| Glide::of(one, *phase)).collect(),
             determinant: expansions.determinant(instant, &mode),
-            near_contacts: mode.phases.iter().zip(&expansion.contacts).map(near_contact).collect(),
+            near_contacts: phases.zip(&expansions.kinds).map(near_contact).collect(),
             near: (0..mode.cases.len()).map(near).collect(),
             near_bounds: (0..mode.cases.len())
-                .map(|switch| expansion.margins(switch).each_ref().map(rounding))
+                .map(|switch| expansion.margins(switch).each_ref().map(|jet| left(jet, expansion.is_direct[switch])))
                 .collect(),
             near_events,
         })

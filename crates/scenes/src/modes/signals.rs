@@ -11,8 +11,8 @@ use derivations::taped::{Program, Running};
 use field::{Analytic, Over};
 use integrators::{Signal, Switches};
 use model::equations::vanishes;
-use model::{Model, Trace};
-use symbolic::{Sym, substitute_all};
+use model::{Assignment, Model, Trace};
+use symbolic::{Sym, apart, substitute_all};
 
 /// The meaning of the fall of a signal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -220,6 +220,16 @@ pub(super) fn written(
         all.extend(after);
     }
     Ok((falls, substitute_all(&all, &values(&trace, time, state))))
+}
+
+/// What events set, in the letters of the model: the place in the state, and the expression.
+pub(super) fn sets(model: &Model) -> Vec<(usize, String)> {
+    apart(|| {
+        let trace = Trace::of(model);
+        let place = |set: &Assignment| set.order * trace.coordinates.len() + set.coordinate;
+        let all = model.events.iter().flat_map(|event| &event.set);
+        all.map(|set| (place(set), trace.scalar(set.is).to_string())).collect()
+    })
 }
 
 /// The signals of a contact in a phase.

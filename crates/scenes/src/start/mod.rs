@@ -7,7 +7,7 @@ mod algebraic;
 mod constraints;
 mod displacement;
 mod gimbal;
-mod inertialess;
+mod kept;
 mod leaf;
 mod multiple_roots;
 mod redundancy;
@@ -16,14 +16,13 @@ mod unmet;
 
 pub(crate) use algebraic::{complete_algebraic_speeds, with_algebraic_speeds};
 pub use displacement::displaced;
-pub(crate) use inertialess::follow;
+pub(crate) use kept::KeptConstraints;
 pub(crate) use leaf::Leaf;
 pub(crate) use singular_positions::SingularPositions;
 pub use unmet::{Open, Unmet};
 
 use crate::compiled_system::has_values;
-use crate::row_units::measured;
-use constraints::{Constraints, Known};
+use constraints::Constraints;
 use model::equations::Level;
 use model::{Constraint, Contact, Model};
 use nalgebra::DMatrix;
@@ -42,9 +41,6 @@ const ROUNDED: f64 = 1e-14;
 /// A part of a state that is moved by less than this part of its size, or of the largest one where it was zero, has not moved: rounding
 /// of a few steps by singular values.
 const STAYS: f64 = 32.0 * f64::EPSILON;
-
-/// Residuals beyond this part of the state are no drift of a run.
-const LOOSE: f64 = 1e-6;
 
 /// Singular values below this part of the largest one are taken for zero.
 const RANK: f64 = 1e-10;
@@ -105,24 +101,6 @@ pub(crate) fn given(model: &Model) -> Vec<bool> {
         given[value.order * model.positions() + value.coordinate] = true;
     }
     given
-}
-
-/// The first constraint of a model that a state breaks, of those that are kept at zero, with its residual.
-pub(crate) fn broken(model: &Model, time: f64, state: &[f64]) -> Option<String> {
-    let constraints = Constraints::of(model).ok()??;
-    let parameters: Vec<f64> = model.parameters.iter().filter_map(|parameter| parameter.value).collect();
-    let values = constraints.values(time, state, &[parameters, start_speeds(model)].concat());
-    let m = constraints.known.len();
-    let size = state.iter().fold(1.0, |size: f64, part| size.max(part.abs()));
-    let is_broken = |place: &usize| {
-        let value: f64 = values[*place];
-        place % m < constraints.kept && (value.is_nan() || value.abs() > LOOSE * size)
-    };
-    let place = (0..2 * m).find(is_broken)?;
-    let Known { title, level, .. } = &constraints.known[place % m];
-    let rate = if place >= m && *level == Level::Position { "the rate of " } else { "" };
-    let unit = constraints.unit_of(place % m, if place < m { Some(*level) } else { None });
-    Some(format!("{rate}{title} becomes {}", measured(values[place], &unit)))
 }
 
 impl StartSolver {

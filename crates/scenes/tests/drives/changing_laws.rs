@@ -210,6 +210,20 @@ fn a_damper_beside_dry_friction_begins_to_move_at_its_bound() {
     close(last(&trajectory, "y'"), 1.0 - (-time / rest).exp(), 1e-11);
 }
 
+/// Where the force is spent, the slip dies away as an exponential, down to rounding, and nothing moves the other way.
+#[test]
+fn a_slip_that_dies_away_does_not_turn_round() {
+    let text = "title = \"rest\"\n[parameters]\nk = \"100 N/m\"\nF = \"2 N\"\nc = \"2 N s/m\"\n[coordinates]\ny = \"m\"\n\
+        [energies]\npotential = \"k/2*y^2\"\ndissipation = \"c/2*y'^2\"\n[[force]]\nalong = \"y\"\nis = \"(3 N) - F*sign(y')\"\n\
+        [run]\nspan = \"2 s\"\n";
+    let trajectory = runs(text);
+    close(last(&trajectory, "y"), 0.01, 1e-11);
+    let speed = trajectory.column("y'").expect("it is shown");
+    for (time, row) in trajectory.times.iter().zip(&trajectory.rows) {
+        close(row[speed], 0.5 * (-50.0 * time).exp(), 1e-10);
+    }
+}
+
 /// J w' = k i with i = (U s - k w)/R: w goes to U/k or to zero by one factor in each half period of the chopper; and a current above
 /// 10 A meets a resistance more.
 #[test]

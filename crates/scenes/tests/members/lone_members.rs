@@ -47,6 +47,14 @@ fn sliders_stick_and_rectifiers_conduct_each_with_its_own_numbers() {
     rows_are_runs(&short, |text, drawn| with(text, "c = \"0.01 N m s\"", &format!("c = \"{:?} N m s\"", drawn[0])));
 }
 
+/// Currents without inertia follow from the numbers of each member.
+#[test]
+fn bridges_charge_capacitors_each_with_its_own_load() {
+    let load = "members = 3\n[ensemble.vary]\nparameters.R = { from = \"50 ohm\", to = \"200 ohm\" }\n";
+    let short = with(&text("bridge_rectifier", load), "span = \"0.05 s\"", "span = \"0.02 s\"");
+    rows_are_runs(&short, |text, drawn| with(text, "R = \"100 ohm\"", &format!("R = \"{:?} ohm\"", drawn[0])));
+}
+
 /// A negative coefficient of friction is the reason of its member, and of no other.
 #[test]
 fn a_member_that_cannot_start_says_why() {

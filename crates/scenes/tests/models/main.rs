@@ -64,7 +64,9 @@ fn every_principle_gives_every_model_the_same_equations() {
             let trace = Trace::of(&model);
             for other in Principle::ALL {
                 let Ok(found) = agreement(&trace, Principle::Lagrange, other) else {
-                    assert!(model.energies.kinetic.is_some(), "{}, {}", path.display(), other.name());
+                    // momenta do not determine speeds without inertia
+                    let is_open = other == Principle::Hamilton && !model.algebraic_speeds.is_empty();
+                    assert!(model.energies.kinetic.is_some() || is_open, "{}, {}", path.display(), other.name());
                     continue;
                 };
                 assert_eq!(found.rung(), "proved", "{}, {}: {found}", path.display(), other.name());

@@ -49,6 +49,21 @@ fn impacts_are_known_to_all_digits() {
     }
 }
 
+/// i = max(0, sin t): 2 C pass until t = pi, and the source falls on the diode that blocks.
+#[test]
+fn a_current_without_inertia_is_known_to_all_digits() {
+    let text = "title = \"rectifier\"\n[coordinates]\nq = \"C\"\n[energies]\ndissipation = \"(1 ohm)/2*q'^2\"\n[[force]]\nalong = \"q\"\n\
+                is = \"(1 V)*sin((1 rad/s)*t)\"\n[[diode]]\nname = \"D\"\ncurrent = \"q'\"\n[run]\nspan = \"6 s\"\n";
+    let found = exact(text);
+    assert!(found.reference.digits > 25.0, "{}", found.reference.digits);
+    assert_eq!(found.events.len(), 1);
+    let half_turn =
+        model::HALF_TURN.into_iter().fold(DoubleDouble::from(0.0), |sum, part| sum + DoubleDouble::from(part));
+    near(found.events[0].time, half_turn);
+    near(found.events[0].state[0], DoubleDouble::from(2.0));
+    near(found.events[0].state[1], DoubleDouble::from(0.0));
+}
+
 #[test]
 fn an_event_sets_the_state_to_all_digits() {
     let text = ball("0", "")

@@ -1,0 +1,102 @@
+//! Constraints at the events of a run: coordinates without inertia follow at once after an event that sets the others, and what an event
+//! sets may break none.
+
+use super::constraints::{Constraints, Known};
+use super::start_speeds;
+use crate::row_units::measured;
+use model::Model;
+use model::equations::Level;
+use nalgebra::{DMatrix, DVector};
+
+/// Steps of Newton's method: laws of speeds are linear in most systems.
+const STEPS: usize = 20;
+
+/// Residuals below this are what rounding leaves.
+const ROUNDED: f64 = 1e-14;
+
+/// Residuals beyond this part of the state are no drift of a run.
+const LOOSE: f64 = 1e-6;
+
+/// Singular values below this part of the largest one are taken for zero.
+const RANK: f64 = 1e-10;
+
+/// The constraints of a model, written down once.
+#[derive(Debug)]
+pub(crate) struct KeptConstraints {
+    /// None of a model without constraints.
+    constraints: Option<Constraints>,
+    /// Parameters, then quasi-velocities of the start.
+    parameters: Vec<f64>,
+    /// Coordinates without inertia that constraints determine.
+    inertialess: Vec<usize>,
+}
+
+impl KeptConstraints {
+    pub fn of(model: &Model) -> Self {
+        let parameters = model.parameters.iter().filter_map(|parameter| parameter.value);
+        KeptConstraints {
+            constraints: Constraints::of(model).ok().flatten(),
+            parameters: parameters.chain(start_speeds(model)).collect(),
+            inertialess: model.with_inertia_alone().map_or_else(Vec::new, |(_, own)| own),
+        }
+    }
+
+    /// Moves coordinates without inertia, and their speeds, until constraints hold; the state stays where the model has none.
+    pub fn follow(&self, time: f64, state: &mut [f64]) {
+        let (Some(constraints), own) = (&self.constraints, &self.inertialess) else { return };
+        if own.is_empty() {
+            return;
+        }
+        for (order, level) in [(0, Some(Level::Position)), (1, None)] {
+            for _ in 0..STEPS {
+                let (residuals, rows) = at(constraints, time, state, &self.parameters, level);
+                let columns = DMatrix::from_fn(residuals.len(), own.len(), |row, at| rows[(row, own[at])]);
+                let finite = residuals.iter().chain(columns.iter()).all(|number| number.is_finite());
+                if !finite || residuals.is_empty() || residuals.amax() <= ROUNDED {
+                    break;
+                }
+                let decomposed = columns.svd(true, true);
+                let largest = decomposed.singular_values.amax();
+                let Ok(step) = decomposed.solve(&residuals, RANK * largest) else { break };
+                if step.iter().any(|part| !part.is_finite()) || step.amax() == 0.0 {
+                    break;
+                }
+                for (&at, part) in own.iter().zip(step.iter()) {
+                    constraints.layout.displace(state, (at, order), -part);
+                }
+            }
+        }
+    }
+
+    /// The first constraint that a state breaks, of those that are kept at zero, with its residual.
+    pub fn broken(&self, time: f64, state: &[f64]) -> Option<String> {
+        let constraints = self.constraints.as_ref()?;
+        let values = constraints.values(time, state, &self.parameters);
+        let m = constraints.known.len();
+        let size = state.iter().fold(1.0, |size: f64, part| size.max(part.abs()));
+        let is_broken = |place: &usize| {
+            let value: f64 = values[*place];
+            place % m < constraints.kept && (value.is_nan() || value.abs() > LOOSE * size)
+        };
+        let place = (0..2 * m).find(is_broken)?;
+        let Known { title, level, .. } = &constraints.known[place % m];
+        let rate = if place >= m && *level == Level::Position { "the rate of " } else { "" };
+        let unit = constraints.unit_of(place % m, if place < m { Some(*level) } else { None });
+        Some(format!("{rate}{title} becomes {}", measured(values[place], &unit)))
+    }
+}
+
+/// Residuals of the constraints of positions, or of the rates of all, and their derivatives by the speeds.
+fn at(
+    constraints: &Constraints,
+    time: f64,
+    state: &[f64],
+    parameters: &[f64],
+    level: Option<Level>,
+) -> (DVector<f64>, DMatrix<f64>) {
+    let values = constraints.values(time, state, parameters);
+    let kept = &constraints.known[..constraints.kept];
+    let count = level.map_or(kept.len(), |level| kept.iter().filter(|known| known.level == level).count());
+    let first = if level.is_some() { 0 } else { constraints.known.len() };
+    (DVector::from_fn(count, |row, _| values[first + row]), constraints.rows(&values, count))
+}
