@@ -38,6 +38,22 @@ fn a_rectified_sine_passes_its_mean() {
     close(last(&trajectory, "q"), 10.0 * 2.0 * 10.0 / 3_141.592_653_589_793, 1e-13);
 }
 
+/// A capacitor and a resistor at a node: its reaction is the voltage there, whether the source has a condition or not.
+#[test]
+fn the_reaction_of_a_node_is_its_voltage() {
+    let text = RC.replace("q = \"C\"\n", "q = \"C\"\nc = \"C\"\nr = \"C\"\n").replace("q^2/(2*C)", "c^2/(2*C)");
+    let text = text.replace("R/2*q'^2", "R/2*(q'^2 + r'^2)").replace("q/C", "c/C");
+    let node = "[[constraint]]\nname = \"node\"\nzero = \"q' - c' - r'\"\n[outputs]\nnode = \"reaction(node)\"\n";
+    let switched = text.replace("[outputs]\n", node);
+    for text in [&switched, &switched.replace("if(sin(w*t) > 0, V, 0*V)", "V")] {
+        let trajectory = runs(text);
+        let voltage = last(&trajectory, "u");
+        assert!(voltage > 1.0, "{voltage}");
+        close(last(&trajectory, "node"), -voltage, 1e-12);
+        close(last(&trajectory, "r'"), voltage, 1e-12);
+    }
+}
+
 /// The source is on below 4 V: the capacitor comes there and stays, and the mean of the source with it.
 #[test]
 fn a_relay_that_chatters_holds_its_voltage() {
