@@ -208,6 +208,25 @@ fn a_loop_runs_across_the_bounds_of_its_force_and_across_events() {
     assert!((end[0] - 0.05).abs() < 1e-9 && stopped.run.outcome.time < 1.0, "{end:?} {}", stopped.run.outcome.time);
 }
 
+/// A mass that slides steadily: the loop brings it back to the moving place, whether its force has bounds or not.
+#[test]
+fn a_loop_that_changes_brings_back_to_a_steady_motion() {
+    let text = |force: &str| {
+        format!(
+            "title = \"mass\"\n[coordinates]\nx = \"m\"\n[bodies]\nb = {{ centre = \"O + x*N.x\", mass = \"(1 kg)\" }}\n[inputs]\nu = \"N\"\n\
+             [[force]]\nalong = \"x\"\nis = \"{force}\"\n[start]\n\"x'\" = \"2 m/s\"\n[regulator]\ncost = \"(x/(1 m))^2 + (u/(1 N))^2\"\n\
+             displaced = {{ x = \"0.1 m\" }}\n[run]\nspan = \"20 s\"\ntolerance = 1e-13\n"
+        )
+    };
+    let [free, bounded] = ["u", "min(u, (9 N))"].map(|force| one(&text(force)));
+    for found in [&free, &bounded] {
+        let end = found.run.states.last().expect("it runs");
+        assert!((end[0] - 40.0).abs() < 1e-5 && (end[1] - 2.0).abs() < 1e-5, "{end:?}");
+        // P = (sqrt 2, 1; 1, sqrt 2)
+        assert!((cost(found) - 0.01 * 2.0_f64.sqrt()).abs() < 1e-11, "{}", cost(found));
+    }
+}
+
 /// A second bob that nothing moves; with a damper on a spring its variation dies away.
 #[test]
 fn what_inputs_do_not_reach_is_told() {
