@@ -2,10 +2,13 @@
 
 use super::Elaborator;
 use super::value::Value;
-use crate::arena::Vector;
+use crate::arena::{Scalar, Vector};
 use crate::equations::vanishes;
 use crate::{FrameId, ScalarId, Trace, VectorId};
 use symbolic::{Dimension, Sym, apart};
+
+/// Components of a direction that is no axis, and in no plane or cone about one that has a short name.
+const ASLANT: [f64; 3] = [211.0, 373.0, 541.0];
 
 impl Elaborator<'_> {
     /// The tangents of a normal of length one, for a velocity of sliding.
@@ -23,10 +26,30 @@ impl Elaborator<'_> {
             let (frame, axis) = (*frame, *axis);
             return [1, 2].map(|next| self.axis(frame, (axis + next) % 3)).to_vec();
         }
-        let beside = self.axis(FrameId::GROUND, if self.is_along(normal, 0) { 1 } else { 0 });
-        let first = self.across(beside, normal);
-        let first = self.unit_of(first);
+        let across = (0..3).find(|&axis| !self.has_component(&[normal], &[axis]));
+        let first = match across {
+            // an axis to which the normal is perpendicular in every position
+            Some(axis) => self.axis(FrameId::GROUND, axis),
+            None => {
+                let beside = self.aslant();
+                let first = self.across(beside, normal);
+                self.unit_of(first)
+            }
+        };
         vec![first, self.across(normal, first)]
+    }
+
+    /// A direction in which no normal of a surface that somebody writes down points: tangents that are perpendicular to it have no value there.
+    fn aslant(&mut self) -> VectorId {
+        let mut sum = None;
+        for (axis, part) in ASLANT.into_iter().enumerate() {
+            let part = crate::arena::Number { value: part, times: 1.0, per: 1.0 };
+            let part = self.scalar(Scalar::Number(part), Some(Dimension::none()));
+            let axis = self.axis(FrameId::GROUND, axis);
+            let along = self.vector(Vector::Scaled(part, axis), Some(Dimension::none()));
+            sum = Some(sum.map_or(along, |sum| self.vector(Vector::Sum(sum, along), Some(Dimension::none()))));
+        }
+        sum.unwrap_or_else(|| self.vector(Vector::Zero, None))
     }
 
     /// The sum of axes by factors.
@@ -71,11 +94,6 @@ impl Elaborator<'_> {
     /// Whether one of some vectors has a component along N.z.
     fn leaves_the_plane(&self, vectors: &[VectorId]) -> bool {
         self.faults.is_empty() && self.has_component(vectors, &[2])
-    }
-
-    /// Whether a vector has components along one axis of the ground alone.
-    fn is_along(&self, vector: VectorId, axis: usize) -> bool {
-        !self.has_component(&[vector], &[(axis + 1) % 3, (axis + 2) % 3])
     }
 
     fn has_component(&self, vectors: &[VectorId], axes: &[usize]) -> bool {

@@ -124,6 +124,8 @@ pub(super) fn standing_of(
     let contradicts = |sign: &f64| sign.is_nan() || *sign < 0.0;
     match () {
         () if bounds.iter().chain(&leaving).any(contradicts) => None,
+        // in space it has no direction then
+        () if leaving.contains(&0.0) && matches!(phase, Phase::Glides { .. }) => None,
         () if leaving.contains(&0.0) => Some(Standing::Rests),
         () if bounds.contains(&0.0) => Some(Standing::AtBound),
         () => Some(Standing::Moves),

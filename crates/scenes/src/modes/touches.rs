@@ -23,6 +23,8 @@ const TURNS: &str =
 pub(super) const NEGATIVE: &str = "a coefficient of friction is negative";
 /// A bounce ends where all bounces after it take less than this part of the time of the run.
 const BOUNCES: f64 = 1e-9;
+/// A fall is longer than the one before by at most so many roundings of the gap.
+const DEEPER: f64 = 8.0;
 
 impl Modes {
     /// What the contacts do at a state that is given.
@@ -159,7 +161,10 @@ impl Modes {
         // the flights take 2 v/a, e times that, and so on; the first one is v^2/(2 a) high
         let rest = 2.0 * rate / -acceleration / (1.0 - restitution);
         let height = rate * rate / (-2.0 * acceleration);
-        let is_over = (0.0..BOUNCES * time).contains(&rest) || (0.0..SLACK * gap.doubts[0]).contains(&height);
+        // a gap is zero within its rounding, and each fall is longer by that: e^2 (h + d) is not below h = d e^2/(1 - e^2)
+        let square = restitution * restitution;
+        let lowest = DEEPER * SLACK * gap.doubts[0] * (1.0 + square) / (1.0 - square);
+        let is_over = (0.0..BOUNCES * time).contains(&rest) || (0.0..lowest).contains(&height);
         Ok(rate > 0.0 && acceleration < 0.0 && restitution < 1.0 && is_over)
     }
 
