@@ -2,6 +2,7 @@
 //!
 //!   gap'' = 0 for N (u' = 0 of a diode),    v' = 0 for T of a contact that sticks,    T = -mu |N| v/|v| of one that slides .
 
+use super::distribution::balancing;
 use super::mode::{Mode, Phase};
 use crate::compiled_system::NotCompiled;
 use field::Analytic;
@@ -102,6 +103,7 @@ pub(super) fn closed(
 ) -> Result<(Closed, Vec<Sym>), NotCompiled> {
     let letter = |[contact, component]: [usize; 2]| trace.reaction(contact, component);
     let mut given: Vec<(Sym, Sym)> = Vec::new();
+    let leant = leant(mode);
     for (contact, phase) in mode.phases.iter().enumerate().filter(|(contact, _)| !is_direct[*contact]) {
         let is_in_space = trace.model.contacts[contact].is_in_space();
         match over_normal(trace, contact, *phase) {
@@ -110,7 +112,7 @@ pub(super) fn closed(
             }
             None => {
                 let unknown = unknown_parts(*phase, is_in_space);
-                let none = (0..PARTS).filter(|part| !unknown.contains(part));
+                let none = (0..PARTS).filter(|part| !unknown.contains(part) && !leant.contains(&[contact, *part]));
                 given.extend(none.map(|part| (letter([contact, part]), Sym::ZERO)));
             }
         }
@@ -121,18 +123,61 @@ pub(super) fn closed(
     let zeros: Vec<Sym> = unknown.iter().map(|&[contact, component]| kept[contact][component]).collect();
     let zeros = substitute_all(&zeros, &motion(trace, accelerations, multipliers));
     let zeros = substitute_all(&substitute_all(&zeros, settled), &given);
-    let none: Vec<(Sym, Sym)> = unknown.iter().map(|&of| (letter(of), Sym::ZERO)).collect();
-    let mut rows: Vec<Vec<Sym>> = Vec::new();
-    for zero in &zeros {
-        rows.push(unknown.iter().map(|&of| Derivation::new([(letter(of), Sym::ONE)]).of(*zero)).collect());
-    }
+    let none: Vec<(Sym, Sym)> = unknown.iter().chain(&leant).map(|&of| (letter(of), Sym::ZERO)).collect();
+    let slope = |zero: Sym, of: [usize; 2]| Derivation::new([(letter(of), Sym::ONE)]).of(zero);
+    let rows: Vec<Vec<Sym>> = zeros.iter().map(|&zero| unknown.iter().map(|&of| slope(zero, of)).collect()).collect();
     let right = substitute_all(&zeros, &none).into_iter().map(|zero| -zero).collect();
-    let (values, determinant) =
-        super::held::eliminated(rows, right).map_err(|row| NotCompiled::NotHeldContact { contact: unknown[row][0] })?;
-    let found: Vec<(Sym, Sym)> = unknown.iter().map(|&of| letter(of)).zip(values).collect();
-    let all = |expressions: &[Sym]| substitute_all(&substitute_all(expressions, &given), &found);
-    let moved = all(&[accelerations, multipliers].concat());
-    Ok((Closed { found: vec![given, found], determinant }, moved))
+    let not_held = |row: usize| NotCompiled::NotHeldContact { contact: unknown[row][0] };
+    let (values, determinant) = super::held::eliminated(rows.clone(), right).map_err(not_held)?;
+    let found: Vec<(Sym, Sym)> = unknown.iter().map(|&of| letter(of)).zip(values.iter().copied()).collect();
+    let one_choice: Vec<(Sym, Sym)> =
+        found.iter().copied().chain(leant.iter().map(|&of| (letter(of), Sym::ZERO))).collect();
+    let all = |expressions: &[Sym], found: &[(Sym, Sym)]| substitute_all(&substitute_all(expressions, &given), found);
+    let mut shown = one_choice.clone();
+    if !leant.is_empty() {
+        // reactions that balance among themselves
+        let mut columns: Vec<Vec<Sym>> = Vec::new();
+        for &of in &leant {
+            let right = zeros.iter().map(|&zero| -slope(zero, of)).collect();
+            let (column, _) = super::held::eliminated(rows.clone(), right).map_err(not_held)?;
+            columns.push(column.into_iter().chain(leant.iter().map(|&other| number_of(other == of))).collect());
+        }
+        let places: Vec<[usize; 2]> = unknown.iter().chain(&leant).copied().collect();
+        let held = |contact: usize| mode.phases[contact].sticking().is_some();
+        let tangential = |&place: &usize| places[place][1] > 0 && held(places[place][0]);
+        let tangential: Vec<usize> = (0..places.len()).filter(tangential).collect();
+        let at = |all: &[Sym]| -> Vec<Sym> { tangential.iter().map(|&place| all[place]).collect() };
+        let choice: Vec<Sym> = one_choice.iter().map(|(_, value)| *value).collect();
+        let normal = |contact: usize| letter([contact, 0]).substitute(&one_choice);
+        let per_bound = tangential.iter().map(|&place| {
+            let contact = places[place][0];
+            Sym::ONE / (friction(trace, contact) * normal(contact))
+        });
+        let per_bound: Vec<Sym> = per_bound.collect();
+        let of_friction: Vec<Vec<Sym>> = columns.iter().map(|column| at(column)).collect();
+        let solved = |rows, right| super::held::eliminated(rows, right).ok().map(|(values, _)| values);
+        let factors = balancing(&at(&choice), &of_friction, &per_bound, solved).unwrap_or_default();
+        for (place, (_, value)) in shown.iter_mut().enumerate() {
+            let parts = columns.iter().zip(&factors).map(|(column, &factor)| column[place] * factor);
+            *value = parts.fold(*value, |sum, part| sum + part);
+        }
+    }
+    let moved = [all(accelerations, &one_choice), all(multipliers, &shown)].concat();
+    Ok((Closed { found: vec![given, shown], determinant }, moved))
+}
+
+/// Friction of contacts that lean, along the tangents along which others hold them.
+pub(super) fn leant(mode: &Mode) -> Vec<[usize; 2]> {
+    let of = |(contact, phase): (usize, &Phase)| {
+        let held = if let Phase::Leans { held, .. } = phase { *held } else { [true; 2] };
+        (0..2).filter(move |&tangent| !held[tangent]).map(move |tangent| [contact, tangent + 1])
+    };
+    mode.phases.iter().enumerate().flat_map(of).collect()
+}
+
+/// 1 or 0.
+fn number_of(holds: bool) -> Sym {
+    if holds { Sym::ONE } else { Sym::ZERO }
 }
 
 /// 1 or -1.

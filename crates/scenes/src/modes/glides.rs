@@ -9,6 +9,7 @@
 //! After either the watch begins anew, until so little is left of the speed that it is taken away at once: what reactions do in the rest of
 //! the way differs from that by the square of the part that is left.
 
+use super::combinations::leaning;
 use super::course::Sets;
 use super::expansion::{Instant, Touching, direction};
 use super::mode::Phase;
@@ -97,14 +98,18 @@ impl Modes {
         if (0..current.glides.len()).all(|contact| begins(contact).is_none()) {
             return;
         }
-        let mut held = current.moded.system.mode.clone();
-        for (contact, phase) in held.phases.iter_mut().enumerate() {
-            if let (Some(_), Some(face)) = (begins(contact), phase.face()) {
-                *phase = Phase::Sticks(face);
+        let start = |contact: usize| begins(contact).map_or([0.0; 2], |glide| glide.start());
+        let held = |place: usize| {
+            let mut held = current.moded.system.mode.clone();
+            for (contact, phase) in held.phases.iter_mut().enumerate() {
+                if let (Some(_), Some(face)) = (begins(contact), phase.face()) {
+                    *phase = [vec![Phase::Sticks(face)], leaning(Phase::Sticks(face), true)].concat()[place];
+                }
             }
-        }
-        expansions
-            .return_to(time, state, &held, 0.0, |contact| begins(contact).map_or([0.0; 2], |glide| glide.start()));
+            held
+        };
+        // others may hold it along one tangent
+        (0..3).any(|place| expansions.return_to(time, state, &held(place), 0.0, start));
     }
 
     /// Contacts that slide in space rest with another one that has come to rest, where as little is left of their speed.

@@ -3,6 +3,7 @@
 //! With T = -mu |N| d the slip begins with an acceleration a that depends on d, and d is its own direction: a = |a| d. Where friction is
 //! just at its bound a is zero; then d = -T/|T| of the contact that sticks so far, and d turns so that the rate of a lies along d.
 
+use super::combinations::leaning;
 use super::expansion::{Expansion, Expansions, Instant, direction};
 use super::mode::{Face, Heading, Mode, Phase};
 use super::passage::SLACK;
@@ -54,7 +55,9 @@ impl Slip<'_> {
 
     /// The direction where friction is at its bound.
     fn at_bound(&self) -> Option<Heading> {
-        let held = self.in_phase::<2>(Phase::Sticks(self.face))?;
+        let sticks = Phase::Sticks(self.face);
+        let mut held = [sticks].into_iter().chain(leaning(sticks, true));
+        let held = held.find_map(|phase| self.in_phase::<2>(phase))?;
         let contact = &held.contacts[self.contact];
         let [_, first, second] = contact.reactions.map(|reaction| reaction.terms[0]);
         if margins(contact, self.face)[1].sign_of(0, SLACK) != 0.0 || first == 0.0 && second == 0.0 {

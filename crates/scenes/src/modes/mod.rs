@@ -6,6 +6,7 @@ mod contacts;
 mod course;
 mod critical_friction;
 mod decision;
+mod distribution;
 mod event_error;
 mod exact;
 mod expansion;

@@ -3,6 +3,7 @@
 //! Accelerations are written down once with every switch and every reaction of a contact as an input. Switches that are held follow
 //! order by order from g' = 0, reactions in touch from gap'' = 0 and v' = 0, which are linear in them.
 
+mod distribution;
 mod elimination;
 mod equations;
 mod exact_impulses;
@@ -259,6 +260,7 @@ impl Expansions {
                 values = self.values(time, state, &letters, confirmed);
             }
         }
+        self.distribute(mode, (&values, &tied), unknown, &mut letters);
         let following: Vec<usize> = unknown.iter().copied().filter(|letter| *letter >= cases).collect();
         let slopes = self.slopes_of(cases, &values, &tied, &following)?;
         let touching = |contact: usize| Touching {
