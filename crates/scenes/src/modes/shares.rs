@@ -31,6 +31,8 @@ pub(super) fn shares(
         if mode.cases[switch] != Case::Held && rests(expansion, mode.cases[switch], switch, slack) {
             // what rests by its own bound, and not by others, is held there
             match Implied::of(slopes, &expansions.held(&mode), switch) {
+                // a diode that blocks keeps it there alone, by the voltage that this case leaves across it
+                Some(implied) if expansions.has_algebraic() && implied.terms().next().is_none() => {}
                 Some(_) => shared.push(switch),
                 None => mode.cases[switch] = Case::Held,
             }

@@ -67,6 +67,19 @@ fn a_relay_that_chatters_holds_its_voltage() {
     close(last(&trajectory, "q'"), 0.0, 1e-13);
 }
 
+/// Off, the source would take charge back, which a diode does not let through: it blocks this voltage, and nothing chatters.
+#[test]
+fn a_relay_behind_a_diode_comes_to_rest() {
+    let text =
+        RC.replace("potential = \"q^2/(2*C)\"\n", "").replace("if(sin(w*t) > 0, V, 0*V)", "if(q < (5 mC), V, -V/2)");
+    let diode = "[[diode]]\nname = \"D\"\ncurrent = \"q'\"\n[outputs]\nblocked = \"reaction(D)\"\n";
+    let trajectory = runs(&text.replace("[outputs]\nu = \"q/C\"\n", diode));
+    close(times(&trajectory)[0], 0.5e-3, 1e-15);
+    assert_eq!(trajectory.passages.len(), 2, "{:?}", trajectory.passages);
+    close(last(&trajectory, "q"), 5e-3, 1e-15);
+    close(last(&trajectory, "blocked"), 5.0, 1e-12);
+}
+
 const RECTIFIER: &str = "title = \"rectifier\"\n[parameters]\nR = \"10 ohm\"\nU = \"325 V\"\nw = \"314.1592653589793 rad/s\"\nC0 = \"1 mF\"\n\
     [coordinates]\nq = \"C\"\n[energies]\ndissipation = \"R/2*q'^2\"\n[[force]]\nalong = \"q\"\nis = \"U*sin(w*t)\"\n\
     [[diode]]\nname = \"D\"\ncurrent = \"q'\"\n[outputs]\nblocked = \"reaction(D)\"\n[run]\nspan = \"0.095 s\"\n";
