@@ -8,8 +8,8 @@ use crate::modes::multiples::{letters, mirrored};
 use model::{Contact, Model, Trace};
 use symbolic::{Derivation, Sym, Tape, substitute_all};
 
-/// Rates of the state; conditions; the rows, which are the rates of these, the sums that reactions keep at zero and the laws of algebraic
-/// speeds, with switches and reactions as they are; the rates of rows; the slopes of rows; gaps, their rates, sliding velocities, coefficients of friction; events.
+/// Rates of the state; conditions; rows, with switches and reactions as they are; the slopes of rows; gaps, their rates, sliding
+/// velocities, coefficients of friction; events.
 pub(super) fn expansions(model: &Model) -> Result<Expansions, NotCompiled> {
     let trace = Trace::of(model);
     let mirrored = mirrored(&trace);
@@ -19,7 +19,6 @@ pub(super) fn expansions(model: &Model) -> Result<Expansions, NotCompiled> {
     let own = letters(&trace, &mirrored);
     let all_in_own = |all: &[Sym]| substitute_all(all, &own);
     let conditions: Vec<Sym> = model.switches.iter().map(|condition| trace.scalar(*condition)).collect();
-    let rates: Vec<Sym> = conditions.iter().map(|&condition| trace.rate_of(condition).substitute(&motion)).collect();
     let is_direct = &parted.is_direct;
     let kind = |(contact, &is_direct): (&Contact, &bool)| Kind {
         sides: contact.sides,
@@ -31,30 +30,7 @@ pub(super) fn expansions(model: &Model) -> Result<Expansions, NotCompiled> {
         is_direct,
     };
     let kinds: Vec<Kind> = model.contacts.iter().zip(&is_direct.contacts).map(kind).collect();
-    let kept = substitute_all(&kept_at_zero(&trace).concat(), &motion);
-    let gaps = || model.contacts.iter().map(|contact| trace.scalar(contact.gap));
-    // what follows at once is kept by its value, and where that holds no unknowns by its rate
-    let by_value = |(is_direct, (value, rate)): (&bool, (Sym, Sym))| match is_direct {
-        true => [value, rate],
-        false => [rate, Sym::ZERO],
-    };
-    let of_conditions = conditions.iter().copied().zip(rates);
-    let of_contact = |(value, kept): (Sym, &[Sym; PARTS])| {
-        let tangential = kept[1..].iter().map(|&rate| [rate, Sym::ZERO]);
-        ((value, kept[0]), tangential.collect::<Vec<_>>())
-    };
-    let of_contacts = gaps().zip(kept.as_chunks::<PARTS>().0).map(of_contact);
-    let of_laws = parted.zeros.iter().map(|&zero| [zero, trace.rate_of(zero).substitute(&motion)]);
-    let [rows, rates]: [Vec<Sym>; 2] = {
-        let conditions = is_direct.conditions.iter().zip(of_conditions).map(by_value);
-        let contacts = is_direct.contacts.iter().zip(of_contacts);
-        let contacts = contacts
-            .flat_map(|(is_direct, (normal, tangential))| [vec![by_value((is_direct, normal))], tangential].concat());
-        let (rows, rates) = conditions.chain(contacts).chain(of_laws).map(|[row, rate]| (row, rate)).unzip();
-        [rows, rates]
-    };
-    // a system without algebraic speeds has no use of them
-    let rows = if parted.letters.is_empty() { rows } else { [rows, rates].concat() };
+    let rows = rows(&trace, &parted, &conditions, &motion);
     let (conditions, rows) = (all_in_own(&conditions), all_in_own(&rows));
     let letters: Vec<Sym> =
         trace.switches.iter().copied().chain(reactions(&trace)).chain(parted.letters.iter().copied()).collect();
@@ -71,13 +47,13 @@ pub(super) fn expansions(model: &Model) -> Result<Expansions, NotCompiled> {
             }
         }
     }
-    let gap_rates = model.contacts.iter().map(|contact| trace.gap_rate(contact)).collect();
+    let gap_rates: Vec<Sym> = model.contacts.iter().map(|contact| trace.gap_rate(contact)).collect();
     let [along, aside] = [0, 1]
         .map(|tangent| -> Vec<Sym> { model.contacts.iter().map(|contact| slides(&trace, contact)[tangent]).collect() });
     let frictions = (0..kinds.len()).map(|contact| friction(&trace, contact)).collect();
     let restitutions =
         model.contacts.iter().map(|one| one.restitution.map_or(Sym::ZERO, |e| trace.scalar(e))).collect();
-    let of_contacts = [gaps().collect::<Vec<Sym>>(), gap_rates, along, aside, frictions, restitutions].concat();
+    let of_contacts = [gaps(&trace).collect(), gap_rates, along, aside, frictions, restitutions].concat();
     let moved: Vec<Sym> = trace.position_rates.iter().chain(accelerations).copied().collect();
     let events: Vec<Sym> = model.events.iter().map(|event| trace.scalar(event.when)).collect();
     let of_contacts = all_in_own(&of_contacts);
@@ -107,4 +83,28 @@ pub(super) fn expansions(model: &Model) -> Result<Expansions, NotCompiled> {
         algebraic_speeds: model.algebraic_speeds.clone(),
         events: model.events.len(),
     })
+}
+
+fn gaps<'a>(trace: &'a Trace<'_>) -> impl Iterator<Item = Sym> + 'a {
+    trace.model.contacts.iter().map(|contact| trace.scalar(contact.gap))
+}
+
+/// The sums that letters keep at zero: rates of conditions, sums of contacts, laws of algebraic speeds. What follows at once is kept by its
+/// value; where that holds no unknowns, by its rate, which stands behind all of them.
+fn rows(trace: &Trace<'_>, parted: &Parted, conditions: &[Sym], motion: &[(Sym, Sym)]) -> Vec<Sym> {
+    let Parted { is_direct, zeros, letters, .. } = parted;
+    let rate = |value: &Sym| trace.rate_of(*value).substitute(motion);
+    let kept = substitute_all(&kept_at_zero(trace).concat(), motion);
+    let row = |is_direct: bool, value: Sym, rate: Sym| if is_direct { [value, rate] } else { [rate, Sym::ZERO] };
+    let of_conditions = is_direct.conditions.iter().zip(conditions);
+    let of_conditions = of_conditions.map(|(&is_direct, condition)| row(is_direct, *condition, rate(condition)));
+    let of_contacts = is_direct.contacts.iter().zip(gaps(trace)).zip(kept.as_chunks::<PARTS>().0);
+    let of_contacts = of_contacts.flat_map(|((&is_direct, gap), &[normal, along, aside])| {
+        [row(is_direct, gap, normal), [along, Sym::ZERO], [aside, Sym::ZERO]]
+    });
+    let of_laws = zeros.iter().map(|zero| [*zero, rate(zero)]);
+    let (rows, rates): (Vec<Sym>, Vec<Sym>) =
+        of_conditions.chain(of_contacts).chain(of_laws).map(|[row, rate]| (row, rate)).unzip();
+    // a system without algebraic speeds has no use of them
+    if letters.is_empty() { rows } else { [rows, rates].concat() }
 }

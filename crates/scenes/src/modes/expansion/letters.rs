@@ -6,6 +6,7 @@ use super::super::mode::{Case, Heading, Mode, Phase};
 use super::{Expansions, ROUNDS, Slope};
 use field::{Analytic, Scalar};
 use num_traits::Zero;
+use std::ops::Range;
 
 /// Quantities of a contact, in the order of the tape.
 #[derive(Clone, Copy)]
@@ -30,7 +31,7 @@ impl Expansions {
     }
 
     /// The letters of algebraic speeds and of their multipliers.
-    pub(super) fn algebraic(&self) -> std::ops::Range<usize> {
+    pub(super) fn algebraic(&self) -> Range<usize> {
         self.letters() - self.algebraic..self.letters()
     }
 
