@@ -152,6 +152,9 @@ impl Modes {
         let mut held: Vec<usize> = (0..cases).filter(own).filter(|&switch| mode.cases[switch].rests()).collect();
         let keeps = |other: usize| match before.sides[other] {
             Side { is_open: true, .. } => Past::None,
+            Side { sign: from, .. } if expansions.has_algebraic() => {
+                Past::Jumping { from, near: before.near_events[other] }
+            }
             Side { sign: from, .. } => Past::Side { from, near: before.near_events[other] },
         };
         let last = match fall {
@@ -253,7 +256,8 @@ impl Modes {
         }
         // one that has not left zero since it was set there does not come back to it
         let rate = before.moded.signals.event_rate(number, event.time, state, &before.glide_letters());
-        if rate * from > 0.0 {
+        let has_jumped = event.what == Happening::StartsBelow && known.events[number].sign_of(0, SLACK) == -from;
+        if rate * from > 0.0 && !has_jumped {
             return Ok(After::Unchanged(before.clone()));
         }
         let counts = match self.laws.model.events[number].direction {
@@ -261,6 +265,9 @@ impl Modes {
             Direction::Up => from < 0.0,
             Direction::Both => true,
         };
+        if !counts && has_jumped {
+            return with_side(Side { sign: -from, is_open: false });
+        }
         if !counts {
             return with_side(side(&known.events[number], Past::Passed(from), SLACK));
         }
@@ -366,7 +373,7 @@ impl Modes {
                 // a body that is set to rest on a wall stays there, where the expression is zero but for rounding
                 Past::Set { near, .. } if jet.way(0.0, slack) == 0.0 => near.max(beyond).max(rounding(jet)),
                 Past::Set { near, .. } if is_zero => near,
-                Past::Side { near, .. } if is_zero => near.max(beyond),
+                Past::Side { near, .. } | Past::Jumping { near, .. } if is_zero => near.max(beyond),
                 _ => 0.0,
             };
             (side, near)

@@ -25,6 +25,8 @@ pub(super) enum Past {
         /// The distance beyond zero at which it counts as passed.
         near: f64,
     },
+    /// The same where speeds are algebraic: the expression may have jumped over zero with one of them, and then passes zero at once.
+    Jumping { from: f64, near: f64 },
     /// The event has just set the state, coming from a side.
     Set { from: f64, near: f64 },
     /// The expression has just passed zero, coming from a side.
@@ -37,6 +39,7 @@ pub(super) fn side(jet: &Jet<TERMS>, past: Past, slack: f64) -> Side {
     let known = match past {
         Past::None => [value, way, 0.0],
         Past::Side { from, .. } => [value, from, 0.0],
+        Past::Jumping { from, .. } => [from, 0.0, 0.0],
         // a body that is set to rest on a floor is still above it
         Past::Set { from, .. } => [value, jet.sign_of(1, slack), from],
         Past::Passed(from) => [way, -from, 0.0],

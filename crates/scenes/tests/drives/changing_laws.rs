@@ -29,6 +29,20 @@ fn a_square_wave_charges_and_discharges_a_capacitor() {
     }
 }
 
+/// The current falls from 10 A to 5 A in RC ln 2, and jumps up over 5 A again where the source comes back at 2 ms.
+#[test]
+fn an_event_happens_where_a_current_jumps_over_its_bound() {
+    for (direction, time) in [("down", 1e-3 * 2.0_f64.ln()), ("up", 2e-3)] {
+        let event = format!("[[event]]\nwhen = \"q' - (5 A)\"\ndirection = \"{direction}\"\nend = true\n[run]");
+        let trajectory = runs(&RC.replace("[run]", &event));
+        close(trajectory.outcome.time, time, 1e-14);
+    }
+    let counted = "[[event]]\nname = \"over\"\nwhen = \"q' - (5 A)\"\nset = { q = \"q\" }\n[run]";
+    let trajectory = runs(&RC.replace("[run]", counted).replace("9.5 ms", "3.5 ms"));
+    let passed = trajectory.passages.iter().filter(|passage| passage.what.contains("over")).count();
+    assert_eq!(passed, 3, "{:?}", trajectory.passages);
+}
+
 /// |U sin wt| on a resistor and a capacitor in parallel behind nothing: the charge that passes the resistor.
 #[test]
 fn a_rectified_sine_passes_its_mean() {
