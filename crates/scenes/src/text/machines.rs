@@ -5,7 +5,8 @@
 //!
 //!   torque m(g', p') - dU/dg,    for each winding  L i' = v + W psi' - R i - (psi' + c) p' .
 
-use derivations::machines::{Catalogued, ForMachine, Machine, Quantity, RotorState, Source, text::Laws};
+use derivations::machines::text::{Laws, NAME};
+use derivations::machines::{AnyMachine, Catalogued, ForMachine, Machine, Quantity, RotorState, Source};
 use derivations::scene::Issue;
 use derivations::scene::machine::{self, MachineData};
 use derivations::scene::read::Table;
@@ -19,16 +20,14 @@ use symbolic::{Sym, apart};
 pub(super) fn machine(table: &mut Table<'_>, drive: &mut DriveSource) -> Vec<Entry> {
     table.known(&["machine"]);
     let Some(at) = table.place_of("machine").map(|at| at.start) else { return Vec::new() };
+    if let Some(issue) = unknown(table) {
+        table.report(issue);
+        return Vec::new();
+    }
     let mut issues = Vec::new();
     let found = machine::read(table, &mut issues);
     issues.into_iter().for_each(|issue| table.report(issue));
     let Some((machine, data)) = found else { return Vec::new() };
-    if machine.clone().apply(IsPrescribed) {
-        let title = format!("`{}` keeps the speed of its rotor under every load", machine.name());
-        let issue = Issue::at(at..at, title, "this is a constraint, no motor");
-        table.report(issue.accepted("[[constraint]] zero = \"theta' - w\" in the place of this drive"));
-        return Vec::new();
-    }
     let name = drive.name.as_ref().map_or("drive", |name| name.text.as_str()).to_owned();
     let written = |text: String| Text::at(text, at);
     let laws = apart(|| machine.apply(Written { drive: &name, data: &data }));
@@ -52,6 +51,34 @@ pub(super) fn machine(table: &mut Table<'_>, drive: &mut DriveSource) -> Vec<Ent
         }),
     };
     data.numbers.iter().map(datum).collect()
+}
+
+/// The fault of a machine that no drive has, or that is none; where the table names none, its reader tells it.
+fn unknown(table: &mut Table<'_>) -> Option<Issue> {
+    if !table.is_table("machine") {
+        return None;
+    }
+    let mut machine = table.optional_table("machine")?;
+    let model = machine.text("model", "name of the machine");
+    let name = model.value.as_str();
+    let sampled = |name: &str| MachineData::sampled(name, |_| 1.0, 1).map(|(machine, _)| machine);
+    let is_prescribed = |name: &str| sampled(name).is_some_and(|machine| machine.apply(IsPrescribed));
+    if is_prescribed(name) {
+        let title = format!("`{name}` keeps the speed of its rotor under every load");
+        let issue = Issue::at(model.span, title, "this is a constraint, no motor");
+        return Some(issue.accepted("[[constraint]] zero = \"theta' - w\" in the place of this drive"));
+    }
+    if name.is_empty() || name == NAME || sampled(name).is_some() {
+        return None;
+    }
+    let known = AnyMachine::LIST.iter().map(|(known, _)| *known).filter(|known| !is_prescribed(known)).chain([NAME]);
+    let known: Vec<&str> = known.collect();
+    let list = known.join(", ");
+    let accepted = match units::nearest(name, known) {
+        Some(nearest) => format!("is `{nearest}` meant? Known: {list}"),
+        None => format!("known: {list}"),
+    };
+    Some(Issue::at(model.span, format!("unknown machine `{name}`"), "not known").accepted(accepted))
 }
 
 /// Whether a machine keeps the speed of its rotor.

@@ -215,3 +215,20 @@ fn a_drive_has_one_motor() {
     let said = ModelScene::parse("scene.toml", &text).expect_err("unknown").to_string();
     assert!(said.contains("is `brushed` meant?"), "{said}");
 }
+
+/// One message, which lists motors that a drive may have alone.
+#[test]
+fn a_machine_that_no_drive_has_is_refused_by_name() {
+    for (model, messages) in [
+        ("constant_speed", ["keeps the speed of its rotor under every load", "[[constraint]]"]),
+        ("brush", ["unknown machine `brush`", "is `brushed` meant? Known: free_rotor, asynchronous"]),
+    ] {
+        let said = ModelScene::parse("scene.toml", &scene(model, &MachineData::default())).expect_err(model);
+        assert_eq!(said.issues.len(), 1, "{said}");
+        let said = said.to_string();
+        assert!(
+            messages.iter().all(|message| said.contains(message)) && !said.contains("Known: constant_speed"),
+            "{said}"
+        );
+    }
+}
