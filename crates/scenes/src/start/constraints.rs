@@ -39,6 +39,8 @@ pub(super) struct Known {
     pub at: Range<usize>,
     /// The equation of a constraint: its constraint in the model, and its component.
     pub of: Option<[usize; 2]>,
+    /// Whether it is one of speeds that holds coordinates too where they are zero, as the law of a charge does.
+    pub is_of_places: bool,
 }
 
 impl Constraints {
@@ -78,7 +80,8 @@ impl Constraints {
                 let zero = trace.scalar(of.is) - given;
                 let row = (0..trace.speeds.len()).map(|i| trace.by_speed(zero, i)).collect();
                 let title = format!("the value of `{}` in [start]", of.name);
-                let known = Known { level: Level::Speed, title, unit: of.unit(), at: start.at.clone(), of: None };
+                let (unit, at) = (of.unit(), start.at.clone());
+                let known = Known { level: Level::Speed, title, unit, at, of: None, is_of_places: false };
                 Row { known, zero, rate: zero, row }
             });
             let unit = |of: [usize; 2]| coherent(&model.constraints[of[0]].dimension.to_string());
@@ -94,8 +97,14 @@ impl Constraints {
                 Tape::record(&[&inputs.state, &inputs.parameters, &speeds, &[inputs.time][..]].concat(), &wanted)
                     .map_err(|reason| Unmet::NotCompiled(NotCompiled::Undefined { reason: reason.to_string() }))?
                     .arranged();
-            let mut known: Vec<Known> = rows.into_iter().map(|row| row.known).collect();
             // behind the tape, whose order of operations is that in which expressions are made
+            let at_rest: Vec<(Sym, Sym)> = trace.speeds.iter().map(|&speed| (speed, Sym::ZERO)).collect();
+            let is_of_places = |row: &Row| {
+                let rest = row.rate.substitute(&at_rest).symbols_of();
+                row.known.level == Level::Speed && trace.coordinates.iter().any(|letter| rest.contains(letter))
+            };
+            let mut known: Vec<Known> =
+                rows.into_iter().map(|row| Known { is_of_places: is_of_places(&row), ..row.known }).collect();
             let titles: Vec<String> = titles(&trace).into_iter().map(|(_, title)| title).collect();
             for own in &mut known {
                 let place = own.of.and_then(|of| in_file.iter().position(|known| *known == of));
@@ -209,6 +218,6 @@ struct Row {
 
 impl Row {
     fn of(unit: String, Equation { name, of, level, at, zero, rate, row, .. }: Equation) -> Self {
-        Row { known: Known { level, title: name, unit, at, of: Some(of) }, zero, rate, row }
+        Row { known: Known { level, title: name, unit, at, of: Some(of), is_of_places: false }, zero, rate, row }
     }
 }

@@ -28,7 +28,11 @@ impl<'m> Leaf<'m> {
     /// None where no constraint holds speeds.
     pub fn of(model: &'m Model) -> Option<Self> {
         let constraints = Constraints::of(model).ok()??;
-        let is_of_speeds = |row: &usize| constraints.known[*row].level == Level::Speed;
+        // a law of places leads somewhere at any place: it leaves no displacements
+        let is_of_speeds = |row: &usize| {
+            let known = &constraints.known[*row];
+            known.level == Level::Speed && !known.is_of_places
+        };
         let rows: Vec<usize> = (0..constraints.kept).filter(is_of_speeds).collect();
         let values: Vec<f64> = model.parameters.iter().filter_map(|parameter| parameter.value).collect();
         let parameters = [values, start_speeds(model)].concat();

@@ -145,3 +145,14 @@ fn an_equilibrium_has_the_law_of_its_conditions_and_of_its_controller() {
         ModelScene::parse("scene.toml", &pulled("u - (1 N)*sign(x')", "0 m")).expect_err("it sticks").to_string();
     assert!(rough.contains("an equilibrium at which a condition changes"), "{rough}");
 }
+
+/// A capacitor behind a resistor has a law of its charge and its current: no displacement that the law leaves leads to q = U C.
+#[test]
+fn an_equilibrium_is_not_sought_along_laws_of_places() {
+    let found = scene(
+        "title = \"charged\"\n[coordinates]\nq = \"C\"\n[energies]\npotential = \"q^2/(2*(1 mF))\"\ndissipation = \"(5 ohm)/2*q'^2\"\n\
+         [[force]]\nalong = \"q\"\nis = \"(10 V)\"\n[run]\nspan = \"1 s\"\n",
+    );
+    let rest = equilibrium_of(&found.model).unwrap_or_else(|why| panic!("{}", why.title));
+    assert!((rest.state[0] - 0.01).abs() < 1e-14 && rest.state[1] == 0.0 && !rest.is_reached, "{rest:?}");
+}
