@@ -14,6 +14,8 @@ pub struct Segment {
     /// How many integrals of rates of signals the law carries, each zero when it begins. A method resolves them like the state: else
     /// the steps of a body at rest grow beyond the period of the force that will move it.
     pub followed: usize,
+    /// The longest first step, where the law begins in a state from which it changes fast.
+    pub longest_first: Option<f64>,
     pub switches: Box<dyn Switches>,
 }
 
@@ -86,6 +88,7 @@ pub(super) fn integrate(
         at.state.resize(states + segment.followed, 0.0);
         let mut rest = Span::new(here, span.end, &at.state).with_outputs(&outputs);
         rest.budget = span.budget;
+        rest.longest_first = segment.longest_first;
         rest.budget.evaluations = span.budget.evaluations.saturating_sub(at.work.rates);
         for monitor in &span.monitors {
             rest = rest.with_monitor(&monitor.name, move |time, state| (monitor.value)(time, &state[..states]));

@@ -215,5 +215,6 @@ pub(crate) fn first_step<S: Real>(meter: &Meter<S>, y: &[S], tolerance: &Toleran
     let steepest = d1.max(d2);
     let h1 = if steepest <= 1e-15 { h0 * 1e-3 } else { (0.01 / steepest).powf(1.0 / f64::from(order + 1)) };
     let first = h1.min(100.0 * h0).min(length);
-    if first.is_finite() && first > 0.0 { first } else { h0 * 1e-3 }
+    let first = if first.is_finite() && first > 0.0 { first } else { h0 * 1e-3 };
+    meter.longest_first.map_or(first, |longest| first.min(longest))
 }

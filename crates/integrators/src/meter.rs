@@ -25,6 +25,7 @@ pub(crate) struct Meter<'a, S> {
     backwards: bool,
     /// See [`Span`].
     pub within_step: bool,
+    pub longest_first: Option<f64>,
     allowed: u64,
     deadline: Option<Instant>,
     rates: Cell<u64>,
@@ -43,6 +44,7 @@ impl<'a, S: Real> Meter<'a, S> {
             direction: S::lift(span.direction()),
             backwards: span.direction() < 0.0,
             within_step: span.within_step,
+            longest_first: span.longest_first,
             allowed: span.budget.evaluations,
             deadline: span.budget.deadline,
             rates: Cell::new(0),

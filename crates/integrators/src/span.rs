@@ -40,6 +40,8 @@ pub struct Span<'a, S> {
     pub outputs: Vec<f64>,
     pub monitors: Vec<Monitor<'a, S>>,
     pub budget: Budget,
+    /// The longest first step, where a law begins in a state from which it changes fast.
+    pub longest_first: Option<f64>,
     /// Whether the span lies within a step that the method has accepted: then its own first step is the whole of it.
     pub(crate) within_step: bool,
 }
@@ -48,7 +50,8 @@ impl<'a, S: Real> Span<'a, S> {
     /// From `start` to `end` with the state at `start` given; one output, at the end.
     pub fn new(start: f64, end: f64, state: &[S]) -> Self {
         let (outputs, monitors) = (vec![end], Vec::new());
-        Span { start, end, state: state.to_vec(), outputs, monitors, budget: Budget::default(), within_step: false }
+        let (budget, longest_first, within_step) = (Budget::default(), None, false);
+        Span { start, end, state: state.to_vec(), outputs, monitors, budget, longest_first, within_step }
     }
 
     /// The same, known to lie within an accepted step.

@@ -36,8 +36,8 @@ pub(super) struct Glide {
     speed: f64,
     /// The largest speed at which a watch of this slide began.
     fastest: f64,
-    /// Whether it begins from rest, with this speed.
-    pub begins: bool,
+    /// Of one that begins from rest with this speed, the time in which it doubles.
+    doubling: Option<f64>,
 }
 
 impl Glide {
@@ -46,12 +46,22 @@ impl Glide {
         let Phase::Glides { begins, .. } = phase else { return None };
         let Some(heading) = begins else {
             let (speed, heading) = motion(contact);
-            return Some(Glide { heading, speed, fastest: speed, begins: false });
+            return Some(Glide { heading, speed, fastest: speed, doubling: None });
         };
         let doubt = contact.slide.doubts[0].max(contact.aside.doubts[0]);
         let speed = START.max(DIRECTED * doubt);
         let heading = direction::<1>(heading).map(|part| part.terms[0]);
-        Some(Glide { heading, speed, fastest: speed, begins: true })
+        let grown = |order: usize| {
+            let term = contact.slide.terms[order].hypot(contact.aside.terms[order]);
+            (speed / term).powf(1.0 / order as f64)
+        };
+        let doubling = Some((1..N).map(grown).fold(1.0, f64::min));
+        Some(Glide { heading, speed, fastest: speed, doubling })
+    }
+
+    /// Of one that begins from rest the time in which its speed doubles, at most a second.
+    pub fn doubling(&self) -> Option<f64> {
+        self.doubling
     }
 
     /// Letters of its signals: d, and w/10.
@@ -68,7 +78,7 @@ impl Glide {
     pub fn next<const N: usize>(&self, contact: &Touching<N>, has_turned: bool) -> Option<Self> {
         let (speed, heading) = motion(contact);
         let rests = self.is_over(contact) || has_turned && speed <= SLOWER * self.speed;
-        (!rests).then_some(Glide { heading, speed, fastest: speed.max(self.fastest), begins: false })
+        (!rests).then_some(Glide { heading, speed, fastest: speed.max(self.fastest), doubling: None })
     }
 
     /// Its rest, of a contact.
@@ -93,7 +103,7 @@ fn motion<const N: usize>(contact: &Touching<N>) -> (f64, [f64; 2]) {
 impl Modes {
     /// Gives contacts that begin to slide in space the speed from which they are followed.
     pub(super) fn push_off(&self, time: f64, state: &mut [f64], current: &Current) {
-        let begins = |contact: usize| current.glides[contact].filter(|glide| glide.begins);
+        let begins = |contact: usize| current.glides[contact].filter(|glide| glide.doubling.is_some());
         let Ok(expansions) = self.laws.expansions() else { return };
         if (0..current.glides.len()).all(|contact| begins(contact).is_none()) {
             return;

@@ -1,6 +1,7 @@
 //! Modes of a model: the case of each of its conditions, the law that holds there, and the instants at which it ends.
 
 mod algebraic;
+mod beginning;
 mod combinations;
 mod contacts;
 mod course;
@@ -193,7 +194,7 @@ impl Modes {
     /// Keeps a law of the run with the event that led to it.
     fn follow(&self, cause: Option<Crossing>, current: &Current) {
         let moded = Arc::clone(&current.moded);
-        let begins_to_glide = current.glides.iter().flatten().any(|glide| glide.begins);
+        let begins_to_glide = current.glides.iter().flatten().any(|glide| glide.doubling().is_some());
         let leg = Leg { cause, moded, glides: current.glide_letters(), begins_to_glide };
         self.course.lock().unwrap_or_else(PoisonError::into_inner).push(leg);
     }
@@ -247,7 +248,8 @@ impl Modes {
     fn enter(&self, current: Current) -> Segment {
         *self.current.lock().unwrap_or_else(PoisonError::into_inner) = Some(current.clone());
         let Moded { law, followed, .. } = &*current.moded;
-        Segment { law: Arc::clone(law), followed: *followed, switches: Box::new(current) }
+        let (law, longest_first) = beginning::from_rest(&current, Arc::clone(law));
+        Segment { law, followed: *followed, longest_first, switches: Box::new(current) }
     }
 }
 

@@ -1,0 +1,46 @@
+//! The law of a slip that begins from rest in space, for methods.
+//!
+//! Its direction changes within the time in which the speed with which it is followed doubles. A first step of that length lets a method
+//! see it; and a series in the time has no digits there, since v/|v| divides by a number that is small beside the rate of v.
+
+use super::Current;
+use derivations::scene::problem::Law;
+use field::DoubleDouble;
+use integrators::{Directions, Ode, Slopes, System};
+use std::sync::Arc;
+
+/// The part of the time in which the speed doubles.
+const SHORT: f64 = 0.1;
+
+/// The law of the current mode with its longest first step: changed where a contact begins to slide.
+pub(super) fn from_rest(current: &Current, law: Arc<dyn Law>) -> (Arc<dyn Law>, Option<f64>) {
+    let doubling = current.glides.iter().flatten().filter_map(|glide| glide.doubling());
+    match doubling.reduce(f64::min) {
+        None => (law, None),
+        Some(time) => (Arc::new(WithoutSeries(law)), Some(SHORT * time)),
+    }
+}
+
+/// A law that gives no series.
+struct WithoutSeries(Arc<dyn Law>);
+
+macro_rules! runs {
+    ($($field:ty),*) => {$(
+        impl Ode<$field> for WithoutSeries {
+            fn dimension(&self) -> usize {
+                Ode::<$field>::dimension(&*self.0)
+            }
+
+            fn rates(&self, t: $field, y: &[$field], dy: &mut [$field]) {
+                self.0.rates(t, y, dy);
+            }
+        }
+    )*};
+}
+runs!(f64, Directions, DoubleDouble);
+
+impl System for WithoutSeries {
+    fn slopes(&self) -> Option<Box<dyn Slopes + '_>> {
+        self.0.slopes()
+    }
+}
