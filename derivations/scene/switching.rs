@@ -43,6 +43,11 @@ pub trait Switching: Send + Sync {
     /// Why no motion follows.
     fn pass(&self, event: &Event, state: &mut [f64]) -> Result<Option<Segment>, &'static str>;
 
+    /// Why a method cannot follow these laws.
+    fn refuses(&self, _method: Method) -> Option<&'static str> {
+        None
+    }
+
     /// Why a method cannot go on from a state, where the law says it.
     fn obstacle(&self, _time: f64, _state: &[f64]) -> Option<&'static str> {
         None
@@ -75,6 +80,9 @@ pub(super) fn integrate(
         work: Work::default(),
         deviations: Vec::new(),
     };
+    if let Some(why) = switching.refuses(method) {
+        return (at, Some(why));
+    }
     let mut segment = match switching.begin(at.time, &mut at.state) {
         Ok(segment) => segment,
         Err(why) => return (at, Some(why)),

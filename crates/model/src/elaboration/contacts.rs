@@ -41,6 +41,14 @@ impl Elaborator<'_> {
             let title = "a contact is one of a point that moves";
             return Err(Box::new(Fault::at(of.span(), title, "the ground is at rest", AGAINST)));
         };
+        if on.body.is_none() && !self.source.bodies.is_empty() {
+            self.model.warnings.push(Fault::at(
+                of.span(),
+                "this contact acts at a point of no body: its forces turn none",
+                "a point that moves by itself",
+                "a point of a body, of = \"ball at P\"; a body of its own, where it has a mass",
+            ));
+        }
         if on.body.is_some() && on.body == plane.body {
             let title = "a contact is one of two bodies, and this one touches itself";
             return Err(Box::new(Fault::at(of.span(), title, "the body that it touches too", AGAINST)));

@@ -1,7 +1,7 @@
 //! Contacts for a reader: their letters, and the laws between them.
 
 use super::matrix_form::MatrixForm;
-use super::simplified;
+use super::{reading_of, simplified, vectors};
 use crate::equations::{balances, constraints_of};
 use crate::{Contact, Restitution, Sides, Trace};
 use symbolic::Sym;
@@ -30,9 +30,12 @@ fn coulomb(trace: &Trace<'_>, place: usize, friction: &str) -> Vec<String> {
     let slides = contact.slides.iter().map(|&slide| simplified(trace.scalar(slide)).decimal_text());
     let slides: Vec<String> = slides.collect();
     let letters: Vec<Sym> = (0..contact.reactions.len()).map(|component| trace.reaction(place, component)).collect();
+    let mut reading = reading_of(trace);
+    let mut direction = |tangent: usize| vectors::of(trace, &mut reading, trace.vector(contact.tangents[tangent]));
     match (slides.as_slice(), letters.as_slice()) {
         ([first, second], [normal, one, other]) => vec![
-            format!("  v1 = {first}, v2 = {second}, the sliding velocity along two tangents"),
+            format!("  v1 = {first}, v2 = {second}, the sliding velocity along the tangents t1 and t2"),
+            format!("  t1 = {}, t2 = {}", direction(0), direction(1)),
             format!(
                 "  where v1 = v2 = 0, sqrt({one}^2 + {other}^2) <= {friction}*|{normal}|, else ({one}, {other}) = \
                  -{friction}*|{normal}|*(v1, v2)/sqrt(v1^2 + v2^2)"

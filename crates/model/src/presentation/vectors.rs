@@ -83,7 +83,7 @@ pub fn vectors(trace: &Trace<'_>) -> Vec<String> {
 }
 
 /// A vector by the axes of its frame.
-fn of(trace: &Trace<'_>, reading: &mut Reading, vector: Vector) -> String {
+pub(super) fn of(trace: &Trace<'_>, reading: &mut Reading, vector: Vector) -> String {
     let frame = &trace.model.frames[vector.frame.0].name;
     let mut text = String::new();
     for (component, axis) in vector.components.iter().zip(["x", "y", "z"]) {

@@ -2,7 +2,7 @@
 //!
 //!   gap'' = 0 for N (u' = 0 of a diode),    v' = 0 for T of a contact that sticks,    T = -mu |N| v/|v| of one that slides .
 
-use super::distribution::balancing;
+use super::distribution::{ROUNDS, balancing};
 use super::mode::{Mode, Phase};
 use crate::compiled_system::NotCompiled;
 use field::Analytic;
@@ -147,19 +147,20 @@ pub(super) fn closed(
         let tangential = |&place: &usize| places[place][1] > 0 && held(places[place][0]);
         let tangential: Vec<usize> = (0..places.len()).filter(tangential).collect();
         let at = |all: &[Sym]| -> Vec<Sym> { tangential.iter().map(|&place| all[place]).collect() };
-        let choice: Vec<Sym> = one_choice.iter().map(|(_, value)| *value).collect();
-        let normal = |contact: usize| letter([contact, 0]).substitute(&one_choice);
-        let per_bound = tangential.iter().map(|&place| {
-            let contact = places[place][0];
-            Sym::ONE / (friction(trace, contact) * normal(contact))
-        });
-        let per_bound: Vec<Sym> = per_bound.collect();
         let of_friction: Vec<Vec<Sym>> = columns.iter().map(|column| at(column)).collect();
-        let solved = |rows, right| super::held::eliminated(rows, right).ok().map(|(values, _)| values);
-        let factors = balancing(&at(&choice), &of_friction, &per_bound, solved).unwrap_or_default();
-        for (place, (_, value)) in shown.iter_mut().enumerate() {
-            let parts = columns.iter().zip(&factors).map(|(column, &factor)| column[place] * factor);
-            *value = parts.fold(*value, |sum, part| sum + part);
+        for _ in 0..ROUNDS {
+            let known: Vec<Sym> = shown.iter().map(|(_, value)| *value).collect();
+            let per_bound = tangential.iter().map(|&place| {
+                let contact = places[place][0];
+                Sym::ONE / (friction(trace, contact) * letter([contact, 0]).substitute(&shown))
+            });
+            let per_bound: Vec<Sym> = per_bound.collect();
+            let solved = |rows, right| super::held::eliminated(rows, right).ok().map(|(values, _)| values);
+            let factors = balancing(&at(&known), &of_friction, &per_bound, solved).unwrap_or_default();
+            for (place, (_, value)) in shown.iter_mut().enumerate() {
+                let parts = columns.iter().zip(&factors).map(|(column, &factor)| column[place] * factor);
+                *value = parts.fold(*value, |sum, part| sum + part);
+            }
         }
     }
     let moved = [all(accelerations, &one_choice), all(multipliers, &shown)].concat();

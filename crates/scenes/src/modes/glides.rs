@@ -12,6 +12,7 @@
 use super::combinations::leaning;
 use super::course::Sets;
 use super::expansion::{Instant, Touching, direction};
+use super::jet::ROUNDING;
 use super::mode::Phase;
 use super::passage::SLACK;
 use super::signals::{Fall, GLIDE};
@@ -28,6 +29,8 @@ const REST: f64 = 1e-7;
 /// Speed with which a slide begins, in m/s, and in multiples of the rounding of the sliding velocity: below it v has no direction.
 const START: f64 = 1e-13;
 const DIRECTED: f64 = 1e4;
+/// Roundings of the clock in the time in which that speed is reached.
+const RESOLVED: f64 = 1e3;
 
 /// A contact that slides in space, from the instant at which its watch began.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,14 +45,16 @@ pub(super) struct Glide {
 
 impl Glide {
     /// Of a contact in a phase; none of one that does not slide in space.
-    pub fn of<const N: usize>(contact: &Touching<N>, phase: Phase) -> Option<Self> {
+    pub fn of<const N: usize>(contact: &Touching<N>, phase: Phase, time: f64) -> Option<Self> {
         let Phase::Glides { begins, .. } = phase else { return None };
         let Some(heading) = begins else {
             let (speed, heading) = motion(contact);
             return Some(Glide { heading, speed, fastest: speed, doubling: None });
         };
         let doubt = contact.slide.doubts[0].max(contact.aside.doubts[0]);
-        let speed = START.max(DIRECTED * doubt);
+        // it doubles in a time that the clock resolves
+        let rate = contact.slide.terms[1].hypot(contact.aside.terms[1]);
+        let speed = START.max(DIRECTED * doubt).max(RESOLVED * ROUNDING * time.abs() * rate);
         let heading = direction::<1>(heading).map(|part| part.terms[0]);
         let grown = |order: usize| {
             let term = contact.slide.terms[order].hypot(contact.aside.terms[order]);

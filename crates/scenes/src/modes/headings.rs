@@ -10,6 +10,9 @@ use super::passage::SLACK;
 use super::touch::margins;
 use std::f64::consts::TAU;
 
+/// A part across below this part of the one along is rounding.
+const STRAIGHT: f64 = 1e-10;
+
 /// Directions that are tried, and steps to where a direction is its own.
 const TRIED: usize = 64;
 const STEPS: usize = 80;
@@ -65,9 +68,11 @@ impl Slip<'_> {
         }
         let angle = (-second).atan2(-first);
         // the part across is linear in the rate of the angle
-        let across = |turn: f64| Some(self.parts::<3>(Heading::of(angle, turn), 2)?[0]);
-        let (none, one) = (across(0.0)?, across(1.0)?);
-        Some(Heading::of(angle, if one == none { 0.0 } else { -none / (one - none) }))
+        let parts = |turn: f64| self.parts::<3>(Heading::of(angle, turn), 2);
+        let ([none, along], [one, _]) = (parts(0.0)?, parts(1.0)?);
+        // on a line that constraints leave it does not turn
+        let is_straight = none.abs() <= STRAIGHT * along.abs() || (one - none).abs() <= STRAIGHT * none.abs();
+        Some(Heading::of(angle, if is_straight { 0.0 } else { -none / (one - none) }))
     }
 
     /// Directions along which the slip that they give begins.

@@ -20,6 +20,7 @@ mod motion;
 mod multiples;
 mod passage;
 mod pivots;
+mod reasons;
 mod regimes;
 mod shares;
 mod sides;
@@ -42,7 +43,7 @@ use derivations::scene::problem::Law;
 use derivations::scene::switching::{Passage, Segment, Switching};
 use expansion::{Expansions, Instant};
 use glides::Glide;
-use integrators::Event;
+use integrators::{Event, Method};
 use model::Model;
 use passage::After;
 pub use regimes::{CriticalFriction, Margin, Motions, Regime, Regimes};
@@ -294,9 +295,14 @@ impl Switching for Modes {
         }
     }
 
+    fn refuses(&self, method: Method) -> Option<&'static str> {
+        let slides = self.laws.model.contacts.iter().any(|contact| contact.is_in_space());
+        (slides && method == Method::BaderDeuflhard).then_some(reasons::STEPS_OVER_REST)
+    }
+
     fn obstacle(&self, time: f64, state: &[f64]) -> Option<&'static str> {
         let current = self.current.lock().unwrap_or_else(PoisonError::into_inner).clone()?;
-        self.jams(&current, time, state).then_some(passage::JAMS)
+        self.jams(&current, time, state).then_some(reasons::JAMS)
     }
 
     fn passages(&self) -> Vec<Passage> {

@@ -7,26 +7,14 @@ use super::expansion::{Expansion, Instant, Kind, Touching};
 use super::glides::Glide;
 use super::jet::Jet;
 use super::mode::{Case, Mode, Phase};
+use super::reasons::{BROKEN, JAMS, NO_LAW, NONE, NONE_AT_ONCE, SEVERAL, TOGETHER, TOO_MANY, refused};
 use super::sides::{Past, Side, side};
 use super::signals::Fall;
 use super::touch::{Touch, margins};
 use super::touches::NEGATIVE;
 use super::{Current, Modes};
-use crate::compiled_system::NotCompiled;
 use integrators::{Event, Happening};
 use model::Direction;
-
-const NO_LAW: &str =
-    "no law holds after a condition changes: it would have to be kept at zero, and nothing keeps it there";
-const NONE: &str = "no case of its conditions and contacts agrees with the motion that it gives";
-const NONE_AT_ONCE: &str = "no case of its conditions and diodes agrees with the speeds that it gives: a force or a voltage that meets neither \
-                            inertia nor resistance would move a coordinate at once";
-const SEVERAL: &str = "several motions go on from here, each by another case of its conditions or contacts";
-pub(super) const TOGETHER: &str = "several contacts in space are in touch, and no motion is found in which one alone begins to slide: directions of several are not sought yet";
-const TOO_MANY: &str =
-    "so many conditions and contacts are at zero together that their cases are not tried: more than 20,000";
-pub(super) const JAMS: &str = "the equations for the reactions of its contacts become singular: friction makes the reactions grow beyond every bound";
-const BROKEN: &str = "an event leaves a state that breaks a constraint";
 
 /// A determinant is zero where it has fallen to this part of what it was.
 const JAMMED: f64 = 1e-6;
@@ -383,7 +371,12 @@ impl Modes {
         Ok(Current {
             moded: self.laws.moded(&mode.clone().without_headings()).map_err(refused)?,
             sides,
-            glides: expansion.contacts.iter().zip(&mode.phases).map(|(one, phase)| Glide::of(one, *phase)).collect(),
+            glides: expansion
+                .contacts
+                .iter()
+                .zip(&mode.phases)
+                .map(|(one, phase)| Glide::of(one, *phase, instant.time))
+                .collect(),
             determinant: expansions.determinant(instant, &mode),
             near_contacts: phases.zip(&expansions.kinds).map(near_contact).collect(),
             near: (0..mode.cases.len()).map(near).collect(),
@@ -392,14 +385,5 @@ impl Modes {
                 .collect(),
             near_events,
         })
-    }
-}
-
-pub(super) fn refused(reason: NotCompiled) -> &'static str {
-    match reason {
-        NotCompiled::NotHeld { .. } => NO_LAW,
-        NotCompiled::Massless { .. } => "in this case nothing with inertia moves with a coordinate",
-        NotCompiled::Redundant { .. } => "in this case its constraints depend on each other",
-        _ => "the law of this case cannot be written down",
     }
 }

@@ -5,7 +5,7 @@ use super::decision::{Decided, Open, SLACKS, TERMS, agreeing, decided};
 use super::expansion::{Expansion, Instant};
 use super::jet::Jet;
 use super::mode::{Case, Mode, Phase};
-use super::passage::TOGETHER;
+use super::reasons::TOGETHER;
 use super::touch::{Touch, leaving, margins};
 use super::unfit::Unfit;
 use super::{Modes, Refused};

@@ -1,7 +1,7 @@
 //! The distribution of friction among contacts that lean on each other, over series.
 
 use super::super::contacts::{PARTS, leant};
-use super::super::distribution::balancing;
+use super::super::distribution::{ROUNDS, balancing};
 use super::super::jet::Jet;
 use super::super::mode::Mode;
 use super::letters::Quantity;
@@ -24,7 +24,9 @@ impl Expansions {
         let rows = self.slopes_by(values, tied, unknown, unknown);
         let moved = self.slopes_by(values, tied, unknown, &leant);
         let column = |place: usize| solved(rows.clone(), moved.iter().map(|row| -row[place]).collect());
-        let Some(columns) = (0..leant.len()).map(column).collect::<Option<Vec<Vec<Jet<N>>>>>() else { return };
+        let Some(mut columns) = (0..leant.len()).map(column).collect::<Option<Vec<Vec<Jet<N>>>>>() else { return };
+        // any choice is one: its own errors do not count
+        columns.iter_mut().flatten().for_each(|part| part.doubts = [0.0; N]);
         let places: Vec<usize> = unknown.iter().chain(&leant).copied().collect();
         let own = |column: usize, place: usize| match place.checked_sub(unknown.len()) {
             None => columns[column][place],
@@ -38,19 +40,22 @@ impl Expansions {
             part > 0 && mode.phases.get(contact).is_some_and(|phase| phase.sticking().is_some())
         };
         let tangential: Vec<usize> = (0..places.len()).filter(tangential).collect();
-        let friction: Vec<Jet<N>> = tangential.iter().map(|&place| letters[places[place]]).collect();
         let of_friction: Vec<Vec<Jet<N>>> =
             (0..leant.len()).map(|column| tangential.iter().map(|&place| own(column, place)).collect()).collect();
-        let per_bound = tangential.iter().map(|&place| {
-            let (contact, _) = contact_of(places[place]).unwrap_or_default();
-            let most = self.of_contact(values, Quantity::Friction, contact) * letters[self.reaction([contact, 0])];
-            Jet::one() / most
-        });
-        let per_bound: Vec<Jet<N>> = per_bound.collect();
-        let Some(factors) = balancing(&friction, &of_friction, &per_bound, solved) else { return };
-        for (place, &letter) in places.iter().enumerate() {
-            for (column, factor) in factors.iter().enumerate() {
-                letters[letter] += own(column, place) * *factor;
+        for _ in 0..ROUNDS {
+            let friction: Vec<Jet<N>> = tangential.iter().map(|&place| letters[places[place]]).collect();
+            let per_bound = tangential.iter().map(|&place| {
+                let (contact, _) = contact_of(places[place]).unwrap_or_default();
+                let most = self.of_contact(values, Quantity::Friction, contact) * letters[self.reaction([contact, 0])];
+                Jet::one() / most
+            });
+            let per_bound: Vec<Jet<N>> = per_bound.collect();
+            let Some(mut factors) = balancing(&friction, &of_friction, &per_bound, solved) else { return };
+            factors.iter_mut().for_each(|factor| factor.doubts = [0.0; N]);
+            for (place, &letter) in places.iter().enumerate() {
+                for (column, factor) in factors.iter().enumerate() {
+                    letters[letter] += own(column, place) * *factor;
+                }
             }
         }
     }

@@ -1,0 +1,28 @@
+//! Reasons for which a motion does not go on, in words.
+
+use crate::compiled_system::NotCompiled;
+
+pub(super) const NO_LAW: &str =
+    "no law holds after a condition changes: it would have to be kept at zero, and nothing keeps it there";
+pub(super) const NONE: &str = "no case of its conditions and contacts agrees with the motion that it gives";
+pub(super) const NONE_AT_ONCE: &str = "no case of its conditions and diodes agrees with the speeds that it gives: a force or a voltage that meets neither \
+                            inertia nor resistance would move a coordinate at once";
+pub(super) const SEVERAL: &str = "several motions go on from here, each by another case of its conditions or contacts";
+pub(super) const TOGETHER: &str = "several contacts in space are in touch, and no motion is found in which one alone begins to slide: directions of several are not sought yet";
+pub(super) const TOO_MANY: &str =
+    "so many conditions and contacts are at zero together that their cases are not tried: more than 20,000";
+pub(super) const JAMS: &str = "the equations for the reactions of its contacts become singular: friction makes the reactions grow beyond every bound";
+pub(super) const BROKEN: &str = "an event leaves a state that breaks a constraint";
+
+pub(super) const STEPS_OVER_REST: &str =
+    "the long steps of bader_deuflhard pass over the rest of a contact in space; radau_5, gauss:4 or rodas_4 follow it";
+
+/// Why the law of a case does not hold.
+pub(super) fn refused(reason: NotCompiled) -> &'static str {
+    match reason {
+        NotCompiled::NotHeld { .. } => NO_LAW,
+        NotCompiled::Massless { .. } => "in this case nothing with inertia moves with a coordinate",
+        NotCompiled::Redundant { .. } => "in this case its constraints depend on each other",
+        _ => "the law of this case cannot be written down",
+    }
+}
