@@ -164,7 +164,7 @@ impl Modes {
         let height = rate * rate / (-2.0 * acceleration);
         // a gap is zero within its rounding, and each fall is longer by that: e^2 (h + d) is not below h = d e^2/(1 - e^2)
         let square = restitution * restitution;
-        let lowest = DEEPER * SLACK * gap.doubts[0] * (1.0 + square) / (1.0 - square);
+        let lowest = SLACK * gap.doubts[0] * (1.0 + DEEPER * square / (1.0 - square));
         let is_over = (0.0..BOUNCES * time).contains(&rest) || (0.0..lowest).contains(&height);
         Ok(rate > 0.0 && acceleration < 0.0 && restitution < 1.0 && is_over)
     }

@@ -209,3 +209,66 @@ fn feet_that_would_begin_to_slide_together_are_refused() {
         scenes::ModelScene::parse("scene.toml", &stool("x = \"0 m\"", push)).expect_err("three feet").to_string();
     assert!(said.contains("several contacts in space are in touch"), "{said}");
 }
+
+/// In a sphere without weight the speed falls as 1/(1 + f v t/R), whichever axes the normal passes through.
+#[test]
+fn a_particle_slides_round_in_a_sphere_through_every_axis() {
+    let text = |start: &str| {
+        format!(
+            "title = \"sphere\"\n[coordinates]\nx = \"m\"\ny = \"m\"\nz = \"m\"\n[points]\nP = \"O + x*N.x + y*N.y + z*N.z\"\n\
+             [bodies.p]\ncentre = \"P\"\nmass = \"(1 kg)\"\n\
+             [[contact]]\nname = \"bowl\"\nof = \"p\"\ngap = \"(1 m) - distance(O, P)\"\nnormal = \"-(P - O)\"\nfriction = \"0.1\"\ntouching = true\n\
+             [outputs]\nv = \"norm(velocity(P))\"\n[start]\n{start}\n[run]\nspan = \"5 s\"\n"
+        )
+    };
+    for start in
+        ["y = \"1 m\"\n\"x'\" = \"3 m/s\"", "x = \"1 m\"\n\"z'\" = \"3 m/s\"", "z = \"1 m\"\n\"x'\" = \"-3 m/s\""]
+    {
+        let trajectory = runs(&text(start), Method::DormandPrince8, 1e-12);
+        assert_eq!(trajectory.stopped(), None, "{start}");
+        close(last(&trajectory, "v"), 3.0 / (1.0 + 0.1 * 3.0 * 5.0), 1e-10);
+    }
+}
+
+/// A stool on a slope holds where the tangent is below the friction, whichever foot bears most.
+#[test]
+fn a_stool_holds_on_a_slope_up_to_its_friction() {
+    let slope = |angle: f64| {
+        let (sin, cos) = angle.sin_cos();
+        let weight = format!("gravity = \"(9.81 m/s^2)*({sin}*N.x - {cos}*N.z)\"");
+        stool("x = \"0 m\"", "").replace("gravity = \"-(9.81 m/s^2)*N.z\"", &weight)
+    };
+    for angle in [0.02, 0.06, 0.09] {
+        let trajectory = runs(&slope(angle), Method::DormandPrince8, 1e-9);
+        assert_eq!(trajectory.stopped(), None, "{angle}");
+        close(last(&trajectory, "x'"), 0.0, 1e-12);
+    }
+    assert!(scenes::ModelScene::parse("scene.toml", &slope(0.105)).is_err());
+}
+
+/// A block on a string round a post is pulled along its arc: friction has one direction there.
+#[test]
+fn a_block_on_a_line_begins_to_slide_where_the_pull_along_it_exceeds_friction() {
+    let text = "title = \"line\"\ngravity = \"-(10 m/s^2)*N.z\"\n[coordinates]\nx = \"m\"\ny = \"m\"\nz = \"m\"\n\
+                [points]\nP = \"O + x*N.x + y*N.y + z*N.z\"\n[bodies.p]\ncentre = \"P\"\nmass = \"(1 kg)\"\n\
+                [[constraint]]\nzero = \"3*x - 4*y\"\n\
+                [[contact]]\nname = \"table\"\nof = \"p\"\nthrough = \"O\"\nnormal = \"N.z\"\nfriction = \"0.2\"\ntouching = true\n\
+                [[force]]\non = \"p\"\nis = \"(5 N/s)*t*N.x\"\n[run]\nspan = \"1 s\"\n";
+    for method in [Method::DormandPrince8, Method::Radau5] {
+        let trajectory = runs(text, method, 1e-11);
+        assert_eq!(trajectory.stopped(), None, "{method:?}");
+        // 4/5 of the force is along the line
+        close(events(&trajectory)[0], 0.5, 1e-10);
+        close(last(&trajectory, "x'"), 0.8 * 0.5 * 4.0 * 0.25, 1e-9);
+    }
+}
+
+/// Neither method has the digits there: one is told of a law without a series, the other steps over rest.
+#[test]
+fn methods_that_cannot_follow_a_slip_are_refused() {
+    let text = slope("0.3", "x = \"0 m\"", "");
+    for (method, said) in [(Method::Taylor, "no Taylor series"), (Method::BaderDeuflhard, "pass over the rest")] {
+        let stopped = runs(&text, method, 1e-9).stopped().unwrap_or_default().to_string();
+        assert!(stopped.contains(said), "{stopped}");
+    }
+}
