@@ -137,6 +137,9 @@ enum Named {
     Drive(usize),
 }
 
+/// A torque with the place of its expression, where it has one.
+type DrivingTorque = (Torque, Option<Range<usize>>);
+
 /// A fault stops what it stands in, and nothing else.
 type Sound<T> = Result<T, Box<Fault>>;
 
@@ -163,7 +166,7 @@ struct Elaborator<'s> {
     /// The loads of the file, each with its expression.
     loads: Vec<(Load, Range<usize>)>,
     /// Torques and voltages of drives, which stand behind the loads of the file; a torque with its expression, where it has one.
-    driving: (Vec<(Torque, Option<Range<usize>>)>, Vec<GeneralisedForce>),
+    driving: (Vec<DrivingTorque>, Vec<GeneralisedForce>),
     /// Tables with keys of another one, whose heading is missing.
     headless: Vec<(String, Fault)>,
 }
