@@ -100,7 +100,7 @@ fn scenes_are_listed_as_objects() {
 #[test]
 fn regimes_are_printed_with_their_margins() {
     let found = json(&run(&["regimes", "scenes/friction/climbed_ladder.toml", "--format", "json"]));
-    assert_eq!(keys(&found), ["title", "regimes", "verdict", "determined"]);
+    assert_eq!(keys(&found), ["title", "regimes", "verdict", "determined", "critical_friction"]);
     assert_eq!(keys(&found["regimes"][0]["margins"][0]), ["contact", "condition", "margin", "unit"]);
 }
 

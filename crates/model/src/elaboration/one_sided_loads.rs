@@ -1,6 +1,6 @@
 //! Loads that brake a motion one way and drive it the other way: the resistance of a fan as -c w^2.
 //!
-//! Where speeds change their signs, the part of the power of a load that has their even powers stays: a damper takes energy either way. The part
+//! Where speeds change their signs, the part of the power of a load that has their even powers stays: viscous friction takes energy either way. The part
 //! of their third power, and of higher odd ones, changes its sign. The first power is that of a load that does not depend on speeds.
 
 use crate::equations::vanishes;
@@ -29,6 +29,10 @@ pub(super) fn one_sided(model: &Model, loads: &[(Load, Range<usize>)]) -> Vec<Fa
             "`-c*abs(w)*w`, which brakes both ways; of a motion that goes one way alone it may stay",
         )
     };
+    // in energies without bodies speeds have no ways that loads could brake
+    if model.bodies.is_empty() {
+        return Vec::new();
+    }
     apart(|| {
         let trace = Trace::of(model);
         let is_one_sided = |load: Load| power(&trace, load).is_some_and(|power| changes_sign(&trace, power));
