@@ -164,14 +164,16 @@ impl Trajectory {
 
     /// A failure with the name of the state at whose rate it is, where it is at one.
     fn named(&self, failure: Failure) -> String {
-        let name = match failure {
-            Failure::Refused(Refusal::RatesNotFinite { component }) => self.names.get(component),
-            _ => None,
+        let Failure::Refused(Refusal::RatesNotFinite { component }) = failure else { return failure.to_string() };
+        let what = match self.names.get(component).filter(|_| component < self.outcome.state.len()) {
+            Some(name) => format!("the rate of `{name}`"),
+            // what a law follows beside the state
+            None => "the rate of a reaction or of a condition".to_owned(),
         };
-        name.map_or_else(
-            || failure.to_string(),
-            |name| format!("refused: at the start the rate of `{name}` is not finite"),
-        )
+        match self.outcome.time {
+            0.0 => format!("refused: at the start {what} is not finite"),
+            time => format!("left its law: where it begins anew at t = {time:.9} s, {what} is not finite"),
+        }
     }
 
     /// What has no value: columns at the end, quantities that are conserved along the run.

@@ -6,11 +6,12 @@ use super::passage::SLACK;
 use super::touches::NEGATIVE;
 use model::Sides;
 
-const PENETRATES: &str = "a contact penetrates at the start: its gap is negative";
-const LEFT: &str = "a guide is left at the start: its gap is not zero";
+const PENETRATES: &str = "a contact penetrates where a motion should begin: its gap is negative";
+const LEFT: &str = "a guide is left where a motion should begin: its gap is not zero";
 const STIFF: &str = "the speed of a diode or a freewheel is one that nothing moves";
 const TURNED: &str = "a diode or a freewheel starts with a speed against it";
-const CLOSES: &str = "a contact closes with a velocity at the start: an impact, before which a motion has to begin";
+const CLOSES: &str =
+    "a contact closes with a velocity where a motion should begin: an impact, before which one has to begin";
 const PULLS: &str =
     "a contact pulls where it should push: its normal does not point to where its gap grows, or nothing moves along it";
 pub(super) const RESTITUTION: &str = "a coefficient of restitution is not between 0 and 1";

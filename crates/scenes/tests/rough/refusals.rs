@@ -74,8 +74,11 @@ fn a_start_in_which_a_contact_penetrates_or_closes_is_refused() {
         let free = stored("models/leaning_ladder").replace("touching = true\n", "").replacen(start, start_there, 1);
         ModelScene::parse("scene.toml", &free).map_or_else(|error| error.to_string(), |_| String::new())
     };
-    assert!(alone("x = \"1 m\"\ny = \"1 m\"").contains("a contact penetrates at the start"));
-    assert!(alone("x = \"1 m\"\ny = \"2 m\"\n\"y'\" = \"-1 m/s\"").contains("closes with a velocity at the start"));
+    assert!(alone("x = \"1 m\"\ny = \"1 m\"").contains("a contact penetrates where a motion should begin"));
+    assert!(
+        alone("x = \"1 m\"\ny = \"2 m\"\n\"y'\" = \"-1 m/s\"")
+            .contains("closes with a velocity where a motion should begin")
+    );
     assert_eq!(alone("x = \"1 m\"\ny = \"3 m\"\n\"y'\" = \"-1 m/s\""), "");
 }
 
