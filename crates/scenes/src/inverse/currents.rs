@@ -10,7 +10,7 @@
 
 use super::NoForces;
 use super::laws::Laws;
-use super::scaled::scaled;
+use super::least_solution::scaled;
 use crate::linearisation::{At, Point, Values, VariedEquations};
 use crate::row_units::{force_unit, measured};
 use model::Model;

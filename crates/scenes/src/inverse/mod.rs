@@ -8,9 +8,9 @@
 mod completion;
 mod currents;
 mod laws;
+mod least_solution;
 mod no_forces;
 mod prescription;
-mod scaled;
 
 use crate::linearisation::{At, Known, Point, VariedEquations};
 use crate::motions::Motion;

@@ -16,9 +16,9 @@ use symbolic::{Derivation, Sym, substitute_all};
 
 /// Equations of motion in which algebraic speeds are letters.
 pub(crate) struct Parted {
-    /// Of all speeds; zero of those that are algebraic.
+    /// One for each speed; zero for those that are algebraic.
     pub accelerations: Vec<Sym>,
-    /// Of all constraints; of those that hold algebraic speeds their letters.
+    /// One for each constraint; its letter where it holds algebraic speeds.
     pub multipliers: Vec<Sym>,
     /// Algebraic speeds, then the multipliers of constraints that hold them.
     pub letters: Vec<Sym>,

@@ -88,7 +88,7 @@ pub(super) fn friction(trace: &Trace<'_>, contact: usize) -> Sym {
 pub(super) struct Closed {
     /// Reactions that others give, then those that are found, by their letters.
     pub found: Vec<Vec<(Sym, Sym)>>,
-    /// Of the equations for them: where it vanishes they are not determined, or grow beyond every bound.
+    /// The determinant of the equations for them: where it vanishes they are not determined, or grow beyond every bound.
     pub determinant: Sym,
 }
 

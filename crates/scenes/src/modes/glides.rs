@@ -39,12 +39,12 @@ pub(super) struct Glide {
     speed: f64,
     /// The largest speed at which a watch of this slide began.
     fastest: f64,
-    /// Of one that begins from rest with this speed, the time in which it doubles.
+    /// The time in which the speed doubles, where it begins from rest.
     doubling: Option<f64>,
 }
 
 impl Glide {
-    /// Of a contact in a phase; none of one that does not slide in space.
+    /// The watch of a contact in a phase; none where it does not slide in space.
     pub fn of<const N: usize>(contact: &Touching<N>, phase: Phase, time: f64) -> Option<Self> {
         let Phase::Glides { begins, .. } = phase else { return None };
         let Some(heading) = begins else {
@@ -64,7 +64,7 @@ impl Glide {
         Some(Glide { heading, speed, fastest: speed, doubling })
     }
 
-    /// Of one that begins from rest the time in which its speed doubles, at most a second.
+    /// The time in which the speed doubles, at most a second, where it begins from rest.
     pub fn doubling(&self) -> Option<f64> {
         self.doubling
     }

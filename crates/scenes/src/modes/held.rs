@@ -115,7 +115,7 @@ pub(crate) fn held(trace: &Trace<'_>, mode: &Mode, parted: Parted) -> Result<Mot
     Ok(Motion { switches, parts, accelerations, multipliers, reactions, determinant, speeds })
 }
 
-/// What stands for letters, with the reactions of contacts in it.
+/// The values of letters, with the reactions of contacts in them.
 fn settled_with(settled: &[(Sym, Sym)], reactions: impl Fn(&[Sym]) -> Vec<Sym>) -> Vec<(Sym, Sym)> {
     let (letters, values): (Vec<Sym>, Vec<Sym>) = settled.iter().copied().unzip();
     letters.into_iter().zip(reactions(&values)).collect()

@@ -1,7 +1,6 @@
 //! Modes of a model: the case of each of its conditions, the law that holds there, and the instants at which it ends.
 
 mod algebraic;
-mod beginning;
 mod combinations;
 mod contacts;
 mod course;
@@ -26,6 +25,7 @@ mod shares;
 mod sides;
 mod signal_integrals;
 mod signals;
+mod slip_start;
 mod touch;
 mod touches;
 mod unfit;
@@ -249,7 +249,7 @@ impl Modes {
     fn enter(&self, current: Current) -> Segment {
         *self.current.lock().unwrap_or_else(PoisonError::into_inner) = Some(current.clone());
         let Moded { law, followed, .. } = &*current.moded;
-        let (law, longest_first) = beginning::from_rest(&current, Arc::clone(law));
+        let (law, longest_first) = slip_start::from_rest(&current, Arc::clone(law));
         Segment { law, followed: *followed, longest_first, switches: Box::new(current) }
     }
 }

@@ -14,7 +14,7 @@ pub(crate) struct Motion {
     pub multipliers: Vec<Sym>,
     /// Normal and tangential reaction of each contact.
     pub reactions: Vec<[Sym; PARTS]>,
-    /// Of the equations for the reactions.
+    /// The determinant of the equations for the reactions.
     pub determinant: Sym,
     /// 1, 0, or what keeps the condition at zero.
     pub switches: Vec<Sym>,

@@ -222,7 +222,7 @@ pub(super) fn written(
     Ok((falls, substitute_all(&all, &values(&trace, time, state))))
 }
 
-/// What events set, in the letters of the model: the place in the state, and the expression.
+/// The changes that events make, in the letters of the model: the place in the state, and the expression.
 pub(super) fn sets(model: &Model) -> Vec<(usize, String)> {
     apart(|| {
         let trace = Trace::of(model);

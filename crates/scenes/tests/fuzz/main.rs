@@ -6,6 +6,7 @@
 mod files;
 mod free_frames;
 mod members;
+mod texts;
 
 /// Pieces that take the place of a part of a text.
 const PIECES: [&str; 94] = [

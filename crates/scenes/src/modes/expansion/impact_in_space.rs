@@ -55,7 +55,7 @@ impl<S: Real> Struck<S> {
 mod tests {
     use super::{NotStruck, Struck};
 
-    /// Of a ball: unit impulses change the velocity of its lowest point by 1/m, and by 7/(2 m) along the tangents.
+    /// A ball: unit impulses change the velocity of its lowest point by 1/m, and by 7/(2 m) along the tangents.
     fn ball(sliding: [f64; 2]) -> Struck<f64> {
         Struck { closing: -1.0, sliding, responses: [[1.0, 0.0, 0.0], [0.0, 3.5, 0.0], [0.0, 0.0, 3.5]] }
     }
