@@ -37,7 +37,6 @@ fn painleves_rod_has_no_motion_one_or_several() {
     assert_eq!(shown(&one), ["contact `end` slides backwards: normal reaction |N| 17.03985 N"]);
 }
 
-/// N = mg cos - F sin is pushed up to what friction holds: at F = f m g exactly on the boundary.
 /// f* = (1 + k c^2)/(k s c) with k = ml^2/I = 3, as the claims on rods have it; of a block on a plane there is none.
 #[test]
 fn the_friction_at_which_reactions_are_not_determined_is_that_of_the_claims() {
@@ -50,6 +49,7 @@ fn the_friction_at_which_reactions_are_not_determined_is_that_of_the_claims() {
     assert_eq!(of(&super::rod("1 rad", "0 rad/s", 1.0)).critical, None);
 }
 
+/// N = mg cos - F sin is pushed up to what friction holds: at F = f m g exactly on the boundary.
 #[test]
 fn a_block_on_the_boundary_of_sticking_has_one_motion() {
     let block = |push: &str| {
