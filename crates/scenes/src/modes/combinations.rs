@@ -9,7 +9,6 @@ use super::contacts::{PARTS, unknown_parts};
 use super::decision::Open;
 use super::expansion::{Expansions, Instant};
 use super::mode::Phase;
-use super::touch::Touch;
 use nalgebra::DMatrix;
 
 /// A condition is independent of others where it keeps at least this part of its own response.
@@ -25,11 +24,7 @@ pub(super) fn combinations(expansions: &Expansions, instant: &Instant<'_>, open:
     for (contact, (touch, kind)) in open.touches.iter().zip(&expansions.kinds).enumerate() {
         let mut next = Vec::new();
         for (phases, kept) in &all {
-            let begins = |phase: &Phase| matches!(phase, Phase::Glides { .. });
-            // of those that rest in space one alone begins to slide
-            let is_taken = *touch == Touch::Rest
-                && phases.iter().zip(open.touches).any(|(phase, touch)| *touch == Touch::Rest && begins(phase));
-            for phase in touch.phases(*kind).into_iter().filter(|phase| !(is_taken && begins(phase))) {
+            for phase in touch.phases(*kind) {
                 // a guide that the coordinates satisfy has a balance of its own, and of currents that follow at once the whole mode decides
                 let added = [phase].into_iter().chain(leaning(phase, kind.is_in_space)).find_map(|phase| {
                     let kept = match kind.is_guide || kind.is_direct {

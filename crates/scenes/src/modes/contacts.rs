@@ -135,32 +135,28 @@ pub(super) fn closed(
     let all = |expressions: &[Sym], found: &[(Sym, Sym)]| substitute_all(&substitute_all(expressions, &given), found);
     let mut shown = one_choice.clone();
     if !leant.is_empty() {
-        // reactions that balance among themselves
         let mut columns: Vec<Vec<Sym>> = Vec::new();
         for &of in &leant {
             let right = zeros.iter().map(|&zero| -slope(zero, of)).collect();
-            let (column, _) = super::held::eliminated(rows.clone(), right).map_err(not_held)?;
-            columns.push(column.into_iter().chain(leant.iter().map(|&other| number_of(other == of))).collect());
+            columns.push(super::held::eliminated(rows.clone(), right).map_err(not_held)?.0);
         }
-        let places: Vec<[usize; 2]> = unknown.iter().chain(&leant).copied().collect();
         let held = |contact: usize| mode.phases[contact].sticking().is_some();
-        let tangential = |&place: &usize| places[place][1] > 0 && held(places[place][0]);
-        let tangential: Vec<usize> = (0..places.len()).filter(tangential).collect();
-        let at = |all: &[Sym]| -> Vec<Sym> { tangential.iter().map(|&place| all[place]).collect() };
+        let friction_of = |&place: &usize| unknown[place][1] > 0 && held(unknown[place][0]);
+        let following: Vec<usize> = (0..unknown.len()).filter(friction_of).collect();
+        let at = |all: &[Sym]| -> Vec<Sym> { following.iter().map(|&place| all[place]).collect() };
         let of_friction: Vec<Vec<Sym>> = columns.iter().map(|column| at(column)).collect();
         for _ in 0..ROUNDS {
-            let known: Vec<Sym> = shown.iter().map(|(_, value)| *value).collect();
-            let per_bound = tangential.iter().map(|&place| {
-                let contact = places[place][0];
-                Sym::ONE / (friction(trace, contact) * letter([contact, 0]).substitute(&shown))
-            });
-            let per_bound: Vec<Sym> = per_bound.collect();
+            let bound = |[contact, _]: [usize; 2]| friction(trace, contact) * letter([contact, 0]).substitute(&shown);
+            let bounds: Vec<Sym> = following.iter().map(|&place| bound(unknown[place])).collect();
+            let bounds_leaning: Vec<Sym> = leant.iter().map(|&of| bound(of)).collect();
             let solved = |rows, right| super::held::eliminated(rows, right).ok().map(|(values, _)| values);
-            let factors = balancing(&at(&known), &of_friction, &per_bound, solved).unwrap_or_default();
-            for (place, (_, value)) in shown.iter_mut().enumerate() {
-                let parts = columns.iter().zip(&factors).map(|(column, &factor)| column[place] * factor);
-                *value = parts.fold(*value, |sum, part| sum + part);
-            }
+            let shares = balancing(&at(&values), &of_friction, [&bounds, &bounds_leaning], solved).unwrap_or_default();
+            let following = values.iter().enumerate().map(|(place, &value)| {
+                let parts = columns.iter().zip(&shares).map(|(column, &share)| column[place] * share);
+                parts.fold(value, |sum, part| sum + part)
+            });
+            let all = following.chain(shares.iter().copied());
+            shown = unknown.iter().chain(&leant).map(|&of| letter(of)).zip(all).collect();
         }
     }
     let moved = [all(accelerations, &one_choice), all(multipliers, &shown)].concat();
@@ -174,11 +170,6 @@ pub(super) fn leant(mode: &Mode) -> Vec<[usize; 2]> {
         (0..2).filter(move |&tangent| !held[tangent]).map(move |tangent| [contact, tangent + 1])
     };
     mode.phases.iter().enumerate().flat_map(of).collect()
-}
-
-/// 1 or 0.
-fn number_of(holds: bool) -> Sym {
-    if holds { Sym::ONE } else { Sym::ZERO }
 }
 
 /// 1 or -1.

@@ -8,7 +8,7 @@
 use super::combinations::combinations;
 use super::expansion::{Expansion, Expansions, Instant};
 use super::headings::headings;
-use super::mode::{Case, Mode, Phase};
+use super::mode::{Case, Face, Heading, Mode, Phase};
 use super::pivots::{NotFound, pivoted};
 use super::shares::shares;
 use super::touch::{Touch, at_rest, possible, standing_of};
@@ -222,23 +222,24 @@ impl Candidates {
     }
 }
 
-/// A mode with each direction in which a contact that rests in space may begin to slide; none where several would begin at once.
+/// A mode with all directions in which its contacts that rest in space may begin to slide.
 fn directed(expansions: &Expansions, instant: &Instant<'_>, mode: Mode, open: Open<'_>) -> Vec<Mode> {
-    let begins =
-        |(contact, touch): (usize, Touch)| (touch == Touch::Rest && mode.phases[contact].moves()).then_some(contact);
-    let beginning: Vec<usize> = open.in_space(expansions).filter_map(begins).collect();
-    match (beginning.as_slice(), beginning.first().and_then(|&contact| mode.phases[contact].face())) {
-        ([], _) => vec![mode],
-        (&[contact], Some(face)) => {
-            let with = |heading| {
-                let mut mode = mode.clone();
-                mode.phases[contact] = Phase::Glides { face, begins: Some(heading) };
-                mode
-            };
-            headings(expansions, instant, &mode, (contact, face)).into_iter().map(with).collect()
-        }
-        _ => Vec::new(),
+    let begins = |(contact, touch): (usize, Touch)| {
+        let phase = mode.phases[contact];
+        (touch == Touch::Rest && phase.moves()).then_some((contact, phase.face()?))
+    };
+    let beginning: Vec<(usize, Face)> = open.in_space(expansions).filter_map(begins).collect();
+    if beginning.is_empty() {
+        return vec![mode];
     }
+    let with = |headings: Vec<Heading>| {
+        let mut mode = mode.clone();
+        for (&(contact, face), heading) in beginning.iter().zip(headings) {
+            mode.phases[contact] = Phase::Glides { face, begins: Some(heading) };
+        }
+        mode
+    };
+    headings(expansions, instant, &mode, &beginning).into_iter().map(with).collect()
 }
 
 /// The highest standing of candidates, and those that have it; none where all contradict themselves.

@@ -1,36 +1,55 @@
 //! The distribution of friction among contacts that hold a body with more reactions than its motion determines.
 //!
-//! Reactions R + Z y give one motion for all y, where the columns of Z are reactions that balance among themselves. Shown, and kept within the
-//! cones of friction, are those with the least sum of |T|^2/(mu N): feet of a table that is pushed come to their bounds together.
+//! Reactions give one motion for all T of contacts that lean on the others, whose T follow: T_f = T_0 + Z T_l, T_0 those without leaning. Shown,
+//! and kept within the cones of friction, are those with the least sum of |T|^2/(mu N): feet of a table that is pushed come to their bounds
+//! together. With a multiplier for each T_f
+//!
+//!   T_f = D_f m,    T_l = -D_l Z' m,    (D_f + Z D_l Z') m = T_0,    D = mu N,
+//!
+//! where a contact without pressure takes no friction.
 
 use field::Scalar;
 
 /// Normal reactions change with the distribution, and the bounds with them: it is found so many times.
 pub(super) const ROUNDS: usize = 3;
 
-/// y of the least sum, from T of one choice, the columns of Z along T, and 1/(mu N) of each component.
+/// T_l of the least sum, from T_0, the columns of Z, and mu N of each component of T_f and of T_l.
 pub(super) fn balancing<S: Scalar>(
-    friction: &[S],
+    alone: &[S],
     columns: &[Vec<S>],
-    per_bound: &[S],
+    [bounds, bounds_leaning]: [&[S]; 2],
     solved: impl FnOnce(Vec<Vec<S>>, Vec<S>) -> Option<Vec<S>>,
 ) -> Option<Vec<S>> {
-    let product =
-        |a: &[S], b: &[S]| a.iter().zip(b).zip(per_bound).fold(S::zero(), |sum, ((a, b), per)| sum + *a * *b * *per);
-    let rows = columns.iter().map(|a| columns.iter().map(|b| product(a, b)).collect()).collect();
-    let right = columns.iter().map(|column| -product(column, friction)).collect();
-    solved(rows, right)
+    let entry = |row: usize, other: usize| {
+        let own = if row == other { bounds[row] } else { S::zero() };
+        let leaning = columns.iter().zip(bounds_leaning);
+        leaning.fold(own, |sum, (column, bound)| sum + column[row] * *bound * column[other])
+    };
+    let rows = (0..alone.len()).map(|row| (0..alone.len()).map(|other| entry(row, other)).collect()).collect();
+    let multipliers = solved(rows, alone.to_vec())?;
+    let of = |(column, bound): (&Vec<S>, &S)| {
+        column.iter().zip(&multipliers).fold(S::zero(), |sum, (part, multiplier)| sum - *part * *multiplier) * *bound
+    };
+    Some(columns.iter().zip(bounds_leaning).map(of).collect())
 }
 
 #[cfg(test)]
 mod tests {
     use super::balancing;
 
+    fn shared(bounds: [f64; 2]) -> f64 {
+        let solved = |rows: Vec<Vec<f64>>, right: Vec<f64>| Some(vec![right[0] / rows[0][0]]);
+        balancing(&[6.0], &[vec![-1.0]], [&bounds[..1], &bounds[1..]], solved).expect("one that presses")[0]
+    }
+
     /// Two feet in a line: what one pulls the other may push. The force is shared as the bounds are.
     #[test]
     fn feet_share_a_force_by_their_bounds() {
-        let solved = |rows: Vec<Vec<f64>>, right: Vec<f64>| Some(vec![right[0] / rows[0][0]]);
-        let y = balancing(&[6.0, 0.0], &[vec![-1.0, 1.0]], &[1.0 / 2.0, 1.0 / 4.0], solved).unwrap();
-        assert!((y[0] - 4.0).abs() < 1e-15);
+        assert!((shared([2.0, 4.0]) - 4.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_foot_without_pressure_takes_no_friction() {
+        assert_eq!([shared([0.0, 4.0]), shared([2.0, 0.0])], [6.0, 0.0]);
     }
 }

@@ -9,11 +9,11 @@
 //! After either the watch begins anew, until so little is left of the speed that it is taken away at once: what reactions do in the rest of
 //! the way differs from that by the square of the part that is left.
 
-use super::combinations::leaning;
 use super::course::Sets;
 use super::expansion::{Instant, Touching, direction};
-use super::jet::ROUNDING;
-use super::mode::Phase;
+use super::headings::held;
+use super::jet::{Jet, ROUNDING};
+use super::mode::{Face, Phase};
 use super::passage::SLACK;
 use super::signals::{Fall, GLIDE};
 use super::touch::Touch;
@@ -44,24 +44,28 @@ pub(super) struct Glide {
 }
 
 impl Glide {
-    /// The watch of a contact in a phase; none where it does not slide in space.
-    pub fn of<const N: usize>(contact: &Touching<N>, phase: Phase, time: f64) -> Option<Self> {
+    /// The watches of contacts in their phases; none of one that does not slide in space.
+    pub fn of_all<const N: usize>(contacts: &[Touching<N>], phases: &[Phase], time: f64) -> Vec<Option<Self>> {
+        let begins = |phase: &Phase| matches!(phase, Phase::Glides { begins: Some(_), .. });
+        let all = || contacts.iter().zip(phases);
+        // those that begin together have the speeds of one instant
+        let doubling = all().filter(|(_, phase)| begins(phase)).map(|(contact, _)| doubling(contact, time));
+        let doubling = doubling.fold(0.0, f64::max);
+        all().map(|(contact, phase)| Glide::of(contact, *phase, doubling)).collect()
+    }
+
+    fn of<const N: usize>(contact: &Touching<N>, phase: Phase, doubling: f64) -> Option<Self> {
         let Phase::Glides { begins, .. } = phase else { return None };
         let Some(heading) = begins else {
-            let (speed, heading) = motion(contact);
+            let (speed, heading) = motion(contact.slide.terms[0], contact.aside.terms[0]);
             return Some(Glide { heading, speed, fastest: speed, doubling: None });
         };
-        let doubt = contact.slide.doubts[0].max(contact.aside.doubts[0]);
-        // it doubles in a time that the clock resolves
-        let rate = contact.slide.terms[1].hypot(contact.aside.terms[1]);
-        let speed = START.max(DIRECTED * doubt).max(RESOLVED * ROUNDING * time.abs() * rate);
-        let heading = direction::<1>(heading).map(|part| part.terms[0]);
-        let grown = |order: usize| {
-            let term = contact.slide.terms[order].hypot(contact.aside.terms[order]);
-            (speed / term).powf(1.0 / order as f64)
+        let then = |jet: &Jet<N>| jet.terms.iter().skip(1).rev().fold(0.0, |sum, term| (sum + term) * doubling);
+        let (speed, heading) = match motion(then(&contact.slide), then(&contact.aside)) {
+            (0.0, _) => (START, direction::<1>(heading).map(|part| part.terms[0])),
+            begun => begun,
         };
-        let doubling = Some((1..N).map(grown).fold(1.0, f64::min));
-        Some(Glide { heading, speed, fastest: speed, doubling })
+        Some(Glide { heading, speed, fastest: speed, doubling: Some(doubling) })
     }
 
     /// The time in which the speed doubles, at most a second, where it begins from rest.
@@ -81,7 +85,7 @@ impl Glide {
 
     /// The next watch, after this one's speed or direction has fallen; none where the contact comes to rest.
     pub fn next<const N: usize>(&self, contact: &Touching<N>, has_turned: bool) -> Option<Self> {
-        let (speed, heading) = motion(contact);
+        let (speed, heading) = motion(contact.slide.terms[0], contact.aside.terms[0]);
         let rests = self.is_over(contact) || has_turned && speed <= SLOWER * self.speed;
         (!rests).then_some(Glide { heading, speed, fastest: speed.max(self.fastest), doubling: None })
     }
@@ -94,37 +98,41 @@ impl Glide {
     /// Whether so little is left of its speed that it is taken away at once.
     fn is_over<const N: usize>(&self, contact: &Touching<N>) -> bool {
         let rounding = SLACK * contact.slide.doubts[0].max(contact.aside.doubts[0]);
-        motion(contact).0 <= rounding.max(1.5 * REST * self.fastest)
+        motion(contact.slide.terms[0], contact.aside.terms[0]).0 <= rounding.max(1.5 * REST * self.fastest)
     }
 }
 
 /// |v| and v/|v|.
-fn motion<const N: usize>(contact: &Touching<N>) -> (f64, [f64; 2]) {
-    let [along, aside] = [contact.slide, contact.aside].map(|jet| jet.terms[0]);
+fn motion(along: f64, aside: f64) -> (f64, [f64; 2]) {
     let speed = along.hypot(aside);
     (speed, [along / speed, aside / speed])
+}
+
+/// The time after which a contact that begins to slide has a speed with a direction, in a time that the clock resolves.
+fn doubling<const N: usize>(contact: &Touching<N>, time: f64) -> f64 {
+    let term = |order: usize| contact.slide.terms[order].hypot(contact.aside.terms[order]);
+    let doubt = contact.slide.doubts[0].max(contact.aside.doubts[0]);
+    let speed = START.max(DIRECTED * doubt).max(RESOLVED * ROUNDING * time.abs() * term(1));
+    (1..N).map(|order| (speed / term(order)).powf(1.0 / order as f64)).fold(1.0, f64::min)
 }
 
 impl Modes {
     /// Gives contacts that begin to slide in space the speed from which they are followed.
     pub(super) fn push_off(&self, time: f64, state: &mut [f64], current: &Current) {
-        let begins = |contact: usize| current.glides[contact].filter(|glide| glide.doubling.is_some());
         let Ok(expansions) = self.laws.expansions() else { return };
-        if (0..current.glides.len()).all(|contact| begins(contact).is_none()) {
-            return;
-        }
-        let start = |contact: usize| begins(contact).map_or([0.0; 2], |glide| glide.start());
-        let held = |place: usize| {
-            let mut held = current.moded.system.mode.clone();
-            for (contact, phase) in held.phases.iter_mut().enumerate() {
-                if let (Some(_), Some(face)) = (begins(contact), phase.face()) {
-                    *phase = [vec![Phase::Sticks(face)], leaning(Phase::Sticks(face), true)].concat()[place];
-                }
-            }
-            held
+        let start = |contact: usize| {
+            let begun = current.glides[contact].filter(|glide| glide.doubling.is_some());
+            begun.map_or([0.0; 2], |glide| glide.start())
         };
-        // others may hold it along one tangent
-        (0..3).any(|place| expansions.return_to(time, state, &held(place), 0.0, start));
+        let mode = &current.moded.system.mode;
+        let begins = |contact: &usize| start(*contact) != [0.0; 2];
+        let beginning: Vec<(usize, Face)> =
+            (0..current.glides.len()).filter(begins).filter_map(|one| Some((one, mode.phases[one].face()?))).collect();
+        if let Some(held) = held(expansions, &Instant::at(time, state), mode, &beginning)
+            && !beginning.is_empty()
+        {
+            expansions.return_to(time, state, &held, 0.0, start);
+        }
     }
 
     /// Contacts that slide in space rest with another one that has come to rest, where as little is left of their speed.

@@ -62,12 +62,13 @@ impl Face {
 pub struct Heading {
     angle: u64,
     turn: u64,
+    doubt: u64,
 }
 
 impl Heading {
-    /// From the angle and its rate.
-    pub fn of(angle: f64, turn: f64) -> Self {
-        Heading { angle: angle.to_bits(), turn: turn.to_bits() }
+    /// From the angle, its rate, and the error of the angle.
+    pub fn of(angle: f64, turn: f64, doubt: f64) -> Self {
+        Heading { angle: angle.to_bits(), turn: turn.to_bits(), doubt: doubt.to_bits() }
     }
 
     /// The angle from the first tangent.
@@ -78,6 +79,11 @@ impl Heading {
     /// The rate of the angle.
     pub fn turn(self) -> f64 {
         f64::from_bits(self.turn)
+    }
+
+    /// The error of the angle.
+    pub fn doubt(self) -> f64 {
+        f64::from_bits(self.doubt)
     }
 }
 

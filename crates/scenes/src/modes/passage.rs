@@ -371,12 +371,7 @@ impl Modes {
         Ok(Current {
             moded: self.laws.moded(&mode.clone().without_headings()).map_err(refused)?,
             sides,
-            glides: expansion
-                .contacts
-                .iter()
-                .zip(&mode.phases)
-                .map(|(one, phase)| Glide::of(one, *phase, instant.time))
-                .collect(),
+            glides: Glide::of_all(&expansion.contacts, &mode.phases, instant.time),
             determinant: expansions.determinant(instant, &mode),
             near_contacts: phases.zip(&expansions.kinds).map(near_contact).collect(),
             near: (0..mode.cases.len()).map(near).collect(),

@@ -8,7 +8,7 @@ pub(super) const NONE: &str = "no case of its conditions and contacts agrees wit
 pub(super) const NONE_AT_ONCE: &str = "no case of its conditions and diodes agrees with the speeds that it gives: a force or a voltage that meets neither \
                             inertia nor resistance would move a coordinate at once";
 pub(super) const SEVERAL: &str = "several motions go on from here, each by another case of its conditions or contacts";
-pub(super) const TOGETHER: &str = "several contacts in space are in touch, and no motion is found in which one alone begins to slide: directions of several are not sought yet";
+pub(super) const TOGETHER: &str = "several contacts in space rest together: sharing the load by the bounds of their friction does not hold them, and no directions are found in which they begin to slide";
 pub(super) const TOO_MANY: &str =
     "so many conditions and contacts are at zero together that their cases are not tried: more than 20,000";
 pub(super) const JAMS: &str = "the equations for the reactions of its contacts become singular: friction makes the reactions grow beyond every bound";

@@ -10,6 +10,7 @@ mod ladders;
 mod refusals;
 mod regimes;
 mod space;
+mod stools;
 
 use derivations::scene::{Choice, Smooth, Trajectory};
 use integrators::Method;

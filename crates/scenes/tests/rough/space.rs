@@ -160,56 +160,6 @@ fn impacts_that_turn_the_sliding_are_refused() {
     assert!(end(&text).contains("would turn the direction of sliding"), "{}", end(&text));
 }
 
-/// A stool on three feet, with a start and a force.
-fn stool(start: &str, force: &str) -> String {
-    let foot = |name: &str, x: f64, y: f64| {
-        let point = format!("{name} = \"G + ({x} m)*B.x + ({y} m)*B.y - (0.4 m)*B.z\"\n");
-        let contact = format!(
-            "[[contact]]\nname = \"{name}\"\nof = \"stool at {name}\"\nthrough = \"O\"\nnormal = \"N.z\"\nfriction = \"0.1\"\ntouching = true\n"
-        );
-        (point, contact)
-    };
-    let feet = [foot("A1", 0.2, 0.0), foot("A2", -0.1, 0.17), foot("A3", -0.1, -0.17)];
-    let points: String = feet.iter().map(|(point, _)| point.as_str()).collect();
-    let contacts: String = feet.iter().map(|(_, contact)| contact.as_str()).collect();
-    format!(
-        "title = \"stool\"\ngravity = \"-(9.81 m/s^2)*N.z\"\n[coordinates]\nx = \"m\"\ny = \"m\"\nz = \"m\"\n\
-         [frames]\nB = \"N free\"\n[points]\nG = \"O + x*N.x + y*N.y + z*N.z\"\n{points}\
-         [bodies.stool]\nframe = \"B\"\ncentre = \"G\"\nmass = \"(4 kg)\"\n\
-         inertia = {{ principal = [\"(0.1 kg m^2)\", \"(0.1 kg m^2)\", \"(0.08 kg m^2)\"] }}\n{contacts}{force}\
-         [start]\nz = \"0.4 m\"\n{start}\n[run]\nspan = \"2 s\"\n"
-    )
-}
-
-/// Without spin every foot has the same way v^2/(2 mu g), and all stop together.
-#[test]
-fn a_stool_slides_on_three_feet_and_stands() {
-    let trajectory = runs(&stool("\"x'\" = \"0.8 m/s\"", ""), Method::DormandPrince8, 1e-9);
-    assert_eq!(trajectory.stopped(), None);
-    close(last(&trajectory, "x"), 0.64 / (2.0 * 0.1 * 9.81), 1e-9);
-    close(events(&trajectory)[0], 0.8 / 0.981, 1e-9);
-    close(last(&trajectory, "x'"), 0.0, 1e-12);
-}
-
-/// A stool that spins beside its centre turns about one foot in the end, and stands.
-#[test]
-fn a_stool_that_spins_comes_to_rest_foot_by_foot() {
-    let trajectory = runs(&stool("\"B.wz\" = \"1 rad/s\"", ""), Method::DormandPrince8, 1e-9);
-    assert_eq!(trajectory.stopped(), None);
-    let stops: Vec<&str> = trajectory.passages.iter().filter_map(|one| one.then.as_deref()).collect();
-    assert_eq!(stops.last(), Some(&"contact `A1` sticks, contact `A2` sticks, contact `A3` sticks"));
-    assert!(stops[1].matches("sticks").count() == 1, "{stops:?}");
-    close(last(&trajectory, "B.wz"), 0.0, 1e-12);
-}
-
-#[test]
-fn feet_that_would_begin_to_slide_together_are_refused() {
-    let push = "[[force]]\non = \"stool\"\nis = \"(10 N)*N.x\"\n";
-    let said =
-        scenes::ModelScene::parse("scene.toml", &stool("x = \"0 m\"", push)).expect_err("three feet").to_string();
-    assert!(said.contains("several contacts in space are in touch"), "{said}");
-}
-
 /// In a sphere without weight the speed falls as 1/(1 + f v t/R), whichever axes the normal passes through.
 #[test]
 fn a_particle_slides_round_in_a_sphere_through_every_axis() {
@@ -228,22 +178,6 @@ fn a_particle_slides_round_in_a_sphere_through_every_axis() {
         assert_eq!(trajectory.stopped(), None, "{start}");
         close(last(&trajectory, "v"), 3.0 / (1.0 + 0.1 * 3.0 * 5.0), 1e-10);
     }
-}
-
-/// A stool on a slope holds where the tangent is below the friction, whichever foot bears most.
-#[test]
-fn a_stool_holds_on_a_slope_up_to_its_friction() {
-    let slope = |angle: f64| {
-        let (sin, cos) = angle.sin_cos();
-        let weight = format!("gravity = \"(9.81 m/s^2)*({sin}*N.x - {cos}*N.z)\"");
-        stool("x = \"0 m\"", "").replace("gravity = \"-(9.81 m/s^2)*N.z\"", &weight)
-    };
-    for angle in [0.02, 0.06, 0.09] {
-        let trajectory = runs(&slope(angle), Method::DormandPrince8, 1e-9);
-        assert_eq!(trajectory.stopped(), None, "{angle}");
-        close(last(&trajectory, "x'"), 0.0, 1e-12);
-    }
-    assert!(scenes::ModelScene::parse("scene.toml", &slope(0.105)).is_err());
 }
 
 /// A block on a string round a post is pulled along its arc: friction has one direction there.

@@ -6,7 +6,6 @@ use super::super::jet::Jet;
 use super::super::mode::Mode;
 use super::letters::Quantity;
 use super::{Expansions, solved};
-use num_traits::{One, Zero};
 
 impl Expansions {
     /// Changes the reactions of contacts that lean to those that are shown; they stay one choice where these are not determined.
@@ -27,36 +26,31 @@ impl Expansions {
         let Some(mut columns) = (0..leant.len()).map(column).collect::<Option<Vec<Vec<Jet<N>>>>>() else { return };
         // any choice is one: its own errors do not count
         columns.iter_mut().flatten().for_each(|part| part.doubts = [0.0; N]);
-        let places: Vec<usize> = unknown.iter().chain(&leant).copied().collect();
-        let own = |column: usize, place: usize| match place.checked_sub(unknown.len()) {
-            None => columns[column][place],
-            Some(other) if other == column => Jet::one(),
-            Some(_) => Jet::zero(),
-        };
         let first = self.mirrored.len();
-        let contact_of = |letter: usize| letter.checked_sub(first).map(|place| (place / PARTS, place % PARTS));
-        let tangential = |&place: &usize| {
-            let Some((contact, part)) = contact_of(places[place]) else { return false };
+        let contact_of = |letter: usize| letter.checked_sub(first).map(|place| [place / PARTS, place % PARTS]);
+        let friction = |&place: &usize| {
+            let Some([contact, part]) = contact_of(unknown[place]) else { return false };
             part > 0 && mode.phases.get(contact).is_some_and(|phase| phase.sticking().is_some())
         };
-        let tangential: Vec<usize> = (0..places.len()).filter(tangential).collect();
+        let following: Vec<usize> = (0..unknown.len()).filter(friction).collect();
+        let alone: Vec<Jet<N>> = following.iter().map(|&place| letters[unknown[place]]).collect();
         let of_friction: Vec<Vec<Jet<N>>> =
-            (0..leant.len()).map(|column| tangential.iter().map(|&place| own(column, place)).collect()).collect();
+            columns.iter().map(|column| following.iter().map(|&place| column[place]).collect()).collect();
+        let without: Vec<Jet<N>> = unknown.iter().map(|&letter| letters[letter]).collect();
         for _ in 0..ROUNDS {
-            let friction: Vec<Jet<N>> = tangential.iter().map(|&place| letters[places[place]]).collect();
-            let per_bound = tangential.iter().map(|&place| {
-                let (contact, _) = contact_of(places[place]).unwrap_or_default();
-                let most = self.of_contact(values, Quantity::Friction, contact) * letters[self.reaction([contact, 0])];
-                Jet::one() / most
-            });
-            let per_bound: Vec<Jet<N>> = per_bound.collect();
-            let Some(mut factors) = balancing(&friction, &of_friction, &per_bound, solved) else { return };
-            factors.iter_mut().for_each(|factor| factor.doubts = [0.0; N]);
-            for (place, &letter) in places.iter().enumerate() {
-                for (column, factor) in factors.iter().enumerate() {
-                    letters[letter] += own(column, place) * *factor;
-                }
+            let bound = |letter: usize| {
+                let [contact, _] = contact_of(letter).unwrap_or_default();
+                self.of_contact(values, Quantity::Friction, contact) * letters[self.reaction([contact, 0])]
+            };
+            let bounds: Vec<Jet<N>> = following.iter().map(|&place| bound(unknown[place])).collect();
+            let bounds_leaning: Vec<Jet<N>> = leant.iter().map(|&letter| bound(letter)).collect();
+            let Some(mut found) = balancing(&alone, &of_friction, [&bounds, &bounds_leaning], solved) else { return };
+            found.iter_mut().for_each(|friction| friction.doubts = [0.0; N]);
+            for (place, &letter) in unknown.iter().enumerate() {
+                let parts = columns.iter().zip(&found).map(|(column, friction)| column[place] * *friction);
+                letters[letter] = parts.fold(without[place], |sum, part| sum + part);
             }
+            leant.iter().zip(found).for_each(|(&letter, friction)| letters[letter] = friction);
         }
     }
 }

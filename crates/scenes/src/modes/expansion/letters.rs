@@ -1,7 +1,7 @@
 //! The letters of a model's expressions, switches and reactions: which of them a mode leaves unknown, and the slopes of rows by them.
 
 use super::super::contacts::{PARTS, unknown};
-use super::super::jet::{Jet, ROUNDING};
+use super::super::jet::Jet;
 use super::super::mode::{Case, Heading, Mode, Phase};
 use super::{Expansions, ROUNDS, Slope};
 use field::{Analytic, Scalar};
@@ -138,11 +138,15 @@ impl Expansions {
     }
 }
 
+/// The part of the rate of a direction to which it is found.
+const TURN: f64 = 1e-10;
+
 /// A direction that begins at an angle and turns.
 pub(in super::super) fn direction<const N: usize>(heading: Heading) -> [Jet<N>; 2] {
-    let mut angle = Jet::constant(heading.angle(), ROUNDING * heading.angle().abs());
+    let mut angle = Jet::constant(heading.angle(), heading.doubt());
     if N > 1 {
         angle.terms[1] = heading.turn();
+        angle.doubts[1] = heading.doubt().max(TURN * heading.turn().abs());
     }
     let point = angle.circle();
     [point.cos, point.sin]

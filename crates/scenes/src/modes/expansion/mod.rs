@@ -3,6 +3,7 @@
 //! Accelerations are written down once with every switch and every reaction of a contact as an input. Switches that are held follow
 //! order by order from g' = 0, reactions in touch from gap'' = 0 and v' = 0, which are linear in them.
 
+mod accelerations;
 mod distribution;
 mod elimination;
 mod equations;
@@ -14,6 +15,7 @@ mod letters;
 mod parts;
 mod trials;
 
+pub(super) use accelerations::Accelerations;
 pub(super) use elimination::solved;
 use elimination::{Row, with_hidden};
 pub(super) use impact_law::NotStruck;

@@ -1,0 +1,151 @@
+//! Directions in which contacts in space begin to slide from rest.
+//!
+//! With T = -mu |N| d of each contact that begins, the slip begins with accelerations a that depend on all d, and each d is the direction
+//! of its own a = |a| d. Where friction is just at its bound a is zero; then d = -T/|T| of the contacts that stick so far, and the d turn so
+//! that the rate of each a lies along its d.
+
+mod alone;
+mod together;
+
+use super::combinations::leaning;
+use super::expansion::{Accelerations, Expansions, Instant};
+use super::jet::ROUNDING;
+use super::mode::{Face, Heading, Mode, Phase};
+use super::passage::SLACK;
+use super::touch::margins;
+use nalgebra::{DMatrix, DVector};
+
+/// Roundings of one to which a direction is found that is its own.
+const FOUND: f64 = 8.0;
+
+/// A part across below this part of the one along is rounding.
+const STRAIGHT: f64 = 1e-10;
+
+/// All directions in which contacts may begin to slide together, the phases of the others being those of a mode.
+pub(super) fn headings(
+    expansions: &Expansions,
+    instant: &Instant<'_>,
+    mode: &Mode,
+    beginning: &[(usize, Face)],
+) -> Vec<Vec<Heading>> {
+    let slip =
+        Slip { expansions, instant, mode, beginning, accelerations: Accelerations::of(expansions, instant, mode) };
+    let held = held(expansions, instant, mode, beginning).and_then(|held| slip.by_friction(&held));
+    match held {
+        Some((headings, true)) => slip.at_bound(&headings).into_iter().collect(),
+        _ if beginning.len() == 1 => slip.of_one(),
+        held => slip.of_several(held.map(|(headings, _)| headings)),
+    }
+}
+
+/// A mode in which contacts that begin to slide are held, along one tangent or along none where the others hold them.
+pub(super) fn held(
+    expansions: &Expansions,
+    instant: &Instant<'_>,
+    mode: &Mode,
+    beginning: &[(usize, Face)],
+) -> Option<Mode> {
+    let mut held = mode.clone();
+    beginning.iter().for_each(|&(contact, _)| held.phases[contact] = Phase::Apart);
+    for &(contact, face) in beginning {
+        let sticks = Phase::Sticks(face);
+        let mut ways = [sticks].into_iter().chain(leaning(sticks, true));
+        ways.find(|&phase| {
+            held.phases[contact] = phase;
+            expansions.at::<1>(instant, &held).is_some()
+        })?;
+    }
+    Some(held)
+}
+
+/// A direction that does not turn, known to rounding.
+fn exact(angle: f64) -> Heading {
+    Heading::of(angle, 0.0, FOUND * ROUNDING)
+}
+
+struct Slip<'a> {
+    expansions: &'a Expansions,
+    instant: &'a Instant<'a>,
+    mode: &'a Mode,
+    beginning: &'a [(usize, Face)],
+    /// None where they are not linear in reactions.
+    accelerations: Option<Accelerations<'a>>,
+}
+
+impl Slip<'_> {
+    fn along(&self, headings: &[Heading]) -> Mode {
+        let mut mode = self.mode.clone();
+        for (&(contact, face), &heading) in self.beginning.iter().zip(headings) {
+            mode.phases[contact] = Phase::Glides { face, begins: Some(heading) };
+        }
+        mode
+    }
+
+    /// For each contact the component of its acceleration across its direction, and that along it.
+    fn accelerations(&self, headings: &[Heading]) -> Option<Vec<[f64; 2]>> {
+        match &self.accelerations {
+            Some(accelerations) => self.parts(headings, &accelerations.along_tangents(&self.along(headings))?),
+            None => self.terms::<2>(headings, 1),
+        }
+    }
+
+    /// The same of a term of its sliding velocity.
+    fn terms<const N: usize>(&self, headings: &[Heading], order: usize) -> Option<Vec<[f64; 2]>> {
+        let found = self.expansions.at::<N>(self.instant, &self.along(headings))?;
+        let tangential: Vec<[f64; 2]> =
+            found.contacts.iter().map(|contact| [contact.slide, contact.aside].map(|jet| jet.terms[order])).collect();
+        self.parts(headings, &tangential)
+    }
+
+    fn parts(&self, headings: &[Heading], tangential: &[[f64; 2]]) -> Option<Vec<[f64; 2]>> {
+        let of = |(&(contact, _), heading): (&(usize, Face), &Heading)| {
+            let ((sin, cos), [along, aside]) = (heading.angle().sin_cos(), tangential[contact]);
+            let parts = [cos * aside - sin * along, cos * along + sin * aside];
+            parts.iter().all(|part| part.is_finite()).then_some(parts)
+        };
+        self.beginning.iter().zip(headings).map(of).collect()
+    }
+
+    /// The directions against the friction by which contacts are held, and whether it is at its bound in all.
+    fn by_friction(&self, held: &Mode) -> Option<(Vec<Heading>, bool)> {
+        let found = self.expansions.at::<2>(self.instant, held)?;
+        let mut all_at_bound = true;
+        let against = |&(contact, face): &(usize, Face)| {
+            let contact = &found.contacts[contact];
+            let [_, first, second] = contact.reactions.map(|reaction| reaction.terms[0]);
+            let doubt = contact.reactions[1].doubts[0].max(contact.reactions[2].doubts[0]) / first.hypot(second);
+            all_at_bound &= margins(contact, face)[1].sign_of(0, SLACK) == 0.0;
+            doubt.is_finite().then(|| Heading::of((-second).atan2(-first), 0.0, doubt.max(FOUND * ROUNDING)))
+        };
+        let headings = self.beginning.iter().map(against).collect::<Option<Vec<Heading>>>()?;
+        Some((headings, all_at_bound))
+    }
+
+    /// Directions at which friction is at its bound in all, with their rates.
+    fn at_bound(&self, headings: &[Heading]) -> Option<Vec<Heading>> {
+        let count = headings.len();
+        let turning = |turns: &[f64]| -> Vec<Heading> {
+            headings.iter().zip(turns).map(|(at, &turn)| Heading::of(at.angle(), turn, at.doubt())).collect()
+        };
+        // parts across are linear in the rates of the angles
+        let parts = |turns: &[f64]| self.terms::<3>(&turning(turns), 2);
+        let none = parts(&vec![0.0; count])?;
+        // on lines that constraints leave they do not turn
+        let mut turns = vec![0.0; count];
+        if none.iter().any(|[across, along]| across.abs() > STRAIGHT * along.abs()) {
+            let mut slopes = DMatrix::zeros(count, count);
+            for own in 0..count {
+                let unit: Vec<f64> = (0..count).map(|place| if place == own { 1.0 } else { 0.0 }).collect();
+                let moved = parts(&unit)?;
+                (0..count).for_each(|row| slopes[(row, own)] = moved[row][0] - none[row][0]);
+            }
+            let right = DVector::from_iterator(count, none.iter().map(|[across, _]| -across));
+            let decomposed = slopes.svd(true, true);
+            let smallest = STRAIGHT * decomposed.singular_values.max().max(right.amax());
+            if let Ok(found) = decomposed.solve(&right, smallest) {
+                turns = found.as_slice().to_vec();
+            }
+        }
+        Some(turning(&turns))
+    }
+}

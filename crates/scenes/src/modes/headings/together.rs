@@ -1,0 +1,89 @@
+//! Directions of several contacts that begin to slide at one instant: Newton's method from a few of them.
+//!
+//! It starts from motions without turning, and from the directions against the friction by which the body would be held. Other solutions
+//! than those to which these lead are not excluded.
+
+use super::super::mode::Heading;
+use super::{Slip, exact};
+use nalgebra::{DMatrix, DVector};
+use std::f64::consts::TAU;
+
+/// Directions without turning.
+const TRIED: usize = 8;
+
+/// Steps of Newton's method, and halvings of one.
+const STEPS: usize = 30;
+const HALVINGS: usize = 6;
+
+/// A difference of angles for a slope.
+const DIFFERENCE: f64 = 1e-6;
+
+/// The largest step.
+const FURTHEST: f64 = 1.0;
+
+/// Angles between directions and accelerations that are rounding, and those at which steps that no longer help have come to a solution.
+const NONE: f64 = 1e-15;
+const SMALL: f64 = 1e-9;
+
+/// Solutions that are one.
+const SAME: f64 = 1e-6;
+
+impl Slip<'_> {
+    /// Directions along which the slips that they give begin; those against friction, where it can hold the body, are tried as well.
+    pub(super) fn of_several(&self, against_friction: Option<Vec<Heading>>) -> Vec<Vec<Heading>> {
+        // no multiple of a right angle, along which a slip often begins
+        let translations =
+            (0..TRIED).map(|place| vec![(place as f64 - 0.382) * TAU / TRIED as f64; self.beginning.len()]);
+        let against = against_friction.map(|headings| headings.into_iter().map(Heading::angle).collect());
+        let mut found: Vec<Vec<f64>> = Vec::new();
+        for start in against.into_iter().chain(translations) {
+            let Some(angles) = self.own(start) else { continue };
+            if found.iter().all(|known| known.iter().zip(&angles).any(|(a, b)| wrapped(a - b).abs() > SAME)) {
+                found.push(angles);
+            }
+        }
+        found.into_iter().map(|angles| angles.into_iter().map(exact).collect()).collect()
+    }
+
+    /// The angles from directions to the accelerations that they give.
+    fn off(&self, angles: &[f64]) -> Option<DVector<f64>> {
+        let headings: Vec<Heading> = angles.iter().copied().map(exact).collect();
+        let parts = self.accelerations(&headings)?;
+        Some(DVector::from_iterator(parts.len(), parts.iter().map(|[across, along]| across.atan2(*along))))
+    }
+
+    /// Directions that are those of their own accelerations.
+    fn own(&self, mut angles: Vec<f64>) -> Option<Vec<f64>> {
+        let moved = |angles: &[f64], by: &DVector<f64>| -> Vec<f64> {
+            angles.iter().zip(by.iter()).map(|(angle, by)| wrapped(angle + by)).collect()
+        };
+        let mut off = self.off(&angles)?;
+        for _ in 0..STEPS {
+            if off.amax() <= NONE {
+                break;
+            }
+            let mut slopes = DMatrix::zeros(angles.len(), angles.len());
+            for own in 0..angles.len() {
+                let mut beside = angles.clone();
+                beside[own] += DIFFERENCE;
+                let changed = self.off(&beside)? - &off;
+                slopes.set_column(own, &changed.map(|part| wrapped(part) / DIFFERENCE));
+            }
+            let mut step = slopes.lu().solve(&-&off)?;
+            step *= (FURTHEST / step.amax()).min(1.0);
+            let shorter = (0..HALVINGS).find_map(|halvings| {
+                let trial = moved(&angles, &(&step * 0.5_f64.powi(halvings as i32)));
+                let trial_off = self.off(&trial)?;
+                (trial_off.norm() < off.norm()).then_some((trial, trial_off))
+            });
+            let Some(better) = shorter else { break };
+            (angles, off) = better;
+        }
+        (off.amax() <= SMALL).then_some(angles)
+    }
+}
+
+/// An angle between half a turn back and half a turn on.
+fn wrapped(angle: f64) -> f64 {
+    angle - TAU * (angle / TAU).round()
+}
