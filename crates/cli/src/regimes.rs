@@ -94,6 +94,7 @@ impl Answer {
             Motions::OneOnItsBoundary => "one motion, on the boundary of its regime",
             Motions::None => "no motion",
             Motions::Several => "several motions",
+            Motions::Continuum => "motions without end",
             Motions::NotTried => "not decided: more combinations of contacts and conditions than are tried",
         };
         let determined = matches!(found.motions, Motions::One | Motions::OneOnItsBoundary);

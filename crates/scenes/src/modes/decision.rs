@@ -6,6 +6,7 @@
 //! difference is a rounding are told apart by the next rate and not by chance.
 
 use super::combinations::combinations;
+use super::continuum::is_continuum;
 use super::expansion::{Expansion, Expansions, Instant};
 use super::headings::headings;
 use super::mode::{Case, Face, Heading, Mode, Phase};
@@ -53,6 +54,8 @@ pub(super) enum Decided {
         not_held: bool,
     },
     Several,
+    /// Motions without end.
+    Continuum,
     /// More combinations than are tried.
     TooMany,
     /// None that is tried agrees: several contacts in space are in touch, and not all of them slide.
@@ -153,7 +156,11 @@ fn tried(
     (mode, phases): (&Mode, &[Vec<Phase>]),
     open: Open<'_>,
 ) -> Decided {
-    let Candidates { mut all, not_held, rest_together } = Candidates::of(expansions, instant, (mode, phases), open);
+    let Candidates { mut all, not_held, rest_together, is_continuum } =
+        Candidates::of(expansions, instant, (mode, phases), open);
+    if is_continuum {
+        return Decided::Continuum;
+    }
     let mut several = false;
     for slack in SLACKS {
         let Some((best, agreeing)) = best(&all, open, slack) else { continue };
@@ -179,6 +186,8 @@ struct Candidates {
     not_held: bool,
     /// Whether combinations were left out in which several contacts in space rest, or begin to slide.
     rest_together: bool,
+    /// Whether a combination whose reactions are not determined admits motions without end.
+    is_continuum: bool,
 }
 
 impl Candidates {
@@ -194,8 +203,8 @@ impl Candidates {
             Case::Off => [Case::Off, Case::On, Case::Held],
             _ => [Case::Held, Case::On, Case::Off],
         };
-        let mut candidates =
-            Candidates { all: Vec::new(), not_held: false, rest_together: open.rest_together(expansions) };
+        let rest_together = open.rest_together(expansions);
+        let mut candidates = Candidates { all: Vec::new(), not_held: false, rest_together, is_continuum: false };
         let widest = SLACKS[SLACKS.len() - 1];
         for combination in 0..phases.len() * 3_usize.pow(open.switches.len() as u32) {
             let mut candidate = Mode { phases: phases[combination % phases.len()].clone(), ..mode.clone() };
@@ -209,6 +218,7 @@ impl Candidates {
                 let Some(sifted) = expansions.at::<FEW>(instant, &candidate) else {
                     // where speeds are algebraic a mode may leave some of them open, and another one holds
                     candidates.not_held |= !expansions.has_algebraic();
+                    candidates.is_continuum |= is_continuum(expansions, instant, &candidate, open.touches);
                     continue;
                 };
                 if is_possible(&sifted, &candidate, open, widest)

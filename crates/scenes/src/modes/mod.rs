@@ -3,6 +3,7 @@
 mod algebraic;
 mod combinations;
 mod contacts;
+mod continuum;
 mod course;
 mod critical_friction;
 mod decision;

@@ -7,7 +7,7 @@ use super::expansion::{Expansion, Instant, Kind, Touching};
 use super::glides::Glide;
 use super::jet::Jet;
 use super::mode::{Case, Mode, Phase};
-use super::reasons::{BROKEN, JAMS, NO_LAW, NONE, NONE_AT_ONCE, SEVERAL, TOGETHER, TOO_MANY, refused};
+use super::reasons::{BROKEN, CONTINUUM, JAMS, NO_LAW, NONE, NONE_AT_ONCE, SEVERAL, TOGETHER, TOO_MANY, refused};
 use super::sides::{Past, Side, side};
 use super::signals::Fall;
 use super::touch::{Touch, margins};
@@ -319,6 +319,7 @@ impl Modes {
                 });
             }
             Decided::Several => return Err(SEVERAL),
+            Decided::Continuum => return Err(CONTINUUM),
             Decided::TooMany => return Err(TOO_MANY),
             Decided::RestTogether => return Err(TOGETHER),
         };

@@ -8,6 +8,8 @@ pub(super) const NONE: &str = "no case of its conditions and contacts agrees wit
 pub(super) const NONE_AT_ONCE: &str = "no case of its conditions and diodes agrees with the speeds that it gives: a force or a voltage that meets neither \
                             inertia nor resistance would move a coordinate at once";
 pub(super) const SEVERAL: &str = "several motions go on from here, each by another case of its conditions or contacts";
+pub(super) const CONTINUUM: &str =
+    "motions without end go on from here: at this friction the equations for the reactions are singular, and yet hold";
 pub(super) const TOGETHER: &str = "several contacts in space rest together: sharing the load by the bounds of their friction does not hold them, and no directions are found in which they begin to slide";
 pub(super) const TOO_MANY: &str =
     "so many conditions and contacts are at zero together that their cases are not tried: more than 20,000";

@@ -41,6 +41,8 @@ pub enum Motions {
     OneOnItsBoundary,
     None,
     Several,
+    /// Motions without end, in a mode whose reactions are not determined.
+    Continuum,
     /// More combinations than are tried.
     NotTried,
 }
@@ -90,6 +92,7 @@ impl Modes {
             Decided::One { mode, expansion, slack } => one(mode, expansion, *slack),
             Decided::None { .. } => Motions::None,
             Decided::Several => Motions::Several,
+            Decided::Continuum => Motions::Continuum,
             Decided::TooMany => Motions::NotTried,
             Decided::RestTogether => return Err(refused(TOGETHER)),
         };

@@ -7,6 +7,7 @@ mod feet;
 mod guides;
 mod impacts;
 mod ladders;
+mod rational_regimes;
 mod refusals;
 mod regimes;
 mod space;

@@ -49,6 +49,48 @@ fn the_friction_at_which_reactions_are_not_determined_is_that_of_the_claims() {
     assert_eq!(of(&super::rod("1 rad", "0 rad/s", 1.0)).critical, None);
 }
 
+/// Two masses on parallel guides with a rod between them, tan of its angle 4/3, moving forwards: their coordinates across free, or left to
+/// guides (Painleve 1895, Klein 1909).
+fn sliders(friction: &str, load: &str, across: bool) -> String {
+    let guide = |name: &str, body: &str, friction: &str, through: &str| {
+        let place = match across {
+            true => format!("of = \"{body}\"\nnormal = \"N.y\"\nsides = \"both\""),
+            false => format!("between = \"{body}, N along x\""),
+        };
+        format!("[[contact]]\nname = \"{name}\"\n{place}\nthrough = \"{through}\"\n{friction}\n")
+    };
+    let [coordinates, first, second] = match across {
+        true => ["x1 = \"m\"\ny1 = \"m\"\nx2 = \"m\"\ny2 = \"m\"\n", " + y1*N.y", " + y2*N.y"],
+        false => ["x1 = \"m\"\nx2 = \"m\"\n", "", " + (4 m)*N.y"],
+    };
+    let start = if across { "y2 = \"4 m\"\n" } else { "" };
+    let first_guide = guide("rough", "one", &format!("friction = \"{friction}\""), "O");
+    let second_guide = guide("smooth", "two", "", "O + (4 m)*N.y");
+    format!(
+        "title = \"sliders\"\n[coordinates]\n{coordinates}\
+         [points]\nA = \"O + x1*N.x{first}\"\nB = \"O + x2*N.x{second}\"\n\
+         [bodies.one]\ncentre = \"A\"\nmass = \"(1 kg)\"\n[bodies.two]\ncentre = \"B\"\nmass = \"(1 kg)\"\n\
+         [[force]]\non = \"one\"\nis = \"({load} N)*N.x\"\n[[force]]\non = \"two\"\nis = \"(1 N)*N.x\"\n\
+         [[constraint]]\nzero = \"distance(A, B) - (5 m)\"\n{first_guide}{second_guide}\
+         [start]\nx2 = \"3 m\"\n{start}\"x1'\" = \"1 m/s\"\n[run]\nspan = \"1 s\"\n"
+    )
+}
+
+/// (m1 + m2 - f m2 tan) x'' = P1 + P2 - f P2 tan is 0 = 0 at the critical friction 2/tan under P1 = P2; 0 = -1 without P1.
+#[test]
+fn at_the_critical_friction_one_load_gives_motions_without_end() {
+    for across in [true, false] {
+        let motions = |friction: &str, load: &str| of(&sliders(friction, load, across)).motions;
+        assert_eq!(motions("1.5", "1"), Motions::Continuum, "{across}");
+        assert_eq!(motions("1.5", "0"), Motions::None, "{across}");
+        assert_eq!(motions("2.25", "2"), Motions::Several, "{across}");
+        assert_eq!(motions("2.25", "0"), Motions::None, "{across}");
+        assert_eq!(motions("1.4", "3"), Motions::One, "{across}");
+    }
+    let refused = scenes::ModelScene::parse("scene.toml", &sliders("1.5", "1", true)).expect_err("motions without end");
+    assert!(refused.to_string().contains("motions without end"), "{refused}");
+}
+
 /// N = mg cos - F sin is pushed up to what friction holds: at F = f m g exactly on the boundary.
 #[test]
 fn a_block_on_the_boundary_of_sticking_has_one_motion() {

@@ -1,17 +1,37 @@
-//! Accelerations of contacts along their tangents, at one state in many modes.
+//! Accelerations of contacts and the equations for reactions, at one state in many modes.
 //!
 //! Where rows are linear in switches and reactions, their values and slopes are evaluated once, and a mode costs one elimination.
 
 use super::super::contacts::PARTS;
 use super::super::jet::Jet;
 use super::super::mode::Mode;
+use super::letters::Quantity;
 use super::{Expansions, Instant, solved};
+use nalgebra::{DMatrix, DVector};
 use num_traits::Zero;
 
 /// Rows and their slopes, at a state and in the cases of conditions.
 pub(in super::super) struct Accelerations<'a> {
     expansions: &'a Expansions,
     values: Vec<Jet<1>>,
+}
+
+/// The equations of a mode for what it leaves unknown: slopes times unknown = right.
+pub(in super::super) struct Equations {
+    pub slopes: DMatrix<f64>,
+    pub right: DVector<f64>,
+    /// The largest error of the right sides.
+    pub doubt: f64,
+    unknown: Vec<usize>,
+    tied: Vec<Option<[Jet<1>; 2]>>,
+}
+
+/// A contact under some of its reactions.
+pub(in super::super) struct Reacting {
+    /// Normal and tangential.
+    pub reactions: [f64; PARTS],
+    pub accelerations: [f64; PARTS],
+    pub friction: f64,
 }
 
 impl<'a> Accelerations<'a> {
@@ -28,20 +48,84 @@ impl<'a> Accelerations<'a> {
 
     /// Those along both tangents of each contact, in a mode with these cases; none where its reactions are not determined.
     pub fn along_tangents(&self, mode: &Mode) -> Option<Vec<[f64; 2]>> {
-        let Accelerations { expansions, values } = self;
-        let (tied, mut unknown) = (expansions.tied(mode, values), expansions.held(mode));
-        unknown.extend(expansions.unknown_reactions(mode));
-        let row = |letter: usize| values[expansions.states + mode.cases.len() + letter];
-        let slopes = expansions.slopes_by(values, &tied, &unknown, &unknown);
-        let found = solved(slopes, unknown.iter().map(|&letter| -row(letter)).collect())?;
+        let (tied, unknown) = self.unknown(mode);
+        let slopes = self.expansions.slopes_by(&self.values, &tied, &unknown, &unknown);
+        let found = solved(slopes, unknown.iter().map(|&letter| -self.row(mode, letter)).collect())?;
         let tangents: Vec<usize> =
-            (0..tied.len()).flat_map(|contact| [1, 2].map(|part| expansions.reaction([contact, part]))).collect();
-        let moved = expansions.slopes_by(values, &tied, &tangents, &unknown);
-        let rate = |(&tangent, slopes): (&usize, &Vec<Jet<1>>)| {
-            let through = slopes.iter().zip(&found).fold(Jet::zero(), |sum: Jet<1>, (slope, one)| sum + *slope * *one);
-            (row(tangent) + through).terms[0]
-        };
-        let rates: Vec<f64> = tangents.iter().zip(&moved).map(rate).collect();
+            (0..tied.len()).flat_map(|contact| [1, 2].map(|part| self.letter(contact, part))).collect();
+        let rates = self.rows(mode, &tangents, (&tied, &unknown), &found);
         Some(rates.as_chunks::<{ PARTS - 1 }>().0.to_vec())
+    }
+
+    /// The equations of a mode with these cases.
+    pub fn equations(&self, mode: &Mode) -> Equations {
+        let (tied, unknown) = self.unknown(mode);
+        let slopes = self.expansions.slopes_by(&self.values, &tied, &unknown, &unknown);
+        let slopes = DMatrix::from_fn(unknown.len(), unknown.len(), |row, column| slopes[row][column].terms[0]);
+        let rows = || unknown.iter().map(|&letter| self.row(mode, letter));
+        let doubt = rows().map(|row| row.doubts[0]).fold(0.0, f64::max);
+        let right = DVector::from_iterator(unknown.len(), rows().map(|row| -row.terms[0]));
+        Equations { slopes, right, doubt, unknown, tied }
+    }
+
+    /// The contacts of a mode under what its equations leave unknown.
+    pub fn contacts(
+        &self,
+        mode: &Mode,
+        Equations { unknown, tied, .. }: &Equations,
+        found: &DVector<f64>,
+    ) -> Vec<Reacting> {
+        let found: Vec<Jet<1>> = found.iter().map(|&value| Jet::constant(value, 0.0)).collect();
+        let all: Vec<usize> = (0..tied.len())
+            .flat_map(|contact| (0..PARTS).map(move |part| (contact, part)))
+            .map(|(contact, part)| self.letter(contact, part))
+            .collect();
+        let accelerations = self.rows(mode, &all, (tied, unknown), &found);
+        let known =
+            |letter: usize| unknown.iter().position(|own| *own == letter).map_or(0.0, |place| found[place].terms[0]);
+        let of = |(contact, accelerations): (usize, &[f64; PARTS])| {
+            let normal = known(self.letter(contact, 0));
+            let tangential = |part: usize| match tied[contact] {
+                Some(factors) => factors[part - 1].terms[0] * normal,
+                None => known(self.letter(contact, part)),
+            };
+            Reacting {
+                reactions: [normal, tangential(1), tangential(2)],
+                accelerations: *accelerations,
+                friction: self.expansions.of_contact(&self.values, Quantity::Friction, contact).terms[0],
+            }
+        };
+        accelerations.as_chunks::<PARTS>().0.iter().enumerate().map(of).collect()
+    }
+
+    fn unknown(&self, mode: &Mode) -> (Vec<Option<[Jet<1>; 2]>>, Vec<usize>) {
+        let mut unknown = self.expansions.held(mode);
+        unknown.extend(self.expansions.unknown_reactions(mode));
+        (self.expansions.tied(mode, &self.values), unknown)
+    }
+
+    fn letter(&self, contact: usize, part: usize) -> usize {
+        self.expansions.reaction([contact, part])
+    }
+
+    /// The row of a letter, without what is unknown.
+    fn row(&self, mode: &Mode, letter: usize) -> Jet<1> {
+        self.values[self.expansions.states + mode.cases.len() + letter]
+    }
+
+    /// Rows of letters with values of what is unknown.
+    fn rows(
+        &self,
+        mode: &Mode,
+        letters: &[usize],
+        (tied, unknown): (&[Option<[Jet<1>; 2]>], &[usize]),
+        found: &[Jet<1>],
+    ) -> Vec<f64> {
+        let moved = self.expansions.slopes_by(&self.values, tied, letters, unknown);
+        let of = |(&letter, slopes): (&usize, &Vec<Jet<1>>)| {
+            let through = slopes.iter().zip(found).fold(Jet::zero(), |sum: Jet<1>, (slope, one)| sum + *slope * *one);
+            (self.row(mode, letter) + through).terms[0]
+        };
+        letters.iter().zip(&moved).map(of).collect()
     }
 }

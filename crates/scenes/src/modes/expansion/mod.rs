@@ -15,7 +15,7 @@ mod letters;
 mod parts;
 mod trials;
 
-pub(super) use accelerations::Accelerations;
+pub(super) use accelerations::{Accelerations, Reacting};
 pub(super) use elimination::solved;
 use elimination::{Row, with_hidden};
 pub(super) use impact_law::NotStruck;
