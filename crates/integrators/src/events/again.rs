@@ -7,6 +7,9 @@ use crate::{Method, Span, System, TaylorSeries, Tolerance, Work, integrate};
 /// A halving gains one bit, and there are no more in a double.
 const MOST_TRIALS: usize = 120;
 
+/// Instants that could not be computed, after which no more are tried.
+const MOST_IN_GAP: usize = 24;
+
 /// Evaluations that a part of a step may take, for each state and as many again.
 const PATIENCE: u64 = 50;
 
@@ -61,9 +64,11 @@ impl Again<'_> {
         })
     }
 
-    /// Where a function of the signals, positive or zero at the beginning, is no longer so: Newton's method with its rate, kept
-    /// in the bracket by halving. `None` where the motion could not be computed again; where a law ends with the function (above its zero), it is
-    /// taken to end before an instant that cannot be computed. With it the last instant found at which the function is positive.
+    /// Where a function of the signals, positive or zero at the beginning, is no longer so: Newton's method with its rate, kept in the
+    /// bracket by halving. `None` where the motion could not be computed again; where a law ends with the function (above its zero), it is
+    /// taken to end before an instant that cannot be computed. Where the law has no numbers close to the zero alone, as in a position that
+    /// its coordinates do not describe, it is taken from the chord over that gap. With it the last instant found at which the function is
+    /// positive.
     pub fn root(
         &mut self,
         step: &Instant,
@@ -73,6 +78,7 @@ impl Again<'_> {
     ) -> Option<[Instant; 2]> {
         let (mut low, mut high) = (from.time, end.time);
         let (mut best, mut before, mut beyond) = (end.clone(), from.clone(), end.clone());
+        let mut gap: Option<Gap> = None;
         self.is_blocked = false;
         for trial in 0..MOST_TRIALS {
             let (value, rate) = function(&best);
@@ -86,17 +92,24 @@ impl Again<'_> {
                 high = best.time;
                 beyond.clone_from(&best);
             }
+            let closest = f64::EPSILON * best.time.abs().max((end.time - from.time).abs());
             let newton = best.time - value / rate;
             let inside = (newton - low) * (newton - high) < 0.0;
-            // a halving now and then, lest Newton creep
-            let next = if inside && trial % 8 != 7 { newton } else { low + 0.5 * (high - low) };
+            let next = match &gap {
+                Some(gap) => gap.beside(low, high),
+                // a halving now and then, lest Newton creep
+                None if inside && trial % 8 != 7 => newton,
+                None => low + 0.5 * (high - low),
+            };
+            if gap.as_ref().is_some_and(|gap| gap.is_settled(low, high, closest)) {
+                return Some([self.on_chord([&before, &beyond], function), before]);
+            }
             if next == low || next == high {
                 // nothing between: a signal that jumps has its new value beyond
                 let found = if ends_above { before.clone() } else { beyond };
                 return Some([found, before]);
             }
-            let closest = f64::EPSILON * best.time.abs().max((end.time - from.time).abs());
-            if inside && (next - best.time).abs() <= closest {
+            if gap.is_none() && inside && (next - best.time).abs() <= closest {
                 return Some([best, before]);
             }
             match self.at(step, from, next) {
@@ -105,9 +118,56 @@ impl Again<'_> {
                     high = next;
                     self.is_blocked = true;
                 }
-                None => return None,
+                None => gap = Some(Gap::with(gap, next)),
             }
         }
-        Some([best, before])
+        let is_bracketed = function(&before).0 > 0.0 && function(&beyond).0 <= 0.0;
+        match gap {
+            None => Some([best, before]),
+            Some(_) => is_bracketed.then(|| [self.on_chord([&before, &beyond], function), before]),
+        }
+    }
+
+    /// The instant at the zero of the chord of a function, the state on its own chord.
+    fn on_chord(&self, [a, b]: [&Instant; 2], function: impl Fn(&Instant) -> (f64, f64)) -> Instant {
+        let (left, right) = (function(a).0, function(b).0);
+        let part = if left > right { left / (left - right) } else { 1.0 };
+        let between = |a: f64, b: f64| a + part * (b - a);
+        let state: Vec<f64> = a.state.iter().zip(&b.state).map(|(&a, &b)| between(a, b)).collect();
+        let mut instant = b.clone();
+        instant.move_to(self.switches, between(a.time, b.time), &state);
+        instant
+    }
+}
+
+/// Instants that could not be computed, from the first to the last.
+struct Gap {
+    ends: [f64; 2],
+    found: usize,
+}
+
+impl Gap {
+    /// With one more.
+    fn with(known: Option<Gap>, time: f64) -> Self {
+        let Some(Gap { ends: [first, last], found }) = known else { return Gap { ends: [time; 2], found: 1 } };
+        Gap { ends: [first.min(time), last.max(time)], found: found + 1 }
+    }
+
+    /// What is left of a bracket before it and behind it: the ends of the longer part.
+    fn wider(&self, low: f64, high: f64) -> [f64; 2] {
+        let [first, last] = if low <= high { self.ends } else { [self.ends[1], self.ends[0]] };
+        if (first - low).abs() >= (high - last).abs() { [low, first] } else { [last, high] }
+    }
+
+    /// The middle of it.
+    fn beside(&self, low: f64, high: f64) -> f64 {
+        let [a, b] = self.wider(low, high);
+        a + 0.5 * (b - a)
+    }
+
+    /// Whether little is left beside it.
+    fn is_settled(&self, low: f64, high: f64, closest: f64) -> bool {
+        let [a, b] = self.wider(low, high);
+        self.found >= MOST_IN_GAP || (b - a).abs() <= closest
     }
 }

@@ -249,3 +249,28 @@ fn a_distance_that_comes_to_zero_within_one_long_step_is_found() {
         assert!(outcome.state[0].sin().powi(2) > LESS, "{method:?}: {outcome:?}");
     }
 }
+
+/// q'' = -1, which has no numbers for |q| < 1e-6: a position that its coordinates do not describe.
+struct Undescribed;
+
+impl<S: Over<f64> + Analytic> Ode<S> for Undescribed {
+    fn dimension(&self) -> usize {
+        2
+    }
+
+    fn rates(&self, _t: S, y: &[S], dy: &mut [S]) {
+        let root = (y[0] * y[0] - S::lift(1e-12)).sqrt();
+        (dy[0], dy[1]) = (y[1], -root / root);
+    }
+}
+
+impl System for Undescribed {}
+
+#[test]
+fn an_event_where_the_law_has_no_numbers_is_found_from_both_sides() {
+    for method in ADAPTIVE.into_iter().filter(|method| *method != Method::Taylor) {
+        let span = Span::new(0.0, 2.0, &[1.0, 0.0]);
+        let (_, event) = integrate_to_event(&Undescribed, method, &Tolerance::both(1e-9), &span, &Above(0.0), &mut ());
+        assert!(event.is_some_and(|event| (event.time - 2.0_f64.sqrt()).abs() < 1e-9), "{method:?}: {event:?}");
+    }
+}
