@@ -6,6 +6,7 @@
 //!
 //! Every repetition builds its expressions afresh, in a fresh thread and so in an empty expression graph.
 
+use algebra::linear::determinant;
 use claims::Judged;
 use derivations::papers::{self, Paper};
 use derivations::systems::gyrostat::{Carrier, Gyrostat, Motion, Rotor};
@@ -16,7 +17,7 @@ use mechanics::rotation::{angular_velocity, euler, euler_forms, vertical};
 use nalgebra::{Matrix3, Matrix4, Vector3};
 use std::io::BufRead;
 use std::time::Instant;
-use symbolic::linear::{determinant, solve};
+use symbolic::linear::solve;
 use symbolic::{Hypotheses, Sym, decide, symbols};
 
 /// A letter, what is shown, and the seconds that each of its parts takes.

@@ -3,6 +3,7 @@
 #[path = "../tests/physical/mod.rs"]
 mod physical;
 
+use algebra::real::Root;
 use derivations::stationary::energies::{Energies, Kept};
 use field::Rational;
 use mechanics::uniform::Body;
@@ -11,7 +12,6 @@ use proptest::strategy::ValueTree;
 use proptest::test_runner::{Config, RngSeed, TestRunner};
 use std::hint::black_box;
 use std::time::Instant;
-use symbolic::real::Root;
 
 const GYROSTATS: usize = 60;
 const REPEATS: usize = 5;

@@ -9,8 +9,9 @@
 //! The exponent of tanh x = 1 - 2/(1 + exp 2x) is u = -|2x|; next to 1 its slope has few digits, so that D is at most 8.
 
 use field::Elementary;
+use series::{Equations, Recurrence};
 use std::collections::HashSet;
-use symbolic::{Derivation, Equations, Node, Recurrence, Sym, Tape, Untapeable};
+use symbolic::{Derivation, Node, Sym, Tape, Untapeable};
 
 /// Exponentials of less than this are nothing in `f64`, and in double-double.
 const NOTHING: [f64; 2] = [-40.0, -80.0];

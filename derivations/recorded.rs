@@ -4,8 +4,9 @@ use crate::exponents::{Expandable, Room};
 use crate::written::{Written, written};
 use field::{DoubleDouble, Scalar};
 use integrators::{Directions, Ode, System, TaylorSeries};
+use series::{Equations, Expansion, Fused};
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
-use symbolic::{Equations, Expansion, Fused, Sym};
+use symbolic::Sym;
 
 /// A system and the recurrence of its right-hand side: the same laws, evaluated once over expressions. The data of the
 /// system are in it as exact constants.

@@ -4,8 +4,8 @@ use super::Verdict;
 use super::instant::{Instant, vanish};
 use crate::machines::{Machine, RotorState, heat, motional_moment, stored_energy, supplied};
 use crate::stationary::motor::{Fraction, NoMotor};
+use algebra::real::Root;
 use field::{Analytic, Circle, Rational, Scalar, Tangent};
-use symbolic::real::Root;
 use symbolic::{Decision, Hypotheses, Sym, decide};
 
 /// M phi' + d/dt (U + sum 1/2 L i^2) = W dK/dg + phi' m + sum v i - sum R i^2, by moving the stored energy along the motion.

@@ -4,7 +4,7 @@ use super::one_by_one::one_by_one;
 use crate::exponents::Expandable;
 use field::Lanes;
 use integrators::LaneSeries;
-use symbolic::Abreast;
+use series::Abreast;
 
 /// Quantities that still lie near the processor, and those of the largest law.
 pub(super) const FEW: usize = 256;

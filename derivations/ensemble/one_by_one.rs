@@ -4,8 +4,8 @@ use super::lane_series::{FEW, MANY};
 use crate::exponents::{Expandable, Room};
 use field::Lanes;
 use integrators::LaneSeries;
+use series::Expansion;
 use std::cell::Cell;
-use symbolic::Expansion;
 
 /// Quantities side by side in each.
 const WIDTH: usize = 8;

@@ -3,8 +3,8 @@
 //! The map is that of [`Scheme`], which for the explicit methods is the integrator's own step, run over expressions.
 
 use crate::stabilisation::schemes::Scheme;
+use algebra::real::{Polynomial, Root};
 use field::{Rational, Scalar};
-use symbolic::real::{Polynomial, Root};
 use symbolic::{Hypotheses, Sym, normal, univariate};
 
 /// The numerator of an expression as a polynomial in an unknown, without its roots at zero; `None` where it is none with rational coefficients.
@@ -59,7 +59,7 @@ mod tests {
     #[test]
     fn the_classical_bounds_come_out() {
         let one = Rational::int(1);
-        let value = |root: Option<symbolic::real::Root>| root.map(|root| (root.to_f64() * 1e6).round() / 1e6);
+        let value = |root: Option<algebra::real::Root>| root.map(|root| (root.to_f64() * 1e6).round() / 1e6);
         assert_eq!(value(fading(Scheme::Euler)), Some(2.0));
         assert_eq!(value(fading(Scheme::RungeKutta4)), Some(2.785294));
         assert_eq!(value(fading(Scheme::BackwardEuler)), None);

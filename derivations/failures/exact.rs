@@ -1,8 +1,8 @@
 //! A threshold as theory has it.
 
+use algebra::real::Root;
 use field::Rational;
 use std::fmt;
-use symbolic::real::Root;
 
 /// An exact number.
 #[derive(Clone, Debug)]
@@ -119,7 +119,7 @@ fn polynomial(f: &mut fmt::Formatter<'_>, root: &Root) -> fmt::Result {
 #[cfg(test)]
 mod tests {
     use super::Exact;
-    use symbolic::real::Polynomial;
+    use algebra::real::Polynomial;
 
     #[test]
     fn quadratic_numbers_are_written_as_roots_and_others_by_their_polynomial() {

@@ -9,6 +9,7 @@ use crate::scene::{Axes, Family, Scene, Start, System};
 use crate::stationary::motions::decimals;
 use crate::systems::gyrostat::Gyrostat;
 use crate::systems::gyrostat::forms::{FirstForm, Form};
+use algebra::real::Polynomial;
 use field::{Base, Rational, Scalar, Tangent};
 use integrators::{Method, Observer, Span, Tolerance, integrate};
 use mechanics::differentiate::{along, unit};
@@ -17,7 +18,6 @@ use nalgebra::{Matrix4, Schur, Vector3};
 use num_traits::Zero;
 use std::path::Path;
 use symbolic::Sym;
-use symbolic::real::Polynomial;
 
 pub const FAILING: Failing = Failing {
     name: "eigenvalues",

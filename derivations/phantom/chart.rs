@@ -3,10 +3,10 @@
 use super::methods::OneStep;
 use super::motions::{AllStationed, NoMotions, Rotor, Stationed};
 use crate::scene::Scene;
+use algebra::real::Enclosure;
 use mechanics::discrete::{Judgement, Mode, Place, Spectrum, Steps, Stretch};
 use mechanics::uniform::Kind;
 use std::fmt::{self, Write};
-use symbolic::real::Enclosure;
 
 /// All of it for one angular velocity.
 pub struct Chart {

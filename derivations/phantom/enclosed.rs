@@ -8,9 +8,9 @@ use super::multipliers::{Matrix, grows};
 use super::pieces::{Piece, Write};
 use super::stretches::{Found, Limits, Proved};
 use crate::scene::{Scene, System};
+use algebra::real::{Ordered, TaylorModel};
 use field::Rational;
 use integrators::Splitting;
-use symbolic::real::{Ordered, TaylorModel};
 
 /// A motor at rest on its bench, ready to be composed.
 #[derive(Clone, Debug)]

@@ -11,10 +11,10 @@
 use super::written::Linearise;
 use crate::scene::Scene;
 use crate::stationary::motor::{Motor, NoMotor};
+use algebra::real::Enclosure;
 use field::Rational;
 use mechanics::discrete::{Mode, Place, Spectrum};
 use mechanics::first_approximation::characteristic;
-use symbolic::real::Enclosure;
 use symbolic::{Hypotheses, Sym, coefficients, normal};
 
 /// The matrix of a scene's linear motion near any stationary one, over the symbols of its place.

@@ -6,13 +6,13 @@ use crate::stationary::energies::{Energies, Kept};
 use crate::stationary::motions::{NoAnswer, Stationary, decimals};
 use crate::stationary::motor::{Angle, Motor};
 use crate::stationary::stability::{Reason, Verdict};
+use algebra::real::{Enclosure, Root};
 use field::Rational;
 use mechanics::discrete::{Mode, Place as Location, Spectrum};
 use mechanics::uniform::{Kind, Shape};
 use nalgebra::Vector3;
 use num_traits::Zero;
 use std::fmt;
-use symbolic::real::{Enclosure, Root};
 
 /// One stationary motion and its eigenvalues.
 #[derive(Clone, Debug)]

@@ -4,9 +4,9 @@
 //! the left half-plane, and Routh's chain counts. Where the chain has a zero that is no threshold, what grows is told by a multiplier
 //! beyond a line further out, and where it grows by much, by the size of a coefficient alone.
 
+use algebra::real::{Ordered, TaylorModel};
 use field::Rational;
 use mechanics::first_approximation::{HalfPlanes, characteristic};
-use symbolic::real::{Ordered, TaylorModel};
 
 /// Row after row.
 pub(super) type Matrix<R = TaylorModel> = Vec<Vec<R>>;

@@ -3,9 +3,9 @@
 //! In the variables (q, h q') a step depends on kappa = h^2 k alone. Its determinant is one, so that it is bounded where its
 //! trace is between -2 and 2: a polynomial in kappa with the coefficients of the composition that runs.
 
+use algebra::real::{Polynomial, Root};
 use field::{Rational, Scalar};
 use integrators::Splitting;
-use symbolic::real::{Polynomial, Root};
 use symbolic::{Sym, univariate};
 
 /// The matrix of a step.

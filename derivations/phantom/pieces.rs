@@ -11,10 +11,10 @@ use crate::machines::{
 };
 use crate::scene::MachineData;
 use crate::stationary::motor::Decimals;
+use algebra::real::{Ordered, TaylorModel};
 use field::{Analytic, Circle, Over, Rational, Scalar, Tangent};
 use num_traits::Zero;
 use std::cell::RefCell;
-use symbolic::real::{Ordered, TaylorModel};
 use symbolic::{Formulas, Hypotheses, Sym, decide, normal};
 
 /// The derivative of a flow at the resting state.

@@ -6,10 +6,10 @@ use crate::machines::{Kick, Law, Machine, Quantity, Rule, Source, decay_quotient
 use crate::scene::{MachineData, NoModel};
 use crate::systems::gyrostat::forms::SecondForm;
 use crate::systems::gyrostat::momenta::{Flows, Lapse, Point};
+use algebra::real::{Model, Ordered, Rounded};
 use field::{Analytic, Base, Over, Rational, Scalar, Tangent};
 use integrators::Splitting;
 use std::sync::Arc;
-use symbolic::real::{Model, Ordered, Rounded};
 
 /// A step of a length, s.
 pub(super) trait Stepped<P> {

@@ -28,11 +28,11 @@ use crate::scene::{Axes, MachineData, Scene, System};
 use crate::stationary::motor::Decimals;
 use crate::systems::gyrostat::Gyrostat;
 use crate::systems::gyrostat::forms::SecondForm;
+use algebra::real::{Ball, FixedPoint, Mapped, Model, Rounded, TaylorModel};
 use field::{Rational, Scalar, Tangent};
 use integrators::Splitting;
 use nalgebra::{DMatrix, DVector};
 use symbolic::Sym;
-use symbolic::real::{Ball, FixedPoint, Mapped, Model, Rounded, TaylorModel};
 
 /// A gyrostat near a stationary motion, its motor forgotten.
 pub struct Turning {

@@ -6,12 +6,13 @@
 use super::alphabet::{letter, letters};
 use super::any::{AnySystem, numbered};
 use super::systems;
+use algebra::linear;
 use claims::{Condition, Line, Page};
 use field::Analytic;
 use mechanics::constrained::System;
 use mechanics::constrained::combining::{extended, painleve};
 use mechanics::constrained::rates::jacobian;
-use symbolic::{Sym, linear};
+use symbolic::{Hypotheses, Sym};
 
 use Condition::{Equal, NonZero, Zero};
 
@@ -126,7 +127,7 @@ fn unique<const N: usize, const C: usize>(page: &mut Page, slug: &'static str) {
     // the adjugate, column by column
     let adjugate: [Vec<Sym>; C] = std::array::from_fn(|c| {
         let unit: [Sym; C] = mechanics::differentiate::unit(c);
-        linear::solve(&matrix, &unit, &symbolic::Hypotheses::none()).map_or(vec![Sym::UNDEFINED; C], |s| s.numerators)
+        symbolic::linear::solve(&matrix, &unit, &Hypotheses::none()).map_or(vec![Sym::UNDEFINED; C], |s| s.numerators)
     });
     let reaction = any.reaction(lambda);
     let sums = (0..N).map(|i| Zero(reaction[i] + friction[i]));

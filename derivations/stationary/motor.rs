@@ -5,9 +5,9 @@ use crate::machines::{
     AnyMachine, Catalogued, ForMachine, Loaded, Machine, Quantity, RotorState, Source, drive, is_fed, resting_currents,
 };
 use crate::scene::{MachineData, NoModel};
+use algebra::real::{Polynomial, Root};
 use field::{Circle, Rational, Scalar};
 use std::sync::Arc;
-use symbolic::real::{Polynomial, Root};
 use symbolic::{Hypotheses, Sym, normal, univariate};
 
 /// What a machine lets its rotor do for ever.
@@ -215,7 +215,7 @@ impl Fraction {
         let (above, below) = (dense(form.numerator())?, dense(form.denominator())?);
         let split = above.len();
         let all: Vec<Rational> = above.into_iter().chain(below).collect();
-        let (mut whole, _) = symbolic::real::Number::over_common(&all).ok_or_else(|| wrong("a datum".into()))?;
+        let (mut whole, _) = algebra::real::Number::over_common(&all).ok_or_else(|| wrong("a datum".into()))?;
         let denominator = Polynomial::new(whole.split_off(split));
         Ok(Fraction { numerator: Polynomial::new(whole), denominator })
     }

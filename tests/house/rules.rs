@@ -9,17 +9,19 @@ use std::process::Command;
 const LAYERS: &[(&str, i32)] = &[
     ("dalembert-features", -1),
     ("dalembert-field", 0),
-    ("dalembert-symbolic", 1),
-    ("dalembert-native", 2),
-    ("dalembert-units", 2),
-    ("dalembert-mechanics", 2),
-    ("dalembert-integrators", 2),
-    ("dalembert-model", 3),
-    ("dalembert-claims", 3),
-    ("dalembert-charts", 4),
-    ("dalembert", 5),
-    ("dalembert-scenes", 6),
-    ("dalembert-cli", 7),
+    ("dalembert-algebra", 1),
+    ("dalembert-symbolic", 2),
+    ("dalembert-series", 3),
+    ("dalembert-native", 3),
+    ("dalembert-units", 3),
+    ("dalembert-mechanics", 3),
+    ("dalembert-integrators", 3),
+    ("dalembert-model", 4),
+    ("dalembert-claims", 4),
+    ("dalembert-charts", 5),
+    ("dalembert", 6),
+    ("dalembert-scenes", 7),
+    ("dalembert-cli", 8),
 ];
 
 #[test]
@@ -56,7 +58,20 @@ fn every_dependency_has_its_reason() {
 
 #[test]
 fn the_machinery_names_no_system() {
-    for folder in ["field", "symbolic", "units", "native", "mechanics", "model", "integrators", "claims", "charts"] {
+    let machinery = [
+        "field",
+        "algebra",
+        "symbolic",
+        "series",
+        "units",
+        "native",
+        "mechanics",
+        "model",
+        "integrators",
+        "claims",
+        "charts",
+    ];
+    for folder in machinery {
         for file in rust_files(&root().join("crates").join(folder).join("src")) {
             let text = read(&file).to_lowercase();
             for system in ["gyrostat", "konosevich", "damper"] {

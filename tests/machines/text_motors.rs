@@ -12,8 +12,9 @@ use derivations::systems::gyrostat::driven::Driven;
 use derivations::taped::Running;
 use field::{Analytic, DoubleDouble, Over};
 use integrators::{Directions, Ode, Real, Splitting, compose};
+use series::{Equations, Recurrence};
 use std::f64::consts::PI;
-use symbolic::{Equations, Language, Recurrence, Sym, Tape};
+use symbolic::{Language, Sym, Tape};
 
 const CROSSED: &str = "flux = \"0.3 Wb\"\ninductance = \"0.2 H\"\nresistance = \"0.7 ohm\"\nf = \"0.05 N m s\"\n";
 const MAGNETS: &str = "voltage = \"12 V\"\nflux = \"0.3 Wb\"\nalong = \"0.2 H\"\nacross = \"0.3 H\"\n\

@@ -57,9 +57,9 @@ SUBJECT_OF = {
     "crates/symbolic/src/fraction.rs": ["symbolic"],
     "crates/native/": ["code"],
     "derivations/differentiated.rs": ["laws::jacobians"],
-    "crates/symbolic/src/real/": ["expressions::balls", "expressions::real", "symbolic"],
-    "crates/symbolic/src/complex/": ["symbolic"],
-    "crates/symbolic/src/poly/": ["expressions::algebra", "expressions::decisions", "symbolic"],
+    "crates/algebra/src/real/": ["numbers::balls", "numbers::real", "algebra"],
+    "crates/algebra/src/complex/": ["algebra"],
+    "crates/algebra/src/multivariate/": ["expressions::algebra", "expressions::decisions", "algebra"],
     "crates/symbolic/src/prove/": ["expressions::algebra", "expressions::decisions", "symbolic"],
     "crates/symbolic/src/tape/": ["expressions::programs", "symbolic"],
     "crates/integrators/src/ensemble.rs": ["runs::ensembles"],
@@ -140,13 +140,13 @@ SUBJECT_OF = {
     "crates/scenes/src/implicit/": ["solved"],
     "derivations/closed_forms/": ["runs::closed_forms"],
     "derivations/mechanisms/points.rs": ["motions::atlas"],
-    "crates/symbolic/src/recurrence/abreast/": ["expressions::series"],
-    "crates/symbolic/src/recurrence/small/": ["expressions::series"],
-    "crates/symbolic/src/recurrence/permuting/": ["expressions::series"],
-    "crates/symbolic/src/recurrence/stored.rs": ["expressions::series"],
-    "crates/symbolic/src/recurrence/stages.rs": ["expressions::series"],
-    "crates/symbolic/src/recurrence/layout.rs": ["expressions::series"],
-    "crates/symbolic/src/recurrence/sum.rs": ["expressions::series"],
+    "crates/series/src/abreast/": ["recurrences::known"],
+    "crates/series/src/small/": ["recurrences::known"],
+    "crates/series/src/permuting/": ["recurrences::known"],
+    "crates/series/src/stored.rs": ["recurrences::known"],
+    "crates/series/src/stages.rs": ["recurrences::known"],
+    "crates/series/src/layout.rs": ["recurrences::known"],
+    "crates/series/src/sum.rs": ["recurrences::known"],
     "crates/field/src/quarters.rs": ["laws::fields"],
     "crates/field/src/sixteenths.rs": ["field"],
     "crates/integrators/src/side_by_side.rs": ["runs::ensembles"],
@@ -158,7 +158,7 @@ SUBJECT_OF = {
 # modules that take longer than all others of their crate's program: asked only of what these do not notice
 SLOW = {"principles": ["chains"]}
 # quick to build: only what proves and what multiplies big numbers is optimised, and a little all that runs whole motions
-OPTIMISED = ["dalembert-symbolic", "dalembert-field"]
+OPTIMISED = ["dalembert-algebra", "dalembert-symbolic", "dalembert-series", "dalembert-field"]
 # crates whose own tests prove and multiply big numbers too
 PROVING = {"model", "scenes"}
 # what is built once for all gains nothing by parts, which do not survive a kill

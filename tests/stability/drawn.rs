@@ -2,6 +2,7 @@
 
 use crate::physical::{gyrostat, rounded};
 use crate::running::{Law, eigenvalues, state};
+use algebra::real::{Enclosure, Ordered, Root};
 use derivations::machines::asynchronous::Asynchronous;
 use derivations::machines::constant_speed::ConstantSpeed;
 use derivations::machines::free_rotor::FreeRotor;
@@ -21,7 +22,6 @@ use proptest::test_runner::{Config, RngSeed, TestRunner};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 use symbolic::Sym;
-use symbolic::real::{Enclosure, Ordered, Root};
 
 const GYROSTATS: usize = 200;
 

@@ -2,6 +2,7 @@
 //! equations that run.
 
 use crate::running::{Law, eigenvalues, state};
+use algebra::real::{Enclosure, Root};
 use derivations::machines::Machine;
 use derivations::machines::asynchronous::Asynchronous;
 use derivations::machines::constant_speed::ConstantSpeed;
@@ -17,7 +18,6 @@ use field::{Rational, Scalar};
 use mechanics::uniform::{Body, Shape};
 use nalgebra::{Matrix3, Vector3};
 use symbolic::Sym;
-use symbolic::real::{Enclosure, Root};
 
 pub fn r(n: i64, d: i64) -> Rational {
     Rational::new(n, d)

@@ -1,8 +1,8 @@
 //! Polynomials in one unknown with rational coefficients, as far as a refutation needs them.
 
+use algebra::real::Polynomial;
 use field::Rational;
 use num_traits::Zero;
-use symbolic::real::Polynomial;
 use symbolic::{Sym, coefficients};
 
 /// `None` where the expression is no polynomial in the unknown with rational coefficients.

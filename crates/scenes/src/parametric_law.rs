@@ -5,10 +5,12 @@ use crate::conservation::conserves;
 use crate::implicit::{linear_equations, recurrence_of};
 use crate::letters::Inputs;
 use crate::modes::Mode;
+use algebra::linear::{Factors, Pattern};
 use derivations::exponents::Expandable;
 use model::{Model, Trace};
-use symbolic::solve::{Factors, Pattern, Solve};
-use symbolic::{Equations, Sym, Tape, Untapeable, apart};
+use series::Equations;
+use symbolic::linear::Solve;
+use symbolic::{Sym, Tape, Untapeable, apart};
 
 /// The law of a model and its outputs, over state, time and parameters.
 #[derive(Debug)]

@@ -4,8 +4,8 @@
 //! [`Sym`], and what it wrote is run here.
 
 use crate::graph::Node;
-use crate::real::Ordered;
 use crate::{Sym, Unbound};
+use algebra::real::Ordered;
 use field::Rational;
 use rustc_hash::FxHashMap;
 
@@ -86,8 +86,8 @@ impl Formulas {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::real::Enclosure;
     use crate::symbols;
+    use algebra::real::Enclosure;
     use field::{Analytic, Scalar};
 
     #[test]

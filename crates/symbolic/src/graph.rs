@@ -216,7 +216,8 @@ impl Sym {
         })
     }
 
-    pub(crate) fn from_node(node: Node) -> Self {
+    /// The expression of a node as it stands: nothing is simplified, as operators do.
+    pub fn from_node(node: Node) -> Self {
         GRAPH.with_borrow_mut(|graph| graph.intern(node))
     }
 
@@ -226,7 +227,7 @@ impl Sym {
     }
 
     /// All expressions inside the given ones and themselves, each after those it is made of.
-    pub(crate) fn ascending(roots: &[Sym]) -> Vec<Sym> {
+    pub fn ascending(roots: &[Sym]) -> Vec<Sym> {
         Sym::reached(roots, |_, _| true)
     }
 
@@ -236,7 +237,7 @@ impl Sym {
     }
 
     /// [`Sym::ascending`] without what is inside the expressions that are not to be opened up.
-    pub(crate) fn reached(roots: &[Sym], open_up: impl Fn(Sym, Node) -> bool) -> Vec<Sym> {
+    pub fn reached(roots: &[Sym], open_up: impl Fn(Sym, Node) -> bool) -> Vec<Sym> {
         GRAPH.with_borrow(|graph| {
             let mut visits = graph.visits.borrow_mut();
             visits.begin(graph.nodes.len());

@@ -7,7 +7,7 @@
 //! Angles are circle points and roots are generators with a known square, so that expressions are fractions of
 //! polynomials modulo rewriting rules ([`Hypotheses`]). Whether one vanishes is then decidable: [`decide`] brings it
 //! over a denominator kept as a product of known factors and looks at the numerator. [`normal`] gives the normal form,
-//! [`Tape`] the straight-line program, [`Recurrence`] the Taylor series, [`Formulas`] the steps for enclosures,
+//! [`Tape`] the straight-line program, [`Formulas`] the steps for enclosures, [`linear`] the unknowns of linear equations,
 //! [`dimension`] the physical dimension. [`parse`] reads what is printed.
 //!
 //! ```
@@ -34,7 +34,6 @@
 mod analytic;
 mod calculus;
 mod coefficients;
-pub mod complex;
 mod dimension;
 mod evaluate;
 mod exact_turns;
@@ -44,12 +43,8 @@ mod graph;
 pub mod linear;
 mod operators;
 mod parse;
-mod poly;
 mod print;
 mod prove;
-pub mod real;
-mod recurrence;
-pub mod solve;
 mod sym;
 mod tape;
 
@@ -66,6 +61,5 @@ pub use prove::{
     Decision, Hypotheses, Identity, NormalForm, NotNormal, Proof, Refused, Witness, decide, decide_modulo, identified,
     normal,
 };
-pub use recurrence::{Abreast, Equations, Expansion, Fused, Recurrence};
 pub use sym::symbols;
 pub use tape::{Algebraic, Language, Operation, Program, Register, Source, Statements, Tape, Untapeable};

@@ -2,8 +2,8 @@
 
 use super::alphabet::{exact, int, letter, letters, tidy};
 use super::elastic::{AS_STIFFNESS, ElasticLetters};
+use algebra::linear::determinant;
 use claims::{Condition, Line, Page};
-use symbolic::linear::determinant;
 use symbolic::{Sym, coefficients};
 
 pub fn claims(page: &mut Page, quintic: &Quintic) {

@@ -2,9 +2,9 @@
 
 use super::alphabet::{exact, letter, letters, tidy};
 use super::released::ReleasedLetters;
+use algebra::linear::determinant;
 use claims::{Condition, Line, Page};
 use symbolic::Sym;
-use symbolic::linear::determinant;
 
 use Condition::{NonZero, Positive};
 

@@ -2,8 +2,9 @@
 
 use super::alphabet::{exact, int, letter, letters};
 use super::top::{TopLetters, field, half, perturbations, perturbed, unperturbed};
+use algebra::linear;
 use claims::{Condition, Page};
-use symbolic::{Hypotheses, Sym, linear};
+use symbolic::{Hypotheses, Sym};
 
 use Condition::{Equal, NonZero, Positive, Zero};
 

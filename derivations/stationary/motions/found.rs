@@ -1,9 +1,9 @@
 //! What is answered: the motions, each with its stability, and why none is missing.
 
 use crate::stationary::stability::{Along, Judged};
+use algebra::real::Enclosure;
 use mechanics::uniform::{Kind, Shape, Undecided};
 use nalgebra::Vector3;
-use symbolic::real::Enclosure;
 
 /// All that goes with one case.
 pub struct Answer {

@@ -7,10 +7,10 @@ use super::judged::{Among, Judged};
 use super::symmetry::{is_symmetric, unfelt};
 use super::verdict::{Reason, Verdict};
 use crate::stationary::motor::Angle;
+use algebra::real::{Conic, Enclosure, Ordered, Root, Surd, Tower};
 use field::{Rational, Scalar};
 use mechanics::uniform::Shape;
 use nalgebra::Vector3;
-use symbolic::real::{Conic, Enclosure, Ordered, Root, Surd, Tower};
 
 /// The verdicts along a family with one angle of the rotor.
 #[derive(Clone, Debug)]

@@ -6,10 +6,10 @@ use crate::machines::{AnyMachine, Catalogued, ForMachine, Machine, is_fed, resti
 use crate::scene::MachineData;
 use crate::stationary::energies::Energies;
 use crate::stationary::motor::{Decimals, NoMotor};
+use algebra::real::Ordered;
 use field::{Circle, Rational, Tangent};
 use nalgebra::Vector3;
 use std::sync::Arc;
-use symbolic::real::Ordered;
 use symbolic::{Formulas, Hypotheses, Sym, decide, symbols};
 
 /// The matrices of [`Linear`] as formulas of the place, their data the decimals that were written.

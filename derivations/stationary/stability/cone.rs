@@ -3,9 +3,9 @@
 use super::reduced::{Fate, Reduced};
 use crate::stationary::energies::Energies;
 use crate::stationary::motions::Case;
+use algebra::real::Enclosure;
 use field::Rational;
 use nalgebra::Vector3;
-use symbolic::real::Enclosure;
 use symbolic::{Formulas, Unbound, symbols};
 
 /// What decides, as formulas of (w0, v, W).

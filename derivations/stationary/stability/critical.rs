@@ -10,10 +10,10 @@
 use super::approximation::Approximation;
 use super::reduced::Reduced;
 use crate::stationary::energies::Energies;
+use algebra::real::{Conic, Ordered};
 use field::Rational;
 use mechanics::first_approximation::{characteristic, derivative, resultant};
 use nalgebra::Vector3;
-use symbolic::real::{Conic, Ordered};
 use symbolic::{Formulas, Sym, symbols};
 
 /// The functions that do not vanish everywhere. `None` where they are no functions with fractions, or where not all of the

@@ -4,9 +4,9 @@
 //! angle from the rotor's axis alone: the tensor is isotropic there and the weight along the axis, or nothing turns and
 //! weighs, and then v is any direction. So a meridian stands for the sphere.
 
+use algebra::real::{Conic, ConicPoint, Enclosure, Ordered, Polynomial, Root, Surd};
 use field::{Rational, Scalar};
 use nalgebra::Vector3;
-use symbolic::real::{Conic, ConicPoint, Enclosure, Ordered, Polynomial, Root, Surd};
 
 /// A circle of directions, or a meridian for all of them.
 #[derive(Clone, Debug)]

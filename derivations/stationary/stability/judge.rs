@@ -5,9 +5,9 @@ use super::judged::Judged;
 use super::verdict::{Reason, Verdict};
 use crate::stationary::energies::{Energies, Kept};
 use crate::stationary::motor::{Angle, Motor};
+use algebra::real::{Enclosure, Ordered, Polynomial, Root, Surd};
 use field::{Rational, Scalar};
 use nalgebra::Vector3;
-use symbolic::real::{Enclosure, Ordered, Polynomial, Root, Surd};
 
 /// What decides for one constant value of what the rotor keeps.
 pub struct Judge<'a> {

@@ -4,8 +4,8 @@ use super::approximation::Approximation;
 use super::family::cross;
 use super::linear::{Integral, Linear};
 use super::verdict::{Reason, Verdict};
+use algebra::real::Ordered;
 use mechanics::first_approximation::{HalfPlanes, Inertia, characteristic, growth};
-use symbolic::real::Ordered;
 
 /// A verdict with what it rests on.
 #[derive(Clone, Debug, PartialEq)]

@@ -6,9 +6,9 @@
 
 use super::reduced::{Fate, Reduced};
 use crate::stationary::energies::Energies;
+use algebra::real::{Field, Number, Polynomial, Root};
 use field::{Rational, Scalar};
 use nalgebra::Vector3;
-use symbolic::real::{Field, Number, Polynomial, Root};
 use symbolic::{Hypotheses, NotPolynomial, Sym, coefficients, normal, univariate};
 
 /// A gyrostat whose rotor and weight lie along one principal axis of A*, and which end of it points down.

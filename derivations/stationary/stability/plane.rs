@@ -12,9 +12,9 @@ use crate::ensemble::known::Data;
 use crate::scene::Scene;
 use crate::stationary::energies::Energies;
 use crate::stationary::motor::{Bears, Motor};
+use algebra::real::Root;
 use field::{Rational, Scalar};
 use std::fmt;
-use symbolic::real::Root;
 use symbolic::{Hypotheses, NotPolynomial, Sym, normal};
 
 /// Why there is no map.

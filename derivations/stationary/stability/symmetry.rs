@@ -4,9 +4,9 @@ use super::approximation::Approximation;
 use super::family::beside;
 use super::reduced::Reduced;
 use crate::stationary::energies::Energies;
+use algebra::real::Enclosure;
 use field::Rational;
 use nalgebra::Vector3;
-use symbolic::real::Enclosure;
 use symbolic::{Formulas, symbols};
 
 /// Whether nothing tells directions about an axis apart; `value`: the rotor's speed where a machine prescribes it.

@@ -1,9 +1,9 @@
 //! Cases that are known in closed form, families among them.
 
+use algebra::real::{Enclosure, Root};
 use field::{Rational, Scalar};
 use mechanics::uniform::{Body, Kind, Shape};
 use nalgebra::{Matrix3, Vector3};
-use symbolic::real::{Enclosure, Root};
 
 fn r(n: i64, d: i64) -> Rational {
     Rational::new(n, d)

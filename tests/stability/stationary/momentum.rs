@@ -1,12 +1,12 @@
 //! Motions with a given vertical momentum, beside those with a given angular velocity; folds beside counts.
 
 use crate::physical::{fixed, gyrostat};
+use algebra::real::{Enclosure, Root};
 use derivations::stationary::energies::{Energies, Kept};
 use field::Rational;
 use mechanics::uniform::{Body, Shape};
 use nalgebra::Vector3;
 use proptest::prelude::*;
-use symbolic::real::{Enclosure, Root};
 
 proptest! {
     #![proptest_config(fixed(60))]

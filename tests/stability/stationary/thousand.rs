@@ -2,6 +2,7 @@
 
 use super::search::search;
 use crate::physical::{gyrostat, rounded};
+use algebra::real::{Enclosure, Root};
 use derivations::stationary::energies::{Energies, Kept};
 use field::Rational;
 use mechanics::uniform::{Body, Kind};
@@ -11,7 +12,6 @@ use proptest::strategy::ValueTree;
 use proptest::test_runner::{Config, RngSeed, TestRunner};
 use std::collections::BTreeMap;
 use std::fmt::Write;
-use symbolic::real::{Enclosure, Root};
 
 const GYROSTATS: usize = 1000;
 

@@ -1,9 +1,9 @@
 //! What the steps of a method make of one mode.
 
 use super::{Place, StabilityFunction};
+use algebra::complex::{Rectangle, zeros};
+use algebra::real::{Enclosure, Polynomial, Root};
 use field::{Rational, Scalar};
-use symbolic::complex::{Rectangle, zeros};
-use symbolic::real::{Enclosure, Polynomial, Root};
 
 /// The lengths of step at which the fate of a mode changes, in ascending order, and its fate before, between and after
 /// them: -1 it fades, 0 it stays, 1 it grows.

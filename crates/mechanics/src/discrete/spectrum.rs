@@ -1,7 +1,7 @@
 //! The eigenvalues of a matrix, each in a rectangle of its own.
 
-use symbolic::complex::{Rectangle, zeros};
-use symbolic::real::Enclosure;
+use algebra::complex::{Rectangle, zeros};
+use algebra::real::Enclosure;
 
 /// Eigenvalues that a step treats alike: one, or a pair of conjugates.
 #[derive(Clone, Debug)]

@@ -1,7 +1,7 @@
 //! Every length of step of a method, judged by what it makes of all modes of a motion.
 
 use super::{Fates, Mode, StabilityFunction, UndecidedFate};
-use symbolic::real::Enclosure;
+use algebra::real::Enclosure;
 
 /// What the map says of the motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,6 +1,6 @@
 //! det(mu - A), without a division.
 
-use symbolic::real::Ordered;
+use algebra::real::Ordered;
 
 /// The coefficients of det(mu - A), that of the highest power, which is 1, first. Row by row (Berkowitz): with the next
 /// row and column r, c and diagonal element d of the leading block B, the coefficients are multiplied by the triangular

@@ -4,8 +4,8 @@
 //! exactly, for r halved and doubled. So a growth that is far below what rounding does to eigenvalues is known.
 
 use super::HalfPlanes;
+use algebra::real::Ordered;
 use field::Rational;
-use symbolic::real::Ordered;
 
 /// Powers of two between which the growth is looked for.
 const POWERS: [i32; 2] = [-1000, 64];
@@ -64,8 +64,8 @@ fn shifted<R: Ordered>(coefficients: &[R], r: &R) -> Vec<R> {
 #[cfg(test)]
 mod tests {
     use super::growth;
+    use algebra::real::Enclosure;
     use field::Rational;
-    use symbolic::real::Enclosure;
 
     #[test]
     fn a_growth_is_enclosed_at_every_size() {

@@ -8,7 +8,7 @@
 //! the common divisor of f0 and f1. Its roots are those of p on the axis, and pairs mu, -mu: half of these on either side.
 
 use super::derivative;
-use symbolic::real::Ordered;
+use algebra::real::Ordered;
 
 /// How many roots of a real polynomial, each as often as it is one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -204,7 +204,7 @@ mod tests {
 
     #[test]
     fn different_real_roots_are_counted_unless_an_enclosure_cannot_tell() {
-        use symbolic::real::Enclosure;
+        use algebra::real::Enclosure;
         let count = |factors: &[Vec<i64>]| real_roots(&product(factors));
         assert_eq!(count(&[vec![1, -1], vec![1, -1], vec![1, 2], vec![1, 0, 4]]), Some(2));
         assert_eq!(count(&[vec![1, 1, 5]]), Some(0));
@@ -230,7 +230,7 @@ mod tests {
 
     #[test]
     fn a_known_pair_is_divided_out_though_enclosures_cannot_see_it() {
-        use symbolic::real::Enclosure;
+        use algebra::real::Enclosure;
         let whole = |n: i64| Enclosure::integer(n, 64);
         // (z^2 + 1/9)(z + 2)
         let ninth = whole(1).over(&whole(9)).unwrap();
@@ -253,7 +253,7 @@ mod tests {
 
     #[test]
     fn an_enclosure_around_zero_is_no_sign() {
-        use symbolic::real::Enclosure;
+        use algebra::real::Enclosure;
         let whole = |n: i64| Enclosure::integer(n, 64);
         let third = whole(1).over(&whole(3)).unwrap();
         // 3 (1/3) - 1 is zero or not, for all that the enclosure knows

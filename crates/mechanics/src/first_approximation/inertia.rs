@@ -1,7 +1,7 @@
 //! The signs of a quadratic form.
 
 use super::characteristic;
-use symbolic::real::Ordered;
+use algebra::real::Ordered;
 
 /// How many positive, vanishing and negative squares a quadratic form is the sum of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

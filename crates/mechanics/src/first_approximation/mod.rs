@@ -10,7 +10,7 @@
 //! * [`resultant`]: where polynomials over a ring have a common root.
 //!
 //! # Key results
-//! Numbers are [`Ordered`](symbolic::real::Ordered): fractions know their signs, enclosures know them unless zero lies among their values. A count is given only where every sign that it rests on is known. With enclosures this is a proof for all numbers in
+//! Numbers are [`Ordered`](algebra::real::Ordered): fractions know their signs, enclosures know them unless zero lies among their values. A count is given only where every sign that it rests on is known. With enclosures this is a proof for all numbers in
 //! them; where it fails, finer ones may succeed, and where a quantity is zero none will: `None`, never a guess.
 //!
 //! # References

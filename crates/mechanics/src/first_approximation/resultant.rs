@@ -1,7 +1,7 @@
 //! The resultant of two polynomials, over any ring.
 
 use super::characteristic;
-use symbolic::real::Ordered;
+use algebra::real::Ordered;
 
 /// Zero where the polynomials, the highest power first, have a common root or both lose their degree: the determinant of
 /// Sylvester's matrix up to its sign. With a derivative: where a root is repeated.

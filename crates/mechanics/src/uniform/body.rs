@@ -1,9 +1,9 @@
 //! The data, as integers over one denominator.
 
 use super::spectrum::{Matrix, Vector};
+use algebra::real::{Field, Number, Root};
 use field::Rational;
 use nalgebra::{Matrix3, Vector3};
-use symbolic::real::{Field, Number, Root};
 
 /// M, h and G times one positive number.
 #[derive(Clone, Debug)]

@@ -11,8 +11,8 @@
 
 use super::spectrum::{Matrix, Vector};
 use crate::first_approximation::real_roots;
+use algebra::real::Enclosure;
 use nalgebra::{Matrix4, Vector4};
-use symbolic::real::Enclosure;
 
 /// (v, lambda), enclosed.
 pub type Place = [Enclosure; 4];

@@ -2,9 +2,9 @@
 
 use super::Body;
 use super::spectrum::{Matrix, Spectrum, Vector, dot};
+use algebra::real::{Enclosure, Number, Polynomial, Root};
 use field::Rational;
 use std::sync::Arc;
-use symbolic::real::{Enclosure, Number, Polynomial, Root};
 
 /// All v for one w.
 pub struct Rotations {

@@ -1,7 +1,7 @@
 //! (K - x) v + b = 0 as polynomials in x.
 
+use algebra::real::{Enclosure, Number, Polynomial, Root};
 use std::cmp::Ordering;
-use symbolic::real::{Enclosure, Number, Polynomial, Root};
 
 pub(super) type Vector<T> = [T; 3];
 pub(super) type Matrix<T> = [[T; 3]; 3];

@@ -1,10 +1,10 @@
 //! Steps of methods on modes whose thresholds textbooks know.
 
+use algebra::complex::Rectangle;
+use algebra::real::Enclosure;
 use field::Rational;
 use mechanics::discrete::{Fates, Judgement, Place, Spectrum, StabilityFunction, Steps};
 use mechanics::first_approximation::characteristic;
-use symbolic::complex::Rectangle;
-use symbolic::real::Enclosure;
 
 const BITS: usize = 192;
 

@@ -1,9 +1,9 @@
 //! Motions with a given vertical momentum in special positions, each beside its closed form: none is left open.
 
+use algebra::real::{Enclosure, Polynomial, Root};
 use field::{Rational, Scalar};
 use mechanics::uniform::{Body, Kind, Selected, Shape};
 use nalgebra::{Matrix3, Vector3};
-use symbolic::real::{Enclosure, Polynomial, Root};
 
 fn r(n: i64, d: i64) -> Rational {
     Rational::new(n, d)

@@ -7,7 +7,7 @@ use crate::letters::Letters;
 use model::Trace;
 use model::equations::{Equations, constraints_of};
 use symbolic::Sym;
-use symbolic::solve::Solve;
+use symbolic::linear::Solve;
 
 /// The equations of a trace over letters. Accelerations must be determined; multipliers of constraints that others imply need not.
 pub(crate) fn linear_equations(trace: &Trace<'_>, letters: Letters<'_>) -> Solve {

@@ -11,19 +11,20 @@ mod law;
 mod series;
 mod slopes;
 
+pub(crate) use self::series::{recurrence, recurrence_of};
 pub(crate) use equations::{linear_equations, unknown_letters};
 pub(crate) use law::{ImplicitLaw, SolvedSlopes};
-pub(crate) use series::{recurrence, recurrence_of};
 
 use crate::compiled_system::NotCompiled;
 use crate::letters::Letters;
 use crate::program::recorded;
+use algebra::linear::{Factors, Magnitude, NotSolved, Pattern};
 use derivations::taped::{Program, Running};
 use field::DoubleDouble;
 use integrators::{Directions, Ode, System};
 use model::{Model, Trace};
 use std::sync::{Arc, Mutex, PoisonError};
-use symbolic::solve::{Factors, Magnitude, NotSolved, Pattern, Solve};
+use symbolic::linear::Solve;
 
 /// The equations of motion of a model with the values of its parameters, their accelerations and multipliers as unknowns.
 #[derive(Debug)]

@@ -4,7 +4,8 @@ use super::linear_equations;
 use crate::letters::{Inputs, Letters};
 use derivations::exponents::Expandable;
 use model::{Model, Trace};
-use symbolic::{Equations, Sym, Untapeable, apart};
+use series::Equations;
+use symbolic::{Sym, Untapeable, apart};
 
 /// The equations of a model with the values of its parameters; none where they have no series.
 pub(crate) fn recurrence(model: &Model) -> Option<Expandable> {

@@ -4,8 +4,8 @@
 //!   A z' = b' - A' z .
 
 use super::{Implicit, Room};
+use algebra::linear::NotSolved;
 use integrators::{DIRECTIONS, Directions, Slopes, slope, variable};
-use symbolic::solve::NotSolved;
 
 /// The derivatives of one law, with room for them.
 pub(super) struct ImplicitSlopes<'a> {

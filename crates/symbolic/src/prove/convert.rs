@@ -1,11 +1,12 @@
 //! From expressions to fractions of polynomials and back.
 
+use super::failure::Failure;
 use super::fraction::{Arithmetic, Fraction};
 use super::generators::Generators;
 use super::reduce::PolyRule;
 use crate::Sym;
 use crate::graph::Node;
-use crate::poly::{Coefficient, Failure, Poly, monomial};
+use algebra::multivariate::{Coefficient, Poly, monomial};
 use dashu_int::{IBig, UBig};
 use dashu_ratio::RBig;
 use field::Rational;
@@ -85,11 +86,11 @@ impl<'a, C: Coefficient, const W: usize> Converter<'a, C, W> {
                         _ => {}
                     }
                 }
-                self.arithmetic.sum(summands)
+                Ok(self.arithmetic.sum(summands)?)
             }
             Node::Product(a, b) => {
                 let (a, b) = (self.done[&a].clone(), self.done[&b].clone());
-                self.arithmetic.product(&a, &b)
+                Ok(self.arithmetic.product(&a, &b)?)
             }
             Node::Power(a, n) => {
                 let base = self.done[&a].clone();
@@ -114,7 +115,7 @@ impl<'a, C: Coefficient, const W: usize> Converter<'a, C, W> {
             let powers = base.powers.iter().map(|&(factor, e)| (factor, e * exponent)).collect();
             return Ok(Fraction { numerator, constant: base.constant.power(exponent)?, powers });
         }
-        (1..exponent).try_fold(base.clone(), |product, _| self.arithmetic.product(&product, base))
+        Ok((1..exponent).try_fold(base.clone(), |product, _| self.arithmetic.product(&product, base))?)
     }
 
     /// Divides by a denominator factor by factor, as it is written.

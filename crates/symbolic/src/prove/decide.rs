@@ -1,12 +1,13 @@
 //! Does an expression vanish?
 
 use super::convert::Converter;
+use super::failure::Failure;
 use super::generators::Generators;
 use super::hypotheses::Hypotheses;
 use super::kernel::{Computation, compute};
 use super::witness::{self, Witness};
 use crate::Sym;
-use crate::poly::{Coefficient, Failure};
+use algebra::multivariate::Coefficient;
 use std::fmt;
 
 /// Whether an expression vanishes wherever it is defined and the hypotheses hold.
@@ -96,19 +97,5 @@ impl Computation for Vanishing<'_> {
         let mut converter = Converter::<C, W>::new(self.generators)?;
         let fraction = converter.fraction(self.expression)?;
         Ok(fraction.numerator.is_zero().then(|| Proof { requires: converter.requirements() }))
-    }
-}
-
-impl fmt::Display for Failure {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Failure::Overflow => write!(f, "a coefficient outgrew the machine integers"),
-            Failure::Degree => write!(f, "an exponent rose above 127"),
-            Failure::Terms => write!(f, "a polynomial outgrew the limit on terms"),
-            Failure::Work => write!(f, "the computation outgrew the limit on operations"),
-            Failure::Generators(count) => write!(f, "{count} generators are more than are provided for"),
-            Failure::Undefined(denominator) => write!(f, "the denominator {denominator} vanishes identically"),
-            Failure::Hypotheses(reason) => write!(f, "{reason}"),
-        }
     }
 }

@@ -4,7 +4,7 @@
 //! that once appeared are tried as divisors, which keeps numerators small where derivations cancel.
 
 use super::reduce::{PolyRule, reduce};
-use crate::poly::{Budget, Coefficient, Failure, Poly, monomial};
+use algebra::multivariate::{Budget, Coefficient, Limit, Poly, monomial};
 use std::rc::Rc;
 
 /// numerator / (constant * product of factors^powers); the constant is positive.
@@ -51,11 +51,11 @@ impl<C: Coefficient, const W: usize> Fraction<C, W> {
 
 impl<C: Coefficient, const W: usize> Arithmetic<C, W> {
     pub fn new() -> Self {
-        Arithmetic { budget: Budget::new(), rules: Vec::new(), factors: Vec::new() }
+        Arithmetic { budget: Budget::default(), rules: Vec::new(), factors: Vec::new() }
     }
 
     /// The sum of fractions, of those marked with their signs changed.
-    pub fn sum(&mut self, mut summands: Vec<(Rc<Fraction<C, W>>, bool)>) -> Result<Fraction<C, W>, Failure> {
+    pub fn sum(&mut self, mut summands: Vec<(Rc<Fraction<C, W>>, bool)>) -> Result<Fraction<C, W>, Limit> {
         summands.retain(|(each, _)| !each.numerator.is_zero());
         if summands.iter().all(|(each, _)| each.constant.is_one() && each.powers.is_empty()) {
             let polys: Vec<_> = summands.iter().map(|(each, negative)| (&each.numerator, *negative)).collect();
@@ -82,7 +82,7 @@ impl<C: Coefficient, const W: usize> Arithmetic<C, W> {
         self.reduced(Fraction { numerator, constant, powers })
     }
 
-    pub fn product(&mut self, a: &Fraction<C, W>, b: &Fraction<C, W>) -> Result<Fraction<C, W>, Failure> {
+    pub fn product(&mut self, a: &Fraction<C, W>, b: &Fraction<C, W>) -> Result<Fraction<C, W>, Limit> {
         if a.powers.is_empty() && b.powers.is_empty() {
             let numerator = a.numerator.times(&b.numerator, &self.budget)?;
             let constant = a.constant.times(&b.constant)?;
@@ -99,7 +99,7 @@ impl<C: Coefficient, const W: usize> Arithmetic<C, W> {
     }
 
     /// a / b for a `b` with a numerator that is not zero.
-    pub fn quotient(&mut self, a: &Fraction<C, W>, b: &Fraction<C, W>) -> Result<Fraction<C, W>, Failure> {
+    pub fn quotient(&mut self, a: &Fraction<C, W>, b: &Fraction<C, W>) -> Result<Fraction<C, W>, Limit> {
         // The denominator of b against that of a, factor by factor.
         let common = merged(&a.powers, &b.powers, u32::min);
         let mut powers = merged(&a.powers, &common, |all, own| all - own);
@@ -120,7 +120,7 @@ impl<C: Coefficient, const W: usize> Arithmetic<C, W> {
     }
 
     /// The fraction with its numerator modulo the rules, and what then cancels cancelled.
-    fn reduced(&mut self, mut fraction: Fraction<C, W>) -> Result<Fraction<C, W>, Failure> {
+    fn reduced(&mut self, mut fraction: Fraction<C, W>) -> Result<Fraction<C, W>, Limit> {
         let (numerator, constant) = reduce(fraction.numerator, &self.rules, &self.budget)?;
         fraction.numerator = numerator;
         fraction.constant = fraction.constant.times(&constant)?;
@@ -128,14 +128,14 @@ impl<C: Coefficient, const W: usize> Arithmetic<C, W> {
     }
 
     /// [`Arithmetic::reduced`] for a product whose factors were tried already: without rules nothing more cancels.
-    fn reduced_product(&mut self, product: Fraction<C, W>) -> Result<Fraction<C, W>, Failure> {
+    fn reduced_product(&mut self, product: Fraction<C, W>) -> Result<Fraction<C, W>, Limit> {
         if self.rules.is_empty() && !product.numerator.is_zero() {
             return Ok(product.without_content());
         }
         self.reduced(product)
     }
 
-    fn cancelled(&self, mut fraction: Fraction<C, W>) -> Result<Fraction<C, W>, Failure> {
+    fn cancelled(&self, mut fraction: Fraction<C, W>) -> Result<Fraction<C, W>, Limit> {
         if fraction.numerator.is_zero() {
             return Ok(Fraction::whole(fraction.numerator));
         }
@@ -144,7 +144,7 @@ impl<C: Coefficient, const W: usize> Arithmetic<C, W> {
     }
 
     /// Divides out the factors that divide.
-    fn cancel(&self, numerator: &mut Poly<C, W>, powers: &mut Vec<(usize, u32)>) -> Result<(), Failure> {
+    fn cancel(&self, numerator: &mut Poly<C, W>, powers: &mut Vec<(usize, u32)>) -> Result<(), Limit> {
         for (factor, exponent) in powers.iter_mut() {
             while *exponent > 0 {
                 match numerator.exact_quotient(&self.factors[*factor], &self.budget)? {
@@ -158,7 +158,7 @@ impl<C: Coefficient, const W: usize> Arithmetic<C, W> {
         Ok(())
     }
 
-    pub fn times_factors(&self, mut poly: Poly<C, W>, powers: &[(usize, u32)]) -> Result<Poly<C, W>, Failure> {
+    pub fn times_factors(&self, mut poly: Poly<C, W>, powers: &[(usize, u32)]) -> Result<Poly<C, W>, Limit> {
         for &(factor, exponent) in powers {
             for _ in 0..exponent {
                 poly = poly.times(&self.factors[factor], &self.budget)?;
@@ -168,10 +168,10 @@ impl<C: Coefficient, const W: usize> Arithmetic<C, W> {
     }
 
     /// 1 / poly: its content, its generators, the known factors that divide it, and the rest as a new factor.
-    fn inverse(&mut self, poly: &Poly<C, W>) -> Result<Inverse<C, W>, Failure> {
+    fn inverse(&mut self, poly: &Poly<C, W>) -> Result<Inverse<C, W>, Limit> {
         let mut content = poly.content();
         let common = poly.common_monomial();
-        let mut rest = poly.over_constant(&content).and_then(|p| p.over_monomial(&common)).ok_or(Failure::Degree)?;
+        let mut rest = poly.over_constant(&content).and_then(|p| p.over_monomial(&common)).ok_or(Limit::Degree)?;
         let mut multiplier = Poly::one();
         let mut powers = Vec::new();
         for (generator, exponent) in monomial::support(&common) {

@@ -3,12 +3,12 @@
 //! Arguments are brought to normal form, so that cos(a*b) and cos(b*a) are one generator, and the root of a square
 //! sum that the hypotheses make 1 is 1.
 
+use super::failure::Failure;
 use super::hypotheses::{Hypotheses, Refused, Rule, circle_rule};
 use super::normal::normal_form;
 use crate::Sym;
 use crate::analytic::{circle_in_steps, least_common_multiple, linear_terms, small_quotient};
 use crate::graph::Node;
-use crate::poly::Failure;
 use crate::print::natural_key;
 use field::Analytic;
 use num_traits::One;

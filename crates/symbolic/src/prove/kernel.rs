@@ -1,6 +1,7 @@
 //! Choosing the width of monomials and the size of coefficients for a computation.
 
-use crate::poly::{Coefficient, Failure};
+use super::failure::Failure;
+use algebra::multivariate::{Coefficient, Limit};
 use dashu_int::IBig;
 
 /// A computation with polynomials of any width and coefficients of any size.
@@ -20,8 +21,8 @@ pub(super) fn compute<T: Computation>(computation: &T, generators: usize) -> Res
         _ => Err(Failure::Generators(generators)),
     };
     match by_machine_integers {
-        Err(Failure::Overflow) if generators <= 32 => computation.run::<IBig, 4>(),
-        Err(Failure::Overflow) => computation.run::<IBig, 20>(),
+        Err(Failure::Polynomial(Limit::Overflow)) if generators <= 32 => computation.run::<IBig, 4>(),
+        Err(Failure::Polynomial(Limit::Overflow)) => computation.run::<IBig, 20>(),
         result => result,
     }
 }

@@ -6,7 +6,7 @@
 
 use super::fraction::{Arithmetic, Fraction};
 use super::reduce::PolyRule;
-use crate::poly::{Coefficient, Failure, Poly, monomial};
+use algebra::multivariate::{Coefficient, Limit, Poly, monomial};
 
 /// Conjugates are formed as long as the new denominator has no more terms than this.
 const LONGEST_NORM: usize = 400;
@@ -21,7 +21,7 @@ pub(super) struct LowestTerms<C, const W: usize> {
 pub(super) fn lowest_terms<C: Coefficient, const W: usize>(
     fraction: Fraction<C, W>,
     arithmetic: &mut Arithmetic<C, W>,
-) -> Result<LowestTerms<C, W>, Failure> {
+) -> Result<LowestTerms<C, W>, Limit> {
     let fraction = rationalised(fraction, arithmetic)?.without_content();
     let Fraction { mut numerator, constant, powers } = fraction;
     let budget = &arithmetic.budget;
@@ -34,8 +34,8 @@ pub(super) fn lowest_terms<C: Coefficient, const W: usize>(
                 if common.is_one() {
                     break;
                 }
-                numerator = numerator.exact_quotient(&common, budget)?.ok_or(Failure::Overflow)?;
-                rest = rest.exact_quotient(&common, budget)?.ok_or(Failure::Overflow)?;
+                numerator = numerator.exact_quotient(&common, budget)?.ok_or(Limit::Overflow)?;
+                rest = rest.exact_quotient(&common, budget)?.ok_or(Limit::Overflow)?;
             }
             denominator = denominator.times(&rest, budget)?;
         }
@@ -52,7 +52,7 @@ fn is_quadratic<C: Coefficient, const W: usize>(rule: &PolyRule<C, W>) -> bool {
 fn rationalised<C: Coefficient, const W: usize>(
     mut fraction: Fraction<C, W>,
     arithmetic: &mut Arithmetic<C, W>,
-) -> Result<Fraction<C, W>, Failure> {
+) -> Result<Fraction<C, W>, Limit> {
     for place in 0..arithmetic.rules.len() {
         let generator = arithmetic.rules[place].generator;
         if !is_quadratic(&arithmetic.rules[place]) {
@@ -62,14 +62,14 @@ fn rationalised<C: Coefficient, const W: usize>(
         while let Some(at) = fraction.powers.iter().position(|&(number, _)| holds(&arithmetic.factors[number])) {
             let (number, exponent) = fraction.powers[at];
             let factor = arithmetic.factors[number].clone();
-            let mut conjugate = Vec::with_capacity(factor.len());
+            let mut conjugate = Vec::with_capacity(factor.terms().len());
             for (m, c) in factor.terms() {
                 let odd = monomial::exponent(m, generator) % 2 == 1;
                 conjugate.push((*m, if odd { c.negated() } else { c.clone() }));
             }
             let conjugate = Fraction::whole(Poly::collected(conjugate)?);
             let norm = arithmetic.product(&Fraction::whole(factor), &conjugate)?;
-            if norm.numerator.is_zero() || norm.numerator.len() > LONGEST_NORM || holds(&norm.numerator) {
+            if norm.numerator.is_zero() || norm.numerator.terms().len() > LONGEST_NORM || holds(&norm.numerator) {
                 return Ok(fraction);
             }
             fraction.powers.remove(at);
@@ -86,7 +86,7 @@ fn rationalised<C: Coefficient, const W: usize>(
 fn readable<C: Coefficient, const W: usize>(
     mut terms: LowestTerms<C, W>,
     arithmetic: &Arithmetic<C, W>,
-) -> Result<LowestTerms<C, W>, Failure> {
+) -> Result<LowestTerms<C, W>, Limit> {
     let budget = &arithmetic.budget;
     for rule in arithmetic.rules.iter().filter(|rule| is_quadratic(rule) && rule.tail.as_constant().is_none()) {
         let (content, primitive) = (rule.tail.content(), rule.tail.primitive()?);

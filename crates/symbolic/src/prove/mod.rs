@@ -2,6 +2,7 @@
 
 mod convert;
 mod decide;
+mod failure;
 mod fraction;
 mod generators;
 mod hypotheses;

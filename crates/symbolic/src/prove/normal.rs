@@ -1,12 +1,13 @@
 //! The normal form of an expression.
 
 use super::convert::{Converter, expression_of, integer};
+use super::failure::Failure;
 use super::generators::Generators;
 use super::hypotheses::Hypotheses;
 use super::kernel::{Computation, compute};
 use super::lowest::{LowestTerms, lowest_terms};
 use crate::Sym;
-use crate::poly::{Coefficient, Failure, Poly};
+use algebra::multivariate::{Coefficient, Limit, Poly};
 use dashu_ratio::RBig;
 use field::Rational;
 use num_traits::Zero;
@@ -140,9 +141,9 @@ impl Computation for Normalising<'_> {
             negative if negative.is_negative() => negative.negated(),
             positive => positive,
         };
-        let primitive = numerator.over_constant(&above).ok_or(Failure::Overflow)?;
+        let primitive = numerator.over_constant(&above).ok_or(Limit::Overflow)?;
         let common = denominator.common_monomial();
-        let rest = denominator.over_monomial(&common).ok_or(Failure::Degree)?;
+        let rest = denominator.over_monomial(&common).ok_or(Limit::Degree)?;
         Ok(NormalForm {
             content: Rational::from(RBig::from_parts_signed(above.to_big(), constant.to_big())),
             primitive: expression_of(&primitive, leaves),

@@ -1,6 +1,6 @@
 //! Polynomials modulo rewriting rules.
 
-use crate::poly::{Budget, Coefficient, Failure, Poly, monomial};
+use algebra::multivariate::{Budget, Coefficient, Limit, Poly, monomial};
 
 /// scale * generator^power = tail.
 pub(super) struct PolyRule<C, const W: usize> {
@@ -15,7 +15,7 @@ pub(super) fn reduce<C: Coefficient, const W: usize>(
     mut poly: Poly<C, W>,
     rules: &[PolyRule<C, W>],
     budget: &Budget,
-) -> Result<(Poly<C, W>, C), Failure> {
+) -> Result<(Poly<C, W>, C), Limit> {
     let mut constant = C::of(1);
     for rule in rules {
         let mut highest = monomial::exponent(&poly.degrees(), rule.generator);
@@ -25,7 +25,7 @@ pub(super) fn reduce<C: Coefficient, const W: usize>(
             for (m, c) in poly.terms() {
                 let times = monomial::exponent(m, rule.generator) / rule.power;
                 let removed = monomial::power(rule.generator, times * rule.power)?;
-                let rest = monomial::quotient(m, &removed).ok_or(Failure::Degree)?;
+                let rest = monomial::quotient(m, &removed).ok_or(Limit::Degree)?;
                 parts[times as usize].push((rest, c.clone()));
             }
             let mut tail = Poly::one();

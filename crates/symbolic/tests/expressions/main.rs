@@ -1,13 +1,9 @@
-//! Expressions: algebra, decision, printing, programs, series, roots.
+//! Expressions: algebra, decision, printing, programs.
 
 mod algebra;
-mod balls;
 mod decisions;
 mod dimensions;
 mod laws;
-mod linear_unknowns;
 mod parsing;
 mod printing;
 mod programs;
-mod real;
-mod series;

@@ -9,11 +9,11 @@ use crate::stationary::energies::{Energies, Kept};
 use crate::stationary::motor::{Angle, Decimals, Motor, NoMotor};
 use crate::stationary::stability::approximation::Approximation;
 use crate::stationary::stability::datum::{Datum, Setting};
+use algebra::real::Root;
 use field::Rational;
 use nalgebra::{Matrix3, Vector3};
 use std::sync::Arc;
 use symbolic::Sym;
-use symbolic::real::Root;
 
 /// What the letters of the law stand for.
 pub(super) struct Letters {

@@ -5,10 +5,10 @@ use super::law::Ground;
 use super::node::{Class, Here, Node, Place};
 use super::spot::{BITS, Raw, Spot};
 use crate::stationary::motor::NoMotor;
+use algebra::real::Enclosure;
 use field::Rational;
 use mechanics::uniform::{self, Data, followed};
 use std::cell::OnceCell;
-use symbolic::real::Enclosure;
 use symbolic::{Formulas, Sym, symbols};
 
 /// What two neighbours have to do with each other.

@@ -6,9 +6,9 @@ use super::spot::Spot;
 use crate::stationary::energies::Kept;
 use crate::stationary::motor::{Motor, NoMotor};
 use crate::stationary::stability::verdict::{Reason, Verdict};
+use algebra::real::Enclosure;
 use mechanics::uniform::{self, Kind, Shape};
 use nalgebra::Vector3;
-use symbolic::real::Enclosure;
 
 /// What becomes of small deviations, without the count of roots.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -10,10 +10,10 @@ use crate::stationary::stability::approximation::Approximation;
 use crate::stationary::stability::datum::Setting;
 use crate::stationary::stability::judge::{Given, Judge};
 use crate::stationary::stability::verdict::Verdict;
+use algebra::real::{Enclosure, Root};
 use field::Rational;
 use mechanics::uniform::{self, Body, Data, Kind, count, followed, sharpened};
 use nalgebra::Vector3;
-use symbolic::real::{Enclosure, Root};
 
 /// What judges at two values of the data.
 pub(super) struct Spot<'a> {

@@ -3,7 +3,7 @@
 use super::Momentum;
 use crate::uniform::Body;
 use crate::uniform::spectrum::{Spectrum, along, dot, scaled};
-use symbolic::real::{Number, Polynomial};
+use algebra::real::{Number, Polynomial};
 
 /// |v| = 1: the coefficients of s, the constant first.
 pub(super) fn length(spectrum: &Spectrum) -> Vec<Polynomial> {

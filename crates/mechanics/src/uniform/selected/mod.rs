@@ -29,10 +29,10 @@ pub use turning::Turning;
 use super::Body;
 use super::rotations::Kind;
 use super::spectrum::{Spectrum, Vector, scaled};
+use algebra::real::{Nested, Number, Polynomial, Root};
 use equations::{balance, length, trimmed};
 use field::Rational;
 use std::sync::Arc;
-use symbolic::real::{Nested, Number, Polynomial, Root};
 
 /// All (v, w) that satisfy the equation.
 pub struct Selected {

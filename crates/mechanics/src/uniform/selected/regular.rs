@@ -3,8 +3,8 @@
 use super::{Case, Place, Selected, Turning, Undecided};
 use crate::uniform::spectrum::Spectrum;
 use crate::uniform::{Body, Kind, Shape};
+use algebra::real::{Nested, Polynomial, Root, subresultant};
 use std::sync::Arc;
-use symbolic::real::{Nested, Polynomial, Root, subresultant};
 
 /// Bits to which a root is refined once for all that is asked of it.
 const BITS: usize = 160;

@@ -3,8 +3,8 @@
 use super::{Case, Momentum, Place, Selected, Turning};
 use crate::uniform::spectrum::Vector;
 use crate::uniform::{Kind, Shape};
+use algebra::real::Number;
 use std::sync::Arc;
-use symbolic::real::Number;
 
 impl Selected {
     pub(super) fn rests(&mut self, case: &Arc<Case>, momentum: &Momentum) {

@@ -11,8 +11,8 @@
 use super::{Case, Momentum, Place, Selected, Turning};
 use crate::uniform::spectrum::{Matrix, Vector, adjugate, along, dot, scaled, sum};
 use crate::uniform::{Kind, Shape};
+use algebra::real::{Enclosure, Number, Polynomial, Root};
 use std::sync::Arc;
-use symbolic::real::{Enclosure, Number, Polynomial, Root};
 
 /// Such a place: v = (centre + side sqrt(-excess) (n x u) / |u|) / below, n a unit vector across the eigenspace.
 #[derive(Clone)]

@@ -3,8 +3,8 @@
 use super::{Case, Place};
 use crate::uniform::spectrum::Vector;
 use crate::uniform::{Kind, Shape};
+use algebra::real::{Enclosure, Number};
 use std::sync::Arc;
-use symbolic::real::{Enclosure, Number};
 
 /// A rotation, or a connected family.
 #[derive(Clone)]

@@ -2,8 +2,8 @@
 
 use super::{Case, Place, Selected, Turning};
 use crate::uniform::{Kind, Shape};
+use algebra::real::{Nested, Polynomial};
 use std::sync::Arc;
-use symbolic::real::{Nested, Polynomial};
 
 impl Selected {
     pub(super) fn unseen(&mut self, case: &Arc<Case>, length: &[Polynomial], balance: &[Polynomial]) {

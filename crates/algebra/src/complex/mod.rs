@@ -1,0 +1,22 @@
+//! Zeros of polynomials in the complex plane, each in a rectangle that holds it and no other.
+//!
+//! # Overview
+//! * [`Rectangle`]: a complex number between multiples of a power of two, rounded outwards;
+//! * [`zeros()`]: all zeros of a polynomial whose coefficients are enclosed, with the proof that each is where it is said
+//!   to be, for every polynomial in the enclosures.
+//!
+//! ```
+//! use algebra::complex::zeros;
+//! use algebra::real::Enclosure;
+//!
+//! // z^3 - 2
+//! let coefficients = [-2, 0, 0, 1].map(|n| Enclosure::integer(n, 128));
+//! let found = zeros(&coefficients).unwrap();
+//! assert_eq!(found.iter().filter(|zero| zero.real).count(), 1);
+//! ```
+
+mod rectangle;
+mod zeros;
+
+pub use rectangle::Rectangle;
+pub use zeros::{Zero, zeros};

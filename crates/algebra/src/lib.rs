@@ -1,0 +1,25 @@
+//! Exact and enclosed algebra over numbers: polynomials, their roots, enclosures, linear equations.
+//!
+//! # Overview
+//! For whoever must know a sign, a count or a place, and not a rounded value: which motions are stationary, whether one is
+//! stable, for which steps. Nothing here knows expressions or mechanics.
+//!
+//! * [`multivariate`]: sparse polynomials with integer coefficients, on which proofs rest;
+//! * [`real`]: real roots of polynomials, exactly; enclosures, Taylor models, fixed points;
+//! * [`complex`]: zeros in the complex plane, each in a rectangle that holds it and no other;
+//! * [`linear`]: determinants, and elimination with pivots over any field, enclosures too.
+//!
+//! ```
+//! use algebra::real::Polynomial;
+//!
+//! // (x^2 - 2) (x - 1)
+//! let product = Polynomial::from_integers([2, -2, -1, 1]);
+//! let roots = product.real_roots();
+//! assert_eq!(roots.len(), 3);
+//! assert_eq!(roots[2].enclosure(60).to_f64(), 2f64.sqrt());
+//! ```
+
+pub mod complex;
+pub mod linear;
+pub mod multivariate;
+pub mod real;

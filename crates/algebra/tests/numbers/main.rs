@@ -1,0 +1,5 @@
+//! Numbers: roots, enclosures, linear equations.
+
+mod balls;
+mod linear;
+mod real;

@@ -1,0 +1,151 @@
+//! With the widest instructions that the processor has, chosen when the program runs.
+
+#[cfg(target_arch = "x86_64")]
+use super::permuting::Permuting;
+use super::pick::{OneByOne, Pick};
+use super::small::{Never, Small, SmallSeries};
+use super::stored::{Parts, Stored};
+use algebra::linear::Magnitude;
+use field::{Analytic, DoubleDouble, Over};
+use std::marker::PhantomData;
+use std::sync::OnceLock;
+
+/// A field with a product added to a sum as fast as the processor can.
+pub trait Fused: Analytic + Magnitude + Over<f64> + From<f64> {
+    /// Whether it holds more digits than `f64`.
+    const FINER: bool = false;
+
+    /// Eight of them as they stand in memory.
+    #[doc(hidden)]
+    #[allow(private_bounds)]
+    type Stored: Stored<Self>;
+
+    /// How small right-hand sides are expanded.
+    #[doc(hidden)]
+    #[allow(private_bounds)]
+    type Small: SmallSeries<Self>;
+
+    /// The nearest `f64`, of a number with derivatives that of the number.
+    fn rounded(self) -> f64;
+
+    /// self + a b, rounded once or twice.
+    #[inline(always)]
+    fn plus_product(self, a: Self, b: Self, _fused: bool) -> Self {
+        self + a * b
+    }
+
+    /// Runs what works on groups of so many.
+    #[doc(hidden)]
+    #[allow(private_bounds)]
+    #[inline]
+    fn run<T: Task<Self>>(task: T, _group: usize) {
+        task.run(OneByOne::<false>);
+    }
+}
+
+/// Work that is compiled once for each set of instructions.
+pub(crate) trait Task<S: Fused> {
+    fn run<P: Pick<S> + Pick<f64>>(self, pick: P);
+}
+
+impl Fused for DoubleDouble {
+    const FINER: bool = true;
+    type Stored = Parts;
+    type Small = Small<DoubleDouble>;
+
+    #[inline(always)]
+    fn rounded(self) -> f64 {
+        self.hi()
+    }
+
+    /// Its products are fused ones: a call each, if compiled for a processor that may have none.
+    #[allow(private_bounds)]
+    #[inline]
+    fn run<T: Task<DoubleDouble>>(task: T, group: usize) {
+        in_widest(task, group);
+    }
+}
+
+/// A number with its derivatives in D directions: the series of a solution and of how it depends on its beginning.
+impl<const D: usize> Fused for num_dual::DualSVec64<D> {
+    type Stored = [Self; 8];
+    type Small = Never;
+
+    fn rounded(self) -> f64 {
+        self.re
+    }
+}
+
+impl Fused for f64 {
+    type Stored = [f64; 8];
+    type Small = Small<f64>;
+
+    #[inline(always)]
+    fn rounded(self) -> f64 {
+        self
+    }
+
+    #[inline(always)]
+    fn plus_product(self, a: Self, b: Self, fused: bool) -> Self {
+        if fused { a.mul_add(b, self) } else { self + a * b }
+    }
+
+    #[allow(private_bounds)]
+    #[inline]
+    fn run<T: Task<f64>>(task: T, group: usize) {
+        in_widest(task, group);
+    }
+}
+
+#[cfg(target_arch = "x86_64")]
+#[inline]
+fn in_widest<S: Fused, T: Task<S>>(task: T, group: usize)
+where
+    Permuting: Pick<S>,
+{
+    match widest() {
+        pulp::Arch::V4(widest) if group == 8 => {
+            pulp::Simd::vectorize(widest, With(task, Permuting(widest), PhantomData));
+        }
+        other => otherwise(other, task),
+    }
+}
+
+#[cfg(not(target_arch = "x86_64"))]
+#[inline]
+fn in_widest<S: Fused, T: Task<S>>(task: T, _group: usize) {
+    otherwise(widest(), task);
+}
+
+/// Apart: what this needs of the stack is not taken where the widest registers are.
+#[inline(never)]
+fn otherwise<S: Fused>(arch: pulp::Arch, task: impl Task<S>) {
+    match arch {
+        #[cfg(target_arch = "x86_64")]
+        pulp::Arch::V3(wide) => pulp::Simd::vectorize(wide, With(task, OneByOne::<true>, PhantomData)),
+        // what does not fill the widest registers needs no code of its own for them
+        #[cfg(target_arch = "x86_64")]
+        pulp::Arch::V4(widest) => pulp::Simd::vectorize(*widest, With(task, OneByOne::<true>, PhantomData)),
+        #[cfg(not(target_arch = "x86_64"))]
+        wide if !matches!(wide, pulp::Arch::Scalar) => wide.dispatch(With(task, OneByOne::<true>, PhantomData)),
+        _ => task.run(OneByOne::<false>),
+    }
+}
+
+/// What the processor has, asked once: to ask takes as long as a small task.
+#[inline]
+fn widest() -> pulp::Arch {
+    static FOUND: OnceLock<pulp::Arch> = OnceLock::new();
+    *FOUND.get_or_init(pulp::Arch::new)
+}
+
+struct With<T, P, S>(T, P, PhantomData<S>);
+
+impl<S: Fused, T: Task<S>, P: Pick<S> + Pick<f64>> pulp::WithSimd for With<T, P, S> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<I: pulp::Simd>(self, _: I) {
+        self.0.run(self.1);
+    }
+}

@@ -1,0 +1,240 @@
+//! Where the quantities of a plan stand, so that `W` of them are computed at once.
+
+use super::fused::Fused;
+use super::linear_equations::{Checked, LinearSeries};
+use super::pick::Selection;
+use super::plan::{Place, Plan, Product, Sums};
+use algebra::linear::Magnitude;
+use field::Scalar;
+
+/// W numbers side by side; a group of eight `f64` is one line of the cache.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(64))]
+pub(super) struct Lanes<S, const W: usize>(pub [S; W]);
+
+impl<S: Scalar, const W: usize> Lanes<S, W> {
+    pub fn zero() -> Self {
+        Lanes([S::zero(); W])
+    }
+}
+
+/// Sums that run side by side: none waits for the addition before. Terms are filled up to a multiple of it.
+pub(super) const CHAINS: usize = 4;
+
+/// The most columns that there can be.
+pub(super) const MOST: usize = 1 << 16;
+
+/// Columns of quantities, and the sums and products over them.
+#[derive(Clone, Debug)]
+pub(super) struct Layout<S, const W: usize> {
+    pub stages: Vec<Laid<S, W>>,
+    pub rates: Rows<S, W>,
+}
+
+/// A stage of the plan.
+#[derive(Clone, Debug)]
+pub(super) struct Laid<S, const W: usize> {
+    pub sums: Rows<S, W>,
+    pub groups: Vec<Group<S, W>>,
+    pub reciprocals: Vec<Implicit<S>>,
+    pub roots: Vec<Implicit<S>>,
+    /// Whether there is one of them.
+    pub has_implicit: bool,
+    pub linear: Option<Box<LinearSeries<S, Checked<S>>>>,
+}
+
+/// W products of two series each.
+#[derive(Clone, Debug)]
+pub(super) struct Group<S, const W: usize> {
+    /// The columns of the factors.
+    pub factors: [Selection<W>; 2],
+    /// The column of the first product.
+    pub first: usize,
+    /// The series of the factors on the left: a_i at i.
+    pub left: Vec<Lanes<S, W>>,
+    /// The series of the factors on the right: b_i at order - i.
+    pub right: Vec<Lanes<S, W>>,
+}
+
+/// A reciprocal or a root.
+#[derive(Clone, Debug)]
+pub(super) struct Implicit<S> {
+    pub column: usize,
+    /// The column of what it is the reciprocal or root of.
+    pub of: usize,
+    /// Its series, and that of the other.
+    pub series: Vec<[S; 2]>,
+}
+
+/// W sums at a time: by columns, each with one coefficient for every sum.
+#[derive(Clone, Debug)]
+pub(super) struct Rows<S, const W: usize> {
+    /// The column of the first sum.
+    pub first: usize,
+    pub blocks: Vec<Block<S, W>>,
+}
+
+/// W sums: their constants, and for each column what it counts in each.
+#[derive(Clone, Debug)]
+pub(super) struct Block<S, const W: usize> {
+    pub constants: Lanes<S, W>,
+    pub columns: Vec<[u16; CHAINS]>,
+    pub factors: Vec<[Lanes<S, W>; CHAINS]>,
+    /// Which coefficient is to be put where.
+    constant_of: [u32; W],
+    factor_of: Vec<[[u32; W]; CHAINS]>,
+}
+
+const NONE: u32 = u32::MAX;
+
+impl<S: Scalar + Magnitude, const W: usize> Layout<S, W> {
+    /// The layout for series to the given order, without its coefficients.
+    pub fn new(plan: &Plan, order: usize) -> Self {
+        let mut columns = Places { of: (0..plan.moving as u16).collect(), next: plan.moving.next_multiple_of(W) };
+        let mut stages = Vec::new();
+        for stage in &plan.stages {
+            let first_sum = columns.take::<W>(stage.sum_places.iter().copied());
+            let sums = Rows::new(&stage.sums, first_sum, &columns);
+            let first = columns.take::<W>(stage.products.iter().map(|product| product.place));
+            let group = |(number, products): (usize, &[Product])| {
+                let column = |factor: fn(&Product) -> Place, lane: usize| -> u16 {
+                    products.get(lane).map_or(0, |product| columns.of(factor(product)))
+                };
+                let factors: [fn(&Product) -> Place; 2] = [|product| product.a, |product| product.b];
+                let factors = factors.map(|factor| Selection::new(std::array::from_fn(|lane| column(factor, lane))));
+                let room = vec![Lanes::zero(); order + 1 + 2 * CHAINS];
+                Group { factors, first: first + number * W, left: room.clone(), right: room }
+            };
+            let groups = stage.products.chunks(W).enumerate().map(group).collect();
+            let mut implicit = |pairs: &[(Place, Place)]| -> Vec<Implicit<S>> {
+                let series = vec![[S::zero(); 2]; order + 1];
+                let one = |&(place, of): &(Place, Place)| {
+                    let column = columns.take::<1>([place]);
+                    Implicit { column, of: columns.of(of).into(), series: series.clone() }
+                };
+                pairs.iter().map(one).collect()
+            };
+            let (reciprocals, roots) = (implicit(&stage.reciprocals), implicit(&stage.roots));
+            let has_implicit = !(reciprocals.is_empty() && roots.is_empty());
+            columns.next = columns.next.next_multiple_of(W);
+            let linear = stage.linear.as_ref().map(|linear| {
+                columns.take::<W>(linear.unknowns.iter().copied());
+                let factors = Checked::new(&linear.pattern);
+                Box::new(LinearSeries::new(linear, order, factors, |place| columns.of(place).into()))
+            });
+            stages.push(Laid { sums, groups, reciprocals, roots, has_implicit, linear });
+        }
+        Layout { stages, rates: Rows::new(&plan.rates, 0, &columns) }
+    }
+
+    /// Takes the values of the coefficients.
+    pub fn set(&mut self, values: &[S]) {
+        for stage in &mut self.stages {
+            stage.sums.set(values);
+            stage.linear.iter_mut().for_each(|linear| linear.set(values));
+        }
+        self.rates.set(values);
+    }
+}
+
+impl<const W: usize> Layout<f64, W> {
+    /// Takes the series of all factors from a finer field, up to an order and without it, where the last one is to be `order`.
+    pub fn take<S: Fused>(&mut self, finer: &Layout<S, W>, up_to: usize, order: usize) {
+        let round = |own: &mut [Lanes<f64, W>], finer: &[Lanes<S, W>]| {
+            own.iter_mut().zip(finer).for_each(|(own, finer)| own.0 = finer.0.map(S::rounded));
+        };
+        for (own, finer) in self.stages.iter_mut().zip(&finer.stages) {
+            for (own, finer) in own.groups.iter_mut().zip(&finer.groups) {
+                round(&mut own.left[..up_to + CHAINS], &finer.left[..up_to + CHAINS]);
+                let known = order + 1 - up_to..order + 1;
+                round(&mut own.right[known.clone()], &finer.right[known]);
+            }
+            if let (Some(own), Some(finer)) = (&mut own.linear, &finer.linear) {
+                own.take(finer, up_to, S::rounded);
+            }
+            let implicit = own.reciprocals.iter_mut().chain(&mut own.roots);
+            for (own, finer) in implicit.zip(finer.reciprocals.iter().chain(&finer.roots)) {
+                let known = own.series[..up_to].iter_mut().zip(&finer.series);
+                known.for_each(|(own, finer)| *own = finer.map(S::rounded));
+            }
+        }
+    }
+}
+
+/// How many columns a plan takes with groups of W.
+pub(super) fn width(plan: &Plan, lanes: usize) -> usize {
+    let stage = |stage: &super::plan::Stage| {
+        let single = (stage.reciprocals.len() + stage.roots.len()).next_multiple_of(lanes);
+        let unknowns = stage.linear.as_ref().map_or(0, |linear| linear.unknowns.len()).next_multiple_of(lanes);
+        let groups = stage.sum_places.len().next_multiple_of(lanes) + stage.products.len().next_multiple_of(lanes);
+        groups + single + unknowns
+    };
+    plan.moving.next_multiple_of(lanes) + plan.stages.iter().map(stage).sum::<usize>()
+}
+
+impl<S: Scalar, const W: usize> Rows<S, W> {
+    fn new(sums: &Sums, first: usize, columns: &Places) -> Self {
+        let block = |number: usize| {
+            let mut constant_of = [NONE; W];
+            let inside = |row: u32| row as usize / W == number;
+            for &(row, coefficient) in sums.constants.iter().filter(|(row, _)| inside(*row)) {
+                constant_of[row as usize % W] = coefficient;
+            }
+            // what is known first comes first
+            let mut own: Vec<_> = sums.terms.iter().filter(|(row, ..)| inside(*row)).collect();
+            own.sort_by_key(|(_, place, _)| columns.of(*place));
+            let mut terms: Vec<(u16, [u32; W])> = Vec::new();
+            for &&(row, place, coefficient) in &own {
+                let column = columns.of(place);
+                if terms.last().is_none_or(|(last, _)| *last != column) {
+                    terms.push((column, [NONE; W]));
+                }
+                if let Some((_, coefficients)) = terms.last_mut() {
+                    coefficients[row as usize % W] = coefficient;
+                }
+            }
+            terms.resize(terms.len().next_multiple_of(CHAINS), (0, [NONE; W]));
+            let four = terms.chunks_exact(CHAINS);
+            let columns = four.clone().map(|four| std::array::from_fn(|chain| four[chain].0)).collect();
+            let factor_of: Vec<_> = four.map(|four| std::array::from_fn(|chain| four[chain].1)).collect();
+            let factors = vec![[Lanes::zero(); CHAINS]; factor_of.len()];
+            Block { constants: Lanes::zero(), columns, factors, constant_of, factor_of }
+        };
+        Rows { first, blocks: (0..sums.rows.div_ceil(W)).map(block).collect() }
+    }
+
+    fn set(&mut self, values: &[S]) {
+        let value = |number: u32| values.get(number as usize).copied().unwrap_or(S::zero());
+        for block in &mut self.blocks {
+            block.constants.0 = block.constant_of.map(value);
+            for (factors, numbers) in block.factors.iter_mut().zip(&block.factor_of) {
+                *factors = numbers.map(|numbers| Lanes(numbers.map(value)));
+            }
+        }
+    }
+}
+
+/// The column of each place.
+struct Places {
+    of: Vec<u16>,
+    next: usize,
+}
+
+impl Places {
+    fn of(&self, place: Place) -> u16 {
+        self.of.get(place as usize).copied().unwrap_or(0)
+    }
+
+    /// Columns for these places, filled up to a multiple of W.
+    fn take<const W: usize>(&mut self, places: impl IntoIterator<Item = Place>) -> usize {
+        let first = self.next;
+        for (number, place) in places.into_iter().enumerate() {
+            if self.of.len() <= place as usize {
+                self.of.resize(place as usize + 1, 0);
+            }
+            self.of[place as usize] = (first + number) as u16;
+            self.next = first + (number + 1).next_multiple_of(W);
+        }
+        first
+    }
+}

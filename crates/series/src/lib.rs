@@ -1,0 +1,139 @@
+//! Taylor series of the solutions of y' = f(t, y), from f brought to two kinds of steps: sums and products.
+//!
+//! Of a sum with constant coefficients the series is the sum of the series, of a product it is Cauchy's:
+//! (a b)_k = sum_j a_j b_(k-j). Everything else is brought to these two. Cosine and sine of an angle become states with
+//! c' = -a' s, s' = a' c; a reciprocal solves (r b)_k = 0, a root (r r)_k = a_k, each a product solved for its last term.
+//!
+//! Unknowns of linear equations are found order by order with one factorisation of the matrix: see [`algebra::linear`].
+//!
+//! The cost of a series is the number of products, times the square of its order, and that of the sums times the order.
+//! So sums are kept in one piece, products of sums are multiplied out where their parts are needed elsewhere
+//! (slip cos, slip sin), and what has a factor in common is gathered: seven currents, each with the field at its own
+//! angle, are two products.
+//!
+//! For whoever integrates with long steps and to many digits: a law is recorded once over expressions, and its series then runs
+//! over `f64`, double-double, duals and lanes, at any values of its parameters.
+//!
+//! ```
+//! use series::{Equations, Recurrence};
+//! use symbolic::{Sym, symbols};
+//!
+//! // y' = y, through 1: the exponential series
+//! let [y] = symbols(["y"]);
+//! let equations = Equations { state: &[y], time: None, parameters: &[], rates: &[y], solve: None };
+//! let recurrence = Recurrence::record(&equations)?;
+//! let mut expansion = recurrence.expansion::<f64, 8, 256>(&[], 4).expect("one quantity has room");
+//! expansion.expand(&[1.0], 0.0);
+//! let coefficients: Vec<f64> = (0..=4).map(|k| expansion.coefficients(k)[0]).collect();
+//! assert_eq!(coefficients, [1.0, 1.0, 1.0 / 2.0, 1.0 / 6.0, 1.0 / 24.0]);
+//! # Ok::<(), symbolic::Untapeable>(())
+//! ```
+
+mod abreast;
+mod build;
+mod collect;
+mod expand;
+mod form;
+mod fused;
+mod layout;
+mod linear_equations;
+mod order;
+#[cfg(target_arch = "x86_64")]
+mod permuting;
+mod pick;
+mod plan;
+mod points;
+mod small;
+mod stages;
+mod stored;
+mod sum;
+
+pub use abreast::Abreast;
+pub use expand::Expansion;
+pub use fused::Fused;
+
+use build::Builder;
+use plan::Plan;
+use small::Law;
+use symbolic::linear::Solve;
+use symbolic::{Sym, Tape, Untapeable};
+
+/// y' = f(t, y; parameters), written down over expressions.
+#[derive(Clone, Copy, Debug)]
+pub struct Equations<'a> {
+    pub state: &'a [Sym],
+    /// The symbol of time, where the rates depend on it.
+    pub time: Option<Sym>,
+    /// Symbols that keep their values during a run.
+    pub parameters: &'a [Sym],
+    /// One for each state.
+    pub rates: &'a [Sym],
+    /// Linear equations in whose unknowns the rates may be written.
+    pub solve: Option<&'a Solve>,
+}
+
+/// The right-hand side as sums and products. It knows nothing of the expression graph, may be sent to other threads, and
+/// serves every value of the parameters: see [`Recurrence::expansion`].
+#[derive(Clone, Debug)]
+pub struct Recurrence {
+    plan: Plan,
+    /// From the parameters to the coefficients of the sums.
+    coefficients: Tape,
+    /// From state, time and parameters to the circle points, which are states of their own.
+    points: Tape,
+    /// Where it is small.
+    small: Option<Reduced>,
+}
+
+/// A small right-hand side.
+#[derive(Clone, Debug)]
+struct Reduced {
+    law: Law,
+    /// From the parameters to its coefficients.
+    coefficients: Tape,
+}
+
+/// Equations with a higher cost are taken as they are written.
+const MOST_MULTIPLIED_OUT: usize = 4_000;
+
+impl Recurrence {
+    /// Brings the equations to sums and products.
+    ///
+    /// # Errors
+    /// [`Untapeable`] where a symbol is neither state nor time nor parameter, or a function is arbitrary, or where there
+    /// is a division by the constant zero, or not one rate for each state.
+    pub fn record(equations: &Equations<'_>) -> Result<Self, Untapeable> {
+        if equations.rates.len() != equations.state.len() {
+            return Err(Untapeable::Shape { rates: equations.rates.len(), states: equations.state.len() });
+        }
+        let mut best: Option<(usize, Builder<'_>)> = None;
+        for multiplied_out in [1, 2, 6] {
+            // multiplied out, long sums of products grow with a higher power
+            if best.as_ref().is_some_and(|(least, _)| *least > MOST_MULTIPLIED_OUT) {
+                break;
+            }
+            let builder = Builder::run(equations, multiplied_out)?;
+            let cost = builder.cost();
+            if best.as_ref().is_none_or(|(least, _)| cost < *least) {
+                best = Some((cost, builder));
+            }
+        }
+        let Some((_, builder)) = best else { return Err(Untapeable::Undefined) };
+        builder.finish()
+    }
+
+    /// The number of states.
+    pub fn states(&self) -> usize {
+        self.plan.states
+    }
+
+    /// How many columns an expansion by groups of `W` takes.
+    pub fn columns<const W: usize>(&self) -> usize {
+        layout::width(&self.plan, W)
+    }
+
+    /// How many products of two series there are, and how many terms all sums have together.
+    pub fn size(&self) -> (usize, usize) {
+        (self.plan.products(), self.plan.terms())
+    }
+}

@@ -1,0 +1,204 @@
+//! The order in which sums and products are formed.
+
+use super::build::{Builder, Definition, Part, Reduction};
+use super::form::Form;
+use algebra::linear::Pattern;
+use rustc_hash::FxHashMap;
+use symbolic::Sym;
+
+/// A quantity in the plan.
+pub(super) type Place = u32;
+
+/// What is computed for each order: the stages, then the rates.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Plan {
+    /// How many states there are; their places come first, then time, if it has one, then the circle points.
+    pub states: usize,
+    pub time: bool,
+    /// All places with a rate.
+    pub moving: usize,
+    pub stages: Vec<Stage>,
+    /// Row i is the rate of place i.
+    pub rates: Sums,
+    /// How many coefficients the sums draw on.
+    pub coefficients: usize,
+}
+
+/// Sums first, which need earlier stages only; then products, which need the sums too.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub(super) struct Stage {
+    pub sums: Sums,
+    /// The places of the sums, by row.
+    pub sum_places: Vec<Place>,
+    pub products: Vec<Product>,
+    pub reciprocals: Vec<(Place, Place)>,
+    pub roots: Vec<(Place, Place)>,
+    pub linear: Option<LinearEquations>,
+}
+
+/// Linear equations, from quantities that stand before them.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct LinearEquations {
+    pub pattern: Pattern,
+    pub entries: Vec<Quantity>,
+    pub right: Vec<Quantity>,
+    pub unknowns: Vec<Place>,
+}
+
+/// A number of linear equations.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Quantity {
+    /// A constant: a coefficient, by its number.
+    Fixed(u32),
+    Moving(Place),
+}
+
+/// place = a b
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Product {
+    pub place: Place,
+    pub a: Place,
+    pub b: Place,
+}
+
+/// Row by row, constants and multiples of places; coefficients by their number.
+#[derive(Clone, Debug, PartialEq, Default)]
+pub(super) struct Sums {
+    pub rows: usize,
+    pub constants: Vec<(u32, u32)>,
+    /// row, place, coefficient
+    pub terms: Vec<(u32, Place, u32)>,
+}
+
+/// The coefficients, each once.
+#[derive(Default)]
+pub(super) struct Coefficients {
+    pub all: Vec<Sym>,
+    known: FxHashMap<Sym, u32>,
+}
+
+impl Coefficients {
+    pub fn number(&mut self, coefficient: Sym) -> u32 {
+        let next = self.all.len() as u32;
+        let number = *self.known.entry(coefficient).or_insert(next);
+        if number == next {
+            self.all.push(coefficient);
+        }
+        number
+    }
+}
+
+impl LinearEquations {
+    fn of(reduction: &Reduction<'_>, coefficients: &mut Coefficients) -> Self {
+        let Reduction { solve, entries, right, first } = reduction;
+        let mut quantities = |parts: &[Part]| -> Vec<Quantity> {
+            let quantity = |part: &Part| match *part {
+                Part::Fixed(constant) => Quantity::Fixed(coefficients.number(constant)),
+                Part::Moving(atom) => Quantity::Moving(atom as Place),
+            };
+            parts.iter().map(quantity).collect()
+        };
+        LinearEquations {
+            pattern: solve.pattern.clone(),
+            entries: quantities(entries),
+            right: quantities(right),
+            unknowns: (0..solve.unknowns.len()).map(|number| (first + number) as Place).collect(),
+        }
+    }
+}
+
+impl Stage {
+    /// The quantities that it brings.
+    pub fn places(&self) -> impl Iterator<Item = Place> {
+        let products = self.products.iter().map(|product| product.place);
+        let implicit = self.reciprocals.iter().chain(&self.roots).map(|(place, _)| *place);
+        let unknowns = self.linear.iter().flat_map(|linear| linear.unknowns.iter().copied());
+        self.sum_places.iter().copied().chain(products).chain(implicit).chain(unknowns)
+    }
+}
+
+impl Sums {
+    fn push(&mut self, form: &Form, coefficients: &mut Coefficients) {
+        let row = self.rows as u32;
+        if form.constant.0 != Sym::ZERO {
+            self.constants.push((row, coefficients.number(form.constant.0)));
+        }
+        let terms = form.linear.iter().map(|(&atom, c)| (row, atom as Place, coefficients.number(c.0)));
+        self.terms.extend(terms);
+        self.rows += 1;
+    }
+}
+
+impl Plan {
+    /// The plan, and the expressions of its coefficients.
+    pub fn new(builder: &Builder<'_>) -> (Plan, Vec<Sym>) {
+        let mut coefficients = Coefficients::default();
+        let mut stages: Vec<Stage> = Vec::new();
+        // the stage before which a quantity is ready
+        let mut ready = vec![0usize; builder.definitions.len()];
+        let used = builder.used();
+        for (atom, definition) in builder.definitions.iter().enumerate().filter(|(atom, _)| used[*atom]) {
+            let place = atom as Place;
+            let after = |atoms: &[usize]| atoms.iter().map(|&atom| ready[atom]).max().unwrap_or(0);
+            let parts = |reduction: &Reduction<'_>| {
+                let atoms = reduction.entries.iter().chain(&reduction.right).filter_map(|part| match part {
+                    Part::Moving(atom) => Some(ready[*atom]),
+                    Part::Fixed(_) => None,
+                });
+                atoms.max().unwrap_or(0)
+            };
+            let stage = match definition {
+                Definition::State => continue,
+                Definition::Sum(form) => form.linear.keys().map(|&part| ready[part]).max().unwrap_or(0),
+                Definition::Product(a, b) => after(&[*a, *b]),
+                Definition::Reciprocal(a) | Definition::Root(a) => after(&[*a]),
+                Definition::Unknown => builder.reduction.as_ref().map_or(0, parts),
+            };
+            if stage >= stages.len() {
+                stages.resize(stage + 1, Stage::default());
+            }
+            let here = &mut stages[stage];
+            match definition {
+                Definition::State => {}
+                Definition::Sum(form) => {
+                    here.sums.push(form, &mut coefficients);
+                    here.sum_places.push(place);
+                }
+                Definition::Product(a, b) => {
+                    here.products.push(Product { place, a: *a as Place, b: *b as Place });
+                }
+                Definition::Reciprocal(a) => here.reciprocals.push((place, *a as Place)),
+                Definition::Root(a) => here.roots.push((place, *a as Place)),
+                // the first brings all of them
+                Definition::Unknown => {
+                    let first = builder.reduction.as_ref().filter(|reduction| reduction.first == atom);
+                    here.linear =
+                        first.map(|reduction| LinearEquations::of(reduction, &mut coefficients)).or(here.linear.take());
+                }
+            }
+            // a sum is ready for the products of its own stage
+            ready[atom] = if matches!(definition, Definition::Sum(_)) { stage } else { stage + 1 };
+        }
+        let mut rates = Sums::default();
+        builder.rates.iter().for_each(|rate| rates.push(rate, &mut coefficients));
+        let plan = Plan {
+            states: builder.states(),
+            time: builder.has_time(),
+            moving: rates.rows,
+            stages,
+            rates,
+            coefficients: coefficients.all.len(),
+        };
+        (plan, coefficients.all)
+    }
+
+    /// How many products of two series there are.
+    pub fn products(&self) -> usize {
+        self.stages.iter().map(|stage| stage.products.len() + stage.reciprocals.len() + stage.roots.len()).sum()
+    }
+
+    /// How many terms all sums have.
+    pub fn terms(&self) -> usize {
+        self.stages.iter().map(|stage| &stage.sums).chain([&self.rates]).map(|sums| sums.terms.len()).sum()
+    }
+}

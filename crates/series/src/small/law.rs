@@ -1,0 +1,52 @@
+//! Right-hand sides of few quantities, as sums of these and of products of two of them.
+
+/// A right-hand side of few quantities. Those that move are the states, time, circle points, and the sums of these that
+/// are factors: a sum moves as its parts do, and then no order waits for it. After them come those that are solved for.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Law {
+    pub moving: usize,
+    /// How many of them are sums, the last ones.
+    pub sums: usize,
+    pub solved: Vec<Solved>,
+    /// The factors of each product.
+    pub products: Vec<[usize; 2]>,
+    pub rates: Sums,
+    /// What the sums that move begin with, from all that moves beside them.
+    pub starts: Sums,
+    /// How many coefficients there are.
+    pub coefficients: usize,
+}
+
+/// Of some quantities each a constant, multiples of quantities, and multiples of products; coefficients by their number.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(crate) struct Sums {
+    /// row, coefficient
+    pub constants: Vec<(usize, u32)>,
+    /// row, quantity, coefficient
+    pub linear: Vec<(usize, usize, u32)>,
+    /// row, product, coefficient
+    pub quadratic: Vec<(usize, usize, u32)>,
+}
+
+/// A quantity without a rate, by quantities before it.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Solved {
+    /// constant + sum c x + sum c a b; coefficients by number, quantities and products with theirs.
+    Sum { constant: Option<u32>, linear: Vec<(usize, u32)>, products: Vec<(usize, u32)> },
+    /// r of = 1, which is a product with its number.
+    Reciprocal { of: usize, product: usize },
+    /// r r = of, not negative.
+    Root { of: usize, product: usize },
+}
+
+impl Law {
+    /// Which quantities are sums that move: the last of all that moves.
+    pub fn sums(&self) -> impl Iterator<Item = usize> {
+        self.moving - self.sums..self.moving
+    }
+
+    /// How many quantities there are.
+    pub fn quantities(&self) -> usize {
+        self.moving + self.solved.len()
+    }
+}

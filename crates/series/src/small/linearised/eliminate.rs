@@ -1,0 +1,81 @@
+//! What is solved for, taken out of the rates' derivatives: its rows take its place.
+
+use super::matrix::Matrix;
+use crate::fused::Fused;
+use crate::pick::Pick;
+use crate::small::law::Law;
+use crate::small::solving::{Row, Set};
+use crate::stored::Wide;
+
+/// Into which columns what is put.
+#[derive(Clone, Debug)]
+pub(super) struct Elimination {
+    /// How many columns are those of what moves.
+    moving: usize,
+    quantities: Vec<Put>,
+    products: Vec<Put>,
+}
+
+/// A column, and by number what is solved for and put into it.
+#[derive(Clone, Debug)]
+struct Put {
+    column: usize,
+    solved: Vec<usize>,
+}
+
+impl Elimination {
+    /// From what everything is solved by.
+    pub fn new(law: &Law, by: &[(Set, Set)]) -> Self {
+        let puts = |sets: Vec<Set>, columns: usize| {
+            let put = |column: usize| {
+                let solved = (0..sets.len()).filter(|number| sets[*number] >> column & 1 == 1).collect();
+                Put { column, solved }
+            };
+            (0..columns).map(put).filter(|put| !put.solved.is_empty()).collect()
+        };
+        Elimination {
+            moving: law.moving,
+            quantities: puts(by.iter().map(|(quantities, _)| *quantities).collect(), law.moving),
+            products: puts(by.iter().map(|(_, products)| *products).collect(), law.products.len()),
+        }
+    }
+
+    /// Of J, which has the columns of what is solved for, and of W.
+    #[inline(always)]
+    pub fn run<S: Fused, P: Pick<f64>, const B: usize, const G: usize>(
+        &self,
+        pick: P,
+        rows: &[Row<S, B, G>],
+        jacobian: &mut Matrix<B, B>,
+        weights: &Matrix<B, G>,
+        gains: &mut Matrix<B, G>,
+    ) {
+        // its own column has a one in its own row: so the rows are put in by the way
+        let (columns, solved) = jacobian.as_flattened_mut().split_at_mut(self.moving);
+        for Put { column, solved: by } in &self.quantities {
+            let times = |number: usize| rows[number].of_moving(*column).rounded();
+            columns[*column] = plus(pick, columns[*column], by.iter().map(|&number| (times(number), &solved[number])));
+        }
+        let (gains, weights) = (gains.as_flattened_mut(), weights.as_flattened());
+        for Put { column, solved: by } in &self.products {
+            let times = |number: usize| rows[number].of_product(*column).rounded();
+            gains[*column] = plus(pick, weights[*column], by.iter().map(|&number| (times(number), &solved[number])));
+        }
+        solved[..rows.len()].fill([Wide::zero(); B]);
+    }
+}
+
+/// A column, and others so many times each.
+#[inline(always)]
+fn plus<'a, P: Pick<f64>, const B: usize>(
+    pick: P,
+    mut column: [Wide<f64>; B],
+    others: impl Iterator<Item = (f64, &'a [Wide<f64>; B])>,
+) -> [Wide<f64>; B] {
+    for (times, other) in others {
+        for group in 0..B {
+            column[group] = column[group].plus(pick, &other[group], times);
+        }
+    }
+    column
+}

@@ -1,0 +1,203 @@
+//! How equations that were brought to sums and products become a small law.
+
+use super::law::{Law, Solved, Sums};
+use crate::build::{Builder, Definition};
+use crate::form::{Atom, Form};
+use crate::plan::Coefficients;
+use symbolic::Sym;
+
+/// So many quantities, and so many products of them, still count as few.
+const MOST_QUANTITIES: usize = 24;
+const MOST_PRODUCTS: usize = 24;
+
+/// The coefficients of a sum by number: of its constant, of quantities, of products.
+type Terms = (Option<u32>, Vec<(usize, u32)>, Vec<(usize, u32)>);
+
+/// What an atom of the builder has become.
+#[derive(Clone, Copy)]
+enum Role {
+    Unused,
+    Moving(usize),
+    /// In order of solving.
+    Solved(usize),
+    Product(usize),
+}
+
+/// The law in the making: what is solved for has its final number only when all that moves is known.
+struct Making<'a> {
+    builder: &'a Builder<'a>,
+    /// How many states, circle points and time there are.
+    symbols: usize,
+    roles: Vec<Role>,
+    /// The rates of all that moves.
+    rows: Vec<Form>,
+    /// The sums that move; the first of them comes after the symbols.
+    starts: Vec<&'a Form>,
+    solved: Vec<Solved>,
+    /// The sums that are solved for.
+    sums: Vec<(usize, &'a Form)>,
+    products: Vec<[Role; 2]>,
+    coefficients: Coefficients,
+}
+
+impl<'a> Making<'a> {
+    fn new(builder: &'a Builder<'a>) -> Self {
+        let symbols = builder.equations.state.iter().chain(&builder.equations.time).chain(&builder.points).count();
+        Making {
+            builder,
+            roles: (0..symbols).map(Role::Moving).collect(),
+            symbols,
+            rows: builder.rates.clone(),
+            starts: Vec::new(),
+            solved: Vec::new(),
+            sums: Vec::new(),
+            products: Vec::new(),
+            coefficients: Coefficients::default(),
+        }
+    }
+
+    /// What the next definition becomes; `None` where it can be nothing.
+    fn role(&mut self, definition: &'a Definition) -> Option<Role> {
+        match definition {
+            Definition::State | Definition::Unknown => None,
+            Definition::Sum(form) if form.linear.keys().all(|part| *part < self.symbols) => Some(self.moving(form)),
+            Definition::Sum(form) => {
+                self.sums.push((self.solved.len(), form));
+                Some(self.solve(Solved::Sum { constant: None, linear: Vec::new(), products: Vec::new() }))
+            }
+            Definition::Product(a, b) => {
+                let factors = [self.factor(*a), self.factor(*b)];
+                Some(self.product(factors))
+            }
+            Definition::Reciprocal(of) => self.implicit(*of, true),
+            Definition::Root(of) => self.implicit(*of, false),
+        }
+    }
+
+    /// A sum of what moves: it moves as its parts do. Parts that decay alike, y' = l y + .., do so as one: s' = l s + .. .
+    fn moving(&mut self, form: &'a Form) -> Role {
+        self.starts.push(form);
+        let parts = || form.linear.iter().map(|(&part, c)| (part, c.0));
+        let row = parts().fold(Form::default(), |sum, (part, c)| sum.plus(&self.builder.rates[part], c));
+        let own = self.roles.len();
+        let alike = parts().filter_map(|(part, c)| {
+            let decay = row.linear.get(&part)?.0 / c;
+            let mut row = row.clone().plus(form, -decay);
+            row.add_atom(own, decay);
+            Some(row)
+        });
+        let shorter = |best: Form, other: Form| if other.terms() < best.terms() { other } else { best };
+        self.rows.push(alike.fold(row.clone(), shorter));
+        Role::Moving(self.rows.len() - 1)
+    }
+
+    fn solve(&mut self, solved: Solved) -> Role {
+        self.solved.push(solved);
+        Role::Solved(self.solved.len() - 1)
+    }
+
+    fn product(&mut self, factors: [Role; 2]) -> Role {
+        self.products.push(factors);
+        Role::Product(self.products.len() - 1)
+    }
+
+    /// A quantity that can be a factor; a product becomes one that is solved for.
+    fn factor(&mut self, atom: Atom) -> Role {
+        match self.roles[atom] {
+            Role::Product(product) => {
+                let one = self.coefficients.number(Sym::ONE);
+                self.solve(Solved::Sum { constant: None, linear: Vec::new(), products: vec![(product, one)] })
+            }
+            role => role,
+        }
+    }
+
+    /// A reciprocal or a root, with the product that it solves.
+    fn implicit(&mut self, of: Atom, reciprocal: bool) -> Option<Role> {
+        let (of, own, product) = (self.factor(of), Role::Solved(self.solved.len()), self.products.len());
+        self.product([own, if reciprocal { of } else { own }]);
+        // beyond all that moves, whose number is not known yet
+        let of = match of {
+            Role::Moving(number) => number,
+            Role::Solved(number) => MOST_QUANTITIES + number,
+            _ => return None,
+        };
+        Some(self.solve(if reciprocal { Solved::Reciprocal { of, product } } else { Solved::Root { of, product } }))
+    }
+
+    /// The final number of a quantity.
+    fn quantity(&self, role: Role) -> Option<usize> {
+        match role {
+            Role::Moving(number) => Some(number),
+            Role::Solved(number) => Some(self.rows.len() + number),
+            Role::Unused | Role::Product(_) => None,
+        }
+    }
+
+    fn terms(&mut self, form: &Form) -> Option<Terms> {
+        let constant = (form.constant.0 != Sym::ZERO).then(|| self.coefficients.number(form.constant.0));
+        let (mut linear, mut products) = (Vec::new(), Vec::new());
+        for (&atom, c) in &form.linear {
+            let number = self.coefficients.number(c.0);
+            match self.roles[atom] {
+                Role::Product(product) => products.push((product, number)),
+                role => linear.push((self.quantity(role)?, number)),
+            }
+        }
+        Some((constant, linear, products))
+    }
+
+    /// The law, when all definitions have their roles.
+    fn law(&mut self) -> Option<Law> {
+        let moving = self.rows.len();
+        let products = self.products.iter().map(|[a, b]| Some([self.quantity(*a)?, self.quantity(*b)?]));
+        let mut law =
+            Law { moving, sums: self.starts.len(), products: products.collect::<Option<_>>()?, ..Law::default() };
+        for (row, form) in self.rows.clone().iter().enumerate() {
+            law.rates.add(row, self.terms(form)?);
+        }
+        for (row, form) in (self.symbols..).zip(std::mem::take(&mut self.starts)) {
+            law.starts.add(row, self.terms(form)?);
+        }
+        for (number, form) in std::mem::take(&mut self.sums) {
+            let (constant, linear, products) = self.terms(form)?;
+            self.solved[number] = Solved::Sum { constant, linear, products };
+        }
+        law.solved = std::mem::take(&mut self.solved);
+        for each in &mut law.solved {
+            if let Solved::Reciprocal { of, .. } | Solved::Root { of, .. } = each
+                && *of >= MOST_QUANTITIES
+            {
+                *of = *of - MOST_QUANTITIES + moving;
+            }
+        }
+        law.coefficients = self.coefficients.all.len();
+        Some(law)
+    }
+}
+
+impl Sums {
+    fn add(&mut self, row: usize, (constant, linear, products): Terms) {
+        self.constants.extend(constant.map(|number| (row, number)));
+        self.linear.extend(linear.into_iter().map(|(quantity, number)| (row, quantity, number)));
+        self.quadratic.extend(products.into_iter().map(|(product, number)| (row, product, number)));
+    }
+}
+
+impl Law {
+    /// With the expressions of its coefficients; `None` where there are too many quantities.
+    pub fn of(builder: &Builder<'_>) -> Option<(Self, Vec<Sym>)> {
+        let mut making = Making::new(builder);
+        let begin = making.symbols;
+        for (definition, used) in builder.definitions.iter().zip(builder.used()).skip(begin) {
+            let role = if used { making.role(definition)? } else { Role::Unused };
+            making.roles.push(role);
+        }
+        let few = making.rows.len() + making.solved.len() <= MOST_QUANTITIES && making.products.len() <= MOST_PRODUCTS;
+        if !few || making.products.is_empty() {
+            return None;
+        }
+        let law = making.law()?;
+        Some((law, making.coefficients.all))
+    }
+}

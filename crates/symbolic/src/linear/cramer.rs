@@ -1,0 +1,73 @@
+//! Linear systems by Cramer's rule.
+
+use crate::{Decision, Hypotheses, Sym, decide};
+use algebra::linear::{LARGEST, minors};
+use std::fmt;
+
+/// Why a linear system was not solved.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Unsolved {
+    /// The determinant vanishes identically.
+    Singular,
+    /// The matrix and the right side do not fit together, or are larger than [`LARGEST`].
+    Shape { rows: usize, columns: usize, right: usize },
+    /// Whether the determinant vanishes was not decided, for this reason.
+    Undecided(String),
+}
+
+impl fmt::Display for Unsolved {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Unsolved::Singular => write!(f, "the determinant vanishes identically"),
+            Unsolved::Shape { rows, columns, right } => {
+                write!(f, "a {rows} x {columns} matrix with {right} right sides; wanted square, at most {LARGEST}")
+            }
+            Unsolved::Undecided(reason) => write!(f, "whether the determinant vanishes is undecided: {reason}"),
+        }
+    }
+}
+
+impl std::error::Error for Unsolved {}
+
+/// x = numerators / determinant.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Solution {
+    pub numerators: Vec<Sym>,
+    pub determinant: Sym,
+}
+
+impl Solution {
+    /// The unknowns.
+    pub fn values(&self) -> Vec<Sym> {
+        self.numerators.iter().map(|&numerator| numerator / self.determinant).collect()
+    }
+}
+
+/// The solution of matrix * x = right by Cramer's rule.
+///
+/// # Errors
+/// [`Unsolved`] where the shapes do not fit or the determinant vanishes under the hypotheses.
+pub fn solve<Row: AsRef<[Sym]>>(matrix: &[Row], right: &[Sym], hypotheses: &Hypotheses) -> Result<Solution, Unsolved> {
+    let size = matrix.len();
+    if let Some(columns) = matrix.iter().map(|row| row.as_ref().len()).find(|&columns| columns != size) {
+        return Err(Unsolved::Shape { rows: size, columns, right: right.len() });
+    }
+    if right.len() != size || size > LARGEST {
+        return Err(Unsolved::Shape { rows: size, columns: size, right: right.len() });
+    }
+    let entry = |row: usize, column: usize| matrix[row].as_ref().get(column).copied().unwrap_or(right[row]);
+    let minors = minors(size, entry, size + 1);
+    let all = (1 << (size + 1)) - 1;
+    let determinant = minors[all & !(1 << size)];
+    match decide(determinant, hypotheses) {
+        Decision::Zero(_) => return Err(Unsolved::Singular),
+        Decision::NonZero(_) => {}
+        undecided => return Err(Unsolved::Undecided(undecided.to_string())),
+    }
+    // The minor without column i has the right side last; moving it to place i takes size - 1 - i exchanges.
+    let numerator = |i: usize| {
+        let minor = minors[all & !(1 << i)];
+        if (size - 1 - i).is_multiple_of(2) { minor } else { -minor }
+    };
+    Ok(Solution { numerators: (0..size).map(numerator).collect(), determinant })
+}
