@@ -32,79 +32,35 @@
 //! the own inner loops do not allocate, and Gauss collocation with Jacobians in `f64` and residuals in double-double
 //! gives 26 digits at any stiffness in milliseconds.
 
-mod adaptors;
-mod attempt;
-mod bader_deuflhard;
-#[cfg(test)]
-mod bell;
-mod beside;
+mod batch;
 mod branches;
-mod classical;
-pub mod clock;
-mod collocation;
-mod columns;
-mod composition;
-mod dormand_prince;
-mod drive;
-mod ensemble;
 mod events;
-mod failure;
-mod front;
-mod gragg;
-mod held;
-mod implicit;
-mod integrate;
-mod jacobian;
-mod linearised;
-mod lu;
-mod meter;
-mod method;
+mod law;
+mod methods;
 mod newton;
-mod observer;
-mod ode;
-mod outcome;
-mod real;
-mod reference;
-mod regret;
-mod rosenbrock;
-mod side_by_side;
-mod span;
-mod spectral;
-mod splitting;
-mod taylor;
-mod theta;
-mod tolerance;
-mod transition;
-mod turns;
-mod watch;
-mod within;
+mod references;
+mod run;
 mod work_precision;
 
-pub use attempt::{Across, Attempt, Means};
-pub use beside::{Beside, Parting, Shorter, beside};
+pub use batch::{Ensemble, LaneSeries, LaneStep, Members, SideBySide, fuses, lanes_order};
 pub use branches::{Branch, Curve, Equilibria, Last, Place, Repeating, Walk, follow, spectrum};
-pub use classical::{euler_step, runge_kutta_4_step};
-pub use collocation::{Collocation, Family, nodal};
-pub use composition::Splitting;
-pub use ensemble::{Ensemble, LaneSeries, LaneStep, Members, lanes_order};
 pub use events::{Event, Happening, Signal, Switches, integrate_to_event};
-pub use failure::{Failure, Refusal};
-pub use front::{excess, front};
-pub use held::{Held, HeldSystem, Holding, hold, integrate_projected};
-pub use integrate::{integrate, integrate_in};
-pub use jacobian::{Jacobian, slope, variable};
-pub use method::{MOST_STAGES, Method, Traits};
-pub use observer::{Observer, Progress, Record, Samples, Sizes};
-pub use ode::{DIRECTIONS, Directions, Ode, Slopes, System, Working};
-pub use outcome::{Deviation, End, Outcome, Work};
-pub use real::Real;
-pub use reference::{ENOUGH_DIGITS, Reference, TIGHTEST, difference, reference, shared_digits, survey};
-pub use regret::{Regrets, Trial, cost};
-pub use side_by_side::{SideBySide, fuses};
-pub use span::{Budget, Monitor, Quantity, Span};
-pub use splitting::{Composed, Pieces, compose};
-pub use taylor::{Taylor, TaylorSeries, taylor_order};
-pub use tolerance::{Absolute, Tolerance};
-pub use transition::{Transition, transition};
-pub use turns::{Median, taking_turns};
-pub use work_precision::{Course, Point, Timed, judge, measure};
+pub use law::{
+    Composed, DIRECTIONS, Directions, Held, HeldSystem, Jacobian, Ode, Pieces, Real, Slopes, Splitting, System,
+    TaylorSeries, Working, slope, variable,
+};
+pub use methods::{
+    Across, Attempt, Collocation, Family, Holding, MOST_STAGES, Means, Method, Taylor, Traits, Transition, compose,
+    euler_step, hold, integrate, integrate_in, integrate_projected, nodal, runge_kutta_4_step, taylor_order,
+    transition,
+};
+pub use references::{
+    Beside, ENOUGH_DIGITS, Parting, Reference, Shorter, TIGHTEST, beside, difference, reference, shared_digits, survey,
+};
+pub use run::{
+    Absolute, Budget, Deviation, End, Failure, Monitor, Observer, Outcome, Progress, Quantity, Record, Refusal,
+    Samples, Sizes, Span, Tolerance, Work, clock,
+};
+pub use work_precision::{
+    Course, Median, Point, Regrets, Timed, Trial, cost, excess, front, judge, measure, taking_turns,
+};

@@ -1,7 +1,7 @@
 //! The motion within a step, computed again.
 
 use super::{Instant, Switches};
-use crate::taylor::taylor_order;
+use crate::methods::taylor::taylor_order;
 use crate::{Method, Span, System, TaylorSeries, Tolerance, Work, integrate};
 
 /// A halving gains one bit, and there are no more in a double.

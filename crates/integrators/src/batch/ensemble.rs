@@ -1,0 +1,268 @@
+//! The Taylor method on many systems of one kind: one in each lane, each with its own time and step.
+//!
+//! Nothing waits for the slowest: whoever has arrived makes room for the next. What becomes of a member does not depend
+//! on its lane, nor on who is in the others.
+
+use crate::methods::taylor::reach;
+use crate::{Failure, clock};
+use field::Lanes;
+use pulp::{Arch, Simd, WithSimd};
+
+/// The order of series in lanes for a tolerance.
+///
+/// As [`taylor_order`](crate::taylor_order), with what a step costs there: b + p + c p^2 with b = 3.5, c = 0.02 (measured from order 8 to
+/// 28 on systems with 8 and 15 states), to which p = 3 + 0.78 L is near. Orders are formed four at a time, so it is the multiple of
+/// four that is nearest.
+pub fn lanes_order(tolerance: f64) -> usize {
+    let fours = (3.0 - 0.78 * tolerance.ln()) / 4.0;
+    4 * (fours.round() as usize).clamp(1, 15)
+}
+
+/// The series of L systems that differ in their parameters, states and times.
+pub trait LaneSeries<const L: usize> {
+    /// Gives the system in a lane its parameters.
+    fn set(&mut self, lane: usize, parameters: &[f64]);
+
+    /// The order of the last coefficients.
+    fn order(&self) -> usize;
+
+    /// Expands the solutions through (t, y), lane by lane.
+    fn expand(&mut self, times: Lanes<L>, states: &[Lanes<L>]);
+
+    /// Of the last expansion the coefficients of order k, the last or the one before it.
+    fn coefficients(&self, k: usize) -> &[Lanes<L>];
+
+    /// The sum of the last expansion, each lane at its h.
+    fn sum(&self, h: Lanes<L>, out: &mut [Lanes<L>]);
+
+    /// The longest steps over which the last expansion shows the law, as [`TaylorSeries::shown`](crate::TaylorSeries::shown).
+    fn shown(&self) -> Lanes<L> {
+        Lanes::all(f64::INFINITY)
+    }
+}
+
+impl<T: LaneSeries<L> + ?Sized, const L: usize> LaneSeries<L> for Box<T> {
+    fn set(&mut self, lane: usize, parameters: &[f64]) {
+        (**self).set(lane, parameters);
+    }
+
+    fn order(&self) -> usize {
+        (**self).order()
+    }
+
+    fn expand(&mut self, times: Lanes<L>, states: &[Lanes<L>]) {
+        (**self).expand(times, states);
+    }
+
+    fn coefficients(&self, k: usize) -> &[Lanes<L>] {
+        (**self).coefficients(k)
+    }
+
+    fn sum(&self, h: Lanes<L>, out: &mut [Lanes<L>]) {
+        (**self).sum(h, out);
+    }
+
+    fn shown(&self) -> Lanes<L> {
+        (**self).shown()
+    }
+}
+
+/// Where members come from, and where they go.
+pub trait Members {
+    /// Writes parameters and initial state of the next member and returns its number; `None` where there are no more.
+    fn next(&mut self, parameters: &mut [f64], state: &mut [f64]) -> Option<u64>;
+
+    /// Whether motions are looked at after each step.
+    fn watches(&self) -> bool {
+        false
+    }
+
+    /// The last time within a step at which the law of a member holds, where it does not to the end of the step.
+    fn leaves(&mut self, _number: u64, _step: &LaneStep<'_>) -> Option<f64> {
+        None
+    }
+
+    /// A member has arrived, has left its law, or failed: its last good state with its time, and how many steps it took.
+    fn ended(&mut self, number: u64, state: &[f64], steps: u64, at: f64, failure: Option<Failure>);
+}
+
+/// The motion of a member over a step.
+pub struct LaneStep<'a> {
+    pub begin: f64,
+    pub end: f64,
+    /// The state at a time within the step.
+    pub state_at: &'a dyn Fn(f64, &mut [f64]),
+}
+
+/// The method for L members at a time, all from time zero to the same end: a run allocates nothing.
+#[derive(Clone, Debug)]
+pub struct Ensemble<T, const L: usize> {
+    source: T,
+    /// Of the last term of a series.
+    order: usize,
+    tolerance: f64,
+    end: f64,
+    most_steps: u64,
+    states: Vec<Lanes<L>>,
+    /// Room for the states after a step.
+    after: Vec<Lanes<L>>,
+    times: Lanes<L>,
+    steps: [u64; L],
+    /// Who is in which lane.
+    numbers: [Option<u64>; L],
+    /// Room for the data of one member.
+    parameters: Vec<f64>,
+    state: Vec<f64>,
+}
+
+impl<T: LaneSeries<L>, const L: usize> Ensemble<T, L> {
+    /// From a source of series, best of the order [`lanes_order`], for systems with so many states and parameters.
+    pub fn new(source: T, tolerance: f64, end: f64, states: usize, parameters: usize) -> Self {
+        Ensemble {
+            order: source.order().max(2),
+            source,
+            tolerance,
+            end,
+            most_steps: u64::MAX,
+            states: vec![Lanes::all(0.0); states],
+            after: vec![Lanes::all(0.0); states],
+            times: Lanes::all(0.0),
+            steps: [0; L],
+            numbers: [None; L],
+            parameters: vec![0.0; parameters],
+            state: vec![0.0; states],
+        }
+    }
+
+    /// With so many steps for each member at most.
+    pub fn with_most_steps(mut self, most_steps: u64) -> Self {
+        self.most_steps = most_steps;
+        self
+    }
+
+    /// Carries members from the start to the end until there are no more, or until the clock of the process ends it: then those
+    /// on the way are lost.
+    pub fn run(&mut self, members: &mut impl Members) {
+        for lane in 0..L {
+            self.admit(lane, members);
+        }
+        while self.numbers.iter().any(Option::is_some) && clock::over().is_none() {
+            self.step(members);
+        }
+    }
+
+    /// One step in every lane.
+    fn step(&mut self, members: &mut impl Members) {
+        self.source.expand(self.times, &self.states);
+        let (last, before) = (self.source.coefficients(self.order), self.source.coefficients(self.order - 1));
+        let reach = Reach { states: &self.states, last, before, order: self.order, tolerance: self.tolerance };
+        let (reach, shown) = (Arch::new().dispatch(reach), self.source.shown());
+        let (mut steps, mut nexts) = (Lanes::all(0.0), [Ok(0.0); L]);
+        for lane in (0..L).filter(|lane| self.numbers[*lane].is_some()) {
+            // what is not a number stays so
+            let reach = if shown.0[lane] < reach.0[lane] { shown.0[lane] } else { reach.0[lane] };
+            nexts[lane] = self.next_time(lane, reach);
+            steps.0[lane] = nexts[lane].map_or(0.0, |next| next - self.times.0[lane]);
+        }
+        self.source.sum(steps, &mut self.after);
+        std::mem::swap(&mut self.states, &mut self.after);
+        let ends = if members.watches() { self.leave(nexts, members) } else { std::array::from_fn(|_| None) };
+        for (lane, next) in nexts.into_iter().enumerate() {
+            let Some(number) = self.numbers[lane] else { continue };
+            let lost = || self.states.iter().any(|y| !y.0[lane].is_finite());
+            let failure = match next {
+                Ok(next) if next == self.end && lost() => Some(Failure::LeftTheNumbers { at: self.times.0[lane] }),
+                Ok(next) => {
+                    (self.times.0[lane], self.steps[lane]) = (next, self.steps[lane] + 1);
+                    None
+                }
+                Err(failure) => Some(failure),
+            };
+            if let (Some((end, state)), None) = (&ends[lane], failure) {
+                members.ended(number, state, self.steps[lane], *end, None);
+                self.admit(lane, members);
+                continue;
+            }
+            if failure.is_some() || self.times.0[lane] == self.end {
+                // where a member failed, the state before is the last good one
+                let states = if failure.is_some() { &self.after } else { &self.states };
+                self.state.iter_mut().zip(states).for_each(|(y, lanes)| *y = lanes.0[lane]);
+                members.ended(number, &self.state, self.steps[lane], self.times.0[lane], failure);
+                self.admit(lane, members);
+            }
+        }
+    }
+
+    /// The members that leave their laws within this step: when, and their states there.
+    fn leave(&self, nexts: [Result<f64, Failure>; L], members: &mut impl Members) -> [Option<(f64, Vec<f64>)>; L] {
+        std::array::from_fn(|lane| {
+            let (number, end, begin) = (self.numbers[lane]?, nexts[lane].ok()?, self.times.0[lane]);
+            let state_at = |time: f64, state: &mut [f64]| {
+                let mut lanes = vec![Lanes::all(0.0); state.len()];
+                self.source.sum(Lanes::all(time - begin), &mut lanes);
+                state.iter_mut().zip(lanes).for_each(|(part, lanes)| *part = lanes.0[lane]);
+            };
+            let left = members.leaves(number, &LaneStep { begin, end, state_at: &state_at })?;
+            let mut state = vec![0.0; self.states.len()];
+            state_at(left, &mut state);
+            Some((left, state))
+        })
+    }
+
+    /// Where the step of a lane leads whose series reaches so far.
+    fn next_time(&self, lane: usize, reach: f64) -> Result<f64, Failure> {
+        let at = self.times.0[lane];
+        if reach.is_nan() {
+            return Err(Failure::LeftTheNumbers { at });
+        }
+        if self.steps[lane] == self.most_steps {
+            let allowed = self.most_steps.saturating_mul(self.order as u64);
+            return Err(Failure::TooManyEvaluations { at, allowed });
+        }
+        let next = if reach >= self.end - at { self.end } else { at + reach };
+        if next == at { Err(Failure::StepCollapsed { at, step: reach }) } else { Ok(next) }
+    }
+
+    fn admit(&mut self, lane: usize, members: &mut impl Members) {
+        self.numbers[lane] = members.next(&mut self.parameters, &mut self.state);
+        if self.numbers[lane].is_some() {
+            self.source.set(lane, &self.parameters);
+            self.states.iter_mut().zip(&self.state).for_each(|(lanes, y)| lanes.0[lane] = *y);
+            (self.times.0[lane], self.steps[lane]) = (0.0, 0);
+        }
+    }
+}
+
+/// How far the series reach, lane by lane; not a number where a coefficient is none.
+struct Reach<'a, const L: usize> {
+    states: &'a [Lanes<L>],
+    last: &'a [Lanes<L>],
+    before: &'a [Lanes<L>],
+    order: usize,
+    tolerance: f64,
+}
+
+impl<const L: usize> WithSimd for Reach<'_, L> {
+    type Output = Lanes<L>;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) -> Lanes<L> {
+        // the largest coefficients in units of what is allowed, and the sum of all, which is finite where they are
+        let [mut s_last, mut s_before, mut sum] = [Lanes::all(0.0); 3];
+        for ((state, last), before) in self.states.iter().zip(self.last).zip(self.before) {
+            for lane in 0..L {
+                let share = 1.0 / (self.tolerance + self.tolerance * state.0[lane].abs());
+                let (a, b) = (last.0[lane].abs() * share, before.0[lane].abs() * share);
+                s_last.0[lane] = if a > s_last.0[lane] { a } else { s_last.0[lane] };
+                s_before.0[lane] = if b > s_before.0[lane] { b } else { s_before.0[lane] };
+                sum.0[lane] += a + b;
+            }
+        }
+        let mut reaches = sum;
+        for lane in 0..L {
+            let far = reach(self.order, s_last.0[lane], s_before.0[lane]);
+            reaches.0[lane] = if sum.0[lane].is_finite() { far } else { f64::NAN };
+        }
+        reaches
+    }
+}

@@ -1,0 +1,140 @@
+//! Laws as methods see them: y' = f(t, y), and what a law may offer beside its rates.
+//!
+//! # Overview
+//! * [`Ode`] over one field, [`System`] over the three of a computation;
+//! * its Jacobian: code of its own ([`Slopes`]) or forward differentiation ([`Jacobian`]);
+//! * its Taylor coefficients ([`TaylorSeries`]);
+//! * the flows of its pieces ([`Pieces`]), in the order of a [`Splitting`];
+//! * a law that multipliers hold to constraints ([`Held`]).
+
+#[cfg(test)]
+pub(crate) mod bell;
+mod composition;
+mod held;
+pub(crate) mod jacobian;
+mod pieces;
+mod real;
+mod series;
+
+pub use composition::Splitting;
+pub use held::{Held, HeldSystem};
+pub use jacobian::{Jacobian, slope, variable};
+pub use pieces::{Composed, Pieces};
+pub use real::Real;
+pub use series::TaylorSeries;
+
+use field::{DoubleDouble, Scalar};
+use num_dual::DualSVec64;
+
+/// How many columns of a Jacobian one evaluation gives.
+pub const DIRECTIONS: usize = 8;
+
+/// The field in which a Jacobian is computed: a value and its slopes in eight directions.
+pub type Directions = DualSVec64<DIRECTIONS>;
+
+/// y' = f(t, y) over one field, with a dimension known at run time (a machine has as many bars as its file says).
+pub trait Ode<S: Scalar> {
+    /// The number of components of y.
+    fn dimension(&self) -> usize;
+
+    /// dy = f(t, y). Both slices have the system's dimension. Must not allocate: it is called millions of times.
+    fn rates(&self, t: S, y: &[S], dy: &mut [S]);
+}
+
+/// One law over the three fields of a computation: the run, its Jacobian, its reference.
+///
+/// A system generic over `S: Over<f64> + Analytic` needs one more line, `impl System for Mine {}`. A system whose
+/// expression graph is at hand may offer its Taylor coefficients too.
+pub trait System: Ode<f64> + Ode<Directions> + Ode<DoubleDouble> {
+    /// A source of Taylor coefficients in `f64`, where there is one.
+    fn taylor(&self) -> Option<Box<dyn TaylorSeries<f64> + '_>> {
+        None
+    }
+
+    /// A source of Taylor coefficients with their derivatives in eight directions, where there is one.
+    fn taylor_directions(&self) -> Option<Box<dyn TaylorSeries<Directions> + '_>> {
+        None
+    }
+
+    /// The law's Jacobian as code of its own, where there is one; otherwise the law is run over [`Directions`].
+    fn slopes(&self) -> Option<Box<dyn Slopes + '_>> {
+        None
+    }
+
+    /// A source of Taylor coefficients in double-double, where there is one.
+    fn taylor_exact(&self) -> Option<Box<dyn TaylorSeries<DoubleDouble> + '_>> {
+        None
+    }
+
+    /// The flows of the law's pieces composed in `f64`, where the law has pieces.
+    fn composed(&self, _splitting: Splitting) -> Option<Box<dyn Composed<f64> + '_>> {
+        None
+    }
+
+    /// The flows of the law's pieces composed in double-double, where the law has pieces.
+    fn composed_exact(&self, _splitting: Splitting) -> Option<Box<dyn Composed<DoubleDouble> + '_>> {
+        None
+    }
+}
+
+/// The derivatives of a law. Neither may allocate.
+pub trait Slopes {
+    /// `matrix[i * n + j]` = df_i / dy_j at (t, y).
+    fn matrix(&mut self, t: f64, y: &[f64], matrix: &mut [f64]);
+
+    /// `slopes[i]` = df_i / dt at (t, y): none of a law that does not depend on time.
+    fn by_time(&mut self, _t: f64, _y: &[f64], slopes: &mut [f64]) {
+        slopes.fill(0.0);
+    }
+}
+
+/// A field in which a [`System`] can be integrated.
+pub trait Working: Real {
+    /// The law of a system, seen in this field.
+    fn law(system: &dyn System) -> &dyn Ode<Self>;
+
+    /// The law of a held system, seen in this field.
+    fn held(system: &dyn HeldSystem) -> &dyn Held<Self>;
+
+    /// The system's source of Taylor coefficients in this field.
+    fn series(system: &dyn System) -> Option<Box<dyn TaylorSeries<Self> + '_>>;
+
+    /// The system's pieces composed in this field.
+    fn composed(system: &dyn System, splitting: Splitting) -> Option<Box<dyn Composed<Self> + '_>>;
+}
+
+impl Working for f64 {
+    fn law(system: &dyn System) -> &dyn Ode<f64> {
+        system
+    }
+
+    fn held(system: &dyn HeldSystem) -> &dyn Held<f64> {
+        system
+    }
+
+    fn series(system: &dyn System) -> Option<Box<dyn TaylorSeries<f64> + '_>> {
+        system.taylor()
+    }
+
+    fn composed(system: &dyn System, splitting: Splitting) -> Option<Box<dyn Composed<f64> + '_>> {
+        system.composed(splitting)
+    }
+}
+
+impl Working for DoubleDouble {
+    fn law(system: &dyn System) -> &dyn Ode<DoubleDouble> {
+        system
+    }
+
+    fn held(system: &dyn HeldSystem) -> &dyn Held<DoubleDouble> {
+        system
+    }
+
+    fn series(system: &dyn System) -> Option<Box<dyn TaylorSeries<DoubleDouble> + '_>> {
+        system.taylor_exact()
+    }
+
+    fn composed(system: &dyn System, splitting: Splitting) -> Option<Box<dyn Composed<DoubleDouble> + '_>> {
+        system.composed_exact(splitting)
+    }
+}

@@ -1,0 +1,288 @@
+//! Verner's pairs, Radau5 and Kvaerno's pair from Ryan Gast's crate `differential-equations`, taken step by step.
+//!
+//! Tolerances are given by component: with a scalar its Radau5 transforms the one number once for every component. Its Jacobian is
+//! ours.
+//!
+//! The crate's Radau5 once keeps the factors of its matrices where a step is as long as the last, and from then on keeps them
+//! at steps of other lengths too: Newton's iteration converges to the right stages, but slowly, and at tight tolerances not
+//! within its iterations, whatever the step. So the step after one that kept its factors begins a new run, unless it is as
+//! long; so does the last step, which is cut to land on the end.
+//!
+//! Newton's iteration ends at a size of its corrections that rounding may not allow. Where steps are rejected one after another,
+//! or nearly every second one, that size is taken [ten times](LOOSER) as large, up to what the tolerance allows a step.
+
+use std::cell::RefCell;
+
+use differential_equations::error::Error;
+use differential_equations::linalg::Matrix;
+use differential_equations::methods::{DiagonallyImplicitRungeKutta, ExplicitRungeKutta, ImplicitRungeKutta};
+use differential_equations::ode::{ODE, OrdinaryNumericalMethod};
+use differential_equations::stats::Evals;
+use differential_equations::status::Status;
+
+use super::components::{Components, Vector};
+use crate::law::jacobian::Jacobian;
+use crate::run::budgeted_rhs::BudgetedRhs;
+use crate::run::stepping::first_step;
+use crate::run::watch::Watch;
+use crate::{Failure, Outcome, System, Tolerance};
+
+/// Which of the crate's methods.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Choice {
+    Verner6,
+    Verner9,
+    Radau5,
+    Kvaerno5,
+}
+
+/// States of at most so many components are padded to arrays, which the explicit pairs combine twice as fast as a state on the heap.
+/// The implicit methods spend their time on matrices, which padding makes larger.
+const SMALL: usize = 8;
+const SMALLEST: usize = 4;
+
+/// Rejections in a row after which no shorter step is tried.
+const MOST_REJECTIONS: u32 = 60;
+
+/// Rejections in a row after which Newton's iteration is thought to be at rounding.
+const STALLED: u32 = 12;
+
+/// So many attempts are looked at, of which at least this share must be rejected for the same to be thought.
+const WINDOW: u32 = 200;
+const MOSTLY: f64 = 0.3;
+
+/// What is left by Newton's iteration is multiplied by this where it stalls.
+const LOOSER: f64 = 10.0;
+
+/// How much larger a state may become before what Newton may leave is found anew.
+const GROWN: f64 = 2.0;
+
+/// Runs one method to the end of the span, or to its failure.
+pub(crate) fn run(
+    choice: Choice,
+    system: &dyn System,
+    tolerance: &Tolerance,
+    meter: &BudgetedRhs<f64>,
+    watch: Watch<'_, '_, f64>,
+) -> Outcome<f64> {
+    let is_explicit = matches!(choice, Choice::Verner6 | Choice::Verner9);
+    match meter.dimension() {
+        ..=SMALLEST if is_explicit => in_form::<[f64; SMALLEST]>(choice, system, tolerance, meter, watch),
+        ..=SMALL if is_explicit => in_form::<[f64; SMALL]>(choice, system, tolerance, meter, watch),
+        _ => in_form::<Vector>(choice, system, tolerance, meter, watch),
+    }
+}
+
+/// The law in the crate's form.
+struct Law<'l> {
+    meter: &'l BudgetedRhs<'l, f64>,
+    jacobian: RefCell<(Jacobian<'l>, Vec<f64>)>,
+}
+
+impl<Y: Components> ODE<f64, Y> for Law<'_> {
+    fn diff(&self, tau: f64, y: &Y, dy: &mut Y) {
+        let (rates, at_rest) = dy.values_mut().split_at_mut(self.meter.dimension());
+        self.meter.rates(tau, &y.values()[..rates.len()], rates);
+        at_rest.fill(0.0);
+    }
+
+    fn jacobian(&self, tau: f64, y: &Y, matrix: &mut Matrix<f64>) {
+        let n = self.meter.dimension();
+        let (jacobian, buffer) = &mut *self.jacobian.borrow_mut();
+        jacobian.matrix(self.meter.time(tau), &y.values()[..n], buffer);
+        self.meter.count_jacobian();
+        for (i, row) in buffer.chunks_exact(n).enumerate() {
+            for (j, slope) in row.iter().enumerate() {
+                matrix[(i, j)] = self.meter.direction * slope;
+            }
+        }
+    }
+}
+
+fn in_form<Y: Components>(
+    choice: Choice,
+    system: &dyn System,
+    tolerance: &Tolerance,
+    meter: &BudgetedRhs<f64>,
+    mut watch: Watch<'_, '_, f64>,
+) -> Outcome<f64> {
+    let n = meter.dimension();
+    let law = Law { meter, jacobian: RefCell::new((Jacobian::of(system), vec![0.0; n * n])) };
+    Vector::set_length(n);
+    let padded = Y::of(watch.state()).len();
+    let relative = vec![tolerance.relative; padded];
+    let absolute: Vec<f64> = (0..padded).map(|i| if i < n { tolerance.absolute(i) } else { 1.0 }).collect();
+    let order = if choice == Choice::Verner9 { 9 } else { 5 };
+    let mut step = first_step(meter, watch.state(), tolerance, order, watch.length());
+    let mut looser = 1.0;
+    while watch.goes_on() {
+        let first = step.min(watch.landing() - watch.tau());
+        if first <= f64::EPSILON * watch.tau().max(f64::EPSILON * watch.length()) {
+            let at = watch.time();
+            return watch.fail(Failure::LeftTheNumbers { at }, meter);
+        }
+        let left = Left::by_newton(choice, tolerance, watch.state(), looser);
+        let (relative, absolute) = (relative.clone(), absolute.clone());
+        let result = match choice {
+            Choice::Verner6 => {
+                let method = ExplicitRungeKutta::rkv655e().h0(first).max_steps(usize::MAX).max_rejects(usize::MAX);
+                stretch::<Y, _>(method.rtol(relative).atol(absolute), &law, left, &mut watch)
+            }
+            Choice::Verner9 => {
+                let method = ExplicitRungeKutta::rkv988e().h0(first).max_steps(usize::MAX).max_rejects(usize::MAX);
+                stretch::<Y, _>(method.rtol(relative).atol(absolute), &law, left, &mut watch)
+            }
+            Choice::Radau5 => {
+                let method = ImplicitRungeKutta::radau5().h0(first).max_steps(usize::MAX).max_rejects(usize::MAX);
+                let method = method.newton_tol(left.size);
+                stretch::<Y, _>(method.rtol(relative).atol(absolute), &law, left, &mut watch)
+            }
+            Choice::Kvaerno5 => {
+                let method =
+                    DiagonallyImplicitRungeKutta::kvaerno745().h0(first).max_steps(usize::MAX).max_rejects(usize::MAX);
+                let method = method.newton_tol(left.size);
+                stretch::<Y, _>(method.rtol(relative).atol(absolute), &law, left, &mut watch)
+            }
+        };
+        match result {
+            Ok(next) => {
+                step = if first < step && next.clean { step.max(next.step) } else { next.step };
+                looser *= if next.stalled { LOOSER } else { 1.0 };
+            }
+            Err(failure) => return watch.fail(failure, meter),
+        }
+    }
+    let end = watch.end();
+    watch.finish(end, meter)
+}
+
+/// What Newton's iteration may leave.
+#[derive(Clone, Copy)]
+struct Left {
+    choice: Choice,
+    /// As the crate takes it.
+    size: f64,
+    /// Whether the tolerance allows more.
+    may_grow: bool,
+    /// The size of the state for which it was found, where it depends on one.
+    scale: Option<f64>,
+}
+
+impl Left {
+    /// Of Radau5 in units of its inner tolerance, 0.1 relative^(2/3): Hairer's rule, which the crate replaces by a constant. Of
+    /// Kvaerno's pair the largest component: a tenth of the finest absolute tolerance, or ten roundings of the state.
+    fn by_newton(choice: Choice, tolerance: &Tolerance, state: &[f64], looser: f64) -> Self {
+        let scale = state.iter().fold(0.0_f64, |scale, y| scale.max(y.abs()));
+        let (least, most) = match choice {
+            Choice::Verner6 | Choice::Verner9 => (0.0, 0.0),
+            Choice::Radau5 => {
+                let inner = 0.1 * tolerance.relative.powf(2.0 / 3.0);
+                let least = inner.sqrt().min(0.03).max(10.0 * f64::EPSILON / inner);
+                (least, least.max(tolerance.relative / inner))
+            }
+            Choice::Kvaerno5 => {
+                let finest = (0..state.len()).map(|i| tolerance.absolute(i)).fold(1.0, f64::min);
+                let least = (0.1 * finest).max(10.0 * f64::EPSILON * scale);
+                (least, least.max(finest + tolerance.relative * scale))
+            }
+        };
+        let size = (looser * least).min(most);
+        let scale = (choice == Choice::Kvaerno5).then_some(scale);
+        Left { choice, size, may_grow: size < most, scale }
+    }
+
+    /// Whether a state has become too large for it.
+    fn outgrown(&self, state: &[f64]) -> bool {
+        self.scale.is_some_and(|scale| state.iter().any(|y| y.abs() > GROWN * scale.max(1.0)))
+    }
+}
+
+/// How to go on after some steps.
+struct Next {
+    step: f64,
+    /// No step was rejected.
+    clean: bool,
+    /// Newton's iteration does not come to its end.
+    stalled: bool,
+}
+
+/// Steps up to the end, to where a step must be cut to land on it, to a step that left the numbers, or to where the method must
+/// begin anew.
+fn stretch<Y: Components, M: OrdinaryNumericalMethod<f64, Y>>(
+    mut method: M,
+    law: &Law<'_>,
+    left: Left,
+    watch: &mut Watch<'_, '_, f64>,
+) -> Result<Next, Failure> {
+    let (meter, n, stop) = (law.meter, law.meter.dimension(), watch.landing());
+    let y = Y::of(watch.state());
+    let started = method.init(law, watch.tau(), stop, &y);
+    started.map_err(|error| name(&error, meter, watch.time(), method.h()))?;
+    method.set_status(Status::Solving);
+    let (mut rejections, mut clean, mut fresh) = (0, true, true);
+    let (mut attempts, mut rejected) = (0, 0);
+    while watch.tau() < stop && watch.goes_on() {
+        let (at, remaining, step) = (watch.time(), stop - watch.tau(), method.h());
+        let lands = step >= remaining * (1.0 - 1e-10);
+        if lands && !fresh {
+            return Ok(Next { step, clean, stalled: false });
+        }
+        let mostly = attempts >= WINDOW && f64::from(rejected) > MOSTLY * f64::from(attempts);
+        if attempts >= WINDOW {
+            (attempts, rejected) = (0, 0);
+        }
+        let stalled = left.may_grow && (rejections >= STALLED || mostly) && step.is_finite();
+        let collapsed = !lands && step <= 4.0 * f64::EPSILON * at.abs().max(watch.tau());
+        let stuck = rejections > MOST_REJECTIONS || collapsed || !step.is_finite();
+        if stuck || stalled {
+            match meter.was_undefined() {
+                true if stuck => return Err(Failure::LeftTheNumbers { at }),
+                false if stalled => return Ok(Next { step, clean: false, stalled }),
+                false => return Err(Failure::StepCollapsed { at, step }),
+                true => (),
+            }
+        }
+        Vector::set_length(n);
+        let result: Result<Evals, _> = method.step(law);
+        fresh = false;
+        if let Some(failure) = meter.exhausted(at) {
+            return Err(failure);
+        }
+        let work = result.map_err(|error| name(&error, meter, at, step))?;
+        for _ in 0..work.decompositions.max(work.solves.min(work.jacobian)) {
+            meter.count_factorisation();
+        }
+        attempts += 1;
+        let keeps_factors = left.choice == Choice::Radau5 && work.decompositions == 0;
+        let is_stale = |next: f64| keeps_factors && next != step;
+        if matches!(method.status(), Status::RejectedStep) {
+            watch.reject();
+            (rejections, rejected, clean) = (rejections + 1, rejected + 1, false);
+            if is_stale(method.h()) && method.h().is_finite() {
+                return Ok(Next { step: method.h(), clean, stalled: false });
+            }
+            continue;
+        }
+        // the crate's explicit pairs take an undefined error for none: back to the last good state
+        if !method.y().values().iter().all(|y| y.is_finite()) {
+            watch.reject();
+            return Ok(Next { step: 0.25 * step, clean: false, stalled: false });
+        }
+        meter.was_undefined();
+        rejections = 0;
+        watch.accept(if lands { stop } else { method.t() }, &method.y().values()[..n]);
+        if is_stale(method.h()) || left.outgrown(&method.y().values()[..n]) {
+            break;
+        }
+    }
+    Ok(Next { step: method.h(), clean, stalled: false })
+}
+
+/// The crate's errors by our names.
+fn name<Y: Components>(error: &Error<f64, Y>, meter: &BudgetedRhs<f64>, at: f64, step: f64) -> Failure {
+    match error {
+        _ if meter.was_undefined() => Failure::LeftTheNumbers { at },
+        Error::LinearAlgebra { .. } => Failure::Singular { at },
+        _ => Failure::StepCollapsed { at, step },
+    }
+}

@@ -1,0 +1,99 @@
+//! A law and a method for it, whatever keeps the law's constraints.
+
+use crate::{HeldSystem, Holding, Method, Observer, Outcome, Span, System, Tolerance};
+use crate::{hold, integrate, integrate_projected};
+use std::fmt;
+
+/// A law with what runs it.
+#[derive(Clone, Copy)]
+pub enum Attempt<'a> {
+    /// y' = f(t, y).
+    Integrated(&'a dyn System, Method),
+    /// The same, brought onto the constraints of a held law after each step.
+    Projected(&'a dyn System, &'a dyn HeldSystem, Method),
+    /// Held to its constraints by multipliers.
+    Held(&'a dyn HeldSystem, Holding),
+    /// Law after law, across events.
+    Across(&'a dyn Across, Method),
+}
+
+/// A motion of many laws, one after another, which finds its events itself.
+pub trait Across {
+    /// Of each law.
+    fn dimension(&self) -> usize;
+
+    /// Whether each law has a Taylor series.
+    fn has_series(&self) -> bool {
+        false
+    }
+
+    /// Runs it over a span; the evaluations of its budget are those of one law.
+    fn run(
+        &self,
+        method: Method,
+        tolerance: &Tolerance,
+        span: &Span<'_, f64>,
+        observer: &mut dyn Observer<f64>,
+    ) -> Outcome<f64>;
+}
+
+/// What runs a law, without the law.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Means {
+    Integrated(Method),
+    Projected(Method),
+    Held(Holding),
+}
+
+impl Attempt<'_> {
+    pub fn means(&self) -> Means {
+        match *self {
+            Attempt::Integrated(_, method) | Attempt::Across(_, method) => Means::Integrated(method),
+            Attempt::Projected(_, _, method) => Means::Projected(method),
+            Attempt::Held(_, holding) => Means::Held(holding),
+        }
+    }
+
+    /// Runs it; a constant step follows no tolerance.
+    pub fn run(&self, tolerance: &Tolerance, span: &Span<'_, f64>, observer: &mut dyn Observer<f64>) -> Outcome<f64> {
+        match *self {
+            Attempt::Integrated(system, method) => integrate(system, method, tolerance, span, observer),
+            Attempt::Projected(system, held, method) => integrate_projected(system, held, method, span, observer),
+            Attempt::Held(held, holding) => hold(held, holding, span, observer),
+            Attempt::Across(motion, method) => motion.run(method, tolerance, span, observer),
+        }
+    }
+
+    /// What the run has cost in evaluations: a Jacobian counts as those of its columns, a correction onto the constraints
+    /// as one.
+    pub fn evaluations(&self, work: &crate::Work) -> u64 {
+        let columns = match *self {
+            Attempt::Integrated(system, _) | Attempt::Projected(system, ..) => crate::Ode::<f64>::dimension(system),
+            Attempt::Across(motion, _) => motion.dimension(),
+            Attempt::Held(held, _) => {
+                let (states, multipliers) = crate::Held::<f64>::sizes(held);
+                states + multipliers
+            }
+        };
+        work.rates + work.jacobians * columns as u64 + work.constraints
+    }
+}
+
+impl Means {
+    /// How many equal steps it makes; none where it follows a tolerance.
+    pub fn steps(self) -> Option<u32> {
+        match self {
+            Means::Integrated(method) | Means::Projected(method) => method.steps(),
+            Means::Held(holding) => Some(holding.steps()),
+        }
+    }
+}
+
+impl fmt::Display for Means {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Means::Integrated(method) | Means::Projected(method) => method.fmt(f),
+            Means::Held(holding) => holding.fmt(f),
+        }
+    }
+}

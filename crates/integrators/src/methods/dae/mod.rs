@@ -1,0 +1,184 @@
+//! Laws that are held to constraints by multipliers: y' = f(t, y) + B(t, y) z, 0 = g(t, y), with g_y B regular (index 2).
+//!
+//! | method | order of y | a step |
+//! |---|---|---|
+//! | half-explicit Euler, Runge-Kutta 4 | 1, 3 | the multipliers of a stage are those with which the next stage is on the constraint |
+//! | Radau IIA with s stages (s = 1: backward Euler) | 2s - 1 | every stage is on the constraint, and the last is the end |
+//! | Gauss with s stages (s = 1: the midpoint rule), projected | 2s | every stage is on the constraint, then the end is brought onto it along B |
+//!
+//! Without its projection Gauss with an odd s has the order s + 1, with an even one s, and the ends leave the constraint:
+//! y_1 - y_0 is twice the way to the midpoint, so that the error of the constraint changes its sign instead of decaying.
+//!
+//! Sources: Hairer, Lubich, Roche: The numerical solution of differential-algebraic systems by Runge-Kutta methods (1989);
+//! Ascher, Petzold: Projected implicit Runge-Kutta methods for differential-algebraic equations (1991).
+
+mod collocated;
+mod half_explicit;
+mod onto;
+mod projected;
+
+use crate::law::jacobian::Jacobian;
+use crate::methods::implicit::collocation::Family;
+use crate::methods::integrate::{constant, refused};
+use crate::run::budgeted_rhs::BudgetedRhs;
+use crate::run::stepping::drive;
+use crate::run::watch::Watch;
+use crate::run::within::Within;
+use crate::{
+    Directions, Held, HeldSystem, MOST_STAGES, Method, Observer, Ode, Outcome, Refusal, Span, System, Working,
+};
+use collocated::Collocated;
+use field::Scalar;
+use half_explicit::HalfExplicit;
+use onto::Onto;
+use projected::Projected;
+use std::fmt;
+
+/// A method with so many equal steps over the span.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Holding {
+    HalfExplicitEuler { steps: u32 },
+    HalfExplicitRungeKutta4 { steps: u32 },
+    RadauIIA { stages: u8, steps: u32 },
+    ProjectedGauss { stages: u8, steps: u32 },
+}
+
+impl Holding {
+    /// The order of y in the step.
+    pub fn order(self) -> u32 {
+        match self {
+            Holding::HalfExplicitEuler { .. } => 1,
+            Holding::HalfExplicitRungeKutta4 { .. } => 3,
+            Holding::RadauIIA { stages, .. } => (2 * u32::from(stages)).saturating_sub(1),
+            Holding::ProjectedGauss { stages, .. } => 2 * u32::from(stages),
+        }
+    }
+
+    /// How many.
+    pub fn steps(self) -> u32 {
+        match self {
+            Holding::HalfExplicitEuler { steps }
+            | Holding::HalfExplicitRungeKutta4 { steps }
+            | Holding::RadauIIA { steps, .. }
+            | Holding::ProjectedGauss { steps, .. } => steps,
+        }
+    }
+
+    /// The same with one step over the span.
+    fn once(self) -> Self {
+        match self {
+            Holding::HalfExplicitEuler { .. } => Holding::HalfExplicitEuler { steps: 1 },
+            Holding::HalfExplicitRungeKutta4 { .. } => Holding::HalfExplicitRungeKutta4 { steps: 1 },
+            Holding::RadauIIA { stages, .. } => Holding::RadauIIA { stages, steps: 1 },
+            Holding::ProjectedGauss { stages, .. } => Holding::ProjectedGauss { stages, steps: 1 },
+        }
+    }
+
+    fn check(self) -> Result<(), Refusal> {
+        match self {
+            _ if self.steps() == 0 => Err(Refusal::Steps { given: 0 }),
+            Holding::RadauIIA { stages, .. } | Holding::ProjectedGauss { stages, .. }
+                if !(1..=MOST_STAGES).contains(&stages) =>
+            {
+                Err(Refusal::Stages { given: stages.into(), least: 1, most: MOST_STAGES.into() })
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+impl fmt::Display for Holding {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Holding::HalfExplicitEuler { steps } => write!(f, "half-explicit Euler, {steps} steps"),
+            Holding::HalfExplicitRungeKutta4 { steps } => write!(f, "half-explicit Runge-Kutta 4, {steps} steps"),
+            Holding::RadauIIA { stages, steps } => write!(f, "Radau IIA, {stages} stages, {steps} steps"),
+            Holding::ProjectedGauss { stages, steps } => write!(f, "projected Gauss, {stages} stages, {steps} steps"),
+        }
+    }
+}
+
+/// Integrates a held law over a span; the state is y. It need not begin on the constraint: the first step brings it there.
+///
+/// Never panics, never answers with a number that is not one: what goes wrong is the outcome's end.
+pub fn hold<S: Working>(
+    system: &dyn HeldSystem,
+    method: Holding,
+    span: &Span<'_, S>,
+    observer: &mut dyn Observer<S>,
+) -> Outcome<S> {
+    let law = S::held(system);
+    let (n, m) = law.sizes();
+    if let Err(refusal) = span.check(n, None).and_then(|()| method.check()) {
+        return refused(span, refusal);
+    }
+    let whole = Whole { law, n, m };
+    let (mut start, mut rates) = (span.state.clone(), vec![S::zero(); n + m]);
+    start.resize(n + m, S::zero());
+    whole.rates(S::lift(span.start), &start, &mut rates);
+    if let Some(component) = rates.iter().position(|rate| !rate.finite()) {
+        return refused(span, Refusal::RatesNotFinite { component });
+    }
+    let again = |span: &Span<'_, S>| hold(system, method.once(), span, &mut ());
+    let (meter, watch) = (BudgetedRhs::new(&whole, span), Watch::new(span, observer, Within::new(&again, None)));
+    let step = watch.length() / S::int(method.steps().into());
+    let onto = Onto::new(law, system);
+    let slopes = Whole { law: system as &dyn Held<Directions>, n, m };
+    match method {
+        Holding::HalfExplicitEuler { .. } => {
+            drive(&mut HalfExplicit::new(half_explicit::EULER, step, onto), 0.0, &meter, watch)
+        }
+        Holding::HalfExplicitRungeKutta4 { .. } => {
+            drive(&mut HalfExplicit::new(half_explicit::RUNGE_KUTTA_4, step, onto), 0.0, &meter, watch)
+        }
+        Holding::RadauIIA { stages, .. } => {
+            drive(&mut Collocated::new(Family::RadauIIA, stages.into(), step, &slopes, onto), 0.0, &meter, watch)
+        }
+        Holding::ProjectedGauss { stages, .. } => {
+            drive(&mut Collocated::new(Family::Gauss, stages.into(), step, &slopes, onto), 0.0, &meter, watch)
+        }
+    }
+}
+
+/// Integrates a system with a constant step, and brings the state onto the constraint of a held law, along its B, after
+/// each step. A method that follows a tolerance is refused.
+pub fn integrate_projected<S: Working>(
+    system: &dyn System,
+    held: &dyn HeldSystem,
+    method: Method,
+    span: &Span<'_, S>,
+    observer: &mut dyn Observer<S>,
+) -> Outcome<S> {
+    let law = S::law(system);
+    let n = law.dimension();
+    let expected = S::held(held).sizes().0;
+    let fits = if n == expected { Ok(()) } else { Err(Refusal::Dimension { expected, found: n }) };
+    if let Err(refusal) = span.check(n, None).and_then(|()| method.check(n)).and(fits) {
+        return refused(span, refusal);
+    }
+    let again = |span: &Span<'_, S>| integrate_projected(system, held, method.once(), span, &mut ());
+    let (meter, watch) = (BudgetedRhs::new(law, span), Watch::new(span, observer, Within::new(&again, None)));
+    match constant(|| Jacobian::of(system), method, watch.length(), n) {
+        Some(inner) => drive(&mut Projected::new(inner, Onto::new(S::held(held), held)), 0.0, &meter, watch),
+        None => refused(span, Refusal::FollowsTolerance),
+    }
+}
+
+/// (f + B z, g) of (y, z): its Jacobian holds everything that Newton needs.
+struct Whole<'a, S> {
+    law: &'a dyn Held<S>,
+    n: usize,
+    m: usize,
+}
+
+impl<S: Scalar> Ode<S> for Whole<'_, S> {
+    fn dimension(&self) -> usize {
+        self.n + self.m
+    }
+
+    fn rates(&self, t: S, u: &[S], du: &mut [S]) {
+        let ((y, z), (dy, g)) = (u.split_at(self.n), du.split_at_mut(self.n));
+        self.law.rates(t, y, z, dy);
+        self.law.constraints(t, y, g);
+    }
+}

@@ -1,0 +1,7 @@
+//! Methods that solve no equation in a step.
+
+pub(super) mod classical;
+pub(super) mod dormand_prince;
+pub(super) mod gragg;
+
+pub use classical::{euler_step, runge_kutta_4_step};

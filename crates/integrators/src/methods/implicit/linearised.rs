@@ -1,0 +1,44 @@
+//! A law made linear at the start of a step, as the linearly implicit methods need it.
+
+use crate::law::jacobian::Jacobian;
+use crate::run::budgeted_rhs::BudgetedRhs;
+use crate::run::stepping::Cause;
+
+/// J = df/dy, f_t = df/dt and f, kept over rejections.
+pub(crate) struct Linearised<'a> {
+    jacobian: Jacobian<'a>,
+    /// J, row after row.
+    pub matrix: Vec<f64>,
+    /// f_t
+    pub drift: Vec<f64>,
+    /// f
+    pub slope: Vec<f64>,
+    at: Option<f64>,
+}
+
+impl<'a> Linearised<'a> {
+    pub fn new(jacobian: Jacobian<'a>, dimension: usize) -> Self {
+        let zeros = || vec![0.0; dimension];
+        Linearised { jacobian, matrix: vec![0.0; dimension * dimension], drift: zeros(), slope: zeros(), at: None }
+    }
+
+    /// At the start of a step; nothing where it is there already.
+    pub fn at(&mut self, tau: f64, y: &[f64], meter: &BudgetedRhs<f64>) {
+        if self.at == Some(tau) {
+            return;
+        }
+        let t = meter.time(tau);
+        self.jacobian.matrix(t, y, &mut self.matrix);
+        // in the run's own time f and t both change sign backwards: df/dy does, df/dt does not
+        self.matrix.iter_mut().for_each(|entry| *entry *= meter.direction);
+        self.jacobian.time_slopes(t, y, &mut self.drift);
+        meter.count_jacobian();
+        meter.rates(tau, y, &mut self.slope);
+        self.at = Some(tau);
+    }
+
+    /// Why a matrix made of J could not be factorised.
+    pub fn unfactorised(&self) -> Cause {
+        if self.matrix.iter().all(|entry| entry.is_finite()) { Cause::Singular } else { Cause::Undefined }
+    }
+}

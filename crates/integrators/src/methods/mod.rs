@@ -1,0 +1,31 @@
+//! The methods, by kind, behind one entry.
+//!
+//! # Overview
+//! * [`explicit`]: the classics with a constant step, Dormand-Prince, Gragg-Bulirsch-Stoer;
+//! * [`implicit`]: backward Euler and the midpoint rule, collocation, Rodas4, Bader-Deuflhard;
+//! * [`taylor`]: series of a law, and how the end of a run depends on its start;
+//! * [`splitting`]: flows of the pieces of a law;
+//! * [`dae`]: laws that multipliers hold to constraints, index 2;
+//! * [`adaptors`]: solvers of other crates.
+//!
+//! [`Method`] names them, [`integrate`](fn@integrate) runs them on a law, [`hold()`] on a law with constraints, [`Attempt`] on either.
+
+mod adaptors;
+mod constrained_run;
+pub(crate) mod dae;
+mod explicit;
+mod extrapolation_control;
+pub(crate) mod implicit;
+pub(crate) mod integrate;
+mod method;
+mod splitting;
+pub(crate) mod taylor;
+
+pub use constrained_run::{Across, Attempt, Means};
+pub use dae::{Holding, hold, integrate_projected};
+pub use explicit::{euler_step, runge_kutta_4_step};
+pub use implicit::{Collocation, Family, nodal};
+pub use integrate::{integrate, integrate_in};
+pub use method::{MOST_STAGES, Method, Traits};
+pub use splitting::compose;
+pub use taylor::{Taylor, Transition, taylor_order, transition};

@@ -1,0 +1,123 @@
+//! Splitting methods: a step is made of the flows of the pieces of a law.
+
+use crate::run::budgeted_rhs::BudgetedRhs;
+use crate::run::stepping::{Attempt, Cause, Stepper};
+use crate::{Composed, Pieces, Real, Splitting};
+
+/// Composes pieces.
+pub fn compose<'a, S: Real, G: Pieces<S> + 'a>(pieces: G, splitting: Splitting) -> Box<dyn Composed<S> + 'a> {
+    let schedule = splitting.schedule(pieces.pieces());
+    Box::new(Composition { pieces, schedule, flows: Vec::new(), point: None })
+}
+
+struct Composition<S, G: Pieces<S>> {
+    pieces: G,
+    /// Which piece flows for which share of a step.
+    schedule: Vec<(usize, S)>,
+    flows: Vec<(usize, G::Lapse)>,
+    point: Option<G::Point>,
+}
+
+impl<S: Real, G: Pieces<S>> Composed<S> for Composition<S, G> {
+    fn prepare(&mut self, step: S) {
+        self.flows.clear();
+        let flow = |(piece, share): &(usize, S)| (*piece, self.pieces.lapse(*piece, *share * step));
+        self.flows.extend(self.schedule.iter().map(flow));
+    }
+
+    fn enter(&mut self, y: &[S]) {
+        self.point = Some(self.pieces.enter(y));
+    }
+
+    fn fading(&self) -> f64 {
+        self.point.as_ref().map_or(0.0, |point| self.pieces.fading(point))
+    }
+
+    fn advance(&mut self) -> bool {
+        let Some(point) = &mut self.point else { return false };
+        self.flows.iter().all(|(piece, lapse)| self.pieces.flow(*piece, lapse, point))
+    }
+
+    fn leave(&self, y: &mut [S]) {
+        if let Some(point) = &self.point {
+            self.pieces.leave(point, y);
+        }
+    }
+}
+
+/// The logarithm of how much what fades may grow where a step goes back. What is left of it acts like friction that is
+/// wrong by this factor; from exp(4) on it grows from step to step.
+const MOST_GROWTH: f64 = 2.0;
+
+impl Splitting {
+    /// The longest step that is taken where the first piece lets something fade at this rate, 1/s; infinite where nothing
+    /// fades, or nothing goes back.
+    pub fn longest_step(self, rate: f64) -> f64 {
+        longest(self.goes_back(), rate)
+    }
+}
+
+fn longest(back: f64, rate: f64) -> f64 {
+    MOST_GROWTH / (rate * back)
+}
+
+/// The method with a constant step. It stays in the coordinates of the pieces from step to step, so that going there
+/// and back is no source of rounding.
+pub(crate) struct Split<'a, S> {
+    composed: Box<dyn Composed<S> + 'a>,
+    stages: u64,
+    /// By how much of a step the first piece goes back.
+    back: f64,
+    fixed: S,
+    /// What the composition is prepared for, and where it stands.
+    step: Option<S>,
+    left: Vec<S>,
+}
+
+impl<'a, S: Real> Split<'a, S> {
+    pub fn new(composed: Box<dyn Composed<S> + 'a>, splitting: Splitting, fixed: S) -> Self {
+        let (stages, back) = (splitting.stages(), splitting.goes_back());
+        Split { composed, stages, back, fixed, step: None, left: Vec::new() }
+    }
+
+    /// Why no step is taken where what fades would grow too much on the way back.
+    fn too_far_back(&self, step: f64) -> Option<Cause> {
+        if self.back == 0.0 {
+            return None;
+        }
+        let rate = self.composed.fading();
+        let most = longest(self.back, rate);
+        (step > most).then_some(Cause::GoesBack { back: self.back, rate, most })
+    }
+}
+
+impl<S: Real> Stepper<S> for Split<'_, S> {
+    fn attempt(&mut self, _tau: S, before: &[S], step: S, after: &mut [S], meter: &BudgetedRhs<S>) -> Attempt {
+        let failed = |cause| Attempt::Rejected { next: 0.0, cause };
+        // a stage costs about as much as the law
+        if !meter.charge(self.stages) {
+            return failed(Cause::Error);
+        }
+        if self.step != Some(step) {
+            self.composed.prepare(step * meter.direction);
+            self.step = Some(step);
+        }
+        if self.left != before {
+            self.composed.enter(before);
+        }
+        if let Some(cause) = self.too_far_back(step.approx()) {
+            return failed(cause);
+        }
+        if !self.composed.advance() {
+            return failed(Cause::Newton);
+        }
+        self.composed.leave(after);
+        self.left.clear();
+        self.left.extend_from_slice(after);
+        Attempt::Accepted { next: 0.0 }
+    }
+
+    fn fixed(&self) -> Option<S> {
+        Some(self.fixed)
+    }
+}

@@ -1,0 +1,176 @@
+//! The Taylor method: as many terms as the tolerance is worth, the step read off the last two.
+//!
+//! y(t + h) = sum_k a_k h^k up to an order p that grows with the logarithm of the tolerance, with the step that makes
+//! the last two terms just as large as the tolerance allows (Jorba and Zou 2005). The polynomial is the dense output: an
+//! output costs one Horner scheme and no step.
+
+mod rounding;
+mod step;
+mod transition;
+
+use crate::run::budgeted_rhs::BudgetedRhs;
+use crate::run::stepping::{Attempt, Cause, Stepper};
+use crate::{Absolute, Failure, Real, Refusal, TaylorSeries, Tolerance};
+use rounding::Rounding;
+pub(crate) use step::reach;
+pub use step::taylor_order;
+pub use transition::{Transition, transition};
+
+/// The Taylor method on one system, to be used for as many runs as one likes: a run allocates nothing.
+#[derive(Clone, Debug)]
+pub struct Taylor<T> {
+    source: T,
+    tolerance: Tolerance,
+    order: usize,
+    rounding: Rounding,
+}
+
+impl<T> Taylor<T> {
+    /// With the order that suits the tolerance.
+    pub fn new(source: T, tolerance: &Tolerance) -> Self {
+        let order = taylor_order(tolerance.relative);
+        let rounding = Rounding::new(order, tolerance.relative);
+        Taylor { source, tolerance: tolerance.clone(), order, rounding }
+    }
+
+    /// The order of the last term.
+    pub fn order(&self) -> usize {
+        self.order
+    }
+
+    /// The same with another order.
+    pub fn with_order(mut self, order: usize) -> Self {
+        self.order = order.max(2);
+        self
+    }
+
+    /// The longest step that the series through (t, y) allows; not a number where the series is undefined.
+    ///
+    /// In a field finer than `f64` only the first orders need all of its digits: see [`rounding`].
+    #[inline]
+    fn reach<S: Real>(&mut self, time: S, y: &[S]) -> f64
+    where
+        T: TaylorSeries<S>,
+    {
+        let reach = if S::EPSILON < f64::EPSILON {
+            self.reach_rounding(time, y)
+        } else {
+            self.source.expand(time, y, self.order);
+            self.allowed(y)
+        };
+        let shown = self.source.shown();
+        // what is not a number stays so
+        if shown < reach { shown } else { reach }
+    }
+
+    /// How far the series goes: with s_k the largest coefficient of order k in units of what is allowed, the smaller one of
+    /// s_k^(-1/k), k = p - 1, p.
+    #[inline]
+    fn allowed<S: Real>(&self, y: &[S]) -> f64
+    where
+        T: TaylorSeries<S>,
+    {
+        let (last, one_before) = (self.source.coefficients(self.order), self.source.coefficients(self.order - 1));
+        let (mut s_last, mut s_before, mut sum) = (0.0_f64, 0.0_f64, 0.0);
+        let mut compare = |absolute: f64, y: S, last: S, before: S| {
+            let share = 1.0 / (absolute + self.tolerance.relative * y.approx().abs());
+            let (a, b) = (last.approx().abs() * share, before.approx().abs() * share);
+            // `max` forgets what is not a number, a sum does not
+            s_last = if a > s_last { a } else { s_last };
+            s_before = if b > s_before { b } else { s_before };
+            sum += a + b;
+        };
+        let terms = y.iter().zip(last).zip(one_before);
+        match &self.tolerance.absolute {
+            Absolute::Same(same) => terms.for_each(|((y, last), before)| compare(*same, *y, *last, *before)),
+            Absolute::Each(each) => {
+                let terms = terms.zip(each.iter().copied().chain(std::iter::repeat(0.0)));
+                terms.for_each(|(((y, last), before), absolute)| compare(absolute, *y, *last, *before));
+            }
+        }
+        if !sum.is_finite() {
+            return f64::NAN;
+        }
+        reach(self.order, s_last, s_before)
+    }
+
+    /// Why the last expansion has terms that are no numbers: where the rates are some, those of high order are beyond them because a
+    /// singularity is nearer than any step.
+    fn beyond<S: Real>(&self) -> Cause
+    where
+        T: TaylorSeries<S>,
+    {
+        let rates = self.source.coefficients(1);
+        if rates.iter().all(|rate| rate.finite()) { Cause::Error } else { Cause::Undefined }
+    }
+
+    /// Carries the state from one time to another, forwards or backwards, and returns the number of steps.
+    ///
+    /// # Errors
+    /// [`Failure`] says why the run ended, and `state` holds where.
+    pub fn propagate(&mut self, from: f64, to: f64, state: &mut [f64]) -> Result<u64, Failure>
+    where
+        T: TaylorSeries<f64>,
+    {
+        if !(from.is_finite() && to.is_finite()) {
+            return Err(Failure::Refused(Refusal::SpanNotFinite { start: from, end: to }));
+        }
+        let (direction, mut at, mut steps) = ((to - from).signum(), from, 0);
+        while at != to {
+            let reach = self.reach(at, state);
+            if reach.is_nan() {
+                return Err(self.beyond().failure(at, 0.0));
+            }
+            let lands = reach >= (to - at).abs();
+            let next = if lands { to } else { at + direction * reach };
+            if next == at {
+                return Err(Failure::StepCollapsed { at, step: reach });
+            }
+            self.source.sum(next - at, state);
+            (at, steps) = (next, steps + 1);
+        }
+        Ok(steps)
+    }
+}
+
+/// One run of the method as the loop around the steps sees it.
+pub(crate) struct TaylorStepper<S, T> {
+    method: Taylor<T>,
+    /// Where the series at hand begins, and how far it reaches.
+    expanded_at: Option<S>,
+    reach: f64,
+    direction: S,
+}
+
+impl<S: Real, T: TaylorSeries<S>> TaylorStepper<S, T> {
+    pub fn new(source: T, tolerance: &Tolerance) -> Self {
+        TaylorStepper { method: Taylor::new(source, tolerance), expanded_at: None, reach: 0.0, direction: S::one() }
+    }
+}
+
+impl<S: Real, T: TaylorSeries<S>> Stepper<S> for TaylorStepper<S, T> {
+    fn reach(&mut self, tau: S, before: &[S], meter: &BudgetedRhs<S>) -> Option<f64> {
+        if self.expanded_at != Some(tau) {
+            (self.expanded_at, self.direction) = (Some(tau), meter.direction);
+            let allowed = meter.charge(self.method.order as u64);
+            self.reach = if allowed { self.method.reach(meter.time(tau), before) } else { f64::NAN };
+        }
+        (!self.reach.is_nan()).then_some(self.reach)
+    }
+
+    fn attempt(&mut self, tau: S, before: &[S], step: S, after: &mut [S], meter: &BudgetedRhs<S>) -> Attempt {
+        if self.reach(tau, before, meter).is_none() {
+            return Attempt::Rejected { next: step.approx() / 4.0, cause: self.method.beyond() };
+        }
+        self.method.source.sum(step * self.direction, after);
+        Attempt::Accepted { next: self.reach }
+    }
+
+    fn reads_between(&self) -> bool {
+        true
+    }
+
+    fn between(&self, passed: S, state: &mut [S]) {
+        self.method.source.sum(passed * self.direction, state);
+    }
+}

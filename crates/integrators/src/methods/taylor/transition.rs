@@ -1,0 +1,104 @@
+//! The state-transition matrix: how the end of a motion depends on its beginning, dy(t1)/dy(t0).
+//!
+//! The Taylor method over numbers that carry eight directions: value and derivatives are expanded together, so the
+//! matrix is as accurate as the motion, and nobody writes down variational equations.
+
+use crate::clock;
+use crate::law::jacobian::{slope, variable};
+use crate::methods::taylor::taylor_order;
+use crate::{DIRECTIONS, Directions, Failure, Refusal, System, TaylorSeries, Tolerance};
+
+/// Where a motion ends, and how that depends on where it began.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Transition {
+    pub state: Vec<f64>,
+    /// `matrix[i * n + j]` = dy_i(t1) / dy_j(t0)
+    pub matrix: Vec<f64>,
+    /// The most steps that a block of columns took: each errs by less than the tolerance.
+    pub steps: u64,
+}
+
+/// Carries a state and its derivatives from one time to another. The tolerance holds for the state; of the derivatives
+/// each column is followed relative to its largest entry.
+///
+/// # Errors
+/// [`Failure`] where the system offers no series, the series stops, or the clock of the process ends it.
+pub fn transition(
+    system: &dyn System,
+    tolerance: &Tolerance,
+    (from, to): (f64, f64),
+    state: &[f64],
+) -> Result<Transition, Failure> {
+    if !(from.is_finite() && to.is_finite()) {
+        return Err(Failure::Refused(Refusal::SpanNotFinite { start: from, end: to }));
+    }
+    let n = state.len();
+    let mut series = system.taylor_directions().ok_or(Failure::Refused(Refusal::NoSeries))?;
+    let mut found = Transition { state: state.to_vec(), matrix: vec![0.0; n * n], steps: 0 };
+    for first in (0..n).step_by(DIRECTIONS) {
+        let block = DIRECTIONS.min(n - first);
+        let mut y: Vec<Directions> = state.iter().map(|&y| Directions::from_re(y)).collect();
+        for k in 0..block {
+            y[first + k] = variable(state[first + k], k);
+        }
+        let steps = carry(&mut *series, tolerance, (from, to), &mut y)?;
+        found.steps = found.steps.max(steps);
+        for (i, end) in y.iter().enumerate() {
+            found.state[i] = end.re;
+            for k in 0..block {
+                found.matrix[i * n + first + k] = slope(end, k);
+            }
+        }
+    }
+    Ok(found)
+}
+
+/// Moves y, and says in how many steps.
+fn carry(
+    series: &mut dyn TaylorSeries<Directions>,
+    tolerance: &Tolerance,
+    (from, to): (f64, f64),
+    y: &mut [Directions],
+) -> Result<u64, Failure> {
+    let mut steps = 0;
+    let (order, direction, mut at) = (taylor_order(tolerance.relative), (to - from).signum(), from);
+    while at != to {
+        if let Some(over) = clock::over() {
+            return Err(over.failure(at));
+        }
+        series.expand(Directions::from_re(at), y, order);
+        let terms = [order, order - 1].map(|k| {
+            let share = largest_share(series.coefficients(k), y, tolerance);
+            share.powf(-1.0 / k as f64)
+        });
+        let reach = terms[0].min(terms[1]);
+        if terms.iter().any(|term| term.is_nan()) {
+            return Err(Failure::LeftTheNumbers { at });
+        }
+        let next = if reach >= (to - at).abs() { to } else { at + direction * reach };
+        if next == at {
+            return Err(Failure::StepCollapsed { at, step: reach });
+        }
+        series.sum(Directions::from_re(next - at), y);
+        (at, steps) = (next, steps + 1);
+    }
+    Ok(steps)
+}
+
+/// The largest coefficient in units of what is allowed; not a number where one is not.
+fn largest_share(coefficients: &[Directions], y: &[Directions], tolerance: &Tolerance) -> f64 {
+    let columns: [f64; DIRECTIONS] =
+        std::array::from_fn(|k| y.iter().map(|y| slope(y, k).abs()).fold(f64::MIN_POSITIVE, f64::max));
+    let mut largest = 0.0_f64;
+    for (i, (a, y)) in coefficients.iter().zip(y).enumerate() {
+        let own = a.re.abs() / tolerance.allowed(i, y.re.abs());
+        let slopes = columns.iter().enumerate().map(|(k, column)| slope(a, k).abs() / (tolerance.relative * column));
+        for share in slopes.chain([own]) {
+            if !share.is_finite() {
+                return f64::NAN;
+            }
+            largest = largest.max(share);
+        }
+    }
+    largest
+}

@@ -1,0 +1,242 @@
+//! Whether constant steps follow their law: a run beside itself with shorter steps.
+//!
+//! A method with a constant step sees nothing of its errors. Over a pole of the law it lands behind it, where the rates are numbers
+//! again, and goes on; what it cannot hide is that shorter steps land elsewhere. With y_n the run with n times as many steps,
+//!
+//!   d_1 = |y_1 - y_2| ,   d_2 = |y_2 - y_4| ,   d_2/d_1 -> 2^-p <= 1/2   with the order p, where there is a motion to converge to.
+//!
+//! So a run parts from its law where d_1 of some state is beyond all of its size, or where it can be seen and d_2 is no smaller. All
+//! are the largest up to a time: a single instant at which a difference happens to vanish tells nothing. What converges
+//! slowly is not named: its error is d_1/(1 - 2^-p), and is told. The time that is told is the one from which on it is seen: what
+//! happened lies before.
+
+use crate::run::failure::Instant;
+use crate::{Failure, Method, Outcome, Record, Work};
+use std::fmt;
+
+/// What shorter steps say of a run that reached its end.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Parting {
+    /// They come nearer: at most this share of a state's size apart with half the step.
+    Follows { apart: f64 },
+    /// They lead elsewhere from this time on.
+    Parts { from: f64 },
+    /// They are stopped here, for this reason.
+    Stops { at: f64, why: &'static str },
+    /// They were given too little work or time to tell.
+    Open,
+}
+
+/// That, with the work it took.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Beside {
+    pub parting: Parting,
+    pub work: Work,
+}
+
+/// A run with shorter steps: how it ended, what it showed at the same times, and why the law ended where it did.
+pub type Shorter = (Outcome<f64>, Record<f64>, Option<&'static str>);
+
+/// A difference is seen from this share of a state's size on.
+const SEEN: f64 = 0.01;
+/// Convergence of order 1 halves differences: above this share they do not converge.
+const SLOWEST: f64 = 0.75;
+/// An error of order 1 is twice the difference that half the step makes: from here on it is as large as the state.
+const WHOLE: f64 = 0.5;
+/// States are nothing below this share of the largest: rounding.
+const ROUNDING: f64 = 1e-9;
+
+/// Judges a run that reached its end, by runs with half its step and, in doubt, a quarter. `None` for methods that follow a tolerance.
+pub fn beside(method: Method, record: &Record<f64>, mut run: impl FnMut(Method) -> Shorter) -> Option<Beside> {
+    let (half, quarter) = (method.refined(2)?, method.refined(4)?);
+    let mut work = Work::default();
+    let mut shorter = |method: Method| {
+        let (outcome, seen, left) = run(method);
+        work = work + outcome.work;
+        match (left, outcome.failure()) {
+            (Some(why), _) => Err(Parting::Stops { at: outcome.time, why }),
+            (None, None) if seen.times == record.times => Ok(seen),
+            (None, None | Some(Failure::TooManyEvaluations { .. })) => Err(Parting::Open),
+            (None, Some(failure)) if failure.is_broken_off() => Err(Parting::Open),
+            (None, Some(failure)) => Err(Parting::Stops { at: outcome.time, why: failure.name() }),
+        }
+    };
+    let mut judge = || -> Result<Parting, Parting> {
+        let once = shorter(half)?;
+        let first = Differences::along([record, &once, &once]);
+        if first.iter().all(|seen| !seen.far() && !seen.visible()) {
+            return Ok(Parting::Follows { apart: first.last().map_or(0.0, Differences::apart) });
+        }
+        let twice = shorter(quarter)?;
+        let all = Differences::along([record, &once, &twice]);
+        let parts = all.iter().position(|seen| seen.far() || seen.stays());
+        Ok(match parts.and_then(|place| record.times.get(place)) {
+            Some(from) => Parting::Parts { from: *from },
+            None => Parting::Follows { apart: all.last().map_or(0.0, Differences::apart) },
+        })
+    };
+    let parting = judge().unwrap_or_else(|ended| ended);
+    Some(Beside { parting, work })
+}
+
+/// Up to a time, for each state: its size, d_1, d_2.
+#[derive(Clone)]
+struct Differences(Vec<[f64; 3]>);
+
+impl Differences {
+    /// At each time.
+    fn along([coarse, once, twice]: [&Record<f64>; 3]) -> Vec<Self> {
+        let mut all: Vec<Self> = Vec::with_capacity(coarse.states.len());
+        for ((a, b), c) in coarse.states.iter().zip(&once.states).zip(&twice.states) {
+            let before = all.last().map_or_else(|| vec![[0.0; 3]; a.len()], |last| last.0.clone());
+            let now = a.iter().zip(b).zip(c).zip(before).map(|(((a, b), c), [size, first, second])| {
+                [size.max(b.abs()), first.max((a - b).abs()), second.max((b - c).abs())]
+            });
+            all.push(Differences(now.collect()));
+        }
+        all
+    }
+
+    /// The states that are something, with what is nothing in them.
+    fn any(&self, is: impl Fn(&[f64; 3]) -> bool) -> bool {
+        let nothing = ROUNDING * self.0.iter().map(|state| state[0]).fold(0.0, f64::max);
+        self.0.iter().any(|state| state[1] > nothing && is(state))
+    }
+
+    fn far(&self) -> bool {
+        self.any(|[size, first, _]| first > size)
+    }
+
+    fn visible(&self) -> bool {
+        self.any(|[size, first, _]| *first > SEEN * size)
+    }
+
+    fn stays(&self) -> bool {
+        self.any(|[size, first, second]| *first > SEEN * size && *second > SLOWEST * first)
+    }
+
+    fn apart(&self) -> f64 {
+        let nothing = ROUNDING * self.0.iter().map(|state| state[0]).fold(0.0, f64::max);
+        self.0.iter().map(|[size, first, _]| first / size.max(nothing).max(f64::MIN_POSITIVE)).fold(0.0, f64::max)
+    }
+}
+
+impl Parting {
+    /// Whether the run is none of its law.
+    pub fn parts(&self) -> bool {
+        matches!(self, Parting::Parts { .. } | Parting::Stops { .. })
+    }
+
+    /// Whether the run tells something of its law: its error is estimated below the size of each state.
+    pub fn serves(&self) -> bool {
+        match self {
+            Parting::Follows { apart } => *apart < WHOLE,
+            Parting::Parts { .. } | Parting::Stops { .. } => false,
+            Parting::Open => true,
+        }
+    }
+
+    /// Without its place.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Parting::Follows { .. } => "shorter steps come nearer",
+            Parting::Parts { .. } => "shorter steps lead elsewhere",
+            Parting::Stops { .. } => "shorter steps are stopped",
+            Parting::Open => "shorter steps take too long",
+        }
+    }
+}
+
+impl fmt::Display for Beside {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.parting {
+            Parting::Follows { apart } => {
+                write!(f, "half of each changes a state by {apart:.1e} of its size at most")?;
+                if !self.parting.serves() {
+                    write!(f, ": the error is as large as the state")?;
+                }
+            }
+            Parting::Parts { from } => {
+                write!(f, "they do not follow the law: from t = {} s on shorter ones lead elsewhere", Instant(from))?;
+            }
+            Parting::Stops { at, why } => {
+                write!(f, "they do not follow the law: shorter ones are stopped at t = {} s, {why}", Instant(at))?;
+            }
+            Parting::Open => write!(f, "not judged, since shorter ones take longer than is allowed")?,
+        }
+        write!(f, " ({} evaluations more)", self.work.rates)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Ode, Span, System, Tolerance, integrate};
+    use field::Scalar;
+
+    /// y' = -1/y: y^2 falls evenly, and ends at t = 1/2 from y = 1.
+    struct Falling;
+    impl<S: Scalar> Ode<S> for Falling {
+        fn dimension(&self) -> usize {
+            1
+        }
+        fn rates(&self, _t: S, y: &[S], dy: &mut [S]) {
+            dy[0] = -S::one() / y[0];
+        }
+    }
+    impl System for Falling {}
+
+    /// y'' = -y.
+    struct Swinging;
+    impl<S: Scalar> Ode<S> for Swinging {
+        fn dimension(&self) -> usize {
+            2
+        }
+        fn rates(&self, _t: S, y: &[S], dy: &mut [S]) {
+            (dy[0], dy[1]) = (y[1], -y[0]);
+        }
+    }
+    impl System for Swinging {}
+
+    fn judged(system: &dyn System, start: &[f64], end: f64, method: Method) -> Parting {
+        let run = |method: Method| {
+            let mut record = Record::new();
+            let span = Span::new(0.0, end, start).with_even_outputs(20);
+            let outcome = integrate(system, method, &Tolerance::both(1e-9), &span, &mut record);
+            (outcome, record, None)
+        };
+        let (outcome, record, _) = run(method);
+        assert!(outcome.reached(), "{outcome:?}");
+        beside(method, &record, run).expect("its steps are constant").parting
+    }
+
+    #[test]
+    fn steps_over_a_pole_part_behind_it() {
+        for steps in [60, 100, 1000, 10_000] {
+            for method in [Method::Euler { steps }, Method::RungeKutta4 { steps }] {
+                let found = judged(&Falling, &[1.0], 1.0, method);
+                assert!(found.parts(), "{method}: {found:?}");
+                if let Parting::Parts { from } = found {
+                    assert!((0.5..0.9).contains(&from), "{method}: {from}");
+                }
+                let before = judged(&Falling, &[1.0], 0.45, method);
+                assert!(!before.parts(), "{method}: {before:?}");
+            }
+        }
+    }
+
+    /// Euler's swings grow by exp(t h/2): off by tenths, they converge all the same; by more than their size they part.
+    #[test]
+    fn what_converges_is_not_named_and_its_error_is_told() {
+        let euler = |steps, end| judged(&Swinging, &[1.0, 0.0], end, Method::Euler { steps });
+        let Parting::Follows { apart } = euler(100, 4.0) else { panic!("{:?}", euler(100, 4.0)) };
+        // half of exp(0.08) - 1
+        assert!((0.03..0.06).contains(&apart), "{apart}");
+        assert!(euler(40, 40.0).parts(), "{:?}", euler(40, 40.0));
+        let Parting::Follows { apart } = judged(&Swinging, &[1.0, 0.0], 40.0, Method::RungeKutta4 { steps: 2000 })
+        else {
+            panic!("it converges")
+        };
+        assert!(apart < 1e-7, "{apart}");
+    }
+}

@@ -1,0 +1,153 @@
+//! The law as the methods see it: counted, stopped by the budget, always running forwards.
+
+use std::cell::Cell;
+use std::time::Instant;
+
+use crate::run::clock::{self, Over};
+use crate::{Failure, Ode, Real, Span, Work};
+
+/// How often the clock is read: reading it costs as much as a small system's rates.
+const CLOCK_EVERY: u64 = 64;
+
+/// What a budget ran out of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Spent {
+    Evaluations,
+    Clock(Over),
+}
+
+/// The law in the run's own time tau = |t - start|. Beyond the budget every rate is NaN: no method, ours or a crate's,
+/// can go on for long, and none needs to know of budgets.
+pub(crate) struct BudgetedRhs<'a, S> {
+    law: &'a dyn Ode<S>,
+    pub start: S,
+    pub direction: S,
+    backwards: bool,
+    /// See [`Span`].
+    pub within_step: bool,
+    pub longest_first: Option<f64>,
+    allowed: u64,
+    deadline: Option<Instant>,
+    rates: Cell<u64>,
+    jacobians: Cell<u64>,
+    factorisations: Cell<u64>,
+    constraints: Cell<u64>,
+    spent: Cell<Option<Spent>>,
+    undefined: Cell<bool>,
+}
+
+impl<'a, S: Real> BudgetedRhs<'a, S> {
+    pub fn new(law: &'a dyn Ode<S>, span: &Span<'_, S>) -> Self {
+        BudgetedRhs {
+            law,
+            start: S::lift(span.start),
+            direction: S::lift(span.direction()),
+            backwards: span.direction() < 0.0,
+            within_step: span.within_step,
+            longest_first: span.longest_first,
+            allowed: span.budget.evaluations,
+            deadline: span.budget.deadline,
+            rates: Cell::new(0),
+            jacobians: Cell::new(0),
+            factorisations: Cell::new(0),
+            constraints: Cell::new(0),
+            spent: Cell::new(None),
+            undefined: Cell::new(false),
+        }
+    }
+
+    pub fn dimension(&self) -> usize {
+        self.law.dimension()
+    }
+
+    /// dy/dtau at tau.
+    #[inline]
+    pub fn rates(&self, tau: S, y: &[S], dy: &mut [S]) {
+        let count = self.rates.get() + 1;
+        if self.over(count) {
+            dy.fill(S::lift(f64::NAN));
+            return;
+        }
+        self.rates.set(count);
+        self.law.rates(self.time(tau), y, dy);
+        if self.backwards {
+            dy.iter_mut().for_each(|rate| *rate = -*rate);
+        }
+        if !dy.iter().all(|rate| rate.finite()) {
+            self.undefined.set(true);
+        }
+    }
+
+    /// The clock's time at tau.
+    #[inline]
+    pub fn time(&self, tau: S) -> S {
+        self.start + self.direction * tau
+    }
+
+    fn over(&self, count: u64) -> bool {
+        if self.spent.get().is_none() {
+            if count > self.allowed {
+                self.spent.set(Some(Spent::Evaluations));
+            } else if count / CLOCK_EVERY != self.rates.get() / CLOCK_EVERY
+                && let Some(over) = self.clock()
+            {
+                self.spent.set(Some(Spent::Clock(over)));
+            }
+        }
+        self.spent.get().is_some()
+    }
+
+    /// The verdict of both clocks, that of the run and that of the process.
+    fn clock(&self) -> Option<Over> {
+        clock::over().or_else(|| self.deadline.filter(|end| Instant::now() >= *end).map(|_| Over::Time))
+    }
+
+    /// Counts so many evaluations at once, for a series that costs as much; false if the budget is spent.
+    pub fn charge(&self, evaluations: u64) -> bool {
+        let count = self.rates.get() + evaluations;
+        let allowed = !self.over(count);
+        if allowed {
+            self.rates.set(count);
+        }
+        allowed
+    }
+
+    /// Counts one evaluation of the whole Jacobian.
+    pub fn count_jacobian(&self) {
+        self.jacobians.set(self.jacobians.get() + 1);
+    }
+
+    /// Counts one factorisation.
+    pub fn count_factorisation(&self) {
+        self.factorisations.set(self.factorisations.get() + 1);
+    }
+
+    /// Counts one evaluation of the constraints with their derivatives.
+    pub fn count_constraints(&self) {
+        self.constraints.set(self.constraints.get() + 1);
+    }
+
+    /// Whether a rate was not finite since the last call.
+    pub fn was_undefined(&self) -> bool {
+        self.undefined.replace(false)
+    }
+
+    /// The failure that a spent budget means.
+    pub fn exhausted(&self, at: f64) -> Option<Failure> {
+        self.spent.get().map(|spent| match spent {
+            Spent::Evaluations => Failure::TooManyEvaluations { at, allowed: self.allowed },
+            Spent::Clock(over) => over.failure(at),
+        })
+    }
+
+    /// The evaluations so far, without the steps.
+    pub fn work(&self) -> Work {
+        Work {
+            rates: self.rates.get(),
+            jacobians: self.jacobians.get(),
+            factorisations: self.factorisations.get(),
+            constraints: self.constraints.get(),
+            ..Work::default()
+        }
+    }
+}

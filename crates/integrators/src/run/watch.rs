@@ -1,0 +1,217 @@
+//! What happens around the accepted steps of any method: outputs, monitors, progress, the last good state.
+
+use crate::run::budgeted_rhs::BudgetedRhs;
+use crate::run::within::{Place, Within};
+use crate::{Deviation, End, Failure, Observer, Outcome, Real, Span};
+
+/// The run as seen from outside its method.
+pub(crate) struct Watch<'a, 'm, S> {
+    span: &'a Span<'m, S>,
+    observer: &'a mut dyn Observer<S>,
+    within: Within<'a, S>,
+    length: S,
+    next_output: usize,
+    tau: S,
+    state: Vec<S>,
+    deviations: Vec<(S, Deviation)>,
+    steps: u64,
+    rejected: u64,
+    /// Why an output could not be shown.
+    failed: Option<Failure>,
+}
+
+impl<'a, 'm, S: Real> Watch<'a, 'm, S> {
+    /// Shows an output that is asked for at the start.
+    pub fn new(span: &'a Span<'m, S>, observer: &'a mut dyn Observer<S>, within: Within<'a, S>) -> Self {
+        let first = |monitor: &crate::Monitor<'m, S>| {
+            let value = (monitor.value)(span.start, &span.state);
+            let name = monitor.name.clone();
+            (value, Deviation { name, first: value.approx(), largest: 0.0, at: span.start })
+        };
+        let mut watch = Watch {
+            length: span.length(),
+            next_output: 0,
+            tau: S::zero(),
+            state: span.state.clone(),
+            deviations: span.monitors.iter().map(first).collect(),
+            steps: 0,
+            rejected: 0,
+            failed: None,
+            span,
+            observer,
+            within,
+        };
+        watch.sample_if_at(S::zero());
+        watch
+    }
+
+    /// The run's time of the last good state.
+    pub fn tau(&self) -> S {
+        self.tau
+    }
+
+    /// The last good state.
+    pub fn state(&self) -> &[S] {
+        &self.state
+    }
+
+    pub fn length(&self) -> S {
+        self.length
+    }
+
+    /// Whether there is a way to go and the observer wants to see it.
+    pub fn goes_on(&self) -> bool {
+        self.tau < self.length && self.failed.is_none() && !self.observer.enough()
+    }
+
+    /// The end of a run whose method did not fail.
+    pub fn end(&self) -> End {
+        match self.failed {
+            Some(failure) => End::Stopped(failure),
+            None if self.tau < self.length => End::Halted,
+            None => End::Reached,
+        }
+    }
+
+    /// Where the next step must land at the latest: at the end; in a field finer than `f64`, in which the time of a step is no
+    /// number of the clock, at the next output too.
+    pub fn landing(&self) -> S {
+        match self.output() {
+            Some(time) if S::EPSILON < f64::EPSILON => self.span.since_start(time),
+            _ => self.length,
+        }
+    }
+
+    /// The clock's time of the next output.
+    pub fn output(&self) -> Option<f64> {
+        self.span.outputs.get(self.next_output).copied()
+    }
+
+    /// The run's time of the next output, if that lies at most at tau.
+    pub fn output_up_to(&self, tau: S) -> Option<S> {
+        self.output().map(|time| self.span.since_start(time)).filter(|at| *at <= tau)
+    }
+
+    /// Shows the next output with a state that the method read between its steps.
+    pub fn sample(&mut self, state: &[S]) {
+        if let Some(time) = self.output() {
+            self.observer.sample(time, state);
+            self.next_output += 1;
+        }
+    }
+
+    /// Lets the observer look into the step from the last good state to tau.
+    pub fn look_between(&mut self, tau: S, state_after: impl Fn(S, &mut [S])) {
+        let (begin, end) = (self.time(), self.time_of(tau));
+        let begun = self.tau;
+        let span = self.span;
+        self.observer.between(begin, end, &|time, state| state_after(span.since_start(time) - begun, state));
+    }
+
+    /// Takes the state after an accepted step; shows the outputs up to here.
+    pub fn accept(&mut self, tau: S, state: &[S]) {
+        self.show_within(tau, state);
+        self.state.copy_from_slice(state);
+        self.accepted(tau);
+    }
+
+    /// The same, leaving the state before in its place: nothing is copied.
+    pub fn take(&mut self, tau: S, state: &mut Vec<S>) {
+        self.show_within(tau, state);
+        std::mem::swap(&mut self.state, state);
+        self.accepted(tau);
+    }
+
+    /// Shows the outputs between the last good state and that at tau.
+    fn show_within(&mut self, tau: S, after: &[S]) {
+        let end = self.time_of(tau);
+        let known = self.span.outputs.iter().skip(self.next_output);
+        let before = |time: f64| self.span.since_start(time) < tau && !self.meets(time, tau);
+        let times: Vec<f64> = known.copied().take_while(|time| before(*time)).collect();
+        if times.is_empty() || self.failed.is_some() {
+            return;
+        }
+        let places = [Place { time: self.time(), state: &self.state }, Place { time: end, state: after }];
+        let read = match self.within.polynomial(self.span, places, times.len()) {
+            Ok(read) => read,
+            Err(failure) => {
+                self.failed = Some(failure);
+                return;
+            }
+        };
+        for time in times {
+            let state = match &read {
+                Some(polynomial) => Ok(polynomial.at(time)),
+                None if self.observer.enough() => return,
+                None => self.within.state(self.span, Place { time: self.time(), state: &self.state }, time),
+            };
+            match state {
+                Ok(state) => self.sample(&state),
+                Err(failure) => {
+                    self.failed = Some(failure);
+                    return;
+                }
+            }
+        }
+    }
+
+    /// Whether a time is that at tau, but for rounding.
+    fn meets(&self, time: f64, tau: S) -> bool {
+        let apart = (self.span.since_start(time) - tau).magnitude().approx();
+        apart <= 4.0 * S::EPSILON * time.abs().max(tau.approx())
+    }
+
+    fn accepted(&mut self, tau: S) {
+        self.tau = tau;
+        self.steps += 1;
+        self.sample_if_at(tau);
+        let time = self.time();
+        for (monitor, (first, deviation)) in self.span.monitors.iter().zip(&mut self.deviations) {
+            let distance = ((monitor.value)(time, &self.state) - *first).magnitude().approx();
+            let distance = if distance.is_nan() { f64::INFINITY } else { distance };
+            if distance > deviation.largest {
+                (deviation.largest, deviation.at) = (distance, time);
+            }
+        }
+        self.observer.step(time, &self.state);
+        self.observer.progress(((tau / self.length).approx()).min(1.0));
+    }
+
+    pub fn reject(&mut self) {
+        self.rejected += 1;
+    }
+
+    /// The clock's time of the last good state.
+    pub fn time(&self) -> f64 {
+        self.time_of(self.tau)
+    }
+
+    fn time_of(&self, tau: S) -> f64 {
+        if tau == self.length {
+            return self.span.end;
+        }
+        (S::lift(self.span.start) + S::lift(self.span.direction()) * tau).approx()
+    }
+
+    pub fn finish(self, end: End, meter: &BudgetedRhs<S>) -> Outcome<S> {
+        let time = self.time();
+        let mut work = meter.work();
+        (work.steps, work.rejected, work.outputs) = (self.steps, self.rejected, self.within.steps);
+        let deviations = self.deviations.into_iter().map(|(_, deviation)| deviation).collect();
+        Outcome { end, time, state: self.state, work, deviations }
+    }
+
+    pub fn fail(self, failure: Failure, meter: &BudgetedRhs<S>) -> Outcome<S> {
+        self.finish(End::Stopped(failure), meter)
+    }
+
+    fn sample_if_at(&mut self, tau: S) {
+        while let Some(time) = self.output()
+            && self.failed.is_none()
+            && self.meets(time, tau)
+        {
+            self.observer.sample(time, &self.state);
+            self.next_output += 1;
+        }
+    }
+}

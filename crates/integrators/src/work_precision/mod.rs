@@ -1,0 +1,119 @@
+//! Work against precision: every method at every tolerance, errors against a reference, times taken side by side.
+
+mod front;
+mod interleaved_timing;
+mod regret;
+
+pub use front::{excess, front};
+pub use interleaved_timing::{Median, taking_turns};
+pub use regret::{Regrets, Trial, cost};
+
+use std::time::{Duration, Instant};
+
+use crate::{Attempt, Failure, Means, Record, Span, Tolerance, Work};
+use interleaved_timing::at_most;
+
+/// One run on the chart.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Point {
+    pub means: Means,
+    /// None for a method with a constant step.
+    pub tolerance: Option<f64>,
+    /// What the error function of the course says, or why there is no error.
+    pub error: Result<f64, Failure>,
+    pub work: Work,
+    /// The work in evaluations: see [`Attempt::evaluations`].
+    pub evaluations: u64,
+    /// The time; none for a run that failed, or that was not measured.
+    pub time: Option<Median>,
+}
+
+/// What methods are to follow, and how far they are off.
+#[derive(Clone, Copy)]
+pub struct Course<'a> {
+    pub span: &'a Span<'a, f64>,
+    /// Of the state's components.
+    pub sizes: &'a [f64],
+    /// Of the states at the span's outputs.
+    pub error: &'a dyn Fn(&Record<f64>) -> f64,
+}
+
+/// Runs every attempt at every tolerance, one with a constant step once, without times: problems may be judged at the same
+/// time. Each run may take its share of what the ones before have left of the time allowed: few need it.
+pub fn judge(attempts: &[Attempt<'_>], course: &Course<'_>, tolerances: &[f64], allowed: Duration) -> Vec<Point> {
+    let end = Instant::now() + allowed;
+    let tried: Vec<(f64, &Attempt<'_>)> = tolerances
+        .iter()
+        .enumerate()
+        .flat_map(|(index, tolerance)| attempts.iter().map(move |attempt| (index, *tolerance, attempt)))
+        .filter(|(index, _, attempt)| attempt.means().steps().is_none() || *index == 0)
+        .map(|(_, tolerance, attempt)| (tolerance, attempt))
+        .collect();
+    let count = tried.len();
+    let judged = tried.into_iter().enumerate().map(|(index, (relative, attempt))| {
+        let left = end.saturating_duration_since(Instant::now());
+        let share = left / MOST_SHARES.min(count - index) as u32;
+        let tolerance = Tolerance::scaled(relative, course.sizes);
+        let mut record = Record::new();
+        let outcome = attempt.run(&tolerance, &bare(course.span, Instant::now() + share), &mut record);
+        // an error that is no number: the run is not at the instants of what it is compared with
+        let compared = |error: f64| match error.is_nan() {
+            true => Err(Failure::OtherCourse { at: outcome.time }),
+            false => Ok(error),
+        };
+        let error = outcome.failure().map_or_else(|| compared((course.error)(&record)), Err);
+        let means = attempt.means();
+        let tolerance = means.steps().is_none().then_some(relative);
+        let evaluations = attempt.evaluations(&outcome.work);
+        Point { means, tolerance, error, work: outcome.work, evaluations, time: None }
+    });
+    judged.collect()
+}
+
+/// No run may take more than this part of the time that is left, and none is refused as much.
+const MOST_SHARES: usize = 8;
+
+/// A run that reached its end, to be timed.
+pub struct Timed<'a> {
+    pub attempt: Attempt<'a>,
+    pub span: &'a Span<'a, f64>,
+    pub tolerance: Tolerance,
+    pub error: f64,
+    pub evaluations: u64,
+}
+
+/// Costs over that of the front up to which times are measured until their median is settled.
+const NEAR: f64 = 2.0;
+/// Measurements of all the others.
+const FEW: usize = 3;
+
+/// The times of runs that reached their ends, side by side, while nothing else runs: of each the median of a few, of those
+/// near the front the median of more. The cheapest have the first turns, so that a lack of time meets the dearest.
+pub fn measure(runs: &[Timed<'_>], allowed: Duration) -> Vec<Option<Median>> {
+    let deadline = Instant::now() + allowed;
+    // outputs change no step, and are no part of what is timed
+    let timed = |run: &Timed<'_>| bare(run.span, deadline).with_outputs(&[run.span.end]);
+    let spans: Vec<Span<'static, f64>> = runs.iter().map(timed).collect();
+    let go = |at: usize| runs[at].attempt.run(&runs[at].tolerance, &spans[at], &mut ()).reached();
+    let mut order: Vec<usize> = (0..runs.len()).collect();
+    order.sort_by_key(|&at| runs[at].evaluations);
+    let mut times: Vec<Option<Median>> = vec![None; runs.len()];
+    for (at, time) in order.iter().zip(at_most(FEW, runs.len(), allowed * 3 / 5, |turn| go(order[turn]))) {
+        times[*at] = time;
+    }
+    let measured = |(run, time): (&Timed<'_>, &Option<Median>)| (time.map_or(f64::NAN, |time| time.seconds), run.error);
+    let excess = excess(&runs.iter().zip(&times).map(measured).collect::<Vec<_>>());
+    let near: Vec<usize> = (0..runs.len()).filter(|&at| excess[at] <= NEAR).collect();
+    let left = deadline.saturating_duration_since(Instant::now());
+    for (at, time) in near.iter().zip(taking_turns(near.len(), left, |turn| go(near[turn]))) {
+        times[*at] = time.filter(|time| time.measurements >= FEW).or(times[*at]);
+    }
+    times
+}
+
+/// The same span without monitors, to be done by a moment.
+fn bare(span: &Span<'_, f64>, deadline: Instant) -> Span<'static, f64> {
+    let deadline = span.budget.deadline.map_or(deadline, |own| own.min(deadline));
+    let bare = Span::new(span.start, span.end, &span.state).with_outputs(&span.outputs);
+    bare.with_evaluations(span.budget.evaluations).with_deadline(deadline)
+}
