@@ -4,12 +4,12 @@
 //!
 //! `cargo bench --bench ensembles`; beside others by `benches/peers/ensembles.py`.
 
-use derivations::ensemble::kind::{Kind, form_parameters};
-use derivations::machines::multi_current::{MultiCurrent, Windings};
-use derivations::machines::synchronous::Synchronous;
-use derivations::scene::{Axes, Family as _, Scene};
-use derivations::systems::gyrostat::driven::Driven;
-use derivations::systems::gyrostat::forms::SecondForm;
+use dalembert_derivations::ensemble::kind::{Kind, form_parameters};
+use dalembert_derivations::machines::multi_current::{MultiCurrent, Windings};
+use dalembert_derivations::machines::synchronous::Synchronous;
+use dalembert_derivations::scene::{Axes, Family as _, Scene};
+use dalembert_derivations::systems::gyrostat::driven::Driven;
+use dalembert_derivations::systems::gyrostat::forms::SecondForm;
 use field::Lanes;
 use integrators::{Ensemble, Failure, Members, Ode, SideBySide, fuses, lanes_order};
 use nalgebra::Vector3;

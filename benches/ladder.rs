@@ -4,12 +4,12 @@
 #[path = "../tests/motions/ladder/drawn.rs"]
 mod drawn;
 
-use derivations::friction::RoughScene;
-use derivations::friction::course::WORKS;
-use derivations::ladder::followed::{followed_at, instants};
-use derivations::ladder::rough::RoughLadder;
-use derivations::ladder::{Ladder, Loss, Models};
-use derivations::scene::{Axes, Family, Scene};
+use dalembert_derivations::friction::RoughScene;
+use dalembert_derivations::friction::course::WORKS;
+use dalembert_derivations::ladder::followed::{followed_at, instants};
+use dalembert_derivations::ladder::rough::RoughLadder;
+use dalembert_derivations::ladder::{Ladder, Loss, Models};
+use dalembert_derivations::scene::{Axes, Family, Scene};
 use integrators::Tolerance;
 use std::collections::BTreeMap;
 use std::path::Path;

@@ -2,8 +2,8 @@
 //! the exponents of their growth: `cargo bench --bench long_runs [-- REVOLUTIONS]`, a million by default, ten minutes; these go into
 //! long_runs.json, which the report draws.
 
-use derivations::long_runs::{Course, LongRun, PACES, Sample};
-use derivations::scene::methods::written;
+use dalembert_derivations::long_runs::{Course, LongRun, PACES, Sample};
+use dalembert_derivations::scene::methods::written;
 use serde_json::{Value, json};
 use std::time::Instant;
 

@@ -8,8 +8,8 @@
 
 use algebra::linear::determinant;
 use claims::Judged;
-use derivations::papers::{self, Paper};
-use derivations::systems::gyrostat::{Carrier, Gyrostat, Motion, Rotor};
+use dalembert_derivations::papers::{self, Paper};
+use dalembert_derivations::systems::gyrostat::{Carrier, Gyrostat, Motion, Rotor};
 use field::{Scalar, Tangent};
 use mechanics::differentiate::along;
 use mechanics::lagrange::lagrange;

@@ -12,11 +12,11 @@
 //!
 //! and the same with `thousand_jacobians`.
 
-use derivations::machines::Machine;
-use derivations::machines::multi_current::MultiCurrent;
-use derivations::machines::synchronous::Synchronous;
-use derivations::systems::gyrostat::driven::Driven;
-use derivations::systems::gyrostat::forms::Form;
+use dalembert_derivations::machines::Machine;
+use dalembert_derivations::machines::multi_current::MultiCurrent;
+use dalembert_derivations::machines::synchronous::Synchronous;
+use dalembert_derivations::systems::gyrostat::driven::Driven;
+use dalembert_derivations::systems::gyrostat::forms::Form;
 use field::{Analytic, Over};
 use integrators::Directions;
 use native::Code;
@@ -105,8 +105,8 @@ fn row<F: Form<f64>, M: Machine<f64>>(form: &str, law: &Driven<f64, F, M>, peak:
 fn beside<F: Form<f64>, M: Machine<f64>>(
     native: bool,
     law: &Driven<f64, F, M>,
-    gyrostat: &derivations::systems::gyrostat::Gyrostat<f64>,
-    windings: &derivations::machines::multi_current::Windings<f64>,
+    gyrostat: &dalembert_derivations::systems::gyrostat::Gyrostat<f64>,
+    windings: &dalembert_derivations::machines::multi_current::Windings<f64>,
 ) {
     let n = law.dimension();
     let Some(((tape, entries), (value, jacobian))) = recorded(law).zip(written(law)) else { return };

@@ -1,7 +1,7 @@
 //! Microseconds for a verdict on all regimes, from the state on, in f64 and exactly: `cargo bench --bench regimes`.
 
-use derivations::systems::ladder::Ladder;
-use derivations::systems::slender_rod::SlenderRod;
+use dalembert_derivations::systems::ladder::Ladder;
+use dalembert_derivations::systems::slender_rod::SlenderRod;
 use field::{Base, Over, Rational};
 use mechanics::constrained::State;
 use mechanics::constrained::contacts::Contacts;

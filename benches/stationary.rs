@@ -4,7 +4,7 @@
 mod physical;
 
 use algebra::real::Root;
-use derivations::stationary::energies::{Energies, Kept};
+use dalembert_derivations::stationary::energies::{Energies, Kept};
 use field::Rational;
 use mechanics::uniform::Body;
 use proptest::prelude::*;
@@ -34,7 +34,7 @@ fn main() {
     row("census of all w: folds and counts", bodies.iter().map(|(b, _)| microseconds(|| b.census().ok())));
 }
 
-fn body(g: &derivations::systems::gyrostat::Gyrostat<Rational>, speed: i64) -> Body {
+fn body(g: &dalembert_derivations::systems::gyrostat::Gyrostat<Rational>, speed: i64) -> Body {
     let energies = Energies::of(g);
     let (tensor, share) = energies.quadratic(Kept::RelativeSpeed);
     let value = Root::rational(Rational::new(speed, 10)).expect("a fraction");

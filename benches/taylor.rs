@@ -2,12 +2,12 @@
 //! bars), in both forms: how long
 //! one takes to write the laws down, and a run of two seconds by tolerance. `cargo bench --bench taylor`.
 
-use derivations::machines::constant_speed::ConstantSpeed;
-use derivations::machines::free_rotor::FreeRotor;
-use derivations::machines::multi_current::MultiCurrent;
-use derivations::machines::synchronous::Synchronous;
-use derivations::recorded::Recorded;
-use derivations::systems::gyrostat::driven::Driven;
+use dalembert_derivations::machines::constant_speed::ConstantSpeed;
+use dalembert_derivations::machines::free_rotor::FreeRotor;
+use dalembert_derivations::machines::multi_current::MultiCurrent;
+use dalembert_derivations::machines::synchronous::Synchronous;
+use dalembert_derivations::recorded::Recorded;
+use dalembert_derivations::systems::gyrostat::driven::Driven;
 use field::DoubleDouble;
 use integrators::{Directions, Ode, System, Taylor, Tolerance};
 use std::sync::Arc;

@@ -3,11 +3,11 @@
 //!
 //! `cargo bench --bench text_motors`
 
-use derivations::machines::AnyMachine;
-use derivations::machines::kloss::Kloss;
-use derivations::machines::multi_current::{MultiCurrent, Windings};
-use derivations::machines::synchronous::Synchronous;
-use derivations::scene::{Axes, Family, Problem, Scene, System};
+use dalembert_derivations::machines::AnyMachine;
+use dalembert_derivations::machines::kloss::Kloss;
+use dalembert_derivations::machines::multi_current::{MultiCurrent, Windings};
+use dalembert_derivations::machines::synchronous::Synchronous;
+use dalembert_derivations::scene::{Axes, Family, Problem, Scene, System};
 use field::{DoubleDouble, Over};
 use integrators::{Directions, Method, Ode, Span, Splitting, Tolerance, integrate};
 use std::cell::RefCell;
@@ -130,7 +130,7 @@ fn run(problem: Problem, method: Method) -> Call {
 /// A right-hand side, each call after the one before.
 fn value<S: Over<f64>>(problem: Problem) -> Call
 where
-    dyn derivations::scene::problem::Law: Ode<S>,
+    dyn dalembert_derivations::scene::problem::Law: Ode<S>,
 {
     let n = problem.state.len();
     let mut state: Vec<S> = (0..n).map(|i| S::lift(0.1 + 0.05 * i as f64)).collect();

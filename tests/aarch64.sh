@@ -9,7 +9,7 @@ export CARGO_TARGET_AARCH64_UNKNOWN_LINUX_GNU_RUNNER="$DALEMBERT_RUNNER"
 export CARGO_PROFILE_DEV_OPT_LEVEL="${1:-1}" CARGO_PROFILE_DEV_DEBUG=0 INSTA_UPDATE=no
 tests=(motions pages scenes stability)
 # of the scenes what wrong ones are told, of the motions what the atlas and the failures lock
-cargo test --target aarch64-unknown-linux-gnu --package dalembert --no-fail-fast "${tests[@]/#/--test=}" -- \
+cargo test --target aarch64-unknown-linux-gnu --package dalembert-derivations --no-fail-fast "${tests[@]/#/--test=}" -- \
   --skip files:: --skip fuzz:: --skip units:: --skip bounds_of_data:: --skip stabilisation:: \
   --skip friction:: --skip mechanisms:: --skip governors:: --skip ladder:: --skip synchronism::
 cargo test --target aarch64-unknown-linux-gnu --package dalembert-cli --test program refusals

@@ -1,19 +1,19 @@
 //! The right-hand side allocates nothing: for every machine, with one bar or with forty, over every field that runs.
 
-use derivations::ensemble::kind::{Kind, form_parameters};
-use derivations::friction::stretch::Stretch;
-use derivations::machines::synchronous::Synchronous;
-use derivations::machines::{AnyMachine, Catalogued, ForMachine, Metered, has_known_flow};
-use derivations::mechanisms::MechanismScene;
-use derivations::papers::konosevich2022::gyrostats;
-use derivations::recorded::Recorded;
-use derivations::scene::{Axes, Family, Problem, Scene};
-use derivations::separated::Separable;
-use derivations::systems::disc::Disc;
-use derivations::systems::gyrostat::driven::Driven;
-use derivations::systems::gyrostat::forms::{Form, SecondForm};
-use derivations::systems::ladder::Ladder;
-use derivations::taped::Running;
+use dalembert_derivations::ensemble::kind::{Kind, form_parameters};
+use dalembert_derivations::friction::stretch::Stretch;
+use dalembert_derivations::machines::synchronous::Synchronous;
+use dalembert_derivations::machines::{AnyMachine, Catalogued, ForMachine, Metered, has_known_flow};
+use dalembert_derivations::mechanisms::MechanismScene;
+use dalembert_derivations::papers::konosevich2022::gyrostats;
+use dalembert_derivations::recorded::Recorded;
+use dalembert_derivations::scene::{Axes, Family, Problem, Scene};
+use dalembert_derivations::separated::Separable;
+use dalembert_derivations::systems::disc::Disc;
+use dalembert_derivations::systems::gyrostat::driven::Driven;
+use dalembert_derivations::systems::gyrostat::forms::{Form, SecondForm};
+use dalembert_derivations::systems::ladder::Ladder;
+use dalembert_derivations::taped::Running;
 use field::{Analytic, DoubleDouble, Lanes, Over};
 use integrators::{
     Directions, Ensemble, Failure, Members, Ode, Real, SideBySide, Signal, Splitting, Switches, compose, lanes_order,

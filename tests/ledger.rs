@@ -4,7 +4,7 @@
 //! nothing. The second gate, the snapshot, is in `pages.rs`.
 
 use claims::Judged;
-use derivations::papers;
+use dalembert_derivations::papers;
 use libtest_mimic::{Arguments, Failed, Trial};
 
 fn main() {

@@ -1,7 +1,7 @@
 //! The gyrostat that is timed, and its motor's windings.
 
-use derivations::machines::multi_current::Windings;
-use derivations::systems::gyrostat::{Carrier, Gyrostat, Rotor};
+use dalembert_derivations::machines::multi_current::Windings;
+use dalembert_derivations::systems::gyrostat::{Carrier, Gyrostat, Rotor};
 use nalgebra::{Matrix3, Vector3};
 
 pub fn gyrostat() -> Gyrostat<f64> {

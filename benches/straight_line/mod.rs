@@ -1,8 +1,8 @@
 //! The same right-hand side as straight-line C: exported from the recorded law, and written by hand; compiled by
 //! `gcc -O3`, where there is one, for any processor of this kind or for this one (`-march=native`).
 
-use derivations::machines::multi_current::Windings;
-use derivations::systems::gyrostat::Gyrostat;
+use dalembert_derivations::machines::multi_current::Windings;
+use dalembert_derivations::systems::gyrostat::Gyrostat;
 use std::fmt::Write;
 use std::process::Command;
 use symbolic::{Language, Tape};

@@ -30,8 +30,8 @@ impl Quantity {
 /// number: `> 0`, `>= 0`, `!= 0`, `in resistance`, `in friction` (see [`Bound`](crate::machines::Bound)).
 ///
 /// ```
-/// use derivations::machines::Bound;
-/// derivations::quantities! {
+/// use dalembert_derivations::machines::Bound;
+/// dalembert_derivations::quantities! {
 ///     /// A spring.
 ///     pub struct Spring {
 ///         /// stiffness

@@ -1,9 +1,9 @@
 //! Data of bodies that exist are accepted; each condition of existence, broken alone, is named with its value.
 
 use crate::physical::{MassPoint, bodies, fixed, gyrostat, inertia, rounded, total_mass};
-use derivations::systems::gyrostat::Gyrostat;
-use derivations::systems::gyrostat::admissible::Inadmissible;
-use derivations::systems::gyrostat::tensors::Principal;
+use dalembert_derivations::systems::gyrostat::Gyrostat;
+use dalembert_derivations::systems::gyrostat::admissible::Inadmissible;
+use dalembert_derivations::systems::gyrostat::tensors::Principal;
 use field::Rational;
 use nalgebra::{Matrix3, Vector3};
 use num_traits::Zero;

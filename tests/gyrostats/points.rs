@@ -1,7 +1,7 @@
 //! The energies and momenta of the bodies are sums over their mass points, each moved by kinematics alone.
 
 use crate::physical::{Bodies, MassPoint, Vector, bodies, fixed, inertia, motion};
-use derivations::systems::gyrostat::Motion;
+use dalembert_derivations::systems::gyrostat::Motion;
 use field::{Rational, Scalar, Tangent};
 use mechanics::differentiate::along;
 use mechanics::mass::{AffineField, MassMoments};

@@ -3,14 +3,14 @@
 use crate::physical::machines::{Sample, every_machine, numbers};
 use crate::physical::rate::{Rate, rate};
 use crate::physical::{fixed, gyrostat, rounded};
-use derivations::machines::brushed::Brushed;
-use derivations::machines::multi_current::{MultiCurrent, Windings};
-use derivations::machines::permanent_magnet::{Magnets, PermanentMagnet};
-use derivations::machines::{
+use dalembert_derivations::machines::brushed::Brushed;
+use dalembert_derivations::machines::multi_current::{MultiCurrent, Windings};
+use dalembert_derivations::machines::permanent_magnet::{Magnets, PermanentMagnet};
+use dalembert_derivations::machines::{
     AnyMachine, Catalogued, Conserved, ForMachine, RotorState, drive, heat, is_fed, motional_moment, supplied,
 };
-use derivations::systems::gyrostat::driven::Driven;
-use derivations::systems::gyrostat::forms::Form;
+use dalembert_derivations::systems::gyrostat::driven::Driven;
+use dalembert_derivations::systems::gyrostat::forms::Form;
 use nalgebra::Vector3;
 use proptest::prelude::*;
 
@@ -92,7 +92,7 @@ impl<F: Form<f64>> ForMachine for At<'_, F> {
 
 /// A law of every machine in both forms.
 fn always(
-    g: &derivations::systems::gyrostat::Gyrostat<field::Rational>,
+    g: &dalembert_derivations::systems::gyrostat::Gyrostat<field::Rational>,
     sample: &Sample,
     law: impl Fn(&Instant) -> bool,
 ) -> Result<(), TestCaseError> {
@@ -100,7 +100,7 @@ fn always(
 }
 
 fn in_both_forms(
-    g: &derivations::systems::gyrostat::Gyrostat<field::Rational>,
+    g: &dalembert_derivations::systems::gyrostat::Gyrostat<field::Rational>,
     sample: &Sample,
     machine: AnyMachine,
     law: impl Fn(&Instant) -> bool,

@@ -2,8 +2,8 @@
 
 use crate::physical::machines::numbers;
 use crate::physical::{fixed, gyrostat, motion, rounded, rounded_twice};
-use derivations::systems::gyrostat::forms::{FirstForm, Form, SecondForm};
-use derivations::systems::gyrostat::{Carrier, Gyrostat, Motion, Rotor};
+use dalembert_derivations::systems::gyrostat::forms::{FirstForm, Form, SecondForm};
+use dalembert_derivations::systems::gyrostat::{Carrier, Gyrostat, Motion, Rotor};
 use field::{DoubleDouble, Rational, Scalar};
 use mechanics::differentiate::along;
 use mechanics::rotation::{euler, euler_forms, vertical};

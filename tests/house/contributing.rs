@@ -5,8 +5,8 @@
 //! line, no other change. The copy keeps the times of the files and shares the folder of build products, so that only
 //! the root package is built anew, under a version of its own: seconds.
 
-use derivations::conformance::{Verdict, conform};
-use derivations::scene::{Family, Scene};
+use dalembert_derivations::conformance::{Verdict, conform};
+use dalembert_derivations::scene::{Family, Scene};
 use std::fs;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};
@@ -140,9 +140,9 @@ fn the_motor_of_the_documentation_and_a_new_one_can_be_added_as_it_says() {
             "--workspace",
             // built once and run for seconds: what is shared stays optimised
             "--config",
-            "profile.dev.package.dalembert.opt-level=0",
+            "profile.dev.package.dalembert-derivations.opt-level=0",
             "--config",
-            "profile.dev.package.dalembert.debug=0",
+            "profile.dev.package.dalembert-derivations.debug=0",
             "--test",
             name,
             "--test",

@@ -19,7 +19,7 @@ const LAYERS: &[(&str, i32)] = &[
     ("dalembert-model", 4),
     ("dalembert-claims", 4),
     ("dalembert-charts", 5),
-    ("dalembert", 6),
+    ("dalembert-derivations", 6),
     ("dalembert-scenes", 7),
     ("dalembert-cli", 8),
 ];

@@ -1,7 +1,7 @@
 //! What kind of constraints the systems have, found by Frobenius' theorem.
 
-use derivations::principles::{letter, systems};
-use derivations::systems::knife_edge::KnifeEdge;
+use dalembert_derivations::principles::{letter, systems};
+use dalembert_derivations::systems::knife_edge::KnifeEdge;
 use field::{Analytic, Over};
 use mechanics::constrained::classify::{Kind, Unclassified, classify};
 use mechanics::constrained::{Constrained, Constraint, State, System};

@@ -2,7 +2,7 @@
 //! that exist, and the theorem of angular momentum of their mass points says whether it turns about the vertical.
 
 use crate::physical::{MassPoint, inertia, rounded, total_mass};
-use derivations::papers::konosevich2022::gyrostats::{self, Example};
+use dalembert_derivations::papers::konosevich2022::gyrostats::{self, Example};
 use field::{Rational, Scalar};
 use mechanics::rotation::determinant;
 use nalgebra::Vector3;

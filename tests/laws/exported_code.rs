@@ -1,6 +1,6 @@
 //! A scene's right-hand side and Jacobian, printed as C, Python and Rust, compiled and run, agree with the law to round-off.
 
-use derivations::scene::{Axes, Family, Scene};
+use dalembert_derivations::scene::{Axes, Family, Scene};
 use integrators::{Directions, Jacobian, Ode};
 use std::fs;
 use std::path::{Path, PathBuf};

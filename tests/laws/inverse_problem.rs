@@ -1,6 +1,6 @@
 //! The moments that keep the integrals of a top of variable mass: at random exact data, and where they do not exist.
 
-use derivations::systems::variable_top::{Attitude, StationaryInclination, Top, poisson, prescribing, rates};
+use dalembert_derivations::systems::variable_top::{Attitude, StationaryInclination, Top, poisson, prescribing, rates};
 use field::{Over, Rational, Tangent};
 use integrators::{Method, Ode, Record, Span, System, Tolerance, integrate};
 use nalgebra::Vector3;

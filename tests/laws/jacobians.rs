@@ -3,13 +3,13 @@
 
 use crate::physical::machines::Bars;
 use crate::physical::rounded;
-use derivations::differentiated::Differentiated;
-use derivations::machines::{AnyMachine, Catalogued, ForMachine};
-use derivations::papers::konosevich2022::gyrostats;
-use derivations::recorded::Recorded;
-use derivations::scene::{AnyScene, Axes, Family as _};
-use derivations::systems::gyrostat::driven::Driven;
-use derivations::systems::gyrostat::forms::Form;
+use dalembert_derivations::differentiated::Differentiated;
+use dalembert_derivations::machines::{AnyMachine, Catalogued, ForMachine};
+use dalembert_derivations::papers::konosevich2022::gyrostats;
+use dalembert_derivations::recorded::Recorded;
+use dalembert_derivations::scene::{AnyScene, Axes, Family as _};
+use dalembert_derivations::systems::gyrostat::driven::Driven;
+use dalembert_derivations::systems::gyrostat::forms::Form;
 use integrators::{Jacobian, Ode, System};
 use std::path::Path;
 use std::sync::Arc;

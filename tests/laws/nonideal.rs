@@ -1,9 +1,9 @@
 //! The examples that carry refutations about rods and ladders with friction, seen by a route that never saw the paper:
 //! Lagrange's equations of the first kind of the systems with numbers for letters, the contact's reactions as forces.
 
-use derivations::systems::ladder::{Ladder, LeaningLadder};
-use derivations::systems::rod::Rod;
-use derivations::systems::steered_rod::{GuidedSteeredRod, SteeredRod};
+use dalembert_derivations::systems::ladder::{Ladder, LeaningLadder};
+use dalembert_derivations::systems::rod::Rod;
+use dalembert_derivations::systems::steered_rod::{GuidedSteeredRod, SteeredRod};
 use field::{Rational, Scalar};
 use mechanics::constrained::contacts::{Closed, Sides};
 use mechanics::constrained::multipliers::{Reaction, multipliers};

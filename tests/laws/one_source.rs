@@ -2,10 +2,10 @@
 //! its derivatives agree.
 
 use crate::physical::fixed;
-use derivations::machines::multi_current::{MultiCurrent, Windings};
-use derivations::machines::{Machine, drive, heat, stored_energy};
-use derivations::systems::gyrostat::forms::{FirstForm, Form, SecondForm};
-use derivations::systems::gyrostat::{Carrier, Gyrostat, Rotor};
+use dalembert_derivations::machines::multi_current::{MultiCurrent, Windings};
+use dalembert_derivations::machines::{Machine, drive, heat, stored_energy};
+use dalembert_derivations::systems::gyrostat::forms::{FirstForm, Form, SecondForm};
+use dalembert_derivations::systems::gyrostat::{Carrier, Gyrostat, Rotor};
 use field::{Analytic, Base, Circle, Over, Tangent};
 use nalgebra::{Matrix3, Vector3};
 use num_dual::Dual64;

@@ -1,9 +1,9 @@
 //! The principles beyond their proofs: larger systems at random exact data, and the laws that are proved as they run.
 
-use derivations::systems::disc::Disc;
-use derivations::systems::knife_edge::KnifeEdge;
-use derivations::systems::rod::{GuidedRod, Rod};
-use derivations::systems::swing::Swing;
+use dalembert_derivations::systems::disc::Disc;
+use dalembert_derivations::systems::knife_edge::KnifeEdge;
+use dalembert_derivations::systems::rod::{GuidedRod, Rod};
+use dalembert_derivations::systems::swing::Swing;
 use field::{Over, Rational, Scalar};
 use mechanics::constrained::combining::{extended, painleve};
 use mechanics::constrained::contacts::{Closed, Sides};

@@ -1,8 +1,8 @@
 //! The brushed motor from a turning armature, and against what textbooks say of it.
 
 use crate::{assert_equal, number, symbol};
-use derivations::machines::brushed::Brushed;
-use derivations::machines::{Bench, Machine, drive, heat, resting_currents, supplied};
+use dalembert_derivations::machines::brushed::Brushed;
+use dalembert_derivations::machines::{Bench, Machine, drive, heat, resting_currents, supplied};
 use field::{Analytic, Circle, Over, Rational, Scalar, Tangent};
 use integrators::{Method, Ode, Span, System, Tolerance, integrate};
 use mechanics::lagrange::lagrange;

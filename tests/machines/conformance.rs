@@ -1,8 +1,10 @@
 //! Every motor of the list does what a motor must, and each check notices one that does not.
 
-use derivations::conformance::{Finding, Kit, Verdict, conform, sample};
-use derivations::machines::{AnyMachine, Catalogued, Datum, ForMachine, Machine, Quantity, RotorState, Source};
-use derivations::scene::{Family, MachineData, Scene};
+use dalembert_derivations::conformance::{Finding, Kit, Verdict, conform, sample};
+use dalembert_derivations::machines::{
+    AnyMachine, Catalogued, Datum, ForMachine, Machine, Quantity, RotorState, Source,
+};
+use dalembert_derivations::scene::{Family, MachineData, Scene};
 use field::{Base, Circle, Over};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};

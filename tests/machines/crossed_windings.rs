@@ -1,12 +1,12 @@
 //! Two crossed windings beside the models that they must agree with.
 
 use crate::number;
-use derivations::ladder::currents::Current;
-use derivations::machines::asynchronous::Asynchronous;
-use derivations::machines::crossed_windings::CrossedWindings;
-use derivations::machines::kloss::Kloss;
-use derivations::machines::multi_current::{MultiCurrent, Windings};
-use derivations::machines::{Machine, drive};
+use dalembert_derivations::ladder::currents::Current;
+use dalembert_derivations::machines::asynchronous::Asynchronous;
+use dalembert_derivations::machines::crossed_windings::CrossedWindings;
+use dalembert_derivations::machines::kloss::Kloss;
+use dalembert_derivations::machines::multi_current::{MultiCurrent, Windings};
+use dalembert_derivations::machines::{Machine, drive};
 use field::{Circle, Rational, Tangent};
 use num_traits::Zero;
 

@@ -1,6 +1,6 @@
 //! What supply, friction and heat do to the energy that the turning field sees, metered along runs.
 
-use derivations::scene::{Axes, Family, Scene};
+use dalembert_derivations::scene::{Axes, Family, Scene};
 
 #[test]
 fn the_work_that_is_metered_is_what_the_energy_gains() {

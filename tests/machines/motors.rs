@@ -3,15 +3,15 @@
 use crate::physical::machines::{Sample, every_machine, numbers};
 use crate::physical::rate::rate;
 use crate::physical::{fixed, gyrostat, rounded};
-use derivations::machines::asynchronous::Asynchronous;
-use derivations::machines::equivalent_windings::EquivalentWindings;
-use derivations::machines::kloss::Kloss;
-use derivations::machines::multi_current::{MultiCurrent, Windings};
-use derivations::machines::synchronous::Synchronous;
-use derivations::machines::{Bench, Catalogued, ForMachine, Machine, drive, heat, motional_moment, supplied};
-use derivations::recorded::Recorded;
-use derivations::systems::gyrostat::driven::Driven;
-use derivations::systems::gyrostat::forms::Form;
+use dalembert_derivations::machines::asynchronous::Asynchronous;
+use dalembert_derivations::machines::equivalent_windings::EquivalentWindings;
+use dalembert_derivations::machines::kloss::Kloss;
+use dalembert_derivations::machines::multi_current::{MultiCurrent, Windings};
+use dalembert_derivations::machines::synchronous::Synchronous;
+use dalembert_derivations::machines::{Bench, Catalogued, ForMachine, Machine, drive, heat, motional_moment, supplied};
+use dalembert_derivations::recorded::Recorded;
+use dalembert_derivations::systems::gyrostat::driven::Driven;
+use dalembert_derivations::systems::gyrostat::forms::Form;
 use field::{Circle, Rational, Scalar};
 use integrators::{Method, Ode, Span, System, Tolerance, integrate};
 use nalgebra::{Matrix3, Vector3};
@@ -94,7 +94,7 @@ impl ForMachine for OnTheBench<'_> {
     type Output = f64;
 
     fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> f64 {
-        let mut g = rounded(&derivations::papers::konosevich2022::gyrostats::spherical().gyrostat);
+        let mut g = rounded(&dalembert_derivations::papers::konosevich2022::gyrostats::spherical().gyrostat);
         g.carrier.inertia = Matrix3::identity() * 1e12;
         let bench = Bench { machine: machine.clone(), axial: g.rotor.axial };
         let heavy = Driven::new(g.first_form().0, machine);

@@ -1,7 +1,7 @@
 //! Windings that induce in each other become a motor as text in currents of which none does.
 
-use derivations::machines::{Catalogued, ForMachine, drive};
-use derivations::scene::{Family, Scene};
+use dalembert_derivations::machines::{Catalogued, ForMachine, drive};
+use dalembert_derivations::scene::{Family, Scene};
 use field::{Analytic, Circle};
 use nalgebra::{Matrix2, Vector2};
 

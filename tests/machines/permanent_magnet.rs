@@ -1,8 +1,8 @@
 //! The motor with magnets from its two resting phases, whose inductance depends on the angle.
 
 use crate::{assert_equal, number, symbol};
-use derivations::machines::permanent_magnet::{Magnets, PermanentMagnet};
-use derivations::machines::{Machine, drive, resting_currents};
+use dalembert_derivations::machines::permanent_magnet::{Magnets, PermanentMagnet};
+use dalembert_derivations::machines::{Machine, drive, resting_currents};
 use field::{Analytic, Circle, Rational, Scalar, Tangent};
 use mechanics::hamel::boltzmann_hamel;
 use mechanics::lagrange::lagrange;

@@ -1,15 +1,15 @@
 //! A motor whose laws stand in a scene is the compiled one: the same programs, and the same messages for what is wrong.
 
 use crate::physical::rounded;
-use derivations::machines::multi_current::{MultiCurrent, Windings};
-use derivations::machines::{AnyMachine, Bench, Catalogued, ForMachine, Programs};
-use derivations::papers::konosevich2022::gyrostats;
-use derivations::scene::problem::Law;
-use derivations::scene::state::names;
-use derivations::scene::{Axes, Family, Scene, System};
-use derivations::separated::Separable;
-use derivations::systems::gyrostat::driven::Driven;
-use derivations::taped::Running;
+use dalembert_derivations::machines::multi_current::{MultiCurrent, Windings};
+use dalembert_derivations::machines::{AnyMachine, Bench, Catalogued, ForMachine, Programs};
+use dalembert_derivations::papers::konosevich2022::gyrostats;
+use dalembert_derivations::scene::problem::Law;
+use dalembert_derivations::scene::state::names;
+use dalembert_derivations::scene::{Axes, Family, Scene, System};
+use dalembert_derivations::separated::Separable;
+use dalembert_derivations::systems::gyrostat::driven::Driven;
+use dalembert_derivations::taped::Running;
 use field::{Analytic, DoubleDouble, Over};
 use integrators::{Directions, Ode, Real, Splitting, compose};
 use series::{Equations, Recurrence};

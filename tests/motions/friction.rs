@@ -1,14 +1,14 @@
 //! Motion with friction across events, beside closed forms.
 
-use derivations::friction::log::describe;
-use derivations::friction::run::Plan;
-use derivations::friction::smoothed::Smoothed;
-use derivations::friction::stretch::Watched;
-use derivations::friction::{Cause, Ending, Run, closed, run};
-use derivations::systems::climbed_ladder::ClimbedLadder;
-use derivations::systems::ladder::Ladder;
-use derivations::systems::slender_rod::SlenderRod;
-use derivations::systems::steered_rod::SteeredRod;
+use dalembert_derivations::friction::log::describe;
+use dalembert_derivations::friction::run::Plan;
+use dalembert_derivations::friction::smoothed::Smoothed;
+use dalembert_derivations::friction::stretch::Watched;
+use dalembert_derivations::friction::{Cause, Ending, Run, closed, run};
+use dalembert_derivations::systems::climbed_ladder::ClimbedLadder;
+use dalembert_derivations::systems::ladder::Ladder;
+use dalembert_derivations::systems::slender_rod::SlenderRod;
+use dalembert_derivations::systems::steered_rod::SteeredRod;
 use field::Analytic;
 use mechanics::constrained::State;
 use mechanics::constrained::contacts::Sides;

@@ -1,11 +1,11 @@
 //! Scenes of mechanisms: they end as they should, beside closed forms and theory, and their energy is the work on them.
 
-use derivations::governors::{self, SPEED, growth};
-use derivations::mechanisms::governors::{Discs, Drum, Programme, Released};
-use derivations::mechanisms::{LIST, Mechanism, MechanismScene};
-use derivations::scene::{Choice, Family, Smooth, Told, Trajectory, methods};
-use derivations::stabilisation::experiment;
-use derivations::systems::elastic_governor::ElasticGovernor;
+use dalembert_derivations::governors::{self, SPEED, growth};
+use dalembert_derivations::mechanisms::governors::{Discs, Drum, Programme, Released};
+use dalembert_derivations::mechanisms::{LIST, Mechanism, MechanismScene};
+use dalembert_derivations::scene::{Choice, Family, Smooth, Told, Trajectory, methods};
+use dalembert_derivations::stabilisation::experiment;
+use dalembert_derivations::systems::elastic_governor::ElasticGovernor;
 use integrators::{Failure, Method, Refusal};
 use std::convert::Infallible;
 use std::path::Path;

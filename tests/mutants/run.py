@@ -244,7 +244,7 @@ def prepare_together(mutants: list[Mutant]) -> list[int]:
 
 def errors(files: list[str]) -> set[tuple[str, int]]:
     """In which lines of which files the copy does not compile. A body breaks no crate above its own: those of these files are asked."""
-    own = [] if all(file.startswith("crates/") for file in files) else ["dalembert"]
+    own = [] if all(file.startswith("crates/") for file in files) else ["dalembert-derivations"]
     packages = [word for name in [*own, *(f"dalembert-{crate}" for crate in crates_of(files))] for word in ("--package", name)]
     command = ["cargo", "check", "--quiet", "--keep-going", "--message-format=json", "--lib", *packages]
     done = subprocess.run(command, cwd=COPY, env=os.environ | SETTINGS, capture_output=True, text=True)
@@ -277,7 +277,7 @@ def build(tests: list[str], crates: list[str]) -> dict[str, Path] | None:
     own = {test for crate in crates for test in programs_in(ROOT / "crates" / crate / "tests")}
     within = [f"dalembert-{test}" for test in tests if test in crates]
     beside = [test for test in tests if test not in crates]
-    packages = [*(f"dalembert-{crate}" for crate in crates), *(["dalembert"] if set(beside) - own else [])]
+    packages = [*(f"dalembert-{crate}" for crate in crates), *(["dalembert-derivations"] if set(beside) - own else [])]
     level = {"CARGO_PROFILE_DEV_OPT_LEVEL": "1" if set(tests) & set(RUNS) else "0"}
     found: dict[str, Path] = {}
     for of_packages, chosen in [(within, ["--lib"]), (packages, [word for test in beside for word in ("--test", test)])]:
@@ -286,14 +286,14 @@ def build(tests: list[str], crates: list[str]) -> dict[str, Path] | None:
         command = ["cargo", "test", "--quiet", "--no-run", "--message-format=json", *chosen]
         command += [word for name in of_packages for word in ("--package", name)]
         # what a crate tests alone is small, unless it proves
-        proves = "dalembert" in of_packages or PROVING & set(crates)
+        proves = "dalembert-derivations" in of_packages or PROVING & set(crates)
         optimised = OPTIMISED if proves else []
         command += [word for crate in optimised for word in ("--config", f"profile.dev.package.{crate}.opt-level=2")]
         done = subprocess.run(command, cwd=COPY, env=os.environ | SETTINGS | level, capture_output=True, text=True)
         if done.returncode != 0:
             return None
         every = re.findall(r'"executable":"([^"]+/deps/([a-z_]+)-[0-9a-f]+)"', done.stdout)
-        found |= {name: Path(path) for path, name in every}
+        found |= {name.removeprefix("dalembert_"): Path(path) for path, name in every}
     return found
 
 

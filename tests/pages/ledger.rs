@@ -1,7 +1,7 @@
 //! The second gate: what the ledger says, locked as pages for review, a section of a paper each.
 
 use claims::{Judged, Verdict, render};
-use derivations::papers;
+use dalembert_derivations::papers;
 use std::collections::HashSet;
 use std::sync::LazyLock;
 

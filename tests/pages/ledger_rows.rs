@@ -1,7 +1,7 @@
 //! A row of the ledger is read alone: every sentence, of every paper, is held to what that takes.
 
 use claims::{Judged, Verdict};
-use derivations::papers;
+use dalembert_derivations::papers;
 use std::sync::LazyLock;
 
 /// A statement is read at once up to this.

@@ -1,8 +1,8 @@
 //! What the kit says of every motor of the list and of the scenes, as a page for review.
 
-use derivations::conformance::{conform, page, sample};
-use derivations::machines::AnyMachine;
-use derivations::scene::{Family, Scene};
+use dalembert_derivations::conformance::{conform, page, sample};
+use dalembert_derivations::machines::AnyMachine;
+use dalembert_derivations::scene::{Family, Scene};
 use std::path::Path;
 
 fn compare(name: &str, page: &str) {

@@ -1,6 +1,6 @@
 //! Every machine of the list, whatever it is called, with random data.
 
-use derivations::machines::{AnyMachine, Quantity, Source};
+use dalembert_derivations::machines::{AnyMachine, Quantity, Source};
 use proptest::prelude::*;
 use std::convert::Infallible;
 

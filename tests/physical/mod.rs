@@ -5,7 +5,7 @@
 pub mod machines;
 pub mod rate;
 
-use derivations::systems::gyrostat::{Carrier, Gyrostat, Motion, Rotor};
+use dalembert_derivations::systems::gyrostat::{Carrier, Gyrostat, Motion, Rotor};
 use field::{DoubleDouble, Rational, Scalar};
 use mechanics::rotation::{determinant, quaternion};
 use nalgebra::{Matrix3, Vector3};

@@ -1,6 +1,6 @@
 //! Runs with constant steps beside shorter ones: what is right is never named, and what crosses a pole always is.
 
-use derivations::scene::{AnyScene, Axes, Choice, Family as _, Problem, Smooth, Trajectory, methods};
+use dalembert_derivations::scene::{AnyScene, Axes, Choice, Family as _, Problem, Smooth, Trajectory, methods};
 use integrators::{Method, Parting};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};

@@ -1,12 +1,12 @@
 //! Ensembles: each member is the single run of that member, whoever runs beside it.
 
-use derivations::ensemble::draw::Draw;
-use derivations::ensemble::{EnsembleScene, Row, Stopped};
-use derivations::machines::multi_current::{MultiCurrent, Windings};
-use derivations::scene::{Axes, Family, Scene};
-use derivations::systems::gyrostat::admissible::Inadmissible;
-use derivations::systems::gyrostat::driven::Driven;
-use derivations::systems::gyrostat::forms::SecondForm;
+use dalembert_derivations::ensemble::draw::Draw;
+use dalembert_derivations::ensemble::{EnsembleScene, Row, Stopped};
+use dalembert_derivations::machines::multi_current::{MultiCurrent, Windings};
+use dalembert_derivations::scene::{Axes, Family, Scene};
+use dalembert_derivations::systems::gyrostat::admissible::Inadmissible;
+use dalembert_derivations::systems::gyrostat::driven::Driven;
+use dalembert_derivations::systems::gyrostat::forms::SecondForm;
 use field::Lanes;
 use integrators::{
     Ensemble, Failure, LaneSeries, Members, Ode, SideBySide, Taylor, Tolerance, lanes_order, runge_kutta_4_step,
@@ -40,7 +40,7 @@ fn short(members: u64) -> String {
 /// The scene of a member as its own file would give it.
 fn single(text: &str, row: &Row) -> Scene {
     let mut one = Scene::parse("ensemble.toml", text).unwrap_or_else(|error| panic!("{error}"));
-    let derivations::scene::System::Gyrostat(bodies) = &mut one.system else { panic!("it has a carrier") };
+    let dalembert_derivations::scene::System::Gyrostat(bodies) = &mut one.system else { panic!("it has a carrier") };
     let [cx, cy, cz, axial, b0, r2, angle, wx, wy, wz, vx, vy, vz] = row.drawn[..] else { panic!("13 numbers vary") };
     bodies.rotor.axial = axial;
     bodies.carrier.centre = [cx, cy, cz].into();
@@ -136,7 +136,7 @@ fn every_machine_and_both_systems_have_ensembles_that_agree_with_single_runs() {
                 voltage = \"14 V\"\nflux = \"30 mWb\"\nresistance = \"0.6 ohm\"\ninductance = \"2 mH\"\n\
                 along = \"1.2 mH\"\nacross = \"2 mH\"\npole_pairs = 3\n";
     let counts = ["bars", "pole_pairs", "pull_out_slip"];
-    for (name, _) in derivations::machines::AnyMachine::LIST {
+    for (name, _) in dalembert_derivations::machines::AnyMachine::LIST {
         let all = short(9).replace("[start]", &format!("{data}\n[start]"));
         // each machine takes what it knows
         let known = |line: &str| {

@@ -3,12 +3,12 @@
 //! as corrected.
 
 use claims::{Claim, Line, Statement};
-use derivations::friction::run;
-use derivations::friction::run::Plan;
-use derivations::papers::manglieva2022;
-use derivations::systems::ladder::Ladder;
-use derivations::systems::rod::Rod;
-use derivations::systems::steered_rod::SteeredRod;
+use dalembert_derivations::friction::run;
+use dalembert_derivations::friction::run::Plan;
+use dalembert_derivations::papers::manglieva2022;
+use dalembert_derivations::systems::ladder::Ladder;
+use dalembert_derivations::systems::rod::Rod;
+use dalembert_derivations::systems::steered_rod::SteeredRod;
 use field::{Analytic, Over, Rational, Scalar};
 use integrators::{Method, Ode, Span, System as Law, Tolerance, integrate};
 use mechanics::constrained::contacts::{Closed, Contacts, Sides};

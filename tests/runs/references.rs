@@ -1,7 +1,7 @@
 //! What errors are measured by: kept for every scene, made by two methods, and their own where a scene has changed.
 
-use derivations::scene::any::holds_model;
-use derivations::scene::{AnyScene, Axes, Family, Problem, Stored, stored};
+use dalembert_derivations::scene::any::holds_model;
+use dalembert_derivations::scene::{AnyScene, Axes, Family, Problem, Stored, stored};
 use field::{DoubleDouble, Over};
 use integrators::{
     Directions, Failure, Method, Ode, Record, Span, System, TaylorSeries, Tolerance, integrate, integrate_in,

@@ -1,12 +1,12 @@
 //! Motions across events to 25 digits: kept for every scene that has one, their own, and beside what is known in closed form.
 
-use derivations::friction::closed::climbed;
-use derivations::friction::exact::Regimes;
-use derivations::friction::{Rough, RoughScene};
-use derivations::regimes::critical;
-use derivations::scene::atlas::Treated;
-use derivations::scene::hybrid::{Unknown, judged};
-use derivations::scene::{AnyScene, Family, Stored, Trials, stored};
+use dalembert_derivations::friction::closed::climbed;
+use dalembert_derivations::friction::exact::Regimes;
+use dalembert_derivations::friction::{Rough, RoughScene};
+use dalembert_derivations::regimes::critical;
+use dalembert_derivations::scene::atlas::Treated;
+use dalembert_derivations::scene::hybrid::{Unknown, judged};
+use dalembert_derivations::scene::{AnyScene, Family, Stored, Trials, stored};
 use field::{Circle, DoubleDouble, Over, Scalar};
 use integrators::{Attempt, End, Failure, Method, Record, Span, Tolerance};
 use std::path::{Path, PathBuf};

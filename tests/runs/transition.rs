@@ -1,7 +1,7 @@
 //! The state-transition matrix of a run, beside differences of runs in double-double by another method.
 
-use derivations::recorded::Recorded;
-use derivations::scene::{AnyScene, Axes, Choice, Family, Problem};
+use dalembert_derivations::recorded::Recorded;
+use dalembert_derivations::scene::{AnyScene, Axes, Choice, Family, Problem};
 use field::{Analytic, DoubleDouble, Over};
 use integrators::{Method, Ode, Span, System, Tolerance, integrate_in, transition};
 use std::path::Path;

@@ -1,11 +1,11 @@
 //! Bounds of data: every datum of every motor and scene that must be positive is judged, by its name.
 
-use derivations::machines::{Allowed, Bound};
-use derivations::scene::{Family, Scene};
+use dalembert_derivations::machines::{Allowed, Bound};
+use dalembert_derivations::scene::{Family, Scene};
 
 /// A motor of the list alone on a bench, with its data as a small motor has them but for some.
 fn on_a_bench(model: &str, other: &str, value: &str, allowed: &str) -> String {
-    let (_, data) = derivations::conformance::sample(model).expect("it is in the list");
+    let (_, data) = dalembert_derivations::conformance::sample(model).expect("it is in the list");
     let numbers = data.numbers.iter().map(|(quantity, number)| {
         let number = if quantity.name == other { value.to_owned() } else { number.to_string() };
         let unit = if quantity.unit == "1" { "" } else { &quantity.unit };
@@ -23,8 +23,8 @@ fn on_a_bench(model: &str, other: &str, value: &str, allowed: &str) -> String {
 #[test]
 fn every_inductance_resistance_and_friction_of_the_motors_is_judged_and_named() {
     let mut judged = 0;
-    for (model, _) in derivations::machines::AnyMachine::LIST {
-        let (_, data) = derivations::conformance::sample(model).expect("it is in the list");
+    for (model, _) in dalembert_derivations::machines::AnyMachine::LIST {
+        let (_, data) = dalembert_derivations::conformance::sample(model).expect("it is in the list");
         for (quantity, _) in data.numbers {
             let (words, accepts_zero) = match &*quantity.unit {
                 "H" => (None, false),
@@ -86,7 +86,7 @@ fn masses_inductances_resistances_and_friction_of_every_scene_are_judged() {
                 continue;
             }
             let negative = line.replace(&format!("\"{number}"), "\"-1.25");
-            let error = derivations::scene::AnyScene::parse("scene.toml", &text.replacen(line, &negative, 1))
+            let error = dalembert_derivations::scene::AnyScene::parse("scene.toml", &text.replacen(line, &negative, 1))
                 .expect_err(&format!("{}: {negative}", path.display()));
             assert!(error.to_string().contains("-1.25"), "{}: {error}", path.display());
             judged += 1;

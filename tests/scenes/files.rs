@@ -1,7 +1,7 @@
 //! The scenes of the project: each is read, conserves what it must, runs alike in both forms, and does what it says.
 
-use derivations::machines::ForMachine;
-use derivations::scene::{Axes, Choice, Family, Scene, Trajectory};
+use dalembert_derivations::machines::ForMachine;
+use dalembert_derivations::scene::{Axes, Choice, Family, Scene, Trajectory};
 use integrators::Method;
 use std::path::PathBuf;
 
@@ -165,7 +165,10 @@ fn the_damper_of_the_stiff_scene_is_four_decades_faster_than_the_rotor() {
     struct TimeConstant;
     impl ForMachine for TimeConstant {
         type Output = f64;
-        fn apply<M: derivations::machines::Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> f64 {
+        fn apply<M: dalembert_derivations::machines::Catalogued + Clone + Send + Sync + 'static>(
+            self,
+            machine: M,
+        ) -> f64 {
             machine.inductance(1) / machine.resistance(1)
         }
     }

@@ -2,7 +2,7 @@
 //!
 //! Each test first asserts what the message points at, then compares the whole message with its snapshot.
 
-use derivations::scene::{Family, Scene, SceneError};
+use dalembert_derivations::scene::{Family, Scene, SceneError};
 
 const SOUND: &str = r#"title = "A gyrostat with a currentless synchronous motor"
 system = "gyrostat"

@@ -1,8 +1,8 @@
 //! Scenes with rough contacts: the project's own end as they say, and whatever is wrong with one is told at its place.
 
-use derivations::friction::RoughScene;
-use derivations::friction::run::Plan;
-use derivations::scene::Family;
+use dalembert_derivations::friction::RoughScene;
+use dalembert_derivations::friction::run::Plan;
+use dalembert_derivations::scene::Family;
 use std::ops::ControlFlow;
 use std::path::Path;
 

@@ -46,7 +46,7 @@ fn units_mean_what_the_si_says() {
 
 #[test]
 fn every_unit_of_a_machine_is_a_unit() {
-    use derivations::machines::{kloss, multi_current, synchronous};
+    use dalembert_derivations::machines::{kloss, multi_current, synchronous};
     let quantities = [
         kloss::Kloss::<f64>::QUANTITIES,
         multi_current::Windings::<f64>::QUANTITIES,

@@ -1,14 +1,14 @@
 //! Cases that are known in closed form, edges among them, with exact data.
 
-use derivations::machines::Machine;
-use derivations::machines::asynchronous::Asynchronous;
-use derivations::machines::constant_speed::ConstantSpeed;
-use derivations::scene::{Family, Scene};
-use derivations::stationary::energies::Energies;
-use derivations::stationary::motions::{Found, Stationary};
-use derivations::stationary::stability::map::OneAxis;
-use derivations::stationary::stability::reduced::{Fate, Reduced};
-use derivations::stationary::stability::{Approximation, Judged, Reason, Verdict};
+use dalembert_derivations::machines::Machine;
+use dalembert_derivations::machines::asynchronous::Asynchronous;
+use dalembert_derivations::machines::constant_speed::ConstantSpeed;
+use dalembert_derivations::scene::{Family, Scene};
+use dalembert_derivations::stationary::energies::Energies;
+use dalembert_derivations::stationary::motions::{Found, Stationary};
+use dalembert_derivations::stationary::stability::map::OneAxis;
+use dalembert_derivations::stationary::stability::reduced::{Fate, Reduced};
+use dalembert_derivations::stationary::stability::{Approximation, Judged, Reason, Verdict};
 use field::{Rational, Scalar};
 use nalgebra::{Matrix3, Vector3};
 use std::path::Path;

@@ -4,10 +4,10 @@ use crate::running::{Law, eigenvalues, run, state};
 use crate::tops::{
     Top, along, at_constant_speed, by_slip, circling, free, in_step, lagrange, oblique, r, without_friction,
 };
-use derivations::machines::constant_speed::ConstantSpeed;
-use derivations::stationary::stability::along::Along;
-use derivations::stationary::stability::{Reason, Verdict};
-use derivations::systems::gyrostat::forms::SecondForm;
+use dalembert_derivations::machines::constant_speed::ConstantSpeed;
+use dalembert_derivations::stationary::stability::along::Along;
+use dalembert_derivations::stationary::stability::{Reason, Verdict};
+use dalembert_derivations::systems::gyrostat::forms::SecondForm;
 use field::Rational;
 use mechanics::uniform::Shape;
 use nalgebra::Vector3;

@@ -1,12 +1,12 @@
 //! Identities of the first approximation at random exact stationary motions.
 
 use crate::physical::{axes, fixed, gyrostat};
-use derivations::machines::Machine;
-use derivations::machines::free_rotor::FreeRotor;
-use derivations::machines::synchronous::Synchronous;
-use derivations::stationary::energies::Energies;
-use derivations::stationary::stability::reduced::Reduced;
-use derivations::stationary::stability::{Linear, Place};
+use dalembert_derivations::machines::Machine;
+use dalembert_derivations::machines::free_rotor::FreeRotor;
+use dalembert_derivations::machines::synchronous::Synchronous;
+use dalembert_derivations::stationary::energies::Energies;
+use dalembert_derivations::stationary::stability::reduced::Reduced;
+use dalembert_derivations::stationary::stability::{Linear, Place};
 use field::{Circle, Rational, Scalar};
 use mechanics::first_approximation::characteristic;
 use mechanics::rotation::determinant;

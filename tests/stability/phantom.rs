@@ -1,21 +1,21 @@
 //! What the steps of methods make of stationary motions: exact thresholds beside runs, and the matrix beside the law that runs.
 
-use derivations::machines::{Bench, synchronous::Synchronous};
-use derivations::phantom::chart::{Chart, Motion, Row};
-use derivations::phantom::crossing::Crossing;
-use derivations::phantom::followed::{before, followed};
-use derivations::phantom::linear::Linearised;
-use derivations::phantom::measured::{APART, Run, Runs};
-use derivations::phantom::methods::OneStep;
-use derivations::phantom::motions::Stationed;
-use derivations::phantom::oscillator::bounds;
-use derivations::phantom::splittings::SplitRuns;
-use derivations::phantom::stretches::Proved;
-use derivations::phantom::survey::steps;
-use derivations::phantom::tested::Tested;
-use derivations::scene::{Axes, Family as _, Scene};
-use derivations::separated::Separable;
-use derivations::stationary::motions::Stationary;
+use dalembert_derivations::machines::{Bench, synchronous::Synchronous};
+use dalembert_derivations::phantom::chart::{Chart, Motion, Row};
+use dalembert_derivations::phantom::crossing::Crossing;
+use dalembert_derivations::phantom::followed::{before, followed};
+use dalembert_derivations::phantom::linear::Linearised;
+use dalembert_derivations::phantom::measured::{APART, Run, Runs};
+use dalembert_derivations::phantom::methods::OneStep;
+use dalembert_derivations::phantom::motions::Stationed;
+use dalembert_derivations::phantom::oscillator::bounds;
+use dalembert_derivations::phantom::splittings::SplitRuns;
+use dalembert_derivations::phantom::stretches::Proved;
+use dalembert_derivations::phantom::survey::steps;
+use dalembert_derivations::phantom::tested::Tested;
+use dalembert_derivations::scene::{Axes, Family as _, Scene};
+use dalembert_derivations::separated::Separable;
+use dalembert_derivations::stationary::motions::Stationary;
 use field::{DoubleDouble, Scalar};
 use integrators::{Collocation, Family, Jacobian, Real, Splitting, compose};
 use mechanics::discrete::{Judgement, Place};

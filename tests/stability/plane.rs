@@ -1,9 +1,9 @@
 //! Maps over two data of a scene, by their names, beside closed forms.
 
-use derivations::scene::{Family, Scene};
-use derivations::stationary::stability::datum::Datum;
-use derivations::stationary::stability::plane::{Cell, NoPlane, Plane};
-use derivations::stationary::stability::reduced::Fate;
+use dalembert_derivations::scene::{Family, Scene};
+use dalembert_derivations::stationary::stability::datum::Datum;
+use dalembert_derivations::stationary::stability::plane::{Cell, NoPlane, Plane};
+use dalembert_derivations::stationary::stability::reduced::Fate;
 use std::path::Path;
 
 fn scene() -> Scene {

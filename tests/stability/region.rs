@@ -1,15 +1,15 @@
 //! Maps of every motion over two data: beside single scenes, beside exact columns, beside the discriminant.
 
-use derivations::scene::{Family, Scene, System};
-use derivations::stationary::energies::{Energies, Kept};
-use derivations::stationary::motions::{Stationary, decimals};
-use derivations::stationary::motor::Motor;
-use derivations::stationary::stability::datum::Datum;
-use derivations::stationary::stability::plane::{Cell, Plane};
-use derivations::stationary::stability::reduced::Fate;
-use derivations::stationary::stability::region::line::Link;
-use derivations::stationary::stability::region::{Atlas, Border, Change, Class, Node, Place, Region};
-use derivations::systems::gyrostat::Gyrostat;
+use dalembert_derivations::scene::{Family, Scene, System};
+use dalembert_derivations::stationary::energies::{Energies, Kept};
+use dalembert_derivations::stationary::motions::{Stationary, decimals};
+use dalembert_derivations::stationary::motor::Motor;
+use dalembert_derivations::stationary::stability::datum::Datum;
+use dalembert_derivations::stationary::stability::plane::{Cell, Plane};
+use dalembert_derivations::stationary::stability::reduced::Fate;
+use dalembert_derivations::stationary::stability::region::line::Link;
+use dalembert_derivations::stationary::stability::region::{Atlas, Border, Change, Class, Node, Place, Region};
+use dalembert_derivations::systems::gyrostat::Gyrostat;
 use field::{Rational, Scalar};
 use mechanics::first_approximation::{derivative, resultant};
 use nalgebra::Matrix3;

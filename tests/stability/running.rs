@@ -1,8 +1,8 @@
 //! The equations that run: their Jacobian by tangents, and runs by Runge and Kutta's method.
 
-use derivations::machines::{Machine, RotorState};
-use derivations::systems::gyrostat::driven::Driven;
-use derivations::systems::gyrostat::forms::{Form, SecondForm};
+use dalembert_derivations::machines::{Machine, RotorState};
+use dalembert_derivations::systems::gyrostat::driven::Driven;
+use dalembert_derivations::systems::gyrostat::forms::{Form, SecondForm};
 use field::Tangent;
 use integrators::spectrum;
 use nalgebra::Vector3;

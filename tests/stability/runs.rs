@@ -1,14 +1,14 @@
 //! Runs beside eigenvalues: what grows does so at the largest real part, what is stable stays.
 
 use crate::running::{Law, eigenvalues, run, state};
-use derivations::machines::Machine;
-use derivations::machines::asynchronous::Asynchronous;
-use derivations::machines::constant_speed::ConstantSpeed;
-use derivations::scene::{Axes, Family, Scene, Start, System};
-use derivations::stationary::motions::Stationary;
-use derivations::stationary::motor::Motor;
-use derivations::stationary::stability::{Judged, Reason, Verdict};
-use derivations::systems::gyrostat::forms::SecondForm;
+use dalembert_derivations::machines::Machine;
+use dalembert_derivations::machines::asynchronous::Asynchronous;
+use dalembert_derivations::machines::constant_speed::ConstantSpeed;
+use dalembert_derivations::scene::{Axes, Family, Scene, Start, System};
+use dalembert_derivations::stationary::motions::Stationary;
+use dalembert_derivations::stationary::motor::Motor;
+use dalembert_derivations::stationary::stability::{Judged, Reason, Verdict};
+use dalembert_derivations::systems::gyrostat::forms::SecondForm;
 use integrators::{Jacobian, spectrum};
 use nalgebra::Vector3;
 use std::path::Path;
@@ -74,7 +74,7 @@ fn what_gyroscopic_forces_hold_at_constant_speed_leaves_with_a_motor() {
     let scene = Scene::open(Path::new("scenes/constant_speed.toml")).unwrap();
     let System::Gyrostat(bodies) = &scene.system else { panic!("a gyrostat") };
     let all = Stationary::of(&scene).unwrap().at_speed(20.0).unwrap();
-    let held = |found: &&derivations::stationary::motions::Found| {
+    let held = |found: &&dalembert_derivations::stationary::motions::Found| {
         found.stability[0].verdict == Verdict::CannotTell(Reason::Gyroscopic { negative: 2 })
     };
     let found = all[0].found.iter().find(held).unwrap();

@@ -1,11 +1,11 @@
 //! Stabilised constraints as they run, beside the exact regions of their gains.
 
-use derivations::stabilisation::drive_law::UNKNOWNS;
-use derivations::stabilisation::experiment;
-use derivations::stabilisation::law::BothHeld;
-use derivations::stabilisation::regions::{self, Fate};
-use derivations::stabilisation::schemes::Scheme;
-use derivations::stabilisation::treatments::{Goal, Line, Measured, Scan, Treatment, measure, times};
+use dalembert_derivations::stabilisation::drive_law::UNKNOWNS;
+use dalembert_derivations::stabilisation::experiment;
+use dalembert_derivations::stabilisation::law::BothHeld;
+use dalembert_derivations::stabilisation::regions::{self, Fate};
+use dalembert_derivations::stabilisation::schemes::Scheme;
+use dalembert_derivations::stabilisation::treatments::{Goal, Line, Measured, Scan, Treatment, measure, times};
 use field::Scalar;
 use integrators::{Held, Method, Ode, Span, System, Tolerance, integrate};
 use std::time::Duration;

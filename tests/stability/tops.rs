@@ -3,17 +3,17 @@
 
 use crate::running::{Law, eigenvalues, state};
 use algebra::real::{Enclosure, Root};
-use derivations::machines::Machine;
-use derivations::machines::asynchronous::Asynchronous;
-use derivations::machines::constant_speed::ConstantSpeed;
-use derivations::machines::free_rotor::FreeRotor;
-use derivations::machines::synchronous::Synchronous;
-use derivations::stationary::energies::{Energies, Kept};
-use derivations::stationary::motor::{Angle, Motor, Slip};
-use derivations::stationary::stability::Approximation;
-use derivations::stationary::stability::along::{Along, Known};
-use derivations::stationary::stability::judge::{Given, Judge};
-use derivations::systems::gyrostat::forms::SecondForm;
+use dalembert_derivations::machines::Machine;
+use dalembert_derivations::machines::asynchronous::Asynchronous;
+use dalembert_derivations::machines::constant_speed::ConstantSpeed;
+use dalembert_derivations::machines::free_rotor::FreeRotor;
+use dalembert_derivations::machines::synchronous::Synchronous;
+use dalembert_derivations::stationary::energies::{Energies, Kept};
+use dalembert_derivations::stationary::motor::{Angle, Motor, Slip};
+use dalembert_derivations::stationary::stability::Approximation;
+use dalembert_derivations::stationary::stability::along::{Along, Known};
+use dalembert_derivations::stationary::stability::judge::{Given, Judge};
+use dalembert_derivations::systems::gyrostat::forms::SecondForm;
 use field::{Rational, Scalar};
 use mechanics::uniform::{Body, Shape};
 use nalgebra::{Matrix3, Vector3};

@@ -10,7 +10,7 @@
 //! * [`linear`]: determinants, and elimination with pivots over any field, enclosures too.
 //!
 //! ```
-//! use algebra::real::Polynomial;
+//! use dalembert_algebra::real::Polynomial;
 //!
 //! // (x^2 - 2) (x - 1)
 //! let product = Polynomial::from_integers([2, -2, -1, 1]);

@@ -1,7 +1,7 @@
 //! The clock of the process ends every run, whatever its own budget. It is set once, so that this is a program of its own.
 
+use dalembert_integrators::{Failure, Method, Ode, Span, System, Tolerance, clock, integrate};
 use field::Scalar;
-use integrators::{Failure, Method, Ode, Span, System, Tolerance, clock, integrate};
 use std::time::Instant;
 
 /// y'' = -y.

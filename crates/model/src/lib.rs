@@ -9,13 +9,13 @@
 //! * [`principles`]: the equations of motion, each principle by derivatives that nobody writes down.
 //!
 //! ```
-//! use model::{Model, Source, Trace, principles::Principle};
+//! use dalembert_model::{Model, Source, Trace, principles::Principle};
 //!
 //! let mut source = Source::default();
 //! source.parameters = vec![("m", "2 kg").into(), ("l", "1 m").into(), ("g", "9.81 m/s^2").into()];
 //! source.coordinates = vec![("theta", "rad").into()];
 //! source.points = vec![("P", "O + l*(sin(theta)*N.x - cos(theta)*N.y)").into()];
-//! source.bodies = vec![model::BodySource::particle("bob", "P", "m")];
+//! source.bodies = vec![dalembert_model::BodySource::particle("bob", "P", "m")];
 //! source.gravity = Some("-g*N.y".into());
 //! let model = Model::of(&source).unwrap();
 //! let left = symbolic::apart(|| Principle::Lagrange.residual(&Trace::of(&model)).unwrap()[0].to_string());

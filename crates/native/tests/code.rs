@@ -1,7 +1,7 @@
 //! Machine code beside the tape that it was made from.
 
+use dalembert_native::Code;
 use field::{Analytic, Scalar};
-use native::Code;
 use proptest::prelude::*;
 use symbolic::{Sym, Tape};
 

@@ -1,8 +1,8 @@
 //! Optimal regulators: Riccati's equation beside Bellman's, the cost of the nonlinear run beside its value, and what is refused.
 
+use dalembert_scenes::ModelScene;
+use dalembert_scenes::regulator::{Controllability, Regulated, regulated};
 use mechanics::bellman::Regulator;
-use scenes::ModelScene;
-use scenes::regulator::{Controllability, Regulated, regulated};
 use std::time::Duration;
 
 fn cart_pole(from: &str, to: &str) -> String {

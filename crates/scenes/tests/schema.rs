@@ -1,6 +1,6 @@
 //! The JSON schema for editors has the keys that the reader knows, and accepts every file that the project holds.
 
-use scenes::ModelScene;
+use dalembert_scenes::ModelScene;
 use serde_json::{Map, Value, json};
 use std::collections::BTreeSet;
 use toml::de::{DeTable, DeValue};

@@ -15,7 +15,7 @@
 //! over `f64`, double-double, duals and lanes, at any values of its parameters.
 //!
 //! ```
-//! use series::{Equations, Recurrence};
+//! use dalembert_series::{Equations, Recurrence};
 //! use symbolic::{Sym, symbols};
 //!
 //! // y' = y, through 1: the exponential series

@@ -12,7 +12,7 @@
 //!
 //! ```
 //! use field::{Analytic, Scalar};
-//! use symbolic::{Decision, Hypotheses, Sym, normal, symbols};
+//! use dalembert_symbolic::{Decision, Hypotheses, Sym, normal, symbols};
 //!
 //! let [l1, l2, l3, x] = symbols(["l1", "l2", "l3", "x"]);
 //! let unit = Hypotheses::none().unit_vector([l1, l2, l3]);

@@ -1,7 +1,7 @@
 //! Two rough contacts: ladders on wall and floor.
 
 use super::verdicts::{decide, name, q};
-use derivations::systems::ladder::Ladder;
+use dalembert_derivations::systems::ladder::Ladder;
 use field::{Circle, Rational};
 use mechanics::constrained::State;
 use mechanics::regimes::{Direction, Dry, Face, Mode, Seen, Touch, Verdict, consistent};

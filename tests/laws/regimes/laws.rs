@@ -2,8 +2,8 @@
 
 use super::ladders::{ladder, leaning};
 use super::verdicts::{name, q};
-use derivations::regimes::maps::{Kind, maps};
-use derivations::systems::ladder::Ladder;
+use dalembert_derivations::regimes::maps::{Kind, maps};
+use dalembert_derivations::systems::ladder::Ladder;
 use field::{Circle, Rational};
 use mechanics::constrained::State;
 use mechanics::constrained::contacts::Sides;

@@ -1,8 +1,8 @@
 //! One rough contact: rods on a line, and a bead on a dome.
 
 use super::verdicts::{decide, q};
-use derivations::systems::rod::Rod;
-use derivations::systems::slender_rod::SlenderRod;
+use dalembert_derivations::systems::rod::Rod;
+use dalembert_derivations::systems::slender_rod::SlenderRod;
 use field::{Circle, Over, Rational};
 use mechanics::constrained::contacts::{Contact, Contacts, Sides};
 use mechanics::constrained::{Constrained, Constraint, State, System};

@@ -1,7 +1,7 @@
 //! Two masses on rough guides.
 
 use super::verdicts::{decide, q};
-use derivations::systems::painleve_klein::Sliders;
+use dalembert_derivations::systems::painleve_klein::Sliders;
 use field::Rational;
 use mechanics::constrained::State;
 use mechanics::regimes::Verdict;

@@ -5,9 +5,9 @@ mod programme;
 mod regulator;
 mod servo;
 
-use derivations::systems::elastic_governor::ElasticGovernor;
-use derivations::systems::governor::constant::{ConstantMoments, Course};
-use derivations::systems::governor::{Gearing, Governor, Moment};
+use dalembert_derivations::systems::elastic_governor::ElasticGovernor;
+use dalembert_derivations::systems::governor::constant::{ConstantMoments, Course};
+use dalembert_derivations::systems::governor::{Gearing, Governor, Moment};
 use field::{Analytic, Over, Rational, Scalar};
 use integrators::{Method, Ode, Span, System, Tolerance, integrate};
 use mechanics::bellman::{Regulator, quadratic};

@@ -1,7 +1,7 @@
 //! The programme by multipliers and a control: beside Appell's equations, exactly.
 
 use super::*;
-use derivations::systems::governor::servo::Kept;
+use dalembert_derivations::systems::governor::servo::Kept;
 use field::Tangent;
 use mechanics::constrained::motion::velocity;
 use mechanics::constrained::programmed::Linear;

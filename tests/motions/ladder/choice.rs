@@ -1,12 +1,12 @@
 //! What is chosen keeps its tolerance, by references that two methods share to 24 digits.
 
 use super::{ladder, path, scene};
-use derivations::ladder::followed::instants;
-use derivations::ladder::linear::propagator;
-use derivations::ladder::switching::Schedule;
-use derivations::ladder::watched::Watched;
-use derivations::ladder::{Forms, Ladder, Models, Receipt, Rung, Wish, choose};
-use derivations::scene::{Axes, Family, Scene, Stored};
+use dalembert_derivations::ladder::followed::instants;
+use dalembert_derivations::ladder::linear::propagator;
+use dalembert_derivations::ladder::switching::Schedule;
+use dalembert_derivations::ladder::watched::Watched;
+use dalembert_derivations::ladder::{Forms, Ladder, Models, Receipt, Rung, Wish, choose};
+use dalembert_derivations::scene::{Axes, Family, Scene, Stored};
 use integrators::{Jacobian, Method, transition};
 use std::time::Duration;
 

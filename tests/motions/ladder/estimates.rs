@@ -1,9 +1,9 @@
 //! What an estimate is worth: beside the true error, and by a second route.
 
 use super::{corrected, drawn, exactly, ladder, scene, tight, truly};
-use derivations::ladder::Loss;
-use derivations::ladder::followed::followed;
-use derivations::scene::{Family, Scene};
+use dalembert_derivations::ladder::Loss;
+use dalembert_derivations::ladder::followed::followed;
+use dalembert_derivations::scene::{Family, Scene};
 
 /// Where the second order is small beside the first, the estimate is the error up to that.
 #[test]

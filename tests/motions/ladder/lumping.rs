@@ -1,10 +1,10 @@
 //! Windings lumped without loss, and what merging of unlike ones costs.
 
 use super::{ladder, scene};
-use derivations::ladder::currents::Current;
-use derivations::ladder::lumping::{merged_at_most, seen_windings};
-use derivations::ladder::{Lumped, Lumping};
-use derivations::machines::{Bench, Machine, RotorState, drive};
+use dalembert_derivations::ladder::currents::Current;
+use dalembert_derivations::ladder::lumping::{merged_at_most, seen_windings};
+use dalembert_derivations::ladder::{Lumped, Lumping};
+use dalembert_derivations::machines::{Bench, Machine, RotorState, drive};
 use field::{Analytic, Base, Circle, Over, Rational, Scalar, Tangent};
 use integrators::{Method, Ode, Record, Span, System, Tolerance, integrate};
 use symbolic::Sym;
@@ -122,13 +122,13 @@ fn the_scenes_damper_and_excitation_are_lumped_by_their_ratios() {
 
 #[test]
 fn what_is_said_to_be_proved_for_all_data_stands_in_the_ledger() {
-    use derivations::ladder::Loss;
+    use dalembert_derivations::ladder::Loss;
     let ladder = ladder(&scene("spin_up"));
     let cited = ladder.rungs.iter().filter_map(|rung| match rung.loss {
         Loss::Nothing { claim } => claim,
         _ => None,
     });
-    let page = (derivations::papers::konosevich2022::PAPER.page)();
+    let page = (dalembert_derivations::papers::konosevich2022::PAPER.page)();
     let mut count = 0;
     for claim in cited {
         count += 1;

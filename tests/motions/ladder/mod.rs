@@ -8,10 +8,10 @@ mod governors;
 mod lumping;
 mod rough;
 
-use derivations::ladder::followed::{followed, followed_at, instants};
-use derivations::ladder::watched::Watched;
-use derivations::ladder::{Estimate, Ladder, Rung};
-use derivations::scene::{AnyScene, Axes, Family, MechanismScene, Scene};
+use dalembert_derivations::ladder::followed::{followed, followed_at, instants};
+use dalembert_derivations::ladder::watched::Watched;
+use dalembert_derivations::ladder::{Estimate, Ladder, Rung};
+use dalembert_derivations::scene::{AnyScene, Axes, Family, MechanismScene, Scene};
 use integrators::{Record, Tolerance};
 use std::path::PathBuf;
 

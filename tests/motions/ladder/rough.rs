@@ -1,10 +1,10 @@
 //! The same ladder under rough contacts.
 
 use super::path;
-use derivations::friction::RoughScene;
-use derivations::ladder::rough::RoughLadder;
-use derivations::ladder::{Loss, Models, Verdict, Wish, choose};
-use derivations::scene::Family;
+use dalembert_derivations::friction::RoughScene;
+use dalembert_derivations::ladder::rough::RoughLadder;
+use dalembert_derivations::ladder::{Loss, Models, Verdict, Wish, choose};
+use dalembert_derivations::scene::Family;
 use std::time::Duration;
 
 /// A scene with other coefficients of friction and another span.

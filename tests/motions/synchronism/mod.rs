@@ -5,8 +5,8 @@ mod folds;
 mod repeating;
 mod slipping;
 
-use derivations::scene::{Family, Scene};
-use derivations::synchronism::loaded::Loaded;
+use dalembert_derivations::scene::{Family, Scene};
+use dalembert_derivations::synchronism::loaded::Loaded;
 
 fn scene(name: &str) -> Scene {
     Scene::open(std::path::Path::new(&format!("scenes/{name}.toml"))).expect("the scene is sound")

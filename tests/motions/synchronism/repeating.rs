@@ -1,6 +1,6 @@
 //! Motions that repeat, found by shooting: against closed forms.
 
-use derivations::recorded::Recorded;
+use dalembert_derivations::recorded::Recorded;
 use field::{Analytic, Over};
 use integrators::{Ode, Repeating, System, Walk, follow};
 use std::f64::consts::TAU;

@@ -1,12 +1,12 @@
 //! The energy that is lost is the work of friction and resistance, to the order of the method.
 
 use super::runs;
-use derivations::machines::{Catalogued, ForMachine, Machine, RotorState, heat};
-use derivations::scene::{Axes, System as Kind};
-use derivations::separated::Separable;
-use derivations::systems::gyrostat::Gyrostat;
-use derivations::systems::gyrostat::driven::Driven;
-use derivations::systems::gyrostat::forms::FirstForm;
+use dalembert_derivations::machines::{Catalogued, ForMachine, Machine, RotorState, heat};
+use dalembert_derivations::scene::{Axes, System as Kind};
+use dalembert_derivations::separated::Separable;
+use dalembert_derivations::systems::gyrostat::Gyrostat;
+use dalembert_derivations::systems::gyrostat::driven::Driven;
+use dalembert_derivations::systems::gyrostat::forms::FirstForm;
 use field::{Analytic, DoubleDouble, Over};
 use integrators::{Method, Ode, Real, Record, Span, Splitting, System, Tolerance, compose, integrate_in};
 

@@ -1,12 +1,12 @@
 //! What the steps keep: |v|, x.v, brackets, the energy within bounds, the rate at which volumes shrink.
 
 use super::runs::{self, SCENES, split};
-use derivations::machines::{AnyMachine, Catalogued, ForMachine, Point as RotorPoint};
-use derivations::scene::{Axes, System};
-use derivations::separated::Separable;
-use derivations::systems::gyrostat::Gyrostat;
-use derivations::systems::gyrostat::driven::Driven;
-use derivations::systems::gyrostat::momenta::Point;
+use dalembert_derivations::machines::{AnyMachine, Catalogued, ForMachine, Point as RotorPoint};
+use dalembert_derivations::scene::{Axes, System};
+use dalembert_derivations::separated::Separable;
+use dalembert_derivations::systems::gyrostat::Gyrostat;
+use dalembert_derivations::systems::gyrostat::driven::Driven;
+use dalembert_derivations::systems::gyrostat::momenta::Point;
 use field::DoubleDouble;
 use integrators::{Jacobian, Method, Pieces, Span, Splitting, compose};
 use nalgebra::{DMatrix, Vector3};

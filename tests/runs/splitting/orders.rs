@@ -1,7 +1,7 @@
 //! Orders on nonlinear motions are theory's, by a reference of another family; a run back undoes a run.
 
 use super::runs::{self, SCENES, error, split};
-use derivations::scene::{Axes, Problem};
+use dalembert_derivations::scene::{Axes, Problem};
 use field::DoubleDouble;
 use integrators::{End, Failure, Method, Refusal, Span, Splitting, Tolerance, integrate, integrate_in};
 

@@ -2,20 +2,20 @@
 
 use crate::physical::machines::{every_machine, numbers};
 use crate::physical::{fixed, gyrostat, rounded};
-use derivations::machines::asynchronous::Asynchronous;
-use derivations::machines::constant_speed::ConstantSpeed;
-use derivations::machines::free_rotor::FreeRotor;
-use derivations::machines::kloss::Kloss;
-use derivations::machines::multi_current::{MultiCurrent, Windings};
-use derivations::machines::synchronous::Synchronous;
-use derivations::machines::{
+use dalembert_derivations::machines::asynchronous::Asynchronous;
+use dalembert_derivations::machines::constant_speed::ConstantSpeed;
+use dalembert_derivations::machines::free_rotor::FreeRotor;
+use dalembert_derivations::machines::kloss::Kloss;
+use dalembert_derivations::machines::multi_current::{MultiCurrent, Windings};
+use dalembert_derivations::machines::synchronous::Synchronous;
+use dalembert_derivations::machines::{
     Bench, Catalogued, ForMachine, Kick, Law, Machine, Point as RotorPoint, RotorState, Rule, has_known_flow,
 };
-use derivations::separated::Separable;
-use derivations::systems::gyrostat::Gyrostat;
-use derivations::systems::gyrostat::driven::Driven;
-use derivations::systems::gyrostat::forms::{FirstForm, Form, SecondForm};
-use derivations::systems::gyrostat::momenta::{Flows, Point};
+use dalembert_derivations::separated::Separable;
+use dalembert_derivations::systems::gyrostat::Gyrostat;
+use dalembert_derivations::systems::gyrostat::driven::Driven;
+use dalembert_derivations::systems::gyrostat::forms::{FirstForm, Form, SecondForm};
+use dalembert_derivations::systems::gyrostat::momenta::{Flows, Point};
 use field::{Analytic, Base, Circle, DoubleDouble, Over, Scalar, Tangent};
 use integrators::{Pieces, Real};
 use nalgebra::Vector3;
@@ -97,7 +97,7 @@ fn proved<M: Machine<Sym> + Clone>(name: &str, machine: M, law: Law) {
     check("second", both(&second, law, &at));
 }
 
-fn symbol<E>(quantity: &'static derivations::machines::Quantity) -> Result<Sym, E> {
+fn symbol<E>(quantity: &'static dalembert_derivations::machines::Quantity) -> Result<Sym, E> {
     Ok(Sym::symbol(&quantity.name))
 }
 

@@ -1,6 +1,6 @@
 //! What the tests run: scenes with their own motor or another.
 
-use derivations::scene::{Axes, Family, Problem, Scene};
+use dalembert_derivations::scene::{Axes, Family, Problem, Scene};
 use integrators::{Method, Outcome, Span, Splitting, Tolerance, integrate};
 use std::path::Path;
 

@@ -2,7 +2,7 @@
 //! worse than a wrong friction.
 
 use super::runs::{self, split};
-use derivations::scene::{Axes, Problem};
+use dalembert_derivations::scene::{Axes, Problem};
 use integrators::{End, Failure, Method, Outcome, Span, Splitting, Tolerance, integrate};
 
 const TIME: f64 = 0.1;

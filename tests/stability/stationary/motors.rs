@@ -1,8 +1,8 @@
 //! The stationary states of every motor, and every motion of the scenes beside the equations that run.
 
-use derivations::scene::{Axes, Family, Scene, Start};
-use derivations::stationary::motions::Stationary;
-use derivations::stationary::motor::{Motor, NoMotor, Slip};
+use dalembert_derivations::scene::{Axes, Family, Scene, Start};
+use dalembert_derivations::stationary::motions::Stationary;
+use dalembert_derivations::stationary::motor::{Motor, NoMotor, Slip};
 use std::path::Path;
 
 fn scene(name: &str) -> Scene {

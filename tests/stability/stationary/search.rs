@@ -1,6 +1,6 @@
 //! An independent search: Newton's method on the equations of motion, in doubles, from many starts on the sphere.
 
-use derivations::systems::gyrostat::{Gyrostat, Motion};
+use dalembert_derivations::systems::gyrostat::{Gyrostat, Motion};
 use field::Tangent;
 use nalgebra::{Matrix3, Vector3};
 

@@ -6,8 +6,8 @@
 //!   to be, for every polynomial in the enclosures.
 //!
 //! ```
-//! use algebra::complex::zeros;
-//! use algebra::real::Enclosure;
+//! use dalembert_algebra::complex::zeros;
+//! use dalembert_algebra::real::Enclosure;
 //!
 //! // z^3 - 2
 //! let coefficients = [-2, 0, 0, 1].map(|n| Enclosure::integer(n, 128));

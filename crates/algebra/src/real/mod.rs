@@ -19,7 +19,7 @@
 //! proves zero. Polynomials count up to a positive factor: only their roots and signs are asked for.
 //!
 //! ```
-//! use algebra::real::Polynomial;
+//! use dalembert_algebra::real::Polynomial;
 //!
 //! // (x^2 - 2) (x - 1)
 //! let roots = Polynomial::from_integers([2, -2, -1, 1]).real_roots();

@@ -1,6 +1,6 @@
 //! Numbers that are enclosed to thirty digits, beside exact ones and known digits.
 
-use algebra::real::{Ball, FixedPoint, Ordered};
+use dalembert_algebra::real::{Ball, FixedPoint, Ordered};
 use dashu_ratio::RBig;
 use field::{DoubleDouble, Rational, Scalar};
 

@@ -1,7 +1,7 @@
 //! Linear equations over fields: determinants, and elimination beside exact solutions.
 
-use algebra::linear::{Factors, Magnitude, NotSolved, Pattern, determinant};
-use algebra::real::Ball;
+use dalembert_algebra::linear::{Factors, Magnitude, NotSolved, Pattern, determinant};
+use dalembert_algebra::real::Ball;
 use field::{Rational, Scalar};
 
 #[test]

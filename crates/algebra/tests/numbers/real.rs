@@ -1,6 +1,6 @@
 //! Real roots beside products of known factors, Sturm's count, and numbers that are known otherwise.
 
-use algebra::real::{Enclosure, Field, Number, Polynomial, subresultant};
+use dalembert_algebra::real::{Enclosure, Field, Number, Polynomial, subresultant};
 use field::Rational;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;

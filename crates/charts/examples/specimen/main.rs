@@ -6,7 +6,7 @@ use std::process::ExitCode;
 
 fn main() -> ExitCode {
     let path = std::env::args().nth(1).unwrap_or_else(|| "specimen.html".to_owned());
-    let page = charts::page::render(&report::specimen());
+    let page = dalembert_charts::page::render(&report::specimen());
     for unset in &page.unset {
         eprintln!("{}: {} in `{}`", unset.place, unset.reason, unset.latex);
     }

@@ -1,6 +1,6 @@
 //! The page in a browser: it loads without a complaint, and its scripts do what they are for.
 
-use charts::page;
+use dalembert_charts::page;
 use std::process::Command;
 
 /// Runs a script after those of the page; what it told, or nothing where there is no browser.

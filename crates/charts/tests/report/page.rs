@@ -1,7 +1,7 @@
 //! The whole page, on the specimen: self-contained, escaped, typeset, the same every time.
 
 use crate::report::specimen;
-use charts::{ClaimRow, PaperSection, Report, Trajectory, Verdict, page};
+use dalembert_charts::{ClaimRow, PaperSection, Report, Trajectory, Verdict, page};
 
 #[test]
 fn every_formula_of_the_specimen_is_typeset() {

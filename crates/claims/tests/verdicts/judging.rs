@@ -1,6 +1,6 @@
 //! What is false is not proved: each way of deciding a claim, shown something wrong.
 
-use claims::{Claim, Condition, Judged, Line, Page, Point, Verdict};
+use dalembert_claims::{Claim, Condition, Judged, Line, Page, Point, Verdict};
 use field::{Rational, Scalar};
 use symbolic::{Dimension, Hypotheses, Sym, symbols};
 
@@ -183,7 +183,7 @@ fn what_was_divided_by_and_what_is_given_in_words_is_listed() {
     let text = |list: &[(String, String)]| list.iter().map(|(text, _)| text.clone()).collect::<Vec<_>>();
     assert_eq!((claim.verdict, text(&claim.signs)), (Verdict::Proved, vec!["a > 0".to_owned()]));
     assert_eq!(text(&claim.requires), ["c != 0", "b - c != 0"]);
-    assert_eq!(claims::entries(&[claim])[0].requires, ["c != 0", "b - c != 0", "a > 0"]);
+    assert_eq!(dalembert_claims::entries(&[claim])[0].requires, ["c != 0", "b - c != 0", "a > 0"]);
 }
 
 #[test]
@@ -202,11 +202,11 @@ fn a_reading_a_reason_and_a_note_stand_in_every_output() {
         let draft = page.claim("eq1", "x", "printed with a lost 2").why("The 2 is lost.");
         draft.reading("b is read as a.").note("For all a.").fails([Line::formula(a + a, y, a)]);
     });
-    let page = claims::render(std::slice::from_ref(&claim));
+    let page = dalembert_claims::render(std::slice::from_ref(&claim));
     for line in ["why: The 2 is lost.", "reading: b is read as a.", "note: For all a."] {
         assert!(page.contains(line), "{page}");
     }
-    let row = &claims::entries(&[claim])[0];
+    let row = &dalembert_claims::entries(&[claim])[0];
     assert_eq!(row.why.as_deref(), Some("The 2 is lost."));
     assert_eq!(row.reading.as_deref(), Some("b is read as a."));
     assert_eq!(row.note.as_deref(), Some("For all a."));

@@ -1,6 +1,6 @@
 //! A difference of two pages is told as a difference of statements.
 
-use claims::review::{Change, Edit, review};
+use dalembert_claims::review::{Change, Edit, review};
 use symbolic::Dimension;
 
 const PAGE: &str = "2 claims: 2 proved\n\n\

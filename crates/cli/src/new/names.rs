@@ -14,7 +14,8 @@ const WORDS: &[&str] = &[
 ];
 
 /// Crates that come with the language, and the tests' own: a module of such a name would stand in their way.
-const CRATES: &[&str] = &["alloc", "core", "dalembert", "derivations", "proc_macro", "std", "test"];
+const CRATES: &[&str] =
+    &["alloc", "core", "dalembert", "dalembert_derivations", "derivations", "proc_macro", "std", "test"];
 
 /// Types of the language without capitals.
 const PRIMITIVES: &[&str] = &[

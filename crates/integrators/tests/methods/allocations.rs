@@ -5,8 +5,8 @@ use std::cell::Cell;
 
 use crate::held::methods;
 use crate::problems::{Chain, Kepler, Rim};
+use dalembert_integrators::{Jacobian, Method, Ode, Span, Tolerance, Working, hold, integrate, integrate_in};
 use field::DoubleDouble;
-use integrators::{Jacobian, Method, Ode, Span, Tolerance, Working, hold, integrate, integrate_in};
 
 /// Counts what the heap is asked for, thread by thread.
 struct Counting;

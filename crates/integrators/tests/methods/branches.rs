@@ -1,7 +1,7 @@
 //! Curves of solutions: textbook folds, where they are, and who is stable on which side.
 
+use dalembert_integrators::{Curve, Equilibria, Failure, Last, Ode, System, Walk, follow, spectrum};
 use field::{Analytic, Over};
-use integrators::{Curve, Equilibria, Failure, Last, Ode, System, Walk, follow, spectrum};
 
 /// f(x, p) = 0 with its two derivatives.
 struct Plane(fn(f64, f64) -> [f64; 3]);

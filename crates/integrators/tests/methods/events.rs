@@ -1,10 +1,10 @@
 //! Events: where a signal falls through zero, or only touches it.
 
-use field::{Analytic, Over};
-use integrators::{
+use dalembert_integrators::{
     Event, Happening, Method, Ode, Outcome, Record, Signal, Span, Switches, System, TaylorSeries, Tolerance, integrate,
     integrate_to_event,
 };
+use field::{Analytic, Over};
 
 /// q'' = -q
 struct Oscillator;

@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use crate::problems::{Explosion, Funnel, Growth, Kaps, Pendulum};
-use integrators::{Absolute, Failure, Method, Outcome, Record, Refusal, Span, System, Tolerance, integrate};
+use dalembert_integrators::{Absolute, Failure, Method, Outcome, Record, Refusal, Span, System, Tolerance, integrate};
 
 const EXPLICIT: [Method; 5] =
     [Method::DormandPrince5, Method::DormandPrince8, Method::Verner6, Method::Verner9, Method::GraggBulirschStoer];

@@ -1,11 +1,11 @@
 //! Laws that are held to constraints: drift at rounding, orders as theory has them, failures by name.
 
 use crate::problems::{Growth, LooseRim, Rim, distance};
-use field::{Analytic, DoubleDouble, Over};
-use integrators::{
+use dalembert_integrators::{
     Failure, Held, HeldSystem, Holding, Method, Observer, Ode, Refusal, Span, System, Working, hold,
     integrate_projected,
 };
+use field::{Analytic, DoubleDouble, Over};
 
 const SPAN: f64 = 2.0;
 

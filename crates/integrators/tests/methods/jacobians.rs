@@ -1,7 +1,7 @@
 //! The Jacobian by forward differentiation, over more components than one evaluation has directions.
 
 use crate::problems::{Chain, Drive};
-use integrators::{Jacobian, Ode};
+use dalembert_integrators::{Jacobian, Ode};
 
 #[test]
 fn every_column_is_the_central_difference_of_the_rates() {

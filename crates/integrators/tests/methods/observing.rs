@@ -1,7 +1,7 @@
 //! Outputs, monitors and progress: what a run shows of itself.
 
 use crate::problems::{Drive, Kepler, Pendulum, distance};
-use integrators::{Method, Progress, Record, Samples, Span, Tolerance, integrate};
+use dalembert_integrators::{Method, Progress, Record, Samples, Span, Tolerance, integrate};
 
 const METHODS: [Method; 10] = [
     Method::Rodas4,

@@ -1,8 +1,8 @@
 //! Every method converges as its theory says, on nonlinear problems.
 
 use crate::problems::{Drive, Kaps, Kepler, Pendula, ProtheroRobinson, distance};
+use dalembert_integrators::{Method, Span, Tolerance, Work, Working, integrate, integrate_in};
 use field::DoubleDouble;
-use integrators::{Method, Span, Tolerance, Work, Working, integrate, integrate_in};
 
 const ECCENTRIC: Kepler = Kepler { eccentricity: 0.3 };
 

@@ -1,7 +1,7 @@
 //! Nonlinear problems with known solutions, each written once for every field.
 
+use dalembert_integrators::{Held, HeldSystem, Ode, Real, System};
 use field::{Analytic, DoubleDouble, Over};
-use integrators::{Held, HeldSystem, Ode, Real, System};
 
 /// Kepler's problem: q'' = -q / |q|^3, with semi-major axis 1 and the pericentre at t = 0.
 pub struct Kepler {

@@ -1,10 +1,10 @@
 //! References agree with what is known of the solution, and admit it where they do not know enough.
 
 use crate::problems::{Chain, Explosion, Kaps, Kepler, Lorenz, Pendulum, distance};
-use field::DoubleDouble;
-use integrators::{
+use dalembert_integrators::{
     Attempt, Course, Failure, Means, Method, Record, Span, System, Timed, Tolerance, judge, measure, reference,
 };
+use field::DoubleDouble;
 use std::time::Duration;
 
 /// The states of a reference that claims enough digits, and its second method.

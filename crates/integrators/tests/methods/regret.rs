@@ -1,6 +1,6 @@
 //! What a choice costs beside the best.
 
-use integrators::{Regrets, Trial, cost};
+use dalembert_integrators::{Regrets, Trial, cost};
 
 fn trials(points: &[(f64, f64)]) -> Vec<Trial> {
     points.iter().map(|&(cost, error)| Trial { cost, error: Some(error) }).collect()

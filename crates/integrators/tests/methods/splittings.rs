@@ -1,11 +1,11 @@
 //! Compositions of two and of three flows, without knowledge of a system: orders, and refusals by name.
 
 use crate::problems::{Drive, Kepler, distance};
-use field::{DoubleDouble, Over};
-use integrators::{
+use dalembert_integrators::{
     Composed, End, Failure, Method, Ode, Pieces, Real, Record, Refusal, Span, Splitting, System, Tolerance, Working,
     compose, integrate, integrate_in,
 };
+use field::{DoubleDouble, Over};
 
 /// Kepler's problem in two pieces, the pull of the centre and the motion along straight lines; or in three, with the
 /// pull in two parts.

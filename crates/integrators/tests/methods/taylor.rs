@@ -1,11 +1,11 @@
 //! Taylor's method on a series written by hand: the pendulum, with sine and cosine by their recurrences.
 
 use crate::problems::{Kepler, Pendulum, distance};
-use field::DoubleDouble;
-use integrators::{
+use dalembert_integrators::{
     Directions, Failure, Method, Ode, Record, Refusal, Span, System, Taylor, TaylorSeries, Tolerance, Working,
     integrate, integrate_in, reference,
 };
+use field::DoubleDouble;
 
 /// The pendulum with its series.
 struct Series(Pendulum);

@@ -1,9 +1,9 @@
 //! Zeros of polynomials by every method: however long its steps, it finds all of them.
 
-use field::{Analytic, Over};
-use integrators::{
+use dalembert_integrators::{
     Event, Happening, Method, Ode, Signal, Span, Switches, System, TaylorSeries, Tolerance, integrate_to_event,
 };
+use field::{Analytic, Over};
 
 /// y' = p'(t), so that y = p(t): its coefficients from the constant one on.
 struct Polynomial(&'static [f64]);

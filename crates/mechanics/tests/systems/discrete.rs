@@ -2,9 +2,9 @@
 
 use algebra::complex::Rectangle;
 use algebra::real::Enclosure;
+use dalembert_mechanics::discrete::{Fates, Judgement, Place, Spectrum, StabilityFunction, Steps};
+use dalembert_mechanics::first_approximation::characteristic;
 use field::Rational;
-use mechanics::discrete::{Fates, Judgement, Place, Spectrum, StabilityFunction, Steps};
-use mechanics::first_approximation::characteristic;
 
 const BITS: usize = 192;
 

@@ -3,9 +3,9 @@
 //! Appell's equations made by writing q'' for q' in the kinetic energy lose every term in the velocities: a particle in
 //! polar coordinates must give m (r'' - r th'^2) = Q_r.
 
+use dalembert_mechanics::appell::appell;
+use dalembert_mechanics::differentiate::along;
 use field::{Analytic, Tangent};
-use mechanics::appell::appell;
-use mechanics::differentiate::along;
 use proptest::prelude::*;
 
 /// S = m/2 |a|^2 of a particle at (r cos th, r sin th), from the place twice differentiated along the motion.

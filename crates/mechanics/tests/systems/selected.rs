@@ -1,8 +1,8 @@
 //! Motions with a given vertical momentum in special positions, each beside its closed form: none is left open.
 
 use algebra::real::{Enclosure, Polynomial, Root};
+use dalembert_mechanics::uniform::{Body, Kind, Selected, Shape};
 use field::{Rational, Scalar};
-use mechanics::uniform::{Body, Kind, Selected, Shape};
 use nalgebra::{Matrix3, Vector3};
 
 fn r(n: i64, d: i64) -> Rational {

@@ -1,14 +1,14 @@
 //! A speed that is kept across its gradient, and coordinates without mass: by what defines their motion, exactly.
 
+use dalembert_mechanics::constrained::combining::extended;
+use dalembert_mechanics::constrained::massless;
+use dalembert_mechanics::constrained::multipliers::leading_to;
+use dalembert_mechanics::constrained::programmed::{Linear, Programme, violation as of_contacts};
+use dalembert_mechanics::constrained::rates::{jacobian, rates};
+use dalembert_mechanics::constrained::servo::{Servo, Steered, additions, gradients, steered, violation};
+use dalembert_mechanics::constrained::{Constrained, Constraint, State, System};
+use dalembert_mechanics::differentiate::along;
 use field::{Over, Rational, Tangent};
-use mechanics::constrained::combining::extended;
-use mechanics::constrained::massless;
-use mechanics::constrained::multipliers::leading_to;
-use mechanics::constrained::programmed::{Linear, Programme, violation as of_contacts};
-use mechanics::constrained::rates::{jacobian, rates};
-use mechanics::constrained::servo::{Servo, Steered, additions, gradients, steered, violation};
-use mechanics::constrained::{Constrained, Constraint, State, System};
-use mechanics::differentiate::along;
 
 /// A point on the curve y = x^2 and one on a line, at z, which is driven by the square of the first one's speed. A push along x,
 /// which the curve answers, keeps the speed of the second. The last coordinate follows the first point.

@@ -1,7 +1,7 @@
 //! Code of each language, compiled and run.
 
 use crate::{agree, answers, cases, code, folder, listed, named_form, output};
-use model::Trace;
+use dalembert_model::Trace;
 use std::fs;
 use std::process::Command;
 use symbolic::{Language, apart};
@@ -95,7 +95,7 @@ fn sympy_solves_the_equations_to_the_accelerations_and_multipliers() {
     for case in cases().into_iter().filter(|case| case.name != "joined_bodies") {
         let module = apart(|| {
             let trace = Trace::of(&case.model);
-            model::sympy(&trace, &named_form(&trace)).expect("it can be written")
+            dalembert_model::sympy(&trace, &named_form(&trace)).expect("it can be written")
         });
         let text = format!(
             "{module}\nfrom sympy import Matrix as M_, zeros\nturns = \"kinematics\" in globals()\n\

@@ -6,9 +6,9 @@ mod rolling_bodies;
 mod systems;
 mod tops;
 
-use model::equations::{Equations, constraints_of};
-use model::principles::Principle;
-use model::{MatrixForm, Model, QuasiPrinciple, QuasiVelocities, Source, Trace};
+use dalembert_model::equations::{Equations, constraints_of};
+use dalembert_model::principles::Principle;
+use dalembert_model::{MatrixForm, Model, QuasiPrinciple, QuasiVelocities, Source, Trace};
 use rolling_bodies::{bowl, joined_bodies, sliding_wedge, turning_incline, turntable};
 use std::collections::HashMap;
 use std::fs;
@@ -142,7 +142,7 @@ fn named_form(trace: &Trace<'_>) -> MatrixForm {
 fn code(case: &Case, language: Language) -> String {
     apart(|| {
         let trace = Trace::of(&case.model);
-        model::code(&trace, &form(&trace), language).expect("it can be written")
+        dalembert_model::code(&trace, &form(&trace), language).expect("it can be written")
     })
 }
 

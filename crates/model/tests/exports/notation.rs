@@ -3,8 +3,8 @@
 use crate::form;
 use crate::rolling_bodies::{bowl, joined_bodies, sliding_wedge, turntable};
 use crate::systems::{double_pendulum, free_top, oscillator, slider_crank};
-use model::principles::Principle;
-use model::{BodySource, MatrixForm, Model, Source, Trace};
+use dalembert_model::principles::Principle;
+use dalembert_model::{BodySource, MatrixForm, Model, Source, Trace};
 use symbolic::{Language, apart};
 
 #[test]
@@ -14,7 +14,11 @@ fn angles_stay_together_and_constants_are_as_written() {
         apart(|| {
             let trace = Trace::of(&model);
             let form = MatrixForm::of(&trace, principle).ok()?.for_reading();
-            Some([model::text(&trace, &form), model::latex(&trace, &form), model::vectors(&trace).join("\n")])
+            Some([
+                dalembert_model::text(&trace, &form),
+                dalembert_model::latex(&trace, &form),
+                dalembert_model::vectors(&trace).join("\n"),
+            ])
         })
     };
     let mut applied = 0;
@@ -86,7 +90,7 @@ fn parameters_of_code_have_readable_units() {
     let code = apart(|| {
         let trace = Trace::of(&model);
         let form = MatrixForm::of(&trace, Principle::VirtualPower).expect("it applies");
-        model::code(&trace, &form, Language::C).expect("it can be written")
+        dalembert_model::code(&trace, &form, Language::C).expect("it can be written")
     });
     for line in ["c; // kg/s", "al; // rad", "p; // N", "mu; // 1", "w; // rad/s", "d; // kg/s", "e; // kg m/s^3"] {
         assert!(code.contains(&format!("double {line}\n")), "{line}\n{code}");
@@ -111,8 +115,8 @@ fn a_module_that_would_be_too_long_is_refused_by_name() {
     let refused = apart(|| {
         let trace = Trace::of(&model);
         let form = MatrixForm::of(&trace, Principle::VirtualPower).expect("it applies");
-        assert!(model::code(&trace, &form, Language::C).is_ok());
-        model::sympy(&trace, &form).map(|module| module.len())
+        assert!(dalembert_model::code(&trace, &form, Language::C).is_ok());
+        dalembert_model::sympy(&trace, &form).map(|module| module.len())
     });
     let refused = refused.expect_err("it is long");
     assert!(refused.contains("operations is too long for SymPy; c, python and rust"), "{refused}");
@@ -123,7 +127,7 @@ fn text_of(source: &Source, start: &[f64]) -> String {
     let model = Model::of(source).unwrap_or_else(|faults| panic!("{faults:?}"));
     apart(|| {
         let trace = Trace::of(&model);
-        model::text(&trace, &form(&trace).with_start(&trace, start).for_reading())
+        dalembert_model::text(&trace, &form(&trace).with_start(&trace, start).for_reading())
     })
 }
 
@@ -153,13 +157,13 @@ fn letters_that_would_look_alike_are_told_apart_in_latex() {
     source.parameters.push(("lambda1", "1 N s/m").into());
     source.speeds[2].name = "lambda_1".into();
     source.speeds[1].name = "t_".into();
-    source.forces.push(model::LoadSource {
+    source.forces.push(dalembert_model::LoadSource {
         along: Some("x".into()),
         is: "-lambda1*x'".into(),
-        ..model::LoadSource::default()
+        ..dalembert_model::LoadSource::default()
     });
     let model = Model::of(&source).unwrap_or_else(|faults| panic!("{faults:?}"));
-    let latex = apart(|| model::latex(&Trace::of(&model), &form(&Trace::of(&model)).for_reading()));
+    let latex = apart(|| dalembert_model::latex(&Trace::of(&model), &form(&Trace::of(&model)).for_reading()));
     let vector = r"\mathbf{u} &= (\mathrm{ux}, t_{\_}, \mathrm{lambda\_1})^T";
     assert!(latex.lines().any(|line| line.trim().trim_end_matches(r" \\") == vector), "{latex}");
     assert!(latex.contains(r"\lambda_1 &= 1\,\mathrm{N\,s/m}"), "{latex}");
@@ -169,7 +173,7 @@ fn letters_that_would_look_alike_are_told_apart_in_latex() {
 #[test]
 fn a_module_without_multipliers_does_not_speak_of_them() {
     let model = Model::of(&turntable()).unwrap_or_else(|faults| panic!("{faults:?}"));
-    let module = apart(|| model::sympy(&Trace::of(&model), &form(&Trace::of(&model)))).expect("it is short");
+    let module = apart(|| dalembert_model::sympy(&Trace::of(&model), &form(&Trace::of(&model)))).expect("it is short");
     for name in ["multiplier", "jacobian", "bias"] {
         assert!(!module.contains(name), "{name}\n{module}");
     }

@@ -2,7 +2,7 @@
 //! none of them may be a divisor.
 
 use super::systems::entries;
-use model::{BodySource, ConstraintSource, InertiaSource, Source};
+use dalembert_model::{BodySource, ConstraintSource, InertiaSource, Source};
 
 fn body(name: &str, frame: &str, centre: &str, mass: &str, moments: [&str; 3]) -> BodySource {
     let [x, y, z] = moments.map(|moment| Some(moment.into()));
@@ -79,10 +79,10 @@ pub fn sliding_wedge() -> Source {
             },
             ball("C"),
         ],
-        forces: vec![model::LoadSource {
+        forces: vec![dalembert_model::LoadSource {
             on: Some("ball at K".into()),
             is: "-(0.3 N s/m)*velocity(ball) + (2 N)*F.y".into(),
-            ..model::LoadSource::default()
+            ..dalembert_model::LoadSource::default()
         }],
         gravity: Some("-g*N.z".into()),
         constraints: vec![held(&[&format!("({slip}) . S.x"), &format!("({slip}) . S.y")])],

@@ -1,6 +1,6 @@
 //! Systems whose equations are written as code.
 
-use model::{BodySource, ConstraintSource, Entry, InertiaSource, LoadSource, Source};
+use dalembert_model::{BodySource, ConstraintSource, Entry, InertiaSource, LoadSource, Source};
 
 pub fn entries(list: &[(&str, &str)]) -> Vec<Entry> {
     list.iter().map(|&entry| entry.into()).collect()

@@ -2,7 +2,7 @@
 
 use crate::systems::{free_top, turned_top};
 use crate::{Case, answers, code, folder, output};
-use model::{Model, Source};
+use dalembert_model::{Model, Source};
 use std::fs;
 use std::process::Command;
 use symbolic::Language;

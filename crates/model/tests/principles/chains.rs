@@ -1,8 +1,8 @@
 //! Long systems: verdicts come in seconds.
 
 use crate::systems::chain;
-use model::principles::Principle;
-use model::{Agreement, Model, Trace};
+use dalembert_model::principles::Principle;
+use dalembert_model::{Agreement, Model, Trace};
 use symbolic::apart;
 
 #[test]
@@ -12,10 +12,10 @@ fn principles_and_statements_agree_on_a_chain_of_eight_links() {
         let trace = Trace::of(&model);
         let is_known = |found: &Agreement| matches!(found, Agreement::Proved { .. } | Agreement::Identified { .. });
         for other in Principle::ALL.into_iter().skip(1) {
-            let found = model::agreement(&trace, Principle::Lagrange, other).expect("it applies");
+            let found = dalembert_model::agreement(&trace, Principle::Lagrange, other).expect("it applies");
             assert_eq!(found.rung(), "proved", "{}: {found}", other.name());
         }
-        for stated in model::statements(&trace) {
+        for stated in dalembert_model::statements(&trace) {
             assert!(is_known(&stated.agreement), "{}: {}", stated.subject, stated.agreement);
         }
     });
@@ -27,7 +27,7 @@ fn a_chain_too_long_for_its_normal_form_is_proved_for_any_masses() {
     apart(|| {
         let trace = Trace::of(&model);
         for other in Principle::ALL.into_iter().skip(1) {
-            let found = model::agreement(&trace, Principle::Lagrange, other).expect("it applies");
+            let found = dalembert_model::agreement(&trace, Principle::Lagrange, other).expect("it applies");
             assert!(matches!(found, Agreement::Theorem { .. }), "{}: {found}", other.name());
         }
     });

@@ -2,7 +2,7 @@
 
 use crate::systems::entries;
 use crate::{agree, loads::are_one, motions::vanish, statements::says_of};
-use model::{BodySource, InertiaSource, LoadSource, Model, Source, StartValue, Trace};
+use dalembert_model::{BodySource, InertiaSource, LoadSource, Model, Source, StartValue, Trace};
 use symbolic::apart;
 
 fn body(name: &str, frame: &str, centre: &str, moments: [&str; 3]) -> BodySource {

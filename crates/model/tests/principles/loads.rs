@@ -2,8 +2,8 @@
 
 use crate::statements::says_of;
 use crate::systems::{entries, parameters};
-use model::principles::Principle;
-use model::{BodySource, LoadSource, MatrixForm, Model, Source, Trace};
+use dalembert_model::principles::Principle;
+use dalembert_model::{BodySource, LoadSource, MatrixForm, Model, Source, Trace};
 use symbolic::{Decision, Hypotheses, Sym, apart};
 
 /// Every principle gives one and the same residual for all of these systems, which differ in their words alone.

@@ -13,8 +13,8 @@ mod systems;
 mod variations;
 mod verdicts;
 
-use model::principles::Principle;
-use model::{BodySource, LoadSource, Model, Source, Trace};
+use dalembert_model::principles::Principle;
+use dalembert_model::{BodySource, LoadSource, Model, Source, Trace};
 use symbolic::{Decision, Hypotheses, apart};
 use systems::{chain, disc, double_pendulum, held, sleigh, slider_crank, two_bodies};
 
@@ -85,7 +85,7 @@ fn a_mass_that_varies_has_one_law_by_every_principle() {
 fn constraints_of_speeds_are_integrable_or_not_as_frobenius_says() {
     let kind = |source: &Source| {
         let model = Model::of(source).unwrap_or_else(|faults| panic!("{faults:?}"));
-        apart(|| model::constraints(&Trace::of(&model)).pop().unwrap_or_default())
+        apart(|| dalembert_model::constraints(&Trace::of(&model)).pop().unwrap_or_default())
     };
     let rolls = "constraints of speeds: not integrable (Frobenius)";
     assert_eq!(kind(&sleigh()), rolls);
@@ -116,7 +116,10 @@ fn constraints_of_speeds_are_integrable_or_not_as_frobenius_says() {
 #[test]
 fn constraints_are_told_apart_by_what_they_speak_of() {
     let mut source = disc();
-    let one = |zero: &str| model::ConstraintSource { zero: vec![zero.into()], ..model::ConstraintSource::default() };
+    let one = |zero: &str| dalembert_model::ConstraintSource {
+        zero: vec![zero.into()],
+        ..dalembert_model::ConstraintSource::default()
+    };
     source.parameters.push(("w", "1 rad/s").into());
     source.constraints = vec![
         one("velocity(disc at P) . N.x"),
@@ -125,7 +128,7 @@ fn constraints_are_told_apart_by_what_they_speak_of() {
         one("x'^2 + y'^2 - (1 m/s)^2"),
     ];
     let model = Model::of(&source).unwrap_or_else(|faults| panic!("{faults:?}"));
-    let told = apart(|| model::constraints(&Trace::of(&model)));
+    let told = apart(|| dalembert_model::constraints(&Trace::of(&model)));
     let kinds = ["of speeds, linear", "of positions, with the time", "of speeds, affine", "of speeds, nonlinear"];
     // beside them, whether all are integrable
     assert_eq!(told.len(), kinds.len() + 1);

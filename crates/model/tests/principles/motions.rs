@@ -1,7 +1,7 @@
 //! Velocities and accelerations of points beside those that are found another way.
 
 use crate::systems::{disc, entries, two_bodies};
-use model::{Model, Source, Trace};
+use dalembert_model::{Model, Source, Trace};
 use symbolic::{Hypotheses, apart};
 
 /// These vectors are zero whatever the motion.

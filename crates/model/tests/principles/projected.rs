@@ -1,9 +1,9 @@
 //! Principles that know the constraints: Maggi, Shulgin.
 
 use crate::systems::{double_pendulum, entries, held, rolling_disc, sleigh, slider_crank};
-use model::equations::{Characteristics, constraints_of};
-use model::principles::Projection;
-use model::{Agreement, BodySource, InertiaSource, Model, Projected, Source, Trace, projected_agreement};
+use dalembert_model::equations::{Characteristics, constraints_of};
+use dalembert_model::principles::Projection;
+use dalembert_model::{Agreement, BodySource, InertiaSource, Model, Projected, Source, Trace, projected_agreement};
 use symbolic::{Hypotheses, Sym, apart};
 
 fn found(source: &Source, projection: Projection) -> Result<Projected, String> {

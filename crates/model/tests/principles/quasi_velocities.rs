@@ -1,8 +1,8 @@
 //! Equations in quasi-velocities: beside textbooks, beside multipliers, and by every principle that uses them.
 
 use crate::systems::{double_pendulum, entries, held, rolling_disc, sleigh, slider_crank};
-use model::equations::Equations;
-use model::{
+use dalembert_model::equations::Equations;
+use dalembert_model::{
     Agreement, BodySource, Fault, InertiaSource, LoadSource, MatrixForm, Model, QuasiPrinciple, QuasiVelocities,
     Source, Trace, quasi_agreement,
 };
@@ -295,7 +295,7 @@ fn the_matrix_form_has_kinematic_equations_and_no_reactions() {
         let trace = Trace::of(&model);
         let quasi = QuasiVelocities::of(&trace).expect("they are independent");
         let form = MatrixForm::in_quasi_velocities(&trace, &quasi, QuasiPrinciple::Hamel).expect("it applies");
-        model::text(&trace, &form.for_reading())
+        dalembert_model::text(&trace, &form.for_reading())
     });
     for line in [
         "M u' + h = Q, with u = (v, w)",
@@ -324,14 +324,14 @@ fn forces_that_are_no_polynomials_are_written_as_they_are() {
         let trace = Trace::of(&model);
         let quasi = QuasiVelocities::of(&trace).expect("they are independent");
         let form = MatrixForm::in_quasi_velocities(&trace, &quasi, QuasiPrinciple::VirtualPower).expect("it applies");
-        let text = model::text(&trace, &form.for_reading());
+        let text = dalembert_model::text(&trace, &form.for_reading());
         let force = text.lines().find(|line| line.contains("Q[v]")).expect("there is one").to_owned();
         assert!(force.contains("sqrt(v^2)") && !force.contains("undefined"), "{force}");
         assert!(text.lines().any(|line| line.contains("condition 1 = -1 + v, in m/s")), "{text}");
         for language in [symbolic::Language::C, symbolic::Language::Python, symbolic::Language::Rust] {
-            model::code(&trace, &form, language).expect("it can be written");
+            dalembert_model::code(&trace, &form, language).expect("it can be written");
         }
-        model::sympy(&trace, &form).expect("it can be written");
+        dalembert_model::sympy(&trace, &form).expect("it can be written");
     });
 }
 

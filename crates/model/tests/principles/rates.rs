@@ -1,7 +1,7 @@
 //! Rates that stand where no law has a place for them are refused by name.
 
 use crate::systems::{double_pendulum, entries, held, sleigh};
-use model::{Model, Source};
+use dalembert_model::{Model, Source};
 
 fn told(source: Source) -> String {
     let faults = Model::of(&source).err().unwrap_or_default();
@@ -40,10 +40,12 @@ fn constraints_masses_and_energies_hold_no_accelerations() {
 /// A force by accelerations has no place in a symmetric mass matrix.
 #[test]
 fn loads_hold_no_accelerations() {
-    let load = |on: &str, is: &str| model::LoadSource { on: Some(on.into()), is: is.into(), ..Default::default() };
+    let load =
+        |on: &str, is: &str| dalembert_model::LoadSource { on: Some(on.into()), is: is.into(), ..Default::default() };
     let force = told(Source { forces: vec![load("sleigh", "-(0.1 kg)*acceleration(G)")], ..sleigh() });
     assert!(force.contains("a force holds accelerations; coordinates, speeds and the time"), "{force}");
-    let along = model::LoadSource { along: Some("x".into()), is: "-(0.1 kg)*y''".into(), ..Default::default() };
+    let along =
+        dalembert_model::LoadSource { along: Some("x".into()), is: "-(0.1 kg)*y''".into(), ..Default::default() };
     let along = told(Source { forces: vec![along], ..sleigh() });
     assert!(along.contains("a force holds accelerations"), "{along}");
     let torque = told(Source { torques: vec![load("sleigh", "-(0.1 kg m^2)*psi''*N.z")], ..sleigh() });

@@ -1,8 +1,8 @@
 //! Loads of joints and reactions of constraints, beside those that are known by hand.
 
 use crate::systems::{double_pendulum, entries, held, rolling_disc, sleigh, slider_crank};
-use model::equations::Equations;
-use model::{Model, Source, Trace};
+use dalembert_model::equations::Equations;
+use dalembert_model::{Model, Source, Trace};
 use symbolic::{Hypotheses, Sym, apart, substitute_all};
 
 /// Every output is zero along every motion: accelerations and multipliers by the equations.
@@ -108,7 +108,11 @@ fn loads_that_are_not_known_are_refused_by_name() {
             format!("{}; {}; {}", faults[0].title, faults[0].label, faults[0].accepted)
         }
     };
-    let force = model::LoadSource { on: Some("sleigh".into()), is: "reaction(edge)*B.y".into(), ..Default::default() };
+    let force = dalembert_model::LoadSource {
+        on: Some("sleigh".into()),
+        is: "reaction(edge)*B.y".into(),
+        ..Default::default()
+    };
     let early = told(Source { forces: vec![force], ..sleigh() });
     assert!(early.contains("`reaction` stands in [outputs] only"), "{early}");
     let unknown = told(with_outputs(sleigh(), &["reaction(edgy)"]));
@@ -150,10 +154,10 @@ fn energies_and_momenta_are_outputs() {
         assert!(with_momentum(none).contains("a coordinate has a momentum"), "{none}");
     }
     let mut force = sleigh();
-    force.forces.push(model::LoadSource {
+    force.forces.push(dalembert_model::LoadSource {
         along: Some("x".into()),
         is: "kinetic_energy/(1 m)".into(),
-        ..model::LoadSource::default()
+        ..dalembert_model::LoadSource::default()
     });
     let faults = Model::of(&force).expect_err("no force holds the energy of a run");
     assert!(faults[0].title.contains("`kinetic_energy` stands in [outputs] only"), "{faults:?}");

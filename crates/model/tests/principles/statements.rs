@@ -1,7 +1,7 @@
 //! Energy, momenta, constraints; and the terms that mistaken derivations lose.
 
 use crate::systems::{chain, disc, double_pendulum, entries, held, rolling_disc, sleigh, slider_crank, two_bodies};
-use model::{Agreement, Mistake, Model, Source, Statement, Trace, mistaken, statements};
+use dalembert_model::{Agreement, Mistake, Model, Source, Statement, Trace, mistaken, statements};
 use symbolic::{Decision, Hypotheses, Sym, apart};
 
 fn stated(source: &Source) -> Vec<Statement> {
@@ -58,7 +58,8 @@ fn what_is_driven_takes_in_energy() {
     assert_eq!(energy.says, "(H = sum u dT/du - T + V)' is the power of the forces");
     assert!(matches!(energy.agreement, Agreement::Proved { .. }), "{}", energy.agreement);
     // a force on what the motor moves too: of its power the part at u = 0 is the motor's
-    let drag = model::LoadSource { on: Some("P".into()), is: "-(1 kg/s)*velocity(P)".into(), ..Default::default() };
+    let drag =
+        dalembert_model::LoadSource { on: Some("P".into()), is: "-(1 kg/s)*velocity(P)".into(), ..Default::default() };
     hoop.forces = vec![drag];
     let [energy, ..] = &stated(&hoop)[..] else { panic!("it has an energy") };
     assert!(matches!(energy.agreement, Agreement::Proved { .. }), "{}", energy.agreement);
@@ -158,7 +159,7 @@ fn the_energy_of_a_mass_that_varies_is_balanced() {
 /// A constraint that gains lead to zero is not zero on the way: its reaction has power there.
 #[test]
 fn a_programmed_constraint_is_led_by_its_gains() {
-    let led = |zero: &str, gains: &[&str]| model::ConstraintSource {
+    let led = |zero: &str, gains: &[&str]| dalembert_model::ConstraintSource {
         gains: Some(gains.iter().map(|&gain| gain.into()).collect()),
         ..held("led", &[zero])
     };
@@ -230,7 +231,7 @@ fn accelerations_in_the_kinetic_energy_lose_what_speeds_bring() {
         coordinates: entries(&[("r", "m"), ("q", "rad")]),
         frames: entries(&[("A", "N turned q about z")]),
         points: entries(&[("P", "O + r*A.x")]),
-        bodies: vec![model::BodySource::particle("point", "P", "m")],
+        bodies: vec![dalembert_model::BodySource::particle("point", "P", "m")],
         ..Source::default()
     };
     let model = Model::of(&source).unwrap_or_else(|faults| panic!("{faults:?}"));
@@ -238,7 +239,7 @@ fn accelerations_in_the_kinetic_energy_lose_what_speeds_bring() {
         let trace = Trace::of(&model);
         let found = mistaken(&trace, Mistake::AccelerationsInEnergy).expect("it can be made");
         assert!(matches!(found.agreement, Agreement::Refuted { .. }), "{}", found.agreement);
-        let lost = found.lost.iter().map(|(name, term)| format!("{name}: {}", model::shorter(&trace, *term)));
+        let lost = found.lost.iter().map(|(name, term)| format!("{name}: {}", dalembert_model::shorter(&trace, *term)));
         let lost: Vec<String> = lost.collect();
         assert_eq!(lost, ["r: -m*q'^2*r", "q: 2*m*q'*r*r'"]);
     });

@@ -1,6 +1,6 @@
 //! Systems that the tests share.
 
-use model::{BodySource, ConstraintSource, Entry, InertiaSource, LoadSource, Source};
+use dalembert_model::{BodySource, ConstraintSource, Entry, InertiaSource, LoadSource, Source};
 
 pub fn entries(list: &[(&str, &str)]) -> Vec<Entry> {
     list.iter().map(|&entry| entry.into()).collect()
@@ -71,7 +71,7 @@ pub fn disc() -> Source {
     }
 }
 
-fn some(text: &str) -> Option<model::Text> {
+fn some(text: &str) -> Option<dalembert_model::Text> {
     Some(text.into())
 }
 

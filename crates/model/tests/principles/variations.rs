@@ -1,9 +1,9 @@
 //! The equations of motion and their derivatives, beside other principles and the rates of constraints.
 
 use crate::systems::{chain, double_pendulum, entries, held, rolling_disc, slider_crank, two_bodies};
-use model::equations::{Equations, constraints_of};
-use model::principles::Principle;
-use model::{ConstraintSource, InputSource, LoadSource, Model, Source, Trace, Variations, Varied};
+use dalembert_model::equations::{Equations, constraints_of};
+use dalembert_model::principles::Principle;
+use dalembert_model::{ConstraintSource, InputSource, LoadSource, Model, Source, Trace, Variations, Varied};
 use symbolic::{Hypotheses, Identity, Sym, apart, identified, substitute_all};
 
 fn is_zero(what: &str, difference: Sym) {

@@ -9,9 +9,9 @@ mod program_motors;
 mod refusals;
 mod without_inertia;
 
+use dalembert_scenes::ModelScene;
 use derivations::scene::{Choice, Smooth, Trajectory};
 use integrators::Method;
-use scenes::ModelScene;
 
 fn runs(text: &str) -> Trajectory {
     let scene = ModelScene::parse("scene.toml", text).unwrap_or_else(|error| panic!("{error}"));

@@ -1,7 +1,7 @@
 //! Diodes and freewheels: beside closed forms, and by balances that hold whatever conducts.
 
 use super::{close, last, runs, stored};
-use scenes::ModelScene;
+use dalembert_scenes::ModelScene;
 
 const HALF_WAVE: &str = "title = \"half wave\"\n[parameters]\nL = \"0.1 H\"\nR = \"10 ohm\"\nU = \"325 V\"\nw = \"314 rad/s\"\n\
                          [coordinates]\nq = \"C\"\n[energies]\ncoenergy = \"L/2*q'^2\"\ndissipation = \"R/2*q'^2\"\n\

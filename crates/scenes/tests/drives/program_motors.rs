@@ -1,11 +1,11 @@
 //! Motors with laws of their own in a drive: each of the program beside its law as it is compiled, and a text in the letters of a motor.
 
 use super::{close, last, runs};
+use dalembert_scenes::ModelScene;
 use derivations::machines::{AnyMachine, Catalogued, ForMachine, Quantity, RotorState, drive};
 use derivations::scene::MachineData;
 use field::Circle;
 use integrators::Ode;
-use scenes::ModelScene;
 
 const INERTIA: f64 = 0.01;
 

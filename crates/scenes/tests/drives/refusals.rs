@@ -1,7 +1,7 @@
 //! Drives that mean nothing, each with one message at its place.
 
 use super::stored;
-use scenes::ModelScene;
+use dalembert_scenes::ModelScene;
 
 fn said(from: &str, to: &str) -> String {
     let text = stored("geared_motor");

@@ -1,8 +1,8 @@
 //! Coordinates without inertia: circuits without inductances, dampers and springs in series, beside closed forms.
 
 use super::{close, last, runs};
-use scenes::ModelScene;
-use scenes::linearisation::VariedEquations;
+use dalembert_scenes::ModelScene;
+use dalembert_scenes::linearisation::VariedEquations;
 
 const RC: &str = "title = \"RC\"\n[parameters]\nU = \"10 V\"\nR = \"1 kohm\"\nC = \"1 mF\"\n[coordinates]\nq = \"C\"\n\
     [energies]\npotential = \"q^2/(2*C)\"\ndissipation = \"R/2*q'^2\"\n[[force]]\nalong = \"q\"\nis = \"U\"\n[run]\nspan = \"3 s\"\n";

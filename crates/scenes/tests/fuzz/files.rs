@@ -2,10 +2,10 @@
 
 use super::texts::{BALL, EVERYTHING, MACHINE, MOTORS};
 use super::{Drawn, changed};
+use dalembert_scenes::conformance::conform;
+use dalembert_scenes::regulator::regulated;
+use dalembert_scenes::{ModelScene, regimes};
 use derivations::scene::{Choice, Smooth};
-use scenes::conformance::conform;
-use scenes::regulator::regulated;
-use scenes::{ModelScene, regimes};
 use std::time::{Duration, Instant};
 
 const TEXTS: [&str; 14] = [

@@ -1,7 +1,7 @@
 //! Files with a free frame, by every command.
 
 use super::{Drawn, changed};
-use scenes::{ModelScene, parse_ensemble};
+use dalembert_scenes::{ModelScene, parse_ensemble};
 
 /// A free body on a spring with members; every command reads it.
 const FREE: &str = r#"
@@ -71,8 +71,8 @@ parameters.l = { from = "0.4 m", to = "0.6 m" }
 /// Linear equations, rest, code and members of files with a free frame, whatever stands in them.
 #[test]
 fn free_frames_are_taken_by_every_command_or_refused() {
+    use dalembert_scenes::linearisation::VariedEquations;
     use model::{MatrixForm, QuasiPrinciple, QuasiVelocities, Trace, principles::Principle};
-    use scenes::linearisation::VariedEquations;
     let sound = ModelScene::parse("scene.toml", FREE).unwrap_or_else(|error| panic!("{error}"));
     assert!(sound.model.warnings.is_empty());
     let rounds = std::env::var("FUZZ_ROUNDS").ok().and_then(|rounds| rounds.parse().ok()).unwrap_or(600);
@@ -92,7 +92,7 @@ fn free_frames_are_taken_by_every_command_or_refused() {
             assert_eq!(found.a.shape(), (size, size), "{text}");
             assert!(found.a.iter().all(|entry| entry.is_finite()), "{text}");
         }
-        rested += usize::from(scenes::equilibrium_of(&scene.model).is_ok());
+        rested += usize::from(dalembert_scenes::equilibrium_of(&scene.model).is_ok());
         written += symbolic::apart(|| {
             let trace = Trace::of(&scene.model);
             let form = MatrixForm::of(&trace, Principle::VirtualPower).ok();

@@ -1,7 +1,7 @@
 //! Members of an ensemble.
 
 use super::{Drawn, changed};
-use scenes::parse_ensemble;
+use dalembert_scenes::parse_ensemble;
 
 #[test]
 fn whatever_varies_a_member_starts_or_says_why() {

@@ -6,9 +6,9 @@ mod friction;
 mod shares;
 mod starts;
 
+use dalembert_scenes::ModelScene;
 use derivations::scene::{Axes, Choice, Smooth, Trajectory};
 use integrators::Method;
-use scenes::ModelScene;
 
 const METHODS: [Method; 3] = [Method::DormandPrince8, Method::Taylor, Method::Radau5];
 

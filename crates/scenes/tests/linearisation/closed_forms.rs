@@ -1,9 +1,9 @@
 //! Linear equations beside closed forms and published figures.
 
 use super::{CART, linear, scene, stored};
+use dalembert_scenes::equilibrium_of;
+use dalembert_scenes::linearisation::{Stability, Standing, VariedEquations, eigenvalues};
 use nalgebra::DMatrix;
-use scenes::equilibrium_of;
-use scenes::linearisation::{Stability, Standing, VariedEquations, eigenvalues};
 
 #[test]
 fn a_cart_with_a_pole_has_its_closed_form() {

@@ -1,10 +1,10 @@
 //! Linear equations beside the law that runs and beside states on the constraints.
 
 use super::{CART, linear, scene, stored};
+use dalembert_scenes::linearisation::{Linearisation, Point, Standing, VariedEquations};
 use derivations::scene::{Axes, Smooth};
 use integrators::{Directions, Jacobian, Ode};
 use nalgebra::{DMatrix, DVector};
-use scenes::linearisation::{Linearisation, Point, Standing, VariedEquations};
 
 /// Without constraints A is the Jacobian of the law that runs, along the motion too, by dual numbers.
 #[test]

@@ -1,8 +1,8 @@
 //! Points of rest.
 
 use super::{CART, scene, stored};
-use scenes::linearisation::VariedEquations;
-use scenes::{ModelScene, equilibrium_of, start_of};
+use dalembert_scenes::linearisation::VariedEquations;
+use dalembert_scenes::{ModelScene, equilibrium_of, start_of};
 
 const SPRING: &str = "title = \"A mass on a spring\"\ngravity = \"-g*N.y\"\n[parameters]\nm = \"2 kg\"\nk = \"50 N/m\"\nl = \"1 m\"\ng = \"9.81 m/s^2\"\n\
     [coordinates]\nx = \"m\"\ny = \"m\"\n[points]\nP = \"O + x*N.x + y*N.y\"\n[bodies.bob]\ncentre = \"P\"\nmass = \"m\"\n\

@@ -1,9 +1,9 @@
 //! Forces for a motion.
 
 use super::stored;
-use scenes::inverse::inverse;
-use scenes::linearisation::VariedEquations;
-use scenes::read_prescribed;
+use dalembert_scenes::inverse::inverse;
+use dalembert_scenes::linearisation::VariedEquations;
+use dalembert_scenes::read_prescribed;
 
 #[test]
 fn inverse_dynamics_gives_the_torque_that_runs_the_motion() {
@@ -110,7 +110,7 @@ const TURNED: &str = "title = \"A body\"\ngravity = \"-g*N.z\"\n[parameters]\nm 
     [bodies.stone]\nframe = \"F\"\ncentre = \"O + x*N.x + (0.1 m)*F.z\"\nmass = \"m\"\ninertia = { principal = [\"A\", \"B\", \"C\"] }\n\
     [[force]]\non = \"stone at O + x*N.x\"\nis = \"P*N.x\"\n[[torque]]\non = \"stone\"\nis = \"T1*F.x + T2*F.y + T3*F.z\"\n[run]\nspan = \"1 s\"\n";
 
-fn forces_of(name: &str, text: &str, motions: &[(&str, &str)]) -> Vec<scenes::inverse::Forces> {
+fn forces_of(name: &str, text: &str, motions: &[(&str, &str)]) -> Vec<dalembert_scenes::inverse::Forces> {
     let path = std::env::temp_dir().join(format!("dalembert_{}_{name}.toml", std::process::id()));
     std::fs::write(&path, text).expect("it can be written");
     let motions: Vec<(String, String)> = motions.iter().map(|&(name, is)| (name.to_owned(), is.to_owned())).collect();

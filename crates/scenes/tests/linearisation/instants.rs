@@ -1,8 +1,8 @@
 //! Instants of a run: across its events, and not beyond its end.
 
 use super::{scene, stored};
+use dalembert_scenes::linearisation::points::{NoInstance, along};
 use derivations::scene::Smooth;
-use scenes::linearisation::points::{NoInstance, along};
 use std::time::Duration;
 
 const ALLOWED: Duration = Duration::from_secs(60);

@@ -10,9 +10,9 @@ mod reactions;
 mod steady_currents;
 mod voltages;
 
+use dalembert_scenes::ModelScene;
+use dalembert_scenes::linearisation::{Linearisation, VariedEquations};
 use model::Model;
-use scenes::ModelScene;
-use scenes::linearisation::{Linearisation, VariedEquations};
 use std::path::{Path, PathBuf};
 
 fn scene(text: &str) -> ModelScene {

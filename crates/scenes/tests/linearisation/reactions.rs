@@ -1,7 +1,7 @@
 //! Outputs that hold reactions: their derivatives along the constraints.
 
 use super::{linear, scene};
-use scenes::start_of;
+use dalembert_scenes::start_of;
 
 /// A bob on a circle, x^2 + y^2 = l^2, at rest at its lowest point: the tension m g at rest, 2 m g cos(a) - 2 m g cos(a0) more aside,
 /// has no slope there; at 60 degrees it has that of m g cos(a).

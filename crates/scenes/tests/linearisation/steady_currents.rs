@@ -1,8 +1,8 @@
 //! Points of rest with steady currents: charges for which no equation asks grow.
 
 use super::scene;
-use scenes::linearisation::{Stability, Standing, VariedEquations, eigenvalues};
-use scenes::{ModelScene, equilibrium_of};
+use dalembert_scenes::linearisation::{Stability, Standing, VariedEquations, eigenvalues};
+use dalembert_scenes::{ModelScene, equilibrium_of};
 
 /// A DC motor under a constant voltage holds a pendulum up.
 const HELD: &str = "title = \"held\"\ngravity = \"-g*N.y\"\n[parameters]\nm = \"0.5 kg\"\nl = \"0.2 m\"\ng = \"9.81 m/s^2\"\nk = \"0.05 V s\"\n\

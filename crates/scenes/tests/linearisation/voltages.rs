@@ -1,9 +1,9 @@
 //! Voltages for a motion: currents follow from the torques that they exert, beside closed forms and beside runs.
 
+use dalembert_scenes::inverse::{Forces, inverse};
+use dalembert_scenes::linearisation::VariedEquations;
+use dalembert_scenes::read_prescribed;
 use model::Model;
-use scenes::inverse::{Forces, inverse};
-use scenes::linearisation::VariedEquations;
-use scenes::read_prescribed;
 
 /// An arm that a DC motor turns by a gear.
 const ARM: &str = "title = \"arm\"\ngravity = \"-g*N.y\"\n[parameters]\ng = \"9.81 m/s^2\"\n[coordinates]\ntheta = \"rad\"\n[frames]\nA = \"N turned theta about z\"\n\

@@ -1,8 +1,8 @@
 //! Members whose law changes at events, with contacts or diodes: each is the run of a file with its numbers.
 
 use super::{ensemble, rows, text, with};
+use dalembert_scenes::ModelScene;
 use derivations::scene::Smooth;
-use scenes::ModelScene;
 
 /// The last row of the run of one file, by its own method.
 fn run_of(text: &str) -> (f64, Vec<f64>) {

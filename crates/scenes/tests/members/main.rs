@@ -4,10 +4,10 @@ mod exponentials;
 mod free_frames;
 mod lone_members;
 
+use dalembert_scenes::{ModelScene, parse_ensemble};
 use derivations::ensemble::{EnsembleScene, Row};
 use derivations::scene::{Axes, Smooth};
 use integrators::{Taylor, Tolerance, lanes_order};
-use scenes::{ModelScene, parse_ensemble};
 use std::ops::ControlFlow;
 use std::path::Path;
 

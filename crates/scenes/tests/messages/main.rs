@@ -6,7 +6,7 @@ mod starts;
 mod tables;
 mod warnings;
 
-use scenes::ModelScene;
+use dalembert_scenes::ModelScene;
 
 const SOUND: &str = r#"title = "A pendulum"
 gravity = "-g*N.y"

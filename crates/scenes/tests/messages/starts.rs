@@ -157,7 +157,7 @@ fn speeds_that_no_inertia_resists_together_are_named() {
             "title = \"t\"\n[coordinates]\na = \"m\"\nb = \"m\"\n[energies]\nkinetic = \"{kinetic}\"\n[run]\nspan = \"1 s\"\n"
         )
     };
-    let told = |kinetic: &str| match scenes::ModelScene::parse("scene.toml", &text(kinetic)) {
+    let told = |kinetic: &str| match dalembert_scenes::ModelScene::parse("scene.toml", &text(kinetic)) {
         Ok(_) => panic!("it runs"),
         Err(error) => error.to_string(),
     };

@@ -1,7 +1,7 @@
 //! Texts that are accepted and perhaps mean something else.
 
 use super::SOUND;
-use scenes::ModelScene;
+use dalembert_scenes::ModelScene;
 
 /// The warnings of the sound text with each of some parts replaced: the marked text, and the message.
 fn warnings(edits: &[(&str, &str)]) -> Vec<(String, String)> {
@@ -140,7 +140,7 @@ fn a_load_with_even_powers_of_its_speed_is_warned_of() {
             "title = \"fan\"\n[parameters]\nJ = \"0.01 kg*m^2\"\nc = \"1e-3 N*m*s^2\"\nd = \"1e-2 N*m*s\"\n[coordinates]\nth = \"rad\"\n\
              [bodies.fan]\nturns = \"th\"\ninertia = \"J\"\n{table}\n{law}\n[start]\n\"th'\" = \"3 rad/s\"\n[run]\nspan = \"1 s\"\n"
         );
-        let scene = scenes::ModelScene::parse("scene.toml", &text).unwrap_or_else(|error| panic!("{error}"));
+        let scene = dalembert_scenes::ModelScene::parse("scene.toml", &text).unwrap_or_else(|error| panic!("{error}"));
         scene.model.warnings.iter().any(|warning| warning.title.contains("drives it the other way"))
     };
     let torque = |law: &str| warned("[[torque]]\non = \"fan\"", &format!("is = \"({law})*N.z\""));

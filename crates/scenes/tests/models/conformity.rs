@@ -1,9 +1,9 @@
 //! `conform` on systems that are text: what is sound passes, and each mistake is found by its check.
 
 use super::{all, path};
+use dalembert_scenes::conformance::conform;
+use dalembert_scenes::{Task, parse_titled, read_model};
 use derivations::conformance::{Finding, Verdict};
-use scenes::conformance::conform;
-use scenes::{Task, parse_titled, read_model};
 
 fn found(text: &str) -> Vec<Finding> {
     let (_, model) = parse_titled("scene.toml", text, Task::Write).unwrap_or_else(|error| panic!("{error}"));

@@ -6,11 +6,11 @@ mod quasi_velocities;
 mod redundant;
 mod singular;
 
+use dalembert_scenes::{ModelScene, Task, read_model};
 use derivations::scene::{Axes, Choice, Smooth, Stored, stored};
 use integrators::Method;
 use model::principles::Principle;
 use model::{Agreement, Trace, agreement};
-use scenes::{ModelScene, Task, read_model};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 

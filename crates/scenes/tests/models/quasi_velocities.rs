@@ -1,10 +1,10 @@
 //! Quasi-velocities of a file: the start that they complete, the columns of a run, members, equilibria, linear equations.
 
+use dalembert_scenes::linearisation::VariedEquations;
+use dalembert_scenes::{ModelScene, equilibrium_of, parse_ensemble};
 use derivations::scene::{Axes, Smooth};
 use integrators::Method;
 use model::{QuasiPrinciple, QuasiVelocities, Trace, quasi_agreement};
-use scenes::linearisation::VariedEquations;
-use scenes::{ModelScene, equilibrium_of, parse_ensemble};
 
 const SLEIGH: &str = r#"
 title = "Chaplygin's sleigh"
@@ -160,7 +160,7 @@ fn a_completed_start_shows_no_rounding() {
         [start]\nf = \"0.3 rad\"\nb = \"-0.3 rad\"\ns = \"0.2 m/s\"\n[run]\nspan = \"1 s\"\n";
     let path = std::env::temp_dir().join(format!("dalembert_{}_board.toml", std::process::id()));
     std::fs::write(&path, text).expect("it can be written");
-    let completed = scenes::completed_start(&path);
+    let completed = dalembert_scenes::completed_start(&path);
     std::fs::remove_file(&path).expect("it is there");
     let names: Vec<&str> = completed.iter().map(|(name, _)| name.as_str()).collect();
     assert_eq!(names, ["x'", "th'"], "{completed:?}");

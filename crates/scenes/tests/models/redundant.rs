@@ -1,10 +1,10 @@
 //! Constraints that follow from others: named, without a reaction, and no obstacle to a run, a member or linear equations.
 
+use dalembert_scenes::linearisation::{VariedEquations, eigenvalues};
+use dalembert_scenes::{ModelScene, independent_start, parse_ensemble};
 use derivations::scene::{Axes, Smooth};
 use integrators::Method;
 use model::{QuasiPrinciple, QuasiVelocities, Trace};
-use scenes::linearisation::{VariedEquations, eigenvalues};
-use scenes::{ModelScene, independent_start, parse_ensemble};
 use std::collections::HashMap;
 
 /// A rod on three parallel cranks: the third holds along the rod what the second holds.
@@ -182,7 +182,8 @@ fn members_need_the_same_constraints_to_follow() {
 /// About 80 degrees: a'' = -g/r cos(a).
 #[test]
 fn linear_equations_know_the_independent_constraints() {
-    let mut model = scenes::ModelScene::parse("cranks.toml", CRANKS).unwrap_or_else(|error| panic!("{error}")).model;
+    let mut model =
+        dalembert_scenes::ModelScene::parse("cranks.toml", CRANKS).unwrap_or_else(|error| panic!("{error}")).model;
     let model = std::sync::Arc::make_mut(&mut model);
     model.implied.clear();
     let start = independent_start(model).unwrap_or_else(|issue| panic!("{issue:?}"));

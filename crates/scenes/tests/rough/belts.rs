@@ -1,9 +1,9 @@
 //! Planes that the time moves, whose speed jumps: 5 m/s^2 of friction brings a box to the speed of its belt.
 
 use super::{METHODS, close, events, last, runs};
+use dalembert_scenes::ModelScene;
 use model::principles::Principle;
 use model::{Agreement, Trace, agreement};
-use scenes::ModelScene;
 
 fn belt(through: &str, speed: &str) -> String {
     format!(

@@ -1,12 +1,12 @@
 //! References across events: their digits, closed forms, and every method beside them.
 
 use super::{close, stored};
+use dalembert_scenes::ModelScene;
 use derivations::scene::Smooth;
 use derivations::scene::hybrid::{Exact, Hybrid, Unknown, judged};
 use derivations::scene::{Axes, Choice, Stored, Trials};
 use field::DoubleDouble;
 use integrators::{Failure, Method, Record, Span, Tolerance};
-use scenes::ModelScene;
 use std::time::Duration;
 
 const PATIENCE: Duration = Duration::from_secs(60);

@@ -64,7 +64,8 @@ fn a_rod_jams_where_the_equations_for_its_reactions_become_singular() {
 /// Friction beyond (1 + 3 cos^2)/(3 sin cos) leaves no motion.
 #[test]
 fn a_rod_pushed_against_its_contact_has_no_motion() {
-    let error = scenes::ModelScene::parse("scene.toml", &rod("63 deg", "0 rad/s", -3.0)).expect_err("no motion");
+    let error =
+        dalembert_scenes::ModelScene::parse("scene.toml", &rod("63 deg", "0 rad/s", -3.0)).expect_err("no motion");
     let said = error.to_string();
     assert!(said.contains("no case of its conditions and contacts agrees with the motion"), "{said}");
     assert!(said.contains("[[contact]]"), "{said}");

@@ -13,9 +13,9 @@ mod regimes;
 mod space;
 mod stools;
 
+use dalembert_scenes::ModelScene;
 use derivations::scene::{Choice, Smooth, Trajectory};
 use integrators::Method;
-use scenes::ModelScene;
 
 const METHODS: [Method; 3] = [Method::DormandPrince8, Method::Taylor, Method::Radau5];
 

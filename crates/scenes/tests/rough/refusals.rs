@@ -1,7 +1,7 @@
 //! Contacts that cannot be, each with one message at its place.
 
 use super::stored;
-use scenes::ModelScene;
+use dalembert_scenes::ModelScene;
 
 fn said(edits: &[(&str, &str)]) -> String {
     let text = edits.iter().fold(stored("models/leaning_ladder"), |text, (from, to)| {

@@ -1,7 +1,7 @@
 //! Every regime at a start: which agree with the motion that they give, by how much, and how many motions there are.
 
 use super::{rod, stored};
-use scenes::{Motions, Regimes, Task, parse_titled, regimes};
+use dalembert_scenes::{Motions, Regimes, Task, parse_titled, regimes};
 
 fn of(text: &str) -> Regimes {
     let (_, model) = parse_titled("scene.toml", text, Task::Run).unwrap_or_else(|error| panic!("{error}"));
@@ -10,8 +10,8 @@ fn of(text: &str) -> Regimes {
 
 /// The names of the regimes, and their margins rounded.
 fn shown(found: &Regimes) -> Vec<String> {
-    let margin = |margin: &scenes::Margin| format!("{} {:.5} {}", margin.asks, margin.value, margin.unit);
-    let of = |regime: &scenes::Regime| {
+    let margin = |margin: &dalembert_scenes::Margin| format!("{} {:.5} {}", margin.asks, margin.value, margin.unit);
+    let of = |regime: &dalembert_scenes::Regime| {
         let margins: Vec<String> = regime.margins.iter().map(margin).collect();
         format!("{}: {}", regime.name, margins.join(", "))
     };

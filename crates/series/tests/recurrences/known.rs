@@ -1,7 +1,7 @@
 //! Taylor series of solutions: sums and products for every law, whatever the width of a group.
 
+use dalembert_series::{Equations, Fused, Recurrence};
 use field::{Analytic, DoubleDouble, Lanes, Scalar};
-use series::{Equations, Fused, Recurrence};
 use symbolic::{Sym, Untapeable, symbols};
 
 fn record(state: &[Sym], time: Option<Sym>, parameters: &[Sym], rates: &[Sym]) -> Result<Recurrence, Untapeable> {

@@ -1,8 +1,8 @@
 //! Series of laws whose rates hold the unknowns of linear equations, beside the same laws written out.
 
+use dalembert_series::{Equations, Fused, Recurrence};
 use field::{Analytic, DoubleDouble, Lanes, Scalar};
 use num_dual::DualSVec64;
-use series::{Equations, Fused, Recurrence};
 use symbolic::linear::Solve;
 use symbolic::{Sym, Untapeable, symbols};
 

@@ -1,8 +1,8 @@
 //! Coefficients, degrees and linear systems.
 
+use dalembert_symbolic::linear::{Unsolved, solve};
+use dalembert_symbolic::{Hypotheses, Sym, coefficients, degree, symbols};
 use field::{Analytic, Scalar};
-use symbolic::linear::{Unsolved, solve};
-use symbolic::{Hypotheses, Sym, coefficients, degree, symbols};
 
 #[test]
 fn coefficients_are_read_off_as_they_are_written() {

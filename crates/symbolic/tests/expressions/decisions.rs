@@ -1,8 +1,8 @@
 //! What the prover says of identities, of mutated identities, and of hypotheses.
 
+use dalembert_symbolic::{Decision, Hypotheses, Sym, decide, decide_modulo, normal, symbols};
 use field::{Analytic, Scalar};
 use nalgebra::{Matrix3, Matrix4};
-use symbolic::{Decision, Hypotheses, Sym, decide, decide_modulo, normal, symbols};
 
 fn det3(m: Matrix3<Sym>) -> Sym {
     m[(0, 0)] * (m[(1, 1)] * m[(2, 2)] - m[(1, 2)] * m[(2, 1)])

@@ -1,7 +1,7 @@
 //! Dimensions of expressions.
 
+use dalembert_symbolic::{Dimension, Mismatch, Sym, dimension, symbols};
 use field::{Analytic, Rational, Scalar};
-use symbolic::{Dimension, Mismatch, Sym, dimension, symbols};
 
 fn lookup(name: &str) -> Option<Dimension> {
     match name {

@@ -1,10 +1,10 @@
 //! Random expressions: what is true of every one of them.
 
+use dalembert_symbolic::{Decision, Hypotheses, Sym, Tape, decide, normal, symbols};
 use field::laws::{circle_laws, field_laws};
 use field::{Analytic, Circle, Scalar, Tangent};
 use num_dual::Dual;
 use proptest::prelude::*;
-use symbolic::{Decision, Hypotheses, Sym, Tape, decide, normal, symbols};
 
 /// An expression to be built over any field.
 #[derive(Clone, Debug)]

@@ -1,9 +1,9 @@
 //! Texts are read as they are printed; whatever else stands in them is told at its place.
 
+use dalembert_symbolic::{Hypotheses, NotExpression, Reason, Sym, parse, symbols};
 use field::{Analytic, Rational, Scalar};
 use proptest::prelude::*;
 use proptest::test_runner::{RngSeed, TestRunner};
-use symbolic::{Hypotheses, NotExpression, Reason, Sym, parse, symbols};
 
 fn read(text: &str) -> Result<Sym, NotExpression> {
     parse(text, &|name| (name != "unknown").then(|| Sym::symbol(name)))

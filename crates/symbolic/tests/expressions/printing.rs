@@ -1,7 +1,7 @@
 //! Expressions read as they were written.
 
+use dalembert_symbolic::{Sym, symbols};
 use field::{Analytic, Scalar};
-use symbolic::{Sym, symbols};
 
 fn both(expression: Sym) -> (String, String) {
     (expression.to_string(), expression.latex())

@@ -1,7 +1,7 @@
 //! Tapes: straight-line programs.
 
+use dalembert_symbolic::{Sym, Tape, Untapeable, apart, symbols};
 use field::{Analytic, Scalar, Tangent};
-use symbolic::{Sym, Tape, Untapeable, apart, symbols};
 
 #[test]
 fn common_parts_are_computed_once_and_dead_ones_not_at_all() {

@@ -1,6 +1,6 @@
 //! Three invented papers with seventy claims.
 
-use charts::{ClaimRow, PaperSection, Verdict};
+use dalembert_charts::{ClaimRow, PaperSection, Verdict};
 
 pub fn papers() -> Vec<PaperSection> {
     let paper = |id: &str, title: &str, citation: &str, claims: usize, offset: usize| PaperSection {

@@ -4,7 +4,7 @@ mod ledger;
 mod pictures;
 mod scenes;
 
-use charts::Report;
+use dalembert_charts::Report;
 
 pub fn specimen() -> Report {
     Report {

@@ -1,6 +1,8 @@
 //! An invented cone of axes and invented timings.
 
-use charts::{AreaCurve, Areas, Contender, Curve, CurvePoint, Mark, Sphere, Study, Table, TimingRow, Timings};
+use dalembert_charts::{
+    AreaCurve, Areas, Contender, Curve, CurvePoint, Mark, Sphere, Study, Table, TimingRow, Timings,
+};
 use std::f64::consts::TAU;
 
 pub fn spheres() -> Vec<Sphere> {

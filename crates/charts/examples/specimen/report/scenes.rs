@@ -1,6 +1,8 @@
 //! Six invented scenes with six methods at ten tolerances.
 
-use charts::{Failure, Method, Panel, Parameter, Point, SceneSection, Table, Track, Trajectory, Work, WorkPrecision};
+use dalembert_charts::{
+    Failure, Method, Panel, Parameter, Point, SceneSection, Table, Track, Trajectory, Work, WorkPrecision,
+};
 
 const NAMES: [&str; 6] = [
     "Three-current motor from rest",

@@ -3,7 +3,7 @@
 use super::mechanics::Mechanics;
 use super::numbers::{curvature, dot, slope, unit, value};
 use super::system::{State, System};
-use model::equations::Level;
+use dalembert_model::equations::Level;
 
 /// Why a sentence is false at a state.
 pub type Fault = String;

@@ -2,7 +2,7 @@
 
 use super::numbers::{cross, dot, quadratic_slope, slope, slopes, unit};
 use super::system::{Numbers, State, System};
-use model::{Body, Force, Inertia, Material, Torque, Trace};
+use dalembert_model::{Body, Force, Inertia, Material, Torque, Trace};
 use symbolic::Sym;
 
 /// Places and axes with their velocities and angular velocities.
@@ -68,7 +68,7 @@ pub struct Mechanics<'s, 't, 'm> {
 impl<'s, 't, 'm> Mechanics<'s, 't, 'm> {
     pub fn of(system: &'s System<'t, 'm>) -> Self {
         let (trace, model) = (system.trace, system.model());
-        let scalar = |id: Option<model::ScalarId>| id.map_or(Sym::ZERO, |id| trace.scalar(id));
+        let scalar = |id: Option<dalembert_model::ScalarId>| id.map_or(Sym::ZERO, |id| trace.scalar(id));
         let masses = model.bodies.iter().flat_map(|body| {
             let moments = match &body.inertia {
                 None => [None; 6],
@@ -83,7 +83,7 @@ impl<'s, 't, 'm> Mechanics<'s, 't, 'm> {
         let masses = system.numbers(&masses.collect::<Vec<_>>());
         let given = &model.energies;
         let energies = system.numbers(&[given.kinetic, given.potential, given.dissipation].map(scalar));
-        let ground = |id: model::VectorId| trace.express(trace.vector(id), model::FrameId::GROUND);
+        let ground = |id: dalembert_model::VectorId| trace.express(trace.vector(id), dalembert_model::FrameId::GROUND);
         let forces = model.forces.iter().flat_map(|force| match force {
             Force::On { is, .. } => ground(*is),
             Force::Between { is, .. } => [scalar(Some(*is)), Sym::ZERO, Sym::ZERO],
@@ -210,7 +210,9 @@ impl<'s, 't, 'm> Mechanics<'s, 't, 'm> {
         }
         let first = first + 3 * model.torques.len() + 3;
         for (force, load) in model.generalised.iter().zip(&loads[first..]) {
-            let model::Along::Speed(speed) = force.along else { panic!("these systems have no quasi-velocities") };
+            let dalembert_model::Along::Speed(speed) = force.along else {
+                panic!("these systems have no quasi-velocities")
+            };
             power += load * u[speed];
         }
         let resisted = |length: f64| {

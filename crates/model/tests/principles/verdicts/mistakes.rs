@@ -3,8 +3,8 @@
 use super::claims::{At, Fault, equal};
 use super::numbers::{quadratic_slope, slope, solved, unit};
 use super::system::State;
-use model::equations::Characteristics;
-use model::{Mistake, Mistaken};
+use dalembert_model::equations::Characteristics;
+use dalembert_model::{Mistake, Mistaken};
 
 /// Dependent speeds that grow faster are near a singular choice of theirs, where differences are poor.
 const MOST_STEEP: f64 = 8.0;

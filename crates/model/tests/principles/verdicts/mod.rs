@@ -10,10 +10,10 @@ mod system;
 mod text;
 
 use claims::{At, Fault, equal};
+use dalembert_model::equations::{Characteristics, constraints_of};
+use dalembert_model::principles::{Principle, Projection};
+use dalembert_model::{Agreement, Mistake, Model, Trace, agreement, mistaken, projected_agreement, statements};
 use mechanics::Mechanics;
-use model::equations::{Characteristics, constraints_of};
-use model::principles::{Principle, Projection};
-use model::{Agreement, Mistake, Model, Trace, agreement, mistaken, projected_agreement, statements};
 use numbers::Drawn;
 use symbolic::{Sym, apart};
 use system::System;
@@ -224,7 +224,7 @@ fn a_false_sentence_is_found() {
         let trace = at.mechanics.system.trace;
         let characteristics = Characteristics::of(trace, &constraints_of(trace));
         let made = mistaken(trace, Mistake::ConstraintsInEnergy).expect("it can be made");
-        let less = model::Mistaken { lost: made.lost[1..].to_vec(), ..made };
+        let less = dalembert_model::Mistaken { lost: made.lost[1..].to_vec(), ..made };
         mistakes::lost(at, &characteristics, Mistake::ConstraintsInEnergy, &less)
     });
 }

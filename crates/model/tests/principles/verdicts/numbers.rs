@@ -1,6 +1,6 @@
 //! Numbers of a test: linear equations, derivatives by differences, texts by values.
 
-use model::expression::{Form, read};
+use dalembert_model::expression::{Form, read};
 
 /// Points of a difference and their weights: the error is of sixth order in the step.
 const STEP: f64 = 2e-4;

@@ -1,9 +1,9 @@
 //! A model in numbers: consistent states, its motion, and its mechanics by differences of positions alone.
 
 use super::numbers::{Drawn, dot, solved, unit};
-use model::equations::{Equation, Level, constraints_of};
-use model::principles::Principle;
-use model::{FrameId, Model, PointId, Trace, Vector};
+use dalembert_model::equations::{Equation, Level, constraints_of};
+use dalembert_model::principles::Principle;
+use dalembert_model::{FrameId, Model, PointId, Trace, Vector};
 use std::cell::RefCell;
 use symbolic::{Sym, Tape, substitute_all};
 

@@ -1,6 +1,6 @@
 //! A system in TOML, without the messages of the program.
 
-use model::{
+use dalembert_model::{
     BodySource, ConstraintSource, Entry, EventSource, InertiaSource, InputSource, LoadSource, Model, Source, Text,
 };
 use toml::{Table, Value};
