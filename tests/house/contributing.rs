@@ -77,10 +77,11 @@ fn listed(text: &str, line: &str) -> String {
     format!("{before}\nmachines! {{{list}\n{}\n}}{after}", line.trim_end())
 }
 
-/// A version of its own keeps the copy's products apart from the project's.
+/// A version of its own keeps the copy's products apart from the project's; other crates ask for one like it.
 fn with_own_version(manifest: &str) -> String {
     let (workspace, package) = manifest.split_once("\n[package]\n").expect("the root is a package");
-    format!("{workspace}\n[package]\n{}", package.replacen("version.workspace = true", "version = \"0.0.0\"", 1))
+    let own = concat!("version = \"", env!("CARGO_PKG_VERSION"), "+copy\"");
+    format!("{workspace}\n[package]\n{}", package.replacen("version.workspace = true", own, 1))
 }
 
 fn change(path: &Path, by: impl Fn(&str) -> String) {

@@ -117,6 +117,25 @@ fn the_program_writes_files_whole() {
 }
 
 #[test]
+fn the_architecture_names_places_that_exist() {
+    let text = read(&root().join("ARCHITECTURE.md"));
+    let roots = ["crates/", "derivations/", "tests/", "scenes/", "snapshots/", "book/", "benches/"];
+    let named = text.split('`').skip(1).step_by(2).filter(|place| roots.iter().any(|root| place.starts_with(root)));
+    // capitals stand for any name, stars for several
+    let of_one =
+        named.filter(|place| !place.contains(['*', ' ']) && !place.contains("NAME") && !place.contains("PAPER"));
+    let missing: Vec<String> = of_one.flat_map(spelt_out).filter(|place| !root().join(place).exists()).collect();
+    assert!(missing.is_empty(), "ARCHITECTURE.md names {missing:?}, which do not exist");
+}
+
+/// The places that `a/{b,c}.rs` stands for.
+fn spelt_out(place: &str) -> Vec<String> {
+    let parts = place.split_once('{').and_then(|(before, rest)| Some((before, rest.split_once('}')?)));
+    let Some((before, (choices, after))) = parts else { return vec![place.to_owned()] };
+    choices.split(',').flat_map(|choice| spelt_out(&format!("{before}{choice}{after}"))).collect()
+}
+
+#[test]
 fn every_snapshot_is_small_enough_to_be_read() {
     for file in files(&root().join("snapshots")) {
         let bytes = std::fs::metadata(&file).expect("a listed file exists").len();
