@@ -11,11 +11,11 @@ mod elimination;
 mod generic_point;
 mod guides;
 mod integrability;
+mod vanishing;
 
 pub(crate) use characteristics::solved_in_short;
 pub use characteristics::{Characteristics, Motion};
 pub(crate) use constraints::held_of;
-pub use constraints::vanishes;
 pub use constraints::{Equation, Level, equations as constraints_of};
 pub use elimination::Singular;
 pub(crate) use generic_point::{
@@ -23,6 +23,7 @@ pub(crate) use generic_point::{
 };
 pub use guides::balances;
 pub use integrability::{Integrability, Undecided};
+pub use vanishing::vanishes;
 
 use crate::Trace;
 use crate::principles::{NotApplicable, Principle};

@@ -27,7 +27,7 @@ pub enum NotCompiled {
     Massless { coordinate: String },
     /// A constraint that others imply.
     Redundant { constraint: usize },
-    /// A law that changes at conditions, where one law is asked for.
+    /// A law that changes with contacts, or with the equilibrium in which a run begins, where one law is asked for.
     Changes,
     /// A condition, or an event, that depends on accelerations or reactions, by its place.
     OfAccelerations { at: Range<usize> },
@@ -47,7 +47,7 @@ impl fmt::Display for NotCompiled {
             Self::Open { what, name } => write!(f, "the {what} `{name}` has no value"),
             Self::Changes => write!(
                 f,
-                "its law or its start changes at conditions, at events, with contacts or with an equilibrium, which this command does not know yet"
+                "its law changes with its contacts, which this command does not know yet; one that stays in touch may be written as a constraint"
             ),
             Self::NotHeld { switch } => {
                 write!(f, "condition {} cannot be kept at zero: nothing in the law grows with it alone", switch + 1)

@@ -1,9 +1,10 @@
 //! Constraints as equations between accelerations.
 
+use super::vanishes;
 use crate::arena::Scalar;
 use crate::{Constraint, FrameId, Trace, Vector, Zero};
 use std::ops::Range;
-use symbolic::{Hypotheses, Identity, Sym, decide, identified};
+use symbolic::Sym;
 
 /// Whether a constraint speaks of positions or of speeds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -106,19 +107,6 @@ impl Trace<'_> {
             true => Level::Speed,
             false => Level::Position,
         }
-    }
-}
-
-/// Expressions with more parts are not brought into normal form: they are taken for what they look like.
-const MOST_EXPANDED: usize = 2_000;
-
-/// Whether a component is zero for all values: by random points of prime fields, or by its normal form where it has functions.
-pub fn vanishes(component: Sym) -> bool {
-    match identified(&[component]) {
-        Identity::Identified { .. } => true,
-        Identity::NotZero => false,
-        Identity::Untested(_) if Sym::operations_of(&[component]) > MOST_EXPANDED => false,
-        Identity::Untested(_) => decide(component, &Hypotheses::none()).is_zero(),
     }
 }
 

@@ -2,13 +2,15 @@
 //!
 //! A combination has reactions only where the conditions that they keep, gap'' = 0 of each contact that presses and v' = 0 of each that
 //! sticks, are independent. Of a block on many feet no more than two press at once. Combinations are built contact by contact, and those
-//! whose conditions depend on each other are left out with all that hold them. Contacts that rest in space together hold a body with more
-//! reactions than its motion determines: then one of them leans, with friction along what those before it leave open.
+//! whose gaps depend on each other are left out with all that hold them. Then come the tangents: contacts that rest in space together, or on
+//! a wall, hold a body with more reactions than its motion determines: then one of them leans, with friction along what the others leave
+//! open. A contact that does not press, and whose gap depends on those that are kept, is carried.
 
 use super::contacts::{PARTS, unknown_parts};
 use super::decision::Open;
-use super::expansion::{Expansions, Instant};
+use super::expansion::{Expansions, Instant, Kind};
 use super::mode::Phase;
+use super::touch::Touch;
 use nalgebra::DMatrix;
 
 /// A condition is independent of others where it keeps at least this part of its own response.
@@ -25,15 +27,9 @@ pub(super) fn combinations(expansions: &Expansions, instant: &Instant<'_>, open:
         let mut next = Vec::new();
         for (phases, kept) in &all {
             for phase in touch.phases(*kind) {
-                // a guide that the coordinates satisfy has a balance of its own, and of currents that follow at once the whole mode decides
-                let added = [phase].into_iter().chain(leaning(phase, kind.is_in_space)).find_map(|phase| {
-                    let kept = match kind.is_guide || kind.is_direct {
-                        true => kept.clone(),
-                        false => kept.with(&responses, contact, unknown_parts(phase, kind.is_in_space))?,
-                    };
-                    Some(([&phases[..], &[phase]].concat(), kept))
-                });
-                next.extend(added);
+                let presses = phase.face().is_some() && counts(*kind);
+                let kept = if presses { kept.with(&responses, contact, &[0]) } else { Some(kept.clone()) };
+                next.extend(kept.map(|kept| ([&phases[..], &[phase]].concat(), kept)));
             }
             if next.len() > MOST {
                 return None;
@@ -41,7 +37,39 @@ pub(super) fn combinations(expansions: &Expansions, instant: &Instant<'_>, open:
         }
         all = next;
     }
-    Some(all.into_iter().map(|(phases, _)| phases).collect())
+    let along_tangents = |(phases, kept)| along_tangents(&responses, expansions, open, (phases, kept));
+    Some(all.into_iter().filter_map(along_tangents).collect())
+}
+
+/// Whether a contact is one of those whose conditions depend on each other: a guide that the coordinates satisfy has a balance of its own,
+/// and of currents that follow at once the whole mode decides.
+fn counts(kind: Kind) -> bool {
+    !kind.is_guide && !kind.is_direct
+}
+
+/// Phases with tangents that do not depend on each other, beside the normals that are kept; none where that is not possible.
+fn along_tangents(
+    responses: &DMatrix<f64>,
+    expansions: &Expansions,
+    open: Open<'_>,
+    (mut phases, mut kept): (Vec<Phase>, Kept),
+) -> Option<Vec<Phase>> {
+    let kinds = || expansions.kinds.iter().zip(open.touches).enumerate().filter(|(_, (kind, _))| counts(**kind));
+    for (contact, (kind, _)) in kinds() {
+        let mut ways = [phases[contact]].into_iter().chain(leaning(phases[contact], kind.is_in_space));
+        let found = ways.find_map(|phase| {
+            let tangents: Vec<usize> =
+                unknown_parts(phase, kind.is_in_space).iter().copied().filter(|part| *part > 0).collect();
+            Some((phase, kept.with(responses, contact, &tangents)?))
+        });
+        (phases[contact], kept) = found?;
+    }
+    for (contact, (_, touch)) in kinds() {
+        if phases[contact] == Phase::Apart && *touch != Touch::Open && kept.with(responses, contact, &[0]).is_none() {
+            phases[contact] = Phase::Carried;
+        }
+    }
+    Some(phases)
 }
 
 /// The phases of a contact that would stick in space, where others hold it along one tangent, or along both.

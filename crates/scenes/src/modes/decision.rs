@@ -7,12 +7,12 @@
 
 use super::combinations::combinations;
 use super::continuum::is_continuum;
-use super::expansion::{Expansion, Expansions, Instant};
+use super::expansion::{Expansion, Expansions, Instant, Touching};
 use super::headings::headings;
 use super::mode::{Case, Face, Heading, Mode, Phase};
 use super::pivots::{NotFound, pivoted};
 use super::shares::shares;
-use super::touch::{Touch, at_rest, possible, standing_of};
+use super::touch::{Beside, Touch, at_rest, possible, standing_of};
 
 /// The largest number of conditions at zero together whose combinations are all tried; among more, one that agrees is sought.
 const MOST_OPEN: usize = 6;
@@ -352,7 +352,13 @@ fn standing(expansion: &Expansion<TERMS>, mode: &Mode, open: Open<'_>, slack: f6
 fn of_contacts(expansion: &Expansion<TERMS>, mode: &Mode, open: Open<'_>, slack: f64) -> Option<Standing> {
     let contacts = expansion.contacts.iter().zip(&mode.phases).zip(open.touches);
     let is_alone = open.is_alone();
-    let each = contacts.map(|((contact, phase), touch)| standing_of(contact, *phase, (*touch, is_alone), slack));
+    let pressure = |contact: &Touching<TERMS>| contact.reactions[0].terms[0].abs();
+    let all: f64 = expansion.contacts.iter().map(pressure).sum();
+    let acceleration = expansion.rates.iter().map(|rate| rate.terms[0].abs()).fold(0.0, f64::max);
+    let each = contacts.map(|((contact, phase), touch)| {
+        let beside = Beside { others: all - pressure(contact), acceleration };
+        standing_of(contact, *phase, (*touch, is_alone), beside, slack)
+    });
     each.min().unwrap_or(Some(Standing::Moves))
 }
 

@@ -17,6 +17,9 @@ const BEGINS: &str = "a contact begins to slide in space, which is not followed 
 const SLOWS: f64 = 0.9;
 const LEFT: f64 = 1e-14;
 
+/// It comes to rest before so many times the time of its slide.
+const BEYOND: f64 = 2.0;
+
 /// A correction so small, relative to the time, leaves nothing to correct.
 const LAST: f64 = 1e-20;
 
@@ -139,25 +142,33 @@ impl Follower<'_> {
         let slow = DoubleDouble::lift(glides[GLIDE * place + 2]);
         // shortly before the run found it, where the speed falls as a straight line does
         let begun = self.at.0;
+        let last = begun + (DoubleDouble::lift(told) - begun) * DoubleDouble::lift(BEYOND);
         self.go_to(moded, begun + (DoubleDouble::lift(told) - begun) * DoubleDouble::lift(SLOWS))?;
         let speed = |at: &At| {
             let [beyond, rate] = signals.of_one(signal, at.0, &at.1, glides);
             (beyond + slow, rate)
         };
-        let (mut left, mut rate) = speed(&self.at);
+        let (mut left, rate) = speed(&self.at);
+        let mut fall = -rate;
         while left.approx() > LEFT * fastest {
-            let known = left.approx();
-            self.go_to(moded, self.at.0 - left / rate * DoubleDouble::lift(SLOWS))?;
-            (left, rate) = speed(&self.at);
-            if left.approx().is_nan() || left.approx() > 0.5 * known {
+            let (time, known) = (self.at.0, left);
+            let next = time + left / fall * DoubleDouble::lift(SLOWS);
+            if fall.approx() <= 0.0 || !next.finite() || next.approx() > last.approx() {
                 return Err(blunt);
             }
+            self.go_to(moded, next)?;
+            left = speed(&self.at).0;
+            if left.approx().is_nan() || left.approx() > 0.5 * known.approx() {
+                return Err(blunt);
+            }
+            // by the chord: a velocity so small has its direction, and so the rate of its size, to few digits
+            fall = (known - left) / (next - time);
         }
         let expansions = self.laws.expansions().map_err(|_| Unknown::Blunt { time: told })?;
         let (time, state) = &mut self.at;
         *state = expansions.rested_exactly(*time, state, &then.system.mode).ok_or(blunt)?;
         // the rest of the way, by the law that follows
-        let rest = -left / rate;
+        let rest = left / fall;
         let mut rates = vec![DoubleDouble::zero(); state.len()];
         then.system.rates(*time, state, &mut rates);
         state.iter_mut().zip(rates).for_each(|(part, rate)| *part += rest * rate);

@@ -13,7 +13,7 @@ use super::course::Sets;
 use super::expansion::{Instant, Touching, direction};
 use super::headings::held;
 use super::jet::{Jet, ROUNDING};
-use super::mode::{Face, Phase};
+use super::mode::{Face, Mode, Phase};
 use super::passage::SLACK;
 use super::signals::{Fall, GLIDE};
 use super::touch::Touch;
@@ -25,6 +25,9 @@ const SLOWER: f64 = 0.1;
 
 /// The part of the largest speed of a slide that is taken away at once.
 const REST: f64 = 1e-7;
+
+/// Multiples of the time that is left to one contact in which others come to rest with it: speeds of one body go to zero together.
+const TOGETHER: f64 = 10.0;
 
 /// Speed with which a slide begins, in m/s, and in multiples of the rounding of the sliding velocity: below it v has no direction.
 const START: f64 = 1e-13;
@@ -135,26 +138,59 @@ impl Modes {
         }
     }
 
-    /// Contacts that slide in space rest with another one that has come to rest, where as little is left of their speed.
-    pub(super) fn rest_with(&self, before: &Current, time: f64, state: &[f64], touches: &mut [Touch]) {
+    /// The contacts that slide in space and come to rest together with the one of an event: so little is left of their speed, or of the time
+    /// in which it falls to zero.
+    pub(super) fn rest_together(&self, before: &Current, event: &Event, state: &[f64]) -> Vec<bool> {
+        let Ok(expansions) = self.laws.expansions() else { return vec![false; before.glides.len()] };
+        let contacts = expansions.contacts(&Instant::at(event.time, state), &before.moded.system.mode.cases);
+        let own = match before.moded.signals.falls[event.signal] {
+            Fall::Slows { contact } | Fall::Turns { contact } => time_to_rest(before, contact, event, state),
+            _ => 0.0,
+        };
+        let rests = |(contact, glide): (usize, &Option<Glide>)| {
+            let Some(glide) = glide else { return false };
+            let left = time_to_rest(before, contact, event, state);
+            glide.is_over(&contacts[contact]) || left > 0.0 && left <= TOGETHER * own
+        };
+        before.glides.iter().enumerate().map(rests).collect()
+    }
+
+    /// Takes what is left of the speeds of contacts that rest in space, and tells that they do.
+    pub(super) fn bring_to_rest(
+        &self,
+        mode: &Mode,
+        together: &[bool],
+        time: f64,
+        state: &mut [f64],
+        touches: &mut [Touch],
+    ) {
         let Ok(expansions) = self.laws.expansions() else { return };
-        if before.glides.iter().flatten().next().is_none() {
-            return;
+        for (touch, _) in touches.iter_mut().zip(together).filter(|(_, rests)| **rests) {
+            *touch = if matches!(touch, Touch::Slides { .. }) { Touch::Rest } else { *touch };
         }
-        let contacts = expansions.contacts(&Instant::at(time, state), &before.moded.system.mode.cases);
-        for ((touch, glide), contact) in touches.iter_mut().zip(&before.glides).zip(&contacts) {
-            if matches!(touch, Touch::Slides { .. }) && glide.is_some_and(|glide| glide.is_over(contact)) {
-                *touch = Touch::Rest;
-            }
+        let resting = touches.iter().zip(&expansions.kinds).zip(&mode.phases).enumerate();
+        let resting = resting.filter(|(_, ((touch, kind), _))| **touch == Touch::Rest && kind.is_in_space);
+        let resting: Vec<(usize, Face)> =
+            resting.filter_map(|(contact, (_, phase))| Some((contact, phase.face()?))).collect();
+        if resting.len() > 1
+            && let Some(held) = held(expansions, &Instant::at(time, state), mode, &resting)
+        {
+            expansions.return_to_zero(time, state, &held, 0.0);
         }
     }
 
-    /// The time in which a contact that has slowed down comes to rest.
-    pub(super) fn rest_of_a_glide(&self, before: &Current, event: &Event, state: &[f64]) -> f64 {
-        let signals = &before.moded.signals;
-        let Fall::Slows { contact } = signals.falls[event.signal] else { return 0.0 };
-        let [value, rate] = signals.of_one(event.signal, event.time, state, &before.glide_letters());
-        let slow = before.glides[contact].map_or(0.0, |glide| glide.letters()[2]);
-        if rate < 0.0 { (value + slow) / -rate } else { 0.0 }
+    /// The time in which the contact of an event comes to rest, where it has slowed down.
+    pub(super) fn rest_of_a_glide(before: &Current, event: &Event, state: &[f64]) -> f64 {
+        let Fall::Slows { contact } = before.moded.signals.falls[event.signal] else { return 0.0 };
+        time_to_rest(before, contact, event, state)
     }
+}
+
+/// The time in which a contact that slows down comes to rest, if it goes on so; zero where it does not.
+fn time_to_rest(before: &Current, contact: usize, event: &Event, state: &[f64]) -> f64 {
+    let signals = &before.moded.signals;
+    let Some(signal) = signals.falls.iter().position(|fall| *fall == Fall::Slows { contact }) else { return 0.0 };
+    let [value, rate] = signals.of_one(signal, event.time, state, &before.glide_letters());
+    let slow = before.glides[contact].map_or(0.0, |glide| glide.letters()[2]);
+    if rate < 0.0 { (value + slow) / -rate } else { 0.0 }
 }

@@ -272,7 +272,7 @@ impl Switching for Modes {
         let Some(before) = before else { return Err("the run has no mode") };
         let fall = before.moded.signals.falls[event.signal];
         let crossing = |sets| Some(Crossing { time: event.time, signal: event.signal, what: event.what, sets });
-        let rest = self.rest_of_a_glide(&before, event, state);
+        let rest = Self::rest_of_a_glide(&before, event, state);
         match self.after(&before, event, state)? {
             After::Unchanged(current) => {
                 self.follow(crossing(Sets::Unseen), &current);

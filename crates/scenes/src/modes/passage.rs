@@ -175,8 +175,9 @@ impl Modes {
         };
         expansions.mirror(&mut mode);
         let cases = &before.moded.system.mode.cases;
+        let together = self.rest_together(before, event, state);
         let (mut touches, sets) = self.touches_after((cases, &mode), fall, (event.time, late), state)?;
-        self.rest_with(before, event.time, state, &mut touches);
+        self.bring_to_rest(&mode, &together, event.time, state, &mut touches);
         // a gap that has closed has been set to zero, whatever the error of the time
         let late = match fall {
             Fall::Closes { contact } if !expansions.kinds[contact].is_direct => 0.0,

@@ -4,7 +4,7 @@
 //! zero is positive; sticking where N and mu |N| - |T| are positive, or rise from zero; sliding where N is, and the sliding velocity
 //! leaves zero in the direction that friction opposes.
 
-use super::decision::{FEW, Standing, TERMS};
+use super::decision::{FEW, SLACKS, Standing, TERMS};
 use super::expansion::{Kind, Touching, direction};
 use super::jet::Jet;
 use super::mode::{Face, Phase};
@@ -94,13 +94,49 @@ pub(super) fn possible(contact: &Touching<FEW>, phase: Phase, touch: Touch, slac
     }
 }
 
+/// A number below zero by this part of what it stands beside is no rounding, whatever the bound of its error.
+const SMALL: f64 = 1e-6;
+
+/// What the numbers of a contact stand beside.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Beside {
+    /// The pressures of the other contacts, N.
+    pub others: f64,
+    /// The largest acceleration.
+    pub acceleration: f64,
+}
+
+impl Beside {
+    /// Whether a contact contradicts its phase by a number that is no rounding.
+    fn contradicts(self, contact: &Touching<TERMS>, phase: Phase, touch: Touch) -> bool {
+        let is_below = |jet: Jet<TERMS>, order: usize, size: f64| {
+            size > 0.0 && jet.terms[order] < -(SLACKS[0] * jet.doubts[order]).max(SMALL * size)
+        };
+        let Some(face) = phase.face() else {
+            return phase == Phase::Apart
+                && matches!(touch, Touch::Rest | Touch::Slides { .. })
+                && is_below(contact.gap_rate, 1, self.acceleration);
+        };
+        let [pressure, forwards, backwards] = margins(contact, face);
+        let most = contact.friction.terms[0] * (self.others + pressure.terms[0].abs());
+        let own = contact.friction.terms[0] * pressure.terms[0].abs();
+        let size = if contact.is_in_space { most * (most + own) } else { most };
+        let slips = phase.sticking().is_some() && (is_below(forwards, 0, size) || is_below(backwards, 0, size));
+        slips || is_below(pressure, 0, self.others)
+    }
+}
+
 /// The degree to which a contact moves as its phase says; none where it contradicts it.
 pub(super) fn standing_of(
     contact: &Touching<TERMS>,
     phase: Phase,
     (touch, is_alone): (Touch, bool),
+    beside: Beside,
     slack: f64,
 ) -> Option<Standing> {
+    if beside.contradicts(contact, phase, touch) {
+        return None;
+    }
     let leaves = |jet: Jet<TERMS>| jet.way(slack * jet.doubts[0], slack);
     let (bounds, leaving): (Vec<f64>, Vec<f64>) = match phase {
         Phase::Apart if touch == Touch::Open => (Vec::new(), Vec::new()),
@@ -138,7 +174,7 @@ pub(super) fn at_rest(contact: &Touching<TERMS>, phase: Phase, (touch, is_alone)
     match phase {
         // others keep its gap at zero
         Phase::Apart if touch == Touch::AtOnce && contact.gap.sign(slack) != 0.0 => phase,
-        Phase::Apart if touch != Touch::Open && !is_alone && stays(&contact.gap_rate) => Phase::Carried,
+        Phase::Apart if touch == Touch::AtOnce && !is_alone && stays(&contact.gap_rate) => Phase::Carried,
         Phase::Slips { forwards, face } if begins(contact, touch) && stays(&contact.slide) => {
             Phase::Rests { forwards, face }
         }

@@ -95,7 +95,12 @@ impl Modes {
             && approaches(&expansions.contacts(&Instant { late, ..Instant::at(time, state) }, &mode.cases)[contact])
         {
             let in_touch: Vec<usize> = (0..phases.len()).filter(|&other| phases[other] != Phase::Apart).collect();
+            let falling = expansions.contacts(&Instant { late, ..Instant::at(time, state) }, &mode.cases);
+            let closes = |other: usize| falling[other].gap.sign_of(0, SLACK) == 0.0 && approaches(&falling[other]);
+            let is_one_of_several =
+                (0..phases.len()).any(|other| other != contact && phases[other] == Phase::Apart && closes(other));
             opened = expansions.struck(time, state, (contact, &mode.cases), &in_touch).map_err(|why| match why {
+                _ if is_one_of_several => TOGETHER,
                 NotStruck::Together => TOGETHER,
                 NotStruck::Undetermined => IMPULSES,
                 NotStruck::AddsEnergy => ENERGY,

@@ -87,7 +87,8 @@ fn at_the_critical_friction_one_load_gives_motions_without_end() {
         assert_eq!(motions("2.25", "0"), Motions::None, "{across}");
         assert_eq!(motions("1.4", "3"), Motions::One, "{across}");
     }
-    let refused = scenes::ModelScene::parse("scene.toml", &sliders("1.5", "1", true)).expect_err("motions without end");
+    let refused =
+        dalembert_scenes::ModelScene::parse("scene.toml", &sliders("1.5", "1", true)).expect_err("motions without end");
     assert!(refused.to_string().contains("motions without end"), "{refused}");
 }
 

@@ -201,7 +201,7 @@ fn a_block_on_a_line_begins_to_slide_where_the_pull_along_it_exceeds_friction() 
 #[test]
 fn methods_that_cannot_follow_a_slip_are_refused() {
     let text = slope("0.3", "x = \"0 m\"", "");
-    for (method, said) in [(Method::Taylor, "no Taylor series"), (Method::BaderDeuflhard, "pass over the rest")] {
+    for (method, said) in [(Method::Taylor, "no Taylor series"), (Method::BaderDeuflhard, "pass over the instant")] {
         let stopped = runs(&text, method, 1e-9).stopped().unwrap_or_default().to_string();
         assert!(stopped.contains(said), "{stopped}");
     }

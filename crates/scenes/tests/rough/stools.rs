@@ -60,6 +60,55 @@ fn a_stool_that_spins_comes_to_rest_foot_by_foot() {
     close(last(&trajectory, "B.wz"), 0.0, 1e-12);
 }
 
+/// Sliding and turning end at one instant, by every method and tolerance; then it stands.
+#[test]
+fn a_stool_that_slides_and_spins_comes_to_rest_on_all_feet() {
+    let tripod = [[0.3, 0.0], [-0.2, 0.25], [-0.15, -0.3]];
+    for start in [
+        "\"x'\" = \"1 m/s\"\n\"y'\" = \"0.3 m/s\"\n\"B.wz\" = \"4 rad/s\"",
+        "\"x'\" = \"-0.9 m/s\"\n\"B.wz\" = \"-1 rad/s\"",
+    ] {
+        let text = stool(&tripod, "", start);
+        let ends = |method: Method, tolerance: f64| {
+            let trajectory = runs(&text, method, tolerance);
+            assert_eq!(trajectory.stopped(), None, "{method:?} {tolerance}");
+            let then = trajectory.passages.last().and_then(|one| one.then.clone()).unwrap_or_default();
+            assert_eq!(then.matches("sticks").count(), 3, "{method:?} {tolerance}: {then}");
+            ["z", "B.wz", "x'", "x", "y"].map(|name| last(&trajectory, name))
+        };
+        let known = ends(Method::DormandPrince8, 1e-12);
+        for method in [Method::DormandPrince8, Method::Radau5, Method::Rodas4] {
+            for tolerance in [1e-6, 1e-8, 1e-9, 1e-10] {
+                let [z, turning, speed, x, y] = ends(method, tolerance);
+                close(z, 0.4, 1e-9);
+                close(turning.abs() + speed.abs(), 0.0, 1e-9);
+                close(x, known[3], 1e3 * tolerance);
+                close(y, known[4], 1e3 * tolerance);
+            }
+        }
+    }
+}
+
+/// Pressed into a corner of smooth walls by less than a foot would bear, and by more: the walls hold it.
+#[test]
+fn walls_hold_what_is_pushed_into_their_corner() {
+    let wall = |name: &str, normal: &str, friction: &str| {
+        format!(
+            "[[contact]]\nname = \"{name}\"\nof = \"stool at G\"\nthrough = \"O\"\nnormal = \"{normal}\"\n{friction}touching = true\n"
+        )
+    };
+    for friction in ["", "friction = \"0.2\"\n"] {
+        for push in [1.0, 8.0] {
+            let walls = wall("X", "-N.x", friction) + &wall("Y", "-N.y", friction);
+            let push = force("G", &format!("({push} N)*N.x + (9 N)*N.y"));
+            let trajectory = runs(&stool(&THREE, &(walls + &push), ""), Method::Radau5, 1e-9);
+            assert_eq!(trajectory.stopped(), None, "{friction} {push}");
+            close(last(&trajectory, "x"), 0.0, 1e-12);
+            close(last(&trajectory, "B.wz"), 0.0, 1e-12);
+        }
+    }
+}
+
 #[test]
 fn a_stool_that_is_pushed_at_its_centre_slides_along_the_push() {
     for feet in [&THREE[..], &FOUR] {

@@ -8,7 +8,9 @@ use super::super::mode::Mode;
 use super::letters::Quantity;
 use super::{Expansions, Instant, solved};
 use nalgebra::{DMatrix, DVector};
-use num_traits::Zero;
+
+/// An acceleration below this part of the largest term of its sum is rounding.
+const ROUNDED: f64 = 1e-12;
 
 /// Rows and their slopes, at a state and in the cases of conditions.
 pub(in super::super) struct Accelerations<'a> {
@@ -46,7 +48,8 @@ impl<'a> Accelerations<'a> {
         Some(Accelerations { expansions, values: expansions.values(exact(*time), &parts, &letters, &[]) })
     }
 
-    /// Those along both tangents of each contact, in a mode with these cases; none where its reactions are not determined.
+    /// Those along both tangents of each contact, in a mode with these cases, no numbers where they are rounding; none where its reactions
+    /// are not determined.
     pub fn along_tangents(&self, mode: &Mode) -> Option<Vec<[f64; 2]>> {
         let (tied, unknown) = self.unknown(mode);
         let slopes = self.expansions.slopes_by(&self.values, &tied, &unknown, &unknown);
@@ -54,7 +57,12 @@ impl<'a> Accelerations<'a> {
         let tangents: Vec<usize> =
             (0..tied.len()).flat_map(|contact| [1, 2].map(|part| self.letter(contact, part))).collect();
         let rates = self.rows(mode, &tangents, (&tied, &unknown), &found);
-        Some(rates.as_chunks::<{ PARTS - 1 }>().0.to_vec())
+        let or_none = |pair: &[[f64; 2]; PARTS - 1]| {
+            let [[along, _], [aside, _]] = *pair;
+            let among = pair.iter().map(|[_, among]| *among).fold(0.0, f64::max);
+            if along.hypot(aside) > ROUNDED * among { [along, aside] } else { [f64::NAN; 2] }
+        };
+        Some(rates.as_chunks::<{ PARTS - 1 }>().0.iter().map(or_none).collect())
     }
 
     /// The equations of a mode with these cases.
@@ -80,7 +88,8 @@ impl<'a> Accelerations<'a> {
             .flat_map(|contact| (0..PARTS).map(move |part| (contact, part)))
             .map(|(contact, part)| self.letter(contact, part))
             .collect();
-        let accelerations = self.rows(mode, &all, (tied, unknown), &found);
+        let accelerations: Vec<f64> =
+            self.rows(mode, &all, (tied, unknown), &found).into_iter().map(|[rate, _]| rate).collect();
         let known =
             |letter: usize| unknown.iter().position(|own| *own == letter).map_or(0.0, |place| found[place].terms[0]);
         let of = |(contact, accelerations): (usize, &[f64; PARTS])| {
@@ -113,18 +122,19 @@ impl<'a> Accelerations<'a> {
         self.values[self.expansions.states + mode.cases.len() + letter]
     }
 
-    /// Rows of letters with values of what is unknown.
+    /// Rows of letters with values of what is unknown, each with the largest of its terms.
     fn rows(
         &self,
         mode: &Mode,
         letters: &[usize],
         (tied, unknown): (&[Option<[Jet<1>; 2]>], &[usize]),
         found: &[Jet<1>],
-    ) -> Vec<f64> {
+    ) -> Vec<[f64; 2]> {
         let moved = self.expansions.slopes_by(&self.values, tied, letters, unknown);
         let of = |(&letter, slopes): (&usize, &Vec<Jet<1>>)| {
-            let through = slopes.iter().zip(found).fold(Jet::zero(), |sum: Jet<1>, (slope, one)| sum + *slope * *one);
-            (self.row(mode, letter) + through).terms[0]
+            let own = self.row(mode, letter).terms[0];
+            let terms = slopes.iter().zip(found).map(|(slope, one)| slope.terms[0] * one.terms[0]);
+            terms.fold([own, own.abs()], |[sum, among], term| [sum + term, among.max(term.abs())])
         };
         letters.iter().zip(&moved).map(of).collect()
     }
