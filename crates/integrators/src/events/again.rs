@@ -10,6 +10,12 @@ const MOST_TRIALS: usize = 120;
 /// Instants that could not be computed, after which no more are tried.
 const MOST_IN_GAP: usize = 24;
 
+/// The part of the interval to which a gap must be narrowed, for a chord over it.
+const NARROW: f64 = 1e-4;
+
+/// The part of the change of a function over the interval that may fall into such a gap.
+const SMOOTH: f64 = 1e-2;
+
 /// Evaluations that a part of a step may take, for each state and as many again.
 const PATIENCE: u64 = 50;
 
@@ -102,7 +108,7 @@ impl Again<'_> {
                 None => low + 0.5 * (high - low),
             };
             if gap.as_ref().is_some_and(|gap| gap.is_settled(low, high, closest)) {
-                return Some([self.on_chord([&before, &beyond], function), before]);
+                break;
             }
             if next == low || next == high {
                 // nothing between: a signal that jumps has its new value beyond
@@ -121,10 +127,14 @@ impl Again<'_> {
                 None => gap = Some(Gap::with(gap, next)),
             }
         }
-        let is_bracketed = function(&before).0 > 0.0 && function(&beyond).0 <= 0.0;
+        let [left, right] = [&before, &beyond].map(|at| function(at).0);
+        let is_bracketed = left > 0.0 && right <= 0.0;
+        // beyond a gap at which the motion jumps there is another one
+        let change = (function(from).0 - function(end).0).abs();
+        let is_narrow = (high - low).abs() <= NARROW * (end.time - from.time).abs() && left - right <= SMOOTH * change;
         match gap {
             None => Some([best, before]),
-            Some(_) => is_bracketed.then(|| [self.on_chord([&before, &beyond], function), before]),
+            Some(_) => (is_bracketed && is_narrow).then(|| [self.on_chord([&before, &beyond], function), before]),
         }
     }
 

@@ -38,7 +38,8 @@ pub(super) fn headings(
     }
 }
 
-/// A mode in which contacts that begin to slide are held, along one tangent or along none where the others hold them.
+/// A mode in which contacts that begin to slide are held, along one tangent or along none where the others hold them: all their normals come
+/// before tangents.
 pub(super) fn held(
     expansions: &Expansions,
     instant: &Instant<'_>,
@@ -46,14 +47,18 @@ pub(super) fn held(
     beginning: &[(usize, Face)],
 ) -> Option<Mode> {
     let mut held = mode.clone();
-    beginning.iter().for_each(|&(contact, _)| held.phases[contact] = Phase::Apart);
     for &(contact, face) in beginning {
-        let sticks = Phase::Sticks(face);
+        held.phases[contact] = Phase::Leans { face, held: [false; 2] };
+    }
+    expansions.at::<1>(instant, &held)?;
+    for &(contact, face) in beginning {
+        let (by_normal, sticks) = (held.phases[contact], Phase::Sticks(face));
         let mut ways = [sticks].into_iter().chain(leaning(sticks, true));
-        ways.find(|&phase| {
+        let found = ways.find(|&phase| {
             held.phases[contact] = phase;
             expansions.at::<1>(instant, &held).is_some()
-        })?;
+        });
+        held.phases[contact] = found.unwrap_or(by_normal);
     }
     Some(held)
 }
