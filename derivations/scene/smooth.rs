@@ -35,6 +35,11 @@ pub trait Smooth: Send + Sync {
     /// The unit of a column of a run.
     fn unit(&self, name: &str) -> Cow<'static, str>;
 
+    /// Whether columns have the names of the scene's file, so that their units alone tell what stands in one picture.
+    fn has_own_names(&self) -> bool {
+        false
+    }
+
     /// The scene, where its law changes at events.
     fn hybrid(&self) -> Option<&dyn Hybrid> {
         None

@@ -20,6 +20,7 @@ pub fn trajectory(scene: &dyn Smooth, run: &Trajectory) -> charts::Trajectory {
         let points = run.times.iter().zip(&run.rows).map(|(time, row)| (*time, row[column])).collect();
         let (label, quantity) = match scene.column(name) {
             Some(Quantity { name, unit, meaning, .. }) => (name.to_string(), format!("{meaning}, {unit}")),
+            None if scene.has_own_names() => (name.clone(), of_unit(&scene.unit(name))),
             None => (label(name), quantity(name)),
         };
         let track = Track { name: label, points, stopped: stopped.clone() };
@@ -59,6 +60,11 @@ fn small(mut panel: Panel) -> Panel {
 
 /// Curves that move less than this share of what they cover together are shown as changes.
 const SMALL: f64 = 0.1;
+
+/// What a panel shows of columns with one unit.
+fn of_unit(unit: &str) -> String {
+    if unit.is_empty() { "without a unit".to_owned() } else { unit.to_owned() }
+}
 
 /// A state as a reader writes it.
 pub fn label(name: &str) -> String {

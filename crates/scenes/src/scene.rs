@@ -281,6 +281,10 @@ impl Smooth for ModelScene {
         }
     }
 
+    fn has_own_names(&self) -> bool {
+        true
+    }
+
     fn run(&self) -> &Run {
         &self.run
     }
