@@ -1,14 +1,12 @@
 //! The motion within a step, computed again.
 
+use super::gap::Gap;
 use super::{Instant, Switches};
 use crate::methods::taylor::taylor_order;
 use crate::{Method, Span, System, TaylorSeries, Tolerance, Work, integrate};
 
 /// A halving gains one bit, and there are no more in a double.
 const MOST_TRIALS: usize = 120;
-
-/// Instants that could not be computed, after which no more are tried.
-const MOST_IN_GAP: usize = 24;
 
 /// The part of the interval to which a gap must be narrowed, for a chord over it.
 const NARROW: f64 = 1e-4;
@@ -98,6 +96,7 @@ impl Again<'_> {
                 high = best.time;
                 beyond.clone_from(&best);
             }
+            gap = gap.filter(|gap| gap.is_between(low, high));
             let closest = f64::EPSILON * best.time.abs().max((end.time - from.time).abs());
             let newton = best.time - value / rate;
             let inside = (newton - low) * (newton - high) < 0.0;
@@ -147,37 +146,5 @@ impl Again<'_> {
         let mut instant = b.clone();
         instant.move_to(self.switches, between(a.time, b.time), &state);
         instant
-    }
-}
-
-/// Instants that could not be computed, from the first to the last.
-struct Gap {
-    ends: [f64; 2],
-    found: usize,
-}
-
-impl Gap {
-    /// With one more.
-    fn with(known: Option<Gap>, time: f64) -> Self {
-        let Some(Gap { ends: [first, last], found }) = known else { return Gap { ends: [time; 2], found: 1 } };
-        Gap { ends: [first.min(time), last.max(time)], found: found + 1 }
-    }
-
-    /// What is left of a bracket before it and behind it: the ends of the longer part.
-    fn wider(&self, low: f64, high: f64) -> [f64; 2] {
-        let [first, last] = if low <= high { self.ends } else { [self.ends[1], self.ends[0]] };
-        if (first - low).abs() >= (high - last).abs() { [low, first] } else { [last, high] }
-    }
-
-    /// The middle of it.
-    fn beside(&self, low: f64, high: f64) -> f64 {
-        let [a, b] = self.wider(low, high);
-        a + 0.5 * (b - a)
-    }
-
-    /// Whether little is left beside it.
-    fn is_settled(&self, low: f64, high: f64, closest: f64) -> bool {
-        let [a, b] = self.wider(low, high);
-        self.found >= MOST_IN_GAP || (b - a).abs() <= closest
     }
 }

@@ -10,6 +10,7 @@
 mod again;
 mod bounds;
 mod distances;
+mod gap;
 mod search;
 
 use crate::{End, Method, Observer, Outcome, Span, System, Tolerance, Work, integrate};
