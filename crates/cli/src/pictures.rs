@@ -61,7 +61,7 @@ fn small(mut panel: Panel) -> Panel {
 /// Curves that move less than this share of what they cover together are shown as changes.
 const SMALL: f64 = 0.1;
 
-/// What a panel shows of columns with one unit.
+/// The label of a panel for columns with one unit.
 fn of_unit(unit: &str) -> String {
     if unit.is_empty() { "without a unit".to_owned() } else { unit.to_owned() }
 }
@@ -80,7 +80,7 @@ pub fn label(name: &str) -> String {
     }
 }
 
-/// What a panel shows, with its unit.
+/// The label of a panel by the name of a column, with its unit.
 fn quantity(name: &str) -> String {
     let kind = match name.as_bytes() {
         b"angle" => "angle to the field",

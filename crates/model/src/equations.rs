@@ -11,7 +11,7 @@ mod elimination;
 mod generic_point;
 mod guides;
 mod integrability;
-mod vanishing;
+mod zero_test;
 
 pub(crate) use characteristics::solved_in_short;
 pub use characteristics::{Characteristics, Motion};
@@ -23,7 +23,7 @@ pub(crate) use generic_point::{
 };
 pub use guides::balances;
 pub use integrability::{Integrability, Undecided};
-pub use vanishing::vanishes;
+pub use zero_test::vanishes;
 
 use crate::Trace;
 use crate::principles::{NotApplicable, Principle};

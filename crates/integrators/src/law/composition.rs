@@ -162,7 +162,7 @@ mod tests {
         }
     }
 
-    /// What the documentation promises of friction in the first piece.
+    /// Friction in the first piece fades as the documentation promises.
     #[test]
     fn the_first_piece_goes_back_by_as_much_as_is_said() {
         for (splitting, most) in Splitting::ALL.into_iter().zip([0.0, 0.042, 0.132, 0.155]) {

@@ -26,7 +26,7 @@ pub use series::TaylorSeries;
 use field::{DoubleDouble, Scalar};
 use num_dual::DualSVec64;
 
-/// How many columns of a Jacobian one evaluation gives.
+/// The number of columns of a Jacobian that one evaluation gives.
 pub const DIRECTIONS: usize = 8;
 
 /// The field in which a Jacobian is computed: a value and its slopes in eight directions.

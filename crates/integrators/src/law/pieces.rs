@@ -4,10 +4,10 @@
 pub trait Pieces<S> {
     /// A state in the coordinates in which the pieces flow.
     type Point;
-    /// What a piece wants to know of a length of time before it flows for it, again and again.
+    /// The data of a piece for a length of time, computed once and used in every flow of that length.
     type Lapse;
 
-    /// How many pieces there are. The first goes back least: friction belongs there.
+    /// The number of pieces. The first goes back least: friction belongs there.
     fn pieces(&self) -> usize;
 
     /// From a state of the law.
@@ -16,7 +16,7 @@ pub trait Pieces<S> {
     /// To a state of the law. Must not allocate.
     fn leave(&self, point: &Self::Point, y: &mut [S]);
 
-    /// What a piece wants to know of a length of time, which may be negative.
+    /// The data of a piece for a length of time, which may be negative.
     fn lapse(&self, piece: usize, length: S) -> Self::Lapse;
 
     /// The fastest rate at which anything fades in the first piece at a point; zero where nothing does.
@@ -36,7 +36,7 @@ pub trait Composed<S> {
     /// Takes a state of the law.
     fn enter(&mut self, y: &[S]);
 
-    /// How fast anything fades in the first piece where the composition stands.
+    /// The largest rate of decay in the first piece at the present state.
     fn fading(&self) -> f64;
 
     /// One step; false where it leads nowhere.

@@ -14,7 +14,7 @@ pub trait TaylorSeries<S: Scalar> {
         order
     }
 
-    /// Of the last expansion the coefficients of order k, that is the k-th derivatives over k!, for k up to its order.
+    /// The coefficients of order k of the last expansion, which are the k-th derivatives over k!, for k up to its order.
     fn coefficients(&self, k: usize) -> &[S];
 
     /// The sum of the last expansion at h.

@@ -6,10 +6,10 @@ use std::time::Instant;
 use crate::run::clock::{self, Over};
 use crate::{Failure, Ode, Real, Span, Work};
 
-/// How often the clock is read: reading it costs as much as a small system's rates.
+/// The clock is read once in so many evaluations: reading it costs as much as a small system's rates.
 const CLOCK_EVERY: u64 = 64;
 
-/// What a budget ran out of.
+/// The resource that a budget has used up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Spent {
     Evaluations,

@@ -1,10 +1,10 @@
-//! What a run gives, whether it reached its end or not.
+//! The result of a run, whether it reached its end or not.
 
 use std::fmt;
 
 use crate::Failure;
 
-/// How a run ended.
+/// The way in which a run ended.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum End {
     /// At the end of the span, with a finite state.
@@ -15,7 +15,7 @@ pub enum End {
     Stopped(Failure),
 }
 
-/// What a run cost, in counts that every machine repeats.
+/// The work of a run, in counts that every machine repeats.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Work {
     /// Evaluations of the rates.

@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use crate::{Absolute, Real, Refusal, Tolerance};
 
-/// How much work a run may take before it is stopped.
+/// The most work that a run may take before it is stopped.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Budget {
     /// Evaluations of the rates.

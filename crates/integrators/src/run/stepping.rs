@@ -4,7 +4,7 @@ use crate::run::budgeted_rhs::BudgetedRhs;
 use crate::run::watch::Watch;
 use crate::{Failure, Outcome, Real, Tolerance};
 
-/// What became of an attempted step, and how long the next should be.
+/// The outcome of an attempted step, and the length of the next one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Attempt {
     Accepted {
@@ -51,7 +51,7 @@ pub(crate) trait Stepper<S: Real> {
     /// Tries one step from `before` at tau; a step that is accepted has its result in `after`.
     fn attempt(&mut self, tau: S, before: &[S], step: S, after: &mut [S], meter: &BudgetedRhs<S>) -> Attempt;
 
-    /// How far the next step may go, where the method knows before it takes it.
+    /// The longest next step, where the method knows it before it takes it.
     fn reach(&mut self, _tau: S, _before: &[S], _meter: &BudgetedRhs<S>) -> Option<f64> {
         None
     }

@@ -1,4 +1,4 @@
-//! How large an error of one step may be.
+//! The largest error that one step may have.
 
 use crate::Real;
 

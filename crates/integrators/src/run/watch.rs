@@ -1,4 +1,4 @@
-//! What happens around the accepted steps of any method: outputs, monitors, progress, the last good state.
+//! Work around the accepted steps of any method: outputs, monitors, progress, the last good state.
 
 use crate::run::budgeted_rhs::BudgetedRhs;
 use crate::run::within::{Place, Within};

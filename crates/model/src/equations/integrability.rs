@@ -77,7 +77,7 @@ impl Integrability {
     }
 }
 
-/// What Frobenius' conditions here do not know, of the first constraint that has it.
+/// The reason for which Frobenius' conditions do not apply, of the first constraint that has one.
 fn undecided(trace: &Trace<'_>, constraints: &[Equation]) -> Option<Undecided> {
     let at_rest: Vec<(Sym, Sym)> = trace.speeds.iter().map(|&speed| (speed, Sym::ZERO)).collect();
     let of = |constraint: &Equation| {

@@ -62,12 +62,12 @@ pub(super) enum Decided {
     RestTogether,
 }
 
-/// What is open at an instant.
+/// The conditions and contacts that are open at an instant.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Open<'a> {
     /// Conditions at zero.
     pub switches: &'a [usize],
-    /// What is known of each contact.
+    /// The touch of each contact.
     pub touches: &'a [Touch],
 }
 

@@ -1,4 +1,4 @@
-//! What a contact may do at an instant, and whether it moves as its phase says.
+//! The phases in which a contact may be at an instant, and whether it moves as its phase says.
 //!
 //! In touch, gap and gap' are zero. Of the phases that are possible one holds: apart where the first higher rate of the gap that is not
 //! zero is positive; sticking where N and mu |N| - |T| are positive, or rise from zero; sliding where N is, and the sliding velocity
@@ -10,7 +10,7 @@ use super::jet::Jet;
 use super::mode::{Face, Phase};
 use model::Sides;
 
-/// What is known of a contact from its positions and speeds.
+/// The state of a contact, known from its positions and speeds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Touch {
     /// Not in touch, or leaving.
@@ -97,7 +97,7 @@ pub(super) fn possible(contact: &Touching<FEW>, phase: Phase, touch: Touch, slac
 /// A number below zero by this part of what it stands beside is no rounding, whatever the bound of its error.
 const SMALL: f64 = 1e-6;
 
-/// What the numbers of a contact stand beside.
+/// Sizes by which the numbers of a contact are judged: smaller ones are rounding.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Beside {
     /// The pressures of the other contacts, N.

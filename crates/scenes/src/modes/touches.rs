@@ -1,4 +1,4 @@
-//! What contacts do when a run begins, and after its events: in touch or open, at rest or sliding; impacts change the speeds.
+//! The touch of contacts when a run begins, and after its events: open, at rest or sliding; impacts change the speeds.
 
 use super::Modes;
 use super::combinations::leaning;
@@ -28,7 +28,7 @@ const BOUNCES: f64 = 1e-9;
 const DEEPER: f64 = 8.0;
 
 impl Modes {
-    /// What the contacts do at a state that is given.
+    /// The touch of the contacts at a state that is given.
     pub(super) fn touches(&self, time: f64, state: &[f64], cases: &[Case]) -> Result<Vec<Touch>, &'static str> {
         let expansions = self.laws.expansions().map_err(refused)?;
         let instant = Instant::at(time, state);
@@ -174,7 +174,7 @@ impl Modes {
         Ok(rate > 0.0 && acceleration < 0.0 && restitution < 1.0 && is_over)
     }
 
-    /// What the contacts do after an event has set the state: those that it has left as they were are in touch as before.
+    /// The touch of the contacts after an event has set the state: those that it has left as they were are in touch as before.
     pub(super) fn touches_set(
         &self,
         Mode { phases, cases }: &Mode,
@@ -201,7 +201,7 @@ impl Modes {
     }
 }
 
-/// What a contact in touch does, by its sliding velocity.
+/// Rest or sliding of a contact in touch, by its sliding velocity.
 fn touching(contact: &Touching<1>) -> Touch {
     match [contact.slide, contact.aside].map(|part| part.sign_of(0, SLACK)) {
         [0.0, 0.0] => Touch::Rest,

@@ -3,7 +3,7 @@
 use super::direct::Direct;
 use super::factors::{MOST_ORDER, Places};
 use super::law::Law;
-use super::linearised::Linearised;
+use super::linearisation::Linearised;
 use super::round::rounded;
 use super::solving::Solving;
 use super::starts::Starts;

@@ -5,7 +5,7 @@ mod direct;
 mod factors;
 mod kernel;
 mod law;
-mod linearised;
+mod linearisation;
 mod reduce;
 mod round;
 mod solving;

@@ -12,10 +12,10 @@
 //! Sources: Hairer, Lubich, Roche: The numerical solution of differential-algebraic systems by Runge-Kutta methods (1989);
 //! Ascher, Petzold: Projected implicit Runge-Kutta methods for differential-algebraic equations (1991).
 
-mod collocated;
+mod collocation;
 mod half_explicit;
 mod onto;
-mod projected;
+mod projection;
 
 use crate::law::jacobian::Jacobian;
 use crate::methods::implicit::collocation::Family;
@@ -27,11 +27,11 @@ use crate::run::within::Within;
 use crate::{
     Directions, Held, HeldSystem, MOST_STAGES, Method, Observer, Ode, Outcome, Refusal, Span, System, Working,
 };
-use collocated::Collocated;
+use collocation::Collocated;
 use field::Scalar;
 use half_explicit::HalfExplicit;
 use onto::Onto;
-use projected::Projected;
+use projection::Projected;
 use std::fmt;
 
 /// A method with so many equal steps over the span.

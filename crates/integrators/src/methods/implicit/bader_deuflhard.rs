@@ -15,7 +15,7 @@
 use crate::Tolerance;
 use crate::law::jacobian::Jacobian;
 use crate::methods::extrapolation_control::Columns;
-use crate::methods::implicit::linearised::Linearised;
+use crate::methods::implicit::linearisation::Linearised;
 use crate::newton::Lu;
 use crate::run::budgeted_rhs::BudgetedRhs;
 use crate::run::stepping::{Attempt, Cause, Stepper};

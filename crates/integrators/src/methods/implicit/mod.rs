@@ -1,9 +1,9 @@
 //! Methods that solve equations in a step: for stiff laws, and for the most digits.
 
 pub(super) mod bader_deuflhard;
-pub(super) mod collocated;
 pub(crate) mod collocation;
-mod linearised;
+pub(super) mod collocation_step;
+mod linearisation;
 pub(super) mod rosenbrock;
 pub(super) mod theta;
 

@@ -20,7 +20,7 @@ const IMPULSES: usize = 3;
 const CHANGES: f64 = 16.0;
 
 impl Expansions {
-    /// What a unit of each of some letters adds to the rates of a state, beside the values of all.
+    /// The change of the rates of a state by a unit of each of some letters, beside the values of all.
     fn responses(&self, clock: Jet<1>, state: &[Jet<1>], all: &[Jet<1>], letters: &[usize]) -> Vec<Vec<f64>> {
         let of = |&letter: &usize| {
             let [none, one] = [Jet::zero(), Jet::one()].map(|value| {
