@@ -1,10 +1,10 @@
 //! The touch of contacts when a run begins, and after its events: open, at rest or sliding; impacts change the speeds.
 
 use super::Modes;
-use super::combinations::leaning;
 use super::course::Sets;
 use super::decision::TERMS;
 use super::expansion::{Instant, Kind, NotStruck, Touching};
+use super::headings::held;
 use super::jet::Jet;
 use super::mode::{Case, Face, Mode, Phase};
 use super::passage::SLACK;
@@ -59,15 +59,16 @@ impl Modes {
         if let Fall::Stops { contact } = fall
             && let Some(face) = phases[contact].face()
         {
-            // contacts that stop together do so at one instant
-            let mut stopped = mode.clone();
-            let is_in_space = expansions.kinds[contact].is_in_space;
-            let held = [Phase::Sticks(face)].into_iter().chain(leaning(Phase::Sticks(face), is_in_space));
-            let mut held = held.skip_while(|phase| {
-                stopped.phases[contact] = *phase;
-                !expansions.return_to_zero(time, state, &stopped, 0.0)
-            });
-            held.next();
+            let stopped = if expansions.kinds[contact].is_in_space {
+                held(expansions, &Instant::at(time, state), mode, &[(contact, face)])
+            } else {
+                let mut stopped = mode.clone();
+                stopped.phases[contact] = Phase::Sticks(face);
+                Some(stopped)
+            };
+            if let Some(stopped) = stopped {
+                expansions.return_to_zero(time, state, &stopped, 0.0);
+            }
         }
         let closing = match fall {
             Fall::Closes { contact } => Some(contact),
