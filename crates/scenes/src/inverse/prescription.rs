@@ -7,6 +7,7 @@ use crate::linearisation::Point;
 use crate::motions::Motion;
 use crate::program::recorded;
 use derivations::taped::Program;
+use field::{Analytic, Circle};
 use model::{Model, ScalarId, Trace, turned_further};
 use nalgebra::DVector;
 use symbolic::substitute_all;
@@ -137,7 +138,7 @@ impl Turned {
             along[axis] = angle;
             turned.quaternion = turned_further(turned.quaternion, along);
             let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
-            let (sin, cos) = angle.sin_cos();
+            let Circle { cos, sin } = angle.circle();
             let back = |vector: [f64; 3]| {
                 let mut seen = vector;
                 seen[next] = cos * vector[next] + sin * vector[last];

@@ -18,6 +18,7 @@ use super::passage::SLACK;
 use super::signals::{Fall, GLIDE};
 use super::touch::Touch;
 use super::{Current, Modes};
+use field::Elementary;
 use integrators::Event;
 
 /// The part of a speed at which a contact is watched anew.
@@ -116,7 +117,9 @@ fn doubling<const N: usize>(contact: &Touching<N>, time: f64) -> f64 {
     let term = |order: usize| contact.slide.terms[order].hypot(contact.aside.terms[order]);
     let doubt = contact.slide.doubts[0].max(contact.aside.doubts[0]);
     let speed = START.max(DIRECTED * doubt).max(RESOLVED * ROUNDING * time.abs() * term(1));
-    (1..N).map(|order| (speed / term(order)).powf(1.0 / order as f64)).fold(1.0, f64::min)
+    // with the same bits on every machine
+    let root = |value: f64, order: usize| Elementary::Exp.of(Elementary::Ln.of(value, 0.0) / order as f64, 0.0);
+    (1..N).map(|order| root(speed / term(order), order)).fold(1.0, f64::min)
 }
 
 impl Modes {

@@ -13,6 +13,7 @@ use super::jet::ROUNDING;
 use super::mode::{Face, Heading, Mode, Phase};
 use super::passage::SLACK;
 use super::touch::margins;
+use field::{Analytic, Circle, Elementary};
 use nalgebra::{DMatrix, DVector};
 
 /// Roundings of one to which a direction is found that is its own.
@@ -104,7 +105,7 @@ impl Slip<'_> {
 
     fn parts(&self, headings: &[Heading], tangential: &[[f64; 2]]) -> Option<Vec<[f64; 2]>> {
         let of = |(&(contact, _), heading): (&(usize, Face), &Heading)| {
-            let ((sin, cos), [along, aside]) = (heading.angle().sin_cos(), tangential[contact]);
+            let (Circle { cos, sin }, [along, aside]) = (heading.angle().circle(), tangential[contact]);
             let parts = [cos * aside - sin * along, cos * along + sin * aside];
             parts.iter().all(|part| part.is_finite()).then_some(parts)
         };
@@ -120,7 +121,9 @@ impl Slip<'_> {
             let [_, first, second] = contact.reactions.map(|reaction| reaction.terms[0]);
             let doubt = contact.reactions[1].doubts[0].max(contact.reactions[2].doubts[0]) / first.hypot(second);
             all_at_bound &= margins(contact, face)[1].sign_of(0, SLACK) == 0.0;
-            doubt.is_finite().then(|| Heading::of((-second).atan2(-first), 0.0, doubt.max(FOUND * ROUNDING)))
+            doubt
+                .is_finite()
+                .then(|| Heading::of(Elementary::Atan2.of(-second, -first), 0.0, doubt.max(FOUND * ROUNDING)))
         };
         let headings = self.beginning.iter().map(against).collect::<Option<Vec<Heading>>>()?;
         Some((headings, all_at_bound))

@@ -5,6 +5,7 @@
 
 use super::super::mode::Heading;
 use super::{Slip, exact};
+use field::Elementary;
 use nalgebra::{DMatrix, DVector};
 use std::f64::consts::TAU;
 
@@ -49,7 +50,10 @@ impl Slip<'_> {
     fn off(&self, angles: &[f64]) -> Option<DVector<f64>> {
         let headings: Vec<Heading> = angles.iter().copied().map(exact).collect();
         let parts = self.accelerations(&headings)?;
-        Some(DVector::from_iterator(parts.len(), parts.iter().map(|[across, along]| across.atan2(*along))))
+        Some(DVector::from_iterator(
+            parts.len(),
+            parts.iter().map(|[across, along]| Elementary::Atan2.of(*across, *along)),
+        ))
     }
 
     /// Directions that are those of their own accelerations.
