@@ -101,10 +101,10 @@ impl Members for Spread<'_> {
 }
 
 fn trajectories(scene: &Scene, axes: Axes) {
-    let kind = Kind::record(&scene.system, &scene.machine, &scene.machine_data, axes);
+    let kind = Kind::record(&scene.system, &scene.machine, axes);
     let kind = kind.unwrap_or_else(|error| panic!("{error}"));
     let (_, mut parameters) = form_parameters(&scene.system, axes);
-    parameters.extend(scene.machine_data.numbers.iter().map(|(_, value)| *value));
+    parameters.extend(scene.machine.values());
     let state = scene.state(axes);
     let n = kind.states();
     let ends = vec![0.0; n * MEMBERS as usize];
@@ -140,9 +140,7 @@ fn runge_kutta<const FUSED: bool>(scene: &Scene) {
     let three = |i: usize| Vector3::new(p[i], p[i + 1], p[i + 2]);
     let form = SecondForm::new(three(0), three(3), p[6], three(7));
     let start: Vec<_> = scene.state(Axes::Second).iter().map(|y| lanes(*y)).collect();
-    let number = |name: &str| -> f64 {
-        scene.machine_data.numbers.iter().find(|(q, _)| q.name == name).map_or(0.0, |(_, value)| *value)
-    };
+    let number = |name: &str| scene.machine.datum(name).unwrap_or_default();
     match start.len() {
         8 => {
             let Ok(machine) = Synchronous::read(|q| Ok::<_, std::convert::Infallible>(lanes(number(&q.name))));

@@ -1,9 +1,8 @@
 //! Equations of motion for reading: derived by a chosen principle, brought to normal form, solved for nothing.
 
 use crate::exact_turns::with_exact_turns;
-use crate::machines::{AnyMachine, Catalogued, ForMachine, Machine, drive};
+use crate::machines::{Machine, Motor, drive};
 use crate::papers::konosevich2022::Letters;
-use crate::scene::{MachineData, Named};
 use crate::systems::gyrostat::Motion;
 use field::Circle;
 use mechanics::rotation::{euler, vertical};
@@ -116,20 +115,10 @@ fn motor(s: &Letters, principle: Principle) -> Result<Vec<Equation>, NotDerived>
 ///
 /// # Errors
 /// [`NotDerived::TooLarge`].
-pub fn motor_of(machine: &AnyMachine, data: &MachineData) -> Result<Vec<Equation>, NotDerived> {
-    machine.clone().apply(OfScene(data))
-}
-
-struct OfScene<'a>(&'a MachineData);
-
-impl ForMachine for OfScene<'_> {
-    type Output = Result<Vec<Equation>, NotDerived>;
-
-    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, _: M) -> Self::Output {
-        let Ok(machine) = M::read::<Sym, _>(&mut Named::new(self.0));
-        let currents: Vec<Sym> = (0..machine.windings()).map(|k| Sym::symbol(&machine.current_name(k))).collect();
-        of_machine(&Letters::default(), &machine, &currents)
-    }
+pub fn motor_of(motor: &Motor) -> Result<Vec<Equation>, NotDerived> {
+    let motor = motor.letters();
+    let currents: Vec<Sym> = (0..motor.windings()).map(|k| Sym::symbol(&motor.current_name(k))).collect();
+    of_machine(&Letters::default(), &motor, &currents)
 }
 
 /// M and L di/dt of any motor.

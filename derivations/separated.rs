@@ -10,10 +10,10 @@ use symbolic::Sym;
 
 /// A law that is a sum of fields whose flows are known.
 pub trait Separable {
-    /// What the pieces of a written machine run by.
-    fn programs(&self) -> Option<Programs>;
+    /// What the pieces run by.
+    fn programs(&self) -> Programs;
 
-    /// The pieces over a field, by these programs where there are some; none where the law cannot be taken apart.
+    /// The pieces over a field, by these programs or law by law; none where the law cannot be taken apart.
     fn pieces_by<'a, S: Real + Running>(&'a self, programs: Option<&'a Programs>) -> Option<impl Pieces<S> + 'a>;
 
     /// The pieces law by law.
@@ -28,7 +28,7 @@ pub struct Separated<L> {
     law: Arc<L>,
     recorded: Recorded<L>,
     /// Made when they are first asked for.
-    programs: OnceLock<Option<Programs>>,
+    programs: OnceLock<Programs>,
 }
 
 impl<L: Ode<Sym> + Sync> Separated<L> {
@@ -40,8 +40,8 @@ impl<L: Ode<Sym> + Sync> Separated<L> {
 
 impl<L: Separable> Separated<L> {
     fn composed_in<S: Real + Running>(&self, splitting: Splitting) -> Option<Box<dyn Composed<S> + '_>> {
-        let programs = self.programs.get_or_init(|| self.law.programs()).as_ref();
-        Some(compose(self.law.pieces_by(programs)?, splitting))
+        let programs = self.programs.get_or_init(|| self.law.programs());
+        Some(compose(self.law.pieces_by(Some(programs))?, splitting))
     }
 }
 

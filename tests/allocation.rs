@@ -3,7 +3,7 @@
 use dalembert_derivations::ensemble::kind::{Kind, form_parameters};
 use dalembert_derivations::friction::stretch::Stretch;
 use dalembert_derivations::machines::synchronous::Synchronous;
-use dalembert_derivations::machines::{AnyMachine, Catalogued, ForMachine, Metered, has_known_flow};
+use dalembert_derivations::machines::{Metered, Motor, catalogue, has_known_flow};
 use dalembert_derivations::mechanisms::MechanismScene;
 use dalembert_derivations::papers::konosevich2022::gyrostats;
 use dalembert_derivations::recorded::Recorded;
@@ -22,7 +22,7 @@ use mechanics::constrained::State;
 use mechanics::constrained::System as _;
 use mechanics::constrained::programmed::{Linear, programmed};
 use mechanics::regimes::{Direction, Dry, Face, Mode, Sizes, Touch, Verdict, touches, verdict};
-use physical::machines::Bars;
+use physical::machines::with_bars;
 use physical::rounded;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
@@ -59,23 +59,18 @@ fn allocations(work: impl FnOnce()) -> usize {
     ALLOCATIONS.get() - before
 }
 
-struct Evaluate<F>(F);
-
-impl<F: Form<f64>> ForMachine for Evaluate<F> {
-    type Output = usize;
-
-    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> usize {
-        fn over<S: Over<f64> + Analytic>(law: &impl Ode<S>) -> usize {
-            let y: Vec<S> = (0..law.dimension()).map(|i| S::lift(0.1 + i as f64)).collect();
-            let mut dy = vec![S::zero(); y.len()];
-            let count = allocations(|| law.rates(S::zero(), &y, &mut dy));
-            assert!(dy.iter().any(|rate| !rate.is_zero()));
-            count
-        }
-        // with the work that is done on it, which runs with it
-        let law = Metered(Driven::new(self.0, machine));
-        over::<f64>(&law) + over::<Directions>(&law) + over::<DoubleDouble>(&law)
+/// Of a right-hand side over every field that runs.
+fn by_rates(form: impl Form<f64>, machine: Motor) -> usize {
+    fn over<S: Over<f64> + Analytic>(law: &impl Ode<S>) -> usize {
+        let y: Vec<S> = (0..law.dimension()).map(|i| S::lift(0.1 + i as f64)).collect();
+        let mut dy = vec![S::zero(); y.len()];
+        let count = allocations(|| law.rates(S::zero(), &y, &mut dy));
+        assert!(dy.iter().any(|rate| !rate.is_zero()));
+        count
     }
+    // with the work that is done on it, which runs with it
+    let law = Metered(Driven::new(form, machine));
+    over::<f64>(&law) + over::<Directions>(&law) + over::<DoubleDouble>(&law)
 }
 
 #[test]
@@ -86,11 +81,11 @@ fn the_count_sees_an_allocation() {
 #[test]
 fn the_right_hand_side_allocates_nothing() {
     let g = rounded(&gyrostats::opposite_sign().gyrostat);
-    for (name, _) in AnyMachine::LIST {
+    for name in catalogue::entries().into_iter().map(|entry| entry.name) {
         for bars in [1, 6, 40] {
-            let Some(Ok(machine)) = AnyMachine::read(name, &mut Bars(bars)) else { panic!("{name} is in the list") };
-            assert_eq!(machine.clone().apply(Evaluate(g.first_form().0)), 0, "{name} with {bars} bars, first form");
-            assert_eq!(machine.apply(Evaluate(g.second_form().0)), 0, "{name} with {bars} bars, second form");
+            let machine = with_bars(name, bars);
+            assert_eq!(by_rates(g.first_form().0, machine.clone()), 0, "{name} with {bars} bars, first form");
+            assert_eq!(by_rates(g.second_form().0, machine), 0, "{name} with {bars} bars, second form");
         }
     }
 }
@@ -100,79 +95,64 @@ fn the_right_hand_side_of_a_written_motor_allocates_nothing() {
     let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes/machines/reluctance.toml");
     let machine = Scene::open(&path).expect("it is in order").machine;
     let g = rounded(&gyrostats::opposite_sign().gyrostat);
-    assert_eq!(machine.clone().apply(Evaluate(g.first_form().0)), 0, "first form");
-    assert_eq!(machine.apply(Evaluate(g.second_form().0)), 0, "second form");
+    assert_eq!(by_rates(g.first_form().0, machine.clone()), 0, "first form");
+    assert_eq!(by_rates(g.second_form().0, machine), 0, "second form");
 }
 
 #[test]
 fn a_series_allocates_nothing_once_there_is_room_for_it() {
     let g = rounded(&gyrostats::opposite_sign().gyrostat);
-    let Some(Ok(machine)) = AnyMachine::read("multi_current", &mut Bars(40)) else { panic!("it is in the list") };
-    struct Expand(SecondForm<f64>);
-    impl ForMachine for Expand {
-        type Output = usize;
-
-        fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> usize {
-            let system = Recorded::new(Arc::new(Driven::new(self.0, machine)));
-            let mut series = integrators::System::taylor(&system).expect("it has a series");
-            let mut y = vec![0.1; Ode::<f64>::dimension(&system)];
+    let system = Recorded::new(Arc::new(Driven::new(g.second_form().0, with_bars("multi_current", 40))));
+    let mut series = integrators::System::taylor(&system).expect("it has a series");
+    let mut y = vec![0.1; Ode::<f64>::dimension(&system)];
+    series.expand(0.0, &y, 20);
+    let count = allocations(|| {
+        for _ in 0..3 {
             series.expand(0.0, &y, 20);
-            let count = allocations(|| {
-                for _ in 0..3 {
-                    series.expand(0.0, &y, 20);
-                    series.sum(1e-3, &mut y);
-                }
-            });
-            assert!(y.iter().all(|y| y.is_finite()));
-            drop(series);
-            let next = allocations(|| {
-                let mut series = integrators::System::taylor(&system).expect("it has a series");
-                series.expand(0.0, &y, 20);
-            });
-            assert_eq!(next, 1, "the next run finds the room of the last one");
-            count
+            series.sum(1e-3, &mut y);
         }
-    }
-    assert_eq!(machine.apply(Expand(g.second_form().0)), 0);
+    });
+    assert_eq!(count, 0);
+    assert!(y.iter().all(|y| y.is_finite()));
+    drop(series);
+    let next = allocations(|| {
+        let mut series = integrators::System::taylor(&system).expect("it has a series");
+        series.expand(0.0, &y, 20);
+    });
+    assert_eq!(next, 1, "the next run finds the room of the last one");
 }
 
-/// Twenty steps of a composition, once it has been prepared.
-struct Advance<F>(F);
-
-impl<F: Form<f64>> ForMachine for Advance<F> {
-    type Output = usize;
-
-    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> usize {
-        fn over<S: Real + Running>(driven: &Driven<f64, impl Form<f64>, impl Catalogued + Sync>) -> usize {
-            let mut y: Vec<S> = (0..driven.dimension()).map(|i| S::lift(0.1 + 0.05 * i as f64)).collect();
-            let programs = driven.programs();
-            let Some(pieces) = driven.pieces_by::<S>(programs.as_ref()) else {
-                assert!(!has_known_flow(&driven.machine), "a known flow makes pieces");
-                return 0;
-            };
-            let mut composed = compose(pieces, Splitting::BlanesMoan4);
-            composed.prepare(S::lift(1e-3));
-            composed.enter(&y);
-            allocations(|| {
-                for _ in 0..20 {
-                    assert!(composed.advance());
-                    composed.leave(&mut y);
-                }
-            })
-        }
-        let driven = Driven::new(self.0, machine);
-        over::<f64>(&driven) + over::<DoubleDouble>(&driven)
+/// Of twenty steps of a composition, once it has been prepared.
+fn by_steps(form: impl Form<f64>, machine: Motor) -> usize {
+    fn over<S: Real + Running>(driven: &Driven<f64, impl Form<f64>, Motor>) -> usize {
+        let mut y: Vec<S> = (0..driven.dimension()).map(|i| S::lift(0.1 + 0.05 * i as f64)).collect();
+        let programs = driven.programs();
+        let Some(pieces) = driven.pieces_by::<S>(Some(&programs)) else {
+            assert!(!has_known_flow(&driven.machine), "a known flow makes pieces");
+            return 0;
+        };
+        let mut composed = compose(pieces, Splitting::BlanesMoan4);
+        composed.prepare(S::lift(1e-3));
+        composed.enter(&y);
+        allocations(|| {
+            for _ in 0..20 {
+                assert!(composed.advance());
+                composed.leave(&mut y);
+            }
+        })
     }
+    let driven = Driven::new(form, machine);
+    over::<f64>(&driven) + over::<DoubleDouble>(&driven)
 }
 
 #[test]
 fn a_step_of_a_composition_allocates_nothing() {
     let g = rounded(&gyrostats::opposite_sign().gyrostat);
-    for (name, _) in AnyMachine::LIST {
+    for name in catalogue::entries().into_iter().map(|entry| entry.name) {
         for bars in [1, 40] {
-            let Some(Ok(machine)) = AnyMachine::read(name, &mut Bars(bars)) else { panic!("{name} is in the list") };
-            assert_eq!(machine.clone().apply(Advance(g.first_form().0)), 0, "{name} with {bars} bars, first form");
-            assert_eq!(machine.apply(Advance(g.second_form().0)), 0, "{name} with {bars} bars, second form");
+            let machine = with_bars(name, bars);
+            assert_eq!(by_steps(g.first_form().0, machine.clone()), 0, "{name} with {bars} bars, first form");
+            assert_eq!(by_steps(g.second_form().0, machine), 0, "{name} with {bars} bars, second form");
         }
     }
 }
@@ -182,7 +162,7 @@ fn a_step_by_the_programs_of_a_written_motor_allocates_nothing() {
     let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes/machines/reluctance.toml");
     let machine = Scene::open(&path).expect("it is in order").machine;
     let g = rounded(&gyrostats::opposite_sign().gyrostat);
-    assert_eq!(machine.apply(Advance(g.first_form().0)), 0);
+    assert_eq!(by_steps(g.first_form().0, machine), 0);
 }
 
 /// The uniform ladder on wall and floor, with the direction from which it is seen.
@@ -284,9 +264,9 @@ impl Members for Crowd<'_> {
 fn an_ensemble_allocates_nothing_from_its_first_member_to_its_last() {
     let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes/ensembles/spread.toml");
     let scene = Scene::open(&path).expect("it is in order");
-    let kind = Kind::record(&scene.system, &scene.machine, &scene.machine_data, Axes::Second).expect("it has a law");
+    let kind = Kind::record(&scene.system, &scene.machine, Axes::Second).expect("it has a law");
     let (_, mut parameters) = form_parameters(&scene.system, Axes::Second);
-    parameters.extend(scene.machine_data.numbers.iter().map(|(_, value)| *value));
+    parameters.extend(scene.machine.values());
     let state = scene.state(Axes::Second);
     let series = kind.series::<8>(lanes_order(1e-9)).expect("it is small");
     let mut ensemble = Ensemble::new(series, 1e-9, 0.05, kind.states(), kind.parameters());

@@ -15,7 +15,6 @@ mod weierstrass;
 pub use quadrature::Quadrature;
 pub use weierstrass::{Lattice, Weierstrass};
 
-use crate::machines::AnyMachine;
 use crate::scene::{Axes, Scene, System};
 use field::Over;
 use integrators::Real;
@@ -90,13 +89,13 @@ fn component<S: Real>(vector: &[S], axis: &Vector3<f64>) -> S {
 impl Scene {
     /// What is known of the motion in closed form, for states in the axes of the first form.
     pub fn closed_form<S: Real>(&self) -> Option<ClosedForm<S>> {
-        match (&self.system, &self.machine) {
-            (System::Gyrostat(_), AnyMachine::FreeRotor(_)) => {
+        match (&self.system, self.machine.name()) {
+            (System::Gyrostat(_), "free_rotor") => {
                 let start = self.aligned()?;
                 volterra::solution(&start).or_else(|| lagrange::solution(&start))
             }
-            (System::Bench { axial }, AnyMachine::Synchronous(machine)) if machine.f == 0.0 => {
-                Some(unloaded::solution(machine, *axial, &self.start))
+            (System::Bench { axial }, "synchronous") if self.machine.datum("f") == Some(0.0) => {
+                unloaded::solution(&self.machine, *axial, &self.start)
             }
             _ => None,
         }

@@ -8,11 +8,11 @@ use symbolic::Sym;
 
 /// Seen from the stator the coenergy is K(phi - W t, i), and the field's turning a constraint that depends on time: Lagrange,
 /// Maxwell and Hamel there, by two derivatives of K, against the law in the field's frame.
-pub(super) fn stator<M: Machine<Sym>>(machine: &M, at: &Instant) -> Verdict {
+pub(super) fn stator(machine: &impl Machine<Sym>, at: &Instant) -> Verdict {
     if at.kept {
         return Verdict::DoesNotApply("the speed is kept by whatever moment that takes".to_owned());
     }
-    let (phi, field) = match M::ROTOR {
+    let (phi, field) = match machine.rotor() {
         RotorState::AngleAndSpeed => (Sym::symbol("the angle phi").circle(), Sym::symbol("the angle W t").circle()),
         RotorState::Prescribed | RotorState::Speed => (Circle::zero(), Circle::zero()),
     };
@@ -49,7 +49,7 @@ fn coenergy<S: Over<Sym>, M: Machine<Sym>>(machine: &M, angle: Circle<S>, curren
 }
 
 /// Two windings with one inductance and one resistance, exchanged for two that are turned among themselves.
-pub(super) fn turned_windings<M: Machine<Sym>>(machine: &M, at: &Instant) -> Verdict {
+pub(super) fn turned_windings(machine: &impl Machine<Sym>, at: &Instant) -> Verdict {
     let alike = |&(j, k): &(usize, usize)| {
         machine.inductance(j) == machine.inductance(k) && machine.resistance(j) == machine.resistance(k)
     };
@@ -100,7 +100,9 @@ impl<M> Turned<'_, M> {
 }
 
 impl<M: Machine<Sym>> Machine<Sym> for Turned<'_, M> {
-    const ROTOR: RotorState = M::ROTOR;
+    fn rotor(&self) -> RotorState {
+        self.machine.rotor()
+    }
 
     fn frame_speed(&self) -> Sym {
         self.machine.frame_speed()

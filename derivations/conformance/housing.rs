@@ -14,13 +14,13 @@ fn three(name: &str) -> Vector3<Sym> {
 }
 
 /// The motor in a gyrostat with these principal moments of A: the rest is any.
-fn driven<M: Machine<Sym>>(machine: &M, moments: Vector3<Sym>) -> Driven<Sym, FirstForm<Sym>, &M> {
+fn driven<M: Machine<Sym> + Clone>(machine: &M, moments: Vector3<Sym>) -> Driven<Sym, FirstForm<Sym>, M> {
     let form = FirstForm::new(moments, three("axis l"), Sym::symbol("the moment A'"), three("weight Ge"));
-    Driven::new(form, machine)
+    Driven::new(form, machine.clone())
 }
 
 /// Neither the momentum about the vertical nor more than M of the rotor's own momentum comes from the motor.
-pub(super) fn momentum<M: Machine<Sym>>(machine: &M, at: &Instant) -> Verdict {
+pub(super) fn momentum(machine: &(impl Machine<Sym> + Clone), at: &Instant) -> Verdict {
     let law = driven(machine, three("moment A"));
     let (w, v) = (three("velocity w"), three("vertical v"));
     let mut y: Vec<Sym> = w.iter().chain(&v).copied().collect();
@@ -30,21 +30,23 @@ pub(super) fn momentum<M: Machine<Sym>>(machine: &M, at: &Instant) -> Verdict {
     let moving: Vec<_> = y.iter().zip(&dy).map(|(&y, &dy)| Tangent::moving(y, dy)).collect();
     let mut residuals = vec![("the momentum about the vertical".to_owned(), vertical(&law, &moving))];
     if !at.kept {
-        let (rotor, currents) = y[6..].split_at(M::ROTOR.dimension());
-        let (angle, slip) = M::ROTOR.angle_and_slip(rotor);
+        let known = machine.rotor();
+        let (rotor, currents) = y[6..].split_at(known.dimension());
+        let (angle, slip) = known.angle_and_slip(rotor);
         let moment = drive(machine, angle, slip, currents, &mut vec![Sym::ZERO; currents.len()]);
         let along = Vector3::from_fn(|k, _| dy[k]).dot(&three("axis l"));
-        let spin = Sym::symbol("the moment A'") * (along + dy[6 + M::ROTOR.dimension() - 1]);
+        let spin = Sym::symbol("the moment A'") * (along + dy[6 + known.dimension() - 1]);
         residuals.push(("the rotor's own momentum".to_owned(), spin - moment));
     }
     Verdict::of(vanish(residuals), "what the rotor gets of momentum about its axis the housing gives, and no more")
 }
 
-fn vertical<M: Machine<Sym>>(law: &Driven<Sym, FirstForm<Sym>, M>, moving: &[Tangent<Sym>]) -> Sym {
-    let speed = match M::ROTOR {
+fn vertical(law: &Driven<Sym, FirstForm<Sym>, impl Machine<Sym>>, moving: &[Tangent<Sym>]) -> Sym {
+    let known = law.machine.rotor();
+    let speed = match known {
         RotorState::Prescribed => Tangent::fixed(law.machine.frame_speed()),
         RotorState::Speed | RotorState::AngleAndSpeed => {
-            moving[6 + M::ROTOR.dimension() - 1] + Tangent::fixed(law.machine.frame_speed())
+            moving[6 + known.dimension() - 1] + Tangent::fixed(law.machine.frame_speed())
         }
     };
     let vector = |from: usize| Vector3::from_fn(|k, _| moving[from + k]);
@@ -52,7 +54,7 @@ fn vertical<M: Machine<Sym>>(law: &Driven<Sym, FirstForm<Sym>, M>, moving: &[Tan
 }
 
 /// As the moments of the housing grow beyond all bounds, one at rest stays so and the motor runs as on the bench.
-pub(super) fn bench<M: Machine<Sym>>(machine: &M) -> Verdict {
+pub(super) fn bench(machine: &(impl Machine<Sym> + Clone)) -> Verdict {
     let own = bench_state(machine);
     if own.is_empty() {
         return Verdict::DoesNotApply("a kept rotor without windings has no state of its own".to_owned());
@@ -64,7 +66,7 @@ pub(super) fn bench<M: Machine<Sym>>(machine: &M) -> Verdict {
     let mut dy = vec![Sym::ZERO; y.len()];
     law.rates(&y, &mut dy);
     let mut alone = vec![Sym::ZERO; own.len()];
-    Bench { machine, axial: Sym::symbol("the moment A'") }.rates(&own, &mut alone);
+    Bench { machine: machine.clone(), axial: Sym::symbol("the moment A'") }.rates(&own, &mut alone);
     let turning = dy[..3].iter().map(|&rate| ("the housing's turning".to_owned(), rate));
     let running = dy[6..].iter().zip(alone).enumerate().map(|(k, (&rate, alone))| (format!("rate {k}"), rate - alone));
     let proof = turning.chain(running).try_for_each(|(what, rate)| match tends_to_zero(rate, small) {

@@ -22,9 +22,9 @@ pub struct Instant {
 
 impl Instant {
     /// What the law makes of it.
-    pub fn of<M: Machine<Sym>>(machine: &M) -> Self {
-        let kept = M::ROTOR == RotorState::Prescribed;
-        let angle = match M::ROTOR {
+    pub fn of(machine: &impl Machine<Sym>) -> Self {
+        let kept = machine.rotor() == RotorState::Prescribed;
+        let angle = match machine.rotor() {
             RotorState::AngleAndSpeed => Sym::symbol("the angle").circle(),
             RotorState::Prescribed | RotorState::Speed => Circle { cos: Sym::ONE, sin: Sym::ZERO },
         };
@@ -62,6 +62,6 @@ pub enum Doubt {
 }
 
 /// The state of a motor on a bench as symbols, by the names of its states.
-pub fn bench_state<M: Machine<Sym>>(machine: &M) -> Vec<Sym> {
+pub fn bench_state(machine: &impl Machine<Sym>) -> Vec<Sym> {
     state_names(machine).iter().map(|name| Sym::symbol(&format!("the {name}"))).collect()
 }

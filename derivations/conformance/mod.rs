@@ -11,6 +11,8 @@
 //!
 //! Identities are decided over symbols for every parameter; inequalities and stationary states hold for the data.
 
+#[cfg(test)]
+mod deceiver;
 mod frames;
 mod housing;
 mod instant;
@@ -19,12 +21,10 @@ mod rest;
 pub mod slopes;
 mod units;
 
-use crate::machines::{AnyMachine, Catalogued, ForMachine, Quantity};
-use crate::scene::{MachineData, Named};
-use crate::stationary::motor::Decimals;
+use crate::machines::{Motor, Quantity, catalogue};
+use ::units::Dimension;
 use instant::{Doubt, Instant};
 use std::fmt::Write;
-use symbolic::Sym;
 
 /// What is known of a property of a motor.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -82,12 +82,32 @@ impl Verdict {
 }
 
 /// Every check on a motor with its data.
-pub fn conform(machine: &AnyMachine, data: &MachineData) -> Vec<Finding> {
-    machine.clone().apply(Kit { name: machine.name(), data })
+pub fn conform(motor: &Motor) -> Vec<Finding> {
+    let written = motor.letters();
+    let dimension = |quantity: &Quantity| Dimension::of(&quantity.unit).of_expressions();
+    let dimensions: Vec<_> =
+        motor.data().map(|(quantity, _)| (quantity.name.to_string(), dimension(quantity))).collect();
+    let instant = Instant::of(&written);
+    let rest = rest::Rest::of(motor);
+    let findings = [
+        ("power", power::balance(&written, &instant)),
+        ("passivity", power::passivity(&motor.decimals(), &written)),
+        ("frame", frames::stator(&written, &instant)),
+        ("windings", frames::turned_windings(&written, &instant)),
+        ("housing", housing::momentum(&written, &instant)),
+        ("bench", housing::bench(&written)),
+        ("currents", rest::currents(&written, &instant)),
+        ("stationary", rest.stationary()),
+        ("stability", rest.stability()),
+        ("stiffness", rest.stiffness()),
+        ("jacobian", slopes::jacobian(motor)),
+        ("dimensions", units::dimensions(&instant, &dimensions)),
+    ];
+    findings.map(|(check, verdict)| Finding { check, verdict }).into()
 }
 
 /// A machine of the list with data that a small motor may have, by their units; no two are alike.
-pub fn sample(model: &str) -> Option<(AnyMachine, MachineData)> {
+pub fn sample(model: &str) -> Option<Motor> {
     let mut asked = 0;
     let value = |quantity: &Quantity| {
         asked += 1;
@@ -104,46 +124,7 @@ pub fn sample(model: &str) -> Option<(AnyMachine, MachineData)> {
         // short decimals, which pages print as fractions
         (1e5 * size * f64::from(20 + asked) / 20.0).round() / 1e5
     };
-    MachineData::sampled(model, value, 3)
-}
-
-/// The checks as a task for any machine of a name, also for one that is in no list.
-pub struct Kit<'a> {
-    pub name: &'static str,
-    pub data: &'a MachineData,
-}
-
-impl ForMachine for Kit<'_> {
-    type Output = Vec<Finding>;
-
-    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> Vec<Finding> {
-        let Kit { name, data } = self;
-        let mut named = Named::new(data);
-        let Ok(written) = M::read::<Sym, _>(&mut named);
-        let dimensions = named.dimensions;
-        let instant = Instant::of(&written);
-        let exact = M::read::<Sym, _>(&mut Decimals(data, name));
-        let passive = match &exact {
-            Ok(exact) => power::passivity(exact, &written),
-            Err(missing) => Verdict::Fails(missing.to_string()),
-        };
-        let rest = rest::Rest::of(&machine, data, name);
-        let findings = [
-            ("power", power::balance(&written, &instant)),
-            ("passivity", passive),
-            ("frame", frames::stator(&written, &instant)),
-            ("windings", frames::turned_windings(&written, &instant)),
-            ("housing", housing::momentum(&written, &instant)),
-            ("bench", housing::bench(&written)),
-            ("currents", rest::currents(&written, &instant)),
-            ("stationary", rest.stationary()),
-            ("stability", rest.stability()),
-            ("stiffness", rest.stiffness()),
-            ("jacobian", slopes::jacobian(&machine)),
-            ("dimensions", units::dimensions(&instant, &dimensions)),
-        ];
-        findings.map(|(check, verdict)| Finding { check, verdict }).into()
-    }
+    catalogue::sampled(model, value, 3)
 }
 
 /// The findings of a motor for a reader: verdict in the first column.

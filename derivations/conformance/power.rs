@@ -9,7 +9,7 @@ use field::{Analytic, Circle, Rational, Scalar, Tangent};
 use symbolic::{Decision, Hypotheses, Sym, decide};
 
 /// M phi' + d/dt (U + sum 1/2 L i^2) = W dK/dg + phi' m + sum v i - sum R i^2, by moving the stored energy along the motion.
-pub(super) fn balance<M: Machine<Sym>>(machine: &M, at: &Instant) -> Verdict {
+pub(super) fn balance(machine: &impl Machine<Sym>, at: &Instant) -> Verdict {
     if at.kept {
         return Verdict::DoesNotApply("the speed is kept by whatever moment that takes".to_owned());
     }
@@ -31,8 +31,8 @@ pub(super) fn balance<M: Machine<Sym>>(machine: &M, at: &Instant) -> Verdict {
 
 /// Whether the motor gives energy of its own. Seen from the field it does not where E - W p + c0 g, with c0 = -m(0, W), never
 /// grows without a supply; seen from the housing, where nothing turns with the field, where E does not.
-pub(super) fn passivity<M: Machine<Sym>>(machine: &M, written: &M) -> Verdict {
-    if M::ROTOR == RotorState::Prescribed {
+pub(super) fn passivity(machine: &impl Machine<Sym>, written: &impl Machine<Sym>) -> Verdict {
+    if machine.rotor() == RotorState::Prescribed {
         return Verdict::DoesNotApply("whatever keeps the speed gives what that takes".to_owned());
     }
     for k in 0..machine.windings() {
@@ -57,7 +57,7 @@ pub(super) fn passivity<M: Machine<Sym>>(machine: &M, written: &M) -> Verdict {
 }
 
 /// d/dt (E - W p + c0 g) = (m - m(0, W)) g' - heat - W sum c_k i_k.
-fn from_field<M: Machine<Sym>>(machine: &M) -> Result<(), Gives> {
+fn from_field(machine: &impl Machine<Sym>) -> Result<(), Gives> {
     let currents = currents(machine);
     let slid = machine.frame_speed() * motional_moment(machine, &currents);
     if !vanishes(slid)? {
@@ -69,7 +69,7 @@ fn from_field<M: Machine<Sym>>(machine: &M) -> Result<(), Gives> {
 }
 
 /// dE/dt = m phi' - heat, where nothing depends on the angle to the field.
-fn from_housing<M: Machine<Sym>>(machine: &M) -> Result<(), Gives> {
+fn from_housing(machine: &impl Machine<Sym>) -> Result<(), Gives> {
     let varied = Sym::symbol("the angle").circle().moving(Sym::ONE);
     let fluxes = (0..machine.windings()).map(|k| machine.linkage(k, varied).slope);
     for slope in fluxes.chain([machine.field_energy(varied).slope]) {
@@ -115,7 +115,7 @@ fn takes(power: Sym, slip: Sym) -> Result<(), Gives> {
     positive(&power).map_or(Ok(()), |gives| Err(Gives::Moment { below: gives.sign() == Some(-1) }))
 }
 
-fn currents<M: Machine<Sym>>(machine: &M) -> Vec<Sym> {
+fn currents(machine: &impl Machine<Sym>) -> Vec<Sym> {
     (0..machine.windings()).map(|k| Sym::symbol(&format!("current {k}"))).collect()
 }
 

@@ -2,10 +2,9 @@
 
 use super::Verdict;
 use super::instant::{Instant, vanish};
-use crate::machines::{Bench, Catalogued, ForMachine, Machine, RotorState, drive, is_fed, resting_currents};
+use crate::machines::{Bench, Machine, Motor, RotorState, drive, is_fed, resting_currents};
 use crate::recorded::Recorded;
-use crate::scene::MachineData;
-use crate::stationary::motor::{Motor, NoMotor, States};
+use crate::stationary::motor::{MotorStates, NoMotor};
 use integrators::{Directions, Jacobian, Method, Ode, Span, Tolerance, integrate, spectrum};
 use nalgebra::Complex;
 use std::sync::Arc;
@@ -25,7 +24,7 @@ const APART: f64 = 1e12;
 
 /// At the currents that rest every rate vanishes; whatever the inductances are, so that these are the currents of the limit
 /// L -> 0. In step, where nothing feeds them, they vanish, and what is left is the motor without currents.
-pub(super) fn currents<M: Machine<Sym>>(machine: &M, at: &Instant) -> Verdict {
+pub(super) fn currents(machine: &impl Machine<Sym>, at: &Instant) -> Verdict {
     if at.currents.is_empty() {
         return Verdict::DoesNotApply("it has no windings".to_owned());
     }
@@ -37,7 +36,7 @@ pub(super) fn currents<M: Machine<Sym>>(machine: &M, at: &Instant) -> Verdict {
     let mut rates = vec![Sym::ZERO; resting.len()];
     drive(machine, at.angle, at.slip, &resting, &mut rates);
     let rates = rates.into_iter().enumerate().map(|(k, rate)| (format!("the rate of resting current {k}"), rate));
-    if is_fed(machine) || M::ROTOR != RotorState::AngleAndSpeed {
+    if is_fed(machine) || machine.rotor() != RotorState::AngleAndSpeed {
         return Verdict::of(vanish(rates), "L -> 0: there are currents at which every rate vanishes");
     }
     let still = vec![Sym::ZERO; resting.len()];
@@ -71,12 +70,16 @@ struct State {
 }
 
 impl Rest {
-    /// Of a machine with its data.
-    pub fn of<M>(machine: &M, data: &MachineData, name: &'static str) -> Self
+    /// Of a motor with its data.
+    pub fn of(machine: &Motor) -> Self {
+        Self::beside(MotorStates::of(machine), machine)
+    }
+
+    /// What is exact beside the law of a machine that runs.
+    pub fn beside<M>(motor: Result<MotorStates, NoMotor>, machine: &M) -> Self
     where
-        M: Catalogued + Clone + Send + Sync + 'static,
+        M: Machine<f64> + Clone + Send + Sync + 'static,
     {
-        let motor = States { data, name, load: 0.0 }.apply(machine.clone());
         let unknown = |reason: NoMotor| match reason {
             NoMotor::NotAlgebraic(_) => Verdict::Undecided(reason.to_string()),
             NoMotor::Data(_) | NoMotor::NoRest | NoMotor::AnyAngle => Verdict::Fails(reason.to_string()),
@@ -89,7 +92,7 @@ impl Rest {
             }
             let system = Recorded::new(Arc::new(bench));
             let states = starts.iter().map(|start| State::at(&system, start)).collect();
-            Ok(Known { states, every: matches!(motor, Motor::Free) })
+            Ok(Known { states, every: matches!(motor, MotorStates::Free) })
         });
         Rest { known }
     }
@@ -209,19 +212,19 @@ where
 }
 
 /// The states on a bench: of the rotor, then the currents.
-fn states<M: Machine<f64>>(motor: &Motor, machine: &M) -> Vec<Vec<f64>> {
+fn states(motor: &MotorStates, machine: &impl Machine<f64>) -> Vec<Vec<f64>> {
     let with = |rotor: &[f64], currents: &[f64]| {
         let mut state = [rotor, currents].concat();
-        state.resize(M::ROTOR.dimension() + machine.windings(), 0.0);
+        state.resize(machine.rotor().dimension() + machine.windings(), 0.0);
         state
     };
     match motor {
-        Motor::Kept { .. } => vec![with(&[], &[])],
-        Motor::Free => vec![with(&[1.0], &[])],
-        Motor::InStep { angles, .. } => {
+        MotorStates::Kept { .. } => vec![with(&[], &[])],
+        MotorStates::Free => vec![with(&[1.0], &[])],
+        MotorStates::InStep { angles, .. } => {
             angles.iter().map(|angle| with(&[angle.radians(), 0.0], &angle.currents)).collect()
         }
-        Motor::Slipping { speeds, .. } => {
+        MotorStates::Slipping { speeds, .. } => {
             let frame_speed = machine.frame_speed();
             speeds.iter().map(|slip| with(&[slip.speed.to_f64() - frame_speed], &slip.currents)).collect()
         }

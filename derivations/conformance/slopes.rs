@@ -2,7 +2,7 @@
 
 use super::Verdict;
 use crate::differentiated::Differentiated;
-use crate::machines::{Bench, Catalogued};
+use crate::machines::{Bench, Motor};
 use crate::recorded::Recorded;
 use field::DoubleDouble;
 use integrators::{Directions, Jacobian, Ode, System};
@@ -15,7 +15,7 @@ const ROUNDING: f64 = 1e-13;
 const STATES: usize = 5;
 
 /// On a bench.
-pub(super) fn jacobian<M: Catalogued + Clone + Send + Sync + 'static>(machine: &M) -> Verdict {
+pub(super) fn jacobian(machine: &Motor) -> Verdict {
     let bench = Bench { machine: machine.clone(), axial: 0.7 };
     match bench.dimension() {
         0 => Verdict::DoesNotApply("a kept rotor without windings has no state of its own".to_owned()),

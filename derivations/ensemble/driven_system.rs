@@ -5,7 +5,7 @@ use super::known::{Data, Place, variables};
 use super::parametric_system::{Column, Drawn, LANES, Member, ParametricSystem, Sizes};
 use super::run::Last;
 use super::{EnsembleScene, Stopped, vary};
-use crate::machines::{Catalogued, Conserved, ForMachine};
+use crate::machines::{Conserved, Machine};
 use crate::scene::file::Opening;
 use crate::scene::issue::Issue;
 use crate::scene::read::Table;
@@ -45,7 +45,7 @@ pub(super) fn read(opening: Opening, top: &mut Table<'_>, issues: &mut Vec<Issue
 impl DrivenSystem {
     fn of(scene: Scene, places: Vec<Place>) -> Result<Self, Untapeable> {
         let axes = Axes::Second;
-        let kind = Kind::record(&scene.system, &scene.machine, &scene.machine_data, axes)?;
+        let kind = Kind::record(&scene.system, &scene.machine, axes)?;
         let slip = scene.names().iter().position(|name| name == "slip");
         Ok(DrivenSystem { scene, kind, axes, places, slip })
     }
@@ -82,10 +82,9 @@ impl ParametricSystem for DrivenSystem {
             System::Bench { axial } if *axial <= 0.0 => return Err(Stopped::Axial { value: *axial }),
             System::Bench { .. } => {}
         }
-        let mut known = self.scene.machine_data.clone();
-        known.numbers.iter_mut().zip(&data.machine).for_each(|((_, value), new)| *value = *new);
-        let machine = known.machine(self.scene.machine.name()).map_err(Stopped::Machine)?;
-        let (frame_speed, conserved) = machine.clone().apply(OfMachine);
+        let given = self.scene.given.with_data(data.machine.clone());
+        let machine = given.model(self.scene.machine.name()).map_err(Stopped::Machine)?;
+        let (frame_speed, conserved) = (machine.frame_speed(), Conserved::by(&machine));
         let (frame, mut parameters) = form_parameters(&data.system, self.axes);
         parameters.extend(&data.machine);
         let mut state = Vec::with_capacity(self.kind.states());
@@ -158,15 +157,5 @@ impl Shown<'_> {
     /// Which of the invariants of its kind the member keeps.
     fn keeps(&self) -> [bool; 4] {
         [self.frame.is_some(), self.frame.is_some(), self.conserved.jacobi, self.conserved.spin]
-    }
-}
-
-struct OfMachine;
-
-impl ForMachine for OfMachine {
-    type Output = (f64, Conserved);
-
-    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> (f64, Conserved) {
-        (machine.frame_speed(), Conserved::by(&machine))
     }
 }

@@ -2,17 +2,13 @@
 
 use super::lane_series::lane_series;
 use crate::exponents::Expandable;
-use crate::machines::text::Laws;
-use crate::machines::{AnyMachine, Bench, Catalogued, ForMachine, Machine, Quantity, Source};
-use crate::scene::{Axes, MachineData, System};
+use crate::machines::{Bench, Machine, Motor};
+use crate::scene::{Axes, System};
 use crate::systems::gyrostat::driven::Driven;
 use crate::systems::gyrostat::forms::{FirstForm, Form, SecondForm};
 use integrators::LaneSeries;
 use nalgebra::{Matrix3, Vector3};
-use series::Equations;
-use std::convert::Infallible;
-use std::sync::Arc;
-use symbolic::{Sym, Tape, Untapeable, apart};
+use symbolic::{Equations, Sym, Tape, Untapeable, apart};
 
 /// Systems that differ in their numbers only. The parameters are those of the form (principal moments, l, A', Ge in its
 /// axes) or A' of a bench, then the machine's in its own order.
@@ -32,21 +28,16 @@ impl Kind {
     ///
     /// # Errors
     /// [`Untapeable`] where the law is none that can be written down.
-    pub fn record(system: &System, machine: &AnyMachine, counts: &MachineData, axes: Axes) -> Result<Self, Untapeable> {
-        apart(|| machine.clone().apply(Recording { system, counts, axes, loaded: false }))
+    pub fn record(system: &System, machine: &Motor, axes: Axes) -> Result<Self, Untapeable> {
+        apart(|| recorded(system, machine, axes, false))
     }
 
     /// The same under a load, which is the last parameter: a moment against the rotor's turning, N m.
     ///
     /// # Errors
     /// [`Untapeable`] where the law is none that can be written down.
-    pub fn under_load(
-        system: &System,
-        machine: &AnyMachine,
-        counts: &MachineData,
-        axes: Axes,
-    ) -> Result<Self, Untapeable> {
-        apart(|| machine.clone().apply(Recording { system, counts, axes, loaded: true }))
+    pub fn under_load(system: &System, machine: &Motor, axes: Axes) -> Result<Self, Untapeable> {
+        apart(|| recorded(system, machine, axes, true))
     }
 
     /// How many parameters a member has.
@@ -83,39 +74,28 @@ pub fn form_parameters(system: &System, axes: Axes) -> (Option<Matrix3<f64>>, Ve
     }
 }
 
-struct Recording<'a> {
-    system: &'a System,
-    counts: &'a MachineData,
-    axes: Axes,
-    loaded: bool,
-}
-
-impl ForMachine for Recording<'_> {
-    type Output = Result<Kind, Untapeable>;
-
-    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, _: M) -> Self::Output {
-        let mut names = Names { made: Vec::new(), counts: self.counts };
-        match self.system {
-            System::Gyrostat(_) => {
-                let [moments, axis] = [names.three(), names.three()];
-                let (axial, weight) = (names.one(), names.three());
-                let Ok(machine) = M::read::<Sym, _>(&mut names);
-                let load = names.load(self.loaded);
-                match self.axes {
-                    Axes::First => gyrostat(FirstForm::new(moments, axis, axial, weight), machine, load, &names.made),
-                    Axes::Second => gyrostat(SecondForm::new(moments, axis, axial, weight), machine, load, &names.made),
-                }
+fn recorded(system: &System, machine: &Motor, axes: Axes, loaded: bool) -> Result<Kind, Untapeable> {
+    let mut names = Names { made: Vec::new() };
+    match system {
+        System::Gyrostat(_) => {
+            let [moments, axis] = [names.three(), names.three()];
+            let (axial, weight) = (names.one(), names.three());
+            let machine = machine.over(|_, _| names.one());
+            let load = names.load(loaded);
+            match axes {
+                Axes::First => gyrostat(FirstForm::new(moments, axis, axial, weight), machine, load, &names.made),
+                Axes::Second => gyrostat(SecondForm::new(moments, axis, axial, weight), machine, load, &names.made),
             }
-            System::Bench { .. } => {
-                let axial = names.one();
-                let Ok(machine) = M::read::<Sym, _>(&mut names);
-                let load = names.load(self.loaded);
-                let bench = Bench { machine, axial };
-                let state = states(bench.dimension());
-                let none = [Sym::ZERO; 2];
-                let kept = [none[0], none[1], bench.jacobi(&state), bench.rotor_momentum(&state)];
-                kind(&state, &names.made, kept, |dy| bench.rates_under(load, &state, dy))
-            }
+        }
+        System::Bench { .. } => {
+            let axial = names.one();
+            let machine = machine.over(|_, _| names.one());
+            let load = names.load(loaded);
+            let bench = Bench { machine, axial };
+            let state = states(bench.dimension());
+            let none = [Sym::ZERO; 2];
+            let kept = [none[0], none[1], bench.jacobi(&state), bench.rotor_momentum(&state)];
+            kind(&state, &names.made, kept, |dy| bench.rates_under(load, &state, dy))
         }
     }
 }
@@ -148,12 +128,11 @@ fn states(count: usize) -> Vec<Sym> {
 }
 
 /// Symbols, as many as are asked for.
-struct Names<'a> {
+struct Names {
     made: Vec<Sym>,
-    counts: &'a MachineData,
 }
 
-impl Names<'_> {
+impl Names {
     fn one(&mut self) -> Sym {
         let next = Sym::symbol(&format!("p{}", self.made.len()));
         self.made.push(next);
@@ -166,22 +145,5 @@ impl Names<'_> {
 
     fn three(&mut self) -> Vector3<Sym> {
         Vector3::from([self.one(), self.one(), self.one()])
-    }
-}
-
-impl Source<Sym> for Names<'_> {
-    type Error = Infallible;
-
-    fn quantity(&mut self, _: &Quantity) -> Result<Sym, Infallible> {
-        Ok(self.one())
-    }
-
-    fn laws(&mut self) -> Option<Arc<Laws>> {
-        self.counts.laws.clone()
-    }
-
-    /// How many bars there are is no number of a member, but the shape of them all.
-    fn count(&mut self, name: &'static str, _: &'static str) -> Result<usize, Infallible> {
-        Ok(self.counts.counts.iter().find(|(given, ..)| *given == name).map_or(1, |(.., count)| *count))
     }
 }

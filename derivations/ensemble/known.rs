@@ -1,8 +1,7 @@
 //! The numbers of a scene that may differ from member to member: how a file names them, and where they are.
 
 use super::parametric_system::{Shape, Variable};
-use crate::machines::{AnyMachine, Quantity, RotorState};
-use crate::scene::state::windings;
+use crate::machines::{Machine, Quantity};
 use crate::scene::{Scene, Start, System};
 use std::borrow::Cow;
 use std::slice::from_mut;
@@ -55,16 +54,16 @@ impl Known {
     }
 
     /// A parameter of the machine, by its place among them.
-    fn of_machine((place, (quantity, _)): (usize, &(Quantity, f64))) -> Self {
+    fn of_machine((place, (quantity, _)): (usize, (&Quantity, f64))) -> Self {
         let Quantity { name, unit, meaning, .. } = quantity.clone();
         Known { key: name, meaning, unit, components: 1, place: Place::Machine(place) }
     }
 
     /// All that a scene may vary, by the tables in which they stand; at the top of the file the name is empty.
     pub fn of(scene: &Scene) -> Vec<(&'static str, Vec<Known>)> {
-        let machine = scene.machine_data.numbers.iter().enumerate();
+        let machine = scene.given.data().enumerate();
         let machine = machine.map(Known::of_machine).collect();
-        let windings = windings(&scene.machine);
+        let windings = scene.machine.windings();
         let mut start = vec![Known::new(
             "rotor_angle",
             "angle of the rotor",
@@ -72,7 +71,7 @@ impl Known {
             1,
             Place::Start(|s| from_mut(&mut s.rotor_angle)),
         )];
-        if scene.machine.rotor() != RotorState::Prescribed {
+        if scene.machine.kept_speed().is_none() {
             start.push(Known::new(
                 "rotor_speed",
                 "relative speed of the rotor",
@@ -189,25 +188,7 @@ impl Data {
     /// As the scene has them.
     pub fn of(scene: &Scene) -> Self {
         let mut start = scene.start.clone();
-        start.currents.resize(windings(&scene.machine), 0.0);
-        let machine = scene.machine_data.numbers.iter().map(|(_, value)| *value).collect();
-        Data { system: scene.system.clone(), machine, start }
-    }
-}
-
-impl AnyMachine {
-    /// What its laws need to know of the rotor.
-    fn rotor(&self) -> RotorState {
-        self.clone().apply(Rotor)
-    }
-}
-
-struct Rotor;
-
-impl crate::machines::ForMachine for Rotor {
-    type Output = RotorState;
-
-    fn apply<M: crate::machines::Catalogued + Clone + Send + Sync + 'static>(self, _: M) -> RotorState {
-        M::ROTOR
+        start.currents.resize(scene.machine.windings(), 0.0);
+        Data { system: scene.system.clone(), machine: scene.given.values().to_vec(), start }
     }
 }

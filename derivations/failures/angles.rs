@@ -3,7 +3,6 @@
 use super::trials::{Tried, near};
 use super::{Exact, Failing, Found, NotFound, Threshold, Trial, Within};
 use crate::differentiated::Differentiated;
-use crate::machines::AnyMachine;
 use crate::scene::{Axes, Family, Scene, System};
 use crate::systems::gyrostat::Gyrostat;
 use crate::taped::Taped;
@@ -33,7 +32,7 @@ const RATES: [f64; 4] = [0.5, -0.7, 0.9, 1.1];
 
 fn measure(path: &Path) -> Result<Found, NotFound> {
     let scene = Scene::open(path)?;
-    let (System::Gyrostat(bodies), AnyMachine::FreeRotor(_)) = (&scene.system, &scene.machine) else {
+    let (System::Gyrostat(bodies), "free_rotor") = (&scene.system, scene.machine.name()) else {
         let accepted = "a gyrostat with model = \"free_rotor\"";
         return Err(NotFound::unsuitable(path, "this is another system or machine", accepted));
     };

@@ -4,7 +4,6 @@ use super::bounds::swinging;
 use super::edge::edge;
 use super::trials::{Fate, Tried, near};
 use super::{Exact, Failing, Found, NotFound, Threshold, Trial, Within};
-use crate::machines::AnyMachine;
 use crate::scene::{Axes, Family, Problem, Scene, System};
 use crate::stabilisation::schemes::Scheme;
 use crate::stationary::motions::decimals;
@@ -38,19 +37,21 @@ const DIGITS: f64 = 1e-12;
 fn measure(path: &Path) -> Result<Found, NotFound> {
     let scene = Scene::open(path)?;
     let accepted = "a gyrostat with a motor model = \"synchronous\" whose axis and weight are along z";
-    let (System::Gyrostat(bodies), AnyMachine::Synchronous(motor)) = (&scene.system, &scene.machine) else {
+    let (System::Gyrostat(bodies), "synchronous", Some(b0)) =
+        (&scene.system, scene.machine.name(), scene.machine.datum("b0"))
+    else {
         return Err(NotFound::unsuitable(path, "this is another system or machine", accepted));
     };
     if bodies.rotor.axis != Vector3::z() {
         return Err(NotFound::unsuitable(path, "the rotor's axis is not along z", accepted));
     }
     // friction damps the swing, and another step is the longest
-    if motor.f != 0.0 {
+    if scene.machine.datum("f") != Some(0.0) {
         return Err(NotFound::unsuitable(path, "its rotor is braked", "f = \"0 N m s\""));
     }
     let exact = decimals(bodies);
     let answer = turning(&first_of(&exact, exact.reduced_tensor()), Rational::one());
-    let square = Rational::decimal(motor.b0) * answer;
+    let square = Rational::decimal(b0) * answer;
     let problem = scene.problem(Axes::First);
     let step = Exact::root(swinging(Scheme::RungeKutta4, square)).map(|exact| {
         let near = exact.value();

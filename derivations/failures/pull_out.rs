@@ -5,11 +5,10 @@ use super::bounds::{numerator, rational};
 use super::edge::edge;
 use super::trials::{Fate, Tried, near};
 use super::{Exact, Failing, Found, NotFound, Threshold, Trial, Within};
-use crate::machines::multi_current::{MultiCurrent, Windings};
+use crate::machines::drive;
 use crate::machines::synchronous::Synchronous;
-use crate::machines::{AnyMachine, drive};
 use crate::scene::{Axes, Choice, Family, Scene, Start, System};
-use crate::stationary::motor::Motor;
+use crate::stationary::motor::MotorStates;
 use field::{Analytic, Base, Circle, Over, Rational, Scalar, Tangent};
 use integrators::{Branch, Curve, Failure, Method, Walk, follow};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -32,11 +31,13 @@ const MOST: usize = 200;
 
 fn measure(path: &Path) -> Result<Found, NotFound> {
     let scene = Scene::open(path)?;
-    let (System::Gyrostat(bodies), AnyMachine::MultiCurrent(motor)) = (&scene.system, &scene.machine) else {
+    let data = [scene.machine.datum("field_speed"), scene.machine.datum("b0")];
+    let (System::Gyrostat(bodies), "multi_current", [Some(field_speed), Some(b0)]) =
+        (&scene.system, scene.machine.name(), data)
+    else {
         let accepted = "a gyrostat with model = \"multi_current\"";
         return Err(NotFound::unsuitable(path, "this is another system or machine", accepted));
     };
-    let Windings { field_speed, b0, .. } = motor.windings;
     let still = Synchronous { field_speed, b0, f: 0.0 };
     let exact = critical(still.map(Rational::decimal));
     let Some((exact, _)) = exact.filter(|(exact, _)| exact.to_f64() > 0.0) else {
@@ -53,7 +54,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     let fold = round.as_ref().and_then(|branch| branch.folds().next());
     let followed = fold.map(|fold| fold.x[1] * b0);
     let behind = round.as_ref().and_then(|branch| branch.places.last()).is_some_and(|last| last.x[0] < -FRAC_PI_2);
-    let holds = |f: f64| stays(&scene, bodies.rotor.axial, motor, f);
+    let holds = |f: f64| stays(&scene, bodies.rotor.axial, &still, f);
     let threshold = |of, measured, within| {
         let formula = r"$b_0/\Omega$";
         Threshold { of, formula, exact: Exact::Number(exact), unit: "N m s", measured, within }
@@ -150,16 +151,11 @@ fn round_the_fold(curve: &mut Standing) -> Option<Branch> {
 }
 
 /// Whether the motor alone stays in step under a friction, from the angle at which it stood under a little less.
-fn stays(scene: &Scene, axial: f64, motor: &MultiCurrent<f64>, f: f64) -> bool {
-    let windings = Windings { f, ..motor.windings };
-    let machine = AnyMachine::MultiCurrent(MultiCurrent { windings, bars: motor.bars.clone() });
-    let held = (f * windings.field_speed / windings.b0).min(1.0);
-    let start = Start {
-        rotor_angle: -held.asin(),
-        rotor_speed: windings.field_speed,
-        currents: Vec::new(),
-        ..scene.start.clone()
-    };
+fn stays(scene: &Scene, axial: f64, Synchronous { field_speed, b0, .. }: &Synchronous<f64>, f: f64) -> bool {
+    let Some(machine) = scene.machine.with("f", f) else { return false };
+    let held = (f * field_speed / b0).min(1.0);
+    let start =
+        Start { rotor_angle: -held.asin(), rotor_speed: *field_speed, currents: Vec::new(), ..scene.start.clone() };
     let alone = Scene { system: System::Bench { axial }, machine, start, ..scene.clone() };
     let choice = Choice { method: Method::DormandPrince8, tolerance: 1e-8, ..scene.choice() };
     let run = alone.simulate(&choice, |_| ());
@@ -169,11 +165,9 @@ fn stays(scene: &Scene, axial: f64, motor: &MultiCurrent<f64>, f: f64) -> bool {
 
 /// How many angles the motor has under a friction, by the isolation of real roots.
 fn standing_angles(scene: &Scene, friction: f64) -> Option<usize> {
-    let mut data = scene.machine_data.clone();
-    let given = data.numbers.iter_mut().find(|(quantity, _)| quantity.name == "f")?;
-    given.1 = friction;
-    match Motor::of(&data.machine("synchronous").ok()?, &data).ok()? {
-        Motor::InStep { angles, .. } => Some(angles.len()),
+    let motor = scene.given.with("f", friction)?.model("synchronous").ok()?;
+    match MotorStates::of(&motor).ok()? {
+        MotorStates::InStep { angles, .. } => Some(angles.len()),
         _ => None,
     }
 }

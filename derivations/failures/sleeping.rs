@@ -4,7 +4,6 @@ use super::bounds::first_positive;
 use super::edge::edge;
 use super::trials::{Fate, Tried, near};
 use super::{Exact, Failing, Found, NotFound, Threshold, Trial, Within};
-use crate::machines::AnyMachine;
 use crate::scene::{Axes, Family, Scene, Start, System};
 use crate::stationary::motions::decimals;
 use crate::systems::gyrostat::Gyrostat;
@@ -41,7 +40,7 @@ const MARGIN: f64 = 1e-9;
 
 fn measure(path: &Path) -> Result<Found, NotFound> {
     let scene = Scene::open(path)?;
-    let (System::Gyrostat(bodies), AnyMachine::FreeRotor(_)) = (&scene.system, &scene.machine) else {
+    let (System::Gyrostat(bodies), "free_rotor") = (&scene.system, scene.machine.name()) else {
         let accepted = "a gyrostat with model = \"free_rotor\"";
         return Err(NotFound::unsuitable(path, "this is another system or machine", accepted));
     };

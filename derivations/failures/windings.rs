@@ -4,8 +4,6 @@ use super::bounds::fading;
 use super::edge::edge;
 use super::trials::{Tried, near};
 use super::{Exact, Failing, Found, NotFound, Threshold, Within};
-use crate::machines::AnyMachine;
-use crate::machines::multi_current::{MultiCurrent, Windings};
 use crate::scene::{Axes, Family, Problem, Scene};
 use crate::stabilisation::schemes::Scheme;
 use field::Rational;
@@ -29,16 +27,18 @@ const LOST: f64 = 1e6;
 
 fn measure(path: &Path) -> Result<Found, NotFound> {
     let scene = Scene::open(path)?;
-    let AnyMachine::MultiCurrent(motor) = &scene.machine else {
+    let ("multi_current", Some(l2), Some(r2)) =
+        (scene.machine.name(), scene.machine.datum("l2"), scene.machine.datum("r2"))
+    else {
         let accepted = "a motor with bars, model = \"multi_current\",";
         return Err(NotFound::unsuitable(path, format!("{} has no bars", scene.machine.name()), accepted));
     };
-    let lasting = Rational::decimal(motor.windings.l2) / Rational::decimal(motor.windings.r2);
+    let lasting = Rational::decimal(l2) / Rational::decimal(r2);
     let one = |of, formula, scheme, stiffer: i64| {
         let stiffer = Rational::new(1, stiffer);
         let exact = Exact::times(lasting * stiffer, fading(scheme))?;
         let near = exact.value();
-        let problem = with_inductance(&scene, motor, motor.windings.l2 * stiffer.to_f64());
+        let problem = with_inductance(&scene, l2 * stiffer.to_f64())?;
         let measured = edge(0.9 * near, 1.1 * near, 1e-4, |h| fades(&problem, scheme, h));
         Some(Threshold { of, formula, exact, unit: "s", measured, within: Within::Share(300) })
     };
@@ -57,10 +57,9 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
 }
 
 /// The scene with another inductance of the bars.
-fn with_inductance(scene: &Scene, motor: &MultiCurrent<f64>, l2: f64) -> Problem {
-    let windings = Windings { l2, ..motor.windings };
-    let machine = AnyMachine::MultiCurrent(MultiCurrent { windings, bars: motor.bars.clone() });
-    Scene { machine, ..scene.clone() }.problem(Axes::First)
+fn with_inductance(scene: &Scene, l2: f64) -> Option<Problem> {
+    let machine = scene.machine.with("l2", l2)?;
+    Some(Scene { machine, ..scene.clone() }.problem(Axes::First))
 }
 
 /// Whether a current of 1 A in the last bar alone fades in steps h.

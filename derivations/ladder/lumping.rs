@@ -43,7 +43,7 @@ pub struct Lump {
 impl Lumping {
     /// Of a machine with exact data; none where nothing is won, or where the data are none that can be computed with
     /// exactly, or where the proof did not succeed, or where a supply or conductors that slide tell windings apart.
-    pub fn of(machine: &impl Machine<Sym>) -> Option<Self> {
+    pub fn of(machine: &(impl Machine<Sym> + Clone)) -> Option<Self> {
         if is_fed(machine) {
             return None;
         }
@@ -108,8 +108,8 @@ impl Lumping {
     }
 
     /// Whether the moment is the same and the lumped currents obey their own equations, for all angles, slips, currents.
-    fn is_exact(&self, machine: &impl Machine<Sym>) -> bool {
-        let lumped = Lumped { machine, windings: self.over(Sym::constant) };
+    fn is_exact(&self, machine: &(impl Machine<Sym> + Clone)) -> bool {
+        let lumped = Lumped { machine: machine.clone(), windings: self.over(Sym::constant) };
         let angle = Circle { cos: Sym::symbol("c"), sin: Sym::symbol("s") };
         let slip = Sym::symbol("slip");
         let currents: Vec<Sym> = (0..self.up.len()).map(|k| Sym::symbol(&format!("i{k}"))).collect();
@@ -206,7 +206,9 @@ impl<P: Base, M: Machine<P>> Lumped<P, M> {
 }
 
 impl<P: Base, M: Machine<P>> Machine<P> for Lumped<P, M> {
-    const ROTOR: RotorState = M::ROTOR;
+    fn rotor(&self) -> RotorState {
+        self.machine.rotor()
+    }
 
     fn frame_speed(&self) -> P {
         self.machine.frame_speed()

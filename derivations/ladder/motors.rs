@@ -4,13 +4,11 @@
 use super::lumping::{Lumped, Lumping};
 use super::rung::{Lower, Written};
 use super::{Ladder, Loss, Rung, Whole, slaved, smaller};
-use crate::machines::{AnyMachine, Bench, Catalogued, ForMachine, Machine};
+use crate::machines::{Bench, Machine, Motor, catalogue};
 use crate::scene::{Axes, Scene, System};
-use crate::stationary::motor::Decimals;
 use crate::systems::gyrostat::driven::Driven;
 use field::Rational;
 use std::sync::Arc;
-use symbolic::Sym;
 
 /// That bars at any angles close in the sums of their currents.
 const CLOSURE: &str = "konosevich2022/beyond-damper/closure";
@@ -19,15 +17,15 @@ impl Ladder {
     /// Of a scene in the axes of a form.
     pub fn of_scene(scene: &Scene, axes: Axes) -> Self {
         let own = scene.problem(axes);
-        let under = scene.machine.clone().apply(Under { scene, axes, start: &own.state });
-        let Within { written, start, whole, lumping, rungs } = under;
+        let Within { written, start, whole, lumping, rungs } = Within::of(scene, axes, &own.state);
         let law = match (&lumping, rungs.first()) {
             (Some(_), Some(lumped)) => Arc::clone(&lumped.law),
             _ => Arc::clone(&own.law),
         };
         let model = scene.machine.name();
         let mut ladder = Ladder { model, own, written, law, start, whole, rungs, lumping };
-        let known = AnyMachine::LIST.iter().map(|(name, _)| *name).take_while(|name| *name != scene.machine.name());
+        let known =
+            catalogue::entries().into_iter().map(|entry| entry.name).take_while(|name| *name != scene.machine.name());
         // the equivalent windings are what lumping finds
         let known = known.filter(|name| *name != "equivalent_windings").collect::<Vec<_>>();
         for model in known.into_iter().rev() {
@@ -46,22 +44,12 @@ struct Within {
     rungs: Vec<Rung>,
 }
 
-struct Under<'a> {
-    scene: &'a Scene,
-    axes: Axes,
-    start: &'a [f64],
-}
-
-impl ForMachine for Under<'_> {
-    type Output = Within;
-
-    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> Within {
-        let Under { scene, axes, start } = self;
-        let name = scene.machine.name();
-        let exact = M::read::<Sym, _>(&mut Decimals(&scene.machine_data, name)).ok();
+impl Within {
+    fn of(scene: &Scene, axes: Axes, start: &[f64]) -> Self {
+        let machine = scene.machine.clone();
         let windings = machine.windings();
         let mechanical = start.len() - windings;
-        let Some(lumping) = exact.and_then(|exact| Lumping::of(&exact)) else {
+        let Some(lumping) = Lumping::of(&machine.decimals()) else {
             return unlumped(scene, axes, machine, start);
         };
         let lumped = Lumped { machine, windings: lumping.over(Rational::to_f64) };
@@ -88,10 +76,7 @@ impl ForMachine for Under<'_> {
 }
 
 /// What is derived from a machine as it is.
-fn unlumped<M>(scene: &Scene, axes: Axes, machine: M, start: &[f64]) -> Within
-where
-    M: Machine<f64> + Clone + Send + Sync + 'static,
-{
+fn unlumped(scene: &Scene, axes: Axes, machine: Motor, start: &[f64]) -> Within {
     let written = written(&scene.system, axes, machine.clone());
     let rungs = slaved::rungs(&machine, &written, start);
     Within { written, start: start.to_vec(), whole: Box::new(|_, y| y.to_vec()), lumping: None, rungs }

@@ -15,13 +15,13 @@ where
 {
     let windings = machine.windings();
     let mechanical = start.len() - windings;
-    let rotor = mechanical - M::ROTOR.dimension();
+    let rotor = mechanical - machine.rotor().dimension();
     let [angle, slip] = symbols(["g", "s"]);
     resting_currents(machine, angle.circle(), slip)?;
     let fill = Resting { machine: machine.clone(), rotor, currents: mechanical };
     let lower = Lower::keeping(written, (0..mechanical).collect(), fill);
     let slowest = (0..windings).map(|k| machine.inductance(k) / machine.resistance(k)).fold(0.0, f64::max);
-    let (angled, frame_speed) = (M::ROTOR == RotorState::AngleAndSpeed, machine.frame_speed());
+    let (angled, frame_speed) = (machine.rotor() == RotorState::AngleAndSpeed, machine.frame_speed());
     let parameter = if angled { "(L/R) |slip|" } else { "(L/R) |slip'|/|phi'|" };
     let dropped = format!(
         "of {}: their transients; all are those that would rest at the present angle and speed",
@@ -46,7 +46,7 @@ struct Resting<M> {
 
 impl<M: Machine<f64> + Send + Sync + 'static> Fill for Resting<M> {
     fn fill<S: Over<f64> + Analytic>(&self, y: &mut [S]) {
-        let (angle, slip) = M::ROTOR.angle_and_slip(&y[self.rotor..self.currents]);
+        let (angle, slip) = self.machine.rotor().angle_and_slip(&y[self.rotor..self.currents]);
         if let Some(resting) = resting_currents(&self.machine, angle, slip) {
             y[self.currents..].copy_from_slice(&resting);
         }

@@ -16,7 +16,7 @@ where
     if is_fed(machine) {
         return resting::rung(machine, written, start).into_iter().collect();
     }
-    if windings == 0 || M::ROTOR != RotorState::AngleAndSpeed {
+    if windings == 0 || machine.rotor() != RotorState::AngleAndSpeed {
         return Vec::new();
     }
     let time_constant = |k: usize| machine.inductance(k) / machine.resistance(k);
@@ -47,7 +47,7 @@ where
     M: Machine<f64> + Clone + Send + Sync + 'static,
 {
     let mechanical = start.len() - machine.windings();
-    let rotor = mechanical - M::ROTOR.dimension();
+    let rotor = mechanical - machine.rotor().dimension();
     let followed: Vec<usize> = (0..machine.windings()).filter(|k| !slaved.contains(k)).collect();
     let kept: Vec<usize> = (0..mechanical).chain(followed.iter().map(|k| mechanical + k)).collect();
     let z0: Vec<f64> = kept.iter().map(|&place| start[place]).collect();
@@ -80,7 +80,7 @@ struct Slaved<M> {
 
 impl<M: Machine<f64> + Send + Sync + 'static> Fill for Slaved<M> {
     fn fill<S: Over<f64> + Analytic>(&self, y: &mut [S]) {
-        let (angle, slip) = M::ROTOR.angle_and_slip(&y[self.rotor..self.currents]);
+        let (angle, slip) = self.machine.rotor().angle_and_slip(&y[self.rotor..self.currents]);
         for &k in &self.slaved {
             y[self.currents + k] = self.kind.of(&self.machine, k, angle, slip);
         }

@@ -1,11 +1,11 @@
 //! The rungs of smaller machines that a scene's data make.
 
 use super::motors::written;
-use super::rung::{Lower, Written};
+use super::rung::Lower;
 use super::{Ladder, Loss, Rung};
-use crate::machines::{Catalogued, ForMachine};
+use crate::machines::Machine;
 use crate::scene::state::outputs;
-use crate::scene::{Axes, Scene, System};
+use crate::scene::{Axes, Scene};
 use field::Over;
 use std::sync::Arc;
 use symbolic::Sym;
@@ -18,9 +18,8 @@ pub(super) fn rung(scene: &Scene, axes: Axes, ladder: &Ladder, model: &'static s
     if names.is_empty() {
         return None; // on a bench a rotor of constant speed has no state at all
     }
-    let (law, speed) = smaller.machine.clone().apply(Alone { system: &scene.system, axes });
-    let (_, own_speed) = scene.machine.clone().apply(Alone { system: &scene.system, axes });
-    let lag = speed - own_speed;
+    let law = written(&scene.system, axes, smaller.machine.clone());
+    let lag = smaller.machine.frame_speed() - scene.machine.frame_speed();
     let own = scene.names();
     let states = ladder.start.len();
     let count = names.len();
@@ -74,20 +73,5 @@ fn dropped(model: &str) -> (&'static str, &'static str) {
             "the rotor's own motion: its speed is kept by whatever moment that takes",
             "change of speed over the speed",
         ),
-    }
-}
-
-/// A machine's law with its system, and its W.
-struct Alone<'a> {
-    system: &'a System,
-    axes: Axes,
-}
-
-impl ForMachine for Alone<'_> {
-    type Output = (Arc<dyn Written>, f64);
-
-    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> Self::Output {
-        let speed = machine.frame_speed();
-        (written(self.system, self.axes, machine), speed)
     }
 }

@@ -1,7 +1,7 @@
 //! The laws of a machine as a kick asks for them: those of the angle at once, the moment at all stages at once.
 //!
-//! A compiled machine answers law by law. The laws of a written one are programs, which share nothing when they are followed one by
-//! one; its [`Programs`] are all of them, recorded together with the data as constants. The moment, which a kick asks for at four slips
+//! A machine answers law by law. The laws of a [`Motor`](super::Motor) are programs, which share nothing when they are followed one by
+//! one; [`Programs`] are all of them, recorded together with the data as constants. The moment, which a kick asks for at four slips
 //! five times over, is one [`Fraction`] of the slip.
 
 use super::kick::{Law, laws_at, moment_at};
@@ -52,21 +52,20 @@ impl<P: Base, S: Over<P>, M: Machine<P>> Acting<P, S> for M {
     }
 }
 
-/// What a kick asks of a written machine.
+/// What a kick asks of a machine, as programs.
 #[derive(Clone, Debug)]
 pub struct Programs {
     /// psi_k, -U', psi_k' of the angle's cosine and sine; where the laws know it
     angle: Option<Program>,
+    /// psi_k alone
+    linkages: Option<Program>,
     /// m of the slip, where it is curved; none where that would be longer than the law itself
     moment: Option<Fraction<Rational>>,
 }
 
 impl Programs {
-    /// Records the laws of a machine; none of one that is compiled.
-    pub fn of<M: Machine<f64> + Sync>(machine: &M) -> Option<Self> {
-        if !M::WRITTEN {
-            return None;
-        }
+    /// Records the laws of a machine.
+    pub fn of(machine: &(impl Machine<f64> + Sync)) -> Self {
         let angle = || {
             Program::of(2, |_, point| {
                 let point = Circle { cos: point[0], sin: point[1] };
@@ -79,26 +78,35 @@ impl Programs {
                 [values, slopes].concat()
             })
         };
+        let linkages = || {
+            Program::of(2, |_, point| {
+                let point = Circle { cos: point[0], sin: point[1] };
+                (0..machine.windings()).map(|k| machine.linkage(k, point)).collect()
+            })
+        };
+        let knows_angle = machine.rotor() == RotorState::AngleAndSpeed;
         let moment = || {
             let slip = Sym::symbol("slip");
             Fraction::record(moment_at(machine, slip).value, slip)
         };
-        Some(Programs {
-            angle: if M::ROTOR == RotorState::AngleAndSpeed { angle() } else { None },
+        Programs {
+            angle: knows_angle.then(angle).flatten(),
+            linkages: knows_angle.then(linkages).flatten(),
             moment: if Law::of(machine) == Law::Curved { moment() } else { None },
-        })
+        }
     }
 }
 
-/// A machine with its programs over a field, where it has any.
+/// A machine with its programs over a field, where they were recorded.
 #[derive(Clone, Debug)]
 pub struct Programmed<'a, S, M> {
     machine: &'a M,
     angle: Option<&'a Program>,
+    linkages: Option<&'a Program>,
     moment: Option<Fraction<S>>,
 }
 
-/// Room for the numbers of no winding to three, of fifteen, and of more than a scene may have.
+/// Room for fluxes and slopes of no winding to three, of fifteen, and of more than a scene may have.
 const FEW: usize = 8;
 const SOME: usize = 32;
 const MANY: usize = 256;
@@ -114,7 +122,7 @@ impl<S: Running + Over<f64>, M: Machine<f64>> Acting<f64, S> for Programmed<'_, 
     #[inline(always)]
     fn at_angle(&self, angle: Circle<S>, each: impl FnMut(usize, Tangent<S>)) -> S {
         let windings = self.machine.windings();
-        match self.angle.filter(|_| M::WRITTEN) {
+        match self.angle {
             Some(program) if windings < FEW / 2 => followed::<S, FEW>(program, windings, angle, each),
             Some(program) if windings < SOME / 2 => followed::<S, SOME>(program, windings, angle, each),
             Some(program) if windings < MANY / 2 => followed::<S, MANY>(program, windings, angle, each),
@@ -125,17 +133,17 @@ impl<S: Running + Over<f64>, M: Machine<f64>> Acting<f64, S> for Programmed<'_, 
     #[inline(always)]
     fn linkages(&self, angle: Circle<S>, each: impl FnMut(usize, S)) {
         let windings = self.machine.windings();
-        match self.angle.filter(|_| M::WRITTEN) {
-            Some(program) if windings < FEW / 2 => linked::<S, FEW>(program, windings, angle, each),
-            Some(program) if windings < SOME / 2 => linked::<S, SOME>(program, windings, angle, each),
-            Some(program) if windings < MANY / 2 => linked::<S, MANY>(program, windings, angle, each),
+        match self.linkages {
+            Some(program) if windings <= FEW => linked::<S, FEW>(program, windings, angle, each),
+            Some(program) if windings <= SOME => linked::<S, SOME>(program, windings, angle, each),
+            Some(program) if windings <= MANY => linked::<S, MANY>(program, windings, angle, each),
             _ => self.machine.linkages(angle, each),
         }
     }
 
     #[inline(always)]
     fn moments(&self, slips: &[S; STAGES]) -> [Tangent<S>; STAGES] {
-        match self.moment.as_ref().filter(|_| M::WRITTEN) {
+        match &self.moment {
             Some(moment) => moment.moving(slips),
             None => self.machine.moments(slips),
         }
@@ -148,6 +156,7 @@ impl<'a, S: Over<f64>, M> Programmed<'a, S, M> {
         Programmed {
             machine,
             angle: programs.and_then(|all| all.angle.as_ref()),
+            linkages: programs.and_then(|all| all.linkages.as_ref()),
             moment: programs.and_then(|all| all.moment.as_ref()).map(Fraction::over),
         }
     }
@@ -173,7 +182,7 @@ fn followed<S: Running, const N: usize>(
     force[0]
 }
 
-/// [`Acting::linkages`] by a program: of its values the first.
+/// [`Acting::linkages`] by a program.
 #[inline]
 fn linked<S: Running, const N: usize>(
     program: &Program,
@@ -182,8 +191,8 @@ fn linked<S: Running, const N: usize>(
     mut each: impl FnMut(usize, S),
 ) {
     let mut values = [S::zero(); N];
-    let values = &mut values[..2 * windings + 1];
+    let values = &mut values[..windings];
     // recorded for an angle, it runs
     program.run(S::zero(), &[angle.cos, angle.sin], values).unwrap_or(());
-    values[..windings].iter().enumerate().for_each(|(k, value)| each(k, *value));
+    values.iter().enumerate().for_each(|(k, value)| each(k, *value));
 }

@@ -1,7 +1,8 @@
 //! The asynchronous motor without currents, moment linear in the slip.
 
-use super::{Catalogued, Datum, Machine, RotorState, Source};
+use super::{Entry, Machine, RotorState, letter};
 use field::{Base, Over};
+use symbolic::Sym;
 
 crate::quantities! {
     /// m = -k (phi' - W) - f phi'.
@@ -16,7 +17,10 @@ crate::quantities! {
 }
 
 impl<P: Base> Machine<P> for Asynchronous<P> {
-    const ROTOR: RotorState = RotorState::Speed;
+    #[inline(always)]
+    fn rotor(&self) -> RotorState {
+        RotorState::Speed
+    }
 
     #[inline(always)]
     fn frame_speed(&self) -> P {
@@ -30,11 +34,11 @@ impl<P: Base> Machine<P> for Asynchronous<P> {
     }
 }
 
-impl Catalogued for Asynchronous<f64> {
-    const SUMMARY: &'static str = "asynchronous without currents, moment linear in the slip";
-    type Over<P: Datum> = Asynchronous<P>;
-
-    fn read<P: Datum, E>(source: &mut impl Source<P, Error = E>) -> Result<Asynchronous<P>, E> {
-        Asynchronous::read(|quantity| source.quantity(quantity))
-    }
-}
+/// Among the motors of the catalogue.
+pub const ENTRY: Entry = Entry {
+    name: "asynchronous",
+    summary: "asynchronous without currents, moment linear in the slip",
+    data: Asynchronous::<Sym>::QUANTITIES,
+    counts: &[],
+    write: |given| given.laws(&Asynchronous::read(letter)?),
+};

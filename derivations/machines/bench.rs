@@ -15,7 +15,7 @@ pub struct Bench<P, M> {
 impl<P: Base, M: Machine<P>> Bench<P, M> {
     /// The number of states: of the rotor, then the currents.
     pub fn dimension(&self) -> usize {
-        M::ROTOR.dimension() + self.machine.windings()
+        self.machine.rotor().dimension() + self.machine.windings()
     }
 
     /// A' g'' = M and the currents.
@@ -25,23 +25,23 @@ impl<P: Base, M: Machine<P>> Bench<P, M> {
 
     /// A' g'' = M - load and the currents, with a further moment of the load against the rotor's turning, N m.
     pub fn rates_under<S: Over<P> + Analytic>(&self, load: S, y: &[S], dy: &mut [S]) {
-        let (rotor, currents) = y.split_at(M::ROTOR.dimension());
-        let (rotor_rates, current_rates) = dy.split_at_mut(M::ROTOR.dimension());
-        let (angle, slip) = M::ROTOR.angle_and_slip(rotor);
+        let (rotor, currents) = y.split_at(self.machine.rotor().dimension());
+        let (rotor_rates, current_rates) = dy.split_at_mut(self.machine.rotor().dimension());
+        let (angle, slip) = self.machine.rotor().angle_and_slip(rotor);
         let moment = drive(&self.machine, angle, slip, currents, current_rates) - load;
-        M::ROTOR.write(slip, moment / S::lift(self.axial), rotor_rates);
+        self.machine.rotor().write(slip, moment / S::lift(self.axial), rotor_rates);
     }
 
     /// A' phi', the rotor's angular momentum.
     pub fn rotor_momentum<S: Over<P> + Analytic>(&self, y: &[S]) -> S {
-        let (_, slip) = M::ROTOR.angle_and_slip(&y[..M::ROTOR.dimension()]);
+        let (_, slip) = self.machine.rotor().angle_and_slip(&y[..self.machine.rotor().dimension()]);
         S::lift(self.axial) * (slip + S::lift(self.machine.frame_speed()))
     }
 
     /// 1/2 A' phi'^2 and the energy of the circuits.
     pub fn energy<S: Over<P> + Analytic>(&self, y: &[S]) -> S {
-        let (rotor, currents) = y.split_at(M::ROTOR.dimension());
-        let (angle, _) = M::ROTOR.angle_and_slip(rotor);
+        let (rotor, currents) = y.split_at(self.machine.rotor().dimension());
+        let (angle, _) = self.machine.rotor().angle_and_slip(rotor);
         let momentum = self.rotor_momentum(y);
         (momentum * momentum / S::lift(self.axial)).half() + stored_energy(&self.machine, angle, currents)
     }

@@ -1,8 +1,8 @@
 //! A motor on its bench in pieces: the kick at a resting angle, and the drift at a constant spin.
 
 use super::{
-    Acting, Bench, Kick, Law, Machine, Point, Programmed, Programs, Rule, decay_quotient, fading_slip, fastest_current,
-    has_known_flow, kick, solved,
+    Acting, Bench, Fading, Kick, Law, Machine, Point, Programmed, Programs, Rule, decay_quotient, has_known_flow, kick,
+    solved,
 };
 use crate::separated::Separable;
 use crate::taped::Running;
@@ -52,8 +52,7 @@ struct BenchPieces<'a, S: Scalar, M> {
     flows: BenchFlows<S>,
     law: Law,
     rule: Rule<S>,
-    /// The largest r_k.
-    fastest: S,
+    fading: Fading<S>,
 }
 
 impl<S: Real + Running, M: Machine<f64>> Pieces<S> for BenchPieces<'_, S, M> {
@@ -65,8 +64,9 @@ impl<S: Real + Running, M: Machine<f64>> Pieces<S> for BenchPieces<'_, S, M> {
     }
 
     fn enter(&self, y: &[S]) -> Point<S> {
-        let (rotor, currents) = y.split_at(M::ROTOR.dimension());
-        let (_, slip) = M::ROTOR.angle_and_slip(rotor);
+        let state = self.machine.rotor();
+        let (rotor, currents) = y.split_at(state.dimension());
+        let (_, slip) = state.angle_and_slip(rotor);
         Point::enter(self.machine, rotor, self.flows.axial * (slip + self.flows.frame_speed), currents)
     }
 
@@ -79,8 +79,7 @@ impl<S: Real + Running, M: Machine<f64>> Pieces<S> for BenchPieces<'_, S, M> {
     }
 
     fn fading(&self, point: &Point<S>) -> f64 {
-        let slip = fading_slip(self.machine, self.flows.compliance(), self.flows.slip(point));
-        self.fastest.approx().max(slip.approx())
+        self.fading.fastest(self.machine, self.flows.slip(point))
     }
 
     fn flow(&self, piece: usize, lapse: &Kick<S>, point: &mut Point<S>) -> bool {
@@ -93,20 +92,18 @@ impl<S: Real + Running, M: Machine<f64>> Pieces<S> for BenchPieces<'_, S, M> {
 }
 
 impl<M: Machine<f64> + Sync> Separable for Bench<f64, M> {
-    fn programs(&self) -> Option<Programs> {
+    fn programs(&self) -> Programs {
         Programs::of(&self.machine)
     }
 
     fn pieces_by<'a, S: Real + Running>(&'a self, programs: Option<&'a Programs>) -> Option<impl Pieces<S> + 'a> {
         let machine = &self.machine;
         let known = has_known_flow(machine);
-        known.then(|| BenchPieces {
-            machine,
-            acting: Programmed::new(machine, programs),
-            flows: BenchFlows { axial: S::lift(self.axial), frame_speed: S::lift(machine.frame_speed()) },
-            law: Law::of(machine),
-            rule: Rule::gauss(),
-            fastest: fastest_current(machine),
+        let flows = BenchFlows { axial: S::lift(self.axial), frame_speed: S::lift(machine.frame_speed()) };
+        known.then(|| {
+            let law = Law::of(machine);
+            let (acting, fading) = (Programmed::new(machine, programs), Fading::of(machine, law, flows.compliance()));
+            BenchPieces { machine, acting, flows, law, rule: Rule::gauss(), fading }
         })
     }
 }

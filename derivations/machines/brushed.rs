@@ -1,7 +1,8 @@
 //! The motor with brushes on a constant voltage, its field by magnets.
 
-use super::{Catalogued, Datum, Machine, RotorState, Source};
+use super::{Entry, Machine, RotorState, letter};
 use field::{Base, Circle, Over};
+use symbolic::Sym;
 
 crate::quantities! {
     /// L i' = v - R i - k phi', M = k i - f phi', k the flux: the commutator keeps the armature's current across the magnets' field while
@@ -21,7 +22,10 @@ crate::quantities! {
 }
 
 impl<P: Base> Machine<P> for Brushed<P> {
-    const ROTOR: RotorState = RotorState::Speed;
+    #[inline(always)]
+    fn rotor(&self) -> RotorState {
+        RotorState::Speed
+    }
 
     /// The field stands in the housing.
     #[inline(always)]
@@ -64,11 +68,11 @@ impl<P: Base> Machine<P> for Brushed<P> {
     }
 }
 
-impl Catalogued for Brushed<f64> {
-    const SUMMARY: &'static str = "direct current through brushes, with the armature's current";
-    type Over<P: Datum> = Brushed<P>;
-
-    fn read<P: Datum, E>(source: &mut impl Source<P, Error = E>) -> Result<Brushed<P>, E> {
-        Brushed::read(|quantity| source.quantity(quantity))
-    }
-}
+/// Among the motors of the catalogue.
+pub const ENTRY: Entry = Entry {
+    name: "brushed",
+    summary: "direct current through brushes, with the armature's current",
+    data: Brushed::<Sym>::QUANTITIES,
+    counts: &[],
+    write: |given| given.laws(&Brushed::read(letter)?),
+};

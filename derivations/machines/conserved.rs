@@ -8,7 +8,7 @@
 //! seen from the turning field the field does no work. A rotor of prescribed speed keeps E - W p too, whatever moment
 //! that takes.
 
-use super::{Catalogued, ForMachine, Machine, RotorState, drive, motional_moment, supplied};
+use super::{Machine, RotorState, drive, motional_moment, supplied};
 use field::{Base, Circle, Over};
 
 /// The integrals that a machine leaves, beside those that no machine touches.
@@ -25,8 +25,8 @@ const POINTS: [(f64, f64); 4] = [(1.0, 0.7), (-31.7, 12.9), (0.013, -211.0), (14
 
 impl Conserved {
     /// By a machine.
-    pub fn by<M: Machine<f64>>(machine: &M) -> Self {
-        if M::ROTOR == RotorState::Prescribed {
+    pub fn by(machine: &impl Machine<f64>) -> Self {
+        if machine.rotor() == RotorState::Prescribed {
             return Conserved { jacobi: true, spin: false };
         }
         let moment = |(slip, speed): (f64, f64)| machine.moment_law(slip, speed);
@@ -57,15 +57,4 @@ fn idle(machine: &impl Machine<f64>, (slip, angle): (f64, f64)) -> bool {
     let mut rates = vec![0.0; currents.len()];
     let angle = Circle::from_half_tangent(angle);
     drive(machine, angle, slip - machine.frame_speed(), &currents, &mut rates) == 0.0
-}
-
-/// As a task for any machine.
-pub struct ConservedBy;
-
-impl ForMachine for ConservedBy {
-    type Output = Conserved;
-
-    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> Conserved {
-        Conserved::by(&machine)
-    }
 }

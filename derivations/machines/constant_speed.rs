@@ -1,7 +1,8 @@
 //! A rotor that is kept at a constant speed relative to the carrier, whatever moment that takes.
 
-use super::{Catalogued, Datum, Machine, RotorState, Source};
+use super::{Entry, Machine, RotorState, letter};
 use field::{Base, Over};
+use symbolic::Sym;
 
 crate::quantities! {
     /// phi' = W for ever: the classical gyrostat of section 8.1.
@@ -12,7 +13,10 @@ crate::quantities! {
 }
 
 impl<P: Base> Machine<P> for ConstantSpeed<P> {
-    const ROTOR: RotorState = RotorState::Prescribed;
+    #[inline(always)]
+    fn rotor(&self) -> RotorState {
+        RotorState::Prescribed
+    }
 
     #[inline(always)]
     fn frame_speed(&self) -> P {
@@ -25,11 +29,11 @@ impl<P: Base> Machine<P> for ConstantSpeed<P> {
     }
 }
 
-impl Catalogued for ConstantSpeed<f64> {
-    const SUMMARY: &'static str = "constant relative speed";
-    type Over<P: Datum> = ConstantSpeed<P>;
-
-    fn read<P: Datum, E>(source: &mut impl Source<P, Error = E>) -> Result<ConstantSpeed<P>, E> {
-        ConstantSpeed::read(|quantity| source.quantity(quantity))
-    }
-}
+/// Among the motors of the catalogue.
+pub const ENTRY: Entry = Entry {
+    name: "constant_speed",
+    summary: "constant relative speed",
+    data: ConstantSpeed::<Sym>::QUANTITIES,
+    counts: &[],
+    write: |given| given.laws(&ConstantSpeed::read(letter)?),
+};

@@ -1,7 +1,8 @@
 //! The asynchronous motor with two windings at right angles on its rotor, after Leonov.
 
-use super::{Catalogued, Datum, Machine, RotorState, Source};
+use super::{Entry, Machine, RotorState, letter};
 use field::{Base, Circle, Over};
+use symbolic::Sym;
 
 crate::quantities! {
     /// psi_1 = a cos g, psi_2 = a sin g, a the flux: closed windings without magnet and excitation, which feel the field by its slip
@@ -21,7 +22,10 @@ crate::quantities! {
 }
 
 impl<P: Base> Machine<P> for CrossedWindings<P> {
-    const ROTOR: RotorState = RotorState::AngleAndSpeed;
+    #[inline(always)]
+    fn rotor(&self) -> RotorState {
+        RotorState::AngleAndSpeed
+    }
 
     #[inline(always)]
     fn frame_speed(&self) -> P {
@@ -58,11 +62,11 @@ impl<P: Base> Machine<P> for CrossedWindings<P> {
     }
 }
 
-impl Catalogued for CrossedWindings<f64> {
-    const SUMMARY: &'static str = "asynchronous with the currents of two windings at right angles";
-    type Over<P: Datum> = CrossedWindings<P>;
-
-    fn read<P: Datum, E>(source: &mut impl Source<P, Error = E>) -> Result<CrossedWindings<P>, E> {
-        CrossedWindings::read(|quantity| source.quantity(quantity))
-    }
-}
+/// Among the motors of the catalogue.
+pub const ENTRY: Entry = Entry {
+    name: "crossed_windings",
+    summary: "asynchronous with the currents of two windings at right angles",
+    data: CrossedWindings::<Sym>::QUANTITIES,
+    counts: &[],
+    write: |given| given.laws(&CrossedWindings::read(letter)?),
+};

@@ -11,8 +11,9 @@
 //! feel no field, do no work, and die out as exp(-R2 t / L2).
 
 use super::multi_current::{MultiCurrent, Windings};
-use super::{Catalogued, Datum, Machine, RotorState, Source};
+use super::{Count, Entry, Machine, RotorState, letter};
 use field::{Analytic, Base, Circle, Over};
+use symbolic::Sym;
 
 /// One or two circuits in the place of N evenly spaced bars: a motor with fewer bars and more flux.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,7 +31,10 @@ impl<P: Base + Analytic> EquivalentWindings<P> {
 }
 
 impl<P: Base> Machine<P> for EquivalentWindings<P> {
-    const ROTOR: RotorState = RotorState::AngleAndSpeed;
+    #[inline(always)]
+    fn rotor(&self) -> RotorState {
+        RotorState::AngleAndSpeed
+    }
 
     #[inline(always)]
     fn frame_speed(&self) -> P {
@@ -68,13 +72,17 @@ impl<P: Base> Machine<P> for EquivalentWindings<P> {
     }
 }
 
-impl Catalogued for EquivalentWindings<f64> {
-    const SUMMARY: &'static str = "synchronous with the damper's bars as one or two equivalent windings";
-    type Over<P: Datum> = EquivalentWindings<P>;
-
-    fn read<P: Datum, E>(source: &mut impl Source<P, Error = E>) -> Result<EquivalentWindings<P>, E> {
-        let windings = Windings::read(|quantity| source.quantity(quantity))?;
-        let bars = source.count("bars", "number of bars that the windings stand for")?;
-        Ok(EquivalentWindings::new(windings, bars, -Circle::turn(1, 8).map(P::lift)))
-    }
-}
+/// Among the motors of the catalogue.
+pub const ENTRY: Entry = Entry {
+    name: "equivalent_windings",
+    summary: "synchronous with the damper's bars as one or two equivalent windings",
+    data: Windings::<Sym>::QUANTITIES,
+    counts: &[Count { name: "bars", meaning: "number of bars that the windings stand for" }],
+    write: |given| {
+        let bar = -Circle::turn(1, 8).map(Sym::lift);
+        let EquivalentWindings(mut motor) = EquivalentWindings::new(Windings::read(letter)?, given.count("bars"), bar);
+        motor.windings.a2 = given.settled(motor.windings.a2);
+        motor.bars.iter_mut().for_each(|bar| *bar = given.settled_point(*bar));
+        given.laws(&EquivalentWindings(motor))
+    },
+};

@@ -1,6 +1,6 @@
 //! A rotor that turns by inertia without friction.
 
-use super::{Catalogued, Datum, Machine, RotorState, Source};
+use super::{Entry, Machine, RotorState};
 use field::{Base, Over};
 
 /// No moment about the axis: the classical gyrostat of section 8.2. Its speed is measured from zero.
@@ -16,7 +16,10 @@ impl<P: Base> Default for FreeRotor<P> {
 }
 
 impl<P: Base> Machine<P> for FreeRotor<P> {
-    const ROTOR: RotorState = RotorState::Speed;
+    #[inline(always)]
+    fn rotor(&self) -> RotorState {
+        RotorState::Speed
+    }
 
     #[inline(always)]
     fn frame_speed(&self) -> P {
@@ -29,11 +32,11 @@ impl<P: Base> Machine<P> for FreeRotor<P> {
     }
 }
 
-impl Catalogued for FreeRotor<f64> {
-    const SUMMARY: &'static str = "free rotor: by inertia, without friction";
-    type Over<P: Datum> = FreeRotor<P>;
-
-    fn read<P: Datum, E>(_source: &mut impl Source<P, Error = E>) -> Result<FreeRotor<P>, E> {
-        Ok(FreeRotor::default())
-    }
-}
+/// Among the motors of the catalogue.
+pub const ENTRY: Entry = Entry {
+    name: "free_rotor",
+    summary: "free rotor: by inertia, without friction",
+    data: &[],
+    counts: &[],
+    write: |given| given.laws(&FreeRotor::default()),
+};

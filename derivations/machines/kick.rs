@@ -101,7 +101,7 @@ impl<S: Scalar> Kick<S> {
 
 /// Whether the flow is known: of windings with an angle that the laws know, without supply, without sliding.
 pub fn has_known_flow<P: Base, M: Machine<P>>(machine: &M) -> bool {
-    machine.windings() == 0 || M::ROTOR == RotorState::AngleAndSpeed && !is_fed(machine)
+    machine.windings() == 0 || machine.rotor() == RotorState::AngleAndSpeed && !is_fed(machine)
 }
 
 /// The laws of the angle, one by one: psi_k(g) with its slope is handed on, winding by winding; gives -U'(g).
@@ -175,7 +175,11 @@ fn force<P: Base, S: Over<P> + Analytic, A: Acting<P, S>>(
     angle: S,
     each: impl FnMut(usize, Tangent<S>),
 ) -> S {
-    if A::Machine::ROTOR == RotorState::AngleAndSpeed { machine.at_angle(angle.circle(), each) } else { S::zero() }
+    if machine.machine().rotor() == RotorState::AngleAndSpeed {
+        machine.at_angle(angle.circle(), each)
+    } else {
+        S::zero()
+    }
 }
 
 impl<S: Analytic> Point<S> {
@@ -184,7 +188,7 @@ impl<S: Analytic> Point<S> {
     where
         S: Over<P>,
     {
-        let angle = match (M::ROTOR, rotor) {
+        let angle = match (machine.rotor(), rotor) {
             (RotorState::AngleAndSpeed, [angle, ..]) => *angle,
             _ => S::zero(),
         };
@@ -199,7 +203,8 @@ impl<S: Analytic> Point<S> {
     where
         S: Over<P>,
     {
-        let (machine, state) = (acting.machine(), A::Machine::ROTOR);
+        let machine = acting.machine();
+        let state = machine.rotor();
         let (rotor, currents) = y.split_at_mut(state.dimension());
         state.write(self.angle, slip, rotor);
         if !currents.is_empty() {
@@ -210,15 +215,36 @@ impl<S: Analytic> Point<S> {
     }
 }
 
-/// The fastest rate at which a current fades: the largest r_k.
-pub fn fastest_current<S: Real>(machine: &impl Machine<f64>) -> S {
-    let rates = (0..machine.windings()).map(|k| S::lift(machine.resistance(k)) / S::lift(machine.inductance(k)));
-    rates.fold(S::zero(), |fastest, rate| if rate > fastest { rate } else { fastest })
+/// How fast what a kick lets fade fades.
+#[derive(Clone, Copy, Debug)]
+pub struct Fading<S> {
+    /// The largest r_k.
+    current: S,
+    /// K
+    compliance: S,
+    /// -K dm/ds of a moment that is linear in the slip.
+    slip: Option<S>,
 }
 
-/// The rate at which a slip fades by the moment m alone: -K dm/ds.
-pub fn fading_slip<S: Real>(machine: &impl Machine<f64>, compliance: S, slip: S) -> S {
-    -compliance * moment_at(machine, slip).slope
+impl<S: Real> Fading<S> {
+    /// Of a machine whose rotor has this slip for a unit of impulse.
+    pub fn of(machine: &impl Machine<f64>, law: Law, compliance: S) -> Self {
+        let rates = (0..machine.windings()).map(|k| S::lift(machine.resistance(k)) / S::lift(machine.inductance(k)));
+        let current = rates.fold(S::zero(), |fastest, rate| if rate > fastest { rate } else { fastest });
+        let unknown = Fading { current, compliance, slip: None };
+        Fading { slip: (law == Law::Linear).then(|| unknown.of_slip(machine, S::zero())), ..unknown }
+    }
+
+    /// The fastest rate at a slip, of a current or of the slip.
+    pub fn fastest(&self, machine: &impl Machine<f64>, slip: S) -> f64 {
+        let of_slip = self.slip.unwrap_or_else(|| self.of_slip(machine, slip));
+        self.current.approx().max(of_slip.approx())
+    }
+
+    /// The rate at which a slip fades by the moment m alone.
+    fn of_slip(&self, machine: &impl Machine<f64>, slip: S) -> S {
+        -self.compliance * moment_at(machine, slip).slope
+    }
 }
 
 /// Whether Newton's iteration came close enough for its next step to end in rounding, slips being of any size.

@@ -1,7 +1,8 @@
 //! The asynchronous motor without currents, moment after Kloss.
 
-use super::{Catalogued, Datum, Machine, RotorState, Source};
+use super::{Entry, Machine, RotorState, letter};
 use field::{Base, Over};
+use symbolic::Sym;
 
 crate::quantities! {
     /// With the slip ratio s = (W - phi') / W: m = 2 m_k s s_k / (s^2 + s_k^2) - f phi'. The moment of the motor falls
@@ -19,7 +20,10 @@ crate::quantities! {
 }
 
 impl<P: Base> Machine<P> for Kloss<P> {
-    const ROTOR: RotorState = RotorState::Speed;
+    #[inline(always)]
+    fn rotor(&self) -> RotorState {
+        RotorState::Speed
+    }
 
     #[inline(always)]
     fn frame_speed(&self) -> P {
@@ -34,11 +38,11 @@ impl<P: Base> Machine<P> for Kloss<P> {
     }
 }
 
-impl Catalogued for Kloss<f64> {
-    const SUMMARY: &'static str = "asynchronous without currents, moment after Kloss";
-    type Over<P: Datum> = Kloss<P>;
-
-    fn read<P: Datum, E>(source: &mut impl Source<P, Error = E>) -> Result<Kloss<P>, E> {
-        Kloss::read(|quantity| source.quantity(quantity))
-    }
-}
+/// Among the motors of the catalogue.
+pub const ENTRY: Entry = Entry {
+    name: "kloss",
+    summary: "asynchronous without currents, moment after Kloss",
+    data: Kloss::<Sym>::QUANTITIES,
+    counts: &[],
+    write: |given| given.laws(&Kloss::read(letter)?),
+};

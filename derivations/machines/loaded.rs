@@ -11,8 +11,9 @@ pub struct Loaded<M, P> {
 }
 
 impl<P: Base, M: Machine<P>> Machine<P> for Loaded<M, P> {
-    const ROTOR: RotorState = M::ROTOR;
-    const WRITTEN: bool = M::WRITTEN;
+    fn rotor(&self) -> RotorState {
+        self.machine.rotor()
+    }
 
     fn frame_speed(&self) -> P {
         self.machine.frame_speed()

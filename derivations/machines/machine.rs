@@ -35,10 +35,7 @@ pub enum RotorState {
 /// [`frame_speed`]: Machine::frame_speed
 pub trait Machine<P: Base> {
     /// What the laws need to know of the rotor.
-    const ROTOR: RotorState;
-
-    /// Whether its laws are programs that are followed, not compiled: then programs of all that is asked at once pay.
-    const WRITTEN: bool = false;
+    fn rotor(&self) -> RotorState;
 
     /// W, rad/s.
     fn frame_speed(&self) -> P;
@@ -202,8 +199,8 @@ pub fn is_fed<P: Base>(machine: &impl Machine<P>) -> bool {
 }
 
 /// The names of the states of a machine: of its rotor, then its currents.
-pub fn state_names<P: Base, M: Machine<P>>(machine: &M) -> Vec<String> {
-    let rotor: &[&str] = match M::ROTOR {
+pub fn state_names<P: Base>(machine: &impl Machine<P>) -> Vec<String> {
+    let rotor: &[&str] = match machine.rotor() {
         RotorState::Prescribed => &[],
         RotorState::Speed => &["slip"],
         RotorState::AngleAndSpeed => &["angle", "slip"],

@@ -19,12 +19,13 @@ pub trait Powered {
 
 /// m g' - sum R_k i_k^2 + sum v_k i_k - W sum c_k i_k, W: what friction, heat, supply and sliding do to E - W p, from the
 /// part of a state that is the machine's.
-pub fn feeding<P: Base, S: Over<P> + Analytic, M: Machine<P>>(machine: &M, state: &[S]) -> S {
-    let (rotor, currents) = state.split_at(M::ROTOR.dimension());
-    if M::ROTOR == RotorState::Prescribed {
+pub fn feeding<P: Base, S: Over<P> + Analytic>(machine: &impl Machine<P>, state: &[S]) -> S {
+    let known = machine.rotor();
+    let (rotor, currents) = state.split_at(known.dimension());
+    if known == RotorState::Prescribed {
         return S::zero();
     }
-    let (angle, slip) = M::ROTOR.angle_and_slip(rotor);
+    let (angle, slip) = known.angle_and_slip(rotor);
     let frame_speed = S::lift(machine.frame_speed());
     let friction = machine.moment_law(slip, slip + frame_speed) * slip;
     friction - heat(machine, currents) + feed(machine, angle, currents)

@@ -1,7 +1,8 @@
 //! The synchronous motor with the current of the excitation and of every bar of the damper, after Leonov and Zaretskii.
 
-use super::{Catalogued, Datum, Machine, RotorState, Source};
+use super::{Count, Datum, Entry, Machine, RotorState, letter};
 use field::{Base, Circle, Over};
+use symbolic::Sym;
 
 crate::quantities! {
     /// The electric and mechanical constants; the equivalent windings use the same.
@@ -48,7 +49,10 @@ impl<P: Datum> MultiCurrent<P> {
 }
 
 impl<P: Base> Machine<P> for MultiCurrent<P> {
-    const ROTOR: RotorState = RotorState::AngleAndSpeed;
+    #[inline(always)]
+    fn rotor(&self) -> RotorState {
+        RotorState::AngleAndSpeed
+    }
 
     #[inline(always)]
     fn frame_speed(&self) -> P {
@@ -89,12 +93,15 @@ impl<P: Base> Machine<P> for MultiCurrent<P> {
     }
 }
 
-impl Catalogued for MultiCurrent<f64> {
-    const SUMMARY: &'static str = "synchronous with the currents of the excitation and of every damper bar";
-    type Over<P: Datum> = MultiCurrent<P>;
-
-    fn read<P: Datum, E>(source: &mut impl Source<P, Error = E>) -> Result<MultiCurrent<P>, E> {
-        let windings = Windings::read(|quantity| source.quantity(quantity))?;
-        Ok(MultiCurrent::evenly(windings, source.count("bars", "number of bars of the damper")?))
-    }
-}
+/// Among the motors of the catalogue.
+pub const ENTRY: Entry = Entry {
+    name: "multi_current",
+    summary: "synchronous with the currents of the excitation and of every damper bar",
+    data: Windings::<Sym>::QUANTITIES,
+    counts: &[Count { name: "bars", meaning: "number of bars of the damper" }],
+    write: |given| {
+        let mut motor = MultiCurrent::evenly(Windings::read(letter)?, given.count("bars"));
+        motor.bars.iter_mut().for_each(|bar| *bar = given.settled_point(*bar));
+        given.laws(&motor)
+    },
+};

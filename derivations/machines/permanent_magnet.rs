@@ -1,7 +1,8 @@
 //! The synchronous motor with permanent magnets on a voltage of constant amplitude, in Park's axes.
 
-use super::{Catalogued, Datum, Machine, RotorState, Source};
-use field::{Base, Circle, Over};
+use super::{Count, Entry, Machine, RotorState, letter};
+use field::{Base, Circle, Over, Scalar};
+use symbolic::Sym;
 
 crate::quantities! {
     /// The electric and mechanical constants: V, Psi, L_d, L_q, R and f below.
@@ -36,7 +37,10 @@ pub struct PermanentMagnet<P> {
 }
 
 impl<P: Base> Machine<P> for PermanentMagnet<P> {
-    const ROTOR: RotorState = RotorState::AngleAndSpeed;
+    #[inline(always)]
+    fn rotor(&self) -> RotorState {
+        RotorState::AngleAndSpeed
+    }
 
     #[inline(always)]
     fn frame_speed(&self) -> P {
@@ -64,7 +68,7 @@ impl<P: Base> Machine<P> for PermanentMagnet<P> {
 
     #[inline(always)]
     fn supply<S: Over<P>>(&self, winding: usize, angle: Circle<S>) -> Option<S> {
-        let electric = (1..self.pole_pairs).fold(angle, |sum, _| sum + angle);
+        let electric = times(angle, self.pole_pairs);
         Some(S::lift(self.magnets.voltage) * if winding == 0 { electric.sin } else { electric.cos })
     }
 
@@ -83,13 +87,28 @@ impl<P: Base> Machine<P> for PermanentMagnet<P> {
     }
 }
 
-impl Catalogued for PermanentMagnet<f64> {
-    const SUMMARY: &'static str = "synchronous with permanent magnets on a constant voltage, with the currents in Park's axes";
-    type Over<P: Datum> = PermanentMagnet<P>;
-
-    fn read<P: Datum, E>(source: &mut impl Source<P, Error = E>) -> Result<PermanentMagnet<P>, E> {
-        let magnets = Magnets::read(|quantity| source.quantity(quantity))?;
-        let pole_pairs = source.count("pole_pairs", "number of pairs of poles of the rotor")?;
-        Ok(PermanentMagnet { magnets, pole_pairs })
+/// n g, by halves, so that many poles take few steps.
+#[inline(always)]
+fn times<S: Scalar>(angle: Circle<S>, n: usize) -> Circle<S> {
+    let mut sum = angle;
+    // the digits of n after its first
+    for place in (0..n.max(1).ilog2()).rev() {
+        sum = sum + sum;
+        if n >> place & 1 == 1 {
+            sum = sum + angle;
+        }
     }
+    sum
 }
+
+/// Among the motors of the catalogue.
+pub const ENTRY: Entry = Entry {
+    name: "permanent_magnet",
+    summary: "synchronous with permanent magnets on a constant voltage, with the currents in Park's axes",
+    data: Magnets::<Sym>::QUANTITIES,
+    counts: &[Count { name: "pole_pairs", meaning: "number of pairs of poles of the rotor" }],
+    write: |given| {
+        let (magnets, pole_pairs) = (Magnets::read(letter)?, given.count("pole_pairs"));
+        given.laws(&PermanentMagnet { magnets, pole_pairs })
+    },
+};

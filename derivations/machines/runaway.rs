@@ -1,11 +1,6 @@
 //! Laws of the moment that drive a rotor ever harder.
 
-use super::{Catalogued, ForMachine, Machine};
-
-/// The directions, backwards and forwards, in which a machine's moment law drives its rotor ever harder: negative friction drives
-/// in both, a law even in the speed, such as that of a fan, in one.
-#[derive(Clone, Copy, Debug)]
-pub struct Runaway;
+use super::Machine;
 
 /// A speed beyond which a moment law drives, ever harder.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,12 +16,10 @@ pub struct Driven {
 /// Powers of two over the machine's own speed, from which on the highest power of the speed in a law outweighs the others.
 const FAR: [i32; 3] = [20, 30, 40];
 
-impl ForMachine for Runaway {
-    type Output = [Option<Driven>; 2];
-
-    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> Self::Output {
-        [-1.0, 1.0].map(|direction| driven(&machine, direction))
-    }
+/// The directions, backwards and forwards, in which a motor's moment law drives its rotor ever harder: negative friction drives
+/// in both, a law even in the speed, such as that of a fan, in one.
+pub fn runaway(machine: &impl Machine<f64>) -> [Option<Driven>; 2] {
+    [-1.0, 1.0].map(|direction| driven(machine, direction))
 }
 
 fn driven(machine: &impl Machine<f64>, direction: f64) -> Option<Driven> {

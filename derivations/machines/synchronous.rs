@@ -1,7 +1,8 @@
 //! The synchronous motor without currents.
 
-use super::{Catalogued, Datum, Machine, RotorState, Source};
+use super::{Entry, Machine, RotorState, letter};
 use field::{Base, Circle, Over};
+use symbolic::Sym;
 
 crate::quantities! {
     /// A magnetised rotor in the turning field: U = -b0 cos g; friction m = -f phi'.
@@ -16,7 +17,10 @@ crate::quantities! {
 }
 
 impl<P: Base> Machine<P> for Synchronous<P> {
-    const ROTOR: RotorState = RotorState::AngleAndSpeed;
+    #[inline(always)]
+    fn rotor(&self) -> RotorState {
+        RotorState::AngleAndSpeed
+    }
 
     #[inline(always)]
     fn frame_speed(&self) -> P {
@@ -34,11 +38,11 @@ impl<P: Base> Machine<P> for Synchronous<P> {
     }
 }
 
-impl Catalogued for Synchronous<f64> {
-    const SUMMARY: &'static str = "synchronous without currents";
-    type Over<P: Datum> = Synchronous<P>;
-
-    fn read<P: Datum, E>(source: &mut impl Source<P, Error = E>) -> Result<Synchronous<P>, E> {
-        Synchronous::read(|quantity| source.quantity(quantity))
-    }
-}
+/// Among the motors of the catalogue.
+pub const ENTRY: Entry = Entry {
+    name: "synchronous",
+    summary: "synchronous without currents",
+    data: Synchronous::<Sym>::QUANTITIES,
+    counts: &[],
+    write: |given| given.laws(&Synchronous::read(letter)?),
+};

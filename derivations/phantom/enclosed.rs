@@ -5,7 +5,7 @@
 
 use super::motions::{Rotor, Stationed};
 use super::multipliers::{Matrix, grows};
-use super::pieces::{Piece, Write};
+use super::pieces::{Piece, pieces};
 use super::stretches::{Found, Limits, Proved};
 use crate::scene::{Scene, System};
 use algebra::real::{Ordered, TaylorModel};
@@ -30,8 +30,7 @@ impl Resting {
     /// whose flow is not known, and for those with another moment than one linear in the slip.
     pub fn of(scene: &Scene, motion: &Stationed) -> Option<Self> {
         let (System::Bench { axial }, Rotor::InStep { .. }) = (&scene.system, &motion.rotor) else { return None };
-        let write = Write { data: &scene.machine_data, name: scene.machine.name(), axial: *axial };
-        let (pieces, symmetric) = scene.machine.clone().apply(write)?;
+        let (pieces, symmetric) = pieces(&scene.machine, *axial)?;
         Some(Resting { pieces, angle: motion.at.angle.each_ref().map(TaylorModel::enclosed), symmetric })
     }
 

@@ -8,10 +8,9 @@
 //!   Where a supply feeds them, currents are states of their own;
 //! * where energy is kept the motion is Hamilton's on the surface of the integrals: with mu there is -mu.
 
-use super::written::Linearise;
+use super::written::linearised;
 use crate::scene::Scene;
-use crate::stationary::motor::{Motor, NoMotor};
-use algebra::real::Enclosure;
+use crate::stationary::motor::{MotorStates, NoMotor};
 use field::Rational;
 use mechanics::discrete::{Mode, Place, Spectrum};
 use mechanics::first_approximation::characteristic;
@@ -77,14 +76,9 @@ impl Linearised {
     ///
     /// # Errors
     /// [`NoLinear`].
-    pub fn of(scene: &Scene, motor: &Motor) -> Result<Self, NoLinear> {
-        let free = matches!(motor, Motor::Free);
-        scene.machine.clone().apply(Linearise {
-            system: &scene.system,
-            data: &scene.machine_data,
-            name: scene.machine.name(),
-            free,
-        })
+    pub fn of(scene: &Scene, motor: &MotorStates) -> Result<Self, NoLinear> {
+        let free = matches!(motor, MotorStates::Free);
+        linearised(&scene.system, &scene.machine, free)
     }
 
     /// det(mu - A) at a motion without the eigenvalues that structure explains, monic, coefficients from the constant upwards.

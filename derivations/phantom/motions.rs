@@ -4,7 +4,7 @@ use super::linear::{At, Linearised, NoLinear};
 use crate::scene::{Scene, Start, System};
 use crate::stationary::energies::{Energies, Kept};
 use crate::stationary::motions::{NoAnswer, Stationary, decimals};
-use crate::stationary::motor::{Angle, Motor};
+use crate::stationary::motor::{Angle, MotorStates};
 use crate::stationary::stability::{Reason, Verdict};
 use algebra::real::{Enclosure, Root};
 use field::Rational;
@@ -129,7 +129,7 @@ impl AllStationed {
     }
 
     fn on_bench(scene: &Scene) -> Result<Self, NoMotions> {
-        let motor = Motor::of(&scene.machine, &scene.machine_data).map_err(NoAnswer::Motor)?;
+        let motor = MotorStates::of(&scene.machine).map_err(NoAnswer::Motor)?;
         let linear = Linearised::of(scene, &motor).map_err(NoMotions::Linear)?;
         let rests = || [0; 3].map(|n| Enclosure::integer(n, BITS));
         let speeds: Vec<Root> = match motor.speeds() {
@@ -168,10 +168,10 @@ struct Place {
 }
 
 /// All places of the rotor that go with a speed; `None` for one that cannot be enclosed.
-fn places(motor: &Motor, speed: &Enclosure) -> Vec<Option<Place>> {
+fn places(motor: &MotorStates, speed: &Enclosure) -> Vec<Option<Place>> {
     let number = |n: i64| Enclosure::integer(n, BITS);
     match motor {
-        Motor::InStep { angles, .. } => {
+        MotorStates::InStep { angles, .. } => {
             let of = |angle: &Angle| {
                 let point = match &angle.half_tangent {
                     Some(t) => {

@@ -6,12 +6,7 @@
 
 use super::multipliers::Matrix;
 use super::written::keeps_energy;
-use crate::machines::{
-    BenchFlows, Catalogued, ForMachine, Kick, Law, Machine, Point, RotorState, Rule, has_known_flow,
-};
-use crate::scene::MachineData;
-use crate::stationary::motor::Decimals;
-use algebra::real::{Ordered, TaylorModel};
+use crate::machines::{BenchFlows, Kick, Law, Machine, Motor, Point, RotorState, Rule, has_known_flow};
 use field::{Analytic, Circle, Over, Rational, Scalar, Tangent};
 use num_traits::Zero;
 use std::cell::RefCell;
@@ -41,52 +36,40 @@ impl Piece {
     }
 }
 
-/// Kick and drift of a motor that knows its angle and whose moment is linear in the slip, and whether nothing takes energy; `None`
-/// for others.
-pub(super) struct Write<'a> {
-    pub data: &'a MachineData,
-    pub name: &'static str,
-    /// A', kg m^2
-    pub axial: f64,
-}
-
-impl ForMachine for Write<'_> {
-    type Output = Option<([Piece; 2], bool)>;
-
-    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, _machine: M) -> Self::Output {
-        let machine = M::read::<Sym, _>(&mut Decimals(self.data, self.name)).ok()?;
-        let slip = Sym::symbol("s");
-        let bend = machine.moment_law(slip, slip + machine.frame_speed()).diff(slip).diff(slip);
-        let linear = decide(bend, &Hypotheses::none()).is_zero();
-        if !(linear && M::ROTOR == RotorState::AngleAndSpeed && has_known_flow(&machine)) {
-            return None;
-        }
-        let near = Near::of(&machine, Sym::constant(Rational::decimal(self.axial)))?;
-        let t = Sym::symbol("t");
-        let flows = BenchFlows { axial: Tangent::fixed(near.axial), frame_speed: Tangent::lift(machine.frame_speed()) };
-        let decays: RefCell<Vec<([Rational; 2], Sym)>> = RefCell::default();
-        // a rate that is no fraction has no decay here
-        let quotient = |a: Tangent<Sym>, b: Tangent<Sym>| {
-            let rate = |x: Tangent<Sym>| constant(x.value.diff(t)).unwrap_or(Rational::UNDEFINED);
-            let (rates, mut known) = ([rate(a), rate(b)], decays.borrow_mut());
-            let found = known.iter().find(|(other, _)| *other == rates).map(|(_, symbol)| *symbol);
-            Tangent::fixed(found.unwrap_or_else(|| {
-                let symbol = Sym::symbol(&format!("E{}", known.len()));
-                known.push((rates, symbol));
-                symbol
-            }))
-        };
-        // a moment that is linear needs no collocation
-        let rule =
-            Rule { nodes: [Tangent::zero(); 4], weights: [Tangent::zero(); 4], matrix: [[Tangent::zero(); 4]; 4] };
-        let kick = Kick::new(&machine, Law::Linear, Tangent::fixed(t), flows.compliance(), quotient, rule);
-        let pushed = near.matrix(|point| {
-            flows.push(&machine, &kick, point);
-        })?;
-        let drifted = near.matrix(|point| flows.drift(Tangent::fixed(t), point))?;
-        let pieces = [piece(&pushed, t, &decays.into_inner())?, piece(&drifted, t, &[])?];
-        Some((pieces, keeps_energy(&machine, M::ROTOR)))
+/// Kick and drift of a motor that knows its angle and whose moment is linear in the slip, and whether nothing takes energy, on a
+/// bench with a moment of inertia A', kg m^2; `None` for others.
+pub(super) fn pieces(motor: &Motor, axial: f64) -> Option<([Piece; 2], bool)> {
+    let machine = motor.decimals();
+    let slip = Sym::symbol("s");
+    let bend = machine.moment_law(slip, slip + machine.frame_speed()).diff(slip).diff(slip);
+    let linear = decide(bend, &Hypotheses::none()).is_zero();
+    if !(linear && machine.rotor() == RotorState::AngleAndSpeed && has_known_flow(&machine)) {
+        return None;
     }
+    let near = Near::of(&machine, Sym::constant(Rational::decimal(axial)))?;
+    let t = Sym::symbol("t");
+    let flows = BenchFlows { axial: Tangent::fixed(near.axial), frame_speed: Tangent::lift(machine.frame_speed()) };
+    let decays: RefCell<Vec<([Rational; 2], Sym)>> = RefCell::default();
+    // a rate that is no fraction has no decay here
+    let quotient = |a: Tangent<Sym>, b: Tangent<Sym>| {
+        let rate = |x: Tangent<Sym>| constant(x.value.diff(t)).unwrap_or(Rational::UNDEFINED);
+        let (rates, mut known) = ([rate(a), rate(b)], decays.borrow_mut());
+        let found = known.iter().find(|(other, _)| *other == rates).map(|(_, symbol)| *symbol);
+        Tangent::fixed(found.unwrap_or_else(|| {
+            let symbol = Sym::symbol(&format!("E{}", known.len()));
+            known.push((rates, symbol));
+            symbol
+        }))
+    };
+    // a moment that is linear needs no collocation
+    let rule = Rule { nodes: [Tangent::zero(); 4], weights: [Tangent::zero(); 4], matrix: [[Tangent::zero(); 4]; 4] };
+    let kick = Kick::new(&machine, Law::Linear, Tangent::fixed(t), flows.compliance(), quotient, rule);
+    let pushed = near.matrix(|point| {
+        flows.push(&machine, &kick, point);
+    })?;
+    let drifted = near.matrix(|point| flows.drift(Tangent::fixed(t), point))?;
+    let pieces = [piece(&pushed, t, &decays.into_inner())?, piece(&drifted, t, &[])?];
+    Some((pieces, keeps_energy(&machine)))
 }
 
 /// The resting state, and what is told of deviations from it.

@@ -35,7 +35,7 @@ pub struct SplitRuns {
 /// What a proof starts from.
 enum Provable {
     Resting(Box<Resting>),
-    Turning(Turning),
+    Turning(Box<Turning>),
 }
 
 /// A splitting's own stationary motion, and what its step makes of it.
@@ -70,7 +70,7 @@ impl SplitRuns {
         let kept = invariants.into_iter().filter(|invariant| invariant.name != "jacobi").collect();
         let provable = match Resting::of(&scene, motion) {
             Some(resting) => Ok(Provable::Resting(Box::new(resting))),
-            None => Turning::of(&scene, motion).map(Provable::Turning),
+            None => Turning::of(&scene, motion).map(Box::new).map(Provable::Turning),
         };
         SplitRuns { law, state, kept, provable }
     }

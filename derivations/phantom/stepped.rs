@@ -1,21 +1,14 @@
-//! A step of a gyrostat in the coordinates of `Surface`, over floats, Taylor models and enclosed numbers, its motor forgotten.
+//! A step of a gyrostat in the coordinates of `Surface`, over floats, Taylor models and enclosed numbers.
 
 use super::surface::{Step, Surface};
 use crate::ladder::Lumped;
-use crate::machines::{Kick, Law, Machine, Quantity, Rule, Source, decay_quotient, text::Laws};
-use crate::scene::{MachineData, NoModel};
+use crate::machines::{Kick, Law, Motor, Rule, decay_quotient};
 use crate::systems::gyrostat::forms::SecondForm;
 use crate::systems::gyrostat::momenta::{Flows, Lapse, Point};
 use algebra::real::{Model, Ordered, Rounded};
 use field::{Analytic, Base, Over, Rational, Scalar, Tangent};
 use integrators::Splitting;
-use std::sync::Arc;
-
-/// A step of a length, s.
-pub(super) trait Stepped<P> {
-    /// `rests`: from a state that every piece keeps, so that its enclosure does not widen on the way.
-    fn step(&self, splitting: Splitting, length: P, rests: bool) -> Box<Step<'_, Tangent<P>>>;
-}
+use algebra::real::{Model, Ordered, Rounded};
 
 /// What a step asks of its field beyond operations.
 pub(super) trait Decaying: Base + Over<f64> + Analytic {
@@ -46,17 +39,18 @@ impl<C: Rounded, const N: usize> Decaying for Model<C, N> {
 }
 
 /// A form with a motor on the surface of the integrals.
-pub(super) struct OnSurface<P: Base, M> {
+pub(super) struct OnSurface<P: Base> {
     pub form: SecondForm<P>,
-    pub machine: Lumped<P, M>,
+    pub machine: Lumped<P, Motor<P>>,
     pub surface: Surface<P>,
     pub law: Law,
     /// Of a moment that is not linear, with the floats that run.
     pub rule: Rule<f64>,
 }
 
-impl<P: Decaying, M: Machine<P>> Stepped<P> for OnSurface<P, M> {
-    fn step(&self, splitting: Splitting, length: P, rests: bool) -> Box<Step<'_, Tangent<P>>> {
+impl<P: Decaying> OnSurface<P> {
+    /// A step of a length, s. `rests`: from a state that every piece keeps, so that its enclosure does not widen on the way.
+    pub fn step(&self, splitting: Splitting, length: P, rests: bool) -> Box<Step<'_, Tangent<P>>> {
         let quotient = |a: Tangent<P>, b: Tangent<P>| Tangent::fixed(P::between_decays(a.value, b.value));
         let flows = Flows::<Tangent<P>>::new(&self.form, &self.machine);
         let number = <Tangent<P> as Over<f64>>::lift;
@@ -91,26 +85,6 @@ fn hold<P: Scalar>(rest: &Point<Tangent<P>>, at: &mut Point<Tangent<P>>) {
     at.rotor.angle.value = rest.rotor.angle.value;
     at.rotor.momentum.value = rest.rotor.momentum.value;
     at.rotor.fluxes.iter_mut().zip(&rest.rotor.fluxes).for_each(|(moved, rest)| moved.value = rest.value);
-}
-
-/// The data of a machine, its decimals enclosed.
-pub(super) struct Enclosed<'a>(pub &'a MachineData, pub &'static str);
-
-impl<C: Rounded, const N: usize> Source<Model<C, N>> for Enclosed<'_> {
-    type Error = NoModel;
-
-    fn quantity(&mut self, quantity: &Quantity) -> Result<Model<C, N>, NoModel> {
-        let decimal = Rational::decimal(self.0.number(self.1, quantity)?);
-        Ok(enclosed(decimal))
-    }
-
-    fn count(&mut self, name: &'static str, meaning: &'static str) -> Result<usize, NoModel> {
-        self.0.count(self.1, name, meaning)
-    }
-
-    fn laws(&mut self) -> Option<Arc<Laws>> {
-        self.0.laws.clone()
-    }
 }
 
 /// A fraction; one that is undefined has no bound.

@@ -33,20 +33,20 @@ pub(super) struct Surface<P> {
 
 impl Surface<f64> {
     /// Through a state (w, v, rotor, ..) of the law.
-    pub fn at<M: Machine<f64>>(form: &impl Form<f64>, machine: &M, state: &[f64]) -> Self {
+    pub fn at(form: &impl Form<f64>, machine: &impl Machine<f64>, state: &[f64]) -> Self {
         let Point { momentum, vertical, rotor } = entered(form, machine, state);
-        let kept = M::ROTOR == RotorState::Prescribed || Conserved::by(machine).spin;
+        let kept = machine.rotor() == RotorState::Prescribed || Conserved::by(machine).spin;
         Surface {
             largest: vertical.iamax(),
             upwards: vertical[vertical.iamax()] > 0.0,
             along: momentum.dot(&vertical),
             kept: kept.then_some(rotor.momentum),
-            knows_angle: M::ROTOR == RotorState::AngleAndSpeed,
+            knows_angle: machine.rotor() == RotorState::AngleAndSpeed,
         }
     }
 
     /// The coordinates of that state, without currents.
-    pub fn start<M: Machine<f64>>(&self, form: &impl Form<f64>, machine: &M, state: &[f64]) -> Vec<f64> {
+    pub fn start(&self, form: &impl Form<f64>, machine: &impl Machine<f64>, state: &[f64]) -> Vec<f64> {
         self.chosen(&entered(form, machine, state))
     }
 
@@ -57,8 +57,8 @@ impl Surface<f64> {
     }
 }
 
-fn entered<M: Machine<f64>>(form: &impl Form<f64>, machine: &M, state: &[f64]) -> Point<f64> {
-    let mut state = state[..6 + M::ROTOR.dimension()].to_vec();
+fn entered(form: &impl Form<f64>, machine: &impl Machine<f64>, state: &[f64]) -> Point<f64> {
+    let mut state = state[..6 + machine.rotor().dimension()].to_vec();
     state.resize(state.len() + machine.windings(), 0.0);
     Flows::<f64>::new(form, machine).enter(form, machine, &state)
 }

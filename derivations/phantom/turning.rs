@@ -17,26 +17,24 @@
 use super::followed::{before, followed};
 use super::motions::Stationed;
 use super::multipliers::{Matrix, grows};
-use super::stepped::{Enclosed, OnSurface, Stepped, enclosed};
+use super::stepped::{OnSurface, enclosed};
 use super::stretches::{Found, Limits, Proved};
 use super::surface::{Step, Surface};
 use super::unproved::{MOST_UNKNOWNS, Unproved};
 use super::written::keeps_energy;
 use crate::ladder::{Lumped, Lumping};
-use crate::machines::{Catalogued, ForMachine, Law, Rule, has_known_flow};
-use crate::scene::{Axes, MachineData, Scene, System};
-use crate::stationary::motor::Decimals;
+use crate::machines::{Law, Motor, Rule, has_known_flow};
+use crate::scene::{Axes, Scene, System};
 use crate::systems::gyrostat::Gyrostat;
 use crate::systems::gyrostat::forms::SecondForm;
-use algebra::real::{Ball, FixedPoint, Mapped, Model, Rounded, TaylorModel};
-use field::{Rational, Scalar, Tangent};
+use field::{Base, Rational, Scalar, Tangent};
 use integrators::Splitting;
 use nalgebra::{DMatrix, DVector};
-use symbolic::Sym;
+use algebra::real::{Ball, FixedPoint, Mapped, Model, Rounded, TaylorModel};
 
-/// A gyrostat near a stationary motion, its motor forgotten.
+/// A gyrostat with its motor near a stationary motion.
 pub struct Turning {
-    floats: Box<dyn Stepped<f64>>,
+    floats: OnSurface<f64>,
     ranges: Over<TaylorModel>,
     points: Over<Ball>,
     /// The law's motion.
@@ -46,8 +44,8 @@ pub struct Turning {
 }
 
 /// Its steps over enclosures.
-struct Over<F> {
-    steps: Box<dyn Stepped<F>>,
+struct Over<F: Base> {
+    steps: OnSurface<F>,
     /// The law's motion where the carrier rests.
     rest: Option<Vec<F>>,
 }
@@ -72,8 +70,7 @@ impl Turning {
             return Err(Unproved::Family);
         }
         let state = Scene { start: motion.start.clone(), ..scene.clone() }.state(Axes::Second);
-        let near = Near { bodies, data: &scene.machine_data, name: scene.machine.name(), state: &state };
-        let mut turning = scene.machine.clone().apply(near)?;
+        let mut turning = Near { bodies, motor: &scene.machine }.turning(&state)?;
         if motion.rests {
             turning.ranges.rest = Some(turning.resting(&turning.ranges).ok_or(Unproved::Rest)?);
             turning.points.rest = Some(turning.resting(&turning.points).ok_or(Unproved::Rest)?);
@@ -193,21 +190,18 @@ fn approached(step: &Step<'_, Tangent<f64>>, near: Vec<f64>) -> Option<(Vec<f64>
 /// Puts the motor into it.
 struct Near<'a> {
     bodies: &'a Gyrostat<f64>,
-    data: &'a MachineData,
-    name: &'static str,
-    /// As the law has it, in the axes of the second form.
-    state: &'a [f64],
+    motor: &'a Motor,
 }
 
-impl ForMachine for Near<'_> {
-    type Output = Result<Turning, Unproved>;
-
-    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> Self::Output {
+impl Near<'_> {
+    /// Near a state of the law in the axes of the second form.
+    fn turning(&self, state: &[f64]) -> Result<Turning, Unproved> {
+        let machine = self.motor.clone();
         if !has_known_flow(&machine) {
             return Err(Unproved::Fed);
         }
         let (law, rule) = (Law::of(&machine), Rule::gauss());
-        let exact = M::read::<Sym, _>(&mut Decimals(self.data, self.name)).map_err(|_| Unproved::Data)?;
+        let exact = machine.decimals();
         let lumping = Lumping::of(&exact);
         let floats = match &lumping {
             Some(lumping) => Lumped { machine, windings: lumping.over(Rational::to_f64) },
@@ -215,28 +209,26 @@ impl ForMachine for Near<'_> {
         };
         let (moments, axis, axial, weight) = self.bodies.form_data(&self.bodies.derived().full);
         let form = SecondForm::new(moments, axis, axial, weight);
-        let surface = Surface::at(&form, &floats, self.state);
-        let start = surface.start(&form, &floats, self.state);
+        let surface = Surface::at(&form, &floats, state);
+        let start = surface.start(&form, &floats, state);
         if start.len() > MOST_UNKNOWNS {
             return Err(Unproved::Many(start.len()));
         }
-        let ranges = self.over::<M, _, _>(lumping.as_ref(), &surface, (law, rule))?;
-        let points = self.over::<M, _, _>(lumping.as_ref(), &surface, (law, rule))?;
-        let floats = Box::new(OnSurface { form, machine: floats, surface, law, rule });
-        let symmetric = keeps_energy(&exact, M::ROTOR);
+        let ranges = self.over(lumping.as_ref(), &surface, (law, rule));
+        let points = self.over(lumping.as_ref(), &surface, (law, rule));
+        let floats = OnSurface { form, machine: floats, surface, law, rule };
+        let symmetric = keeps_energy(&exact);
         Ok(Turning { floats, ranges, points, start, symmetric })
     }
-}
 
-impl Near<'_> {
     /// Its steps over models.
-    fn over<M: Catalogued + 'static, C: Rounded, const N: usize>(
+    fn over<C: Rounded, const N: usize>(
         &self,
         lumping: Option<&Lumping>,
         surface: &Surface<f64>,
         (law, rule): (Law, Rule<f64>),
-    ) -> Result<Over<Model<C, N>>, Unproved> {
-        let machine = M::read::<Model<C, N>, _>(&mut Enclosed(self.data, self.name)).map_err(|_| Unproved::Data)?;
+    ) -> Over<Model<C, N>> {
+        let machine = self.motor.over(|_, value| enclosed(Rational::decimal(value)));
         let machine = match lumping {
             Some(lumping) => Lumped { machine, windings: lumping.over(enclosed) },
             None => Lumped::unchanged(machine),
@@ -245,6 +237,6 @@ impl Near<'_> {
         let (moments, axis, axial, weight) = self.bodies.form_data(&self.bodies.derived().full);
         let form = SecondForm::new(moments.map(number), axis.map(number), number(axial), weight.map(number));
         let surface = surface.map(number);
-        Ok(Over { steps: Box::new(OnSurface { form, machine, surface, law, rule }), rest: None })
+        Over { steps: OnSurface { form, machine, surface, law, rule }, rest: None }
     }
 }

@@ -16,8 +16,6 @@ pub enum Unproved {
     Fed,
     /// No stationary motion of the splitting's own is found, or no step is taken.
     Motion,
-    /// A datum of the motor is missing, or is no number.
-    Data,
     /// The law's rest is not enclosed: it is degenerate.
     Rest,
     /// More unknowns than are enclosed.
@@ -31,7 +29,6 @@ impl fmt::Display for Unproved {
             Self::Family => write!(f, "the motion is one of a family"),
             Self::Fed => write!(f, "the flow of the motor's piece is not known"),
             Self::Motion => write!(f, "no stationary motion of its own is found"),
-            Self::Data => write!(f, "a datum of the motor is missing"),
             Self::Rest => write!(f, "the rest is not enclosed"),
             Self::Many(unknowns) => write!(f, "{unknowns} unknowns are more than {MOST_UNKNOWNS}"),
         }

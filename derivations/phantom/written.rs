@@ -1,24 +1,15 @@
 //! The matrix of the linear motion near any stationary one, written down over symbols by differentiation of the law.
 
 use super::linear::{Linearised, NoLinear};
-use crate::machines::{Catalogued, ForMachine, Machine, RotorState, drive, is_fed, resting_currents};
-use crate::scene::{MachineData, System};
+use crate::machines::{Machine, Motor, RotorState, drive, is_fed, resting_currents};
+use crate::scene::System;
 use crate::stationary::motions::decimals;
-use crate::stationary::motor::{Decimals, NoMotor};
+use crate::stationary::motor::NoMotor;
 use crate::systems::gyrostat::{Gyrostat, Motion};
 use field::{Analytic, Circle, Rational, Scalar};
 use mechanics::definite::solve;
 use nalgebra::Vector3;
 use symbolic::{Hypotheses, Sym, decide, substitute_all};
-
-/// Writes it down for a machine, given by its name and its data.
-pub(super) struct Linearise<'a> {
-    pub system: &'a System,
-    pub data: &'a MachineData,
-    pub name: &'static str,
-    /// Whether the rotor is left alone, so that its own momentum is an integral.
-    pub free: bool,
-}
 
 /// Windings that fade at one rate.
 struct Group {
@@ -28,56 +19,53 @@ struct Group {
     count: usize,
 }
 
-impl ForMachine for Linearise<'_> {
-    type Output = Result<Linearised, NoLinear>;
-
-    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, _machine: M) -> Self::Output {
-        let machine = M::read::<Sym, _>(&mut Decimals(self.data, self.name));
-        let machine = machine.map_err(|reason| NoLinear::Motor(NoMotor::Data(reason)))?;
-        let field_speed = machine.frame_speed();
-        let field_speed = field_speed.as_constant().ok_or(NoLinear::NotAlgebraic(field_speed))?;
-        let (g, slip, share) = (Sym::symbol("g"), Sym::symbol("s"), Sym::symbol("q"));
-        let angle = if M::ROTOR == RotorState::AngleAndSpeed { g.circle() } else { Circle::zero() };
-        let fed = is_fed(&machine);
-        let groups = if fed { Vec::new() } else { windings(&machine, M::ROTOR, angle, slip)? };
-        // currents that a supply feeds are states, which rest at the motion; the others are zero there
-        let resting = if fed { resting_currents(&machine, angle, slip) } else { Some(Vec::new()) };
-        let resting = resting.ok_or(NoLinear::Motor(NoMotor::NoRest))?;
-        let own: Vec<Sym> = (0..resting.len()).map(|k| Sym::symbol(&format!("i{k}"))).collect();
-        let currents = if fed { own.clone() } else { vec![Sym::ZERO; machine.windings()] };
-        let mut of_currents = vec![Sym::ZERO; currents.len()];
-        let moment = drive(&machine, angle, slip, &currents, &mut of_currents) + share;
-        let rotor: &[Sym] = match M::ROTOR {
-            RotorState::Prescribed => &[],
-            RotorState::Speed => &[slip],
-            RotorState::AngleAndSpeed => &[g, slip],
-        };
-        let (mut states, mut rates, acceleration) = match self.system {
-            System::Gyrostat(bodies) => {
-                let relative = if M::ROTOR == RotorState::Prescribed { Sym::ZERO } else { slip };
-                let speed = relative + machine.frame_speed();
-                carrier(&decimals(bodies), M::ROTOR, speed, moment)?
-            }
-            System::Bench { axial } => (Vec::new(), Vec::new(), moment / Sym::constant(Rational::decimal(*axial))),
-        };
-        let mut of_rotor = vec![Sym::ZERO; rotor.len()];
-        M::ROTOR.write(slip, acceleration, &mut of_rotor);
-        states.extend(rotor.iter().chain(&own));
-        rates.extend(of_rotor.into_iter().chain(of_currents.into_iter().take(own.len())));
-        let at_rest: Vec<(Sym, Sym)> = own.into_iter().zip(resting.iter().copied()).collect();
-        let matrix = matrix(&states, &rates, share, slip, &groups);
-        let [w, v] = vectors();
-        let point = g.circle();
-        Ok(Linearised {
-            matrix: matrix.iter().map(|row| substitute_all(row, &at_rest)).collect(),
-            resting,
-            symbols: [w.as_slice(), v.as_slice(), &[point.cos, point.sin, slip]].concat(),
-            field_speed,
-            idle: groups.iter().filter(|group| group.count > 1).map(|group| (group.decay, group.count - 1)).collect(),
-            integrals: if matches!(self.system, System::Gyrostat(_)) { 2 } else { 0 } + usize::from(self.free),
-            symmetric: keeps_energy(&machine, M::ROTOR),
-        })
-    }
+/// Writes it down for a motor in a system. `free`: whether the rotor is left alone, so that its own momentum is an integral.
+pub(super) fn linearised(system: &System, motor: &Motor, free: bool) -> Result<Linearised, NoLinear> {
+    let machine = motor.decimals();
+    let known = machine.rotor();
+    let field_speed = machine.frame_speed();
+    let field_speed = field_speed.as_constant().ok_or(NoLinear::NotAlgebraic(field_speed))?;
+    let (g, slip, share) = (Sym::symbol("g"), Sym::symbol("s"), Sym::symbol("q"));
+    let angle = if known == RotorState::AngleAndSpeed { g.circle() } else { Circle::zero() };
+    let fed = is_fed(&machine);
+    let groups = if fed { Vec::new() } else { windings(&machine, angle, slip)? };
+    // currents that a supply feeds are states, which rest at the motion; the others are zero there
+    let resting = if fed { resting_currents(&machine, angle, slip) } else { Some(Vec::new()) };
+    let resting = resting.ok_or(NoLinear::Motor(NoMotor::NoRest))?;
+    let own: Vec<Sym> = (0..resting.len()).map(|k| Sym::symbol(&format!("i{k}"))).collect();
+    let currents = if fed { own.clone() } else { vec![Sym::ZERO; machine.windings()] };
+    let mut of_currents = vec![Sym::ZERO; currents.len()];
+    let moment = drive(&machine, angle, slip, &currents, &mut of_currents) + share;
+    let rotor: &[Sym] = match known {
+        RotorState::Prescribed => &[],
+        RotorState::Speed => &[slip],
+        RotorState::AngleAndSpeed => &[g, slip],
+    };
+    let (mut states, mut rates, acceleration) = match system {
+        System::Gyrostat(bodies) => {
+            let relative = if known == RotorState::Prescribed { Sym::ZERO } else { slip };
+            let speed = relative + machine.frame_speed();
+            carrier(&decimals(bodies), known, speed, moment)?
+        }
+        System::Bench { axial } => (Vec::new(), Vec::new(), moment / Sym::constant(Rational::decimal(*axial))),
+    };
+    let mut of_rotor = vec![Sym::ZERO; rotor.len()];
+    known.write(slip, acceleration, &mut of_rotor);
+    states.extend(rotor.iter().chain(&own));
+    rates.extend(of_rotor.into_iter().chain(of_currents.into_iter().take(own.len())));
+    let at_rest: Vec<(Sym, Sym)> = own.into_iter().zip(resting.iter().copied()).collect();
+    let matrix = matrix(&states, &rates, share, slip, &groups);
+    let [w, v] = vectors();
+    let point = g.circle();
+    Ok(Linearised {
+        matrix: matrix.iter().map(|row| substitute_all(row, &at_rest)).collect(),
+        resting,
+        symbols: [w.as_slice(), v.as_slice(), &[point.cos, point.sin, slip]].concat(),
+        field_speed,
+        idle: groups.iter().filter(|group| group.count > 1).map(|group| (group.decay, group.count - 1)).collect(),
+        integrals: if matches!(system, System::Gyrostat(_)) { 2 } else { 0 } + usize::from(free),
+        symmetric: keeps_energy(&machine),
+    })
 }
 
 fn vectors() -> [Vector3<Sym>; 2] {
@@ -85,21 +73,17 @@ fn vectors() -> [Vector3<Sym>; 2] {
 }
 
 /// Whether friction and windings take nothing, decided exactly.
-pub(super) fn keeps_energy(machine: &impl Machine<Sym>, rotor: RotorState) -> bool {
+pub(super) fn keeps_energy(machine: &impl Machine<Sym>) -> bool {
     let slip = Sym::symbol("s");
     let friction = machine.moment_law(slip, slip + machine.frame_speed());
-    rotor == RotorState::Prescribed || machine.windings() == 0 && decide(friction, &Hypotheses::none()).is_zero()
+    machine.rotor() == RotorState::Prescribed
+        || machine.windings() == 0 && decide(friction, &Hypotheses::none()).is_zero()
 }
 
 /// The windings by the rates at which they fade, seen near zero currents.
-fn windings(
-    machine: &impl Machine<Sym>,
-    rotor: RotorState,
-    angle: Circle<Sym>,
-    slip: Sym,
-) -> Result<Vec<Group>, NoLinear> {
+fn windings(machine: &impl Machine<Sym>, angle: Circle<Sym>, slip: Sym) -> Result<Vec<Group>, NoLinear> {
     let currents: Vec<Sym> = (0..machine.windings()).map(|k| Sym::symbol(&format!("i{k}"))).collect();
-    if !currents.is_empty() && rotor != RotorState::AngleAndSpeed {
+    if !currents.is_empty() && machine.rotor() != RotorState::AngleAndSpeed {
         return Err(NoLinear::Windings);
     }
     let mut rates = vec![Sym::ZERO; currents.len()];

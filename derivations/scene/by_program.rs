@@ -1,7 +1,7 @@
 //! A system whose right-hand side is run by one program of the whole law.
 //!
-//! Recorded once as a whole, a law has each common part once, its data are constants, and it is machine code: of a gyrostat
-//! that is faster than the same law compiled with the rest of the project, and a motor as text runs like any other.
+//! Recorded once as a whole, a law has each common part once, its data are constants, and over `f64` it is machine code; over dual and
+//! double-double numbers the program is followed operation by operation.
 
 use super::problem::Law;
 use crate::taped::Program;
@@ -14,39 +14,22 @@ use symbolic::Sym;
 struct ByProgram<L> {
     system: Arc<dyn Law>,
     law: Arc<L>,
-    /// Then its program runs over dual and double-double numbers too, operation by operation: that is slower than what is compiled,
-    /// and faster than text.
-    is_text: bool,
     /// Made when the law is first run; `None` where it cannot be recorded or is long: then the system's own rates are run.
     program: OnceLock<Option<Program>>,
 }
 
 /// A system that runs a law, by the law's program.
-pub fn by_program<L>(system: Arc<dyn Law>, law: Arc<L>, is_text: bool) -> Arc<dyn Law>
+pub fn by_program<L>(system: Arc<dyn Law>, law: Arc<L>) -> Arc<dyn Law>
 where
     L: Ode<Sym> + Send + Sync + 'static,
 {
-    Arc::new(ByProgram { system, law, is_text, program: OnceLock::new() })
+    Arc::new(ByProgram { system, law, program: OnceLock::new() })
 }
 
 impl<L: Ode<Sym> + Sync> ByProgram<L> {
     #[inline]
     fn program(&self) -> Option<&Program> {
         self.program.get_or_init(|| Program::of_law(&*self.law)).as_ref()
-    }
-}
-
-impl<L: Ode<Sym> + Sync> Ode<f64> for ByProgram<L> {
-    fn dimension(&self) -> usize {
-        self.law.dimension()
-    }
-
-    fn rates(&self, t: f64, y: &[f64], dy: &mut [f64]) {
-        match self.program() {
-            // made for a state of this length
-            Some(program) => program.run(t, y, dy).unwrap_or(()),
-            None => Ode::<f64>::rates(&*self.system, t, y, dy),
-        }
     }
 }
 
@@ -58,7 +41,8 @@ macro_rules! runs {
             }
 
             fn rates(&self, t: $field, y: &[$field], dy: &mut [$field]) {
-                match self.is_text.then(|| self.program()).flatten() {
+                match self.program() {
+                    // made for a state of this length
                     Some(program) => program.run(t, y, dy).unwrap_or(()),
                     None => self.system.rates(t, y, dy),
                 }
@@ -66,7 +50,7 @@ macro_rules! runs {
         }
     )*};
 }
-runs!(Directions, DoubleDouble);
+runs!(f64, Directions, DoubleDouble);
 
 impl<L: Ode<Sym> + Sync> System for ByProgram<L> {
     fn taylor(&self) -> Option<Box<dyn TaylorSeries<f64> + '_>> {

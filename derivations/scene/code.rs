@@ -1,7 +1,7 @@
 //! A scene's right-hand side as straight-line code of other languages.
 
 use super::{Axes, Scene, System};
-use crate::machines::{Bench, Catalogued, ForMachine};
+use crate::machines::Bench;
 use crate::systems::gyrostat::driven::Driven;
 use crate::written::{Written, written};
 use symbolic::{Sym, Tape, Untapeable};
@@ -27,27 +27,11 @@ impl Scene {
     }
 
     fn read(&self, axes: Axes, read: fn(&Written) -> Result<Tape, Untapeable>) -> Result<Tape, Untapeable> {
-        self.machine.clone().apply(Writing { scene: self, axes, read })
-    }
-}
-
-/// What is read of the law of a scene.
-struct Writing<'a> {
-    scene: &'a Scene,
-    axes: Axes,
-    read: fn(&Written) -> Result<Tape, Untapeable>,
-}
-
-impl ForMachine for Writing<'_> {
-    type Output = Result<Tape, Untapeable>;
-
-    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> Self::Output {
-        match (&self.scene.system, self.axes) {
-            (System::Gyrostat(bodies), Axes::First) => written(&Driven::new(bodies.first_form().0, machine), self.read),
-            (System::Gyrostat(bodies), Axes::Second) => {
-                written(&Driven::new(bodies.second_form().0, machine), self.read)
-            }
-            (System::Bench { axial }, _) => written(&Bench { machine, axial: *axial }, self.read),
+        let machine = self.machine.clone();
+        match (&self.system, axes) {
+            (System::Gyrostat(bodies), Axes::First) => written(&Driven::new(bodies.first_form().0, machine), read),
+            (System::Gyrostat(bodies), Axes::Second) => written(&Driven::new(bodies.second_form().0, machine), read),
+            (System::Bench { axial }, _) => written(&Bench { machine, axial: *axial }, read),
         }
     }
 }

@@ -4,32 +4,13 @@ use super::issue::Issue;
 use super::read::{Table, in_unit};
 
 use super::written;
-use crate::machines::text::{self, Laws};
-use crate::machines::{Allowed, AnyMachine, Bound, Catalogued, ForMachine, Quantity, RotorState, Source};
+use crate::machines::{Allowed, Bound, Count, Machine, Motor, Quantity, TooLong, catalogue, text};
 use std::borrow::Cow;
-use std::convert::Infallible;
 use std::fmt;
-use std::sync::Arc;
-use symbolic::{Dimension, Sym};
-use units::{Dimension as Unit, nearest};
+use units::nearest;
 
 /// More bars than any damper has.
 const MOST: usize = 1000;
-
-/// The data of a machine as a scene gives them.
-#[derive(Clone, Debug, Default)]
-pub struct MachineData {
-    /// In the machine's own order.
-    pub numbers: Vec<(Quantity, f64)>,
-    /// (name, meaning, count).
-    pub counts: Vec<(&'static str, &'static str, usize)>,
-    /// Of a motor that is written in the scene.
-    pub laws: Option<Arc<Laws>>,
-    /// The data beyond their bounds that the scene asks for.
-    pub allowed: Allowed,
-    /// W of a machine whose rotor follows the stator's field: the speed that a machine of constant speed keeps.
-    synchronous_speed: Option<f64>,
-}
 
 /// Why a machine cannot be made of the data of a scene.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,6 +19,8 @@ pub enum NoModel {
     Unknown { name: String },
     /// The motor whose laws stand in a scene, where none do.
     NoLaws,
+    /// Its laws are longer than any that run.
+    Long(TooLong),
     /// A datum that the scene does not give.
     Missing { model: String, datum: Cow<'static, str>, meaning: Cow<'static, str>, unit: Cow<'static, str> },
     /// A datum beyond its bound.
@@ -49,242 +32,134 @@ pub enum NoModel {
 }
 
 /// The table `[machine]`.
-pub fn read(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<(AnyMachine, MachineData)> {
+pub fn read(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<Motor> {
     let mut table = top.table("machine", "the machine: `model` and its parameters");
     let model = table.text("model", "name of the machine");
     if model.value == text::NAME {
         return written::read(table, issues);
     }
-    let data = MachineData { allowed: table.allowed(), ..MachineData::default() };
-    let mut source = FromTable { table, data };
-    let machine = AnyMachine::read(&model.value, &mut source).map(|Ok(machine)| machine);
-    let FromTable { mut table, mut data } = source;
-    if machine.is_none() {
+    let Some(entry) = catalogue::entry(&model.value) else {
         if !model.value.is_empty() {
             let issue = Issue::at(model.span, format!("unknown machine `{}`", model.value), "not known");
             table.report(issue.accepted(known_machines(&model.value)));
         }
         // its keys cannot be judged
         table.known_all();
-    }
+        issues.extend(table.finish());
+        return None;
+    };
+    let (span, allowed) = (table.span(), table.allowed());
+    let data = entry.data.iter().map(|quantity| table.datum(quantity).value).collect();
+    let count = |&Count { name, meaning }: &Count| table.count(name, meaning, 1, MOST).value;
+    let counts: Vec<usize> = entry.counts.iter().map(count).collect();
     let sound = table.exists() && !table.has_issues();
     let found = issues.len();
     issues.extend(table.finish());
-    let machine = machine.filter(|_| sound && issues.len() == found)?;
-    data.synchronous_speed = machine.clone().apply(SynchronousSpeed);
-    Some((machine, data))
-}
-
-impl MachineData {
-    /// A machine of the list, with this value for each quantity and this count for each number of bars; and its data.
-    pub fn sampled(
-        model: &str,
-        value: impl FnMut(&Quantity) -> f64,
-        count: usize,
-    ) -> Option<(AnyMachine, MachineData)> {
-        let data = MachineData { allowed: Allowed::ALL, ..MachineData::default() };
-        let mut source = Sampled { value, count, data };
-        let Ok(machine) = AnyMachine::read(model, &mut source)?;
-        let mut data = source.data;
-        data.synchronous_speed = machine.clone().apply(SynchronousSpeed);
-        Some((machine, data))
+    if !sound || issues.len() > found {
+        return None;
     }
-
-    /// Of a motor that is written in a scene, with its parameters in their order; and the motor.
-    pub(super) fn written(laws: Laws, values: &[f64], allowed: Allowed) -> (AnyMachine, Self) {
-        let laws = Arc::new(laws);
-        let numbers: Vec<_> = laws.parameters().iter().cloned().zip(values.iter().copied()).collect();
-        let mut given = values.iter().copied();
-        let read = AnyMachine::written(Arc::clone(&laws), |_| Ok::<f64, Infallible>(given.next().unwrap_or_default()));
-        let Ok(machine) = read;
-        let synchronous_speed = machine.clone().apply(SynchronousSpeed);
-        (machine, MachineData { numbers, counts: Vec::new(), laws: Some(laws), allowed, synchronous_speed })
+    match entry.laws(&counts) {
+        Ok(laws) => Some(Motor::new(laws, data, allowed)),
+        Err(long) => {
+            issues.push(Issue::at(span, format!("a law has {long}"), "with these counts").accepted("smaller counts"));
+            None
+        }
     }
 }
 
-impl MachineData {
-    /// Another machine, made of these data.
+impl Motor {
+    /// Another motor, made of the data of this one; or this one itself, by its name.
     ///
     /// # Errors
     /// Why it cannot be made: a datum that is missing or beyond its bound.
-    pub fn machine(&self, model: &str) -> Result<AnyMachine, NoModel> {
-        let unknown = match model {
+    pub fn model(&self, model: &str) -> Result<Motor, NoModel> {
+        if model == self.name() {
+            return self.checked(self.values().to_vec());
+        }
+        let entry = catalogue::entry(model).ok_or_else(|| match model {
             text::NAME => NoModel::NoLaws,
             _ => NoModel::Unknown { name: model.to_owned() },
+        })?;
+        let data = entry.data.iter().map(|quantity| self.number(model, quantity)).collect::<Result<_, _>>()?;
+        let count = |&Count { name, meaning }: &Count| {
+            let missing = || NoModel::Missing {
+                model: model.to_owned(),
+                datum: name.into(),
+                meaning: meaning.into(),
+                unit: "1".into(),
+            };
+            self.count(name).ok_or_else(missing)
         };
-        let machine = AnyMachine::read(model, &mut FromData { model, data: self }).unwrap_or(Err(unknown))?;
-        machine.clone().apply(Bounded { allowed: self.allowed })?;
-        Ok(machine)
+        let counts = entry.counts.iter().map(count).collect::<Result<Vec<usize>, _>>()?;
+        let laws = entry.laws(&counts).map_err(NoModel::Long)?;
+        bounded(Motor::new(laws, data, self.allowed))
     }
 
-    /// A parameter of a model in SI units.
+    /// The same motor with other data, in their order.
     ///
     /// # Errors
-    /// [`NoModel::Missing`], [`NoModel::Beyond`].
-    pub fn number(&self, model: &str, quantity: &Quantity) -> Result<f64, NoModel> {
-        let kept = if quantity.name == "speed" { self.synchronous_speed } else { None };
-        let given = self.numbers.iter().find(|(given, _)| given.name == quantity.name).map(|(_, value)| *value);
-        let value = given.or(kept).ok_or_else(|| {
+    /// [`NoModel::Beyond`], [`NoModel::Winding`].
+    pub fn checked(&self, data: Vec<f64>) -> Result<Motor, NoModel> {
+        let motor = self.with_data(data);
+        motor.data().try_for_each(|(quantity, value)| within(quantity, value, self.allowed).map(|_| ()))?;
+        bounded(motor)
+    }
+
+    /// The same motor with another number of bars or the like.
+    ///
+    /// # Errors
+    /// [`NoModel::Unknown`] where nothing is counted, or where the motor is in no catalogue.
+    pub fn with_count(&self, name: &str, number: usize) -> Result<Motor, NoModel> {
+        let counts = self.laws().counts().iter();
+        let counts: Vec<usize> = counts.map(|(count, own)| if count.name == name { number } else { *own }).collect();
+        let entry = catalogue::entry(self.name()).filter(|_| self.count(name).is_some());
+        let entry = entry.ok_or_else(|| NoModel::Unknown { name: self.name().to_owned() })?;
+        let laws = entry.laws(&counts).map_err(NoModel::Long)?;
+        Ok(Motor::new(laws, self.values().to_vec(), self.allowed))
+    }
+
+    /// The motors of the catalogue that can be made of these data.
+    pub fn models(&self) -> Vec<&'static str> {
+        catalogue::entries().into_iter().map(|entry| entry.name).filter(|name| self.model(name).is_ok()).collect()
+    }
+
+    /// A datum of another motor in SI units.
+    fn number(&self, model: &str, quantity: &Quantity) -> Result<f64, NoModel> {
+        let kept = if quantity.name == "speed" { self.synchronous_speed() } else { None };
+        let value = self.datum(&quantity.name).or(kept).ok_or_else(|| {
             let Quantity { name, unit, meaning, .. } = quantity.clone();
             NoModel::Missing { model: model.to_owned(), datum: name, meaning, unit }
         })?;
-        match quantity.bound.holds(value, self.allowed) {
-            true => Ok(value),
-            false => Err(NoModel::Beyond { datum: Box::new(quantity.clone()), value }),
-        }
-    }
-
-    /// A count of a model.
-    ///
-    /// # Errors
-    /// [`NoModel::Missing`].
-    pub fn count(&self, model: &str, name: &'static str, meaning: &'static str) -> Result<usize, NoModel> {
-        let missing = || NoModel::Missing {
-            model: model.to_owned(),
-            datum: name.into(),
-            meaning: meaning.into(),
-            unit: "1".into(),
-        };
-        self.counts.iter().find(|(given, ..)| *given == name).map(|(.., count)| *count).ok_or_else(missing)
-    }
-
-    /// The machines that can be made of these data.
-    pub fn ladder(&self) -> Vec<&'static str> {
-        AnyMachine::LIST.iter().map(|(name, _)| *name).filter(|name| self.machine(name).is_ok()).collect()
+        within(quantity, value, self.allowed)
     }
 }
 
-/// Reads what a machine asks for, and keeps it. What is wrong is noted in the table and replaced by a harmless value.
-struct FromTable<'a> {
-    table: Table<'a>,
-    data: MachineData,
-}
-
-impl Source for FromTable<'_> {
-    type Error = Infallible;
-
-    fn quantity(&mut self, quantity: &Quantity) -> Result<f64, Infallible> {
-        let value = self.table.datum(quantity).value;
-        self.data.numbers.push((quantity.clone(), value));
-        Ok(value)
-    }
-
-    fn count(&mut self, name: &'static str, meaning: &'static str) -> Result<usize, Infallible> {
-        let value = self.table.count(name, meaning, 1, MOST).value;
-        self.data.counts.push((name, meaning, value));
-        Ok(value)
+/// The value, where its bound holds it.
+fn within(quantity: &Quantity, value: f64, allowed: Allowed) -> Result<f64, NoModel> {
+    match quantity.bound.holds(value, allowed) {
+        true => Ok(value),
+        false => Err(NoModel::Beyond { datum: Box::new(quantity.clone()), value }),
     }
 }
 
-/// Answers whatever a machine asks for, and keeps it.
-struct Sampled<F> {
-    value: F,
-    count: usize,
-    data: MachineData,
-}
-
-impl<F: FnMut(&Quantity) -> f64> Source for Sampled<F> {
-    type Error = Infallible;
-
-    fn quantity(&mut self, quantity: &Quantity) -> Result<f64, Infallible> {
-        let value = (self.value)(quantity);
-        self.data.numbers.push((quantity.clone(), value));
-        Ok(value)
-    }
-
-    fn count(&mut self, name: &'static str, meaning: &'static str) -> Result<usize, Infallible> {
-        self.data.counts.push((name, meaning, self.count));
-        Ok(self.count)
-    }
-}
-
-/// A symbol for every parameter, with its dimension.
-pub struct Named<'a> {
-    data: &'a MachineData,
-    pub dimensions: Vec<(String, Dimension)>,
-}
-
-impl<'a> Named<'a> {
-    /// Counts and laws are those of the data.
-    pub fn new(data: &'a MachineData) -> Self {
-        Named { data, dimensions: Vec::new() }
-    }
-}
-
-impl Source<Sym> for Named<'_> {
-    type Error = Infallible;
-
-    fn quantity(&mut self, quantity: &Quantity) -> Result<Sym, Infallible> {
-        self.dimensions.push((quantity.name.to_string(), Unit::of(&quantity.unit).of_expressions()));
-        Ok(Sym::symbol(&quantity.name))
-    }
-
-    fn count(&mut self, name: &'static str, _: &'static str) -> Result<usize, Infallible> {
-        Ok(self.data.counts.iter().find(|(given, ..)| *given == name).map_or(1, |(.., count)| *count))
-    }
-
-    fn laws(&mut self) -> Option<Arc<Laws>> {
-        self.data.laws.clone()
-    }
-}
-
-struct FromData<'a> {
-    model: &'a str,
-    data: &'a MachineData,
-}
-
-impl Source for FromData<'_> {
-    type Error = NoModel;
-
-    fn quantity(&mut self, quantity: &Quantity) -> Result<f64, NoModel> {
-        self.data.number(self.model, quantity)
-    }
-
-    fn count(&mut self, name: &'static str, meaning: &'static str) -> Result<usize, NoModel> {
-        self.data.count(self.model, name, meaning)
-    }
-
-    fn laws(&mut self) -> Option<Arc<Laws>> {
-        self.data.laws.clone()
-    }
-}
-
-/// Whether the circuits of a machine can exist, or are asked for.
-struct Bounded {
-    allowed: Allowed,
-}
-
-impl ForMachine for Bounded {
-    type Output = Result<(), NoModel>;
-
-    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> Result<(), NoModel> {
-        for winding in 0..machine.windings() {
-            let inductance = ("inductance", "H", Bound::Positive, machine.inductance(winding));
-            let resistance = ("resistance", "ohm", Bound::Resistance, machine.resistance(winding));
-            for (what, unit, bound, value) in [inductance, resistance] {
-                if !bound.holds(value, self.allowed) {
-                    let current = machine.current_name(winding);
-                    return Err(NoModel::Winding { current, what, unit, bound, value });
-                }
+/// The motor, where its circuits can exist, or are asked for.
+fn bounded(motor: Motor) -> Result<Motor, NoModel> {
+    for winding in 0..motor.windings() {
+        let inductance = ("inductance", "H", Bound::Positive, motor.inductance(winding));
+        let resistance = ("resistance", "ohm", Bound::Resistance, motor.resistance(winding));
+        for (what, unit, bound, value) in [inductance, resistance] {
+            if !bound.holds(value, motor.allowed) {
+                let current = motor.current_name(winding);
+                return Err(NoModel::Winding { current, what, unit, bound, value });
             }
         }
-        Ok(())
     }
-}
-
-struct SynchronousSpeed;
-
-impl ForMachine for SynchronousSpeed {
-    type Output = Option<f64>;
-
-    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> Option<f64> {
-        (M::ROTOR == RotorState::AngleAndSpeed).then(|| machine.frame_speed())
-    }
+    Ok(motor)
 }
 
 /// The known machines, the one that was probably meant first.
 fn known_machines(name: &str) -> String {
-    let names = || AnyMachine::LIST.iter().map(|(name, _)| *name).chain([text::NAME]);
+    let names = || catalogue::entries().into_iter().map(|entry| entry.name).chain([text::NAME]);
     let list = names().collect::<Vec<_>>().join(", ");
     match nearest(name, names()) {
         Some(nearest) => format!("is `{nearest}` meant? Known: {list}"),
@@ -296,6 +171,7 @@ impl fmt::Display for NoModel {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Unknown { name } => write!(f, "unknown machine `{name}`; {}", known_machines(name)),
+            Self::Long(long) => write!(f, "a law has {long}; smaller counts are accepted"),
             Self::NoLaws => write!(
                 f,
                 "`{}` is the motor whose laws stand in a scene, and none stand here; a scene with `model = \"{0}\"` is accepted",

@@ -5,7 +5,7 @@ use super::law_end::of_leading;
 use super::problem::{Invariant, Law, Problem};
 use super::{Axes, Scene, System};
 use crate::differentiated::Differentiated;
-use crate::machines::{Bench, Catalogued, ForMachine, Metered, Powered, is_fed};
+use crate::machines::{Bench, Metered, Powered, is_fed};
 use crate::recorded::Recorded;
 use crate::systems::gyrostat::driven::Driven;
 use std::sync::Arc;
@@ -15,7 +15,7 @@ impl Scene {
     /// the balance of both among what is kept.
     pub fn metered(&self, axes: Axes) -> Problem {
         let plain = self.problem(axes);
-        let Some((law, balance)) = self.machine.clone().apply(Metering { system: &self.system, axes }) else {
+        let Some((law, balance)) = self.fed(axes) else {
             return plain;
         };
         let Problem { mut state, span, invariants, mut columns, row, margins, .. } = plain;
@@ -36,32 +36,22 @@ impl Scene {
         let (row, margins) = (Box::new(row), of_leading(margins, own));
         Problem { law, state, span, invariants, columns, row, margins, switching: None }
     }
-}
 
-struct Metering<'a> {
-    system: &'a System,
-    axes: Axes,
-}
-
-impl ForMachine for Metering<'_> {
-    type Output = Option<(Arc<dyn Law>, Invariant)>;
-
-    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> Self::Output {
-        if !is_fed(&machine) {
-            return None;
-        }
-        Some(match (self.system, self.axes) {
-            (System::Gyrostat(bodies), Axes::First) => metered::<M, _>(Driven::new(bodies.first_form().0, machine)),
-            (System::Gyrostat(bodies), Axes::Second) => metered::<M, _>(Driven::new(bodies.second_form().0, machine)),
-            (System::Bench { axial }, _) => metered::<M, _>(Bench { machine, axial: *axial }),
+    /// The law with the work that is done on it, and the balance of both; none where nothing feeds the machine.
+    fn fed(&self, axes: Axes) -> Option<(Arc<dyn Law>, Invariant)> {
+        let machine = self.machine.clone();
+        is_fed(&machine).then(|| match (&self.system, axes) {
+            (System::Gyrostat(bodies), Axes::First) => metered(Driven::new(bodies.first_form().0, machine)),
+            (System::Gyrostat(bodies), Axes::Second) => metered(Driven::new(bodies.second_form().0, machine)),
+            (System::Bench { axial }, _) => metered(Bench { machine, axial: *axial }),
         })
     }
 }
 
-fn metered<M: Catalogued, L: Powered + Send + Sync + 'static>(law: L) -> (Arc<dyn Law>, Invariant) {
+fn metered(law: impl Powered + Send + Sync + 'static) -> (Arc<dyn Law>, Invariant) {
     let law = Arc::new(Metered(law));
     let balancing = Arc::clone(&law);
     let balance = Invariant { name: "jacobi_less_work", value: Box::new(move |_, y| balancing.balance(y)) };
     let system: Arc<dyn Law> = Arc::new(Differentiated::new(Recorded::new(Arc::clone(&law)), Arc::clone(&law)));
-    (by_program(system, law, M::WRITTEN), balance)
+    (by_program(system, law), balance)
 }

@@ -18,7 +18,7 @@
 pub mod any;
 pub mod atlas;
 pub mod bodies;
-mod by_program;
+pub(crate) mod by_program;
 pub mod code;
 pub mod file;
 pub mod hybrid;
@@ -47,7 +47,7 @@ pub use atlas::Atlas;
 pub use file::Family;
 pub use issue::{Issue, SceneError};
 pub use law_end::Margin;
-pub use machine::{MachineData, Named, NoModel};
+pub use machine::NoModel;
 pub use measured::{Trials, judged};
 pub use problem::{Invariant, Problem};
 pub use run::Run;
@@ -57,7 +57,7 @@ pub use start::Start;
 pub use state::Axes;
 pub use stored::Stored;
 
-use crate::machines::AnyMachine;
+use crate::machines::Motor;
 use crate::systems::gyrostat::Gyrostat;
 use file::Opening;
 use read::Table;
@@ -78,9 +78,9 @@ pub struct Scene {
     /// What happens and why it is hard.
     pub description: String,
     pub system: System,
-    pub machine: AnyMachine,
-    /// The machine's data as they were given: what other machines can be made of.
-    pub machine_data: MachineData,
+    pub machine: Motor,
+    /// The machine with the data that were given: what other machines can be made of.
+    pub given: Motor,
     pub start: Start,
     pub run: Run,
 }
@@ -105,10 +105,10 @@ impl Family for Scene {
             false => bodies::gyrostat(top, issues).map(|bodies| System::Gyrostat(Box::new(bodies))),
         };
         let machine = machine::read(top, issues);
-        let start = start::read(top, issues, on_bench, machine.as_ref().map(|(machine, _)| machine));
-        let outputs = machine.as_ref().map(|(machine, _)| state::outputs(on_bench, machine));
+        let start = start::read(top, issues, on_bench, machine.as_ref());
+        let outputs = machine.as_ref().map(|machine| state::outputs(on_bench, machine));
         let run = run::read(top, issues, outputs.as_deref());
-        let ((machine, machine_data), system) = (machine?, system?);
-        Some(Scene { title, description, system, machine, machine_data, start: start?, run: run? })
+        let (machine, system) = (machine?, system?);
+        Some(Scene { title, description, system, given: machine.clone(), machine, start: start?, run: run? })
     }
 }

@@ -6,7 +6,7 @@ use super::state::outputs;
 use super::switching::{Switching, integrate};
 use super::{Axes, Scene, System};
 use crate::differentiated::Differentiated;
-use crate::machines::{Bench, Catalogued, Conserved, ForMachine};
+use crate::machines::{Bench, Conserved, Motor};
 use crate::separated::{Separable, Separated};
 use crate::systems::gyrostat::Gyrostat;
 use crate::systems::gyrostat::driven::Driven;
@@ -68,8 +68,8 @@ impl Scene {
     /// The problem in the axes of a form.
     pub fn problem(&self, axes: Axes) -> Problem {
         let (law, invariants) = match &self.system {
-            System::Gyrostat(bodies) => self.machine.clone().apply(Gyrostatic { bodies, axes }),
-            System::Bench { axial } => self.machine.clone().apply(OnBench { axial: *axial }),
+            System::Gyrostat(bodies) => gyrostatic(bodies, self.machine.clone(), axes),
+            System::Bench { axial } => on_bench(self.machine.clone(), *axial),
         };
         Problem {
             law,
@@ -86,27 +86,14 @@ impl Scene {
 
 type Lawful = (Arc<dyn Law>, Vec<Invariant>);
 
-struct Gyrostatic<'a> {
-    bodies: &'a Gyrostat<f64>,
-    axes: Axes,
-}
-
-impl ForMachine for Gyrostatic<'_> {
-    type Output = Lawful;
-
-    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> Lawful {
-        match self.axes {
-            Axes::First => driven(self.bodies.first_form().0, machine),
-            Axes::Second => driven(self.bodies.second_form().0, machine),
-        }
+fn gyrostatic(bodies: &Gyrostat<f64>, machine: Motor, axes: Axes) -> Lawful {
+    match axes {
+        Axes::First => driven(bodies.first_form().0, machine),
+        Axes::Second => driven(bodies.second_form().0, machine),
     }
 }
 
-fn driven<F, M>(form: F, machine: M) -> Lawful
-where
-    F: Form<f64> + Send + Sync + 'static,
-    M: Catalogued + Send + Sync + 'static,
-{
+fn driven(form: impl Form<f64> + Send + Sync + 'static, machine: Motor) -> Lawful {
     let conserved = Conserved::by(&machine);
     let law = Arc::new(Driven::new(form, machine));
     let mut invariants = vec![
@@ -119,37 +106,29 @@ where
     if conserved.spin {
         invariants.push(of(&law, "rotor_momentum", |law, y| law.rotor_momentum(y)));
     }
-    (running::<M, _>(law), invariants)
+    (running(law), invariants)
 }
 
 /// A law as it runs.
-fn running<M: Catalogued, L>(law: Arc<L>) -> Arc<dyn Law>
+fn running<L>(law: Arc<L>) -> Arc<dyn Law>
 where
     L: Separable + Ode<Sym> + Ode<f64> + Ode<Directions> + Ode<DoubleDouble> + Send + Sync + 'static,
 {
     let system: Arc<dyn Law> = Arc::new(Differentiated::new(Separated::new(Arc::clone(&law)), Arc::clone(&law)));
-    by_program(system, law, M::WRITTEN)
+    by_program(system, law)
 }
 
-struct OnBench {
-    axial: f64,
-}
-
-impl ForMachine for OnBench {
-    type Output = Lawful;
-
-    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> Lawful {
-        let conserved = Conserved::by(&machine);
-        let law = Arc::new(Bench { machine, axial: self.axial });
-        let mut invariants = Vec::new();
-        if conserved.jacobi {
-            invariants.push(of(&law, "jacobi", |law, y| law.jacobi(y)));
-        }
-        if conserved.spin {
-            invariants.push(of(&law, "rotor_momentum", |law, y| law.rotor_momentum(y)));
-        }
-        (running::<M, _>(law), invariants)
+fn on_bench(machine: Motor, axial: f64) -> Lawful {
+    let conserved = Conserved::by(&machine);
+    let law = Arc::new(Bench { machine, axial });
+    let mut invariants = Vec::new();
+    if conserved.jacobi {
+        invariants.push(of(&law, "jacobi", |law, y| law.jacobi(y)));
     }
+    if conserved.spin {
+        invariants.push(of(&law, "rotor_momentum", |law, y| law.rotor_momentum(y)));
+    }
+    (running(law), invariants)
 }
 
 fn of<L: Send + Sync + 'static>(law: &Arc<L>, name: &'static str, value: fn(&L, &[f64]) -> f64) -> Invariant {

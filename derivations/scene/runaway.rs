@@ -2,7 +2,7 @@
 
 use super::state::ROTOR_SPEED;
 use super::{Scene, Trajectory};
-use crate::machines::{Driven, Runaway};
+use crate::machines::{Driven, runaway};
 
 impl Scene {
     /// The moment law drives the rotor ever harder in a direction, and whether the run turns there.
@@ -11,7 +11,7 @@ impl Scene {
         let rows: Vec<f64> =
             trajectory.rows.iter().chain([&trajectory.last]).filter_map(|row| Some(row[column?])).collect();
         let names = [("backwards", f64::min as fn(f64, f64) -> f64), ("forwards", f64::max)];
-        let found = self.machine.clone().apply(Runaway).into_iter().zip(names);
+        let found = runaway(&self.machine).into_iter().zip(names);
         found.filter_map(move |(driven, (direction, farthest))| {
             let Driven { beyond, power, at } = driven?;
             let reached = rows.iter().copied().fold(0.0, farthest);

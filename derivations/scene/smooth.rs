@@ -3,7 +3,7 @@
 use super::atlas::{Observed, Way};
 use super::hybrid::Hybrid;
 use super::{Axes, Choice, Problem, Run, Scene, Trajectory};
-use crate::machines::{Catalogued, ForMachine, Quantity, has_known_flow};
+use crate::machines::{Count, Quantity, has_known_flow};
 use integrators::{Method, Reference};
 use std::borrow::Cow;
 
@@ -80,17 +80,6 @@ pub struct Told {
     pub closed_form: Option<(&'static str, f64)>,
 }
 
-/// Whether splittings can take a machine apart.
-struct KnownFlow;
-
-impl ForMachine for KnownFlow {
-    type Output = bool;
-
-    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> bool {
-        has_known_flow(&machine)
-    }
-}
-
 impl Smooth for Scene {
     fn title(&self) -> &str {
         &self.title
@@ -121,7 +110,7 @@ impl Smooth for Scene {
     }
 
     fn told(&self, choice: &Choice, trajectory: &Trajectory) -> Told {
-        let known = self.machine.clone().apply(KnownFlow);
+        let known = has_known_flow(&self.machine);
         let refused = matches!(choice.method, Method::Split { .. }) && !known;
         let theory = refused.then(|| {
             let model = self.machine.name();
@@ -148,10 +137,9 @@ impl Smooth for Scene {
     }
 
     fn parameters(&self) -> Vec<Parameter> {
-        let data = &self.machine_data;
-        let numbers = data.numbers.iter().map(|(quantity, value)| Parameter::of(quantity, *value));
-        let counts = data.counts.iter();
-        let count = |&(name, meaning, count): &(&'static str, &'static str, usize)| {
+        let numbers = self.given.data().map(|(quantity, value)| Parameter::of(quantity, value));
+        let counts = self.given.laws().counts().iter();
+        let count = |&(Count { name, meaning }, count): &(Count, usize)| {
             let (value, unit) = (count.to_string(), "".into());
             Parameter { name: name.into(), value, unit, meaning: meaning.into() }
         };

@@ -3,8 +3,7 @@
 use super::bodies::normalised;
 use super::issue::Issue;
 use super::read::Table;
-use super::state::windings;
-use crate::machines::{AnyMachine, Catalogued, ForMachine, RotorState};
+use crate::machines::{Machine, Motor};
 use nalgebra::Vector3;
 
 /// How far the length of the vertical may be from one.
@@ -26,12 +25,7 @@ pub struct Start {
 }
 
 /// The table `[start]`.
-pub fn read(
-    top: &mut Table<'_>,
-    issues: &mut Vec<Issue>,
-    on_bench: bool,
-    machine: Option<&AnyMachine>,
-) -> Option<Start> {
+pub fn read(top: &mut Table<'_>, issues: &mut Vec<Issue>, on_bench: bool, machine: Option<&Motor>) -> Option<Start> {
     let mut table = top.table("start", "the initial state");
     let (mut angular_velocity, mut vertical) = (Vector3::zeros(), Vector3::z());
     if !on_bench {
@@ -59,11 +53,11 @@ pub fn read(
 }
 
 /// One for each winding, where they are not all zero.
-fn currents(table: &mut Table<'_>, machine: Option<&AnyMachine>) -> Vec<f64> {
+fn currents(table: &mut Table<'_>, machine: Option<&Motor>) -> Vec<f64> {
     let meaning =
         "row of currents, one for each winding, in the order of the states; of an excitation less its constant part";
     // without a machine nobody knows how many there must be
-    let Some(windings) = machine.map(windings) else {
+    let Some(windings) = machine.map(Machine::windings) else {
         table.known(&["currents"]);
         return Vec::new();
     };
@@ -78,13 +72,13 @@ fn currents(table: &mut Table<'_>, machine: Option<&AnyMachine>) -> Vec<f64> {
 }
 
 /// A machine that keeps a speed needs none, and no other would be true.
-fn rotor_speed(table: &mut Table<'_>, machine: Option<&AnyMachine>) -> f64 {
+fn rotor_speed(table: &mut Table<'_>, machine: Option<&Motor>) -> f64 {
     const KEY: (&str, &str, &str) = ("rotor_speed", "speed of the rotor relative to the carrier", "rad/s");
     // without a machine nobody knows whether one is needed
     let Some(machine) = machine else {
         return table.optional_scalar(KEY.0, KEY.1, KEY.2).map_or(0.0, |given| given.value);
     };
-    let Some(kept) = machine.clone().apply(KeptSpeed) else {
+    let Some(kept) = machine.kept_speed() else {
         return table.scalar(KEY.0, KEY.1, KEY.2).value;
     };
     match table.optional_scalar(KEY.0, KEY.1, KEY.2) {
@@ -98,19 +92,9 @@ fn rotor_speed(table: &mut Table<'_>, machine: Option<&AnyMachine>) -> f64 {
     }
 }
 
-struct KeptSpeed;
-
-impl ForMachine for KeptSpeed {
-    type Output = Option<f64>;
-
-    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> Option<f64> {
-        (M::ROTOR == RotorState::Prescribed).then(|| machine.frame_speed())
-    }
-}
-
 impl super::Scene {
     /// Whether its machine keeps the rotor's speed whatever moment that takes.
     pub(super) fn keeps_speed(&self) -> bool {
-        self.machine.clone().apply(KeptSpeed).is_some()
+        self.machine.kept_speed().is_some()
     }
 }

@@ -1,7 +1,7 @@
 //! The initial state of a scene in the axes of either form, and results back in the axes of the data.
 
 use super::{NoModel, Scene, Start, System};
-use crate::machines::{AnyMachine, Catalogued, ForMachine, state_names};
+use crate::machines::{Machine, Motor, state_names};
 use crate::systems::gyrostat::Gyrostat;
 use crate::systems::gyrostat::tensors::Principal;
 use nalgebra::{Matrix3, Vector3};
@@ -64,8 +64,8 @@ impl Scene {
 
     /// The unit of a column of a run, by its name: a winding's current may have any.
     pub fn unit(&self, name: &str) -> &'static str {
-        let own = self.machine.clone().apply(MachineNames);
-        let currents = own.len() - windings(&self.machine);
+        let own = state_names(&self.machine);
+        let currents = own.len() - self.machine.windings();
         if own[currents..].iter().any(|current| current == name) { "A" } else { unit(name) }
     }
 
@@ -76,8 +76,8 @@ impl Scene {
 
     /// The same scene with another machine, made of the same data.
     pub fn with_model(&self, model: &str) -> Result<Scene, NoModel> {
-        let machine = self.machine_data.machine(model)?;
-        let (given, windings) = (self.start.currents.len(), windings(&machine));
+        let machine = self.given.model(model)?;
+        let (given, windings) = (self.start.currents.len(), machine.windings());
         let mut start = self.start.clone();
         if windings == 0 {
             start.currents.clear();
@@ -93,7 +93,7 @@ impl Scene {
     /// From a state in the axes of a form to what is shown: the state in the axes of the data, and the rotor's speed.
     pub(super) fn row(&self, axes: Axes) -> impl Fn(f64, &[f64]) -> Vec<f64> + use<> {
         let back = self.back(axes);
-        let frame_speed = self.machine.clone().apply(FrameSpeed);
+        let frame_speed = self.machine.frame_speed();
         let slip = self.names().iter().position(|name| name == "slip");
         move |_, state| {
             let mut row = state.to_vec();
@@ -113,20 +113,27 @@ impl Scene {
 }
 
 /// The initial state of a machine: of its rotor, then its currents.
-pub fn rotor_state(machine: &AnyMachine, start: &Start) -> Vec<f64> {
-    machine.clone().apply(RotorPart(start))
+pub fn rotor_state(machine: &Motor, start: &Start) -> Vec<f64> {
+    let known = machine.rotor();
+    let mut state = vec![0.0; known.dimension()];
+    known.write(start.rotor_angle, start.rotor_speed - machine.frame_speed(), &mut state);
+    match start.currents.len() {
+        0 => state.extend(std::iter::repeat_n(0.0, machine.windings())),
+        _ => state.extend(&start.currents),
+    }
+    state
 }
 
 /// The names of the states of a system with a machine.
-pub fn names(on_bench: bool, machine: &AnyMachine) -> Vec<String> {
+pub fn names(on_bench: bool, machine: &Motor) -> Vec<String> {
     let carrier: &[&str] = if on_bench { &[] } else { &["w1", "w2", "w3", "v1", "v2", "v3"] };
     let mut names: Vec<String> = carrier.iter().map(|&name| name.into()).collect();
-    names.extend(machine.clone().apply(MachineNames));
+    names.extend(state_names(machine));
     names
 }
 
 /// What a run shows: the states and the rotor's speed.
-pub fn outputs(on_bench: bool, machine: &AnyMachine) -> Vec<String> {
+pub fn outputs(on_bench: bool, machine: &Motor) -> Vec<String> {
     let mut names = names(on_bench, machine);
     names.push(ROTOR_SPEED.to_owned());
     names
@@ -140,56 +147,6 @@ pub fn unit(name: &str) -> &'static str {
         "w1" | "w2" | "w3" | "slip" | ROTOR_SPEED => "rad/s",
         "angle" => "rad",
         _ => "A",
-    }
-}
-
-/// How many windings a machine has.
-pub fn windings(machine: &AnyMachine) -> usize {
-    machine.clone().apply(Windings)
-}
-
-struct FrameSpeed;
-struct RotorPart<'a>(&'a Start);
-struct MachineNames;
-struct Windings;
-
-impl ForMachine for FrameSpeed {
-    type Output = f64;
-
-    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> f64 {
-        machine.frame_speed()
-    }
-}
-
-impl ForMachine for RotorPart<'_> {
-    type Output = Vec<f64>;
-
-    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> Vec<f64> {
-        let start = self.0;
-        let slip = start.rotor_speed - machine.frame_speed();
-        let mut state = vec![0.0; M::ROTOR.dimension()];
-        M::ROTOR.write(start.rotor_angle, slip, &mut state);
-        match start.currents.len() {
-            0 => state.extend(std::iter::repeat_n(0.0, machine.windings())),
-            _ => state.extend(&start.currents),
-        }
-        state
-    }
-}
-
-impl ForMachine for MachineNames {
-    type Output = Vec<String>;
-
-    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> Vec<String> {
-        state_names(&machine)
-    }
-}
-
-impl ForMachine for Windings {
-    type Output = usize;
-
-    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> usize {
-        machine.windings()
     }
 }
 

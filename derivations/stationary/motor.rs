@@ -1,18 +1,14 @@
 //! Every stationary state of a machine: speeds or angles at which its moment vanishes, exactly.
 
-use crate::machines::text::Laws;
-use crate::machines::{
-    AnyMachine, Catalogued, ForMachine, Loaded, Machine, Quantity, RotorState, Source, drive, is_fed, resting_currents,
-};
-use crate::scene::{MachineData, NoModel};
-use algebra::real::{Polynomial, Root};
+use crate::machines::{Loaded, Machine, Motor, RotorState, drive, is_fed, resting_currents};
+use crate::scene::NoModel;
 use field::{Circle, Rational, Scalar};
-use std::sync::Arc;
+use algebra::real::{Polynomial, Root};
 use symbolic::{Hypotheses, Sym, normal, univariate};
 
 /// What a machine lets its rotor do for ever.
 #[derive(Clone, Debug)]
-pub enum Motor {
+pub enum MotorStates {
     /// Any speed: the moment vanishes at all of them.
     Free,
     /// The speed that it keeps, rad/s.
@@ -94,79 +90,26 @@ impl std::fmt::Display for NoMotor {
 
 impl std::error::Error for NoMotor {}
 
-impl Motor {
+impl MotorStates {
     /// The stationary states of a machine; its data are the decimals that were written.
     ///
     /// # Errors
     /// [`NoMotor`].
-    pub fn of(machine: &AnyMachine, data: &MachineData) -> Result<Self, NoMotor> {
-        Self::under(machine, data, 0.0)
+    pub fn of(motor: &Motor) -> Result<Self, NoMotor> {
+        Self::under(motor, 0.0)
     }
 
     /// The same under a load: a constant moment against the rotor's turning, N m, as the decimal that was written.
     ///
     /// # Errors
     /// [`NoMotor`].
-    pub fn under(machine: &AnyMachine, data: &MachineData, load: f64) -> Result<Self, NoMotor> {
-        machine.clone().apply(States { data, name: machine.name(), load })
-    }
-
-    /// The constant relative speeds of the rotor; `None` where any is one.
-    pub fn speeds(&self) -> Option<Vec<&Root>> {
-        match self {
-            Motor::Free => None,
-            Motor::Kept { speed } => Some(vec![speed]),
-            Motor::InStep { speed, angles, .. } if !angles.is_empty() => Some(vec![speed]),
-            Motor::InStep { .. } => Some(Vec::new()),
-            Motor::Slipping { speeds, .. } => Some(speeds.iter().map(|slip| &slip.speed).collect()),
-        }
-    }
-}
-
-impl Angle {
-    /// In radians, from -pi to pi.
-    pub fn radians(&self) -> f64 {
-        self.half_tangent.as_ref().map_or(std::f64::consts::PI, |t| 2.0 * t.to_f64().atan())
-    }
-}
-
-/// The stationary states of any machine of a name.
-pub(crate) struct States<'a> {
-    pub data: &'a MachineData,
-    pub name: &'static str,
-    pub load: f64,
-}
-
-/// The data of a machine as exact constants: the decimals that were written.
-pub(crate) struct Decimals<'a>(pub &'a MachineData, pub &'static str);
-
-impl Source<Sym> for Decimals<'_> {
-    type Error = NoModel;
-
-    fn quantity(&mut self, quantity: &Quantity) -> Result<Sym, NoModel> {
-        Ok(Sym::constant(Rational::decimal(self.0.number(self.1, quantity)?)))
-    }
-
-    fn count(&mut self, name: &'static str, meaning: &'static str) -> Result<usize, NoModel> {
-        self.0.count(self.1, name, meaning)
-    }
-
-    fn laws(&mut self) -> Option<Arc<Laws>> {
-        self.0.laws.clone()
-    }
-}
-
-impl ForMachine for States<'_> {
-    type Output = Result<Motor, NoMotor>;
-
-    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, _machine: M) -> Self::Output {
-        let machine = M::read::<Sym, _>(&mut Decimals(self.data, self.name)).map_err(NoMotor::Data)?;
-        let machine = Loaded { machine, load: Sym::constant(Rational::decimal(self.load)) };
+    pub fn under(motor: &Motor, load: f64) -> Result<Self, NoMotor> {
+        let machine = Loaded { machine: motor.decimals(), load: Sym::constant(Rational::decimal(load)) };
         let field_speed = machine.frame_speed();
         let kept = field_speed.as_constant().and_then(Root::rational);
         let kept = kept.ok_or_else(|| NoMotor::NotAlgebraic("the field's speed is no fraction".into()));
-        match M::ROTOR {
-            RotorState::Prescribed => Ok(Motor::Kept { speed: kept? }),
+        match machine.rotor() {
+            RotorState::Prescribed => Ok(MotorStates::Kept { speed: kept? }),
             RotorState::AngleAndSpeed => {
                 in_step(kept?, is_fed(&machine), |angle| Resting::of(&machine, angle, Sym::ZERO))
             }
@@ -176,6 +119,24 @@ impl ForMachine for States<'_> {
                 slipping(&Resting::of(&machine, angle, speed - field_speed)?, speed)
             }
         }
+    }
+
+    /// The constant relative speeds of the rotor; `None` where any is one.
+    pub fn speeds(&self) -> Option<Vec<&Root>> {
+        match self {
+            MotorStates::Free => None,
+            MotorStates::Kept { speed } => Some(vec![speed]),
+            MotorStates::InStep { speed, angles, .. } if !angles.is_empty() => Some(vec![speed]),
+            MotorStates::InStep { .. } => Some(Vec::new()),
+            MotorStates::Slipping { speeds, .. } => Some(speeds.iter().map(|slip| &slip.speed).collect()),
+        }
+    }
+}
+
+impl Angle {
+    /// In radians, from -pi to pi.
+    pub fn radians(&self) -> f64 {
+        self.half_tangent.as_ref().map_or(std::f64::consts::PI, |t| 2.0 * t.to_f64().atan())
     }
 }
 
@@ -243,7 +204,7 @@ fn in_step(
     speed: Root,
     fed: bool,
     resting: impl Fn(Circle<Sym>) -> Result<Resting, NoMotor>,
-) -> Result<Motor, NoMotor> {
+) -> Result<MotorStates, NoMotor> {
     let t = Sym::symbol("t");
     let (of_angle, currents) = resting(Circle::from_half_tangent(t))?.fractions(t)?;
     // near half a turn the angle is pi - 2 u for the half tangent 1/u
@@ -273,13 +234,13 @@ fn in_step(
         let range = range.unwrap_or(Bears { least: moment, greatest: moment });
         Some(Bears { least: range.least.min(moment), greatest: range.greatest.max(moment) })
     });
-    Ok(Motor::InStep { speed, angles, bears, fed })
+    Ok(MotorStates::InStep { speed, angles, bears, fed })
 }
 
-fn slipping(resting: &Resting, speed: Sym) -> Result<Motor, NoMotor> {
+fn slipping(resting: &Resting, speed: Sym) -> Result<MotorStates, NoMotor> {
     let (of_speed, currents) = resting.fractions(speed)?;
     if of_speed.numerator.is_zero() {
-        return Ok(Motor::Free);
+        return Ok(MotorStates::Free);
     }
     let slope = of_speed.slope();
     let slip = |root: Root| Slip { slope: root.sign_of(&slope), currents: values(&currents, &root), speed: root };
@@ -287,7 +248,7 @@ fn slipping(resting: &Resting, speed: Sym) -> Result<Motor, NoMotor> {
     let extremes = slope.real_roots();
     let extremes =
         extremes.iter().filter_map(|at| Some(Extreme { speed: at.to_f64(), moment: of_speed.value(at)? })).collect();
-    Ok(Motor::Slipping { speeds, extremes })
+    Ok(MotorStates::Slipping { speeds, extremes })
 }
 
 /// Where a fraction has no value, none of them has.

@@ -3,14 +3,11 @@
 use super::energy::Wells;
 use super::loaded::{Loaded, NoField};
 use crate::ensemble::kind::{Kind, form_parameters};
-use crate::machines::text::Laws;
-use crate::machines::{AnyMachine, Quantity, Source};
-use crate::scene::{Axes, MachineData, NoModel, Scene, Start, System};
+use crate::scene::{Axes, Scene, Start, System};
 use crate::stationary::motor::NoMotor;
 use integrators::{Ensemble, Failure, Members};
 use std::f64::consts::{PI, TAU};
 use std::fmt;
-use std::sync::Arc;
 
 /// The rotor's starts: even in the angle over a turn, even in the slip from one value to another, without currents.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -101,7 +98,7 @@ enum Fate {
 pub fn shares(scene: &Scene, loads: &[f64], starts: Starts, span: f64) -> Result<Vec<Share>, NoShares> {
     let axes = Axes::Second;
     let motor = Loaded::of(scene).map_err(NoShares::Field)?;
-    let kind = Kind::under_load(&scene.system, &scene.machine, &scene.machine_data, axes);
+    let kind = Kind::under_load(&scene.system, &scene.machine, axes);
     let kind = kind.map_err(|reason| NoShares::Law(reason.to_string()))?;
     let series = kind.series::<LANES>(integrators::taylor_order(TOLERANCE));
     let series = series.ok_or_else(|| NoShares::Law("it is too long".into()))?;
@@ -111,7 +108,7 @@ pub fn shares(scene: &Scene, loads: &[f64], starts: Starts, span: f64) -> Result
     };
     let wells = wells.map_err(NoShares::Motor)?;
     let (_, mut parameters) = form_parameters(&scene.system, axes);
-    parameters.extend(numbers(scene).map_err(|reason| NoShares::Motor(NoMotor::Data(reason)))?);
+    parameters.extend(scene.machine.values());
     let place = scene.names().iter().position(|name| name == "angle").unwrap_or(0);
     let window = span / WINDOWS as f64;
     let mut ensemble =
@@ -149,38 +146,6 @@ pub fn shares(scene: &Scene, loads: &[f64], starts: Starts, span: f64) -> Result
         }
     };
     Ok(loads.iter().enumerate().map(of_load).collect())
-}
-
-/// The data of a scene's machine, in its own order.
-fn numbers(scene: &Scene) -> Result<Vec<f64>, NoModel> {
-    let name = scene.machine.name();
-    let mut source = InOrder { name, data: &scene.machine_data, found: Vec::new() };
-    AnyMachine::read(name, &mut source).transpose()?;
-    Ok(source.found)
-}
-
-struct InOrder<'a> {
-    name: &'static str,
-    data: &'a MachineData,
-    found: Vec<f64>,
-}
-
-impl Source for InOrder<'_> {
-    type Error = NoModel;
-
-    fn quantity(&mut self, quantity: &Quantity) -> Result<f64, NoModel> {
-        let value = self.data.number(self.name, quantity)?;
-        self.found.push(value);
-        Ok(value)
-    }
-
-    fn count(&mut self, name: &'static str, meaning: &'static str) -> Result<usize, NoModel> {
-        self.data.count(self.name, name, meaning)
-    }
-
-    fn laws(&mut self) -> Option<Arc<Laws>> {
-        self.data.laws.clone()
-    }
 }
 
 /// The states at which rotors start, everything else as in the scene.

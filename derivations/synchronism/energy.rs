@@ -10,7 +10,7 @@
 
 use super::loaded::Loaded;
 use crate::machines::{Bench, Machine};
-use crate::stationary::motor::{Motor, NoMotor};
+use crate::stationary::motor::{MotorStates, NoMotor};
 use field::{Analytic, Base, Over};
 use std::f64::consts::TAU;
 
@@ -36,8 +36,8 @@ impl Wells {
     /// # Errors
     /// [`NoMotor`].
     pub fn of(motor: &Loaded, load: f64) -> Result<Self, NoMotor> {
-        let angles = match Motor::under(&motor.machine, &motor.data, load)? {
-            Motor::InStep { angles, .. } => angles,
+        let angles = match MotorStates::under(&motor.machine, load)? {
+            MotorStates::InStep { angles, .. } => angles,
             _ => Vec::new(),
         };
         let at = |angle: f64| {

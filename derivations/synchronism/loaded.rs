@@ -1,9 +1,10 @@
 //! A motor alone whose load is a state that rests: so equilibria and rotations are followed over the load.
 
-use crate::machines::{AnyMachine, Bench, Catalogued, ForMachine, Machine, RotorState, is_fed};
+use crate::machines::{Bench, Machine, Motor, RotorState, is_fed};
 use crate::recorded::Recorded;
+use crate::scene::by_program::by_program;
 use crate::scene::problem::Law;
-use crate::scene::{MachineData, Scene, Start, System};
+use crate::scene::{Scene, Start, System};
 use crate::systems::gyrostat::Gyrostat;
 use field::{Analytic, Circle, Over};
 use integrators::Ode;
@@ -13,9 +14,9 @@ use std::sync::Arc;
 
 /// The law of a bench with the load for its last state.
 #[derive(Clone, Debug)]
-pub struct UnderLoad<M>(pub Bench<f64, M>);
+pub struct UnderLoad(pub Bench<f64, Motor>);
 
-impl<S: Over<f64> + Analytic, M: Machine<f64>> Ode<S> for UnderLoad<M> {
+impl<S: Over<f64> + Analytic> Ode<S> for UnderLoad {
     fn dimension(&self) -> usize {
         self.0.dimension() + 1
     }
@@ -31,14 +32,13 @@ impl<S: Over<f64> + Analytic, M: Machine<f64>> Ode<S> for UnderLoad<M> {
 /// A motor that follows its field, with what its questions need to know of it.
 #[derive(Clone)]
 pub struct Loaded {
-    pub machine: AnyMachine,
-    pub data: MachineData,
+    pub machine: Motor,
     /// Of the rotor, kg m^2.
     pub axial: f64,
     /// The law; its state is angle, slip, currents, load.
     pub law: Arc<dyn Law>,
     pub facts: Facts,
-    pub(super) own: Arc<dyn Own>,
+    pub(super) own: Arc<UnderLoad>,
 }
 
 /// Sizes of a motor.
@@ -58,22 +58,16 @@ pub struct Facts {
     pub sizes: Vec<f64>,
 }
 
-/// What is asked of a machine without naming it.
-pub(super) trait Own: Send + Sync {
+impl UnderLoad {
     /// M without currents, N m.
-    fn moment(&self, angle: f64, slip: f64) -> f64;
-    /// [`height`](super::energy::height) at a state with its load.
-    fn height(&self, y: &[f64]) -> f64;
-}
-
-impl<M: Machine<f64> + Send + Sync> Own for UnderLoad<M> {
-    fn moment(&self, angle: f64, slip: f64) -> f64 {
+    pub(super) fn moment(&self, angle: f64, slip: f64) -> f64 {
         let machine = &self.0.machine;
         let speed = slip + machine.frame_speed();
         machine.moment_law(slip, speed) - machine.field_energy(angle.circle().moving(1.0)).slope
     }
 
-    fn height(&self, y: &[f64]) -> f64 {
+    /// [`height`](super::energy::height) at a state with its load.
+    pub(super) fn height(&self, y: &[f64]) -> f64 {
         y.split_last().map_or(f64::NAN, |(load, state)| super::energy::height(&self.0, *load, state))
     }
 }
@@ -124,65 +118,19 @@ impl Loaded {
             System::Bench { axial } => *axial,
             System::Gyrostat(bodies) => bodies.rotor.axial,
         };
-        Loaded::new(&scene.machine, &scene.machine_data, axial)
+        Loaded::new(&scene.machine, axial)
     }
 
     /// A machine with a rotor of this moment of inertia, kg m^2.
     ///
     /// # Errors
     /// [`NoField`].
-    pub fn new(machine: &AnyMachine, data: &MachineData, axial: f64) -> Result<Self, NoField> {
-        machine.clone().apply(Made { named: machine, data, axial })
-    }
-}
-
-/// The scene's motor with another number of bars, as their equivalent windings, which do exactly what the bars do; `None`
-/// where it has none.
-pub fn with_bars(scene: &Scene, bars: usize) -> Option<Scene> {
-    let mut data = scene.machine_data.clone();
-    data.counts.iter_mut().find(|(name, ..)| *name == "bars")?.2 = bars;
-    let machine = data.machine("equivalent_windings").ok()?;
-    let start = Start { currents: Vec::new(), ..scene.start.clone() };
-    Some(Scene { machine, machine_data: data, start, ..scene.clone() })
-}
-
-/// The scene's motor without currents, with this damping f / sqrt(A' b); `None` where it cannot be made of the data.
-pub fn with_damping(scene: &Scene, damping: f64) -> Option<Scene> {
-    let plain = scene.with_model("synchronous").ok()?;
-    let motor = Loaded::of(&plain).ok()?;
-    let mut data = plain.machine_data.clone();
-    data.numbers.iter_mut().find(|(quantity, _)| quantity.name == "f")?.1 =
-        damping * motor.axial * motor.facts.frequency;
-    Some(Scene { machine: data.machine("synchronous").ok()?, machine_data: data, ..plain })
-}
-
-/// The carrier gives way: the moment of inertia that the rotor has against a moment between them, kg m^2. It is
-/// 1 / (1/A' + l.A^-1 l), as the page `synchronism` proves.
-pub fn giving_way(bodies: &Gyrostat<f64>) -> f64 {
-    let (axis, axial) = (bodies.rotor.axis, bodies.rotor.axial);
-    let carrier = bodies.reduced_tensor().lu().solve(&axis).map_or(0.0, |response| axis.dot(&response));
-    1.0 / (1.0 / axial + carrier)
-}
-
-/// Angles at which a turn is looked at.
-const SAMPLES: u32 = 256;
-
-struct Made<'a> {
-    named: &'a AnyMachine,
-    data: &'a MachineData,
-    axial: f64,
-}
-
-impl ForMachine for Made<'_> {
-    type Output = Result<Loaded, NoField>;
-
-    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> Self::Output {
-        let Made { named, data, axial } = self;
-        if M::ROTOR != RotorState::AngleAndSpeed {
-            return Err(NoField::NoAngle { model: named.name() });
+    pub fn new(machine: &Motor, axial: f64) -> Result<Self, NoField> {
+        if machine.rotor() != RotorState::AngleAndSpeed {
+            return Err(NoField::NoAngle { model: machine.name() });
         }
-        if is_fed(&machine) {
-            return Err(NoField::Fed { model: named.name() });
+        if is_fed(machine) {
+            return Err(NoField::Fed { model: machine.name() });
         }
         let angles = || (0..SAMPLES).map(|i| TAU * f64::from(i) / f64::from(SAMPLES));
         let half_range = |of: &dyn Fn(Circle<f64>) -> f64| {
@@ -194,7 +142,7 @@ impl ForMachine for Made<'_> {
         let energy = |angle: f64| machine.field_energy(angle.circle());
         let hold = half_range(&|angle| machine.field_energy(angle));
         if !(hold > 0.0 && hold.is_finite()) {
-            return Err(NoField::Flat { model: named.name() });
+            return Err(NoField::Flat { model: machine.name() });
         }
         let bottom = angles().fold(0.0, |best, angle| if energy(angle) < energy(best) { angle } else { best });
         let frequency = (hold / axial).sqrt();
@@ -207,14 +155,36 @@ impl ForMachine for Made<'_> {
         let field_speed = machine.frame_speed();
         let friction = -machine.moment_law(0.0, field_speed);
         let facts = Facts { field_speed, friction, hold, frequency, bottom, sizes };
-        let law = Arc::new(UnderLoad(Bench { machine, axial }));
-        Ok(Loaded {
-            machine: named.clone(),
-            data: data.clone(),
-            axial,
-            law: Arc::new(Recorded::new(Arc::clone(&law))),
-            facts,
-            own: law,
-        })
+        let law = Arc::new(UnderLoad(Bench { machine: machine.clone(), axial }));
+        let system = Arc::new(Recorded::new(Arc::clone(&law)));
+        Ok(Loaded { machine: machine.clone(), axial, law: by_program(system, Arc::clone(&law)), facts, own: law })
     }
 }
+
+/// The scene's motor with another number of bars, as their equivalent windings, which do exactly what the bars do; `None`
+/// where it has none.
+pub fn with_bars(scene: &Scene, bars: usize) -> Option<Scene> {
+    let given = scene.given.with_count("bars", bars).ok()?;
+    let machine = given.model("equivalent_windings").ok()?;
+    let start = Start { currents: Vec::new(), ..scene.start.clone() };
+    Some(Scene { machine, given, start, ..scene.clone() })
+}
+
+/// The scene's motor without currents, with this damping f / sqrt(A' b); `None` where it cannot be made of the data.
+pub fn with_damping(scene: &Scene, damping: f64) -> Option<Scene> {
+    let plain = scene.with_model("synchronous").ok()?;
+    let motor = Loaded::of(&plain).ok()?;
+    let given = plain.given.with("f", damping * motor.axial * motor.facts.frequency)?;
+    Some(Scene { machine: given.model("synchronous").ok()?, given, ..plain })
+}
+
+/// The carrier gives way: the moment of inertia that the rotor has against a moment between them, kg m^2. It is
+/// 1 / (1/A' + l.A^-1 l), as the page `synchronism` proves.
+pub fn giving_way(bodies: &Gyrostat<f64>) -> f64 {
+    let (axis, axial) = (bodies.rotor.axis, bodies.rotor.axial);
+    let carrier = bodies.reduced_tensor().lu().solve(&axis).map_or(0.0, |response| axis.dot(&response));
+    1.0 / (1.0 / axial + carrier)
+}
+
+/// Angles at which a turn is looked at.
+const SAMPLES: u32 = 256;

@@ -1,14 +1,9 @@
 //! What every machine of the list leaves conserved, and where its power goes.
 
-use crate::physical::machines::{Sample, every_machine, numbers};
+use crate::physical::machines::{Sample, every_machine, numbers, with_data};
 use crate::physical::rate::{Rate, rate};
 use crate::physical::{fixed, gyrostat, rounded};
-use dalembert_derivations::machines::brushed::Brushed;
-use dalembert_derivations::machines::multi_current::{MultiCurrent, Windings};
-use dalembert_derivations::machines::permanent_magnet::{Magnets, PermanentMagnet};
-use dalembert_derivations::machines::{
-    AnyMachine, Catalogued, Conserved, ForMachine, RotorState, drive, heat, is_fed, motional_moment, supplied,
-};
+use dalembert_derivations::machines::{Conserved, Machine, Motor, RotorState, drive, heat, is_fed, motional_moment, supplied};
 use dalembert_derivations::systems::gyrostat::driven::Driven;
 use dalembert_derivations::systems::gyrostat::forms::Form;
 use nalgebra::Vector3;
@@ -48,23 +43,18 @@ struct Instant {
     conserved: Conserved,
 }
 
-struct At<'a, F> {
-    form: F,
-    sample: &'a Sample,
-}
-
-impl<F: Form<f64>> ForMachine for At<'_, F> {
-    type Output = Instant;
-
-    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> Instant {
-        let driven = Driven::new(self.form, machine);
-        let y = self.sample.state(driven.dimension());
+impl Instant {
+    /// Of a machine in a form of the equations.
+    fn at(form: impl Form<f64>, machine: Motor, sample: &Sample) -> Self {
+        let driven = Driven::new(form, machine);
+        let y = sample.state(driven.dimension());
         let mut dy = vec![0.0; y.len()];
         driven.rates(&y, &mut dy);
-        let (rotor, currents) = y[6..].split_at(M::ROTOR.dimension());
-        let (angle, slip) = M::ROTOR.angle_and_slip(rotor);
+        let known = driven.machine.rotor();
+        let (rotor, currents) = y[6..].split_at(known.dimension());
+        let (angle, slip) = known.angle_and_slip(rotor);
         let frame_speed = driven.machine.frame_speed();
-        let moment = if M::ROTOR == RotorState::Prescribed {
+        let moment = if known == RotorState::Prescribed {
             let (w, v) = (Vector3::new(y[0], y[1], y[2]), Vector3::new(y[3], y[4], y[5]));
             driven.form.prescribed(w, v, frame_speed).1
         } else {
@@ -102,12 +92,12 @@ fn always(
 fn in_both_forms(
     g: &dalembert_derivations::systems::gyrostat::Gyrostat<field::Rational>,
     sample: &Sample,
-    machine: AnyMachine,
+    machine: Motor,
     law: impl Fn(&Instant) -> bool,
 ) -> Result<(), TestCaseError> {
     let (g, name) = (rounded(g), machine.name());
-    let first = machine.clone().apply(At { form: g.first_form().0, sample });
-    let second = machine.apply(At { form: g.second_form().0, sample });
+    let first = Instant::at(g.first_form().0, machine.clone(), sample);
+    let second = Instant::at(g.second_form().0, machine, sample);
     for (form, instant) in [("first", first), ("second", second)] {
         prop_assert!(law(&instant), "{name}, {form} form: {instant:?}");
     }
@@ -164,9 +154,9 @@ proptest! {
         g in gyrostat(), sample in numbers(), friction in 0..2u8, resistance in 0..2u8
     ) {
         let (f, r) = (f64::from(friction), f64::from(resistance));
-        let windings = Windings { field_speed: 3.0, b0: 0.8, a1: 0.5, l1: 0.3, r1: r, a2: 0.4, l2: 0.2, r2: r, mu: f, f };
-        let machine = AnyMachine::MultiCurrent(MultiCurrent::evenly(windings, 3));
-        in_both_forms(&g, &sample, machine, conserves_what_it_is_said_to)?;
+        let winding = [("a1", 0.5), ("l1", 0.3), ("r1", r), ("a2", 0.4), ("l2", 0.2), ("r2", r)];
+        let data = [&winding[..], &[("field_speed", 3.0), ("b0", 0.8), ("mu", f), ("f", f)]].concat();
+        in_both_forms(&g, &sample, with_data("multi_current", &data, 3), conserves_what_it_is_said_to)?;
     }
 
     /// What slides takes from E - W p unless its frame rests, and a supply feeds it.
@@ -175,12 +165,11 @@ proptest! {
         g in gyrostat(), sample in numbers(), voltage in 0..2u8, field_speed in 0..2u8
     ) {
         let (voltage, field_speed) = (f64::from(voltage), 3.0 * f64::from(field_speed));
-        let (flux, inductance, resistance, f) = (0.5, 0.3, 0.0, 0.0);
-        let brushed = AnyMachine::Brushed(Brushed { voltage, flux, inductance, resistance, f });
-        let magnets = Magnets { field_speed, voltage, flux, along: 0.3, across: 0.4, resistance, f };
-        let magnets = AnyMachine::PermanentMagnet(PermanentMagnet { magnets, pole_pairs: 2 });
-        in_both_forms(&g, &sample, brushed, conserves_what_it_is_said_to)?;
-        in_both_forms(&g, &sample, magnets, conserves_what_it_is_said_to)?;
+        let common = [("voltage", voltage), ("flux", 0.5), ("resistance", 0.0), ("f", 0.0)];
+        let brushed = [&common[..], &[("inductance", 0.3)]].concat();
+        let magnets = [&common[..], &[("field_speed", field_speed), ("along", 0.3), ("across", 0.4)]].concat();
+        in_both_forms(&g, &sample, with_data("brushed", &brushed, 1), conserves_what_it_is_said_to)?;
+        in_both_forms(&g, &sample, with_data("permanent_magnet", &magnets, 2), conserves_what_it_is_said_to)?;
     }
 
     /// E - W p + c0 g with c0 = -m(0, W).

@@ -1,10 +1,10 @@
 //! The Jacobian that the implicit methods use, machine code of the laws differentiated exactly, is that of dual numbers: for
 //! every machine and form, and for every mechanism, away from the start.
 
-use crate::physical::machines::Bars;
+use crate::physical::machines::with_bars;
 use crate::physical::rounded;
 use dalembert_derivations::differentiated::Differentiated;
-use dalembert_derivations::machines::{AnyMachine, Catalogued, ForMachine};
+use dalembert_derivations::machines::{Motor, catalogue};
 use dalembert_derivations::papers::konosevich2022::gyrostats;
 use dalembert_derivations::recorded::Recorded;
 use dalembert_derivations::scene::{AnyScene, Axes, Family as _};
@@ -35,30 +35,24 @@ fn compared(system: &dyn System, states: impl IntoIterator<Item = Vec<f64>>) -> 
     system.slopes().is_some()
 }
 
-struct Compare<F>(F);
-
-impl<F: Form<f64> + Send + Sync + 'static> ForMachine for Compare<F> {
-    type Output = bool;
-
-    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> bool {
-        let law = Arc::new(Driven::new(self.0, machine));
-        let system = Differentiated::new(Recorded::new(Arc::clone(&law)), law);
-        let n = Ode::<f64>::dimension(&system);
-        let state = |turn: usize| (0..n).map(|i| 2.0 * ((7 * turn + 3 * i) as f64).sin()).collect();
-        compared(&system, (0..5).map(state))
-    }
+fn has_slopes(form: impl Form<f64> + Send + Sync + 'static, machine: Motor) -> bool {
+    let law = Arc::new(Driven::new(form, machine));
+    let system = Differentiated::new(Recorded::new(Arc::clone(&law)), law);
+    let n = Ode::<f64>::dimension(&system);
+    let state = |turn: usize| (0..n).map(|i| 2.0 * ((7 * turn + 3 * i) as f64).sin()).collect();
+    compared(&system, (0..5).map(state))
 }
 
 #[test]
 fn the_jacobian_of_a_machine_is_that_of_dual_numbers() {
     let g = rounded(&gyrostats::opposite_sign().gyrostat);
     let mut with = Vec::new();
-    for (name, _) in AnyMachine::LIST {
+    for entry in catalogue::entries() {
         for bars in [1, 6] {
-            let Some(Ok(machine)) = AnyMachine::read(name, &mut Bars(bars)) else { panic!("{name} is in the list") };
-            let first = machine.clone().apply(Compare(g.first_form().0));
-            if first && machine.apply(Compare(g.second_form().0)) {
-                with.push(*name);
+            let machine = with_bars(entry.name, bars);
+            let first = has_slopes(g.first_form().0, machine.clone());
+            if first && has_slopes(g.second_form().0, machine) {
+                with.push(entry.name);
             }
         }
     }

@@ -1,19 +1,17 @@
 //! Every motor of the list does what a motor must, and each check notices one that does not.
 
-use dalembert_derivations::conformance::{Finding, Kit, Verdict, conform, sample};
-use dalembert_derivations::machines::{
-    AnyMachine, Catalogued, Datum, ForMachine, Machine, Quantity, RotorState, Source,
-};
-use dalembert_derivations::scene::{Family, MachineData, Scene};
-use field::{Base, Circle, Over};
-use std::sync::Arc;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use dalembert_derivations::conformance::{Finding, Verdict, conform, sample};
+use dalembert_derivations::machines::asynchronous::Asynchronous;
+use dalembert_derivations::machines::catalogue::{self, Taken};
+use dalembert_derivations::machines::{Allowed, Entry, Motor, Quantity};
+use dalembert_derivations::scene::{Family, Scene};
+use field::Scalar;
+use symbolic::Sym;
 
 #[test]
 fn no_motor_of_the_list_fails_a_check() {
-    for (model, _) in AnyMachine::LIST {
-        let (machine, data) = sample(model).expect("it is in the list");
-        let findings = conform(&machine, &data);
+    for model in catalogue::entries().into_iter().map(|entry| entry.name).filter(|name| !name.starts_with("of_")) {
+        let findings = conform(&sample(model).expect("it is in the catalogue"));
         assert_eq!(failed(&findings), [], "{model}");
         assert!(findings.iter().all(|finding| !matches!(finding.verdict, Verdict::Undecided(_))), "{model}");
     }
@@ -45,7 +43,7 @@ fn failed(findings: &[Finding]) -> Vec<(&'static str, String)> {
 }
 
 fn failed_by(scene: &Scene) -> Vec<(&'static str, String)> {
-    failed(&conform(&scene.machine, &scene.machine_data))
+    failed(&conform(&scene.machine))
 }
 
 #[test]
@@ -59,7 +57,7 @@ fn what_the_prover_gives_up_is_undecided_and_does_not_fail() {
     let scene = text(
         "moment_law = \"-f*phi'/(1 + (tau*phi')^2)^64\"\n[machine.parameters]\nf = \"2e-5 N m s\"\ntau = \"25 ms\"",
     );
-    let findings = conform(&scene.machine, &scene.machine_data);
+    let findings = conform(&scene.machine);
     assert_eq!(failed(&findings), []);
     let open = findings.iter().filter(|finding| matches!(finding.verdict, Verdict::Undecided(_)));
     let open: Vec<_> = open.map(|finding| (finding.check, finding.verdict.says())).collect();
@@ -98,120 +96,31 @@ fn a_winding_almost_without_inductance_is_too_stiff_to_be_told() {
     assert_eq!(found, [("stiffness", "the fastest motion hides the slowest in rounding".to_owned())]);
 }
 
-#[test]
-fn a_law_that_runs_with_other_data_does_not_rest_where_the_exact_one_does() {
-    let (own, other) = (wound("l", "r", ""), wound("l", "r", "supply = \"u\"\n"));
-    let found: Vec<_> =
-        failed(&conform(&other.machine, &own.machine_data)).into_iter().map(|(check, _)| check).collect();
-    assert_eq!(found, ["stationary", "stability"]);
-}
-
-/// How a law deceives.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Trick {
-    /// Its fluxes differ from call to call.
-    Fickle,
-    /// It brakes for the first few calls, then it drives.
-    Tired,
-    /// Its friction is not of the unit that it says.
-    Unit,
-}
-
-/// A motor that keeps count of its calls: what no text can say, and no law may.
-#[derive(Clone, Debug)]
-struct Deceiver<P> {
-    trick: Trick,
-    calls: Arc<AtomicUsize>,
-    friction: P,
-}
-
-static FRICTION: Quantity = Quantity::any("f", "N m s", "friction");
-static OF_ANOTHER_UNIT: Quantity = Quantity::any("f", "N m", "friction");
-
-impl<P: Base> Deceiver<P> {
-    fn call(&self) -> usize {
-        self.calls.fetch_add(1, Ordering::Relaxed)
-    }
-}
-
-/// Of a trick as a type, since a machine is read without a value.
-macro_rules! deceivers {
-    ($($name:ident: $trick:ident, $rotor:ident, $windings:literal;)*) => {$(
-        #[derive(Clone, Debug)]
-        struct $name<P>(Deceiver<P>);
-
-        impl<P: Base> Machine<P> for $name<P> {
-            const ROTOR: RotorState = RotorState::$rotor;
-
-            fn frame_speed(&self) -> P {
-                P::int(3)
-            }
-
-            fn windings(&self) -> usize {
-                $windings
-            }
-
-            fn resistance(&self, _winding: usize) -> P {
-                P::one()
-            }
-
-            fn linkage<S: Over<P>>(&self, winding: usize, angle: Circle<S>) -> S {
-                let flux = if winding == 0 { angle.cos } else { angle.sin };
-                S::int((self.0.call() % 7) as i64) * flux
-            }
-
-            fn moment_law<S: Over<P>>(&self, slip: S, _speed: S) -> S {
-                let braking = -S::lift(self.0.friction) * slip;
-                if self.0.trick == Trick::Tired && self.0.call() >= CALLS { -braking } else { braking }
-            }
-        }
-
-        impl Catalogued for $name<f64> {
-            const SUMMARY: &'static str = "deceives";
-            type Over<P: Datum> = $name<P>;
-
-            fn read<P: Datum, E>(source: &mut impl Source<P, Error = E>) -> Result<$name<P>, E> {
-                let unit = Trick::$trick == Trick::Unit;
-                let friction = source.quantity(if unit { &OF_ANOTHER_UNIT } else { &FRICTION })?;
-                Ok($name(Deceiver { trick: Trick::$trick, calls: Arc::default(), friction }))
-            }
-        }
-    )*};
-}
-
-/// After so many calls the tired motor's eigenvalues are known.
-const CALLS: usize = 8;
-
-deceivers! {
-    Fickle: Fickle, AngleAndSpeed, 2;
-    Tired: Tired, Speed, 0;
-    OfAnotherUnit: Unit, Speed, 0;
-}
-
-/// What a deceiver fails.
-fn found_out<M: Catalogued + Clone + Send + Sync + 'static>(machine: M) -> Vec<&'static str> {
-    let mut data = MachineData::default();
-    data.numbers.push((FRICTION.clone(), 0.5));
-    failed(&Kit { name: "deceiver", data: &data }.apply(machine)).into_iter().map(|(check, _)| check).collect()
-}
-
-#[test]
-fn a_law_that_is_no_function_of_the_state_is_found_out_by_every_identity() {
-    let machine = Fickle(Deceiver { trick: Trick::Fickle, calls: Arc::default(), friction: 0.5 });
-    let found = found_out(machine);
-    for check in ["power", "frame", "windings", "housing", "bench", "jacobian"] {
-        assert!(found.contains(&check), "{check} is not in {found:?}");
-    }
-}
-
-#[test]
-fn a_run_that_does_not_do_what_the_eigenvalues_say_is_found_out() {
-    let machine = Tired(Deceiver { trick: Trick::Tired, calls: Arc::default(), friction: 0.5 });
-    assert!(found_out(machine).contains(&"stability"));
-}
+/// A motor whose friction is not of the unit that it says.
+static OF_ANOTHER_UNIT: Entry = Entry {
+    name: "of_another_unit",
+    summary: "deceives",
+    data: &[Quantity::any("f", "N m", "friction")],
+    counts: &[],
+    write: |given| given.laws(&Asynchronous { field_speed: Sym::int(3), k: Sym::symbol("f"), f: Sym::ZERO }),
+};
 
 #[test]
 fn a_unit_that_does_not_agree_is_found_out() {
-    let machine = OfAnotherUnit(Deceiver { trick: Trick::Unit, calls: Arc::default(), friction: 0.5 });
-    assert_eq!(found_out(machine), ["dimensions"]);
+    let laws = OF_ANOTHER_UNIT.laws(&[]).expect("they are short");
+    let found: Vec<_> =
+        failed(&conform(&Motor::new(laws, vec![0.5], Allowed::ALL))).into_iter().map(|(check, _)| check).collect();
+    assert_eq!(found, ["dimensions"]);
+}
+
+#[test]
+fn a_motor_of_ones_own_is_found_by_its_name_once_it_is_added() {
+    static OWN: Entry = Entry { name: "of_ones_own", ..OF_ANOTHER_UNIT };
+    assert!(catalogue::entry("of_ones_own").is_none());
+    assert_eq!(catalogue::add(&OWN), Ok(()));
+    assert_eq!(catalogue::add(&OWN), Err(Taken("of_ones_own")));
+    let text = "title = \"t\"\nsystem = \"bench\"\n[rotor]\naxial = \"0.01 kg m^2\"\n[machine]\nmodel = \"of_ones_own\"\n\
+                f = \"2 N m\"\n[start]\nrotor_speed = \"1 rad/s\"\n[run]\nspan = \"1 s\"\n";
+    let scene = Scene::parse("scene.toml", text).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!((scene.machine.name(), scene.machine.datum("f")), ("of_ones_own", Some(2.0)));
 }

@@ -1,8 +1,8 @@
 //! Windings that induce in each other become a motor as text in currents of which none does.
 
-use dalembert_derivations::machines::{Catalogued, ForMachine, drive};
+use dalembert_derivations::machines::drive;
 use dalembert_derivations::scene::{Family, Scene};
-use field::{Analytic, Circle};
+use field::Analytic;
 use nalgebra::{Matrix2, Vector2};
 
 /// An induction machine in the stator's axes: inductances, resistances, amplitude of the voltage, pairs of poles.
@@ -53,23 +53,6 @@ fn text(allowed: &str) -> String {
     )
 }
 
-/// M and the rates of the currents j.
-struct Drive {
-    angle: f64,
-    slip: f64,
-    currents: [f64; 4],
-}
-
-impl ForMachine for Drive {
-    type Output = (f64, [f64; 4]);
-
-    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> Self::Output {
-        let mut rates = [0.0; 4];
-        let angle: Circle<f64> = self.angle.circle();
-        (drive(&machine, angle, self.slip, &self.currents, &mut rates), rates)
-    }
-}
-
 #[test]
 fn an_induction_machine_in_decoupled_currents_has_the_moment_and_the_rates_of_the_coupled_one() {
     let scene =
@@ -78,7 +61,8 @@ fn an_induction_machine_in_decoupled_currents_has_the_moment_and_the_rates_of_th
     let (angle, slip) = (0.7_f64, -20.0);
     let (j_d, j_q) = (Vector2::new(0.3, -0.2), Vector2::new(-0.5, 0.9));
     let currents = [j_d[0], j_d[1], j_q[0], j_q[1]];
-    let (moment, rates) = scene.machine.apply(Drive { angle, slip, currents });
+    let mut rates = [0.0; 4];
+    let moment = drive(&scene.machine, angle.circle(), slip, &currents, &mut rates);
 
     let (i_d, i_q, speed) = (t * j_d, t * j_q, slip + 157.0);
     let (flux_d, flux_q) = (inductances() * i_d, inductances() * i_q);

@@ -1,7 +1,7 @@
 //! What the kit says of every motor of the list and of the scenes, as a page for review.
 
 use dalembert_derivations::conformance::{conform, page, sample};
-use dalembert_derivations::machines::AnyMachine;
+use dalembert_derivations::machines::catalogue;
 use dalembert_derivations::scene::{Family, Scene};
 use std::path::Path;
 
@@ -30,12 +30,12 @@ fn written() -> Vec<(String, Scene)> {
 #[test]
 fn every_motor_conforms_or_says_why_not() {
     let mut pages = Vec::new();
-    for (model, summary) in AnyMachine::LIST {
-        let (machine, data) = sample(model).expect("it is in the list");
-        pages.push(page(&format!("{model}: {summary}"), &conform(&machine, &data)));
+    for entry in catalogue::entries() {
+        let machine = sample(entry.name).expect("it is in the catalogue");
+        pages.push(page(&format!("{}: {}", entry.name, entry.summary), &conform(&machine)));
     }
     for (name, scene) in written() {
-        pages.push(page(&format!("{name}: {}", scene.title), &conform(&scene.machine, &scene.machine_data)));
+        pages.push(page(&format!("{name}: {}", scene.title), &conform(&scene.machine)));
     }
     compare("motors", &pages.join("\n"));
 }

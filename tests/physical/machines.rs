@@ -1,37 +1,18 @@
 //! Every machine of the list, whatever it is called, with random data.
 
-use dalembert_derivations::machines::{AnyMachine, Quantity, Source};
+use dalembert_derivations::machines::{Allowed, Motor, catalogue};
 use proptest::prelude::*;
-use std::convert::Infallible;
 
-/// Data that are asked for by name, answered with random numbers in their order.
-struct Drawn<I>(I);
-
-impl<I: Iterator<Item = f64>> Source for Drawn<I> {
-    type Error = Infallible;
-
-    fn quantity(&mut self, _quantity: &Quantity) -> Result<f64, Infallible> {
-        Ok(self.0.next().unwrap_or(1.0))
-    }
-
-    fn count(&mut self, _name: &'static str, _meaning: &'static str) -> Result<usize, Infallible> {
-        Ok(1 + (3.0 * self.0.next().unwrap_or(1.0)) as usize)
-    }
+/// A machine of the catalogue with so many bars, every other datum the same.
+pub fn with_bars(name: &str, bars: usize) -> Motor {
+    catalogue::sampled(name, |_| 0.7, bars).unwrap_or_else(|| panic!("{name} is in the catalogue"))
 }
 
-/// Any machine with so many bars, every other datum the same.
-pub struct Bars(pub usize);
-
-impl Source for Bars {
-    type Error = Infallible;
-
-    fn quantity(&mut self, _quantity: &Quantity) -> Result<f64, Infallible> {
-        Ok(0.7)
-    }
-
-    fn count(&mut self, _name: &'static str, _meaning: &'static str) -> Result<usize, Infallible> {
-        Ok(self.0)
-    }
+/// A machine of the catalogue with these data by their names, and with this number of bars or the like.
+pub fn with_data(name: &str, data: &[(&str, f64)], count: usize) -> Motor {
+    let value = |name: &str| data.iter().find(|(known, _)| *known == name).map(|(_, value)| *value);
+    let motor = catalogue::sampled(name, |quantity| value(&quantity.name).expect("it is given"), count);
+    motor.unwrap_or_else(|| panic!("{name} is in the catalogue"))
 }
 
 /// Numbers for the data of a machine and for a state, as many as any machine may ask for.
@@ -47,11 +28,14 @@ pub fn numbers() -> impl Strategy<Value = Sample> {
         .prop_map(|(data, state)| Sample { data, state })
 }
 
-/// Each machine of the list with these data.
-pub fn every_machine(sample: &Sample) -> impl Iterator<Item = AnyMachine> {
-    AnyMachine::LIST.iter().filter_map(|(name, _)| {
-        let mut source = Drawn(sample.data.iter().copied().cycle());
-        AnyMachine::read(name, &mut source).map(|Ok(machine)| machine)
+/// Each machine of the catalogue with these data.
+pub fn every_machine(sample: &Sample) -> impl Iterator<Item = Motor> {
+    catalogue::entries().into_iter().map(|entry| {
+        let mut drawn = sample.data.iter().copied().cycle();
+        let mut next = || drawn.next().unwrap_or(1.0);
+        let data: Vec<f64> = entry.data.iter().map(|_| next()).collect();
+        let counts: Vec<usize> = entry.counts.iter().map(|_| 1 + (3.0 * next()) as usize).collect();
+        Motor::new(entry.laws(&counts).expect("its laws are short"), data, Allowed::ALL)
     })
 }
 

@@ -44,14 +44,8 @@ fn single(text: &str, row: &Row) -> Scene {
     let [cx, cy, cz, axial, b0, r2, angle, wx, wy, wz, vx, vy, vz] = row.drawn[..] else { panic!("13 numbers vary") };
     bodies.rotor.axial = axial;
     bodies.carrier.centre = [cx, cy, cz].into();
-    for (quantity, value) in &mut one.machine_data.numbers {
-        match &*quantity.name {
-            "b0" => *value = b0,
-            "r2" => *value = r2,
-            _ => {}
-        }
-    }
-    one.machine = one.machine_data.machine(one.machine.name()).expect("the data are its own");
+    one.given = one.given.with("b0", b0).and_then(|given| given.with("r2", r2)).expect("the data are its own");
+    one.machine = one.given.model(one.machine.name()).expect("the data are its own");
     one.start.rotor_angle = angle;
     one.start.vertical = [vx, vy, vz].into();
     one.start.angular_velocity = [wx, wy, wz].into();
@@ -136,7 +130,7 @@ fn every_machine_and_both_systems_have_ensembles_that_agree_with_single_runs() {
                 voltage = \"14 V\"\nflux = \"30 mWb\"\nresistance = \"0.6 ohm\"\ninductance = \"2 mH\"\n\
                 along = \"1.2 mH\"\nacross = \"2 mH\"\npole_pairs = 3\n";
     let counts = ["bars", "pole_pairs", "pull_out_slip"];
-    for (name, _) in dalembert_derivations::machines::AnyMachine::LIST {
+    for name in dalembert_derivations::machines::catalogue::entries().into_iter().map(|entry| entry.name) {
         let all = short(9).replace("[start]", &format!("{data}\n[start]"));
         // each machine takes what it knows
         let known = |line: &str| {
@@ -150,7 +144,7 @@ fn every_machine_and_both_systems_have_ensembles_that_agree_with_single_runs() {
         let after: String = after
             .lines()
             .filter(|line| !line.starts_with("machine.") && !line.starts_with("outputs"))
-            .filter(|line| *name != "constant_speed" || !line.starts_with("rotor_speed"))
+            .filter(|line| name != "constant_speed" || !line.starts_with("rotor_speed"))
             .map(|line| format!("{line}\n"))
             .collect();
         let scene = ensemble(&format!("{before}[machine]\n{machine}\n[start]\n{after}"));

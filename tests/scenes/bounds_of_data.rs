@@ -5,13 +5,13 @@ use dalembert_derivations::scene::{Family, Scene};
 
 /// A motor of the list alone on a bench, with its data as a small motor has them but for some.
 fn on_a_bench(model: &str, other: &str, value: &str, allowed: &str) -> String {
-    let (_, data) = dalembert_derivations::conformance::sample(model).expect("it is in the list");
-    let numbers = data.numbers.iter().map(|(quantity, number)| {
+    let motor = dalembert_derivations::conformance::sample(model).expect("it is in the catalogue");
+    let numbers = motor.data().map(|(quantity, number)| {
         let number = if quantity.name == other { value.to_owned() } else { number.to_string() };
         let unit = if quantity.unit == "1" { "" } else { &quantity.unit };
         format!("{} = \"{number} {unit}\"\n", quantity.name)
     });
-    let counts = data.counts.iter().map(|(name, _, count)| format!("{name} = {count}\n"));
+    let counts = motor.laws().counts().iter().map(|(count, number)| format!("{} = {number}\n", count.name));
     let data: String = numbers.chain(counts).collect();
     let speed = if model == "constant_speed" { "" } else { "rotor_speed = \"0 rad/s\"\n" };
     format!(
@@ -23,9 +23,9 @@ fn on_a_bench(model: &str, other: &str, value: &str, allowed: &str) -> String {
 #[test]
 fn every_inductance_resistance_and_friction_of_the_motors_is_judged_and_named() {
     let mut judged = 0;
-    for (model, _) in dalembert_derivations::machines::AnyMachine::LIST {
-        let (_, data) = dalembert_derivations::conformance::sample(model).expect("it is in the list");
-        for (quantity, _) in data.numbers {
+    for entry in dalembert_derivations::machines::catalogue::entries() {
+        let model = entry.name;
+        for quantity in entry.data {
             let (words, accepts_zero) = match &*quantity.unit {
                 "H" => (None, false),
                 "ohm" => (Some("allow = [\"zero resistance\", \"negative resistance\"]\n"), false),

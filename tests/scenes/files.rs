@@ -1,6 +1,6 @@
 //! The scenes of the project: each is read, conserves what it must, runs alike in both forms, and does what it says.
 
-use dalembert_derivations::machines::ForMachine;
+use dalembert_derivations::machines::Machine;
 use dalembert_derivations::scene::{Axes, Choice, Family, Scene, Trajectory};
 use integrators::Method;
 use std::path::PathBuf;
@@ -162,19 +162,9 @@ fn the_asynchronous_drive_settles_below_the_field() {
 
 #[test]
 fn the_damper_of_the_stiff_scene_is_four_decades_faster_than_the_rotor() {
-    struct TimeConstant;
-    impl ForMachine for TimeConstant {
-        type Output = f64;
-        fn apply<M: dalembert_derivations::machines::Catalogued + Clone + Send + Sync + 'static>(
-            self,
-            machine: M,
-        ) -> f64 {
-            machine.inductance(1) / machine.resistance(1)
-        }
-    }
     let scene = scene("stiff_damper");
     let rotor = 0.04;
-    assert!(scene.machine.clone().apply(TimeConstant) <= 1e-4 * rotor);
+    assert!(scene.machine.inductance(1) / scene.machine.resistance(1) <= 1e-4 * rotor);
     assert!(largest(&from(&run(&scene), "angle", 0.4)) < 0.3);
 }
 

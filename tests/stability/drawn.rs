@@ -2,7 +2,6 @@
 
 use crate::physical::{gyrostat, rounded};
 use crate::running::{Law, eigenvalues, state};
-use algebra::real::{Enclosure, Ordered, Root};
 use dalembert_derivations::machines::asynchronous::Asynchronous;
 use dalembert_derivations::machines::constant_speed::ConstantSpeed;
 use dalembert_derivations::machines::free_rotor::FreeRotor;
@@ -10,7 +9,7 @@ use dalembert_derivations::machines::multi_current::{MultiCurrent, Windings};
 use dalembert_derivations::machines::synchronous::Synchronous;
 use dalembert_derivations::machines::{Datum, Machine};
 use dalembert_derivations::stationary::energies::{Energies, Kept};
-use dalembert_derivations::stationary::motor::{Angle, Motor, Slip};
+use dalembert_derivations::stationary::motor::{Angle, MotorStates, Slip};
 use dalembert_derivations::stationary::stability::judge::{Given, Judge};
 use dalembert_derivations::stationary::stability::{Approximation, Judged, Reason, Verdict};
 use dalembert_derivations::systems::gyrostat::Gyrostat;
@@ -75,11 +74,11 @@ impl Data {
         MultiCurrent { windings, bars: vec![bar.map(&number)] }
     }
 
-    fn in_step(self) -> Motor {
+    fn in_step(self) -> MotorStates {
         let angle = |t: Rational, slope: i32| Angle { half_tangent: Root::rational(t), slope, currents: vec![] };
         let speed = Root::rational(Rational::int(self.speed)).unwrap();
         let one = Rational::int(1);
-        Motor::InStep {
+        MotorStates::InStep {
             speed,
             angles: vec![angle(Data::angle(), -1), angle(one / Data::angle(), 1)],
             bears: None,
@@ -87,9 +86,9 @@ impl Data {
         }
     }
 
-    fn by_slip(self) -> Motor {
+    fn by_slip(self) -> MotorStates {
         let speed = Root::rational(Rational::int(self.speed)).unwrap();
-        Motor::Slipping { speeds: vec![Slip { speed, slope: -1, currents: vec![] }], extremes: vec![] }
+        MotorStates::Slipping { speeds: vec![Slip { speed, slope: -1, currents: vec![] }], extremes: vec![] }
     }
 }
 
@@ -112,7 +111,7 @@ impl Turning<'_> {
     /// The verdicts, motion by motion and angle by angle, each compared with the eigenvalues.
     fn verdicts<M: Machine<f64>>(
         &self,
-        motor: &Motor,
+        motor: &MotorStates,
         exact: &impl Machine<Sym>,
         running: M,
         counts: &mut Counts,
@@ -149,7 +148,7 @@ impl Turning<'_> {
             };
             for (place, one) in judged.iter().enumerate() {
                 let angle = match motor {
-                    Motor::InStep { angles, .. } => angles[place].radians(),
+                    MotorStates::InStep { angles, .. } => angles[place].radians(),
                     _ => 0.0,
                 };
                 let state = state(&law, axes.transpose() * v, w0, rotor_speed, angle);
@@ -214,10 +213,10 @@ fn every_count_is_that_of_floats_and_a_motor_leaves_what_the_energy_holds() {
         let root = Root::rational(Rational::int(speed)).unwrap();
         let exact = ConstantSpeed { speed: constant(Rational::int(speed)) };
         let running = ConstantSpeed { speed: speed as f64 };
-        let kept = turning.verdicts(&Motor::Kept { speed: root }, &exact, running, &mut all[0]);
+        let kept = turning.verdicts(&MotorStates::Kept { speed: root }, &exact, running, &mut all[0]);
         let spin = Energies::of(&bodies).axial * Rational::int(speed);
         let own = Turning { kept: Kept::Momentum, value: spin, ..turning };
-        own.verdicts(&Motor::Free, &FreeRotor::<Sym>::default(), FreeRotor::<f64>::default(), &mut all[1]);
+        own.verdicts(&MotorStates::Free, &FreeRotor::<Sym>::default(), FreeRotor::<f64>::default(), &mut all[1]);
         let (exact, running) = (data.asynchronous(constant), data.asynchronous(float));
         let slipping = turning.verdicts(&data.by_slip(), &exact, running, &mut all[2]);
         let (exact, running) = (data.synchronous(constant), data.synchronous(float));

@@ -3,7 +3,7 @@
 use dalembert_derivations::scene::{Family, Scene, System};
 use dalembert_derivations::stationary::energies::{Energies, Kept};
 use dalembert_derivations::stationary::motions::{Stationary, decimals};
-use dalembert_derivations::stationary::motor::Motor;
+use dalembert_derivations::stationary::motor::MotorStates;
 use dalembert_derivations::stationary::stability::datum::Datum;
 use dalembert_derivations::stationary::stability::plane::{Cell, Plane};
 use dalembert_derivations::stationary::stability::reduced::Fate;
@@ -40,7 +40,7 @@ fn with_bodies(scene: &Scene, change: impl Fn(&mut Gyrostat<f64>)) -> Scene {
 fn as_alone(node: &Node, alone: &Scene, speed: f64) {
     let all = Stationary::of(alone).unwrap();
     let held: Vec<bool> = match &all.motor {
-        Motor::InStep { angles, .. } => angles.iter().map(|angle| angle.slope < 0).collect(),
+        MotorStates::InStep { angles, .. } => angles.iter().map(|angle| angle.slope < 0).collect(),
         _ => vec![true],
     };
     let answers = all.at_speed(speed).unwrap();
@@ -206,7 +206,7 @@ fn a_node_without_bodies_says_so_and_a_symmetric_one_that_motions_form_a_family(
 fn an_irrational_speed_has_its_edges_beside_those_of_the_fraction_next_to_it() {
     let driven = scene("asynchronous_drive");
     let scene = Scene { system: scene("closed_forms/upright_rotation").system, ..driven };
-    let Ok(Motor::Slipping { speeds, .. }) = Motor::of(&scene.machine, &scene.machine_data) else { panic!("it slips") };
+    let Ok(MotorStates::Slipping { speeds, .. }) = MotorStates::of(&scene.machine) else { panic!("it slips") };
     let kept = speeds.iter().find(|slip| slip.slope < 0).unwrap().speed.clone();
     assert!(kept.as_rational().is_none());
     let datum = |name: &str| Datum::named(&scene, name).unwrap();

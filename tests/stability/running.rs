@@ -13,7 +13,7 @@ pub type Law<M> = Driven<f64, SecondForm<f64>, M>;
 pub fn state<M: Machine<f64>>(law: &Law<M>, v: Vector3<f64>, w0: f64, rotor_speed: f64, angle: f64) -> Vec<f64> {
     let mut state: Vec<f64> = (v * w0).iter().chain(v.iter()).copied().collect();
     let slip = rotor_speed - law.machine.frame_speed();
-    match M::ROTOR {
+    match law.machine.rotor() {
         RotorState::AngleAndSpeed => state.extend([angle, 0.0]),
         RotorState::Speed => state.push(slip),
         RotorState::Prescribed => {}

@@ -6,7 +6,7 @@ use dalembert_derivations::machines::asynchronous::Asynchronous;
 use dalembert_derivations::machines::constant_speed::ConstantSpeed;
 use dalembert_derivations::scene::{Axes, Family, Scene, Start, System};
 use dalembert_derivations::stationary::motions::Stationary;
-use dalembert_derivations::stationary::motor::Motor;
+use dalembert_derivations::stationary::motor::MotorStates;
 use dalembert_derivations::stationary::stability::{Judged, Reason, Verdict};
 use dalembert_derivations::systems::gyrostat::forms::SecondForm;
 use integrators::{Jacobian, spectrum};
@@ -101,8 +101,10 @@ fn what_gyroscopic_forces_hold_at_constant_speed_leaves_with_a_motor() {
 fn beside_the_law(scene: &Scene) -> Vec<(Judged, usize)> {
     let stationary = Stationary::of(scene).unwrap();
     let places: Vec<(f64, &[f64])> = match &stationary.motor {
-        Motor::InStep { angles, .. } => angles.iter().map(|angle| (angle.radians(), &angle.currents[..])).collect(),
-        Motor::Slipping { speeds, .. } => speeds.iter().map(|slip| (0.0, &slip.currents[..])).collect(),
+        MotorStates::InStep { angles, .. } => {
+            angles.iter().map(|angle| (angle.radians(), &angle.currents[..])).collect()
+        }
+        MotorStates::Slipping { speeds, .. } => speeds.iter().map(|slip| (0.0, &slip.currents[..])).collect(),
         _ => panic!("it has currents"),
     };
     let mut judged = Vec::new();

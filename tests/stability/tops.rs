@@ -2,14 +2,13 @@
 //! equations that run.
 
 use crate::running::{Law, eigenvalues, state};
-use algebra::real::{Enclosure, Root};
 use dalembert_derivations::machines::Machine;
 use dalembert_derivations::machines::asynchronous::Asynchronous;
 use dalembert_derivations::machines::constant_speed::ConstantSpeed;
 use dalembert_derivations::machines::free_rotor::FreeRotor;
 use dalembert_derivations::machines::synchronous::Synchronous;
 use dalembert_derivations::stationary::energies::{Energies, Kept};
-use dalembert_derivations::stationary::motor::{Angle, Motor, Slip};
+use dalembert_derivations::stationary::motor::{Angle, MotorStates, Slip};
 use dalembert_derivations::stationary::stability::Approximation;
 use dalembert_derivations::stationary::stability::along::{Along, Known};
 use dalembert_derivations::stationary::stability::judge::{Given, Judge};
@@ -35,7 +34,7 @@ pub struct Top {
 pub struct Driven<E, M> {
     exact: E,
     running: M,
-    motor: Motor,
+    motor: MotorStates,
     kept: Kept,
     value: Rational,
 }
@@ -48,7 +47,7 @@ pub fn at_constant_speed(speed: Rational) -> Driven<ConstantSpeed<Sym>, Constant
     Driven {
         exact: ConstantSpeed { speed: constant(speed) },
         running: ConstantSpeed { speed: speed.to_f64() },
-        motor: Motor::Kept { speed: Root::rational(speed).unwrap() },
+        motor: MotorStates::Kept { speed: Root::rational(speed).unwrap() },
         kept: Kept::RelativeSpeed,
         value: speed,
     }
@@ -56,7 +55,7 @@ pub fn at_constant_speed(speed: Rational) -> Driven<ConstantSpeed<Sym>, Constant
 
 pub fn free(momentum: Rational) -> Driven<FreeRotor<Sym>, FreeRotor<f64>> {
     let (exact, running) = (FreeRotor::default(), FreeRotor::default());
-    Driven { exact, running, motor: Motor::Free, kept: Kept::Momentum, value: momentum }
+    Driven { exact, running, motor: MotorStates::Free, kept: Kept::Momentum, value: momentum }
 }
 
 pub fn by_slip(speed: Rational) -> Driven<Asynchronous<Sym>, Asynchronous<f64>> {
@@ -64,7 +63,7 @@ pub fn by_slip(speed: Rational) -> Driven<Asynchronous<Sym>, Asynchronous<f64>> 
     Driven {
         exact: Asynchronous { field_speed: constant(speed), k: Sym::ratio(3, 4), f: Sym::int(0) },
         running: Asynchronous { field_speed: speed.to_f64(), k: 0.75, f: 0.0 },
-        motor: Motor::Slipping { speeds: vec![slip], extremes: Vec::new() },
+        motor: MotorStates::Slipping { speeds: vec![slip], extremes: Vec::new() },
         kept: Kept::RelativeSpeed,
         value: speed,
     }
@@ -77,7 +76,7 @@ pub fn in_step(speed: Rational) -> Driven<Synchronous<Sym>, Synchronous<f64>> {
     Driven {
         exact: Synchronous { field_speed: constant(speed), b0: Sym::int(1), f: constant(f) },
         running: Synchronous { field_speed: speed.to_f64(), b0: 1.0, f: f.to_f64() },
-        motor: Motor::InStep {
+        motor: MotorStates::InStep {
             speed: Root::rational(speed).unwrap(),
             angles: vec![angle(r(-1, 3), -1), angle(r(-3, 1), 1)],
             bears: None,
@@ -95,7 +94,7 @@ pub fn without_friction(speed: Rational, b0: Rational) -> Driven<Synchronous<Sym
     Driven {
         exact: Synchronous { field_speed: constant(speed), b0: constant(b0), f: Sym::int(0) },
         running: Synchronous { field_speed: speed.to_f64(), b0: b0.to_f64(), f: 0.0 },
-        motor: Motor::InStep {
+        motor: MotorStates::InStep {
             speed: Root::rational(speed).unwrap(),
             angles: vec![held, driven_away],
             bears: None,
@@ -150,7 +149,7 @@ impl Top {
             let along = judge.along(&Known { shape: family.shape, enclosed: &enclosed, axis: &axis });
             for (place, one) in along.iter().enumerate() {
                 let angle = match &driven.motor {
-                    Motor::InStep { angles, .. } => angles[place].radians(),
+                    MotorStates::InStep { angles, .. } => angles[place].radians(),
                     _ => 0.0,
                 };
                 for arc in &one.arcs {

@@ -5,7 +5,7 @@ use crate::ending::{Ending, print};
 use ::scenes::{Task, read_titled};
 use clap::Args;
 use derivations::conformance::{Finding, Verdict, conform, page, sample};
-use derivations::machines::{AnyMachine, text};
+use derivations::machines::{catalogue, text};
 use derivations::scene::any::holds_model;
 use derivations::scene::file::read_text;
 use derivations::scene::{Family, NoModel, Scene};
@@ -43,7 +43,7 @@ pub fn show(asked: &Asked) -> Result<Ending, Ending> {
             None => scene,
             Some(model) => scene.with_model(model).map_err(Ending::refused)?,
         };
-        (format!("{}: {}", scene.machine.name(), scene.title), conform(&scene.machine, &scene.machine_data))
+        (format!("{}: {}", scene.machine.name(), scene.title), conform(&scene.machine))
     } else {
         if asked.model.is_some() {
             return Err(Ending::refused(format!(
@@ -55,10 +55,9 @@ pub fn show(asked: &Asked) -> Result<Ending, Ending> {
             text::NAME => Ending::refused(NoModel::NoLaws),
             name => Ending::refused(NoModel::Unknown { name: name.to_owned() }),
         };
-        let (machine, data) = sample(&asked.motor).ok_or_else(unknown)?;
-        let listed = AnyMachine::LIST.iter().find(|(name, _)| *name == machine.name());
-        let summary = listed.map_or("", |(_, summary)| summary);
-        (format!("{}: {summary}", machine.name()), conform(&machine, &data))
+        let machine = sample(&asked.motor).ok_or_else(unknown)?;
+        let summary = catalogue::entry(machine.name()).map_or("", |entry| entry.summary);
+        (format!("{}: {summary}", machine.name()), conform(&machine))
     };
     print(&match asked.format {
         Format::Text => page(&title, &findings),

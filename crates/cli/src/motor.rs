@@ -6,7 +6,7 @@ use crate::run::with_model;
 use crate::studies::synchronism::onset;
 use clap::Args;
 use derivations::scene::{Family, Scene, System};
-use derivations::stationary::motor::{Angle, Motor as MotorStates};
+use derivations::stationary::motor::{Angle, MotorStates};
 use derivations::synchronism::basin::Share;
 use derivations::synchronism::branches::{Slipping, Standing};
 use derivations::synchronism::loaded::{Loaded, giving_way, with_bars};
@@ -73,28 +73,26 @@ pub fn show(asked: &Asked) -> Result<Ending, Ending> {
     let pull_out = Loaded::pull_out(&in_step).cloned();
     let pull_out =
         pull_out.ok_or_else(|| refused("its angles in step could not be followed to the pull-out".into()))?;
-    let angles =
-        match MotorStates::of(&scene.machine, &scene.machine_data).map_err(|reason| refused(reason.to_string()))? {
-            MotorStates::InStep { angles, .. } => angles,
-            _ => Vec::new(),
-        };
+    let angles = match MotorStates::of(&scene.machine).map_err(|reason| refused(reason.to_string()))? {
+        MotorStates::InStep { angles, .. } => angles,
+        _ => Vec::new(),
+    };
     let room = pull_out.load.max(0.0);
     let loads = LOADS.iter().map(|share| share * room).collect();
     let common = Common { span: SWINGS / motor.facts.frequency, motor, in_step, angles, pull_out, loads };
     let bench = alone(&scene);
-    let mut motors: Vec<(Option<usize>, Scene)> =
-        match scene.machine_data.counts.iter().find(|(name, ..)| *name == "bars") {
-            None => vec![(None, bench.clone())],
-            Some((.., own)) => {
-                let mut bars = BARS.to_vec();
-                bars.push(*own);
-                bars.sort_unstable();
-                bars.dedup();
-                bars.into_iter().filter_map(|bars| Some((Some(bars), with_bars(&bench, bars)?))).collect()
-            }
-        };
+    let mut motors: Vec<(Option<usize>, Scene)> = match scene.given.count("bars") {
+        None => vec![(None, bench.clone())],
+        Some(own) => {
+            let mut bars = BARS.to_vec();
+            bars.push(own);
+            bars.sort_unstable();
+            bars.dedup();
+            bars.into_iter().filter_map(|bars| Some((Some(bars), with_bars(&bench, bars)?))).collect()
+        }
+    };
     if let System::Gyrostat(_) = scene.system {
-        let own = scene.machine_data.counts.iter().find(|(name, ..)| *name == "bars").map(|(.., own)| *own);
+        let own = scene.given.count("bars");
         let same = own.and_then(|bars| with_bars(&scene, bars)).unwrap_or_else(|| scene.clone());
         motors.push((own, same));
     }
@@ -114,7 +112,7 @@ pub fn show(asked: &Asked) -> Result<Ending, Ending> {
 fn case(bars: Option<usize>, scene: &Scene, common: &Common) -> Option<Case> {
     let in_gyrostat = matches!(scene.system, System::Gyrostat(_));
     let motor = match &scene.system {
-        System::Gyrostat(bodies) => Loaded::new(&scene.machine, &scene.machine_data, giving_way(bodies)),
+        System::Gyrostat(bodies) => Loaded::new(&scene.machine, giving_way(bodies)),
         System::Bench { .. } => Loaded::of(scene),
     };
     let motor = motor.ok()?;

@@ -9,7 +9,7 @@ use crate::summary::Summary;
 use crate::{clock, csv};
 use ::scenes::completed_start;
 use clap::Args;
-use derivations::machines::AnyMachine;
+use derivations::machines::catalogue;
 use derivations::scene::run::most_samples;
 use derivations::scene::{AnyScene, Axes, Choice, Family, NoModel, Scene, Smooth, Told, methods};
 use integrators::{Beside, Method};
@@ -56,7 +56,7 @@ pub struct Asked {
 pub fn help() -> String {
     let column = |name: &str, what: &str| format!("  {name:<22} {what}\n");
     let methods: String = methods::list().map(|(name, what)| column(&name, what)).collect();
-    let models: String = AnyMachine::LIST.iter().map(|(name, what)| column(name, what)).collect();
+    let models: String = catalogue::entries().into_iter().map(|entry| column(entry.name, entry.summary)).collect();
     format!("Methods:\n{methods}\n  {SPLITTINGS}\n\nModels:\n{models}")
 }
 
@@ -236,7 +236,7 @@ pub fn with_model(scene: Scene, model: Option<&str>, path: &Path) -> Result<Scen
     let Some(model) = model else { return Ok(scene) };
     scene.with_model(model).map_err(|error| {
         let made = match error {
-            NoModel::Missing { .. } => format!("; it suffices for {}", scene.machine_data.ladder().join(", ")),
+            NoModel::Missing { .. } => format!("; it suffices for {}", scene.given.models().join(", ")),
             _ => String::new(),
         };
         Ending::refused(format!("{}: {error}{made}", path.display()))

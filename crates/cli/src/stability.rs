@@ -1,7 +1,7 @@
 //! Verdicts on the stability of stationary motions, with what each rests on, as text and JSON.
 
 use charts::significant;
-use derivations::stationary::motor::Motor;
+use derivations::stationary::motor::MotorStates;
 use derivations::stationary::stability::{Along, Integral, Judged, Reason, Verdict};
 use mechanics::first_approximation::{HalfPlanes, Inertia};
 use nalgebra::Vector3;
@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 use std::fmt::Write;
 
 /// A line for each angle of the rotor, and one for what it rests on.
-pub fn text(motor: &Motor, judged: &[Judged]) -> String {
+pub fn text(motor: &MotorStates, judged: &[Judged]) -> String {
     let mut out = String::new();
     for (one, angle) in judged.iter().zip(angles(motor)) {
         let at = angle.map_or(String::new(), |angle| format!("at gamma0 = {angle:.6} rad "));
@@ -19,7 +19,7 @@ pub fn text(motor: &Motor, judged: &[Judged]) -> String {
 }
 
 /// Of a family: a line for each stretch with one verdict, and for each direction that is unlike those beside it.
-pub fn along(motor: &Motor, along: &[Along]) -> String {
+pub fn along(motor: &MotorStates, along: &[Along]) -> String {
     let mut out = String::new();
     for (one, angle) in along.iter().zip(angles(motor)) {
         if let Some(angle) = angle {
@@ -51,7 +51,7 @@ fn components(v: Vector3<f64>) -> String {
 }
 
 /// The same of a family, for a program.
-pub fn along_objects(motor: &Motor, along: &[Along]) -> Vec<Value> {
+pub fn along_objects(motor: &MotorStates, along: &[Along]) -> Vec<Value> {
     let of_angle = |(one, angle): (&Along, Option<f64>)| {
         let arcs = one.arcs.iter().map(|arc| {
             let ends = arc.ends.map(|ends| ends.map(|v| [v.x, v.y, v.z]));
@@ -67,7 +67,7 @@ pub fn along_objects(motor: &Motor, along: &[Along]) -> Vec<Value> {
 }
 
 /// The same for a program.
-pub fn objects(motor: &Motor, judged: &[Judged]) -> Vec<Value> {
+pub fn objects(motor: &MotorStates, judged: &[Judged]) -> Vec<Value> {
     let each = judged.iter().zip(angles(motor)).map(|(one, angle)| {
         let mut object = object(one);
         object["angle"] = json!(angle);
@@ -97,9 +97,9 @@ fn named(judged: &Judged) -> String {
     format!("{}{family}", name(judged.verdict))
 }
 
-fn angles(motor: &Motor) -> Vec<Option<f64>> {
+fn angles(motor: &MotorStates) -> Vec<Option<f64>> {
     match motor {
-        Motor::InStep { angles, .. } => angles.iter().map(|angle| Some(angle.radians())).collect(),
+        MotorStates::InStep { angles, .. } => angles.iter().map(|angle| Some(angle.radians())).collect(),
         _ => vec![None],
     }
 }

@@ -19,7 +19,9 @@ pub struct WithFriction<M> {
 }
 
 impl<M: Machine<Sym>> Machine<Sym> for WithFriction<M> {
-    const ROTOR: RotorState = M::ROTOR;
+    fn rotor(&self) -> RotorState {
+        self.machine.rotor()
+    }
 
     fn frame_speed(&self) -> Sym {
         self.machine.frame_speed()

@@ -12,7 +12,7 @@ impl Scene {
     /// The scene's own model first, then the others from the largest.
     pub(in crate::scene) fn all_ways(&self) -> Vec<Way> {
         let own = self.machine.name();
-        let others = self.machine_data.ladder().into_iter().rev().filter(|model| *model != own);
+        let others = self.given.models().into_iter().rev().filter(|model| *model != own);
         let others = others.filter_map(|model| self.with_model(model).ok());
         std::iter::once(self.clone())
             .chain(others)

@@ -24,13 +24,13 @@ mod law;
 mod names;
 
 use super::issue::Issue;
-use super::machine::MachineData;
 use super::read::{At, NO_MUTUAL_INDUCTANCE, Table};
-use crate::machines::text::{FIELD_SPEED, Laws, Motion, Winding};
-use crate::machines::{Allowed, AnyMachine, Bound, Quantity, Runaway};
+use crate::machines::text::{FIELD_SPEED, Motion, NAME};
+use crate::machines::{Allowed, Bound, Expressions, Laws, Motor, Quantity, RotorState, Winding, runaway};
 use law::{Kind, Reader};
 use names::Names;
 use std::ops::Range;
+use std::sync::Arc;
 use symbolic::Sym;
 
 /// Windings beyond any damper, and more parameters than anyone writes.
@@ -67,7 +67,7 @@ struct Places {
 }
 
 /// The rest of the table `[machine]` of a motor as text.
-pub(super) fn read(mut table: Table<'_>, issues: &mut Vec<Issue>) -> Option<(AnyMachine, MachineData)> {
+pub(super) fn read(mut table: Table<'_>, issues: &mut Vec<Issue>) -> Option<Motor> {
     let mut wrong = Vec::new();
     let (span, allowed) = (table.span(), table.allowed());
     let speed = table.scalar(&FIELD_SPEED.name, &FIELD_SPEED.meaning, &FIELD_SPEED.unit);
@@ -110,7 +110,15 @@ pub(super) fn read(mut table: Table<'_>, issues: &mut Vec<Issue>) -> Option<(Any
     }
     let (quantities, values): (Vec<Quantity>, Vec<f64>) =
         names.given.into_iter().map(|(quantity, _, value)| (quantity, value)).unzip();
-    let laws = match Laws::new(quantities, energy, moment, &windings) {
+    let expressions = Expressions {
+        rotor: if Expressions::know_angle(energy, &windings) { RotorState::AngleAndSpeed } else { RotorState::Speed },
+        frame_speed: Sym::symbol(&FIELD_SPEED.name),
+        energy,
+        moment,
+        windings,
+        settled: Vec::new(),
+    };
+    let laws = match Laws::new(NAME, quantities, Vec::new(), &expressions) {
         Ok(laws) => laws,
         Err(long) => {
             issues.push(Issue::at(span, format!("a law has {long}"), "in this table").accepted("a shorter law"));
@@ -134,9 +142,9 @@ pub(super) fn read(mut table: Table<'_>, issues: &mut Vec<Issue>) -> Option<(Any
             allowed,
         ));
     }
-    let (machine, data) = MachineData::written(laws, &values, allowed);
+    let motor = Motor::new(Arc::new(laws), values, allowed);
     if !allowed.negative_friction
-        && let [Some(backwards), Some(_)] = machine.clone().apply(Runaway)
+        && let [Some(backwards), Some(_)] = runaway(&motor)
     {
         let label = format!(
             "its power is {:.4} W at phi' = {:.4} rad/s, and more at higher speeds",
@@ -145,7 +153,7 @@ pub(super) fn read(mut table: Table<'_>, issues: &mut Vec<Issue>) -> Option<(Any
         let title = "the moment law drives the rotor ever harder in both directions";
         issues.push(Issue::at(moment_span, title, label).accepted(Bound::Friction.accepted(-1.0)));
     }
-    (issues.len() == found).then_some((machine, data))
+    (issues.len() == found).then_some(motor)
 }
 
 /// A datum of a winding beyond its bound.

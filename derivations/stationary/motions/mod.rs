@@ -9,7 +9,7 @@ pub use found::{Answer, Certificate, Found, Members};
 pub use refused::NoAnswer;
 
 use super::energies::{Energies, Kept};
-use super::motor::{Motor, Slip};
+use super::motor::{MotorStates, Slip};
 use super::stability::Approximation;
 use super::stability::along::{Along, Known};
 use super::stability::judge::{Given, Judge};
@@ -26,7 +26,7 @@ pub struct Stationary<'a> {
     bodies: &'a Gyrostat<f64>,
     pub energies: Energies<Rational>,
     approximation: Approximation,
-    pub motor: Motor,
+    pub motor: MotorStates,
     pub kept: Kept,
     pub cases: Vec<Case>,
 }
@@ -63,10 +63,9 @@ impl<'a> Stationary<'a> {
     /// [`NoAnswer`].
     pub fn of(scene: &'a Scene) -> Result<Self, NoAnswer> {
         let System::Gyrostat(bodies) = &scene.system else { return Err(NoAnswer::Bench) };
-        let motor = Motor::of(&scene.machine, &scene.machine_data).map_err(NoAnswer::Motor)?;
+        let motor = MotorStates::of(&scene.machine).map_err(NoAnswer::Motor)?;
         let energies = Energies::of(&decimals(bodies));
-        let approximation =
-            Approximation::of(&energies, &scene.machine, &scene.machine_data).map_err(NoAnswer::Motor)?;
+        let approximation = Approximation::of(&energies, &scene.machine).map_err(NoAnswer::Motor)?;
         let (kept, values) = match motor.speeds() {
             Some(speeds) => (Kept::RelativeSpeed, speeds.into_iter().cloned().collect()),
             None => {
@@ -218,8 +217,10 @@ impl<'a> Stationary<'a> {
     /// The second route: the equations that run, at the state that was found.
     fn residual(&self, w: Vector3<f64>, v: Vector3<f64>, rotor_speed: f64) -> f64 {
         let places: Vec<(f64, &[f64])> = match &self.motor {
-            Motor::InStep { angles, .. } => angles.iter().map(|angle| (angle.radians(), &angle.currents[..])).collect(),
-            Motor::Slipping { speeds, .. } => {
+            MotorStates::InStep { angles, .. } => {
+                angles.iter().map(|angle| (angle.radians(), &angle.currents[..])).collect()
+            }
+            MotorStates::Slipping { speeds, .. } => {
                 let off = |slip: &&Slip| (slip.speed.to_f64() - rotor_speed).abs();
                 let own = speeds.iter().min_by(|a, b| off(a).total_cmp(&off(b)));
                 vec![(0.0, own.map_or(&[], |slip| &slip.currents[..]))]

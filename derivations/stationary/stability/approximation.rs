@@ -2,11 +2,9 @@
 
 use super::linear::{Integral, Linear};
 use super::state::{Layout, Place};
-use crate::machines::{AnyMachine, Catalogued, ForMachine, Machine, is_fed, resting_currents};
-use crate::scene::MachineData;
+use crate::machines::{Machine, Motor, RotorState, is_fed, resting_currents};
 use crate::stationary::energies::Energies;
-use crate::stationary::motor::{Decimals, NoMotor};
-use algebra::real::Ordered;
+use crate::stationary::motor::NoMotor;
 use field::{Circle, Rational, Tangent};
 use nalgebra::Vector3;
 use std::sync::Arc;
@@ -35,9 +33,9 @@ impl Approximation {
     /// Of bodies, by their energies, with a machine.
     ///
     /// # Errors
-    /// [`NoMotor`] where the data do not make the machine, or its laws are not algebraic.
-    pub fn of(energies: &Energies<Rational>, machine: &AnyMachine, data: &MachineData) -> Result<Self, NoMotor> {
-        machine.clone().apply(Written { energies, data, name: machine.name() })
+    /// [`NoMotor`] where its laws are not algebraic.
+    pub fn of(energies: &Energies<Rational>, motor: &Motor) -> Result<Self, NoMotor> {
+        Self::with(energies, &motor.decimals())
     }
 
     /// The same with a machine whose data are constants.
@@ -110,21 +108,6 @@ impl Approximation {
     }
 }
 
-struct Written<'a> {
-    energies: &'a Energies<Rational>,
-    data: &'a MachineData,
-    name: &'static str,
-}
-
-impl ForMachine for Written<'_> {
-    type Output = Result<Approximation, NoMotor>;
-
-    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, _machine: M) -> Self::Output {
-        let machine = M::read::<Sym, _>(&mut Decimals(self.data, self.name)).map_err(NoMotor::Data)?;
-        Approximation::with(self.energies, &machine)
-    }
-}
-
 fn vanishes(expression: Sym) -> bool {
     decide(expression, &Hypotheses::none()).is_zero()
 }
@@ -136,9 +119,7 @@ fn is_steady(machine: &impl Machine<Sym>) -> bool {
 }
 
 /// Whether no moment ever acts: without windings and without an angle, the law alone.
-fn is_free<M: Machine<Sym>>(machine: &M) -> bool {
+fn is_free(machine: &impl Machine<Sym>) -> bool {
     let [slip, speed] = symbols(["slip", "speed"]);
-    M::ROTOR == crate::machines::RotorState::Speed
-        && machine.windings() == 0
-        && vanishes(machine.moment_law(slip, speed))
+    machine.rotor() == RotorState::Speed && machine.windings() == 0 && vanishes(machine.moment_law(slip, speed))
 }

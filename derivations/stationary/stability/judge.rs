@@ -4,8 +4,7 @@ use super::approximation::Approximation;
 use super::judged::Judged;
 use super::verdict::{Reason, Verdict};
 use crate::stationary::energies::{Energies, Kept};
-use crate::stationary::motor::{Angle, Motor};
-use algebra::real::{Enclosure, Ordered, Polynomial, Root, Surd};
+use crate::stationary::motor::{Angle, MotorStates};
 use field::{Rational, Scalar};
 use nalgebra::Vector3;
 
@@ -13,7 +12,7 @@ use nalgebra::Vector3;
 pub struct Judge<'a> {
     pub approximation: &'a Approximation,
     pub energies: &'a Energies<Rational>,
-    pub motor: &'a Motor,
+    pub motor: &'a MotorStates,
     pub kept: Kept,
     /// W, or the rotor's own momentum.
     pub value: &'a Root,
@@ -44,7 +43,7 @@ impl Judge<'_> {
     /// Those of a motor in step, else none at all, once.
     pub(super) fn angles(&self) -> Vec<Option<&Angle>> {
         match self.motor {
-            Motor::InStep { angles, .. } => angles.iter().map(Some).collect(),
+            MotorStates::InStep { angles, .. } => angles.iter().map(Some).collect(),
             _ => vec![None],
         }
     }
@@ -89,7 +88,7 @@ impl Judge<'_> {
 
     /// Two speeds of the rotor in one: no slope of the moment damps.
     fn speeds_merge(&self) -> bool {
-        let Motor::Slipping { speeds, .. } = self.motor else { return false };
+        let MotorStates::Slipping { speeds, .. } = self.motor else { return false };
         speeds.iter().any(|slip| slip.slope == 0 && slip.speed.compare(self.value).is_eq())
     }
 

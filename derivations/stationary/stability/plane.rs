@@ -11,8 +11,7 @@ use super::reduced::Reduced;
 use crate::ensemble::known::Data;
 use crate::scene::Scene;
 use crate::stationary::energies::Energies;
-use crate::stationary::motor::{Bears, Motor};
-use algebra::real::Root;
+use crate::stationary::motor::{Bears, MotorStates, NoMotor};
 use field::{Rational, Scalar};
 use std::fmt;
 use symbolic::{Hypotheses, NotPolynomial, Sym, normal};
@@ -139,10 +138,12 @@ impl<'a> Plane<'a> {
             return fraction(Rational::decimal(speed));
         }
         let speed = match self.motor(here)? {
-            Motor::Free => return fraction(Rational::decimal(here.data.start.rotor_speed)),
-            Motor::Kept { speed } => Some(speed),
-            Motor::InStep { speed, angles, .. } => Some(speed).filter(|_| !angles.is_empty()),
-            Motor::Slipping { speeds, .. } => speeds.into_iter().find(|slip| slip.slope < 0).map(|slip| slip.speed),
+            MotorStates::Free => return fraction(Rational::decimal(here.data.start.rotor_speed)),
+            MotorStates::Kept { speed } => Some(speed),
+            MotorStates::InStep { speed, angles, .. } => Some(speed).filter(|_| !angles.is_empty()),
+            MotorStates::Slipping { speeds, .. } => {
+                speeds.into_iter().find(|slip| slip.slope < 0).map(|slip| slip.speed)
+            }
         };
         let Some(speed) = speed else { return Ok(Err(Cell::PulledOut)) };
         // a fraction that its polynomial does not show
@@ -151,17 +152,18 @@ impl<'a> Plane<'a> {
         Ok(Ok(same.unwrap_or(speed)))
     }
 
-    fn motor(&self, here: &Setting) -> Result<Motor, NoPlane> {
-        let mut data = self.scene.machine_data.clone();
-        data.numbers.iter_mut().zip(&here.data.machine).for_each(|((_, value), new)| *value = *new);
-        Motor::under(&self.scene.machine, &data, here.load).map_err(|reason| NoPlane::NoMotor(reason.to_string()))
+    fn motor(&self, here: &Setting) -> Result<MotorStates, NoPlane> {
+        let given = self.scene.given.with_data(here.data.machine.clone());
+        let motor = given.model(self.scene.machine.name()).map_err(NoMotor::Data);
+        let states = motor.and_then(|motor| MotorStates::under(&motor, here.load));
+        states.map_err(|reason| NoPlane::NoMotor(reason.to_string()))
     }
 
     /// The loads at which the motor is pulled out, N m, where the first datum is the load.
     pub fn bears(&self) -> Option<Bears> {
         let here = Setting { data: self.data.clone(), load: 0.0, speed: self.speed, rotor_speed: None };
         match (&self.first.place, self.motor(&here)) {
-            (Where::Load, Ok(Motor::InStep { bears, .. })) => bears,
+            (Where::Load, Ok(MotorStates::InStep { bears, .. })) => bears,
             _ => None,
         }
     }

@@ -26,8 +26,8 @@ pub struct Layout {
 
 impl Layout {
     /// Of a machine.
-    pub fn of<P: Base, M: Machine<P>>(machine: &M) -> Self {
-        Layout { rotor: M::ROTOR, windings: machine.windings() }
+    pub fn of<P: Base>(machine: &impl Machine<P>) -> Self {
+        Layout { rotor: machine.rotor(), windings: machine.windings() }
     }
 
     /// The number of states.

@@ -27,7 +27,7 @@ impl<P: Base, F: Form<P>, M: Machine<P>> Driven<P, F, M> {
 
     /// 6 + the rotor's states + the currents.
     pub fn dimension(&self) -> usize {
-        6 + M::ROTOR.dimension() + self.machine.windings()
+        6 + self.machine.rotor().dimension() + self.machine.windings()
     }
 
     /// Names of the states, in order.
@@ -47,17 +47,18 @@ impl<P: Base, F: Form<P>, M: Machine<P>> Driven<P, F, M> {
     #[inline(always)]
     pub fn rates_under<S: Over<P> + Analytic>(&self, load: S, y: &[S], dy: &mut [S]) {
         let (w, v) = (Vector3::new(y[0], y[1], y[2]), Vector3::new(y[3], y[4], y[5]));
-        let rotor_end = 6 + M::ROTOR.dimension();
-        let (angle, slip) = M::ROTOR.angle_and_slip(&y[6..rotor_end]);
+        let known = self.machine.rotor();
+        let rotor_end = 6 + known.dimension();
+        let (angle, slip) = known.angle_and_slip(&y[6..rotor_end]);
         let rotor_speed = slip + S::lift(self.machine.frame_speed());
         let (mechanical, current_rates) = dy.split_at_mut(rotor_end);
         let circuits = self.circuits.iter().copied();
         let moment = drive_circuits(&self.machine, circuits, angle, slip, &y[rotor_end..], current_rates) - load;
-        let w_rate = if M::ROTOR == RotorState::Prescribed {
+        let w_rate = if known == RotorState::Prescribed {
             self.form.prescribed(w, v, rotor_speed).0
         } else {
             let (w_rate, rotor_acceleration) = self.form.accelerations(w, v, rotor_speed, moment);
-            M::ROTOR.write(slip, rotor_acceleration, &mut mechanical[6..]);
+            known.write(slip, rotor_acceleration, &mut mechanical[6..]);
             w_rate
         };
         let v_rate = cross(v, w);
@@ -81,9 +82,10 @@ impl<P: Base, F: Form<P>, M: Machine<P>> Driven<P, F, M> {
 
     /// The energy of bodies, weight and circuits.
     pub fn energy<S: Over<P> + Analytic>(&self, y: &[S]) -> S {
-        let rotor_end = 6 + M::ROTOR.dimension();
+        let known = self.machine.rotor();
+        let rotor_end = 6 + known.dimension();
         let (w, v) = (Vector3::new(y[0], y[1], y[2]), Vector3::new(y[3], y[4], y[5]));
-        let (angle, _) = M::ROTOR.angle_and_slip(&y[6..rotor_end]);
+        let (angle, _) = known.angle_and_slip(&y[6..rotor_end]);
         self.form.energy(w, v, self.rotor_speed(y)) + stored_energy(&self.machine, angle, &y[rotor_end..])
     }
 
@@ -101,7 +103,8 @@ impl<P: Base, F: Form<P>, M: Machine<P>> Driven<P, F, M> {
 
     /// phi' = g' + W.
     pub fn rotor_speed<S: Over<P> + Analytic>(&self, y: &[S]) -> S {
-        let (_, slip) = M::ROTOR.angle_and_slip(&y[6..6 + M::ROTOR.dimension()]);
+        let known = self.machine.rotor();
+        let (_, slip) = known.angle_and_slip(&y[6..6 + known.dimension()]);
         slip + S::lift(self.machine.frame_speed())
     }
 }

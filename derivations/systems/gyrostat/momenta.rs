@@ -23,8 +23,8 @@
 use super::driven::Driven;
 use super::forms::Form;
 use crate::machines::{
-    Acting, Kick, Law, Machine, Point as RotorPoint, Programmed, Programs, RotorState, Rule, decay_quotient,
-    fading_slip, fastest_current, has_known_flow, kick, solved,
+    Acting, Fading, Kick, Law, Machine, Point as RotorPoint, Programmed, Programs, RotorState, Rule, decay_quotient,
+    has_known_flow, kick, solved,
 };
 use crate::separated::Separable;
 use crate::taped::Running;
@@ -76,11 +76,11 @@ pub struct Flows<S: Scalar> {
 
 impl<S: Analytic> Flows<S> {
     /// Of a form with a machine.
-    pub fn new<P: Base, M: Machine<P>>(form: &impl Form<P>, machine: &M) -> Self
+    pub fn new<P: Base>(form: &impl Form<P>, machine: &impl Machine<P>) -> Self
     where
         S: Over<P>,
     {
-        let kept = M::ROTOR == RotorState::Prescribed;
+        let kept = machine.rotor() == RotorState::Prescribed;
         let Momenta { mobility, oblique, share, axis, axial, weight } = form.momenta(kept);
         let momenta = Momenta {
             mobility: mobility.map(S::lift),
@@ -160,7 +160,7 @@ impl<S: Analytic> Flows<S> {
     {
         let moment = self.momenta.weight.cross(&at.vertical);
         let mut left = S::zero();
-        if A::Machine::ROTOR != RotorState::Prescribed {
+        if machine.machine().rotor() != RotorState::Prescribed {
             let (_, slip) = self.velocities(at);
             let pull = -self.momenta.axis.dot(&self.angular_velocity(moment));
             left = kick(machine, by, slip, pull, &mut at.rotor);
@@ -186,15 +186,16 @@ impl<S: Analytic> Flows<S> {
     }
 
     /// From a state (w, v, rotor, currents) of the law.
-    pub fn enter<P: Base, M: Machine<P>>(&self, form: &impl Form<P>, machine: &M, y: &[S]) -> Point<S>
+    pub fn enter<P: Base>(&self, form: &impl Form<P>, machine: &impl Machine<P>, y: &[S]) -> Point<S>
     where
         S: Over<P>,
     {
         let (w, vertical) = (Vector3::new(y[0], y[1], y[2]), Vector3::new(y[3], y[4], y[5]));
-        let (rotor, currents) = y[6..].split_at(M::ROTOR.dimension());
-        let (_, slip) = M::ROTOR.angle_and_slip(rotor);
+        let known = machine.rotor();
+        let (rotor, currents) = y[6..].split_at(known.dimension());
+        let (_, slip) = known.angle_and_slip(rotor);
         let rotor_speed = slip + self.frame_speed;
-        let absolute = if M::ROTOR == RotorState::Prescribed { S::zero() } else { w.dot(&self.momenta.axis) };
+        let absolute = if known == RotorState::Prescribed { S::zero() } else { w.dot(&self.momenta.axis) };
         Point {
             momentum: form.momentum(w, rotor_speed),
             vertical,
@@ -226,8 +227,7 @@ pub struct GyrostatPieces<'a, S: Scalar, F, M> {
     flows: Flows<S>,
     law: Law,
     rule: Rule<S>,
-    /// The largest r_k.
-    fastest: S,
+    fading: Fading<S>,
 }
 
 impl<S: Real + Running, F: Form<f64>, M: Machine<f64>> Pieces<S> for GyrostatPieces<'_, S, F, M> {
@@ -255,11 +255,11 @@ impl<S: Real + Running, F: Form<f64>, M: Machine<f64>> Pieces<S> for GyrostatPie
     }
 
     fn fading(&self, point: &Point<S>) -> f64 {
-        if M::ROTOR == RotorState::Prescribed {
+        if self.machine.rotor() == RotorState::Prescribed {
             return 0.0;
         }
         let (_, slip) = self.flows.velocities(point);
-        self.fastest.approx().max(fading_slip(self.machine, self.flows.compliance(), slip).approx())
+        self.fading.fastest(self.machine, slip)
     }
 
     #[inline]
@@ -280,20 +280,16 @@ impl<F: Form<f64>, M: Machine<f64>> Driven<f64, F, M> {
     pub fn in_momenta<'a, S: Real>(&'a self, programs: Option<&'a Programs>) -> Option<GyrostatPieces<'a, S, F, M>> {
         let Driven { form, machine, .. } = self;
         let flows = Flows::new(form, machine);
-        has_known_flow(machine).then(|| GyrostatPieces {
-            form,
-            machine,
-            acting: Programmed::new(machine, programs),
-            flows,
-            law: Law::of(machine),
-            rule: Rule::gauss(),
-            fastest: fastest_current(machine),
+        has_known_flow(machine).then(|| {
+            let law = Law::of(machine);
+            let (acting, fading) = (Programmed::new(machine, programs), Fading::of(machine, law, flows.compliance()));
+            GyrostatPieces { form, machine, acting, flows, law, rule: Rule::gauss(), fading }
         })
     }
 }
 
 impl<F: Form<f64>, M: Machine<f64> + Sync> Separable for Driven<f64, F, M> {
-    fn programs(&self) -> Option<Programs> {
+    fn programs(&self) -> Programs {
         Programs::of(&self.machine)
     }
 

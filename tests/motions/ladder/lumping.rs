@@ -17,7 +17,9 @@ struct Bars<P> {
 }
 
 impl<P: Base> Machine<P> for Bars<P> {
-    const ROTOR: RotorState = RotorState::AngleAndSpeed;
+    fn rotor(&self) -> RotorState {
+        RotorState::AngleAndSpeed
+    }
 
     fn frame_speed(&self) -> P {
         self.field_speed

@@ -30,7 +30,7 @@ fn the_same_motor_with_all_its_bars_and_with_its_equivalent_windings_has_the_sam
     let starts = Starts { slip: [-150.0, 0.0], ..STARTS };
     let loads = [0.0, 0.04, 0.08, 0.12];
     let all = shares(&scene, &loads, starts, 3.0).expect("a motor");
-    scene.machine = scene.machine_data.machine("equivalent_windings").expect("its data are complete");
+    scene.machine = scene.given.model("equivalent_windings").expect("its data are complete");
     let lumped = shares(&scene, &loads, starts, 3.0).expect("a motor");
     assert_eq!(all, lumped);
     assert_eq!(lumped, shares(&scene, &loads, starts, 3.0).expect("a motor"));

@@ -1,7 +1,7 @@
 //! Pull-out: the angles in step over the load.
 
 use super::{loaded, pendulum, scene};
-use dalembert_derivations::stationary::motor::{Motor, NoMotor};
+use dalembert_derivations::stationary::motor::{MotorStates, NoMotor};
 use dalembert_derivations::synchronism::branches::Standing;
 use dalembert_derivations::synchronism::loaded::{Loaded, giving_way};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -21,7 +21,7 @@ fn the_angles_merge_where_the_closed_form_says_and_the_exact_roots_too() {
         for (fold, (angle, load)) in found.iter().zip(known) {
             assert!((fold.load - load).abs() < 1e-12 * hold && (fold.angle - angle).abs() < 1e-12, "{name}: {fold:?}");
         }
-        let Ok(Motor::InStep { bears: Some(bears), .. }) = Motor::of(&scene.machine, &scene.machine_data) else {
+        let Ok(MotorStates::InStep { bears: Some(bears), .. }) = MotorStates::of(&scene.machine) else {
             panic!("{name} follows its field")
         };
         let ends = [bears.greatest, bears.least];
@@ -45,9 +45,11 @@ fn between_the_folds_the_angle_is_stable_and_beyond_it_is_not() {
 #[test]
 fn exact_roots_under_a_load_lie_on_the_branch() {
     let scene = scene("bench");
-    let (motor, data) = (loaded(&scene), &scene.machine_data);
+    let motor = loaded(&scene);
     for load in [-0.1, 0.03, 0.1349] {
-        let Ok(Motor::InStep { angles, .. }) = Motor::under(&scene.machine, data, load) else { panic!("in step") };
+        let Ok(MotorStates::InStep { angles, .. }) = MotorStates::under(&scene.machine, load) else {
+            panic!("in step")
+        };
         let mut found: Vec<f64> = angles.iter().map(|angle| angle.radians()).collect();
         found.sort_by(f64::total_cmp);
         let held = -((load + 0.015) / 0.15_f64).asin();
@@ -56,12 +58,14 @@ fn exact_roots_under_a_load_lie_on_the_branch() {
         known.sort_by(f64::total_cmp);
         assert!(found.len() == 2 && found.iter().zip(known).all(|(a, b)| (a - b).abs() < 1e-7), "{found:?} {known:?}");
     }
-    assert!(matches!(Motor::under(&scene.machine, data, 0.136), Ok(Motor::InStep { angles, .. }) if angles.is_empty()));
     assert!(
-        matches!(Motor::under(&scene.machine, data, 0.135), Ok(Motor::InStep { angles, .. }) if angles[0].slope == 0)
+        matches!(MotorStates::under(&scene.machine, 0.136), Ok(MotorStates::InStep { angles, .. }) if angles.is_empty())
     );
     assert!(
-        Motor::under(&scene.machine, data, f64::NAN).is_err_and(|reason| matches!(reason, NoMotor::NotAlgebraic(_)))
+        matches!(MotorStates::under(&scene.machine, 0.135), Ok(MotorStates::InStep { angles, .. }) if angles[0].slope == 0)
+    );
+    assert!(
+        MotorStates::under(&scene.machine, f64::NAN).is_err_and(|reason| matches!(reason, NoMotor::NotAlgebraic(_)))
     );
     assert!(!motor.in_step().is_empty());
 }
@@ -71,9 +75,7 @@ fn a_motor_without_a_field_or_an_angle_is_refused_by_name() {
     let asynchronous = Loaded::of(&scene("asynchronous_drive")).err().expect("it has no angle").to_string();
     assert!(asynchronous.contains("kloss") && asynchronous.contains("accepted"), "{asynchronous}");
     let mut flat = scene("bench");
-    let b0 = flat.machine_data.numbers.iter_mut().find(|(quantity, _)| quantity.name == "b0").expect("it has a field");
-    b0.1 = 0.0;
-    flat.machine = flat.machine_data.machine("multi_current").expect("its data are complete");
+    flat.machine = flat.machine.with("b0", 0.0).expect("it has a field");
     let flat = Loaded::of(&flat).err().expect("nothing holds").to_string();
     assert!(flat.contains("b0 > 0 of a synchronous machine is accepted"), "{flat}");
 }

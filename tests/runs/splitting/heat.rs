@@ -1,7 +1,7 @@
 //! The energy that is lost is the work of friction and resistance, to the order of the method.
 
 use super::runs;
-use dalembert_derivations::machines::{Catalogued, ForMachine, Machine, RotorState, heat};
+use dalembert_derivations::machines::{Machine, Motor, RotorState, heat};
 use dalembert_derivations::scene::{Axes, System as Kind};
 use dalembert_derivations::separated::Separable;
 use dalembert_derivations::systems::gyrostat::Gyrostat;
@@ -15,76 +15,70 @@ const TIME: f64 = 0.4;
 const INSTANTS: usize = 8;
 
 /// A gyrostat with what it has lost: D' = sum R_k i_k^2 - m g'.
-struct Losing<M>(Driven<f64, FirstForm<f64>, M>);
+struct Losing(Driven<f64, FirstForm<f64>, Motor>);
 
-impl<S: Over<f64> + Analytic, M: Machine<f64>> Ode<S> for Losing<M> {
+impl<S: Over<f64> + Analytic> Ode<S> for Losing {
     fn dimension(&self) -> usize {
         self.0.dimension() + 1
     }
 
     fn rates(&self, _: S, y: &[S], dy: &mut [S]) {
-        let (rotor, end) = (6 + M::ROTOR.dimension(), self.0.dimension());
+        let known = self.0.machine.rotor();
+        let (rotor, end) = (6 + known.dimension(), self.0.dimension());
         let (lost, rates) = dy.split_last_mut().expect("it has components");
         self.0.rates(&y[..end], rates);
-        let (_, slip) = M::ROTOR.angle_and_slip(&y[6..rotor]);
+        let (_, slip) = known.angle_and_slip(&y[6..rotor]);
         let speed = slip + S::lift(self.0.machine.frame_speed());
         *lost = heat(&self.0.machine, &y[rotor..end]) - self.0.machine.moment_law(slip, speed) * slip;
     }
 }
 
-impl<M: Machine<f64>> System for Losing<M> {}
+impl System for Losing {}
 
-/// What a splitting with so many steps makes of it: the largest error of the lost energy at the instants, and by how much
+/// What splittings with so many steps make of it: the largest error of the lost energy at the instants, and by how much
 /// E - W p + c0 g ever rises, c0 = -m(0).
-struct Lost<'a>(&'a Gyrostat<f64>, &'a [f64]);
-
-impl ForMachine for Lost<'_> {
-    type Output = ();
-
-    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) {
-        let Lost(bodies, state) = self;
-        assert_eq!(M::ROTOR, RotorState::AngleAndSpeed);
-        let friction = machine.moment_law(0.0, machine.frame_speed());
-        let losing = Losing(Driven::new(bodies.first_form().0, machine));
-        let law = &losing.0;
-        let reference = reference(&losing, state);
-        for splitting in Splitting::ALL {
-            let run = |steps: usize| {
-                let mut composed = compose(law.pieces::<f64>().expect("it has pieces"), splitting);
-                composed.prepare(TIME / steps as f64);
-                composed.enter(state);
-                let mut y = state.to_vec();
-                let start = law.jacobi(&y);
-                let (mut error, mut rise, mut lowest) = (0.0_f64, 0.0_f64, f64::INFINITY);
-                for k in 1..=steps {
-                    assert!(composed.advance());
-                    composed.leave(&mut y);
-                    let energy = law.jacobi(&y);
-                    let falling = energy - friction * y[6];
-                    lowest = lowest.min(falling);
-                    rise = rise.max(falling - lowest);
-                    if (k * INSTANTS).is_multiple_of(steps) {
-                        error = error.max((start - energy - reference[k * INSTANTS / steps - 1]).abs());
-                    }
+fn loses_what_is_taken(bodies: &Gyrostat<f64>, machine: Motor, state: &[f64]) {
+    assert_eq!(machine.rotor(), RotorState::AngleAndSpeed);
+    let friction = machine.moment_law(0.0, machine.frame_speed());
+    let losing = Losing(Driven::new(bodies.first_form().0, machine));
+    let law = &losing.0;
+    let (reference, programs) = (reference(&losing, state), law.programs());
+    for splitting in Splitting::ALL {
+        let run = |steps: usize| {
+            let mut composed = compose(law.pieces_by::<f64>(Some(&programs)).expect("it has pieces"), splitting);
+            composed.prepare(TIME / steps as f64);
+            composed.enter(state);
+            let mut y = state.to_vec();
+            let start = law.jacobi(&y);
+            let (mut error, mut rise, mut lowest) = (0.0_f64, 0.0_f64, f64::INFINITY);
+            for k in 1..=steps {
+                assert!(composed.advance());
+                composed.leave(&mut y);
+                let energy = law.jacobi(&y);
+                let falling = energy - friction * y[6];
+                lowest = lowest.min(falling);
+                rise = rise.max(falling - lowest);
+                if (k * INSTANTS).is_multiple_of(steps) {
+                    error = error.max((start - energy - reference[k * INSTANTS / steps - 1]).abs());
                 }
-                (error, rise)
-            };
-            let (small, theory) = match splitting {
-                Splitting::Strang => (1e-5, 2.0),
-                Splitting::KahanLi8 => (1e-8, 8.0),
-                other => (1e-9, f64::from(other.order())),
-            };
-            let steps = (0..12).map(|k| INSTANTS << k).find(|steps| run(*steps).0 < small).expect("it converges");
-            let [(coarse, rise), (fine, _)] = [run(steps), run(2 * steps)];
-            let (order, name) = ((coarse / fine).log2(), splitting.name());
-            assert!((-0.5..1.0).contains(&(order - theory)), "{name}: {coarse:.1e} {fine:.1e}, order {order:.2}");
-            assert!(rise <= 2.0 * coarse, "{name}: rises by {rise:.1e}, the error is {coarse:.1e}");
-        }
+            }
+            (error, rise)
+        };
+        let (small, theory) = match splitting {
+            Splitting::Strang => (1e-5, 2.0),
+            Splitting::KahanLi8 => (1e-8, 8.0),
+            other => (1e-9, f64::from(other.order())),
+        };
+        let steps = (0..12).map(|k| INSTANTS << k).find(|steps| run(*steps).0 < small).expect("it converges");
+        let [(coarse, rise), (fine, _)] = [run(steps), run(2 * steps)];
+        let (order, name) = ((coarse / fine).log2(), splitting.name());
+        assert!((-0.5..1.0).contains(&(order - theory)), "{name}: {coarse:.1e} {fine:.1e}, order {order:.2}");
+        assert!(rise <= 2.0 * coarse, "{name}: rises by {rise:.1e}, the error is {coarse:.1e}");
     }
 }
 
 /// What is lost by each instant: the integral of heat and friction in double-double, which the energies confirm.
-fn reference<M: Machine<f64>>(losing: &Losing<M>, state: &[f64]) -> Vec<f64> {
+fn reference(losing: &Losing, state: &[f64]) -> Vec<f64> {
     let mut start: Vec<DoubleDouble> = state.iter().map(|y| DoubleDouble::from(*y)).collect();
     start.push(DoubleDouble::from(0.0));
     let span = Span::new(0.0, TIME, &start).with_even_outputs(INSTANTS);
@@ -108,6 +102,6 @@ fn the_energy_lost_is_the_work_of_friction_and_resistance_to_the_order_and_nothi
     {
         let scene = runs::scene(name, model);
         let Kind::Gyrostat(bodies) = &scene.system else { panic!("{name} is a gyrostat") };
-        scene.machine.clone().apply(Lost(bodies, &scene.problem(Axes::First).state));
+        loses_what_is_taken(bodies, scene.machine.clone(), &scene.problem(Axes::First).state);
     }
 }

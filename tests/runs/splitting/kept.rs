@@ -1,7 +1,7 @@
 //! What the steps keep: |v|, x.v, brackets, the energy within bounds, the rate at which volumes shrink.
 
 use super::runs::{self, SCENES, split};
-use dalembert_derivations::machines::{AnyMachine, Catalogued, ForMachine, Point as RotorPoint};
+use dalembert_derivations::machines::{Motor, Point as RotorPoint};
 use dalembert_derivations::scene::{Axes, System};
 use dalembert_derivations::separated::Separable;
 use dalembert_derivations::systems::gyrostat::Gyrostat;
@@ -79,33 +79,26 @@ fn matrix(step: impl Fn(&[DoubleDouble]) -> Vec<DoubleDouble>, at: &[DoubleDoubl
     DMatrix::from_fn(columns[0].len(), at.len(), |i, k| columns[k][i])
 }
 
-/// det of the matrix of a step, and what the divergence of the law makes of it.
-struct Volumes<'a>(&'a Gyrostat<f64>, &'a [f64], Splitting);
-
 const STEP: f64 = 0.01;
 
-impl ForMachine for Volumes<'_> {
-    type Output = (f64, f64);
-
-    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> (f64, f64) {
-        let Volumes(bodies, state, splitting) = self;
-        let law = Driven::new(bodies.first_form().0, machine);
-        let n = state.len();
-        let step = |y: &[DoubleDouble]| {
-            let mut composed = compose(law.pieces().expect("it has pieces"), splitting);
-            composed.prepare(DoubleDouble::from(STEP));
-            composed.enter(y);
-            assert!(composed.advance());
-            let mut after = y.to_vec();
-            composed.leave(&mut after);
-            after
-        };
-        let twice: Vec<DoubleDouble> = state.iter().map(|y| DoubleDouble::from(*y)).collect();
-        let mut jacobian = vec![0.0; n * n];
-        Jacobian::new(&law).matrix(0.0, state, &mut jacobian);
-        let divergence: f64 = (0..n).map(|k| jacobian[k * n + k]).sum();
-        (matrix(step, &twice).determinant(), (STEP * divergence).exp())
-    }
+/// det of the matrix of a step, and what the divergence of the law makes of it.
+fn volumes(bodies: &Gyrostat<f64>, machine: Motor, state: &[f64], splitting: Splitting) -> (f64, f64) {
+    let law = Driven::new(bodies.first_form().0, machine);
+    let n = state.len();
+    let step = |y: &[DoubleDouble]| {
+        let mut composed = compose(law.pieces().expect("it has pieces"), splitting);
+        composed.prepare(DoubleDouble::from(STEP));
+        composed.enter(y);
+        assert!(composed.advance());
+        let mut after = y.to_vec();
+        composed.leave(&mut after);
+        after
+    };
+    let twice: Vec<DoubleDouble> = state.iter().map(|y| DoubleDouble::from(*y)).collect();
+    let mut jacobian = vec![0.0; n * n];
+    Jacobian::new(&law).matrix(0.0, state, &mut jacobian);
+    let divergence: f64 = (0..n).map(|k| jacobian[k * n + k]).sum();
+    (matrix(step, &twice).determinant(), (STEP * divergence).exp())
 }
 
 /// Friction and resistance shrink volumes at a constant rate: every step does so exactly, of whatever length and order.
@@ -116,7 +109,7 @@ fn volumes_shrink_exactly_as_the_divergence_of_the_law_says() {
         let System::Gyrostat(bodies) = &scene.system else { panic!("{name} is a gyrostat") };
         let state = scene.problem(Axes::First).state;
         for splitting in Splitting::ALL {
-            let (found, theory) = scene.machine.clone().apply(Volumes(bodies, &state, splitting));
+            let (found, theory) = volumes(bodies, scene.machine.clone(), &state, splitting);
             let what = format!("{name} {model:?} {}", splitting.name());
             assert!((found / theory - 1.0).abs() < 1e-12, "{what}: {found} and {theory}");
             assert_eq!(theory < 0.999, name != "free_rotor", "{what}: {theory}");
@@ -140,11 +133,9 @@ fn bracket(z: &[DoubleDouble]) -> DMatrix<f64> {
 /// M B(z) M^T = B(step(z)): without friction a step is as much a Hamiltonian motion as the motion itself.
 #[test]
 fn without_friction_a_step_keeps_the_bracket() {
-    let mut scene = runs::scene("spin_up", Some("synchronous"));
+    let scene = runs::scene("spin_up", Some("synchronous"));
     let System::Gyrostat(bodies) = &scene.system else { panic!("it is a gyrostat") };
-    let AnyMachine::Synchronous(motor) = &mut scene.machine else { panic!("it is synchronous") };
-    motor.f = 0.0;
-    let law = Driven::new(bodies.first_form().0, *motor);
+    let law = Driven::new(bodies.first_form().0, scene.machine.with("f", 0.0).expect("it has friction"));
     let pieces = law.in_momenta::<DoubleDouble>(None).expect("it has pieces");
     let state = [0.3, -0.2, 4.0, 0.6, 0.0, 0.8, 0.7, -11.0].map(DoubleDouble::from);
     let start = flat(&pieces.enter(&state));

@@ -8,9 +8,7 @@ use dalembert_derivations::machines::free_rotor::FreeRotor;
 use dalembert_derivations::machines::kloss::Kloss;
 use dalembert_derivations::machines::multi_current::{MultiCurrent, Windings};
 use dalembert_derivations::machines::synchronous::Synchronous;
-use dalembert_derivations::machines::{
-    Bench, Catalogued, ForMachine, Kick, Law, Machine, Point as RotorPoint, RotorState, Rule, has_known_flow,
-};
+use dalembert_derivations::machines::{Bench, Kick, Law, Machine, Motor, Point as RotorPoint, RotorState, Rule, has_known_flow};
 use dalembert_derivations::separated::Separable;
 use dalembert_derivations::systems::gyrostat::Gyrostat;
 use dalembert_derivations::systems::gyrostat::driven::Driven;
@@ -69,7 +67,7 @@ fn both<P: Base, S: Over<P> + Analytic, F: Form<P>, M: Machine<P>>(
 /// A point of symbols; a rotor that is kept has the momentum A' W.
 fn symbolic<M: Machine<Sym>>(machine: &M, axial: Sym) -> Point<Sym> {
     let three = |stem: &str| Vector3::from_fn(|k, _| Sym::symbol(&format!("{stem}{}", k + 1)));
-    let kept = M::ROTOR == RotorState::Prescribed;
+    let kept = machine.rotor() == RotorState::Prescribed;
     Point {
         momentum: three("x"),
         vertical: three("v"),
@@ -131,27 +129,21 @@ fn gap<S: Real>(a: &[S], b: &[S]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (*a - *b).magnitude().approx() / size(*b)).fold(0.0, f64::max)
 }
 
-/// Whether any machine's pieces sum to the law, and whether each of its flows is one.
-struct Sound<'a>(&'a Gyrostat<f64>, &'a [f64]);
-
-impl ForMachine for Sound<'_> {
-    type Output = Result<(), TestCaseError>;
-
-    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> Self::Output {
-        if !has_known_flow(&machine) {
-            let driven = Driven::new(self.0.first_form().0, machine.clone());
-            let none = driven.pieces::<f64>().is_none() && Bench { machine, axial: 0.7 }.pieces::<f64>().is_none();
-            prop_assert!(none, "pieces without a known flow");
-            return Ok(());
-        }
-        in_form(Driven::new(self.0.first_form().0, machine.clone()), self.1)?;
-        in_form(Driven::new(self.0.second_form().0, machine.clone()), self.1)?;
-        if M::ROTOR != RotorState::Prescribed {
-            let bench = Bench { machine, axial: 0.7 };
-            are_flows(&bench, &self.1[6..6 + bench.dimension()])?;
-        }
-        Ok(())
+/// Whether the pieces of a machine sum to the law, and whether each of its flows is one.
+fn is_sound(g: &Gyrostat<f64>, machine: Motor, state: &[f64]) -> Result<(), TestCaseError> {
+    if !has_known_flow(&machine) {
+        let driven = Driven::new(g.first_form().0, machine.clone());
+        let none = driven.pieces::<f64>().is_none() && Bench { machine, axial: 0.7 }.pieces::<f64>().is_none();
+        prop_assert!(none, "pieces without a known flow");
+        return Ok(());
     }
+    in_form(Driven::new(g.first_form().0, machine.clone()), state)?;
+    in_form(Driven::new(g.second_form().0, machine.clone()), state)?;
+    if machine.rotor() != RotorState::Prescribed {
+        let bench = Bench { machine, axial: 0.7 };
+        are_flows(&bench, &state[6..6 + bench.dimension()])?;
+    }
+    Ok(())
 }
 
 fn in_form<F: Form<f64>, M: Machine<f64> + Sync>(
@@ -202,7 +194,7 @@ proptest! {
     ) {
         let (g, state) = (rounded(&g), sample.state(40));
         for machine in every_machine(&sample) {
-            machine.apply(Sound(&g, &state))?;
+            is_sound(&g, machine, &state)?;
         }
     }
 }

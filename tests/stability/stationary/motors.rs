@@ -2,7 +2,7 @@
 
 use dalembert_derivations::scene::{Axes, Family, Scene, Start};
 use dalembert_derivations::stationary::motions::Stationary;
-use dalembert_derivations::stationary::motor::{Motor, NoMotor, Slip};
+use dalembert_derivations::stationary::motor::{MotorStates, NoMotor, Slip};
 use std::path::Path;
 
 fn scene(name: &str) -> Scene {
@@ -18,13 +18,13 @@ fn with(text: &str, changes: &[(&str, &str)]) -> Scene {
     Scene::parse("changed.toml", &text).expect("the scene is sound")
 }
 
-fn motor(scene: &Scene) -> Motor {
-    Motor::of(&scene.machine, &scene.machine_data).expect("the motor is algebraic")
+fn motor(scene: &Scene) -> MotorStates {
+    MotorStates::of(&scene.machine).expect("the motor is algebraic")
 }
 
 #[test]
 fn a_synchronous_motor_has_two_angles_one_of_which_holds() {
-    let Motor::InStep { angles, bears, .. } = motor(&scene("spin_up")) else { panic!("it follows its field") };
+    let MotorStates::InStep { angles, bears, .. } = motor(&scene("spin_up")) else { panic!("it follows its field") };
     // sin g = -f W / b0 = -0.1
     let mut found: Vec<(f64, i32)> = angles.iter().map(|angle| (angle.radians(), angle.slope)).collect();
     found.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -42,7 +42,7 @@ fn a_synchronous_motor_has_two_angles_one_of_which_holds() {
 fn both_angles_merge_at_pull_out_and_vanish_beyond() {
     // f W = b0 at f = 1e-3, to the last digit of the decimals
     let at = |f: &str| match motor(&with("spin_up", &[("f = \"1e-4 N m s\"", &format!("f = \"{f} N m s\""))])) {
-        Motor::InStep { angles, .. } => angles.iter().map(|angle| angle.slope).collect::<Vec<_>>(),
+        MotorStates::InStep { angles, .. } => angles.iter().map(|angle| angle.slope).collect::<Vec<_>>(),
         other => panic!("{other:?}"),
     };
     assert_eq!(at("0.9999999999e-3").len(), 2);
@@ -54,7 +54,8 @@ fn both_angles_merge_at_pull_out_and_vanish_beyond() {
 
 #[test]
 fn without_friction_the_angles_are_zero_and_half_a_turn() {
-    let Motor::InStep { angles, .. } = motor(&with("spin_up", &[("f = \"1e-4 N m s\"", "f = \"0 N m s\"")])) else {
+    let MotorStates::InStep { angles, .. } = motor(&with("spin_up", &[("f = \"1e-4 N m s\"", "f = \"0 N m s\"")]))
+    else {
         panic!("it follows its field")
     };
     let found: Vec<(f64, i32)> = angles.iter().map(|angle| (angle.radians(), angle.slope)).collect();
@@ -64,7 +65,7 @@ fn without_friction_the_angles_are_zero_and_half_a_turn() {
 #[test]
 fn kloss_motor_has_one_or_three_speeds() {
     let slopes = |scene: &Scene| match motor(scene) {
-        Motor::Slipping { speeds, .. } => speeds.iter().map(|Slip { slope, .. }| *slope).collect::<Vec<_>>(),
+        MotorStates::Slipping { speeds, .. } => speeds.iter().map(|Slip { slope, .. }| *slope).collect::<Vec<_>>(),
         other => panic!("{other:?}"),
     };
     assert_eq!(slopes(&scene("asynchronous_drive")), [-1]);
@@ -76,7 +77,7 @@ fn kloss_motor_has_one_or_three_speeds() {
 #[test]
 fn a_motor_on_a_supply_rests_with_the_currents_that_its_law_keeps() {
     let scene = scene("machines/permanent_magnet_bench");
-    let Motor::InStep { angles, bears, .. } = motor(&scene) else { panic!("it follows its field") };
+    let MotorStates::InStep { angles, bears, .. } = motor(&scene) else { panic!("it follows its field") };
     assert_eq!(angles.iter().filter(|angle| angle.slope < 0).count(), 3);
     assert_eq!(angles.len(), 6);
     assert!(bears.is_some_and(|bears| bears.greatest > 0.05 && bears.least < -0.05), "{bears:?}");
@@ -98,7 +99,7 @@ fn a_motor_on_a_supply_rests_with_the_currents_that_its_law_keeps() {
 /// w = u k / (k^2 + f R), i = f w / k.
 #[test]
 fn a_brushed_motor_has_one_speed_and_one_current() {
-    let Motor::Slipping { speeds, .. } = motor(&scene("machines/brushed")) else { panic!("it has no angle") };
+    let MotorStates::Slipping { speeds, .. } = motor(&scene("machines/brushed")) else { panic!("it has no angle") };
     let [Slip { speed, slope: -1, currents }] = &speeds[..] else { panic!("{speeds:?}") };
     let (u, k, r, f) = (24.0, 0.045, 0.6, 1e-4);
     let expected = u * k / (k * k + f * r);
@@ -109,16 +110,16 @@ fn a_brushed_motor_has_one_speed_and_one_current() {
         ("system = ", "allow = [\"zero resistance\"]\nsystem = "),
     ];
     let ideal = with("machines/brushed", &ideal);
-    assert_eq!(Motor::of(&ideal.machine, &ideal.machine_data).map(|_| ()), Err(NoMotor::NoRest));
+    assert_eq!(MotorStates::of(&ideal.machine).map(|_| ()), Err(NoMotor::NoRest));
 }
 
 /// Crossed windings feel the slip alone: in step friction has nothing against it, and without friction any angle will do.
 #[test]
 fn crossed_windings_are_never_held_in_step() {
     let found = motor(&scene("machines/crossed_windings_bench"));
-    assert!(matches!(&found, Motor::InStep { angles, .. } if angles.is_empty()), "{found:?}");
+    assert!(matches!(&found, MotorStates::InStep { angles, .. } if angles.is_empty()), "{found:?}");
     let free = with("machines/crossed_windings_bench", &[("f = \"4e-4 N m s\"", "f = \"0 N m s\"")]);
-    assert_eq!(Motor::of(&free.machine, &free.machine_data).map(|_| ()), Err(NoMotor::AnyAngle));
+    assert_eq!(MotorStates::of(&free.machine).map(|_| ()), Err(NoMotor::AnyAngle));
 }
 
 #[test]

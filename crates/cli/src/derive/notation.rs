@@ -107,7 +107,7 @@ pub(super) fn of_scene(asked: &Asked) -> Result<String, Ending> {
                 ));
             }
             let scene = Scene::open(Path::new(&asked.system))?;
-            let motor = motor_of(&scene.machine, &scene.machine_data).map_err(Ending::refused)?;
+            let motor = motor_of(&scene.machine).map_err(Ending::refused)?;
             return written(&motor, format);
         }
     };

@@ -22,7 +22,7 @@ pub struct Asked {
 
 #[derive(Debug, Subcommand)]
 pub enum What {
-    /// A motor that compiles and conforms: `derivations/machines/NAME.rs`, its line in the list, a scene, a test
+    /// A motor that compiles and conforms: `derivations/machines/NAME.rs`, its two lines, a scene, a test
     Motor(Motor),
 }
 
@@ -40,10 +40,10 @@ pub struct Motor {
     pub project: PathBuf,
 }
 
-/// Where the machines are listed, and how the list begins and ends.
-const LIST: &str = "derivations/machines/mod.rs";
-const BEGINS: &str = "\nmachines! {";
-const ENDS: &str = "\n}";
+/// Where the machines are listed, as modules and as motors, and how the lists end.
+const MODULES: &str = "derivations/machines/mod.rs";
+const LIST: &str = "derivations/machines/catalogue.rs";
+const ENDS: [&str; 2] = ["\n\npub use ", "\n];"];
 
 /// A file with what is written into it.
 struct Begun {
@@ -56,16 +56,16 @@ pub fn write(asked: &Asked) -> Result<Ending, Ending> {
     let What::Motor(asked) = &asked.what;
     let name = asked.name.as_str();
     names::check_letters(name)?;
-    let list = asked.project.join(LIST);
-    let listed = fs::read_to_string(&list).ok().filter(|text| text.contains(BEGINS));
-    if listed.is_none() && !asked.text {
+    let lists = [MODULES, LIST].map(|list| asked.project.join(list));
+    let in_project = lists.iter().zip(ENDS).all(|(list, end)| read(list).contains(end));
+    if !in_project && !asked.text {
         let folder = asked.project.display();
         return Err(Ending::refused(format!(
             "{folder} is not the project: there is no list of machines in {LIST}; its folder is accepted: --project FOLDER; \
              a motor as text, --text, needs no project"
         )));
     }
-    let scene = scene_place(asked, listed.is_some());
+    let scene = scene_place(asked, in_project);
     let begun = begun(asked, &scene);
     for Begun { place, .. } in &begun {
         // a folder of the name would be the same module
@@ -77,23 +77,21 @@ pub fn write(asked: &Asked) -> Result<Ending, Ending> {
         }
     }
     names::check_free(name, &asked.project)?;
-    if listed.as_ref().is_some_and(|listed| listed.contains(&format!(": {};", camel(name)))) {
-        return Err(Ending::refused(format!(
-            "the list has a motor `{}` already; another name is accepted",
-            camel(name)
-        )));
-    }
     for (written, Begun { place, text }) in begun.iter().enumerate() {
         if let Err(refused) = create(place, text) {
             begun[..written].iter().for_each(|begun| drop(fs::remove_file(&begun.place)));
             return Err(refused);
         }
     }
-    if let Some(listed) = listed.as_ref().filter(|_| !asked.text) {
-        let line = format!("    mod {name}: {};", camel(name));
-        if let Err(error) = whole::replace(&list, &with_line(listed, &line)) {
-            begun.iter().for_each(|begun| drop(fs::remove_file(&begun.place)));
-            return Err(Ending::unwritable(&list, &error));
+    if !asked.text {
+        let before = lists.each_ref().map(|list| read(list));
+        let lines = [format!("pub mod {name};"), format!("    &super::{name}::ENTRY,")];
+        for (place, list) in lists.iter().enumerate() {
+            if let Err(error) = whole::replace(list, &with_line(&before[place], &lines[place], ENDS[place])) {
+                begun.iter().for_each(|begun| drop(fs::remove_file(&begun.place)));
+                lists[..place].iter().zip(&before).for_each(|(list, before)| drop(whole::replace(list, before)));
+                return Err(Ending::unwritable(list, &error));
+            }
         }
     }
     let mut told: String = begun.iter().map(|begun| format!("wrote {}\n", begun.place.display())).collect();
@@ -103,12 +101,13 @@ pub fn write(asked: &Asked) -> Result<Ending, Ending> {
             format!("next: dalembert derive {scene}\n      dalembert conform {scene}\n      dalembert run {scene}\n")
         }
         false => format!(
-            "added its line to {}\nnext: cargo test --test {name}\n      cargo run --release -- conform {name}\n      \
+            "added its lines to {} and {}\nnext: cargo test --test {name}\n      cargo run --release -- conform {name}\n      \
              cargo run --release -- run {scene}\n",
-            list.display()
+            lists[0].display(),
+            lists[1].display()
         ),
     };
-    if listed.is_some() {
+    if in_project {
         told += &format!("a scene in `scenes` is kept with its reference: dalembert reference {scene}\n");
     }
     print(&told)?;
@@ -143,11 +142,15 @@ fn camel(name: &str) -> String {
     name.split('_').map(capital).collect()
 }
 
-/// The list with one more line at its end.
-fn with_line(text: &str, line: &str) -> String {
-    let whole = text.split_once(BEGINS).and_then(|(before, list)| Some((before, list.split_once(ENDS)?)));
-    match whole {
-        Some((before, (list, after))) => format!("{before}{BEGINS}{list}\n{line}{ENDS}{after}"),
+/// The text of a file; empty where there is none.
+fn read(place: &Path) -> String {
+    fs::read_to_string(place).unwrap_or_default()
+}
+
+/// A list with one more line before its end.
+fn with_line(text: &str, line: &str, end: &str) -> String {
+    match text.split_once(end) {
+        Some((before, after)) => format!("{before}\n{line}{end}{after}"),
         None => text.to_owned(),
     }
 }

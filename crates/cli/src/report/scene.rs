@@ -140,7 +140,7 @@ fn facts(scene: &dyn Smooth, run: &Trajectory) -> Vec<(String, String)> {
 
 /// What each smaller model of the same data does to the outputs, where there is one.
 fn ladder(scene: &Scene, run: &Trajectory, atlas: Option<&Atlas>) -> Option<Table> {
-    let models = scene.machine_data.ladder();
+    let models = scene.given.models();
     let floors = atlas.map(floors).unwrap_or_default();
     let floor = |model: &str| floors.iter().find(|(known, _)| *known == model).map_or("—", |(_, said)| said).to_owned();
     let mut rows = Vec::new();

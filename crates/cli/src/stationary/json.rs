@@ -5,7 +5,7 @@ use crate::stability;
 use derivations::scene::Scene;
 use derivations::stationary::energies::Kept;
 use derivations::stationary::motions::{Answer, Certificate, Found, Stationary};
-use derivations::stationary::motor::Motor;
+use derivations::stationary::motor::MotorStates;
 use mechanics::uniform::{Census, Shape, Undecided};
 use serde_json::{Value, json};
 
@@ -43,7 +43,7 @@ pub(super) fn census(scene: &Scene, all: &Stationary<'_>, census: &[Result<Censu
             "cone": each.collect::<Vec<_>>() })
 }
 
-fn motion(motor: &Motor, found: &Found) -> Value {
+fn motion(motor: &MotorStates, found: &Found) -> Value {
     let boxed: Vec<[f64; 2]> = found.enclosed.iter().map(|x| x.ends()).collect();
     let circle = found.family.as_ref().and_then(|members| members.circle);
     let circle = circle.map(|(radius, axis)| json!({ "radius": radius, "axis": axis.as_slice() }));

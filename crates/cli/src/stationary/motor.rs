@@ -1,11 +1,11 @@
 //! The rotor's side of a stationary motion: its speeds, its angles, what the motor bears.
 
-use derivations::stationary::motor::{Angle, Motor, Slip};
+use derivations::stationary::motor::{Angle, MotorStates, Slip};
 use serde_json::{Value, json};
 use std::fmt::Write;
 
 /// For readers.
-pub(super) fn text(motor: &Motor) -> String {
+pub(super) fn text(motor: &MotorStates) -> String {
     let slope = |slope: i32| match slope {
         0 => "both merge here: pull-out",
         s if s < 0 => "the moment drives back to it",
@@ -13,9 +13,9 @@ pub(super) fn text(motor: &Motor) -> String {
     };
     let mut out = String::new();
     let _ = match motor {
-        Motor::Free => writeln!(out, "motor: none; any speed of the rotor is stationary"),
-        Motor::Kept { speed } => writeln!(out, "motor: keeps the rotor at {} rad/s", speed.to_f64()),
-        Motor::InStep { speed, angles, bears, fed } => {
+        MotorStates::Free => writeln!(out, "motor: none; any speed of the rotor is stationary"),
+        MotorStates::Kept { speed } => writeln!(out, "motor: keeps the rotor at {} rad/s", speed.to_f64()),
+        MotorStates::InStep { speed, angles, bears, fed } => {
             let without = if *fed { "" } else { ", without currents" };
             let _ = writeln!(out, "motor: in step with its field at {} rad/s{without}", speed.to_f64());
             if bears.is_some_and(|bears| bears.least == bears.greatest) {
@@ -41,7 +41,7 @@ pub(super) fn text(motor: &Motor) -> String {
                 None => Ok(()),
             }
         }
-        Motor::Slipping { speeds, extremes } => {
+        MotorStates::Slipping { speeds, extremes } => {
             let _ = writeln!(out, "motor: by its slip, without an angle");
             for slip in speeds {
                 let currents = currents(&slip.currents);
@@ -67,17 +67,17 @@ fn currents(of: &[f64]) -> String {
 }
 
 /// For programs.
-pub(super) fn object(motor: &Motor) -> Value {
+pub(super) fn object(motor: &MotorStates) -> Value {
     let slip = |slip: &Slip| json!({ "speed": slip.speed.to_f64(), "slope": slip.slope, "currents": slip.currents });
     let angle = |angle: &Angle| json!({ "angle": angle.radians(), "slope": angle.slope, "currents": angle.currents });
     match motor {
-        Motor::Free => json!({ "kind": "free" }),
-        Motor::Kept { speed } => json!({ "kind": "kept", "speed": speed.to_f64() }),
-        Motor::InStep { speed, angles, bears, fed } => json!({
+        MotorStates::Free => json!({ "kind": "free" }),
+        MotorStates::Kept { speed } => json!({ "kind": "kept", "speed": speed.to_f64() }),
+        MotorStates::InStep { speed, angles, bears, fed } => json!({
             "kind": "in_step", "speed": speed.to_f64(), "fed": fed, "angles": angles.iter().map(angle).collect::<Vec<_>>(),
             "bears": bears.map(|bears| [bears.least, bears.greatest]),
         }),
-        Motor::Slipping { speeds, extremes } => json!({
+        MotorStates::Slipping { speeds, extremes } => json!({
             "kind": "slipping",
             "speeds": speeds.iter().map(slip).collect::<Vec<_>>(),
             "extremes": extremes.iter().map(|e| json!({ "speed": e.speed, "moment": e.moment })).collect::<Vec<_>>(),

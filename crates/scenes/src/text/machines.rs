@@ -5,15 +5,13 @@
 //!
 //!   torque m(g', p') - dU/dg,    for each winding  L i' = v + W psi' - R i - (psi' + c) p' .
 
-use derivations::machines::text::{Laws, NAME};
-use derivations::machines::{AnyMachine, Catalogued, ForMachine, Machine, Quantity, RotorState, Source};
+use derivations::machines::text::NAME;
+use derivations::machines::{Machine, Motor, Quantity, catalogue};
 use derivations::scene::Issue;
-use derivations::scene::machine::{self, MachineData};
+use derivations::scene::machine;
 use derivations::scene::read::Table;
 use field::Analytic;
 use model::{DriveSource, Entry, Text, WindingSource};
-use std::convert::Infallible;
-use std::sync::Arc;
 use symbolic::{Sym, apart};
 
 /// The laws of `[drive.machine]`; its data become parameters of the system, `motor_voltage` of the drive `motor`.
@@ -27,10 +25,10 @@ pub(super) fn machine(table: &mut Table<'_>, drive: &mut DriveSource) -> Vec<Ent
     let mut issues = Vec::new();
     let found = machine::read(table, &mut issues);
     issues.into_iter().for_each(|issue| table.report(issue));
-    let Some((machine, data)) = found else { return Vec::new() };
+    let Some(motor) = found else { return Vec::new() };
     let name = drive.name.as_ref().map_or("drive", |name| name.text.as_str()).to_owned();
     let written = |text: String| Text::at(text, at);
-    let laws = apart(|| machine.apply(Written { drive: &name, data: &data }));
+    let laws = apart(|| texts(&name, &motor));
     drive.torque = match drive.torque.take() {
         Some(own) => Some(Text { text: format!("({}) + ({})", own.text, laws.torque), ..own }),
         None => Some(written(laws.torque)),
@@ -43,14 +41,14 @@ pub(super) fn machine(table: &mut Table<'_>, drive: &mut DriveSource) -> Vec<Ent
         motional: winding.motional.map(written),
         at: at..at,
     }));
-    let datum = |(quantity, value): &(Quantity, f64)| Entry {
+    let datum = |(quantity, value): (&Quantity, f64)| Entry {
         name: written(letter(&name, &quantity.name)),
         value: written(match &*quantity.unit {
             "1" => format!("{value:?}"),
             unit => format!("{value:?} {unit}"),
         }),
     };
-    data.numbers.iter().map(datum).collect()
+    motor.data().map(datum).collect()
 }
 
 /// The fault of a machine that no drive has, or that is none; where the table names none, its reader tells it.
@@ -61,35 +59,24 @@ fn unknown(table: &mut Table<'_>) -> Option<Issue> {
     let mut machine = table.optional_table("machine")?;
     let model = machine.text("model", "name of the machine");
     let name = model.value.as_str();
-    let sampled = |name: &str| MachineData::sampled(name, |_| 1.0, 1).map(|(machine, _)| machine);
-    let is_prescribed = |name: &str| sampled(name).is_some_and(|machine| machine.apply(IsPrescribed));
+    let is_prescribed =
+        |name: &str| catalogue::sampled(name, |_| 1.0, 1).is_some_and(|motor| motor.kept_speed().is_some());
     if is_prescribed(name) {
         let title = format!("`{name}` keeps the speed of its rotor under every load");
         let issue = Issue::at(model.span, title, "this is a constraint, no motor");
         return Some(issue.accepted("[[constraint]] zero = \"theta' - w\" in the place of this drive"));
     }
-    if name.is_empty() || name == NAME || sampled(name).is_some() {
+    if name.is_empty() || name == NAME || catalogue::entry(name).is_some() {
         return None;
     }
-    let known = AnyMachine::LIST.iter().map(|(known, _)| *known).filter(|known| !is_prescribed(known)).chain([NAME]);
-    let known: Vec<&str> = known.collect();
+    let known = catalogue::entries().into_iter().map(|entry| entry.name).filter(|known| !is_prescribed(known));
+    let known: Vec<&str> = known.chain([NAME]).collect();
     let list = known.join(", ");
     let accepted = match units::nearest(name, known) {
         Some(nearest) => format!("is `{nearest}` meant? Known: {list}"),
         None => format!("known: {list}"),
     };
     Some(Issue::at(model.span, format!("unknown machine `{name}`"), "not known").accepted(accepted))
-}
-
-/// Whether a machine keeps the speed of its rotor.
-struct IsPrescribed;
-
-impl ForMachine for IsPrescribed {
-    type Output = bool;
-
-    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, _: M) -> bool {
-        M::ROTOR == RotorState::Prescribed
-    }
 }
 
 /// The letter of a datum.
@@ -111,60 +98,28 @@ struct Circuit {
     motional: Option<String>,
 }
 
-/// Writes the laws of a machine down.
-struct Written<'a> {
-    drive: &'a str,
-    data: &'a MachineData,
-}
-
-impl ForMachine for Written<'_> {
-    type Output = Texts;
-
-    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, _: M) -> Texts {
-        let Ok(machine) = M::read::<Sym, Infallible>(&mut Letters { drive: self.drive, data: self.data });
-        let of_drive = |part: &str| Sym::symbol(&format!("{}.{part}", self.drive));
-        let (speed, field_speed) = (of_drive("speed"), machine.frame_speed());
-        let turned = field_speed * Sym::symbol("t");
-        let angle = (of_drive("angle") - turned).circle();
-        let varied = angle.varied();
-        let torque = machine.moment_law(speed - field_speed, speed) - machine.field_energy(varied).slope;
-        let currents: Vec<Sym> =
-            (0..machine.windings()).map(|winding| of_drive(&machine.current_name(winding))).collect();
-        let some = |law: Sym| (law != Sym::ZERO).then(|| law.to_string());
-        let circuit = |winding: usize| {
-            let by_angle = machine.linkage(winding, varied).slope;
-            let supply = machine.supply(winding, angle).unwrap_or(Sym::ZERO);
-            let motional = machine.motional(winding, &currents).unwrap_or(Sym::ZERO);
-            Circuit {
-                current: machine.current_name(winding),
-                inductance: machine.inductance(winding).to_string(),
-                resistance: machine.resistance(winding).to_string(),
-                supply: some(supply + field_speed * by_angle),
-                motional: some(by_angle + motional),
-            }
-        };
-        Texts { torque: torque.to_string(), windings: (0..machine.windings()).map(circuit).collect() }
-    }
-}
-
-/// Data as letters.
-struct Letters<'a> {
-    drive: &'a str,
-    data: &'a MachineData,
-}
-
-impl Source<Sym> for Letters<'_> {
-    type Error = Infallible;
-
-    fn quantity(&mut self, quantity: &Quantity) -> Result<Sym, Infallible> {
-        Ok(Sym::symbol(&letter(self.drive, &quantity.name)))
-    }
-
-    fn count(&mut self, name: &'static str, _: &'static str) -> Result<usize, Infallible> {
-        Ok(self.data.counts.iter().find(|(given, ..)| *given == name).map_or(1, |(.., count)| *count))
-    }
-
-    fn laws(&mut self) -> Option<Arc<Laws>> {
-        self.data.laws.clone()
-    }
+/// The laws of a motor in a drive.
+fn texts(drive: &str, motor: &Motor) -> Texts {
+    let machine = motor.over(|quantity, _| Sym::symbol(&letter(drive, &quantity.name)));
+    let of_drive = |part: &str| Sym::symbol(&format!("{}.{part}", drive));
+    let (speed, field_speed) = (of_drive("speed"), machine.frame_speed());
+    let turned = field_speed * Sym::symbol("t");
+    let angle = (of_drive("angle") - turned).circle();
+    let varied = angle.varied();
+    let torque = machine.moment_law(speed - field_speed, speed) - machine.field_energy(varied).slope;
+    let currents: Vec<Sym> = (0..machine.windings()).map(|winding| of_drive(&machine.current_name(winding))).collect();
+    let some = |law: Sym| (law != Sym::ZERO).then(|| law.to_string());
+    let circuit = |winding: usize| {
+        let by_angle = machine.linkage(winding, varied).slope;
+        let supply = machine.supply(winding, angle).unwrap_or(Sym::ZERO);
+        let motional = machine.motional(winding, &currents).unwrap_or(Sym::ZERO);
+        Circuit {
+            current: machine.current_name(winding),
+            inductance: machine.inductance(winding).to_string(),
+            resistance: machine.resistance(winding).to_string(),
+            supply: some(supply + field_speed * by_angle),
+            motional: some(by_angle + motional),
+        }
+    };
+    Texts { torque: torque.to_string(), windings: (0..machine.windings()).map(circuit).collect() }
 }

@@ -1,28 +1,30 @@
 //! Motors with laws of their own in a drive: each of the program beside its law as it is compiled, and a text in the letters of a motor.
 
 use super::{close, last, runs};
-use dalembert_scenes::ModelScene;
-use derivations::machines::{AnyMachine, Catalogued, ForMachine, Quantity, RotorState, drive};
-use derivations::scene::MachineData;
+use derivations::machines::{Machine, Motor, Quantity, catalogue, drive};
 use field::Circle;
 use integrators::Ode;
 
 const INERTIA: f64 = 0.01;
 
 /// A rotor with the data of a machine as a scene would give them.
-fn scene(model: &str, data: &MachineData) -> String {
+fn scene(motor: &Motor) -> String {
     let unit = |quantity: &Quantity| if quantity.unit == "1" { String::new() } else { format!(" {}", quantity.unit) };
-    let number = |(quantity, value): &(Quantity, f64)| format!("{} = \"{value:?}{}\"\n", quantity.name, unit(quantity));
-    let numbers = data.numbers.iter().map(number);
-    let counts = data.counts.iter().map(|(name, _, count)| format!("{name} = {count}\n"));
-    let data: String = numbers.chain(counts).collect();
+    let number = |(quantity, value): (&Quantity, f64)| format!("{} = \"{value:?}{}\"\n", quantity.name, unit(quantity));
+    let counts = motor.laws().counts().iter().map(|(count, number)| format!("{} = {number}\n", count.name));
+    let data: String = motor.data().map(number).chain(counts).collect();
+    with_data(motor.name(), &data)
+}
+
+/// The same with data as a file writes them.
+fn with_data(model: &str, data: &str) -> String {
     format!(
         "title = \"rotor\"\n[coordinates]\ntheta = \"rad\"\n[[drive]]\nname = \"motor\"\nturns = \"theta\"\ninertia = \"({INERTIA} kg m^2)\"\n\
          [drive.machine]\nmodel = \"{model}\"\n{data}[outputs]\nM = \"motor.torque\"\n[run]\nspan = \"0.1 s\"\ntolerance = 1e-10\n"
     )
 }
 
-fn sampled(model: &str) -> (AnyMachine, MachineData) {
+fn sampled(model: &str) -> Motor {
     let mut number = 0;
     let value = |quantity: &Quantity| {
         number += 1;
@@ -31,44 +33,23 @@ fn sampled(model: &str) -> (AnyMachine, MachineData) {
             _ => 0.3 + 0.125 * f64::from(number),
         }
     };
-    MachineData::sampled(model, value, 3).unwrap_or_else(|| panic!("{model}"))
+    catalogue::sampled(model, value, 3).unwrap_or_else(|| panic!("{model}"))
 }
 
 /// Moment and rates of currents at an angle to the field and a slip.
-struct Compiled<'a> {
-    angle: f64,
-    slip: f64,
-    currents: &'a [f64],
-}
-
-impl ForMachine for Compiled<'_> {
-    type Output = (f64, Vec<f64>, f64);
-
-    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, machine: M) -> Self::Output {
-        let mut rates = vec![0.0; machine.windings()];
-        let (sin, cos) = self.angle.sin_cos();
-        let currents = &self.currents[..machine.windings()];
-        let moment = drive(&machine, Circle { cos, sin }, self.slip, currents, &mut rates);
-        (moment, rates, machine.frame_speed())
-    }
-}
-
-struct IsPrescribed;
-
-impl ForMachine for IsPrescribed {
-    type Output = bool;
-
-    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, _: M) -> bool {
-        M::ROTOR == RotorState::Prescribed
-    }
+fn own_law(motor: &Motor, angle: f64, slip: f64, currents: &[f64]) -> (f64, Vec<f64>) {
+    let mut rates = vec![0.0; motor.windings()];
+    let (sin, cos) = angle.sin_cos();
+    let moment = drive(motor, Circle { cos, sin }, slip, &currents[..motor.windings()], &mut rates);
+    (moment, rates)
 }
 
 #[test]
 fn every_motor_of_the_program_has_its_own_law_in_a_drive() {
-    for (model, _) in AnyMachine::LIST {
-        let (machine, data) = sampled(model);
-        let text = scene(model, &data);
-        if machine.clone().apply(IsPrescribed) {
+    for model in catalogue::entries().into_iter().map(|entry| entry.name) {
+        let motor = sampled(model);
+        let text = scene(&motor);
+        if motor.kept_speed().is_some() {
             let said = ModelScene::parse("scene.toml", &text).expect_err("it is a constraint").to_string();
             assert!(said.contains("keeps the speed of its rotor"), "{said}");
             continue;
@@ -77,9 +58,8 @@ fn every_motor_of_the_program_has_its_own_law_in_a_drive() {
         let (time, theta, speed) = (0.37, 0.7, 1.9);
         let currents: Vec<f64> =
             (0..scene.start.len() / 2 - 1).map(|place| 0.4 - 0.3 * f64::from(place as u32)).collect();
-        let (_, _, field_speed) = machine.clone().apply(Compiled { angle: 0.0, slip: 0.0, currents: &currents });
-        let at = Compiled { angle: theta - field_speed * time, slip: speed - field_speed, currents: &currents };
-        let (moment, rates, _) = machine.apply(at);
+        let field_speed = motor.frame_speed();
+        let (moment, rates) = own_law(&motor, theta - field_speed * time, speed - field_speed, &currents);
         let state = [&[theta], &vec![0.0; currents.len()][..], &[speed], &currents].concat();
         let mut found = vec![0.0; state.len()];
         Ode::<f64>::rates(&*scene.system, time, &state, &mut found);
@@ -112,8 +92,7 @@ fn a_motor_in_its_own_letters_runs_in_a_gear() {
 /// The motor sits on a carriage that is free to turn: what the rotor gets the carriage gives.
 #[test]
 fn a_motor_of_the_program_turns_one_body_against_another() {
-    let (_, data) = sampled("multi_current");
-    let text = scene("multi_current", &data)
+    let text = scene(&sampled("multi_current"))
         .replacen("theta = \"rad\"\n", "theta = \"rad\"\nhousing = \"rad\"\n", 1)
         .replacen("[[drive]]", "[frames]\nH = \"N turned housing about z\"\nR = \"N turned theta about z\"\n[bodies.housing]\nframe = \"H\"\ninertia = \"(0.03 kg m^2)\"\n[bodies.shaft]\nframe = \"R\"\ninertia = \"(0.005 kg m^2)\"\n[[drive]]", 1)
         .replacen("turns = \"theta\"", "between = [\"housing\", \"shaft\"]", 1)
@@ -207,11 +186,11 @@ fn a_motor_that_turns_by_an_angle_inside_a_body_is_warned_of() {
 
 #[test]
 fn a_drive_has_one_motor() {
-    let (_, data) = sampled("brushed");
-    let text = scene("brushed", &data).replacen("[outputs]", "[[drive.winding]]\ninductance = \"(1 H)\"\n[outputs]", 1);
+    let brushed = sampled("brushed");
+    let text = scene(&brushed).replacen("[outputs]", "[[drive.winding]]\ninductance = \"(1 H)\"\n[outputs]", 1);
     let said = ModelScene::parse("scene.toml", &text).expect_err("two motors").to_string();
     assert!(said.contains("windings of its own, or a machine"), "{said}");
-    let text = scene("brushed", &data).replacen("model = \"brushed\"", "model = \"brush\"", 1);
+    let text = scene(&brushed).replacen("model = \"brushed\"", "model = \"brush\"", 1);
     let said = ModelScene::parse("scene.toml", &text).expect_err("unknown").to_string();
     assert!(said.contains("is `brushed` meant?"), "{said}");
 }
@@ -223,7 +202,7 @@ fn a_machine_that_no_drive_has_is_refused_by_name() {
         ("constant_speed", ["keeps the speed of its rotor under every load", "[[constraint]]"]),
         ("brush", ["unknown machine `brush`", "is `brushed` meant? Known: free_rotor, asynchronous"]),
     ] {
-        let said = ModelScene::parse("scene.toml", &scene(model, &MachineData::default())).expect_err(model);
+        let said = ModelScene::parse("scene.toml", &with_data(model, "")).expect_err(model);
         assert_eq!(said.issues.len(), 1, "{said}");
         let said = said.to_string();
         assert!(

@@ -2,11 +2,10 @@
 
 use super::Region;
 use crate::machines::constant_speed::ConstantSpeed;
-use crate::machines::text::Laws;
-use crate::machines::{AnyMachine, Catalogued, ForMachine, Loaded, Machine, Quantity, Source};
-use crate::scene::{MachineData, NoModel, Scene};
+use crate::machines::{Loaded, Machine, Motor};
+use crate::scene::Scene;
 use crate::stationary::energies::{Energies, Kept};
-use crate::stationary::motor::{Angle, Decimals, Motor, NoMotor};
+use crate::stationary::motor::{Angle, MotorStates, NoMotor};
 use crate::stationary::stability::approximation::Approximation;
 use crate::stationary::stability::datum::{Datum, Setting};
 use algebra::real::Root;
@@ -27,7 +26,7 @@ pub(super) struct Letters {
 
 /// What the motor does at one value of the first datum.
 pub(super) struct Ground {
-    pub motor: Motor,
+    pub motor: MotorStates,
     approximation: Approximation,
     letters: Vec<Rational>,
 }
@@ -44,7 +43,8 @@ impl Letters {
         let prescribed = data.iter().any(|datum| datum.is_rotor_speed());
         let load = data.iter().any(|datum| datum.is_load());
         let machine = data.iter().find_map(|datum| datum.of_machine());
-        let written = Written { scene, load, machine, data: &scene.machine_data };
+        let datum = machine.map(|place| scene.given.laws().data()[place].name.as_ref());
+        let written = Written { motor: &scene.machine, load, datum };
         let approximation = written.approximation(prescribed)?;
         Ok(Letters { prescribed, load, machine, approximation })
     }
@@ -62,19 +62,19 @@ impl Region<'_> {
     fn ground_at(&self, first: f64) -> Result<Ground, NoMotor> {
         let here = self.general.with(self.data[0], first);
         let Letters { prescribed, load, machine, approximation } = &self.letters;
-        let mut data = self.scene.machine_data.clone();
-        data.numbers.iter_mut().zip(&here.data.machine).for_each(|((_, value), new)| *value = *new);
+        let given = self.scene.given.with_data(here.data.machine.clone());
+        let own = given.model(self.scene.machine.name()).map_err(NoMotor::Data)?;
         let motor = match prescribed {
             // that of the node
-            true => Motor::Free,
-            false => Motor::under(&self.scene.machine, &data, here.load)?,
+            true => MotorStates::Free,
+            false => MotorStates::under(&own, here.load)?,
         };
         let mut letters = Vec::new();
         letters.extend(load.then(|| Rational::decimal(here.load)));
         letters.extend(machine.map(|place| Rational::decimal(here.data.machine[place])));
         if letters.iter().any(|value| value.sign() != Some(1) && value.sign() != Some(-1)) {
             // a datum that vanishes may change what is conserved
-            let written = Written { scene: self.scene, load: false, machine: None, data: &data };
+            let written = Written { motor: &own, load: false, datum: None };
             return Ok(Ground { motor, approximation: written.approximation(*prescribed)?, letters: Vec::new() });
         }
         Ok(Ground { motor, approximation: approximation.clone(), letters })
@@ -88,19 +88,19 @@ impl Region<'_> {
             return at(value, None).into_iter().collect();
         }
         match &ground.motor {
-            Motor::Free => {
+            MotorStates::Free => {
                 let start = &here.data.start;
                 let spin = start.angular_velocity.map(Rational::decimal).dot(&energies.mixed)
                     + Rational::decimal(start.rotor_speed) * energies.axial;
                 let value = Root::rational(spin);
                 value.map(|value| Held { kept: Kept::Momentum, value, angle: None }).into_iter().collect()
             }
-            Motor::Kept { speed } => at(Some(speed.clone()), None).into_iter().collect(),
-            Motor::InStep { speed, angles, .. } => {
+            MotorStates::Kept { speed } => at(Some(speed.clone()), None).into_iter().collect(),
+            MotorStates::InStep { speed, angles, .. } => {
                 let back = angles.iter().filter(|angle| angle.slope <= 0);
                 back.filter_map(|angle| at(Some(speed.clone()), Some(angle))).collect()
             }
-            Motor::Slipping { speeds, .. } => {
+            MotorStates::Slipping { speeds, .. } => {
                 let back = speeds.iter().filter(|slip| slip.slope <= 0);
                 back.filter_map(|slip| at(Some(slip.speed.clone()), None)).collect()
             }
@@ -119,10 +119,10 @@ impl Ground {
 }
 
 struct Written<'a> {
-    scene: &'a Scene,
+    motor: &'a Motor,
     load: bool,
-    machine: Option<usize>,
-    data: &'a MachineData,
+    /// The datum that is a letter.
+    datum: Option<&'a str>,
 }
 
 impl Written<'_> {
@@ -130,7 +130,16 @@ impl Written<'_> {
         match prescribed {
             // the speed is the place's own
             true => self.with(&ConstantSpeed { speed: Sym::symbol("W") }, Vec::new()),
-            false => self.scene.machine.clone().apply(self),
+            false => {
+                let machine = self.motor.over(|quantity, value| match self.datum == Some(quantity.name.as_ref()) {
+                    true => Sym::symbol("datum"),
+                    false => Sym::constant(Rational::decimal(value)),
+                });
+                let load = if self.load { Sym::symbol("load") } else { Sym::ZERO };
+                let datum = self.datum.map(|_| Sym::symbol("datum"));
+                let letters = self.load.then_some(load).into_iter().chain(datum).collect();
+                self.with(&Loaded { machine, load }, letters)
+            }
         }
     }
 
@@ -147,42 +156,5 @@ impl Written<'_> {
         let bodies = bodies.chain(energies.mixed.iter().copied()).chain([energies.axial]);
         let all: Vec<Sym> = bodies.chain(energies.weight.iter().copied()).chain(letters).collect();
         Approximation::lettered(&energies, machine, &all)
-    }
-}
-
-impl ForMachine for &Written<'_> {
-    type Output = Result<Approximation, NoMotor>;
-
-    fn apply<M: Catalogued + Clone + Send + Sync + 'static>(self, _machine: M) -> Self::Output {
-        let name = AnyMachine::name(&self.scene.machine);
-        let datum =
-            self.machine.and_then(|place| self.data.numbers.get(place)).map(|(quantity, _)| quantity.name.as_ref());
-        let mut source = WithLetter { rest: Decimals(self.data, name), datum };
-        let machine = M::read::<Sym, _>(&mut source).map_err(NoMotor::Data)?;
-        let load = if self.load { Sym::symbol("load") } else { Sym::ZERO };
-        let letters = self.load.then_some(load).into_iter().chain(datum.map(|_| Sym::symbol("datum"))).collect();
-        self.with(&Loaded { machine, load }, letters)
-    }
-}
-
-/// Constants but for one datum.
-struct WithLetter<'a> {
-    rest: Decimals<'a>,
-    datum: Option<&'a str>,
-}
-
-impl Source<Sym> for WithLetter<'_> {
-    type Error = NoModel;
-
-    fn quantity(&mut self, quantity: &Quantity) -> Result<Sym, NoModel> {
-        if self.datum == Some(quantity.name.as_ref()) { Ok(Sym::symbol("datum")) } else { self.rest.quantity(quantity) }
-    }
-
-    fn count(&mut self, name: &'static str, meaning: &'static str) -> Result<usize, NoModel> {
-        self.rest.count(name, meaning)
-    }
-
-    fn laws(&mut self) -> Option<Arc<Laws>> {
-        self.rest.laws()
     }
 }

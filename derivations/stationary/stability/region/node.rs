@@ -4,7 +4,7 @@ use super::Region;
 use super::law::Ground;
 use super::spot::Spot;
 use crate::stationary::energies::Kept;
-use crate::stationary::motor::{Motor, NoMotor};
+use crate::stationary::motor::{MotorStates, NoMotor};
 use crate::stationary::stability::verdict::{Reason, Verdict};
 use algebra::real::Enclosure;
 use mechanics::uniform::{self, Kind, Shape};
@@ -110,7 +110,7 @@ impl Region<'_> {
     /// Whether the rotor keeps its relative speed or its own momentum.
     pub(super) fn kept(&self, ground: &Ground) -> Kept {
         match ground.motor {
-            Motor::Free if self.data.iter().all(|datum| !datum.is_rotor_speed()) => Kept::Momentum,
+            MotorStates::Free if self.data.iter().all(|datum| !datum.is_rotor_speed()) => Kept::Momentum,
             _ => Kept::RelativeSpeed,
         }
     }

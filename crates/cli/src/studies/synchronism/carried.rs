@@ -29,7 +29,7 @@ impl Carried {
     pub fn of(scene: &Scene) -> Option<Self> {
         let System::Gyrostat(bodies) = &scene.system else { return None };
         let axial = [bodies.rotor.axial, giving_way(bodies)];
-        let motors = axial.map(|axial| Loaded::new(&scene.machine, &scene.machine_data, axial).ok());
+        let motors = axial.map(|axial| Loaded::new(&scene.machine, axial).ok());
         let [Some(own), Some(light)] = motors else { return None };
         let pull_out = Loaded::pull_out(&own.in_step())?.load;
         let pull_in = [&own, &light].map(|motor| motor.out_of_step().ok()?.pull_in(pull_out));

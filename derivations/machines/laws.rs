@@ -1,7 +1,8 @@
-//! The laws of a written motor as straight-line programs over any field.
+//! The laws of a motor as straight-line programs over any field.
 
-use super::super::{Datum, Quantity, RotorState};
-use super::letters::{ANGLE, SLIP, SPEED};
+use super::{Count, Datum, RotorState};
+use crate::machines::Quantity;
+use crate::machines::text::{ANGLE, SLIP, SPEED};
 use field::{Analytic, Base, Circle, Over};
 use std::fmt;
 use symbolic::{Algebraic, Sym, Tape};
@@ -10,19 +11,37 @@ use symbolic::{Algebraic, Sym, Tape};
 const FEW: usize = 24;
 const MANY: usize = 256;
 
-/// W, which every motor has.
-pub const FIELD_SPEED: Quantity = Quantity::any("field_speed", "rad/s", "speed of the stator's field");
-
-/// The laws of a motor in terms of its parameters. Every field evaluates the same programs.
+/// The laws of a motor in terms of its data. Every field evaluates the same programs.
 #[derive(Clone, Debug)]
 pub struct Laws {
-    parameters: Vec<Quantity>,
+    name: &'static str,
+    data: Vec<Quantity>,
+    counts: Vec<(Count, usize)>,
+    rotor: RotorState,
     energy: Law,
     moment: Law,
     windings: Vec<Winding<Law, usize>>,
-    /// What is computed of the parameters alone: roots and angles in the laws, then L and R of each winding.
+    /// What is computed of the data alone: what is settled before anything moves, roots and angles in the laws, W, then L and R of
+    /// each winding.
     alone: Tape,
-    rotor: RotorState,
+    /// The place of W among the numbers.
+    frame_speed: usize,
+}
+
+/// What is written of a motor: expressions in the names of its data, and in the letters of the motion.
+#[derive(Clone, Debug)]
+pub struct Expressions {
+    /// What the laws know of the rotor.
+    pub rotor: RotorState,
+    /// W, rad/s
+    pub frame_speed: Sym,
+    /// U(g), J
+    pub energy: Sym,
+    /// m(g', phi'), N m
+    pub moment: Sym,
+    pub windings: Vec<Winding<Sym, Sym>>,
+    /// Letters of the laws, each with its value in terms of the data: computed once, in the field of the data.
+    pub settled: Vec<(Sym, Sym)>,
 }
 
 /// What is written of one winding.
@@ -74,58 +93,87 @@ impl Law {
     }
 }
 
+impl Expressions {
+    /// Every expression but those of the data alone.
+    fn of_motion(&self) -> impl Iterator<Item = Sym> {
+        let of_windings = self.windings.iter().flat_map(|each| [Some(each.flux), each.supply, each.motional]).flatten();
+        [self.energy, self.moment].into_iter().chain(of_windings)
+    }
+
+    /// Whether an energy, a flux or a supply depends on the angle.
+    pub fn know_angle(energy: Sym, windings: &[Winding<Sym, Sym>]) -> bool {
+        let Circle { cos, sin } = Sym::symbol(ANGLE).circle();
+        let of_angle = windings.iter().flat_map(|each| [Some(each.flux), each.supply]).flatten();
+        of_angle.chain([energy]).flat_map(Sym::leaves_of).any(|leaf| leaf == cos || leaf == sin)
+    }
+}
+
 impl Laws {
-    /// From expressions in the parameters' names, of which the first is the field's speed, and the letters of the motion.
+    /// From expressions in the names of the data.
     ///
     /// # Errors
     /// [`TooLong`].
     pub fn new(
-        parameters: Vec<Quantity>,
-        energy: Sym,
-        moment: Sym,
-        windings: &[Winding<Sym, Sym>],
+        name: &'static str,
+        data: Vec<Quantity>,
+        counts: Vec<(Count, usize)>,
+        expressions: &Expressions,
     ) -> Result<Self, TooLong> {
-        let given: Vec<Sym> = parameters.iter().map(|quantity| Sym::symbol(&quantity.name)).collect();
+        let Expressions { rotor, frame_speed, energy, moment, windings, settled } = expressions;
+        let given: Vec<Sym> = data.iter().map(|quantity| Sym::symbol(&quantity.name)).collect();
         let Circle { cos, sin } = Sym::symbol(ANGLE).circle();
         let (angle, speeds) = ([cos, sin], [SLIP, SPEED].map(Sym::symbol));
         let currents: Vec<Sym> = windings.iter().map(|winding| Sym::symbol(&winding.current)).collect();
-        let of_windings = windings.iter().flat_map(|each| [Some(each.flux), each.supply, each.motional]).flatten();
-        let mut alone: Vec<Sym> = Vec::new();
-        for leaf in [energy, moment].into_iter().chain(of_windings).flat_map(Sym::leaves_of) {
-            if leaf.symbol_name().is_none() && !angle.contains(&leaf) && !alone.contains(&leaf) {
+        let mut letters: Vec<Sym> = given.iter().copied().chain(settled.iter().map(|(letter, _)| *letter)).collect();
+        let mut alone: Vec<Sym> = settled.iter().map(|(_, value)| *value).collect();
+        for leaf in expressions.of_motion().flat_map(Sym::leaves_of) {
+            if leaf.symbol_name().is_none() && !angle.contains(&leaf) && !letters.contains(&leaf) {
+                letters.push(leaf);
                 alone.push(leaf);
             }
         }
-        let numbers: Vec<Sym> = given.iter().chain(&alone).copied().collect();
-        let mut place = numbers.len();
-        let mut recorded = Vec::new();
+        let frame_speed_at = given.len() + alone.len();
+        alone.push(*frame_speed);
+        let mut place = frame_speed_at + 1;
+        let mut recorded = Vec::with_capacity(windings.len());
         for Winding { current, flux, supply, motional, inductance, resistance } in windings {
             alone.extend([*inductance, *resistance]);
             recorded.push(Winding {
                 current: current.clone(),
-                flux: Law::record(*flux, &angle, &numbers)?,
-                supply: supply.map(|law| Law::record(law, &angle, &numbers)).transpose()?,
-                motional: motional.map(|law| Law::record(law, &currents, &numbers)).transpose()?,
+                flux: Law::record(*flux, &angle, &letters)?,
+                supply: supply.map(|law| Law::record(law, &angle, &letters)).transpose()?,
+                motional: motional.map(|law| Law::record(law, &currents, &letters)).transpose()?,
                 inductance: place,
                 resistance: place + 1,
             });
             place += 2;
         }
-        let of_angle = windings.iter().flat_map(|each| [Some(each.flux), each.supply]).flatten();
-        let knows_angle = of_angle.chain([energy]).flat_map(Sym::leaves_of).any(|leaf| angle.contains(&leaf));
         Ok(Laws {
-            energy: Law::record(energy, &angle, &numbers)?,
-            moment: Law::record(moment, &speeds, &numbers)?,
+            name,
+            rotor: *rotor,
+            energy: Law::record(*energy, &angle, &letters)?,
+            moment: Law::record(*moment, &speeds, &letters)?,
             windings: recorded,
             alone: Tape::record(&given, &alone).map_err(|_| TooLong)?,
-            rotor: if knows_angle { RotorState::AngleAndSpeed } else { RotorState::Speed },
-            parameters,
+            frame_speed: frame_speed_at,
+            data,
+            counts,
         })
     }
 
-    /// The field's speed, then those of the file in its order.
-    pub fn parameters(&self) -> &[Quantity] {
-        &self.parameters
+    /// The name that scene files use.
+    pub fn name(&self) -> &'static str {
+        self.name
+    }
+
+    /// The data, in their order.
+    pub fn data(&self) -> &[Quantity] {
+        &self.data
+    }
+
+    /// The numbers of bars and the like for which the laws were made.
+    pub fn counts(&self) -> &[(Count, usize)] {
+        &self.counts
     }
 
     /// What the laws know of the rotor.
@@ -133,7 +181,7 @@ impl Laws {
         self.rotor
     }
 
-    /// The parameters, and what follows from them alone.
+    /// The data, and what follows from them alone.
     pub fn numbers<P: Datum>(&self, mut given: Vec<P>) -> Vec<P> {
         let mut alone = vec![P::zero(); self.alone.outputs()];
         self.alone.over().evaluate(&given, &mut alone);
@@ -141,11 +189,12 @@ impl Laws {
         given
     }
 
-    pub(super) fn field_speed<P: Base>(&self, numbers: &[P]) -> P {
-        numbers.first().copied().unwrap_or_else(P::zero)
+    pub(super) fn frame_speed<P: Base>(&self, numbers: &[P]) -> P {
+        numbers[self.frame_speed]
     }
 
-    pub(super) fn windings(&self) -> usize {
+    /// The number of windings.
+    pub fn windings(&self) -> usize {
         self.windings.len()
     }
 
@@ -181,20 +230,6 @@ impl Laws {
 
     pub(super) fn moment<P: Base, S: Over<P>>(&self, slip: S, speed: S, numbers: &[P]) -> S {
         self.moment.value(&[slip, speed], numbers)
-    }
-}
-
-/// Of a rotor that is left alone.
-impl Default for Laws {
-    fn default() -> Self {
-        Laws {
-            parameters: vec![FIELD_SPEED],
-            energy: Law::default(),
-            moment: Law::default(),
-            windings: Vec::new(),
-            alone: Tape::default(),
-            rotor: RotorState::Speed,
-        }
     }
 }
 

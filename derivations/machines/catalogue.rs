@@ -1,0 +1,164 @@
+//! The motors that have a name: those of this folder, and those that a program adds of its own.
+
+use super::laws::{Expressions, Laws, TooLong, Winding};
+use super::text::{self, ANGLE, SLIP, SPEED};
+use super::{Allowed, Machine, Motor, Quantity};
+use field::{Analytic, Circle};
+use std::fmt;
+use std::sync::{Arc, PoisonError, RwLock};
+use symbolic::{Sym, apart};
+
+/// A motor of the catalogue: its data, and its laws in letters that stand for them.
+#[derive(Clone, Copy, Debug)]
+pub struct Entry {
+    /// As scene files have it.
+    pub name: &'static str,
+    /// One line for lists and reports.
+    pub summary: &'static str,
+    /// In their order; none is called as a letter of the motion is, g, g', phi', or as a current.
+    pub data: &'static [Quantity],
+    /// Whole numbers of at least one that make the motor, such as that of its bars.
+    pub counts: &'static [Count],
+    /// Writes the laws down.
+    pub write: fn(&mut Given) -> Result<Laws, TooLong>,
+}
+
+/// A whole number of at least one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Count {
+    pub name: &'static str,
+    pub meaning: &'static str,
+}
+
+/// The motors of this folder, from a rotor that simply turns to one with every bar of its damper; then those beside this ladder.
+static OWN: &[&Entry] = &[
+    &super::constant_speed::ENTRY,
+    &super::free_rotor::ENTRY,
+    &super::asynchronous::ENTRY,
+    &super::kloss::ENTRY,
+    &super::synchronous::ENTRY,
+    &super::equivalent_windings::ENTRY,
+    &super::multi_current::ENTRY,
+    &super::crossed_windings::ENTRY,
+    &super::permanent_magnet::ENTRY,
+    &super::brushed::ENTRY,
+];
+
+/// Those that were added.
+static ADDED: RwLock<Vec<&'static Entry>> = RwLock::new(Vec::new());
+
+/// A name that a motor has already.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Taken(pub &'static str);
+
+impl fmt::Display for Taken {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "there is a motor `{}` already", self.0)
+    }
+}
+
+impl std::error::Error for Taken {}
+
+/// Every motor that has a name, in the order of the catalogue.
+pub fn entries() -> Vec<&'static Entry> {
+    let added = ADDED.read().unwrap_or_else(PoisonError::into_inner);
+    OWN.iter().chain(added.iter()).copied().collect()
+}
+
+/// The motor of a name.
+pub fn entry(name: &str) -> Option<&'static Entry> {
+    entries().into_iter().find(|entry| entry.name == name)
+}
+
+/// Adds a motor, which every scene that is read later may name.
+///
+/// # Errors
+/// [`Taken`].
+pub fn add(entry: &'static Entry) -> Result<(), Taken> {
+    let mut added = ADDED.write().unwrap_or_else(PoisonError::into_inner);
+    if entry.name == text::NAME || OWN.iter().chain(added.iter()).any(|known| known.name == entry.name) {
+        return Err(Taken(entry.name));
+    }
+    added.push(entry);
+    Ok(())
+}
+
+impl Entry {
+    /// The laws for these counts, in the order of [`Entry::counts`].
+    ///
+    /// # Errors
+    /// [`TooLong`].
+    pub fn laws(&'static self, counts: &[usize]) -> Result<Arc<Laws>, TooLong> {
+        let counts: Vec<(Count, usize)> = self.counts.iter().copied().zip(counts.iter().copied()).collect();
+        apart(|| (self.write)(&mut Given { entry: self, counts, settled: Vec::new() })).map(Arc::new)
+    }
+}
+
+/// A motor of the catalogue, with this value for each quantity and this one for each count, whatever their bounds.
+pub fn sampled(name: &str, value: impl FnMut(&Quantity) -> f64, count: usize) -> Option<Motor> {
+    let entry = entry(name)?;
+    let laws = entry.laws(&vec![count; entry.counts.len()]).ok()?;
+    Some(Motor::new(laws, entry.data.iter().map(value).collect(), Allowed::ALL))
+}
+
+/// The letter of a datum.
+///
+/// # Errors
+/// None.
+pub fn letter(quantity: &Quantity) -> Result<Sym, TooLong> {
+    Ok(Sym::symbol(&quantity.name))
+}
+
+/// The counts of a motor whose laws are written down.
+#[derive(Debug)]
+pub struct Given {
+    entry: &'static Entry,
+    counts: Vec<(Count, usize)>,
+    settled: Vec<(Sym, Sym)>,
+}
+
+impl Given {
+    /// The count of a name; one where there is none of this name.
+    pub fn count(&self, name: &str) -> usize {
+        self.counts.iter().find(|(count, _)| count.name == name).map_or(1, |(_, number)| *number)
+    }
+
+    /// A letter for what is computed once, of the data alone, in the field in which they are given: angles of bars, roots.
+    pub fn settled(&mut self, value: Sym) -> Sym {
+        let letter = Sym::symbol(&format!("settled {}", self.settled.len()));
+        self.settled.push((letter, value));
+        letter
+    }
+
+    /// The same for a point of the circle.
+    pub fn settled_point(&mut self, Circle { cos, sin }: Circle<Sym>) -> Circle<Sym> {
+        Circle { cos: self.settled(cos), sin: self.settled(sin) }
+    }
+
+    /// The laws of a machine over letters.
+    ///
+    /// # Errors
+    /// [`TooLong`].
+    pub fn laws(&self, machine: &impl Machine<Sym>) -> Result<Laws, TooLong> {
+        let angle = Sym::symbol(ANGLE).circle();
+        let names: Vec<String> = (0..machine.windings()).map(|k| machine.current_name(k)).collect();
+        let currents: Vec<Sym> = names.iter().map(|name| Sym::symbol(name)).collect();
+        let winding = |(k, current): (usize, String)| Winding {
+            current,
+            flux: machine.linkage(k, angle),
+            supply: machine.supply(k, angle),
+            motional: machine.motional(k, &currents),
+            inductance: machine.inductance(k),
+            resistance: machine.resistance(k),
+        };
+        let expressions = Expressions {
+            rotor: machine.rotor(),
+            frame_speed: machine.frame_speed(),
+            energy: machine.field_energy(angle),
+            moment: machine.moment_law(Sym::symbol(SLIP), Sym::symbol(SPEED)),
+            windings: names.into_iter().enumerate().map(winding).collect(),
+            settled: self.settled.clone(),
+        };
+        Laws::new(self.entry.name, self.entry.data.to_vec(), self.counts.clone(), &expressions)
+    }
+}
