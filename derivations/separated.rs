@@ -10,7 +10,7 @@ use symbolic::Sym;
 
 /// A law that is a sum of fields whose flows are known.
 pub trait Separable {
-    /// What the pieces run by.
+    /// The programs by which the pieces run.
     fn programs(&self) -> Programs;
 
     /// The pieces over a field, by these programs or law by law; none where the law cannot be taken apart.

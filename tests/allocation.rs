@@ -59,7 +59,7 @@ fn allocations(work: impl FnOnce()) -> usize {
     ALLOCATIONS.get() - before
 }
 
-/// Of a right-hand side over every field that runs.
+/// Allocations of a right-hand side over every field that runs.
 fn by_rates(form: impl Form<f64>, machine: Motor) -> usize {
     fn over<S: Over<f64> + Analytic>(law: &impl Ode<S>) -> usize {
         let y: Vec<S> = (0..law.dimension()).map(|i| S::lift(0.1 + i as f64)).collect();
@@ -122,7 +122,7 @@ fn a_series_allocates_nothing_once_there_is_room_for_it() {
     assert_eq!(next, 1, "the next run finds the room of the last one");
 }
 
-/// Of twenty steps of a composition, once it has been prepared.
+/// Allocations of twenty steps of a composition, once it has been prepared.
 fn by_steps(form: impl Form<f64>, machine: Motor) -> usize {
     fn over<S: Real + Running>(driven: &Driven<f64, impl Form<f64>, Motor>) -> usize {
         let mut y: Vec<S> = (0..driven.dimension()).map(|i| S::lift(0.1 + 0.05 * i as f64)).collect();

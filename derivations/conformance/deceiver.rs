@@ -11,7 +11,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use symbolic::Sym;
 
-/// How a law deceives.
+/// The way in which a law deceives.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Trick {
     /// Its fluxes differ from call to call.

@@ -70,12 +70,12 @@ struct State {
 }
 
 impl Rest {
-    /// Of a motor with its data.
+    /// The stationary states of a motor, beside its own law.
     pub fn of(machine: &Motor) -> Self {
         Self::beside(MotorStates::of(machine), machine)
     }
 
-    /// What is exact beside the law of a machine that runs.
+    /// Stationary states that are exact, beside the law of a machine that runs.
     pub fn beside<M>(motor: Result<MotorStates, NoMotor>, machine: &M) -> Self
     where
         M: Machine<f64> + Clone + Send + Sync + 'static,

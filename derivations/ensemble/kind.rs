@@ -8,7 +8,8 @@ use crate::systems::gyrostat::driven::Driven;
 use crate::systems::gyrostat::forms::{FirstForm, Form, SecondForm};
 use integrators::LaneSeries;
 use nalgebra::{Matrix3, Vector3};
-use symbolic::{Equations, Sym, Tape, Untapeable, apart};
+use series::Equations;
+use symbolic::{Sym, Tape, Untapeable, apart};
 
 /// Systems that differ in their numbers only. The parameters are those of the form (principal moments, l, A', Ge in its
 /// axes) or A' of a bench, then the machine's in its own order.

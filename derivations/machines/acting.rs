@@ -1,14 +1,15 @@
 //! The laws of a machine as a kick asks for them: those of the angle at once, the moment at all stages at once.
 //!
 //! A machine answers law by law. The laws of a [`Motor`](super::Motor) are programs, which share nothing when they are followed one by
-//! one; [`Programs`] are all of them, recorded together with the data as constants. The moment, which a kick asks for at four slips
-//! five times over, is one [`Fraction`] of the slip.
+//! one; [`Programs`] are all of them, recorded together with the data as constants. Laws of the angle with one harmonic need none: they are
+//! [`Waves`]. The moment, which a kick asks for at four slips five times over, is one [`Fraction`] of the slip.
 
+use super::harmonics::{Harmonics, Waves};
 use super::kick::{Law, laws_at, moment_at};
 use super::rule::STAGES;
 use super::{Machine, RotorState};
 use crate::taped::{Program, Running};
-use field::{Base, Circle, Over, Rational, Tangent};
+use field::{Analytic, Base, Circle, Over, Rational, Tangent};
 use symbolic::{Fraction, Sym};
 
 /// A machine at a resting angle.
@@ -52,13 +53,13 @@ impl<P: Base, S: Over<P>, M: Machine<P>> Acting<P, S> for M {
     }
 }
 
-/// What a kick asks of a machine, as programs.
+/// The laws of a machine as a kick asks for them, as programs.
 #[derive(Clone, Debug)]
 pub struct Programs {
     /// psi_k, -U', psi_k' of the angle's cosine and sine; where the laws know it
     angle: Option<Program>,
-    /// psi_k alone
-    linkages: Option<Program>,
+    /// The same where they have one harmonic: then there is no program.
+    waves: Option<Waves>,
     /// m of the slip, where it is curved; none where that would be longer than the law itself
     moment: Option<Fraction<Rational>>,
 }
@@ -78,20 +79,15 @@ impl Programs {
                 [values, slopes].concat()
             })
         };
-        let linkages = || {
-            Program::of(2, |_, point| {
-                let point = Circle { cos: point[0], sin: point[1] };
-                (0..machine.windings()).map(|k| machine.linkage(k, point)).collect()
-            })
-        };
         let knows_angle = machine.rotor() == RotorState::AngleAndSpeed;
+        let waves = knows_angle.then(|| Waves::of(machine)).flatten();
         let moment = || {
             let slip = Sym::symbol("slip");
             Fraction::record(moment_at(machine, slip).value, slip)
         };
         Programs {
-            angle: knows_angle.then(angle).flatten(),
-            linkages: knows_angle.then(linkages).flatten(),
+            angle: (knows_angle && waves.is_none()).then(angle).flatten(),
+            waves,
             moment: if Law::of(machine) == Law::Curved { moment() } else { None },
         }
     }
@@ -102,11 +98,11 @@ impl Programs {
 pub struct Programmed<'a, S, M> {
     machine: &'a M,
     angle: Option<&'a Program>,
-    linkages: Option<&'a Program>,
+    waves: Option<Harmonics<S>>,
     moment: Option<Fraction<S>>,
 }
 
-/// Room for fluxes and slopes of no winding to three, of fifteen, and of more than a scene may have.
+/// Room for the numbers of no winding to three, of fifteen, and of more than a scene may have.
 const FEW: usize = 8;
 const SOME: usize = 32;
 const MANY: usize = 256;
@@ -121,6 +117,9 @@ impl<S: Running + Over<f64>, M: Machine<f64>> Acting<f64, S> for Programmed<'_, 
 
     #[inline(always)]
     fn at_angle(&self, angle: Circle<S>, each: impl FnMut(usize, Tangent<S>)) -> S {
+        if let Some(waves) = &self.waves {
+            return waves.at_angle(angle, each);
+        }
         let windings = self.machine.windings();
         match self.angle {
             Some(program) if windings < FEW / 2 => followed::<S, FEW>(program, windings, angle, each),
@@ -132,11 +131,14 @@ impl<S: Running + Over<f64>, M: Machine<f64>> Acting<f64, S> for Programmed<'_, 
 
     #[inline(always)]
     fn linkages(&self, angle: Circle<S>, each: impl FnMut(usize, S)) {
+        if let Some(waves) = &self.waves {
+            return waves.linkages(angle, each);
+        }
         let windings = self.machine.windings();
-        match self.linkages {
-            Some(program) if windings <= FEW => linked::<S, FEW>(program, windings, angle, each),
-            Some(program) if windings <= SOME => linked::<S, SOME>(program, windings, angle, each),
-            Some(program) if windings <= MANY => linked::<S, MANY>(program, windings, angle, each),
+        match self.angle {
+            Some(program) if windings < FEW / 2 => linked::<S, FEW>(program, windings, angle, each),
+            Some(program) if windings < SOME / 2 => linked::<S, SOME>(program, windings, angle, each),
+            Some(program) if windings < MANY / 2 => linked::<S, MANY>(program, windings, angle, each),
             _ => self.machine.linkages(angle, each),
         }
     }
@@ -150,13 +152,13 @@ impl<S: Running + Over<f64>, M: Machine<f64>> Acting<f64, S> for Programmed<'_, 
     }
 }
 
-impl<'a, S: Over<f64>, M> Programmed<'a, S, M> {
+impl<'a, S: Over<f64> + Analytic, M> Programmed<'a, S, M> {
     /// A machine, and the programs of it that were recorded.
     pub fn new(machine: &'a M, programs: Option<&'a Programs>) -> Self {
         Programmed {
             machine,
             angle: programs.and_then(|all| all.angle.as_ref()),
-            linkages: programs.and_then(|all| all.linkages.as_ref()),
+            waves: programs.and_then(|all| all.waves.as_ref()).map(Waves::over),
             moment: programs.and_then(|all| all.moment.as_ref()).map(Fraction::over),
         }
     }
@@ -182,7 +184,7 @@ fn followed<S: Running, const N: usize>(
     force[0]
 }
 
-/// [`Acting::linkages`] by a program.
+/// [`Acting::linkages`] by a program: of its values the first.
 #[inline]
 fn linked<S: Running, const N: usize>(
     program: &Program,
@@ -191,8 +193,8 @@ fn linked<S: Running, const N: usize>(
     mut each: impl FnMut(usize, S),
 ) {
     let mut values = [S::zero(); N];
-    let values = &mut values[..windings];
+    let values = &mut values[..2 * windings + 1];
     // recorded for an angle, it runs
     program.run(S::zero(), &[angle.cos, angle.sin], values).unwrap_or(());
-    values.iter().enumerate().for_each(|(k, value)| each(k, *value));
+    values[..windings].iter().enumerate().for_each(|(k, value)| each(k, *value));
 }

@@ -215,7 +215,7 @@ impl<S: Analytic> Point<S> {
     }
 }
 
-/// How fast what a kick lets fade fades.
+/// The rates at which currents and slip fade in a kick.
 #[derive(Clone, Copy, Debug)]
 pub struct Fading<S> {
     /// The largest r_k.
@@ -227,7 +227,7 @@ pub struct Fading<S> {
 }
 
 impl<S: Real> Fading<S> {
-    /// Of a machine whose rotor has this slip for a unit of impulse.
+    /// A machine whose rotor has this slip for a unit of impulse.
     pub fn of(machine: &impl Machine<f64>, law: Law, compliance: S) -> Self {
         let rates = (0..machine.windings()).map(|k| S::lift(machine.resistance(k)) / S::lift(machine.inductance(k)));
         let current = rates.fold(S::zero(), |fastest, rate| if rate > fastest { rate } else { fastest });

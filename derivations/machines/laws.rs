@@ -21,17 +21,17 @@ pub struct Laws {
     energy: Law,
     moment: Law,
     windings: Vec<Winding<Law, usize>>,
-    /// What is computed of the data alone: what is settled before anything moves, roots and angles in the laws, W, then L and R of
-    /// each winding.
+    /// Numbers that follow from the data alone: those that are settled before anything moves, roots and angles in the laws, W, then L
+    /// and R of each winding.
     alone: Tape,
     /// The place of W among the numbers.
     frame_speed: usize,
 }
 
-/// What is written of a motor: expressions in the names of its data, and in the letters of the motion.
+/// The laws of a motor as expressions in the names of its data, and in the letters of the motion.
 #[derive(Clone, Debug)]
 pub struct Expressions {
-    /// What the laws know of the rotor.
+    /// The part of the rotor's state that the laws know.
     pub rotor: RotorState,
     /// W, rad/s
     pub frame_speed: Sym,
@@ -44,7 +44,7 @@ pub struct Expressions {
     pub settled: Vec<(Sym, Sym)>,
 }
 
-/// What is written of one winding.
+/// The laws of one winding.
 #[derive(Clone, Debug)]
 pub struct Winding<F, N> {
     /// The name of i_k.

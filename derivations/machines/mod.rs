@@ -24,6 +24,7 @@ pub mod constant_speed;
 pub mod crossed_windings;
 pub mod equivalent_windings;
 pub mod free_rotor;
+mod harmonics;
 mod kick;
 pub mod kloss;
 mod laws;

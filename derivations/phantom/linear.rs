@@ -11,6 +11,7 @@
 use super::written::linearised;
 use crate::scene::Scene;
 use crate::stationary::motor::{MotorStates, NoMotor};
+use algebra::real::Enclosure;
 use field::Rational;
 use mechanics::discrete::{Mode, Place, Spectrum};
 use mechanics::first_approximation::characteristic;

@@ -7,6 +7,7 @@
 use super::multipliers::Matrix;
 use super::written::keeps_energy;
 use crate::machines::{BenchFlows, Kick, Law, Machine, Motor, Point, RotorState, Rule, has_known_flow};
+use algebra::real::{Ordered, TaylorModel};
 use field::{Analytic, Circle, Over, Rational, Scalar, Tangent};
 use num_traits::Zero;
 use std::cell::RefCell;

@@ -8,7 +8,6 @@ use crate::systems::gyrostat::momenta::{Flows, Lapse, Point};
 use algebra::real::{Model, Ordered, Rounded};
 use field::{Analytic, Base, Over, Rational, Scalar, Tangent};
 use integrators::Splitting;
-use algebra::real::{Model, Ordered, Rounded};
 
 /// What a step asks of its field beyond operations.
 pub(super) trait Decaying: Base + Over<f64> + Analytic {

@@ -27,10 +27,10 @@ use crate::machines::{Law, Motor, Rule, has_known_flow};
 use crate::scene::{Axes, Scene, System};
 use crate::systems::gyrostat::Gyrostat;
 use crate::systems::gyrostat::forms::SecondForm;
+use algebra::real::{Ball, FixedPoint, Mapped, Model, Rounded, TaylorModel};
 use field::{Base, Rational, Scalar, Tangent};
 use integrators::Splitting;
 use nalgebra::{DMatrix, DVector};
-use algebra::real::{Ball, FixedPoint, Mapped, Model, Rounded, TaylorModel};
 
 /// A gyrostat with its motor near a stationary motion.
 pub struct Turning {

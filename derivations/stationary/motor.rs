@@ -2,8 +2,8 @@
 
 use crate::machines::{Loaded, Machine, Motor, RotorState, drive, is_fed, resting_currents};
 use crate::scene::NoModel;
-use field::{Circle, Rational, Scalar};
 use algebra::real::{Polynomial, Root};
+use field::{Circle, Rational, Scalar};
 use symbolic::{Hypotheses, Sym, normal, univariate};
 
 /// What a machine lets its rotor do for ever.

@@ -3,7 +3,9 @@
 use crate::physical::machines::{Sample, every_machine, numbers, with_data};
 use crate::physical::rate::{Rate, rate};
 use crate::physical::{fixed, gyrostat, rounded};
-use dalembert_derivations::machines::{Conserved, Machine, Motor, RotorState, drive, heat, is_fed, motional_moment, supplied};
+use dalembert_derivations::machines::{
+    Conserved, Machine, Motor, RotorState, drive, heat, is_fed, motional_moment, supplied,
+};
 use dalembert_derivations::systems::gyrostat::driven::Driven;
 use dalembert_derivations::systems::gyrostat::forms::Form;
 use nalgebra::Vector3;
@@ -44,7 +46,7 @@ struct Instant {
 }
 
 impl Instant {
-    /// Of a machine in a form of the equations.
+    /// A machine in a form of the equations.
     fn at(form: impl Form<f64>, machine: Motor, sample: &Sample) -> Self {
         let driven = Driven::new(form, machine);
         let y = sample.state(driven.dimension());

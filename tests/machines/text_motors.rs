@@ -20,6 +20,7 @@ use dalembert_derivations::systems::gyrostat::driven::Driven;
 use dalembert_derivations::taped::Running;
 use field::{Analytic, Circle, DoubleDouble};
 use integrators::{Ode, Real, Splitting, compose};
+use series::{Equations, Recurrence};
 use std::convert::Infallible;
 use std::f64::consts::PI;
 use symbolic::{Language, Sym, Tape};

@@ -2,6 +2,7 @@
 
 use crate::physical::{gyrostat, rounded};
 use crate::running::{Law, eigenvalues, state};
+use algebra::real::{Enclosure, Ordered, Root};
 use dalembert_derivations::machines::asynchronous::Asynchronous;
 use dalembert_derivations::machines::constant_speed::ConstantSpeed;
 use dalembert_derivations::machines::free_rotor::FreeRotor;

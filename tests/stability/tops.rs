@@ -2,6 +2,7 @@
 //! equations that run.
 
 use crate::running::{Law, eigenvalues, state};
+use algebra::real::{Enclosure, Root};
 use dalembert_derivations::machines::Machine;
 use dalembert_derivations::machines::asynchronous::Asynchronous;
 use dalembert_derivations::machines::constant_speed::ConstantSpeed;

@@ -5,6 +5,7 @@ use super::state::{Layout, Place};
 use crate::machines::{Machine, Motor, RotorState, is_fed, resting_currents};
 use crate::stationary::energies::Energies;
 use crate::stationary::motor::NoMotor;
+use algebra::real::Ordered;
 use field::{Circle, Rational, Tangent};
 use nalgebra::Vector3;
 use std::sync::Arc;

@@ -5,6 +5,7 @@ use super::judged::Judged;
 use super::verdict::{Reason, Verdict};
 use crate::stationary::energies::{Energies, Kept};
 use crate::stationary::motor::{Angle, MotorStates};
+use algebra::real::{Enclosure, Ordered, Polynomial, Root, Surd};
 use field::{Rational, Scalar};
 use nalgebra::Vector3;
 

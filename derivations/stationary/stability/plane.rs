@@ -12,6 +12,7 @@ use crate::ensemble::known::Data;
 use crate::scene::Scene;
 use crate::stationary::energies::Energies;
 use crate::stationary::motor::{Bears, MotorStates, NoMotor};
+use algebra::real::Root;
 use field::{Rational, Scalar};
 use std::fmt;
 use symbolic::{Hypotheses, NotPolynomial, Sym, normal};

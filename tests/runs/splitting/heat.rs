@@ -35,7 +35,7 @@ impl<S: Over<f64> + Analytic> Ode<S> for Losing {
 
 impl System for Losing {}
 
-/// What splittings with so many steps make of it: the largest error of the lost energy at the instants, and by how much
+/// Every splitting loses what heat and friction take: the largest error of the lost energy at the instants, and by how much
 /// E - W p + c0 g ever rises, c0 = -m(0).
 fn loses_what_is_taken(bodies: &Gyrostat<f64>, machine: Motor, state: &[f64]) {
     assert_eq!(machine.rotor(), RotorState::AngleAndSpeed);

@@ -8,7 +8,9 @@ use dalembert_derivations::machines::free_rotor::FreeRotor;
 use dalembert_derivations::machines::kloss::Kloss;
 use dalembert_derivations::machines::multi_current::{MultiCurrent, Windings};
 use dalembert_derivations::machines::synchronous::Synchronous;
-use dalembert_derivations::machines::{Bench, Kick, Law, Machine, Motor, Point as RotorPoint, RotorState, Rule, has_known_flow};
+use dalembert_derivations::machines::{
+    Bench, Kick, Law, Machine, Motor, Point as RotorPoint, RotorState, Rule, has_known_flow,
+};
 use dalembert_derivations::separated::Separable;
 use dalembert_derivations::systems::gyrostat::Gyrostat;
 use dalembert_derivations::systems::gyrostat::driven::Driven;

@@ -1,6 +1,7 @@
 //! Motors with laws of their own in a drive: each of the program beside its law as it is compiled, and a text in the letters of a motor.
 
 use super::{close, last, runs};
+use dalembert_scenes::ModelScene;
 use derivations::machines::{Machine, Motor, Quantity, catalogue, drive};
 use field::Circle;
 use integrators::Ode;
