@@ -13,7 +13,7 @@ mod distances;
 mod gap;
 mod search;
 
-use crate::{End, Method, Observer, Outcome, Span, System, Tolerance, Work, integrate};
+use crate::{End, Failure, Method, Observer, Outcome, Span, System, Tolerance, Work, integrate};
 use again::Again;
 use search::{Search, Seen, look};
 
@@ -96,11 +96,20 @@ pub fn integrate_to_event(
         known: Vec::new(),
         samples: Vec::new(),
         found: None,
+        lost: None,
     };
     guard.arm();
     let mut outcome = integrate(system, method, tolerance, span, &mut guard);
     outcome.work = outcome.work + guard.again.extra;
-    let Some((event, state)) = guard.found else { return (outcome, None) };
+    let Some((event, state)) = guard.found else {
+        let outcome = match guard.lost {
+            Some(Instant { time, state, .. }) => {
+                Outcome { end: End::Stopped(Failure::LeftTheNumbers { at: time }), time, state, ..outcome }
+            }
+            None => outcome,
+        };
+        return (outcome, None);
+    };
     (outcome.end, outcome.time, outcome.state) = (End::Halted, event.time, state);
     (outcome, Some(event))
 }
@@ -156,6 +165,8 @@ struct Guard<'a> {
     /// Outputs of the step that was not looked at yet.
     samples: Vec<(f64, Vec<f64>)>,
     found: Option<Found>,
+    /// The last instant before a zero that cannot be computed.
+    lost: Option<Instant>,
 }
 
 impl Guard<'_> {
@@ -163,6 +174,11 @@ impl Guard<'_> {
         for (armed, signal) in self.armed.iter_mut().zip(&self.before.signals) {
             *armed |= signal.value > signal.noise;
         }
+    }
+
+    /// Whether the run ends in this step.
+    fn is_over(&self) -> bool {
+        self.found.is_some() || self.lost.is_some()
     }
 
     /// Goes on to the interval that begins where the last one ends.
@@ -198,7 +214,7 @@ impl Guard<'_> {
             if let Some(middle) = parts.find_map(|time| self.again.at(step, &self.before, time)) {
                 let end = std::mem::replace(&mut self.after, middle);
                 self.look(step, halvings - 1);
-                if self.found.is_none() {
+                if !self.is_over() {
                     self.go_on();
                     self.after = end;
                     self.look(step, halvings - 1);
@@ -223,6 +239,8 @@ impl Guard<'_> {
             let mut search = Search { again: &mut self.again, step, known: &mut self.known, signal };
             match look(&mut search, ends, self.armed[signal], doubt) {
                 Seen::Nothing { armed } => self.armed[signal] = armed,
+                // what may come before it in the step is not told apart from it
+                Seen::Lost(last) => self.lost = Some(last),
                 Seen::Happened(event, state) => {
                     let found = (event, state);
                     if first.as_ref().is_none_or(|known| self.comes_before(&found, known)) {
@@ -260,24 +278,24 @@ impl Observer<f64> for Guard<'_> {
         for part in &mut parts {
             std::mem::swap(&mut self.after, part);
             self.look(&step, MOST_HALVED);
-            if self.found.is_some() {
+            if self.is_over() {
                 break;
             }
             self.go_on();
         }
         self.parts = parts;
-        if self.found.is_none() {
+        if !self.is_over() {
             self.after.move_to(self.again.switches, time, state);
             self.look(&step, MOST_HALVED);
         }
         let direction = (time - step.time).signum();
         // an output at the end of a step may be a rounding behind it
-        let last = self.found.as_ref().map(|(event, _)| event.time);
+        let last = self.found.as_ref().map(|(event, _)| event.time).or(self.lost.as_ref().map(|last| last.time));
         let is_seen = |output: f64| last.is_none_or(|last| (last - output) * direction >= 0.0);
         for (output, state) in self.samples.drain(..).filter(|(output, _)| is_seen(*output)) {
             self.observer.sample(output, &state);
         }
-        if self.found.is_none() {
+        if !self.is_over() {
             self.observer.step(time, state);
             self.go_on();
         }
@@ -288,6 +306,6 @@ impl Observer<f64> for Guard<'_> {
     }
 
     fn enough(&self) -> bool {
-        self.found.is_some() || self.observer.enough()
+        self.is_over() || self.observer.enough()
     }
 }

@@ -28,6 +28,9 @@ const LEAST_OF_HALF: f64 = 1.0 / 64.0;
 /// A distance so near to zero comes to zero where the motion cannot be computed again.
 const NEAR: f64 = 1e-2;
 
+/// A signal that has fallen to this part of what it was before a gap of the law is as good as zero.
+const CLOSE: f64 = 1e-6;
+
 /// Halvings of an interval, by which its last instant that can be computed again is found.
 const MOST_NEARER: u32 = 12;
 
@@ -48,6 +51,8 @@ pub(super) enum Seen {
         armed: bool,
     },
     Happened(Event, Vec<f64>),
+    /// It passes zero behind an instant, where the motion cannot be computed.
+    Lost(Instant),
 }
 
 impl Search<'_, '_> {
@@ -177,13 +182,19 @@ impl Search<'_, '_> {
         fastest > 0.0 && value <= NEAR * NEAR
     }
 
-    /// The fall through zero in an interval where there is one; at its end where it could not be computed again.
+    /// The fall through zero in an interval where there is one. Where it cannot be computed again, it is the end that is as good as zero.
     fn fall(&mut self, [a, b]: [&Instant; 2]) -> Seen {
         let signal = self.signal;
         let ends_above = self.again.switches.ends_above(signal);
         let found =
             self.again.root(self.step, [a, b], ends_above, |at| (at.signals[signal].value, at.signals[signal].rate));
-        let [found, before] = found.unwrap_or_else(|| [b.clone(), a.clone()]);
+        let [found, before] = match found {
+            Some(found) => found,
+            None if self.of(b).value.abs() > CLOSE * self.of(a).value.abs() && !ends_above => {
+                return Seen::Lost(a.clone());
+            }
+            None => [b.clone(), a.clone()],
+        };
         let found = match ends_above {
             true => self.above([a, &found]).unwrap_or(if self.of(&found).value > 0.0 { found } else { before }),
             false => found,

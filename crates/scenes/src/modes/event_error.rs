@@ -41,7 +41,9 @@ pub(super) fn late(before: &Current, known: &Expansion<TERMS>, event: &Event) ->
             };
             (own.0, before.near_contacts[contact][own.1])
         }
-        Fall::Slows { .. } | Fall::Turns { .. } | Fall::Jams | Fall::Smooths { .. } => return 0.0,
+        Fall::Slows { .. } | Fall::Hastens { .. } | Fall::Turns { .. } | Fall::Jams | Fall::Smooths { .. } => {
+            return 0.0;
+        }
         Fall::Event { event } => (known.events[event], before.sides[event].sign * before.near_events[event]),
     };
     let is_passed = event.what == Happening::Falls && signal.sign_of(1, SLACK).abs() == 1.0;

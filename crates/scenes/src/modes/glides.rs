@@ -1,12 +1,13 @@
 //! Contacts that slide in space, and how they come to rest.
 //!
-//! T = -mu |N| v/|v| turns with v, and has no limit where v goes to zero. The speed |v| does not change its sign there, so that two signals
+//! T = -mu |N| v/|v| turns with v, and has no limit where v goes to zero. The speed |v| does not change its sign there, so that signals
 //! watch it from an instant at which it was w in the direction d:
 //!
-//!   |v| - w/10,  which falls where the contact has slowed down by ten,
-//!   v . d,       which falls where v has turned by a right angle, or has come through zero within one step.
+//!   |v| - w/10,    which falls where the contact has slowed down by ten,
+//!   1000 w - |v|,  which falls where it has become so fast that a tenth of w is nothing to it,
+//!   v . d,         which falls where v has turned by a right angle, or has come through zero within one step.
 //!
-//! After either the watch begins anew, until so little is left of the speed that it is taken away at once: what reactions do in the rest of
+//! After any of them the watch begins anew, until so little is left of the speed that it is taken away at once: what reactions do in the rest of
 //! the way differs from that by the square of the part that is left.
 
 use super::course::Sets;
@@ -24,8 +25,14 @@ use integrators::Event;
 /// The part of a speed at which a contact is watched anew.
 const SLOWER: f64 = 0.1;
 
+/// The multiple of that part at which it is watched anew too.
+pub(super) const FASTER: i64 = 10_000;
+
 /// The part of the largest speed of a slide that is taken away at once.
 const REST: f64 = 1e-7;
+
+/// A velocity with no more than this part of it that has turned round has come through zero.
+const REVERSED: f64 = 1e-5;
 
 /// Multiples of the time that is left to one contact in which others come to rest with it: speeds of one body go to zero together.
 const TOGETHER: f64 = 10.0;
@@ -43,7 +50,7 @@ pub(super) struct Glide {
     speed: f64,
     /// The largest speed at which a watch of this slide began.
     fastest: f64,
-    /// The time in which the speed doubles, where it begins from rest.
+    /// The time in which the speed doubles, where it begins from rest, or has done so.
     doubling: Option<f64>,
 }
 
@@ -87,11 +94,14 @@ impl Glide {
         self.heading.map(|part| part * self.speed)
     }
 
-    /// The next watch, after this one's speed or direction has fallen; none where the contact comes to rest.
-    pub fn next<const N: usize>(&self, contact: &Touching<N>, has_turned: bool) -> Option<Self> {
-        let (speed, heading) = motion(contact.slide.terms[0], contact.aside.terms[0]);
-        let rests = self.is_over(contact) || has_turned && speed <= SLOWER * self.speed;
-        (!rests).then_some(Glide { heading, speed, fastest: speed.max(self.fastest), doubling: None })
+    /// The next watch, after one of its signals has fallen; none where the contact comes to rest.
+    pub fn next<const N: usize>(&self, contact: &Touching<N>, fall: Fall) -> Option<Self> {
+        let [slide, aside] = [contact.slide.terms, contact.aside.terms];
+        let (speed, heading) = motion(slide[0], aside[0]);
+        let turned = (SLOWER * self.speed).max(REVERSED * self.fastest);
+        let rests = self.is_over(contact) || matches!(fall, Fall::Turns { .. }) && speed <= turned;
+        let doubling = matches!(fall, Fall::Hastens { .. }).then(|| speed / slide[1].hypot(aside[1]));
+        (!rests).then_some(Glide { heading, speed, fastest: speed.max(self.fastest), doubling })
     }
 
     /// Its rest, of a contact.
@@ -102,7 +112,10 @@ impl Glide {
     /// Whether so little is left of its speed that it is taken away at once.
     fn is_over<const N: usize>(&self, contact: &Touching<N>) -> bool {
         let rounding = SLACK * contact.slide.doubts[0].max(contact.aside.doubts[0]);
-        motion(contact.slide.terms[0], contact.aside.terms[0]).0 <= rounding.max(1.5 * REST * self.fastest)
+        let (speed, [along, aside]) = motion(contact.slide.terms[0], contact.aside.terms[0]);
+        let has_reversed = along * self.heading[0] + aside * self.heading[1] < 0.0;
+        let least = if has_reversed { REVERSED } else { 1.5 * REST };
+        speed <= rounding.max(least * self.fastest)
     }
 }
 
@@ -139,6 +152,13 @@ impl Modes {
         {
             expansions.return_to(time, state, &held, 0.0, start);
         }
+    }
+
+    /// The first contact that slides in space with a speed that is to be taken away at once.
+    pub(super) fn is_over(&self, before: &Current, instant: &Instant<'_>) -> Option<usize> {
+        let contacts = self.laws.expansions().ok()?.contacts(instant, &before.moded.system.mode.cases);
+        let mut glides = before.glides.iter().zip(&contacts);
+        glides.position(|(glide, contact)| glide.is_some_and(|glide| glide.is_over(contact)))
     }
 
     /// The contacts that slide in space and come to rest together with the one of an event: so little is left of their speed, or of the time

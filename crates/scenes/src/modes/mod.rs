@@ -49,7 +49,7 @@ use model::Model;
 use passage::After;
 pub use regimes::{CriticalFriction, Margin, Motions, Regime, Regimes};
 use sides::Side;
-use signals::{GLIDE, Signals};
+use signals::{Fall, GLIDE, Signals};
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 pub use unfit::Unfit;
@@ -283,7 +283,10 @@ impl Switching for Modes {
                 Ok(Some(self.enter(current)))
             }
             After::Changed(current, sets) => {
-                let time = if matches!(sets, Sets::Rest { .. }) { event.time + rest } else { event.time };
+                let (time, fall) = match sets {
+                    Sets::Rest { contact, .. } => (event.time + rest, Fall::Stops { contact }),
+                    _ => (event.time, fall),
+                };
                 self.tell(time, self.laws.words.fall(fall), Some(&current.moded.system.mode));
                 self.follow(crossing(sets), &current);
                 Ok(Some(self.enter(current)))

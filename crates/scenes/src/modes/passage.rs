@@ -123,10 +123,19 @@ impl Modes {
         let mut fall = before.moded.signals.falls[event.signal];
         expansions.return_to_zero(event.time, state, &mode, SLACK);
         let exact = Instant::at(event.time, state);
+        // where nothing is left of a slide, reactions have no digits, nor has their fall: the slide stops first
+        let over = match fall {
+            Fall::Lifts { .. } | Fall::Slides { .. } | Fall::Jams => self.is_over(before, &exact),
+            _ => None,
+        };
         // a contact that has slowed down in space has a direction, and reactions, to few digits, on which nothing here depends
-        let seen = if fall.is_of_a_glide() { mode.clone().without_glides() } else { mode.clone() };
+        let seen = match fall.is_of_a_glide() || over.is_some() {
+            true => mode.clone().without_glides(),
+            false => mode.clone(),
+        };
         let Some(known) = expansions.at::<TERMS>(&exact, &seen) else { return Err(NO_LAW) };
-        let late = late(before, &known, event);
+        let late = if over.is_some() { 0.0 } else { late(before, &known, event) };
+        fall = over.map_or(fall, |contact| Fall::Stops { contact });
         let rates: Vec<f64> = match expansions.has_algebraic() {
             true => known.rates.iter().map(|rate| rate.terms[0]).collect(),
             false => Vec::new(),
@@ -160,9 +169,8 @@ impl Modes {
             Fall::Frees { switch } => Some(switch),
             Fall::Jams => return Err(JAMS),
             Fall::Smooths { .. } => return Err(NEGATIVE),
-            Fall::Slows { contact } | Fall::Turns { contact } => {
-                let has_turned = matches!(fall, Fall::Turns { .. });
-                let next = before.glides[contact].and_then(|glide| glide.next(&known.contacts[contact], has_turned));
+            Fall::Slows { contact } | Fall::Hastens { contact } | Fall::Turns { contact } => {
+                let next = before.glides[contact].and_then(|glide| glide.next(&known.contacts[contact], fall));
                 if next.is_some() {
                     let mut current = before.clone();
                     current.glides[contact] = next;

@@ -2,13 +2,14 @@
 
 use super::Current;
 use super::contacts::{PARTS, friction, number, slides};
+use super::glides::FASTER;
 use super::mode::{Case, Mode, Phase};
 use super::motion::Motion;
 use super::multiples::mirrored;
 use crate::compiled_system::{NotCompiled, values};
 use crate::program::recorded;
 use derivations::taped::{Program, Running};
-use field::{Analytic, Over};
+use field::{Analytic, Over, Scalar};
 use integrators::{Signal, Switches};
 use model::equations::vanishes;
 use model::{Assignment, Model, Trace};
@@ -53,8 +54,11 @@ pub(super) enum Fall {
     Stops {
         contact: usize,
     },
-    /// A contact that slides in space has slowed down, or turned, since its watch began.
+    /// A contact that slides in space has slowed down, become much faster, or turned, since its watch began.
     Slows {
+        contact: usize,
+    },
+    Hastens {
         contact: usize,
     },
     Turns {
@@ -69,7 +73,7 @@ pub(super) enum Fall {
 impl Fall {
     /// Whether it is of the watch of a contact that slides in space.
     pub fn is_of_a_glide(self) -> bool {
-        matches!(self, Fall::Slows { .. } | Fall::Turns { .. })
+        matches!(self, Fall::Slows { .. } | Fall::Hastens { .. } | Fall::Turns { .. })
     }
 }
 
@@ -261,6 +265,7 @@ fn of_contact(
             if let (&[cos, sin, slow], [along, aside]) = (glide, slides(trace, scalar)) {
                 let speed = (along * along + aside * aside).sqrt();
                 watched.push((Fall::Slows { contact }, speed - slow));
+                watched.push((Fall::Hastens { contact }, Sym::int(FASTER) * slow - speed));
                 watched.push((Fall::Turns { contact }, cos * along + sin * aside));
             }
         }
@@ -299,7 +304,7 @@ impl Switches for Current {
                 Fall::Closes { contact } | Fall::Lifts { contact } => (1.0, self.near_contacts[contact][0]),
                 Fall::Slides { contact, margin } => (1.0, self.near_contacts[contact][margin]),
                 Fall::Stops { contact } => (1.0, self.near_contacts[contact][1]),
-                Fall::Slows { .. } | Fall::Turns { .. } | Fall::Smooths { .. } => (1.0, 0.0),
+                Fall::Slows { .. } | Fall::Hastens { .. } | Fall::Turns { .. } | Fall::Smooths { .. } => (1.0, 0.0),
                 Fall::Jams => (self.determinant.signum(), 0.0),
                 Fall::Event { event } => (self.sides[event].sign, self.near_events[event]),
             };

@@ -121,8 +121,27 @@ impl Beside {
         let most = contact.friction.terms[0] * (self.others + pressure.terms[0].abs());
         let own = contact.friction.terms[0] * pressure.terms[0].abs();
         let size = if contact.is_in_space { most * (most + own) } else { most };
-        let slips = phase.sticking().is_some() && (is_below(forwards, 0, size) || is_below(backwards, 0, size));
+        let turns = rate_beside(contact, [most, own]);
+        let is_left = |margin: Jet<TERMS>| {
+            let is_zero = margin.terms[0] <= (SLACKS[0] * margin.doubts[0]).max(SMALL * size);
+            is_below(margin, 0, size) || is_zero && is_below(margin, 1, turns)
+        };
+        let slips = phase.sticking().is_some() && (is_left(forwards) || is_left(backwards));
         slips || is_below(pressure, 0, self.others)
+    }
+}
+
+/// The size of the rate of a margin of friction: the rates of its parts without their signs.
+fn rate_beside<const N: usize>(contact: &Touching<N>, [most, own]: [f64; 2]) -> f64 {
+    let Touching { friction, reactions: [normal, tangent, aside], .. } = *contact;
+    let rate = |jet: Jet<N>| jet.terms[1].abs();
+    let of_bound = (friction.terms[0] * normal.terms[1]).abs() + (friction.terms[1] * normal.terms[0]).abs();
+    match contact.is_in_space {
+        true => {
+            let held = [tangent, aside].map(|part| part.terms[0].abs() * rate(part));
+            (most + own) * of_bound + held[0] + held[1]
+        }
+        false => of_bound + rate(tangent),
     }
 }
 

@@ -96,7 +96,7 @@ impl Words {
             Fall::Closes { contact } => format!("{} closes", self.contacts[contact]),
             Fall::Lifts { contact } => format!("the normal reaction of {} falls to zero", self.contacts[contact]),
             Fall::Slides { contact, .. } => format!("friction does not hold {} any more", self.contacts[contact]),
-            Fall::Stops { contact } | Fall::Slows { contact } | Fall::Turns { contact } => {
+            Fall::Stops { contact } | Fall::Slows { contact } | Fall::Hastens { contact } | Fall::Turns { contact } => {
                 format!("the sliding of {} stops", self.contacts[contact])
             }
             Fall::Smooths { contact } => {

@@ -3,6 +3,7 @@
 mod contacts;
 mod draws;
 mod friction;
+mod poles;
 mod shares;
 mod starts;
 

@@ -12,6 +12,7 @@ mod refusals;
 mod regimes;
 mod space;
 mod stools;
+mod tripods;
 
 use dalembert_scenes::ModelScene;
 use derivations::scene::{Choice, Smooth, Trajectory};
