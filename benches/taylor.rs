@@ -6,13 +6,10 @@ use dalembert_derivations::machines::constant_speed::ConstantSpeed;
 use dalembert_derivations::machines::free_rotor::FreeRotor;
 use dalembert_derivations::machines::multi_current::MultiCurrent;
 use dalembert_derivations::machines::synchronous::Synchronous;
-use dalembert_derivations::recorded::Recorded;
 use dalembert_derivations::systems::gyrostat::driven::Driven;
-use field::DoubleDouble;
-use integrators::{Directions, Ode, System, Taylor, Tolerance};
-use std::sync::Arc;
+use integrators::{System, Taylor, Tolerance};
+use simulation::{CompiledLaw, SymbolicLaw};
 use std::time::Instant;
-use symbolic::Sym;
 
 mod gyrostat;
 
@@ -34,11 +31,10 @@ fn main() {
     rows("second", Driven::new(second, bars));
 }
 
-fn rows<L: Ode<Sym> + Ode<f64> + Ode<Directions> + Ode<DoubleDouble> + Sync>(form: &str, law: L) {
-    let states = Ode::<f64>::dimension(&law);
-    let law = Arc::new(law);
+fn rows(form: &str, law: impl SymbolicLaw + 'static) {
+    let states = law.dimension();
     let start = Instant::now();
-    let system = Recorded::new(law);
+    let system = CompiledLaw::new(law);
     let recorded = start.elapsed().as_secs_f64() * 1e3;
     let mut first = vec![1.0, -2.0, 3.0, 0.6, 0.0, 0.8, 0.3, -1.0];
     first.resize(states, 0.1);

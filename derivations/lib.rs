@@ -3,20 +3,15 @@
 //! # Overview
 //! * [`systems`]: mechanical systems, as data of bodies and laws of energy;
 //! * [`derive`](mod@derive): equations of motion by a chosen principle, for reading;
-//! * [`differentiated`]: a system with its Jacobian as code of its own;
 //! * [`closed_forms`]: motions that are known, by which runs and references are measured;
 //! * [`conformance`]: what every motor must do, whoever wrote it;
 //! * [`long_runs`]: how errors grow over a million revolutions, by a closed form;
 //! * [`ensemble`]: many systems of one kind with data of their own, run side by side;
-//! * [`exponents`]: steps of series that do not pass over an exponential;
 //! * [`ladder`]: smaller models under the one of a scene, what each step loses, the cheapest that suffices;
 //! * [`machines`]: electric motors, each one file of energies and laws of force;
 //! * [`mechanisms`]: governors, drives, bodies that roll, by the names that scene files use;
 //! * [`principles`]: the principles of mechanics, equal on every system: a page of claims of the workbench's own;
-//! * [`recorded`]: a system with its laws as straight-line code;
-//! * [`separated`]: a system with the pieces of its law, for the splitting methods;
 //! * [`scene`]: a system with a machine, data and an initial state, from a file;
-//! * [`taped`]: a law as the straight-line program that it comes to;
 //! * [`alphabet`](mod@alphabet): the letters of a page, with LaTeX and dimensions;
 //! * [`papers`]: a paper a folder, its numbered equations as claims in the paper's own order and letters.
 //! * [`failures`]: every way in which methods fail, with its threshold by theory and by runs;
@@ -32,10 +27,8 @@ pub mod alphabet;
 pub mod closed_forms;
 pub mod conformance;
 pub mod derive;
-pub mod differentiated;
 pub mod ensemble;
 mod exact_turns;
-pub mod exponents;
 pub mod failures;
 pub mod friction;
 pub mod governors;
@@ -46,16 +39,12 @@ pub mod mechanisms;
 pub mod papers;
 pub mod phantom;
 pub mod principles;
-pub mod recorded;
 pub mod regimes;
 pub mod scene;
-pub mod separated;
 pub mod stabilisation;
 pub mod stationary;
 pub mod synchronism;
 pub mod systems;
-pub mod taped;
-pub mod written;
 
 /// The examples of the book compile and hold.
 #[cfg(doctest)]

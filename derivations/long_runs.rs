@@ -12,8 +12,8 @@
 //! of the modified equation with even powers of h (Hairer, Lubich and Wanner, Geometric Numerical Integration, IX and XI):
 //! over a nutation, which is its own mirror image in time, they take from the energy what they gave. The next one loses it.
 
+use crate::machines::compiled;
 use crate::machines::free_rotor::FreeRotor;
-use crate::separated::Separated;
 use crate::systems::gyrostat::driven::Driven;
 use crate::systems::gyrostat::forms::FirstForm;
 use crate::systems::gyrostat::lagrange::{Nutation, Top};
@@ -153,7 +153,7 @@ impl LongRun {
 
     /// What runs.
     pub fn system(&self) -> impl System {
-        Separated::new(Arc::clone(&self.law))
+        compiled(&self.law)
     }
 
     /// Where it starts.

@@ -2,18 +2,16 @@
 
 use dalembert_derivations::ensemble::kind::{Kind, form_parameters};
 use dalembert_derivations::friction::stretch::Stretch;
+use dalembert_derivations::machines::Separable;
 use dalembert_derivations::machines::synchronous::Synchronous;
 use dalembert_derivations::machines::{Metered, Motor, catalogue, has_known_flow};
 use dalembert_derivations::mechanisms::MechanismScene;
 use dalembert_derivations::papers::konosevich2022::gyrostats;
-use dalembert_derivations::recorded::Recorded;
 use dalembert_derivations::scene::{Axes, Family, Problem, Scene};
-use dalembert_derivations::separated::Separable;
 use dalembert_derivations::systems::disc::Disc;
 use dalembert_derivations::systems::gyrostat::driven::Driven;
 use dalembert_derivations::systems::gyrostat::forms::{Form, SecondForm};
 use dalembert_derivations::systems::ladder::Ladder;
-use dalembert_derivations::taped::Running;
 use field::{Analytic, DoubleDouble, Lanes, Over};
 use integrators::{
     Directions, Ensemble, Failure, Members, Ode, Real, SideBySide, Signal, Splitting, Switches, compose, lanes_order,
@@ -24,9 +22,10 @@ use mechanics::constrained::programmed::{Linear, programmed};
 use mechanics::regimes::{Direction, Dry, Face, Mode, Sizes, Touch, Verdict, touches, verdict};
 use physical::machines::with_bars;
 use physical::rounded;
+use simulation::CompiledLaw;
+use simulation::Running;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
-use std::sync::Arc;
 
 mod physical;
 
@@ -102,7 +101,7 @@ fn the_right_hand_side_of_a_written_motor_allocates_nothing() {
 #[test]
 fn a_series_allocates_nothing_once_there_is_room_for_it() {
     let g = rounded(&gyrostats::opposite_sign().gyrostat);
-    let system = Recorded::new(Arc::new(Driven::new(g.second_form().0, with_bars("multi_current", 40))));
+    let system = CompiledLaw::new(Driven::new(g.second_form().0, with_bars("multi_current", 40)));
     let mut series = integrators::System::taylor(&system).expect("it has a series");
     let mut y = vec![0.1; Ode::<f64>::dimension(&system)];
     series.expand(0.0, &y, 20);

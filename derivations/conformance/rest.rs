@@ -3,11 +3,10 @@
 use super::Verdict;
 use super::instant::{Instant, vanish};
 use crate::machines::{Bench, Machine, Motor, RotorState, drive, is_fed, resting_currents};
-use crate::recorded::Recorded;
 use crate::stationary::motor::{MotorStates, NoMotor};
-use integrators::{Directions, Jacobian, Method, Ode, Span, Tolerance, integrate, spectrum};
+use integrators::{Jacobian, Method, Ode, Span, Tolerance, integrate, spectrum};
 use nalgebra::Complex;
-use std::sync::Arc;
+use simulation::CompiledLaw;
 use symbolic::Sym;
 
 /// A', kg m^2, of the bench on which runs confirm what is exact.
@@ -90,7 +89,7 @@ impl Rest {
             if bench.dimension() == 0 {
                 return Err(Verdict::DoesNotApply("a kept rotor without windings has no state of its own".to_owned()));
             }
-            let system = Recorded::new(Arc::new(bench));
+            let system = CompiledLaw::new(bench);
             let states = starts.iter().map(|start| State::at(&system, start)).collect();
             Ok(Known { states, every: matches!(motor, MotorStates::Free) })
         });
@@ -163,10 +162,7 @@ impl Rest {
 }
 
 impl State {
-    fn at<L>(system: &Recorded<L>, start: &[f64]) -> Self
-    where
-        Recorded<L>: integrators::System + Ode<f64> + Ode<Directions>,
-    {
+    fn at(system: &CompiledLaw, start: &[f64]) -> Self {
         let n = start.len();
         let mut rates = vec![0.0; n];
         Ode::<f64>::rates(system, 0.0, start, &mut rates);
@@ -189,10 +185,7 @@ impl State {
 }
 
 /// How much farther off a run ends than it starts.
-fn ratio<L>(system: &Recorded<L>, start: &[f64], spectrum: &[Complex<f64>]) -> Option<f64>
-where
-    Recorded<L>: integrators::System,
-{
+fn ratio(system: &CompiledLaw, start: &[f64], spectrum: &[Complex<f64>]) -> Option<f64> {
     let size = spectrum.iter().fold(0.0, |most: f64, root| most.max(root.norm()));
     let greatest = spectrum.iter().fold(f64::NEG_INFINITY, |most, root| most.max(root.re));
     if greatest.abs() <= 1e-9 * size {

@@ -1,13 +1,10 @@
 //! The Jacobian by two routes: dual numbers, and polynomials recorded from the differentiated expressions.
 
 use super::Verdict;
-use crate::differentiated::Differentiated;
 use crate::machines::{Bench, Motor};
-use crate::recorded::Recorded;
-use field::DoubleDouble;
 use integrators::{Directions, Jacobian, Ode, System};
+use simulation::{CompiledLaw, SymbolicLaw};
 use std::sync::Arc;
-use symbolic::Sym;
 
 /// Entries relative to the largest.
 const ROUNDING: f64 = 1e-13;
@@ -32,11 +29,11 @@ pub(super) fn jacobian(machine: &Motor) -> Verdict {
 /// The first entry that differs.
 pub fn compared<L>(law: Arc<L>) -> Result<bool, String>
 where
-    L: Ode<Sym> + Ode<f64> + Ode<Directions> + Ode<DoubleDouble> + Sync,
+    L: Ode<Directions> + SymbolicLaw + 'static,
 {
-    let system = Differentiated::new(Recorded::new(Arc::clone(&law)), law);
+    let system = CompiledLaw::of(Arc::clone(&law) as Arc<dyn SymbolicLaw>);
     let n = Ode::<f64>::dimension(&system);
-    let dual: &dyn Ode<Directions> = &system;
+    let dual: &dyn Ode<Directions> = &*law;
     let (mut ours, mut theirs) = (vec![f64::NAN; n * n], vec![f64::NAN; n * n]);
     for turn in 0..STATES {
         let y: Vec<f64> = (0..n).map(|i| 2.0 * ((7 * turn + 3 * i) as f64).sin()).collect();

@@ -1,7 +1,6 @@
 //! The law of a scene with a symbol for every datum, written down once: it serves every member of an ensemble.
 
 use super::lane_series::lane_series;
-use crate::exponents::Expandable;
 use crate::machines::{Bench, Machine, Motor};
 use crate::scene::{Axes, System};
 use crate::systems::gyrostat::driven::Driven;
@@ -9,6 +8,7 @@ use crate::systems::gyrostat::forms::{FirstForm, Form, SecondForm};
 use integrators::LaneSeries;
 use nalgebra::{Matrix3, Vector3};
 use series::Equations;
+use simulation::Expandable;
 use symbolic::{Sym, Tape, Untapeable, apart};
 
 /// Systems that differ in their numbers only. The parameters are those of the form (principal moments, l, A', Ge in its

@@ -1,10 +1,10 @@
 //! The series of a recurrence in lanes, as an ensemble asks for it.
 
 use super::one_by_one::one_by_one;
-use crate::exponents::Expandable;
 use field::Lanes;
 use integrators::LaneSeries;
 use series::Abreast;
+use simulation::Expandable;
 
 /// Quantities that still lie near the processor, and those of the largest law.
 pub(super) const FEW: usize = 256;

@@ -1,10 +1,10 @@
 //! Series of the systems in lanes, one after the other: of laws with exponentials, whose arguments bound each step.
 
 use super::lane_series::{FEW, MANY};
-use crate::exponents::{Expandable, Room};
 use field::Lanes;
 use integrators::LaneSeries;
 use series::Expansion;
+use simulation::{Expandable, Room};
 use std::cell::Cell;
 
 /// Quantities side by side in each.

@@ -2,15 +2,14 @@
 
 use super::trials::{Tried, near};
 use super::{Exact, Failing, Found, NotFound, Threshold, Trial, Within};
-use crate::differentiated::Differentiated;
 use crate::scene::{Axes, Family, Scene, System};
 use crate::systems::gyrostat::Gyrostat;
-use crate::taped::Taped;
 use field::{Analytic, DoubleDouble, Over, Rational, Tangent};
 use integrators::{Method, Ode, Record, Span, Tolerance, integrate};
 use mechanics::definite::root;
 use mechanics::rotation::{euler, euler_forms, inverse, vertical};
 use nalgebra::Vector3;
+use simulation::{CompiledLaw, SymbolicLaw};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -38,7 +37,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     };
     let law = Arc::new(InAngles(**bodies));
     // as written it takes a matrix at each evaluation
-    let running = Differentiated::new(Taped::new(Arc::clone(&law)), Arc::clone(&law));
+    let running = CompiledLaw::of(Arc::clone(&law) as Arc<dyn SymbolicLaw>);
     let digits = Threshold {
         of: "squared sine of the nutation below which no digit of the accelerations is left",
         formula: r"$2^{-53}$",

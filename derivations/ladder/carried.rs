@@ -9,30 +9,33 @@
 //! be believed. All of it comes from the richer law by differentiation: with e and h infinitesimal, F at Y + (e + h) a + 2 e h b
 //! has F_y a at e, and F_yy[a, a] + 2 F_y b at e h.
 
-use super::rung::{Lower, Straight, Written};
+use super::rung::{Lower, straight};
 use field::{Over, Scalar, Tangent};
-use integrators::Ode;
+use simulation::{CompiledLaw, SymbolicLaw, TracedOde, traced};
 use std::sync::Arc;
-use symbolic::Sym;
+use symbolic::{Sym, Tape};
 
 /// The law of (z, a, b); `None` where it cannot be recorded.
-pub fn carried(written: &Arc<dyn Written>, lower: &Lower) -> Option<Straight> {
-    let n = Ode::<Sym>::dimension(&**written);
+pub fn carried(written: &Arc<dyn SymbolicLaw>, lower: &Lower) -> Option<CompiledLaw> {
+    let n = written.dimension();
+    let tape = traced(&**written, |TracedOde { state, time, rates }| {
+        Tape::record(&[&state[..], &[*time]].concat(), rates).ok()
+    })?;
     let (written, lower) = (Arc::clone(written), lower.clone());
     let kept = lower.dimension;
     let rates = move |time: Sym, state: &[Sym]| {
         let (z, errors) = state.split_at(kept);
         let (a, b) = errors.split_at(n);
         let y = (lower.lift)(time, z);
-        let point: Vec<Tangent<Tangent<Sym>>> =
-            (0..n).map(|i| Tangent::moving(Tangent::moving(y[i], a[i]), Tangent::moving(a[i], b[i] + b[i]))).collect();
+        let moving = (0..n).map(|i| Tangent::moving(Tangent::moving(y[i], a[i]), Tangent::moving(a[i], b[i] + b[i])));
+        let inputs: Vec<Tangent<Tangent<Sym>>> = moving.chain([Tangent::fixed(Tangent::fixed(time))]).collect();
         let mut moved = vec![Tangent::lift(0.0); n];
-        written.rates(Tangent::fixed(Tangent::fixed(time)), &point, &mut moved);
+        tape.over().evaluate(&inputs, &mut moved);
         // the defect is differentiated along symbols of its own: the state here may be any expressions
         let defect = lower.defect(&*written, time, z);
         let first = moved.iter().zip(defect).map(|(rate, defect)| rate.value.slope - defect);
         let second = moved.iter().map(|rate| rate.slope.slope.half());
         (lower.rates)(time, z).into_iter().chain(first).chain(second).collect()
     };
-    Straight::new(kept + 2 * n, Arc::new(rates))
+    straight(kept + 2 * n, Arc::new(rates))
 }

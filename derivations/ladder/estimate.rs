@@ -2,10 +2,10 @@
 
 use super::carried::carried;
 use super::followed::{COARSE, followed_at, followed_while, looks};
-use super::rung::Straight;
 use super::watched::{Watched, largest};
 use super::{Ladder, Rung};
 use integrators::{Absolute, Failure, Record, Refusal, Tolerance};
+use simulation::CompiledLaw;
 
 /// Relative, of an error that is carried: it is wanted to a hundredth of itself.
 const CARRIED: f64 = 1e-4;
@@ -74,7 +74,7 @@ impl Carrying<'_> {
     /// Where a law does not reach its end.
     pub fn estimate(
         &self,
-        laws: &[(f64, Straight)],
+        laws: &[(f64, CompiledLaw)],
         mut start: Vec<f64>,
         sizes: &[f64],
         tolerance: f64,

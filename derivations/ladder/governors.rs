@@ -1,6 +1,6 @@
 //! The ladders of governors and other mechanisms: a law without some of its terms, quasi-steady states, series.
 
-use super::rung::{Fill, Lower, Written};
+use super::rung::{Fill, Lower};
 use super::{Ladder, Loss, Rung};
 use crate::mechanisms::Mechanism;
 use crate::mechanisms::rewritten::ready;
@@ -9,6 +9,7 @@ use crate::systems::elastic_governor::ElasticGovernor;
 use crate::systems::governor::series::Programme;
 use field::{Analytic, Over, Scalar};
 use integrators::Ode;
+use simulation::SymbolicLaw;
 use std::sync::Arc;
 use symbolic::Sym;
 
@@ -29,7 +30,7 @@ impl<S: Over<f64> + Analytic, M: Mechanism> Ode<S> for Alone<M> {
 impl Ladder {
     /// Of a mechanism with its initial value problem, whose last state is the work.
     pub fn of_mechanism<M: Mechanism>(mechanism: &M, start: &[f64], own: Problem) -> Self {
-        let written: Arc<dyn Written> = Arc::new(Alone(mechanism.clone()));
+        let written: Arc<dyn SymbolicLaw> = Arc::new(Alone(mechanism.clone()));
         let rungs = mechanism.smaller(start, &written);
         let state = mechanism.state(start);
         let whole = |_: f64, y: &[f64]| [y, &[0.0]].concat();
@@ -46,9 +47,9 @@ pub fn with_data<M: Mechanism>(
     parameter: &'static str,
     other: M,
     start: &[f64],
-    written: &Arc<dyn Written>,
+    written: &Arc<dyn SymbolicLaw>,
 ) -> Option<Rung> {
-    let lower = Lower::other(&(Arc::new(Alone(other)) as Arc<dyn Written>));
+    let lower = Lower::other(&(Arc::new(Alone(other)) as Arc<dyn SymbolicLaw>));
     let loss = if lower.is_exact(&**written) { Loss::Nothing { claim: None } } else { Loss::Small { parameter } };
     Rung::new(name, dropped, loss, lower, start.to_vec())
 }
@@ -56,7 +57,7 @@ pub fn with_data<M: Mechanism>(
 /// The elastic rim against rims that say less. With the rolled distance s, s' = R omega1, the rim relaxes by
 ///
 ///   lambda_s = x_s - psi ,    psi_s = alpha lambda - beta psi .
-pub fn elastic(data: &ElasticGovernor<f64>, start: &[f64], written: &Arc<dyn Written>) -> Vec<Rung> {
+pub fn elastic(data: &ElasticGovernor<f64>, start: &[f64], written: &Arc<dyn SymbolicLaw>) -> Vec<Rung> {
     let rung = |name, dropped: &str, parameter, rim: Rim, kept: Vec<usize>| {
         let z0 = kept.iter().map(|&place| start[place]).collect();
         Rung::new(name, dropped, Loss::Small { parameter }, Lower::keeping(written, kept, rim), z0)

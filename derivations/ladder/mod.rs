@@ -45,12 +45,13 @@ pub use forms::Forms;
 pub use lumping::{Lumped, Lumping};
 pub use plan::Plan;
 pub use receipt::{Choice, Line, Receipt, Verdict, Wish};
-pub use rung::{Lower, Written};
+pub use rung::Lower;
 
 use crate::scene::Problem;
 use crate::scene::atlas::{Formulation, Standing, Treated, Way};
-use crate::scene::problem::Law;
-use crate::taped::Program;
+use simulation::Law;
+use simulation::Program;
+use simulation::SymbolicLaw;
 use std::sync::Arc;
 
 /// What a step down loses.
@@ -95,7 +96,7 @@ pub struct Ladder {
     /// The scene's own.
     pub own: Problem,
     /// What the rungs are derived from: the scene's own law, or the exact one next to it.
-    pub written: Arc<dyn Written>,
+    pub written: Arc<dyn SymbolicLaw>,
     /// The same as it runs.
     pub law: Arc<dyn Law>,
     pub start: Vec<f64>,

@@ -2,12 +2,13 @@
 //! the smaller machines that the scene's data make.
 
 use super::lumping::{Lumped, Lumping};
-use super::rung::{Lower, Written};
+use super::rung::Lower;
 use super::{Ladder, Loss, Rung, Whole, slaved, smaller};
 use crate::machines::{Bench, Machine, Motor, catalogue};
 use crate::scene::{Axes, Scene, System};
 use crate::systems::gyrostat::driven::Driven;
 use field::Rational;
+use simulation::SymbolicLaw;
 use std::sync::Arc;
 
 /// That bars at any angles close in the sums of their currents.
@@ -37,7 +38,7 @@ impl Ladder {
 
 /// What is derived from the scene's own machine.
 struct Within {
-    written: Arc<dyn Written>,
+    written: Arc<dyn SymbolicLaw>,
     start: Vec<f64>,
     whole: Box<Whole>,
     lumping: Option<Lumping>,
@@ -87,7 +88,7 @@ pub(super) fn written<M: Machine<f64> + Send + Sync + 'static>(
     system: &System,
     axes: Axes,
     machine: M,
-) -> Arc<dyn Written> {
+) -> Arc<dyn SymbolicLaw> {
     match (system, axes) {
         (System::Gyrostat(bodies), Axes::First) => Arc::new(Driven::new(bodies.first_form().0, machine)),
         (System::Gyrostat(bodies), Axes::Second) => Arc::new(Driven::new(bodies.second_form().0, machine)),

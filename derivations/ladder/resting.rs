@@ -1,15 +1,16 @@
 //! The rung of a machine that a supply feeds: its currents are not followed, and not zero either.
 
-use super::rung::{Fill, Lower, Written};
+use super::rung::{Fill, Lower};
 use super::slaved::counted;
 use super::{Loss, Rung};
 use crate::machines::{Machine, RotorState, resting_currents};
 use field::{Analytic, Over};
+use simulation::SymbolicLaw;
 use std::sync::Arc;
 use symbolic::symbols;
 
 /// The rung on which fed windings, all of them, have the currents that would rest at the present angle and speed.
-pub fn rung<M>(machine: &M, written: &Arc<dyn Written>, start: &[f64]) -> Option<Rung>
+pub fn rung<M>(machine: &M, written: &Arc<dyn SymbolicLaw>, start: &[f64]) -> Option<Rung>
 where
     M: Machine<f64> + Clone + Send + Sync + 'static,
 {

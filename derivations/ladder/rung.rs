@@ -7,18 +7,11 @@
 //! is what the richer law says against the lifted motion. Where d vanishes identically the step down is exact. Most rungs
 //! need no law of their own: f are the richer rates of what is followed, at the lifted state.
 
-use crate::recorded::Recorded;
-use crate::scene::problem::Law;
-use crate::taped::Program;
-use field::{Analytic, DoubleDouble, Over, Tangent};
-use integrators::{Directions, Ode, System};
+use field::{Analytic, Over};
+use integrators::Ode;
+use simulation::{CompiledLaw, Law, SymbolicLaw};
 use std::sync::Arc;
 use symbolic::{Hypotheses, Sym, decide};
-
-/// A law over numbers, expressions and their derivatives up to the second: what lower models and their errors are derived
-/// from.
-pub trait Written: Ode<f64> + Ode<Sym> + Ode<Tangent<Tangent<Sym>>> + Send + Sync {}
-impl<L: Ode<f64> + Ode<Sym> + Ode<Tangent<Tangent<Sym>>> + Send + Sync> Written for L {}
 
 /// A function of time and state, over expressions.
 pub type Expressed = dyn Fn(Sym, &[Sym]) -> Vec<Sym> + Send + Sync;
@@ -44,8 +37,8 @@ pub trait Fill: Send + Sync + 'static {
 
 impl Lower {
     /// The states at these places are followed by the richer law itself; `fill` completes the whole state.
-    pub fn keeping(written: &Arc<dyn Written>, kept: Vec<usize>, fill: impl Fill) -> Self {
-        let n = Ode::<Sym>::dimension(&**written);
+    pub fn keeping(written: &Arc<dyn SymbolicLaw>, kept: Vec<usize>, fill: impl Fill) -> Self {
+        let n = written.dimension();
         let places = kept.clone();
         let expressed = Arc::clone(written);
         let whole = move |z: &[Sym]| {
@@ -70,8 +63,8 @@ impl Lower {
     }
 
     /// Another law of the same states.
-    pub fn other(law: &Arc<dyn Written>) -> Self {
-        let n = Ode::<Sym>::dimension(&**law);
+    pub fn other(law: &Arc<dyn SymbolicLaw>) -> Self {
+        let n = law.dimension();
         let expressed = Arc::clone(law);
         let rates = move |time: Sym, z: &[Sym]| {
             let mut dz = vec![Sym::ZERO; n];
@@ -88,12 +81,11 @@ impl Lower {
 
     /// What is followed, as it runs; `None` where it cannot be recorded.
     pub fn law(&self) -> Option<Arc<dyn Law>> {
-        let straight = Straight::new(self.dimension, Arc::clone(&self.rates))?;
-        Some(Arc::new(Recorded::new(Arc::new(straight))))
+        Some(Arc::new(straight(self.dimension, Arc::clone(&self.rates))?))
     }
 
     /// d, component by component, over symbols for time and state.
-    pub fn defect(&self, written: &dyn Written, time: Sym, z: &[Sym]) -> Vec<Sym> {
+    pub fn defect(&self, written: &dyn SymbolicLaw, time: Sym, z: &[Sym]) -> Vec<Sym> {
         let (y, f) = ((self.lift)(time, z), (self.rates)(time, z));
         let mut rates = vec![Sym::ZERO; y.len()];
         written.rates(time, &y, &mut rates);
@@ -102,7 +94,7 @@ impl Lower {
     }
 
     /// Whether the defect vanishes identically: then the step down loses nothing, which this proves.
-    pub fn is_exact(&self, written: &dyn Written) -> bool {
+    pub fn is_exact(&self, written: &dyn SymbolicLaw) -> bool {
         let (time, z) = (Sym::symbol("t"), symbols("z", self.dimension));
         let defect = self.defect(written, time, &z);
         defect.into_iter().all(|part| decide(part, &Hypotheses::none()).is_zero())
@@ -114,36 +106,17 @@ pub fn symbols(letter: &str, count: usize) -> Vec<Sym> {
     (0..count).map(|i| Sym::symbol(&format!("{letter}{i}"))).collect()
 }
 
-/// A law of expressions, run as the straight-line code that they come to.
-pub struct Straight {
-    program: Program,
+/// A law of expressions.
+struct Straight {
     dimension: usize,
     rates: Arc<Expressed>,
 }
 
-impl Straight {
-    /// `None` where it cannot be recorded.
-    pub fn new(dimension: usize, rates: Arc<Expressed>) -> Option<Self> {
-        let program = Program::of(dimension, |time, state| rates(time, state))?;
-        Some(Straight { program, dimension, rates })
-    }
+/// A law of expressions as it runs; `None` where it cannot be recorded.
+pub fn straight(dimension: usize, rates: Arc<Expressed>) -> Option<CompiledLaw> {
+    let law = CompiledLaw::new(Straight { dimension, rates });
+    law.program().is_some().then_some(law)
 }
-
-macro_rules! runs {
-    ($($field:ty),*) => {$(
-        impl Ode<$field> for Straight {
-            fn dimension(&self) -> usize {
-                self.dimension
-            }
-
-            fn rates(&self, t: $field, y: &[$field], dy: &mut [$field]) {
-                // recorded for a state of this length
-                self.program.run(t, y, dy).unwrap_or(());
-            }
-        }
-    )*};
-}
-runs!(f64, Directions, DoubleDouble);
 
 impl Ode<Sym> for Straight {
     fn dimension(&self) -> usize {
@@ -154,5 +127,3 @@ impl Ode<Sym> for Straight {
         dy.copy_from_slice(&(self.rates)(t, y));
     }
 }
-
-impl System for Straight {}

@@ -1,14 +1,15 @@
 //! The rungs on which currents are not followed: the richer law at what stands for them.
 
 use super::currents::Current;
-use super::rung::{Fill, Lower, Written};
+use super::rung::{Fill, Lower};
 use super::{Loss, Rung, resting};
 use crate::machines::{Machine, RotorState, is_fed};
 use field::{Analytic, Over};
+use simulation::SymbolicLaw;
 use std::sync::Arc;
 
 /// The fastest windings first.
-pub(super) fn rungs<M>(machine: &M, written: &Arc<dyn Written>, start: &[f64]) -> Vec<Rung>
+pub(super) fn rungs<M>(machine: &M, written: &Arc<dyn SymbolicLaw>, start: &[f64]) -> Vec<Rung>
 where
     M: Machine<f64> + Clone + Send + Sync + 'static,
 {
@@ -42,7 +43,13 @@ where
 }
 
 /// The rung on which these windings have currents of a kind.
-fn without<M>(machine: &M, written: &Arc<dyn Written>, start: &[f64], slaved: &[usize], kind: Current) -> Option<Rung>
+fn without<M>(
+    machine: &M,
+    written: &Arc<dyn SymbolicLaw>,
+    start: &[f64],
+    slaved: &[usize],
+    kind: Current,
+) -> Option<Rung>
 where
     M: Machine<f64> + Clone + Send + Sync + 'static,
 {

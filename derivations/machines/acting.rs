@@ -8,8 +8,8 @@ use super::harmonics::{Harmonics, Waves};
 use super::kick::{Law, laws_at, moment_at};
 use super::rule::STAGES;
 use super::{Machine, RotorState};
-use crate::taped::{Program, Running};
 use field::{Analytic, Base, Circle, Over, Rational, Tangent};
+use simulation::{Program, Running};
 use symbolic::{Fraction, Sym};
 
 /// A machine at a resting angle.

@@ -4,10 +4,10 @@ use super::{
     Acting, Bench, Fading, Kick, Law, Machine, Point, Programmed, Programs, Rule, decay_quotient, has_known_flow, kick,
     solved,
 };
-use crate::separated::Separable;
-use crate::taped::Running;
+use crate::machines::Separable;
 use field::{Analytic, Base, Over, Scalar};
 use integrators::{Pieces, Real};
+use simulation::Running;
 
 /// The rotor on a bench over a field, with the flows of both pieces.
 #[derive(Clone, Copy, Debug)]

@@ -38,6 +38,7 @@ mod quantity;
 mod resting;
 mod rule;
 mod runaway;
+mod separable;
 pub mod synchronous;
 pub mod text;
 
@@ -60,6 +61,7 @@ pub use quantity::Quantity;
 pub use resting::resting_currents;
 pub use rule::Rule;
 pub use runaway::{Driven, runaway};
+pub use separable::{Separable, compiled};
 
 use field::{Analytic, Base, Over};
 

@@ -4,13 +4,14 @@ use super::points::{self, Turning};
 use super::rewritten::Rewritten;
 use super::{Amiss, Diagnosis, Ended, Mechanism};
 use crate::governors::{growth, has_positive_minors};
-use crate::ladder::{Rung, Written, governors};
+use crate::ladder::{Rung, governors};
 use crate::machines::Quantity;
 use crate::scene::Margin;
 use crate::systems::elastic_governor::ElasticGovernor;
 use field::{Analytic, Over};
 use integrators::Method;
 use mechanics::constrained::State;
+use simulation::SymbolicLaw;
 use std::sync::Arc;
 
 /// The state as the system has it.
@@ -103,7 +104,7 @@ impl Mechanism for ElasticGovernor<f64> {
         })
     }
 
-    fn smaller(&self, start: &[f64], written: &Arc<dyn Written>) -> Vec<Rung> {
+    fn smaller(&self, start: &[f64], written: &Arc<dyn SymbolicLaw>) -> Vec<Rung> {
         governors::elastic(self, start, written)
     }
 

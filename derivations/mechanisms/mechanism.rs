@@ -1,12 +1,13 @@
 //! What a mechanism says of itself.
 
 use super::rewritten::Rewritten;
-use crate::ladder::{Rung, Written};
+use crate::ladder::Rung;
 use crate::machines::Quantity;
 use crate::scene::atlas::Formulation;
 use crate::scene::law_end::{Margin, outside};
 use field::{Analytic, Over};
 use integrators::{Method, Ode};
+use simulation::SymbolicLaw;
 use std::fmt::Debug;
 use std::sync::Arc;
 
@@ -81,7 +82,7 @@ pub trait Mechanism: Clone + Debug + Send + Sync + 'static {
     }
 
     /// Smaller models under this one, which is also given as its law over expressions.
-    fn smaller(&self, _start: &[f64], _written: &Arc<dyn Written>) -> Vec<Rung> {
+    fn smaller(&self, _start: &[f64], _written: &Arc<dyn SymbolicLaw>) -> Vec<Rung> {
         Vec::new()
     }
 

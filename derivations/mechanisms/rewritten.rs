@@ -1,17 +1,14 @@
 //! Other ways to write the equations of a mechanism: redundant coordinates with each treatment of the constraints.
 
-use crate::differentiated::Differentiated;
-use crate::recorded::Recorded;
 use crate::scene::atlas::{Formulation, Treated};
-use crate::scene::problem::Law;
 use crate::stabilisation::law::{BothHeld, Stabilised};
 use crate::stabilisation::treatments::MODERATE;
-use crate::taped::{Taped, TapedHeld};
-use field::{Analytic, DoubleDouble, Over};
-use integrators::{Directions, Held, HeldSystem, Ode};
+use field::{Analytic, Over};
+use integrators::{Held, Ode};
 use mechanics::constrained::energies::Energies;
+use simulation::Law;
+use simulation::{CompiledHeld, CompiledLaw, SymbolicHeld, SymbolicLaw};
 use std::sync::Arc;
-use symbolic::Sym;
 
 /// A formulation with its law, and how its states are read as those of the mechanism.
 pub struct Rewritten {
@@ -74,15 +71,9 @@ where
     }
 }
 
-impl<Q: Energies<N, C, Given = f64>, const N: usize, const C: usize> HeldSystem for Redundant<Q, N, C> {}
-
 /// A law as it is run: straight-line code with its series and its Jacobian.
-pub fn ready<L>(law: L) -> Arc<dyn Law>
-where
-    L: Ode<f64> + Ode<Directions> + Ode<DoubleDouble> + Ode<Sym> + Send + Sync + 'static,
-{
-    let law = Arc::new(law);
-    Arc::new(Differentiated::new(Recorded::new(Arc::new(Taped::new(Arc::clone(&law)))), law))
+pub fn ready(law: impl SymbolicLaw + 'static) -> Arc<dyn Law> {
+    Arc::new(CompiledLaw::new(law))
 }
 
 /// Every treatment of the constraints of a system, from (q, q').
@@ -104,11 +95,10 @@ pub(super) fn treated<L>(
     whole: impl Fn(&[f64]) -> Vec<f64> + Clone + Send + Sync + 'static,
 ) -> Vec<Rewritten>
 where
-    L: Ode<f64> + Ode<Directions> + Ode<DoubleDouble> + Ode<Sym>,
-    L: HeldSystem + Held<Sym> + Send + Sync + 'static,
+    L: SymbolicLaw + SymbolicHeld + 'static,
 {
     let (reduced, led) = (ready(law(0.0)), ready(law(MODERATE)));
-    let held = Arc::new(TapedHeld::new(law(0.0)));
+    let held = Arc::new(CompiledHeld::new(law(0.0)));
     let treated = [
         (Formulation::IndexReduced, Treated::Free(Arc::clone(&reduced))),
         (Formulation::Led, Treated::Free(led)),

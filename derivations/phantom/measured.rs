@@ -3,7 +3,6 @@
 use super::crossing::{Crossing, SHOWN, STRETCHES};
 use super::methods::OneStep;
 use super::motions::Stationed;
-use crate::scene::problem::Law;
 use crate::scene::{Axes, Scene};
 use field::Scalar;
 use integrators::{
@@ -11,6 +10,7 @@ use integrators::{
     integrate,
 };
 use nalgebra::{DMatrix, DVector};
+use simulation::Law;
 use std::sync::Arc;
 
 /// What is run.

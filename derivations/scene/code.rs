@@ -3,7 +3,7 @@
 use super::{Axes, Scene, System};
 use crate::machines::Bench;
 use crate::systems::gyrostat::driven::Driven;
-use crate::written::{Written, written};
+use simulation::{TracedOde, traced};
 use symbolic::{Sym, Tape, Untapeable};
 
 impl Scene {
@@ -12,7 +12,7 @@ impl Scene {
     /// # Errors
     /// [`Untapeable`] where the law divides by the constant zero.
     pub fn tape(&self, axes: Axes) -> Result<Tape, Untapeable> {
-        self.read(axes, |Written { state, rates, .. }| Tape::record(state, rates))
+        self.read(axes, |TracedOde { state, rates, .. }| Tape::record(state, rates))
     }
 
     /// The same for the Jacobian of the rates, row after row, by exact differentiation of the recorded expressions.
@@ -20,18 +20,18 @@ impl Scene {
     /// # Errors
     /// As [`Scene::tape`].
     pub fn jacobian_tape(&self, axes: Axes) -> Result<Tape, Untapeable> {
-        self.read(axes, |Written { state, rates, .. }| {
+        self.read(axes, |TracedOde { state, rates, .. }| {
             let entries: Vec<Sym> = rates.iter().flat_map(|rate| state.iter().map(|&by| rate.diff(by))).collect();
             Tape::record(state, &entries)
         })
     }
 
-    fn read(&self, axes: Axes, read: fn(&Written) -> Result<Tape, Untapeable>) -> Result<Tape, Untapeable> {
+    fn read(&self, axes: Axes, read: fn(&TracedOde) -> Result<Tape, Untapeable>) -> Result<Tape, Untapeable> {
         let machine = self.machine.clone();
         match (&self.system, axes) {
-            (System::Gyrostat(bodies), Axes::First) => written(&Driven::new(bodies.first_form().0, machine), read),
-            (System::Gyrostat(bodies), Axes::Second) => written(&Driven::new(bodies.second_form().0, machine), read),
-            (System::Bench { axial }, _) => written(&Bench { machine, axial: *axial }, read),
+            (System::Gyrostat(bodies), Axes::First) => traced(&Driven::new(bodies.first_form().0, machine), read),
+            (System::Gyrostat(bodies), Axes::Second) => traced(&Driven::new(bodies.second_form().0, machine), read),
+            (System::Bench { axial }, _) => traced(&Bench { machine, axial: *axial }, read),
         }
     }
 }

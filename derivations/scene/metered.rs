@@ -1,13 +1,11 @@
 //! A motor's scene with the work of its supply metered: a run then shows whether energy went where the laws send it.
 
-use super::by_program::by_program;
 use super::law_end::of_leading;
-use super::problem::{Invariant, Law, Problem};
+use super::problem::{Invariant, Problem};
 use super::{Axes, Scene, System};
-use crate::differentiated::Differentiated;
 use crate::machines::{Bench, Metered, Powered, is_fed};
-use crate::recorded::Recorded;
 use crate::systems::gyrostat::driven::Driven;
+use simulation::{CompiledLaw, Law};
 use std::sync::Arc;
 
 impl Scene {
@@ -52,6 +50,5 @@ fn metered(law: impl Powered + Send + Sync + 'static) -> (Arc<dyn Law>, Invarian
     let law = Arc::new(Metered(law));
     let balancing = Arc::clone(&law);
     let balance = Invariant { name: "jacobi_less_work", value: Box::new(move |_, y| balancing.balance(y)) };
-    let system: Arc<dyn Law> = Arc::new(Differentiated::new(Recorded::new(Arc::clone(&law)), Arc::clone(&law)));
-    (by_program(system, law), balance)
+    (Arc::new(CompiledLaw::of(law)), balance)
 }

@@ -18,7 +18,6 @@
 pub mod any;
 pub mod atlas;
 pub mod bodies;
-pub(crate) mod by_program;
 pub mod code;
 pub mod file;
 pub mod hybrid;

@@ -1,20 +1,16 @@
 //! A scene as an initial value problem, its types forgotten: what any method runs.
 
-use super::by_program::by_program;
 use super::law_end::Margins;
 use super::state::outputs;
 use super::switching::{Switching, integrate};
 use super::{Axes, Scene, System};
-use crate::differentiated::Differentiated;
-use crate::machines::{Bench, Conserved, Motor};
-use crate::separated::{Separable, Separated};
+use crate::machines::{Bench, Conserved, Motor, compiled};
 use crate::systems::gyrostat::Gyrostat;
 use crate::systems::gyrostat::driven::Driven;
 use crate::systems::gyrostat::forms::Form;
-use field::DoubleDouble;
-use integrators::{Directions, End, Failure, Method, Observer, Ode, Outcome, Span, Tolerance};
+use integrators::{End, Failure, Method, Observer, Outcome, Span, Tolerance};
+use simulation::Law;
 use std::sync::Arc;
-use symbolic::Sym;
 
 /// A law with its state at time zero, what it conserves, and what a run shows of it.
 pub struct Problem {
@@ -50,10 +46,6 @@ impl Problem {
         }
     }
 }
-
-/// A system that can be shared between threads.
-pub trait Law: integrators::System + Send + Sync {}
-impl<L: integrators::System + Send + Sync> Law for L {}
 
 type Function = dyn Fn(f64, &[f64]) -> f64 + Send + Sync;
 pub(crate) type Row = dyn Fn(f64, &[f64]) -> Vec<f64> + Send + Sync;
@@ -106,16 +98,7 @@ fn driven(form: impl Form<f64> + Send + Sync + 'static, machine: Motor) -> Lawfu
     if conserved.spin {
         invariants.push(of(&law, "rotor_momentum", |law, y| law.rotor_momentum(y)));
     }
-    (running(law), invariants)
-}
-
-/// A law as it runs.
-fn running<L>(law: Arc<L>) -> Arc<dyn Law>
-where
-    L: Separable + Ode<Sym> + Ode<f64> + Ode<Directions> + Ode<DoubleDouble> + Send + Sync + 'static,
-{
-    let system: Arc<dyn Law> = Arc::new(Differentiated::new(Separated::new(Arc::clone(&law)), Arc::clone(&law)));
-    by_program(system, law)
+    (Arc::new(compiled(&law)), invariants)
 }
 
 fn on_bench(machine: Motor, axial: f64) -> Lawful {
@@ -128,7 +111,7 @@ fn on_bench(machine: Motor, axial: f64) -> Lawful {
     if conserved.spin {
         invariants.push(of(&law, "rotor_momentum", |law, y| law.rotor_momentum(y)));
     }
-    (running(law), invariants)
+    (Arc::new(compiled(&law)), invariants)
 }
 
 fn of<L: Send + Sync + 'static>(law: &Arc<L>, name: &'static str, value: fn(&L, &[f64]) -> f64) -> Invariant {

@@ -1,10 +1,10 @@
 //! Runs of systems whose law changes at events: segment after segment, each from an event, located to rounding, to the next.
 
 use super::law_end::{Ending, Ends, Margins, SwitchesAndEnds};
-use super::problem::Law;
 use integrators::{
     Absolute, Deviation, End, Event, Method, Observer, Outcome, Span, Switches, Tolerance, Work, integrate_to_event,
 };
+use simulation::Law;
 use std::sync::Arc;
 
 /// A law that holds until one of its switches falls.

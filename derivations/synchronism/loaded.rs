@@ -1,13 +1,12 @@
 //! A motor alone whose load is a state that rests: so equilibria and rotations are followed over the load.
 
 use crate::machines::{Bench, Machine, Motor, RotorState, is_fed};
-use crate::recorded::Recorded;
-use crate::scene::by_program::by_program;
-use crate::scene::problem::Law;
 use crate::scene::{Scene, Start, System};
 use crate::systems::gyrostat::Gyrostat;
 use field::{Analytic, Circle, Over};
 use integrators::Ode;
+use simulation::Law;
+use simulation::{CompiledLaw, SymbolicLaw};
 use std::f64::consts::TAU;
 use std::fmt;
 use std::sync::Arc;
@@ -156,8 +155,8 @@ impl Loaded {
         let friction = -machine.moment_law(0.0, field_speed);
         let facts = Facts { field_speed, friction, hold, frequency, bottom, sizes };
         let law = Arc::new(UnderLoad(Bench { machine: machine.clone(), axial }));
-        let system = Arc::new(Recorded::new(Arc::clone(&law)));
-        Ok(Loaded { machine: machine.clone(), axial, law: by_program(system, Arc::clone(&law)), facts, own: law })
+        let compiled = Arc::new(CompiledLaw::of(Arc::clone(&law) as Arc<dyn SymbolicLaw>));
+        Ok(Loaded { machine: machine.clone(), axial, law: compiled, facts, own: law })
     }
 }
 

@@ -9,28 +9,22 @@ use dalembert_derivations::machines::kloss::Kloss;
 use dalembert_derivations::machines::multi_current::{MultiCurrent, Windings};
 use dalembert_derivations::machines::synchronous::Synchronous;
 use dalembert_derivations::machines::{Bench, Machine, Motor, drive, heat, motional_moment, supplied};
-use dalembert_derivations::recorded::Recorded;
 use dalembert_derivations::systems::gyrostat::driven::Driven;
 use dalembert_derivations::systems::gyrostat::forms::Form;
 use field::{Circle, Rational, Scalar};
-use integrators::{Method, Ode, Span, System, Tolerance, integrate};
+use integrators::{Method, Span, Tolerance, integrate};
 use nalgebra::{Matrix3, Vector3};
 use num_traits::Zero;
 use proptest::prelude::*;
-use std::sync::Arc;
-use symbolic::Sym;
+use simulation::{CompiledLaw, SymbolicLaw};
 
 fn windings() -> Windings<f64> {
     Windings { field_speed: 9.0, b0: 0.8, a1: 0.5, l1: 0.3, r1: 0.7, a2: 0.4, l2: 0.2, r2: 0.9, mu: 0.02, f: 0.05 }
 }
 
 /// The state after a time, by so many steps of the classical Runge-Kutta method.
-fn after<L>(law: L, state: &[f64], time: f64, steps: u32) -> Vec<f64>
-where
-    L: Ode<Sym> + Sync,
-    Recorded<L>: System,
-{
-    let system = Recorded::new(Arc::new(law));
+fn after(law: impl SymbolicLaw + 'static, state: &[f64], time: f64, steps: u32) -> Vec<f64> {
+    let system = CompiledLaw::new(law);
     let (method, span) = (Method::RungeKutta4 { steps }, Span::new(0.0, time, state));
     let outcome = integrate(&system, method, &Tolerance::both(1e-9), &span, &mut ());
     assert!(outcome.reached(), "{:?}", outcome.end);

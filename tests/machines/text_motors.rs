@@ -1,6 +1,7 @@
 //! A motor whose laws stand in a scene is that of the catalogue: the same programs, which do what the law does as it is compiled.
 
 use crate::physical::rounded;
+use dalembert_derivations::machines::Separable;
 use dalembert_derivations::machines::asynchronous::Asynchronous;
 use dalembert_derivations::machines::brushed::Brushed;
 use dalembert_derivations::machines::constant_speed::ConstantSpeed;
@@ -15,12 +16,11 @@ use dalembert_derivations::machines::{Bench, Machine, Motor, Programs, Quantity,
 use dalembert_derivations::papers::konosevich2022::gyrostats;
 use dalembert_derivations::scene::state::names;
 use dalembert_derivations::scene::{Family, Scene};
-use dalembert_derivations::separated::Separable;
 use dalembert_derivations::systems::gyrostat::driven::Driven;
-use dalembert_derivations::taped::Running;
 use field::{Analytic, Circle, DoubleDouble};
 use integrators::{Ode, Real, Splitting, compose};
 use series::{Equations, Recurrence};
+use simulation::Running;
 use std::convert::Infallible;
 use std::f64::consts::PI;
 use symbolic::{Language, Sym, Tape};

@@ -1,11 +1,10 @@
 //! The state-transition matrix of a run, beside differences of runs in double-double by another method.
 
-use dalembert_derivations::recorded::Recorded;
 use dalembert_derivations::scene::{AnyScene, Axes, Choice, Family, Problem};
 use field::{Analytic, DoubleDouble, Over};
 use integrators::{Method, Ode, Span, System, Tolerance, integrate_in, transition};
+use simulation::CompiledLaw;
 use std::path::Path;
-use std::sync::Arc;
 
 const SPAN: f64 = 0.3;
 
@@ -114,11 +113,11 @@ impl<S: Over<f64> + Analytic> Ode<S> for Carried {
 #[test]
 fn value_and_derivatives_are_followed_each_where_the_other_rests() {
     let (tolerance, span) = (Tolerance::both(1e-13), (0.0, 20.0));
-    let saddle = transition(&Recorded::new(Arc::new(Saddle)), &tolerance, span, &[0.0; 2]).expect("a series");
+    let saddle = transition(&CompiledLaw::new(Saddle), &tolerance, span, &[0.0; 2]).expect("a series");
     let [cosh, sinh] = [20.0_f64.cosh(), 20.0_f64.sinh()];
     for (found, exact) in saddle.matrix.iter().zip([cosh, sinh, sinh, cosh]) {
         assert!((found / exact - 1.0).abs() < 1e-11, "{found} for {exact}");
     }
-    let carried = transition(&Recorded::new(Arc::new(Carried)), &tolerance, span, &[0.0]).expect("a series");
+    let carried = transition(&CompiledLaw::new(Carried), &tolerance, span, &[0.0]).expect("a series");
     assert!((carried.state[0] - 20.0_f64.sin()).abs() < 1e-11 && carried.matrix == [1.0], "{carried:?}");
 }

@@ -1,5 +1,6 @@
 //! What the steps of methods make of stationary motions: exact thresholds beside runs, and the matrix beside the law that runs.
 
+use dalembert_derivations::machines::Separable;
 use dalembert_derivations::machines::{Bench, synchronous::Synchronous};
 use dalembert_derivations::phantom::chart::{Chart, Motion, Row};
 use dalembert_derivations::phantom::crossing::Crossing;
@@ -14,7 +15,6 @@ use dalembert_derivations::phantom::stretches::Proved;
 use dalembert_derivations::phantom::survey::steps;
 use dalembert_derivations::phantom::tested::Tested;
 use dalembert_derivations::scene::{Axes, Family as _, Scene};
-use dalembert_derivations::separated::Separable;
 use dalembert_derivations::stationary::motions::Stationary;
 use field::{DoubleDouble, Scalar};
 use integrators::{Collocation, Family, Jacobian, Real, Splitting, compose};

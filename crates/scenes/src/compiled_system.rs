@@ -5,14 +5,11 @@ use crate::implicit::{Implicit, ImplicitLaw, SolvedSlopes, recurrence, unknown_l
 use crate::letters::Letters;
 use crate::modes::{Mode, Motion, reactions_of};
 use crate::program::recorded;
-use derivations::differentiated::Differentiated;
-use derivations::recorded::Recorded;
-use derivations::scene::problem::Law;
-use derivations::taped::Program;
 use field::DoubleDouble;
 use integrators::{Directions, Ode, Real};
 use model::equations::constraints_of;
 use model::{Model, ScalarId, Trace};
+use simulation::{CompiledLaw, Law, LawSeries, Program, SymbolicLaw};
 use std::fmt;
 use std::ops::Range;
 use std::sync::Arc;
@@ -194,15 +191,17 @@ impl CompiledSystem {
     /// As every method runs it: with series and derivatives where it asks for them.
     pub fn law(self: &Arc<Self>) -> Arc<dyn Law> {
         match &self.rates {
-            Rates::Written(_) => {
-                let recorded = match self.has_solved_series() {
-                    true => Recorded::by(Arc::clone(self), |system| recurrence(&system.model)),
-                    false => Recorded::new(Arc::clone(self)),
-                };
-                match self.has_solved_slopes() {
-                    true => Arc::new(SolvedSlopes::new(recorded, &self.model)),
-                    false => Arc::new(Differentiated::new(recorded, Arc::clone(self))),
+            Rates::Written(rates) => {
+                let mut law =
+                    CompiledLaw::of(Arc::clone(self) as Arc<dyn SymbolicLaw>).with_rates(Program::clone(rates));
+                if self.has_solved_series() {
+                    let model = Arc::clone(&self.model);
+                    law = law.with_series(LawSeries::by(move || recurrence(&model)));
                 }
+                if self.has_solved_slopes() {
+                    law = law.with_jacobian(Arc::new(SolvedSlopes::new(&self.model)));
+                }
+                Arc::new(law)
             }
             Rates::Solved(law) => Arc::clone(law) as Arc<dyn Law>,
         }

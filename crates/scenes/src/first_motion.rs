@@ -11,10 +11,10 @@ use crate::implicit::linear_equations;
 use crate::letters::Letters;
 use crate::modes::{Case, Mode};
 use derivations::scene::Issue;
-use derivations::taped::Program;
 use integrators::Ode;
 use model::{Coordinate, Model, Parameter, Trace, UnsolvedLaw};
 use nalgebra::DMatrix;
+use simulation::Program;
 use std::ops::Range;
 use symbolic::{Sym, apart, substitute_all};
 
@@ -182,7 +182,7 @@ struct Terms {
 impl Terms {
     fn of(model: &Model, mode: &Mode, start: &[f64]) -> Option<Self> {
         let mut pattern = None;
-        let program = Program::of_any_length(start.len(), |time, state| {
+        let program = Program::of(start.len(), |time, state| {
             let trace = Trace::of(model);
             let solve = linear_equations(&trace, Letters::with_data(time, state));
             let all = solve.expressions();

@@ -6,9 +6,9 @@ use crate::implicit::{linear_equations, recurrence_of};
 use crate::letters::Inputs;
 use crate::modes::Mode;
 use algebra::linear::{Factors, Pattern};
-use derivations::exponents::Expandable;
 use model::{Model, Trace};
 use series::Equations;
+use simulation::Expandable;
 use symbolic::linear::Solve;
 use symbolic::{Sym, Tape, Untapeable, apart};
 

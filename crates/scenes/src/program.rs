@@ -1,7 +1,7 @@
 //! Expressions of a time and a state as programs; where there is none, the reason.
 
 use crate::compiled_system::NotCompiled;
-use derivations::taped::Program;
+use simulation::Program;
 use symbolic::{Sym, Tape};
 
 /// The program of a function of a time and a state of n numbers, of any length.
@@ -12,12 +12,12 @@ pub(crate) fn recorded(
     n: usize,
     mut function: impl FnMut(Sym, &[Sym]) -> Vec<Sym> + Send,
 ) -> Result<Program, NotCompiled> {
-    if let Some(program) = Program::of_any_length(n, &mut function) {
+    if let Some(program) = Program::of(n, &mut function) {
         return Ok(program);
     }
     // a program of any length fails for one reason alone: its tape
     let mut reason = None;
-    Program::of_any_length(n, |time, state| {
+    Program::of(n, |time, state| {
         let values = function(time, state);
         reason = Tape::record(&[state, &[time]].concat(), &values).err();
         Vec::new()

@@ -13,12 +13,13 @@ use super::choose::Models;
 use super::estimate::{Carrying, Estimate};
 use super::plan::{Go, Runnable};
 use super::receipt::{Line, Verdict};
-use super::rung::{Lower, Straight, Written};
+use super::rung::Lower;
 use super::watched::{Watched, largest};
 use crate::friction::RoughScene;
 use crate::friction::held::Margin;
 use crate::scene::Axes;
-use crate::scene::problem::Law;
+use simulation::Law;
+use simulation::{CompiledLaw, SymbolicLaw};
 use std::sync::Arc;
 
 mod derived;
@@ -68,7 +69,7 @@ impl Model {
 /// A regime of a run, as a law of its own.
 struct Piece {
     until: f64,
-    law: Arc<dyn Written>,
+    law: Arc<dyn SymbolicLaw>,
     /// Which contacts are apart.
     apart: Vec<bool>,
     /// Why it ends.
@@ -109,7 +110,7 @@ impl RoughLadder {
             return Ok(Estimate::nothing(outputs));
         }
         let long = || "the law of its error is too long to be recorded".to_owned();
-        let laws: Option<Vec<(f64, Straight)>> = side_by_side(own, low)
+        let laws: Option<Vec<(f64, CompiledLaw)>> = side_by_side(own, low)
             .map(|(until, own, low)| Some((until, carried(&own.law, &Lower::other(&low.law))?)))
             .collect();
         let n = self.start.len();

@@ -1,11 +1,12 @@
 //! What every friction governor has, what its wheel rolls on, and where that ends.
 
 use super::super::{Amiss, Mechanism};
+use crate::ladder::Rung;
 use crate::ladder::governors::with_data;
-use crate::ladder::{Rung, Written};
 use crate::machines::{Bound, Quantity};
 use crate::scene::law_end::{Margin, outside};
 use crate::systems::governor::{Gearing, Governor, Moment};
+use simulation::SymbolicLaw;
 use std::fmt::Debug;
 use std::sync::Arc;
 
@@ -94,7 +95,7 @@ pub(super) fn governor<G: Gear, E>(
 }
 
 /// The governor whose wheel slides along its axle without friction.
-pub(super) fn without_friction<M: Mechanism>(smooth: M, start: &[f64], written: &Arc<dyn Written>) -> Option<Rung> {
+pub(super) fn without_friction<M: Mechanism>(smooth: M, start: &[f64], written: &Arc<dyn SymbolicLaw>) -> Option<Rung> {
     let dropped = "the friction across the wheel at both contacts";
     with_data("frictionless across", dropped, "F11 + F22 over the force along the axle", smooth, start, written)
 }

@@ -6,7 +6,7 @@ use super::super::rewritten::Rewritten;
 use super::super::{Amiss, Diagnosis, Ended, Mechanism, steered};
 use super::NEAR;
 use super::gear::{Gear, amiss, governor, margins, without_friction};
-use crate::ladder::{Rung, Written, governors as ladder};
+use crate::ladder::{Rung, governors as ladder};
 use crate::machines::Quantity;
 use crate::scene::Margin;
 use crate::systems::governor::constant::{ConstantMoments, Course};
@@ -16,6 +16,7 @@ use field::{Analytic, Over};
 use integrators::Method;
 use mechanics::constrained::motion::velocity;
 use mechanics::constrained::{Charted, State, System, kinetic_energy};
+use simulation::SymbolicLaw;
 use std::marker::PhantomData;
 use std::sync::Arc;
 
@@ -139,7 +140,7 @@ impl<G: Gear> Mechanism for Programme<G> {
         (closed.distance)(time).map(|rho| (closed.what, vec![rho]))
     }
 
-    fn smaller(&self, start: &[f64], written: &Arc<dyn Written>) -> Vec<Rung> {
+    fn smaller(&self, start: &[f64], written: &Arc<dyn SymbolicLaw>) -> Vec<Rung> {
         let series = self.governor.small_parameter(self.speed).map(|law| ladder::series(&law, start[0]));
         let smooth = Programme { governor: Governor { lateral: 0.0, ..self.governor }, ..*self };
         let smooth = (self.governor.lateral != 0.0).then(|| without_friction(smooth, start, written));

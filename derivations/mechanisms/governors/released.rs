@@ -6,12 +6,13 @@ use super::super::rewritten::Rewritten;
 use super::super::{Amiss, Diagnosis, Ended, Mechanism};
 use super::NEAR;
 use super::gear::{Gear, amiss, governor, margins, without_friction};
-use crate::ladder::{Rung, Written};
+use crate::ladder::Rung;
 use crate::machines::Quantity;
 use crate::scene::Margin;
 use crate::systems::governor::{Gearing, Governor};
 use field::{Analytic, Over};
 use mechanics::constrained::State;
+use simulation::SymbolicLaw;
 use std::marker::PhantomData;
 use std::sync::Arc;
 
@@ -78,7 +79,7 @@ impl<G: Gear> Mechanism for Released<G> {
         margins(self.governor.gearing, false, [y[1], dy[1]])
     }
 
-    fn smaller(&self, start: &[f64], written: &Arc<dyn Written>) -> Vec<Rung> {
+    fn smaller(&self, start: &[f64], written: &Arc<dyn SymbolicLaw>) -> Vec<Rung> {
         let smooth = Released { governor: Governor { lateral: 0.0, ..self.governor }, ..*self };
         let smooth = (self.governor.lateral != 0.0).then(|| without_friction(smooth, start, written));
         smooth.flatten().into_iter().collect()

@@ -2,8 +2,9 @@
 
 use crate::scene::Problem;
 use crate::scene::measured::Trials;
-use crate::scene::problem::{Law, Row};
+use crate::scene::problem::Row;
 use integrators::{Across, Attempt, HeldSystem, Holding, Method, Reference, Span, survey};
+use simulation::Law;
 use std::fmt;
 use std::sync::Arc;
 

@@ -22,16 +22,16 @@
 
 use super::driven::Driven;
 use super::forms::Form;
+use crate::machines::Separable;
 use crate::machines::{
     Acting, Fading, Kick, Law, Machine, Point as RotorPoint, Programmed, Programs, RotorState, Rule, decay_quotient,
     has_known_flow, kick, solved,
 };
-use crate::separated::Separable;
-use crate::taped::Running;
 use field::{Analytic, Base, Over, Scalar};
 use integrators::{Pieces, Real};
 use mechanics::rotation::{turned_about, turned_along};
 use nalgebra::Vector3;
+use simulation::Running;
 
 /// What H is made of, in the axes of a form.
 #[derive(Clone, Copy, Debug, PartialEq)]

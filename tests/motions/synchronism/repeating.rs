@@ -1,10 +1,9 @@
 //! Motions that repeat, found by shooting: against closed forms.
 
-use dalembert_derivations::recorded::Recorded;
 use field::{Analytic, Over};
 use integrators::{Ode, Repeating, System, Walk, follow};
+use simulation::CompiledLaw;
 use std::f64::consts::TAU;
-use std::sync::Arc;
 
 /// x' = x (p - r^2) - y, y' = y (p - r^2) + x: the circle r^2 = p in the time 2 pi, with the multiplier exp(-4 pi p).
 struct Circular;
@@ -35,7 +34,7 @@ impl<S: Over<f64> + Analytic> Ode<S> for Uniform {
 
 #[test]
 fn a_limit_cycle_is_followed_with_its_period_and_multiplier() {
-    let law = Recorded::new(Arc::new(Circular));
+    let law = CompiledLaw::new(Circular);
     let law: &dyn System = &law;
     let mut turns = Repeating::new(law, 1e-14, &[0.0, 0.0], (1, 0.0));
     let within = |x: &[f64]| x[2] < 0.3;
@@ -53,7 +52,7 @@ fn a_limit_cycle_is_followed_with_its_period_and_multiplier() {
 
 #[test]
 fn a_rotation_is_a_motion_that_repeats_but_for_a_turn() {
-    let law = Recorded::new(Arc::new(Uniform));
+    let law = CompiledLaw::new(Uniform);
     let law: &dyn System = &law;
     let mut turns = Repeating::new(law, 1e-14, &[-TAU, 0.0], (0, 0.3));
     let walk = Walk { sizes: &[1.0; 3], parameter: 2, step: 0.5, most: 12, within: &|_| true };

@@ -1,9 +1,9 @@
 //! The energy that is lost is the work of friction and resistance, to the order of the method.
 
 use super::runs;
+use dalembert_derivations::machines::Separable;
 use dalembert_derivations::machines::{Machine, Motor, RotorState, heat};
 use dalembert_derivations::scene::{Axes, System as Kind};
-use dalembert_derivations::separated::Separable;
 use dalembert_derivations::systems::gyrostat::Gyrostat;
 use dalembert_derivations::systems::gyrostat::driven::Driven;
 use dalembert_derivations::systems::gyrostat::forms::FirstForm;

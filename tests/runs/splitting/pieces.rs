@@ -2,6 +2,7 @@
 
 use crate::physical::machines::{every_machine, numbers};
 use crate::physical::{fixed, gyrostat, rounded};
+use dalembert_derivations::machines::Separable;
 use dalembert_derivations::machines::asynchronous::Asynchronous;
 use dalembert_derivations::machines::constant_speed::ConstantSpeed;
 use dalembert_derivations::machines::free_rotor::FreeRotor;
@@ -11,7 +12,6 @@ use dalembert_derivations::machines::synchronous::Synchronous;
 use dalembert_derivations::machines::{
     Bench, Kick, Law, Machine, Motor, Point as RotorPoint, RotorState, Rule, has_known_flow,
 };
-use dalembert_derivations::separated::Separable;
 use dalembert_derivations::systems::gyrostat::Gyrostat;
 use dalembert_derivations::systems::gyrostat::driven::Driven;
 use dalembert_derivations::systems::gyrostat::forms::{FirstForm, Form, SecondForm};

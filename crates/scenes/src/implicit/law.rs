@@ -2,26 +2,23 @@
 
 use super::slopes::ImplicitSlopes;
 use super::{Implicit, recurrence};
-use derivations::recorded::Recorded;
 use field::{DoubleDouble, Scalar};
 use integrators::{Directions, Ode, Slopes, System, TaylorSeries};
 use model::Model;
+use simulation::{Differentiable, LawSeries};
 use std::sync::{Arc, OnceLock};
 
 /// The law of a system whose accelerations are solved for.
 #[derive(Debug)]
 pub(crate) struct ImplicitLaw {
     pub equations: Arc<Implicit>,
-    recorded: Recorded<Implicit>,
+    series: LawSeries,
 }
 
 impl ImplicitLaw {
     pub fn new(equations: Implicit) -> Self {
-        let equations = Arc::new(equations);
-        ImplicitLaw {
-            recorded: Recorded::by(Arc::clone(&equations), |implicit| recurrence(&implicit.model)),
-            equations,
-        }
+        let model = Arc::clone(&equations.model);
+        ImplicitLaw { equations: Arc::new(equations), series: LawSeries::by(move || recurrence(&model)) }
     }
 }
 
@@ -40,15 +37,15 @@ where
 
 impl System for ImplicitLaw {
     fn taylor(&self) -> Option<Box<dyn TaylorSeries<f64> + '_>> {
-        self.recorded.taylor()
+        self.series.plain()
     }
 
     fn taylor_directions(&self) -> Option<Box<dyn TaylorSeries<Directions> + '_>> {
-        self.recorded.taylor_directions()
+        self.series.directed()
     }
 
     fn taylor_exact(&self) -> Option<Box<dyn TaylorSeries<DoubleDouble> + '_>> {
-        self.recorded.taylor_exact()
+        self.series.exact()
     }
 
     fn slopes(&self) -> Option<Box<dyn Slopes + '_>> {
@@ -56,43 +53,20 @@ impl System for ImplicitLaw {
     }
 }
 
-/// A law whose accelerations are written down, with a Jacobian by solves.
-pub(crate) struct SolvedSlopes<L> {
-    law: L,
+/// The Jacobian by solves of a law whose accelerations are written down.
+pub(crate) struct SolvedSlopes {
     model: Arc<Model>,
     /// Made when a method first asks for it; none where it cannot be.
     equations: OnceLock<Option<Implicit>>,
 }
 
-impl<L> SolvedSlopes<L> {
-    pub fn new(law: L, model: &Arc<Model>) -> Self {
-        SolvedSlopes { law, model: Arc::clone(model), equations: OnceLock::new() }
+impl SolvedSlopes {
+    pub fn new(model: &Arc<Model>) -> Self {
+        SolvedSlopes { model: Arc::clone(model), equations: OnceLock::new() }
     }
 }
 
-impl<S: Scalar, L: Ode<S>> Ode<S> for SolvedSlopes<L> {
-    fn dimension(&self) -> usize {
-        self.law.dimension()
-    }
-
-    fn rates(&self, t: S, y: &[S], dy: &mut [S]) {
-        self.law.rates(t, y, dy);
-    }
-}
-
-impl<L: System> System for SolvedSlopes<L> {
-    fn taylor(&self) -> Option<Box<dyn TaylorSeries<f64> + '_>> {
-        self.law.taylor()
-    }
-
-    fn taylor_directions(&self) -> Option<Box<dyn TaylorSeries<Directions> + '_>> {
-        self.law.taylor_directions()
-    }
-
-    fn taylor_exact(&self) -> Option<Box<dyn TaylorSeries<DoubleDouble> + '_>> {
-        self.law.taylor_exact()
-    }
-
+impl Differentiable for SolvedSlopes {
     fn slopes(&self) -> Option<Box<dyn Slopes + '_>> {
         let equations = self.equations.get_or_init(|| Implicit::of(&self.model).ok()).as_ref()?;
         Some(Box::new(ImplicitSlopes::new(equations)))

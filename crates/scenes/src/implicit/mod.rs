@@ -19,10 +19,10 @@ use crate::compiled_system::NotCompiled;
 use crate::letters::Letters;
 use crate::program::recorded;
 use algebra::linear::{Factors, Magnitude, NotSolved, Pattern};
-use derivations::taped::{Program, Running};
 use field::DoubleDouble;
 use integrators::{Directions, Ode, System};
 use model::{Model, Trace};
+use simulation::{Program, Running};
 use std::sync::{Arc, Mutex, PoisonError};
 use symbolic::linear::Solve;
 

@@ -2,9 +2,9 @@
 
 use super::linear_equations;
 use crate::letters::{Inputs, Letters};
-use derivations::exponents::Expandable;
 use model::{Model, Trace};
 use series::Equations;
+use simulation::Expandable;
 use symbolic::{Sym, Untapeable, apart};
 
 /// The equations of a model with the values of its parameters; none where they have no series.

@@ -6,10 +6,10 @@ use crate::layout::Layout;
 use crate::linearisation::Point;
 use crate::motions::Motion;
 use crate::program::recorded;
-use derivations::taped::Program;
 use field::{Analytic, Circle};
 use model::{Model, ScalarId, Trace, turned_further};
 use nalgebra::DVector;
+use simulation::Program;
 use symbolic::substitute_all;
 
 /// Prescribed coordinates and turns as functions of the time, with three rates.

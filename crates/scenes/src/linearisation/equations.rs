@@ -4,10 +4,10 @@ use crate::compiled_system::{NotCompiled, has_values_but, values};
 use crate::layout::Layout;
 use crate::program::recorded;
 use crate::row_units::{coherent, multiplier_unit};
-use derivations::taped::Program;
 use model::equations::{Equation, Level, constraints_of};
 use model::{Coordinate, Model, Trace, Variations, Varied, axes};
 use nalgebra::{DMatrix, DVector};
+use simulation::Program;
 use std::ops::Range;
 use symbolic::{Dimension, Sym, substitute_all};
 

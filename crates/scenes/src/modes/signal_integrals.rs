@@ -6,13 +6,9 @@ use super::mode::{Case, Mode, Phase};
 use super::signals::{Fall, written};
 use crate::compiled_system::{CompiledSystem, rates};
 use crate::letters::Letters;
-use derivations::differentiated::Differentiated;
-use derivations::recorded::Recorded;
-use derivations::scene::problem::Law;
-use derivations::taped::Program;
-use field::DoubleDouble;
-use integrators::{Directions, Ode};
+use integrators::Ode;
 use model::Model;
+use simulation::{CompiledLaw, Law, Program};
 use std::sync::Arc;
 use symbolic::{Derivation, Sym};
 
@@ -21,7 +17,6 @@ use symbolic::{Derivation, Sym};
 struct Followed {
     model: Arc<Model>,
     mode: Mode,
-    program: Program,
     dimension: usize,
 }
 
@@ -33,20 +28,17 @@ pub(super) fn followed(model: &Arc<Model>, system: &Arc<CompiledSystem>) -> (Arc
     }
     let states = model.positions() + model.speeds();
     let mut count = 0;
-    let program = Program::of_any_length(states, |time, state| {
+    let program = Program::of(states, |time, state| {
         count = of_signals(model, mode, time, state).map_or(0, |rates| rates.len());
         Vec::new()
     });
     if program.is_none() || count == 0 {
         return (system.law(), 0);
     }
-    let program = Program::of_any_length(states + count, |time, state| all(model, mode, time, state));
-    match program {
-        Some(program) => {
-            let model = Arc::clone(model);
-            let law = Arc::new(Followed { model, mode: mode.clone(), program, dimension: states + count });
-            (Arc::new(Differentiated::new(Recorded::new(Arc::clone(&law)), law)), count)
-        }
+    let followed = Followed { model: Arc::clone(model), mode: mode.clone(), dimension: states + count };
+    let law = CompiledLaw::new(followed);
+    match law.program() {
+        Some(_) => (Arc::new(law), count),
         None => (system.law(), 0),
     }
 }
@@ -78,22 +70,6 @@ fn of_signals(model: &Model, mode: &Mode, time: Sym, state: &[Sym]) -> Option<Ve
         own.filter(|(fall, _)| !(glides && matches!(fall, Fall::Lifts { .. } | Fall::Slides { .. } | Fall::Jams)));
     Some(own.filter_map(|(_, &[signal, rate])| bends(signal).then_some(rate)).collect())
 }
-
-macro_rules! runs {
-    ($($field:ty),*) => {$(
-        impl Ode<$field> for Followed {
-            fn dimension(&self) -> usize {
-                self.dimension
-            }
-
-            fn rates(&self, t: $field, y: &[$field], dy: &mut [$field]) {
-                // made for a state of this length
-                self.program.run(t, y, dy).unwrap_or(());
-            }
-        }
-    )*};
-}
-runs!(f64, Directions, DoubleDouble);
 
 impl Ode<Sym> for Followed {
     fn dimension(&self) -> usize {

@@ -8,11 +8,11 @@ use super::motion::Motion;
 use super::multiples::mirrored;
 use crate::compiled_system::{NotCompiled, values};
 use crate::program::recorded;
-use derivations::taped::{Program, Running};
 use field::{Analytic, Over, Scalar};
 use integrators::{Signal, Switches};
 use model::equations::vanishes;
 use model::{Assignment, Model, Trace};
+use simulation::{Program, Running};
 use symbolic::{Sym, apart, substitute_all};
 
 /// The meaning of the fall of a signal.

@@ -4,9 +4,9 @@
 //! see it; and a series in the time has no digits there, since v/|v| divides by a number that is small beside the rate of v.
 
 use super::Current;
-use derivations::scene::problem::Law;
 use field::DoubleDouble;
 use integrators::{Directions, Ode, Slopes, System};
+use simulation::Law;
 use std::sync::Arc;
 
 /// The part of the time in which the speed doubles.

@@ -9,10 +9,10 @@
 use super::constraints::Constraints;
 use super::start_speeds;
 use derivations::scene::law_end::Margin;
-use derivations::taped::Program;
 use model::Model;
 use model::equations::Level;
 use nalgebra::{Cholesky, DMatrix};
+use simulation::Program;
 use std::sync::{Arc, Mutex, PoisonError};
 
 const SINGULAR: &str =

@@ -1,18 +1,22 @@
 //! A law held to constraints, as the straight-line programs that it comes to.
 
-use super::{Program, Running};
+use crate::program::{Program, Running};
 use field::DoubleDouble;
 use integrators::{Directions, Held, HeldSystem};
+use std::sync::Arc;
 use symbolic::Sym;
 
-/// A law and its programs; where they cannot be recorded or are long, the law itself is run.
-#[derive(Clone, Debug)]
-pub struct TapedHeld<L> {
-    law: L,
+/// A held law over expressions that can be shared between threads.
+pub trait SymbolicHeld: Held<Sym> + Send + Sync {}
+impl<L: Held<Sym> + Send + Sync> SymbolicHeld for L {}
+
+/// A law that is held to constraints, as programs.
+pub struct CompiledHeld {
+    law: Arc<dyn SymbolicHeld>,
+    /// `None` where an expression has no values: then nothing that is computed is a number.
     programs: Option<Programs>,
 }
 
-#[derive(Clone, Debug)]
 struct Programs {
     /// From y and z together.
     rates: Program,
@@ -22,19 +26,18 @@ struct Programs {
     constraints: Program,
 }
 
-/// So many components y and z have together at most.
-const MOST: usize = 64;
+/// So many components y and z have together where they are gathered without allocation.
+const FEW: usize = 64;
 
-impl<L: Held<Sym> + Sync> TapedHeld<L> {
-    /// Records a law, which may depend on time.
-    pub fn new(law: L) -> Self {
-        let programs = Programs::of(&law);
-        TapedHeld { law, programs }
+impl CompiledHeld {
+    /// A law, which may depend on time.
+    pub fn new(law: impl SymbolicHeld + 'static) -> Self {
+        CompiledHeld { programs: Programs::of(&law), law: Arc::new(law) }
     }
 }
 
 impl Programs {
-    fn of(law: &(impl Held<Sym> + Sync)) -> Option<Self> {
+    fn of(law: &impl SymbolicHeld) -> Option<Self> {
         let (n, m) = law.sizes();
         let zeros = |count: usize| vec![Sym::ZERO; count];
         let parts = |t: Sym, y: &[Sym]| {
@@ -52,7 +55,6 @@ impl Programs {
             law.constraints(t, y, &mut constraints);
             constraints
         };
-        (n + m <= MOST).then_some(())?;
         Some(Programs {
             rates: Program::of(n + m, rates)?,
             free: Program::of(n, |t, y| parts(t, y).0)?,
@@ -62,46 +64,48 @@ impl Programs {
     }
 
     fn rates<S: Running>(&self, t: S, y: &[S], z: &[S], dy: &mut [S]) -> Option<()> {
-        let mut both = [S::zero(); MOST];
-        both.get_mut(..y.len())?.copy_from_slice(y);
-        both.get_mut(y.len()..y.len() + z.len())?.copy_from_slice(z);
-        self.rates.run(t, &both[..y.len() + z.len()], dy)
+        let (mut few, mut many) = ([S::zero(); FEW], Vec::new());
+        let both = match few.get_mut(..y.len() + z.len()) {
+            Some(few) => few,
+            None => {
+                many.resize(y.len() + z.len(), S::zero());
+                &mut many[..]
+            }
+        };
+        let (first, second) = both.split_at_mut(y.len());
+        first.copy_from_slice(y);
+        second.copy_from_slice(z);
+        self.rates.run(t, both, dy)
     }
 }
 
 macro_rules! runs {
     ($($field:ty),*) => {$(
-        impl<L: Held<$field>> Held<$field> for TapedHeld<L> {
+        impl Held<$field> for CompiledHeld {
             fn sizes(&self) -> (usize, usize) {
                 self.law.sizes()
             }
 
             fn rates(&self, t: $field, y: &[$field], z: &[$field], dy: &mut [$field]) {
-                let taped = self.programs.as_ref().and_then(|it| it.rates(t, y, z, dy));
-                if taped.is_none() {
-                    self.law.rates(t, y, z, dy);
-                }
+                let run = self.programs.as_ref().and_then(|it| it.rates(t, y, z, dy));
+                run.unwrap_or_else(|| dy.fill(<$field>::from(f64::NAN)));
             }
 
             fn parts(&self, t: $field, y: &[$field], dy: &mut [$field], columns: &mut [$field]) {
-                let taped = self.programs.as_ref().and_then(|it| {
+                let run = self.programs.as_ref().and_then(|it| {
                     it.free.run(t, y, dy)?;
                     it.columns.run(t, y, columns)
                 });
-                if taped.is_none() {
-                    self.law.parts(t, y, dy, columns);
-                }
+                run.unwrap_or_else(|| dy.fill(<$field>::from(f64::NAN)));
             }
 
             fn constraints(&self, t: $field, y: &[$field], g: &mut [$field]) {
-                let taped = self.programs.as_ref().and_then(|it| it.constraints.run(t, y, g));
-                if taped.is_none() {
-                    self.law.constraints(t, y, g);
-                }
+                let run = self.programs.as_ref().and_then(|it| it.constraints.run(t, y, g));
+                run.unwrap_or_else(|| g.fill(<$field>::from(f64::NAN)));
             }
         }
     )*};
 }
 runs!(f64, Directions, DoubleDouble);
 
-impl<L: HeldSystem> HeldSystem for TapedHeld<L> {}
+impl HeldSystem for CompiledHeld {}

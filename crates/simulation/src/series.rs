@@ -1,49 +1,73 @@
-//! A system with its laws recorded as straight-line code, for the Taylor method.
+//! The Taylor series of a law's solutions, for the Taylor method.
 
+use crate::compiled_law::SymbolicLaw;
 use crate::exponents::{Expandable, Room};
-use crate::written::{Written, written};
-use field::{DoubleDouble, Scalar};
-use integrators::{Directions, Ode, System, TaylorSeries};
+use crate::trace::{TracedOde, traced};
+use field::DoubleDouble;
+use integrators::{Directions, TaylorSeries};
 use series::{Equations, Expansion, Fused};
+use std::fmt;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
-use symbolic::Sym;
 
-/// A system and the recurrence of its right-hand side: the same laws, evaluated once over expressions. The data of the
-/// system are in it as exact constants.
-#[derive(Clone, Debug)]
-pub struct Recorded<L> {
-    law: Arc<L>,
-    record: fn(&L) -> Option<Expandable>,
+/// The recurrence of a law's right-hand side, with the data of the law as exact constants.
+pub struct LawSeries {
+    record: Box<Record>,
     /// Made when it is first asked for; `None` where a law cannot be recorded: then there is no Taylor method.
     recurrence: OnceLock<Option<Expandable>>,
     spare: Spare<f64>,
     finer: Spare<DoubleDouble>,
 }
 
-/// Expansions that earlier runs have laid out.
-type Spare<S> = Arc<Mutex<Vec<Expansion<S, WIDTH, FEW>>>>;
+impl fmt::Debug for LawSeries {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("LawSeries").field("recurrence", &self.recurrence).finish_non_exhaustive()
+    }
+}
 
-impl<L: Ode<Sym> + Sync> Recorded<L> {
-    /// A system, which may depend on time.
-    pub fn new(law: Arc<L>) -> Self {
-        Recorded::by(law, |law| {
-            written(law, |Written { state, time, rates }| {
+type Record = dyn Fn() -> Option<Expandable> + Send + Sync;
+
+/// Expansions that earlier runs have laid out.
+type Spare<S> = Mutex<Vec<Expansion<S, WIDTH, FEW>>>;
+
+impl LawSeries {
+    /// The series of a law, which may depend on time.
+    pub fn of(law: Arc<dyn SymbolicLaw>) -> Self {
+        LawSeries::by(move || {
+            traced(&*law, |TracedOde { state, time, rates }| {
                 let moves = rates.iter().any(|rate| rate.symbols_of().contains(time));
                 let equations = Equations { state, time: moves.then_some(*time), parameters: &[], rates, solve: None };
                 Expandable::record(&equations).ok()
             })
         })
     }
-}
 
-impl<L> Recorded<L> {
-    /// A system whose recurrence is made in this way.
-    pub fn by(law: Arc<L>, record: fn(&L) -> Option<Expandable>) -> Self {
-        Recorded { law, record, recurrence: OnceLock::new(), spare: Spare::default(), finer: Spare::default() }
+    /// The series of a recurrence that is made in this way.
+    pub fn by(record: impl Fn() -> Option<Expandable> + Send + Sync + 'static) -> Self {
+        LawSeries {
+            record: Box::new(record),
+            recurrence: OnceLock::new(),
+            spare: Spare::default(),
+            finer: Spare::default(),
+        }
+    }
+
+    /// The coefficients in `f64`.
+    pub fn plain(&self) -> Option<Box<dyn TaylorSeries<f64> + '_>> {
+        self.kept(&self.spare)
+    }
+
+    /// The coefficients with their derivatives in eight directions.
+    pub fn directed(&self) -> Option<Box<dyn TaylorSeries<Directions> + '_>> {
+        self.series()
+    }
+
+    /// The coefficients in double-double.
+    pub fn exact(&self) -> Option<Box<dyn TaylorSeries<DoubleDouble> + '_>> {
+        self.kept(&self.finer)
     }
 
     fn recurrence(&self) -> Option<&Expandable> {
-        self.recurrence.get_or_init(|| (self.record)(&self.law)).as_ref()
+        self.recurrence.get_or_init(|| (self.record)()).as_ref()
     }
 
     /// One that goes from run to run, where it is of usual size.
@@ -72,30 +96,6 @@ const WIDTH: usize = 8;
 /// Columns: of usual systems, which then stay near the processor, and of the largest.
 const FEW: usize = 256;
 const MANY: usize = 1 << 16;
-
-impl<S: Scalar, L: Ode<S>> Ode<S> for Recorded<L> {
-    fn dimension(&self) -> usize {
-        self.law.dimension()
-    }
-
-    fn rates(&self, t: S, y: &[S], dy: &mut [S]) {
-        self.law.rates(t, y, dy);
-    }
-}
-
-impl<L: Ode<f64> + Ode<Directions> + Ode<DoubleDouble> + Sync> System for Recorded<L> {
-    fn taylor(&self) -> Option<Box<dyn TaylorSeries<f64> + '_>> {
-        self.kept(&self.spare)
-    }
-
-    fn taylor_directions(&self) -> Option<Box<dyn TaylorSeries<Directions> + '_>> {
-        self.series()
-    }
-
-    fn taylor_exact(&self) -> Option<Box<dyn TaylorSeries<DoubleDouble> + '_>> {
-        self.kept(&self.finer)
-    }
-}
 
 /// The series of a recurrence, with room made for the order that is asked for.
 struct Series<'a, S: Fused, const N: usize> {

@@ -28,13 +28,13 @@ const SHORTER: f64 = 0.7;
 /// The recurrence of a law, with the arguments of its exponentials behind the state.
 #[derive(Clone, Debug)]
 pub struct Expandable {
-    pub(crate) recurrence: Recurrence,
-    pub(crate) exponents: Option<Exponents>,
+    pub recurrence: Recurrence,
+    pub exponents: Option<Exponents>,
 }
 
 /// The arguments u of exponentials.
 #[derive(Clone, Debug)]
-pub(crate) struct Exponents {
+pub struct Exponents {
     /// From the state, the time where the law depends on it, and the parameters.
     values: Tape,
     knows_time: bool,
@@ -44,7 +44,7 @@ pub(crate) struct Exponents {
 
 /// The values of exponents at a state, and registers for them.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Room {
+pub struct Room {
     pub values: Vec<f64>,
     registers: Vec<f64>,
 }

@@ -1,21 +1,18 @@
-//! A system with its Jacobian as straight-line code, for the implicit methods.
+//! The Jacobian of a law as straight-line code, for the implicit methods.
 
-use crate::written::{Written, written};
-use field::{DoubleDouble, Scalar};
-use integrators::{Composed, Directions, Ode, Slopes, Splitting, System, TaylorSeries};
+use crate::compiled_law::{Differentiable, SymbolicLaw};
+use crate::trace::{TracedOde, traced};
+use integrators::Slopes;
 use native::Code;
 use std::sync::{Arc, OnceLock};
 use symbolic::{Program, Sym, Tape};
 
-/// A system and the Jacobian of its right-hand side: the same laws, evaluated once over expressions and differentiated
-/// exactly. The data of the system are in it as numbers.
-#[derive(Clone, Debug)]
-pub struct Differentiated<S, L> {
-    system: S,
-    law: Arc<L>,
+/// The derivatives of a law by state and time: its expressions, differentiated exactly.
+pub struct JacobianProgram {
+    law: Arc<dyn SymbolicLaw>,
     /// df_i / dy_j, row after row, and df_i / dt. Made when they are first asked for; `None` where they cannot be recorded:
     /// then the law is run over dual numbers.
-    slopes: OnceLock<Option<Arc<[Line; 2]>>>,
+    lines: OnceLock<Option<[Line; 2]>>,
 }
 
 /// Straight-line code of a state and the time, as long as it may be.
@@ -26,22 +23,22 @@ struct Line {
     code: Option<Code>,
 }
 
-impl<S, L: Ode<Sym> + Sync> Differentiated<S, L> {
-    /// A law, and the system that runs it.
-    pub fn new(system: S, law: Arc<L>) -> Self {
-        Differentiated { system, law, slopes: OnceLock::new() }
+impl JacobianProgram {
+    /// The derivatives of a law.
+    pub fn of(law: Arc<dyn SymbolicLaw>) -> Self {
+        JacobianProgram { law, lines: OnceLock::new() }
     }
 
     fn lines(&self) -> Option<&[Line; 2]> {
-        let made = self.slopes.get_or_init(|| {
-            written(&*self.law, |Written { state, time, rates }| {
+        let made = self.lines.get_or_init(|| {
+            traced(&*self.law, |TracedOde { state, time, rates }| {
                 let by_state = rates.iter().flat_map(|rate| state.iter().map(|&by| rate.diff(by))).collect();
                 let by_time = rates.iter().map(|rate| rate.diff(*time)).collect();
                 let inputs = [&state[..], &[*time]].concat();
-                Some(Arc::new([Line::of(&inputs, by_state)?, Line::of(&inputs, by_time)?]))
+                Some([Line::of(&inputs, by_state)?, Line::of(&inputs, by_time)?])
             })
         });
-        made.as_deref()
+        made.as_ref()
     }
 }
 
@@ -52,40 +49,7 @@ impl Line {
     }
 }
 
-impl<F: Scalar, S: Ode<F>, L> Ode<F> for Differentiated<S, L> {
-    fn dimension(&self) -> usize {
-        self.system.dimension()
-    }
-
-    fn rates(&self, t: F, y: &[F], dy: &mut [F]) {
-        self.system.rates(t, y, dy);
-    }
-}
-
-impl<S: System, L: Ode<Sym> + Sync> System for Differentiated<S, L>
-where
-    S: Ode<f64> + Ode<Directions> + Ode<DoubleDouble>,
-{
-    fn taylor(&self) -> Option<Box<dyn TaylorSeries<f64> + '_>> {
-        self.system.taylor()
-    }
-
-    fn taylor_exact(&self) -> Option<Box<dyn TaylorSeries<DoubleDouble> + '_>> {
-        self.system.taylor_exact()
-    }
-
-    fn taylor_directions(&self) -> Option<Box<dyn TaylorSeries<Directions> + '_>> {
-        self.system.taylor_directions()
-    }
-
-    fn composed(&self, splitting: Splitting) -> Option<Box<dyn Composed<f64> + '_>> {
-        self.system.composed(splitting)
-    }
-
-    fn composed_exact(&self, splitting: Splitting) -> Option<Box<dyn Composed<DoubleDouble> + '_>> {
-        self.system.composed_exact(splitting)
-    }
-
+impl Differentiable for JacobianProgram {
     fn slopes(&self) -> Option<Box<dyn Slopes + '_>> {
         let [by_state, by_time] = self.lines()?;
         Some(Box::new(Lines { by_state: by_state.into(), by_time: by_time.into() }))

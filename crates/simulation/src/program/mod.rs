@@ -1,25 +1,14 @@
 //! A law as the straight-line program that it comes to: what every field but that of expressions evaluates.
 
-mod held;
 mod table;
 
-use crate::written::{Written, symbols, written};
+use crate::trace::{TracedOde, symbols, traced};
 use field::{Analytic, DoubleDouble};
-pub use held::TapedHeld;
-use integrators::{Directions, Ode, System};
+use integrators::{Directions, Ode};
 use native::Code;
 use std::sync::Arc;
 use symbolic::{Sym, Tape, apart};
 use table::Table;
-
-/// A law and its program. Laws made of masses and a chart build matrices and solve them at each evaluation; their program
-/// has each common part once and the data folded into constants.
-#[derive(Clone, Debug)]
-pub struct Taped<L> {
-    law: Arc<L>,
-    /// `None` where the law cannot be recorded or its program is long: then the law itself is run.
-    program: Option<Program>,
-}
 
 /// A function of a state and the time as straight-line code over every field that runs.
 #[derive(Clone, Debug)]
@@ -41,26 +30,9 @@ const SOME: usize = 128;
 const MORE: usize = 256;
 const MANY: usize = 1024;
 
-impl<L: Ode<Sym> + Sync> Taped<L> {
-    /// Records a law, which may depend on time.
-    pub fn new(law: Arc<L>) -> Self {
-        let program = Program::of_law(&*law);
-        Taped { law, program }
-    }
-}
-
 impl Program {
-    /// Of a state of `n` components; `None` where it cannot be recorded or is long.
+    /// A function of a state of `n` components and the time; none where an expression has no values.
     pub fn of(n: usize, function: impl FnOnce(Sym, &[Sym]) -> Vec<Sym> + Send) -> Option<Self> {
-        apart(|| {
-            let (state, time) = symbols(n);
-            let values = function(time, &state);
-            Program::taped(&[&state[..], &[time]].concat(), &values)
-        })
-    }
-
-    /// The same of any length.
-    pub fn of_any_length(n: usize, function: impl FnOnce(Sym, &[Sym]) -> Vec<Sym> + Send) -> Option<Self> {
         apart(|| {
             let (state, time) = symbols(n);
             let values = function(time, &state);
@@ -74,13 +46,10 @@ impl Program {
     }
 
     /// The right-hand side of a law.
-    pub fn of_law(law: &(impl Ode<Sym> + Sync)) -> Option<Self> {
-        written(law, |Written { state, time, rates }| Program::taped(&[&state[..], &[*time]].concat(), rates))
-    }
-
-    fn taped(inputs: &[Sym], outputs: &[Sym]) -> Option<Self> {
-        let tape = Tape::record(inputs, outputs).ok()?.arranged();
-        (tape.registers() <= MANY).then(|| Program::recorded(tape)).flatten()
+    pub fn of_law(law: &(impl Ode<Sym> + Sync + ?Sized)) -> Option<Self> {
+        traced(law, |TracedOde { state, time, rates }| {
+            Program::recorded(Tape::record(&[&state[..], &[*time]].concat(), rates).ok()?.arranged())
+        })
     }
 
     fn recorded(tape: Tape) -> Option<Self> {
@@ -154,36 +123,6 @@ impl Running for Directions {
 impl Running for DoubleDouble {
     fn run(program: &Program, t: Self, y: &[Self], values: &mut [Self]) -> Option<()> {
         program.follow(&program.exact, t, y, values)
-    }
-}
-
-macro_rules! runs {
-    ($($field:ty),*) => {$(
-        impl<L: Ode<$field>> Ode<$field> for Taped<L> {
-            fn dimension(&self) -> usize {
-                self.law.dimension()
-            }
-
-            fn rates(&self, t: $field, y: &[$field], dy: &mut [$field]) {
-                let taped = self.program.as_ref().and_then(|it| it.run(t, y, dy));
-                if taped.is_none() {
-                    self.law.rates(t, y, dy);
-                }
-            }
-        }
-    )*};
-}
-runs!(f64, Directions, DoubleDouble);
-
-impl<L: Ode<f64> + Ode<Directions> + Ode<DoubleDouble>> System for Taped<L> {}
-
-impl<L: Ode<Sym>> Ode<Sym> for Taped<L> {
-    fn dimension(&self) -> usize {
-        self.law.dimension()
-    }
-
-    fn rates(&self, t: Sym, y: &[Sym], dy: &mut [Sym]) {
-        self.law.rates(t, y, dy);
     }
 }
 

@@ -1,0 +1,51 @@
+//! Laws that are sums of fields whose flows are known, for the splitting methods.
+
+use super::Programs;
+use field::DoubleDouble;
+use integrators::{Composed, Pieces, Real, Splitting, compose};
+use simulation::{CompiledLaw, Running, Splittable, SymbolicLaw};
+use std::sync::{Arc, OnceLock};
+
+/// A law that is a sum of fields whose flows are known.
+pub trait Separable {
+    /// The programs by which the pieces run.
+    fn programs(&self) -> Programs;
+
+    /// The pieces over a field, by these programs or law by law; none where the law cannot be taken apart.
+    fn pieces_by<'a, S: Real + Running>(&'a self, programs: Option<&'a Programs>) -> Option<impl Pieces<S> + 'a>;
+
+    /// The pieces law by law.
+    fn pieces<S: Real + Running>(&self) -> Option<impl Pieces<S>> {
+        self.pieces_by(None)
+    }
+}
+
+/// The pieces of a law by their programs.
+struct PiecesByProgram<L> {
+    law: Arc<L>,
+    /// Made when they are first asked for.
+    programs: OnceLock<Programs>,
+}
+
+/// A law as it runs, with its pieces.
+pub fn compiled<L: Separable + SymbolicLaw + 'static>(law: &Arc<L>) -> CompiledLaw {
+    let pieces = PiecesByProgram { law: Arc::clone(law), programs: OnceLock::new() };
+    CompiledLaw::of(Arc::clone(law) as Arc<dyn SymbolicLaw>).with_pieces(Arc::new(pieces))
+}
+
+impl<L: Separable> PiecesByProgram<L> {
+    fn in_field<S: Real + Running>(&self, splitting: Splitting) -> Option<Box<dyn Composed<S> + '_>> {
+        let programs = self.programs.get_or_init(|| self.law.programs());
+        Some(compose(self.law.pieces_by(Some(programs))?, splitting))
+    }
+}
+
+impl<L: Separable + Send + Sync> Splittable for PiecesByProgram<L> {
+    fn composed(&self, splitting: Splitting) -> Option<Box<dyn Composed<f64> + '_>> {
+        self.in_field(splitting)
+    }
+
+    fn composed_exact(&self, splitting: Splitting) -> Option<Box<dyn Composed<DoubleDouble> + '_>> {
+        self.in_field(splitting)
+    }
+}
