@@ -7,12 +7,14 @@
 use dalembert_derivations::ensemble::kind::{Kind, form_parameters};
 use dalembert_derivations::machines::multi_current::{MultiCurrent, Windings};
 use dalembert_derivations::machines::synchronous::Synchronous;
-use dalembert_derivations::scene::{Axes, Family as _, Scene};
+use dalembert_derivations::scene::Scene;
 use dalembert_derivations::systems::gyrostat::driven::Driven;
 use dalembert_derivations::systems::gyrostat::forms::SecondForm;
 use field::Lanes;
 use integrators::{Ensemble, Failure, Members, Ode, SideBySide, fuses, lanes_order};
 use nalgebra::Vector3;
+use reader::Family as _;
+use simulation::Axes;
 use std::time::Instant;
 
 /// Series: one register a number, so that all of them stay near the processor.

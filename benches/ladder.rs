@@ -9,8 +9,10 @@ use dalembert_derivations::friction::course::WORKS;
 use dalembert_derivations::ladder::followed::{followed_at, instants};
 use dalembert_derivations::ladder::rough::RoughLadder;
 use dalembert_derivations::ladder::{Ladder, Loss, Models};
-use dalembert_derivations::scene::{Axes, Family, Scene};
+use dalembert_derivations::scene::Scene;
 use integrators::Tolerance;
+use reader::Family;
+use simulation::Axes;
 use std::collections::BTreeMap;
 use std::path::Path;
 

@@ -3,8 +3,8 @@
 //! long_runs.json, which the report draws.
 
 use dalembert_derivations::long_runs::{Course, LongRun, PACES, Sample};
-use dalembert_derivations::scene::methods::written;
 use serde_json::{Value, json};
+use simulation::methods::written;
 use std::time::Instant;
 
 const MILLION: u32 = 1_000_000;

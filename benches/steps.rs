@@ -1,8 +1,10 @@
 //! Nanoseconds for a step of the splitting methods, as multiples of a step of the classical Runge-Kutta method taken in
 //! turns with them: `cargo bench --bench steps`. And the same at equal accuracy: what a run costs until its error is 1e-6.
 
-use dalembert_derivations::scene::{Axes, Family, Scene};
+use dalembert_derivations::scene::Scene;
 use integrators::{Method, Span, Splitting, Tolerance, integrate, taking_turns};
+use reader::Family;
+use simulation::Axes;
 use std::path::Path;
 use std::time::Duration;
 

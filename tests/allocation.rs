@@ -7,7 +7,7 @@ use dalembert_derivations::machines::synchronous::Synchronous;
 use dalembert_derivations::machines::{Metered, Motor, catalogue, has_known_flow};
 use dalembert_derivations::mechanisms::MechanismScene;
 use dalembert_derivations::papers::konosevich2022::gyrostats;
-use dalembert_derivations::scene::{Axes, Family, Problem, Scene};
+use dalembert_derivations::scene::Scene;
 use dalembert_derivations::systems::disc::Disc;
 use dalembert_derivations::systems::gyrostat::driven::Driven;
 use dalembert_derivations::systems::gyrostat::forms::{Form, SecondForm};
@@ -22,8 +22,8 @@ use mechanics::constrained::programmed::{Linear, programmed};
 use mechanics::regimes::{Direction, Dry, Face, Mode, Sizes, Touch, Verdict, touches, verdict};
 use physical::machines::with_bars;
 use physical::rounded;
-use simulation::CompiledLaw;
-use simulation::Running;
+use reader::Family;
+use simulation::{Axes, CompiledLaw, Problem, Running};
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
@@ -219,6 +219,8 @@ fn the_equations_of_mechanisms_and_their_power_allocate_nothing() {
     fn over<S: Over<f64> + Analytic>(law: &dyn Ode<S>, state: &[f64]) -> usize {
         let y: Vec<S> = state.iter().map(|y| S::lift(*y)).collect();
         let mut dy = vec![S::zero(); y.len()];
+        // its program is made when it is first run
+        law.rates(S::lift(0.0), &y, &mut dy);
         allocations(|| law.rates(S::lift(0.1), &y, &mut dy))
     }
     for name in

@@ -6,11 +6,13 @@
 //! `setup`, `rates`, `jacobian`, `num-dual` by nanoseconds, `operations` by the sums and products of the right-hand side and of its
 //! Jacobian, circle points apart, `peak` by the most of them that this processor can in a nanosecond.
 
-use dalembert_derivations::scene::{Axes, Family, Scene, methods};
+use dalembert_derivations::scene::Scene;
 use field::{DoubleDouble, Over};
 use integrators::{
     Directions, Jacobian, Ode, Outcome, Real, Span, System, Tolerance, integrate, integrate_in, reference,
 };
+use reader::Family;
+use simulation::{Axes, methods};
 use std::error::Error;
 use std::fs;
 use std::hint::black_box;

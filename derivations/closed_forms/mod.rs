@@ -15,10 +15,12 @@ mod weierstrass;
 pub use quadrature::Quadrature;
 pub use weierstrass::{Lattice, Weierstrass};
 
-use crate::scene::{Axes, Scene, System};
+use crate::scene::state::principal;
+use crate::scene::{Scene, System};
 use field::Over;
 use integrators::Real;
 use nalgebra::Vector3;
+use simulation::Axes;
 
 /// One function of the state, known for all times.
 #[derive(Clone, Debug, PartialEq)]
@@ -104,7 +106,7 @@ impl Scene {
     /// The start, if the rotor lies along a principal axis.
     fn aligned<S: Real>(&self) -> Option<Start<S>> {
         let System::Gyrostat(bodies) = &self.system else { return None };
-        let (moments, axis, axial, weight) = bodies.form_data(&Axes::First.principal(bodies));
+        let (moments, axis, axial, weight) = bodies.form_data(&principal(Axes::First, bodies));
         let along = axis.iamax();
         let off = (0..3).filter(|i| *i != along).map(|i| axis[i].abs()).fold(0.0, f64::max);
         let state: Vec<S> = self.state(Axes::First).into_iter().map(S::lift).collect();

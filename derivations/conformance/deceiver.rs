@@ -3,37 +3,25 @@
 use super::instant::Instant;
 use super::rest::Rest;
 use super::slopes::compared;
-use super::{Verdict, frames, housing, power};
+use super::{frames, housing, power};
 use crate::machines::{Bench, Machine, Motor, RotorState, catalogue};
 use crate::stationary::motor::MotorStates;
+use claims::finding::Verdict;
 use field::{Base, Circle, Over};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use symbolic::Sym;
 
-/// The way in which a law deceives.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Trick {
-    /// Its fluxes differ from call to call.
-    Fickle,
-    /// It brakes for the first few calls, then it drives.
-    Tired,
-}
-
-/// A machine that keeps count of its calls.
+/// A machine whose fluxes differ from call to call.
 #[derive(Clone, Debug)]
 struct Deceiver<P> {
-    trick: Trick,
     calls: Arc<AtomicUsize>,
     friction: P,
 }
 
-/// After so many calls the tired motor's eigenvalues are known.
-const CALLS: usize = 8;
-
 impl<P> Deceiver<P> {
-    fn new(trick: Trick, friction: P) -> Self {
-        Deceiver { trick, calls: Arc::default(), friction }
+    fn new(friction: P) -> Self {
+        Deceiver { calls: Arc::default(), friction }
     }
 
     fn call(&self) -> usize {
@@ -43,7 +31,7 @@ impl<P> Deceiver<P> {
 
 impl<P: Base> Machine<P> for Deceiver<P> {
     fn rotor(&self) -> RotorState {
-        if self.trick == Trick::Fickle { RotorState::AngleAndSpeed } else { RotorState::Speed }
+        RotorState::AngleAndSpeed
     }
 
     fn frame_speed(&self) -> P {
@@ -51,7 +39,7 @@ impl<P: Base> Machine<P> for Deceiver<P> {
     }
 
     fn windings(&self) -> usize {
-        if self.trick == Trick::Fickle { 2 } else { 0 }
+        2
     }
 
     fn resistance(&self, _winding: usize) -> P {
@@ -64,8 +52,7 @@ impl<P: Base> Machine<P> for Deceiver<P> {
     }
 
     fn moment_law<S: Over<P>>(&self, slip: S, _speed: S) -> S {
-        let braking = -S::lift(self.friction) * slip;
-        if self.trick == Trick::Tired && self.call() >= CALLS { -braking } else { braking }
+        -S::lift(self.friction) * slip
     }
 }
 
@@ -75,14 +62,14 @@ fn fails(verdict: &Verdict) -> bool {
 
 #[test]
 fn a_law_that_is_no_function_of_the_state_is_found_out_by_every_identity() {
-    let machine = Deceiver::new(Trick::Fickle, Sym::symbol("f"));
+    let machine = Deceiver::new(Sym::symbol("f"));
     let at = Instant::of(&machine);
     assert!(fails(&power::balance(&machine, &at)), "power");
     assert!(fails(&frames::stator(&machine, &at)), "frame");
     assert!(fails(&frames::turned_windings(&machine, &at)), "windings");
     assert!(fails(&housing::momentum(&machine, &at)), "housing");
     assert!(fails(&housing::bench(&machine)), "bench");
-    let running = Bench { machine: Deceiver::new(Trick::Fickle, 0.5), axial: 0.7 };
+    let running = Bench { machine: Deceiver::new(0.5), axial: 0.7 };
     assert!(compared(Arc::new(running)).is_err(), "jacobian");
 }
 
@@ -90,13 +77,6 @@ fn a_law_that_is_no_function_of_the_state_is_found_out_by_every_identity() {
 fn braked(k: f64) -> Motor {
     let value = |name: &str| if name == "k" { k } else { 0.5 };
     catalogue::sampled("asynchronous", |quantity| value(&quantity.name), 1).expect("it is in the catalogue")
-}
-
-#[test]
-fn a_run_that_does_not_do_what_the_eigenvalues_say_is_found_out() {
-    let field = braked(0.5).with("field_speed", 3.0).and_then(|motor| motor.with("f", 0.0)).expect("it has both");
-    let rest = Rest::beside(MotorStates::of(&field), &Deceiver::new(Trick::Tired, 0.5));
-    assert!(fails(&rest.stability()), "{:?}", rest.stability());
 }
 
 #[test]

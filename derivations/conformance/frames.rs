@@ -1,8 +1,9 @@
 //! The same equations from other frames.
 
-use super::Verdict;
 use super::instant::{Instant, vanish};
+use super::verdict_of;
 use crate::machines::{Machine, RotorState, drive};
+use claims::finding::Verdict;
 use field::{Analytic, Circle, Over, Scalar, Tangent};
 use symbolic::Sym;
 
@@ -38,7 +39,7 @@ pub(super) fn stator(machine: &impl Machine<Sym>, at: &Instant) -> Verdict {
         let voltage = machine.resistance(k) * at.currents[k] + motional * at.speed - supply;
         residuals.push((format!("the voltage of winding {k}"), flux + voltage));
     }
-    Verdict::of(vanish(residuals), "from the stator, where the field turns with time, the equations are the same")
+    verdict_of(vanish(residuals), "from the stator, where the field turns with time, the equations are the same")
 }
 
 /// K = sum (1/2 L i^2 + i psi(g)) - U(g).
@@ -68,7 +69,7 @@ pub(super) fn turned_windings(machine: &impl Machine<Sym>, at: &Instant) -> Verd
         let off = off.map(|(k, (rate, expected))| (format!("the rate of turned current {k}"), rate - expected));
         std::iter::once(("the moment of turned windings".to_owned(), moment - at.moment)).chain(off).collect::<Vec<_>>()
     });
-    Verdict::of(vanish(residuals.collect::<Vec<_>>()), "windings that are alike may be turned among themselves")
+    verdict_of(vanish(residuals.collect::<Vec<_>>()), "windings that are alike may be turned among themselves")
 }
 
 /// A machine two of whose windings are turned by an angle among themselves.

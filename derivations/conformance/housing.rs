@@ -1,10 +1,11 @@
 //! A motor in a housing that moves, and in one too heavy to.
 
-use super::Verdict;
 use super::instant::{Doubt, Instant, bench_state, vanish};
+use super::verdict_of;
 use crate::machines::{Bench, Machine, RotorState, drive};
 use crate::systems::gyrostat::driven::Driven;
 use crate::systems::gyrostat::forms::{FirstForm, Form};
+use claims::finding::Verdict;
 use field::Tangent;
 use nalgebra::Vector3;
 use symbolic::{Decision, Hypotheses, Sym, decide, normal};
@@ -38,7 +39,7 @@ pub(super) fn momentum(machine: &(impl Machine<Sym> + Clone), at: &Instant) -> V
         let spin = Sym::symbol("the moment A'") * (along + dy[6 + known.dimension() - 1]);
         residuals.push(("the rotor's own momentum".to_owned(), spin - moment));
     }
-    Verdict::of(vanish(residuals), "what the rotor gets of momentum about its axis the housing gives, and no more")
+    verdict_of(vanish(residuals), "what the rotor gets of momentum about its axis the housing gives, and no more")
 }
 
 fn vertical(law: &Driven<Sym, FirstForm<Sym>, impl Machine<Sym>>, moving: &[Tangent<Sym>]) -> Sym {
@@ -74,7 +75,7 @@ pub(super) fn bench(machine: &(impl Machine<Sym> + Clone)) -> Verdict {
         Some(false) => Err(Doubt::Off(format!("{what} differs from the bench's"))),
         None => Err(Doubt::Open(format!("the limit of {what} less the bench's is not known"))),
     });
-    Verdict::of(proof, "in a housing too heavy to turn it runs as on the bench")
+    verdict_of(proof, "in a housing too heavy to turn it runs as on the bench")
 }
 
 /// With a variable that tends to zero; `None` where that was not decided.

@@ -21,63 +21,19 @@ mod rest;
 pub mod slopes;
 mod units;
 
-use crate::machines::{Motor, Quantity, catalogue};
+use crate::machines::{Motor, catalogue};
 use ::units::Dimension;
+use claims::finding::{Finding, Verdict};
 use instant::{Doubt, Instant};
+use reader::Quantity;
 use std::fmt::Write;
 
-/// What is known of a property of a motor.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Verdict {
-    /// Exactly, for all states; of an identity, for all parameters.
-    Proved(String),
-    /// By runs and numbers.
-    Tested(String),
-    /// And why.
-    Fails(String),
-    /// The prover gave up, and why: neither that it holds nor that it fails is known.
-    Undecided(String),
-    /// And why not.
-    DoesNotApply(String),
-}
-
-/// A check with what it came to.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Finding {
-    /// One word.
-    pub check: &'static str,
-    pub verdict: Verdict,
-}
-
-impl Verdict {
-    /// As pages and programs have it.
-    pub fn name(&self) -> &'static str {
-        match self {
-            Verdict::Proved(_) => "proved",
-            Verdict::Tested(_) => "tested",
-            Verdict::Fails(_) => "fails",
-            Verdict::Undecided(_) => "undecided",
-            Verdict::DoesNotApply(_) => "does not apply",
-        }
-    }
-
-    /// What holds, or why nothing does.
-    pub fn says(&self) -> &str {
-        match self {
-            Verdict::Proved(says)
-            | Verdict::Tested(says)
-            | Verdict::Fails(says)
-            | Verdict::Undecided(says)
-            | Verdict::DoesNotApply(says) => says,
-        }
-    }
-
-    fn of(proof: Result<(), Doubt>, says: &str) -> Self {
-        match proof {
-            Ok(()) => Verdict::Proved(says.to_owned()),
-            Err(Doubt::Off(why)) => Verdict::Fails(why),
-            Err(Doubt::Open(why)) => Verdict::Undecided(format!("the prover gave up: {why}")),
-        }
+/// What a proof comes to.
+fn verdict_of(proof: Result<(), Doubt>, says: &str) -> Verdict {
+    match proof {
+        Ok(()) => Verdict::Proved(says.to_owned()),
+        Err(Doubt::Off(why)) => Verdict::Fails(why),
+        Err(Doubt::Open(why)) => Verdict::Undecided(format!("the prover gave up: {why}")),
     }
 }
 

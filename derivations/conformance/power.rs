@@ -1,10 +1,11 @@
 //! Where the energy goes, and whether the motor gives energy of its own.
 
-use super::Verdict;
 use super::instant::{Instant, vanish};
+use super::verdict_of;
 use crate::machines::{Machine, RotorState, heat, motional_moment, stored_energy, supplied};
 use crate::stationary::motor::{Fraction, NoMotor};
 use algebra::real::Root;
+use claims::finding::Verdict;
 use field::{Analytic, Circle, Rational, Scalar, Tangent};
 use symbolic::{Decision, Hypotheses, Sym, decide};
 
@@ -26,7 +27,7 @@ pub(super) fn balance(machine: &impl Machine<Sym>, at: &Instant) -> Verdict {
         + supplied(machine, at.angle, &at.currents)
         - heat(machine, &at.currents);
     let proof = vanish([("the power balance".to_owned(), at.moment * at.speed + stored - given)]);
-    Verdict::of(proof, "shaft and store get what field, friction and supplies give, less heat")
+    verdict_of(proof, "shaft and store get what field, friction and supplies give, less heat")
 }
 
 /// Whether the motor gives energy of its own. Seen from the field it does not where E - W p + c0 g, with c0 = -m(0, W), never

@@ -1,9 +1,10 @@
 //! Currents that rest, stationary states of the motor on a bench, and how fast it comes to them.
 
-use super::Verdict;
 use super::instant::{Instant, vanish};
+use super::verdict_of;
 use crate::machines::{Bench, Machine, Motor, RotorState, drive, is_fed, resting_currents};
 use crate::stationary::motor::{MotorStates, NoMotor};
+use claims::finding::Verdict;
 use integrators::{Jacobian, Method, Ode, Span, Tolerance, integrate, spectrum};
 use nalgebra::Complex;
 use simulation::CompiledLaw;
@@ -36,14 +37,14 @@ pub(super) fn currents(machine: &impl Machine<Sym>, at: &Instant) -> Verdict {
     drive(machine, at.angle, at.slip, &resting, &mut rates);
     let rates = rates.into_iter().enumerate().map(|(k, rate)| (format!("the rate of resting current {k}"), rate));
     if is_fed(machine) || machine.rotor() != RotorState::AngleAndSpeed {
-        return Verdict::of(vanish(rates), "L -> 0: there are currents at which every rate vanishes");
+        return verdict_of(vanish(rates), "L -> 0: there are currents at which every rate vanishes");
     }
     let still = vec![Sym::ZERO; resting.len()];
     let in_step = drive(machine, at.angle, Sym::ZERO, &still, &mut still.clone());
     let bare =
         machine.moment_law(Sym::ZERO, machine.frame_speed()) - machine.field_energy(at.angle.moving(Sym::ONE)).slope;
     let step = std::iter::once(("the moment in step".to_owned(), in_step - bare));
-    Verdict::of(
+    verdict_of(
         vanish(rates.chain(step)),
         "L -> 0: every rate vanishes at some currents; in step it is the motor without",
     )
@@ -220,6 +221,40 @@ fn states(motor: &MotorStates, machine: &impl Machine<f64>) -> Vec<Vec<f64>> {
         MotorStates::Slipping { speeds, .. } => {
             let frame_speed = machine.frame_speed();
             speeds.iter().map(|slip| with(&[slip.speed.to_f64() - frame_speed], &slip.currents)).collect()
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Known, Rest, State};
+    use claims::finding::Verdict;
+    use integrators::Ode;
+    use simulation::CompiledLaw;
+    use symbolic::Sym;
+
+    /// y' = (t - 1) y, or its negative: what the eigenvalue at the start says holds no longer than a second.
+    struct Fickle {
+        decays: bool,
+    }
+
+    impl Ode<Sym> for Fickle {
+        fn dimension(&self) -> usize {
+            1
+        }
+
+        fn rates(&self, t: Sym, y: &[Sym], dy: &mut [Sym]) {
+            let rate = (t - Sym::ONE) * y[0];
+            dy[0] = if self.decays { rate } else { -rate };
+        }
+    }
+
+    #[test]
+    fn a_run_that_does_not_do_what_the_eigenvalues_say_is_found_out() {
+        for decays in [true, false] {
+            let state = State::at(&CompiledLaw::new(Fickle { decays }), &[0.0]);
+            let rest = Rest { known: Ok(Known { states: vec![state], every: false }) };
+            assert!(matches!(rest.stability(), Verdict::Fails(_)), "{:?}", rest.stability());
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The Jacobian by two routes: dual numbers, and polynomials recorded from the differentiated expressions.
 
-use super::Verdict;
 use crate::machines::{Bench, Motor};
+use claims::finding::Verdict;
 use integrators::{Directions, Jacobian, Ode, System};
 use simulation::{CompiledLaw, SymbolicLaw};
 use std::sync::Arc;

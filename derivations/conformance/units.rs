@@ -1,7 +1,8 @@
 //! Dimensions of what the laws come to.
 
-use super::Verdict;
 use super::instant::{Doubt, Instant};
+use super::verdict_of;
+use claims::finding::Verdict;
 use symbolic::{Dimension, Sym, dimension};
 
 /// M in N m and di/dt in A/s, from the units of the parameters.
@@ -21,5 +22,5 @@ pub(super) fn dimensions(at: &Instant, parameters: &[(String, Dimension)]) -> Ve
     };
     let rates = at.rates.iter().map(|&rate| ("the rate of a current", rate, Dimension::current() / Dimension::time()));
     let mut all = std::iter::once(("the moment", at.moment, moment)).chain(rates);
-    Verdict::of(all.try_for_each(|(what, law, wanted)| agrees(what, law, wanted)), "the units of the parameters agree")
+    verdict_of(all.try_for_each(|(what, law, wanted)| agrees(what, law, wanted)), "the units of the parameters agree")
 }

@@ -2,17 +2,16 @@
 
 use super::kind::{INVARIANT_UNITS, INVARIANTS, Kind, form_parameters};
 use super::known::{Data, Place, variables};
-use super::parametric_system::{Column, Drawn, LANES, Member, ParametricSystem, Sizes};
-use super::run::Last;
-use super::{EnsembleScene, Stopped, vary};
 use crate::machines::{Conserved, Machine};
-use crate::scene::file::Opening;
-use crate::scene::issue::Issue;
-use crate::scene::read::Table;
 use crate::scene::state::{ROTOR_SPEED, rotor_state};
-use crate::scene::{Axes, Family, Run, Scene, System};
+use crate::scene::{Scene, System};
+use crate::systems::gyrostat::admissible::Inadmissible;
 use integrators::LaneSeries;
 use nalgebra::{Matrix3, Vector3};
+use reader::{Family, Issue, Opening, Table};
+use simulation::ensemble::parametric_system::{Column, Drawn, LANES, Member, ParametricSystem, Sizes};
+use simulation::ensemble::{EnsembleScene, Last, Stopped, vary};
+use simulation::{Axes, Run};
 use std::fmt::{self, Write};
 use std::sync::Arc;
 use symbolic::Untapeable;
@@ -78,12 +77,14 @@ impl ParametricSystem for DrivenSystem {
             }
         }
         match &data.system {
-            System::Gyrostat(bodies) => bodies.admissible().map_err(Stopped::Bodies)?,
-            System::Bench { axial } if *axial <= 0.0 => return Err(Stopped::Axial { value: *axial }),
+            System::Gyrostat(bodies) => bodies.admissible().map_err(|broken| impossible(&broken))?,
+            System::Bench { axial } if *axial <= 0.0 => {
+                return Err(Stopped::Impossible(format!("A' > 0 is broken: it is {axial}")));
+            }
             System::Bench { .. } => {}
         }
         let given = self.scene.given.with_data(data.machine.clone());
-        let machine = given.model(self.scene.machine.name()).map_err(Stopped::Machine)?;
+        let machine = given.model(self.scene.machine.name()).map_err(|reason| Stopped::Machine(reason.to_string()))?;
         let (frame_speed, conserved) = (machine.frame_speed(), Conserved::by(&machine));
         let (frame, mut parameters) = form_parameters(&data.system, self.axes);
         parameters.extend(&data.machine);
@@ -158,4 +159,10 @@ impl Shown<'_> {
     fn keeps(&self) -> [bool; 4] {
         [self.frame.is_some(), self.frame.is_some(), self.conserved.jacobi, self.conserved.spin]
     }
+}
+
+/// Bodies that cannot exist.
+fn impossible(broken: &[Inadmissible]) -> Stopped {
+    let broken: Vec<String> = broken.iter().map(Inadmissible::to_string).collect();
+    Stopped::Impossible(broken.join("; "))
 }

@@ -1,14 +1,15 @@
 //! The law of a scene with a symbol for every datum, written down once: it serves every member of an ensemble.
 
-use super::lane_series::lane_series;
 use crate::machines::{Bench, Machine, Motor};
-use crate::scene::{Axes, System};
+use crate::scene::System;
+use crate::scene::state::principal;
 use crate::systems::gyrostat::driven::Driven;
 use crate::systems::gyrostat::forms::{FirstForm, Form, SecondForm};
 use integrators::LaneSeries;
 use nalgebra::{Matrix3, Vector3};
 use series::Equations;
-use simulation::Expandable;
+use simulation::ensemble::lane_series;
+use simulation::{Axes, Expandable};
 use symbolic::{Sym, Tape, Untapeable, apart};
 
 /// Systems that differ in their numbers only. The parameters are those of the form (principal moments, l, A', Ge in its
@@ -66,7 +67,7 @@ impl Kind {
 pub fn form_parameters(system: &System, axes: Axes) -> (Option<Matrix3<f64>>, Vec<f64>) {
     match system {
         System::Gyrostat(bodies) => {
-            let principal = axes.principal(bodies);
+            let principal = principal(axes, bodies);
             let (moments, axis, axial, weight) = bodies.form_data(&principal);
             let parameters = moments.iter().chain(&axis).chain([&axial]).chain(&weight).copied().collect();
             (Some(principal.axes), parameters)

@@ -1,8 +1,9 @@
 //! The numbers of a scene that may differ from member to member: how a file names them, and where they are.
 
-use super::parametric_system::{Shape, Variable};
-use crate::machines::{Machine, Quantity};
+use crate::machines::Machine;
 use crate::scene::{Scene, Start, System};
+use reader::Quantity;
+use simulation::ensemble::parametric_system::{Shape, Variable};
 use std::borrow::Cow;
 use std::slice::from_mut;
 

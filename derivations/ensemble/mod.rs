@@ -1,110 +1,54 @@
-//! Ensembles: one scene many times, with data and starts that differ, run side by side.
+//! Ensembles of scenes with a motor.
 //!
 //! # Overview
-//! * [`EnsembleScene`]: a scene with a table `[ensemble]` that says what varies, from a file;
-//! * [`parametric_system`]: what an ensemble needs of a scene: names of the numbers that may vary, a law with a symbol for each, members;
-//! * [`vary`], [`draw`]: the distributions, and random numbers that depend on seed, member and datum alone;
-//! * [`run`]: all members in lanes and threads; [`lane_series()`]: the series of a recurrence in lanes;
-//! * [`fingerprint`]: what decides a member, so that rows of different ensembles are told apart;
-//! * scenes with a motor: [`known`], the numbers that may vary; [`kind`], the law; `driven_system`, their members.
+//! * [`open`]: a scene with a table `[ensemble]` that says what varies, from a file;
+//! * [`known`]: the numbers that may vary;
+//! * [`kind`]: the law with a symbol for each; `driven_system`: the members.
 
-pub mod draw;
 mod driven_system;
-pub mod fingerprint;
 pub mod kind;
 pub mod known;
-mod lane_end;
-pub mod lane_series;
-mod one_by_one;
-pub mod parametric_system;
-pub mod run;
-mod stop_reason;
-pub mod vary;
 
-pub use fingerprint::Fingerprint;
-pub use lane_series::lane_series;
-pub use parametric_system::{Column, Drawn, Ended, LANES, Member, ParametricSystem, RunsAlone, Shape, Sizes, Variable};
-pub use run::{Last, Row};
-pub use stop_reason::Stopped;
+use crate::scene::Scene;
+use reader::{Family, Issue, Opening, SceneError, Table};
+use simulation::ensemble::EnsembleScene;
+use simulation::models;
+use std::path::Path;
 
-use crate::scene::file::Opening;
-use crate::scene::issue::Issue;
-use crate::scene::read::Table;
-use crate::scene::{Family, Scene, any};
-use std::fmt;
-use std::sync::Arc;
-use vary::{Variation, Varied};
-
-/// A scene of which many members are run.
-#[derive(Clone, Debug)]
-pub struct EnsembleScene {
-    pub system: Arc<dyn ParametricSystem>,
-    pub members: u64,
-    seed: u64,
-    varied: Vec<Varied>,
+/// Reads a file, of whatever family.
+///
+/// # Errors
+/// All that is wrong with it, each at its place.
+pub fn open(path: &Path) -> Result<EnsembleScene, SceneError> {
+    parse(&path.display().to_string(), &reader::read_text(path)?)
 }
 
-/// The law of a system has more quantities than members side by side have room for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct TooLong;
-
-impl fmt::Display for TooLong {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "its series take more quantities than members side by side have room for")
+/// The same of a text, which messages call by the first argument.
+///
+/// # Errors
+/// All that is wrong with it, each at its place.
+pub fn parse(name: &str, text: &str) -> Result<EnsembleScene, SceneError> {
+    match models::readers() {
+        Some(readers) if models::holds_model(text) => (readers.ensemble)(name, text),
+        _ => reader::parse(name, text).map(|Driven(scene)| scene),
     }
 }
 
-impl EnsembleScene {
-    /// Members of a system.
-    ///
-    /// # Errors
-    /// [`TooLong`].
-    pub fn new(system: Arc<dyn ParametricSystem>, variation: Variation) -> Result<Self, TooLong> {
-        let Variation { members, seed, varied } = variation;
-        // the room does not depend on the order
-        if system.alone().is_none() {
-            system.series(integrators::lanes_order(1.0)).ok_or(TooLong)?;
-        }
-        Ok(EnsembleScene { system, members, seed, varied })
-    }
+/// An ensemble of a scene with a motor.
+struct Driven(EnsembleScene);
 
-    /// A member.
-    ///
-    /// # Errors
-    /// Why there is none.
-    pub fn member(&self, number: u64) -> Result<Member<'_>, Stopped> {
-        self.system.member(&self.numbers(number)?)
-    }
-
-    /// The numbers of a member, all finite.
-    fn numbers(&self, number: u64) -> Result<Vec<Drawn>, Stopped> {
-        let drawn: Vec<Drawn> = self.varied.iter().map(|varied| varied.drawn(self.seed, number)).collect();
-        for (varied, Drawn { numbers, .. }) in self.varied.iter().zip(&drawn) {
-            if numbers.iter().any(|x| !x.is_finite()) {
-                return Err(Stopped::NotFinite { datum: varied.name.clone() });
-            }
-        }
-        Ok(drawn)
-    }
-
-    /// The numbers of a member that vary, in the order of the columns.
-    pub fn drawn(&self, number: u64) -> Vec<f64> {
-        self.varied.iter().flat_map(|varied| varied.drawn(self.seed, number).numbers).collect()
-    }
-}
-
-impl Family for EnsembleScene {
+impl Family for Driven {
     const KIND: &'static str = "a system with a motor, which ensembles have";
 
     fn systems() -> Vec<(&'static str, &'static str)> {
         Scene::systems()
     }
 
-    fn parse(name: &str, text: &str) -> Result<Self, crate::scene::SceneError> {
-        any::parse_ensemble(name, text)
+    fn is_of_another(name: &str) -> bool {
+        Scene::is_of_another(name)
     }
 
     fn read(opening: Opening, top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<Self> {
-        driven_system::read(opening, top, issues)
+        driven_system::read(opening, top, issues).map(Driven)
     }
 }

@@ -2,14 +2,15 @@
 
 use super::trials::{Tried, near};
 use super::{Exact, Failing, Found, NotFound, Threshold, Trial, Within};
-use crate::scene::{Axes, Family, Scene, System};
+use crate::scene::{Scene, System};
 use crate::systems::gyrostat::Gyrostat;
 use field::{Analytic, DoubleDouble, Over, Rational, Tangent};
 use integrators::{Method, Ode, Record, Span, Tolerance, integrate};
 use mechanics::definite::root;
 use mechanics::rotation::{euler, euler_forms, inverse, vertical};
 use nalgebra::Vector3;
-use simulation::{CompiledLaw, SymbolicLaw};
+use reader::Family;
+use simulation::{Axes, CompiledLaw, SymbolicLaw};
 use std::path::Path;
 use std::sync::Arc;
 

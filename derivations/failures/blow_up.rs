@@ -4,10 +4,11 @@ use super::trials::Tried;
 use super::{Exact, Failing, Found, NotFound, Threshold, Within};
 use crate::mechanisms::governors::{Drum, Programme};
 use crate::mechanisms::{Mechanism, MechanismScene};
-use crate::scene::{Family, Smooth};
 use crate::systems::governor::{Gearing, Governor, Moment};
 use field::Rational;
 use num_traits::Zero;
+use reader::Family;
+use simulation::Smooth;
 use std::path::Path;
 
 pub const FAILING: Failing = Failing {

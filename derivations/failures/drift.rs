@@ -3,8 +3,6 @@
 use super::trials::{BUDGET, fate};
 use super::{Exact, Failing, Found, NotFound, Threshold, Trial, Within};
 use crate::mechanisms::{Mechanism, MechanismScene};
-use crate::scene::atlas::{Treated, Way};
-use crate::scene::{Family, Smooth};
 use crate::stabilisation::drifting::{Drift, Drifting};
 use crate::stabilisation::law::{Stabilised, state};
 use crate::stabilisation::schemes::Scheme;
@@ -13,6 +11,9 @@ use field::Rational;
 use integrators::{Attempt, Holding, Method, Record, Span, Tolerance, integrate};
 use mechanics::constrained::energies::{Kinematics, Reduced};
 use num_traits::Zero;
+use reader::Family;
+use simulation::Smooth;
+use simulation::atlas::{Treated, Way};
 use std::convert::Infallible;
 use std::path::Path;
 

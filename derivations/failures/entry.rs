@@ -1,7 +1,7 @@
 //! One way in which methods fail: its scene, its thresholds, what survives.
 
 use super::{Exact, Trial};
-use crate::scene::SceneError;
+use reader::SceneError;
 use std::fmt;
 use std::path::{Path, PathBuf};
 

@@ -4,7 +4,7 @@ use super::bounds::swinging;
 use super::edge::edge;
 use super::trials::{Fate, Tried, near};
 use super::{Exact, Failing, Found, NotFound, Threshold, Trial, Within};
-use crate::scene::{Axes, Family, Problem, Scene, System};
+use crate::scene::{Scene, System};
 use crate::stabilisation::schemes::Scheme;
 use crate::stationary::motions::decimals;
 use crate::systems::gyrostat::Gyrostat;
@@ -13,6 +13,8 @@ use field::{Base, Rational};
 use integrators::{Method, Span, Tolerance, integrate};
 use nalgebra::{Matrix3, Vector3};
 use num_traits::One;
+use reader::Family;
+use simulation::{Axes, Problem};
 use std::path::Path;
 
 pub const FAILING: Failing = Failing {

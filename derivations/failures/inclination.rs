@@ -4,10 +4,11 @@ use super::trials::{Fate, Tried};
 use super::{Exact, Failing, Found, NotFound, Threshold, Trial, Within};
 use crate::mechanisms::prescribed_top::{PrescribedTop, attitude, nodding};
 use crate::mechanisms::{Mechanism, MechanismScene};
-use crate::scene::{Family, Smooth};
 use crate::systems::variable_top::{Top, prescribing};
 use field::{Rational, Scalar};
 use num_traits::Zero;
+use reader::Family;
+use simulation::Smooth;
 use std::path::Path;
 
 pub const FAILING: Failing = Failing {

@@ -8,12 +8,12 @@ use crate::friction::log::Names;
 use crate::friction::stretch::{Stretch, parts};
 use crate::friction::{ForRough, Rough, RoughScene};
 use crate::regimes::critical;
-use crate::scene::Family;
 use field::{Circle, Rational};
 use integrators::{Method, Span, Tolerance, integrate};
 use mechanics::constrained::State;
 use mechanics::constrained::contacts::Contacts;
 use mechanics::regimes::{Direction, Face, Mode, Verdict, posed, verdict};
+use reader::Family;
 use std::path::Path;
 use symbolic::Sym;
 

@@ -6,8 +6,6 @@ use super::trials::{BUDGET, Fate, Tried, every_method, fate_of};
 use super::{Exact, Failing, Found, NotFound, Threshold, Trial, Within};
 use crate::friction::stretch::{motion_of_contacts, parts};
 use crate::friction::{Course, Rough, RoughScene};
-use crate::scene::Family;
-use crate::scene::law_end::Margins;
 use crate::systems::steered_rod::SteeredRod;
 use field::{Analytic, Over, Rational, Scalar};
 use integrators::{Method, Observer, Ode, Slopes, Tolerance, integrate};
@@ -15,6 +13,8 @@ use mechanics::constrained::{State, System};
 use mechanics::regimes::cramer::Cramer;
 use mechanics::regimes::{Direction, Face, Mode, Seen};
 use num_traits::Zero;
+use reader::Family;
+use simulation::law_end::Margins;
 use std::path::Path;
 
 pub const FAILING: Failing = Failing {

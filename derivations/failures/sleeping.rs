@@ -4,7 +4,7 @@ use super::bounds::first_positive;
 use super::edge::edge;
 use super::trials::{Fate, Tried, near};
 use super::{Exact, Failing, Found, NotFound, Threshold, Trial, Within};
-use crate::scene::{Axes, Family, Scene, Start, System};
+use crate::scene::{Scene, Start, System};
 use crate::stationary::motions::decimals;
 use crate::systems::gyrostat::Gyrostat;
 use crate::systems::gyrostat::forms::{FirstForm, Form};
@@ -15,6 +15,8 @@ use mechanics::differentiate::{along, unit};
 use mechanics::stability::{characteristic, hurwitz};
 use nalgebra::{Matrix4, Schur, Vector3};
 use num_traits::Zero;
+use reader::Family;
+use simulation::Axes;
 use std::path::Path;
 use symbolic::Sym;
 

@@ -4,12 +4,12 @@ use super::trials::{BUDGET, Tried, near};
 use super::{Exact, Failing, Found, NotFound, Threshold, Trial, Within};
 use crate::friction::{Rough, RoughScene};
 use crate::mechanisms::bodies::charted;
-use crate::scene::Family;
-use crate::scene::law_end::Margins;
 use crate::systems::steered_rod::SteeredRod;
 use field::{Analytic, Over};
 use integrators::{Method, Observer, Ode, Record, Span, Tolerance, integrate};
 use mechanics::constrained::{Charted, State, System};
+use reader::Family;
+use simulation::law_end::Margins;
 use std::f64::consts::{LN_2, PI};
 use std::path::Path;
 

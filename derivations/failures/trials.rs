@@ -1,9 +1,9 @@
 //! Every method on a scene under a budget, and what became of each.
 
 use crate::friction::Course;
-use crate::scene::law_end::{Ending, Margins};
-use crate::scene::{Problem, methods};
 use integrators::{End, Failure, Method, Outcome, Record, Span, System, Tolerance, beside};
+use simulation::law_end::{Ending, Margins};
+use simulation::{Problem, methods};
 use std::fmt;
 
 /// What became of a method.

@@ -4,11 +4,13 @@ use super::bounds::swinging;
 use super::edge::edge;
 use super::trials::Tried;
 use super::{Exact, Failing, Found, NotFound, Threshold, Within};
-use crate::scene::{Axes, Family, Problem, Scene};
+use crate::scene::Scene;
 use crate::stabilisation::schemes::Scheme;
 use field::Rational;
 use integrators::{Method, Span, Tolerance, integrate};
 use num_traits::Zero;
+use reader::Family;
+use simulation::{Axes, Problem};
 use std::path::Path;
 
 pub const FAILING: Failing = Failing {
@@ -56,7 +58,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     let tried = Tried { steps: CONSTANT, outputs: 10, ..Tried::of(&problem, scene.run.tolerance) };
     let trials = tried.all(|record| record.states.iter().all(|y| (length(y) - 1.0).abs() < KEPT));
     let run = problem
-        .simulate(&crate::scene::Choice { method: Method::RungeKutta4 { steps: CONSTANT }, ..scene.choice() }, |_| ());
+        .simulate(&simulation::Choice { method: Method::RungeKutta4 { steps: CONSTANT }, ..scene.choice() }, |_| ());
     let deviation = run.outcome.deviations.iter().find(|it| it.name == "vertical_length");
     let diagnosis = deviation.map_or_else(String::new, |it| format!("{}, kept to {:.1e}", it.name, it.largest));
     Ok(Found { thresholds: step.into_iter().chain([lost]).collect(), diagnosis, trials })

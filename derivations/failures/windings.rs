@@ -4,10 +4,12 @@ use super::bounds::fading;
 use super::edge::edge;
 use super::trials::{Tried, near};
 use super::{Exact, Failing, Found, NotFound, Threshold, Within};
-use crate::scene::{Axes, Family, Problem, Scene};
+use crate::scene::Scene;
 use crate::stabilisation::schemes::Scheme;
 use field::Rational;
 use integrators::{Method, Span, Tolerance, integrate};
+use reader::Family;
+use simulation::{Axes, Problem};
 use std::path::Path;
 
 pub const FAILING: Failing = Failing {

@@ -6,12 +6,12 @@ use super::log::{Ending, Names};
 use super::run::{Plan, run};
 use super::stretch::parts;
 use super::{ForRough, RoughScene};
-use crate::scene::atlas::{AcrossEvents, Formulation, Observed, Standing, Treated, Way};
-use crate::scene::hybrid::{Exact, Hybrid, Unknown};
-use crate::scene::stored::Owner;
 use integrators::{Across, End, Failure, Method, Observer, Outcome, Reference, Span, Tolerance};
 use mechanics::constrained::State;
 use mechanics::constrained::contacts::Contacts;
+use simulation::atlas::{AcrossEvents, Formulation, Observed, Standing, Treated, Way};
+use simulation::hybrid::{Exact, Hybrid, Unknown};
+use simulation::stored::Owner;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 

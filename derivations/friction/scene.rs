@@ -3,10 +3,6 @@
 use super::log::Names;
 use super::rough::Rough;
 use super::run::Plan;
-use crate::scene::file::{Family, Opening};
-use crate::scene::issue::Issue;
-use crate::scene::read::{At, Table};
-use crate::scene::run::of_any_family;
 use crate::systems::climbed_ladder::ClimbedLadder;
 use crate::systems::ladder::Ladder;
 use crate::systems::rod::Rod;
@@ -15,6 +11,8 @@ use crate::systems::steered_rod::SteeredRod;
 use integrators::Tolerance;
 use mechanics::constrained::State;
 use mechanics::constrained::contacts::{Contacts, Sides};
+use reader::{At, Family, Issue, Opening, Table};
+use simulation::run::of_any_family;
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// A scene whose data are all admissible.

@@ -7,8 +7,8 @@ use super::receipt::{Line, OF_MODEL, Verdict, Wish};
 use super::switching::LOOKING;
 use super::watched::Watched;
 use super::{Ladder, Loss, Rung};
-use crate::scene::{Axes, Stored};
 use integrators::Method;
+use simulation::{Axes, Stored};
 use std::sync::Arc;
 use std::time::Instant;
 

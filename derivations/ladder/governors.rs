@@ -4,12 +4,11 @@ use super::rung::{Fill, Lower};
 use super::{Ladder, Loss, Rung};
 use crate::mechanisms::Mechanism;
 use crate::mechanisms::rewritten::ready;
-use crate::scene::Problem;
 use crate::systems::elastic_governor::ElasticGovernor;
 use crate::systems::governor::series::Programme;
 use field::{Analytic, Over, Scalar};
 use integrators::Ode;
-use simulation::SymbolicLaw;
+use simulation::{Problem, SymbolicLaw};
 use std::sync::Arc;
 use symbolic::Sym;
 

@@ -47,11 +47,8 @@ pub use plan::Plan;
 pub use receipt::{Choice, Line, Receipt, Verdict, Wish};
 pub use rung::Lower;
 
-use crate::scene::Problem;
-use crate::scene::atlas::{Formulation, Standing, Treated, Way};
-use simulation::Law;
-use simulation::Program;
-use simulation::SymbolicLaw;
+use simulation::atlas::{Formulation, Standing, Treated, Way};
+use simulation::{Law, Problem, Program, SymbolicLaw};
 use std::sync::Arc;
 
 /// What a step down loses.

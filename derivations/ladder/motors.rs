@@ -5,10 +5,10 @@ use super::lumping::{Lumped, Lumping};
 use super::rung::Lower;
 use super::{Ladder, Loss, Rung, Whole, slaved, smaller};
 use crate::machines::{Bench, Machine, Motor, catalogue};
-use crate::scene::{Axes, Scene, System};
+use crate::scene::{Scene, System};
 use crate::systems::gyrostat::driven::Driven;
 use field::Rational;
-use simulation::SymbolicLaw;
+use simulation::{Axes, SymbolicLaw};
 use std::sync::Arc;
 
 /// That bars at any angles close in the sums of their currents.

@@ -8,9 +8,8 @@
 use super::along::{Along, Run};
 use super::followed::instants;
 use super::watched::Watched;
-use crate::scene::Axes;
 use integrators::{Method, Span, Tolerance, integrate};
-use simulation::Law;
+use simulation::{Axes, Law};
 use std::sync::Arc;
 
 /// What is tried: one of each family that the atlas finds on its fronts.

@@ -4,7 +4,7 @@ use super::{Entry, Machine, RotorState, letter};
 use field::{Base, Over};
 use symbolic::Sym;
 
-crate::quantities! {
+reader::quantities! {
     /// m = -k (phi' - W) - f phi'.
     pub struct Asynchronous {
         /// speed of the stator's field

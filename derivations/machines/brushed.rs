@@ -4,7 +4,7 @@ use super::{Entry, Machine, RotorState, letter};
 use field::{Base, Circle, Over};
 use symbolic::Sym;
 
-crate::quantities! {
+reader::quantities! {
     /// L i' = v - R i - k phi', M = k i - f phi', k the flux: the commutator keeps the armature's current across the magnets' field while
     /// the conductors turn through it, so that nothing depends on the angle.
     pub struct Brushed {

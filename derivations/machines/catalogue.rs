@@ -2,8 +2,9 @@
 
 use super::laws::{Expressions, Laws, TooLong, Winding};
 use super::text::{self, ANGLE, SLIP, SPEED};
-use super::{Allowed, Machine, Motor, Quantity};
+use super::{Machine, Motor};
 use field::{Analytic, Circle};
+use reader::{Allowed, Quantity};
 use std::fmt;
 use std::sync::{Arc, PoisonError, RwLock};
 use symbolic::{Sym, apart};

@@ -4,7 +4,7 @@ use super::{Entry, Machine, RotorState, letter};
 use field::{Base, Over};
 use symbolic::Sym;
 
-crate::quantities! {
+reader::quantities! {
     /// phi' = W for ever: the classical gyrostat of section 8.1.
     pub struct ConstantSpeed {
         /// relative speed of the rotor

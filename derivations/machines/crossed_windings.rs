@@ -4,7 +4,7 @@ use super::{Entry, Machine, RotorState, letter};
 use field::{Base, Circle, Over};
 use symbolic::Sym;
 
-crate::quantities! {
+reader::quantities! {
     /// psi_1 = a cos g, psi_2 = a sin g, a the flux: closed windings without magnet and excitation, which feel the field by its slip
     /// alone; m = -f phi'.
     pub struct CrossedWindings {

@@ -4,7 +4,7 @@ use super::{Entry, Machine, RotorState, letter};
 use field::{Base, Over};
 use symbolic::Sym;
 
-crate::quantities! {
+reader::quantities! {
     /// With the slip ratio s = (W - phi') / W: m = 2 m_k s s_k / (s^2 + s_k^2) - f phi'. The moment of the motor falls
     /// again beyond the slip s_k, so the sum with friction can vanish at up to three speeds.
     pub struct Kloss {

@@ -1,9 +1,9 @@
 //! The laws of a motor as straight-line programs over any field.
 
 use super::{Count, Datum, RotorState};
-use crate::machines::Quantity;
 use crate::machines::text::{ANGLE, SLIP, SPEED};
 use field::{Analytic, Base, Circle, Over};
+use reader::Quantity;
 use std::fmt;
 use symbolic::{Algebraic, Sym, Tape};
 

@@ -1,7 +1,8 @@
 //! A motor as it runs: its laws as programs over any field, and its data.
 
-use super::{Allowed, Datum, Laws, Machine, Quantity, RotorState};
+use super::{Datum, Laws, Machine, RotorState};
 use field::{Base, Circle, Over, Rational};
+use reader::{Allowed, Quantity};
 use std::sync::Arc;
 use symbolic::Sym;
 

@@ -4,7 +4,7 @@ use super::{Count, Datum, Entry, Machine, RotorState, letter};
 use field::{Base, Circle, Over};
 use symbolic::Sym;
 
-crate::quantities! {
+reader::quantities! {
     /// The electric and mechanical constants; the equivalent windings use the same.
     pub struct Windings {
         /// speed of the stator's field

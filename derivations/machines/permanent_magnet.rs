@@ -4,7 +4,7 @@ use super::{Count, Entry, Machine, RotorState, letter};
 use field::{Base, Circle, Over, Scalar};
 use symbolic::Sym;
 
-crate::quantities! {
+reader::quantities! {
     /// The electric and mechanical constants: V, Psi, L_d, L_q, R and f below.
     pub struct Magnets {
         /// speed of the stator's field, that of the supply over the pairs of poles

@@ -4,7 +4,7 @@ use super::{Entry, Machine, RotorState, letter};
 use field::{Base, Circle, Over};
 use symbolic::Sym;
 
-crate::quantities! {
+reader::quantities! {
     /// A magnetised rotor in the turning field: U = -b0 cos g; friction m = -f phi'.
     pub struct Synchronous {
         /// speed of the stator's field

@@ -6,8 +6,6 @@
 use super::points::{self, Turning};
 use super::rewritten::{Rewritten, redundant};
 use super::{Amiss, Diagnosis, Ended, Mechanism};
-use crate::machines::Quantity;
-use crate::scene::Margin;
 use crate::stabilisation::law::Stabilised;
 use crate::systems::crank_slider::CrankSlider;
 use crate::systems::disc::Disc;
@@ -18,6 +16,8 @@ use mechanics::constrained::energies::{self, Reduced};
 use mechanics::constrained::motion::{Motion, velocity};
 use mechanics::constrained::{Charted, State, kinetic_energy};
 use mechanics::differentiate::along;
+use reader::Quantity;
+use simulation::Margin;
 
 /// (q, p) of a slice.
 fn parts<S: Copy, const K: usize, const R: usize>(y: &[S]) -> ([S; K], [S; R]) {

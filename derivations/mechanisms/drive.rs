@@ -3,9 +3,6 @@
 use super::bodies::rod_too_short;
 use super::rewritten::{Rewritten, ready, redundant};
 use super::{Amiss, Diagnosis, Ended, Mechanism};
-use crate::machines::Quantity;
-use crate::scene::Margin;
-use crate::scene::atlas::{Formulation, Treated};
 use crate::stabilisation::bearable::bearable_steps;
 use crate::stabilisation::drive_law::{Nine, Seven, instant, violation};
 use crate::stabilisation::regions::decays;
@@ -15,12 +12,15 @@ use crate::systems::crank_slider::CrankSlider;
 use field::{Analytic, Over};
 use integrators::{Method, Ode};
 use mechanics::constrained::energies;
+use reader::Quantity;
+use simulation::Margin;
+use simulation::atlas::{Formulation, Treated};
 
 /// The nine equations with the data of a scene.
 #[derive(Clone, Copy, Debug)]
 pub struct Drive(Nine);
 
-crate::quantities! {
+reader::quantities! {
     /// Of the law that leads a violation f of the rod's constraint: f'' = -b f' - k f.
     pub struct Gains {
         /// b, damping of the constraint's violation; zero for Lagrange's equations alone

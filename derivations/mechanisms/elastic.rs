@@ -5,13 +5,12 @@ use super::rewritten::Rewritten;
 use super::{Amiss, Diagnosis, Ended, Mechanism};
 use crate::governors::{growth, has_positive_minors};
 use crate::ladder::{Rung, governors};
-use crate::machines::Quantity;
-use crate::scene::Margin;
 use crate::systems::elastic_governor::ElasticGovernor;
 use field::{Analytic, Over};
 use integrators::Method;
 use mechanics::constrained::State;
-use simulation::SymbolicLaw;
+use reader::Quantity;
+use simulation::{Margin, SymbolicLaw};
 use std::sync::Arc;
 
 /// The state as the system has it.

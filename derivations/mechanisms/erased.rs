@@ -3,12 +3,10 @@
 use super::rewritten::{Rewritten, ready};
 use super::{Balanced, Diagnosis, Ended, Mechanism};
 use crate::ladder::Ladder;
-use crate::machines::Quantity;
-use crate::scene::Issue;
-use crate::scene::atlas::{Standing, Way};
-use crate::scene::problem::{Invariant, Problem};
-use crate::scene::read::{At, Table};
 use integrators::Method;
+use reader::{At, Issue, Quantity, Table};
+use simulation::atlas::{Standing, Way};
+use simulation::problem::{Invariant, Problem};
 use std::convert::Infallible;
 use std::fmt::Debug;
 use std::ops::Range;

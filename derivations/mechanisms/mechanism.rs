@@ -2,12 +2,12 @@
 
 use super::rewritten::Rewritten;
 use crate::ladder::Rung;
-use crate::machines::Quantity;
-use crate::scene::atlas::Formulation;
-use crate::scene::law_end::{Margin, outside};
 use field::{Analytic, Over};
 use integrators::{Method, Ode};
+use reader::Quantity;
 use simulation::SymbolicLaw;
+use simulation::atlas::Formulation;
+use simulation::law_end::{Margin, outside};
 use std::fmt::Debug;
 use std::sync::Arc;
 

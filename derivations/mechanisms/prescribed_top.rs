@@ -1,12 +1,12 @@
 //! A symmetric top under the moments that lead its integrals: Mukharlyamov's inverse problem as a run.
 
 use super::{Amiss, Diagnosis, Ended, Mechanism};
-use crate::machines::Quantity;
-use crate::scene::Margin;
 use crate::systems::variable_top::{Attitude, StationaryInclination, Top, poisson, prescribing};
 use field::{Analytic, Over, Rational, Scalar};
+use reader::Quantity;
+use simulation::Margin;
 
-crate::quantities! {
+reader::quantities! {
     /// The top, the axial speed that is aimed at, and how fast each integral goes to zero: f' = -k f.
     pub struct PrescribedTop {
         /// A, moment of inertia across the axis

@@ -1,13 +1,12 @@
 //! Other ways to write the equations of a mechanism: redundant coordinates with each treatment of the constraints.
 
-use crate::scene::atlas::{Formulation, Treated};
 use crate::stabilisation::law::{BothHeld, Stabilised};
 use crate::stabilisation::treatments::MODERATE;
 use field::{Analytic, Over};
 use integrators::{Held, Ode};
 use mechanics::constrained::energies::Energies;
-use simulation::Law;
-use simulation::{CompiledHeld, CompiledLaw, SymbolicHeld, SymbolicLaw};
+use simulation::atlas::{Formulation, Treated};
+use simulation::{CompiledHeld, CompiledLaw, Law, SymbolicHeld, SymbolicLaw};
 use std::sync::Arc;
 
 /// A formulation with its law, and how its states are read as those of the mechanism.

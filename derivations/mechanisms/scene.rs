@@ -3,14 +3,12 @@
 use super::erased::{Erased, Read};
 use super::{Diagnosis, Ended, LIST};
 use crate::ladder::Ladder;
-use crate::machines::Quantity;
-use crate::scene::atlas::{Observed, Way};
-use crate::scene::file::{Family, Opening};
-use crate::scene::problem::Problem;
-use crate::scene::read::Table;
-use crate::scene::smooth::{Parameter, Smooth, Told};
-use crate::scene::{Axes, Choice, Issue, Run, Trajectory, run};
 use integrators::Reference;
+use reader::{Family, Issue, Opening, Quantity, Table};
+use simulation::atlas::{Observed, Way};
+use simulation::problem::Problem;
+use simulation::smooth::{Parameter, Smooth, Told};
+use simulation::{Axes, Choice, Run, Trajectory, run};
 use std::borrow::Cow;
 use std::sync::Arc;
 

@@ -3,14 +3,14 @@
 use super::crossing::{Crossing, SHOWN, STRETCHES};
 use super::methods::OneStep;
 use super::motions::Stationed;
-use crate::scene::{Axes, Scene};
+use crate::scene::Scene;
 use field::Scalar;
 use integrators::{
     Family, Held, HeldSystem, Holding, Method, Observer, Ode, Outcome, Record, Span, Splitting, Tolerance, hold,
     integrate,
 };
 use nalgebra::{DMatrix, DVector};
-use simulation::Law;
+use simulation::{Axes, Law};
 use std::sync::Arc;
 
 /// What is run.

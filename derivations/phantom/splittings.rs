@@ -15,11 +15,11 @@ use super::stretches::Proved;
 use super::tested::Tested;
 use super::turning::Turning;
 use super::unproved::Unproved;
-use crate::scene::{Axes, Invariant, Problem, Scene};
+use crate::scene::Scene;
 use field::DoubleDouble;
 use integrators::{Composed, Real, Splitting};
 use nalgebra::{DMatrix, DVector};
-use simulation::Law;
+use simulation::{Axes, Invariant, Law, Problem};
 use std::sync::Arc;
 
 /// A scene's law at a stationary motion.

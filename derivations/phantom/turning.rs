@@ -24,13 +24,14 @@ use super::unproved::{MOST_UNKNOWNS, Unproved};
 use super::written::keeps_energy;
 use crate::ladder::{Lumped, Lumping};
 use crate::machines::{Law, Motor, Rule, has_known_flow};
-use crate::scene::{Axes, Scene, System};
+use crate::scene::{Scene, System};
 use crate::systems::gyrostat::Gyrostat;
 use crate::systems::gyrostat::forms::SecondForm;
 use algebra::real::{Ball, FixedPoint, Mapped, Model, Rounded, TaylorModel};
 use field::{Base, Rational, Scalar, Tangent};
 use integrators::Splitting;
 use nalgebra::{DMatrix, DVector};
+use simulation::Axes;
 
 /// A gyrostat with its motor near a stationary motion.
 pub struct Turning {

@@ -1,13 +1,11 @@
 //! A scene of any family: the one place that lists the families.
 
-use super::file::{self, Family, Opening, knows};
-use super::issue::Issue;
-use super::read::Table;
-use super::{MechanismScene, Scene, SceneError, Smooth};
-use crate::ensemble::EnsembleScene;
+use super::{MechanismScene, Scene};
 use crate::friction::RoughScene;
-use std::fmt;
-use std::sync::{Arc, OnceLock};
+use reader::{Family, Issue, Opening, SceneError, Table, knows};
+use simulation::Smooth;
+use simulation::models::{self, Modelled};
+use std::sync::Arc;
 
 /// A scene of any family.
 #[derive(Clone, Debug)]
@@ -22,37 +20,6 @@ pub enum AnyScene {
     Model(Arc<dyn Modelled>),
 }
 
-/// A scene whose system is data.
-pub trait Modelled: Smooth + fmt::Debug {}
-
-/// Reads a text, which messages call by the first argument.
-type Reader<T> = fn(&str, &str) -> Result<T, SceneError>;
-
-/// Readers of files whose system is written in them.
-#[derive(Clone, Copy, Debug)]
-pub struct ModelReaders {
-    pub scene: Reader<Arc<dyn Modelled>>,
-    pub ensemble: Reader<EnsembleScene>,
-}
-
-/// The key by which a file is known whose system is written in it.
-pub(super) const MODEL: &str = "coordinates";
-
-static MODEL_READERS: OnceLock<ModelReaders> = OnceLock::new();
-
-/// Gives files with `[coordinates]` their readers; the first ones given hold.
-pub fn read_models_by(readers: ModelReaders) {
-    MODEL_READERS.get_or_init(|| readers);
-}
-
-/// An ensemble of whatever family.
-pub(crate) fn parse_ensemble(name: &str, text: &str) -> Result<EnsembleScene, SceneError> {
-    match MODEL_READERS.get() {
-        Some(readers) if holds_model(text) => (readers.ensemble)(name, text),
-        _ => file::parse(name, text),
-    }
-}
-
 impl Family for AnyScene {
     const KIND: &'static str = "a system";
 
@@ -61,9 +28,9 @@ impl Family for AnyScene {
     }
 
     fn parse(name: &str, text: &str) -> Result<Self, SceneError> {
-        match MODEL_READERS.get() {
-            Some(readers) if holds_model(text) => (readers.scene)(name, text).map(Self::Model),
-            _ => file::parse(name, text),
+        match models::readers() {
+            Some(readers) if models::holds_model(text) => (readers.scene)(name, text).map(Self::Model),
+            _ => reader::parse(name, text),
         }
     }
 
@@ -100,10 +67,4 @@ impl AnyScene {
             Self::Rough(_) => None,
         }
     }
-}
-
-/// Whether a file holds its own system: it names coordinates, and no system of the list.
-pub fn holds_model(text: &str) -> bool {
-    let (entries, _) = toml::de::DeTable::parse_recoverable(text);
-    entries.get_ref().contains_key(MODEL) && !entries.get_ref().contains_key("system")
 }

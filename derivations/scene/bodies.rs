@@ -1,10 +1,9 @@
 //! The bodies of a scene.
 
-use super::issue::Issue;
-use super::read::{At, Table};
 use crate::systems::gyrostat::admissible::Inadmissible;
 use crate::systems::gyrostat::{Carrier, Gyrostat, Rotor};
 use nalgebra::Vector3;
+use reader::{At, Issue, Table};
 use std::ops::Range;
 
 /// Carrier, rotor and gravity, as bodies that can exist.

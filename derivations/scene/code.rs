@@ -1,9 +1,9 @@
 //! A scene's right-hand side as straight-line code of other languages.
 
-use super::{Axes, Scene, System};
+use super::{Scene, System};
 use crate::machines::Bench;
 use crate::systems::gyrostat::driven::Driven;
-use simulation::{TracedOde, traced};
+use simulation::{Axes, TracedOde, traced};
 use symbolic::{Sym, Tape, Untapeable};
 
 impl Scene {

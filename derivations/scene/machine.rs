@@ -1,10 +1,8 @@
 //! The machine of a scene, and other machines made of the same data.
 
-use super::issue::Issue;
-use super::read::{Table, in_unit};
-
 use super::written;
-use crate::machines::{Allowed, Bound, Count, Machine, Motor, Quantity, TooLong, catalogue, text};
+use crate::machines::{Count, Machine, Motor, TooLong, catalogue, text};
+use reader::{Allowed, Bound, Issue, Quantity, Table, in_unit};
 use std::borrow::Cow;
 use std::fmt;
 use units::nearest;

@@ -1,11 +1,11 @@
 //! A motor's scene with the work of its supply metered: a run then shows whether energy went where the laws send it.
 
-use super::law_end::of_leading;
-use super::problem::{Invariant, Problem};
-use super::{Axes, Scene, System};
+use super::{Scene, System};
 use crate::machines::{Bench, Metered, Powered, is_fed};
 use crate::systems::gyrostat::driven::Driven;
-use simulation::{CompiledLaw, Law};
+use simulation::law_end::of_leading;
+use simulation::problem::{Invariant, Problem};
+use simulation::{Axes, CompiledLaw, Law};
 use std::sync::Arc;
 
 impl Scene {

@@ -16,50 +16,27 @@
 //!   what errors are measured by, kept in files.
 
 pub mod any;
-pub mod atlas;
 pub mod bodies;
 pub mod code;
-pub mod file;
-pub mod hybrid;
-pub mod issue;
-pub mod law_end;
+mod configurations;
 pub mod machine;
-pub mod measured;
 mod metered;
-pub mod methods;
-pub mod problem;
-pub mod read;
-pub mod run;
+mod problem;
 mod runaway;
-pub mod simulate;
-pub mod smooth;
+mod smooth;
 pub mod start;
 pub mod state;
-pub mod stored;
-pub mod switching;
-mod transition;
 mod written;
 
 pub use crate::mechanisms::MechanismScene;
-pub use any::{AnyScene, ModelReaders, Modelled, read_models_by};
-pub use atlas::Atlas;
-pub use file::Family;
-pub use issue::{Issue, SceneError};
-pub use law_end::Margin;
+pub use any::AnyScene;
 pub use machine::NoModel;
-pub use measured::{Trials, judged};
-pub use problem::{Invariant, Problem};
-pub use run::Run;
-pub use simulate::{Choice, Trajectory};
-pub use smooth::{Smooth, Told};
 pub use start::Start;
-pub use state::Axes;
-pub use stored::Stored;
 
 use crate::machines::Motor;
 use crate::systems::gyrostat::Gyrostat;
-use file::Opening;
-use read::Table;
+use reader::{Family, Issue, Opening, Table, knows};
+use simulation::Run;
 
 /// What moves.
 #[derive(Clone, Debug, PartialEq)]
@@ -94,9 +71,13 @@ impl Family for Scene {
         ]
     }
 
+    fn is_of_another(name: &str) -> bool {
+        knows::<AnyScene>(name)
+    }
+
     fn read(opening: Opening, top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<Self> {
         let Opening { title, description, system } = opening;
-        // what varies is for `EnsembleScene`
+        // what varies is for ensembles
         top.known(&["ensemble"]);
         let on_bench = system.value == "bench";
         let system = match on_bench {
@@ -106,7 +87,7 @@ impl Family for Scene {
         let machine = machine::read(top, issues);
         let start = start::read(top, issues, on_bench, machine.as_ref());
         let outputs = machine.as_ref().map(|machine| state::outputs(on_bench, machine));
-        let run = run::read(top, issues, outputs.as_deref());
+        let run = simulation::run::read(top, issues, outputs.as_deref());
         let (machine, system) = (machine?, system?);
         Some(Scene { title, description, system, given: machine.clone(), machine, start: start?, run: run? })
     }

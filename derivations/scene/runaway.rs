@@ -1,8 +1,9 @@
 //! Warnings beside a run: laws that brake in one direction and drive in the other.
 
+use super::Scene;
 use super::state::ROTOR_SPEED;
-use super::{Scene, Trajectory};
 use crate::machines::{Driven, runaway};
+use simulation::Trajectory;
 
 impl Scene {
     /// The moment law drives the rotor ever harder in a direction, and whether the run turns there.

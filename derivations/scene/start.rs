@@ -1,10 +1,9 @@
 //! The initial state of a scene.
 
 use super::bodies::normalised;
-use super::issue::Issue;
-use super::read::Table;
 use crate::machines::{Machine, Motor};
 use nalgebra::Vector3;
+use reader::{Issue, Table};
 
 /// How far the length of the vertical may be from one.
 const ROUNDING: f64 = 1e-12;

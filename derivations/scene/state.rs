@@ -5,29 +5,16 @@ use crate::machines::{Machine, Motor, state_names};
 use crate::systems::gyrostat::Gyrostat;
 use crate::systems::gyrostat::tensors::Principal;
 use nalgebra::{Matrix3, Vector3};
-use std::fmt;
-use std::str::FromStr;
+use simulation::Axes;
 
 /// The relative speed of the rotor, which is asked for whatever the state holds.
 pub const ROTOR_SPEED: &str = "rotor_speed";
 
-/// In whose principal axes the equations are written.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Axes {
-    /// Of A: the paper's first form.
-    #[default]
-    First,
-    /// Of A*: the second form.
-    Second,
-}
-
-impl Axes {
-    /// The tensor whose axes these are.
-    pub fn principal(self, bodies: &Gyrostat<f64>) -> Principal {
-        match self {
-            Axes::First => Principal::of(&bodies.reduced_tensor()),
-            Axes::Second => Principal::of(&bodies.full_tensor()),
-        }
+/// The tensor whose axes these are.
+pub fn principal(axes: Axes, bodies: &Gyrostat<f64>) -> Principal {
+    match axes {
+        Axes::First => Principal::of(&bodies.reduced_tensor()),
+        Axes::Second => Principal::of(&bodies.full_tensor()),
     }
 }
 
@@ -106,7 +93,7 @@ impl Scene {
     /// The axes of a form as columns, in the axes of the data.
     fn frame(&self, axes: Axes) -> Matrix3<f64> {
         match (&self.system, axes) {
-            (System::Gyrostat(bodies), axes) => axes.principal(bodies).axes,
+            (System::Gyrostat(bodies), axes) => principal(axes, bodies).axes,
             (System::Bench { .. }, _) => Matrix3::identity(),
         }
     }
@@ -147,26 +134,5 @@ pub fn unit(name: &str) -> &'static str {
         "w1" | "w2" | "w3" | "slip" | ROTOR_SPEED => "rad/s",
         "angle" => "rad",
         _ => "A",
-    }
-}
-
-impl fmt::Display for Axes {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::First => "first",
-            Self::Second => "second",
-        })
-    }
-}
-
-impl FromStr for Axes {
-    type Err = String;
-
-    fn from_str(name: &str) -> Result<Self, String> {
-        match name {
-            "first" => Ok(Self::First),
-            "second" => Ok(Self::Second),
-            _ => Err("`first` (axes of A) or `second` (axes of A*) is accepted".to_owned()),
-        }
     }
 }

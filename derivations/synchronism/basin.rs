@@ -3,9 +3,10 @@
 use super::energy::Wells;
 use super::loaded::{Loaded, NoField};
 use crate::ensemble::kind::{Kind, form_parameters};
-use crate::scene::{Axes, Scene, Start, System};
+use crate::scene::{Scene, Start, System};
 use crate::stationary::motor::NoMotor;
 use integrators::{Ensemble, Failure, Members};
+use simulation::Axes;
 use std::f64::consts::{PI, TAU};
 use std::fmt;
 

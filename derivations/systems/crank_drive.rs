@@ -16,7 +16,7 @@ use super::crank_slider::CrankSlider;
 use field::{Analytic, Base, Over};
 use mechanics::constrained::energies::{Energies, Reducible};
 
-crate::quantities! {
+reader::quantities! {
     /// Everything before the crank.
     pub struct Circuit {
         /// amplitude of the source

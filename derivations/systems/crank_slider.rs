@@ -6,7 +6,7 @@
 use field::{Analytic, Base, Over};
 use mechanics::constrained::energies::{Energies, Reducible};
 
-crate::quantities! {
+reader::quantities! {
     /// q = (angle of the crank from the slider's line, distance of the slider from the axis).
     pub struct CrankSlider {
         /// J, moment of inertia of what turns, with the rod's mass at the pin

@@ -10,7 +10,7 @@ use mechanics::constrained::newton::{Reactions, at_point};
 use mechanics::constrained::{Charted, Constrained, Constraint, State, System};
 use mechanics::rotation::euler;
 
-crate::quantities! {
+reader::quantities! {
     /// The data of the disc.
     pub struct Disc {
         /// m, mass

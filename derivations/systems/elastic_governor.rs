@@ -19,7 +19,7 @@ use mechanics::constrained::{Charted, Constrained, Constraint, State, System};
 use mechanics::definite::NotDefinite;
 use mechanics::differentiate::{along, unit};
 
-crate::quantities! {
+reader::quantities! {
     /// The data of the governor.
     pub struct ElasticGovernor {
         /// J1, moment of inertia of the drum with its shaft

@@ -7,7 +7,7 @@ use field::{Analytic, Base, Over, Tangent};
 use mechanics::constrained::newton::{Reactions, at_point};
 use mechanics::constrained::{Charted, Constrained, Constraint, State, System};
 
-crate::quantities! {
+reader::quantities! {
     /// The data of the sleigh.
     pub struct KnifeEdge {
         /// m, mass

@@ -5,8 +5,10 @@
 //! lines, no other change. The copy keeps the times of the files and shares the folder of build products, so that only
 //! the root package is built anew, under a version of its own: seconds.
 
-use dalembert_derivations::conformance::{Verdict, conform};
-use dalembert_derivations::scene::{Family, Scene};
+use claims::finding::Verdict;
+use dalembert_derivations::conformance::conform;
+use dalembert_derivations::scene::Scene;
+use reader::Family;
 use std::fs;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::path::{Path, PathBuf};

@@ -16,6 +16,8 @@ const LAYERS: &[(&str, i32)] = &[
     ("dalembert-units", 3),
     ("dalembert-mechanics", 3),
     ("dalembert-integrators", 3),
+    ("dalembert-reader", 4),
+    ("dalembert-simulation", 5),
     ("dalembert-model", 4),
     ("dalembert-claims", 4),
     ("dalembert-charts", 5),

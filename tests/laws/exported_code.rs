@@ -1,7 +1,9 @@
 //! A scene's right-hand side and Jacobian, printed as C, Python and Rust, compiled and run, agree with the law to round-off.
 
-use dalembert_derivations::scene::{Axes, Family, Scene};
+use dalembert_derivations::scene::Scene;
 use integrators::{Directions, Jacobian, Ode};
+use reader::Family;
+use simulation::Axes;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;

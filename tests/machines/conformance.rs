@@ -1,11 +1,13 @@
 //! Every motor of the list does what a motor must, and each check notices one that does not.
 
-use dalembert_derivations::conformance::{Finding, Verdict, conform, sample};
+use claims::finding::{Finding, Verdict};
+use dalembert_derivations::conformance::{conform, sample};
 use dalembert_derivations::machines::asynchronous::Asynchronous;
 use dalembert_derivations::machines::catalogue::{self, Taken};
-use dalembert_derivations::machines::{Allowed, Entry, Motor, Quantity};
-use dalembert_derivations::scene::{Family, Scene};
+use dalembert_derivations::machines::{Entry, Motor};
+use dalembert_derivations::scene::Scene;
 use field::Scalar;
+use reader::{Allowed, Family, Quantity};
 use symbolic::Sym;
 
 #[test]

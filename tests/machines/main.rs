@@ -16,7 +16,7 @@ use std::convert::Infallible;
 use symbolic::{Hypotheses, Sym, decide};
 
 /// The data of a machine as symbols of their names.
-fn symbol(quantity: &'static dalembert_derivations::machines::Quantity) -> Result<Sym, Infallible> {
+fn symbol(quantity: &'static reader::Quantity) -> Result<Sym, Infallible> {
     Ok(Sym::symbol(&quantity.name))
 }
 

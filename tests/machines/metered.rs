@@ -1,6 +1,8 @@
 //! What supply, friction and heat do to the energy that the turning field sees, metered along runs.
 
-use dalembert_derivations::scene::{Axes, Family, Scene};
+use dalembert_derivations::scene::Scene;
+use reader::Family;
+use simulation::Axes;
 
 #[test]
 fn the_work_that_is_metered_is_what_the_energy_gains() {

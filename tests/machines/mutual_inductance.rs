@@ -1,9 +1,10 @@
 //! Windings that induce in each other become a motor as text in currents of which none does.
 
 use dalembert_derivations::machines::drive;
-use dalembert_derivations::scene::{Family, Scene};
+use dalembert_derivations::scene::Scene;
 use field::Analytic;
 use nalgebra::{Matrix2, Vector2};
+use reader::Family;
 
 /// An induction machine in the stator's axes: inductances, resistances, amplitude of the voltage, pairs of poles.
 const STATOR: f64 = 9.5e-3;

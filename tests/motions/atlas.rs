@@ -5,11 +5,13 @@
 //! double-double and rounded, which is correct rounding of every cosine. Taylor's method in `f64` chooses its instructions
 //! when it runs, and rounds by them: its counts here are those of its series in double-double.
 
-use dalembert_derivations::scene::atlas::{Goal, Standing, Treated, Way};
-use dalembert_derivations::scene::{AnyScene, Axes, Family, MechanismScene, Smooth};
+use dalembert_derivations::scene::{AnyScene, MechanismScene};
 use field::DoubleDouble;
 use field::Over;
 use integrators::*;
+use reader::Family;
+use simulation::atlas::{Goal, Standing, Treated, Way};
+use simulation::{Axes, Smooth};
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicUsize, Ordering};
 

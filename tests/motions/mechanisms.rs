@@ -3,10 +3,11 @@
 use dalembert_derivations::governors::{self, SPEED, growth};
 use dalembert_derivations::mechanisms::governors::{Discs, Drum, Programme, Released};
 use dalembert_derivations::mechanisms::{LIST, Mechanism, MechanismScene};
-use dalembert_derivations::scene::{Choice, Family, Smooth, Told, Trajectory, methods};
 use dalembert_derivations::stabilisation::experiment;
 use dalembert_derivations::systems::elastic_governor::ElasticGovernor;
 use integrators::{Failure, Method, Refusal};
+use reader::Family;
+use simulation::{Choice, Smooth, Told, Trajectory, methods};
 use std::convert::Infallible;
 use std::path::Path;
 

@@ -2,7 +2,8 @@
 
 use dalembert_derivations::conformance::{conform, page, sample};
 use dalembert_derivations::machines::catalogue;
-use dalembert_derivations::scene::{Family, Scene};
+use dalembert_derivations::scene::Scene;
+use reader::Family;
 use std::path::Path;
 
 fn compare(name: &str, page: &str) {

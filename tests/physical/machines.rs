@@ -1,7 +1,8 @@
 //! Every machine of the list, whatever it is called, with random data.
 
-use dalembert_derivations::machines::{Allowed, Motor, catalogue};
+use dalembert_derivations::machines::{Motor, catalogue};
 use proptest::prelude::*;
+use reader::Allowed;
 
 /// A machine of the catalogue with so many bars, every other datum the same.
 pub fn with_bars(name: &str, bars: usize) -> Motor {

@@ -1,7 +1,9 @@
 //! Runs with constant steps beside shorter ones: what is right is never named, and what crosses a pole always is.
 
-use dalembert_derivations::scene::{AnyScene, Axes, Choice, Family as _, Problem, Smooth, Trajectory, methods};
+use dalembert_derivations::scene::AnyScene;
 use integrators::{Method, Parting};
+use reader::Family as _;
+use simulation::{Axes, Choice, Problem, Smooth, Trajectory, methods};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::time::Duration;

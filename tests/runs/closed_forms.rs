@@ -1,8 +1,10 @@
 //! What a reference claims bounds its true error, wherever the true solution is known.
 
 use dalembert_derivations::closed_forms::{ClosedForm, Lattice, Quadrature};
-use dalembert_derivations::scene::{Axes, Family, Scene, Smooth};
+use dalembert_derivations::scene::Scene;
 use field::{Analytic, DoubleDouble, Over, Scalar};
+use reader::Family;
+use simulation::{Axes, Smooth};
 use std::path::Path;
 use std::time::Duration;
 
@@ -50,7 +52,7 @@ fn a_run_tells_how_far_it_is_off_a_closed_form() {
     for name in ["volterra", "lagrange_top", "unloaded_motor"] {
         let scene = scene(name);
         let told = |tolerance| {
-            let choice = dalembert_derivations::scene::Choice { tolerance, samples: 4, ..scene.choice() };
+            let choice = simulation::Choice { tolerance, samples: 4, ..scene.choice() };
             let (_, off) = scene.told(&choice, &scene.simulate(&choice, |_| ())).closed_form.expect("it is known");
             off
         };

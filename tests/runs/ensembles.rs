@@ -1,9 +1,7 @@
 //! Ensembles: each member is the single run of that member, whoever runs beside it.
 
-use dalembert_derivations::ensemble::draw::Draw;
-use dalembert_derivations::ensemble::{EnsembleScene, Row, Stopped};
 use dalembert_derivations::machines::multi_current::{MultiCurrent, Windings};
-use dalembert_derivations::scene::{Axes, Family, Scene};
+use dalembert_derivations::scene::Scene;
 use dalembert_derivations::systems::gyrostat::admissible::Inadmissible;
 use dalembert_derivations::systems::gyrostat::driven::Driven;
 use dalembert_derivations::systems::gyrostat::forms::SecondForm;
@@ -12,6 +10,10 @@ use integrators::{
     Ensemble, Failure, LaneSeries, Members, Ode, SideBySide, Taylor, Tolerance, lanes_order, runge_kutta_4_step,
 };
 use nalgebra::Vector3;
+use reader::Family;
+use simulation::Axes;
+use simulation::ensemble::draw::Draw;
+use simulation::ensemble::{EnsembleScene, Row, Stopped};
 use std::ops::ControlFlow;
 
 /// The scene of the folder, with other machines too.
@@ -21,7 +23,7 @@ fn text() -> String {
 }
 
 fn ensemble(text: &str) -> EnsembleScene {
-    EnsembleScene::parse("ensemble.toml", text).unwrap_or_else(|error| panic!("{error}"))
+    dalembert_derivations::ensemble::parse("ensemble.toml", text).unwrap_or_else(|error| panic!("{error}"))
 }
 
 fn rows(scene: &EnsembleScene, threads: usize) -> Vec<Row> {
@@ -208,7 +210,9 @@ fn what_is_wrong_with_an_ensemble_is_told_at_its_place() {
     for (from, to, title, help) in wrong {
         let text = text();
         assert!(text.contains(from), "{from}");
-        let message = EnsembleScene::parse("wrong.toml", &text.replacen(from, to, 1)).expect_err(to).to_string();
+        let message = dalembert_derivations::ensemble::parse("wrong.toml", &text.replacen(from, to, 1))
+            .expect_err(to)
+            .to_string();
         assert!(message.contains(title) && message.contains(help) && message.contains("^"), "{message}");
     }
 }
@@ -354,11 +358,12 @@ fn steps_side_by_side_are_the_classical_ones_with_the_time_in_the_law() {
 
 #[test]
 fn members_are_counted_by_their_kind_whatever_stands_in_the_reason() {
-    let triangle = |axial| Stopped::Bodies(vec![Inadmissible::RotorTriangle { axial, twice_transverse: 1.0 }]);
+    let triangle =
+        |axial| Stopped::Impossible(Inadmissible::RotorTriangle { axial, twice_transverse: 1.0 }.to_string());
     for stopped in [
         triangle(2.0),
         triangle(3.0),
-        Stopped::Axial { value: -1.0 },
+        Stopped::Machine("R > 0 is broken".to_owned()),
         Stopped::NotFinite { datum: "rotor.axis".into() },
         Stopped::Run(Failure::StepCollapsed { at: 0.5, step: 1e-20 }),
         Stopped::Run(Failure::LeftTheNumbers { at: 0.5 }),

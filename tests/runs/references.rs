@@ -1,11 +1,13 @@
 //! What errors are measured by: kept for every scene, made by two methods, and their own where a scene has changed.
 
-use dalembert_derivations::scene::any::holds_model;
-use dalembert_derivations::scene::{AnyScene, Axes, Family, Problem, Stored, stored};
+use dalembert_derivations::scene::AnyScene;
 use field::{DoubleDouble, Over};
 use integrators::{
     Directions, Failure, Method, Ode, Record, Span, System, TaylorSeries, Tolerance, integrate, integrate_in,
 };
+use reader::Family;
+use simulation::models::holds_model;
+use simulation::{Axes, Problem, Stored, stored};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 

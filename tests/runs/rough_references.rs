@@ -4,11 +4,13 @@ use dalembert_derivations::friction::closed::climbed;
 use dalembert_derivations::friction::exact::Regimes;
 use dalembert_derivations::friction::{Rough, RoughScene};
 use dalembert_derivations::regimes::critical;
-use dalembert_derivations::scene::atlas::Treated;
-use dalembert_derivations::scene::hybrid::{Unknown, judged};
-use dalembert_derivations::scene::{AnyScene, Family, Stored, Trials, stored};
+use dalembert_derivations::scene::AnyScene;
 use field::{Circle, DoubleDouble, Over, Scalar};
 use integrators::{Attempt, End, Failure, Method, Record, Span, Tolerance};
+use reader::Family;
+use simulation::atlas::Treated;
+use simulation::hybrid::{Unknown, judged};
+use simulation::{Stored, Trials, stored};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 

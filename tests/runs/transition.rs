@@ -1,9 +1,10 @@
 //! The state-transition matrix of a run, beside differences of runs in double-double by another method.
 
-use dalembert_derivations::scene::{AnyScene, Axes, Choice, Family, Problem};
+use dalembert_derivations::scene::AnyScene;
 use field::{Analytic, DoubleDouble, Over};
 use integrators::{Method, Ode, Span, System, Tolerance, integrate_in, transition};
-use simulation::CompiledLaw;
+use reader::Family;
+use simulation::{Axes, Choice, CompiledLaw, Problem};
 use std::path::Path;
 
 const SPAN: f64 = 0.3;

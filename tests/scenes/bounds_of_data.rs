@@ -1,7 +1,7 @@
 //! Bounds of data: every datum of every motor and scene that must be positive is judged, by its name.
 
-use dalembert_derivations::machines::{Allowed, Bound};
-use dalembert_derivations::scene::{Family, Scene};
+use dalembert_derivations::scene::Scene;
+use reader::{Allowed, Bound, Family};
 
 /// A motor of the list alone on a bench, with its data as a small motor has them but for some.
 fn on_a_bench(model: &str, other: &str, value: &str, allowed: &str) -> String {

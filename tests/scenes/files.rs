@@ -1,8 +1,10 @@
 //! The scenes of the project: each is read, conserves what it must, runs alike in both forms, and does what it says.
 
 use dalembert_derivations::machines::Machine;
-use dalembert_derivations::scene::{Axes, Choice, Family, Scene, Trajectory};
+use dalembert_derivations::scene::Scene;
 use integrators::Method;
+use reader::Family;
+use simulation::{Axes, Choice, Trajectory};
 use std::path::PathBuf;
 
 fn scene(name: &str) -> Scene {

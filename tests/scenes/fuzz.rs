@@ -3,10 +3,12 @@
 //! The files are the project's own, torn: pieces cut, doubled, exchanged, numbers and words put in the places of others. A few
 //! thousand in passing; a million by `PROPTEST_CASES=1000000 cargo test --release --test scenes fuzz`.
 
-use dalembert_derivations::scene::{AnyScene, Axes, Family};
+use dalembert_derivations::scene::AnyScene;
 use proptest::prelude::*;
 use proptest::sample::Index;
 use proptest::test_runner::{RngSeed, TestRunner};
+use reader::Family;
+use simulation::Axes;
 use std::path::{Path, PathBuf};
 
 /// What readers stumble over.

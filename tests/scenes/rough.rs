@@ -2,7 +2,7 @@
 
 use dalembert_derivations::friction::RoughScene;
 use dalembert_derivations::friction::run::Plan;
-use dalembert_derivations::scene::Family;
+use reader::Family;
 use std::ops::ControlFlow;
 use std::path::Path;
 

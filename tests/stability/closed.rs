@@ -3,7 +3,7 @@
 use dalembert_derivations::machines::Machine;
 use dalembert_derivations::machines::asynchronous::Asynchronous;
 use dalembert_derivations::machines::constant_speed::ConstantSpeed;
-use dalembert_derivations::scene::{Family, Scene};
+use dalembert_derivations::scene::Scene;
 use dalembert_derivations::stationary::energies::Energies;
 use dalembert_derivations::stationary::motions::{Found, Stationary};
 use dalembert_derivations::stationary::stability::map::OneAxis;
@@ -11,6 +11,7 @@ use dalembert_derivations::stationary::stability::reduced::{Fate, Reduced};
 use dalembert_derivations::stationary::stability::{Approximation, Judged, Reason, Verdict};
 use field::{Rational, Scalar};
 use nalgebra::{Matrix3, Vector3};
+use reader::Family;
 use std::path::Path;
 use symbolic::Sym;
 

@@ -14,11 +14,13 @@ use dalembert_derivations::phantom::splittings::SplitRuns;
 use dalembert_derivations::phantom::stretches::Proved;
 use dalembert_derivations::phantom::survey::steps;
 use dalembert_derivations::phantom::tested::Tested;
-use dalembert_derivations::scene::{Axes, Family as _, Scene};
+use dalembert_derivations::scene::Scene;
 use dalembert_derivations::stationary::motions::Stationary;
 use field::{DoubleDouble, Scalar};
 use integrators::{Collocation, Family, Jacobian, Real, Splitting, compose};
 use mechanics::discrete::{Judgement, Place};
+use reader::Family as _;
+use simulation::Axes;
 use std::path::Path;
 
 fn scene(name: &str) -> Scene {

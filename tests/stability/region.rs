@@ -1,6 +1,6 @@
 //! Maps of every motion over two data: beside single scenes, beside exact columns, beside the discriminant.
 
-use dalembert_derivations::scene::{Family, Scene, System};
+use dalembert_derivations::scene::{Scene, System};
 use dalembert_derivations::stationary::energies::{Energies, Kept};
 use dalembert_derivations::stationary::motions::{Stationary, decimals};
 use dalembert_derivations::stationary::motor::MotorStates;
@@ -13,6 +13,7 @@ use dalembert_derivations::systems::gyrostat::Gyrostat;
 use field::{Rational, Scalar};
 use mechanics::first_approximation::{derivative, resultant};
 use nalgebra::Matrix3;
+use reader::Family;
 use std::path::Path;
 
 fn scene(name: &str) -> Scene {

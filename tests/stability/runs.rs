@@ -4,13 +4,15 @@ use crate::running::{Law, eigenvalues, run, state};
 use dalembert_derivations::machines::Machine;
 use dalembert_derivations::machines::asynchronous::Asynchronous;
 use dalembert_derivations::machines::constant_speed::ConstantSpeed;
-use dalembert_derivations::scene::{Axes, Family, Scene, Start, System};
+use dalembert_derivations::scene::{Scene, Start, System};
 use dalembert_derivations::stationary::motions::Stationary;
 use dalembert_derivations::stationary::motor::MotorStates;
 use dalembert_derivations::stationary::stability::{Judged, Reason, Verdict};
 use dalembert_derivations::systems::gyrostat::forms::SecondForm;
 use integrators::{Jacobian, spectrum};
 use nalgebra::Vector3;
+use reader::Family;
+use simulation::Axes;
 use std::path::Path;
 
 fn distance(a: &[f64], b: &[f64]) -> f64 {

@@ -18,6 +18,7 @@
 mod claim;
 mod condition;
 pub mod examine;
+pub mod finding;
 mod judge;
 mod ledger;
 mod page;

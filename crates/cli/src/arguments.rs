@@ -7,7 +7,7 @@ use crate::{
 };
 use clap::{Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
-use derivations::scene::run::check_tolerance;
+use simulation::run::check_tolerance;
 use std::fmt::Display;
 use std::ops::RangeInclusive;
 use std::str::FromStr;

@@ -3,9 +3,10 @@
 use crate::arguments::Format;
 use crate::ending::{Ending, print};
 use clap::Args;
-use derivations::scene::{Family, Scene, System};
+use derivations::scene::{Scene, System};
 use derivations::systems::gyrostat::Gyrostat;
 use nalgebra::{Matrix3, Vector3};
+use reader::Family;
 use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::PathBuf;

@@ -3,13 +3,14 @@
 use crate::arguments::Format;
 use crate::ending::{Ending, print};
 use ::scenes::{Task, read_titled};
+use claims::finding::{Finding, Verdict};
 use clap::Args;
-use derivations::conformance::{Finding, Verdict, conform, page, sample};
+use derivations::conformance::{conform, page, sample};
 use derivations::machines::{catalogue, text};
-use derivations::scene::any::holds_model;
-use derivations::scene::file::read_text;
-use derivations::scene::{Family, NoModel, Scene};
+use derivations::scene::{NoModel, Scene};
+use reader::{Family, read_text};
 use serde_json::{Value, json};
+use simulation::models::holds_model;
 use std::path::Path;
 
 /// Which motor is to be checked.

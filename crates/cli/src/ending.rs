@@ -1,16 +1,14 @@
 //! How the program ends: exit codes, messages, and writing that survives a closed pipe.
 
+use crate::{clock, progress};
+use ::scenes::with_ways_to_a_system;
+use charts::visible;
+use reader::{Issue, SceneError, read_text};
 use std::fmt::Display;
 use std::io::{self, IsTerminal, Write};
 use std::path::Path;
 use std::process::ExitCode;
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
-
-use crate::{clock, progress};
-use ::scenes::with_ways_to_a_system;
-use charts::visible;
-use derivations::scene::file::read_text;
-use derivations::scene::{Issue, SceneError};
 
 /// Begins what a terminal obeys.
 const ESCAPE: &str = "\u{1b}";
@@ -175,7 +173,7 @@ fn told(text: &str) {
 #[cfg(test)]
 mod tests {
     use super::Ending;
-    use derivations::scene::{Issue, SceneError};
+    use reader::{Issue, SceneError};
 
     #[test]
     fn a_message_about_a_scene_keeps_our_colours_and_nothing_of_others() {

@@ -9,8 +9,9 @@ use derivations::phantom::motions::Stationed;
 use derivations::phantom::splittings::SplitRuns;
 use derivations::phantom::survey::steps;
 use derivations::phantom::tested::Tested;
-use derivations::scene::{Family, Scene};
+use derivations::scene::Scene;
 use integrators::Splitting;
+use reader::Family;
 use serde_json::{Value, json};
 use std::path::PathBuf;
 

@@ -2,11 +2,11 @@
 
 use charts::{AreaCurve, Areas, Panel, Track, significant};
 use derivations::governors::StabilityMap;
-use derivations::machines::Quantity;
 use derivations::regimes::maps::{Kind, Map};
 use derivations::scene::state::unit;
-use derivations::scene::{Smooth, Trajectory};
 use integrators as run;
+use reader::Quantity;
+use simulation::{Smooth, Trajectory};
 
 /// The outputs that the scene names against time; components of one vector, and all currents, share a panel.
 pub fn trajectory(scene: &dyn Smooth, run: &Trajectory) -> charts::Trajectory {

@@ -5,10 +5,12 @@ use crate::clock;
 use crate::ending::{Ending, print};
 use crate::output::{Form, Output, Writes};
 use clap::Args;
-use derivations::scene::hybrid::{Event, Hybrid};
-use derivations::scene::stored::{self, Owner};
-use derivations::scene::{AnyScene, Axes, Choice, Family, Smooth, Stored};
+use derivations::scene::AnyScene;
 use integrators::{ENOUGH_DIGITS, Method};
+use reader::Family;
+use simulation::hybrid::{Event, Hybrid};
+use simulation::stored::Owner;
+use simulation::{Axes, Choice, Smooth, Stored, stored};
 use std::fmt::Write;
 use std::path::PathBuf;
 

@@ -6,13 +6,12 @@ use ::scenes::{CriticalFriction, Motions, Regimes, Task, read_titled, regimes};
 use clap::Args;
 use derivations::friction::log::{Names, describe};
 use derivations::friction::{ForRough, RoughScene};
-use derivations::scene::Family;
-use derivations::scene::any::holds_model;
-use derivations::scene::file::read_text;
 use mechanics::constrained::State;
 use mechanics::constrained::contacts::Contacts;
 use mechanics::regimes::{Condition, Dry, Found, Touch, Verdict, conditions, consistent, posed, verdict};
+use reader::{Family, read_text};
 use serde_json::{Value, json};
+use simulation::models::holds_model;
 use std::fmt::{Display, Write};
 use std::path::PathBuf;
 

@@ -9,11 +9,11 @@ use crate::{clock, csv};
 use ::scenes::regulator::{ClosedRun, Controllability, Regulated, States, regulated};
 use ::scenes::{ModelScene, unit_of};
 use clap::Args;
-use derivations::scene::file::read_text;
-use derivations::scene::switching::Passage;
 use model::{Model, Regulator};
 use nalgebra::{Complex, DMatrix};
+use reader::read_text;
 use serde_json::json;
+use simulation::switching::Passage;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 

@@ -10,9 +10,11 @@ use crate::{clock, csv};
 use ::scenes::completed_start;
 use clap::Args;
 use derivations::machines::catalogue;
-use derivations::scene::run::most_samples;
-use derivations::scene::{AnyScene, Axes, Choice, Family, NoModel, Scene, Smooth, Told, methods};
+use derivations::scene::{AnyScene, NoModel, Scene};
 use integrators::{Beside, Method};
+use reader::Family;
+use simulation::run::most_samples;
+use simulation::{Axes, Choice, Smooth, Told, methods};
 use std::path::{Path, PathBuf};
 
 /// How a scene is to be run; what is left out, the scene says.
@@ -244,7 +246,7 @@ pub fn with_model(scene: Scene, model: Option<&str>, path: &Path) -> Result<Scen
 }
 
 /// The scene's own choices, but for those that are made on the command line.
-fn choice(own: &derivations::scene::Run, asked: &Asked) -> Choice {
+fn choice(own: &simulation::Run, asked: &Asked) -> Choice {
     let own = own.choice();
     Choice {
         method: asked.method.unwrap_or(own.method),

@@ -3,7 +3,8 @@
 use crate::arguments::Format;
 use crate::ending::{Ending, print};
 use clap::Args;
-use derivations::scene::{AnyScene, Family};
+use derivations::scene::AnyScene;
+use reader::Family;
 use serde_json::{Value, json};
 use std::io;
 use std::path::{Path, PathBuf};

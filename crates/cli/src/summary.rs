@@ -1,9 +1,9 @@
 //! A run in a few lines, or as one JSON object.
 
-use derivations::scene::switching::Passage;
-use derivations::scene::{Axes, Choice, Smooth, Told, Trajectory};
 use integrators::{Beside, Parting};
 use serde_json::{Map, Value, json};
+use simulation::switching::Passage;
+use simulation::{Axes, Choice, Smooth, Told, Trajectory};
 use std::fmt::Write;
 
 /// What is printed after a run.

@@ -2,9 +2,9 @@
 
 use crate::compiled_system::NotCompiled;
 use crate::letters::{Inputs, Letters};
-use derivations::scene::Issue;
 use model::{Body, Inertia, Model, ScalarId, Trace};
 use nalgebra::Matrix3;
+use reader::Issue;
 use std::ops::Range;
 use symbolic::{Sym, Tape, apart};
 

@@ -3,10 +3,9 @@
 use crate::readiness::{completed, leave_out, unmet_at};
 use crate::start::{Completed, Unmet, consistent};
 use crate::warnings::warn_of;
-use derivations::scene::SceneError;
-use derivations::scene::file::read_text;
 use model::equations::dependent_everywhere;
 use model::{Fault, Model, Trace};
+use reader::{SceneError, read_text};
 use std::path::Path;
 
 /// The model without the equations of constraints that follow from others on the branch of its start alone, where it has a start.

@@ -2,13 +2,13 @@
 
 use crate::modes::{Course, Modes};
 use crate::scene::ModelScene;
-use derivations::scene::Problem;
-use derivations::scene::atlas::{Formulation, Observed, Standing, Treated, Way};
-use derivations::scene::hybrid::{Exact, Hybrid, Unknown, agreed, instants};
-use derivations::scene::stored::Owner;
-use derivations::scene::switching::Switching;
 use field::DoubleDouble;
 use integrators::{Across, End, Failure, Method, Observer, Outcome, Reference, Sizes, Span, Tolerance};
+use simulation::Problem;
+use simulation::atlas::{Formulation, Observed, Standing, Treated, Way};
+use simulation::hybrid::{Exact, Hybrid, Unknown, agreed, instants};
+use simulation::stored::Owner;
+use simulation::switching::Switching;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 

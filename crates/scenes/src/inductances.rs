@@ -1,9 +1,9 @@
 //! Whether magnetic fields with a co-energy can exist: the energy of small currents beside those of the start is positive.
 
 use crate::admissible::shown;
-use derivations::scene::Issue;
 use model::{Model, Trace};
 use nalgebra::DMatrix;
+use reader::Issue;
 use symbolic::{Sym, apart};
 
 /// A negative part below this of the largest one is rounding.

@@ -2,9 +2,8 @@
 
 use crate::scene::model;
 use crate::warnings::warn_of;
-use derivations::scene::file::{read_text, tables};
-use derivations::scene::{Issue, SceneError};
 use model::{Coordinate, Entry, Fault, Model, ScalarId, Text, bare_angle};
+use reader::{Issue, SceneError, read_text, tables};
 use std::ops::Range;
 use std::path::Path;
 use symbolic::Dimension;

@@ -1,8 +1,7 @@
 //! Files that name no system, with the two ways to one.
 
 use crate::text::is_of_system;
-use derivations::scene::file::tables;
-use derivations::scene::{Issue, SceneError};
+use reader::{Issue, SceneError, tables};
 
 /// The keys of which a file has one.
 const WAYS: [&str; 2] = ["coordinates", "system"];

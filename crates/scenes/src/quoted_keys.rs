@@ -1,6 +1,6 @@
 //! Faults of TOML, with what would be accepted: most often a key with a prime that stands without quotes.
 
-use derivations::scene::SceneError;
+use reader::SceneError;
 
 /// Adds to a fault of TOML that a key with a prime stands in quotes, where one stands there without.
 pub fn with_quoted_primes(mut error: SceneError) -> SceneError {

@@ -2,8 +2,8 @@
 
 use crate::modes::{Refused, Unfit};
 use crate::readiness::refused;
-use derivations::scene::Issue;
 use model::Model;
+use reader::Issue;
 
 /// Why a motion does not start, at its place.
 pub(crate) fn not_started(model: &Model, why: Refused) -> Issue {

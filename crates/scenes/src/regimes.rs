@@ -4,8 +4,8 @@ use crate::admissible::impossible;
 use crate::modes::{Modes, Regimes};
 use crate::readiness::independent_start;
 use crate::refused_start::not_started;
-use derivations::scene::Issue;
 use model::Model;
+use reader::Issue;
 use std::sync::Arc;
 
 /// The regimes of a model at its start; inputs that a regulator sets are without it.

@@ -13,21 +13,17 @@ use crate::size::{Task, too_large};
 use crate::start::SingularPositions;
 use crate::text;
 use crate::warnings::{Warn, warn_by, warn_of};
-use derivations::scene::any::holds_model;
-use derivations::scene::atlas::{Formulation, Observed, Standing, Way};
-use derivations::scene::file::{read_text, tables};
-use derivations::scene::hybrid::Hybrid;
-use derivations::scene::law_end::Margins;
-use derivations::scene::problem::Invariant;
-use derivations::scene::read::Table;
-use derivations::scene::smooth::Parameter;
-use derivations::scene::switching::{Passage, Switching};
-use derivations::scene::{
-    Axes, Choice, Issue, ModelReaders, Modelled, Problem, Run, SceneError, Smooth, Told, Trajectory, read_models_by,
-    run,
-};
 use integrators::Reference;
 use model::{Event, Model, Source};
+use reader::{Issue, SceneError, Table, read_text, tables};
+use simulation::atlas::{Formulation, Observed, Standing, Way};
+use simulation::hybrid::Hybrid;
+use simulation::law_end::Margins;
+use simulation::models::{ModelReaders, Modelled, holds_model, read_models_by};
+use simulation::problem::Invariant;
+use simulation::smooth::Parameter;
+use simulation::switching::{Passage, Switching};
+use simulation::{Axes, Choice, Problem, Run, Smooth, Told, Trajectory, run};
 use std::borrow::Cow;
 use std::path::Path;
 use std::sync::Arc;

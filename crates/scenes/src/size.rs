@@ -3,8 +3,8 @@
 //! Equations of motion are sums over bodies for each pair of speeds, so that their work and memory grow as the square of the speeds
 //! times the bodies: measured on chains of links in a plane, whose speeds and bodies are as many.
 
-use derivations::scene::Issue;
 use model::Model;
+use reader::Issue;
 
 /// The use of a system.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

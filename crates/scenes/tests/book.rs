@@ -1,8 +1,8 @@
 //! Every file that the book shows is read and runs to its end; so does every piece of one, put into the file before it.
 
 use dalembert_scenes::ModelScene;
-use derivations::scene::{Choice, Smooth};
 use model::Fault;
+use simulation::{Choice, Smooth};
 use std::time::Duration;
 
 const BOOK: &str = include_str!("../../../book/src/models.md");

@@ -1,10 +1,10 @@
 //! Frames that turn freely, beside frames that turn about one axis after the other.
 
 use dalembert_scenes::ModelScene;
-use derivations::scene::{Choice, Smooth, Trajectory};
 use integrators::Method;
 use model::principles::Principle;
 use model::{Agreement, Trace, agreement};
+use simulation::{Choice, Smooth, Trajectory};
 
 fn open(text: &str) -> ModelScene {
     ModelScene::parse("scene.toml", text).unwrap_or_else(|error| panic!("{error}"))

@@ -1,9 +1,9 @@
 //! Systems whose accelerations are solved for at each evaluation.
 
 use dalembert_scenes::{ModelScene, parse_ensemble};
-use derivations::scene::{Choice, Smooth, Trajectory};
 use field::DoubleDouble;
 use integrators::{Jacobian, Method, Ode, System};
+use simulation::{Choice, Smooth, Trajectory};
 use std::ops::ControlFlow;
 
 fn runs(text: &str, method: Method, tolerance: f64) -> Trajectory {

@@ -1,5 +1,9 @@
 //! Laws of motion as they run.
 //!
+//! A [`Problem`] is a law with a start, what it conserves and where it ends; it runs by any method ([`Choice`]), across events
+//! ([`switching`], [`hybrid`]), beside stored references ([`Stored`]), and by every method at every tolerance ([`atlas`]). A scene that
+//! is one such problem is [`Smooth`].
+//!
 //! A law y' = f(t, y) is written down once, over expressions ([`TracedOde`]); all that runs are programs of these:
 //!
 //! * [`Program`]: the rates as straight-line code, machine code in `f64`, operation by operation over dual and double-double numbers;
@@ -32,18 +36,33 @@
 //! assert!((outcome.state[0] - 1.0_f64.cos()).abs() < 1e-11);
 //! ```
 
-mod compiled_held;
-mod compiled_law;
-mod exponents;
-mod jacobian;
-mod program;
-mod series;
-mod trace;
+pub mod atlas;
+mod axes;
+pub mod ensemble;
+pub mod hybrid;
+mod law;
+pub mod law_end;
+pub mod measured;
+pub mod methods;
+pub mod models;
+pub mod problem;
+pub mod run;
+pub mod simulate;
+pub mod smooth;
+pub mod stored;
+pub mod switching;
+mod transition;
 
-pub use compiled_held::{CompiledHeld, SymbolicHeld};
-pub use compiled_law::{CompiledLaw, Differentiable, Law, Splittable, SymbolicLaw};
-pub use exponents::{Expandable, Exponents, Room};
-pub use jacobian::JacobianProgram;
-pub use program::{Program, Running};
-pub use series::LawSeries;
-pub use trace::{TracedOde, traced};
+pub use atlas::Atlas;
+pub use axes::Axes;
+pub use law::{
+    CompiledHeld, CompiledLaw, Differentiable, Expandable, Exponents, JacobianProgram, Law, LawSeries, Program, Room,
+    Running, Splittable, SymbolicHeld, SymbolicLaw, TracedOde, traced,
+};
+pub use law_end::Margin;
+pub use measured::{Trials, judged};
+pub use problem::{Invariant, Problem};
+pub use run::Run;
+pub use simulate::{Choice, Trajectory};
+pub use smooth::{Smooth, Told};
+pub use stored::Stored;

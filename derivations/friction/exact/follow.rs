@@ -6,13 +6,13 @@ use crate::friction::log::{Cause, Ending, Entry};
 use crate::friction::run::Run;
 use crate::friction::settle::{Held, settle};
 use crate::friction::stretch::{Stretch, Watched, parts};
-use crate::scene::hybrid::{At, Followed, Means, Unknown};
 use field::{DoubleDouble, Over};
 use integrators::{Failure, Happening, Real};
 use mechanics::constrained::State;
 use mechanics::constrained::contacts::Contacts;
 use mechanics::regimes::{Mode, Touch};
 use num_traits::Zero;
+use simulation::hybrid::{At, Followed, Means, Unknown};
 
 /// A run in `f64`, which tells the regimes, and a method that follows it to all digits.
 pub(super) struct Follower<'a, Q, const N: usize, const C: usize, const K: usize> {

@@ -12,11 +12,11 @@ pub use owner::Regimes;
 use super::log::{Ending, Names, describe};
 use super::run::{Plan, run};
 use super::{ForRough, RoughScene};
-use crate::scene::hybrid::{Exact, Unknown, agreed, instants};
 use follow::Follower;
 use integrators::Sizes;
 use mechanics::constrained::State;
 use mechanics::constrained::contacts::Contacts;
+use simulation::hybrid::{Exact, Unknown, agreed, instants};
 use std::time::Duration;
 
 impl RoughScene {

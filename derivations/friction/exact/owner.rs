@@ -4,11 +4,11 @@ use crate::friction::held::Held;
 use crate::friction::log::Names;
 use crate::friction::run::{Plan, run};
 use crate::friction::{ForRough, RoughScene};
-use crate::scene::stored::Owner;
 use field::{DoubleDouble, Over};
 use integrators::Ode;
 use mechanics::constrained::State;
 use mechanics::constrained::contacts::Contacts;
+use simulation::stored::Owner;
 
 /// The start of a scene and the laws that it goes through, by a run in `f64`.
 pub struct Regimes {

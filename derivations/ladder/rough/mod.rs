@@ -17,9 +17,7 @@ use super::rung::Lower;
 use super::watched::{Watched, largest};
 use crate::friction::RoughScene;
 use crate::friction::held::Margin;
-use crate::scene::Axes;
-use simulation::Law;
-use simulation::{CompiledLaw, SymbolicLaw};
+use simulation::{Axes, CompiledLaw, Law, SymbolicLaw};
 use std::sync::Arc;
 
 mod derived;

@@ -6,7 +6,7 @@ mod letters;
 
 pub use letters::{ANGLE, INDUCED, Letters, Motion, SLIP, SPEED, is_taken};
 
-use super::Quantity;
+use reader::Quantity;
 
 /// The name of the model in scene files.
 pub const NAME: &str = "text";

@@ -3,14 +3,14 @@
 use super::super::{Amiss, Mechanism};
 use crate::ladder::Rung;
 use crate::ladder::governors::with_data;
-use crate::machines::{Bound, Quantity};
-use crate::scene::law_end::{Margin, outside};
 use crate::systems::governor::{Gearing, Governor, Moment};
+use reader::{Bound, Quantity};
 use simulation::SymbolicLaw;
+use simulation::law_end::{Margin, outside};
 use std::fmt::Debug;
 use std::sync::Arc;
 
-crate::quantities! {
+reader::quantities! {
     /// What every governor has.
     pub struct Shafts {
         /// J1, moment of inertia of the first disc or drum with its shaft

@@ -7,8 +7,6 @@ use super::super::{Amiss, Diagnosis, Ended, Mechanism, steered};
 use super::NEAR;
 use super::gear::{Gear, amiss, governor, margins, without_friction};
 use crate::ladder::{Rung, governors as ladder};
-use crate::machines::Quantity;
-use crate::scene::Margin;
 use crate::systems::governor::constant::{ConstantMoments, Course};
 use crate::systems::governor::servo::Kept;
 use crate::systems::governor::{Governor, Moment};
@@ -16,7 +14,8 @@ use field::{Analytic, Over};
 use integrators::Method;
 use mechanics::constrained::motion::velocity;
 use mechanics::constrained::{Charted, State, System, kinetic_energy};
-use simulation::SymbolicLaw;
+use reader::Quantity;
+use simulation::{Margin, SymbolicLaw};
 use std::marker::PhantomData;
 use std::sync::Arc;
 

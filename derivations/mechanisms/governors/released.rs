@@ -7,12 +7,11 @@ use super::super::{Amiss, Diagnosis, Ended, Mechanism};
 use super::NEAR;
 use super::gear::{Gear, amiss, governor, margins, without_friction};
 use crate::ladder::Rung;
-use crate::machines::Quantity;
-use crate::scene::Margin;
 use crate::systems::governor::{Gearing, Governor};
 use field::{Analytic, Over};
 use mechanics::constrained::State;
-use simulation::SymbolicLaw;
+use reader::Quantity;
+use simulation::{Margin, SymbolicLaw};
 use std::marker::PhantomData;
 use std::sync::Arc;
 

@@ -1,10 +1,8 @@
 //! One law of a written motor: an expression of a dimension.
 
-use super::super::issue::Issue;
-use super::super::read::{At, NO_MUTUAL_INDUCTANCE, Table};
-
 use super::names::Names;
 use crate::machines::text::{INDUCED, Motion};
+use reader::{At, Issue, NO_MUTUAL_INDUCTANCE, Table};
 use symbolic::{NotExpression, Reason, Sym, parse_in};
 use units::{Dimension, nearest};
 

@@ -23,12 +23,11 @@
 mod law;
 mod names;
 
-use super::issue::Issue;
-use super::read::{At, NO_MUTUAL_INDUCTANCE, Table};
 use crate::machines::text::{FIELD_SPEED, Motion, NAME};
-use crate::machines::{Allowed, Bound, Expressions, Laws, Motor, Quantity, RotorState, Winding, runaway};
+use crate::machines::{Expressions, Laws, Motor, RotorState, Winding, runaway};
 use law::{Kind, Reader};
 use names::Names;
+use reader::{Allowed, At, Bound, Issue, NO_MUTUAL_INDUCTANCE, Quantity, Table};
 use std::ops::Range;
 use std::sync::Arc;
 use symbolic::Sym;

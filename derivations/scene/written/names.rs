@@ -1,10 +1,7 @@
 //! The names that expressions of a written motor may hold: of its parameters and of its currents.
 
-use super::super::issue::Issue;
-use super::super::read::{At, Table};
-
 use crate::machines::text::{FIELD_SPEED, Letters, Motion, is_taken};
-use crate::machines::{Bound, Quantity};
+use reader::{At, Bound, Issue, Quantity, Table};
 use std::cell::RefCell;
 use symbolic::Sym;
 use units::Dimension;

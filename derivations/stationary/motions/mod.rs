@@ -13,12 +13,13 @@ use super::motor::{MotorStates, Slip};
 use super::stability::Approximation;
 use super::stability::along::{Along, Known};
 use super::stability::judge::{Given, Judge};
-use crate::scene::{Axes, Scene, Start, System};
+use crate::scene::{Scene, Start, System};
 use crate::systems::gyrostat::Gyrostat;
 use algebra::real::{Enclosure, Root};
 use field::Rational;
 use mechanics::uniform::{Body, Census, Kind, Motion, Shape, Turning, Undecided};
 use nalgebra::Vector3;
+use simulation::Axes;
 
 /// A scene's gyrostat and motor, ready to be asked.
 pub struct Stationary<'a> {

@@ -6,8 +6,10 @@ use dalembert_derivations::ladder::linear::propagator;
 use dalembert_derivations::ladder::switching::Schedule;
 use dalembert_derivations::ladder::watched::Watched;
 use dalembert_derivations::ladder::{Forms, Ladder, Models, Receipt, Rung, Wish, choose};
-use dalembert_derivations::scene::{Axes, Family, Scene, Stored};
+use dalembert_derivations::scene::Scene;
 use integrators::{Jacobian, Method, transition};
+use reader::Family;
+use simulation::{Axes, Stored};
 use std::time::Duration;
 
 fn receipt(name: &str, tolerance: f64) -> Receipt {

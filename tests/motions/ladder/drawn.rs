@@ -1,6 +1,6 @@
 //! Random motors, alone and in gyrostats, as scene files: from a seed, so that each is the same for ever.
 
-use dalembert_derivations::ensemble::draw::Draw;
+use simulation::ensemble::draw::Draw;
 use std::fmt::Write;
 
 /// The numbers of one scene, one after another.

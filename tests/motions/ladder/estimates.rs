@@ -3,7 +3,8 @@
 use super::{corrected, drawn, exactly, ladder, scene, tight, truly};
 use dalembert_derivations::ladder::Loss;
 use dalembert_derivations::ladder::followed::followed;
-use dalembert_derivations::scene::{Family, Scene};
+use dalembert_derivations::scene::Scene;
+use reader::Family;
 
 /// Where the second order is small beside the first, the estimate is the error up to that.
 #[test]

@@ -11,8 +11,10 @@ mod rough;
 use dalembert_derivations::ladder::followed::{followed, followed_at, instants};
 use dalembert_derivations::ladder::watched::Watched;
 use dalembert_derivations::ladder::{Estimate, Ladder, Rung};
-use dalembert_derivations::scene::{AnyScene, Axes, Family, MechanismScene, Scene};
+use dalembert_derivations::scene::{AnyScene, MechanismScene, Scene};
 use integrators::{Record, Tolerance};
+use reader::Family;
+use simulation::Axes;
 use std::path::PathBuf;
 
 fn path(name: &str) -> PathBuf {

@@ -4,7 +4,7 @@ use super::path;
 use dalembert_derivations::friction::RoughScene;
 use dalembert_derivations::ladder::rough::RoughLadder;
 use dalembert_derivations::ladder::{Loss, Models, Verdict, Wish, choose};
-use dalembert_derivations::scene::Family;
+use reader::Family;
 use std::time::Duration;
 
 /// A scene with other coefficients of friction and another span.

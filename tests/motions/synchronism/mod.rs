@@ -5,8 +5,9 @@ mod folds;
 mod repeating;
 mod slipping;
 
-use dalembert_derivations::scene::{Family, Scene};
+use dalembert_derivations::scene::Scene;
 use dalembert_derivations::synchronism::loaded::Loaded;
+use reader::Family;
 
 fn scene(name: &str) -> Scene {
     Scene::open(std::path::Path::new(&format!("scenes/{name}.toml"))).expect("the scene is sound")

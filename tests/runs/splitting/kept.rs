@@ -3,13 +3,14 @@
 use super::runs::{self, SCENES, split};
 use dalembert_derivations::machines::Separable;
 use dalembert_derivations::machines::{Motor, Point as RotorPoint};
-use dalembert_derivations::scene::{Axes, System};
+use dalembert_derivations::scene::System;
 use dalembert_derivations::systems::gyrostat::Gyrostat;
 use dalembert_derivations::systems::gyrostat::driven::Driven;
 use dalembert_derivations::systems::gyrostat::momenta::Point;
 use field::DoubleDouble;
 use integrators::{Jacobian, Method, Pieces, Span, Splitting, compose};
 use nalgebra::{DMatrix, Vector3};
+use simulation::Axes;
 
 /// The deviation of an invariant by name at the end of a run, relative to its size at the start or to the scale given.
 fn drift(name: &str, model: Option<&str>, method: Method, time: f64, invariant: &str, scale: f64) -> f64 {

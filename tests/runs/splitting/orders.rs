@@ -1,9 +1,9 @@
 //! Orders on nonlinear motions are theory's, by a reference of another family; a run back undoes a run.
 
 use super::runs::{self, SCENES, error, split};
-use dalembert_derivations::scene::{Axes, Problem};
 use field::DoubleDouble;
 use integrators::{End, Failure, Method, Refusal, Span, Splitting, Tolerance, integrate, integrate_in};
+use simulation::{Axes, Problem};
 
 const TIME: f64 = 0.5;
 

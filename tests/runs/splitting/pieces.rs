@@ -97,7 +97,7 @@ fn proved<M: Machine<Sym> + Clone>(name: &str, machine: M, law: Law) {
     check("second", both(&second, law, &at));
 }
 
-fn symbol<E>(quantity: &'static dalembert_derivations::machines::Quantity) -> Result<Sym, E> {
+fn symbol<E>(quantity: &'static reader::Quantity) -> Result<Sym, E> {
     Ok(Sym::symbol(&quantity.name))
 }
 

@@ -1,7 +1,9 @@
 //! What the tests run: scenes with their own motor or another.
 
-use dalembert_derivations::scene::{Axes, Family, Problem, Scene};
+use dalembert_derivations::scene::Scene;
 use integrators::{Method, Outcome, Span, Splitting, Tolerance, integrate};
+use reader::Family;
+use simulation::{Axes, Problem};
 use std::path::Path;
 
 /// Scenes by file and model, from no motor at all to every bar: nonlinear, none of them symmetric.

@@ -2,8 +2,8 @@
 //! worse than a wrong friction.
 
 use super::runs::{self, split};
-use dalembert_derivations::scene::{Axes, Problem};
 use integrators::{End, Failure, Method, Outcome, Span, Splitting, Tolerance, integrate};
+use simulation::{Axes, Problem};
 
 const TIME: f64 = 0.1;
 /// R2/L2 of the damper's windings, 1/s.

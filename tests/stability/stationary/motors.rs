@@ -1,8 +1,10 @@
 //! The stationary states of every motor, and every motion of the scenes beside the equations that run.
 
-use dalembert_derivations::scene::{Axes, Family, Scene, Start};
+use dalembert_derivations::scene::{Scene, Start};
 use dalembert_derivations::stationary::motions::Stationary;
 use dalembert_derivations::stationary::motor::{MotorStates, NoMotor, Slip};
+use reader::Family;
+use simulation::Axes;
 use std::path::Path;
 
 fn scene(name: &str) -> Scene {

@@ -1,7 +1,7 @@
 //! The command that runs what was taken, in words that `dalembert run` takes.
 
 use derivations::ladder::Line;
-use derivations::scene::{Axes, methods};
+use simulation::{Axes, methods};
 use std::path::Path;
 
 /// The words behind the program's name, of a line of the receipt: its model where that is not the one that runs anyway, its

@@ -13,7 +13,9 @@ use clap::Args;
 use derivations::friction::course::WORKS;
 use derivations::ladder::rough::RoughLadder;
 use derivations::ladder::{Forms, Ladder, Models, Wish, choose};
-use derivations::scene::{AnyScene, Axes, Family, Smooth, Stored, System, stored};
+use derivations::scene::{AnyScene, System};
+use reader::Family;
+use simulation::{Axes, Smooth, Stored, stored};
 use std::path::PathBuf;
 use std::time::Duration;
 

@@ -5,8 +5,8 @@ use derivations::ladder::followed::{INSTANTS, LOOKS};
 use derivations::ladder::forms::SWITCHING;
 use derivations::ladder::switching::STRETCHES;
 use derivations::ladder::{Estimate, Line, Loss, Receipt, Verdict};
-use derivations::scene::methods;
 use serde_json::{Value, json};
+use simulation::methods;
 use std::fmt::Write;
 
 /// For readers.

@@ -6,11 +6,11 @@ use crate::ending::{Ending, print, warn};
 use ::scenes::{Task, read_model, start_of, starting, without_implied};
 use clap::{Args, ValueEnum};
 use derivations::derive::{Principle, derive as equations_of};
-use derivations::scene::Axes;
-use derivations::scene::any::holds_model;
-use derivations::scene::file::read_text;
 use model::{Fault, MatrixForm, Model, QuasiPrinciple, QuasiVelocities, Trace, constraints, vectors};
 use notation::{of_scene, written};
+use reader::read_text;
+use simulation::Axes;
+use simulation::models::holds_model;
 use std::path::Path;
 use symbolic::Language;
 

@@ -4,7 +4,8 @@ use super::{Asked, Equations, refuse_form};
 use crate::ending::Ending;
 use crate::run::one_form;
 use derivations::derive::{Equation, motor_of};
-use derivations::scene::{Family, Scene};
+use derivations::scene::Scene;
+use reader::Family;
 use std::path::Path;
 use symbolic::{Language, Sym, Tape};
 

@@ -9,8 +9,6 @@ use crate::ending::{Ending, print};
 use crate::output::Writes;
 use crate::progress::Progress;
 use clap::Args;
-use derivations::ensemble::EnsembleScene;
-use derivations::scene::Family;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use table::Table;
@@ -34,7 +32,7 @@ pub struct Asked {
 
 /// Runs what is not done yet, and says what became of all.
 pub fn run(asked: &Asked) -> Result<Ending, Ending> {
-    let scene = EnsembleScene::open(&asked.scene)?;
+    let scene = derivations::ensemble::open(&asked.scene)?;
     let usual = asked.scene.with_extension("csv");
     let path = asked.out.as_deref().unwrap_or_else(|| Path::new(usual.file_name().unwrap_or(usual.as_os_str())));
     let writes = Writes { command: "ensemble", force: asked.force, reads: vec![&asked.scene] };

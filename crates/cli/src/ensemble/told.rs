@@ -1,6 +1,6 @@
 //! The fates of the members of an ensemble.
 
-use derivations::ensemble::Stopped;
+use simulation::ensemble::Stopped;
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -62,7 +62,8 @@ mod tests {
     #[test]
     fn reasons_are_whole_and_counted_by_their_kind() {
         let mut told = Told::default();
-        let [first, second] = [2.0, 1.5].map(|value| Stopped::Axial { value: -value }.to_string());
+        let [first, second] =
+            [2.0, 1.5].map(|value| Stopped::Impossible(format!("A' > 0 is broken: it is {}", -value)).to_string());
         let late = Stopped::Run(Failure::OutOfTime { at: 3.0 }).to_string();
         for why in [None, Some(first.as_str()), Some(&second), Some(&late)] {
             told.add(why);

@@ -9,8 +9,8 @@ use crate::progress::Progress;
 use ::scenes::linearisation::{Linearisation, NotLinear, Stability, Standing, VariedEquations, eigenvalues, points};
 use ::scenes::{ModelScene, Task, equilibrium_of, independent_at, independent_start, read_model, without_law};
 use clap::{Args, ValueEnum};
-use derivations::scene::file::read_text;
 use model::Model;
+use reader::read_text;
 use serde_json::json;
 use std::path::PathBuf;
 

@@ -14,9 +14,11 @@ use charts::{Report, SceneSection, WorkPrecision};
 use clap::Args;
 use derivations::failures;
 use derivations::friction::RoughScene;
-use derivations::scene::{AnyScene, Atlas, Family, Smooth, Stored};
+use derivations::scene::AnyScene;
 use parts::Parts;
+use reader::Family;
 use scene::{Read, ReadRough, described};
+use simulation::{Atlas, Smooth, Stored};
 use std::path::{Path, PathBuf};
 
 /// The main job, where no command is given.

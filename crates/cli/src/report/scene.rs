@@ -5,9 +5,10 @@ use crate::rough;
 use crate::speed::tables::floors;
 use charts::{Parameter, SceneSection, Table, significant, tolerance};
 use derivations::friction::RoughScene;
-use derivations::scene::hybrid::{self, Unknown};
-use derivations::scene::{AnyScene, Atlas, Axes, Scene, Smooth, Stored, Trajectory, Trials, judged};
+use derivations::scene::{AnyScene, Scene};
 use integrators::Failure;
+use simulation::hybrid::Unknown;
+use simulation::{Atlas, Axes, Smooth, Stored, Trajectory, Trials, hybrid, judged};
 use std::time::Duration;
 
 /// For a reference; they share the processors, so that one of them has less than when it is alone.

@@ -1,7 +1,7 @@
 //! Scenes that could not be read, in the report: each with the lines that are wrong.
 
 use charts::{Study, Table};
-use derivations::scene::{Issue, SceneError};
+use reader::{Issue, SceneError};
 
 /// The page; `None` where all were read.
 pub fn study(unread: &[SceneError]) -> Option<Study> {

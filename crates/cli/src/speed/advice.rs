@@ -2,8 +2,8 @@
 
 use super::{Counted, Series, series};
 use charts::{significant, tolerance};
-use derivations::scene::Atlas;
 use integrators::cost;
+use simulation::Atlas;
 
 /// The fastest at an error, and the fastest by another method.
 pub fn advice(atlas: &Atlas, error: f64) -> String {

@@ -9,9 +9,9 @@ pub mod advice;
 pub mod pictures;
 pub mod tables;
 
-use derivations::scene::Atlas;
-use derivations::scene::atlas::{Standing, Way};
 use integrators::{Holding, Means, Method, Point, Trial};
+use simulation::Atlas;
+use simulation::atlas::{Standing, Way};
 
 /// What a run is charged with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

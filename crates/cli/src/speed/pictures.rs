@@ -2,9 +2,9 @@
 
 use super::{ANSWER, Counted, Series, model, series};
 use charts::{Failure, Point, Work, WorkPrecision};
-use derivations::scene::Atlas;
-use derivations::scene::atlas::Formulation;
 use integrators::front;
+use simulation::Atlas;
+use simulation::atlas::Formulation;
 
 /// Once in evaluations and once in time.
 pub fn work_precision(atlas: &Atlas) -> [WorkPrecision; 2] {

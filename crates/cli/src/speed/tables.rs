@@ -2,9 +2,9 @@
 
 use super::{Counted, family, model};
 use charts::{Table, significant, tolerance};
-use derivations::scene::Atlas;
-use derivations::scene::atlas::{Standing, Way};
 use integrators::{Point, front};
+use simulation::Atlas;
+use simulation::atlas::{Standing, Way};
 
 /// For each decade of the error the cheapest run of all that reaches it.
 pub fn fronts(atlas: &Atlas) -> Vec<Table> {

@@ -11,9 +11,10 @@ use crate::clock;
 use crate::ending::{Ending, print};
 use crate::run::with_model;
 use clap::Args;
-use derivations::scene::{Family, Scene};
+use derivations::scene::Scene;
 use derivations::stationary::motions::{NoAnswer, Stationary};
 use mechanics::uniform::Undecided;
+use reader::Family;
 use std::path::PathBuf;
 
 /// Which stationary motions are to be found.

@@ -6,9 +6,9 @@
 use crate::speed::advice::advice;
 use crate::speed::{Counted, Series, series};
 use charts::{Study, Table, significant, tolerance};
-use derivations::scene::Atlas;
-use derivations::scene::atlas::{Formulation, Standing, Way};
 use integrators::{Regrets, cost};
+use simulation::Atlas;
+use simulation::atlas::{Formulation, Standing, Way};
 
 /// Errors at which choices are compared.
 const ERRORS: [f64; 3] = [1e-3, 1e-6, 1e-9];

@@ -1,9 +1,9 @@
 //! Long runs that take minutes: what the bench has written of them, if it has.
 
 use derivations::long_runs::{Course, Sample};
-use derivations::scene::methods::method;
 use integrators::Work;
 use serde::Deserialize;
+use simulation::methods::method;
 use std::path::Path;
 
 /// Where the bench writes, beside the folder of scenes.

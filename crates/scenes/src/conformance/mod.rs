@@ -8,7 +8,7 @@ mod states;
 use crate::admissible::impossible;
 use crate::inductances::impossible_inductances;
 use crate::readiness::start_of;
-use derivations::conformance::{Finding, Verdict};
+use claims::finding::{Finding, Verdict};
 use model::principles::Principle;
 use model::{Agreement, Model, Pairs, Trace, agreement, statements};
 use symbolic::apart;

@@ -5,7 +5,7 @@
 
 use super::states::{Expressions, States};
 use crate::layout::Layout;
-use derivations::conformance::Verdict;
+use claims::finding::Verdict;
 use model::{Force, FrameId, Material, Model, ScalarId, Torque, Trace, VectorId};
 use nalgebra::{DMatrix, DVector};
 use symbolic::{Sym, apart, substitute_all};

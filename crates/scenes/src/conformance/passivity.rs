@@ -3,7 +3,7 @@
 use super::states::{Expressions, States};
 use crate::letters::Letters;
 use crate::row_units::unit_of;
-use derivations::conformance::Verdict;
+use claims::finding::Verdict;
 use field::Rational;
 use model::{Model, Trace, forces_without_potential};
 use num_traits::Zero;

@@ -2,8 +2,8 @@
 
 use crate::letters::Letters;
 use crate::readiness::start_of;
-use derivations::ensemble::draw::Draw;
 use model::Trace;
+use simulation::ensemble::draw::Draw;
 use std::cell::RefCell;
 use symbolic::{Sym, Tape, substitute_all};
 

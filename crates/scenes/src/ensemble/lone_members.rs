@@ -3,9 +3,9 @@
 use super::ModelEnsemble;
 use crate::compiled_system::changes;
 use crate::modes::{Modes, Refused, described};
-use derivations::ensemble::{Drawn, Ended, Last, RunsAlone, Stopped};
-use derivations::scene::{Choice, Smooth};
 use model::Model;
+use simulation::ensemble::{Drawn, Ended, Last, RunsAlone, Stopped};
+use simulation::{Choice, Smooth};
 use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::Duration;

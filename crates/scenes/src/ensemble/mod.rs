@@ -11,16 +11,16 @@ use crate::readiness::{changes, refused, unmet_at};
 use crate::scene::{ModelScene, columns};
 use crate::start::{Completed, SingularPositions, StartSolver, Unmet, given, in_touch, start_speeds};
 use crate::warnings::warn_of;
-use derivations::ensemble::{
-    Column, Drawn, EnsembleScene, LANES, Last, Member, ParametricSystem, RunsAlone, Shape, Sizes, Stopped, Variable,
-    lane_series, vary,
-};
-use derivations::scene::file::tables;
-use derivations::scene::law_end::Margins;
-use derivations::scene::{Run, SceneError, Smooth};
 use integrators::LaneSeries;
 use lone_members::laws_of;
 use model::{Fault, Model, bare_angle, turned_further};
+use reader::{SceneError, tables};
+use simulation::ensemble::{
+    Column, Drawn, EnsembleScene, LANES, Last, Member, ParametricSystem, RunsAlone, Shape, Sizes, Stopped, Variable,
+    lane_series, vary,
+};
+use simulation::law_end::Margins;
+use simulation::{Run, Smooth};
 use std::fmt::{self, Write};
 use std::sync::Arc;
 

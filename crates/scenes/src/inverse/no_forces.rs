@@ -2,8 +2,8 @@
 
 use crate::compiled_system::NotCompiled;
 use crate::readiness::without_law;
-use derivations::scene::Issue;
 use model::Model;
+use reader::Issue;
 use std::fmt;
 
 /// Why no forces are found.

@@ -20,12 +20,12 @@ pub use point::Undetermined;
 pub use points::Standing;
 pub use stability::{Spectrum, Stability, eigenvalues};
 
-use derivations::scene::Issue;
 pub(crate) use independence::dependent;
 use independence::others;
 use model::Model;
 use nalgebra::DMatrix;
 use point::solved;
+use reader::Issue;
 use std::fmt;
 
 /// The linear equations about a point.

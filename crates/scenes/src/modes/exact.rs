@@ -3,10 +3,10 @@
 use super::course::{Course, Crossing, Leg, Sets};
 use super::signals::{Fall, GLIDE};
 use super::{Laws, Moded, Modes};
-use derivations::scene::hybrid::{At, Followed, Means, Unknown};
 use field::{DoubleDouble, Over};
 use integrators::{Happening, Ode, Real};
 use num_traits::Zero;
+use simulation::hybrid::{At, Followed, Means, Unknown};
 use std::sync::PoisonError;
 
 /// Newton's iteration doubles the digits: where a run knows thirteen one step comes to all that are kept, and the next finds so.

@@ -1,10 +1,10 @@
 //! The cost as a quadratic form of deviations.
 
 use crate::letters::Letters;
-use derivations::scene::Issue;
 use model::equations::vanishes;
 use model::{Model, Regulator, ScalarId, Trace};
 use nalgebra::DMatrix;
+use reader::Issue;
 use std::ops::Range;
 use symbolic::{Sym, apart};
 

@@ -23,10 +23,10 @@ use crate::scene::ModelScene;
 use crate::start::displaced;
 use closed_loop::{Gains, MOST};
 use criterion::{Form, forms};
-use derivations::scene::Issue;
 use horizon::Backwards;
 use model::{Feedback, Model, Regulator};
 use nalgebra::{Complex, DMatrix, DVector};
+use reader::Issue;
 use std::time::{Duration, Instant};
 
 /// An optimal regulator of a model, and its run.

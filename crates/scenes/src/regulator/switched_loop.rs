@@ -6,10 +6,10 @@ use super::closed_loop::ClosedRun;
 use crate::modes::Modes;
 use crate::refused_start::not_started;
 use crate::scene::ModelScene;
-use derivations::scene::Issue;
-use derivations::scene::switching::Switching;
 use integrators::{Method, Record, Span, Tolerance};
 use model::Feedback;
+use reader::Issue;
+use simulation::switching::Switching;
 use std::sync::Arc;
 use std::time::Instant;
 

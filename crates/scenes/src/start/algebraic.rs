@@ -4,8 +4,8 @@ use super::given;
 use crate::compiled_system::CompiledSystem;
 use crate::modes::Modes;
 use crate::row_units::measured;
-use derivations::scene::Issue;
 use model::Model;
+use reader::Issue;
 use std::sync::Arc;
 
 /// A given speed may differ from its law by so much of the largest one.

@@ -8,11 +8,11 @@
 
 use super::constraints::Constraints;
 use super::start_speeds;
-use derivations::scene::law_end::Margin;
 use model::Model;
 use model::equations::Level;
 use nalgebra::{Cholesky, DMatrix};
 use simulation::Program;
+use simulation::law_end::Margin;
 use std::sync::{Arc, Mutex, PoisonError};
 
 const SINGULAR: &str =

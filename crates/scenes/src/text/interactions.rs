@@ -2,9 +2,8 @@
 
 use super::machines::machine;
 use super::{placed, text_of};
-use derivations::scene::Issue;
-use derivations::scene::read::Table;
 use model::{ContactSource, DriveSource, Entry, LoadSource, OneWay, OneWaySource, Text, WindingSource};
+use reader::{Issue, Table};
 
 pub(super) fn loads(top: &mut Table<'_>, name: &str) -> Vec<LoadSource> {
     let needed = format!("[[{name}]] in double brackets is accepted, since a system may have several");

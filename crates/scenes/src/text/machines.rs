@@ -6,12 +6,11 @@
 //!   torque m(g', p') - dU/dg,    for each winding  L i' = v + W psi' - R i - (psi' + c) p' .
 
 use derivations::machines::text::NAME;
-use derivations::machines::{Machine, Motor, Quantity, catalogue};
-use derivations::scene::Issue;
+use derivations::machines::{Machine, Motor, catalogue};
 use derivations::scene::machine;
-use derivations::scene::read::Table;
 use field::Analytic;
 use model::{DriveSource, Entry, Text, WindingSource};
+use reader::{Issue, Quantity, Table};
 use symbolic::{Sym, apart};
 
 /// The laws of `[drive.machine]`; its data become parameters of the system, `motor_voltage` of the drive `motor`.

@@ -3,12 +3,11 @@
 mod interactions;
 mod machines;
 
-use derivations::scene::Issue;
-use derivations::scene::read::{At, Table};
 use interactions::{contacts, drives, loads, one_ways};
 use model::{
     BodySource, ConstraintSource, Entry, EventSource, Fault, InertiaSource, InputSource, RegulatorSource, Source, Text,
 };
+use reader::{At, Issue, Table};
 use std::ops::Range;
 
 /// Tables that the language will have.

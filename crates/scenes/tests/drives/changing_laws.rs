@@ -4,7 +4,7 @@
 use super::one_ways::root;
 use super::{close, last, runs, stored};
 use dalembert_scenes::ModelScene;
-use derivations::scene::Trajectory;
+use simulation::Trajectory;
 
 const RC: &str = "title = \"RC\"\n[parameters]\nV = \"10 V\"\nR = \"1 ohm\"\nC = \"1 mF\"\nw = \"3141.592653589793 rad/s\"\n\
     [coordinates]\nq = \"C\"\n[energies]\npotential = \"q^2/(2*C)\"\ndissipation = \"R/2*q'^2\"\n[[force]]\nalong = \"q\"\n\

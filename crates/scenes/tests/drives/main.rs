@@ -10,8 +10,8 @@ mod refusals;
 mod without_inertia;
 
 use dalembert_scenes::ModelScene;
-use derivations::scene::{Choice, Smooth, Trajectory};
 use integrators::Method;
+use simulation::{Choice, Smooth, Trajectory};
 
 fn runs(text: &str) -> Trajectory {
     let scene = ModelScene::parse("scene.toml", text).unwrap_or_else(|error| panic!("{error}"));

@@ -2,9 +2,10 @@
 
 use super::{close, last, runs};
 use dalembert_scenes::ModelScene;
-use derivations::machines::{Machine, Motor, Quantity, catalogue, drive};
+use derivations::machines::{Machine, Motor, catalogue, drive};
 use field::Circle;
 use integrators::Ode;
+use reader::Quantity;
 
 const INERTIA: f64 = 0.01;
 

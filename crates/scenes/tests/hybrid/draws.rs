@@ -1,8 +1,8 @@
 //! Systems with random parameters, each by four methods at three tolerances.
 
 use dalembert_scenes::ModelScene;
-use derivations::scene::{Choice, Smooth};
 use integrators::Method;
+use simulation::{Choice, Smooth};
 
 pub const DRAWS: u64 = 200;
 const METHODS: [Method; 4] = [Method::Taylor, Method::DormandPrince8, Method::DormandPrince5, Method::Radau5];

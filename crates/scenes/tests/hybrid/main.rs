@@ -8,8 +8,8 @@ mod shares;
 mod starts;
 
 use dalembert_scenes::ModelScene;
-use derivations::scene::{Axes, Choice, Smooth, Trajectory};
 use integrators::Method;
+use simulation::{Axes, Choice, Smooth, Trajectory};
 
 const METHODS: [Method; 3] = [Method::DormandPrince8, Method::Taylor, Method::Radau5];
 

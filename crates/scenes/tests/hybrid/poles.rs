@@ -1,8 +1,8 @@
 //! Events at positions that coordinates do not describe, where the law has no numbers.
 
 use dalembert_scenes::ModelScene;
-use derivations::scene::{Choice, Smooth};
 use integrators::Method;
+use simulation::{Choice, Smooth};
 
 /// A ball rolls on a plane with a constant angular velocity, so that the angle theta of Euler's goes through zero at 0.45 s.
 fn ball() -> String {

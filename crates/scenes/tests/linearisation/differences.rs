@@ -2,9 +2,9 @@
 
 use super::{CART, linear, scene, stored};
 use dalembert_scenes::linearisation::{Linearisation, Point, Standing, VariedEquations};
-use derivations::scene::{Axes, Smooth};
 use integrators::{Directions, Jacobian, Ode};
 use nalgebra::{DMatrix, DVector};
+use simulation::{Axes, Smooth};
 
 /// Without constraints A is the Jacobian of the law that runs, along the motion too, by dual numbers.
 #[test]

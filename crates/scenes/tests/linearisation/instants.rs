@@ -2,7 +2,7 @@
 
 use super::{scene, stored};
 use dalembert_scenes::linearisation::points::{NoInstance, along};
-use derivations::scene::Smooth;
+use simulation::Smooth;
 use std::time::Duration;
 
 const ALLOWED: Duration = Duration::from_secs(60);
@@ -19,7 +19,7 @@ fn text(name: &str) -> String {
 fn instants_behind_events_are_those_of_the_run() {
     let text = text("bouncing_ball");
     let scene = scene(&text);
-    let choice = derivations::scene::Choice { tolerance: 1e-11, ..scene.run().choice() };
+    let choice = simulation::Choice { tolerance: 1e-11, ..scene.run().choice() };
     let run = scene.problem(choice.axes).simulate(&choice, |_| {});
     let place = run.times.len() * 2 / 3;
     let state = at(&text, run.times[place]).unwrap_or_else(|why| panic!("{why}"));

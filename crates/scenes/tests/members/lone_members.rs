@@ -2,7 +2,7 @@
 
 use super::{ensemble, rows, text, with};
 use dalembert_scenes::ModelScene;
-use derivations::scene::Smooth;
+use simulation::Smooth;
 
 /// The last row of the run of one file, by its own method.
 fn run_of(text: &str) -> (f64, Vec<f64>) {

@@ -5,9 +5,9 @@ mod free_frames;
 mod lone_members;
 
 use dalembert_scenes::{ModelScene, parse_ensemble};
-use derivations::ensemble::{EnsembleScene, Row};
-use derivations::scene::{Axes, Smooth};
 use integrators::{Taylor, Tolerance, lanes_order};
+use simulation::ensemble::{EnsembleScene, Row};
+use simulation::{Axes, Smooth};
 use std::ops::ControlFlow;
 use std::path::Path;
 

@@ -1,9 +1,9 @@
 //! `conform` on systems that are text: what is sound passes, and each mistake is found by its check.
 
 use super::{all, path};
+use claims::finding::{Finding, Verdict};
 use dalembert_scenes::conformance::conform;
 use dalembert_scenes::{Task, parse_titled, read_model};
-use derivations::conformance::{Finding, Verdict};
 
 fn found(text: &str) -> Vec<Finding> {
     let (_, model) = parse_titled("scene.toml", text, Task::Write).unwrap_or_else(|error| panic!("{error}"));

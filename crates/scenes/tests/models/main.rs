@@ -7,10 +7,10 @@ mod redundant;
 mod singular;
 
 use dalembert_scenes::{ModelScene, Task, read_model};
-use derivations::scene::{Axes, Choice, Smooth, Stored, stored};
 use integrators::Method;
 use model::principles::Principle;
 use model::{Agreement, Trace, agreement};
+use simulation::{Axes, Choice, Smooth, Stored, stored};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 

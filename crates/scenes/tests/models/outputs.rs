@@ -1,8 +1,8 @@
 //! Outputs with conditions of their own: they show cases, and the law stays one.
 
 use dalembert_scenes::ModelScene;
-use derivations::scene::{Choice, Smooth};
 use integrators::Method;
+use simulation::{Choice, Smooth};
 
 const SPRING: &str = "title = \"spring\"\n[parameters]\nk = \"4 N/m\"\nm = \"1 kg\"\n[coordinates]\nx = \"m\"\n\
     [points]\nP = \"O + x*N.x\"\n[definitions]\nfar = \"if(x > (0.5 m), 1, 0)\"\n[bodies.b]\ncentre = \"P\"\nmass = \"m\"\n\

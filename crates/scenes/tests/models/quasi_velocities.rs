@@ -2,9 +2,9 @@
 
 use dalembert_scenes::linearisation::VariedEquations;
 use dalembert_scenes::{ModelScene, equilibrium_of, parse_ensemble};
-use derivations::scene::{Axes, Smooth};
 use integrators::Method;
 use model::{QuasiPrinciple, QuasiVelocities, Trace, quasi_agreement};
+use simulation::{Axes, Smooth};
 
 const SLEIGH: &str = r#"
 title = "Chaplygin's sleigh"

@@ -2,9 +2,9 @@
 
 use dalembert_scenes::linearisation::{VariedEquations, eigenvalues};
 use dalembert_scenes::{ModelScene, independent_start, parse_ensemble};
-use derivations::scene::{Axes, Smooth};
 use integrators::Method;
 use model::{QuasiPrinciple, QuasiVelocities, Trace};
+use simulation::{Axes, Smooth};
 use std::collections::HashMap;
 
 /// A rod on three parallel cranks: the third holds along the rod what the second holds.

@@ -1,8 +1,8 @@
 //! Singular positions of closed loops, beyond which there may be several motions, or none: runs end there, by every method.
 
 use dalembert_scenes::{ModelScene, parse_ensemble};
-use derivations::scene::{Axes, Choice, Smooth};
 use integrators::Method;
+use simulation::{Axes, Choice, Smooth};
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
 use std::time::Duration;

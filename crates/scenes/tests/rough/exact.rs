@@ -2,11 +2,10 @@
 
 use super::{close, stored};
 use dalembert_scenes::ModelScene;
-use derivations::scene::Smooth;
-use derivations::scene::hybrid::{Exact, Hybrid, Unknown, judged};
-use derivations::scene::{Axes, Choice, Stored, Trials};
 use field::DoubleDouble;
 use integrators::{Failure, Method, Record, Span, Tolerance};
+use simulation::hybrid::{Exact, Hybrid, Unknown, judged};
+use simulation::{Axes, Choice, Smooth, Stored, Trials};
 use std::time::Duration;
 
 const PATIENCE: Duration = Duration::from_secs(60);

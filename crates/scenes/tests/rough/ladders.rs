@@ -2,8 +2,8 @@
 
 use super::{METHODS, close, events, last, rod, runs, stored};
 use derivations::friction::RoughScene;
-use derivations::scene::Family;
 use integrators::Method;
+use reader::Family;
 
 /// The events of a rough scene, without its start.
 fn known(name: &str) -> Vec<f64> {

@@ -15,8 +15,8 @@ mod stools;
 mod tripods;
 
 use dalembert_scenes::ModelScene;
-use derivations::scene::{Choice, Smooth, Trajectory};
 use integrators::Method;
+use simulation::{Choice, Smooth, Trajectory};
 
 const METHODS: [Method; 3] = [Method::DormandPrince8, Method::Taylor, Method::Radau5];
 

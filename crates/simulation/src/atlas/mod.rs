@@ -1,0 +1,149 @@
+//! The atlas of a scene: every method on every formulation of its equations with every model of its motor.
+//!
+//! # Overview
+//! * [`Way`]: a formulation with a model; each family of scenes lists its own ([`Smooth::ways`](super::Smooth::ways));
+//! * [`Observed`]: what all ways have, so that their errors can be compared, by the reference of the scene's own model. A
+//!   smaller model is measured by the same reference: no tolerance brings it below what the model itself is off;
+//! * [`Atlas`]: the runs of all ways, their errors, work and times.
+
+mod way;
+
+pub use way::{Course as AcrossEvents, Formulation, HeldLaw, Standing, Treated, Way};
+
+use super::measured::Trials;
+use super::problem::Row;
+use integrators::{Attempt, Course, Method, Point, Record, Reference, Timed, Tolerance, judge, measure};
+use std::time::{Duration, Instant};
+
+/// Times, beside the start, at which an error is taken: few, so that landing on them costs no method much.
+pub(crate) const INSTANTS: usize = 8;
+
+/// A quantity that is compared, with its size along the motion.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Observed {
+    pub name: String,
+    pub size: f64,
+}
+
+/// The exact motion in what is compared.
+#[derive(Clone, Debug)]
+pub struct Goal {
+    pub observed: Vec<Observed>,
+    times: Vec<f64>,
+    rows: Vec<Vec<f64>>,
+}
+
+impl Goal {
+    /// Of a reference of the scene's own problem, whose rows have these columns.
+    pub fn of(columns: &[String], shown: &Row, reference: &Reference, observed: Vec<Observed>) -> Self {
+        let places = places(&observed, columns);
+        let row = |(time, state): (&f64, &Vec<field::DoubleDouble>)| {
+            let state: Vec<f64> = state.iter().map(|y| y.hi()).collect();
+            let row = shown(*time, &state);
+            places.iter().map(|place| place.map_or(f64::NAN, |place| row[place])).collect()
+        };
+        let rows = reference.times.iter().zip(&reference.states).map(row).collect();
+        Goal { times: reference.times.clone(), rows, observed }
+    }
+
+    /// The largest error of a run of some way, of what it has, each relative to its size; no number where its instants are
+    /// others.
+    pub fn error(&self, way: &Way, record: &Record<f64>) -> f64 {
+        if record.times != self.times {
+            return f64::NAN;
+        }
+        let places = places(&self.observed, &way.columns);
+        let at = |(goal, (time, state)): (&Vec<f64>, (&f64, &Vec<f64>))| {
+            let row = (way.row)(*time, state);
+            let compared = goal.iter().zip(&self.observed).zip(&places);
+            compared
+                .filter_map(|((goal, observed), place)| Some((row[(*place)?] - goal).abs() / observed.size))
+                .fold(0.0, f64::max)
+        };
+        self.rows.iter().zip(record.times.iter().zip(&record.states)).map(at).fold(0.0, f64::max)
+    }
+}
+
+/// Where the quantities stand in a row.
+fn places(observed: &[Observed], columns: &[String]) -> Vec<Option<usize>> {
+    observed.iter().map(|one| columns.iter().position(|name| *name == one.name)).collect()
+}
+
+/// The runs of a way.
+pub struct Explored {
+    pub way: Way,
+    pub points: Vec<Point>,
+    /// What the model itself is off, by an accurate run; none where the way is exact, or where there is no such run.
+    pub floor: Option<f64>,
+}
+
+/// What came out.
+pub struct Atlas {
+    pub reference: Reference,
+    pub explored: Vec<Explored>,
+    span: f64,
+}
+
+impl Atlas {
+    /// Runs every method of every way at every tolerance without timing it: many scenes' at a time too. The first way is
+    /// the reference's own.
+    pub fn judged(ways: Vec<Way>, reference: Reference, goal: &Goal, span: f64, trials: &Trials) -> Self {
+        let end = Instant::now() + trials.allowed;
+        let mut explored = Vec::new();
+        for (place, mut way) in ways.into_iter().enumerate() {
+            let left = end.saturating_duration_since(Instant::now());
+            way.measure_itself(span, (place == 0).then_some(&reference));
+            explored.push(explore(way, goal, span, trials, left));
+        }
+        Atlas { reference, explored, span }
+    }
+
+    /// Takes the times of all that reached the end, while nothing else runs.
+    pub fn take_times(&mut self, trials: &Trials, allowed: Duration) {
+        let spans: Vec<_> = self.explored.iter().map(|one| one.way.span(self.span, trials.evaluations)).collect();
+        let (mut runs, mut places) = (Vec::new(), Vec::new());
+        for (at, (one, span)) in self.explored.iter().zip(&spans).enumerate() {
+            let attempts = one.way.attempts(trials);
+            for (place, point) in one.points.iter().enumerate() {
+                let attempt = attempts.iter().find(|attempt| attempt.means() == point.means);
+                let (Ok(error), Some(attempt)) = (&point.error, attempt) else { continue };
+                let tolerance = Tolerance::scaled(point.tolerance.unwrap_or(f64::EPSILON), &one.way.sizes);
+                runs.push(Timed { attempt: *attempt, span, tolerance, error: *error, evaluations: point.evaluations });
+                places.push((at, place));
+            }
+        }
+        let times = measure(&runs, allowed);
+        for ((at, place), time) in places.into_iter().zip(times) {
+            self.explored[at].points[place].time = time;
+        }
+    }
+
+    /// All runs with their ways.
+    pub fn points(&self) -> impl Iterator<Item = (&Way, &Point)> {
+        self.explored.iter().flat_map(|one| one.points.iter().map(move |point| (&one.way, point)))
+    }
+}
+
+/// A tolerance so far below the floor of a model adds nothing.
+const BELOW_FLOOR: f64 = 1e-3;
+
+fn explore(way: Way, goal: &Goal, span: f64, trials: &Trials, allowed: Duration) -> Explored {
+    let from = way.span(span, trials.evaluations);
+    let error = |record: &Record<f64>| goal.error(&way, record);
+    let course = Course { span: &from, sizes: &way.sizes, error: &error };
+    let (mut floor, mut tolerances) = (None, trials.tolerances.clone());
+    if let (Standing::Approximate, Treated::Free(law)) = (way.standing, &way.law) {
+        let accurate = |method| {
+            let found = judge(&[Attempt::Integrated(&**law, method)], &course, &[ACCURATE], allowed / 4);
+            found.into_iter().find_map(|point| point.error.ok())
+        };
+        floor = accurate(Method::DormandPrince8).or_else(|| accurate(Method::RadauIIA { stages: 5 }));
+        let enough = floor.unwrap_or(0.0) * BELOW_FLOOR;
+        tolerances.retain(|tolerance| *tolerance >= enough.min(trials.tolerances[0]));
+    }
+    let points = judge(&way.attempts(trials), &course, &tolerances, allowed);
+    Explored { way, points, floor }
+}
+
+/// The tolerance of the run that finds a floor.
+const ACCURATE: f64 = 1e-10;

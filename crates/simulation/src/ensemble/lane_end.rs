@@ -1,0 +1,55 @@
+//! The end of a member's law within a step of its lane, by its margins.
+//!
+//! There the motion is a polynomial. It is looked at in halves while a distance may come to zero by the bound of its rate.
+
+use crate::Margin;
+use crate::law_end::{Margins, outside};
+use integrators::LaneStep;
+
+/// By so little a distance may change over an interval that is not halved.
+const LITTLE: f64 = 2e-4;
+
+/// The part of a step, over which rates are taken.
+const APART: f64 = 1e-6;
+
+/// A step with the margins of the law.
+pub(super) struct LaneEnd<'a> {
+    margins: &'a Margins,
+    step: &'a LaneStep<'a>,
+    state: Vec<f64>,
+    rates: Vec<f64>,
+}
+
+impl<'a> LaneEnd<'a> {
+    pub fn new(margins: &'a Margins, step: &'a LaneStep<'a>, states: usize) -> Self {
+        LaneEnd { margins, step, state: vec![0.0; states], rates: vec![0.0; states] }
+    }
+
+    /// The margins at a time of the step, other than its begin.
+    pub fn look(&mut self, time: f64) -> Vec<Margin> {
+        let apart = APART * (self.step.begin - self.step.end);
+        (self.step.state_at)(time, &mut self.state);
+        (self.step.state_at)(time + apart, &mut self.rates);
+        self.rates.iter_mut().zip(&self.state).for_each(|(rate, part)| *rate = (*rate - part) / apart);
+        (self.margins)(time, &self.state, &self.rates)
+    }
+
+    /// The last time at which the law holds, where it does not to the end of an interval, and the reason.
+    pub fn first(&mut self, [begin, end]: [(f64, &Vec<Margin>); 2]) -> Option<(f64, &'static str)> {
+        let ends = begin.1.iter().zip(end.1);
+        if ends.into_iter().any(|(before, after)| is_open(before, after, end.0 - begin.0)) {
+            let time = begin.0 + 0.5 * (end.0 - begin.0);
+            if time > begin.0 && time < end.0 {
+                let middle = self.look(time);
+                return self.first([begin, (time, &middle)]).or_else(|| self.first([(time, &middle), end]));
+            }
+        }
+        outside(end.1).map(|what| (begin.0, what))
+    }
+}
+
+/// Whether a distance may come to zero over an interval by the bound of its rate.
+fn is_open(before: &Margin, after: &Margin, length: f64) -> bool {
+    let distance = |margin: &Margin| margin.value.max(0.0).sqrt();
+    length * before.fastest.max(after.fastest) > LITTLE.max(distance(before) + distance(after))
+}

@@ -1,0 +1,86 @@
+//! Ensembles: one scene many times, with data and starts that differ, run side by side.
+//!
+//! # Overview
+//! * [`EnsembleScene`]: a scene with a table `[ensemble]` that says what varies;
+//! * [`parametric_system`]: what an ensemble needs of a scene: names of the numbers that may vary, a law with a symbol for each, members;
+//! * [`vary`], [`draw`]: the distributions, and random numbers that depend on seed, member and datum alone;
+//! * [`run`]: all members in lanes and threads; [`lane_series()`]: the series of a recurrence in lanes;
+//! * [`fingerprint`]: what decides a member, so that rows of different ensembles are told apart.
+
+pub mod draw;
+pub mod fingerprint;
+mod lane_end;
+pub mod lane_series;
+mod one_by_one;
+pub mod parametric_system;
+pub mod run;
+mod stop_reason;
+pub mod vary;
+
+pub use fingerprint::Fingerprint;
+pub use lane_series::lane_series;
+pub use parametric_system::{Column, Drawn, Ended, LANES, Member, ParametricSystem, RunsAlone, Shape, Sizes, Variable};
+pub use run::{Last, Row};
+pub use stop_reason::Stopped;
+
+use std::fmt;
+use std::sync::Arc;
+use vary::{Variation, Varied};
+
+/// A scene of which many members are run.
+#[derive(Clone, Debug)]
+pub struct EnsembleScene {
+    pub system: Arc<dyn ParametricSystem>,
+    pub members: u64,
+    seed: u64,
+    varied: Vec<Varied>,
+}
+
+/// The law of a system has more quantities than members side by side have room for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TooLong;
+
+impl fmt::Display for TooLong {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "its series take more quantities than members side by side have room for")
+    }
+}
+
+impl EnsembleScene {
+    /// Members of a system.
+    ///
+    /// # Errors
+    /// [`TooLong`].
+    pub fn new(system: Arc<dyn ParametricSystem>, variation: Variation) -> Result<Self, TooLong> {
+        let Variation { members, seed, varied } = variation;
+        // the room does not depend on the order
+        if system.alone().is_none() {
+            system.series(integrators::lanes_order(1.0)).ok_or(TooLong)?;
+        }
+        Ok(EnsembleScene { system, members, seed, varied })
+    }
+
+    /// A member.
+    ///
+    /// # Errors
+    /// Why there is none.
+    pub fn member(&self, number: u64) -> Result<Member<'_>, Stopped> {
+        self.system.member(&self.numbers(number)?)
+    }
+
+    /// The numbers of a member, all finite.
+    fn numbers(&self, number: u64) -> Result<Vec<Drawn>, Stopped> {
+        let drawn: Vec<Drawn> = self.varied.iter().map(|varied| varied.drawn(self.seed, number)).collect();
+        for (varied, Drawn { numbers, .. }) in self.varied.iter().zip(&drawn) {
+            if numbers.iter().any(|x| !x.is_finite()) {
+                return Err(Stopped::NotFinite { datum: varied.name.clone() });
+            }
+        }
+        Ok(drawn)
+    }
+
+    /// The numbers of a member that vary, in the order of the columns.
+    pub fn drawn(&self, number: u64) -> Vec<f64> {
+        self.varied.iter().flat_map(|varied| varied.drawn(self.seed, number).numbers).collect()
+    }
+}

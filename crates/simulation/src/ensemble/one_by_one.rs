@@ -1,0 +1,109 @@
+//! Series of the systems in lanes, one after the other: of laws with exponentials, whose arguments bound each step.
+
+use super::lane_series::{FEW, MANY};
+use crate::{Expandable, Room};
+use field::Lanes;
+use integrators::LaneSeries;
+use series::Expansion;
+use std::cell::Cell;
+
+/// Quantities side by side in each.
+const WIDTH: usize = 8;
+
+/// As [`lane_series`](super::lane_series()).
+pub(super) fn one_by_one<const L: usize>(law: &Expandable, order: usize) -> Option<Box<dyn LaneSeries<L> + '_>> {
+    match law.recurrence.columns::<WIDTH>() {
+        columns if columns <= FEW => Some(Box::new(OneByOne::<L, FEW>::new(law, order)?)),
+        columns if columns <= MANY => Some(Box::new(OneByOne::<L, MANY>::new(law, order)?)),
+        _ => None,
+    }
+}
+
+struct OneByOne<'a, const L: usize, const N: usize> {
+    law: &'a Expandable,
+    lanes: Vec<Lane<N>>,
+    /// The coefficients of the last order, and of the one before it.
+    last: [Vec<Lanes<L>>; 2],
+    /// Room for the sum of one lane.
+    sums: Cell<Vec<f64>>,
+}
+
+/// The system in one lane.
+struct Lane<const N: usize> {
+    expansion: Expansion<f64, WIDTH, N>,
+    parameters: Vec<f64>,
+    /// The state, with room for the series of exponents behind it.
+    extended: Vec<f64>,
+    exponents: Room,
+}
+
+impl<'a, const L: usize, const N: usize> OneByOne<'a, L, N> {
+    fn new(law: &'a Expandable, order: usize) -> Option<Self> {
+        let parameters = vec![0.0; law.parameters()];
+        let lane = || {
+            Some(Lane {
+                expansion: law.recurrence.expansion(&parameters, order)?,
+                parameters: parameters.clone(),
+                extended: vec![0.0; law.recurrence.states()],
+                exponents: Room::default(),
+            })
+        };
+        let lanes = (0..L).map(|_| lane()).collect::<Option<Vec<_>>>()?;
+        let last = [(); 2].map(|()| vec![Lanes::all(0.0); law.states()]);
+        Some(OneByOne { law, lanes, last, sums: Cell::default() })
+    }
+}
+
+impl<const L: usize, const N: usize> LaneSeries<L> for OneByOne<'_, L, N> {
+    fn set(&mut self, lane: usize, parameters: &[f64]) {
+        let lane = &mut self.lanes[lane];
+        lane.expansion.set_parameters(parameters);
+        lane.parameters.copy_from_slice(parameters);
+    }
+
+    fn order(&self) -> usize {
+        self.lanes[0].expansion.order()
+    }
+
+    fn expand(&mut self, times: Lanes<L>, states: &[Lanes<L>]) {
+        let order = self.order();
+        for (place, (lane, time)) in self.lanes.iter_mut().zip(times.0).enumerate() {
+            lane.extended.iter_mut().zip(states).for_each(|(own, state)| *own = state.0[place]);
+            if let Some(exponents) = &self.law.exponents {
+                let state = states.iter().map(|state| state.0[place]);
+                exponents.evaluate(&mut lane.exponents, state, time, &lane.parameters);
+            }
+            lane.expansion.expand(&lane.extended, time);
+            for (k, last) in [order, order - 1].into_iter().zip(&mut self.last) {
+                last.iter_mut().zip(lane.expansion.coefficients(k)).for_each(|(own, term)| own.0[place] = *term);
+            }
+        }
+    }
+
+    fn coefficients(&self, k: usize) -> &[Lanes<L>] {
+        &self.last[usize::from(k != self.order())]
+    }
+
+    fn sum(&self, h: Lanes<L>, out: &mut [Lanes<L>]) {
+        let mut sums = self.sums.take();
+        sums.resize(out.len(), 0.0);
+        for (place, (lane, h)) in self.lanes.iter().zip(h.0).enumerate() {
+            lane.expansion.sum(h, &mut sums);
+            out.iter_mut().zip(&sums).for_each(|(out, sum)| out.0[place] = *sum);
+        }
+        self.sums.set(sums);
+    }
+
+    fn shown(&self) -> Lanes<L> {
+        let first = self.law.states();
+        let longest = |lane: &Lane<N>| {
+            let term = |place: usize, k: usize| lane.expansion.coefficients(k)[first + place];
+            self.law.exponents.as_ref().map_or(f64::INFINITY, |exponents| {
+                exponents.longest(&lane.exponents.values, lane.expansion.order(), false, term)
+            })
+        };
+        let mut shown = Lanes::all(f64::INFINITY);
+        shown.0.iter_mut().zip(&self.lanes).for_each(|(shown, lane)| *shown = longest(lane));
+        shown
+    }
+}

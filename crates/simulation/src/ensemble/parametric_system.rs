@@ -1,0 +1,150 @@
+//! Systems of one form that differ in numbers alone: what an ensemble needs to know of them, whatever moves.
+
+use super::run::Last;
+use super::stop_reason::Stopped;
+use crate::Run;
+use crate::law_end::Margins;
+use integrators::LaneSeries;
+use std::borrow::Cow;
+use std::fmt;
+
+/// One register of today: what is computed at a time then stays near the processor.
+pub const LANES: usize = 8;
+
+/// A scene with the law written down once, a symbol for every number that may vary.
+pub trait ParametricSystem: fmt::Debug + Send + Sync {
+    /// One line that says what happens.
+    fn title(&self) -> &str;
+
+    /// Span and tolerance; the method is Taylor's.
+    fn run(&self) -> &Run;
+
+    /// How many states a member has, and how many parameters its law.
+    fn sizes(&self) -> Sizes;
+
+    /// The series of members side by side, to this order; `None` where the law is too long for them.
+    fn series(&self, order: usize) -> Option<Box<dyn LaneSeries<LANES> + '_>>;
+
+    /// The way in which members run, where they do not run side by side.
+    fn alone(&self) -> Option<&dyn RunsAlone> {
+        None
+    }
+
+    /// The member with these numbers in the place of the scene's own.
+    ///
+    /// # Errors
+    /// Why there is no such member.
+    fn member(&self, drawn: &[Drawn]) -> Result<Member<'_>, Stopped>;
+
+    /// What a row shows of the end of a member: first of its state, then what follows from it.
+    fn columns(&self) -> Vec<Column>;
+
+    /// Writes all that decides a member beside the drawn numbers, the span and the tolerance: law, data, start.
+    ///
+    /// # Errors
+    /// Those of the writer.
+    fn write_law(&self, out: &mut dyn fmt::Write) -> fmt::Result;
+
+    /// The name of the machine, or of the kind of system.
+    fn name(&self) -> &str;
+}
+
+/// Members that run one by one: their laws change at events, each at its own.
+pub trait RunsAlone: Sync {
+    /// Runs the member with these numbers, while it may go on.
+    ///
+    /// # Errors
+    /// Why there is no such member.
+    fn run_alone(&self, drawn: &[Drawn], goes_on: &dyn Fn() -> bool) -> Result<Ended, Stopped>;
+}
+
+/// A member after its run.
+pub struct Ended {
+    pub last: Last,
+    pub steps: u64,
+    /// Why it stopped before its end.
+    pub stopped: Option<Stopped>,
+}
+
+/// The length of a member's state, and of the parameters of its law.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Sizes {
+    pub states: usize,
+    pub parameters: usize,
+}
+
+/// A column of a row, with the unit of its numbers.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Column {
+    pub name: String,
+    pub unit: String,
+}
+
+/// The end of a member at a time and a state.
+pub type EndOf<'a> = dyn Fn(f64, &[f64]) -> Last + Send + 'a;
+
+/// A member before its run.
+pub struct Member<'a> {
+    pub parameters: Vec<f64>,
+    /// At time zero, as the law has it.
+    pub state: Vec<f64>,
+    /// The end of its run as a row shows it, from the last good time and state.
+    pub end: Box<EndOf<'a>>,
+    /// The distance of a state from where the law ends; none for a law that holds everywhere.
+    pub margins: Option<Box<Margins>>,
+}
+
+/// The numbers of a variable for one member, in SI units.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Drawn {
+    /// The place of the variable in the list of all.
+    pub variable: usize,
+    pub numbers: Vec<f64>,
+}
+
+/// Numbers of a scene that may vary: a key of one of its tables.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Variable {
+    /// Empty at the top of the file.
+    pub table: &'static str,
+    pub key: Cow<'static, str>,
+    pub meaning: Cow<'static, str>,
+    pub unit: Cow<'static, str>,
+    pub shape: Shape,
+}
+
+/// How many numbers a variable has, and what they are together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shape {
+    /// So many, each by itself.
+    Numbers(usize),
+    /// Three, brought to length one.
+    Direction,
+    /// 11, 12, 13, 22, 23, 33.
+    SymmetricTensor,
+}
+
+impl Shape {
+    /// How many numbers there are.
+    pub fn components(self) -> usize {
+        match self {
+            Shape::Numbers(count) => count,
+            Shape::Direction => 3,
+            Shape::SymmetricTensor => 6,
+        }
+    }
+}
+
+impl Variable {
+    /// As a table of results names it.
+    pub fn name(&self) -> String {
+        if self.table.is_empty() { self.key.to_string() } else { format!("{}.{}", self.table, self.key) }
+    }
+}
+
+impl fmt::Debug for Member<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Member { parameters, state, .. } = self;
+        f.debug_struct("Member").field("parameters", parameters).field("state", state).finish_non_exhaustive()
+    }
+}

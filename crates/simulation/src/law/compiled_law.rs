@@ -1,0 +1,142 @@
+//! A law of motion compiled: every form that a method asks for, made of one law over expressions.
+
+use crate::law::jacobian::JacobianProgram;
+use crate::law::program::Program;
+use crate::law::series::LawSeries;
+use field::DoubleDouble;
+use integrators::{Composed, Directions, Ode, Slopes, Splitting, System, TaylorSeries};
+use std::sync::{Arc, OnceLock};
+use symbolic::Sym;
+
+/// A system that can be shared between threads.
+pub trait Law: System + Send + Sync {}
+impl<L: System + Send + Sync> Law for L {}
+
+/// A law over expressions that can be shared between threads.
+pub trait SymbolicLaw: Ode<Sym> + Send + Sync {}
+impl<L: Ode<Sym> + Send + Sync> SymbolicLaw for L {}
+
+/// A source of the derivatives of a law.
+pub trait Differentiable: Send + Sync {
+    /// The derivatives with room for one run; none where there are none: then the law is run over dual numbers.
+    fn slopes(&self) -> Option<Box<dyn Slopes + '_>>;
+}
+
+/// A law that is a sum of fields whose flows are known: what splitting methods compose.
+pub trait Splittable: Send + Sync {
+    /// The flows composed in `f64`; none where the law cannot be taken apart.
+    fn composed(&self, splitting: Splitting) -> Option<Box<dyn Composed<f64> + '_>>;
+
+    /// The flows composed in double-double.
+    fn composed_exact(&self, splitting: Splitting) -> Option<Box<dyn Composed<DoubleDouble> + '_>>;
+}
+
+/// A law as programs. Each is made when it is first asked for; data of the law are constants in it.
+pub struct CompiledLaw {
+    law: Arc<dyn SymbolicLaw>,
+    /// `None` where an expression has no values.
+    rates: OnceLock<Option<Program>>,
+    series: LawSeries,
+    jacobian: Arc<dyn Differentiable>,
+    pieces: Option<Arc<dyn Splittable>>,
+}
+
+impl CompiledLaw {
+    /// A law, which may depend on time.
+    pub fn new(law: impl SymbolicLaw + 'static) -> Self {
+        CompiledLaw::of(Arc::new(law))
+    }
+
+    /// The same of a law that others use too.
+    pub fn of(law: Arc<dyn SymbolicLaw>) -> Self {
+        CompiledLaw {
+            rates: OnceLock::new(),
+            series: LawSeries::of(Arc::clone(&law)),
+            jacobian: Arc::new(JacobianProgram::of(Arc::clone(&law))),
+            pieces: None,
+            law,
+        }
+    }
+
+    /// With rates that are compiled already.
+    pub fn with_rates(self, rates: Program) -> Self {
+        CompiledLaw { rates: OnceLock::from(Some(rates)), ..self }
+    }
+
+    /// With series that are made otherwise.
+    pub fn with_series(self, series: LawSeries) -> Self {
+        CompiledLaw { series, ..self }
+    }
+
+    /// With derivatives that are found otherwise.
+    pub fn with_jacobian(self, jacobian: Arc<dyn Differentiable>) -> Self {
+        CompiledLaw { jacobian, ..self }
+    }
+
+    /// With the flows of the law's pieces.
+    pub fn with_pieces(self, pieces: Arc<dyn Splittable>) -> Self {
+        CompiledLaw { pieces: Some(pieces), ..self }
+    }
+
+    /// The rates; none where an expression has no values, such as a division by zero: then no rate is a number.
+    #[inline]
+    pub fn program(&self) -> Option<&Program> {
+        self.rates.get_or_init(|| Program::of_law(&*self.law)).as_ref()
+    }
+}
+
+macro_rules! runs {
+    ($($field:ty),*) => {$(
+        impl Ode<$field> for CompiledLaw {
+            fn dimension(&self) -> usize {
+                self.law.dimension()
+            }
+
+            #[inline]
+            fn rates(&self, t: $field, y: &[$field], dy: &mut [$field]) {
+                match self.program() {
+                    // made for a state of this length
+                    Some(program) => program.run(t, y, dy).unwrap_or(()),
+                    None => dy.fill(<$field>::from(f64::NAN)),
+                }
+            }
+        }
+    )*};
+}
+runs!(f64, Directions, DoubleDouble);
+
+impl Ode<Sym> for CompiledLaw {
+    fn dimension(&self) -> usize {
+        self.law.dimension()
+    }
+
+    fn rates(&self, t: Sym, y: &[Sym], dy: &mut [Sym]) {
+        self.law.rates(t, y, dy);
+    }
+}
+
+impl System for CompiledLaw {
+    fn taylor(&self) -> Option<Box<dyn TaylorSeries<f64> + '_>> {
+        self.series.plain()
+    }
+
+    fn taylor_directions(&self) -> Option<Box<dyn TaylorSeries<Directions> + '_>> {
+        self.series.directed()
+    }
+
+    fn taylor_exact(&self) -> Option<Box<dyn TaylorSeries<DoubleDouble> + '_>> {
+        self.series.exact()
+    }
+
+    fn slopes(&self) -> Option<Box<dyn Slopes + '_>> {
+        self.jacobian.slopes()
+    }
+
+    fn composed(&self, splitting: Splitting) -> Option<Box<dyn Composed<f64> + '_>> {
+        self.pieces.as_ref()?.composed(splitting)
+    }
+
+    fn composed_exact(&self, splitting: Splitting) -> Option<Box<dyn Composed<DoubleDouble> + '_>> {
+        self.pieces.as_ref()?.composed_exact(splitting)
+    }
+}

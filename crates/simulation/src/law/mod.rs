@@ -1,0 +1,17 @@
+//! A law as programs: every form that a method asks for, of one law over expressions.
+
+mod compiled_held;
+mod compiled_law;
+mod exponents;
+mod jacobian;
+mod program;
+mod series;
+mod trace;
+
+pub use compiled_held::{CompiledHeld, SymbolicHeld};
+pub use compiled_law::{CompiledLaw, Differentiable, Law, Splittable, SymbolicLaw};
+pub use exponents::{Expandable, Exponents, Room};
+pub use jacobian::JacobianProgram;
+pub use program::{Program, Running};
+pub use series::LawSeries;
+pub use trace::{TracedOde, traced};

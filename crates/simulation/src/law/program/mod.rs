@@ -1,0 +1,144 @@
+//! A law as the straight-line program that it comes to: what every field but that of expressions evaluates.
+
+mod table;
+
+use crate::law::trace::{TracedOde, symbols, traced};
+use field::{Analytic, DoubleDouble};
+use integrators::{Directions, Ode};
+use native::Code;
+use std::sync::Arc;
+use symbolic::{Sym, Tape, apart};
+use table::Table;
+
+/// A function of a state and the time as straight-line code over every field that runs.
+#[derive(Clone, Debug)]
+pub struct Program {
+    tape: Tape,
+    /// In `f64`, where this machine can be written for.
+    code: Option<Arc<Code>>,
+    plain: Table<f64>,
+    slopes: Table<Directions>,
+    exact: Table<DoubleDouble>,
+}
+
+/// Registers: of small laws, of usual ones and of the largest. Clearing them costs, most of all over numbers with slopes, so that
+/// a program has hardly more than it needs.
+const LEAST: usize = 16;
+const LESS: usize = 32;
+const FEW: usize = 64;
+const SOME: usize = 128;
+const MORE: usize = 256;
+const MANY: usize = 1024;
+
+impl Program {
+    /// A function of a state of `n` components and the time; none where an expression has no values.
+    pub fn of(n: usize, function: impl FnOnce(Sym, &[Sym]) -> Vec<Sym> + Send) -> Option<Self> {
+        apart(|| {
+            let (state, time) = symbols(n);
+            let values = function(time, &state);
+            Program::recorded(Tape::record(&[&state[..], &[time]].concat(), &values).ok()?.arranged())
+        })
+    }
+
+    /// The program of a tape whose last input is the time.
+    pub fn of_tape(tape: Tape) -> Option<Self> {
+        Program::recorded(tape)
+    }
+
+    /// The right-hand side of a law.
+    pub fn of_law(law: &(impl Ode<Sym> + Sync + ?Sized)) -> Option<Self> {
+        traced(law, |TracedOde { state, time, rates }| {
+            Program::recorded(Tape::record(&[&state[..], &[*time]].concat(), rates).ok()?.arranged())
+        })
+    }
+
+    fn recorded(tape: Tape) -> Option<Self> {
+        let (plain, slopes, exact) = (Table::of(&tape), Table::of(&tape), Table::of(&tape));
+        let code = Code::of(&tape).map(Arc::new);
+        Some(Program { code, plain, slopes, exact, tape })
+    }
+
+    /// Whether it runs as machine code; else its table of operations is followed, which takes some five times as long.
+    pub fn is_code(&self) -> bool {
+        self.code.is_some()
+    }
+
+    /// The values at a time and a state; none where the state is not as long as what was recorded, or where there is no room for
+    /// all values.
+    #[inline]
+    pub fn run<S: Running>(&self, t: S, y: &[S], values: &mut [S]) -> Option<()> {
+        S::run(self, t, y, values)
+    }
+
+    /// What runs where there is no code; apart, so that its length costs the code nothing.
+    #[cold]
+    fn follow_table(&self, t: f64, y: &[f64], values: &mut [f64]) -> Option<()> {
+        self.follow(&self.plain, t, y, values)
+    }
+
+    #[inline]
+    fn follow<S: Analytic>(&self, table: &Table<S>, t: S, y: &[S], values: &mut [S]) -> Option<()> {
+        if y.len() + 1 != self.tape.inputs() {
+            return None;
+        }
+        let inputs = y.iter().copied().chain([t]);
+        let constants = &table.constants;
+        match self.tape.registers() {
+            least if least <= LEAST => self.tape.evaluate::<S, LEAST>(constants, inputs, values),
+            less if less <= LESS => self.tape.evaluate::<S, LESS>(constants, inputs, values),
+            few if few <= FEW => self.tape.evaluate::<S, FEW>(constants, inputs, values),
+            some if some <= SOME => self.tape.evaluate::<S, SOME>(constants, inputs, values),
+            more if more <= MORE => self.tape.evaluate::<S, MORE>(constants, inputs, values),
+            many if many <= MANY => self.tape.evaluate::<S, MANY>(constants, inputs, values),
+            _ => {
+                table.evaluate(&self.tape, inputs, values);
+                Some(())
+            }
+        }
+    }
+}
+
+/// A field in which programs run.
+pub trait Running: Analytic {
+    /// The values of a program.
+    fn run(program: &Program, t: Self, y: &[Self], values: &mut [Self]) -> Option<()>;
+}
+
+impl Running for f64 {
+    #[inline]
+    fn run(program: &Program, t: f64, y: &[f64], values: &mut [f64]) -> Option<()> {
+        match &program.code {
+            Some(code) => code.run(y, t, values),
+            None => program.follow_table(t, y, values),
+        }
+    }
+}
+
+impl Running for Directions {
+    fn run(program: &Program, t: Self, y: &[Self], values: &mut [Self]) -> Option<()> {
+        program.follow(&program.slopes, t, y, values)
+    }
+}
+
+impl Running for DoubleDouble {
+    fn run(program: &Program, t: Self, y: &[Self], values: &mut [Self]) -> Option<()> {
+        program.follow(&program.exact, t, y, values)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Program;
+    use field::{Analytic, Scalar};
+
+    #[test]
+    fn without_machine_code_a_program_has_the_same_bits() {
+        let made = Program::of(2, |t, y| vec![y[0] * y[1] - t, (y[0] + t).circle().sin / y[1], y[1].sqrt().half()]);
+        let written = made.expect("it has values");
+        let followed = Program { code: None, ..written.clone() };
+        let ([mut own, mut table], y) = ([[0.0_f64; 3]; 2], [0.7, 1.9]);
+        assert_eq!(written.run(0.3, &y, &mut own), Some(()));
+        assert_eq!(followed.run(0.3, &y, &mut table), Some(()));
+        assert_eq!(own.map(f64::to_bits), table.map(f64::to_bits));
+    }
+}

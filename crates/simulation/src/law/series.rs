@@ -1,0 +1,189 @@
+//! The Taylor series of a law's solutions, for the Taylor method.
+
+use crate::law::compiled_law::SymbolicLaw;
+use crate::law::exponents::{Expandable, Room};
+use crate::law::trace::{TracedOde, traced};
+use field::DoubleDouble;
+use integrators::{Directions, TaylorSeries};
+use series::{Equations, Expansion, Fused};
+use std::fmt;
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+
+/// The recurrence of a law's right-hand side, with the data of the law as exact constants.
+pub struct LawSeries {
+    record: Box<Record>,
+    /// Made when it is first asked for; `None` where a law cannot be recorded: then there is no Taylor method.
+    recurrence: OnceLock<Option<Expandable>>,
+    spare: Spare<f64>,
+    finer: Spare<DoubleDouble>,
+}
+
+impl fmt::Debug for LawSeries {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("LawSeries").field("recurrence", &self.recurrence).finish_non_exhaustive()
+    }
+}
+
+type Record = dyn Fn() -> Option<Expandable> + Send + Sync;
+
+/// Expansions that earlier runs have laid out.
+type Spare<S> = Mutex<Vec<Expansion<S, WIDTH, FEW>>>;
+
+impl LawSeries {
+    /// The series of a law, which may depend on time.
+    pub fn of(law: Arc<dyn SymbolicLaw>) -> Self {
+        LawSeries::by(move || {
+            traced(&*law, |TracedOde { state, time, rates }| {
+                let moves = rates.iter().any(|rate| rate.symbols_of().contains(time));
+                let equations = Equations { state, time: moves.then_some(*time), parameters: &[], rates, solve: None };
+                Expandable::record(&equations).ok()
+            })
+        })
+    }
+
+    /// The series of a recurrence that is made in this way.
+    pub fn by(record: impl Fn() -> Option<Expandable> + Send + Sync + 'static) -> Self {
+        LawSeries {
+            record: Box::new(record),
+            recurrence: OnceLock::new(),
+            spare: Spare::default(),
+            finer: Spare::default(),
+        }
+    }
+
+    /// The coefficients in `f64`.
+    pub fn plain(&self) -> Option<Box<dyn TaylorSeries<f64> + '_>> {
+        self.kept(&self.spare)
+    }
+
+    /// The coefficients with their derivatives in eight directions.
+    pub fn directed(&self) -> Option<Box<dyn TaylorSeries<Directions> + '_>> {
+        self.series()
+    }
+
+    /// The coefficients in double-double.
+    pub fn exact(&self) -> Option<Box<dyn TaylorSeries<DoubleDouble> + '_>> {
+        self.kept(&self.finer)
+    }
+
+    fn recurrence(&self) -> Option<&Expandable> {
+        self.recurrence.get_or_init(|| (self.record)()).as_ref()
+    }
+
+    /// One that goes from run to run, where it is of usual size.
+    fn kept<'a, S: Fused>(&'a self, spare: &'a Spare<S>) -> Option<Box<dyn TaylorSeries<S> + 'a>> {
+        match self.recurrence() {
+            Some(law) if law.recurrence.columns::<WIDTH>() <= FEW => {
+                Some(Box::new(Kept { series: Series::of(law), spare }))
+            }
+            _ => self.series(),
+        }
+    }
+
+    fn series<S: Fused>(&self) -> Option<Box<dyn TaylorSeries<S> + '_>> {
+        let law = self.recurrence()?;
+        match law.recurrence.columns::<WIDTH>() {
+            columns if columns <= FEW => Some(Box::new(Series::<S, FEW>::of(law))),
+            columns if columns <= MANY => Some(Box::new(Series::<S, MANY>::of(law))),
+            _ => None,
+        }
+    }
+}
+
+/// Quantities side by side: eight `f64` fill the widest registers.
+const WIDTH: usize = 8;
+
+/// Columns: of usual systems, which then stay near the processor, and of the largest.
+const FEW: usize = 256;
+const MANY: usize = 1 << 16;
+
+/// The series of a recurrence, with room made for the order that is asked for.
+struct Series<'a, S: Fused, const N: usize> {
+    law: &'a Expandable,
+    expansion: Option<Expansion<S, WIDTH, N>>,
+    /// The arguments of exponentials, and the state with room for their series behind it.
+    exponents: Room,
+    extended: Vec<S>,
+}
+
+impl<'a, S: Fused, const N: usize> Series<'a, S, N> {
+    fn of(law: &'a Expandable) -> Self {
+        Series { law, expansion: None, exponents: Room::default(), extended: Vec::new() }
+    }
+}
+
+impl<S: Fused, const N: usize> TaylorSeries<S> for Series<'_, S, N> {
+    fn expand(&mut self, t: S, y: &[S], order: usize) {
+        self.expand_rounding(t, y, order, order);
+    }
+
+    fn expand_rounding(&mut self, t: S, y: &[S], order: usize, fine: usize) -> usize {
+        if self.expansion.as_ref().is_none_or(|expansion| expansion.order() != order) {
+            self.expansion = self.law.recurrence.expansion(&[], order);
+        }
+        let Some(expansion) = &mut self.expansion else { return order };
+        let Some(exponents) = &self.law.exponents else { return expansion.expand_rounding(y, t, fine) };
+        exponents.evaluate(&mut self.exponents, y.iter().map(|value| value.rounded()), t.rounded(), &[]);
+        self.extended.clear();
+        self.extended.extend_from_slice(y);
+        self.extended.resize(y.len() + exponents.count(), S::zero());
+        expansion.expand_rounding(&self.extended, t, fine)
+    }
+
+    fn coefficients(&self, k: usize) -> &[S] {
+        self.expansion.as_ref().map_or(&[], |expansion| &expansion.coefficients(k)[..self.law.states()])
+    }
+
+    fn sum(&self, h: S, out: &mut [S]) {
+        if let Some(expansion) = &self.expansion {
+            expansion.sum(h, out);
+        }
+    }
+
+    fn shown(&self) -> f64 {
+        let (Some(expansion), Some(exponents)) = (&self.expansion, &self.law.exponents) else { return f64::INFINITY };
+        let first = self.law.states();
+        let term = |place: usize, k: usize| expansion.coefficients(k)[first + place].rounded();
+        exponents.longest(&self.exponents.values, expansion.order(), S::FINER, term)
+    }
+}
+
+/// A series whose room goes from run to run.
+struct Kept<'a, S: Fused> {
+    series: Series<'a, S, FEW>,
+    spare: &'a Spare<S>,
+}
+
+impl<S: Fused> TaylorSeries<S> for Kept<'_, S> {
+    fn expand(&mut self, t: S, y: &[S], order: usize) {
+        self.expand_rounding(t, y, order, order);
+    }
+
+    fn expand_rounding(&mut self, t: S, y: &[S], order: usize, fine: usize) -> usize {
+        if self.series.expansion.is_none() {
+            let mut spare = self.spare.lock().unwrap_or_else(PoisonError::into_inner);
+            let fitting = spare.iter().position(|expansion| expansion.order() == order);
+            self.series.expansion = fitting.map(|place| spare.swap_remove(place));
+        }
+        self.series.expand_rounding(t, y, order, fine)
+    }
+
+    fn coefficients(&self, k: usize) -> &[S] {
+        self.series.coefficients(k)
+    }
+
+    fn sum(&self, h: S, out: &mut [S]) {
+        self.series.sum(h, out);
+    }
+
+    fn shown(&self) -> f64 {
+        self.series.shown()
+    }
+}
+
+impl<S: Fused> Drop for Kept<'_, S> {
+    fn drop(&mut self) {
+        let mut spare = self.spare.lock().unwrap_or_else(PoisonError::into_inner);
+        spare.extend(self.series.expansion.take());
+    }
+}

@@ -1,0 +1,191 @@
+//! Where a law ends: the first of its margins falls to zero, located as an event.
+//!
+//! A margin is positive where the law holds. Its end is found by the bounds of the margin over each step, so that it does not
+//! depend on where a method puts its steps, and the run goes on up to it.
+
+use super::{Problem, switching};
+use integrators::{
+    Event, Method, Observer, Ode, Outcome, Signal, Span, Switches, System, Tolerance, integrate, integrate_to_event,
+};
+use std::cell::RefCell;
+
+/// How far a state is from where its law ends.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Margin {
+    /// Positive where the law holds.
+    pub value: f64,
+    /// Along the motion, 1/s.
+    pub rate: f64,
+    /// A bound of the rate, as [`Signal::fastest`].
+    pub fastest: f64,
+    /// Why the law does not hold beyond.
+    pub what: &'static str,
+}
+
+/// The margins of a state y with the rates dy at a time, always as many.
+pub type Margins = dyn Fn(f64, &[f64], &[f64]) -> Vec<Margin> + Send + Sync;
+
+impl Problem {
+    /// Why the law does not hold at a state, where it does not.
+    pub fn outside(&self, time: f64, y: &[f64]) -> Option<&'static str> {
+        outside(&(self.margins)(time, y, &vec![0.0; y.len()]))
+    }
+
+    /// Runs over a span, event after event, or to the end of the law: then the outcome is the last state within it, and the reason
+    /// is told.
+    pub fn integrate(
+        &self,
+        method: Method,
+        tolerance: &Tolerance,
+        span: &Span<'_, f64>,
+        observer: &mut dyn Observer<f64>,
+    ) -> (Outcome<f64>, Option<&'static str>) {
+        if let Some(switching) = &self.switching {
+            return switching::integrate((&**switching, &*self.margins), (method, tolerance), span, observer);
+        }
+        Ending { law: &*self.law, margins: &*self.margins }.integrate((method, tolerance), span, observer)
+    }
+}
+
+/// A law with its margins.
+#[derive(Clone, Copy)]
+pub struct Ending<'a> {
+    pub law: &'a dyn System,
+    pub margins: &'a Margins,
+}
+
+impl Ending<'_> {
+    /// Runs over a span, or to the end of the law: then the outcome is the last state within it, and the reason is told.
+    pub fn integrate(
+        &self,
+        (method, tolerance): (Method, &Tolerance),
+        span: &Span<'_, f64>,
+        observer: &mut dyn Observer<f64>,
+    ) -> (Outcome<f64>, Option<&'static str>) {
+        let Some(ends) = Ends::of(*self, span.start, &span.state, 0) else {
+            return (integrate(self.law, method, tolerance, span, observer), None);
+        };
+        let mut good = Good { observer, time: span.start, state: span.state.clone() };
+        let (mut outcome, event) = integrate_to_event(self.law, method, tolerance, span, &ends, &mut good);
+        let Some(Event { signal, .. }) = event else { return (outcome, None) };
+        let margins = ends.at(outcome.time, &outcome.state);
+        if outside(&margins).is_some() {
+            // the motion could not be computed again up to there
+            (outcome.time, outcome.state) = (good.time, good.state);
+        }
+        (outcome, margins.get(signal).map(|margin| margin.what))
+    }
+}
+
+/// The first margin that is not positive, or no number.
+pub fn outside(margins: &[Margin]) -> Option<&'static str> {
+    margins.iter().find(|margin| margin.value.is_nan() || margin.value <= 0.0).map(|margin| margin.what)
+}
+
+/// The same margins of a state that has more components behind its own.
+pub fn of_leading(margins: Box<Margins>, own: usize) -> Box<Margins> {
+    Box::new(move |time, y: &[f64], dy: &[f64]| margins(time, &y[..own], &dy[..own]))
+}
+
+/// The margins as signals, of a state that may have more components behind its own.
+pub(super) struct Ends<'a> {
+    of: Ending<'a>,
+    count: usize,
+    /// The number of the state's own components.
+    own: usize,
+    rates: RefCell<Vec<f64>>,
+}
+
+impl<'a> Ends<'a> {
+    /// None where a law has no margins. The law has so many components behind those of the state.
+    pub fn of(of: Ending<'a>, time: f64, state: &[f64], behind: usize) -> Option<Self> {
+        let own = state.len();
+        let count = (of.margins)(time, state, &vec![0.0; own]).len();
+        (count > 0).then(|| Ends { of, count, own, rates: RefCell::new(vec![0.0; own + behind]) })
+    }
+
+    /// The margins at a state, without their rates.
+    pub fn at(&self, time: f64, state: &[f64]) -> Vec<Margin> {
+        (self.of.margins)(time, &state[..self.own], &vec![0.0; self.own])
+    }
+}
+
+impl Switches for Ends<'_> {
+    fn count(&self) -> usize {
+        self.count
+    }
+
+    fn signals(&self, time: f64, state: &[f64], out: &mut [Signal]) {
+        let mut rates = self.rates.borrow_mut();
+        Ode::<f64>::rates(self.of.law, time, state, &mut rates);
+        for (signal, margin) in out.iter_mut().zip((self.of.margins)(time, &state[..self.own], &rates[..self.own])) {
+            // where a law is singular beyond its end its rates may be no numbers
+            let [value, rate] =
+                [margin.value, margin.rate].map(|number| if number.is_finite() { number } else { -1.0 });
+            *signal = Signal { value, rate, noise: 0.0, fastest: margin.fastest };
+        }
+    }
+
+    fn ends_above(&self, _signal: usize) -> bool {
+        true
+    }
+}
+
+/// The switches of a law that changes at events, with the margins behind them.
+pub(super) struct SwitchesAndEnds<'a> {
+    pub switches: &'a dyn Switches,
+    pub ends: Option<Ends<'a>>,
+}
+
+impl SwitchesAndEnds<'_> {
+    /// Why the law ends with an event, where it is a margin's.
+    pub fn why(&self, event: &Event, state: &[f64]) -> Option<&'static str> {
+        let margin = event.signal.checked_sub(self.switches.count())?;
+        self.ends.as_ref()?.at(event.time, state).get(margin).map(|margin| margin.what)
+    }
+}
+
+impl Switches for SwitchesAndEnds<'_> {
+    fn count(&self) -> usize {
+        self.switches.count() + self.ends.as_ref().map_or(0, Ends::count)
+    }
+
+    fn signals(&self, time: f64, state: &[f64], out: &mut [Signal]) {
+        let (own, margins) = out.split_at_mut(self.switches.count());
+        self.switches.signals(time, state, own);
+        if let Some(ends) = &self.ends {
+            ends.signals(time, state, margins);
+        }
+    }
+
+    fn ends_above(&self, signal: usize) -> bool {
+        signal >= self.switches.count() || self.switches.ends_above(signal)
+    }
+}
+
+/// Keeps the last state that was shown.
+struct Good<'a> {
+    observer: &'a mut dyn Observer<f64>,
+    time: f64,
+    state: Vec<f64>,
+}
+
+impl Observer<f64> for Good<'_> {
+    fn sample(&mut self, time: f64, state: &[f64]) {
+        self.observer.sample(time, state);
+    }
+
+    fn step(&mut self, time: f64, state: &[f64]) {
+        self.time = time;
+        self.state.copy_from_slice(state);
+        self.observer.step(time, state);
+    }
+
+    fn progress(&mut self, fraction: f64) {
+        self.observer.progress(fraction);
+    }
+
+    fn enough(&self) -> bool {
+        self.observer.enough()
+    }
+}

@@ -1,0 +1,105 @@
+//! How long, how exactly and by which method a scene runs.
+
+use super::methods;
+use integrators::Method;
+use reader::{At, Issue, Table};
+use units::nearest;
+
+/// The finest tolerance that double precision leaves room for.
+const FINEST: f64 = 1e-14;
+/// More instants than anyone looks at.
+const MOST_SAMPLES: usize = 1_000_000;
+/// Bytes that the rows of a run may take: with constant steps its states are kept as well, and those of two shorter runs.
+const ROOM: usize = 1 << 28;
+/// Bytes of an instant beside its numbers.
+const BESIDE_NUMBERS: usize = 64;
+
+/// The most instants of a run that are kept in memory, where each has so many numbers.
+pub fn most_samples(columns: usize) -> usize {
+    (ROOM / (columns * size_of::<f64>() + BESIDE_NUMBERS)).min(MOST_SAMPLES)
+}
+
+/// The table `[run]`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Run {
+    /// How long, s; from time zero.
+    pub span: f64,
+    /// How many instants are kept, beside the start.
+    pub samples: usize,
+    /// Of a step, relative, and absolute in SI units.
+    pub tolerance: f64,
+    /// Dormand-Prince 8(5,3) where the scene names none.
+    pub method: Method,
+    /// What to look at, by the names of the states.
+    pub outputs: Vec<String>,
+}
+
+/// Reads it; without `known` outputs nobody knows which there are.
+pub fn read(top: &mut Table<'_>, issues: &mut Vec<Issue>, known: Option<&[String]>) -> Option<Run> {
+    let mut table = top.table("run", "the span of time and the tolerance");
+    let run = of_any_family(&mut table, 1e-8, known.map_or(0, <[String]>::len));
+    let outputs = table.texts("outputs", "[\"slip\"]");
+    if let Some(known) = known {
+        outputs.iter().for_each(|output| check_output(&mut table, output, known));
+    }
+    let sound = table.exists() && !table.has_issues();
+    issues.extend(table.finish());
+    let run = run.filter(|_| sound)?;
+    Some(Run { outputs: outputs.into_iter().map(|output| output.value).collect(), ..run })
+}
+
+/// The keys that every family's table `[run]` may hold, with the tolerance where none is given, of a run whose rows have so many columns.
+pub fn of_any_family(table: &mut Table<'_>, usual: f64, columns: usize) -> Option<Run> {
+    let span = table.scalar("span", "length of the run", "s");
+    if span.value <= 0.0 {
+        let issue = Issue::at(span.span, "`span` must be positive", format!("it is {} s", span.value));
+        table.report(issue.accepted("a positive time is accepted, such as \"2 s\""));
+    }
+    let (most, mut kept) = (most_samples(columns), "number of instants that are kept".to_owned());
+    if most < MOST_SAMPLES {
+        kept += &format!(", each with {columns} numbers");
+    }
+    let samples = table.optional_count("samples", &kept, 1, most);
+    let tolerance = table.optional_scalar("tolerance", "error allowed in a step", "1");
+    if let Some(At { value, span }) = &tolerance
+        && !table.has_issue_at(span)
+        && let Err(wrong) = check_tolerance(*value)
+    {
+        let issue = Issue::at(span.clone(), "`tolerance` is out of range", wrong);
+        table.report(issue.accepted(format!("from {FINEST:e} to below 1 is accepted, such as 1e-8")));
+    }
+    let method = table.optional_text("method", "name of a method");
+    let method = method.map_or(Ok(Method::DormandPrince8), |At { value, span }| {
+        methods::method(&value).map_err(|(wrong, accepted)| Issue::at(span, wrong, "not accepted").accepted(accepted))
+    });
+    let method = method.map_err(|issue| table.report(issue)).ok()?;
+    Some(Run {
+        span: span.value,
+        samples: samples.map_or(200, |samples| samples.value),
+        tolerance: tolerance.map_or(usual, |tolerance| tolerance.value),
+        method,
+        outputs: Vec::new(),
+    })
+}
+
+/// Why a tolerance cannot be worked with.
+pub fn check_tolerance(tolerance: f64) -> Result<(), String> {
+    match tolerance {
+        t if (FINEST..1.0).contains(&t) => Ok(()),
+        t if t > 0.0 && t < FINEST => Err(format!("it is {t:e}, below the rounding of double precision")),
+        t => Err(format!("it is {t}")),
+    }
+}
+
+fn check_output(table: &mut Table<'_>, output: &At<String>, names: &[String]) {
+    if names.contains(&output.value) {
+        return;
+    }
+    let list = names.join(", ");
+    let accepted = match nearest(&output.value, names.iter().map(String::as_str)) {
+        Some(nearest) => format!("is `{nearest}` meant? Known: {list}"),
+        None => format!("known: {list}"),
+    };
+    let title = format!("unknown output `{}`", output.value);
+    table.report(Issue::at(output.span.clone(), title, "no state has this name").accepted(accepted));
+}

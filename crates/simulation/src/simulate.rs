@@ -1,0 +1,209 @@
+//! A problem run: its trajectory as a reader wants it.
+
+use super::problem::Row;
+use super::switching::Passage;
+use super::{Axes, Problem, Run};
+use integrators::{
+    Beside, Deviation, End, Failure, Method, Observer, Outcome, Record, Refusal, Span, Tolerance, beside,
+};
+use std::ops::ControlFlow;
+use std::time::{Duration, Instant};
+
+/// How a problem is to be run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Choice {
+    pub method: Method,
+    pub tolerance: f64,
+    pub axes: Axes,
+    /// Instants kept beside the start.
+    pub samples: usize,
+    /// After so long the run is stopped, and what there is is kept.
+    pub allowed: Duration,
+}
+
+/// A run, whether it reached its end or not.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Trajectory {
+    /// Of the columns: the states, then what is computed from them.
+    pub names: Vec<String>,
+    pub times: Vec<f64>,
+    /// One for each time.
+    pub rows: Vec<Vec<f64>>,
+    /// The states of the law at these times, for methods with a constant step.
+    pub states: Vec<Vec<f64>>,
+    /// The last good state, written like a row.
+    pub last: Vec<f64>,
+    /// As the integrator gave it; where the law ended, up to there.
+    pub outcome: Outcome<f64>,
+    /// Why the law does not hold any more after the last good state, where it ended.
+    pub left: Option<&'static str>,
+    /// Of a law that changes: the start and the events.
+    pub passages: Vec<Passage>,
+}
+
+impl Run {
+    /// What a scene itself asks for.
+    pub fn choice(&self) -> Choice {
+        Choice {
+            method: self.method,
+            tolerance: self.tolerance,
+            axes: Axes::First,
+            samples: self.samples,
+            allowed: Duration::from_secs(300),
+        }
+    }
+}
+
+impl Problem {
+    /// Runs. `progress` is told the fraction done after every step.
+    pub fn simulate(&self, choice: &Choice, mut progress: impl FnMut(f64)) -> Trajectory {
+        self.simulate_while(choice, |fraction| {
+            progress(fraction);
+            ControlFlow::Continue(())
+        })
+    }
+
+    /// Runs until `progress`, told the fraction done after every step, breaks it off; what there is is kept.
+    pub fn simulate_while(&self, choice: &Choice, progress: impl FnMut(f64) -> ControlFlow<()>) -> Trajectory {
+        let mut span = Span::new(0.0, self.span, &self.state)
+            .with_even_outputs(choice.samples)
+            .with_deadline(Instant::now() + choice.allowed);
+        span.outputs.insert(0, 0.0);
+        for invariant in &self.invariants {
+            let first = (invariant.value)(0.0, &self.state);
+            // a step that has left the law is none of the run
+            let value = move |time: f64, y: &[f64]| match self.outside(time, y) {
+                Some(_) => first,
+                None => (invariant.value)(time, y),
+            };
+            span = span.with_monitor(invariant.name, value);
+        }
+        let mut kept = Kept {
+            row: &*self.row,
+            times: Vec::new(),
+            rows: Vec::new(),
+            states: choice.method.steps().map(|_| Vec::new()),
+            broken_off: false,
+            progress,
+        };
+        let tolerance = Tolerance::both(choice.tolerance);
+        let (outcome, left) = self.integrate(choice.method, &tolerance, &span, &mut kept);
+        let Kept { times, rows, states, .. } = kept;
+        let states = states.unwrap_or_default();
+        let last = (self.row)(outcome.time, &outcome.state);
+        let passages = self.switching.as_ref().map_or_else(Vec::new, |switching| switching.passages());
+        Trajectory { names: self.columns.clone(), times, rows, states, last, outcome, left, passages }
+    }
+}
+
+impl Problem {
+    /// What shorter steps say of a run with constant ones that reached its end, each in the time that it was allowed; `None` for
+    /// others. `goes_on` breaks it off.
+    pub fn beside(
+        &self,
+        choice: &Choice,
+        trajectory: &Trajectory,
+        mut goes_on: impl FnMut() -> ControlFlow<()>,
+    ) -> Option<Beside> {
+        if !trajectory.outcome.reached() || trajectory.left.is_some() {
+            return None;
+        }
+        let record = Record { times: trajectory.times.clone(), states: trajectory.states.clone() };
+        beside(choice.method, &record, |method| {
+            let mut span = Span::new(0.0, self.span, &self.state).with_deadline(Instant::now() + choice.allowed);
+            span.outputs.clone_from(&record.times);
+            let mut seen = Record::new();
+            let mut told = Told { goes_on: &mut goes_on, broken_off: false };
+            let tolerance = Tolerance::both(choice.tolerance);
+            let (outcome, left) = self.integrate(method, &tolerance, &span, &mut (&mut seen, &mut told));
+            (outcome, seen, left)
+        })
+    }
+}
+
+/// Ends a run where it is told to.
+struct Told<'a> {
+    goes_on: &'a mut dyn FnMut() -> ControlFlow<()>,
+    broken_off: bool,
+}
+
+impl Observer<f64> for Told<'_> {
+    fn step(&mut self, _time: f64, _state: &[f64]) {
+        self.broken_off |= (self.goes_on)().is_break();
+    }
+
+    fn enough(&self) -> bool {
+        self.broken_off
+    }
+}
+
+impl Trajectory {
+    /// The column of a name.
+    pub fn column(&self, name: &str) -> Option<usize> {
+        self.names.iter().position(|known| known == name)
+    }
+
+    /// Why the run stopped before its end, if it did.
+    pub fn stopped(&self) -> Option<String> {
+        let failure = || self.outcome.failure().map(|failure| self.named(failure));
+        let broken_off = || self.broken_off().then(|| "interrupted".to_owned());
+        self.left.map(|why| format!("left its law: {why}")).or_else(broken_off).or_else(failure)
+    }
+
+    /// A failure with the name of the state at whose rate it is, where it is at one.
+    fn named(&self, failure: Failure) -> String {
+        let Failure::Refused(Refusal::RatesNotFinite { component }) = failure else { return failure.to_string() };
+        let what = match self.names.get(component).filter(|_| component < self.outcome.state.len()) {
+            Some(name) => format!("the rate of `{name}`"),
+            // what a law follows beside the state
+            None => "the rate of a reaction or of a condition".to_owned(),
+        };
+        match self.outcome.time {
+            0.0 => format!("refused: at the start {what} is not finite"),
+            time => format!("left its law: where it begins anew at t = {time:.9} s, {what} is not finite"),
+        }
+    }
+
+    /// What has no value: columns at the end, quantities that are conserved along the run.
+    pub fn undefined(&self) -> Vec<&str> {
+        let columns = self.names.iter().zip(&self.last).filter(|(_, value)| !value.is_finite());
+        let lost = |deviation: &&Deviation| !(deviation.first.is_finite() && deviation.largest.is_finite());
+        let kept = self.outcome.deviations.iter().filter(lost);
+        columns.map(|(name, _)| name.as_str()).chain(kept.map(|deviation| deviation.name.as_str())).collect()
+    }
+
+    /// Whether it went on until it was told to end.
+    pub fn broken_off(&self) -> bool {
+        let told = matches!(self.outcome.end, End::Halted | End::Stopped(Failure::Interrupted { .. }));
+        self.left.is_none() && told
+    }
+}
+
+/// Keeps the rows, and passes the progress on.
+struct Kept<'a, F> {
+    row: &'a Row,
+    times: Vec<f64>,
+    rows: Vec<Vec<f64>>,
+    /// Where they are asked for.
+    states: Option<Vec<Vec<f64>>>,
+    broken_off: bool,
+    progress: F,
+}
+
+impl<F: FnMut(f64) -> ControlFlow<()>> Observer<f64> for Kept<'_, F> {
+    fn sample(&mut self, time: f64, state: &[f64]) {
+        self.times.push(time);
+        self.rows.push((self.row)(time, state));
+        if let Some(states) = &mut self.states {
+            states.push(state.to_vec());
+        }
+    }
+
+    fn progress(&mut self, fraction: f64) {
+        self.broken_off |= (self.progress)(fraction).is_break();
+    }
+
+    fn enough(&self) -> bool {
+        self.broken_off
+    }
+}

@@ -1,0 +1,184 @@
+//! Runs of systems whose law changes at events: segment after segment, each from an event, located to rounding, to the next.
+
+use super::law_end::{Ending, Ends, Margins, SwitchesAndEnds};
+use crate::law::Law;
+use integrators::{
+    Absolute, Deviation, End, Event, Method, Observer, Outcome, Span, Switches, Tolerance, Work, integrate_to_event,
+};
+use std::sync::Arc;
+
+/// A law that holds until one of its switches falls.
+pub struct Segment {
+    /// It may carry more behind the state of the system: see `followed`.
+    pub law: Arc<dyn Law>,
+    /// How many integrals of rates of signals the law carries, each zero when it begins. A method resolves them like the state: else
+    /// the steps of a body at rest grow beyond the period of the force that will move it.
+    pub followed: usize,
+    /// The longest first step, where the law begins in a state from which it changes fast.
+    pub longest_first: Option<f64>,
+    pub switches: Box<dyn Switches>,
+}
+
+/// A change of a law, or of a state, along a run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Passage {
+    pub time: f64,
+    /// The event, in words.
+    pub what: String,
+    /// The law that follows, in words; none where the motion ends.
+    pub then: Option<String>,
+}
+
+/// A system whose law, or state, changes at events.
+pub trait Switching: Send + Sync {
+    /// The law that holds from the start on; the state may be changed by an event there.
+    ///
+    /// # Errors
+    /// Why the motion is not determined.
+    fn begin(&self, time: f64, state: &mut [f64]) -> Result<Segment, &'static str>;
+
+    /// The law after an event, and its state; none where the motion ends with the event.
+    ///
+    /// # Errors
+    /// Why no motion follows.
+    fn pass(&self, event: &Event, state: &mut [f64]) -> Result<Option<Segment>, &'static str>;
+
+    /// Why a method cannot follow these laws.
+    fn refuses(&self, _method: Method) -> Option<&'static str> {
+        None
+    }
+
+    /// Why a method cannot go on from a state, where the law says it.
+    fn obstacle(&self, _time: f64, _state: &[f64]) -> Option<&'static str> {
+        None
+    }
+
+    /// The start and the events of the run, or of the last one.
+    fn passages(&self) -> Vec<Passage> {
+        Vec::new()
+    }
+}
+
+/// Events after which a run is given up.
+const MOST_EVENTS: usize = 20_000;
+
+/// So many events in a row within a rounding of the time: their times have a limit.
+const MOST_TOGETHER: usize = 64;
+
+/// Runs over a span, event after event, as long as the margins are positive. The reason is told where the motion ends before the
+/// span does.
+pub(super) fn integrate(
+    (switching, margins): (&dyn Switching, &Margins),
+    (method, tolerance): (Method, &Tolerance),
+    span: &Span<'_, f64>,
+    observer: &mut dyn Observer<f64>,
+) -> (Outcome<f64>, Option<&'static str>) {
+    let mut at = Outcome {
+        end: End::Halted,
+        time: span.start,
+        state: span.state.clone(),
+        work: Work::default(),
+        deviations: Vec::new(),
+    };
+    if let Some(why) = switching.refuses(method) {
+        return (at, Some(why));
+    }
+    let mut segment = match switching.begin(at.time, &mut at.state) {
+        Ok(segment) => segment,
+        Err(why) => return (at, Some(why)),
+    };
+    let (mut together, mut sampled) = (0, 0);
+    for _ in 0..=MOST_EVENTS {
+        let here = at.time;
+        // an instant of an event is seen once, on one of its sides
+        let outputs: Vec<f64> = span.outputs[sampled..].iter().filter(|time| **time >= here).copied().collect();
+        let states = at.state.len();
+        at.state.resize(states + segment.followed, 0.0);
+        let mut rest = Span::new(here, span.end, &at.state).with_outputs(&outputs);
+        rest.budget = span.budget;
+        rest.longest_first = segment.longest_first;
+        rest.budget.evaluations = span.budget.evaluations.saturating_sub(at.work.rates);
+        for monitor in &span.monitors {
+            rest = rest.with_monitor(&monitor.name, move |time, state| (monitor.value)(time, &state[..states]));
+        }
+        let whole = span.end - span.start;
+        let done = (here - span.start) / whole;
+        let mut part = Part { observer, states, sampled: &mut sampled, done, share: (span.end - here) / whole };
+        let ends = Ends::of(Ending { law: &*segment.law, margins }, here, &at.state[..states], segment.followed);
+        let switches = SwitchesAndEnds { switches: &*segment.switches, ends };
+        let tolerance = with_followed(tolerance, segment.followed);
+        let (mut outcome, event) = integrate_to_event(&*segment.law, method, &tolerance, &rest, &switches, &mut part);
+        outcome.state.truncate(states);
+        at = joined(at, outcome);
+        let Some(event) = event else {
+            let failed = matches!(at.end, End::Stopped(failure) if !failure.is_broken_off());
+            let why = if failed { switching.obstacle(at.time, &at.state) } else { None };
+            return (at, why);
+        };
+        if let Some(why) = switches.why(&event, &at.state) {
+            return (at, Some(why));
+        }
+        together = if at.time - here <= 8.0 * f64::EPSILON * at.time.abs() { together + 1 } else { 0 };
+        if together > MOST_TOGETHER {
+            return (at, Some("its events follow each other without end"));
+        }
+        segment = match switching.pass(&event, &mut at.state) {
+            Ok(Some(segment)) if at.time != span.end => segment,
+            Ok(_) => return (Outcome { end: End::Reached, ..at }, None),
+            Err(why) => return (at, Some(why)),
+        };
+    }
+    (at, Some("more events than 20,000"))
+}
+
+/// A tolerance of a state with integrals of rates of signals behind it, each of the size one.
+fn with_followed(tolerance: &Tolerance, followed: usize) -> Tolerance {
+    let mut tolerance = tolerance.clone();
+    if let Absolute::Each(each) = &mut tolerance.absolute {
+        each.resize(each.len() + followed, tolerance.relative);
+    }
+    tolerance
+}
+
+/// A run with the part that follows it.
+fn joined(before: Outcome<f64>, after: Outcome<f64>) -> Outcome<f64> {
+    let mut deviations = after.deviations;
+    for (later, earlier) in deviations.iter_mut().zip(before.deviations) {
+        // the first value is that of the whole run
+        let moved = later.largest + (later.first - earlier.first).abs();
+        *later = match moved > earlier.largest {
+            true => Deviation { first: earlier.first, largest: moved, ..later.clone() },
+            false => earlier,
+        };
+    }
+    Outcome { work: before.work + after.work, deviations, ..after }
+}
+
+/// Shows the state of the system, and the fraction of the whole run.
+struct Part<'a> {
+    observer: &'a mut dyn Observer<f64>,
+    states: usize,
+    /// The number of samples that are seen.
+    sampled: &'a mut usize,
+    done: f64,
+    share: f64,
+}
+
+impl Observer<f64> for Part<'_> {
+    fn sample(&mut self, time: f64, state: &[f64]) {
+        *self.sampled += 1;
+        self.observer.sample(time, &state[..self.states]);
+    }
+
+    fn step(&mut self, time: f64, state: &[f64]) {
+        self.observer.step(time, &state[..self.states]);
+    }
+
+    fn progress(&mut self, fraction: f64) {
+        self.observer.progress(self.done + fraction * self.share);
+    }
+
+    fn enough(&self) -> bool {
+        self.observer.enough()
+    }
+}
