@@ -12,13 +12,13 @@
 //!
 //! and the same with `thousand_jacobians`.
 
-use dalembert_derivations::machines::Machine;
 use dalembert_derivations::machines::multi_current::MultiCurrent;
 use dalembert_derivations::machines::synchronous::Synchronous;
 use dalembert_derivations::systems::gyrostat::driven::Driven;
 use dalembert_derivations::systems::gyrostat::forms::Form;
 use field::{Analytic, Over};
 use integrators::Directions;
+use motor::Machine;
 use native::Code;
 use std::hint::black_box;
 use std::time::Instant;

@@ -1,11 +1,11 @@
 //! Equations of motion for reading: derived by a chosen principle, brought to normal form, solved for nothing.
 
 use crate::exact_turns::with_exact_turns;
-use crate::machines::{Machine, Motor, drive};
 use crate::papers::konosevich2022::Letters;
 use crate::systems::gyrostat::Motion;
 use field::Circle;
 use mechanics::rotation::{euler, vertical};
+use motor::{Machine, Motor, drive};
 use symbolic::{Hypotheses, Sym, coefficients, normal};
 
 /// A system that can be derived: name, and what it is.

@@ -12,7 +12,6 @@
 //! of the modified equation with even powers of h (Hairer, Lubich and Wanner, Geometric Numerical Integration, IX and XI):
 //! over a nutation, which is its own mirror image in time, they take from the energy what they gave. The next one loses it.
 
-use crate::machines::compiled;
 use crate::machines::free_rotor::FreeRotor;
 use crate::systems::gyrostat::driven::Driven;
 use crate::systems::gyrostat::forms::FirstForm;
@@ -22,6 +21,7 @@ use field::DoubleDouble;
 use integrators::{
     Failure, Method, Observer, Real, Span, Splitting, System, Tolerance, Work, Working, integrate, integrate_in,
 };
+use motor::compiled;
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use std::sync::Arc;
 

@@ -2,9 +2,7 @@
 
 use dalembert_derivations::ensemble::kind::{Kind, form_parameters};
 use dalembert_derivations::friction::stretch::Stretch;
-use dalembert_derivations::machines::Separable;
 use dalembert_derivations::machines::synchronous::Synchronous;
-use dalembert_derivations::machines::{Metered, Motor, catalogue, has_known_flow};
 use dalembert_derivations::mechanisms::MechanismScene;
 use dalembert_derivations::papers::konosevich2022::gyrostats;
 use dalembert_derivations::scene::Scene;
@@ -20,6 +18,7 @@ use mechanics::constrained::State;
 use mechanics::constrained::System as _;
 use mechanics::constrained::programmed::{Linear, programmed};
 use mechanics::regimes::{Direction, Dry, Face, Mode, Sizes, Touch, Verdict, touches, verdict};
+use motor::{Metered, Motor, Separable, catalogue, has_known_flow};
 use physical::machines::with_bars;
 use physical::rounded;
 use reader::Family;

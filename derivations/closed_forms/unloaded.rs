@@ -3,9 +3,9 @@
 //! u = cos g obeys u'^2 = 2/A' (E + b0 u)(1 - u^2) with E = A' g'^2/2 - b0 cos g.
 
 use super::{ClosedForm, Quadrature, Shown};
-use crate::machines::Motor;
 use crate::scene::Start;
 use integrators::Real;
+use motor::Motor;
 
 /// cos g; none of a motor without the data of a synchronous one.
 pub fn solution<S: Real>(motor: &Motor, axial: f64, start: &Start) -> Option<ClosedForm<S>> {

@@ -2,9 +2,9 @@
 
 use super::instant::{Instant, vanish};
 use super::verdict_of;
-use crate::machines::{Machine, RotorState, drive};
 use claims::finding::Verdict;
 use field::{Analytic, Circle, Over, Scalar, Tangent};
+use motor::{Machine, RotorState, drive};
 use symbolic::Sym;
 
 /// Seen from the stator the coenergy is K(phi - W t, i), and the field's turning a constraint that depends on time: Lagrange,

@@ -2,11 +2,11 @@
 
 use super::instant::{Doubt, Instant, bench_state, vanish};
 use super::verdict_of;
-use crate::machines::{Bench, Machine, RotorState, drive};
 use crate::systems::gyrostat::driven::Driven;
 use crate::systems::gyrostat::forms::{FirstForm, Form};
 use claims::finding::Verdict;
 use field::Tangent;
+use motor::{Bench, Machine, RotorState, drive};
 use nalgebra::Vector3;
 use symbolic::{Decision, Hypotheses, Sym, decide, normal};
 

@@ -1,7 +1,7 @@
 //! A motor at an instant, over symbols: what its law makes of any state.
 
-use crate::machines::{Machine, RotorState, drive, state_names};
 use field::{Analytic, Circle};
+use motor::{Machine, RotorState, drive, state_names};
 use symbolic::{Decision, Hypotheses, Sym, decide};
 
 /// Any state of a motor, and what follows from it. (A symbol with a space in its name is no parameter of any motor.)

@@ -21,10 +21,10 @@ mod rest;
 pub mod slopes;
 mod units;
 
-use crate::machines::{Motor, catalogue};
 use ::units::Dimension;
 use claims::finding::{Finding, Verdict};
 use instant::{Doubt, Instant};
+use motor::{Motor, catalogue};
 use reader::Quantity;
 use std::fmt::Write;
 

@@ -2,11 +2,11 @@
 
 use super::instant::{Instant, vanish};
 use super::verdict_of;
-use crate::machines::{Machine, RotorState, heat, motional_moment, stored_energy, supplied};
 use crate::stationary::motor::{Fraction, NoMotor};
 use algebra::real::Root;
 use claims::finding::Verdict;
 use field::{Analytic, Circle, Rational, Scalar, Tangent};
+use motor::{Machine, RotorState, heat, motional_moment, stored_energy, supplied};
 use symbolic::{Decision, Hypotheses, Sym, decide};
 
 /// M phi' + d/dt (U + sum 1/2 L i^2) = W dK/dg + phi' m + sum v i - sum R i^2, by moving the stored energy along the motion.

@@ -2,10 +2,10 @@
 
 use super::instant::{Instant, vanish};
 use super::verdict_of;
-use crate::machines::{Bench, Machine, Motor, RotorState, drive, is_fed, resting_currents};
 use crate::stationary::motor::{MotorStates, NoMotor};
 use claims::finding::Verdict;
 use integrators::{Jacobian, Method, Ode, Span, Tolerance, integrate, spectrum};
+use motor::{Bench, Machine, Motor, RotorState, drive, is_fed, resting_currents};
 use nalgebra::Complex;
 use simulation::CompiledLaw;
 use symbolic::Sym;

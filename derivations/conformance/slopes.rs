@@ -1,8 +1,8 @@
 //! The Jacobian by two routes: dual numbers, and polynomials recorded from the differentiated expressions.
 
-use crate::machines::{Bench, Motor};
 use claims::finding::Verdict;
 use integrators::{Directions, Jacobian, Ode, System};
+use motor::{Bench, Motor};
 use simulation::{CompiledLaw, SymbolicLaw};
 use std::sync::Arc;
 

@@ -2,11 +2,11 @@
 
 use super::kind::{INVARIANT_UNITS, INVARIANTS, Kind, form_parameters};
 use super::known::{Data, Place, variables};
-use crate::machines::{Conserved, Machine};
 use crate::scene::state::{ROTOR_SPEED, rotor_state};
 use crate::scene::{Scene, System};
 use crate::systems::gyrostat::admissible::Inadmissible;
 use integrators::LaneSeries;
+use motor::{Conserved, Machine};
 use nalgebra::{Matrix3, Vector3};
 use reader::{Family, Issue, Opening, Table};
 use simulation::ensemble::parametric_system::{Column, Drawn, LANES, Member, ParametricSystem, Sizes};

@@ -1,11 +1,11 @@
 //! The law of a scene with a symbol for every datum, written down once: it serves every member of an ensemble.
 
-use crate::machines::{Bench, Machine, Motor};
 use crate::scene::System;
 use crate::scene::state::principal;
 use crate::systems::gyrostat::driven::Driven;
 use crate::systems::gyrostat::forms::{FirstForm, Form, SecondForm};
 use integrators::LaneSeries;
+use motor::{Bench, Machine, Motor};
 use nalgebra::{Matrix3, Vector3};
 use series::Equations;
 use simulation::ensemble::lane_series;

@@ -1,7 +1,7 @@
 //! The numbers of a scene that may differ from member to member: how a file names them, and where they are.
 
-use crate::machines::Machine;
 use crate::scene::{Scene, Start, System};
+use motor::Machine;
 use reader::Quantity;
 use simulation::ensemble::parametric_system::{Shape, Variable};
 use std::borrow::Cow;

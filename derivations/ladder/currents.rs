@@ -10,10 +10,10 @@
 //!
 //! The first is a solution for fluxes with one harmonic, psi'' + psi constant, and is offered for these only. Windings with
 //! a supply, or in which conductors slide, have currents in step too: for them all currents that would rest at the present
-//! angle and speed stand at once ([`crate::machines::resting_currents`]).
+//! angle and speed stand at once ([`motor::resting_currents`]).
 
-use crate::machines::Machine;
 use field::{Circle, Over, Tangent};
+use motor::Machine;
 use symbolic::{Hypotheses, Sym, decide};
 
 /// What stands for a current.

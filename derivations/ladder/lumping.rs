@@ -12,8 +12,8 @@
 
 use super::currents::has_one_harmonic;
 use super::elimination::{factored, inverse_of_unit, pivots, shares};
-use crate::machines::{Machine, RotorState, drive, is_fed};
 use field::{Base, Circle, Over, Rational, Scalar};
+use motor::{Machine, RotorState, drive, is_fed};
 use symbolic::{Hypotheses, Sym, decide};
 
 /// Harmonics of the fluxes that the angles tell apart. More of them make a proof fail, and never a wrong model.

@@ -4,10 +4,10 @@
 use super::lumping::{Lumped, Lumping};
 use super::rung::Lower;
 use super::{Ladder, Loss, Rung, Whole, slaved, smaller};
-use crate::machines::{Bench, Machine, Motor, catalogue};
 use crate::scene::{Scene, System};
 use crate::systems::gyrostat::driven::Driven;
 use field::Rational;
+use motor::{Bench, Machine, Motor, catalogue};
 use simulation::{Axes, SymbolicLaw};
 use std::sync::Arc;
 

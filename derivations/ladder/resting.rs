@@ -3,8 +3,8 @@
 use super::rung::{Fill, Lower};
 use super::slaved::counted;
 use super::{Loss, Rung};
-use crate::machines::{Machine, RotorState, resting_currents};
 use field::{Analytic, Over};
+use motor::{Machine, RotorState, resting_currents};
 use simulation::SymbolicLaw;
 use std::sync::Arc;
 use symbolic::symbols;

@@ -3,8 +3,8 @@
 use super::currents::Current;
 use super::rung::{Fill, Lower};
 use super::{Loss, Rung, resting};
-use crate::machines::{Machine, RotorState, is_fed};
 use field::{Analytic, Over};
+use motor::{Machine, RotorState, is_fed};
 use simulation::SymbolicLaw;
 use std::sync::Arc;
 

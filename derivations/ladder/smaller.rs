@@ -3,10 +3,10 @@
 use super::motors::written;
 use super::rung::Lower;
 use super::{Ladder, Loss, Rung};
-use crate::machines::Machine;
 use crate::scene::Scene;
 use crate::scene::state::outputs;
 use field::Over;
+use motor::Machine;
 use simulation::Axes;
 use std::sync::Arc;
 use symbolic::Sym;

@@ -1,7 +1,7 @@
 //! The motor with brushes on a constant voltage, its field by magnets.
 
-use super::{Entry, Machine, RotorState, letter};
 use field::{Base, Circle, Over};
+use motor::{Entry, Machine, RotorState, letter};
 use symbolic::Sym;
 
 reader::quantities! {

@@ -1,7 +1,7 @@
 //! A rotor that is kept at a constant speed relative to the carrier, whatever moment that takes.
 
-use super::{Entry, Machine, RotorState, letter};
 use field::{Base, Over};
+use motor::{Entry, Machine, RotorState, letter};
 use symbolic::Sym;
 
 reader::quantities! {

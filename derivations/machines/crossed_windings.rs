@@ -1,7 +1,7 @@
 //! The asynchronous motor with two windings at right angles on its rotor, after Leonov.
 
-use super::{Entry, Machine, RotorState, letter};
 use field::{Base, Circle, Over};
+use motor::{Entry, Machine, RotorState, letter};
 use symbolic::Sym;
 
 reader::quantities! {

@@ -11,8 +11,8 @@
 //! feel no field, do no work, and die out as exp(-R2 t / L2).
 
 use super::multi_current::{MultiCurrent, Windings};
-use super::{Count, Entry, Machine, RotorState, letter};
 use field::{Analytic, Base, Circle, Over};
+use motor::{Count, Entry, Machine, RotorState, letter};
 use symbolic::Sym;
 
 /// One or two circuits in the place of N evenly spaced bars: a motor with fewer bars and more flux.

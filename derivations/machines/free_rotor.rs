@@ -1,7 +1,7 @@
 //! A rotor that turns by inertia without friction.
 
-use super::{Entry, Machine, RotorState};
 use field::{Base, Over};
+use motor::{Entry, Machine, RotorState};
 
 /// No moment about the axis: the classical gyrostat of section 8.2. Its speed is measured from zero.
 #[derive(Clone, Copy, Debug, PartialEq)]

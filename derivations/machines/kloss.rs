@@ -1,7 +1,7 @@
 //! The asynchronous motor without currents, moment after Kloss.
 
-use super::{Entry, Machine, RotorState, letter};
 use field::{Base, Over};
+use motor::{Entry, Machine, RotorState, letter};
 use symbolic::Sym;
 
 reader::quantities! {

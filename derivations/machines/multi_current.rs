@@ -1,7 +1,7 @@
 //! The synchronous motor with the current of the excitation and of every bar of the damper, after Leonov and Zaretskii.
 
-use super::{Count, Datum, Entry, Machine, RotorState, letter};
 use field::{Base, Circle, Over};
+use motor::{Count, Datum, Entry, Machine, RotorState, letter};
 use symbolic::Sym;
 
 reader::quantities! {

@@ -1,7 +1,7 @@
 //! The synchronous motor with permanent magnets on a voltage of constant amplitude, in Park's axes.
 
-use super::{Count, Entry, Machine, RotorState, letter};
 use field::{Base, Circle, Over, Scalar};
+use motor::{Count, Entry, Machine, RotorState, letter};
 use symbolic::Sym;
 
 reader::quantities! {

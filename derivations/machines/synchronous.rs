@@ -1,7 +1,7 @@
 //! The synchronous motor without currents.
 
-use super::{Entry, Machine, RotorState, letter};
 use field::{Base, Circle, Over};
+use motor::{Entry, Machine, RotorState, letter};
 use symbolic::Sym;
 
 reader::quantities! {

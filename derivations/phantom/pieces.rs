@@ -6,9 +6,9 @@
 
 use super::multipliers::Matrix;
 use super::written::keeps_energy;
-use crate::machines::{BenchFlows, Kick, Law, Machine, Motor, Point, RotorState, Rule, has_known_flow};
 use algebra::real::{Ordered, TaylorModel};
 use field::{Analytic, Circle, Over, Rational, Scalar, Tangent};
+use motor::{BenchFlows, Kick, Law, Machine, Motor, Point, RotorState, Rule, has_known_flow};
 use num_traits::Zero;
 use std::cell::RefCell;
 use symbolic::{Formulas, Hypotheses, Sym, decide, normal};

@@ -2,12 +2,12 @@
 
 use super::surface::{Step, Surface};
 use crate::ladder::Lumped;
-use crate::machines::{Kick, Law, Motor, Rule, decay_quotient};
 use crate::systems::gyrostat::forms::SecondForm;
 use crate::systems::gyrostat::momenta::{Flows, Lapse, Point};
 use algebra::real::{Model, Ordered, Rounded};
 use field::{Analytic, Base, Over, Rational, Scalar, Tangent};
 use integrators::Splitting;
+use motor::{Kick, Law, Motor, Rule, decay_quotient};
 
 /// What a step asks of its field beyond operations.
 pub(super) trait Decaying: Base + Over<f64> + Analytic {

@@ -9,10 +9,10 @@
 //! then g, p and the fluxes as far as they are states. A rotor that nothing moves keeps p: that is one more multiplier, and no
 //! coordinate.
 
-use crate::machines::{Conserved, Machine, Point as RotorPoint, RotorState};
 use crate::systems::gyrostat::forms::Form;
 use crate::systems::gyrostat::momenta::{Flows, Point};
 use field::{Analytic, Base, Over, Scalar};
+use motor::{Conserved, Machine, Point as RotorPoint, RotorState};
 use nalgebra::Vector3;
 
 /// A step in these coordinates; `None` where it leads off the half on which they hold.

@@ -23,13 +23,13 @@ use super::surface::{Step, Surface};
 use super::unproved::{MOST_UNKNOWNS, Unproved};
 use super::written::keeps_energy;
 use crate::ladder::{Lumped, Lumping};
-use crate::machines::{Law, Motor, Rule, has_known_flow};
 use crate::scene::{Scene, System};
 use crate::systems::gyrostat::Gyrostat;
 use crate::systems::gyrostat::forms::SecondForm;
 use algebra::real::{Ball, FixedPoint, Mapped, Model, Rounded, TaylorModel};
 use field::{Base, Rational, Scalar, Tangent};
 use integrators::Splitting;
+use motor::{Law, Motor, Rule, has_known_flow};
 use nalgebra::{DMatrix, DVector};
 use simulation::Axes;
 

@@ -1,13 +1,13 @@
 //! The matrix of the linear motion near any stationary one, written down over symbols by differentiation of the law.
 
 use super::linear::{Linearised, NoLinear};
-use crate::machines::{Machine, Motor, RotorState, drive, is_fed, resting_currents};
 use crate::scene::System;
 use crate::stationary::motions::decimals;
 use crate::stationary::motor::NoMotor;
 use crate::systems::gyrostat::{Gyrostat, Motion};
 use field::{Analytic, Circle, Rational, Scalar};
 use mechanics::definite::solve;
+use motor::{Machine, Motor, RotorState, drive, is_fed, resting_currents};
 use nalgebra::Vector3;
 use symbolic::{Hypotheses, Sym, decide, substitute_all};
 

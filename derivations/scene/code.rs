@@ -1,8 +1,8 @@
 //! A scene's right-hand side as straight-line code of other languages.
 
 use super::{Scene, System};
-use crate::machines::Bench;
 use crate::systems::gyrostat::driven::Driven;
+use motor::Bench;
 use simulation::{Axes, TracedOde, traced};
 use symbolic::{Sym, Tape, Untapeable};
 

@@ -1,8 +1,8 @@
 //! A motor's scene with the work of its supply metered: a run then shows whether energy went where the laws send it.
 
 use super::{Scene, System};
-use crate::machines::{Bench, Metered, Powered, is_fed};
 use crate::systems::gyrostat::driven::Driven;
+use motor::{Bench, Metered, Powered, is_fed};
 use simulation::law_end::of_leading;
 use simulation::problem::{Invariant, Problem};
 use simulation::{Axes, CompiledLaw, Law};

@@ -19,22 +19,19 @@ pub mod any;
 pub mod bodies;
 pub mod code;
 mod configurations;
-pub mod machine;
 mod metered;
 mod problem;
 mod runaway;
 mod smooth;
 pub mod start;
 pub mod state;
-mod written;
 
 pub use crate::mechanisms::MechanismScene;
 pub use any::AnyScene;
-pub use machine::NoModel;
 pub use start::Start;
 
-use crate::machines::Motor;
 use crate::systems::gyrostat::Gyrostat;
+use motor::Motor;
 use reader::{Family, Issue, Opening, Table, knows};
 use simulation::Run;
 
@@ -84,7 +81,7 @@ impl Family for Scene {
             true => bodies::bench(top, issues).map(|axial| System::Bench { axial }),
             false => bodies::gyrostat(top, issues).map(|bodies| System::Gyrostat(Box::new(bodies))),
         };
-        let machine = machine::read(top, issues);
+        let machine = motor::reading::read(top, issues);
         let start = start::read(top, issues, on_bench, machine.as_ref());
         let outputs = machine.as_ref().map(|machine| state::outputs(on_bench, machine));
         let run = simulation::run::read(top, issues, outputs.as_deref());

@@ -2,10 +2,10 @@
 
 use super::state::outputs;
 use super::{Scene, System};
-use crate::machines::{Bench, Conserved, Motor, compiled};
 use crate::systems::gyrostat::Gyrostat;
 use crate::systems::gyrostat::driven::Driven;
 use crate::systems::gyrostat::forms::Form;
+use motor::{Bench, Conserved, Motor, compiled};
 use simulation::{Axes, Invariant, Law, Problem};
 use std::sync::Arc;
 

@@ -2,7 +2,7 @@
 
 use super::Scene;
 use super::state::ROTOR_SPEED;
-use crate::machines::{Driven, runaway};
+use motor::{Driven, runaway};
 use simulation::Trajectory;
 
 impl Scene {

@@ -1,8 +1,8 @@
 //! A scene with a motor as one initial value problem.
 
 use super::Scene;
-use crate::machines::{Count, has_known_flow};
 use integrators::{Method, Reference};
+use motor::{Count, has_known_flow};
 use simulation::atlas::{Observed, Way};
 use simulation::smooth::Parameter;
 use simulation::{Axes, Choice, Problem, Run, Smooth, Told, Trajectory};

@@ -1,7 +1,7 @@
 //! The initial state of a scene.
 
 use super::bodies::normalised;
-use crate::machines::{Machine, Motor};
+use motor::{Machine, Motor};
 use nalgebra::Vector3;
 use reader::{Issue, Table};
 

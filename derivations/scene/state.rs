@@ -1,9 +1,9 @@
 //! The initial state of a scene in the axes of either form, and results back in the axes of the data.
 
-use super::{NoModel, Scene, Start, System};
-use crate::machines::{Machine, Motor, state_names};
+use super::{Scene, Start, System};
 use crate::systems::gyrostat::Gyrostat;
 use crate::systems::gyrostat::tensors::Principal;
+use motor::{Machine, Motor, NoModel, state_names};
 use nalgebra::{Matrix3, Vector3};
 use simulation::Axes;
 

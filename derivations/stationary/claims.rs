@@ -2,11 +2,11 @@
 
 use super::PAPER;
 use super::energies::{Energies, Kept};
-use crate::machines::drive;
 use crate::machines::synchronous::Synchronous;
 use crate::papers::konosevich2022::{Letters, dimension, letter};
 use claims::{Condition, Page};
 use field::{Circle, Scalar};
+use motor::drive;
 use nalgebra::{Matrix3, Vector3};
 use symbolic::Sym;
 

@@ -1,9 +1,8 @@
 //! Every stationary state of a machine: speeds or angles at which its moment vanishes, exactly.
 
-use crate::machines::{Loaded, Machine, Motor, RotorState, drive, is_fed, resting_currents};
-use crate::scene::NoModel;
 use algebra::real::{Polynomial, Root};
 use field::{Circle, Rational, Scalar};
+use motor::{Loaded, Machine, Motor, NoModel, RotorState, drive, is_fed, resting_currents};
 use symbolic::{Hypotheses, Sym, normal, univariate};
 
 /// What a machine lets its rotor do for ever.

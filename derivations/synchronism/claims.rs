@@ -4,12 +4,12 @@ use super::PAPER;
 use super::energy::height;
 use crate::machines::multi_current::{MultiCurrent, Windings};
 use crate::machines::synchronous::Synchronous;
-use crate::machines::{Bench, Machine, heat};
 use crate::papers::konosevich2022::{Letters, dimension, letter};
 use crate::systems::gyrostat::driven::Driven;
 use crate::systems::gyrostat::forms::{FirstForm, Form};
 use claims::{Condition, Page};
 use field::{Circle, Scalar};
+use motor::{Bench, Machine, heat};
 use nalgebra::{DMatrix, Vector3};
 use symbolic::{Hypotheses, Sym};
 

@@ -9,9 +9,9 @@
 //! it is in step, whatever it does meanwhile (LaSalle).
 
 use super::loaded::Loaded;
-use crate::machines::{Bench, Machine};
 use crate::stationary::motor::{MotorStates, NoMotor};
 use field::{Analytic, Base, Over};
+use motor::{Bench, Machine};
 use std::f64::consts::TAU;
 
 /// V at a state of a bench under a load, but for a constant, J.

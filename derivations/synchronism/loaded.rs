@@ -1,12 +1,11 @@
 //! A motor alone whose load is a state that rests: so equilibria and rotations are followed over the load.
 
-use crate::machines::{Bench, Machine, Motor, RotorState, is_fed};
 use crate::scene::{Scene, Start, System};
 use crate::systems::gyrostat::Gyrostat;
 use field::{Analytic, Circle, Over};
 use integrators::Ode;
-use simulation::Law;
-use simulation::{CompiledLaw, SymbolicLaw};
+use motor::{Bench, Machine, Motor, RotorState, is_fed};
+use simulation::{CompiledLaw, Law, SymbolicLaw};
 use std::f64::consts::TAU;
 use std::fmt;
 use std::sync::Arc;

@@ -3,11 +3,9 @@
 use crate::physical::machines::{Sample, every_machine, numbers, with_data};
 use crate::physical::rate::{Rate, rate};
 use crate::physical::{fixed, gyrostat, rounded};
-use dalembert_derivations::machines::{
-    Conserved, Machine, Motor, RotorState, drive, heat, is_fed, motional_moment, supplied,
-};
 use dalembert_derivations::systems::gyrostat::driven::Driven;
 use dalembert_derivations::systems::gyrostat::forms::Form;
+use motor::{Conserved, Machine, Motor, RotorState, drive, heat, is_fed, motional_moment, supplied};
 use nalgebra::Vector3;
 use proptest::prelude::*;
 

@@ -74,7 +74,7 @@ fn copy(from: &Path, to: &Path) {
 
 /// Puts a line at the end of the modules, or of the list of motors.
 fn listed(text: &str, line: &str) -> String {
-    let end = if line.starts_with("pub mod ") { "\n\npub use " } else { "\n];" };
+    let end = if line.starts_with("pub mod ") { "\n\nmotor::submit! {" } else { "\n        ]," };
     let (before, after) = text.split_once(end).expect("the list ends");
     format!("{before}\n{}{end}{after}", line.trim_end())
 }

@@ -21,7 +21,8 @@ const LAYERS: &[(&str, i32)] = &[
     ("dalembert-model", 4),
     ("dalembert-claims", 4),
     ("dalembert-charts", 5),
-    ("dalembert-derivations", 6),
+    ("dalembert-motor", 6),
+    ("dalembert-derivations", 7),
     ("dalembert-scenes", 7),
     ("dalembert-cli", 8),
 ];
@@ -66,6 +67,7 @@ fn the_machinery_names_no_system() {
         "symbolic",
         "series",
         "units",
+        "reader",
         "native",
         "mechanics",
         "model",

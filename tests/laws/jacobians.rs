@@ -3,12 +3,12 @@
 
 use crate::physical::machines::with_bars;
 use crate::physical::rounded;
-use dalembert_derivations::machines::{Motor, catalogue};
 use dalembert_derivations::papers::konosevich2022::gyrostats;
 use dalembert_derivations::scene::AnyScene;
 use dalembert_derivations::systems::gyrostat::driven::Driven;
 use dalembert_derivations::systems::gyrostat::forms::Form;
 use integrators::{Directions, Jacobian, Ode, System};
+use motor::{Motor, catalogue};
 use reader::Family as _;
 use simulation::{Axes, CompiledLaw, SymbolicLaw};
 use std::path::Path;

@@ -3,10 +3,10 @@
 
 use crate::physical::fixed;
 use dalembert_derivations::machines::multi_current::{MultiCurrent, Windings};
-use dalembert_derivations::machines::{Machine, drive, heat, stored_energy};
 use dalembert_derivations::systems::gyrostat::forms::{FirstForm, Form, SecondForm};
 use dalembert_derivations::systems::gyrostat::{Carrier, Gyrostat, Rotor};
 use field::{Analytic, Base, Circle, Over, Tangent};
+use motor::{Machine, drive, heat, stored_energy};
 use nalgebra::{Matrix3, Vector3};
 use num_dual::Dual64;
 use proptest::prelude::*;

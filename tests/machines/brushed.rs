@@ -2,10 +2,10 @@
 
 use crate::{assert_equal, number, symbol};
 use dalembert_derivations::machines::brushed::Brushed;
-use dalembert_derivations::machines::{Bench, Machine, drive, heat, resting_currents, supplied};
 use field::{Analytic, Circle, Over, Rational, Scalar, Tangent};
 use integrators::{Method, Ode, Span, System, Tolerance, integrate};
 use mechanics::lagrange::lagrange;
+use motor::{Bench, Machine, drive, heat, resting_currents, supplied};
 use num_traits::Zero;
 use symbolic::{Sym, symbols};
 

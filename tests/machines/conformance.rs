@@ -3,10 +3,9 @@
 use claims::finding::{Finding, Verdict};
 use dalembert_derivations::conformance::{conform, sample};
 use dalembert_derivations::machines::asynchronous::Asynchronous;
-use dalembert_derivations::machines::catalogue::{self, Taken};
-use dalembert_derivations::machines::{Entry, Motor};
 use dalembert_derivations::scene::Scene;
 use field::Scalar;
+use motor::{Entry, Motor, catalogue};
 use reader::{Allowed, Family, Quantity};
 use symbolic::Sym;
 
@@ -115,14 +114,26 @@ fn a_unit_that_does_not_agree_is_found_out() {
     assert_eq!(found, ["dimensions"]);
 }
 
+static OWN: Entry = Entry { name: "of_ones_own", ..OF_ANOTHER_UNIT };
+static ONE: Entry = Entry { name: "of_two", ..OF_ANOTHER_UNIT };
+
+motor::submit! { motor::Catalogue { name: "own", motors: &[&OWN, &ONE, &ONE] } }
+
+fn bench(model: &str) -> String {
+    format!(
+        "title = \"t\"\nsystem = \"bench\"\n[rotor]\naxial = \"0.01 kg m^2\"\n[machine]\nmodel = \"{model}\"\n\
+         f = \"2 N m\"\n[start]\nrotor_speed = \"1 rad/s\"\n[run]\nspan = \"1 s\"\n"
+    )
+}
+
 #[test]
-fn a_motor_of_ones_own_is_found_by_its_name_once_it_is_added() {
-    static OWN: Entry = Entry { name: "of_ones_own", ..OF_ANOTHER_UNIT };
-    assert!(catalogue::entry("of_ones_own").is_none());
-    assert_eq!(catalogue::add(&OWN), Ok(()));
-    assert_eq!(catalogue::add(&OWN), Err(Taken("of_ones_own")));
-    let text = "title = \"t\"\nsystem = \"bench\"\n[rotor]\naxial = \"0.01 kg m^2\"\n[machine]\nmodel = \"of_ones_own\"\n\
-                f = \"2 N m\"\n[start]\nrotor_speed = \"1 rad/s\"\n[run]\nspan = \"1 s\"\n";
-    let scene = Scene::parse("scene.toml", text).unwrap_or_else(|error| panic!("{error}"));
+fn a_motor_of_ones_own_is_found_by_its_name_where_its_crate_is_linked() {
+    let scene = Scene::parse("scene.toml", &bench("of_ones_own")).unwrap_or_else(|error| panic!("{error}"));
     assert_eq!((scene.machine.name(), scene.machine.datum("f")), ("of_ones_own", Some(2.0)));
+}
+
+#[test]
+fn a_name_that_two_motors_have_is_refused() {
+    let error = Scene::parse("scene.toml", &bench("of_two")).expect_err("which one is meant?").to_string();
+    assert!(error.contains("several motors are called `of_two`"), "{error}");
 }

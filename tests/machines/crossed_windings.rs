@@ -6,8 +6,8 @@ use dalembert_derivations::machines::asynchronous::Asynchronous;
 use dalembert_derivations::machines::crossed_windings::CrossedWindings;
 use dalembert_derivations::machines::kloss::Kloss;
 use dalembert_derivations::machines::multi_current::{MultiCurrent, Windings};
-use dalembert_derivations::machines::{Machine, drive};
 use field::{Circle, Rational, Tangent};
+use motor::{Machine, drive};
 use num_traits::Zero;
 
 /// Bars at -90 and at 180 degrees: -a sin(g + t) is a cos g and a sin g.

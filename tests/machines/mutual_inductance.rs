@@ -1,8 +1,8 @@
 //! Windings that induce in each other become a motor as text in currents of which none does.
 
-use dalembert_derivations::machines::drive;
 use dalembert_derivations::scene::Scene;
 use field::Analytic;
+use motor::drive;
 use nalgebra::{Matrix2, Vector2};
 use reader::Family;
 

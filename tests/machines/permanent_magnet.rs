@@ -2,10 +2,10 @@
 
 use crate::{assert_equal, number, symbol};
 use dalembert_derivations::machines::permanent_magnet::{Magnets, PermanentMagnet};
-use dalembert_derivations::machines::{Machine, drive, resting_currents};
 use field::{Analytic, Circle, Rational, Scalar, Tangent};
 use mechanics::hamel::boltzmann_hamel;
 use mechanics::lagrange::lagrange;
+use motor::{Machine, drive, resting_currents};
 use nalgebra::SMatrix;
 use num_traits::Zero;
 use symbolic::{Sym, symbols};

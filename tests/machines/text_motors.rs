@@ -1,7 +1,6 @@
 //! A motor whose laws stand in a scene is that of the catalogue: the same programs, which do what the law does as it is compiled.
 
 use crate::physical::rounded;
-use dalembert_derivations::machines::Separable;
 use dalembert_derivations::machines::asynchronous::Asynchronous;
 use dalembert_derivations::machines::brushed::Brushed;
 use dalembert_derivations::machines::constant_speed::ConstantSpeed;
@@ -12,13 +11,13 @@ use dalembert_derivations::machines::kloss::Kloss;
 use dalembert_derivations::machines::multi_current::{MultiCurrent, Windings};
 use dalembert_derivations::machines::permanent_magnet::{Magnets, PermanentMagnet};
 use dalembert_derivations::machines::synchronous::Synchronous;
-use dalembert_derivations::machines::{Bench, Machine, Motor, Programs, catalogue};
 use dalembert_derivations::papers::konosevich2022::gyrostats;
 use dalembert_derivations::scene::Scene;
 use dalembert_derivations::scene::state::names;
 use dalembert_derivations::systems::gyrostat::driven::Driven;
 use field::{Analytic, Circle, DoubleDouble};
 use integrators::{Ode, Real, Splitting, compose};
+use motor::{Bench, Machine, Motor, Programs, Separable, catalogue};
 use reader::{Family, Quantity};
 use series::{Equations, Recurrence};
 use simulation::Running;

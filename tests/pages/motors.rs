@@ -1,8 +1,8 @@
 //! What the kit says of every motor of the list and of the scenes, as a page for review.
 
 use dalembert_derivations::conformance::{conform, page, sample};
-use dalembert_derivations::machines::catalogue;
 use dalembert_derivations::scene::Scene;
+use motor::catalogue;
 use reader::Family;
 use std::path::Path;
 

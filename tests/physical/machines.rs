@@ -1,6 +1,6 @@
 //! Every machine of the list, whatever it is called, with random data.
 
-use dalembert_derivations::machines::{Motor, catalogue};
+use motor::{Motor, catalogue};
 use proptest::prelude::*;
 use reader::Allowed;
 

@@ -132,7 +132,7 @@ fn every_machine_and_both_systems_have_ensembles_that_agree_with_single_runs() {
                 voltage = \"14 V\"\nflux = \"30 mWb\"\nresistance = \"0.6 ohm\"\ninductance = \"2 mH\"\n\
                 along = \"1.2 mH\"\nacross = \"2 mH\"\npole_pairs = 3\n";
     let counts = ["bars", "pole_pairs", "pull_out_slip"];
-    for name in dalembert_derivations::machines::catalogue::entries().into_iter().map(|entry| entry.name) {
+    for name in motor::catalogue::entries().into_iter().map(|entry| entry.name) {
         let all = short(9).replace("[start]", &format!("{data}\n[start]"));
         // each machine takes what it knows
         let known = |line: &str| {

@@ -23,7 +23,7 @@ fn on_a_bench(model: &str, other: &str, value: &str, allowed: &str) -> String {
 #[test]
 fn every_inductance_resistance_and_friction_of_the_motors_is_judged_and_named() {
     let mut judged = 0;
-    for entry in dalembert_derivations::machines::catalogue::entries() {
+    for entry in motor::catalogue::entries() {
         let model = entry.name;
         for quantity in entry.data {
             let (words, accepts_zero) = match &*quantity.unit {

@@ -1,8 +1,8 @@
 //! The scenes of the project: each is read, conserves what it must, runs alike in both forms, and does what it says.
 
-use dalembert_derivations::machines::Machine;
 use dalembert_derivations::scene::Scene;
 use integrators::Method;
+use motor::Machine;
 use reader::Family;
 use simulation::{Axes, Choice, Trajectory};
 use std::path::PathBuf;

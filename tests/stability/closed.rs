@@ -1,6 +1,5 @@
 //! Cases that are known in closed form, edges among them, with exact data.
 
-use dalembert_derivations::machines::Machine;
 use dalembert_derivations::machines::asynchronous::Asynchronous;
 use dalembert_derivations::machines::constant_speed::ConstantSpeed;
 use dalembert_derivations::scene::Scene;
@@ -10,6 +9,7 @@ use dalembert_derivations::stationary::stability::map::OneAxis;
 use dalembert_derivations::stationary::stability::reduced::{Fate, Reduced};
 use dalembert_derivations::stationary::stability::{Approximation, Judged, Reason, Verdict};
 use field::{Rational, Scalar};
+use motor::Machine;
 use nalgebra::{Matrix3, Vector3};
 use reader::Family;
 use std::path::Path;

@@ -8,7 +8,6 @@ use dalembert_derivations::machines::constant_speed::ConstantSpeed;
 use dalembert_derivations::machines::free_rotor::FreeRotor;
 use dalembert_derivations::machines::multi_current::{MultiCurrent, Windings};
 use dalembert_derivations::machines::synchronous::Synchronous;
-use dalembert_derivations::machines::{Datum, Machine};
 use dalembert_derivations::stationary::energies::{Energies, Kept};
 use dalembert_derivations::stationary::motor::{Angle, MotorStates, Slip};
 use dalembert_derivations::stationary::stability::judge::{Given, Judge};
@@ -16,6 +15,7 @@ use dalembert_derivations::stationary::stability::{Approximation, Judged, Reason
 use dalembert_derivations::systems::gyrostat::Gyrostat;
 use field::{Circle, Rational, Scalar};
 use mechanics::uniform::{Body, Shape};
+use motor::{Datum, Machine};
 use nalgebra::Vector3;
 use proptest::strategy::{Strategy, ValueTree};
 use proptest::test_runner::{Config, RngSeed, TestRunner};

@@ -1,7 +1,6 @@
 //! Identities of the first approximation at random exact stationary motions.
 
 use crate::physical::{axes, fixed, gyrostat};
-use dalembert_derivations::machines::Machine;
 use dalembert_derivations::machines::free_rotor::FreeRotor;
 use dalembert_derivations::machines::synchronous::Synchronous;
 use dalembert_derivations::stationary::energies::Energies;
@@ -10,6 +9,7 @@ use dalembert_derivations::stationary::stability::{Linear, Place};
 use field::{Circle, Rational, Scalar};
 use mechanics::first_approximation::characteristic;
 use mechanics::rotation::determinant;
+use motor::Machine;
 use nalgebra::{Matrix3, Vector3};
 use proptest::prelude::*;
 

@@ -1,7 +1,6 @@
 //! What the steps of methods make of stationary motions: exact thresholds beside runs, and the matrix beside the law that runs.
 
-use dalembert_derivations::machines::Separable;
-use dalembert_derivations::machines::{Bench, synchronous::Synchronous};
+use dalembert_derivations::machines::synchronous::Synchronous;
 use dalembert_derivations::phantom::chart::{Chart, Motion, Row};
 use dalembert_derivations::phantom::crossing::Crossing;
 use dalembert_derivations::phantom::followed::{before, followed};
@@ -19,6 +18,7 @@ use dalembert_derivations::stationary::motions::Stationary;
 use field::{DoubleDouble, Scalar};
 use integrators::{Collocation, Family, Jacobian, Real, Splitting, compose};
 use mechanics::discrete::{Judgement, Place};
+use motor::{Bench, Separable};
 use reader::Family as _;
 use simulation::Axes;
 use std::path::Path;

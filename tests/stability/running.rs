@@ -1,10 +1,10 @@
 //! The equations that run: their Jacobian by tangents, and runs by Runge and Kutta's method.
 
-use dalembert_derivations::machines::{Machine, RotorState};
 use dalembert_derivations::systems::gyrostat::driven::Driven;
 use dalembert_derivations::systems::gyrostat::forms::{Form, SecondForm};
 use field::Tangent;
 use integrators::spectrum;
+use motor::{Machine, RotorState};
 use nalgebra::Vector3;
 
 pub type Law<M> = Driven<f64, SecondForm<f64>, M>;

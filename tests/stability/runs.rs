@@ -1,7 +1,6 @@
 //! Runs beside eigenvalues: what grows does so at the largest real part, what is stable stays.
 
 use crate::running::{Law, eigenvalues, run, state};
-use dalembert_derivations::machines::Machine;
 use dalembert_derivations::machines::asynchronous::Asynchronous;
 use dalembert_derivations::machines::constant_speed::ConstantSpeed;
 use dalembert_derivations::scene::{Scene, Start, System};
@@ -10,6 +9,7 @@ use dalembert_derivations::stationary::motor::MotorStates;
 use dalembert_derivations::stationary::stability::{Judged, Reason, Verdict};
 use dalembert_derivations::systems::gyrostat::forms::SecondForm;
 use integrators::{Jacobian, spectrum};
+use motor::Machine;
 use nalgebra::Vector3;
 use reader::Family;
 use simulation::Axes;

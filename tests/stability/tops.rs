@@ -3,7 +3,6 @@
 
 use crate::running::{Law, eigenvalues, state};
 use algebra::real::{Enclosure, Root};
-use dalembert_derivations::machines::Machine;
 use dalembert_derivations::machines::asynchronous::Asynchronous;
 use dalembert_derivations::machines::constant_speed::ConstantSpeed;
 use dalembert_derivations::machines::free_rotor::FreeRotor;
@@ -16,6 +15,7 @@ use dalembert_derivations::stationary::stability::judge::{Given, Judge};
 use dalembert_derivations::systems::gyrostat::forms::SecondForm;
 use field::{Rational, Scalar};
 use mechanics::uniform::{Body, Shape};
+use motor::Machine;
 use nalgebra::{Matrix3, Vector3};
 use symbolic::Sym;
 

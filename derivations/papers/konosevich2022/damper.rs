@@ -3,9 +3,10 @@
 use super::alphabet::{current, letter, number, one};
 use super::letters::Letters;
 use super::section3::driven;
-use crate::machines::{Machine, equivalent_windings::EquivalentWindings};
+use crate::machines::equivalent_windings::EquivalentWindings;
 use claims::{Condition, Page};
 use field::{Analytic, Circle};
+use motor::Machine;
 use symbolic::Sym;
 
 use Condition::{Equal, NonZero, Positive, Zero};

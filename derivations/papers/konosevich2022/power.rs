@@ -11,11 +11,11 @@ use crate::machines::free_rotor::FreeRotor;
 use crate::machines::kloss::Kloss;
 use crate::machines::permanent_magnet::{Magnets, PermanentMagnet};
 use crate::machines::synchronous::Synchronous;
-use crate::machines::{Machine, drive, heat, is_fed, motional_moment, stored_energy, supplied};
 use crate::systems::gyrostat::forms::{Form, SecondForm};
 use claims::{Condition, Page};
 use field::{Circle, Tangent};
 use mechanics::differentiate::along;
+use motor::{Machine, drive, heat, is_fed, motional_moment, stored_energy, supplied};
 use nalgebra::Vector3;
 use symbolic::Sym;
 

@@ -5,9 +5,9 @@ use super::letters::Letters;
 use crate::machines::kloss::Kloss;
 use crate::machines::multi_current::MultiCurrent;
 use crate::machines::synchronous::Synchronous;
-use crate::machines::{Machine, RotorState, drive};
 use claims::{Condition, Line, Page, Point};
 use field::{Circle, Over, Rational};
+use motor::{Machine, RotorState, drive};
 use num_traits::Zero;
 use symbolic::Sym;
 

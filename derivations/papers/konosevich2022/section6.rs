@@ -6,10 +6,10 @@ use super::letters::Letters;
 use super::section3::{driven, excess_friction, friction, motor_with};
 use crate::machines::asynchronous::Asynchronous;
 use crate::machines::synchronous::Synchronous;
-use crate::machines::{Machine, drive};
 use claims::{Condition, Line, Page};
 use field::Circle;
 use mechanics::momentum::absolute_rate;
+use motor::{Machine, drive};
 use num_traits::Zero;
 use symbolic::{Hypotheses, Sym};
 

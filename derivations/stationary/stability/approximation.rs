@@ -2,11 +2,11 @@
 
 use super::linear::{Integral, Linear};
 use super::state::{Layout, Place};
-use crate::machines::{Machine, Motor, RotorState, is_fed, resting_currents};
 use crate::stationary::energies::Energies;
 use crate::stationary::motor::NoMotor;
 use algebra::real::Ordered;
 use field::{Circle, Rational, Tangent};
+use motor::{Machine, Motor, RotorState, is_fed, resting_currents};
 use nalgebra::Vector3;
 use std::sync::Arc;
 use symbolic::{Formulas, Hypotheses, Sym, decide, symbols};

@@ -12,10 +12,10 @@
 //!   G = E - W p' - w0 x.v + 1/2 lambda v.v ,    lambda = w0 x.v + Ge.v .
 
 use super::state::{Layout, Place, State, twice_moved};
-use crate::machines::{Machine, drive, stored_energy};
 use crate::stationary::energies::Energies;
 use field::{Base, Over, Scalar, Tangent};
 use mechanics::momentum::absolute_rate;
+use motor::{Machine, drive, stored_energy};
 use nalgebra::Vector3;
 
 /// The matrices at a stationary motion.

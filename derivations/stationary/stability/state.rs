@@ -1,7 +1,7 @@
 //! Stationary motions and states near them: where what stands, and how it moves along a deviation.
 
-use crate::machines::{Machine, RotorState, resting_currents};
 use field::{Base, Circle, Over, Scalar, Tangent};
+use motor::{Machine, RotorState, resting_currents};
 use nalgebra::Vector3;
 
 /// A stationary motion.

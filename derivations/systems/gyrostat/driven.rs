@@ -2,9 +2,9 @@
 
 use super::forms::Form;
 use super::vectors::cross;
-use crate::machines::{Circuit, Machine, Powered, RotorState, drive_circuits, feeding, state_names, stored_energy};
 use field::{Analytic, Base, Lanes, Over, Tangent};
 use integrators::Ode;
+use motor::{Circuit, Machine, Powered, RotorState, drive_circuits, feeding, state_names, stored_energy};
 use nalgebra::Vector3;
 use std::marker::PhantomData;
 

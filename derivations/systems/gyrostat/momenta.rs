@@ -15,21 +15,20 @@
 //! | 1/2 m_k y_k^2, y = x - q l | x and v turn about axis k with the constant speed m_k y_k, and g by -l_k of that |
 //! | 1/2 s (n.y)^2 | the same about n, where the tensor is not diagonal in the form's axes |
 //! | p^2/(2 A') - W p | g grows steadily; this goes with any of the others, since it commutes with all |
-//! | -Ge.v + U(g) with windings and friction | v and g rest; x, p and the currents move, see [`crate::machines::Kick`] |
+//! | -Ge.v + U(g) with windings and friction | v and g rest; x, p and the currents move, see [`motor::Kick`] |
 //!
 //! With q = p for a free rotor, and q = A' phi' for one that is kept at its speed: then p is no variable, and x is the
 //! momentum of all less a constant along l.
 
 use super::driven::Driven;
 use super::forms::Form;
-use crate::machines::Separable;
-use crate::machines::{
-    Acting, Fading, Kick, Law, Machine, Point as RotorPoint, Programmed, Programs, RotorState, Rule, decay_quotient,
-    has_known_flow, kick, solved,
-};
 use field::{Analytic, Base, Over, Scalar};
 use integrators::{Pieces, Real};
 use mechanics::rotation::{turned_about, turned_along};
+use motor::{
+    Acting, Fading, Kick, Law, Machine, Point as RotorPoint, Programmed, Programs, RotorState, Rule, Separable,
+    decay_quotient, has_known_flow, kick, solved,
+};
 use nalgebra::Vector3;
 use simulation::Running;
 

@@ -4,9 +4,9 @@ use super::{ladder, scene};
 use dalembert_derivations::ladder::currents::Current;
 use dalembert_derivations::ladder::lumping::{merged_at_most, seen_windings};
 use dalembert_derivations::ladder::{Lumped, Lumping};
-use dalembert_derivations::machines::{Bench, Machine, RotorState, drive};
 use field::{Analytic, Base, Circle, Over, Rational, Scalar, Tangent};
 use integrators::{Method, Ode, Record, Span, System, Tolerance, integrate};
+use motor::{Bench, Machine, RotorState, drive};
 use symbolic::Sym;
 
 /// Bars of any kind: half-tangents of their angles, a, L, R.

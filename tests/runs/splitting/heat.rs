@@ -1,14 +1,13 @@
 //! The energy that is lost is the work of friction and resistance, to the order of the method.
 
 use super::runs;
-use dalembert_derivations::machines::Separable;
-use dalembert_derivations::machines::{Machine, Motor, RotorState, heat};
 use dalembert_derivations::scene::System as Kind;
 use dalembert_derivations::systems::gyrostat::Gyrostat;
 use dalembert_derivations::systems::gyrostat::driven::Driven;
 use dalembert_derivations::systems::gyrostat::forms::FirstForm;
 use field::{Analytic, DoubleDouble, Over};
 use integrators::{Method, Ode, Real, Record, Span, Splitting, System, Tolerance, compose, integrate_in};
+use motor::{Machine, Motor, RotorState, Separable, heat};
 use simulation::Axes;
 
 const TIME: f64 = 0.4;

@@ -1,14 +1,13 @@
 //! What the steps keep: |v|, x.v, brackets, the energy within bounds, the rate at which volumes shrink.
 
 use super::runs::{self, SCENES, split};
-use dalembert_derivations::machines::Separable;
-use dalembert_derivations::machines::{Motor, Point as RotorPoint};
 use dalembert_derivations::scene::System;
 use dalembert_derivations::systems::gyrostat::Gyrostat;
 use dalembert_derivations::systems::gyrostat::driven::Driven;
 use dalembert_derivations::systems::gyrostat::momenta::Point;
 use field::DoubleDouble;
 use integrators::{Jacobian, Method, Pieces, Span, Splitting, compose};
+use motor::{Motor, Point as RotorPoint, Separable};
 use nalgebra::{DMatrix, Vector3};
 use simulation::Axes;
 

@@ -41,9 +41,8 @@ pub struct Motor {
 }
 
 /// Where the machines are listed, as modules and as motors, and how the lists end.
-const MODULES: &str = "derivations/machines/mod.rs";
-const LIST: &str = "derivations/machines/catalogue.rs";
-const ENDS: [&str; 2] = ["\n\npub use ", "\n];"];
+const LIST: &str = "derivations/machines/mod.rs";
+const ENDS: [&str; 2] = ["\n\nmotor::submit! {", "\n        ],"];
 
 /// A file with what is written into it.
 struct Begun {
@@ -56,8 +55,9 @@ pub fn write(asked: &Asked) -> Result<Ending, Ending> {
     let What::Motor(asked) = &asked.what;
     let name = asked.name.as_str();
     names::check_letters(name)?;
-    let lists = [MODULES, LIST].map(|list| asked.project.join(list));
-    let in_project = lists.iter().zip(ENDS).all(|(list, end)| read(list).contains(end));
+    let list = asked.project.join(LIST);
+    let before = read(&list);
+    let in_project = ENDS.iter().all(|end| before.contains(end));
     if !in_project && !asked.text {
         let folder = asked.project.display();
         return Err(Ending::refused(format!(
@@ -84,14 +84,11 @@ pub fn write(asked: &Asked) -> Result<Ending, Ending> {
         }
     }
     if !asked.text {
-        let before = lists.each_ref().map(|list| read(list));
-        let lines = [format!("pub mod {name};"), format!("    &super::{name}::ENTRY,")];
-        for (place, list) in lists.iter().enumerate() {
-            if let Err(error) = whole::replace(list, &with_line(&before[place], &lines[place], ENDS[place])) {
-                begun.iter().for_each(|begun| drop(fs::remove_file(&begun.place)));
-                lists[..place].iter().zip(&before).for_each(|(list, before)| drop(whole::replace(list, before)));
-                return Err(Ending::unwritable(list, &error));
-            }
+        let lines = [format!("pub mod {name};"), format!("            &{name}::ENTRY,")];
+        let after = lines.iter().zip(ENDS).fold(before, |text, (line, end)| with_line(&text, line, end));
+        if let Err(error) = whole::replace(&list, &after) {
+            begun.iter().for_each(|begun| drop(fs::remove_file(&begun.place)));
+            return Err(Ending::unwritable(&list, &error));
         }
     }
     let mut told: String = begun.iter().map(|begun| format!("wrote {}\n", begun.place.display())).collect();
@@ -101,10 +98,9 @@ pub fn write(asked: &Asked) -> Result<Ending, Ending> {
             format!("next: dalembert derive {scene}\n      dalembert conform {scene}\n      dalembert run {scene}\n")
         }
         false => format!(
-            "added its lines to {} and {}\nnext: cargo test --test {name}\n      cargo run --release -- conform {name}\n      \
+            "added its lines to {}\nnext: cargo test --test {name}\n      cargo run --release -- conform {name}\n      \
              cargo run --release -- run {scene}\n",
-            lists[0].display(),
-            lists[1].display()
+            list.display()
         ),
     };
     if in_project {

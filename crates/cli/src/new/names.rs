@@ -1,6 +1,6 @@
 //! Names of new motors: each must serve as a file, a module, a type and a test on every system, beside all names that are there.
 
-use super::{MACHINE, MODULES, TEST, camel};
+use super::{LIST, MACHINE, TEST, camel};
 use crate::ending::Ending;
 use std::fs;
 use std::path::Path;
@@ -115,9 +115,9 @@ fn taken(name: &str, project: &Path) -> Option<String> {
     if manifest.lines().any(key) {
         return Some("Cargo.toml has a crate or a key of this name".to_owned());
     }
-    let list = fs::read_to_string(project.join(MODULES)).unwrap_or_default();
+    let list = fs::read_to_string(project.join(LIST)).unwrap_or_default();
     if identifiers(&list).any(|known| known == name || known == capital) {
-        return Some(format!("`{name}` or `{capital}` stands in {MODULES} already"));
+        return Some(format!("`{name}` or `{capital}` stands in {LIST} already"));
     }
     let used = [MACHINE, TEST].into_iter().flat_map(identifiers).any(|known| known == capital);
     used.then(|| format!("the files of a new motor use `{capital}` for something else"))

@@ -7,15 +7,13 @@ use std::path::{Path, PathBuf};
 /// A folder with the project's lists of machines and nothing else.
 struct Project(PathBuf);
 
-const LISTS: [&str; 2] = ["derivations/machines/mod.rs", "derivations/machines/catalogue.rs"];
+const LIST: &str = "derivations/machines/mod.rs";
 
 impl Project {
     fn new(name: &str) -> Self {
         let folder = temporary(name);
         fs::create_dir_all(folder.join("derivations/machines")).expect("a folder can be made");
-        for list in LISTS {
-            fs::copy(root().join(list), folder.join(list)).expect("a file can be copied");
-        }
+        fs::copy(root().join(LIST), folder.join(LIST)).expect("a file can be copied");
         Project(folder)
     }
 
@@ -50,23 +48,23 @@ impl Drop for Project {
 fn a_new_motor_is_a_file_two_lines_a_scene_and_a_test() {
     let project = Project::new("begun");
     assert_eq!(project.begin(&["salient_pole"]).0, Some(0));
-    let lists = LISTS.map(|list| project.read(list).expect("the list is there"));
-    assert!(lists[0].contains("\npub mod salient_pole;\n\npub use "), "{}", lists[0]);
-    assert!(lists[1].contains("\n    &super::salient_pole::ENTRY,\n];"), "{}", lists[1]);
+    let list = project.read(LIST).expect("the list is there");
+    assert!(list.contains("\npub mod salient_pole;\n\nmotor::submit! {"), "{list}");
+    assert!(list.contains("\n            &salient_pole::ENTRY,\n        ],"), "{list}");
     let file = project.read("derivations/machines/salient_pole.rs").expect("it is written");
     assert!(file.contains("pub struct SalientPole {") && !file.contains("CamelName"), "{file}");
     assert!(project.read("scenes/machines/salient_pole.toml").is_some_and(|text| text.contains("\"salient_pole\"")));
     assert!(project.read("tests/salient_pole.rs").is_some_and(|text| text.contains("salient_pole::SalientPole")));
     let again = project.begin(&["salient_pole"]);
     assert!(again.0 == Some(2) && again.1.contains("exists"), "{again:?}");
-    assert_eq!(LISTS.map(|list| project.read(list).expect("the list is there")), lists);
+    assert_eq!(project.read(LIST), Some(list));
 }
 
 #[test]
 fn a_new_motor_as_text_is_a_scene_that_conforms_and_runs() {
     let project = Project::new("begun_text");
     assert_eq!(project.begin(&["salient_pole", "--text"]).0, Some(0));
-    assert_eq!(project.files(), 3);
+    assert_eq!(project.files(), 2);
     let scene = project.0.join("scenes/machines/salient_pole.toml");
     let scene = scene.to_string_lossy();
     let found = json(&run(&["conform", &scene, "--format", "json"]));
@@ -128,7 +126,7 @@ fn what_cannot_name_a_motor_is_refused_and_nothing_written() {
         let (code, said) = project.begin(&[name]);
         assert!(code == Some(2) && said.contains(&format!("`{name}` cannot name a motor: ")), "{name}: {said}");
     }
-    assert_eq!(project.files(), 2);
+    assert_eq!(project.files(), 1);
     let elsewhere = temporary("no_project");
     let output = run(&["new", "motor", "salient_pole", "--project", &elsewhere.to_string_lossy()]);
     assert_eq!(output.status.code(), Some(2));

@@ -2,9 +2,9 @@
 
 use super::{close, last, runs};
 use dalembert_scenes::ModelScene;
-use derivations::machines::{Machine, Motor, catalogue, drive};
 use field::Circle;
 use integrators::Ode;
+use motor::{Machine, Motor, catalogue, drive};
 use reader::Quantity;
 
 const INERTIA: f64 = 0.01;

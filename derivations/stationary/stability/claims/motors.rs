@@ -5,13 +5,13 @@ use super::letters::{free, kept, stationary, unit_vectors};
 use crate::machines::asynchronous::Asynchronous;
 use crate::machines::equivalent_windings::EquivalentWindings;
 use crate::machines::synchronous::Synchronous;
-use crate::machines::{Machine, drive};
 use crate::papers::konosevich2022::{self as paper, Letters};
 use crate::stationary::stability::linear::variation;
 use crate::stationary::stability::state::Place;
 use claims::{Condition, Page};
 use field::{Circle, Scalar, Tangent};
 use mechanics::rotation::determinant;
+use motor::{Machine, drive};
 use nalgebra::{Matrix3, Matrix4};
 use symbolic::Sym;
 

@@ -2,7 +2,6 @@
 
 use super::Region;
 use crate::machines::constant_speed::ConstantSpeed;
-use crate::machines::{Loaded, Machine, Motor};
 use crate::scene::Scene;
 use crate::stationary::energies::{Energies, Kept};
 use crate::stationary::motor::{Angle, MotorStates, NoMotor};
@@ -10,6 +9,7 @@ use crate::stationary::stability::approximation::Approximation;
 use crate::stationary::stability::datum::{Datum, Setting};
 use algebra::real::Root;
 use field::Rational;
+use motor::{Loaded, Machine, Motor};
 use nalgebra::{Matrix3, Vector3};
 use std::sync::Arc;
 use symbolic::Sym;

@@ -1,12 +1,16 @@
-//! The motors that have a name: those of this folder, and those that a program adds of its own.
+//! The motors that have a name, whichever crate brings them.
+//!
+//! ```
+//! let motor = dalembert_motor::catalogue::entry("perpetuum_mobile");
+//! assert!(motor.is_none());
+//! ```
 
 use super::laws::{Expressions, Laws, TooLong, Winding};
 use super::text::{self, ANGLE, SLIP, SPEED};
 use super::{Machine, Motor};
 use field::{Analytic, Circle};
 use reader::{Allowed, Quantity};
-use std::fmt;
-use std::sync::{Arc, PoisonError, RwLock};
+use std::sync::Arc;
 use symbolic::{Sym, apart};
 
 /// A motor of the catalogue: its data, and its laws in letters that stand for them.
@@ -31,39 +35,20 @@ pub struct Count {
     pub meaning: &'static str,
 }
 
-/// The motors of this folder, from a rotor that simply turns to one with every bar of its damper; then those beside this ladder.
-static OWN: &[&Entry] = &[
-    &super::constant_speed::ENTRY,
-    &super::free_rotor::ENTRY,
-    &super::asynchronous::ENTRY,
-    &super::kloss::ENTRY,
-    &super::synchronous::ENTRY,
-    &super::equivalent_windings::ENTRY,
-    &super::multi_current::ENTRY,
-    &super::crossed_windings::ENTRY,
-    &super::permanent_magnet::ENTRY,
-    &super::brushed::ENTRY,
-];
-
-/// Those that were added.
-static ADDED: RwLock<Vec<&'static Entry>> = RwLock::new(Vec::new());
-
-/// A name that a motor has already.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Taken(pub &'static str);
-
-impl fmt::Display for Taken {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "there is a motor `{}` already", self.0)
-    }
+/// The motors that a crate brings, in the order in which lists show them; of two catalogues the first by name comes first.
+#[derive(Clone, Copy, Debug)]
+pub struct Catalogue {
+    pub name: &'static str,
+    pub motors: &'static [&'static Entry],
 }
 
-impl std::error::Error for Taken {}
+inventory::collect!(Catalogue);
 
-/// Every motor that has a name, in the order of the catalogue.
+/// Every motor that has a name.
 pub fn entries() -> Vec<&'static Entry> {
-    let added = ADDED.read().unwrap_or_else(PoisonError::into_inner);
-    OWN.iter().chain(added.iter()).copied().collect()
+    let mut catalogues: Vec<&Catalogue> = inventory::iter::<Catalogue>().collect();
+    catalogues.sort_by_key(|catalogue| catalogue.name);
+    catalogues.iter().flat_map(|catalogue| catalogue.motors).copied().collect()
 }
 
 /// The motor of a name.
@@ -71,17 +56,9 @@ pub fn entry(name: &str) -> Option<&'static Entry> {
     entries().into_iter().find(|entry| entry.name == name)
 }
 
-/// Adds a motor, which every scene that is read later may name.
-///
-/// # Errors
-/// [`Taken`].
-pub fn add(entry: &'static Entry) -> Result<(), Taken> {
-    let mut added = ADDED.write().unwrap_or_else(PoisonError::into_inner);
-    if entry.name == text::NAME || OWN.iter().chain(added.iter()).any(|known| known.name == entry.name) {
-        return Err(Taken(entry.name));
-    }
-    added.push(entry);
-    Ok(())
+/// Whether several motors have a name: then a file cannot mean one of them.
+pub fn is_ambiguous(name: &str) -> bool {
+    name == text::NAME && entry(name).is_some() || entries().iter().filter(|entry| entry.name == name).count() > 1
 }
 
 impl Entry {

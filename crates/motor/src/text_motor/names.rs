@@ -1,6 +1,6 @@
 //! The names that expressions of a written motor may hold: of its parameters and of its currents.
 
-use crate::machines::text::{FIELD_SPEED, Letters, Motion, is_taken};
+use crate::text::{FIELD_SPEED, Letters, Motion, is_taken};
 use reader::{At, Bound, Issue, Quantity, Table};
 use std::cell::RefCell;
 use symbolic::Sym;

@@ -1,7 +1,7 @@
 //! The laws of a motor as straight-line programs over any field.
 
 use super::{Count, Datum, RotorState};
-use crate::machines::text::{ANGLE, SLIP, SPEED};
+use crate::text::{ANGLE, SLIP, SPEED};
 use field::{Analytic, Base, Circle, Over};
 use reader::Quantity;
 use std::fmt;

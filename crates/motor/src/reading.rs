@@ -1,7 +1,6 @@
 //! The machine of a scene, and other machines made of the same data.
 
-use super::written;
-use crate::machines::{Count, Machine, Motor, TooLong, catalogue, text};
+use crate::{Count, Machine, Motor, TooLong, catalogue, text, text_motor};
 use reader::{Allowed, Bound, Issue, Quantity, Table, in_unit};
 use std::borrow::Cow;
 use std::fmt;
@@ -33,8 +32,15 @@ pub enum NoModel {
 pub fn read(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<Motor> {
     let mut table = top.table("machine", "the machine: `model` and its parameters");
     let model = table.text("model", "name of the machine");
+    if catalogue::is_ambiguous(&model.value) {
+        let title = format!("several motors are called `{}`", model.value);
+        table.report(Issue::at(model.span, title, "which one?").accepted("catalogues of motors whose names differ"));
+        table.known_all();
+        issues.extend(table.finish());
+        return None;
+    }
     if model.value == text::NAME {
-        return written::read(table, issues);
+        return text_motor::read(table, issues);
     }
     let Some(entry) = catalogue::entry(&model.value) else {
         if !model.value.is_empty() {

@@ -4,7 +4,7 @@ use super::{
     Acting, Bench, Fading, Kick, Law, Machine, Point, Programmed, Programs, Rule, decay_quotient, has_known_flow, kick,
     solved,
 };
-use crate::machines::Separable;
+use crate::Separable;
 use field::{Analytic, Base, Over, Scalar};
 use integrators::{Pieces, Real};
 use simulation::Running;

@@ -23,8 +23,8 @@
 mod law;
 mod names;
 
-use crate::machines::text::{FIELD_SPEED, Motion, NAME};
-use crate::machines::{Expressions, Laws, Motor, RotorState, Winding, runaway};
+use crate::text::{FIELD_SPEED, Motion, NAME};
+use crate::{Expressions, Laws, Motor, RotorState, Winding, runaway};
 use law::{Kind, Reader};
 use names::Names;
 use reader::{Allowed, At, Bound, Issue, NO_MUTUAL_INDUCTANCE, Quantity, Table};

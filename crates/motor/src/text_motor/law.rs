@@ -1,7 +1,7 @@
 //! One law of a written motor: an expression of a dimension.
 
 use super::names::Names;
-use crate::machines::text::{INDUCED, Motion};
+use crate::text::{INDUCED, Motion};
 use reader::{At, Issue, NO_MUTUAL_INDUCTANCE, Table};
 use symbolic::{NotExpression, Reason, Sym, parse_in};
 use units::{Dimension, nearest};
