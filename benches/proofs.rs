@@ -8,7 +8,8 @@
 
 use algebra::linear::determinant;
 use claims::Judged;
-use dalembert_derivations::papers::{self, Paper};
+use claims::Paper;
+use dalembert_derivations::ledger;
 use dalembert_derivations::systems::gyrostat::{Carrier, Gyrostat, Motion, Rotor};
 use field::{Scalar, Tangent};
 use mechanics::differentiate::along;
@@ -48,7 +49,7 @@ fn main() {
             runs[runs.len() / 2].iter().map(|seconds| format!("{:.3} ms", seconds * 1e3)).collect();
         println!("{letter}  {says}: {}", parts.join(" + "));
     }
-    for paper in papers::ALL {
+    for paper in ledger::PAGES {
         pages(paper);
     }
 }

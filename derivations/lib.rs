@@ -7,6 +7,8 @@
 //! * [`conformance`]: what every motor must do, whoever wrote it;
 //! * [`long_runs`]: how errors grow over a million revolutions, by a closed form;
 //! * [`ensemble`]: many systems of one kind with data of their own, run side by side;
+//! * [`ledger`](mod@ledger): every page of claims;
+//! * [`AnyScene`]: a scene of any family;
 //! * [`ladder`]: smaller models under the one of a scene, what each step loses, the cheapest that suffices;
 //! * [`machines`]: electric motors, each one file of energies and laws of force;
 //! * [`mechanisms`]: governors, drives, bodies that roll, by the names that scene files use;
@@ -24,6 +26,7 @@
 //! * [`synchronism`]: a synchronous motor under load, in step and out of it.
 
 pub mod alphabet;
+mod any_scene;
 pub mod closed_forms;
 pub mod conformance;
 pub mod derive;
@@ -33,6 +36,7 @@ pub mod failures;
 pub mod friction;
 pub mod governors;
 pub mod ladder;
+pub mod ledger;
 pub mod long_runs;
 pub mod machines;
 pub mod mechanisms;
@@ -56,3 +60,5 @@ mod book {
     #[doc = include_str!("../book/src/bounds.md")]
     struct Bounds;
 }
+
+pub use any_scene::AnyScene;

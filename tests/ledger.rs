@@ -4,13 +4,13 @@
 //! nothing. The second gate, the snapshot, is in `pages.rs`.
 
 use claims::Judged;
-use dalembert_derivations::papers;
+use dalembert_derivations::ledger;
 use libtest_mimic::{Arguments, Failed, Trial};
 
 fn main() {
     let arguments = Arguments::from_args();
     let mut trials = Vec::new();
-    for (paper, page) in papers::ALL.iter().zip(papers::pages()) {
+    for (paper, page) in ledger::PAGES.iter().zip(ledger::pages()) {
         let judged = page.judge();
         for &entry in paper.entries {
             let covered = judged.iter().any(|claim| claim.equation == entry);

@@ -44,10 +44,6 @@ impl Family for Driven {
         Scene::systems()
     }
 
-    fn is_of_another(name: &str) -> bool {
-        Scene::is_of_another(name)
-    }
-
     fn read(opening: Opening, top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<Self> {
         driven_system::read(opening, top, issues).map(Driven)
     }

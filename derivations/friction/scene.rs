@@ -45,6 +45,8 @@ pub trait ForRough {
         Q: Contacts<N, C, K, Given = f64> + Copy + Send + Sync + 'static;
 }
 
+reader::submit! { reader::KnownSystems(<RoughScene as Family>::systems) }
+
 impl Family for RoughScene {
     const KIND: &'static str = "a system with rough contacts";
 

@@ -25,7 +25,6 @@ pub mod elimination;
 pub mod estimate;
 pub mod followed;
 pub mod forms;
-pub mod governors;
 pub mod linear;
 pub mod lumping;
 pub mod motors;

@@ -1,10 +1,11 @@
 //! The governor with an elastic rim: near its stationary motion, or anywhere else.
 
+use super::governors::reductions;
 use super::points::{self, Turning};
 use super::rewritten::Rewritten;
 use super::{Amiss, Diagnosis, Ended, Mechanism};
 use crate::governors::{growth, has_positive_minors};
-use crate::ladder::{Rung, governors};
+use crate::ladder::Rung;
 use crate::systems::elastic_governor::ElasticGovernor;
 use field::{Analytic, Over};
 use integrators::Method;
@@ -104,7 +105,7 @@ impl Mechanism for ElasticGovernor<f64> {
     }
 
     fn smaller(&self, start: &[f64], written: &Arc<dyn SymbolicLaw>) -> Vec<Rung> {
-        governors::elastic(self, start, written)
+        reductions::elastic(self, start, written)
     }
 
     fn theory(&self, _start: &[f64], _method: Method, _span: f64) -> Vec<String> {

@@ -1,5 +1,6 @@
 //! A mechanism without its type: in the list by its name, read from the tables of a file, asked by its scene.
 
+use super::governors::reductions::of_mechanism;
 use super::rewritten::{Rewritten, ready};
 use super::{Balanced, Diagnosis, Ended, Mechanism};
 use crate::ladder::Ladder;
@@ -84,7 +85,7 @@ impl<M: Mechanism> Erased for M {
     }
 
     fn ladder(&self, start: &[f64], span: f64) -> Ladder {
-        Ladder::of_mechanism(self, start, self.problem(start, span))
+        of_mechanism(self, start, self.problem(start, span))
     }
 
     fn states(&self) -> &'static [Quantity] {

@@ -28,6 +28,8 @@ pub struct MechanismScene {
     pub run: Run,
 }
 
+reader::submit! { reader::KnownSystems(<MechanismScene as Family>::systems) }
+
 impl Family for MechanismScene {
     const KIND: &'static str = "a mechanism";
 

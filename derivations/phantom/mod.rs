@@ -37,7 +37,7 @@ pub mod turning;
 pub mod unproved;
 mod written;
 
-use crate::papers::Paper;
+use ::claims::Paper;
 
 /// The page in the ledger.
 pub const PAPER: Paper = Paper {

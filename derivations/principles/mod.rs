@@ -28,8 +28,8 @@ pub mod systems;
 pub use alphabet::{dimension, letter};
 pub use equal::Case;
 
-use super::papers::Paper;
 use claims::Page;
+use claims::Paper;
 
 /// The page.
 pub const PAPER: Paper = Paper {

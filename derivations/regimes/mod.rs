@@ -19,8 +19,8 @@ pub mod maps;
 mod rods;
 mod sliders;
 
-use crate::papers::Paper;
 use claims::Page;
+use claims::Paper;
 
 /// The page in the ledger.
 pub const PAPER: Paper = Paper {

@@ -15,7 +15,6 @@
 //! * [`measured`], [`atlas`]: every method on every formulation with every model, speed against accuracy; [`stored`]:
 //!   what errors are measured by, kept in files.
 
-pub mod any;
 pub mod bodies;
 pub mod code;
 mod configurations;
@@ -26,13 +25,11 @@ mod smooth;
 pub mod start;
 pub mod state;
 
-pub use crate::mechanisms::MechanismScene;
-pub use any::AnyScene;
 pub use start::Start;
 
 use crate::systems::gyrostat::Gyrostat;
 use motor::Motor;
-use reader::{Family, Issue, Opening, Table, knows};
+use reader::{Family, Issue, Opening, Table};
 use simulation::Run;
 
 /// What moves.
@@ -58,6 +55,8 @@ pub struct Scene {
     pub run: Run,
 }
 
+reader::submit! { reader::KnownSystems(<Scene as Family>::systems) }
+
 impl Family for Scene {
     const KIND: &'static str = "a system with a motor";
 
@@ -66,10 +65,6 @@ impl Family for Scene {
             ("gyrostat", "a heavy gyrostat with a fixed point and a motor that drives its rotor"),
             ("bench", "a motor alone, its housing at rest"),
         ]
-    }
-
-    fn is_of_another(name: &str) -> bool {
-        knows::<AnyScene>(name)
     }
 
     fn read(opening: Opening, top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<Self> {

@@ -21,8 +21,8 @@ pub mod regions;
 pub mod schemes;
 pub mod treatments;
 
-use crate::papers::Paper;
 use claims::Page;
+use claims::Paper;
 
 /// The page in the ledger.
 pub const PAPER: Paper = Paper {

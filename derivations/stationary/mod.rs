@@ -20,7 +20,7 @@ pub mod motions;
 pub mod motor;
 pub mod stability;
 
-use crate::papers::Paper;
+use ::claims::Paper;
 
 /// The page in the ledger.
 pub const PAPER: Paper = Paper {

@@ -21,7 +21,7 @@ pub mod loaded;
 pub mod maps;
 pub mod pull_in;
 
-use crate::papers::Paper;
+use ::claims::Paper;
 
 /// The page in the ledger.
 pub const PAPER: Paper = Paper {

@@ -161,11 +161,11 @@ pub fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR"))
 }
 
-fn read(path: &Path) -> String {
+pub fn read(path: &Path) -> String {
     std::fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
-fn rust_files(folder: &Path) -> impl Iterator<Item = PathBuf> {
+pub fn rust_files(folder: &Path) -> impl Iterator<Item = PathBuf> {
     files(folder).into_iter().filter(|file| file.extension().is_some_and(|end| end == "rs"))
 }
 

@@ -1,7 +1,7 @@
 //! The second gate: what the ledger says, locked as pages for review, a section of a paper each.
 
 use claims::{Judged, Verdict, render};
-use dalembert_derivations::papers;
+use dalembert_derivations::ledger;
 use std::collections::HashSet;
 use std::sync::LazyLock;
 
@@ -11,7 +11,7 @@ const MOST_BYTES: usize = 20 * 1024;
 /// Each paper with its claims: judged once, and the papers side by side, for expressions stay in their thread.
 static JUDGED: LazyLock<Vec<(&str, Vec<Judged>)>> = LazyLock::new(|| {
     std::thread::scope(|scope| {
-        let running = papers::ALL.iter().map(|paper| (paper.key, scope.spawn(|| (paper.page)().judge())));
+        let running = ledger::PAGES.iter().map(|paper| (paper.key, scope.spawn(|| (paper.page)().judge())));
         let running: Vec<_> = running.collect();
         running.into_iter().map(|(key, judging)| (key, judging.join().expect("pages are judged"))).collect()
     })

@@ -86,7 +86,7 @@ fn masses_inductances_resistances_and_friction_of_every_scene_are_judged() {
                 continue;
             }
             let negative = line.replace(&format!("\"{number}"), "\"-1.25");
-            let error = dalembert_derivations::scene::AnyScene::parse("scene.toml", &text.replacen(line, &negative, 1))
+            let error = dalembert_derivations::AnyScene::parse("scene.toml", &text.replacen(line, &negative, 1))
                 .expect_err(&format!("{}: {negative}", path.display()));
             assert!(error.to_string().contains("-1.25"), "{}: {error}", path.display());
             judged += 1;

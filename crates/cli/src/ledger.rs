@@ -5,9 +5,10 @@ use crate::crew::Crew;
 use crate::ending::{Ending, print, warn};
 use crate::values;
 use charts::{ClaimRow, PaperSection};
+use claims::Paper;
 use claims::{Judged, Verdict, entries};
 use clap::Args;
-use derivations::papers::{self, Paper};
+use derivations::ledger;
 
 /// Which claims are to be listed.
 #[derive(Args, Debug)]
@@ -32,7 +33,7 @@ pub fn list(asked: &Asked) -> Result<Ending, Ending> {
     let chosen: Vec<Judged> =
         known.into_iter().filter(|claim| verdict.is_none_or(|verdict| claim.verdict == verdict)).collect();
     if nowhere {
-        let keys: Vec<&str> = papers::ALL.iter().map(|paper| paper.key).collect();
+        let keys: Vec<&str> = ledger::PAGES.iter().map(|paper| paper.key).collect();
         return Err(Ending::refused(format!(
             "no claim's id contains `{}`; ids begin with: {}",
             asked.filter,
@@ -63,9 +64,9 @@ fn verdict(name: &str) -> Result<Verdict, Ending> {
 
 /// The claims whose id contains this, decided; the others are not.
 fn those_with(filter: &str) -> Vec<Judged> {
-    let mut judged: Vec<Option<Vec<Judged>>> = papers::ALL.iter().map(|_| None).collect();
+    let mut judged: Vec<Option<Vec<Judged>>> = ledger::PAGES.iter().map(|_| None).collect();
     let mut crew = Crew::default();
-    for (place, paper) in judged.iter_mut().zip(papers::ALL) {
+    for (place, paper) in judged.iter_mut().zip(ledger::PAGES) {
         crew.add(1.0, place, move || (paper.page)().judged(|claim| claim.id.contains(filter)).collect());
     }
     crew.work(|_| ());

@@ -5,7 +5,7 @@ use crate::clock;
 use crate::ending::{Ending, print};
 use crate::output::{Form, Output, Writes};
 use clap::Args;
-use derivations::scene::AnyScene;
+use derivations::AnyScene;
 use integrators::{ENOUGH_DIGITS, Method};
 use reader::Family;
 use simulation::hybrid::{Event, Hybrid};

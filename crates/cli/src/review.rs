@@ -4,7 +4,7 @@ use crate::arguments::Format;
 use crate::ending::{Ending, print};
 use claims::review::review as changes;
 use clap::Args;
-use derivations::papers;
+use derivations::ledger;
 use serde_json::json;
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -69,7 +69,7 @@ fn pages(commit: &str) -> Result<Vec<Changed>, Ending> {
 
 /// The changes of one page: as statements where it is a page of claims, else line by line.
 fn told(name: &str, old: &str, new: &str) -> Vec<String> {
-    let paper = papers::ALL.iter().find(|paper| Path::new(name).starts_with(Path::new(FOLDER).join(paper.key)));
+    let paper = ledger::PAGES.iter().find(|paper| Path::new(name).starts_with(Path::new(FOLDER).join(paper.key)));
     match paper {
         Some(paper) => {
             let page = (paper.page)();

@@ -3,7 +3,7 @@
 use crate::arguments::Format;
 use crate::ending::{Ending, print};
 use clap::Args;
-use derivations::scene::AnyScene;
+use derivations::AnyScene;
 use reader::Family;
 use serde_json::{Value, json};
 use std::io;

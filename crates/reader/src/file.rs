@@ -31,11 +31,6 @@ pub trait Family: Sized {
     /// (name in scene files, what it is).
     fn systems() -> Vec<(&'static str, &'static str)>;
 
-    /// Whether another family has a system of this name.
-    fn is_of_another(_name: &str) -> bool {
-        false
-    }
-
     /// The rest of a file whose system is of the family; what is wrong goes into the list.
     fn read(opening: Opening, top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<Self>;
 
@@ -123,6 +118,16 @@ pub fn tables<T>(
     }
 }
 
+/// Systems of a family, which its crate brings: a message then tells what another command reads from what nobody knows.
+pub struct KnownSystems(pub fn() -> Vec<(&'static str, &'static str)>);
+
+inventory::collect!(KnownSystems);
+
+/// Whether any family has a system of this name.
+fn is_known(name: &str) -> bool {
+    inventory::iter::<KnownSystems>().any(|systems| systems.0().iter().any(|(known, _)| *known == name))
+}
+
 /// Whether a family has a system of this name.
 pub fn knows<F: Family>(name: &str) -> bool {
     F::systems().iter().any(|(known, _)| *known == name)
@@ -148,7 +153,7 @@ fn opening<F: Family>(top: &mut Table<'_>) -> Option<Opening> {
         return Some(Opening { title, description, system });
     }
     if !name.is_empty() {
-        let title = match F::is_of_another(name) {
+        let title = match is_known(name) {
             true => format!("`{name}` is not {}", F::KIND),
             false => format!("unknown system `{name}`"),
         };

@@ -22,7 +22,9 @@ mod quantity;
 mod table;
 
 pub use bound::{Allowed, Bound};
-pub use file::{Family, MODEL, Opening, knows, parse, read_text, tables};
+pub use file::{Family, KnownSystems, MODEL, Opening, knows, parse, read_text, tables};
+/// Brings [`KnownSystems`].
+pub use inventory::submit;
 pub use issue::{Issue, SceneError};
 pub use quantity::Quantity;
 pub use table::{At, NO_MUTUAL_INDUCTANCE, Table, in_unit};

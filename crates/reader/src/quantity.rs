@@ -27,11 +27,11 @@ impl Quantity {
 }
 
 /// A struct of parameters over any field, each with its unit and meaning, and with a bound where a file must not give every
-/// number: `> 0`, `>= 0`, `!= 0`, `in resistance`, `in friction` (see [`Bound`](crate::machines::Bound)).
+/// number: `> 0`, `>= 0`, `!= 0`, `in resistance`, `in friction` (see [`Bound`](crate::Bound)).
 ///
 /// ```
-/// use dalembert_derivations::machines::Bound;
-/// dalembert_derivations::quantities! {
+/// use dalembert_reader::Bound;
+/// dalembert_reader::quantities! {
 ///     /// A spring.
 ///     pub struct Spring {
 ///         /// stiffness

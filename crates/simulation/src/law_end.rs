@@ -161,6 +161,10 @@ impl Switches for SwitchesAndEnds<'_> {
     fn ends_above(&self, signal: usize) -> bool {
         signal >= self.switches.count() || self.switches.ends_above(signal)
     }
+
+    fn is_timed(&self, signal: usize) -> bool {
+        signal < self.switches.count() && self.switches.is_timed(signal)
+    }
 }
 
 /// Keeps the last state that was shown.

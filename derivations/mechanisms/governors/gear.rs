@@ -1,8 +1,8 @@
 //! What every friction governor has, what its wheel rolls on, and where that ends.
 
 use super::super::{Amiss, Mechanism};
+use super::reductions::with_data;
 use crate::ladder::Rung;
-use crate::ladder::governors::with_data;
 use crate::systems::governor::{Gearing, Governor, Moment};
 use reader::{Bound, Quantity};
 use simulation::SymbolicLaw;

@@ -2,6 +2,7 @@
 
 mod gear;
 mod programme;
+pub mod reductions;
 mod released;
 
 pub use gear::{Discs, Drum, Gear, Shafts};

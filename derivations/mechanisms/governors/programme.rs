@@ -6,7 +6,8 @@ use super::super::rewritten::Rewritten;
 use super::super::{Amiss, Diagnosis, Ended, Mechanism, steered};
 use super::NEAR;
 use super::gear::{Gear, amiss, governor, margins, without_friction};
-use crate::ladder::{Rung, governors as ladder};
+use super::reductions;
+use crate::ladder::Rung;
 use crate::systems::governor::constant::{ConstantMoments, Course};
 use crate::systems::governor::servo::Kept;
 use crate::systems::governor::{Governor, Moment};
@@ -140,7 +141,7 @@ impl<G: Gear> Mechanism for Programme<G> {
     }
 
     fn smaller(&self, start: &[f64], written: &Arc<dyn SymbolicLaw>) -> Vec<Rung> {
-        let series = self.governor.small_parameter(self.speed).map(|law| ladder::series(&law, start[0]));
+        let series = self.governor.small_parameter(self.speed).map(|law| reductions::series(&law, start[0]));
         let smooth = Programme { governor: Governor { lateral: 0.0, ..self.governor }, ..*self };
         let smooth = (self.governor.lateral != 0.0).then(|| without_friction(smooth, start, written));
         smooth.flatten().into_iter().chain(series.into_iter().flatten()).collect()

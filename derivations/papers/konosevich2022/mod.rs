@@ -35,8 +35,8 @@ mod section8;
 pub use alphabet::{dimension, letter};
 pub use letters::Letters;
 
-use super::Paper;
 use claims::Page;
+use claims::Paper;
 
 /// The paper.
 pub const PAPER: Paper = Paper {

@@ -68,8 +68,8 @@ mod work;
 
 pub use alphabet::{dimension, letter};
 
-use super::Paper;
 use claims::Page;
+use claims::Paper;
 use elastic::ElasticLetters;
 use governor::GovernorLetters;
 use ladder::LadderLetters;

@@ -34,8 +34,8 @@ mod top;
 
 pub use alphabet::{dimension, letter};
 
-use super::Paper;
 use claims::Page;
+use claims::Paper;
 use top::TopLetters;
 
 /// The paper.

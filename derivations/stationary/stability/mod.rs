@@ -39,7 +39,7 @@ pub use linear::{Integral, Linear};
 pub use state::Place;
 pub use verdict::{Reason, Verdict};
 
-use crate::papers::Paper;
+use ::claims::Paper;
 
 /// The page in the ledger.
 pub const PAPER: Paper = Paper {

@@ -8,10 +8,12 @@ mod governors;
 mod lumping;
 mod rough;
 
+use dalembert_derivations::AnyScene;
 use dalembert_derivations::ladder::followed::{followed, followed_at, instants};
 use dalembert_derivations::ladder::watched::Watched;
 use dalembert_derivations::ladder::{Estimate, Ladder, Rung};
-use dalembert_derivations::scene::{AnyScene, MechanismScene, Scene};
+use dalembert_derivations::mechanisms::MechanismScene;
+use dalembert_derivations::scene::Scene;
 use integrators::{Record, Tolerance};
 use reader::Family;
 use simulation::Axes;

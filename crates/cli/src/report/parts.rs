@@ -10,8 +10,10 @@ use crate::sphere;
 use crate::studies::{Drive, Endurance, Failures, Gains, Phantom, Synchronism, atlas, peers};
 use crate::timings;
 use charts::{Areas, PaperSection, Report, SceneSection, Sphere, Study, Verdict};
-use derivations::scene::{AnyScene, Scene};
-use derivations::{governors, papers, regimes};
+use derivations::AnyScene;
+use derivations::ledger::PAGES;
+use derivations::scene::Scene;
+use derivations::{governors, regimes};
 use std::path::Path;
 
 /// What the page is made of. Most parts wait for nothing and are computed side by side; times are taken afterwards,
@@ -36,7 +38,7 @@ impl Parts {
     /// None yet.
     pub fn of(scenes: &[Read], rough: &[ReadRough], folder: &Path) -> Self {
         Parts {
-            papers: papers::ALL.iter().map(|_| None).collect(),
+            papers: PAGES.iter().map(|_| None).collect(),
             prepared: scenes.iter().map(|_| None).collect(),
             rough: rough.iter().map(|_| None).collect(),
             stability: None,
@@ -55,7 +57,7 @@ impl Parts {
     /// All that need not be timed.
     pub fn compute(&mut self, scenes: &[Read], rough: &[ReadRough], folder: &Path, done: impl FnMut(f64)) {
         let mut crew = Crew::default();
-        for (place, paper) in self.papers.iter_mut().zip(papers::ALL) {
+        for (place, paper) in self.papers.iter_mut().zip(PAGES) {
             crew.add(1.0, place, move || ledger::judged(paper));
         }
         for (place, scene) in self.prepared.iter_mut().zip(scenes) {

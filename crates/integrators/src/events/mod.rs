@@ -41,6 +41,12 @@ pub trait Switches {
     fn ends_above(&self, _signal: usize) -> bool {
         false
     }
+
+    /// Whether the time of the fall of a signal is asked for: where it lies in a gap of the law, and cannot be computed, the run ends before
+    /// it. Other signals have fallen by the end of the step then.
+    fn is_timed(&self, _signal: usize) -> bool {
+        false
+    }
 }
 
 /// The way in which a signal met zero.

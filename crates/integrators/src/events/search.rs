@@ -190,7 +190,7 @@ impl Search<'_, '_> {
             self.again.root(self.step, [a, b], ends_above, |at| (at.signals[signal].value, at.signals[signal].rate));
         let [found, before] = match found {
             Some(found) => found,
-            None if self.of(b).value.abs() > CLOSE * self.of(a).value.abs() && !ends_above => {
+            None if self.of(b).value.abs() > CLOSE * self.of(a).value.abs() && self.again.switches.is_timed(signal) => {
                 return Seen::Lost(a.clone());
             }
             None => [b.clone(), a.clone()],

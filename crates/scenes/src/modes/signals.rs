@@ -289,6 +289,10 @@ impl Switches for Current {
         self.moded.signals.falls.len()
     }
 
+    fn is_timed(&self, signal: usize) -> bool {
+        matches!(self.moded.signals.falls[signal], Fall::Event { .. })
+    }
+
     fn signals(&self, time: f64, state: &[f64], out: &mut [Signal]) {
         let signals = &self.moded.signals;
         let state = &state[..state.len() - self.moded.followed];

@@ -1,7 +1,7 @@
 //! The ladders of governors and other mechanisms: a law without some of its terms, quasi-steady states, series.
 
-use super::rung::{Fill, Lower};
-use super::{Ladder, Loss, Rung};
+use crate::ladder::rung::{Fill, Lower};
+use crate::ladder::{Ladder, Loss, Rung};
 use crate::mechanisms::Mechanism;
 use crate::mechanisms::rewritten::ready;
 use crate::systems::elastic_governor::ElasticGovernor;
@@ -26,17 +26,15 @@ impl<S: Over<f64> + Analytic, M: Mechanism> Ode<S> for Alone<M> {
     }
 }
 
-impl Ladder {
-    /// Of a mechanism with its initial value problem, whose last state is the work.
-    pub fn of_mechanism<M: Mechanism>(mechanism: &M, start: &[f64], own: Problem) -> Self {
-        let written: Arc<dyn SymbolicLaw> = Arc::new(Alone(mechanism.clone()));
-        let rungs = mechanism.smaller(start, &written);
-        let state = mechanism.state(start);
-        let whole = |_: f64, y: &[f64]| [y, &[0.0]].concat();
-        let law = ready(Alone(mechanism.clone()));
-        let (model, whole) = (M::NAME, Box::new(whole));
-        Ladder { model, own, written, law, start: state, whole, rungs, lumping: None }
-    }
+/// The models of a mechanism with its initial value problem, whose last state is the work.
+pub fn of_mechanism<M: Mechanism>(mechanism: &M, start: &[f64], own: Problem) -> Ladder {
+    let written: Arc<dyn SymbolicLaw> = Arc::new(Alone(mechanism.clone()));
+    let rungs = mechanism.smaller(start, &written);
+    let state = mechanism.state(start);
+    let whole = |_: f64, y: &[f64]| [y, &[0.0]].concat();
+    let law = ready(Alone(mechanism.clone()));
+    let (model, whole) = (M::NAME, Box::new(whole));
+    Ladder { model, own, written, law, start: state, whole, rungs, lumping: None }
 }
 
 /// The same mechanism with other data, on states of the same meaning: exact where the laws do not differ, which is decided.

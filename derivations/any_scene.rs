@@ -1,7 +1,8 @@
 //! A scene of any family: the one place that lists the families.
 
-use super::{MechanismScene, Scene};
 use crate::friction::RoughScene;
+use crate::mechanisms::MechanismScene;
+use crate::scene::Scene;
 use reader::{Family, Issue, Opening, SceneError, Table, knows};
 use simulation::Smooth;
 use simulation::models::{self, Modelled};

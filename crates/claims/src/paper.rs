@@ -1,0 +1,20 @@
+//! A paper as pages of the ledger know it.
+
+use crate::Page;
+
+/// A paper of the ledger.
+#[derive(Clone, Copy, Debug)]
+pub struct Paper {
+    /// What ids begin with.
+    pub key: &'static str,
+    /// Authors, year, subject: for headings.
+    pub title: &'static str,
+    /// Authors, title, journal.
+    pub citation: &'static str,
+    /// What the paper is about and what was found, in a paragraph; LaTeX between dollar signs.
+    pub summary: &'static str,
+    /// Everything it states: numbered equations, then statements. Each must have a claim.
+    pub entries: &'static [&'static str],
+    /// Its claims, made in the calling thread.
+    pub page: fn() -> Page,
+}

@@ -1,0 +1,89 @@
+//! Modules that use each other in a circle: none in the content, and no more elsewhere than are known.
+
+use crate::rules::{read, root, rust_files};
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+
+/// Folders with the number of their modules that stand in circles; every other folder has none.
+const KNOWN: &[(&str, usize)] = &[
+    ("crates/cli/src", 29),
+    ("crates/model/src", 11),
+    ("crates/motor/src", 2),
+    ("crates/native/src", 2),
+    ("crates/scenes/src", 13),
+    ("crates/series/src", 10),
+    ("crates/simulation/src", 6),
+];
+
+type Graph = BTreeMap<String, BTreeSet<String>>;
+
+/// The modules of a crate, each with those that it uses.
+fn graph(folder: &Path) -> Graph {
+    let mut graph = Graph::new();
+    for file in rust_files(folder) {
+        let place = file.strip_prefix(folder).expect("it lies there").with_extension("");
+        let mut names: Vec<&str> = place.iter().filter_map(|part| part.to_str()).collect();
+        names.pop_if(|last| *last == "mod");
+        if matches!(names[..], ["lib" | "main"]) {
+            continue;
+        }
+        let code: String =
+            read(&file).lines().map(|line| line.split("//").next().unwrap_or("").to_owned() + "\n").collect();
+        let code = code.split("#[cfg(test)]\nmod ").next().unwrap_or_default();
+        graph.entry(names[0].to_owned()).or_default().extend(used(code, names.len()));
+    }
+    let modules: BTreeSet<String> = graph.keys().cloned().collect();
+    for (module, uses) in &mut graph {
+        uses.retain(|used| modules.contains(used) && used != module);
+    }
+    graph
+}
+
+/// The names that follow `crate::`, or as many `super::` as lead to the root of the crate.
+fn used(code: &str, depth: usize) -> Vec<String> {
+    let to_root = "super::".repeat(depth);
+    let mut names = Vec::new();
+    for prefix in ["crate::", &to_root] {
+        for (place, _) in code.match_indices(prefix) {
+            let before = code[..place].chars().next_back();
+            let rest = &code[place + prefix.len()..];
+            let goes_on = prefix != "crate::" && (code[..place].ends_with("super::") || rest.starts_with("super::"));
+            if before.is_some_and(|letter| letter.is_alphanumeric() || letter == '_') || goes_on {
+                continue;
+            }
+            let list = match rest.strip_prefix('{') {
+                Some(list) => list.split('}').next().unwrap_or_default(),
+                None => {
+                    rest.split(|letter: char| !letter.is_alphanumeric() && letter != '_').next().unwrap_or_default()
+                }
+            };
+            names.extend(list.split(',').filter_map(|name| name.trim().split("::").next()).map(str::to_owned));
+        }
+    }
+    names
+}
+
+/// The modules from which a way leads back to themselves.
+fn in_circles(graph: &Graph) -> Vec<&String> {
+    let comes_back = |module: &&String| {
+        let (mut open, mut seen) = (vec![*module], BTreeSet::new());
+        while let Some(one) = open.pop() {
+            open.extend(graph[one].iter().filter(|used| seen.insert(*used)));
+        }
+        seen.contains(*module)
+    };
+    graph.keys().filter(comes_back).collect()
+}
+
+#[test]
+fn modules_of_the_content_use_each_other_in_no_circle_and_others_in_none_that_is_new() {
+    let crates = std::fs::read_dir(root().join("crates")).expect("there are crates");
+    let names = crates.map(|entry| entry.expect("an entry").file_name().to_string_lossy().into_owned());
+    let folders = names.map(|name| format!("crates/{name}/src")).chain(["derivations".to_owned()]);
+    for folder in folders {
+        let graph = graph(&root().join(&folder));
+        let known = KNOWN.iter().find(|(known, _)| *known == folder).map_or(0, |(_, count)| *count);
+        let found = in_circles(&graph);
+        assert_eq!(found.len(), known, "{folder}: {found:?}");
+    }
+}
