@@ -13,7 +13,7 @@ use mechanics::constrained::energies::{Kinematics, Reduced};
 use num_traits::Zero;
 use reader::Family;
 use simulation::Smooth;
-use simulation::atlas::{Treated, Way};
+use simulation::work_precision::{Treated, Way};
 use std::convert::Infallible;
 use std::path::Path;
 

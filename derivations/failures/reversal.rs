@@ -14,7 +14,7 @@ use mechanics::regimes::cramer::Cramer;
 use mechanics::regimes::{Direction, Face, Mode, Seen};
 use num_traits::Zero;
 use reader::Family;
-use simulation::law_end::Margins;
+use simulation::events::Margins;
 use std::path::Path;
 
 pub const FAILING: Failing = Failing {

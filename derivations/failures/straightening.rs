@@ -9,7 +9,7 @@ use field::{Analytic, Over};
 use integrators::{Method, Observer, Ode, Record, Span, Tolerance, integrate};
 use mechanics::constrained::{Charted, State, System};
 use reader::Family;
-use simulation::law_end::Margins;
+use simulation::events::Margins;
 use std::f64::consts::{LN_2, PI};
 use std::path::Path;
 

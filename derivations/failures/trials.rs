@@ -2,7 +2,7 @@
 
 use crate::friction::Course;
 use integrators::{End, Failure, Method, Outcome, Record, Span, System, Tolerance, beside};
-use simulation::law_end::{Ending, Margins};
+use simulation::events::{Ending, Margins};
 use simulation::{Problem, methods};
 use std::fmt;
 

@@ -9,9 +9,10 @@ use super::{ForRough, RoughScene};
 use integrators::{Across, End, Failure, Method, Observer, Outcome, Reference, Span, Tolerance};
 use mechanics::constrained::State;
 use mechanics::constrained::contacts::Contacts;
-use simulation::atlas::{AcrossEvents, Formulation, Observed, Standing, Treated, Way};
-use simulation::hybrid::{Exact, Hybrid, Unknown};
-use simulation::stored::Owner;
+use simulation::references::Owner;
+use simulation::references::{Exact, Unknown};
+use simulation::work_precision::Hybrid;
+use simulation::work_precision::{AcrossEvents, Formulation, Observed, Standing, Treated, Way};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 

@@ -46,7 +46,7 @@ pub use plan::Plan;
 pub use receipt::{Choice, Line, Receipt, Verdict, Wish};
 pub use rung::Lower;
 
-use simulation::atlas::{Formulation, Standing, Treated, Way};
+use simulation::work_precision::{Formulation, Standing, Treated, Way};
 use simulation::{Law, Problem, Program, SymbolicLaw};
 use std::sync::Arc;
 

@@ -14,7 +14,7 @@ use integrators::{Method, Ode};
 use mechanics::constrained::energies;
 use reader::Quantity;
 use simulation::Margin;
-use simulation::atlas::{Formulation, Treated};
+use simulation::work_precision::{Formulation, Treated};
 
 /// The nine equations with the data of a scene.
 #[derive(Clone, Copy, Debug)]

@@ -6,8 +6,8 @@ use field::{Analytic, Over};
 use integrators::{Method, Ode};
 use reader::Quantity;
 use simulation::SymbolicLaw;
-use simulation::atlas::Formulation;
-use simulation::law_end::{Margin, outside};
+use simulation::events::{Margin, outside};
+use simulation::work_precision::Formulation;
 use std::fmt::Debug;
 use std::sync::Arc;
 

@@ -5,7 +5,7 @@ use crate::stabilisation::treatments::MODERATE;
 use field::{Analytic, Over};
 use integrators::{Held, Ode};
 use mechanics::constrained::energies::Energies;
-use simulation::atlas::{Formulation, Treated};
+use simulation::work_precision::{Formulation, Treated};
 use simulation::{CompiledHeld, CompiledLaw, Law, SymbolicHeld, SymbolicLaw};
 use std::sync::Arc;
 

@@ -4,7 +4,7 @@ use crate::scene::Scene;
 use crate::scene::state::ROTOR_SPEED;
 use integrators::Reference;
 use simulation::Axes;
-use simulation::atlas::{Formulation, Observed, Standing, Way};
+use simulation::work_precision::{Formulation, Observed, Standing, Way};
 
 /// Models that have one motion, which is proved for every number of bars: `konosevich2022/damper`.
 const EQUAL: [&str; 2] = ["multi_current", "equivalent_windings"];

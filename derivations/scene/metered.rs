@@ -3,7 +3,7 @@
 use super::{Scene, System};
 use crate::systems::gyrostat::driven::Driven;
 use motor::{Bench, Metered, Powered, is_fed};
-use simulation::law_end::of_leading;
+use simulation::events::of_leading;
 use simulation::problem::{Invariant, Problem};
 use simulation::{Axes, CompiledLaw, Law};
 use std::sync::Arc;

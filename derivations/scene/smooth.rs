@@ -3,8 +3,8 @@
 use super::Scene;
 use integrators::{Method, Reference};
 use motor::{Count, has_known_flow};
-use simulation::atlas::{Observed, Way};
 use simulation::smooth::Parameter;
+use simulation::work_precision::{Observed, Way};
 use simulation::{Axes, Choice, Problem, Run, Smooth, Told, Trajectory};
 use std::borrow::Cow;
 

@@ -11,7 +11,7 @@ use field::DoubleDouble;
 use field::Over;
 use integrators::*;
 use reader::Family;
-use simulation::atlas::{Goal, Standing, Treated, Way};
+use simulation::work_precision::{Goal, Standing, Treated, Way};
 use simulation::{Axes, Smooth};
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicUsize, Ordering};

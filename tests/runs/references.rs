@@ -7,7 +7,7 @@ use integrators::{
 };
 use reader::Family;
 use simulation::models::holds_model;
-use simulation::{Axes, Problem, Stored, stored};
+use simulation::{Axes, Problem, Stored, references};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -35,7 +35,7 @@ fn all() -> Vec<(String, Problem, Stored)> {
         let scene = AnyScene::open(&path).unwrap_or_else(|error| panic!("{error}"));
         let problem = scene.smooth()?.problem(Axes::default());
         let name = path.strip_prefix(root).expect("it is in the project").display().to_string();
-        let text = std::fs::read_to_string(stored::place(&path)).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let text = std::fs::read_to_string(references::place(&path)).unwrap_or_else(|error| panic!("{name}: {error}"));
         let kept = Stored::read(&text).unwrap_or_else(|wrong| panic!("{name}: {wrong}"));
         Some((name, problem, kept))
     };
@@ -61,7 +61,7 @@ fn every_scene_has_a_reference_of_25_digits_or_more_that_is_its_own() {
 fn a_reference_is_not_taken_for_that_of_other_data() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let file = root.join("scenes/spin_up.toml");
-    let kept = std::fs::read_to_string(stored::place(&file)).expect("it is kept");
+    let kept = std::fs::read_to_string(references::place(&file)).expect("it is kept");
     let kept = Stored::read(&kept).unwrap_or_else(|wrong| panic!("{wrong}"));
     let text = std::fs::read_to_string(&file).expect("the scene is there");
     // the last digit of a moment of inertia, the load, a resistance

@@ -8,9 +8,10 @@ use dalembert_derivations::regimes::critical;
 use field::{Circle, DoubleDouble, Over, Scalar};
 use integrators::{Attempt, End, Failure, Method, Record, Span, Tolerance};
 use reader::Family;
-use simulation::atlas::Treated;
-use simulation::hybrid::{Unknown, judged};
-use simulation::{Stored, Trials, stored};
+use simulation::references::Unknown;
+use simulation::work_precision::Treated;
+use simulation::work_precision::judged_across_events;
+use simulation::{Stored, Trials, references};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -26,7 +27,8 @@ fn open(name: &str) -> RoughScene {
 }
 
 fn kept(name: &str) -> Stored {
-    let text = std::fs::read_to_string(stored::place(&path(name))).unwrap_or_else(|error| panic!("{name}: {error}"));
+    let text =
+        std::fs::read_to_string(references::place(&path(name))).unwrap_or_else(|error| panic!("{name}: {error}"));
     Stored::read(&text).unwrap_or_else(|wrong| panic!("{name}: {wrong}"))
 }
 
@@ -158,8 +160,8 @@ fn every_method_is_measured_by_the_reference() {
     let methods = vec![Method::DormandPrince8, Method::GraggBulirschStoer, Method::Radau5];
     let trials = Trials { methods, tolerances: vec![1e-5, 1e-9], allowed: PATIENCE, ..Trials::default() };
     for name in scenes() {
-        let atlas =
-            judged(&open(&name), &trials, Some(&kept(&name)), PATIENCE).unwrap_or_else(|why| panic!("{name}: {why}"));
+        let atlas = judged_across_events(&open(&name), &trials, Some(&kept(&name)), PATIENCE)
+            .unwrap_or_else(|why| panic!("{name}: {why}"));
         for (_, point) in atlas.points() {
             let tolerance = point.tolerance.expect("all follow one");
             match point.error {
@@ -179,7 +181,7 @@ fn every_method_is_measured_by_the_reference() {
 fn a_run_across_events_ends_with_what_it_shows_last() {
     let (scene, kept) = (open("friction/climbed_ladder"), kept("friction/climbed_ladder"));
     let trials = Trials { methods: Vec::new(), ..Trials::default() };
-    let atlas = judged(&scene, &trials, Some(&kept), PATIENCE).unwrap_or_else(|why| panic!("{why}"));
+    let atlas = judged_across_events(&scene, &trials, Some(&kept), PATIENCE).unwrap_or_else(|why| panic!("{why}"));
     let way = &atlas.explored[0].way;
     let Treated::Across(motion) = &way.law else { panic!("it has events") };
     let run = |span: f64| {

@@ -16,9 +16,11 @@ use derivations::scene::System;
 use integrators::{Failure, Method, Point};
 use reader::Family;
 use serde_json::{Value, json};
-use simulation::atlas::{Formulation, Way};
-use simulation::hybrid::{Hybrid, Unknown};
-use simulation::{Atlas, Axes, Smooth, Stored, Trajectory, Trials, hybrid, judged, stored};
+use simulation::references::Unknown;
+use simulation::work_precision::Hybrid;
+use simulation::work_precision::judged_across_events;
+use simulation::work_precision::{Formulation, Way};
+use simulation::{Atlas, Axes, Smooth, Stored, Trajectory, Trials, judged, references};
 use std::fmt::Write;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -101,7 +103,7 @@ pub fn chart(asked: &Asked) -> Result<Ending, Ending> {
     if run.left.is_some() {
         return no_reference(smooth, &run, &run.stopped().unwrap_or_default());
     }
-    match judged(smooth, &problem, ways, &trials, kept.as_ref(), allowed) {
+    match judged(&|reference| smooth.observed(reference), &problem, ways, &trials, kept.as_ref(), allowed) {
         Ok(mut atlas) => {
             atlas.take_times(&trials, clock::left() / 2);
             told(smooth.title(), &atlas, asked, output, |work| report::of_scene(smooth, &atlas, work))
@@ -120,7 +122,7 @@ fn across_events(
     let output = output(asked)?;
     let allowed = clock::left() / 3;
     let trials = Trials { allowed, ..Trials::default() }.with(method);
-    match hybrid::judged(scene, &trials, Stored::beside(&asked.scene).as_ref(), allowed) {
+    match judged_across_events(scene, &trials, Stored::beside(&asked.scene).as_ref(), allowed) {
         Ok(mut atlas) => {
             atlas.take_times(&trials, clock::left() / 2);
             told(title, &atlas, asked, output, |work| page(&atlas, work))
@@ -201,7 +203,7 @@ const COLUMNS: [&str; 8] =
 
 /// Where the chart goes, before the work.
 fn output(asked: &Asked) -> Result<Option<Output>, Ending> {
-    let kept = stored::place(&asked.scene);
+    let kept = references::place(&asked.scene);
     let writes = Writes { command: "chart", force: asked.force, reads: vec![&asked.scene, &kept] };
     let output =
         writes.optional(asked.out.as_deref(), &[Form::Picture, Form::Page, Form::Table(csv::line(&COLUMNS))])?;

@@ -8,9 +8,10 @@ use clap::Args;
 use derivations::AnyScene;
 use integrators::{ENOUGH_DIGITS, Method};
 use reader::Family;
-use simulation::hybrid::{Event, Hybrid};
-use simulation::stored::Owner;
-use simulation::{Axes, Choice, Smooth, Stored, stored};
+use simulation::references::Event;
+use simulation::references::Owner;
+use simulation::work_precision::Hybrid;
+use simulation::{Axes, Choice, Smooth, Stored, references};
 use std::fmt::Write;
 use std::path::PathBuf;
 
@@ -92,7 +93,7 @@ fn output(asked: &Asked) -> Result<Output, Ending> {
 
 /// Where it goes.
 fn place(asked: &Asked) -> PathBuf {
-    asked.out.clone().unwrap_or_else(|| stored::place(&asked.scene))
+    asked.out.clone().unwrap_or_else(|| references::place(&asked.scene))
 }
 
 /// The same of a motion across events, with these.

@@ -13,7 +13,7 @@ use model::{Model, Regulator};
 use nalgebra::{Complex, DMatrix};
 use reader::read_text;
 use serde_json::json;
-use simulation::switching::Passage;
+use simulation::events::Passage;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 

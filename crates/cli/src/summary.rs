@@ -2,7 +2,7 @@
 
 use integrators::{Beside, Parting};
 use serde_json::{Map, Value, json};
-use simulation::switching::Passage;
+use simulation::events::Passage;
 use simulation::{Axes, Choice, Smooth, Told, Trajectory};
 use std::fmt::Write;
 

@@ -5,10 +5,11 @@ use crate::scene::ModelScene;
 use field::DoubleDouble;
 use integrators::{Across, End, Failure, Method, Observer, Outcome, Reference, Sizes, Span, Tolerance};
 use simulation::Problem;
-use simulation::atlas::{Formulation, Observed, Standing, Treated, Way};
-use simulation::hybrid::{Exact, Hybrid, Unknown, agreed, instants};
-use simulation::stored::Owner;
-use simulation::switching::Switching;
+use simulation::events::Switching;
+use simulation::references::Owner;
+use simulation::references::{Exact, Unknown, agreed, instants};
+use simulation::work_precision::Hybrid;
+use simulation::work_precision::{Formulation, Observed, Standing, Treated, Way};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 

@@ -1,7 +1,7 @@
 //! Laws of motion as they run.
 //!
-//! A [`Problem`] is a law with a start, what it conserves and where it ends; it runs by any method ([`Choice`]), across events
-//! ([`switching`], [`hybrid`]), beside stored references ([`Stored`]), and by every method at every tolerance ([`atlas`]). A scene that
+//! A [`Problem`] is a law with a start, what it conserves and where it ends; it runs by any method ([`Choice`]), across [`events`],
+//! beside [`references`], and by every method at every tolerance ([`work_precision`]). A scene that
 //! is one such problem is [`Smooth`].
 //!
 //! A law y' = f(t, y) is written down once, over expressions ([`TracedOde`]); all that runs are programs of these:
@@ -36,33 +36,29 @@
 //! assert!((outcome.state[0] - 1.0_f64.cos()).abs() < 1e-11);
 //! ```
 
-pub mod atlas;
 mod axes;
 pub mod ensemble;
-pub mod hybrid;
+pub mod events;
 mod law;
-pub mod law_end;
-pub mod measured;
 pub mod methods;
 pub mod models;
 pub mod problem;
+pub mod references;
 pub mod run;
 pub mod simulate;
 pub mod smooth;
-pub mod stored;
-pub mod switching;
 mod transition;
+pub mod work_precision;
 
-pub use atlas::Atlas;
 pub use axes::Axes;
+pub use events::Margin;
 pub use law::{
     CompiledHeld, CompiledLaw, Differentiable, Expandable, Exponents, JacobianProgram, Law, LawSeries, Program, Room,
     Running, Splittable, SymbolicHeld, SymbolicLaw, TracedOde, traced,
 };
-pub use law_end::Margin;
-pub use measured::{Trials, judged};
 pub use problem::{Invariant, Problem};
+pub use references::Stored;
 pub use run::Run;
 pub use simulate::{Choice, Trajectory};
 pub use smooth::{Smooth, Told};
-pub use stored::Stored;
+pub use work_precision::{Atlas, Trials, judged};

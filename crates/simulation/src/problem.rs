@@ -1,8 +1,7 @@
 //! An initial value problem, its types forgotten: what any method runs.
 
+use crate::events::{self, Ending, Margins, Switching};
 use crate::law::Law;
-use crate::law_end::Margins;
-use crate::switching::{Switching, integrate};
 use integrators::{End, Failure, Method, Observer, Outcome, Span, Tolerance};
 use std::sync::Arc;
 
@@ -33,11 +32,33 @@ impl Problem {
         span: &Span<'_, f64>,
         observer: &mut dyn Observer<f64>,
     ) -> Outcome<f64> {
-        let (outcome, left) = integrate((switching, &self.margins), (method, tolerance), span, observer);
+        let (outcome, left) = events::integrate((switching, &self.margins), (method, tolerance), span, observer);
         match left {
             None => outcome,
             Some(_) => Outcome { end: End::Stopped(Failure::OtherCourse { at: outcome.time }), ..outcome },
         }
+    }
+}
+
+impl Problem {
+    /// Why the law does not hold at a state, where it does not.
+    pub fn outside(&self, time: f64, y: &[f64]) -> Option<&'static str> {
+        events::outside(&(self.margins)(time, y, &vec![0.0; y.len()]))
+    }
+
+    /// Runs over a span, event after event, or to the end of the law: then the outcome is the last state within it, and the reason
+    /// is told.
+    pub fn integrate(
+        &self,
+        method: Method,
+        tolerance: &Tolerance,
+        span: &Span<'_, f64>,
+        observer: &mut dyn Observer<f64>,
+    ) -> (Outcome<f64>, Option<&'static str>) {
+        if let Some(switching) = &self.switching {
+            return events::integrate((&**switching, &*self.margins), (method, tolerance), span, observer);
+        }
+        Ending { law: &*self.law, margins: &*self.margins }.integrate((method, tolerance), span, observer)
     }
 }
 

@@ -1,8 +1,8 @@
 //! A problem run: its trajectory as a reader wants it.
 
 use super::problem::Row;
-use super::switching::Passage;
 use super::{Axes, Problem, Run};
+use crate::events::Passage;
 use integrators::{
     Beside, Deviation, End, Failure, Method, Observer, Outcome, Record, Refusal, Span, Tolerance, beside,
 };

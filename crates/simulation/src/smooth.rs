@@ -1,7 +1,6 @@
 //! Scenes that are one initial value problem: what every command asks of them, whatever their family.
 
-use crate::atlas::{Observed, Way};
-use crate::hybrid::Hybrid;
+use crate::work_precision::{Hybrid, Observed, Way};
 use crate::{Axes, Choice, Problem, Run, Trajectory};
 use integrators::Reference;
 use reader::Quantity;

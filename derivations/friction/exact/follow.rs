@@ -12,7 +12,7 @@ use mechanics::constrained::State;
 use mechanics::constrained::contacts::Contacts;
 use mechanics::regimes::{Mode, Touch};
 use num_traits::Zero;
-use simulation::hybrid::{At, Followed, Means, Unknown};
+use simulation::references::{At, Followed, Means, Unknown};
 
 /// A run in `f64`, which tells the regimes, and a method that follows it to all digits.
 pub(super) struct Follower<'a, Q, const N: usize, const C: usize, const K: usize> {

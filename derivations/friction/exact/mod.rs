@@ -16,7 +16,7 @@ use follow::Follower;
 use integrators::Sizes;
 use mechanics::constrained::State;
 use mechanics::constrained::contacts::Contacts;
-use simulation::hybrid::{Exact, Unknown, agreed, instants};
+use simulation::references::{Exact, Unknown, agreed, instants};
 use std::time::Duration;
 
 impl RoughScene {

@@ -8,7 +8,7 @@ use field::{DoubleDouble, Over};
 use integrators::Ode;
 use mechanics::constrained::State;
 use mechanics::constrained::contacts::Contacts;
-use simulation::stored::Owner;
+use simulation::references::Owner;
 
 /// The start of a scene and the laws that it goes through, by a run in `f64`.
 pub struct Regimes {

@@ -6,7 +6,7 @@ use crate::ladder::Rung;
 use crate::systems::governor::{Gearing, Governor, Moment};
 use reader::{Bound, Quantity};
 use simulation::SymbolicLaw;
-use simulation::law_end::{Margin, outside};
+use simulation::events::{Margin, outside};
 use std::fmt::Debug;
 use std::sync::Arc;
 

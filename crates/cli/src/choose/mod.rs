@@ -16,7 +16,7 @@ use derivations::ladder::rough::RoughLadder;
 use derivations::ladder::{Forms, Ladder, Models, Wish, choose};
 use derivations::scene::System;
 use reader::Family;
-use simulation::{Axes, Smooth, Stored, stored};
+use simulation::{Axes, Smooth, Stored, references};
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -83,7 +83,7 @@ pub fn show(asked: &Asked) -> Result<Ending, Ending> {
     let title = scene.title();
     let outputs = outputs(asked, given, models.columns())?;
     let wish = Wish { tolerance: asked.tolerance, outputs, allowed: MEASURING.min(clock::left() / 8) };
-    let kept = stored::place(&asked.scene);
+    let kept = references::place(&asked.scene);
     let writes = Writes { command: "choose", force: asked.force, reads: vec![&asked.scene, &kept] };
     let output = writes.optional(asked.out.as_deref(), &[Form::Picture])?;
     let receipt = match choose(&*models, &wish) {

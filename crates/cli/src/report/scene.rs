@@ -8,8 +8,9 @@ use derivations::AnyScene;
 use derivations::friction::RoughScene;
 use derivations::scene::Scene;
 use integrators::Failure;
-use simulation::hybrid::Unknown;
-use simulation::{Atlas, Axes, Smooth, Stored, Trajectory, Trials, hybrid, judged};
+use simulation::references::Unknown;
+use simulation::work_precision::judged_across_events;
+use simulation::{Atlas, Axes, Smooth, Stored, Trajectory, Trials, judged};
 use std::time::Duration;
 
 /// For a reference; they share the processors, so that one of them has less than when it is alone.
@@ -71,9 +72,12 @@ pub fn prepare(Read { id, scene: any, kept }: &Read) -> Option<Prepared> {
     // what a scene is made to show may be its end: that is no fault of the run
     let atlas = match (scene.told(&choice, &run).diagnosis, scene.hybrid()) {
         (Some(_), _) => Err(NoReference::Ends),
-        (None, Some(hybrid)) => hybrid::judged(hybrid, &trials, kept.as_ref(), patience).map_err(NoReference::Unknown),
+        (None, Some(hybrid)) => {
+            judged_across_events(hybrid, &trials, kept.as_ref(), patience).map_err(NoReference::Unknown)
+        }
         (None, None) => {
-            judged(scene, &problem, scene.ways(), &trials, kept.as_ref(), patience).map_err(NoReference::Stopped)
+            judged(&|reference| scene.observed(reference), &problem, scene.ways(), &trials, kept.as_ref(), patience)
+                .map_err(NoReference::Stopped)
         }
     };
     if let AnyScene::Driven(scene) = any {
@@ -93,7 +97,7 @@ pub fn prepare(Read { id, scene: any, kept }: &Read) -> Option<Prepared> {
 pub fn prepare_rough(ReadRough { id, scene, kept }: &ReadRough) -> Prepared {
     let [_, timed] = TIMED;
     let trials = Trials { evaluations: EVALUATIONS, ..Trials::default() }.with(scene.plan.method);
-    let atlas = hybrid::judged(scene, &trials, kept.as_ref(), OF_A_MECHANISM).map_err(NoReference::Unknown);
+    let atlas = judged_across_events(scene, &trials, kept.as_ref(), OF_A_MECHANISM).map_err(NoReference::Unknown);
     Prepared { section: rough::section(id, scene), reached: true, atlas, trials, timed }
 }
 

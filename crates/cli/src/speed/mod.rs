@@ -11,7 +11,7 @@ pub mod tables;
 
 use integrators::{Holding, Means, Method, Point, Trial};
 use simulation::Atlas;
-use simulation::atlas::{Standing, Way};
+use simulation::work_precision::{Standing, Way};
 
 /// What a run is charged with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -4,7 +4,7 @@ use super::{ANSWER, Counted, Series, model, series};
 use charts::{Failure, Point, Work, WorkPrecision};
 use integrators::front;
 use simulation::Atlas;
-use simulation::atlas::Formulation;
+use simulation::work_precision::Formulation;
 
 /// Once in evaluations and once in time.
 pub fn work_precision(atlas: &Atlas) -> [WorkPrecision; 2] {

@@ -4,7 +4,7 @@ use super::{Counted, family, model};
 use charts::{Table, significant, tolerance};
 use integrators::{Point, front};
 use simulation::Atlas;
-use simulation::atlas::{Standing, Way};
+use simulation::work_precision::{Standing, Way};
 
 /// For each decade of the error the cheapest run of all that reaches it.
 pub fn fronts(atlas: &Atlas) -> Vec<Table> {

@@ -8,7 +8,7 @@ use crate::speed::{Counted, Series, series};
 use charts::{Study, Table, significant, tolerance};
 use integrators::{Regrets, cost};
 use simulation::Atlas;
-use simulation::atlas::{Formulation, Standing, Way};
+use simulation::work_precision::{Formulation, Standing, Way};
 
 /// Errors at which choices are compared.
 const ERRORS: [f64; 3] = [1e-3, 1e-6, 1e-9];

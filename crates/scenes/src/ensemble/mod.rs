@@ -19,7 +19,7 @@ use simulation::ensemble::{
     Column, Drawn, EnsembleScene, LANES, Last, Member, ParametricSystem, RunsAlone, Shape, Sizes, Stopped, Variable,
     lane_series, vary,
 };
-use simulation::law_end::Margins;
+use simulation::events::Margins;
 use simulation::{Run, Smooth};
 use std::fmt::{self, Write};
 use std::sync::Arc;

@@ -6,7 +6,7 @@ use super::{Laws, Moded, Modes};
 use field::{DoubleDouble, Over};
 use integrators::{Happening, Ode, Real};
 use num_traits::Zero;
-use simulation::hybrid::{At, Followed, Means, Unknown};
+use simulation::references::{At, Followed, Means, Unknown};
 use std::sync::PoisonError;
 
 /// Newton's iteration doubles the digits: where a run knows thirteen one step comes to all that are kept, and the next finds so.

@@ -49,7 +49,7 @@ pub use regimes::{CriticalFriction, Margin, Motions, Regime, Regimes};
 use sides::Side;
 use signals::{Fall, GLIDE, Signals};
 use simulation::Law;
-use simulation::switching::{Passage, Segment, Switching};
+use simulation::events::{Passage, Segment, Switching};
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 pub use unfit::Unfit;

@@ -12,7 +12,7 @@ use integrators::{Directions, Method, Ode, Outcome, Real, Record, Span, System, 
 use model::{Model, Regulator, Trace};
 use nalgebra::DMatrix;
 use simulation::Program;
-use simulation::switching::Passage;
+use simulation::events::Passage;
 use std::borrow::Cow;
 use std::cell::RefCell;
 use std::time::Instant;

@@ -9,7 +9,7 @@ use crate::scene::ModelScene;
 use integrators::{Method, Record, Span, Tolerance};
 use model::Feedback;
 use reader::Issue;
-use simulation::switching::Switching;
+use simulation::events::Switching;
 use std::sync::Arc;
 use std::time::Instant;
 

@@ -12,7 +12,7 @@ use model::Model;
 use model::equations::Level;
 use nalgebra::{Cholesky, DMatrix};
 use simulation::Program;
-use simulation::law_end::Margin;
+use simulation::events::Margin;
 use std::sync::{Arc, Mutex, PoisonError};
 
 const SINGULAR: &str =

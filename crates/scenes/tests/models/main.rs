@@ -10,7 +10,7 @@ use dalembert_scenes::{ModelScene, Task, read_model};
 use integrators::Method;
 use model::principles::Principle;
 use model::{Agreement, Trace, agreement};
-use simulation::{Axes, Choice, Smooth, Stored, stored};
+use simulation::{Axes, Choice, Smooth, Stored, references};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -164,8 +164,8 @@ fn every_model_has_a_reference_of_25_digits_that_is_its_own() {
         let name = path.file_stem().map(|name| name.to_string_lossy().into_owned());
         let fewer = FEWER.iter().find(|(fewer, _)| name.as_deref() == Some(*fewer));
         let Some(digits) = fewer.map_or(Some(25.0), |(_, digits)| *digits) else { continue };
-        let text =
-            std::fs::read_to_string(stored::place(&path)).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+        let text = std::fs::read_to_string(references::place(&path))
+            .unwrap_or_else(|error| panic!("{}: {error}", path.display()));
         let kept = Stored::read(&text).unwrap_or_else(|wrong| panic!("{}: {wrong}", path.display()));
         assert!(kept.reference.digits >= digits, "{}: {} digits", path.display(), kept.reference.digits);
         let scene = open(&path);

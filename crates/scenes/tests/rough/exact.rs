@@ -4,7 +4,8 @@ use super::{close, stored};
 use dalembert_scenes::ModelScene;
 use field::DoubleDouble;
 use integrators::{Failure, Method, Record, Span, Tolerance};
-use simulation::hybrid::{Exact, Hybrid, Unknown, judged};
+use simulation::references::{Exact, Unknown};
+use simulation::work_precision::{Hybrid, judged_across_events};
 use simulation::{Axes, Choice, Smooth, Stored, Trials};
 use std::time::Duration;
 
@@ -105,7 +106,7 @@ fn references_across_events_agree_with_runs_and_belong_to_their_scenes() {
 fn every_method_is_measured_across_events() {
     let scene = scene_of(&ball("0.5", "friction = \"0.25\"\n"));
     let trials = Trials::default();
-    let atlas = judged(&scene, &trials, None, PATIENCE).unwrap_or_else(|unknown| panic!("{unknown}"));
+    let atlas = judged_across_events(&scene, &trials, None, PATIENCE).unwrap_or_else(|unknown| panic!("{unknown}"));
     let points: Vec<_> = atlas.points().collect();
     assert!(points.len() > 40);
     for (_, point) in points {

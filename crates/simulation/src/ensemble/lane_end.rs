@@ -3,7 +3,7 @@
 //! There the motion is a polynomial. It is looked at in halves while a distance may come to zero by the bound of its rate.
 
 use crate::Margin;
-use crate::law_end::{Margins, outside};
+use crate::events::{Margins, outside};
 use integrators::LaneStep;
 
 /// By so little a distance may change over an interval that is not halved.

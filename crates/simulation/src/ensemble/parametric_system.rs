@@ -3,7 +3,7 @@
 use super::run::Last;
 use super::stop_reason::Stopped;
 use crate::Run;
-use crate::law_end::Margins;
+use crate::events::Margins;
 use integrators::LaneSeries;
 use std::borrow::Cow;
 use std::fmt;

@@ -1,9 +1,12 @@
 //! Speed against accuracy: what is tried on a scene, and the reference by which it is measured.
 
-use super::atlas::{Atlas, Goal, INSTANTS, Way};
-use super::{Problem, Smooth, Stored};
-use integrators::{Failure, Method, Reference, Span, Splitting, reference};
-use std::time::{Duration, Instant};
+use super::atlas::{Atlas, Goal, Observed};
+use super::hybrid::Hybrid;
+use super::way::Way;
+use crate::Problem;
+use crate::references::{Stored, Unknown};
+use integrators::{Failure, Method, Reference, Splitting};
+use std::time::Duration;
 
 const TOLERANCES: [f64; 6] = [1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13];
 
@@ -60,27 +63,13 @@ impl Default for Trials {
     }
 }
 
-impl Problem {
-    /// What errors are measured by: many problems' at a time, if there are processors, since it is not timed.
-    ///
-    /// # Errors
-    /// Where a method stopped, or the two do not agree.
-    pub fn reference(&self, allowed: Duration) -> Result<Reference, Failure> {
-        reference(&*self.law, &self.instants().with_deadline(Instant::now() + allowed))
-    }
-
-    fn instants(&self) -> Span<'static, f64> {
-        Span::new(0.0, self.span, &self.state).with_even_outputs(INSTANTS)
-    }
-}
-
 /// The atlas of a scene without its times: many scenes' at a time too. The first way must be that of the problem. A
 /// reference that is kept is taken where it is the problem's own.
 ///
 /// # Errors
 /// Where there is no reference.
 pub fn judged(
-    scene: &dyn Smooth,
+    observed: &dyn Fn(&Reference) -> Vec<Observed>,
     problem: &Problem,
     ways: Vec<Way>,
     trials: &Trials,
@@ -91,6 +80,30 @@ pub fn judged(
         Some(kept) => kept.reference.clone(),
         None => problem.reference(patience)?,
     };
-    let goal = Goal::of(&problem.columns, &problem.row, &reference, scene.observed(&reference));
+    let goal = Goal::of(&problem.columns, &problem.row, &reference, observed(&reference));
     Ok(Atlas::judged(ways, reference, &goal, problem.span, trials))
+}
+
+/// The atlas without its times. A reference that is kept is taken where it is this scene's own. A motion that ends by itself is followed
+/// until shortly before.
+///
+/// # Errors
+/// Where there is no reference.
+pub fn judged_across_events(
+    scene: &dyn Hybrid,
+    trials: &Trials,
+    kept: Option<&Stored>,
+    patience: Duration,
+) -> Result<Atlas, Unknown> {
+    let reference = match kept.filter(|kept| kept.belongs_to(&*scene.owner())) {
+        Some(kept) => kept.reference.clone(),
+        None => scene.exact(patience)?.reference,
+    };
+    if !reference.is_trusted() {
+        return Err(Unknown::FewDigits { digits: reference.digits });
+    }
+    let way = scene.way();
+    let goal = Goal::of(&way.columns, &way.row, &reference, scene.observed(&way.columns, &reference));
+    let end = reference.times.last().copied().unwrap_or(scene.end());
+    Ok(Atlas::judged(vec![way], reference, &goal, end, trials))
 }

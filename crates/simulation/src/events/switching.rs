@@ -67,7 +67,7 @@ const MOST_TOGETHER: usize = 64;
 
 /// Runs over a span, event after event, as long as the margins are positive. The reason is told where the motion ends before the
 /// span does.
-pub(super) fn integrate(
+pub(crate) fn integrate(
     (switching, margins): (&dyn Switching, &Margins),
     (method, tolerance): (Method, &Tolerance),
     span: &Span<'_, f64>,

@@ -3,7 +3,6 @@
 //! A margin is positive where the law holds. Its end is found by the bounds of the margin over each step, so that it does not
 //! depend on where a method puts its steps, and the run goes on up to it.
 
-use super::{Problem, switching};
 use integrators::{
     Event, Method, Observer, Ode, Outcome, Signal, Span, Switches, System, Tolerance, integrate, integrate_to_event,
 };
@@ -24,28 +23,6 @@ pub struct Margin {
 
 /// The margins of a state y with the rates dy at a time, always as many.
 pub type Margins = dyn Fn(f64, &[f64], &[f64]) -> Vec<Margin> + Send + Sync;
-
-impl Problem {
-    /// Why the law does not hold at a state, where it does not.
-    pub fn outside(&self, time: f64, y: &[f64]) -> Option<&'static str> {
-        outside(&(self.margins)(time, y, &vec![0.0; y.len()]))
-    }
-
-    /// Runs over a span, event after event, or to the end of the law: then the outcome is the last state within it, and the reason
-    /// is told.
-    pub fn integrate(
-        &self,
-        method: Method,
-        tolerance: &Tolerance,
-        span: &Span<'_, f64>,
-        observer: &mut dyn Observer<f64>,
-    ) -> (Outcome<f64>, Option<&'static str>) {
-        if let Some(switching) = &self.switching {
-            return switching::integrate((&**switching, &*self.margins), (method, tolerance), span, observer);
-        }
-        Ending { law: &*self.law, margins: &*self.margins }.integrate((method, tolerance), span, observer)
-    }
-}
 
 /// A law with its margins.
 #[derive(Clone, Copy)]

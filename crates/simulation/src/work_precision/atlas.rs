@@ -1,22 +1,10 @@
-//! The atlas of a scene: every method on every formulation of its equations with every model of its motor.
-//!
-//! # Overview
-//! * [`Way`]: a formulation with a model; each family of scenes lists its own ([`Smooth::ways`](super::Smooth::ways));
-//! * [`Observed`]: what all ways have, so that their errors can be compared, by the reference of the scene's own model. A
-//!   smaller model is measured by the same reference: no tolerance brings it below what the model itself is off;
-//! * [`Atlas`]: the runs of all ways, their errors, work and times.
-
-mod way;
-
-pub use way::{Course as AcrossEvents, Formulation, HeldLaw, Standing, Treated, Way};
+//! The runs of all formulations of a scene with all methods, their errors, work and times.
 
 use super::measured::Trials;
-use super::problem::Row;
+use super::way::{Standing, Treated, Way};
+use crate::problem::Row;
 use integrators::{Attempt, Course, Method, Point, Record, Reference, Timed, Tolerance, judge, measure};
 use std::time::{Duration, Instant};
-
-/// Times, beside the start, at which an error is taken: few, so that landing on them costs no method much.
-pub(crate) const INSTANTS: usize = 8;
 
 /// A quantity that is compared, with its size along the motion.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,8 +1,8 @@
 //! A way to run a scene: a formulation of its equations with a model of its motor.
 
+use super::measured::Trials;
 use crate::Problem;
 use crate::law::Law;
-use crate::measured::Trials;
 use crate::problem::Row;
 use integrators::{Across, Attempt, HeldSystem, Holding, Method, Reference, Span, survey};
 use std::fmt;
@@ -145,7 +145,7 @@ impl Way {
 
     /// From time zero, seen at the instants of the reference.
     pub(super) fn span(&self, span: f64, evaluations: u64) -> Span<'static, f64> {
-        Span::new(0.0, span, &self.state).with_even_outputs(super::INSTANTS).with_evaluations(evaluations)
+        Span::new(0.0, span, &self.state).with_even_outputs(crate::references::INSTANTS).with_evaluations(evaluations)
     }
 
     /// Every method that this way has. Those that compose known flows belong to the momenta, all others to the rest.

@@ -1,68 +1,17 @@
-//! Scenes whose law changes at events: references across events, and every method across the same events.
+//! A motion across events to all digits, by two methods.
 //!
-//! # Overview
 //! A run in `f64` tells the laws and, to its digits, when they change. Each law is smooth, also beyond its end. Two methods of
 //! different families follow the laws in double-double, each on its own: an event is the zero of its signal, found by Newton's method
 //! on the instant. Times have two parts as well (`flow`).
 //!
 //! Which law goes on is decided once, by the run. An event that is told by a tie has no more digits than the tie.
 
-mod flow;
-
-pub use flow::Means;
-
-use super::atlas::{Atlas, Goal, INSTANTS, Observed, Way};
-use super::stored::Owner;
-use super::{Stored, Trials};
+use super::INSTANTS;
+use super::flow::Means;
 use field::{DoubleDouble, decimal};
 use integrators::{ENOUGH_DIGITS, Failure, Method, Reference, Span, Work, difference, shared_digits};
 use std::fmt;
 use std::time::{Duration, Instant};
-
-/// A scene whose law changes at events.
-pub trait Hybrid {
-    /// The motion to all digits, each of two methods in half of the time.
-    ///
-    /// # Errors
-    /// Why it is not known.
-    fn exact(&self, allowed: Duration) -> Result<Exact, Unknown>;
-
-    /// Whose its reference is.
-    fn owner(&self) -> Box<dyn Owner + '_>;
-
-    /// Law after law, by any method.
-    fn way(&self) -> Way;
-
-    /// The columns of [`Self::way`] that are compared, with their sizes along the motion.
-    fn observed(&self, columns: &[String], reference: &Reference) -> Vec<Observed>;
-
-    /// The end of the run, s.
-    fn end(&self) -> f64;
-}
-
-/// The atlas without its times. A reference that is kept is taken where it is this scene's own. A motion that ends by itself is followed
-/// until shortly before.
-///
-/// # Errors
-/// Where there is no reference.
-pub fn judged(
-    scene: &dyn Hybrid,
-    trials: &Trials,
-    kept: Option<&Stored>,
-    patience: Duration,
-) -> Result<Atlas, Unknown> {
-    let reference = match kept.filter(|kept| kept.belongs_to(&*scene.owner())) {
-        Some(kept) => kept.reference.clone(),
-        None => scene.exact(patience)?.reference,
-    };
-    if !reference.is_trusted() {
-        return Err(Unknown::FewDigits { digits: reference.digits });
-    }
-    let way = scene.way();
-    let goal = Goal::of(&way.columns, &way.row, &reference, scene.observed(&way.columns, &reference));
-    let end = reference.times.last().copied().unwrap_or(scene.end());
-    Ok(Atlas::judged(vec![way], reference, &goal, end, trials))
-}
 
 /// A motion across its events.
 #[derive(Clone, Debug)]

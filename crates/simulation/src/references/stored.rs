@@ -1,7 +1,7 @@
 //! References that are kept in files: the digits, how they were made, and whether they are a law's own.
 
-use super::hybrid::Event;
-use super::{Problem, methods};
+use super::across_events::Event;
+use crate::{Problem, methods};
 use field::{DoubleDouble, Over, decimal, from_decimal};
 use integrators::{ENOUGH_DIGITS, Ode, Reference, Work};
 use std::fmt::Write;

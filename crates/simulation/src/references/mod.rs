@@ -1,0 +1,30 @@
+//! Motions to all digits, by two methods that agree: of one law, across events, and kept in files.
+
+mod across_events;
+mod flow;
+mod stored;
+
+pub use across_events::{At, Event, Exact, Followed, Unknown, agreed, instants};
+pub use flow::Means;
+pub use stored::{Owner, Stored, place};
+
+use crate::Problem;
+use integrators::{Failure, Reference, Span, reference};
+use std::time::{Duration, Instant};
+
+/// Times, beside the start, at which motions are compared: few, so that landing on them costs no method much.
+pub(crate) const INSTANTS: usize = 8;
+
+impl Problem {
+    /// What errors are measured by: many problems' at a time, if there are processors, since it is not timed.
+    ///
+    /// # Errors
+    /// Where a method stopped, or the two do not agree.
+    pub fn reference(&self, allowed: Duration) -> Result<Reference, Failure> {
+        reference(&*self.law, &self.instants().with_deadline(Instant::now() + allowed))
+    }
+
+    fn instants(&self) -> Span<'static, f64> {
+        Span::new(0.0, self.span, &self.state).with_even_outputs(INSTANTS)
+    }
+}

@@ -1,0 +1,28 @@
+//! Scenes whose law changes at events: every method across the same events.
+
+use super::atlas::Observed;
+use super::way::Way;
+use crate::references::{Exact, Owner, Unknown};
+use integrators::Reference;
+use std::time::Duration;
+
+/// A scene whose law changes at events.
+pub trait Hybrid {
+    /// The motion to all digits, each of two methods in half of the time.
+    ///
+    /// # Errors
+    /// Why it is not known.
+    fn exact(&self, allowed: Duration) -> Result<Exact, Unknown>;
+
+    /// Whose its reference is.
+    fn owner(&self) -> Box<dyn Owner + '_>;
+
+    /// Law after law, by any method.
+    fn way(&self) -> Way;
+
+    /// The columns of [`Self::way`] that are compared, with their sizes along the motion.
+    fn observed(&self, columns: &[String], reference: &Reference) -> Vec<Observed>;
+
+    /// The end of the run, s.
+    fn end(&self) -> f64;
+}
