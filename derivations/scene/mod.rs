@@ -1,19 +1,12 @@
-//! Scenes: a system, a machine, parameters with units, an initial state and a span of time, read from a TOML file.
+//! Scenes with a motor: a system, a machine, parameters with units, an initial state and a span of time, read from a TOML file.
 //!
 //! # Overview
-//! * [`Family`]: systems that are read in one way; its `open` reads a file and tells *all* that is wrong with it, each at
-//!   its place; [`AnyScene`] lists the families;
-//! * [`Scene`]: the family of systems with a motor;
-//! * [`read`], [`issue`]: tables with places, and messages with marks under the value;
-//! * [`bodies`], [`machine`], [`start`], [`run`]: the tables of a scene;
-//! * `written`: a motor whose laws stand in the scene;
+//! * [`Scene`]: the gyrostat with a motor, or a motor on the bench; every family is in [`AnyScene`](crate::AnyScene);
+//! * [`bodies`], [`start`]: tables of a scene; that of the machine is read by [`motor::reading`];
 //! * [`state`]: the initial state in the axes of either form of the equations, and results back in the axes of the data;
-//! * [`problem`], [`simulate`]: the law that any method integrates, and the run; [`law_end`]: where a law ends; [`switching`]: laws that
-//!   change at events; [`smooth`]:
-//!   scenes of every family that has one;
-//! * [`code`]: the right-hand side and its Jacobian as code of other languages;
-//! * [`measured`], [`atlas`]: every method on every formulation with every model, speed against accuracy; [`stored`]:
-//!   what errors are measured by, kept in files.
+//! * `problem`: the law that any method integrates; `metered`: with the work of its supply; `configurations`: every form with every motor
+//!   that the data allow;
+//! * [`code`]: the right-hand side and its Jacobian as code of other languages.
 
 pub mod bodies;
 pub mod code;

@@ -12,7 +12,6 @@ const KNOWN: &[(&str, usize)] = &[
     ("crates/native/src", 2),
     ("crates/scenes/src", 13),
     ("crates/series/src", 10),
-    ("crates/simulation/src", 6),
 ];
 
 type Graph = BTreeMap<String, BTreeSet<String>>;

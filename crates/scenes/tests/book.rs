@@ -1,6 +1,8 @@
 //! Every file that the book shows is read and runs to its end; so does every piece of one, put into the file before it.
 
+// the motors that scenes name
 use dalembert_scenes::ModelScene;
+use derivations as _;
 use model::Fault;
 use simulation::{Choice, Smooth};
 use std::time::Duration;

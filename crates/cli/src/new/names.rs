@@ -13,9 +13,23 @@ const WORDS: &[&str] = &[
     "trait", "true", "try", "type", "typeof", "unsafe", "unsized", "use", "virtual", "where", "while", "yield",
 ];
 
-/// Crates that come with the language, and the tests' own: a module of such a name would stand in their way.
-const CRATES: &[&str] =
-    &["alloc", "core", "dalembert", "dalembert_derivations", "derivations", "proc_macro", "std", "test"];
+/// Crates that come with the language, the tests' own, and those that motors use: a module of such a name would stand in their way.
+const CRATES: &[&str] = &[
+    "alloc",
+    "claims",
+    "core",
+    "dalembert",
+    "dalembert_derivations",
+    "derivations",
+    "field",
+    "motor",
+    "proc_macro",
+    "reader",
+    "simulation",
+    "std",
+    "symbolic",
+    "test",
+];
 
 /// Types of the language without capitals.
 const PRIMITIVES: &[&str] = &[

@@ -9,7 +9,9 @@ mod program_motors;
 mod refusals;
 mod without_inertia;
 
+// the motors that scenes name
 use dalembert_scenes::ModelScene;
+use derivations as _;
 use integrators::Method;
 use simulation::{Choice, Smooth, Trajectory};
 

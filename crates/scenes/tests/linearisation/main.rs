@@ -10,8 +10,10 @@ mod reactions;
 mod steady_currents;
 mod voltages;
 
+// the motors that scenes name
 use dalembert_scenes::ModelScene;
 use dalembert_scenes::linearisation::{Linearisation, VariedEquations};
+use derivations as _;
 use model::Model;
 use std::path::{Path, PathBuf};
 

@@ -6,7 +6,9 @@ mod starts;
 mod tables;
 mod warnings;
 
+// the motors that scenes name
 use dalembert_scenes::ModelScene;
+use derivations as _;
 
 const SOUND: &str = r#"title = "A pendulum"
 gravity = "-g*N.y"

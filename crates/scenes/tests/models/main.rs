@@ -6,7 +6,9 @@ mod quasi_velocities;
 mod redundant;
 mod singular;
 
+// the motors that scenes name
 use dalembert_scenes::{ModelScene, Task, read_model};
+use derivations as _;
 use integrators::Method;
 use model::principles::Principle;
 use model::{Agreement, Trace, agreement};
