@@ -36,6 +36,26 @@ impl Failure {
         matches!(self, Failure::OutOfTime { .. } | Failure::Interrupted { .. })
     }
 
+    /// The same of a run in s, told in the time t = start + pace s.
+    pub fn in_time(self, start: f64, pace: f64) -> Self {
+        let time = |s: f64| start + pace * s;
+        match self {
+            Failure::Refused(_) => self,
+            Failure::StepCollapsed { at, step } => Failure::StepCollapsed { at: time(at), step: pace * step },
+            Failure::TooManyEvaluations { at, allowed } => Failure::TooManyEvaluations { at: time(at), allowed },
+            Failure::OutOfTime { at } => Failure::OutOfTime { at: time(at) },
+            Failure::Interrupted { at } => Failure::Interrupted { at: time(at) },
+            Failure::NewtonFailed { at, step } => Failure::NewtonFailed { at: time(at), step: pace * step },
+            Failure::LeftTheNumbers { at } => Failure::LeftTheNumbers { at: time(at) },
+            Failure::Stiff { at } => Failure::Stiff { at: time(at) },
+            Failure::GoesBack { at, step, back, rate, most } => {
+                Failure::GoesBack { at: time(at), step: pace * step, back, rate: rate / pace, most: pace * most }
+            }
+            Failure::Singular { at } => Failure::Singular { at: time(at) },
+            Failure::OtherCourse { at } => Failure::OtherCourse { at: time(at) },
+        }
+    }
+
     /// Its name without its place, so that equal failures stand together.
     pub fn name(&self) -> &'static str {
         match self {
@@ -211,5 +231,11 @@ mod tests {
             [0.0, 2.0, 0.123456789, 1234.5678, 3.2e-9].map(read),
             ["0", "2", "0.123457", "1234.57", "3.20000e-9"]
         );
+    }
+
+    #[test]
+    fn a_failure_of_a_stretch_is_told_in_the_time_of_the_run() {
+        let found = Failure::StepCollapsed { at: 0.5, step: 1e-9 }.in_time(2.0, 4.0);
+        assert_eq!(found, Failure::StepCollapsed { at: 4.0, step: 4e-9 });
     }
 }

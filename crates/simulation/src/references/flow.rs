@@ -56,7 +56,9 @@ impl Means {
         if from == to {
             return Ok(y.to_vec());
         }
-        self.run(&Paced { law, start: from, length: to - from }, 1.0, y, &[])
+        let length = to - from;
+        let found = self.run(&Paced { law, start: from, length }, 1.0, y, &[]);
+        found.map_err(|failure| failure.in_time(from.hi(), length.hi()))
     }
 
     /// The state at a time of a law that begins at zero. What it has more than the motion stands last, and brings its own sizes.
