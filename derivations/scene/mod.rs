@@ -2,16 +2,16 @@
 //!
 //! # Overview
 //! * [`Scene`]: the gyrostat with a motor, or a motor on the bench; every family is in [`AnyScene`](crate::AnyScene);
-//! * [`bodies`], [`start`]: tables of a scene; that of the machine is read by [`motor::reading`];
+//! * [`bodies`], [`start`]: tables of a scene; that of the machine is read by [`motor::machine_table`];
 //! * [`state`]: the initial state in the axes of either form of the equations, and results back in the axes of the data;
-//! * `problem`: the law that any method integrates; `metered`: with the work of its supply; `configurations`: every form with every motor
+//! * `problem`: the law that any method integrates; `power_balance`: with the work of its supply; `configurations`: every form with every motor
 //!   that the data allow;
 //! * [`code`]: the right-hand side and its Jacobian as code of other languages.
 
 pub mod bodies;
 pub mod code;
 mod configurations;
-mod metered;
+mod power_balance;
 mod problem;
 mod runaway;
 mod smooth;
@@ -69,7 +69,7 @@ impl Family for Scene {
             true => bodies::bench(top, issues).map(|axial| System::Bench { axial }),
             false => bodies::gyrostat(top, issues).map(|bodies| System::Gyrostat(Box::new(bodies))),
         };
-        let machine = motor::reading::read(top, issues);
+        let machine = motor::machine_table::read(top, issues);
         let start = start::read(top, issues, on_bench, machine.as_ref());
         let outputs = machine.as_ref().map(|machine| state::outputs(on_bench, machine));
         let run = simulation::run::read(top, issues, outputs.as_deref());

@@ -1,6 +1,6 @@
-//! What is known of a property that something must have: of a motor, of a system.
+//! Findings: each is a property that a motor or a system must have, with its verdict.
 
-/// What is known of a property of a motor.
+/// The verdict on a property.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Verdict {
     /// Exactly, for all states; of an identity, for all parameters.
@@ -35,7 +35,7 @@ impl Verdict {
         }
     }
 
-    /// What holds, or why nothing does.
+    /// The sentence that holds, or the reason why none does.
     pub fn says(&self) -> &str {
         match self {
             Verdict::Proved(says)

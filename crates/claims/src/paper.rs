@@ -5,13 +5,13 @@ use crate::Page;
 /// A paper of the ledger.
 #[derive(Clone, Copy, Debug)]
 pub struct Paper {
-    /// What ids begin with.
+    /// The beginning of the ids of its claims.
     pub key: &'static str,
     /// Authors, year, subject: for headings.
     pub title: &'static str,
     /// Authors, title, journal.
     pub citation: &'static str,
-    /// What the paper is about and what was found, in a paragraph; LaTeX between dollar signs.
+    /// Its subject and what was found, in a paragraph; LaTeX between dollar signs.
     pub summary: &'static str,
     /// Everything it states: numbered equations, then statements. Each must have a claim.
     pub entries: &'static [&'static str],

@@ -23,7 +23,7 @@ struct Wave<S> {
 }
 
 impl Waves {
-    /// Of a machine; none where a flux or the energy has more than one harmonic.
+    /// The waves of a machine; none where a flux or the energy has more than one harmonic.
     pub fn of(machine: &impl Machine<f64>) -> Option<Self> {
         let point = Circle { cos: Sym::symbol("c"), sin: Sym::symbol("s") };
         let still = [(point.cos, Sym::ZERO), (point.sin, Sym::ZERO)];

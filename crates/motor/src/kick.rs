@@ -11,8 +11,8 @@
 //! A supply or conductors that slide break this: c_k phi' ties the currents to the slip at a resting angle too, and the
 //! flow is none of these. Such machines are refused ([`has_known_flow`]).
 
-use super::acting::Acting;
-use super::rule::{Rule, STAGES};
+use super::fixed_angle_laws::Acting;
+use super::gauss4_scalar::{Rule, STAGES};
 use super::{Machine, RotorState, is_fed};
 use field::{Analytic, Base, Circle, Over, Scalar, Tangent};
 use integrators::Real;

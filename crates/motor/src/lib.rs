@@ -5,51 +5,51 @@
 //!   from it;
 //! * [`Motor`]: what runs: the laws of any of them, written down once as programs, and data;
 //! * [`catalogue`]: the motors that have a name, whichever crate brings them;
-//! * [`reading`]: the table `[machine]` of a scene; [`text`] is a motor whose laws stand there;
+//! * [`machine_table`]: the table `[machine]` of a scene; [`text`] is a motor whose laws stand there;
 //! * [`Bench`]: a motor alone, its housing at rest; [`Metered`]: with the work of its supply;
 //! * [`Separable`]: laws that are sums of fields whose flows are known, for splitting methods; [`Kick`] is the motor's part of them.
 
-mod acting;
 mod bench;
 mod bench_pieces;
 pub mod catalogue;
-mod conserved;
+mod fixed_angle_laws;
+mod gauss4_scalar;
 mod harmonics;
+mod integrals;
 mod kick;
 mod laws;
-mod loaded;
+mod load;
 mod machine;
-mod metered;
+pub mod machine_table;
 mod motor;
-pub mod reading;
-mod resting;
-mod rule;
+mod power_balance;
 mod runaway;
 mod separable;
+mod steady_currents;
 pub mod text;
 mod text_motor;
 
-pub use acting::{Acting, Programmed, Programs};
 pub use bench::Bench;
 pub use bench_pieces::BenchFlows;
 pub use catalogue::{Catalogue, Count, Entry, letter};
-pub use conserved::Conserved;
+pub use fixed_angle_laws::{Acting, Programmed, Programs};
+pub use gauss4_scalar::Rule;
+pub use integrals::Conserved;
 /// Brings a [`Catalogue`]: motors of a crate, found wherever it is linked.
 pub use inventory::submit;
 pub use kick::{Fading, Kick, Law, Point, decay_quotient, has_known_flow, kick, solved};
 pub use laws::{Expressions, Laws, TooLong, Winding};
-pub use loaded::Loaded;
+pub use load::Loaded;
 pub use machine::{
     Circuit, Machine, RotorState, drive, drive_circuits, heat, is_fed, motional_moment, state_names, stored_energy,
     supplied,
 };
-pub use metered::{Metered, Powered, feeding};
+pub use machine_table::NoModel;
 pub use motor::Motor;
-pub use reading::NoModel;
-pub use resting::resting_currents;
-pub use rule::Rule;
+pub use power_balance::{Metered, Powered, feeding};
 pub use runaway::{Driven, runaway};
 pub use separable::{Separable, compiled};
+pub use steady_currents::resting_currents;
 
 use field::{Analytic, Base, Over};
 

@@ -15,7 +15,7 @@ pub struct Problem {
     pub invariants: Vec<Invariant>,
     /// The names of a row.
     pub columns: Vec<String>,
-    /// What is shown of a state at a time.
+    /// The columns that a run shows of a state at a time.
     pub row: Box<Row>,
     /// How far a state is from where the law ends.
     pub margins: Box<Margins>,

@@ -8,7 +8,7 @@
 use field::Analytic;
 use model::{DriveSource, Entry, Text, WindingSource};
 use motor::text::NAME;
-use motor::{Machine, Motor, catalogue, reading};
+use motor::{Machine, Motor, catalogue, machine_table};
 use reader::{Issue, Quantity, Table};
 use symbolic::{Sym, apart};
 
@@ -21,7 +21,7 @@ pub(super) fn machine(table: &mut Table<'_>, drive: &mut DriveSource) -> Vec<Ent
         return Vec::new();
     }
     let mut issues = Vec::new();
-    let found = reading::read(table, &mut issues);
+    let found = machine_table::read(table, &mut issues);
     issues.into_iter().for_each(|issue| table.report(issue));
     let Some(motor) = found else { return Vec::new() };
     let name = drive.name.as_ref().map_or("drive", |name| name.text.as_str()).to_owned();

@@ -26,7 +26,7 @@ struct Programs {
     constraints: Program,
 }
 
-/// So many components y and z have together where they are gathered without allocation.
+/// The largest number of components of y and z together that are gathered without allocation.
 const FEW: usize = 64;
 
 impl CompiledHeld {

@@ -4,9 +4,9 @@
 //! one; [`Programs`] are all of them, recorded together with the data as constants. Laws of the angle with one harmonic need none: they are
 //! [`Waves`]. The moment, which a kick asks for at four slips five times over, is one [`Fraction`] of the slip.
 
+use super::gauss4_scalar::STAGES;
 use super::harmonics::{Harmonics, Waves};
 use super::kick::{Law, laws_at, moment_at};
-use super::rule::STAGES;
 use super::{Machine, RotorState};
 use field::{Analytic, Base, Circle, Over, Rational, Tangent};
 use simulation::{Program, Running};

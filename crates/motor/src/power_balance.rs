@@ -1,6 +1,6 @@
 //! A motor's run with the work that is done on it: what E - W p gains beyond it, the run has made up.
 
-use super::conserved::feed;
+use super::integrals::feed;
 use super::{Bench, Machine, RotorState, heat};
 use field::{Analytic, Base, Over};
 use integrators::Ode;
