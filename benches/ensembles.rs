@@ -4,10 +4,10 @@
 //!
 //! `cargo bench --bench ensembles`; beside others by `benches/peers/ensembles.py`.
 
-use dalembert_derivations::ensemble::kind::{Kind, form_parameters};
 use dalembert_derivations::machines::multi_current::{MultiCurrent, Windings};
 use dalembert_derivations::machines::synchronous::Synchronous;
-use dalembert_derivations::scene::Scene;
+use dalembert_derivations::studies::ensemble::kind::{Kind, form_parameters};
+use dalembert_derivations::studies::scene::Scene;
 use dalembert_derivations::systems::gyrostat::driven::Driven;
 use dalembert_derivations::systems::gyrostat::forms::SecondForm;
 use field::Lanes;

@@ -4,12 +4,12 @@
 #[path = "../tests/motions/ladder/drawn.rs"]
 mod drawn;
 
-use dalembert_derivations::friction::RoughScene;
-use dalembert_derivations::friction::course::WORKS;
-use dalembert_derivations::ladder::followed::{followed_at, instants};
-use dalembert_derivations::ladder::rough::RoughLadder;
-use dalembert_derivations::ladder::{Ladder, Loss, Models};
-use dalembert_derivations::scene::Scene;
+use dalembert_derivations::studies::friction::RoughScene;
+use dalembert_derivations::studies::friction::course::WORKS;
+use dalembert_derivations::studies::ladder::followed::{followed_at, instants};
+use dalembert_derivations::studies::ladder::rough::RoughLadder;
+use dalembert_derivations::studies::ladder::{Ladder, Loss, Models};
+use dalembert_derivations::studies::scene::Scene;
 use integrators::Tolerance;
 use reader::Family;
 use simulation::Axes;

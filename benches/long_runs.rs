@@ -2,7 +2,7 @@
 //! the exponents of their growth: `cargo bench --bench long_runs [-- REVOLUTIONS]`, a million by default, ten minutes; these go into
 //! long_runs.json, which the report draws.
 
-use dalembert_derivations::long_runs::{Course, LongRun, PACES, Sample};
+use dalembert_derivations::studies::long_runs::{Course, LongRun, PACES, Sample};
 use serde_json::{Value, json};
 use simulation::methods::written;
 use std::time::Instant;

@@ -9,7 +9,8 @@
 use algebra::linear::determinant;
 use claims::Judged;
 use claims::Paper;
-use dalembert_derivations::ledger;
+use claims::catalogue::papers;
+use dalembert_derivations as _;
 use dalembert_derivations::systems::gyrostat::{Carrier, Gyrostat, Motion, Rotor};
 use field::{Scalar, Tangent};
 use mechanics::differentiate::along;
@@ -49,7 +50,7 @@ fn main() {
             runs[runs.len() / 2].iter().map(|seconds| format!("{:.3} ms", seconds * 1e3)).collect();
         println!("{letter}  {says}: {}", parts.join(" + "));
     }
-    for paper in ledger::PAGES {
+    for paper in papers() {
         pages(paper);
     }
 }

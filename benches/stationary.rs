@@ -4,7 +4,7 @@
 mod physical;
 
 use algebra::real::Root;
-use dalembert_derivations::stationary::energies::{Energies, Kept};
+use dalembert_derivations::studies::stationary::energies::{Energies, Kept};
 use field::Rational;
 use mechanics::uniform::Body;
 use proptest::prelude::*;

@@ -1,7 +1,7 @@
 //! Nanoseconds for a step of the splitting methods, as multiples of a step of the classical Runge-Kutta method taken in
 //! turns with them: `cargo bench --bench steps`. And the same at equal accuracy: what a run costs until its error is 1e-6.
 
-use dalembert_derivations::scene::Scene;
+use dalembert_derivations::studies::scene::Scene;
 use integrators::{Method, Span, Splitting, Tolerance, integrate, taking_turns};
 use reader::Family;
 use simulation::Axes;

@@ -2,12 +2,12 @@
 //! bars), in both forms: how long
 //! one takes to write the laws down, and a run of two seconds by tolerance. `cargo bench --bench taylor`.
 
-use dalembert_derivations::machines::constant_speed::ConstantSpeed;
-use dalembert_derivations::machines::free_rotor::FreeRotor;
 use dalembert_derivations::machines::multi_current::MultiCurrent;
 use dalembert_derivations::machines::synchronous::Synchronous;
 use dalembert_derivations::systems::gyrostat::driven::Driven;
 use integrators::{System, Taylor, Tolerance};
+use motor::ConstantSpeed;
+use motor::FreeRotor;
 use simulation::{CompiledLaw, SymbolicLaw};
 use std::time::Instant;
 

@@ -1,11 +1,11 @@
 //! The right-hand side allocates nothing: for every machine, with one bar or with forty, over every field that runs.
 
-use dalembert_derivations::ensemble::kind::{Kind, form_parameters};
-use dalembert_derivations::friction::stretch::Stretch;
 use dalembert_derivations::machines::synchronous::Synchronous;
-use dalembert_derivations::mechanisms::MechanismScene;
 use dalembert_derivations::papers::konosevich2022::gyrostats;
-use dalembert_derivations::scene::Scene;
+use dalembert_derivations::studies::ensemble::kind::{Kind, form_parameters};
+use dalembert_derivations::studies::friction::stretch::Stretch;
+use dalembert_derivations::studies::mechanisms::MechanismScene;
+use dalembert_derivations::studies::scene::Scene;
 use dalembert_derivations::systems::disc::Disc;
 use dalembert_derivations::systems::gyrostat::driven::Driven;
 use dalembert_derivations::systems::gyrostat::forms::{Form, SecondForm};

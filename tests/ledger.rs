@@ -4,13 +4,14 @@
 //! nothing. The second gate, the snapshot, is in `pages.rs`.
 
 use claims::Judged;
-use dalembert_derivations::ledger;
+use claims::catalogue::{pages, papers};
+use dalembert_derivations as _;
 use libtest_mimic::{Arguments, Failed, Trial};
 
 fn main() {
     let arguments = Arguments::from_args();
     let mut trials = Vec::new();
-    for (paper, page) in ledger::PAGES.iter().zip(ledger::pages()) {
+    for (paper, page) in papers().into_iter().zip(pages()) {
         let judged = page.judge();
         for &entry in paper.entries {
             let covered = judged.iter().any(|claim| claim.equation == entry);

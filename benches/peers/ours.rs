@@ -6,7 +6,7 @@
 //! `setup`, `rates`, `jacobian`, `num-dual` by nanoseconds, `operations` by the sums and products of the right-hand side and of its
 //! Jacobian, circle points apart, `peak` by the most of them that this processor can in a nanosecond.
 
-use dalembert_derivations::scene::Scene;
+use dalembert_derivations::studies::scene::Scene;
 use field::{DoubleDouble, Over};
 use integrators::{
     Directions, Jacobian, Ode, Outcome, Real, Span, System, Tolerance, integrate, integrate_in, reference,

@@ -6,8 +6,8 @@
 //! the root package is built anew, under a version of its own: seconds.
 
 use claims::finding::Verdict;
-use dalembert_derivations::conformance::conform;
-use dalembert_derivations::scene::Scene;
+use dalembert_derivations::studies::conformance::conform;
+use dalembert_derivations::studies::scene::Scene;
 use reader::Family;
 use std::fs;
 use std::hash::{DefaultHasher, Hash, Hasher};

@@ -1,7 +1,7 @@
 //! What kind of constraints the systems have, found by Frobenius' theorem.
 
-use dalembert_derivations::principles::{letter, systems};
 use dalembert_derivations::systems::knife_edge::KnifeEdge;
+use dalembert_derivations::theorems::principles::{cases, letter};
 use field::{Analytic, Over};
 use mechanics::constrained::classify::{Kind, Unclassified, classify};
 use mechanics::constrained::{Constrained, Constraint, State, System};
@@ -9,13 +9,13 @@ use symbolic::{Sym, symbols};
 
 #[test]
 fn the_rod_and_the_ladder_are_holonomic() {
-    assert_eq!(systems::rod().class().unwrap().to_string(), "holonomic: 2 geometric");
-    assert_eq!(systems::ladder().class().unwrap().to_string(), "holonomic: 3 geometric");
+    assert_eq!(cases::rod().class().unwrap().to_string(), "holonomic: 2 geometric");
+    assert_eq!(cases::ladder().class().unwrap().to_string(), "holonomic: 3 geometric");
 }
 
 #[test]
 fn the_steered_rod_is_holonomic_in_disguise_on_its_guide_and_nonholonomic_off_it() {
-    let guided = systems::steered_rod();
+    let guided = cases::steered_rod();
     let class = guided.class().unwrap();
     assert_eq!(class.to_string(), "holonomic in disguise: 2 geometric, 1 kinematic and integrable");
     assert_eq!(class.obstruction, None);
@@ -32,13 +32,13 @@ fn the_steered_rod_is_holonomic_in_disguise_on_its_guide_and_nonholonomic_off_it
 
 #[test]
 fn the_disc_has_two_constraints_that_are_not_integrable() {
-    let class = systems::disc().class().unwrap();
+    let class = cases::disc().class().unwrap();
     assert_eq!(class.to_string(), "nonholonomic: 4 geometric, 2 kinematic and not integrable");
 }
 
 #[test]
 fn the_knife_edge_is_nonholonomic_wherever_its_centre_is() {
-    let sleigh = systems::knife_edge();
+    let sleigh = cases::knife_edge();
     assert_eq!(sleigh.class().unwrap().to_string(), "nonholonomic: 1 geometric, 1 kinematic and not integrable");
     let centred = KnifeEdge { offset: Sym::ZERO, ..sleigh.system };
     let class = classify::<_, 4, 2>(&centred, letter("t"), sleigh.motion().state.place).unwrap();
@@ -47,9 +47,9 @@ fn the_knife_edge_is_nonholonomic_wherever_its_centre_is() {
 
 #[test]
 fn time_and_nonlinearity_are_seen() {
-    assert_eq!(systems::swing().class().unwrap().to_string(), "holonomic: 1 geometric; rheonomic: constraint 1");
+    assert_eq!(cases::swing().class().unwrap().to_string(), "holonomic: 1 geometric; rheonomic: constraint 1");
     assert_eq!(
-        systems::kept_speed().class().unwrap().to_string(),
+        cases::kept_speed().class().unwrap().to_string(),
         "nonlinear in the velocities: 0 geometric; nonlinear: constraint 1; rheonomic: constraint 1"
     );
 }

@@ -1,6 +1,6 @@
 //! A scene's right-hand side and Jacobian, printed as C, Python and Rust, compiled and run, agree with the law to round-off.
 
-use dalembert_derivations::scene::Scene;
+use dalembert_derivations::studies::scene::Scene;
 use integrators::{Directions, Jacobian, Ode};
 use reader::Family;
 use simulation::Axes;

@@ -3,8 +3,8 @@
 
 use crate::physical::machines::with_bars;
 use crate::physical::rounded;
-use dalembert_derivations::AnyScene;
 use dalembert_derivations::papers::konosevich2022::gyrostats;
+use dalembert_derivations::studies::AnyScene;
 use dalembert_derivations::systems::gyrostat::driven::Driven;
 use dalembert_derivations::systems::gyrostat::forms::Form;
 use integrators::{Directions, Jacobian, Ode, System};

@@ -1,9 +1,9 @@
 //! Every motor of the list does what a motor must, and each check notices one that does not.
 
 use claims::finding::{Finding, Verdict};
-use dalembert_derivations::conformance::{conform, sample};
 use dalembert_derivations::machines::asynchronous::Asynchronous;
-use dalembert_derivations::scene::Scene;
+use dalembert_derivations::studies::conformance::{conform, sample};
+use dalembert_derivations::studies::scene::Scene;
 use field::Scalar;
 use motor::{Entry, Motor, catalogue};
 use reader::{Allowed, Family, Quantity};

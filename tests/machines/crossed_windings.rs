@@ -1,11 +1,11 @@
 //! Two crossed windings beside the models that they must agree with.
 
 use crate::number;
-use dalembert_derivations::ladder::currents::Current;
 use dalembert_derivations::machines::asynchronous::Asynchronous;
 use dalembert_derivations::machines::crossed_windings::CrossedWindings;
 use dalembert_derivations::machines::kloss::Kloss;
 use dalembert_derivations::machines::multi_current::{MultiCurrent, Windings};
+use dalembert_derivations::studies::ladder::currents::Current;
 use field::{Circle, Rational, Tangent};
 use motor::{Machine, drive};
 use num_traits::Zero;

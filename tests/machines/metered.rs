@@ -1,6 +1,6 @@
 //! What supply, friction and heat do to the energy that the turning field sees, metered along runs.
 
-use dalembert_derivations::scene::Scene;
+use dalembert_derivations::studies::scene::Scene;
 use reader::Family;
 use simulation::Axes;
 

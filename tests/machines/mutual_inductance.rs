@@ -1,6 +1,6 @@
 //! Windings that induce in each other become a motor as text in currents of which none does.
 
-use dalembert_derivations::scene::Scene;
+use dalembert_derivations::studies::scene::Scene;
 use field::Analytic;
 use motor::drive;
 use nalgebra::{Matrix2, Vector2};

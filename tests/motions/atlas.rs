@@ -5,8 +5,8 @@
 //! double-double and rounded, which is correct rounding of every cosine. Taylor's method in `f64` chooses its instructions
 //! when it runs, and rounds by them: its counts here are those of its series in double-double.
 
-use dalembert_derivations::AnyScene;
-use dalembert_derivations::mechanisms::MechanismScene;
+use dalembert_derivations::studies::AnyScene;
+use dalembert_derivations::studies::mechanisms::MechanismScene;
 use field::DoubleDouble;
 use field::Over;
 use integrators::*;

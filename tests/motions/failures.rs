@@ -1,6 +1,6 @@
 //! The catalogue of failure: what is measured is what theory says, and nothing ends in a number that is none.
 
-use dalembert_derivations::failures::{self, Failing, Fate, Found};
+use dalembert_derivations::studies::failures::{self, Failing, Fate, Found};
 use std::path::Path;
 use std::sync::LazyLock;
 

@@ -1,10 +1,10 @@
 //! Motion with friction across events, beside closed forms.
 
-use dalembert_derivations::friction::log::describe;
-use dalembert_derivations::friction::run::Plan;
-use dalembert_derivations::friction::smoothed::Smoothed;
-use dalembert_derivations::friction::stretch::Watched;
-use dalembert_derivations::friction::{Cause, Ending, Run, closed, run};
+use dalembert_derivations::studies::friction::log::describe;
+use dalembert_derivations::studies::friction::run::Plan;
+use dalembert_derivations::studies::friction::smoothed::Smoothed;
+use dalembert_derivations::studies::friction::stretch::Watched;
+use dalembert_derivations::studies::friction::{Cause, Ending, Run, closed, run};
 use dalembert_derivations::systems::climbed_ladder::ClimbedLadder;
 use dalembert_derivations::systems::ladder::Ladder;
 use dalembert_derivations::systems::slender_rod::SlenderRod;

@@ -1,9 +1,9 @@
 //! Scenes of mechanisms: they end as they should, beside closed forms and theory, and their energy is the work on them.
 
-use dalembert_derivations::governors::{self, SPEED, growth};
-use dalembert_derivations::mechanisms::governors::{Discs, Drum, Programme, Released};
-use dalembert_derivations::mechanisms::{LIST, Mechanism, MechanismScene};
-use dalembert_derivations::stabilisation::experiment;
+use dalembert_derivations::studies::governors::{self, SPEED, growth};
+use dalembert_derivations::studies::mechanisms::governors::{Discs, Drum, Programme, Released};
+use dalembert_derivations::studies::mechanisms::{LIST, Mechanism, MechanismScene};
+use dalembert_derivations::studies::stabilisation::experiment;
 use dalembert_derivations::systems::elastic_governor::ElasticGovernor;
 use integrators::{Failure, Method, Refusal};
 use reader::Family;

@@ -56,7 +56,7 @@ PRACTICE = [f"machines::{name}" for name in ("brushed", "conformance", "crossed_
 SUBJECT_OF = {
     "crates/symbolic/src/fraction.rs": ["symbolic"],
     "crates/native/": ["code"],
-    "derivations/differentiated.rs": ["laws::jacobians"],
+    "crates/simulation/src/law/jacobian.rs": ["laws::jacobians"],
     "crates/algebra/src/real/": ["numbers::balls", "numbers::real", "algebra"],
     "crates/algebra/src/complex/": ["algebra"],
     "crates/algebra/src/multivariate/": ["expressions::algebra", "expressions::decisions", "algebra"],
@@ -64,35 +64,34 @@ SUBJECT_OF = {
     "crates/symbolic/src/tape/": ["expressions::programs", "symbolic"],
     "crates/integrators/src/batch/ensemble.rs": ["runs::ensembles"],
     "crates/integrators/src/events/": ["methods"],
-    "derivations/friction/exact/": ["runs::rough_references"],
-    "derivations/scene/hybrid/": ["runs::rough_references"],
-    "derivations/friction/across.rs": ["runs::rough_references"],
-    "derivations/ensemble/": ["runs::ensembles"],
-    "derivations/mechanisms/steered.rs": ["motions::atlas"],
-    "derivations/systems/governor/servo.rs": ["motions::governors"],
+    "derivations/studies/src/friction/exact/": ["runs::rough_references"],
+    "crates/simulation/src/references/across_events.rs": ["runs::rough_references"],
+    "derivations/studies/src/friction/across.rs": ["runs::rough_references"],
+    "derivations/studies/src/ensemble/": ["runs::ensembles"],
+    "derivations/studies/src/mechanisms/steered.rs": ["motions::atlas"],
+    "derivations/systems/src/governor/servo.rs": ["motions::governors"],
     "crates/integrators/src/methods/taylor/rounding.rs": ["integrators", "runs::references"],
     "crates/integrators/src/methods/taylor/transition.rs": ["runs::transition"],
-    "derivations/scene/transition.rs": ["runs::transition"],
+    "crates/simulation/src/transition.rs": ["runs::transition"],
     "crates/integrators/src/methods/implicit/bader_deuflhard.rs": ["methods"],
     "crates/integrators/src/methods/explicit/dormand_prince/": ["integrators", "methods"],
-    "crates/integrators/src/methods/implicit/linearised.rs": ["methods"],
     "crates/integrators/src/law/composition.rs": ["methods"],
     "crates/integrators/src/methods/splitting.rs": ["methods", "runs::splitting"],
-    "derivations/machines/kick.rs": ["runs::splitting"],
-    "derivations/machines/text/": ["machines::text_motors", "machines::conformance"],
-    "derivations/conformance/": ["machines::conformance"],
-    "derivations/systems/gyrostat/momenta.rs": ["runs::splitting"],
-    "derivations/ladder/": ["motions::ladder"],
+    "crates/motor/src/kick.rs": ["runs::splitting"],
+    "crates/motor/src/text_motor/": ["machines::text_motors", "machines::conformance"],
+    "derivations/studies/src/conformance/": ["machines::conformance"],
+    "derivations/systems/src/gyrostat/momenta.rs": ["runs::splitting"],
+    "derivations/studies/src/ladder/": ["motions::ladder"],
     "crates/claims/src/review/": ["verdicts::review"],
-    "derivations/machines/resting.rs": PRACTICE,
-    "derivations/machines/metered.rs": PRACTICE,
-    "derivations/machines/crossed_windings.rs": PRACTICE,
-    "derivations/machines/permanent_magnet.rs": PRACTICE,
-    "derivations/machines/brushed.rs": PRACTICE,
-    "derivations/stationary/stability/": ["stability"],
-    "derivations/stationary/": ["stability::stationary", "stability"],
-    "derivations/phantom/": ["stability::phantom"],
-    "derivations/synchronism/": ["motions::synchronism"],
+    "crates/motor/src/steady_currents.rs": PRACTICE,
+    "crates/motor/src/power_balance.rs": PRACTICE,
+    "derivations/machines/src/crossed_windings.rs": PRACTICE,
+    "derivations/machines/src/permanent_magnet.rs": PRACTICE,
+    "derivations/machines/src/brushed.rs": PRACTICE,
+    "derivations/studies/src/stationary/stability/": ["stability"],
+    "derivations/studies/src/stationary/": ["stability::stationary", "stability"],
+    "derivations/studies/src/phantom/": ["stability::phantom"],
+    "derivations/studies/src/synchronism/": ["motions::synchronism"],
     "crates/integrators/src/branches/repeating.rs": ["motions::synchronism"],
     "crates/integrators/src/branches/": ["methods"],
     "crates/mechanics/src/constrained/servo.rs": ["systems::servo"],
@@ -138,8 +137,8 @@ SUBJECT_OF = {
     "crates/scenes/src/modes/expansion/elimination.rs": ["drives"],
     "crates/scenes/src/modes/": ["hybrid::friction", "hybrid::shares", "hybrid"],
     "crates/scenes/src/implicit/": ["solved"],
-    "derivations/closed_forms/": ["runs::closed_forms"],
-    "derivations/mechanisms/points.rs": ["motions::atlas"],
+    "derivations/studies/src/closed_forms/": ["runs::closed_forms"],
+    "derivations/studies/src/mechanisms/points.rs": ["motions::atlas"],
     "crates/series/src/abreast/": ["recurrences::known"],
     "crates/series/src/small/": ["recurrences::known"],
     "crates/series/src/permuting/": ["recurrences::known"],
@@ -150,7 +149,7 @@ SUBJECT_OF = {
     "crates/field/src/quarters.rs": ["laws::fields"],
     "crates/field/src/sixteenths.rs": ["field"],
     "crates/integrators/src/batch/side_by_side.rs": ["runs::ensembles"],
-    "derivations/machines/acting.rs": ["machines::text_motors"],
+    "crates/motor/src/fixed_angle_laws.rs": ["machines::text_motors"],
     "crates/symbolic/src/parse/": ["expressions::parsing"],
     "crates/symbolic/src/print/": ["expressions::printing"],
     "crates/charts/src/text/": ["charts"],
@@ -244,8 +243,7 @@ def prepare_together(mutants: list[Mutant]) -> list[int]:
 
 def errors(files: list[str]) -> set[tuple[str, int]]:
     """In which lines of which files the copy does not compile. A body breaks no crate above its own: those of these files are asked."""
-    own = [] if all(file.startswith("crates/") for file in files) else ["dalembert-derivations"]
-    packages = [word for name in [*own, *(f"dalembert-{crate}" for crate in crates_of(files))] for word in ("--package", name)]
+    packages = [word for crate in crates_of(files) for word in ("--package", f"dalembert-{crate}")]
     command = ["cargo", "check", "--quiet", "--keep-going", "--message-format=json", "--lib", *packages]
     done = subprocess.run(command, cwd=COPY, env=os.environ | SETTINGS, capture_output=True, text=True)
     said = [json.loads(line).get("message", {}) for line in done.stdout.splitlines() if line.startswith("{")]
@@ -254,27 +252,32 @@ def errors(files: list[str]) -> set[tuple[str, int]]:
 
 
 def crates_of(files: list[str]) -> list[str]:
-    """The crates in which these files lie, without the project's own."""
-    return sorted({Path(file).parts[1] for file in files if file.startswith("crates/")})
+    """The crates in which these files lie."""
+    return sorted({Path(file).parts[1] for file in files})
+
+
+def folder_of(crate: str) -> Path:
+    """Where a crate lies."""
+    return next(folder for part in ("crates", "derivations") if (folder := ROOT / part / crate).is_dir())
 
 
 def crates_with(crates: list[str], tests: list[str]) -> list[str]:
     """These crates, and those whose own tests are among these."""
     wanted = {program_of(test) for test in tests}
-    folders = [path for path in sorted((ROOT / "crates").iterdir()) if path.is_dir()]
+    folders = [path for part in ("crates", "derivations") for path in sorted((ROOT / part).iterdir()) if path.is_dir()]
     return sorted({*crates, *(path.name for path in folders if wanted & (programs_in(path / "tests") | {path.name}))})
 
 
 def laws_of(crates: list[str]) -> list[str]:
     """The laws, and the programs that test these crates alone, with their slow modules."""
-    own = [test for crate in crates for test in sorted(programs_in(ROOT / "crates" / crate / "tests"))]
+    own = [test for crate in crates for test in sorted(programs_in(folder_of(crate) / "tests"))]
     return [*LAWS, *own, *(f"{test}::{module}" for test in own for module in SLOW.get(test, []))]
 
 
 def build(tests: list[str], crates: list[str]) -> dict[str, Path] | None:
     """These test programs by name, of the project and of these crates; None where the copy does not compile. What a crate
     tests within itself goes by the crate's name."""
-    own = {test for crate in crates for test in programs_in(ROOT / "crates" / crate / "tests")}
+    own = {test for crate in crates for test in programs_in(folder_of(crate) / "tests")}
     within = [f"dalembert-{test}" for test in tests if test in crates]
     beside = [test for test in tests if test not in crates]
     packages = [*(f"dalembert-{crate}" for crate in crates), *(["dalembert-derivations"] if set(beside) - own else [])]
@@ -453,11 +456,16 @@ def table(listed: list[tuple[str, str]], rows: dict[tuple[str, str], str]) -> st
 
 
 def write_tables(listed: list[tuple[str, str]], rows: dict[tuple[str, str], str]) -> None:
-    """A page for the mutants of each crate, and of each folder and file of the derivations."""
+    """A page for the mutants of each crate, and of each study."""
     TABLES.mkdir(exist_ok=True)
-    for folder in dict.fromkeys(Path(file).parts[:2] for file, _ in listed):
-        of_folder = [(file, name) for file, name in listed if Path(file).parts[:2] == folder]
-        (TABLES / f"{Path(folder[1]).stem}.md").write_text(table(of_folder, rows))
+    for page in dict.fromkeys(page_of(file) for file, _ in listed):
+        (TABLES / f"{page}.md").write_text(table([(file, name) for file, name in listed if page_of(file) == page], rows))
+
+
+def page_of(file: str) -> str:
+    """The page on which the mutants of a file stand: its crate's, or its study's."""
+    parts = Path(file).parts
+    return Path(parts[3]).stem if parts[1] == "studies" else parts[1]
 
 
 def listed(words: list[str]) -> tuple[list[tuple[str, str]], list[Mutant]]:

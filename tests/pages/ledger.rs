@@ -1,7 +1,8 @@
 //! The second gate: what the ledger says, locked as pages for review, a section of a paper each.
 
+use claims::catalogue::papers;
 use claims::{Judged, Verdict, render};
-use dalembert_derivations::ledger;
+use dalembert_derivations as _;
 use std::collections::HashSet;
 use std::sync::LazyLock;
 
@@ -11,7 +12,7 @@ const MOST_BYTES: usize = 20 * 1024;
 /// Each paper with its claims: judged once, and the papers side by side, for expressions stay in their thread.
 static JUDGED: LazyLock<Vec<(&str, Vec<Judged>)>> = LazyLock::new(|| {
     std::thread::scope(|scope| {
-        let running = ledger::PAGES.iter().map(|paper| (paper.key, scope.spawn(|| (paper.page)().judge())));
+        let running = papers().into_iter().map(|paper| (paper.key, scope.spawn(|| (paper.page)().judge())));
         let running: Vec<_> = running.collect();
         running.into_iter().map(|(key, judging)| (key, judging.join().expect("pages are judged"))).collect()
     })

@@ -1,7 +1,8 @@
 //! A row of the ledger is read alone: every sentence, of every paper, is held to what that takes.
 
+use claims::catalogue::papers;
 use claims::{Judged, Verdict};
-use dalembert_derivations::ledger;
+use dalembert_derivations as _;
 use std::sync::LazyLock;
 
 /// A statement is read at once up to this.
@@ -10,7 +11,7 @@ const MOST_CHARACTERS: usize = 600;
 /// Every row, corrections included.
 static ROWS: LazyLock<Vec<Judged>> = LazyLock::new(|| {
     std::thread::scope(|scope| {
-        let running: Vec<_> = ledger::PAGES.iter().map(|paper| scope.spawn(|| (paper.page)().judge())).collect();
+        let running: Vec<_> = papers().into_iter().map(|paper| scope.spawn(|| (paper.page)().judge())).collect();
         running
             .into_iter()
             .flat_map(|judging| judging.join().expect("pages are judged"))
@@ -87,7 +88,7 @@ fn every_refuted_row_says_what_is_printed_what_is_correct_and_why() {
     let refuted = |row: &Judged| row.verdict == Verdict::Refuted;
     none("are refuted and do not say why", |row| refuted(row) && row.why.is_empty());
     none("give a reason and are not refuted", |row| !refuted(row) && !row.why.is_empty());
-    for paper in ledger::PAGES {
+    for paper in papers() {
         for claim in (paper.page)().judge().iter().filter(|claim| refuted(claim)) {
             let correct = claim.correction.as_ref().map(|correction| correction.statement()).unwrap_or_default();
             assert!(!correct.is_empty() && correct != claim.statement(), "{}: {correct}", claim.id);
@@ -98,7 +99,7 @@ fn every_refuted_row_says_what_is_printed_what_is_correct_and_why() {
 #[test]
 fn a_row_that_depends_on_the_sign_of_the_rim_says_which_sign_was_read() {
     let of_rim = |row: &Judged| row.text.iter().any(|formula| formula.contains("aᵉ*") || formula.contains("bᵉ"));
-    let alone: Vec<Judged> = ledger::PAGES.iter().flat_map(|paper| (paper.page)().judge()).collect();
+    let alone: Vec<Judged> = papers().into_iter().flat_map(|paper| (paper.page)().judge()).collect();
     let silent: Vec<&str> =
         alone.iter().filter(|row| of_rim(row) && row.reading.is_empty()).map(|row| row.id.as_str()).collect();
     assert!(alone.iter().any(of_rim) && silent.is_empty(), "{silent:?}");

@@ -1,7 +1,7 @@
 //! What the kit says of every motor of the list and of the scenes, as a page for review.
 
-use dalembert_derivations::conformance::{conform, page, sample};
-use dalembert_derivations::scene::Scene;
+use dalembert_derivations::studies::conformance::{conform, page, sample};
+use dalembert_derivations::studies::scene::Scene;
 use motor::catalogue;
 use reader::Family;
 use std::path::Path;

@@ -1,6 +1,6 @@
 //! Runs with constant steps beside shorter ones: what is right is never named, and what crosses a pole always is.
 
-use dalembert_derivations::AnyScene;
+use dalembert_derivations::studies::AnyScene;
 use integrators::{Method, Parting};
 use reader::Family as _;
 use simulation::{Axes, Choice, Problem, Smooth, Trajectory, methods};

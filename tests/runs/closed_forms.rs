@@ -1,7 +1,7 @@
 //! What a reference claims bounds its true error, wherever the true solution is known.
 
-use dalembert_derivations::closed_forms::{ClosedForm, Lattice, Quadrature};
-use dalembert_derivations::scene::Scene;
+use dalembert_derivations::studies::closed_forms::{ClosedForm, Lattice, Quadrature};
+use dalembert_derivations::studies::scene::Scene;
 use field::{Analytic, DoubleDouble, Over, Scalar};
 use reader::Family;
 use simulation::{Axes, Smooth};

@@ -1,7 +1,7 @@
 //! Ensembles: each member is the single run of that member, whoever runs beside it.
 
 use dalembert_derivations::machines::multi_current::{MultiCurrent, Windings};
-use dalembert_derivations::scene::Scene;
+use dalembert_derivations::studies::scene::Scene;
 use dalembert_derivations::systems::gyrostat::admissible::Inadmissible;
 use dalembert_derivations::systems::gyrostat::driven::Driven;
 use dalembert_derivations::systems::gyrostat::forms::SecondForm;
@@ -23,7 +23,7 @@ fn text() -> String {
 }
 
 fn ensemble(text: &str) -> EnsembleScene {
-    dalembert_derivations::ensemble::parse("ensemble.toml", text).unwrap_or_else(|error| panic!("{error}"))
+    dalembert_derivations::studies::ensemble::parse("ensemble.toml", text).unwrap_or_else(|error| panic!("{error}"))
 }
 
 fn rows(scene: &EnsembleScene, threads: usize) -> Vec<Row> {
@@ -42,7 +42,9 @@ fn short(members: u64) -> String {
 /// The scene of a member as its own file would give it.
 fn single(text: &str, row: &Row) -> Scene {
     let mut one = Scene::parse("ensemble.toml", text).unwrap_or_else(|error| panic!("{error}"));
-    let dalembert_derivations::scene::System::Gyrostat(bodies) = &mut one.system else { panic!("it has a carrier") };
+    let dalembert_derivations::studies::scene::System::Gyrostat(bodies) = &mut one.system else {
+        panic!("it has a carrier")
+    };
     let [cx, cy, cz, axial, b0, r2, angle, wx, wy, wz, vx, vy, vz] = row.drawn[..] else { panic!("13 numbers vary") };
     bodies.rotor.axial = axial;
     bodies.carrier.centre = [cx, cy, cz].into();
@@ -210,7 +212,7 @@ fn what_is_wrong_with_an_ensemble_is_told_at_its_place() {
     for (from, to, title, help) in wrong {
         let text = text();
         assert!(text.contains(from), "{from}");
-        let message = dalembert_derivations::ensemble::parse("wrong.toml", &text.replacen(from, to, 1))
+        let message = dalembert_derivations::studies::ensemble::parse("wrong.toml", &text.replacen(from, to, 1))
             .expect_err(to)
             .to_string();
         assert!(message.contains(title) && message.contains(help) && message.contains("^"), "{message}");

@@ -3,9 +3,9 @@
 //! as corrected.
 
 use claims::{Claim, Line, Statement};
-use dalembert_derivations::friction::run;
-use dalembert_derivations::friction::run::Plan;
 use dalembert_derivations::papers::manglieva2022;
+use dalembert_derivations::studies::friction::run;
+use dalembert_derivations::studies::friction::run::Plan;
 use dalembert_derivations::systems::ladder::Ladder;
 use dalembert_derivations::systems::rod::Rod;
 use dalembert_derivations::systems::steered_rod::SteeredRod;

@@ -1,6 +1,6 @@
 //! What errors are measured by: kept for every scene, made by two methods, and their own where a scene has changed.
 
-use dalembert_derivations::AnyScene;
+use dalembert_derivations::studies::AnyScene;
 use field::{DoubleDouble, Over};
 use integrators::{
     Directions, Failure, Method, Ode, Record, Span, System, TaylorSeries, Tolerance, integrate, integrate_in,

@@ -1,10 +1,10 @@
 //! Motions across events to 25 digits: kept for every scene that has one, their own, and beside what is known in closed form.
 
-use dalembert_derivations::AnyScene;
-use dalembert_derivations::friction::closed::climbed;
-use dalembert_derivations::friction::exact::Regimes;
-use dalembert_derivations::friction::{Rough, RoughScene};
-use dalembert_derivations::regimes::critical;
+use dalembert_derivations::studies::AnyScene;
+use dalembert_derivations::studies::friction::closed::climbed;
+use dalembert_derivations::studies::friction::exact::Regimes;
+use dalembert_derivations::studies::friction::{Rough, RoughScene};
+use dalembert_derivations::studies::regimes::critical;
 use field::{Circle, DoubleDouble, Over, Scalar};
 use integrators::{Attempt, End, Failure, Method, Record, Span, Tolerance};
 use reader::Family;

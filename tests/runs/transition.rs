@@ -1,6 +1,6 @@
 //! The state-transition matrix of a run, beside differences of runs in double-double by another method.
 
-use dalembert_derivations::AnyScene;
+use dalembert_derivations::studies::AnyScene;
 use field::{Analytic, DoubleDouble, Over};
 use integrators::{Method, Ode, Span, System, Tolerance, integrate_in, transition};
 use reader::Family;

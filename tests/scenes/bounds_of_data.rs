@@ -1,11 +1,11 @@
 //! Bounds of data: every datum of every motor and scene that must be positive is judged, by its name.
 
-use dalembert_derivations::scene::Scene;
+use dalembert_derivations::studies::scene::Scene;
 use reader::{Allowed, Bound, Family};
 
 /// A motor of the list alone on a bench, with its data as a small motor has them but for some.
 fn on_a_bench(model: &str, other: &str, value: &str, allowed: &str) -> String {
-    let motor = dalembert_derivations::conformance::sample(model).expect("it is in the catalogue");
+    let motor = dalembert_derivations::studies::conformance::sample(model).expect("it is in the catalogue");
     let numbers = motor.data().map(|(quantity, number)| {
         let number = if quantity.name == other { value.to_owned() } else { number.to_string() };
         let unit = if quantity.unit == "1" { "" } else { &quantity.unit };
@@ -86,8 +86,9 @@ fn masses_inductances_resistances_and_friction_of_every_scene_are_judged() {
                 continue;
             }
             let negative = line.replace(&format!("\"{number}"), "\"-1.25");
-            let error = dalembert_derivations::AnyScene::parse("scene.toml", &text.replacen(line, &negative, 1))
-                .expect_err(&format!("{}: {negative}", path.display()));
+            let error =
+                dalembert_derivations::studies::AnyScene::parse("scene.toml", &text.replacen(line, &negative, 1))
+                    .expect_err(&format!("{}: {negative}", path.display()));
             assert!(error.to_string().contains("-1.25"), "{}: {error}", path.display());
             judged += 1;
         }

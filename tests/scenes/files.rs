@@ -1,6 +1,6 @@
 //! The scenes of the project: each is read, conserves what it must, runs alike in both forms, and does what it says.
 
-use dalembert_derivations::scene::Scene;
+use dalembert_derivations::studies::scene::Scene;
 use integrators::Method;
 use motor::Machine;
 use reader::Family;

@@ -3,7 +3,7 @@
 //! The files are the project's own, torn: pieces cut, doubled, exchanged, numbers and words put in the places of others. A few
 //! thousand in passing; a million by `PROPTEST_CASES=1000000 cargo test --release --test scenes fuzz`.
 
-use dalembert_derivations::AnyScene;
+use dalembert_derivations::studies::AnyScene;
 use proptest::prelude::*;
 use proptest::sample::Index;
 use proptest::test_runner::{RngSeed, TestRunner};

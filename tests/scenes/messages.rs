@@ -2,7 +2,7 @@
 //!
 //! Each test first asserts what the message points at, then compares the whole message with its snapshot.
 
-use dalembert_derivations::scene::Scene;
+use dalembert_derivations::studies::scene::Scene;
 use reader::{Family, SceneError};
 
 const SOUND: &str = r#"title = "A gyrostat with a currentless synchronous motor"

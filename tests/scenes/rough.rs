@@ -1,7 +1,7 @@
 //! Scenes with rough contacts: the project's own end as they say, and whatever is wrong with one is told at its place.
 
-use dalembert_derivations::friction::RoughScene;
-use dalembert_derivations::friction::run::Plan;
+use dalembert_derivations::studies::friction::RoughScene;
+use dalembert_derivations::studies::friction::run::Plan;
 use reader::Family;
 use std::ops::ControlFlow;
 use std::path::Path;

@@ -1,14 +1,14 @@
 //! Cases that are known in closed form, edges among them, with exact data.
 
 use dalembert_derivations::machines::asynchronous::Asynchronous;
-use dalembert_derivations::machines::constant_speed::ConstantSpeed;
-use dalembert_derivations::scene::Scene;
-use dalembert_derivations::stationary::energies::Energies;
-use dalembert_derivations::stationary::motions::{Found, Stationary};
-use dalembert_derivations::stationary::stability::map::OneAxis;
-use dalembert_derivations::stationary::stability::reduced::{Fate, Reduced};
-use dalembert_derivations::stationary::stability::{Approximation, Judged, Reason, Verdict};
+use dalembert_derivations::studies::scene::Scene;
+use dalembert_derivations::studies::stationary::energies::Energies;
+use dalembert_derivations::studies::stationary::motions::{Found, Stationary};
+use dalembert_derivations::studies::stationary::stability::map::OneAxis;
+use dalembert_derivations::studies::stationary::stability::reduced::{Fate, Reduced};
+use dalembert_derivations::studies::stationary::stability::{Approximation, Judged, Reason, Verdict};
 use field::{Rational, Scalar};
+use motor::ConstantSpeed;
 use motor::Machine;
 use nalgebra::{Matrix3, Vector3};
 use reader::Family;

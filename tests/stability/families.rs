@@ -4,12 +4,12 @@ use crate::running::{Law, eigenvalues, run, state};
 use crate::tops::{
     Top, along, at_constant_speed, by_slip, circling, free, in_step, lagrange, oblique, r, without_friction,
 };
-use dalembert_derivations::machines::constant_speed::ConstantSpeed;
-use dalembert_derivations::stationary::stability::along::Along;
-use dalembert_derivations::stationary::stability::{Reason, Verdict};
+use dalembert_derivations::studies::stationary::stability::along::Along;
+use dalembert_derivations::studies::stationary::stability::{Reason, Verdict};
 use dalembert_derivations::systems::gyrostat::forms::SecondForm;
 use field::Rational;
 use mechanics::uniform::Shape;
+use motor::ConstantSpeed;
 use nalgebra::Vector3;
 
 /// The verdicts on all arcs with one angle, and the directions that are apart.

@@ -1,14 +1,14 @@
 //! Identities of the first approximation at random exact stationary motions.
 
 use crate::physical::{axes, fixed, gyrostat};
-use dalembert_derivations::machines::free_rotor::FreeRotor;
 use dalembert_derivations::machines::synchronous::Synchronous;
-use dalembert_derivations::stationary::energies::Energies;
-use dalembert_derivations::stationary::stability::reduced::Reduced;
-use dalembert_derivations::stationary::stability::{Linear, Place};
+use dalembert_derivations::studies::stationary::energies::Energies;
+use dalembert_derivations::studies::stationary::stability::reduced::Reduced;
+use dalembert_derivations::studies::stationary::stability::{Linear, Place};
 use field::{Circle, Rational, Scalar};
 use mechanics::first_approximation::characteristic;
 use mechanics::rotation::determinant;
+use motor::FreeRotor;
 use motor::Machine;
 use nalgebra::{Matrix3, Vector3};
 use proptest::prelude::*;

@@ -1,20 +1,20 @@
 //! What the steps of methods make of stationary motions: exact thresholds beside runs, and the matrix beside the law that runs.
 
 use dalembert_derivations::machines::synchronous::Synchronous;
-use dalembert_derivations::phantom::chart::{Chart, Motion, Row};
-use dalembert_derivations::phantom::crossing::Crossing;
-use dalembert_derivations::phantom::followed::{before, followed};
-use dalembert_derivations::phantom::linear::Linearised;
-use dalembert_derivations::phantom::measured::{APART, Run, Runs};
-use dalembert_derivations::phantom::methods::OneStep;
-use dalembert_derivations::phantom::motions::Stationed;
-use dalembert_derivations::phantom::oscillator::bounds;
-use dalembert_derivations::phantom::splittings::SplitRuns;
-use dalembert_derivations::phantom::stretches::Proved;
-use dalembert_derivations::phantom::survey::steps;
-use dalembert_derivations::phantom::tested::Tested;
-use dalembert_derivations::scene::Scene;
-use dalembert_derivations::stationary::motions::Stationary;
+use dalembert_derivations::studies::phantom::chart::{Chart, Motion, Row};
+use dalembert_derivations::studies::phantom::crossing::Crossing;
+use dalembert_derivations::studies::phantom::followed::{before, followed};
+use dalembert_derivations::studies::phantom::linear::Linearised;
+use dalembert_derivations::studies::phantom::measured::{APART, Run, Runs};
+use dalembert_derivations::studies::phantom::methods::OneStep;
+use dalembert_derivations::studies::phantom::motions::Stationed;
+use dalembert_derivations::studies::phantom::oscillator::bounds;
+use dalembert_derivations::studies::phantom::splittings::SplitRuns;
+use dalembert_derivations::studies::phantom::stretches::Proved;
+use dalembert_derivations::studies::phantom::survey::steps;
+use dalembert_derivations::studies::phantom::tested::Tested;
+use dalembert_derivations::studies::scene::Scene;
+use dalembert_derivations::studies::stationary::motions::Stationary;
 use field::{DoubleDouble, Scalar};
 use integrators::{Collocation, Family, Jacobian, Real, Splitting, compose};
 use mechanics::discrete::{Judgement, Place};

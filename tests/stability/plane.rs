@@ -1,9 +1,9 @@
 //! Maps over two data of a scene, by their names, beside closed forms.
 
-use dalembert_derivations::scene::Scene;
-use dalembert_derivations::stationary::stability::datum::Datum;
-use dalembert_derivations::stationary::stability::plane::{Cell, NoPlane, Plane};
-use dalembert_derivations::stationary::stability::reduced::Fate;
+use dalembert_derivations::studies::scene::Scene;
+use dalembert_derivations::studies::stationary::stability::datum::Datum;
+use dalembert_derivations::studies::stationary::stability::plane::{Cell, NoPlane, Plane};
+use dalembert_derivations::studies::stationary::stability::reduced::Fate;
 use reader::Family;
 use std::path::Path;
 

@@ -1,14 +1,16 @@
 //! Maps of every motion over two data: beside single scenes, beside exact columns, beside the discriminant.
 
-use dalembert_derivations::scene::{Scene, System};
-use dalembert_derivations::stationary::energies::{Energies, Kept};
-use dalembert_derivations::stationary::motions::{Stationary, decimals};
-use dalembert_derivations::stationary::motor::MotorStates;
-use dalembert_derivations::stationary::stability::datum::Datum;
-use dalembert_derivations::stationary::stability::plane::{Cell, Plane};
-use dalembert_derivations::stationary::stability::reduced::Fate;
-use dalembert_derivations::stationary::stability::region::line::Link;
-use dalembert_derivations::stationary::stability::region::{Atlas, Border, Change, Class, Node, Place, Region};
+use dalembert_derivations::studies::scene::{Scene, System};
+use dalembert_derivations::studies::stationary::energies::{Energies, Kept};
+use dalembert_derivations::studies::stationary::motions::{Stationary, decimals};
+use dalembert_derivations::studies::stationary::motor::MotorStates;
+use dalembert_derivations::studies::stationary::stability::datum::Datum;
+use dalembert_derivations::studies::stationary::stability::plane::{Cell, Plane};
+use dalembert_derivations::studies::stationary::stability::reduced::Fate;
+use dalembert_derivations::studies::stationary::stability::region::line::Link;
+use dalembert_derivations::studies::stationary::stability::region::{
+    Atlas, Border, Change, Class, Node, Place, Region,
+};
 use dalembert_derivations::systems::gyrostat::Gyrostat;
 use field::{Rational, Scalar};
 use mechanics::first_approximation::{derivative, resultant};

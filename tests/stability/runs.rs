@@ -2,13 +2,13 @@
 
 use crate::running::{Law, eigenvalues, run, state};
 use dalembert_derivations::machines::asynchronous::Asynchronous;
-use dalembert_derivations::machines::constant_speed::ConstantSpeed;
-use dalembert_derivations::scene::{Scene, Start, System};
-use dalembert_derivations::stationary::motions::Stationary;
-use dalembert_derivations::stationary::motor::MotorStates;
-use dalembert_derivations::stationary::stability::{Judged, Reason, Verdict};
+use dalembert_derivations::studies::scene::{Scene, Start, System};
+use dalembert_derivations::studies::stationary::motions::Stationary;
+use dalembert_derivations::studies::stationary::motor::MotorStates;
+use dalembert_derivations::studies::stationary::stability::{Judged, Reason, Verdict};
 use dalembert_derivations::systems::gyrostat::forms::SecondForm;
 use integrators::{Jacobian, spectrum};
+use motor::ConstantSpeed;
 use motor::Machine;
 use nalgebra::Vector3;
 use reader::Family;
@@ -76,7 +76,7 @@ fn what_gyroscopic_forces_hold_at_constant_speed_leaves_with_a_motor() {
     let scene = Scene::open(Path::new("scenes/constant_speed.toml")).unwrap();
     let System::Gyrostat(bodies) = &scene.system else { panic!("a gyrostat") };
     let all = Stationary::of(&scene).unwrap().at_speed(20.0).unwrap();
-    let held = |found: &&dalembert_derivations::stationary::motions::Found| {
+    let held = |found: &&dalembert_derivations::studies::stationary::motions::Found| {
         found.stability[0].verdict == Verdict::CannotTell(Reason::Gyroscopic { negative: 2 })
     };
     let found = all[0].found.iter().find(held).unwrap();

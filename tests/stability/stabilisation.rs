@@ -1,11 +1,13 @@
 //! Stabilised constraints as they run, beside the exact regions of their gains.
 
-use dalembert_derivations::stabilisation::drive_law::UNKNOWNS;
-use dalembert_derivations::stabilisation::experiment;
-use dalembert_derivations::stabilisation::law::BothHeld;
-use dalembert_derivations::stabilisation::regions::{self, Fate};
-use dalembert_derivations::stabilisation::schemes::Scheme;
-use dalembert_derivations::stabilisation::treatments::{Goal, Line, Measured, Scan, Treatment, measure, times};
+use dalembert_derivations::studies::stabilisation::drive_law::UNKNOWNS;
+use dalembert_derivations::studies::stabilisation::experiment;
+use dalembert_derivations::studies::stabilisation::law::BothHeld;
+use dalembert_derivations::studies::stabilisation::regions::{self, Fate};
+use dalembert_derivations::studies::stabilisation::schemes::Scheme;
+use dalembert_derivations::studies::stabilisation::treatments::{
+    Goal, Line, Measured, Scan, Treatment, measure, times,
+};
 use field::Scalar;
 use integrators::{Held, Method, Ode, Span, System, Tolerance, integrate};
 use std::time::Duration;

@@ -15,6 +15,8 @@
 //! expression, a mutated right side is refuted, its hypotheses can be met. [`review`](mod@review) tells what a change of a
 //! page means: which term of which equation.
 
+pub mod alphabet;
+pub mod catalogue;
 mod claim;
 mod condition;
 pub mod examine;
@@ -30,8 +32,11 @@ mod snapshot;
 mod univariate;
 mod verdict;
 
+pub use catalogue::Catalogue;
 pub use claim::{Claim, Line, Statement, Theorem};
 pub use condition::{Condition, Point};
+/// Brings a [`Catalogue`]: papers of a crate, found wherever it is linked.
+pub use inventory::submit;
 pub use judge::Judged;
 pub use ledger::{Entry, entries};
 pub use page::{Draft, Page};
@@ -39,3 +44,7 @@ pub use paper::Paper;
 pub use proof::Proof;
 pub use snapshot::render;
 pub use verdict::Verdict;
+
+/// For the functions that [`read_by!`] writes.
+#[doc(hidden)]
+pub use symbolic;

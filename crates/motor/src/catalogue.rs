@@ -7,7 +7,7 @@
 
 use super::laws::{Expressions, Laws, TooLong, Winding};
 use super::text::{self, ANGLE, SLIP, SPEED};
-use super::{Machine, Motor};
+use super::{Machine, Motor, constant_speed, free_rotor};
 use field::{Analytic, Circle};
 use reader::{Allowed, Quantity};
 use std::sync::Arc;
@@ -44,11 +44,14 @@ pub struct Catalogue {
 
 inventory::collect!(Catalogue);
 
-/// Every motor that has a name.
+/// Rotors without a motor.
+const ROTORS: &[&Entry] = &[&constant_speed::ENTRY, &free_rotor::ENTRY];
+
+/// Every motor that has a name, after the rotors without one.
 pub fn entries() -> Vec<&'static Entry> {
     let mut catalogues: Vec<&Catalogue> = inventory::iter::<Catalogue>().collect();
     catalogues.sort_by_key(|catalogue| catalogue.name);
-    catalogues.iter().flat_map(|catalogue| catalogue.motors).copied().collect()
+    ROTORS.iter().chain(catalogues.iter().flat_map(|catalogue| catalogue.motors)).copied().collect()
 }
 
 /// The motor of a name.

@@ -12,7 +12,9 @@
 mod bench;
 mod bench_pieces;
 pub mod catalogue;
+mod constant_speed;
 mod fixed_angle_laws;
+mod free_rotor;
 mod gauss4_scalar;
 mod harmonics;
 mod integrals;
@@ -32,7 +34,9 @@ mod text_motor;
 pub use bench::Bench;
 pub use bench_pieces::BenchFlows;
 pub use catalogue::{Catalogue, Count, Entry, letter};
+pub use constant_speed::ConstantSpeed;
 pub use fixed_angle_laws::{Acting, Programmed, Programs};
+pub use free_rotor::FreeRotor;
 pub use gauss4_scalar::Rule;
 pub use integrals::Conserved;
 /// Brings a [`Catalogue`]: motors of a crate, found wherever it is linked.

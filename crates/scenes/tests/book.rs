@@ -2,7 +2,7 @@
 
 // the motors that scenes name
 use dalembert_scenes::ModelScene;
-use derivations as _;
+use machines as _;
 use model::Fault;
 use simulation::{Choice, Smooth};
 use std::time::Duration;

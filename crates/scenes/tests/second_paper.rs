@@ -1,10 +1,10 @@
 //! Systems of the second paper (Mukharlyamov 2007) as text, beside closed forms and beside the paper's own equations.
 
 use dalembert_scenes::ModelScene;
-use derivations::systems::variable_top::{Attitude, Top, poisson};
 use integrators::{Method, Ode, Span, System, Tolerance, integrate};
 use nalgebra::Vector3;
 use simulation::{Choice, Smooth, Trajectory};
+use systems::variable_top::{Attitude, Top, poisson};
 
 fn runs(name: &str, edits: &[(&str, &str)]) -> Trajectory {
     let path = format!("{}/../../scenes/models/{name}.toml", env!("CARGO_MANIFEST_DIR"));

@@ -1,17 +1,17 @@
 //! The synchronous motor with salient poles, without currents.
 
-use field::{Base, Circle, Over};
-use motor::{Entry, Machine, RotorState, letter};
-use symbolic::Sym;
+use dalembert::field::{Base, Circle, Over};
+use dalembert::motor::{Catalogue, Entry, Machine, RotorState, letter, submit};
+use dalembert::symbolic::Sym;
 
-reader::quantities! {
+dalembert::reader::quantities! {
     /// A magnetised rotor of two diameters in the turning field: U = -b0 cos g - 1/2 b2 cos 2g; friction m = -f phi'.
     pub struct SalientPole {
         /// speed of the stator's field
         field_speed: "rad/s",
-        /// greatest moment of the field on the magnets
+        /// greatest torque of the field on the magnets
         b0: "N m",
-        /// greatest moment of the field on the poles
+        /// greatest torque of the field on the poles
         b2: "N m",
         /// viscous friction in the bearings
         f: "N m s" in friction,
@@ -46,6 +46,6 @@ pub static ENTRY: Entry = Entry {
     write: |given| given.laws(&SalientPole::read(letter)?),
 };
 
-motor::submit! {
-    motor::Catalogue { name: "own_motor", motors: &[&ENTRY] }
+submit! {
+    Catalogue { name: "own_motor", motors: &[&ENTRY] }
 }

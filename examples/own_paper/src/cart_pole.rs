@@ -2,11 +2,11 @@
 //!
 //! The derived side comes from the bodies by a principle; the printed side is typed as it stands on the page.
 
-use claims::{Line, Page, Paper};
-use field::{Analytic, Circle};
-use model::principles::Principle;
-use model::{BodySource, MatrixForm, Model, Source, Trace};
-use symbolic::{Dimension, Sym};
+use dalembert::claims::{Catalogue, Line, Page, Paper, submit};
+use dalembert::field::{Analytic, Circle};
+use dalembert::model::principles::Principle;
+use dalembert::model::{BodySource, MatrixForm, Model, Source, Trace};
+use dalembert::symbolic::{Dimension, Sym};
 
 pub const PAPER: Paper = Paper {
     key: "cart_pole",
@@ -16,6 +16,10 @@ pub const PAPER: Paper = Paper {
     entries: &["eq1", "eq2"],
     page,
 };
+
+submit! {
+    Catalogue { name: "own_paper", papers: &[&PAPER] }
+}
 
 /// The cart, and a bob at the end of the massless pole.
 fn source() -> Source {

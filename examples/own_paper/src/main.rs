@@ -1,27 +1,11 @@
-//! A paper judged in a crate of one's own: each of its equations with a verdict, and what holds instead where one fails.
+//! The program `dalembert` with one paper more: `ledger` tells the verdict on each of its equations.
 
 mod cart_pole;
 
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let mut is_sound = true;
-    // symbols live in the graph of one task
-    symbolic::apart(|| {
-        for claim in (cart_pole::PAPER.page)().judge() {
-            println!("{} {}: {}", claim.verdict.sign(), claim.id, claim.verdict.name());
-            println!("    {}", claim.statement());
-            if let Some(correct) = &claim.correction {
-                println!("  {} {}: {}", correct.verdict.sign(), correct.id, correct.verdict.name());
-                println!("    {}", correct.statement());
-            }
-            if let Err(why) = claim.sound() {
-                println!("  {why}");
-                is_sound = false;
-            }
-        }
-    });
-    if is_sound { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+    dalembert::commands::run()
 }
 
 #[cfg(test)]
@@ -30,7 +14,8 @@ mod tests {
 
     #[test]
     fn every_entry_has_a_claim_and_every_claim_its_verdict() {
-        symbolic::apart(|| {
+        // symbols live in the graph of one task
+        dalembert::symbolic::apart(|| {
             let judged = (PAPER.page)().judge();
             for entry in PAPER.entries {
                 assert!(judged.iter().any(|claim| claim.equation == *entry), "{entry}");

@@ -2,8 +2,9 @@
 //!
 //! The model is the same as one read from a file; nothing here is compiled for a number of links.
 
-use model::principles::Principle;
-use model::{BodySource, Entry, MatrixForm, Model, Source, Trace, agreement};
+use dalembert::model::principles::Principle;
+use dalembert::model::{self, BodySource, Entry, MatrixForm, Model, Source, Trace, agreement};
+use dalembert::symbolic;
 use std::process::ExitCode;
 
 /// Point masses on massless links, each turned about z against the vertical.

@@ -2,7 +2,7 @@
 
 use super::ladders::{ladder, leaning};
 use super::verdicts::{name, q};
-use dalembert_derivations::regimes::maps::{Kind, maps};
+use dalembert_derivations::studies::regimes::maps::{Kind, maps};
 use dalembert_derivations::systems::ladder::Ladder;
 use field::{Circle, Rational};
 use mechanics::constrained::State;

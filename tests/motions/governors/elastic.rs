@@ -1,7 +1,7 @@
 //! The governor with an elastic rim: Hurwitz beside eigenvalues, energy, the maps.
 
 use super::*;
-use dalembert_derivations::governors::{SPEED, governor as of_the_maps, growth, has_positive_minors};
+use dalembert_derivations::studies::governors::{SPEED, governor as of_the_maps, growth, has_positive_minors};
 use mechanics::constrained::motion::velocity;
 use mechanics::constrained::programmed::violation;
 use mechanics::constrained::{Charted, State, System as _, massless};
@@ -61,7 +61,7 @@ fn the_energy_of_the_elastic_governor_is_the_work_of_the_shafts() {
 
 #[test]
 fn the_map_of_stability_is_bounded_by_hurwitz_curve() {
-    for map in dalembert_derivations::governors::stability() {
+    for map in dalembert_derivations::studies::governors::stability() {
         assert!(map.distance < 1e-6, "{}: {}", map.title, map.distance);
         let stable = map.rows.iter().flatten().filter(|stable| **stable).count();
         for (r, row) in map.rows.iter().enumerate() {

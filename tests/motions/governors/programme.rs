@@ -132,7 +132,7 @@ fn the_push_that_the_programme_needs_is_what_keeps_the_speed() {
 
 #[test]
 fn the_drawn_series_converge_faster_the_higher_the_speed() {
-    let errors = dalembert_derivations::governors::series_errors();
+    let errors = dalembert_derivations::studies::governors::series_errors();
     assert_eq!(errors.len(), 4);
     for pair in errors.windows(2) {
         assert!(pair[1].1[5].1 < 0.1 * pair[0].1[5].1, "{pair:?}");

@@ -1,12 +1,12 @@
 //! What is chosen keeps its tolerance, by references that two methods share to 24 digits.
 
 use super::{ladder, path, scene};
-use dalembert_derivations::ladder::followed::instants;
-use dalembert_derivations::ladder::linear::propagator;
-use dalembert_derivations::ladder::switching::Schedule;
-use dalembert_derivations::ladder::watched::Watched;
-use dalembert_derivations::ladder::{Forms, Ladder, Models, Receipt, Rung, Wish, choose};
-use dalembert_derivations::scene::Scene;
+use dalembert_derivations::studies::ladder::followed::instants;
+use dalembert_derivations::studies::ladder::linear::propagator;
+use dalembert_derivations::studies::ladder::switching::Schedule;
+use dalembert_derivations::studies::ladder::watched::Watched;
+use dalembert_derivations::studies::ladder::{Forms, Ladder, Models, Receipt, Rung, Wish, choose};
+use dalembert_derivations::studies::scene::Scene;
 use integrators::{Jacobian, Method, transition};
 use reader::Family;
 use simulation::{Axes, Stored};

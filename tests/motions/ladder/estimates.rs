@@ -1,9 +1,9 @@
 //! What an estimate is worth: beside the true error, and by a second route.
 
 use super::{corrected, drawn, exactly, ladder, scene, tight, truly};
-use dalembert_derivations::ladder::Loss;
-use dalembert_derivations::ladder::followed::followed;
-use dalembert_derivations::scene::Scene;
+use dalembert_derivations::studies::ladder::Loss;
+use dalembert_derivations::studies::ladder::followed::followed;
+use dalembert_derivations::studies::scene::Scene;
 use reader::Family;
 
 /// Where the second order is small beside the first, the estimate is the error up to that.

@@ -1,8 +1,8 @@
 //! Windings that a supply feeds: what stands for their currents, beside the circuits and a motor in closed form.
 
 use super::{ladder, scene, tight};
-use dalembert_derivations::ladder::followed::followed;
-use dalembert_derivations::ladder::{Ladder, Rung};
+use dalembert_derivations::studies::ladder::followed::followed;
+use dalembert_derivations::studies::ladder::{Ladder, Rung};
 
 fn at_rest(ladder: &Ladder) -> &Rung {
     ladder.rungs.iter().find(|rung| rung.name == "currents at rest").expect("it is on the ladder")

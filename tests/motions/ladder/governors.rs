@@ -1,7 +1,7 @@
 //! The same ladder under governors.
 
 use super::{mechanism, truly};
-use dalembert_derivations::ladder::{Ladder, Loss};
+use dalembert_derivations::studies::ladder::{Ladder, Loss};
 
 fn effectivity(ladder: &Ladder, outputs: &[&str], name: &str) -> (f64, f64) {
     let names: Vec<String> = outputs.iter().map(|name| (*name).to_owned()).collect();

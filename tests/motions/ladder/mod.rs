@@ -8,12 +8,12 @@ mod governors;
 mod lumping;
 mod rough;
 
-use dalembert_derivations::AnyScene;
-use dalembert_derivations::ladder::followed::{followed, followed_at, instants};
-use dalembert_derivations::ladder::watched::Watched;
-use dalembert_derivations::ladder::{Estimate, Ladder, Rung};
-use dalembert_derivations::mechanisms::MechanismScene;
-use dalembert_derivations::scene::Scene;
+use dalembert_derivations::studies::AnyScene;
+use dalembert_derivations::studies::ladder::followed::{followed, followed_at, instants};
+use dalembert_derivations::studies::ladder::watched::Watched;
+use dalembert_derivations::studies::ladder::{Estimate, Ladder, Rung};
+use dalembert_derivations::studies::mechanisms::MechanismScene;
+use dalembert_derivations::studies::scene::Scene;
 use integrators::{Record, Tolerance};
 use reader::Family;
 use simulation::Axes;

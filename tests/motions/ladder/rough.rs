@@ -1,9 +1,9 @@
 //! The same ladder under rough contacts.
 
 use super::path;
-use dalembert_derivations::friction::RoughScene;
-use dalembert_derivations::ladder::rough::RoughLadder;
-use dalembert_derivations::ladder::{Loss, Models, Verdict, Wish, choose};
+use dalembert_derivations::studies::friction::RoughScene;
+use dalembert_derivations::studies::ladder::rough::RoughLadder;
+use dalembert_derivations::studies::ladder::{Loss, Models, Verdict, Wish, choose};
 use reader::Family;
 use std::time::Duration;
 

@@ -1,9 +1,9 @@
 //! Which starts come into step.
 
 use super::{pendulum, scene};
-use dalembert_derivations::scene::{Scene, System};
-use dalembert_derivations::synchronism::basin::{Share, Starts, shares};
-use dalembert_derivations::synchronism::loaded::giving_way;
+use dalembert_derivations::studies::scene::{Scene, System};
+use dalembert_derivations::studies::synchronism::basin::{Share, Starts, shares};
+use dalembert_derivations::studies::synchronism::loaded::giving_way;
 use reader::Family;
 
 const STARTS: Starts = Starts { angles: 6, slips: 5, slip: [-5.0, 0.0] };

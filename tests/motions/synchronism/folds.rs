@@ -1,9 +1,9 @@
 //! Pull-out: the angles in step over the load.
 
 use super::{loaded, pendulum, scene};
-use dalembert_derivations::stationary::motor::{MotorStates, NoMotor};
-use dalembert_derivations::synchronism::branches::Standing;
-use dalembert_derivations::synchronism::loaded::{Loaded, giving_way};
+use dalembert_derivations::studies::stationary::motor::{MotorStates, NoMotor};
+use dalembert_derivations::studies::synchronism::branches::Standing;
+use dalembert_derivations::studies::synchronism::loaded::{Loaded, giving_way};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 fn folds(all: &[Standing]) -> Vec<Standing> {
@@ -83,7 +83,9 @@ fn a_motor_without_a_field_or_an_angle_is_refused_by_name() {
 #[test]
 fn the_carrier_makes_the_rotor_lighter() {
     let scene = scene("spin_up");
-    let dalembert_derivations::scene::System::Gyrostat(bodies) = &scene.system else { panic!("it has a carrier") };
+    let dalembert_derivations::studies::scene::System::Gyrostat(bodies) = &scene.system else {
+        panic!("it has a carrier")
+    };
     let light = giving_way(bodies);
     assert!(light < bodies.rotor.axial && light > 0.9 * bodies.rotor.axial, "{light}");
 }

@@ -5,8 +5,8 @@ mod folds;
 mod repeating;
 mod slipping;
 
-use dalembert_derivations::scene::Scene;
-use dalembert_derivations::synchronism::loaded::Loaded;
+use dalembert_derivations::studies::scene::Scene;
+use dalembert_derivations::studies::synchronism::loaded::Loaded;
 use reader::Family;
 
 fn scene(name: &str) -> Scene {

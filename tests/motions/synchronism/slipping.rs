@@ -1,9 +1,9 @@
 //! Pull-in: motions that slip turn after turn, and the load below which there is none.
 
 use super::{loaded, pendulum, scene};
-use dalembert_derivations::synchronism::branches::Slipping;
-use dalembert_derivations::synchronism::loaded::{Loaded, with_bars};
-use dalembert_derivations::synchronism::pull_in::Onset;
+use dalembert_derivations::studies::synchronism::branches::Slipping;
+use dalembert_derivations::studies::synchronism::loaded::{Loaded, with_bars};
+use dalembert_derivations::studies::synchronism::pull_in::Onset;
 use integrators::{Method, Ode, Span, Tolerance, integrate, transition};
 use std::f64::consts::PI;
 

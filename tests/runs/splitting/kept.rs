@@ -1,7 +1,7 @@
 //! What the steps keep: |v|, x.v, brackets, the energy within bounds, the rate at which volumes shrink.
 
 use super::runs::{self, SCENES, split};
-use dalembert_derivations::scene::System;
+use dalembert_derivations::studies::scene::System;
 use dalembert_derivations::systems::gyrostat::Gyrostat;
 use dalembert_derivations::systems::gyrostat::driven::Driven;
 use dalembert_derivations::systems::gyrostat::momenta::Point;

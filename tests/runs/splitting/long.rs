@@ -8,7 +8,7 @@
 //!
 //! b and d are zero where an energy near the true one is kept. All of these are read off samples at a few n.
 
-use dalembert_derivations::long_runs::{Constant, Course, LongRun, Pace, Sample};
+use dalembert_derivations::studies::long_runs::{Constant, Course, LongRun, Pace, Sample};
 use integrators::{Method, Span, Splitting, Tolerance, integrate};
 
 const SPLITTINGS: [(Constant, u32, u32); 4] = [

@@ -3,8 +3,6 @@
 use crate::physical::machines::{every_machine, numbers};
 use crate::physical::{fixed, gyrostat, rounded};
 use dalembert_derivations::machines::asynchronous::Asynchronous;
-use dalembert_derivations::machines::constant_speed::ConstantSpeed;
-use dalembert_derivations::machines::free_rotor::FreeRotor;
 use dalembert_derivations::machines::kloss::Kloss;
 use dalembert_derivations::machines::multi_current::{MultiCurrent, Windings};
 use dalembert_derivations::machines::synchronous::Synchronous;
@@ -14,6 +12,8 @@ use dalembert_derivations::systems::gyrostat::forms::{FirstForm, Form, SecondFor
 use dalembert_derivations::systems::gyrostat::momenta::{Flows, Point};
 use field::{Analytic, Base, Circle, DoubleDouble, Over, Scalar, Tangent};
 use integrators::{Pieces, Real};
+use motor::ConstantSpeed;
+use motor::FreeRotor;
 use motor::{Bench, Kick, Law, Machine, Motor, Point as RotorPoint, RotorState, Rule, Separable, has_known_flow};
 use nalgebra::Vector3;
 use proptest::prelude::*;

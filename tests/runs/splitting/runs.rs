@@ -1,6 +1,6 @@
 //! What the tests run: scenes with their own motor or another.
 
-use dalembert_derivations::scene::Scene;
+use dalembert_derivations::studies::scene::Scene;
 use integrators::{Method, Outcome, Span, Splitting, Tolerance, integrate};
 use reader::Family;
 use simulation::{Axes, Problem};

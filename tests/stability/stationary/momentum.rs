@@ -2,7 +2,7 @@
 
 use crate::physical::{fixed, gyrostat};
 use algebra::real::{Enclosure, Root};
-use dalembert_derivations::stationary::energies::{Energies, Kept};
+use dalembert_derivations::studies::stationary::energies::{Energies, Kept};
 use field::Rational;
 use mechanics::uniform::{Body, Shape};
 use nalgebra::Vector3;

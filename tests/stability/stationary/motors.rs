@@ -1,8 +1,8 @@
 //! The stationary states of every motor, and every motion of the scenes beside the equations that run.
 
-use dalembert_derivations::scene::{Scene, Start};
-use dalembert_derivations::stationary::motions::Stationary;
-use dalembert_derivations::stationary::motor::{MotorStates, NoMotor, Slip};
+use dalembert_derivations::studies::scene::{Scene, Start};
+use dalembert_derivations::studies::stationary::motions::Stationary;
+use dalembert_derivations::studies::stationary::motor::{MotorStates, NoMotor, Slip};
 use reader::Family;
 use simulation::Axes;
 use std::path::Path;

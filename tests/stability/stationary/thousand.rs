@@ -3,7 +3,7 @@
 use super::search::search;
 use crate::physical::{gyrostat, rounded};
 use algebra::real::{Enclosure, Root};
-use dalembert_derivations::stationary::energies::{Energies, Kept};
+use dalembert_derivations::studies::stationary::energies::{Energies, Kept};
 use field::Rational;
 use mechanics::uniform::{Body, Kind};
 use nalgebra::Vector3;

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 /// A folder with the project's lists of machines and nothing else.
 struct Project(PathBuf);
 
-const LIST: &str = "derivations/machines/mod.rs";
+const LIST: &str = "derivations/machines/src/lib.rs";
 
 impl Project {
     fn new(name: &str) -> Self {
@@ -51,7 +51,7 @@ fn a_new_motor_is_a_file_two_lines_a_scene_and_a_test() {
     let list = project.read(LIST).expect("the list is there");
     assert!(list.contains("\npub mod salient_pole;\n\nmotor::submit! {"), "{list}");
     assert!(list.contains("\n            &salient_pole::ENTRY,\n        ],"), "{list}");
-    let file = project.read("derivations/machines/salient_pole.rs").expect("it is written");
+    let file = project.read("derivations/machines/src/salient_pole.rs").expect("it is written");
     assert!(file.contains("pub struct SalientPole {") && !file.contains("CamelName"), "{file}");
     assert!(project.read("scenes/machines/salient_pole.toml").is_some_and(|text| text.contains("\"salient_pole\"")));
     assert!(project.read("tests/salient_pole.rs").is_some_and(|text| text.contains("salient_pole::SalientPole")));

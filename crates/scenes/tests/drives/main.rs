@@ -11,7 +11,6 @@ mod without_inertia;
 
 // the motors that scenes name
 use dalembert_scenes::ModelScene;
-use derivations as _;
 use integrators::Method;
 use simulation::{Choice, Smooth, Trajectory};
 

@@ -13,7 +13,7 @@ mod voltages;
 // the motors that scenes name
 use dalembert_scenes::ModelScene;
 use dalembert_scenes::linearisation::{Linearisation, VariedEquations};
-use derivations as _;
+use machines as _;
 use model::Model;
 use std::path::{Path, PathBuf};
 

@@ -8,7 +8,7 @@ mod warnings;
 
 // the motors that scenes name
 use dalembert_scenes::ModelScene;
-use derivations as _;
+use machines as _;
 
 const SOUND: &str = r#"title = "A pendulum"
 gravity = "-g*N.y"

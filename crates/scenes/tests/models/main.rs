@@ -8,8 +8,8 @@ mod singular;
 
 // the motors that scenes name
 use dalembert_scenes::{ModelScene, Task, read_model};
-use derivations as _;
 use integrators::Method;
+use machines as _;
 use model::principles::Principle;
 use model::{Agreement, Trace, agreement};
 use simulation::{Axes, Choice, Smooth, Stored, references};

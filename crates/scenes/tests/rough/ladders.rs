@@ -1,9 +1,9 @@
 //! Ladders and rods beside the program's own rough systems.
 
 use super::{METHODS, close, events, last, rod, runs, stored};
-use derivations::friction::RoughScene;
 use integrators::Method;
 use reader::Family;
+use studies::friction::RoughScene;
 
 /// The events of a rough scene, without its start.
 fn known(name: &str) -> Vec<f64> {

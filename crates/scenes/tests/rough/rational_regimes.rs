@@ -2,10 +2,10 @@
 
 use super::{close, rod};
 use dalembert_scenes::{Motions, Task, parse_titled, regimes};
-use derivations::systems::slender_rod::SlenderRod;
 use field::{Circle, Rational};
 use mechanics::constrained::State;
 use mechanics::regimes::{Verdict, posed, verdict};
+use systems::slender_rod::SlenderRod;
 
 /// Half tangents of angles, spins in rad/s and coefficients of friction, in tenths.
 const HALVES: [i64; 7] = [1, 3, 4, 5, 7, 8, 9];

@@ -1,0 +1,352 @@
+//! `dalembert chart`: speed against accuracy of one scene, in every formulation with every model.
+
+use crate::arguments::Format;
+use crate::ending::{Ending, print};
+use crate::output::{Form, Output, Writes};
+use crate::reference::following;
+use crate::report;
+use crate::run::{one_form, refuse, with_model};
+use crate::speed::{advice::advice, family, model, pictures, tables};
+use crate::{clock, csv};
+use charts::{Table, WorkPrecision};
+use clap::{Args, ValueEnum};
+use integrators::{Failure, Method, Point};
+use reader::Family;
+use serde_json::{Value, json};
+use simulation::references::Unknown;
+use simulation::work_precision::Hybrid;
+use simulation::work_precision::judged_across_events;
+use simulation::work_precision::{Formulation, Way};
+use simulation::{Atlas, Axes, Smooth, Stored, Trajectory, Trials, judged, references};
+use std::fmt::Write;
+use std::path::PathBuf;
+use std::sync::Arc;
+use studies::AnyScene;
+use studies::ladder::Ladder;
+use studies::scene::System;
+
+/// What is to be measured and drawn.
+#[derive(Args, Debug)]
+pub struct Asked {
+    /// The scene, a TOML file
+    #[arg(value_name = "SCENE.toml")]
+    pub scene: PathBuf,
+    /// Draws the chart: one picture as .svg, or a page with both as .html; or writes every run as a table, .csv
+    #[arg(long, value_name = "FILE.svg|FILE.html|FILE.csv")]
+    pub out: Option<PathBuf>,
+    /// Replaces the file of --out even where `chart` did not write what stands there
+    #[arg(long, requires = "out")]
+    pub force: bool,
+    /// How to print the results: text is for reading, JSON has one object for every run
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+    /// The unit in which the work of a picture is counted; without it evaluations
+    #[arg(long, value_enum, requires = "out")]
+    pub x: Option<Axis>,
+    /// Another machine, made of the scene's data
+    #[arg(long)]
+    pub model: Option<String>,
+    /// The equations in the axes of A (first) or of A* (second)
+    #[arg(long)]
+    pub form: Option<Axes>,
+}
+
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum Axis {
+    /// An integer, the same on every computer
+    Evaluations,
+    /// A ratio to the fastest run
+    Time,
+}
+
+/// Measures every method, prints the tables, draws the chart where one is asked for. A third of the time is for the reference, a
+/// third for the runs, a part of what they leave for taking times.
+pub fn chart(asked: &Asked) -> Result<Ending, Ending> {
+    let scene = match AnyScene::open(&asked.scene)? {
+        AnyScene::Driven(scene) => {
+            AnyScene::Driven(Box::new(with_model(*scene, asked.model.as_deref(), &asked.scene)?))
+        }
+        other => other,
+    };
+    let smooth: &dyn Smooth = match &scene {
+        AnyScene::Rough(rough) => {
+            refuse("a system with rough contacts", asked.model.is_some(), asked.form.is_some(), &asked.scene)?;
+            let page = |atlas: &Atlas, work| report::of_rough(rough, atlas, work);
+            return across_events(&**rough, (&rough.title, rough.plan.method), asked, page);
+        }
+        AnyScene::Driven(scene) => &**scene,
+        AnyScene::Mechanism(scene) => &**scene,
+        AnyScene::Model(scene) => &**scene,
+    };
+    if matches!(scene, AnyScene::Mechanism(_) | AnyScene::Model(_)) {
+        refuse("a system without a motor", asked.model.is_some(), asked.form.is_some(), &asked.scene)?;
+    }
+    if let AnyScene::Driven(scene) = &scene {
+        one_form(scene, asked.form.is_some(), &asked.scene)?;
+    }
+    if let Some(hybrid) = smooth.hybrid() {
+        let page = |atlas: &Atlas, work| report::of_scene(smooth, atlas, work);
+        return across_events(hybrid, (smooth.title(), smooth.run().method), asked, page);
+    }
+    let output = output(asked)?;
+    let allowed = clock::left() / 3;
+    let trials = Trials { allowed, ..Trials::default() }.with(smooth.run().method);
+    let problem = smooth.problem(asked.form.unwrap_or_default());
+    let mut ways = smooth.ways();
+    // behind the scene's own: other formulations may spend all the time, and what a model is off would not be known
+    let models = smaller(&scene, &ways);
+    ways.splice(1..1, models);
+    ways.retain(|way| asked.form.is_none_or(|form| written_in(way, form)));
+    let kept = Stored::beside(&asked.scene);
+    // beyond the end of its law there is no motion for methods to find
+    let run = problem.simulate(&following(smooth.run().choice()), |_| ());
+    if run.left.is_some() {
+        return no_reference(smooth, &run, &run.stopped().unwrap_or_default());
+    }
+    match judged(&|reference| smooth.observed(reference), &problem, ways, &trials, kept.as_ref(), allowed) {
+        Ok(mut atlas) => {
+            atlas.take_times(&trials, clock::left() / 2);
+            told(smooth.title(), &atlas, asked, output, |work| report::of_scene(smooth, &atlas, work))
+        }
+        Err(failure) => no_reference(smooth, &run, &with_share(&failure)),
+    }
+}
+
+/// The same of a scene whose law changes at events, which each method finds itself.
+fn across_events(
+    scene: &dyn Hybrid,
+    (title, method): (&str, Method),
+    asked: &Asked,
+    page: impl FnOnce(&Atlas, Vec<WorkPrecision>) -> String,
+) -> Result<Ending, Ending> {
+    let output = output(asked)?;
+    let allowed = clock::left() / 3;
+    let trials = Trials { allowed, ..Trials::default() }.with(method);
+    match judged_across_events(scene, &trials, Stored::beside(&asked.scene).as_ref(), allowed) {
+        Ok(mut atlas) => {
+            atlas.take_times(&trials, clock::left() / 2);
+            told(title, &atlas, asked, output, |work| page(&atlas, work))
+        }
+        Err(unknown) => {
+            let unknown = match unknown {
+                Unknown::Failed(failure) => with_share(&failure),
+                other => other.to_string(),
+            };
+            print(&format!("{title}\n\nno reference: {unknown}\n"))?;
+            Ok(Ending::Stopped)
+        }
+    }
+}
+
+/// Prints what came out, and draws it where that is asked for.
+fn told(
+    title: &str,
+    atlas: &Atlas,
+    asked: &Asked,
+    output: Option<Output>,
+    page: impl FnOnce(Vec<WorkPrecision>) -> String,
+) -> Result<Ending, Ending> {
+    print(&match asked.format {
+        Format::Text => text(title, atlas),
+        Format::Json => format!("{:#}\n", object(title, atlas)),
+    })?;
+    if let Some(output) = output {
+        let drawn = drawn(title, atlas, asked, output.form(), page);
+        output.write_text(&drawn)?.tell(asked.format)?;
+    }
+    Ok(Ending::Done)
+}
+
+/// Why there is no reference; where its time was over, that it has a part of the command's time.
+fn with_share(failure: &Failure) -> String {
+    match failure {
+        Failure::OutOfTime { .. } => {
+            format!("{failure}; a third of the time is for the reference, and more time is given by --seconds")
+        }
+        _ => failure.to_string(),
+    }
+}
+
+fn no_reference(scene: &dyn Smooth, run: &Trajectory, reason: &str) -> Result<Ending, Ending> {
+    let diagnosis = scene.told(&scene.run().choice(), run).diagnosis;
+    let diagnosis = diagnosis.map_or_else(String::new, |diagnosis| format!("{diagnosis}\n"));
+    print(&format!("{}\n\nno reference: {reason}\n{diagnosis}", scene.title()))?;
+    Ok(Ending::Stopped)
+}
+
+/// The models of the ladder that are no machines of their own: windings lumped, currents that are not followed.
+fn smaller(scene: &AnyScene, known: &[Way]) -> Vec<Way> {
+    let (ladder, formulation) = match scene {
+        AnyScene::Driven(scene) if matches!(scene.system, System::Bench { .. }) => {
+            (Ladder::of_scene(scene, Axes::First), Formulation::Bench)
+        }
+        AnyScene::Driven(scene) => (Ladder::of_scene(scene, Axes::First), Formulation::First),
+        AnyScene::Mechanism(scene) => (scene.ladder(), Formulation::Minimal),
+        AnyScene::Rough(_) | AnyScene::Model(_) => return Vec::new(),
+    };
+    let mut ways = Arc::new(ladder).ways(formulation);
+    ways.retain(|way| known.iter().all(|known| known.model != way.model));
+    ways
+}
+
+fn written_in(way: &Way, form: Axes) -> bool {
+    match way.formulation {
+        Formulation::First => form == Axes::First,
+        Formulation::Second => form == Axes::Second,
+        other => other == Formulation::Bench,
+    }
+}
+
+/// The columns of a table of runs.
+const COLUMNS: [&str; 8] =
+    ["formulation", "model", "method", "tolerance [1]", "evaluations", "time [s]", "error [1]", "failure"];
+
+/// Where the chart goes, before the work.
+fn output(asked: &Asked) -> Result<Option<Output>, Ending> {
+    let kept = references::place(&asked.scene);
+    let writes = Writes { command: "chart", force: asked.force, reads: vec![&asked.scene, &kept] };
+    let output =
+        writes.optional(asked.out.as_deref(), &[Form::Picture, Form::Page, Form::Table(csv::line(&COLUMNS))])?;
+    match &output {
+        Some(output) if asked.x.is_some() && *output.form() != Form::Picture => Err(Ending::refused(format!(
+            "--x does not apply to a {}: it says what the work of one picture is counted in, and is accepted with a name that \
+             ends in .svg",
+            output.form().said()
+        ))),
+        _ => Ok(output),
+    }
+}
+
+/// A page, a table of all runs, or one picture.
+fn drawn(
+    title: &str,
+    atlas: &Atlas,
+    asked: &Asked,
+    form: &Form,
+    page: impl FnOnce(Vec<WorkPrecision>) -> String,
+) -> String {
+    let [counted, timed] = pictures::work_precision(atlas);
+    match form {
+        Form::Page => page(vec![counted, timed]),
+        Form::Table(_) => runs(atlas),
+        Form::Picture | Form::Reference => {
+            let mut chart = match asked.x {
+                None | Some(Axis::Evaluations) => counted,
+                Some(Axis::Time) => timed,
+            };
+            chart.title = title.to_owned();
+            chart.svg()
+        }
+    }
+}
+
+/// Every run, a row each.
+fn runs(atlas: &Atlas) -> String {
+    let number = |value: Option<f64>| value.map_or_else(String::new, |value| format!("{value:e}"));
+    let row = |(way, point): (&Way, &Point)| {
+        csv::line(&[
+            way.formulation.to_string(),
+            way.model.to_owned(),
+            point.means.to_string(),
+            number(point.tolerance),
+            point.evaluations.to_string(),
+            number(point.time.map(|time| time.seconds)),
+            number(point.error.as_ref().ok().copied()),
+            point.error.as_ref().err().map_or("", Failure::name).to_owned(),
+        ])
+    };
+    let rows = std::iter::once(csv::line(&COLUMNS)).chain(atlas.points().map(row));
+    rows.map(|row| row + "\n").collect()
+}
+
+/// The reference, and every run.
+fn object(title: &str, atlas: &Atlas) -> Value {
+    let run = |(way, point): (&Way, &Point)| {
+        json!({
+            "formulation": way.formulation.to_string(), "model": way.model, "method": point.means.to_string(),
+            "tolerance": point.tolerance, "evaluations": point.evaluations, "seconds": point.time.map(|time| time.seconds),
+            "error": point.error.as_ref().ok(), "failure": point.error.as_ref().err().map(Failure::name),
+        })
+    };
+    let reference = &atlas.reference;
+    let said = [1e-3, 1e-6, 1e-9].map(|error| json!({ "error": error, "says": advice(atlas, error) }));
+    json!({
+        "title": title,
+        "reference": { "methods": reference.methods.map(|method| method.to_string()), "digits": reference.digits },
+        "advice": said,
+        "runs": atlas.points().map(run).collect::<Vec<_>>(),
+    })
+}
+
+/// The fronts, the models, and of the scene's own first formulation a line for each run.
+fn text(title: &str, atlas: &Atlas) -> String {
+    let reference = &atlas.reference;
+    let mut text = format!(
+        "{title}\n\nreference: {} and {} agree to {:.1} digits\n{}\n",
+        reference.methods[0],
+        reference.methods[1],
+        reference.digits,
+        [1e-3, 1e-6, 1e-9].map(|error| advice(atlas, error)).join("\n")
+    );
+    let models = tables::models(atlas);
+    for table in tables::fronts(atlas).iter().chain((!models.rows.is_empty()).then_some(&models)) {
+        text += &set(table);
+    }
+    let Some(own) = atlas.explored.first() else { return text };
+    let mut points: Vec<_> = own.points.iter().collect();
+    // stable: the tolerances of a method, and its numbers of steps, stay in their order
+    points.sort_by_key(|point| family(point.means));
+    let row = |point: &&Point| {
+        let error = point.error.as_ref();
+        vec![
+            point.means.to_string(),
+            point.tolerance.map_or_else(String::new, |tolerance| format!("{tolerance:.0e}")),
+            point.evaluations.to_string(),
+            point.time.map_or_else(String::new, |time| format!("{:.3}", time.seconds * 1e3)),
+            error.map_or_else(|failure| failure.name().to_owned(), |error| format!("{error:.1e}")),
+        ]
+    };
+    let with = if own.way.model.is_empty() { String::new() } else { format!(", {}", model(&own.way)) };
+    text + &set(&Table {
+        caption: format!("Every run {}{with}", own.way.formulation.said()),
+        head: ["method", "tolerance", "evaluations", "time, ms", "error"].map(str::to_owned).to_vec(),
+        rows: points.iter().map(row).collect(),
+    })
+}
+
+/// A table of texts in columns.
+fn set(table: &Table) -> String {
+    let widths: Vec<usize> = (0..table.head.len())
+        .map(|column| {
+            let cells = table.rows.iter().chain([&table.head]).filter_map(|row| row.get(column));
+            cells.map(|cell| cell.chars().count()).max().unwrap_or(0)
+        })
+        .collect();
+    let mut text = format!("\n{}\n", table.caption);
+    for row in std::iter::once(&table.head).chain(&table.rows) {
+        let line = row.iter().zip(&widths).fold(String::new(), |mut line, (cell, width)| {
+            // writing to a string cannot fail
+            let _ = write!(line, "{cell:<width$}  ");
+            line
+        });
+        text += line.trim_end();
+        text.push('\n');
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::with_share;
+    use integrators::Failure;
+
+    #[test]
+    fn a_reference_without_time_is_told_its_share() {
+        let told = with_share(&Failure::OutOfTime { at: 3.0 });
+        assert!(
+            told.ends_with("; a third of the time is for the reference, and more time is given by --seconds"),
+            "{told}"
+        );
+        assert_eq!(with_share(&Failure::Singular { at: 3.0 }), Failure::Singular { at: 3.0 }.to_string());
+    }
+}

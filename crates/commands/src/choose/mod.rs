@@ -1,0 +1,126 @@
+//! `dalembert choose`: the smallest model that meets a tolerance in the outputs that matter, with its receipt.
+
+mod command;
+mod picture;
+mod receipt;
+
+use crate::arguments::{Format, tolerance};
+use crate::clock;
+use crate::ending::{Ending, print};
+use crate::output::{Form, Writes};
+use crate::run::{refuse, with_model};
+use clap::Args;
+use reader::Family;
+use simulation::{Axes, Smooth, Stored, references};
+use std::path::PathBuf;
+use std::time::Duration;
+use studies::AnyScene;
+use studies::friction::course::WORKS;
+use studies::ladder::rough::RoughLadder;
+use studies::ladder::{Forms, Ladder, Models, Wish, choose};
+use studies::scene::System;
+
+/// What is to be met, and in what.
+#[derive(Args, Debug)]
+pub struct Asked {
+    /// The scene, a TOML file
+    #[arg(value_name = "SCENE.toml")]
+    pub scene: PathBuf,
+    /// Largest error allowed, relative to the size of each output
+    #[arg(long = "tol", value_name = "T", value_parser = tolerance, allow_negative_numbers = true, default_value = "1e-6")]
+    pub tolerance: f64,
+    /// What matters, by the names of a run's columns; without it the outputs of the scene
+    #[arg(long, value_name = "A,B", value_delimiter = ',')]
+    pub outputs: Vec<String>,
+    /// The model that is taken for exact: another machine, made of the scene's data
+    #[arg(long)]
+    pub model: Option<String>,
+    /// Draws error against the cost of every model
+    #[arg(long, value_name = "FILE.svg")]
+    pub out: Option<PathBuf>,
+    /// Replaces the file of --out even where `choose` did not write what stands there
+    #[arg(long, requires = "out")]
+    pub force: bool,
+    /// How to print the receipt; JSON has null where a number is not defined
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+}
+
+/// For taking times, which are told and decide nothing, and again for where to switch between models.
+const MEASURING: Duration = Duration::from_secs(3);
+
+/// Chooses, prints the receipt, draws what is asked for.
+pub fn show(asked: &Asked) -> Result<Ending, Ending> {
+    let scene = match AnyScene::open(&asked.scene)? {
+        AnyScene::Driven(scene) => {
+            AnyScene::Driven(Box::new(with_model(*scene, asked.model.as_deref(), &asked.scene)?))
+        }
+        other => other,
+    };
+    let (models, given): (Box<dyn Models>, Vec<String>) = match &scene {
+        AnyScene::Driven(scene) => {
+            let axes = if matches!(scene.system, System::Bench { .. }) { &AXES[..1] } else { &AXES[..] };
+            let ladders = axes.iter().map(|axes| Ladder::of_scene(scene, *axes)).collect();
+            (Box::new(Forms { ladders, kept: Stored::beside(&asked.scene) }), scene.run.outputs.clone())
+        }
+        AnyScene::Mechanism(scene) => {
+            refuse("a mechanism", asked.model.is_some(), false, &asked.scene)?;
+            let kept = Stored::beside(&asked.scene);
+            (Box::new(Forms { ladders: vec![scene.ladder()], kept }), Smooth::run(&**scene).outputs.clone())
+        }
+        AnyScene::Model(_) => {
+            return Err(Ending::refused(format!(
+                "choose does not apply to {}: smaller models of a system that is written in its file are not there yet; `dalembert chart` \
+                 compares its methods",
+                asked.scene.display()
+            )));
+        }
+        AnyScene::Rough(scene) => {
+            refuse("a system with rough contacts", asked.model.is_some(), false, &asked.scene)?;
+            (Box::new(RoughLadder::of(scene)), Vec::new())
+        }
+    };
+    let title = scene.title();
+    let outputs = outputs(asked, given, models.columns())?;
+    let wish = Wish { tolerance: asked.tolerance, outputs, allowed: MEASURING.min(clock::left() / 8) };
+    let kept = references::place(&asked.scene);
+    let writes = Writes { command: "choose", force: asked.force, reads: vec![&asked.scene, &kept] };
+    let output = writes.optional(asked.out.as_deref(), &[Form::Picture])?;
+    let receipt = match choose(&*models, &wish) {
+        Ok(receipt) => receipt,
+        Err(why) => {
+            print(&format!("{title}\n\nnothing can be chosen: the scene's own model stops: {why}\n"))?;
+            return Ok(Ending::Stopped);
+        }
+    };
+    let command = receipt.taken.and_then(|at| {
+        let formed = matches!(scene, AnyScene::Driven(_));
+        command::of(&asked.scene, asked.model.as_deref(), at, &receipt.lines[at], formed)
+    });
+    print(&match asked.format {
+        Format::Text => receipt::text(title, &receipt, command.as_deref()),
+        Format::Json => format!("{:#}\n", receipt::object(title, &receipt, command.as_deref())),
+    })?;
+    if let Some(output) = output {
+        output.write_text(&picture::of(title, &*models, &wish, receipt.clone()).svg())?.tell(asked.format)?;
+    }
+    Ok(if receipt.taken.is_some() { Ending::Done } else { Ending::Stopped })
+}
+
+const AXES: [Axes; 2] = [Axes::First, Axes::Second];
+
+/// Those that are asked for, or those of the scene, or all states that its own model shows.
+fn outputs(asked: &Asked, given: Vec<String>, known: &[String]) -> Result<Vec<String>, Ending> {
+    // the work that a mechanism's run meters is none of its ladder's
+    if let Some(wrong) = asked.outputs.iter().find(|name| !known.contains(name) || *name == "work") {
+        let known: Vec<&str> = known.iter().map(String::as_str).filter(|name| *name != "work").collect();
+        return Err(Ending::refused(format!(
+            "{}: unknown output `{wrong}`; known: {}",
+            asked.scene.display(),
+            known.join(", ")
+        )));
+    }
+    let state = |name: &&String| *name != "work" && !WORKS.contains(&name.as_str());
+    let all = || known.iter().filter(state).cloned().collect();
+    Ok([asked.outputs.clone(), given].into_iter().find(|names| !names.is_empty()).unwrap_or_else(all))
+}

@@ -1,0 +1,193 @@
+//! The receipt of a choice, for readers and for programs.
+
+use super::command::typed;
+use serde_json::{Value, json};
+use simulation::methods;
+use std::fmt::Write;
+use studies::ladder::followed::{INSTANTS, LOOKS};
+use studies::ladder::forms::SWITCHING;
+use studies::ladder::switching::STRETCHES;
+use studies::ladder::{Estimate, Line, Loss, Receipt, Verdict};
+
+/// For readers.
+pub fn text(title: &str, receipt: &Receipt, command: Option<&[String]>) -> String {
+    let mut out = format!("{title}\n\nto {:.0e} in {}\n\n", receipt.tolerance, receipt.watched.names.join(", "));
+    let head = ["model", "states", "its error", "2nd order", "small", "evaluations", "time", "promised", "measured"];
+    let widths = [37, 8, 11, 11, 11, 13, 8, 11, 10];
+    let row = |cells: [String; 9]| {
+        let cells = cells.iter().zip(widths).map(|(cell, width)| format!("{cell:<width$}"));
+        format!("{}\n", cells.collect::<String>().trim_end())
+    };
+    out += &row(head.map(str::to_owned));
+    let unit = receipt.lines.first().and_then(|line| line.choice.as_ref()?.seconds);
+    for (at, line) in receipt.lines.iter().enumerate() {
+        let choice = line.choice.as_ref();
+        let mark = if receipt.taken == Some(at) { " <-" } else { "" };
+        let model = line.model.as_ref().ok();
+        let exact = !matches!(line.loss, Loss::Small { .. });
+        out += &row([
+            format!("{}{mark}", line.name),
+            line.states.to_string(),
+            if exact { "none".to_owned() } else { error(model) },
+            if exact { String::new() } else { told(model.map(|model| model.second)) },
+            told(model.and_then(|model| model.small)),
+            choice.map_or_else(|| said(line), |choice| choice.evaluations.to_string()),
+            choice.and_then(|choice| Some(format!("{:.2}", choice.seconds? / unit?))).unwrap_or_default(),
+            choice.map_or_else(String::new, |choice| format!("{:.1e}", choice.promised)),
+            choice.and_then(|choice| choice.measured).map_or_else(String::new, |error| format!("{error:.1e}")),
+        ]);
+    }
+    // writing to a String cannot fail
+    let _ = writeln!(out, "\nwhat each drops, and why it may");
+    for line in receipt.lines.iter().skip(1) {
+        let why = match line.loss {
+            Loss::Own => String::new(),
+            Loss::Nothing { claim: Some(claim) } => format!("exact, proved for these data; for all: {claim}"),
+            Loss::Nothing { claim: None } => "exact: the laws do not differ, which is decided".to_owned(),
+            Loss::Held { .. } if line.model.is_err() => "exact while it lasts".to_owned(),
+            Loss::Held { margin, at } => {
+                format!(
+                    "exact while it lasts: at {at:.6} s by {margin:.2e} of what it is measured by; tested, not enclosed"
+                )
+            }
+            Loss::Small { parameter } => format!("small: {parameter}"),
+        };
+        let not = line.model.as_ref().err().map_or_else(String::new, |why| format!("; {why}"));
+        let largest = line.model.as_ref().ok().filter(|model| model.first > 0.0 && line.name != SWITCHING);
+        let largest = largest.map_or_else(String::new, |model| format!("; its error is largest at {:.4e} s", model.at));
+        let unasked = if line.asked_as.is_none() { "; `dalembert run` cannot be asked for it" } else { "" };
+        let _ = writeln!(out, "  {}: {} ({why}){largest}{not}{unasked}", line.name, line.dropped);
+    }
+    if let (Some(at), Some(command)) = (receipt.taken, command) {
+        let _ = writeln!(out, "\ntaken: {}\nrun it: {}", receipt.lines[at].name, typed(command));
+        if let Some(saved) = receipt.saved(at).filter(|_| at > 0) {
+            let _ = writeln!(
+                out,
+                "saved: the scene's own model by its best method takes {saved:.2} times as many evaluations"
+            );
+        }
+        if let Some((cheapest, saved)) =
+            receipt.cheapest().filter(|cheapest| *cheapest != at).and_then(|line| Some((line, receipt.saved(line)?)))
+        {
+            let _ = writeln!(
+                out,
+                "not taken, since `dalembert run` cannot be asked for it: {}, beside which the scene's own takes {saved:.2} times as many evaluations",
+                receipt.lines[cheapest].name
+            );
+        }
+    } else {
+        let _ = writeln!(out, "\nno model that `dalembert run` can be asked for meets the tolerance");
+    }
+    let _ = writeln!(out, "{}\n{}", decided(receipt), promise(receipt));
+    out
+}
+
+/// For which times errors are promised, and by what.
+fn promise(receipt: &Receipt) -> String {
+    let mut text = format!(
+        "promised: the largest error of the whole run, seen at the steps of runs and estimates and at {LOOKS} even instants; an \
+         estimate of first and second order with the distance from a finer run, and no bound"
+    );
+    if receipt.lines.iter().any(|line| line.name == SWITCHING) {
+        text += &format!("; of switching at the ends of {STRETCHES} stretches alone");
+    }
+    if receipt.lines.iter().any(|line| line.choice.as_ref().is_some_and(|choice| choice.measured.is_some())) {
+        text += &format!("\nmeasured: at the {INSTANTS} instants of the reference alone");
+    }
+    if receipt.lines.iter().any(|line| line.model.as_ref().is_ok_and(|model| model.given_up)) {
+        text += "\n>: an error beyond ten times what is allowed was not followed further";
+    }
+    text
+}
+
+/// What deciding cost, and whether that comes back.
+fn decided(receipt: &Receipt) -> String {
+    let worth = receipt
+        .worth()
+        .map_or_else(String::new, |runs| format!(", as many as {runs:.0} runs of the scene's own model"));
+    let pays = match receipt.pays_from() {
+        Some(1) => "it has paid with the first run".to_owned(),
+        Some(run) => format!("it has paid from run {run} on"),
+        None => "nothing is saved".to_owned(),
+    };
+    format!("deciding took {} evaluations{worth}: {pays}", receipt.deciding)
+}
+
+/// What is lost, or more than how much.
+fn error(model: Option<&Estimate>) -> String {
+    model.map_or_else(
+        || "-".to_owned(),
+        |model| format!("{}{:.1e}", if model.given_up { "> " } else { "" }, model.first),
+    )
+}
+
+fn told(value: Option<f64>) -> String {
+    let known = value.filter(|value| value.is_finite());
+    known.map_or_else(|| "-".to_owned(), |value| format!("{value:.1e}"))
+}
+
+/// Why a line has no run.
+fn said(line: &Line) -> String {
+    match line.verdict {
+        Verdict::Suffices => "too inexact",
+        Verdict::TooFar => "too far",
+        Verdict::NotBelieved => "no estimate",
+        Verdict::NotCarried => "not carried",
+        Verdict::NotRun => "not run",
+        Verdict::NotHeld => "left",
+    }
+    .to_owned()
+}
+
+/// For programs.
+pub fn object(title: &str, receipt: &Receipt, command: Option<&[String]>) -> Value {
+    let line = |line: &Line| {
+        let model = line.model.as_ref().ok();
+        let loss = match line.loss {
+            Loss::Own => json!("own"),
+            Loss::Nothing { claim } => json!({ "exact": true, "claim": claim }),
+            Loss::Held { margin, at } => json!({ "exact": "while it lasts", "margin": margin, "at": at }),
+            Loss::Small { parameter } => {
+                json!({ "exact": false, "parameter": parameter, "value": model.and_then(|model| model.small) })
+            }
+        };
+        json!({
+            "model": line.name,
+            "dropped": line.dropped,
+            "loss": loss,
+            "states": line.states,
+            "estimate": model.map(|model| json!({
+                "first": model.first,
+                "second": model.second,
+                "at": model.at,
+                "given_up": model.given_up,
+                "outputs": receipt.watched.names.iter().cloned().zip(model.each.iter().map(|each| json!(each))).collect::<serde_json::Map<_, _>>(),
+            })),
+            "run_takes_it": line.asked_as.is_some(),
+            "why_not": line.model.as_ref().err(),
+            "verdict": line.choice.as_ref().map_or_else(|| said(line), |_| "suffices".to_owned()),
+            "run": line.choice.as_ref().map(|choice| json!({
+                "method": methods::written(choice.plan.method),
+                "form": choice.plan.axes.to_string(),
+                "tolerance": choice.plan.tolerance,
+                "evaluations": choice.evaluations,
+                "seconds": choice.seconds,
+                "promised": choice.promised,
+                "measured": choice.measured,
+            })),
+        })
+    };
+    json!({
+        "title": title,
+        "tolerance": receipt.tolerance,
+        "outputs": receipt.watched.names,
+        "taken": receipt.taken.map(|at| &receipt.lines[at].name),
+        "command": command,
+        "cheapest": receipt.cheapest().map(|at| &receipt.lines[at].name),
+        "saved": receipt.taken.and_then(|at| receipt.saved(at)),
+        "promised_at": { "steps": true, "even_instants": LOOKS },
+        "measured_at": { "even_instants": INSTANTS },
+        "deciding": { "evaluations": receipt.deciding, "own_runs": receipt.worth(), "pays_from_run": receipt.pays_from() },
+        "models": receipt.lines.iter().map(line).collect::<Vec<_>>(),
+    })
+}

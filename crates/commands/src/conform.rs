@@ -1,0 +1,77 @@
+//! `dalembert conform`: what every motor and every system should do, and whether this one does.
+
+use crate::arguments::Format;
+use crate::ending::{Ending, print};
+use ::scenes::{Task, read_titled};
+use claims::finding::{Finding, Verdict};
+use clap::Args;
+use motor::{NoModel, catalogue, text};
+use reader::{Family, read_text};
+use serde_json::{Value, json};
+use simulation::models::holds_model;
+use std::path::Path;
+use studies::conformance::{conform, page, sample};
+use studies::scene::Scene;
+
+/// Which motor is to be checked.
+#[derive(Args, Debug)]
+pub struct Asked {
+    /// A machine by its name, with data of a small motor; or a scene, a TOML file, whose motor or whose system may be written in it
+    #[arg(value_name = "MACHINE|SCENE.toml")]
+    pub motor: String,
+    /// Another machine, made of the scene's data
+    #[arg(long)]
+    pub model: Option<String>,
+    /// How to print it; JSON is one object: motor, checks with check, verdict, says
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+}
+
+/// Prints every check with its verdict.
+pub fn show(asked: &Asked) -> Result<Ending, Ending> {
+    let path = Path::new(&asked.motor);
+    let is_system = || read_text(path).is_ok_and(|text| holds_model(&text));
+    let (title, findings) = if asked.motor.ends_with(".toml") && is_system() {
+        if asked.model.is_some() {
+            let why = "--model does not apply to a system that is written in its file; it is accepted with a gyrostat or a bench";
+            return Err(Ending::refused(why.to_owned()));
+        }
+        let (title, model) = read_titled(path, Task::Write)?;
+        (title, ::scenes::conformance::conform(&model))
+    } else if asked.motor.ends_with(".toml") {
+        let scene = Scene::open(Path::new(&asked.motor))?;
+        let scene = match &asked.model {
+            None => scene,
+            Some(model) => scene.with_model(model).map_err(Ending::refused)?,
+        };
+        (format!("{}: {}", scene.machine.name(), scene.title), conform(&scene.machine))
+    } else {
+        if asked.model.is_some() {
+            return Err(Ending::refused(format!(
+                "--model does not apply to `{}`, which is a machine by its name; it is accepted with a scene",
+                asked.motor
+            )));
+        }
+        let unknown = || match asked.motor.as_str() {
+            text::NAME => Ending::refused(NoModel::NoLaws),
+            name => Ending::refused(NoModel::Unknown { name: name.to_owned() }),
+        };
+        let machine = sample(&asked.motor).ok_or_else(unknown)?;
+        let summary = catalogue::entry(machine.name()).map_or("", |entry| entry.summary);
+        (format!("{}: {summary}", machine.name()), conform(&machine))
+    };
+    print(&match asked.format {
+        Format::Text => page(&title, &findings),
+        Format::Json => format!("{:#}\n", object(&title, &findings)),
+    })?;
+    // what was not decided is not known to hold
+    let open = |finding: &Finding| matches!(finding.verdict, Verdict::Fails(_) | Verdict::Undecided(_));
+    Ok(if findings.iter().any(open) { Ending::Stopped } else { Ending::Done })
+}
+
+fn object(title: &str, findings: &[Finding]) -> Value {
+    let checks = findings
+        .iter()
+        .map(|Finding { check, verdict }| json!({ "check": check, "verdict": verdict.name(), "says": verdict.says() }));
+    json!({ "motor": title, "checks": checks.collect::<Vec<_>>() })
+}

@@ -1,0 +1,144 @@
+//! `dalembert ledger`: every claim with its verdict.
+
+use crate::arguments::Format;
+use crate::crew::Crew;
+use crate::ending::{Ending, print, warn};
+use crate::values;
+use charts::{ClaimRow, PaperSection};
+use claims::Paper;
+use claims::catalogue::papers;
+use claims::{Judged, Verdict, entries};
+use clap::Args;
+
+/// Which claims are to be listed.
+#[derive(Args, Debug)]
+pub struct Asked {
+    /// Claims whose id contains this, such as konosevich2022/eq5.3 or statement3; those whose id begins with it come first
+    #[arg(default_value = "")]
+    pub filter: String,
+    /// Claims with this verdict only: refuted, undefined, undecided, proved, enclosed, tested, definition, open
+    #[arg(long)]
+    pub verdict: Option<String>,
+    /// Text is a page as the tests lock it; JSON has one object a claim: id, paper, equation, verdict, statement,
+    /// formulas, requires, why, reading, note, counterexample, correction
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+}
+
+/// Prints the claims whose id contains the filter, of one verdict where one is asked for.
+pub fn list(asked: &Asked) -> Result<Ending, Ending> {
+    let verdict = asked.verdict.as_deref().map(verdict).transpose()?;
+    let known = those_with(&asked.filter);
+    let nowhere = known.is_empty();
+    let chosen: Vec<Judged> =
+        known.into_iter().filter(|claim| verdict.is_none_or(|verdict| claim.verdict == verdict)).collect();
+    if nowhere {
+        let keys: Vec<&str> = papers().iter().map(|paper| paper.key).collect();
+        return Err(Ending::refused(format!(
+            "no claim's id contains `{}`; ids begin with: {}",
+            asked.filter,
+            keys.join(", ")
+        )));
+    }
+    let text = match asked.format {
+        Format::Text => claims::render(&chosen),
+        Format::Json => {
+            let rows = serde_json::to_string_pretty(&entries(&chosen));
+            rows.map_err(|error| Ending::refused(format!("the ledger cannot be written as JSON: {error}")))? + "\n"
+        }
+    };
+    print(&text)?;
+    let unsound: Vec<String> = chosen.iter().filter_map(|claim| claim.sound().err()).collect();
+    for reason in &unsound {
+        warn(reason);
+    }
+    Ok(if unsound.is_empty() { Ending::Done } else { Ending::Stopped })
+}
+
+fn verdict(name: &str) -> Result<Verdict, Ending> {
+    Verdict::ALL.into_iter().find(|verdict| verdict.name() == name).ok_or_else(|| {
+        let names = Verdict::ALL.map(Verdict::name).join(", ");
+        Ending::refused(format!("there is no verdict `{name}`; there are: {names}"))
+    })
+}
+
+/// The claims whose id contains this, decided; the others are not.
+fn those_with(filter: &str) -> Vec<Judged> {
+    let mut judged: Vec<Option<Vec<Judged>>> = papers().iter().map(|_| None).collect();
+    let mut crew = Crew::default();
+    for (place, paper) in judged.iter_mut().zip(papers()) {
+        crew.add(1.0, place, move || (paper.page)().judged(|claim| claim.id.contains(filter)).collect());
+    }
+    crew.work(|_| ());
+    let mut all: Vec<Judged> = judged.into_iter().flatten().flatten().collect();
+    // who names a page or the beginning of an id means these: what has the word elsewhere comes behind
+    all.sort_by_key(|claim| !claim.id.starts_with(filter));
+    all
+}
+
+/// A paper's section of the report, and whether every claim in it is sound.
+pub fn judged(paper: &Paper) -> (PaperSection, bool) {
+    let judged = (paper.page)().judge();
+    let sound = judged.iter().all(|claim| claim.sound().is_ok());
+    (section(paper, &judged), sound)
+}
+
+fn section(paper: &Paper, judged: &[Judged]) -> PaperSection {
+    PaperSection {
+        id: paper.key.into(),
+        title: paper.title.into(),
+        citation: paper.citation.into(),
+        summary: paper.summary.into(),
+        claims: judged.iter().map(row).collect(),
+    }
+}
+
+fn row(claim: &Judged) -> ClaimRow {
+    let requires = claim.requires.iter().chain(&claim.signs).map(|(_, latex)| format!("${latex}$")).collect();
+    ClaimRow {
+        id: claim.id.clone(),
+        equation_label: label(&claim.equation),
+        section: claim.section.clone(),
+        title: claim.says.clone(),
+        verdict: claim.verdict,
+        latex: claim.latex.clone(),
+        requires,
+        evidence: evidence(claim),
+        counterexample: values::compact(&claim.counterexample),
+        difference: claim.difference.as_ref().map(|(_, latex)| latex.clone()),
+        correction: claim.correction.as_ref().map(|correction| Box::new(row(correction))),
+        why: claim.why.clone(),
+        reading: claim.reading.clone(),
+        note: claim.note.clone(),
+    }
+}
+
+/// How the verdict was reached. A formula that fails is named by its place: it stands typeset above.
+fn evidence(claim: &Judged) -> String {
+    let failing =
+        claim.evidence.strip_suffix(" fails").and_then(|text| claim.text.iter().position(|line| line == text));
+    match (claim.verdict, failing) {
+        (Verdict::Definition, _) => String::new(),
+        (_, Some(_)) if claim.text.len() == 1 => "it fails for the values below".into(),
+        (_, Some(place)) => format!("its line {} fails for the values below", place + 1),
+        _ => claim.evidence.clone(),
+    }
+}
+
+/// `eq5.3` is printed as (5.3), `statement3D` as Statement 3D, `section7.1-staude` as Section 7.1.
+fn label(equation: &str) -> String {
+    if let Some(number) = equation.strip_prefix("eq") {
+        return format!("({number})");
+    }
+    let head = equation.split('-').next().unwrap_or(equation);
+    let number = head.find(|c: char| c.is_ascii_digit()).unwrap_or(head.len());
+    let (word, number) = head.split_at(number);
+    match (word, number) {
+        ("statement" | "remark" | "section", number) if !number.is_empty() => {
+            format!("{}{} {number}", word[..1].to_uppercase(), &word[1..])
+        }
+        ("forms", _) => "Forms".into(),
+        ("beyond", _) => "Beyond".into(),
+        _ => equation.to_owned(),
+    }
+}

@@ -1,0 +1,131 @@
+//! The commands of the program `dalembert`, on whatever motors and papers a program links.
+//!
+//! A program of one's own is these lines and its own crates:
+//!
+//! ```no_run
+//! use std::process::ExitCode;
+//!
+//! fn main() -> ExitCode {
+//!     dalembert_commands::run()
+//! }
+//! ```
+//!
+//! # Overview
+//! * [`arguments`]: the command line; what can be asked of a command stands beside it;
+//! * `report`, `ledger`, `review`, `derive`, `linearise`, `inverse`, `regulate`, `bodies`, `run`, `ensemble`, `regimes`, `stationary`, `phantom`, `motor`, `conform`, `new`,
+//!   `failures`, `chart`, `choose`, `reference`, `scenes`: one file for each command;
+//! * [`rough`]: runs with rough contacts, with their logs;
+//! * [`summary`], [`csv`], [`pictures`], [`sphere`]: a run as text, JSON, a table and the data of pictures;
+//! * [`speed`]: the atlas of a scene as pictures, tables and advice;
+//! * [`crew`]: work shared among the processors;
+//! * [`values`], [`timings`]: exact values and measured times for a reader;
+//! * [`ending`]: exit codes, and writing that survives a closed pipe; [`whole`]: files that survive a kill; [`output`]: one rule
+//!   for what a command may write, and over what;
+//! * [`clock`], which is the deadline and Ctrl-C; [`progress`], which it draws.
+
+mod arguments;
+mod bodies;
+mod chart;
+mod choose;
+mod clock;
+mod conform;
+mod crew;
+mod csv;
+mod derive;
+mod ending;
+mod ensemble;
+mod failures;
+mod inverse;
+mod ledger;
+mod linearise;
+mod motor;
+mod new;
+mod output;
+mod phantom;
+mod pictures;
+mod progress;
+mod prove;
+mod reference;
+mod regimes;
+mod region_map;
+mod regulate;
+mod report;
+mod review;
+mod rough;
+mod run;
+mod scenes;
+mod speed;
+mod sphere;
+mod stability;
+mod stability_map;
+mod stationary;
+mod studies;
+mod summary;
+mod timings;
+mod values;
+mod whole;
+
+use arguments::{Arguments, Command};
+use clap::{CommandFactory, Parser};
+use clap_complete::Shell;
+use ending::Ending;
+use std::process::ExitCode;
+
+/// Runs the command that the arguments of the process name.
+pub fn run() -> ExitCode {
+    let arguments = match Arguments::try_parse() {
+        Ok(arguments) => arguments,
+        Err(said) => return ending::print_instead(&said).tell(),
+    };
+    if arguments.quiet {
+        ending::be_quiet();
+    }
+    ::scenes::register(|warning| {
+        if !ending::is_quiet() {
+            ending::warn(warning);
+        }
+    });
+    let (command, keeps, seconds) = arguments.timed();
+    clock::start(command, keeps, seconds);
+    let work = progress::Progress::new(command);
+    let ending = match arguments.command {
+        None => report(&arguments.report),
+        Some(Command::Run(asked)) => run::run(&asked),
+        Some(Command::Chart(asked)) => chart::chart(&asked),
+        Some(Command::Choose(asked)) => choose::show(&asked),
+        Some(Command::Reference(asked)) => reference::reference(&asked),
+        Some(Command::Ensemble(asked)) => ensemble::run(&asked),
+        Some(Command::Ledger(asked)) => ledger::list(&asked),
+        Some(Command::Review(asked)) => review::review(&asked),
+        Some(Command::Derive(asked)) => derive::derive(&asked),
+        Some(Command::Inverse(asked)) => inverse::show(&asked),
+        Some(Command::Linearise(asked)) => linearise::linearise(&asked),
+        Some(Command::Regulate(asked)) => regulate::show(&asked),
+        Some(Command::Prove(asked)) => prove::prove(&asked),
+        Some(Command::Bodies(asked)) => bodies::show(&asked),
+        Some(Command::Stationary(asked)) => stationary::show(&asked),
+        Some(Command::Phantom(asked)) => phantom::show(&asked),
+        Some(Command::Motor(asked)) => motor::show(&asked),
+        Some(Command::Conform(asked)) => conform::show(&asked),
+        Some(Command::New(asked)) => new::write(&asked),
+        Some(Command::Regimes(asked)) => regimes::show(&asked),
+        Some(Command::Failures(asked)) => failures::list(&asked),
+        Some(Command::Scenes(asked)) => scenes::list(&asked),
+        Some(Command::Completions { shell }) => ending::print(&completions(shell)).map(|()| Ending::Done),
+    };
+    drop(work);
+    ending.unwrap_or_else(|refused| refused).tell()
+}
+
+/// The script for a shell.
+fn completions(shell: Shell) -> String {
+    let mut script = Vec::new();
+    clap_complete::generate(shell, &mut Arguments::command(), "dalembert", &mut script);
+    String::from_utf8_lossy(&script).into_owned()
+}
+
+/// The main job.
+fn report(asked: &report::Asked) -> Result<Ending, Ending> {
+    let files = scenes::files(&asked.scenes)?;
+    report::write(asked, &files)
+}

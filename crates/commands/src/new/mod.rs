@@ -1,0 +1,160 @@
+//! `dalembert new motor`: a motor that compiles and conforms, for its author to change.
+
+mod names;
+
+use crate::ending::{Ending, print};
+use crate::whole;
+use clap::{Args, Subcommand};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+const MACHINE: &str = include_str!("machine.txt");
+const TEST: &str = include_str!("test.txt");
+const SCENE: &str = include_str!("scene.txt");
+const TEXT: &str = include_str!("text.txt");
+
+/// What is to be begun.
+#[derive(Args, Debug)]
+pub struct Asked {
+    #[command(subcommand)]
+    pub what: What,
+}
+
+#[derive(Debug, Subcommand)]
+pub enum What {
+    /// A motor that compiles and conforms: `derivations/machines/src/NAME.rs`, its two lines, a scene, a test
+    Motor(Motor),
+}
+
+/// Which motor, and where.
+#[derive(Args, Debug)]
+pub struct Motor {
+    /// Lower case letters, digits and _, as in `salient_pole`
+    #[arg(value_name = "NAME")]
+    pub name: String,
+    /// A scene with its laws as text in the place of a file of the program
+    #[arg(long)]
+    pub text: bool,
+    /// The folder of the project; with --text any folder
+    #[arg(long, value_name = "FOLDER", default_value = ".")]
+    pub project: PathBuf,
+}
+
+/// Where the machines are listed, as modules and as motors, and how the lists end.
+const LIST: &str = "derivations/machines/src/lib.rs";
+const ENDS: [&str; 2] = ["\n\nmotor::submit! {", "\n        ],"];
+
+/// A file with what is written into it.
+struct Begun {
+    place: PathBuf,
+    text: String,
+}
+
+/// Writes what was asked for; all of it or nothing.
+pub fn write(asked: &Asked) -> Result<Ending, Ending> {
+    let What::Motor(asked) = &asked.what;
+    let name = asked.name.as_str();
+    names::check_letters(name)?;
+    let list = asked.project.join(LIST);
+    let before = read(&list);
+    let in_project = ENDS.iter().all(|end| before.contains(end));
+    if !in_project && !asked.text {
+        let folder = asked.project.display();
+        return Err(Ending::refused(format!(
+            "{folder} is not the project: there is no list of machines in {LIST}; its folder is accepted: --project FOLDER; \
+             a motor as text, --text, needs no project"
+        )));
+    }
+    let scene = scene_place(asked, in_project);
+    let begun = begun(asked, &scene);
+    for Begun { place, .. } in &begun {
+        // a folder of the name would be the same module
+        if place.exists() || (!asked.text && place.with_extension("").is_dir()) {
+            let place = place.display();
+            return Err(Ending::refused(format!(
+                "{place} exists; the name of a motor that does not exist is accepted"
+            )));
+        }
+    }
+    names::check_free(name, &asked.project)?;
+    for (written, Begun { place, text }) in begun.iter().enumerate() {
+        if let Err(refused) = create(place, text) {
+            begun[..written].iter().for_each(|begun| drop(fs::remove_file(&begun.place)));
+            return Err(refused);
+        }
+    }
+    if !asked.text {
+        let lines = [format!("pub mod {name};"), format!("            &{name}::ENTRY,")];
+        let after = lines.iter().zip(ENDS).fold(before, |text, (line, end)| with_line(&text, line, end));
+        if let Err(error) = whole::replace(&list, &after) {
+            begun.iter().for_each(|begun| drop(fs::remove_file(&begun.place)));
+            return Err(Ending::unwritable(&list, &error));
+        }
+    }
+    let mut told: String = begun.iter().map(|begun| format!("wrote {}\n", begun.place.display())).collect();
+    let scene = scene.display();
+    told += &match asked.text {
+        true => {
+            format!("next: dalembert derive {scene}\n      dalembert conform {scene}\n      dalembert run {scene}\n")
+        }
+        false => format!(
+            "added its lines to {}\nnext: cargo test --test {name}\n      cargo run --release -- conform {name}\n      \
+             cargo run --release -- run {scene}\n",
+            list.display()
+        ),
+    };
+    if in_project {
+        told += &format!("a scene in `scenes` is kept with its reference: dalembert reference {scene}\n");
+    }
+    print(&told)?;
+    Ok(Ending::Done)
+}
+
+/// Among the project's scenes; without the project in the folder itself.
+fn scene_place(asked: &Motor, in_project: bool) -> PathBuf {
+    let folder = if in_project { "scenes/machines" } else { "" };
+    asked.project.join(folder).join(&asked.name).with_extension("toml")
+}
+
+fn begun(asked: &Motor, scene: &Path) -> Vec<Begun> {
+    let name = asked.name.as_str();
+    let filled = |template: &str| template.replace("plain_name", name).replace("CamelName", &camel(name));
+    if asked.text {
+        return vec![Begun { place: scene.to_owned(), text: filled(TEXT) }];
+    }
+    vec![
+        Begun { place: asked.project.join("derivations/machines").join(format!("{name}.rs")), text: filled(MACHINE) },
+        Begun { place: scene.to_owned(), text: filled(SCENE) },
+        Begun { place: asked.project.join("tests").join(format!("{name}.rs")), text: filled(TEST) },
+    ]
+}
+
+/// `salient_pole` as a type: `SalientPole`.
+fn camel(name: &str) -> String {
+    let capital = |part: &str| {
+        let mut letters = part.chars();
+        letters.next().map_or_else(String::new, |first| first.to_ascii_uppercase().to_string() + letters.as_str())
+    };
+    name.split('_').map(capital).collect()
+}
+
+/// The text of a file; empty where there is none.
+fn read(place: &Path) -> String {
+    fs::read_to_string(place).unwrap_or_default()
+}
+
+/// A list with one more line before its end.
+fn with_line(text: &str, line: &str, end: &str) -> String {
+    match text.split_once(end) {
+        Some((before, after)) => format!("{before}\n{line}{end}{after}"),
+        None => text.to_owned(),
+    }
+}
+
+/// A file in a folder that need not be there yet.
+fn create(place: &Path, text: &str) -> Result<(), Ending> {
+    if let Some(folder) = place.parent() {
+        fs::create_dir_all(folder).map_err(|error| Ending::unwritable(folder, &error))?;
+    }
+    whole::create(place, text).map_err(|error| Ending::unwritable(place, &error))
+}

@@ -1,0 +1,121 @@
+//! `dalembert phantom`: for which steps a method's map says of a stationary motion what is true.
+
+use crate::arguments::{Format, finite};
+use crate::ending::{Ending, print};
+use crate::run::with_model;
+use clap::Args;
+use integrators::Splitting;
+use reader::Family;
+use serde_json::{Value, json};
+use std::path::PathBuf;
+use studies::phantom::chart::{Chart, Motion, Row, said};
+use studies::phantom::motions::Stationed;
+use studies::phantom::splittings::SplitRuns;
+use studies::phantom::survey::steps;
+use studies::phantom::tested::Tested;
+use studies::scene::Scene;
+
+/// Whose motions methods are to be judged on.
+#[derive(Args, Debug)]
+pub struct Asked {
+    /// The scene, a TOML file
+    #[arg(value_name = "SCENE.toml")]
+    pub scene: PathBuf,
+    /// The angular velocity of the motions about the vertical, rad/s; without it 0
+    #[arg(long, value_name = "W", value_parser = finite, allow_negative_numbers = true)]
+    pub omega0: Option<f64>,
+    /// Another machine, made of the scene's data
+    #[arg(long)]
+    pub model: Option<String>,
+    /// How to print it; JSON is one object: scene, model, omega0, motions
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+}
+
+/// Every splitting on a motion.
+type Courses = [Tested; Splitting::ALL.len()];
+
+/// Prints it.
+pub fn show(asked: &Asked) -> Result<Ending, Ending> {
+    let scene = with_model(Scene::open(&asked.scene)?, asked.model.as_deref(), &asked.scene)?;
+    if asked.omega0.is_some() && scene.on_bench() {
+        return Err(Ending::refused(format!(
+            "--omega0 does not apply to {}: a motor on a bench does not turn about the vertical; leave it out",
+            asked.scene.display()
+        )));
+    }
+    let omega0 = asked.omega0.unwrap_or_default();
+    let chart =
+        Chart::of(&scene, omega0).map_err(|reason| Ending::refused(format!("{}: {reason}", asked.scene.display())))?;
+    // on a member of a family multipliers coincide at one, and rounding would part them
+    let of_motion = |motion: &Stationed| {
+        let near = motion.member.is_none().then(|| SplitRuns::near(&scene, motion))?;
+        Some(Splitting::ALL.map(|splitting| near.course(splitting, &steps())))
+    };
+    let tested: Vec<_> = chart.all.motions.iter().map(of_motion).collect();
+    print(&match asked.format {
+        Format::Text => text(&scene, omega0, &chart, &tested),
+        Format::Json => format!("{:#}\n", object(&scene, omega0, &chart, &tested)),
+    })?;
+    let known = chart.rows.iter().all(|rows| !rows.is_empty() && rows.iter().all(|row| row.steps.is_some()));
+    Ok(if known { Ending::Done } else { Ending::Stopped })
+}
+
+fn text(scene: &Scene, w: f64, chart: &Chart, tested: &[Option<Courses>]) -> String {
+    let turning = match scene.on_bench() {
+        true => String::new(),
+        false => format!("angular velocity about the vertical: {w} rad/s\n"),
+    };
+    let mut text = format!("{}\n{turning}{}", scene.title, chart.text());
+    for (place, (motion, tested)) in chart.all.motions.iter().zip(tested).enumerate() {
+        text += &format!("\n{} {motion}\n", place + 1);
+        if tested.is_none() {
+            text += "  splittings are not tested on a member of a family\n";
+        }
+        for one in tested.iter().flatten() {
+            text += &format!("  {:<20} {}\n", one.splitting.name(), one.told());
+        }
+    }
+    text
+}
+
+fn object(scene: &Scene, w: f64, chart: &Chart, tested: &[Option<Courses>]) -> Value {
+    let each = chart.all.motions.iter().zip(&chart.rows).zip(tested).map(|((motion, rows), tested)| {
+        let spectrum = motion.spectrum.as_ref();
+        json!({
+            "motion": motion.to_string(),
+            "does": spectrum.map(|spectrum| Motion::of(spectrum).to_string()),
+            "eigenvalues": spectrum.map(|spectrum| chart.eigenvalues(spectrum)),
+            "methods": rows.iter().map(method).collect::<Vec<_>>(),
+            "splittings": tested.as_ref().map(|all| all.iter().map(splitting).collect::<Vec<_>>()),
+        })
+    });
+    json!({ "scene": scene.title, "model": scene.machine.name(), "omega0": w, "motions": each.collect::<Vec<_>>() })
+}
+
+/// Every step from zero on, s; the last stretch has no end.
+fn method(row: &Row) -> Value {
+    let stretches = row.steps.as_ref().map(|steps| {
+        let each = steps.all().map(|(from, to, stretch)| {
+            json!({ "from": from.map_or(0.0, |from| from.to_f64()), "to": to.map(|to| to.to_f64()),
+                    "says": said(stretch), "growing": stretch.growing, "staying": stretch.staying })
+        });
+        each.collect::<Vec<_>>()
+    });
+    json!({ "method": row.method.to_string(), "stretches": stretches })
+}
+
+fn splitting(tested: &Tested) -> Value {
+    let grows = tested.grows.iter().map(|(step, grows)| json!({ "step": step, "grows": grows }));
+    let proved = tested.proved.as_ref().ok().map(|proved| {
+        let each = proved.stretches.iter().map(|(from, to, grows)| json!({ "from": from, "to": to, "grows": grows }));
+        each.collect::<Vec<_>>()
+    });
+    let alone = tested.proved.as_ref().ok().map(|proved| {
+        let each = proved.alone.iter().map(|(step, grows)| json!({ "step": step, "grows": grows }));
+        each.collect::<Vec<_>>()
+    });
+    json!({ "method": tested.splitting.name(), "tested": grows.collect::<Vec<_>>(), "edges": tested.edges, "proved": proved,
+            "proved_alone": alone,
+            "longest": tested.longest.is_finite().then_some(tested.longest) })
+}

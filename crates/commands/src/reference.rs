@@ -1,0 +1,160 @@
+//! `dalembert reference`: a scene's solution to all digits that two methods share, kept in a file.
+
+use crate::arguments::Format;
+use crate::clock;
+use crate::ending::{Ending, print};
+use crate::output::{Form, Output, Writes};
+use clap::Args;
+use integrators::{ENOUGH_DIGITS, Method};
+use reader::Family;
+use simulation::references::Event;
+use simulation::references::Owner;
+use simulation::work_precision::Hybrid;
+use simulation::{Axes, Choice, Smooth, Stored, references};
+use std::fmt::Write;
+use std::path::PathBuf;
+use studies::AnyScene;
+
+/// Whose solution is to be known to all digits.
+#[derive(Args, Debug)]
+pub struct Asked {
+    /// The scene, a TOML file
+    #[arg(value_name = "SCENE.toml")]
+    pub scene: PathBuf,
+    /// Where it is kept; without it where charts look for it: `references/SCENE.reference` in the scene's folder
+    #[arg(long, value_name = "FILE")]
+    pub out: Option<PathBuf>,
+    /// Replaces the file even where `reference` did not write what stands there
+    #[arg(long)]
+    pub force: bool,
+    /// Ends sooner than the scene, s: for one whose motion ends
+    #[arg(long, value_name = "T")]
+    pub until: Option<f64>,
+}
+
+/// Computes it, says what it is, and writes it where charts and the report look for it. Another computer may share a digit more
+/// or less: a reference that is there gives way to a better one only.
+pub fn reference(asked: &Asked) -> Result<Ending, Ending> {
+    let scene = AnyScene::open(&asked.scene)?;
+    let smooth: &dyn Smooth = match &scene {
+        AnyScene::Rough(rough) => return across_events(&**rough, &rough.title, asked),
+        AnyScene::Driven(scene) => &**scene,
+        AnyScene::Mechanism(scene) => &**scene,
+        AnyScene::Model(scene) => &**scene,
+    };
+    if let Some(hybrid) = smooth.hybrid() {
+        return across_events(hybrid, smooth.title(), asked);
+    }
+    let mut problem = smooth.problem(Axes::default());
+    if let Some(end) = asked.until {
+        if !(end > 0.0 && end <= problem.span) {
+            return Err(Ending::refused(format!(
+                "--until {end}: a time above 0 and up to {} s is accepted",
+                problem.span
+            )));
+        }
+        problem.span = end;
+    }
+    let output = output(asked)?;
+    let run = problem.simulate(&following(smooth.run().choice()), |_| ());
+    if run.left.is_some() {
+        let (why, last) = (run.stopped().unwrap_or_default(), run.outcome.time);
+        let accepted = format!("--until with a time up to {last} s is accepted");
+        return Err(Ending::refused(format!("{}: {why}; {accepted}", asked.scene.display())));
+    }
+    match problem.reference(clock::left()) {
+        Ok(found) => {
+            let [one, other] = found.methods;
+            let enough = lacking(found.is_trusted());
+            print(&format!("{}\n{one} and {other} share {:.1} digits{enough}\n", smooth.title(), found.digits))?;
+            if !found.is_trusted() {
+                return Ok(Ending::Stopped);
+            }
+            keep(output, &problem, &Stored::of(&problem, found, Vec::new()), asked)
+        }
+        Err(failure) => {
+            clock::keeps_nothing();
+            print(&format!("{}\nno reference: {failure}\n", smooth.title()))?;
+            Ok(Ending::Stopped)
+        }
+    }
+}
+
+/// The end of the sentence about too few digits.
+fn lacking(is_trusted: bool) -> String {
+    if is_trusted { String::new() } else { format!(": no reference, which needs {ENOUGH_DIGITS}") }
+}
+
+/// Where it is kept, before the work.
+fn output(asked: &Asked) -> Result<Output, Ending> {
+    let writes = Writes { command: "reference", force: asked.force, reads: vec![&asked.scene] };
+    writes.output(&place(asked), &[Form::Reference])
+}
+
+/// Where it goes.
+fn place(asked: &Asked) -> PathBuf {
+    asked.out.clone().unwrap_or_else(|| references::place(&asked.scene))
+}
+
+/// The same of a motion across events, with these.
+fn across_events(scene: &dyn Hybrid, title: &str, asked: &Asked) -> Result<Ending, Ending> {
+    if asked.until.is_some() {
+        return Err(Ending::refused(format!(
+            "{} has a law that changes at events, which its own run tells: it is followed to its end, and --until is not accepted",
+            asked.scene.display()
+        )));
+    }
+    let output = output(asked)?;
+    let found = match scene.exact(clock::left()) {
+        Ok(found) => found,
+        Err(unknown) => {
+            clock::keeps_nothing();
+            print(&format!("{title}\nno reference: {unknown}\n"))?;
+            return Ok(Ending::Stopped);
+        }
+    };
+    let ([one, other], digits) = (found.reference.methods, found.reference.digits);
+    let enough = lacking(found.reference.is_trusted());
+    let mut text = format!("{title}\n{one} and {other} share {digits:.1} digits{enough}\n");
+    for event @ Event { what, regime, .. } in &found.events {
+        // writing to a string cannot fail
+        let _ = writeln!(text, "t = {} s  {what}", event.instant(digits.max(0.0) as usize));
+        if !regime.is_empty() {
+            let _ = writeln!(text, "    -> {regime}");
+        }
+    }
+    print(&text)?;
+    if !found.reference.is_trusted() {
+        return Ok(Ending::Stopped);
+    }
+    let owner = scene.owner();
+    keep(output, &*owner, &Stored::of(&*owner, found.reference, found.events), asked)
+}
+
+/// The search for the end of a law: constant steps may lead out of it where the motion does not.
+pub fn following(own: Choice) -> Choice {
+    match own.method.steps() {
+        None => own,
+        Some(_) => Choice { method: Method::RadauIIA { stages: 5 }, tolerance: 1e-9, ..own },
+    }
+}
+
+/// Writes a reference, unless one of the same motion is there whose methods share as many digits.
+fn keep(output: Output, owner: &dyn Owner, made: &Stored, asked: &Asked) -> Result<Ending, Ending> {
+    let path = place(asked);
+    // a pipe would be waited for
+    let there = path.is_file().then(|| std::fs::read_to_string(&path).ok()).flatten();
+    let there = there.and_then(|text| Stored::read(&text).ok());
+    let of_this = |there: &Stored| there.reference.times == made.reference.times && there.belongs_to(owner);
+    match there.filter(of_this).map(|there| there.reference.digits) {
+        Some(digits) if digits >= made.reference.digits && !asked.force => {
+            print(&format!("{} is kept: its methods share {digits:.1} digits\n", path.display()))?;
+        }
+        _ => {
+            // the command as it is given, so that it makes the file again
+            let until = asked.until.map_or_else(String::new, |until| format!(" --until {until}"));
+            output.write_text(&made.write(&format!("{}{until}", asked.scene.display())))?.tell(Format::Text)?;
+        }
+    }
+    Ok(Ending::Done)
+}

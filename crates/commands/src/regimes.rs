@@ -1,0 +1,205 @@
+//! `dalembert regimes`: every consistent regime of contacts and conditions at the start of a scene.
+
+use crate::arguments::Format;
+use crate::ending::{Ending, placed, print};
+use ::scenes::{CriticalFriction, Motions, Regimes, Task, read_titled, regimes};
+use clap::Args;
+use mechanics::constrained::State;
+use mechanics::constrained::contacts::Contacts;
+use mechanics::regimes::{Condition, Dry, Found, Touch, Verdict, conditions, consistent, posed, verdict};
+use reader::{Family, read_text};
+use serde_json::{Value, json};
+use simulation::models::holds_model;
+use std::fmt::{Display, Write};
+use std::path::PathBuf;
+use studies::friction::log::{Names, describe};
+use studies::friction::{ForRough, RoughScene};
+
+/// Whose regimes are to be found.
+#[derive(Args, Debug)]
+pub struct Asked {
+    /// The scene, a TOML file with contacts or conditions; the folders `scenes/friction` and `scenes/models` hold examples
+    #[arg(value_name = "SCENE.toml")]
+    pub scene: PathBuf,
+    /// How to print them
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+}
+
+/// Prints the consistent regimes at the start of a scene.
+pub fn show(asked: &Asked) -> Result<Ending, Ending> {
+    let text = read_text(&asked.scene)?;
+    let (title, answer) = if holds_model(&text) {
+        let (title, model) = read_titled(&asked.scene, Task::Run)?;
+        let found = regimes(model).map_err(|issue| placed(&asked.scene, issue))?;
+        (title, Answer::of(found))
+    } else {
+        let scene = RoughScene::open(&asked.scene)?;
+        let answer = scene.apply(Start);
+        (scene.title, answer)
+    };
+    print(&match asked.format {
+        Format::Text => format!("{title}\n{}", answer.text()),
+        Format::Json => format!("{:#}\n", answer.object(&title)),
+    })?;
+    Ok(if answer.determined { Ending::Done } else { Ending::Stopped })
+}
+
+/// What is consistent at the start.
+struct Answer {
+    regimes: Vec<Regime>,
+    verdict: String,
+    determined: bool,
+    /// The friction up to which reactions are determined.
+    critical: Option<CriticalFriction>,
+}
+
+/// A regime with its conditions.
+struct Regime {
+    name: String,
+    margins: Vec<Margin>,
+    reactions_determined: bool,
+}
+
+/// The contact, what is asked, and by how much it is met.
+struct Margin {
+    contact: String,
+    condition: String,
+    value: f64,
+    unit: &'static str,
+}
+
+impl Answer {
+    fn none(reason: &impl Display) -> Self {
+        Answer { regimes: Vec::new(), verdict: format!("no regime: {reason}"), determined: false, critical: None }
+    }
+
+    /// The answer for a system that is written in its file.
+    fn of(found: Regimes) -> Self {
+        let regimes = found.regimes.iter().map(|regime| Regime {
+            name: regime.name.clone(),
+            margins: (regime.margins.iter())
+                .map(|margin| Margin {
+                    contact: margin.of.clone(),
+                    condition: margin.asks.to_owned(),
+                    value: margin.value,
+                    unit: margin.unit,
+                })
+                .collect(),
+            reactions_determined: !regime.is_one_choice,
+        });
+        let verdict = match found.motions {
+            Motions::One => "one motion",
+            Motions::OneOnItsBoundary => "one motion, on the boundary of its regime",
+            Motions::None => "no motion",
+            Motions::Several => "several motions",
+            Motions::Continuum => "motions without end",
+            Motions::NotTried => "not decided: more combinations of contacts and conditions than are tried",
+        };
+        let determined = matches!(found.motions, Motions::One | Motions::OneOnItsBoundary);
+        let regimes = regimes.collect();
+        Answer { regimes, verdict: verdict.to_owned(), determined, critical: found.critical }
+    }
+
+    fn text(&self) -> String {
+        let mut text = String::new();
+        // writing to a String cannot fail
+        let width = self.regimes.iter().flat_map(|regime| &regime.margins).map(|margin| margin.contact.chars().count());
+        let width = width.max().unwrap_or(0).max(8);
+        for Regime { name, margins, reactions_determined } in &self.regimes {
+            let _ = writeln!(text, "\n{name}");
+            for Margin { contact, condition, value, unit } in margins {
+                let line = format!("  {contact:<width$} {condition:<28} {value:>14.6} {unit}");
+                let _ = writeln!(text, "{}", line.trim_end());
+            }
+            if !reactions_determined {
+                let _ = writeln!(text, "  the reactions are not determined by the motion: these are possible ones");
+            }
+        }
+        if let Some(CriticalFriction { factor, regime }) = &self.critical {
+            let _ = writeln!(
+                text,
+                "\nfriction: below {factor:.6} times these coefficients contacts that slide have determined reactions, whatever the loads; at it not where\n  {regime}"
+            );
+        }
+        let _ = writeln!(text, "\nverdict: {}", self.verdict);
+        text
+    }
+
+    fn object(&self, title: &str) -> Value {
+        let regimes = self.regimes.iter().map(|regime| {
+            let margins = regime.margins.iter().map(
+                |Margin { contact, condition, value, unit }| json!({ "contact": contact, "condition": condition, "margin": value, "unit": unit }),
+            );
+            json!({
+                "regime": regime.name, "margins": margins.collect::<Vec<_>>(),
+                "reactions_determined": regime.reactions_determined,
+            })
+        });
+        json!({
+            "title": title, "regimes": regimes.collect::<Vec<_>>(), "verdict": self.verdict, "determined": self.determined,
+            "critical_friction": self.critical.as_ref().map(|found| json!({ "factor": found.factor, "regime": found.regime })),
+        })
+    }
+}
+
+struct Start;
+
+impl ForRough for Start {
+    type Output = Answer;
+
+    fn apply<Q, const N: usize, const C: usize, const K: usize>(
+        self,
+        system: &Q,
+        start: State<f64, N>,
+        names: Names<K>,
+    ) -> Answer
+    where
+        Q: Contacts<N, C, K, Given = f64>,
+    {
+        let (dry, touch) = match posed(system, &start) {
+            Ok(posed) => posed,
+            Err(unposed) => return Answer::none(&unposed),
+        };
+        let mut regimes = Vec::new();
+        consistent(&dry, &touch, |found| {
+            let name = describe(&names, &found.regime);
+            let margins = margins(&dry, &touch, &names, &found);
+            regimes.push(Regime { name, margins, reactions_determined: found.determined });
+        });
+        let verdict = verdict(&dry, &touch);
+        let said = match verdict {
+            Verdict::Unique(found) if found.tie.is_some() => "one motion, on the boundary of its regime",
+            Verdict::Unique(_) => "one motion",
+            Verdict::None => "no motion",
+            Verdict::Several(..) => "several motions",
+            Verdict::Continuum(_) => "motions without end",
+            Verdict::Undefined => "the state or the force is not finite",
+        };
+        let determined = matches!(verdict, Verdict::Unique(_));
+        Answer { regimes, verdict: said.to_owned(), determined, critical: None }
+    }
+}
+
+/// What is asked at each contact, and by how much it is met.
+fn margins<const K: usize>(
+    dry: &Dry<f64, K>,
+    touch: &[Touch; K],
+    names: &Names<K>,
+    found: &Found<f64, K>,
+) -> Vec<Margin> {
+    let conditions = conditions(dry, touch, &found.regime);
+    let of_contacts =
+        conditions.iter().enumerate().flat_map(|(k, all)| all.iter().flatten().map(move |each| (k, each)));
+    of_contacts
+        .map(|(k, (condition, form))| Margin {
+            contact: names[k].to_string(),
+            condition: condition.to_string(),
+            value: form.at(&found.reactions),
+            unit: match condition {
+                Condition::Separates | Condition::Departs => "m/s^2",
+                _ => "N",
+            },
+        })
+        .collect()
+}

@@ -1,0 +1,115 @@
+//! The report: one page with the ledger of every paper and the runs and charts of every scene.
+
+mod parts;
+mod scene;
+mod unread;
+
+use crate::arguments::Format;
+use crate::ending::{Ending, warn_of};
+use crate::output::{Form, Maker, Writes};
+use crate::progress::Progress;
+use crate::rough;
+use crate::speed::{advice::advice, pictures, tables};
+use charts::{Report, SceneSection, WorkPrecision};
+use clap::Args;
+use parts::Parts;
+use reader::Family;
+use scene::{Read, ReadRough, described};
+use simulation::{Atlas, Smooth, Stored};
+use std::path::{Path, PathBuf};
+use studies::AnyScene;
+use studies::failures;
+use studies::friction::RoughScene;
+
+/// The main job, where no command is given.
+#[derive(Args, Debug)]
+pub struct Asked {
+    /// Where the scene files are
+    #[arg(long, value_name = "FOLDER", default_value = "scenes")]
+    pub scenes: PathBuf,
+    /// The page
+    #[arg(long, value_name = "FILE.html", default_value = "report/index.html")]
+    pub out: PathBuf,
+    /// Replaces the page even where the report did not write what stands there
+    #[arg(long)]
+    pub force: bool,
+}
+
+/// Judges the ledger, runs and charts the scenes, and writes the page. A scene that cannot be read is told at once and on the
+/// page, and the others are reported.
+pub fn write(asked: &Asked, files: &[PathBuf]) -> Result<Ending, Ending> {
+    let folder = &asked.scenes;
+    let reads = files.iter().map(PathBuf::as_path).collect();
+    let output = Writes { command: REPORT, force: asked.force, reads }.output(&asked.out, &[Form::Page])?;
+    // all are read before the first is run: what is wrong is told at once
+    let (mut scenes, mut rough, mut unread) = (Vec::new(), Vec::new(), Vec::new());
+    // those that are made to fail are told by the catalogue
+    for file in files.iter().filter(|file| !failures::is_own(file)) {
+        match AnyScene::open(file) {
+            Ok(AnyScene::Rough(scene)) => {
+                rough.push(ReadRough { id: id(file), scene: *scene, kept: Stored::beside(file) });
+            }
+            // the page is to stay small enough to be sent: `chart` makes a page for each of these
+            Ok(AnyScene::Model(_)) => {}
+            Ok(scene) => scenes.push(Read { id: id(file), scene, kept: Stored::beside(file) }),
+            Err(error) => {
+                warn_of(&error);
+                unread.push(error);
+            }
+        }
+    }
+    let mut parts = Parts::of(&scenes, &rough, folder);
+    let mut progress = Progress::new("ledger, runs, references, maps");
+    parts.compute(&scenes, &rough, folder, |done| progress.set(done));
+    drop(progress);
+    let mut progress = Progress::new("methods timed");
+    parts.take_times(|done| progress.set(done));
+    drop(progress);
+    let whole = parts.sound() && parts.reached() && unread.is_empty();
+    let mut report = parts.report(folder);
+    report.studies.splice(0..0, unread::study(&unread));
+    output.write_text(&charts::page::render(&report).html)?.tell(Format::Text)?;
+    Ok(if whole { Ending::Done } else { Ending::Stopped })
+}
+
+/// The commands that write pages: the main job, which has no name, and the charts of one scene.
+const REPORT: &str = "";
+const CHART: &str = "chart";
+
+/// A page with nothing but a scene and its atlas.
+pub fn of_scene(scene: &dyn Smooth, atlas: &Atlas, work: Vec<WorkPrecision>) -> String {
+    let choice = scene.run().choice();
+    let run = scene.problem(choice.axes).simulate(&choice, |_| ());
+    let mut section = SceneSection { work, ..described("scene", scene, &run) };
+    explained(&mut section, atlas);
+    section.tables.push(tables::models(atlas));
+    let report = Report { scenes: vec![section], ..titled(CHART, scene.title(), scene.description()) };
+    charts::page::render(&report).html
+}
+
+/// The same of a scene with rough contacts.
+pub fn of_rough(scene: &RoughScene, atlas: &Atlas, work: Vec<WorkPrecision>) -> String {
+    let mut section = SceneSection { work, ..rough::section("scene", scene) };
+    explained(&mut section, atlas);
+    let report = Report { rough: vec![section], ..titled(CHART, &scene.title, &scene.description) };
+    charts::page::render(&report).html
+}
+
+/// What is said and listed below the pictures of an atlas.
+fn explained(section: &mut SceneSection, atlas: &Atlas) {
+    section.facts.extend([1e-3, 1e-6, 1e-9].map(|error| ("advice".to_owned(), advice(atlas, error))));
+    section.note = pictures::measured_by(atlas);
+    section.tables.splice(0..0, tables::fronts(atlas));
+}
+
+/// A report of a command, without content yet.
+fn titled(command: &'static str, title: &str, summary: &str) -> Report {
+    let generated_by = Maker(command).generator();
+    Report { title: title.to_owned(), summary: summary.to_owned(), generated_by, ..Default::default() }
+}
+
+/// A file's name without its ending, as it may stand in a link.
+fn id(file: &Path) -> String {
+    let stem = file.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
+    stem.chars().map(|c| if c.is_ascii_alphanumeric() || c == '_' { c } else { '-' }).collect()
+}

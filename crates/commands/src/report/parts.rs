@@ -1,0 +1,211 @@
+//! The parts of the report: what is computed side by side, what is timed alone, and the page that they make.
+
+use super::scene::{NoReference, Prepared, Read, ReadRough, prepare, prepare_rough};
+use super::{REPORT, explained, titled};
+use crate::crew::Crew;
+use crate::ledger;
+use crate::pictures;
+use crate::speed;
+use crate::sphere;
+use crate::studies::{Drive, Endurance, Failures, Gains, Phantom, Synchronism, atlas, peers};
+use crate::timings;
+use charts::{Areas, PaperSection, Report, SceneSection, Sphere, Study, Verdict};
+use claims::catalogue::papers;
+use std::path::Path;
+use studies::AnyScene;
+use studies::governors;
+use studies::regimes;
+use studies::scene::Scene;
+
+/// What the page is made of. Most parts wait for nothing and are computed side by side; times are taken afterwards,
+/// while nothing else runs.
+pub struct Parts {
+    papers: Vec<Option<(PaperSection, bool)>>,
+    prepared: Vec<Option<Option<Prepared>>>,
+    rough: Vec<Option<Prepared>>,
+    stability: Option<Vec<Areas>>,
+    approximations: Option<charts::Trajectory>,
+    friction: Option<Vec<Areas>>,
+    stationary: Option<(Vec<Sphere>, Option<Study>)>,
+    gains: Gains,
+    drive: Drive,
+    endurance: Endurance,
+    phantom: Phantom,
+    synchronism: Synchronism,
+    failures: Failures,
+}
+
+impl Parts {
+    /// None yet.
+    pub fn of(scenes: &[Read], rough: &[ReadRough], folder: &Path) -> Self {
+        Parts {
+            papers: papers().iter().map(|_| None).collect(),
+            prepared: scenes.iter().map(|_| None).collect(),
+            rough: rough.iter().map(|_| None).collect(),
+            stability: None,
+            approximations: None,
+            friction: None,
+            stationary: None,
+            gains: Gains::default(),
+            drive: Drive::default(),
+            endurance: Endurance::default(),
+            phantom: Phantom::default(),
+            synchronism: Synchronism::default(),
+            failures: Failures::of(folder),
+        }
+    }
+
+    /// All that need not be timed.
+    pub fn compute(&mut self, scenes: &[Read], rough: &[ReadRough], folder: &Path, done: impl FnMut(f64)) {
+        let mut crew = Crew::default();
+        for (place, paper) in self.papers.iter_mut().zip(papers()) {
+            crew.add(1.0, place, move || ledger::judged(paper));
+        }
+        for (place, scene) in self.prepared.iter_mut().zip(scenes) {
+            crew.add(3.0, place, move || prepare(scene));
+        }
+        for (place, scene) in self.rough.iter_mut().zip(rough) {
+            crew.add(1.0, place, move || prepare_rough(scene));
+        }
+        self.gains.enlist(&mut crew);
+        self.drive.enlist(&mut crew);
+        self.endurance.enlist(&mut crew);
+        self.phantom.enlist(&mut crew, |id| {
+            scenes.iter().filter(|read| read.id == id).find_map(|read| match &read.scene {
+                AnyScene::Driven(scene) => Some(&**scene),
+                _ => None,
+            })
+        });
+        self.synchronism.enlist(driven(scenes), &mut crew);
+        self.failures.enlist(&mut crew, folder);
+        crew.add(1.5, &mut self.stability, || governors::stability().into_iter().map(pictures::stability).collect());
+        crew.add(0.1, &mut self.approximations, || pictures::series_errors(&governors::series_errors()));
+        crew.add(0.1, &mut self.friction, || regimes::maps::maps().into_iter().map(pictures::areas).collect());
+        crew.add(6.0, &mut self.stationary, || sphere::all(driven(scenes)));
+        crew.work(done);
+    }
+
+    /// The times, while nothing else runs.
+    pub fn take_times(&mut self, mut done: impl FnMut(f64)) {
+        let whole = (self.prepared.len() + self.rough.len() + 1) as f64;
+        let all = self.prepared.iter_mut().flatten().flatten().chain(self.rough.iter_mut().flatten());
+        for (count, prepared) in all.enumerate() {
+            if let Prepared { atlas: Ok(atlas), trials, timed, .. } = prepared {
+                atlas.take_times(trials, *timed);
+            }
+            done((count + 1) as f64 / whole);
+        }
+        self.gains.take_times();
+    }
+
+    /// Whether every claim of the ledger is.
+    pub fn sound(&self) -> bool {
+        self.papers.iter().flatten().all(|(_, sound)| *sound)
+    }
+
+    /// Whether every scene came out as it should.
+    pub fn reached(&self) -> bool {
+        self.prepared.iter().flatten().flatten().all(|one| one.reached)
+    }
+
+    /// The page.
+    pub fn report(self, folder: &Path) -> Report {
+        let mut report = titled(REPORT, "dalembert", SUMMARY);
+        let mut digits = f64::INFINITY;
+        let atlas = {
+            let prepared = self.prepared.iter().flatten().flatten().chain(self.rough.iter().flatten());
+            let found: Vec<_> =
+                prepared.filter_map(|one| Some((one.section.title.as_str(), one.atlas.as_ref().ok()?))).collect();
+            atlas::study(&found)
+        };
+        let mut charted = |Prepared { mut section, atlas, .. }: Prepared| {
+            match atlas {
+                Ok(atlas) => {
+                    digits = digits.min(atlas.reference.digits);
+                    section.work = speed::pictures::work_precision(&atlas).into();
+                    explained(&mut section, &atlas);
+                }
+                Err(NoReference::Stopped(failure)) => {
+                    section.note = format!("No chart, because the reference stopped: {failure}.");
+                }
+                Err(NoReference::Unknown(unknown)) => section.note = format!("No chart: {unknown}."),
+                Err(NoReference::Ends) => section.note = "No chart, because the run ends before its span.".to_owned(),
+            }
+            section
+        };
+        report.scenes = self.prepared.into_iter().flatten().flatten().map(&mut charted).collect();
+        // of these there are the tables alone: the page is to stay small, `dalembert chart` draws them
+        let tabled = |prepared| SceneSection { work: Vec::new(), ..charted(prepared) };
+        report.rough = self.rough.into_iter().flatten().map(tabled).collect();
+        report.papers = self.papers.into_iter().flatten().map(|(section, _)| section).collect();
+        report.stability = self.stability.unwrap_or_default();
+        report.approximations = self.approximations.into_iter().collect();
+        report.friction = self.friction.unwrap_or_default();
+        let (spheres, stationary) = self.stationary.unwrap_or_default();
+        report.spheres = spheres;
+        report.studies = stationary.into_iter().collect();
+        report.studies.extend(self.synchronism.study());
+        report.studies.extend([
+            atlas,
+            self.gains.study(),
+            self.drive.study(),
+            self.endurance.study(folder),
+            self.phantom.study(),
+        ]);
+        report.studies.extend(self.failures.study());
+        report.studies.push(peers::study(folder));
+        match timings::read(folder) {
+            Ok(timings) => report.timings = vec![timings],
+            Err(reason) => report.timings_missing = reason,
+        }
+        report.summary = format!("{} {}", report.summary, found(&report, digits));
+        report
+    }
+}
+
+/// Those with a motor.
+fn driven(scenes: &[Read]) -> impl Iterator<Item = &Scene> {
+    scenes.iter().filter_map(|read| match &read.scene {
+        AnyScene::Driven(scene) => Some(&**scene),
+        _ => None,
+    })
+}
+
+const SUMMARY: &str = "Equations of motion derived from bodies and energies; every statement of a paper judged by exact \
+                       arithmetic; every method on every scene measured by a reference that two methods confirm.";
+
+/// What came out, and where to begin to read.
+fn found(report: &Report, digits: f64) -> String {
+    let claims: usize = report.papers.iter().map(|paper| paper.claims.len()).sum();
+    let mut text = String::new();
+    if claims > 0 {
+        text += &format!("Of {claims} claims, {}. ", counted(report));
+    }
+    if report.count(Verdict::Refuted) > 0 {
+        text += "Begin with the findings: each refuted statement with exact values for which it fails, and the proved \
+                 statement that holds instead. ";
+    }
+    if digits.is_finite() {
+        let count = report.scenes.iter().filter(|scene| !scene.work.is_empty()).count();
+        let scenes = if count == 1 { "The scene is".to_owned() } else { format!("The {count} scenes are") };
+        text += &format!(
+            "{scenes} measured by references on which two methods agree to {digits:.0} digits or more: look for the one \
+             nearest to your own problem, whose charts tell which method is cheapest at which accuracy."
+        );
+    }
+    text.trim_end().to_owned()
+}
+
+/// `149 are proved, 11 refuted, 3 definitions`: the most frequent first.
+fn counted(report: &Report) -> String {
+    let mut counts = Verdict::ALL.map(|verdict| (report.count(verdict), verdict));
+    counts.sort_by_key(|(count, _)| std::cmp::Reverse(*count));
+    let name = |count: usize, verdict: Verdict| match verdict {
+        Verdict::Definition if count > 1 => "definitions",
+        other => other.name(),
+    };
+    let present = counts.into_iter().filter(|(count, _)| *count > 0).enumerate();
+    let one =
+        |(place, (count, verdict))| format!("{count} {}{}", if place == 0 { "are " } else { "" }, name(count, verdict));
+    present.map(one).collect::<Vec<_>>().join(", ")
+}

@@ -1,0 +1,178 @@
+//! A scene in the report: its data, its run, its smaller models.
+
+use crate::pictures;
+use crate::rough;
+use crate::speed::tables::floors;
+use charts::{Parameter, SceneSection, Table, significant, tolerance};
+use integrators::Failure;
+use simulation::references::Unknown;
+use simulation::work_precision::judged_across_events;
+use simulation::{Atlas, Axes, Smooth, Stored, Trajectory, Trials, judged};
+use std::time::Duration;
+use studies::AnyScene;
+use studies::friction::RoughScene;
+use studies::scene::Scene;
+
+/// For a reference; they share the processors, so that one of them has less than when it is alone.
+const PATIENCE: Duration = Duration::from_secs(15);
+/// The same for a mechanism: there are many, and `dalembert chart` gives each its own time.
+const OF_A_MECHANISM: Duration = Duration::from_secs(8);
+/// In one run of a mechanism, whose laws are dear.
+const EVALUATIONS: u64 = 20_000;
+/// For the times of all runs of a scene with a motor, and of a mechanism.
+const TIMED: [Duration; 2] = [Duration::from_millis(2_000), Duration::from_millis(1_200)];
+
+/// A scene's section without its charts, whether it came out as it should, and the errors of its methods.
+pub struct Prepared {
+    pub section: SceneSection,
+    pub reached: bool,
+    pub atlas: Result<Atlas, NoReference>,
+    pub trials: Trials,
+    /// For its times.
+    pub timed: Duration,
+}
+
+/// A scene with the reference that is kept beside its file.
+pub struct Read {
+    pub id: String,
+    pub scene: AnyScene,
+    pub kept: Option<Stored>,
+}
+
+/// The same of a scene with rough contacts.
+pub struct ReadRough {
+    pub id: String,
+    pub scene: RoughScene,
+    pub kept: Option<Stored>,
+}
+
+/// Why methods are not compared on a scene.
+pub enum NoReference {
+    Stopped(Failure),
+    /// Across events.
+    Unknown(Unknown),
+    /// The run ends early, for a reason that has a name.
+    Ends,
+}
+
+/// Runs a scene, computes its reference, and the errors of all methods by that; nothing where it is many problems.
+pub fn prepare(Read { id, scene: any, kept }: &Read) -> Option<Prepared> {
+    let scene = any.smooth()?;
+    let choice = scene.run().choice();
+    let problem = scene.problem(Axes::First);
+    let run = problem.simulate(&choice, |_| ());
+    let mut section = described(id, scene, &run);
+    let of_a_mechanism = matches!(any, AnyScene::Mechanism(_));
+    let usual = Trials::default().with(scene.run().method);
+    let [motor, mechanism] = TIMED;
+    let (patience, timed, trials) = match of_a_mechanism {
+        true => (OF_A_MECHANISM, mechanism, Trials { evaluations: EVALUATIONS, ..usual }),
+        false => (PATIENCE, motor, usual),
+    };
+    // what a scene is made to show may be its end: that is no fault of the run
+    let atlas = match (scene.told(&choice, &run).diagnosis, scene.hybrid()) {
+        (Some(_), _) => Err(NoReference::Ends),
+        (None, Some(hybrid)) => {
+            judged_across_events(hybrid, &trials, kept.as_ref(), patience).map_err(NoReference::Unknown)
+        }
+        (None, None) => {
+            judged(&|reference| scene.observed(reference), &problem, scene.ways(), &trials, kept.as_ref(), patience)
+                .map_err(NoReference::Stopped)
+        }
+    };
+    if let AnyScene::Driven(scene) = any {
+        section.tables.extend(ladder(scene, &run, atlas.as_ref().ok()));
+    }
+    let reached = match &atlas {
+        Err(NoReference::Ends) => true,
+        // a mechanism may take longer than the report has for it, which is said
+        Err(NoReference::Unknown(_)) => true,
+        Err(NoReference::Stopped(failure)) => of_a_mechanism && failure.is_broken_off(),
+        Ok(_) => run.outcome.reached(),
+    };
+    Some(Prepared { section, reached, atlas, trials, timed })
+}
+
+/// The same of a scene with rough contacts: what it is made to show may be that nothing moves.
+pub fn prepare_rough(ReadRough { id, scene, kept }: &ReadRough) -> Prepared {
+    let [_, timed] = TIMED;
+    let trials = Trials { evaluations: EVALUATIONS, ..Trials::default() }.with(scene.plan.method);
+    let atlas = judged_across_events(scene, &trials, kept.as_ref(), OF_A_MECHANISM).map_err(NoReference::Unknown);
+    Prepared { section: rough::section(id, scene), reached: true, atlas, trials, timed }
+}
+
+/// A scene's section with its run and without its charts.
+pub fn described(id: &str, scene: &dyn Smooth, run: &Trajectory) -> SceneSection {
+    let parameters = scene.parameters().into_iter().map(|datum| Parameter {
+        symbol: datum.name.replace('_', " "),
+        value: datum.value,
+        unit: datum.unit.to_string(),
+        meaning: datum.meaning.to_string(),
+    });
+    SceneSection {
+        id: id.to_owned(),
+        title: scene.title().to_owned(),
+        description: scene.description().to_owned(),
+        parameters: parameters.collect(),
+        facts: facts(scene, run),
+        trajectory: Some(pictures::trajectory(scene, run)),
+        ..Default::default()
+    }
+}
+
+fn facts(scene: &dyn Smooth, run: &Trajectory) -> Vec<(String, String)> {
+    let choice = scene.run().choice();
+    let told = scene.told(&choice, run);
+    let mut facts = vec![
+        ("model".to_owned(), scene.model().replace('_', " ")),
+        ("method".to_owned(), format!("{}, tolerance {}", choice.method, tolerance(choice.tolerance))),
+        ("work".to_owned(), run.outcome.work.to_string()),
+    ];
+    facts.extend(told.theory.into_iter().map(|said| ("theory".to_owned(), said)));
+    facts.extend(run.stopped().map(|why| ("stopped".to_owned(), why)));
+    facts.extend(told.diagnosis.map(|what| ("diagnosis".to_owned(), what)));
+    for deviation in &run.outcome.deviations {
+        let kept = match deviation.largest.is_finite() {
+            true => format!("kept to {}", significant(deviation.largest, 2)),
+            false => format!("without a value at {} s", significant(deviation.at, 6)),
+        };
+        facts.push((deviation.name.replace('_', " "), kept));
+    }
+    if let Some((what, deviation)) = told.closed_form {
+        facts.push(("closed form".to_owned(), format!("off by {} from {what}", significant(deviation, 2))));
+    }
+    facts
+}
+
+/// What each smaller model of the same data does to the outputs, where there is one.
+fn ladder(scene: &Scene, run: &Trajectory, atlas: Option<&Atlas>) -> Option<Table> {
+    let models = scene.given.models();
+    let floors = atlas.map(floors).unwrap_or_default();
+    let floor = |model: &str| floors.iter().find(|(known, _)| *known == model).map_or("—", |(_, said)| said).to_owned();
+    let mut rows = Vec::new();
+    for model in models.into_iter().rev().filter(|model| *model != scene.machine.name()) {
+        let Ok(smaller) = scene.with_model(model) else { continue };
+        if smaller.names().is_empty() {
+            continue; // on a bench a rotor of constant speed has no state at all
+        }
+        let other = smaller.simulate(&smaller.choice(), |_| ());
+        let states = smaller.names().len().to_string();
+        let row = match other.outcome.failure() {
+            None => significant(difference(run, &other), 2),
+            Some(failure) => failure.name().to_owned(),
+        };
+        rows.push(vec![model.replace('_', " "), states, other.outcome.work.rates.to_string(), row, floor(model)]);
+    }
+    let head =
+        ["Model", "States", "Evaluations", "Largest difference of \u{3c9} or \u{3c6}\u{307}, rad/s", "In the charts"];
+    let caption = format!("The same scene with smaller models than {}", scene.machine.name().replace('_', " "));
+    (!rows.is_empty()).then(|| Table { caption, head: head.map(String::from).into(), rows })
+}
+
+/// Over all samples, of the angular velocity and the rotor's speed: what every model has.
+fn difference(a: &Trajectory, b: &Trajectory) -> f64 {
+    let common = ["w1", "w2", "w3", "rotor_speed"].into_iter();
+    let columns: Vec<(usize, usize)> = common.filter_map(|name| Some((a.column(name)?, b.column(name)?))).collect();
+    let rows = a.rows.iter().zip(&b.rows);
+    rows.flat_map(|(a, b)| columns.iter().map(|&(i, j)| (a[i] - b[j]).abs())).fold(0.0, f64::max)
+}

@@ -1,0 +1,259 @@
+//! `dalembert run`: one scene, one method.
+
+use crate::arguments::{Format, tolerance, whole};
+use crate::ending::{Ending, print, warn};
+use crate::output::{self, Writes};
+use crate::progress::Progress;
+use crate::rough;
+use crate::summary::Summary;
+use crate::{clock, csv};
+use ::scenes::completed_start;
+use clap::Args;
+use integrators::{Beside, Method};
+use motor::{NoModel, catalogue};
+use reader::Family;
+use simulation::run::most_samples;
+use simulation::{Axes, Choice, Smooth, Told, methods};
+use std::path::{Path, PathBuf};
+use studies::AnyScene;
+use studies::scene::Scene;
+
+/// How a scene is to be run; what is left out, the scene says.
+#[derive(Args, Debug)]
+pub struct Asked {
+    /// The scene, a TOML file; the folder `scenes` holds examples
+    #[arg(value_name = "SCENE.toml")]
+    pub scene: PathBuf,
+    /// Method of integration, such as dormand_prince_8 or runge_kutta_4:20000
+    #[arg(long, value_parser = method)]
+    pub method: Option<Method>,
+    /// Error allowed in a step, relative, and absolute in SI units
+    #[arg(long = "tol", value_name = "T", value_parser = tolerance, allow_negative_numbers = true)]
+    pub tolerance: Option<f64>,
+    /// Another machine, made of the scene's data
+    #[arg(long)]
+    pub model: Option<String>,
+    /// The equations in the axes of A (first) or of A* (second); results are in the axes of the data either way
+    #[arg(long)]
+    pub form: Option<Axes>,
+    /// Writes the trajectory as a table, each column with its unit: time, states, rotor's speed; of a mechanism time, states, work
+    /// and what follows from them; with rough contacts time, coordinates, velocities, works
+    #[arg(long, value_name = "FILE.csv")]
+    pub out: Option<PathBuf>,
+    /// Writes how the end depends on the start as a table: a row for each state at the end, a column for each at the start
+    #[arg(long, value_name = "FILE.csv")]
+    pub transition: Option<PathBuf>,
+    /// Replaces the files of --out and --transition even where `run` did not write what stands there
+    #[arg(long)]
+    pub force: bool,
+    /// How to print the summary; JSON is one object: time, state, work, invariants, model, method; null where a number is not
+    /// defined
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+    /// Instants of the trajectory beside its start
+    #[arg(long, value_name = "N", value_parser = whole::<u32>(1..=1_000_000))]
+    pub samples: Option<u32>,
+}
+
+/// What the long help adds: names of methods and models.
+pub fn help() -> String {
+    let column = |name: &str, what: &str| format!("  {name:<22} {what}\n");
+    let methods: String = methods::list().map(|(name, what)| column(&name, what)).collect();
+    let models: String = catalogue::entries().into_iter().map(|entry| column(entry.name, entry.summary)).collect();
+    format!("Methods:\n{methods}\n  {SPLITTINGS}\n\nModels:\n{models}")
+}
+
+fn method(text: &str) -> Result<Method, String> {
+    methods::method(text).map_err(|(_, accepted)| accepted)
+}
+
+/// Runs the scene, writes the trajectory where one is asked for, prints the summary.
+pub fn run(asked: &Asked) -> Result<Ending, Ending> {
+    if asked.force && asked.out.is_none() && asked.transition.is_none() {
+        return Err(Ending::refused(
+            "--force is about what --out and --transition replace; it is accepted with one of them",
+        ));
+    }
+    match AnyScene::open(&asked.scene)? {
+        AnyScene::Rough(_) if asked.transition.is_some() => Err(Ending::refused(format!(
+            "--transition does not apply to {}: across stick and slip the end has no derivative by the start",
+            asked.scene.display()
+        ))),
+        AnyScene::Rough(scene) => rough::run(&scene, asked),
+        AnyScene::Driven(scene) => {
+            let scene = with_model(*scene, asked.model.as_deref(), &asked.scene)?;
+            one_form(&scene, asked.form.is_some(), &asked.scene)?;
+            follow(&scene, asked, (!scene.on_bench()).then(|| asked.form.unwrap_or_default()))
+        }
+        AnyScene::Mechanism(scene) => {
+            refuse("a mechanism", asked.model.is_some(), asked.form.is_some(), &asked.scene)?;
+            follow(&*scene, asked, None)
+        }
+        AnyScene::Model(scene) => {
+            refuse("a system that is written in its file", asked.model.is_some(), asked.form.is_some(), &asked.scene)?;
+            let choice = choice(scene.run(), asked);
+            if matches!(choice.method, Method::Split { .. }) {
+                return Err(no_pieces(&choice, &asked.scene));
+            }
+            follow(&*scene, asked, None)
+        }
+    }
+}
+
+/// Machines and forms are for systems with a motor.
+pub fn refuse(what: &str, model: bool, form: bool, path: &Path) -> Result<(), Ending> {
+    let given = [("--model", model), ("--form", form)];
+    match given.iter().find(|(_, given)| *given) {
+        None => Ok(()),
+        Some((option, _)) => Err(Ending::refused(format!(
+            "{option} does not apply to {}: {what} has no machine, and one form of its equations; leave it out",
+            path.display()
+        ))),
+    }
+}
+
+/// A motor alone has one form of its equations.
+pub fn one_form(scene: &Scene, form: bool, path: &Path) -> Result<(), Ending> {
+    match form && scene.on_bench() {
+        false => Ok(()),
+        true => Err(Ending::refused(format!(
+            "--form does not apply to {}: a motor on a bench has no carrier, and one form of its equations; leave it out",
+            path.display()
+        ))),
+    }
+}
+
+/// Runs one initial value problem.
+fn follow(scene: &dyn Smooth, asked: &Asked, form: Option<Axes>) -> Result<Ending, Ending> {
+    let choice = choice(scene.run(), asked);
+    if asked.tolerance.is_some() && asked.transition.is_none() && choice.method.steps().is_some() {
+        return Err(Ending::refused(format!(
+            "--tol does not apply to {}, whose steps are constant; leave it out, or name a method that follows a tolerance",
+            choice.method
+        )));
+    }
+    let problem = scene.metered(choice.axes);
+    let headed = |names: &[String]| names.iter().map(|name| csv::headed(name, &scene.unit(name))).collect::<Vec<_>>();
+    let writes = writes(asked);
+    let table = csv::Table::at(&writes, asked.out.as_deref(), &headed(&problem.columns))?;
+    if asked.transition.is_some() && problem.switching.is_some() {
+        let why = "the law of this system changes at events: its transition matrix is not computed yet";
+        return Err(Ending::refused(format!("--transition: {why}; leave it out")));
+    }
+    let states = asked.transition.as_ref().map(|_| scene.problem(choice.axes));
+    let states = states.map(|states| headed(&states.columns[..states.state.len().min(states.columns.len())]));
+    let matrix = csv::Matrix::at(&writes, asked.transition.as_deref(), &states.unwrap_or_default())?;
+    output::apart(table.output(), matrix.output())?;
+
+    let (columns, most) = (problem.columns.len(), most_samples(problem.columns.len()));
+    if choice.samples > most {
+        let option = if asked.samples.is_some() { "--samples" } else { "samples" };
+        return Err(Ending::refused(format!(
+            "{option} {}: a row of this run has {columns} numbers; a whole number from 1 to {most} is accepted",
+            choice.samples
+        )));
+    }
+    let mut progress = Progress::new(scene.title());
+    let trajectory = problem.simulate_while(&choice, |fraction| {
+        progress.set(fraction);
+        clock::goes_on()
+    });
+    drop(progress);
+    let completed = completed_start(&asked.scene);
+    let text = |told: &Told, beside: Option<Beside>| {
+        let (choice, trajectory, completed) = (&choice, &trajectory, &completed);
+        let summary = Summary { scene, choice, form, trajectory, told, beside, completed };
+        match asked.format {
+            Format::Text => summary.text(),
+            Format::Json => summary.json(),
+        }
+    };
+
+    // what follows may take longer than the run, and the run is not lost by it
+    let table = table.write(&trajectory.times, &trajectory.rows, (trajectory.outcome.time, &trajectory.last));
+    clock::publish(text(&Told::default(), None));
+    let told = phase("what theory says of the run", || scene.told(&choice, &trajectory));
+    clock::publish(text(&told, None));
+    let beside = phase("the run with half of its step", || problem.beside(&choice, &trajectory, clock::goes_on));
+    clock::publish(text(&told, beside));
+    // what has no value, or parts from its law, is no result
+    let serves = beside.is_none_or(|beside| beside.parting.serves()) && trajectory.undefined().is_empty();
+    let reached = trajectory.outcome.reached() && trajectory.left.is_none();
+    let mut ending = if reached && serves { Ending::Done } else { Ending::Stopped };
+    let mut depends = Ok(None);
+    if let Some(path) = &asked.transition {
+        let not_written = |why: &str| warn(&format!("{} is not written: {why}", path.display()));
+        let rows = trajectory.outcome.reached().then(|| {
+            let problem = scene.problem(choice.axes);
+            phase("the transition matrix", || problem.transition(choice.tolerance))
+        });
+        match rows {
+            None => not_written("the run did not reach its end"),
+            Some(Ok(rows)) => depends = matrix.write(&rows),
+            Some(Err(failure)) if failure.is_broken_off() => {
+                not_written(failure.name());
+                ending = Ending::Stopped;
+            }
+            Some(Err(failure)) => depends = Err(Ending::refused(format!("{}: {failure}", path.display()))),
+        }
+    }
+    print(&text(&told, beside))?;
+    // what was computed is told in any case
+    for written in [table?, depends?].into_iter().flatten() {
+        written.tell(asked.format)?;
+    }
+    Ok(ending)
+}
+
+/// A splitting of a law without pieces.
+fn no_pieces(choice: &Choice, path: &Path) -> Ending {
+    let others = methods::list().map(|(name, _)| name).filter(|name| {
+        let numbered = name.replace("STEPS", "1");
+        !matches!(methods::method(&numbered), Ok(Method::Split { .. }))
+    });
+    Ending::refused(format!(
+        "{} does not apply to {}: {SPLITTINGS}; accepted are {}",
+        methods::written(choice.method),
+        path.display(),
+        others.collect::<Vec<_>>().join(", ")
+    ))
+}
+
+/// The scenes that splittings apply to.
+const SPLITTINGS: &str = "splittings (strang, blanes_moan_4, blanes_moan_6, kahan_li_8) apply to gyrostats and motors whose law has pieces \
+                          with known flows, and not to a system that is written in its file";
+
+/// A part of a command that may take long.
+fn phase<T>(label: &str, work: impl FnOnce() -> T) -> T {
+    let _progress = Progress::new(label);
+    work()
+}
+
+/// The outputs of a run.
+pub fn writes(asked: &Asked) -> Writes<'_> {
+    Writes { command: "run", force: asked.force, reads: vec![&asked.scene] }
+}
+
+/// The scene with the machine that is asked for, where one is.
+pub fn with_model(scene: Scene, model: Option<&str>, path: &Path) -> Result<Scene, Ending> {
+    let Some(model) = model else { return Ok(scene) };
+    scene.with_model(model).map_err(|error| {
+        let made = match error {
+            NoModel::Missing { .. } => format!("; it suffices for {}", scene.given.models().join(", ")),
+            _ => String::new(),
+        };
+        Ending::refused(format!("{}: {error}{made}", path.display()))
+    })
+}
+
+/// The scene's own choices, but for those that are made on the command line.
+fn choice(own: &simulation::Run, asked: &Asked) -> Choice {
+    let own = own.choice();
+    Choice {
+        method: asked.method.unwrap_or(own.method),
+        tolerance: asked.tolerance.unwrap_or(own.tolerance),
+        axes: asked.form.unwrap_or_default(),
+        samples: asked.samples.map_or(own.samples, |samples| samples as usize),
+        allowed: clock::left(),
+    }
+}

@@ -1,0 +1,94 @@
+//! `dalembert scenes`: what there is to run.
+
+use crate::arguments::Format;
+use crate::ending::{Ending, print};
+use clap::Args;
+use reader::Family;
+use serde_json::{Value, json};
+use std::io;
+use std::path::{Path, PathBuf};
+use studies::AnyScene;
+
+/// Which scenes are to be listed.
+#[derive(Args, Debug)]
+pub struct Asked {
+    /// Where the scene files are
+    #[arg(default_value = "scenes")]
+    pub folder: PathBuf,
+    /// How to print them
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+}
+
+/// Prints each scene of a folder with its machine or its system, and its title; one that is not acceptable with the number
+/// of its faults.
+pub fn list(asked: &Asked) -> Result<Ending, Ending> {
+    let files = files(&asked.folder)?;
+    let listed = files.iter().map(|path| (path.display().to_string(), listed(path)));
+    print(&match asked.format {
+        Format::Text => listed.map(|(path, scene)| line(&path, scene)).collect(),
+        Format::Json => format!("{:#}\n", Value::from_iter(listed.map(|(path, scene)| object(path, scene)))),
+    })?;
+    Ok(Ending::Done)
+}
+
+/// Its machine or its system, and its title; or the number of its faults.
+fn listed(path: &Path) -> Result<(String, String), usize> {
+    match AnyScene::open(path) {
+        Ok(AnyScene::Driven(scene)) => Ok((scene.machine.name().to_owned(), scene.title)),
+        Ok(AnyScene::Rough(scene)) => Ok((scene.system.name().to_owned(), scene.title)),
+        Ok(AnyScene::Mechanism(scene)) => Ok((scene.name.to_owned(), scene.title)),
+        Ok(AnyScene::Model(scene)) => Ok((scene.model().to_owned(), scene.title().to_owned())),
+        Err(error) => Err(error.issues.len()),
+    }
+}
+
+fn line(path: &str, scene: Result<(String, String), usize>) -> String {
+    match scene {
+        Ok((system, title)) => format!("{path:<46} {system:<22} {title}\n"),
+        Err(1) => format!("{path:<46} {:<22} 1 fault; `dalembert run` tells it\n", ""),
+        Err(faults) => format!("{path:<46} {:<22} {faults} faults; `dalembert run` tells them\n", ""),
+    }
+}
+
+fn object(path: String, scene: Result<(String, String), usize>) -> Value {
+    match scene {
+        Ok((system, title)) => json!({ "path": path, "system": system, "title": title }),
+        Err(faults) => json!({ "path": path, "faults": faults }),
+    }
+}
+
+/// The TOML files of a folder and of the folders in it, each folder's own first, by name.
+pub fn files(folder: &Path) -> Result<Vec<PathBuf>, Ending> {
+    let unreadable = |error: io::Error| {
+        let accepted = "a folder with scene files is accepted; the project's own is `scenes`";
+        let reason = match error.kind() {
+            io::ErrorKind::NotFound => "there is no such folder".to_owned(),
+            io::ErrorKind::NotADirectory => "this is no folder".to_owned(),
+            _ => error.to_string(),
+        };
+        Ending::refused(format!("{}: {reason}; {accepted}", folder.display()))
+    };
+    let (mut files, mut open) = (Vec::new(), vec![folder.to_owned()]);
+    while let Some(next) = open.pop() {
+        let (mut own, mut folders) = (Vec::new(), Vec::new());
+        for entry in std::fs::read_dir(next).map_err(unreadable)? {
+            let entry = entry.map_err(unreadable)?;
+            let path = entry.path();
+            // a link to a folder is not followed: it might lead back
+            if entry.file_type().is_ok_and(|kind| kind.is_dir()) {
+                folders.push(path);
+            } else if path.extension().is_some_and(|extension| extension == "toml") {
+                own.push(path);
+            }
+        }
+        own.sort();
+        files.extend(own);
+        folders.sort();
+        open.extend(folders.into_iter().rev());
+    }
+    match files.is_empty() {
+        true => Err(Ending::refused(format!("{} holds no scene: no file ends in .toml", folder.display()))),
+        false => Ok(files),
+    }
+}

@@ -1,0 +1,62 @@
+//! Runs of directions with one fate.
+
+use nalgebra::{Matrix3, Vector3};
+use std::collections::HashMap;
+use studies::stationary::branches::Branch;
+use studies::stationary::motions::Case;
+use studies::stationary::stability::cone::Fates;
+use studies::stationary::stability::reduced::Fate;
+
+/// A connected run of directions with one fate.
+pub(super) struct Piece {
+    /// `None` where no real angular velocity goes with the directions.
+    pub fate: Option<Fate>,
+    /// (v, w) in the order of w.
+    pub points: Vec<(Vector3<f64>, f64)>,
+}
+
+/// A branch of the cone, cut where its stability changes, which is exact at each of its points; neighbouring pieces share a
+/// point. A point that is no isolated motion is one of a circle, whose tangent costs no energy.
+pub(super) fn pieces(known: &mut Known<'_>, branch: Branch) -> Vec<Piece> {
+    let mut pieces: Vec<Piece> = Vec::new();
+    for (v, w) in branch.points {
+        let fate = branch.kind.map(|_| known.fate(v, w));
+        match pieces.last_mut() {
+            Some(piece) if piece.fate == fate => piece.points.push((v, w)),
+            last => {
+                let shared = last.and_then(|piece| piece.points.last().copied());
+                pieces.push(Piece { fate, points: shared.into_iter().chain([(v, w)]).collect() });
+            }
+        }
+    }
+    pieces
+}
+
+/// The fates that are known by now, by the angular velocity, in the axes of the data.
+pub(super) struct Known<'a> {
+    pub fates: &'a Fates,
+    pub case: &'a Case,
+    /// The principal axes as columns.
+    pub axes: Matrix3<f64>,
+    pub at: HashMap<u64, Vec<(Vector3<f64>, Fate)>>,
+}
+
+/// A drawn point is this near to the motion that it stands for.
+const SAME: f64 = 1e-6;
+
+impl Known<'_> {
+    fn fate(&mut self, v: Vector3<f64>, w: f64) -> Fate {
+        let all = self.at.entry(w.to_bits()).or_insert_with(|| self.fates.at(self.case, w));
+        let off = |known: &Vector3<f64>| (self.axes.transpose() * known - v).norm();
+        let nearest = all.iter().min_by(|a, b| off(&a.0).total_cmp(&off(&b.0)));
+        nearest.filter(|(known, _)| off(known) < SAME).map_or(Fate::Edge, |(_, fate)| *fate)
+    }
+}
+
+/// How pieces are told apart: by their stability.
+pub(super) fn class(piece: &Piece) -> (usize, &'static str) {
+    match piece.fate {
+        Some(fate) => (Fate::ALL.iter().position(|known| *known == fate).unwrap_or(0), fate.name()),
+        None => (Fate::ALL.len(), "no rotation: its square would be negative"),
+    }
+}

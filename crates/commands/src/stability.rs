@@ -1,0 +1,191 @@
+//! Verdicts on the stability of stationary motions, with what each rests on, as text and JSON.
+
+use charts::significant;
+use mechanics::first_approximation::{HalfPlanes, Inertia};
+use nalgebra::Vector3;
+use serde_json::{Value, json};
+use std::fmt::Write;
+use studies::stationary::motor::MotorStates;
+use studies::stationary::stability::{Along, Integral, Judged, Reason, Verdict};
+
+/// A line for each angle of the rotor, and one for what it rests on.
+pub fn text(motor: &MotorStates, judged: &[Judged]) -> String {
+    let mut out = String::new();
+    for (one, angle) in judged.iter().zip(angles(motor)) {
+        let at = angle.map_or(String::new(), |angle| format!("at gamma0 = {angle:.6} rad "));
+        let _ = writeln!(out, "    {at}{}: {}", name(one.verdict), because(one));
+    }
+    out
+}
+
+/// Of a family: a line for each stretch with one verdict, and for each direction that is unlike those beside it.
+pub fn along(motor: &MotorStates, along: &[Along]) -> String {
+    let mut out = String::new();
+    for (one, angle) in along.iter().zip(angles(motor)) {
+        if let Some(angle) = angle {
+            let _ = writeln!(out, "    at gamma0 = {angle:.6} rad");
+        }
+        for arc in &one.arcs {
+            let place = match arc.ends {
+                Some([from, to]) => format!("from v = {} to {}", components(from), components(to)),
+                None if one.edges.is_empty() => "all of it".to_owned(),
+                None => "all else".to_owned(),
+            };
+            let _ = writeln!(out, "    {place}: {}: {}", named(&arc.judged), because(&arc.judged));
+        }
+        for edge in &one.edges {
+            let _ = writeln!(
+                out,
+                "    at v = {}: {}: {}",
+                components(edge.direction),
+                named(&edge.judged),
+                because(&edge.judged)
+            );
+        }
+    }
+    out
+}
+
+fn components(v: Vector3<f64>) -> String {
+    format!("({:.8}, {:.8}, {:.8})", v.x, v.y, v.z)
+}
+
+/// The same of a family, for a program.
+pub fn along_objects(motor: &MotorStates, along: &[Along]) -> Vec<Value> {
+    let of_angle = |(one, angle): (&Along, Option<f64>)| {
+        let arcs = one.arcs.iter().map(|arc| {
+            let ends = arc.ends.map(|ends| ends.map(|v| [v.x, v.y, v.z]));
+            json!({ "ends": ends, "member": arc.member.each_ref().map(|v| v.to_f64()), "judged": object(&arc.judged) })
+        });
+        let edges = one.edges.iter().map(|edge| {
+            let v = edge.direction;
+            json!({ "direction": [v.x, v.y, v.z], "judged": object(&edge.judged) })
+        });
+        json!({ "angle": angle, "arcs": arcs.collect::<Vec<_>>(), "edges": edges.collect::<Vec<_>>() })
+    };
+    along.iter().zip(angles(motor)).map(of_angle).collect()
+}
+
+/// The same for a program.
+pub fn objects(motor: &MotorStates, judged: &[Judged]) -> Vec<Value> {
+    let each = judged.iter().zip(angles(motor)).map(|(one, angle)| {
+        let mut object = object(one);
+        object["angle"] = json!(angle);
+        object
+    });
+    each.collect()
+}
+
+fn object(one: &Judged) -> Value {
+    json!({
+        "verdict": name(one.verdict), "because": because(one),
+        "structural_zeros": one.integrals.iter().map(|integral| letter(*integral)).collect::<Vec<_>>(),
+        "zeros_along_the_family": one.along,
+        "polynomial": one.polynomial,
+        "roots": one.roots.map(|HalfPlanes { left, axis, right, distinct }| json!({
+            "left": left, "axis": axis, "distinct_on_axis": distinct, "right": right })),
+        "energy": one.energy.map(|Inertia { positive, zero, negative }| json!({
+            "positive": positive, "zero": zero, "negative": negative })),
+        "energy_is_conserved": one.conservative,
+        "growth": one.growth,
+    })
+}
+
+/// Of one of a family: what is said is said of the family.
+fn named(judged: &Judged) -> String {
+    let family = if judged.along > 0 { ", as a family" } else { "" };
+    format!("{}{family}", name(judged.verdict))
+}
+
+fn angles(motor: &MotorStates) -> Vec<Option<f64>> {
+    match motor {
+        MotorStates::InStep { angles, .. } => angles.iter().map(|angle| Some(angle.radians())).collect(),
+        _ => vec![None],
+    }
+}
+
+/// The name of a verdict.
+pub fn name(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Stable => "stable",
+        Verdict::AsymptoticallyStableModuloIntegrals => "asymptotically stable modulo the integrals",
+        Verdict::Unstable { .. } => "unstable",
+        Verdict::CannotTell(_) => "not decided",
+    }
+}
+
+fn letter(integral: Integral) -> &'static str {
+    match integral {
+        Integral::Vertical => "|v|",
+        Integral::Momentum => "x.v",
+        Integral::RotorMomentum => "p'",
+        Integral::Axis => "x.n",
+        Integral::Size => "|x|",
+    }
+}
+
+/// Nobody waits for deviations that grow more slowly, 1/s: by e in thirty years.
+const SLOW: f64 = 1e-9;
+
+/// How fast deviations grow.
+fn grows([low, high]: [f64; 2]) -> String {
+    let rate = 0.5 * (low + high);
+    if rate >= SLOW {
+        let plain = (1e-3..1e6).contains(&rate);
+        let rate = if plain { significant(rate, 2) } else { format!("{rate:.1e}") };
+        return format!("the fastest deviation grows by {rate} 1/s");
+    }
+    let rate = if low > 0.0 { format!("{rate:.1e}") } else { format!("less than {high:.1e}") };
+    format!(
+        "no deviation grows by more than {rate} 1/s: nobody sees that, and one digit more of the data may turn its sign"
+    )
+}
+
+/// What a verdict rests on.
+fn because(judged: &Judged) -> String {
+    let number = |n: usize, name: &str| format!("{n} {name}{}", if n == 1 { "" } else { "s" });
+    let family = [(1, "the family"), (2, "the family (twice)")]
+        .into_iter()
+        .filter(|(n, _)| *n == judged.along)
+        .map(|(_, name)| name);
+    let zeros: Vec<&str> = judged.integrals.iter().map(|integral| letter(*integral)).chain(family).collect();
+    let beside = format!("beside the zeros of {}", zeros.join(", "));
+    let flow = if judged.conservative { "is conserved" } else { "never grows" };
+    let energy = judged.energy.map(|Inertia { positive, zero, negative }| {
+        format!("E - W p' at fixed integrals: {positive} positive, {zero} vanishing, {negative} negative squares")
+    });
+    match judged.verdict {
+        Verdict::Stable => format!(
+            "E - W p' at fixed integrals is definite ({}) and {flow}",
+            judged.energy.map_or(String::new(), |energy| number(energy.positive.max(energy.negative), "square"))
+        ),
+        Verdict::AsymptoticallyStableModuloIntegrals => {
+            let all = judged.roots.map_or(0, |roots| roots.left);
+            format!("all {} lie to the left, {beside} (Routh; Lyapunov, Malkin)", number(all, "root"))
+        }
+        Verdict::Unstable { right } => {
+            let all = judged.roots.map_or(0, |roots| roots.degree());
+            let lie = if right == 1 { "lies" } else { "lie" };
+            let growth = judged.growth.map_or_else(String::new, |growth| format!("; {}", grows(growth)));
+            format!("{right} of {} {lie} to the right, {beside} (Routh){growth}", number(all, "root"))
+        }
+        Verdict::CannotTell(reason) => {
+            let why = match reason {
+                Reason::Gyroscopic { .. } => {
+                    "no root to the right, but some on the axis, and the energy is not definite: if it is stable, then by \
+                     gyroscopic forces, and linear analysis cannot tell"
+                }
+                Reason::Neutral => "a further root is zero: motions merge here, or their neighbours are stationary too",
+                Reason::Family => "a family whose numbers are no fractions, and which no symmetry explains",
+                Reason::Edge => "what decides vanishes in this direction",
+                Reason::PullOut => "two states of the rotor merge: a further root is zero",
+                Reason::TooFine => "what decides is nearer to zero than 2048 bits tell",
+                Reason::NotStationary => "the zero roots of the integrals are not there: no stationary motion",
+            };
+            match energy {
+                Some(energy) => format!("{why}; {energy}"),
+                None => why.to_owned(),
+            }
+        }
+    }
+}

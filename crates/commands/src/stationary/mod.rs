@@ -1,0 +1,123 @@
+//! `dalembert stationary`: all stationary motions of a scene, with the certificate that none is missing, and whether each is
+//! stable.
+
+mod json;
+mod map;
+mod motor;
+mod text;
+
+use crate::arguments::{Format, finite};
+use crate::clock;
+use crate::ending::{Ending, print};
+use crate::run::with_model;
+use clap::Args;
+use mechanics::uniform::Undecided;
+use reader::Family;
+use std::path::PathBuf;
+use studies::scene::Scene;
+use studies::stationary::motions::{NoAnswer, Stationary};
+
+/// Which stationary motions are to be found.
+#[derive(Args, Debug)]
+pub struct Asked {
+    /// The scene, a TOML file
+    #[arg(value_name = "SCENE.toml")]
+    pub scene: PathBuf,
+    /// Those with this angular velocity about the vertical, rad/s
+    #[arg(long, value_name = "W", value_parser = finite, allow_negative_numbers = true, conflicts_with_all = ["momentum", "cone"])]
+    pub omega0: Option<f64>,
+    /// Those with this angular momentum about the vertical, N m s; without any of the three, that of the scene's start
+    #[arg(long, value_name = "P", value_parser = finite, allow_negative_numbers = true, conflicts_with = "cone")]
+    pub momentum: Option<f64>,
+    /// How many there are for every angular velocity, and where two merge
+    #[arg(long)]
+    pub cone: bool,
+    /// Twice: where the rotation about the rotor's axis is stable, over two data in SI units, such as load and carrier.centre.3; where
+    /// this is no axis of all bodies, every motion
+    #[arg(long, value_name = "DATUM=FROM..TO", value_parser = ranged, num_args = 1, conflicts_with_all = ["momentum", "cone"])]
+    pub map: Vec<Ranged>,
+    /// Of a map: the axis against the weight
+    #[arg(long, requires = "map")]
+    pub upright: bool,
+    /// Of a map: every stationary motion, not that about the axis alone
+    #[arg(long, requires = "map", conflicts_with = "upright")]
+    pub every: bool,
+    /// Of a map: the picture
+    #[arg(long, value_name = "FILE.svg", requires = "map")]
+    pub out: Option<PathBuf>,
+    /// Replaces the file of --out even where `stationary` did not write what stands there
+    #[arg(long, requires = "out")]
+    pub force: bool,
+    /// Another machine, made of the scene's data
+    #[arg(long)]
+    pub model: Option<String>,
+    /// How to print them
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+}
+
+/// A datum and its range.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ranged {
+    pub name: String,
+    pub range: [f64; 2],
+}
+
+fn ranged(text: &str) -> Result<Ranged, String> {
+    let accepted = || "a datum with its range such as load=-0.1..0.1 is accepted".to_owned();
+    let (name, range) = text.split_once('=').ok_or_else(accepted)?;
+    let (from, to) = range.split_once("..").ok_or_else(accepted)?;
+    let (from, to) = (finite(from)?, finite(to)?);
+    if from >= to {
+        return Err(format!("{from} is not below {to}; a range that rises is accepted"));
+    }
+    Ok(Ranged { name: name.to_owned(), range: [from, to] })
+}
+
+/// Prints them.
+pub fn show(asked: &Asked) -> Result<Ending, Ending> {
+    let scene = with_model(Scene::open(&asked.scene)?, asked.model.as_deref(), &asked.scene)?;
+    if !asked.map.is_empty() {
+        return map::show(asked, &scene);
+    }
+    let refused = |reason: NoAnswer| Ending::refused(format!("{}: {reason}", asked.scene.display()));
+    let all = Stationary::of(&scene).map_err(refused)?;
+    if matches!(asked.format, Format::Text) {
+        clock::publish(format!("{}\n{}", scene.title, motor::text(&all.motor)));
+    }
+    if asked.cone {
+        let census = all.census();
+        print(&match asked.format {
+            Format::Text => format!("{}\n{}{}", scene.title, motor::text(&all.motor), text::counts(&all, &census)),
+            Format::Json => format!("{:#}\n", json::census(&scene, &all, &census)),
+        })?;
+        return Ok(if census.iter().all(Result::is_ok) { Ending::Done } else { Ending::Stopped });
+    }
+    let (given, answers) = match (asked.omega0, asked.momentum) {
+        (Some(w), _) => (Given::Speed(w), all.at_speed(w).map_err(refused)?),
+        (None, p) => {
+            let p = p.unwrap_or_else(|| all.momentum_at_start());
+            (Given::Momentum(p), all.at_momentum(p).map_err(refused)?)
+        }
+    };
+    print(&match asked.format {
+        Format::Text => text::all(&scene, &all, given, &answers),
+        Format::Json => format!("{:#}\n", json::all(&scene, &all, given, &answers)),
+    })?;
+    let complete = answers.iter().all(|answer| answer.certificate.is_complete());
+    Ok(if complete { Ending::Done } else { Ending::Stopped })
+}
+
+/// What all motions have in common.
+#[derive(Clone, Copy)]
+enum Given {
+    Speed(f64),
+    Momentum(f64),
+}
+
+fn why(reason: Undecided) -> &'static str {
+    match reason {
+        Undecided::Curve => "motions with this momentum form curves",
+        Undecided::TooFine => "motions lie closer together than 8192 bits tell apart",
+    }
+}

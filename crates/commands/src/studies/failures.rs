@@ -1,0 +1,89 @@
+//! The catalogue of failure in the report: one table of thresholds, one of what became of every method.
+
+use crate::crew::Crew;
+use crate::failures::{Measured, grouped, judged, quantity};
+use charts::{Study, Table};
+use std::path::Path;
+use studies::failures::{ALL, Failing, Found};
+
+/// Each way, measured by itself.
+pub struct Failures {
+    measured: Vec<Option<Measured>>,
+    chosen: Vec<&'static Failing>,
+}
+
+impl Failures {
+    /// Those whose scenes are in a folder.
+    pub fn of(folder: &Path) -> Self {
+        let chosen: Vec<&Failing> = ALL.iter().filter(|failing| folder.join(failing.scene).is_file()).collect();
+        Failures { measured: chosen.iter().map(|_| None).collect(), chosen }
+    }
+
+    /// All of them.
+    pub fn enlist<'s>(&'s mut self, crew: &mut Crew<'s>, folder: &'s Path) {
+        for (place, failing) in self.measured.iter_mut().zip(&self.chosen) {
+            crew.add(1.0, place, move || (*failing, failing.measure(folder)));
+        }
+    }
+
+    /// The page; `None` where no scene is made to fail.
+    pub fn study(self) -> Option<Study> {
+        let (mut found, mut missed) = (Vec::new(), String::new());
+        for (failing, measured) in self.measured.into_iter().flatten() {
+            match measured {
+                Ok(measured) => found.push((failing, measured)),
+                Err(why) => missed += &format!(" Not measured, {}: {why}.", failing.name),
+            }
+        }
+        (!found.is_empty()).then(|| Study {
+            id: "failures".into(),
+            title: "How methods fail".into(),
+            lead: "Every way in which methods fail here, on a scene of its own: theory's threshold, computed from the scene's decimals exactly, beside the one that runs show, by halving between a run that holds and one that does not. Below, what the program says where it happens, and what became of every method under a budget of 200 000 evaluations (3 000 in Euler's angles, 21 000 where friction is a sign): it held, was off without a word, or stopped with a reason. None ended in a number that is none.".into(),
+            tables: vec![thresholds(&found), fates(&found)],
+            note: format!("The same by `dalembert failures`, with all methods.{missed}"),
+            ..Study::default()
+        })
+    }
+}
+
+fn thresholds(found: &[(&Failing, Found)]) -> Table {
+    let rows = found.iter().flat_map(|(failing, found)| {
+        found.thresholds.iter().enumerate().map(|(place, it)| {
+            let way = if place == 0 { failing.title.to_owned() } else { String::new() };
+            let of = format!("{}: {}", it.of, it.formula);
+            let exact = it.exact.to_string();
+            let value = quantity(Some(it.exact.value()), it.unit);
+            vec![way, of, exact, value, quantity(it.measured, it.unit), judged(it)]
+        })
+    });
+    Table {
+        caption: "Thresholds by theory and by runs".into(),
+        head: ["Way to fail", "What", "By theory, exactly", "That is", "Measured", "Judgement"]
+            .map(String::from)
+            .into(),
+        rows: rows.collect(),
+    }
+}
+
+fn fates(found: &[(&Failing, Found)]) -> Table {
+    let rows = found.iter().map(|(failing, found)| {
+        let (mut holds, mut others) = (String::new(), Vec::new());
+        for (fate, by) in grouped(found) {
+            if fate == "holds" { holds = by } else { others.push(format!("{fate}: {by}")) }
+        }
+        let why = failing.why.to_owned();
+        vec![
+            failing.title.to_owned(),
+            why,
+            found.diagnosis.clone(),
+            holds,
+            others.join(". "),
+            failing.advice.to_owned(),
+        ]
+    });
+    Table {
+        caption: "Why, what is said, what survives, what to do".into(),
+        head: ["Way to fail", "Why", "The program says", "Holds", "Does not", "Advice"].map(String::from).into(),
+        rows: rows.collect(),
+    }
+}

@@ -1,0 +1,115 @@
+//! Gains of a stabilised constraint: regions, what they do to drift and error, and the treatments.
+
+use super::missing;
+use super::treatments::{note, scanned, table};
+use crate::crew::Crew;
+use charts::{AreaCurve, Areas, Study};
+use integrators::Failure;
+use std::sync::OnceLock;
+use std::time::Duration;
+use studies::stabilisation::regions::{self, Fate, Map};
+use studies::stabilisation::schemes::Scheme;
+use studies::stabilisation::treatments::{Goal, Line, RUNS, Scan, compare, times};
+
+/// What the study is made of, each part computed by itself.
+#[derive(Default)]
+pub struct Gains {
+    maps: [Option<Map>; SCHEMES.len()],
+    goal: OnceLock<Result<Goal, Failure>>,
+    compared: [Option<Result<Compared, Failure>>; RUNS.len()],
+    times: Vec<Option<f64>>,
+}
+
+/// A method at a step: its gains scanned, its treatments run.
+type Compared = (Scan, Vec<Line>);
+
+/// In the order of the page, with the seconds that a map costs.
+const SCHEMES: [(Scheme, f64); 4] =
+    [(Scheme::Euler, 0.1), (Scheme::RungeKutta4, 0.3), (Scheme::ImplicitMidpoint, 0.5), (Scheme::BackwardEuler, 3.0)];
+/// Columns and rows of a map.
+const CELLS: (usize, usize) = (60, 50);
+/// For the times of all treatments.
+const ALLOWED: Duration = Duration::from_secs(6);
+
+impl Gains {
+    /// All that need not be timed.
+    pub fn enlist<'s>(&'s mut self, crew: &mut Crew<'s>) {
+        let Gains { maps, goal, compared, .. } = self;
+        for (place, (scheme, cost)) in maps.iter_mut().zip(SCHEMES) {
+            crew.add(cost, place, move || regions::map(scheme, CELLS.0, CELLS.1));
+        }
+        let goal = &*goal;
+        for (place, (scheme, steps)) in compared.iter_mut().zip(RUNS) {
+            crew.add(1.0, place, move || {
+                let goal = goal.get_or_init(Goal::new).as_ref().map_err(|failure| *failure)?;
+                let scan = Scan::of(scheme, steps, goal);
+                let lines = compare(scheme, steps, &scan, goal);
+                Ok((scan, lines))
+            });
+        }
+    }
+
+    /// The times of the treatments, while nothing else runs.
+    pub fn take_times(&mut self) {
+        self.times = times(&self.lines(), ALLOWED);
+    }
+
+    fn lines(&self) -> Vec<Line> {
+        self.compared.iter().flatten().flatten().flat_map(|(_, lines)| lines.clone()).collect()
+    }
+
+    /// All of it, for the page.
+    pub fn study(self) -> Study {
+        let lines = self.lines();
+        let failed = self.compared.iter().flatten().find_map(|compared| compared.as_ref().err());
+        let mut study = Study {
+            id: "gains".into(),
+            title: "Gains of a stabilised constraint".into(),
+            lead: r"A violation $y$ of a constraint is led by $\ddot y=-b\dot y-ky$. In steps $h$ its fate depends on the method, $hb$ and $h^2k$ alone. Coloured: what became of a violation of a crank and slider, run by the integrator. Curves: the exact edge, as it is proved in the ledger.".into(),
+            note: failed.map_or_else(|| note().into(), missing),
+            ..Study::default()
+        };
+        study.pictures = self.maps.into_iter().flatten().map(map).collect();
+        let scans: Vec<&Scan> = self.compared.iter().flatten().flatten().map(|(scan, _)| scan).collect();
+        if !scans.is_empty() {
+            study.pictures.push(scanned(&scans, "Drift by gain", "largest |f| (m²)", |point| point.drift));
+            study.pictures.push(scanned(&scans, "Error by gain", "largest error, relative", |point| point.error));
+            study.tables.push(table(&lines, &self.times));
+        }
+        study
+    }
+}
+
+fn map(map: Map) -> Areas {
+    let place = |fate: &Fate| Fate::ALL.iter().position(|known| known == fate).unwrap_or(0);
+    let cells: usize = map.rows.iter().map(Vec::len).sum();
+    let best = map.best.map(|(b, k)| (b, k, "fastest".into()));
+    let name = map.scheme.name();
+    let note = match map.scheme {
+        Scheme::Euler => {
+            "The triangle with the corners (0, 0), (2, 0), (4, 4). At (2, 1) a violation is gone after two steps."
+        }
+        Scheme::RungeKutta4 => "At (3.459, 3.781) a violation is gone after one step.",
+        Scheme::ImplicitMidpoint => "All positive gains. At (4, 4) a violation is gone after two steps.",
+        Scheme::BackwardEuler => "All positive gains; the larger, the faster.",
+    };
+    Areas {
+        title: format!("Gains that {name} bears"),
+        x: ("h b".into(), [0.0, map.most.0]),
+        y: ("h² k".into(), [0.0, map.most.1]),
+        names: Vec::new(),
+        kinds: Fate::ALL.iter().map(|fate| fate.name().into()).collect(),
+        rows: map.rows.iter().map(|row| row.iter().map(place).collect()).collect(),
+        curves: ["upper edge, exact", "lower edge, exact"]
+            .into_iter()
+            .zip(map.edges)
+            .map(|(name, points)| AreaCurve { name: name.into(), points })
+            .collect(),
+        dots: Vec::new(),
+        marks: best.into_iter().collect(),
+        note: format!(
+            "{note} {} of {cells} cells are on the other side of the exact edge than their run.",
+            map.mistaken
+        ),
+    }
+}

@@ -1,0 +1,79 @@
+//! The motor where it is carried: its pull-in and its shares of starts in a gyrostat, beside the same motor on the bench.
+
+use super::{SWINGS, onset};
+use charts::{Table, significant};
+use studies::scene::{Scene, System};
+use studies::synchronism::basin::Share;
+use studies::synchronism::loaded::{Loaded, giving_way};
+use studies::synchronism::maps::{alone, over_starts};
+use studies::synchronism::pull_in::PullIn;
+
+/// Loads as shares of the pull-out, and angles and slips of the starts under each.
+const LOADS: [f64; 7] = [0.0, 0.1, 0.2, 0.4, 0.7, 0.95, 1.05];
+const STARTS: (usize, usize) = (4, 4);
+
+/// What was found in one gyrostat.
+pub struct Carried {
+    title: String,
+    /// A' and what is left of it against a moment between rotor and carrier, kg m^2.
+    axial: [f64; 2],
+    pull_out: f64,
+    /// Of the rotor alone, and of one that is lighter as the carrier gives way.
+    pull_in: [Option<PullIn>; 2],
+    /// On the bench and in the gyrostat, by load.
+    shares: [Vec<Share>; 2],
+}
+
+impl Carried {
+    /// Of a scene with a motor that follows its field; `None` on a bench, or where the motor does not.
+    pub fn of(scene: &Scene) -> Option<Self> {
+        let System::Gyrostat(bodies) = &scene.system else { return None };
+        let axial = [bodies.rotor.axial, giving_way(bodies)];
+        let motors = axial.map(|axial| Loaded::new(&scene.machine, axial).ok());
+        let [Some(own), Some(light)] = motors else { return None };
+        let pull_out = Loaded::pull_out(&own.in_step())?.load;
+        let pull_in = [&own, &light].map(|motor| motor.out_of_step().ok()?.pull_in(pull_out));
+        let loads = LOADS.map(|share| share * pull_out);
+        let span = SWINGS / own.facts.frequency;
+        let shares = [&alone(scene), scene].map(|scene| over_starts(scene, &loads, STARTS, span).ok());
+        let [Some(bench), Some(gyrostat)] = shares else { return None };
+        Some(Carried { title: scene.title.clone(), axial, pull_out, pull_in, shares: [bench, gyrostat] })
+    }
+
+    /// Beside the table: what the loads are measured by, and where slipping begins.
+    pub fn told(&self) -> String {
+        let Carried { axial: [own, light], pull_out, pull_in, .. } = self;
+        let said = |of: &Option<PullIn>| {
+            of.map_or_else(
+                || "no slipping motion could be followed to it".to_owned(),
+                |it| format!("{} N m, {}", significant(it.load, 6), onset(it.by)),
+            )
+        };
+        format!(
+            "In the gyrostat the pull-out is that of the bench, {} N m: in step nothing accelerates. Its carrier gives way, so that against a \
+             moment between them the rotor is as light as {} kg m², not {}. Pull-in of a rotor of {} kg m²: {}; of one of {}: {}. ",
+            significant(*pull_out, 6),
+            significant(*light, 4),
+            significant(*own, 4),
+            significant(*own, 4),
+            said(&pull_in[0]),
+            significant(*light, 4),
+            said(&pull_in[1]),
+        )
+    }
+
+    /// For the page.
+    pub fn table(&self) -> Table {
+        let Carried { title, shares: [bench, gyrostat], .. } = self;
+        let caption = format!("In a gyrostat ({title}): which of {} starts come into step", STARTS.0 * STARTS.1);
+        let head =
+            ["Load, N m", "of the pull-out", "In step, on the bench", "in the gyrostat", "slipping there", "undecided"];
+        let row = |((share, bench), gyrostat): ((&f64, &Share), &Share)| {
+            let counts = [bench.in_step, gyrostat.in_step, gyrostat.slipping, gyrostat.undecided()];
+            let first = [significant(gyrostat.load, 4), significant(*share, 3)];
+            first.into_iter().chain(counts.map(|count| count.to_string())).collect()
+        };
+        let rows = LOADS.iter().zip(bench).zip(gyrostat).map(row).collect();
+        Table { caption, head: head.map(String::from).into(), rows }
+    }
+}

@@ -1,0 +1,164 @@
+//! A synchronous motor under load: what it can do for ever, and which starts come into step.
+
+mod carried;
+mod pictures;
+
+use crate::crew::Crew;
+use carried::Carried;
+use charts::{Study, Table, significant};
+use pictures::{by_bars, plain, slipping, standing};
+use studies::scene::{Scene, System};
+use studies::synchronism::basin::Share;
+use studies::synchronism::branches::{OutOfStep, Standing};
+use studies::synchronism::loaded::{Loaded, with_bars};
+use studies::synchronism::maps::{Row, over_damping, over_starts};
+use studies::synchronism::pull_in::{Onset, PullIn};
+
+/// Bars in the map; those that are followed too.
+const BARS: [usize; 9] = [0, 1, 2, 3, 4, 5, 6, 7, 8];
+const DRAWN: [usize; 5] = [0, 1, 2, 3, 8];
+/// f / sqrt(A' b0) of the rows of the map of the motor without currents.
+const DAMPINGS: [f64; 10] = [0.05, 0.2, 0.35, 0.5, 0.65, 0.8, 0.95, 1.1, 1.25, 1.4];
+/// Columns of a map: from nothing to a little beyond the pull-out.
+const COLUMNS: usize = 24;
+const MOST: f64 = 1.08;
+/// Angles and slips of the starts of a cell.
+const STARTS: (usize, usize) = (5, 5);
+/// Swings for which each start with bars is followed.
+const SWINGS: f64 = 120.0;
+
+/// A number of bars: what slips, and what becomes of the starts.
+struct OfBars {
+    bars: usize,
+    slipping: Option<OutOfStep>,
+    pull_in: Option<PullIn>,
+    shares: Vec<Share>,
+}
+
+/// What the study is made of, each part computed by itself.
+#[derive(Default)]
+pub struct Synchronism {
+    title: String,
+    motor: Option<Loaded>,
+    in_step: Vec<Standing>,
+    pull_out: f64,
+    bars: [Option<Option<OfBars>>; BARS.len()],
+    rows: [Option<Option<Row>>; DAMPINGS.len()],
+    carried: Option<Option<Carried>>,
+}
+
+impl Synchronism {
+    /// Of the first scene of a motor with bars on a bench, and of the first in which a gyrostat carries one.
+    pub fn enlist<'s>(&'s mut self, scenes: impl Iterator<Item = &'s Scene>, crew: &mut Crew<'s>) {
+        let scenes: Vec<&Scene> = scenes.filter(|scene| with_bars(scene, 0).is_some()).collect();
+        let on_bench = |scene: &&&Scene| matches!(scene.system, System::Bench { .. });
+        if let Some(scene) = scenes.iter().copied().find(|scene| matches!(scene.system, System::Gyrostat(_))) {
+            crew.add(6.0, &mut self.carried, move || Carried::of(scene));
+        }
+        let Some(scene) = scenes.iter().find(on_bench).copied() else { return };
+        let Ok(motor) = Loaded::of(scene) else { return };
+        self.title.clone_from(&scene.title);
+        self.in_step = motor.in_step();
+        let Some(pull_out) = Loaded::pull_out(&self.in_step).map(|standing| standing.load) else { return };
+        self.pull_out = pull_out;
+        let span = SWINGS / motor.facts.frequency;
+        self.motor = Some(motor);
+        for (place, bars) in self.bars.iter_mut().zip(BARS) {
+            crew.add(1.0, place, move || of_bars(scene, bars, pull_out, span));
+        }
+        for (place, damping) in self.rows.iter_mut().zip(DAMPINGS) {
+            crew.add(0.4, place, move || over_damping(scene, damping, &columns(1.0), STARTS).ok());
+        }
+    }
+
+    /// All of it, for the page.
+    pub fn study(self) -> Option<Study> {
+        let motor = self.motor?;
+        let all: Vec<OfBars> = self.bars.into_iter().flatten().flatten().collect();
+        let rows: Vec<Row> = self.rows.into_iter().flatten().flatten().collect();
+        let carried = self.carried.flatten();
+        let pictures = vec![
+            standing(&self.in_step, self.pull_out),
+            slipping(&all, self.pull_out, motor.facts.field_speed),
+            plain(&rows),
+            by_bars(&all, self.pull_out),
+        ];
+        Some(Study {
+            id: "motor-under-load".into(),
+            title: "A synchronous motor under load".into(),
+            lead: format!(
+                r"{}, with a further constant moment $M$ against the rotor's turning. It can stand in step up to the pull-out, $M+f\Omega=b_0$, whatever its damper; from the pull-in on it can slip for ever, and between the two the start decides. Both are found by continuation: the angles over the load, and the slipping motions as those that repeat after a turn, with the multipliers of the turn. What becomes of a grid of starts is run beside that; a start counts as in step when its energy $V$, which never grows, is below both balances about it, and that is for ever.",
+                self.title
+            ),
+            pictures,
+            tables: std::iter::once(table(&all, self.pull_out)).chain(carried.as_ref().map(Carried::table)).collect(),
+            note: carried.as_ref().map(Carried::told).unwrap_or_default()
+                + r"Pull-in by a balance: with ever longer turns the slipping comes from one angle that does not hold to the next. By a fold: a stable and an unstable slipping motion merge; the moment of a damper with three bars or more has a hump over the slip as Kloss' has, beyond which a load that asks for more is left to friction. Without currents the pull-in is Tricomi's curve, which begins as $\frac4\pi$ of the damping and meets the pull-out at the damping 1.19. In a gyrostat the carrier gives way and swings: there a start counts as in step when the field has not lost the rotor in the last quarter of the time. One scene: dalembert motor scenes/bench.toml, or scenes/spin_up.toml.",
+            ..Study::default()
+        })
+    }
+}
+
+/// From zero to a little beyond `whole`: the middles of the cells.
+fn columns(whole: f64) -> Vec<f64> {
+    (0..COLUMNS).map(|i| whole * MOST * (i as f64 + 0.5) / COLUMNS as f64).collect()
+}
+
+fn of_bars(scene: &Scene, bars: usize, pull_out: f64, span: f64) -> Option<OfBars> {
+    let scene = with_bars(scene, bars)?;
+    let slipping = DRAWN.contains(&bars).then(|| Loaded::of(&scene).ok()?.out_of_step().ok()).flatten();
+    let pull_in = slipping.as_ref().and_then(|all| all.pull_in(pull_out));
+    let shares = over_starts(&scene, &columns(pull_out), STARTS, span).ok()?;
+    Some(OfBars { bars, slipping, pull_in, shares })
+}
+
+fn named(bars: usize) -> String {
+    if bars == 1 { "1 bar".into() } else { format!("{bars} bars") }
+}
+
+fn table(all: &[OfBars], pull_out: f64) -> Table {
+    let head = [
+        "Bars",
+        "Pull-in, N m",
+        "of the pull-out",
+        "Slipping begins",
+        "Long turns at, N m",
+        "Starts in step",
+        "of",
+        "undecided",
+        "Median time under the least load, s",
+    ];
+    let row = |one: &OfBars| {
+        let (load, share, by) = match one.pull_in {
+            None => ("—".into(), "—".into(), "not followed".into()),
+            Some(PullIn { load, by }) => (significant(load, 6), significant(load / pull_out, 4), onset(by)),
+        };
+        let sum = |of: fn(&Share) -> usize| one.shares.iter().map(of).sum::<usize>().to_string();
+        let limit = one.slipping.as_ref().and_then(|all| all.limit);
+        let time = one.shares.first().and_then(|share| share.time);
+        let shown =
+            |value: Option<f64>, digits| value.map_or_else(|| "—".to_owned(), |value| significant(value, digits));
+        let counts = [sum(|s| s.in_step), sum(|s| s.starts), sum(Share::undecided)];
+        [one.bars.to_string(), load, share, by, shown(limit, 6)]
+            .into_iter()
+            .chain(counts)
+            .chain([shown(time, 2)])
+            .collect()
+    };
+    let caption = format!("Pull-out at {} N m; starts of all loads of the map", significant(pull_out, 6));
+    Table {
+        caption,
+        head: head.map(String::from).into(),
+        rows: all.iter().filter(|one| DRAWN.contains(&one.bars)).map(row).collect(),
+    }
+}
+
+/// Where slipping begins, for a reader.
+pub fn onset(by: Onset) -> String {
+    match by {
+        Onset::Balance => "with ever longer turns, from a balance to the next".into(),
+        Onset::Fold { slip } => format!("with a fold at a mean slip of {} rad/s", significant(slip, 4)),
+        Onset::PullOut => "at the pull-out: no hysteresis".into(),
+        Onset::End { slip } => format!("at the fastest slip that was followed, {} rad/s", significant(slip, 4)),
+    }
+}

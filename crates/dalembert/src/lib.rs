@@ -1,0 +1,36 @@
+//! Derives, proves and runs equations of motion of mechanical and electromechanical systems.
+//!
+//! # Overview
+//! * [`model`]: a system as data, its kinematics, the principles, equations of motion;
+//! * [`scenes`]: systems as text, as they run; [`simulation`]: runs, references, work against precision, ensembles;
+//! * [`motor`]: electric motors; [`claims`]: equations of papers, and their verdicts;
+//! * [`symbolic`], [`field`], [`algebra`], [`mechanics`], [`integrators`], [`units`], [`reader`]: the machinery beneath.
+//!
+//! With the feature `commands` a program of one's own has every command of the program `dalembert`, on its own motors and
+//! papers too; with the feature `content` it has the systems, motors, papers and studies of the workbench.
+//!
+//! ```
+//! use dalembert::model::principles::Principle;
+//! use dalembert::model::{BodySource, MatrixForm, Model, Source, Trace};
+//! use dalembert::symbolic::Sym;
+//!
+//! // a mass on a spring: m x'' = -k x
+//! let mut source = Source::default();
+//! source.parameters = vec![("m", "kg").into(), ("k", "N/m").into()];
+//! source.coordinates = vec![("x", "m").into()];
+//! source.points = vec![("P", "O + x*N.x").into()];
+//! source.bodies = vec![BodySource::particle("bob", "P", "m")];
+//! source.potential = Some("k*x^2/2".into());
+//! let model = Model::of(&source)?;
+//! let form = MatrixForm::of(&Trace::of(&model), Principle::Lagrange)?;
+//! assert_eq!(form.mass[0][0], Sym::symbol("m"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+#[cfg(feature = "commands")]
+pub use commands;
+#[cfg(feature = "content")]
+pub use {machines, papers, studies, systems, theorems};
+pub use {
+    algebra, claims, field, integrators, mechanics, model, motor, reader, scenes, simulation, symbolic, units,
+};

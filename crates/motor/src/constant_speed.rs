@@ -1,0 +1,39 @@
+//! A rotor that is kept at a constant speed relative to the carrier, whatever moment that takes.
+
+use crate::{Entry, Machine, RotorState, letter};
+use field::{Base, Over};
+use symbolic::Sym;
+
+reader::quantities! {
+    /// phi' = W for ever: the classical gyrostat of section 8.1.
+    pub struct ConstantSpeed {
+        /// relative speed of the rotor
+        speed: "rad/s",
+    }
+}
+
+impl<P: Base> Machine<P> for ConstantSpeed<P> {
+    #[inline(always)]
+    fn rotor(&self) -> RotorState {
+        RotorState::Prescribed
+    }
+
+    #[inline(always)]
+    fn frame_speed(&self) -> P {
+        self.speed
+    }
+
+    #[inline(always)]
+    fn moment_law<S: Over<P>>(&self, _slip: S, _speed: S) -> S {
+        S::zero()
+    }
+}
+
+/// Among the motors of the catalogue.
+pub const ENTRY: Entry = Entry {
+    name: "constant_speed",
+    summary: "constant relative speed",
+    data: ConstantSpeed::<Sym>::QUANTITIES,
+    counts: &[],
+    write: |given| given.laws(&ConstantSpeed::read(letter)?),
+};

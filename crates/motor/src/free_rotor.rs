@@ -1,0 +1,42 @@
+//! A rotor that turns by inertia without friction.
+
+use crate::{Entry, Machine, RotorState};
+use field::{Base, Over};
+
+/// No moment about the axis: the classical gyrostat of section 8.2. Its speed is measured from zero.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FreeRotor<P> {
+    at_rest: P,
+}
+
+impl<P: Base> Default for FreeRotor<P> {
+    fn default() -> Self {
+        FreeRotor { at_rest: P::zero() }
+    }
+}
+
+impl<P: Base> Machine<P> for FreeRotor<P> {
+    #[inline(always)]
+    fn rotor(&self) -> RotorState {
+        RotorState::Speed
+    }
+
+    #[inline(always)]
+    fn frame_speed(&self) -> P {
+        self.at_rest
+    }
+
+    #[inline(always)]
+    fn moment_law<S: Over<P>>(&self, _slip: S, _speed: S) -> S {
+        S::zero()
+    }
+}
+
+/// Among the motors of the catalogue.
+pub const ENTRY: Entry = Entry {
+    name: "free_rotor",
+    summary: "free rotor: by inertia, without friction",
+    data: &[],
+    counts: &[],
+    write: |given| given.laws(&FreeRotor::default()),
+};

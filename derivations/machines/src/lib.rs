@@ -1,0 +1,37 @@
+//! Electric motors: one file each, of energies and laws of force.
+//!
+//! # Overview
+//! They form a ladder, from the rotors without a motor ([`motor::ConstantSpeed`], [`motor::FreeRotor`]) to one with every bar of
+//! its damper: [`asynchronous`] and [`kloss`] (moment a function of slip), [`synchronous`]
+//! (moment a function of the angle), [`equivalent_windings`] (damper as two currents), [`multi_current`] (all bars).
+//! Beside it stand [`crossed_windings`] (asynchronous with two currents), [`permanent_magnet`] and [`brushed`] (fed by a
+//! voltage).
+//! [`motor::Machine`] is what each implements.
+//!
+//! To add a motor: one file here, its line below, and one in the list; or its laws as text in a scene; or a list of its own in
+//! a crate of one's own.
+
+pub mod asynchronous;
+pub mod brushed;
+pub mod crossed_windings;
+pub mod equivalent_windings;
+pub mod kloss;
+pub mod multi_current;
+pub mod permanent_magnet;
+pub mod synchronous;
+
+motor::submit! {
+    motor::Catalogue {
+        name: "dalembert",
+        motors: &[
+            &asynchronous::ENTRY,
+            &kloss::ENTRY,
+            &synchronous::ENTRY,
+            &equivalent_windings::ENTRY,
+            &multi_current::ENTRY,
+            &crossed_windings::ENTRY,
+            &permanent_magnet::ENTRY,
+            &brushed::ENTRY,
+        ],
+    }
+}

@@ -1,0 +1,20 @@
+//! Papers, each a page of claims in the paper's own order and letters.
+//!
+//! # Overview
+//! * [`konosevich2022`]: gyrostats that an electric motor drives;
+//! * [`manglieva2022`]: systems with rolling, servo constraints and friction;
+//! * [`mukharlyamov2007`]: programmed constraints and their stabilisation;
+//! * [`derive`](mod@derive): equations of motion of the first paper's gyrostat and motor by a chosen principle, for reading.
+
+pub mod derive;
+mod exact_turns;
+pub mod konosevich2022;
+pub mod manglieva2022;
+pub mod mukharlyamov2007;
+
+claims::submit! {
+    claims::Catalogue {
+        name: "papers",
+        papers: &[&konosevich2022::PAPER, &manglieva2022::PAPER, &mukharlyamov2007::PAPER],
+    }
+}

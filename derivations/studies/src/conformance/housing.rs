@@ -1,0 +1,90 @@
+//! A motor in a housing that moves, and in one too heavy to.
+
+use super::instant::{Doubt, Instant, bench_state, vanish};
+use super::verdict_of;
+use claims::finding::Verdict;
+use field::Tangent;
+use motor::{Bench, Machine, RotorState, drive};
+use nalgebra::Vector3;
+use symbolic::{Decision, Hypotheses, Sym, decide, normal};
+use systems::gyrostat::driven::Driven;
+use systems::gyrostat::forms::{FirstForm, Form};
+
+fn three(name: &str) -> Vector3<Sym> {
+    Vector3::from_fn(|k, _| Sym::symbol(&format!("{name} {}", k + 1)))
+}
+
+/// The motor in a gyrostat with these principal moments of A: the rest is any.
+fn driven<M: Machine<Sym> + Clone>(machine: &M, moments: Vector3<Sym>) -> Driven<Sym, FirstForm<Sym>, M> {
+    let form = FirstForm::new(moments, three("axis l"), Sym::symbol("the moment A'"), three("weight Ge"));
+    Driven::new(form, machine.clone())
+}
+
+/// Neither the momentum about the vertical nor more than M of the rotor's own momentum comes from the motor.
+pub(super) fn momentum(machine: &(impl Machine<Sym> + Clone), at: &Instant) -> Verdict {
+    let law = driven(machine, three("moment A"));
+    let (w, v) = (three("velocity w"), three("vertical v"));
+    let mut y: Vec<Sym> = w.iter().chain(&v).copied().collect();
+    y.extend(bench_state(machine));
+    let mut dy = vec![Sym::ZERO; y.len()];
+    law.rates(&y, &mut dy);
+    let moving: Vec<_> = y.iter().zip(&dy).map(|(&y, &dy)| Tangent::moving(y, dy)).collect();
+    let mut residuals = vec![("the momentum about the vertical".to_owned(), vertical(&law, &moving))];
+    if !at.kept {
+        let known = machine.rotor();
+        let (rotor, currents) = y[6..].split_at(known.dimension());
+        let (angle, slip) = known.angle_and_slip(rotor);
+        let moment = drive(machine, angle, slip, currents, &mut vec![Sym::ZERO; currents.len()]);
+        let along = Vector3::from_fn(|k, _| dy[k]).dot(&three("axis l"));
+        let spin = Sym::symbol("the moment A'") * (along + dy[6 + known.dimension() - 1]);
+        residuals.push(("the rotor's own momentum".to_owned(), spin - moment));
+    }
+    verdict_of(vanish(residuals), "what the rotor gets of momentum about its axis the housing gives, and no more")
+}
+
+fn vertical(law: &Driven<Sym, FirstForm<Sym>, impl Machine<Sym>>, moving: &[Tangent<Sym>]) -> Sym {
+    let known = law.machine.rotor();
+    let speed = match known {
+        RotorState::Prescribed => Tangent::fixed(law.machine.frame_speed()),
+        RotorState::Speed | RotorState::AngleAndSpeed => {
+            moving[6 + known.dimension() - 1] + Tangent::fixed(law.machine.frame_speed())
+        }
+    };
+    let vector = |from: usize| Vector3::from_fn(|k, _| moving[from + k]);
+    law.form.momentum(vector(0), speed).dot(&vector(3)).slope
+}
+
+/// As the moments of the housing grow beyond all bounds, one at rest stays so and the motor runs as on the bench.
+pub(super) fn bench(machine: &(impl Machine<Sym> + Clone)) -> Verdict {
+    let own = bench_state(machine);
+    if own.is_empty() {
+        return Verdict::DoesNotApply("a kept rotor without windings has no state of its own".to_owned());
+    }
+    let small = Sym::symbol("1 over A");
+    let law = driven(machine, Vector3::repeat(Sym::ONE / small));
+    let still = std::iter::repeat_n(Sym::ZERO, 3);
+    let y: Vec<Sym> = still.chain(three("vertical v").iter().copied()).chain(own.iter().copied()).collect();
+    let mut dy = vec![Sym::ZERO; y.len()];
+    law.rates(&y, &mut dy);
+    let mut alone = vec![Sym::ZERO; own.len()];
+    Bench { machine: machine.clone(), axial: Sym::symbol("the moment A'") }.rates(&own, &mut alone);
+    let turning = dy[..3].iter().map(|&rate| ("the housing's turning".to_owned(), rate));
+    let running = dy[6..].iter().zip(alone).enumerate().map(|(k, (&rate, alone))| (format!("rate {k}"), rate - alone));
+    let proof = turning.chain(running).try_for_each(|(what, rate)| match tends_to_zero(rate, small) {
+        Some(true) => Ok(()),
+        Some(false) => Err(Doubt::Off(format!("{what} differs from the bench's"))),
+        None => Err(Doubt::Open(format!("the limit of {what} less the bench's is not known"))),
+    });
+    verdict_of(proof, "in a housing too heavy to turn it runs as on the bench")
+}
+
+/// With a variable that tends to zero; `None` where that was not decided.
+fn tends_to_zero(expression: Sym, variable: Sym) -> Option<bool> {
+    let form = normal(expression, &Hypotheses::none()).ok()?;
+    let end = [(variable, Sym::ZERO)];
+    let [above, below] = [form.numerator(), form.denominator()].map(|part| part.substitute(&end));
+    match (decide(above, &Hypotheses::none()), decide(below, &Hypotheses::none())) {
+        (Decision::GaveUp(_), _) | (_, Decision::GaveUp(_)) => None,
+        (above, below) => Some(above.is_zero() && below.is_nonzero()),
+    }
+}

@@ -1,0 +1,61 @@
+//! Mukharlyamov's moments (19) where p g2 = q g1.
+
+use super::trials::{Fate, Tried};
+use super::{Exact, Failing, Found, NotFound, Threshold, Trial, Within};
+use crate::mechanisms::prescribed_top::{PrescribedTop, attitude, nodding};
+use crate::mechanisms::{Mechanism, MechanismScene};
+use field::{Rational, Scalar};
+use num_traits::Zero;
+use reader::Family;
+use simulation::Smooth;
+use std::path::Path;
+use systems::variable_top::{Top, prescribing};
+
+pub const FAILING: Failing = Failing {
+    name: "inclination",
+    title: "the moments (19) where p g2 = q g1",
+    scene: "failures/nodding_top.toml",
+    why: r"Three moments lead three integrals by equations of the determinant $p\gamma_2-q\gamma_1=-\dot\gamma_3$. Where the axis does not nod (at both ends of every nutation, and always on a permanent rotation) a moment across the plane of axis and vertical changes neither energy nor momentum, and integrals that are off cannot be led: $\frac{d}{dt}(p\gamma_2-q\gamma_1)^2$ stays away from zero, and the moments grow as $(t_*-t)^{-1/2}$.",
+    advice: "Lead the integrals away from the ends of the nutation only, or take the moments of the force function, which exist everywhere; judge p g2 = q g1 by exact arithmetic.",
+    asked: "to stop where the axis does not nod and to say so",
+    measure,
+};
+
+fn measure(path: &Path) -> Result<Found, NotFound> {
+    let scene = MechanismScene::open(path)?;
+    if scene.name != <PrescribedTop<f64> as Mechanism>::NAME {
+        return Err(NotFound::unsuitable(path, format!("this is a {}", scene.name), "system = \"prescribed_top\""));
+    }
+    let choice = scene.run.choice();
+    let run = scene.simulate(&choice, |_| ());
+    let left = run.stopped().map(|_| nodding(&run.outcome.state) / nodding(&scene.start));
+    let threshold = Threshold {
+        of: "what is left of the determinant where the run ends, as a share of the first",
+        formula: r"$p\gamma_2-q\gamma_1$",
+        exact: Exact::Number(Rational::zero()),
+        unit: "",
+        measured: left,
+        within: Within::Share(100),
+    };
+    let problem = scene.problem();
+    let mut trials = Tried { steps: 1_000, ..Tried::of(&problem, 1e-9) }.all(|_| false);
+    let seen = |fate: bool| if fate { Fate::Holds } else { Fate::Wrong };
+    trials.push(Trial {
+        by: "81 stationary inclinations refused, by decimals".into(),
+        fate: seen(all_refused(Rational::decimal)),
+    });
+    trials.push(Trial { by: "81 stationary inclinations refused, in doubles".into(), fate: seen(all_refused(|x| x)) });
+    let diagnosis = scene.told(&choice, &run).diagnosis.unwrap_or_default();
+    Ok(Found { thresholds: vec![threshold], diagnosis, trials })
+}
+
+/// Whether every state (p, q) = (i, j)/10, (g1, g2) = 3 (i, j)/100 is refused.
+fn all_refused<S: Scalar>(number: impl Fn(f64) -> S) -> bool {
+    let top = Top { equatorial: 2.0, axial: 1.0, static_moment: 1.0, gyroscope: 0.5, gravity: 9.81, tide: 0.0 };
+    let top = top.map(&number).fixed();
+    let pairs = (1..10).flat_map(|i| (1..10).map(move |j| (f64::from(i), f64::from(j))));
+    pairs.into_iter().all(|(i, j)| {
+        let y = [i / 10.0, j / 10.0, 1.0, 3.0 * i / 100.0, 3.0 * j / 100.0, 0.5].map(&number);
+        prescribing(&top, &attitude(&y), S::one(), [S::one(); 3]).is_err()
+    })
+}

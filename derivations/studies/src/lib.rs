@@ -1,0 +1,35 @@
+//! Studies of mechanical and electromechanical systems: motions, stability, steps of methods, smaller models.
+//!
+//! # Overview
+//! * [`stationary`]: all stationary motions of a gyrostat with any motor, exactly;
+//! * [`phantom`]: numerical stability of steady motions;
+//! * [`synchronism`]: a synchronous motor under load, in step and out of it;
+//! * [`stabilisation`]: gains and treatments of constraints, measured;
+//! * [`failures`]: every way in which methods fail, with its threshold by theory and by runs;
+//! * [`ladder`]: smaller models under the one of a scene, the error of each, the cheapest that suffices;
+//! * [`conformance`]: rules for every motor, whoever wrote it;
+//! * [`closed_forms`]: motions that are known, by which runs and references are measured;
+//! * [`long_runs`]: how errors grow over a million revolutions, by a closed form;
+//! * [`regimes`], [`governors`]: maps and series for pictures;
+//! * [`scene`]: a gyrostat or a bench with a motor, from a file; [`mechanisms`]: governors, drives, bodies that roll;
+//!   [`friction`]: contacts with friction; [`AnyScene`]: a scene of any family;
+//! * [`ensemble`]: many systems of one kind with data of their own, run side by side.
+
+mod any_scene;
+pub mod closed_forms;
+pub mod conformance;
+pub mod ensemble;
+pub mod failures;
+pub mod friction;
+pub mod governors;
+pub mod ladder;
+pub mod long_runs;
+pub mod mechanisms;
+pub mod phantom;
+pub mod regimes;
+pub mod scene;
+pub mod stabilisation;
+pub mod stationary;
+pub mod synchronism;
+
+pub use any_scene::AnyScene;

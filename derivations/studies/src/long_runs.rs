@@ -1,0 +1,243 @@
+//! Long runs of a top whose motion is known in closed form: how errors grow with the number of revolutions.
+//!
+//! What theory says of a method of even order p at constant steps h over n revolutions:
+//!
+//! | method | energy | phase |
+//! |---|---|---|
+//! | any | h^p, swinging, and h^(p+1) n | h^p n, and h^(p+1) n^2: the frequency goes with the energy |
+//! | of a splitting without friction | h^p, bounded (a nearby energy is kept) | h^p n |
+//! | either, where rounding is all that is left | sqrt(n) | n^(3/2) (Brouwer 1937) |
+//!
+//! and of v.v: as its energy, or sqrt(n) where a step turns v by rotations. The law is reversible, and so are those terms
+//! of the modified equation with even powers of h (Hairer, Lubich and Wanner, Geometric Numerical Integration, IX and XI):
+//! over a nutation, which is its own mirror image in time, they take from the energy what they gave. The next one loses it.
+
+use field::DoubleDouble;
+use integrators::{
+    Failure, Method, Observer, Real, Span, Splitting, System, Tolerance, Work, Working, integrate, integrate_in,
+};
+use motor::FreeRotor;
+use motor::compiled;
+use nalgebra::{Matrix3, Rotation3, Vector3};
+use std::sync::Arc;
+use systems::gyrostat::driven::Driven;
+use systems::gyrostat::forms::FirstForm;
+use systems::gyrostat::lagrange::{Nutation, Top};
+use systems::gyrostat::{Carrier, Gyrostat, Rotor};
+
+/// A top, a rotor that turns freely along its axis, and where it starts: at a turning point of its nutation.
+pub struct LongRun {
+    law: Arc<Driven<f64, FirstForm<f64>, FreeRotor<f64>>>,
+    state: Vec<f64>,
+    axis: Vector3<f64>,
+    nutation: Nutation,
+}
+
+/// What is left of the exact motion after so many revolutions.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample {
+    /// periods of the nutation
+    pub revolutions: f64,
+    /// of the energy, relative
+    pub energy: f64,
+    /// the largest that was seen after any step so far, of the energy, without sign
+    pub swing: f64,
+    /// of v.v
+    pub length: f64,
+    /// of x.v, relative
+    pub momentum: f64,
+    /// in revolutions; none once it was too large to be read off the slope of u
+    pub phase: Option<f64>,
+}
+
+/// A method over a long run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Course {
+    pub method: Method,
+    /// for a method that follows one
+    pub tolerance: f64,
+    pub samples: Vec<Sample>,
+    pub work: Work,
+    pub failure: Option<Failure>,
+}
+
+/// A method by what it takes for a revolution.
+#[derive(Clone, Copy, Debug)]
+pub enum Pace {
+    /// So many steps, a multiple of four.
+    Steps(Constant, u32),
+    Tolerance(Method, f64),
+}
+
+/// A method that takes a number of steps.
+pub type Constant = fn(u32) -> Method;
+
+/// Beyond this u is no line in time any more, in revolutions.
+const LOST: f64 = 0.05;
+
+/// What is set side by side: at about 320 evaluations, or pairs of flows there and back, for a revolution.
+pub const PACES: [Pace; 9] = [
+    Pace::Steps(|steps| Method::RungeKutta4 { steps }, 80),
+    Pace::Tolerance(Method::DormandPrince8, 1e-10),
+    Pace::Steps(|steps| Method::Split { splitting: Splitting::Strang, steps }, 320),
+    Pace::Steps(|steps| Method::Split { splitting: Splitting::BlanesMoan4, steps }, 52),
+    Pace::Steps(|steps| Method::Split { splitting: Splitting::BlanesMoan6, steps }, 32),
+    Pace::Steps(|steps| Method::Split { splitting: Splitting::KahanLi8, steps }, 20),
+    Pace::Steps(|steps| Method::ImplicitMidpoint { steps }, 80),
+    Pace::Tolerance(Method::Gauss { stages: 6 }, 1e-10),
+    Pace::Tolerance(Method::Taylor, 1e-10),
+];
+
+impl LongRun {
+    /// The top; none if its data gave no nutation.
+    pub fn new() -> Option<Self> {
+        Self::turned(0.0)
+    }
+
+    /// The same with the carrier turned about the axis by an angle at the start: another motion for every method that
+    /// does not know of the symmetry, and for rounding.
+    pub fn turned(angle: f64) -> Option<Self> {
+        let bodies = Gyrostat {
+            carrier: Carrier {
+                mass: 1.5,
+                centre: Vector3::new(0.0, 0.0, 0.06),
+                inertia: Matrix3::from_diagonal(&Vector3::new(0.0096, 0.0096, 0.0034)),
+            },
+            rotor: Rotor {
+                mass: 0.3,
+                centre: Vector3::new(0.0, 0.0, 0.072),
+                axis: Vector3::z(),
+                axial: 2.4e-4,
+                transverse: 1.5e-4,
+            },
+            gravity: 9.81,
+        };
+        let (form, axes) = bodies.first_form();
+        let turn = Rotation3::from_axis_angle(&Vector3::z_axis(), angle);
+        let (w, v) = (turn * Vector3::new(2.0, 0.0, 12.0), turn * Vector3::new(0.6, 0.0, -0.8));
+        let rotor_speed = 100.0;
+        let back = axes.transpose();
+        let law = Driven::new(form, FreeRotor::default());
+        let mut state: Vec<f64> = (back * w).iter().chain((back * v).iter()).copied().collect();
+        state.push(rotor_speed);
+        let reduced = bodies.reduced_tensor();
+        let top = Top {
+            transverse: reduced[(0, 0)],
+            weight: bodies.weight().z,
+            axis: Vector3::z(),
+            spin: bodies.full_tensor()[(2, 2)] * w.z + bodies.rotor.axial * rotor_speed,
+        };
+        let nutation = top.nutation(w, v)?;
+        Some(LongRun { law: Arc::new(law), state, axis: back * Vector3::z(), nutation })
+    }
+
+    /// Runs a method; samples at 1, 2, 5, 10, ... revolutions and a quarter.
+    pub fn course(&self, pace: Pace, revolutions: u32) -> Course {
+        let (period, quarter) = (self.nutation.period, 0.25);
+        let counts = (0..).map(|k| [1, 2, 5][k % 3] * 10_u32.pow(k as u32 / 3));
+        let counts: Vec<u32> = counts.take_while(|count| *count <= revolutions).collect();
+        let outputs: Vec<f64> = counts.iter().map(|count| period * (f64::from(*count) + quarter)).collect();
+        let end = outputs.last().copied().unwrap_or(period);
+        let span = Span::new(0.0, end, &self.state).with_outputs(&outputs).with_evaluations(u64::MAX);
+        let (method, tolerance) = match pace {
+            Pace::Steps(method, each) => {
+                let last = counts.last().copied().unwrap_or(1);
+                (method(last.saturating_mul(each).saturating_add(each / 4)), 1e-10)
+            }
+            Pace::Tolerance(method, tolerance) => (method, tolerance),
+        };
+        let mut samples = Sampled { run: self, samples: Vec::new(), swing: 0.0 };
+        let outcome = integrate(&self.system(), method, &Tolerance::both(tolerance), &span, &mut samples);
+        Course { method, tolerance, samples: samples.samples, work: outcome.work, failure: outcome.failure() }
+    }
+
+    /// What runs.
+    pub fn system(&self) -> impl System {
+        compiled(&self.law)
+    }
+
+    /// Where it starts.
+    pub fn start(&self) -> &[f64] {
+        &self.state
+    }
+
+    /// Of the nutation, s.
+    pub fn period(&self) -> f64 {
+        self.nutation.period
+    }
+
+    /// What the energy of a state is off that of the start, relative.
+    pub fn energy(&self, state: &[f64]) -> f64 {
+        let start = self.law.energy(&self.state);
+        (self.law.energy(state) - start) / start
+    }
+
+    /// What rounding alone changed in energy (relative), v.v and x.v (relative) after so many revolutions, by the same run in
+    /// double-double; none for a method that does not run there, or did not arrive.
+    pub fn rounding(&self, method: Constant, each: u32, revolutions: u32) -> Option<[f64; 3]> {
+        let method = method(each * revolutions);
+        let time = self.nutation.period * f64::from(revolutions);
+        let twice: Vec<DoubleDouble> = self.state.iter().map(|y| DoubleDouble::from(*y)).collect();
+        let (rounded, exact) = (self.end(method, time, &self.state)?, self.end(method, time, &twice)?);
+        let near: Vec<DoubleDouble> = rounded.iter().map(|y| DoubleDouble::from(*y)).collect();
+        let of = |value: &dyn Fn(&[DoubleDouble]) -> DoubleDouble| (value(&near) - value(&exact)).approx();
+        Some([
+            of(&|y| self.law.energy(y)) / self.law.energy(&self.state),
+            of(&|y| self.law.vertical_length(y)),
+            of(&|y| self.law.vertical_momentum(y)) / self.law.vertical_momentum(&self.state),
+        ])
+    }
+
+    fn end<S: Working>(&self, method: Method, time: f64, state: &[S]) -> Option<Vec<S>> {
+        let span = Span::new(0.0, time, state).with_evaluations(u64::MAX);
+        let outcome = integrate_in(&self.system(), method, &Tolerance::both(1e-10), &span, &mut ());
+        outcome.reached().then_some(outcome.state)
+    }
+
+    fn sample(&self, time: f64, state: &[f64], swing: f64) -> Sample {
+        let vertical = Vector3::new(state[3], state[4], state[5]);
+        let (u, speed) = self.nutation.quarter;
+        let phase = (vertical.dot(&self.axis) - u) / (speed * self.nutation.period);
+        let momentum = self.law.vertical_momentum(&self.state);
+        Sample {
+            revolutions: time / self.nutation.period,
+            energy: self.energy(state),
+            swing,
+            length: self.law.vertical_length(state) - 1.0,
+            momentum: (self.law.vertical_momentum(state) - momentum) / momentum,
+            phase: Some(phase).filter(|phase| phase.abs() < LOST),
+        }
+    }
+}
+
+impl Course {
+    /// The exponent e of error ~ n^e from a hundredth of the run to its end, or while `of` shows any.
+    pub fn growth(&self, of: impl Fn(&Sample) -> Option<f64>) -> Option<f64> {
+        let seen = |sample: &Sample| Some((sample.revolutions, of(sample)?));
+        let (end, last) = self.samples.iter().filter_map(seen).next_back()?;
+        let (start, first) = self.samples.iter().filter_map(seen).find(|(at, _)| *at >= end / 110.0)?;
+        let growth = (last / first).abs().ln() / (end / start).ln();
+        growth.is_finite().then_some(growth)
+    }
+}
+
+struct Sampled<'a> {
+    run: &'a LongRun,
+    samples: Vec<Sample>,
+    swing: f64,
+}
+
+impl Observer<f64> for Sampled<'_> {
+    fn sample(&mut self, time: f64, state: &[f64]) {
+        let mut sample = self.run.sample(time, state, self.swing);
+        // what came back into view is another revolution
+        if self.samples.last().is_some_and(|before| before.phase.is_none()) {
+            sample.phase = None;
+        }
+        self.samples.push(sample);
+    }
+
+    fn step(&mut self, _: f64, state: &[f64]) {
+        self.swing = self.swing.max(self.run.energy(state).abs());
+    }
+}

@@ -1,0 +1,92 @@
+//! A step of a gyrostat in the coordinates of `Surface`, over floats, Taylor models and enclosed numbers.
+
+use super::surface::{Step, Surface};
+use crate::ladder::Lumped;
+use algebra::real::{Model, Ordered, Rounded};
+use field::{Analytic, Base, Over, Rational, Scalar, Tangent};
+use integrators::Splitting;
+use motor::{Kick, Law, Motor, Rule, decay_quotient};
+use systems::gyrostat::forms::SecondForm;
+use systems::gyrostat::momenta::{Flows, Lapse, Point};
+
+/// What a step asks of its field beyond operations.
+pub(super) trait Decaying: Base + Over<f64> + Analytic {
+    /// (exp(-a) - exp(-b))/(b - a)
+    fn between_decays(a: Self, b: Self) -> Self;
+    /// Whether it is known to be.
+    fn is_positive(&self) -> bool;
+}
+
+impl Decaying for f64 {
+    fn between_decays(a: f64, b: f64) -> f64 {
+        decay_quotient(a, b)
+    }
+
+    fn is_positive(&self) -> bool {
+        *self > 0.0
+    }
+}
+
+impl<C: Rounded, const N: usize> Decaying for Model<C, N> {
+    fn between_decays(a: Self, b: Self) -> Self {
+        Model::between_decays(&a, &b).unwrap_or(Self::constant(f64::NAN))
+    }
+
+    fn is_positive(&self) -> bool {
+        self.sign() == Some(1)
+    }
+}
+
+/// A form with a motor on the surface of the integrals.
+pub(super) struct OnSurface<P: Base> {
+    pub form: SecondForm<P>,
+    pub machine: Lumped<P, Motor<P>>,
+    pub surface: Surface<P>,
+    pub law: Law,
+    /// Of a moment that is not linear, with the floats that run.
+    pub rule: Rule<f64>,
+}
+
+impl<P: Decaying> OnSurface<P> {
+    /// A step of a length, s. `rests`: from a state that every piece keeps, so that its enclosure does not widen on the way.
+    pub fn step(&self, splitting: Splitting, length: P, rests: bool) -> Box<Step<'_, Tangent<P>>> {
+        let quotient = |a: Tangent<P>, b: Tangent<P>| Tangent::fixed(P::between_decays(a.value, b.value));
+        let flows = Flows::<Tangent<P>>::new(&self.form, &self.machine);
+        let number = <Tangent<P> as Over<f64>>::lift;
+        let Rule { nodes, weights, matrix } = self.rule;
+        let rule =
+            Rule { nodes: nodes.map(number), weights: weights.map(number), matrix: matrix.map(|row| row.map(number)) };
+        let lapse = |(piece, share): (usize, f64)| {
+            let length = Tangent::fixed(length) * number(share);
+            let of_push = || Kick::new(&self.machine, self.law, length, flows.compliance(), quotient, rule);
+            (piece, if piece == 0 { Lapse::Push(of_push()) } else { Lapse::Turn(length) })
+        };
+        let schedule = splitting.schedule::<f64>(1 + flows.squares());
+        let lapses: Vec<(usize, Lapse<Tangent<P>>)> = schedule.into_iter().map(lapse).collect();
+        Box::new(move |at| {
+            let start = self.surface.point(at)?;
+            let mut point = start.clone();
+            for (piece, lapse) in &lapses {
+                flows.flow(&self.machine, *piece, lapse, &mut point);
+                if rests {
+                    hold(&start, &mut point);
+                }
+            }
+            self.surface.coordinates(&point, |x| x.value.is_positive())
+        })
+    }
+}
+
+/// Puts the values of a state that rests back; the slopes stay.
+fn hold<P: Scalar>(rest: &Point<Tangent<P>>, at: &mut Point<Tangent<P>>) {
+    at.momentum.zip_apply(&rest.momentum, |moved, rest| moved.value = rest.value);
+    at.vertical.zip_apply(&rest.vertical, |moved, rest| moved.value = rest.value);
+    at.rotor.angle.value = rest.rotor.angle.value;
+    at.rotor.momentum.value = rest.rotor.momentum.value;
+    at.rotor.fluxes.iter_mut().zip(&rest.rotor.fluxes).for_each(|(moved, rest)| moved.value = rest.value);
+}
+
+/// A fraction; one that is undefined has no bound.
+pub(super) fn enclosed<C: Rounded, const N: usize>(value: Rational) -> Model<C, N> {
+    Model::constant(0.0).fraction(value).unwrap_or(Model::constant(f64::NAN))
+}

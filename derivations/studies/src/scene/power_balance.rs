@@ -1,0 +1,54 @@
+//! A motor's scene with the work of its supply metered: a run then shows whether energy went where the laws send it.
+
+use super::{Scene, System};
+use motor::{Bench, Metered, Powered, is_fed};
+use simulation::events::of_leading;
+use simulation::problem::{Invariant, Problem};
+use simulation::{Axes, CompiledLaw, Law};
+use std::sync::Arc;
+use systems::gyrostat::driven::Driven;
+
+impl Scene {
+    /// The problem in the axes of a form; where a supply feeds the machine, with the work on E - W p as the last state and
+    /// the balance of both among what is kept.
+    pub fn metered(&self, axes: Axes) -> Problem {
+        let plain = self.problem(axes);
+        let Some((law, balance)) = self.fed(axes) else {
+            return plain;
+        };
+        let Problem { mut state, span, invariants, mut columns, row, margins, .. } = plain;
+        let own = state.len();
+        state.push(0.0);
+        columns.push("work".to_owned());
+        let of_own = |Invariant { name, value }: Invariant| {
+            let value = move |time: f64, y: &[f64]| value(time, &y[..own]);
+            Invariant { name, value: Box::new(value) }
+        };
+        let mut invariants: Vec<Invariant> = invariants.into_iter().map(of_own).collect();
+        invariants.push(balance);
+        let row = move |time: f64, y: &[f64]| {
+            let mut row = row(time, &y[..own]);
+            row.push(y[own]);
+            row
+        };
+        let (row, margins) = (Box::new(row), of_leading(margins, own));
+        Problem { law, state, span, invariants, columns, row, margins, switching: None }
+    }
+
+    /// The law with the work that is done on it, and the balance of both; none where nothing feeds the machine.
+    fn fed(&self, axes: Axes) -> Option<(Arc<dyn Law>, Invariant)> {
+        let machine = self.machine.clone();
+        is_fed(&machine).then(|| match (&self.system, axes) {
+            (System::Gyrostat(bodies), Axes::First) => metered(Driven::new(bodies.first_form().0, machine)),
+            (System::Gyrostat(bodies), Axes::Second) => metered(Driven::new(bodies.second_form().0, machine)),
+            (System::Bench { axial }, _) => metered(Bench { machine, axial: *axial }),
+        })
+    }
+}
+
+fn metered(law: impl Powered + Send + Sync + 'static) -> (Arc<dyn Law>, Invariant) {
+    let law = Arc::new(Metered(law));
+    let balancing = Arc::clone(&law);
+    let balance = Invariant { name: "jacobi_less_work", value: Box::new(move |_, y| balancing.balance(y)) };
+    (Arc::new(CompiledLaw::of(law)), balance)
+}

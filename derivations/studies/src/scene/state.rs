@@ -1,0 +1,138 @@
+//! The initial state of a scene in the axes of either form, and results back in the axes of the data.
+
+use super::{Scene, Start, System};
+use motor::{Machine, Motor, NoModel, state_names};
+use nalgebra::{Matrix3, Vector3};
+use simulation::Axes;
+use systems::gyrostat::Gyrostat;
+use systems::gyrostat::tensors::Principal;
+
+/// The relative speed of the rotor, which is asked for whatever the state holds.
+pub const ROTOR_SPEED: &str = "rotor_speed";
+
+/// The tensor whose axes these are.
+pub fn principal(axes: Axes, bodies: &Gyrostat<f64>) -> Principal {
+    match axes {
+        Axes::First => Principal::of(&bodies.reduced_tensor()),
+        Axes::Second => Principal::of(&bodies.full_tensor()),
+    }
+}
+
+impl Scene {
+    /// The initial state: w and v in the axes of the form, then the rotor's state and the currents.
+    pub fn state(&self, axes: Axes) -> Vec<f64> {
+        let mut state = Vec::new();
+        if let System::Gyrostat(_) = self.system {
+            let to_form = self.frame(axes).transpose();
+            state.extend((to_form * self.start.angular_velocity).iter());
+            state.extend((to_form * self.start.vertical).iter());
+        }
+        state.extend(rotor_state(&self.machine, &self.start));
+        state
+    }
+
+    /// Turns w and v of a state from the axes of a form into the axes of the data, so that results of both can be
+    /// compared.
+    pub fn back(&self, axes: Axes) -> impl Fn(&mut [f64]) + use<> {
+        let frame = matches!(self.system, System::Gyrostat(_)).then(|| self.frame(axes));
+        move |state| {
+            let Some(frame) = frame else { return };
+            for vector in state[..6].chunks_exact_mut(3) {
+                let turned = frame * Vector3::from_column_slice(vector);
+                vector.copy_from_slice(turned.as_slice());
+            }
+        }
+    }
+
+    /// The names of the states.
+    pub fn names(&self) -> Vec<String> {
+        names(self.on_bench(), &self.machine)
+    }
+
+    /// The unit of a column of a run, by its name: a winding's current may have any.
+    pub fn unit(&self, name: &str) -> &'static str {
+        let own = state_names(&self.machine);
+        let currents = own.len() - self.machine.windings();
+        if own[currents..].iter().any(|current| current == name) { "A" } else { unit(name) }
+    }
+
+    /// Whether there is no carrier.
+    pub fn on_bench(&self) -> bool {
+        matches!(self.system, System::Bench { .. })
+    }
+
+    /// The same scene with another machine, made of the same data.
+    pub fn with_model(&self, model: &str) -> Result<Scene, NoModel> {
+        let machine = self.given.model(model)?;
+        let (given, windings) = (self.start.currents.len(), machine.windings());
+        let mut start = self.start.clone();
+        if windings == 0 {
+            start.currents.clear();
+        } else if given != 0 && given != windings {
+            return Err(NoModel::Currents { model: model.to_owned(), given, windings });
+        }
+        let mut scene = Scene { machine, start, ..self.clone() };
+        let names = scene.names();
+        scene.run.outputs.retain(|output| output == ROTOR_SPEED || names.contains(output));
+        Ok(scene)
+    }
+
+    /// From a state in the axes of a form to what is shown: the state in the axes of the data, and the rotor's speed.
+    pub(super) fn row(&self, axes: Axes) -> impl Fn(f64, &[f64]) -> Vec<f64> + use<> {
+        let back = self.back(axes);
+        let frame_speed = self.machine.frame_speed();
+        let slip = self.names().iter().position(|name| name == "slip");
+        move |_, state| {
+            let mut row = state.to_vec();
+            back(&mut row);
+            row.push(frame_speed + slip.map_or(0.0, |slip| state[slip]));
+            row
+        }
+    }
+
+    /// The axes of a form as columns, in the axes of the data.
+    fn frame(&self, axes: Axes) -> Matrix3<f64> {
+        match (&self.system, axes) {
+            (System::Gyrostat(bodies), axes) => principal(axes, bodies).axes,
+            (System::Bench { .. }, _) => Matrix3::identity(),
+        }
+    }
+}
+
+/// The initial state of a machine: of its rotor, then its currents.
+pub fn rotor_state(machine: &Motor, start: &Start) -> Vec<f64> {
+    let known = machine.rotor();
+    let mut state = vec![0.0; known.dimension()];
+    known.write(start.rotor_angle, start.rotor_speed - machine.frame_speed(), &mut state);
+    match start.currents.len() {
+        0 => state.extend(std::iter::repeat_n(0.0, machine.windings())),
+        _ => state.extend(&start.currents),
+    }
+    state
+}
+
+/// The names of the states of a system with a machine.
+pub fn names(on_bench: bool, machine: &Motor) -> Vec<String> {
+    let carrier: &[&str] = if on_bench { &[] } else { &["w1", "w2", "w3", "v1", "v2", "v3"] };
+    let mut names: Vec<String> = carrier.iter().map(|&name| name.into()).collect();
+    names.extend(state_names(machine));
+    names
+}
+
+/// What a run shows: the states and the rotor's speed.
+pub fn outputs(on_bench: bool, machine: &Motor) -> Vec<String> {
+    let mut names = names(on_bench, machine);
+    names.push(ROTOR_SPEED.to_owned());
+    names
+}
+
+/// The unit of a state or of the rotor's speed, by its name.
+pub fn unit(name: &str) -> &'static str {
+    match name {
+        "work" => "J",
+        "v1" | "v2" | "v3" => "1",
+        "w1" | "w2" | "w3" | "slip" | ROTOR_SPEED => "rad/s",
+        "angle" => "rad",
+        _ => "A",
+    }
+}

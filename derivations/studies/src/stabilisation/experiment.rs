@@ -1,0 +1,161 @@
+//! The experiment with the drive: Euler with the step 0.01 s, with and without stabilisation, and what step it can bear.
+
+use super::bearable::bearable_steps;
+use super::drive_law::{Nine, Seven, violation};
+use integrators::{Failure, Method, Observer, Record, Span, Tolerance, integrate};
+use systems::crank_drive::{Circuit, CrankDrive};
+use systems::crank_slider::CrankSlider;
+
+/// The step of the experiment, s.
+pub const STEP: f64 = 0.01;
+/// The span, s.
+pub const SPAN: f64 = 20.0;
+
+/// A slow drive: its currents decay over more than half a step, because otherwise Euler could not follow them.
+pub const DRIVE: CrankDrive<f64> = CrankDrive {
+    circuit: Circuit {
+        amplitude: 40.0,
+        frequency: 10.0,
+        l1: 0.5,
+        l2: 0.5,
+        mutual: 0.3,
+        r1: 1.0,
+        r2: 1.0,
+        forward: 0.5,
+        reverse: 20.0,
+        knee: 0.2,
+        c3: 0.05,
+        l4: 0.5,
+        r4: 1.0,
+        l5: 0.5,
+        r5: 2.0,
+        motor: 1.0,
+        b6: 0.1,
+        b7: 0.2,
+    },
+    mechanism: CrankSlider { inertia: 0.5, mass: 0.5, crank: 0.2, rod: 0.6, weight: 1.0 },
+};
+
+/// At rest without currents, the crank up by 0.3.
+pub fn start() -> [f64; 9] {
+    let angle = 0.3;
+    [0.0, 0.0, 0.0, 0.0, 0.0, angle, 0.0, DRIVE.mechanism.slider(angle), 0.0]
+}
+
+/// The nine unknowns at a time, s.
+pub type Sample = (f64, [f64; 9]);
+
+/// A run: times and states after each step (the first is the start), and why it broke off, if it did.
+#[derive(Clone, Debug)]
+pub struct Track {
+    pub name: String,
+    pub points: Vec<Sample>,
+    pub failure: Option<Failure>,
+}
+
+struct Every<'a>(&'a mut Vec<Sample>);
+
+impl Observer<f64> for Every<'_> {
+    fn step(&mut self, time: f64, y: &[f64]) {
+        self.0.push((time, std::array::from_fn(|i| y[i])));
+    }
+}
+
+/// One run of the nine equations in steps of so many seconds.
+pub fn run(name: &str, method: fn(u32) -> Method, step: f64, damping: f64, stiffness: f64) -> Track {
+    let law = Nine { drive: DRIVE, damping, stiffness };
+    let mut points = vec![(0.0, start())];
+    let span = Span::new(0.0, SPAN, &start());
+    let steps = (SPAN / step).round() as u32;
+    let outcome = integrate(&law, method(steps), &Tolerance::both(1e-9), &span, &mut Every(&mut points));
+    Track { name: name.to_owned(), points, failure: outcome.failure() }
+}
+
+impl Track {
+    /// The largest |f| and |f'| along the way.
+    pub fn drift(&self) -> (f64, f64) {
+        self.points.iter().fold((0.0, 0.0), |(f, df): (f64, f64), (_, y)| {
+            let (value, rate) = violation(&DRIVE, y);
+            (f.max(value.abs()), df.max(rate.abs()))
+        })
+    }
+}
+
+/// The motion at so many equal times after the start in coordinates without the slider, whose place and speed are added;
+/// and the digits on which two methods of different families agree.
+///
+/// # Errors
+/// Where one of them broke off.
+pub fn exact(outputs: usize) -> Result<(Vec<Sample>, f64), Failure> {
+    let y = start();
+    let seven = Seven { drive: DRIVE };
+    let span = Span::new(0.0, SPAN, &y[..7]).with_even_outputs(outputs);
+    let follow = |method| -> Result<Record<f64>, Failure> {
+        let mut record = Record::new();
+        match integrate(&seven, method, &Tolerance::both(1e-12), &span, &mut record).failure() {
+            Some(failure) => Err(failure),
+            None => Ok(record),
+        }
+    };
+    let (first, second) = (follow(Method::DormandPrince8)?, follow(Method::Gauss { stages: 5 })?);
+    let pairs = first.states.iter().flatten().zip(second.states.iter().flatten());
+    let apart = pairs.map(|(a, b)| (a - b).abs() / a.abs().max(1.0)).fold(f64::MIN_POSITIVE, f64::max);
+    Ok((first.times.iter().copied().zip(first.states.iter().map(|y| seven.whole(y))).collect(), -apart.log10()))
+}
+
+/// What step Euler can bear, s. By theory: the longest with which I + h A has no eigenvalue outside the unit circle, A the
+/// Jacobian of the circuit's five equations at the instants of the motion. By measurement: the longest with which a
+/// run keeps its currents bounded.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bearable {
+    /// The least over all instants.
+    pub least: f64,
+    /// The greatest: what is beyond it is outside at every instant.
+    pub greatest: f64,
+    /// Without stabilisation.
+    pub plain: f64,
+    /// With the gains of the fastest decay at each step.
+    pub stabilised: f64,
+}
+
+/// The bound on the step of Euler, both ways.
+///
+/// # Errors
+/// Where the exact motion broke off.
+pub fn bearable() -> Result<Bearable, Failure> {
+    let [least, greatest] = bearable_steps(&Seven { drive: DRIVE }, &start()[..7], SPAN)?;
+    Ok(Bearable { least, greatest, plain: measured(0.0, 0.0), stabilised: measured(2.0, 1.0) })
+}
+
+/// The longest step, to a thousandth of it, with gains h b and h^2 k.
+fn measured(beta: f64, kappa: f64) -> f64 {
+    let bounded = |steps: u32| {
+        let h = SPAN / f64::from(steps);
+        let track = run("", |steps| Method::Euler { steps }, h, beta / h, kappa / (h * h));
+        track.failure.is_none() && track.points.iter().all(|(_, y)| y[..5].iter().all(|f| f.abs() < LOST))
+    };
+    let (mut too_few, mut enough) = (50, 4000);
+    while enough - too_few > 1 {
+        let middle = (too_few + enough) / 2;
+        if bounded(middle) { enough = middle } else { too_few = middle }
+    }
+    SPAN / f64::from(enough)
+}
+
+/// A current beyond which a run is lost, A: the source could drive 40 through its resistance.
+const LOST: f64 = 200.0;
+
+/// The largest damping with which the constraint of the drive stays kept at the step of the experiment and the stiffness
+/// k: what a run shows; theory says h b = 2 + h^2 k / 2.
+pub fn most_damping(stiffness: f64) -> f64 {
+    let kept = |damping: f64| {
+        let track = run("", |steps| Method::Euler { steps }, STEP, damping, stiffness);
+        track.failure.is_none() && track.drift().0 < 0.1
+    };
+    let (mut low, mut high) = (1.0 / STEP, 5.0 / STEP);
+    for _ in 0..12 {
+        let middle = 0.5 * (low + high);
+        if kept(middle) { low = middle } else { high = middle }
+    }
+    low
+}

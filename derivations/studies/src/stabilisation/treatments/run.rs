@@ -1,0 +1,107 @@
+//! One run of one treatment, and what came of it.
+
+use super::Treatment;
+use super::goal::{Goal, SPAN, START, reduced, span, whole};
+use crate::stabilisation::law::{BothHeld, Stabilised};
+use crate::stabilisation::regions::MECHANISM;
+use crate::stabilisation::schemes::Scheme;
+use integrators::{Failure, Holding, Observer, Outcome, Tolerance, hold, integrate, integrate_projected};
+use systems::crank_slider::CrankSlider;
+
+/// What came of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Measured {
+    /// The largest |f| after a step, m^2.
+    pub drift: f64,
+    /// The largest |f'|, m^2/s.
+    pub rate_drift: f64,
+    /// The largest error of (q, q') at the outputs, each relative to its size.
+    pub error: f64,
+    /// Evaluations of the equations of motion, a Jacobian counted as those of its columns.
+    pub evaluations: u64,
+    /// Evaluations of the constraint alone, by which places and velocities are corrected.
+    pub corrections: u64,
+}
+
+/// A treatment with its gains, ready to run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Run {
+    pub scheme: Scheme,
+    pub steps: u32,
+    pub way: Way,
+}
+
+/// How the constraint is kept.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Way {
+    /// f'' = -b f' - k f with (h b, h^2 k).
+    Led(f64, f64),
+    Projected,
+    BothHeld,
+    Minimal,
+}
+
+impl Run {
+    /// None where the method has no such gains.
+    pub fn new(scheme: Scheme, steps: u32, treatment: Treatment) -> Option<Self> {
+        let h = SPAN / f64::from(steps);
+        let critical = |rate: f64| Way::Led(2.0 * rate * h, (rate * h).powi(2));
+        let way = match treatment {
+            Treatment::IndexReduction => Way::Led(0.0, 0.0),
+            Treatment::Fastest => scheme.best().map(|(beta, kappa)| Way::Led(beta, kappa))?,
+            Treatment::Moderate => critical(super::MODERATE),
+            Treatment::MostAccurate { rate } => critical(rate),
+            Treatment::Projected => Way::Projected,
+            Treatment::GearGuptaLeimkuhler => Way::BothHeld,
+            Treatment::Minimal => Way::Minimal,
+        };
+        Some(Run { scheme, steps, way })
+    }
+
+    /// From the start to the end of the span.
+    pub fn go(&self, observer: &mut dyn Observer<f64>) -> Outcome<f64> {
+        let (method, h) = (self.scheme.method(self.steps), SPAN / f64::from(self.steps));
+        let law = |beta: f64, kappa: f64| Stabilised::<CrankSlider<f64>, 2, 1> {
+            system: &MECHANISM,
+            damping: beta / h,
+            stiffness: kappa / (h * h),
+        };
+        let (held, span_of_all) = (BothHeld::<CrankSlider<f64>, 2, 1>(&MECHANISM), span(&whole(&START)));
+        // followed by no method with a constant step
+        let tolerance = Tolerance::both(1e-9);
+        match self.way {
+            Way::Led(beta, kappa) => integrate(&law(beta, kappa), method, &tolerance, &span_of_all, observer),
+            Way::Projected => integrate_projected(&law(0.0, 0.0), &held, method, &span_of_all, observer),
+            Way::BothHeld => hold(&held, self.holding(), &span_of_all, observer),
+            Way::Minimal => integrate(&reduced(), method, &tolerance, &span(&START), observer),
+        }
+    }
+
+    /// The same method for the equations with both constraints.
+    fn holding(&self) -> Holding {
+        let steps = self.steps;
+        match self.scheme {
+            Scheme::Euler => Holding::HalfExplicitEuler { steps },
+            Scheme::RungeKutta4 => Holding::HalfExplicitRungeKutta4 { steps },
+            Scheme::BackwardEuler => Holding::RadauIIA { stages: 1, steps },
+            Scheme::ImplicitMidpoint => Holding::ProjectedGauss { stages: 1, steps },
+        }
+    }
+
+    /// Against the exact motion.
+    pub fn measure(&self, goal: &Goal) -> Result<Measured, Failure> {
+        let mut watch = goal.watch(self.way == Way::Minimal);
+        let outcome = self.go(&mut watch);
+        if let Some(failure) = outcome.failure() {
+            return Err(failure);
+        }
+        let (drift, rate_drift, error) = (watch.drift, watch.rate_drift, watch.error);
+        let columns = match self.way {
+            Way::Led(..) | Way::Projected => 4,
+            Way::BothHeld => 6,
+            Way::Minimal => 2,
+        };
+        let evaluations = outcome.work.rates + columns * outcome.work.jacobians;
+        Ok(Measured { drift, rate_drift, error, evaluations, corrections: outcome.work.constraints })
+    }
+}

@@ -1,0 +1,70 @@
+//! The quadratic form and the vectors of W, from the bodies' energies by differentiation.
+
+use field::{Base, Rational, Tangent};
+use mechanics::differentiate::{along, gradient, unit};
+use nalgebra::{Matrix3, Vector3};
+use symbolic::Sym;
+use systems::gyrostat::Gyrostat;
+
+/// The second derivatives of T by (w, phi'), and the slope of -V by the vertical.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Energies<P: field::Scalar> {
+    /// of w with w, kg m^2
+    pub tensor: Matrix3<P>,
+    /// of w with phi', kg m^2
+    pub mixed: Vector3<P>,
+    /// of phi' with phi', kg m^2
+    pub axial: P,
+    /// N m
+    pub weight: Vector3<P>,
+}
+
+/// What the rotor keeps, and so which quadratic form decides.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kept {
+    /// Its speed relative to the carrier: M is the whole T'' of w.
+    RelativeSpeed,
+    /// Its own momentum p = dT/dphi' (Routh): M is T'' less what the rotor takes up, and h its share of p.
+    Momentum,
+}
+
+impl<P: Base> Energies<P> {
+    /// From the laws of kinetic and potential energy.
+    pub fn of(bodies: &Gyrostat<P>) -> Self {
+        let kinetic = |[x, y, z, rotor]: [Tangent<Tangent<P>>; 4]| bodies.kinetic_energy(Vector3::new(x, y, z), rotor);
+        let rows: [[P; 4]; 4] = std::array::from_fn(|i| {
+            let moving: [Tangent<P>; 4] = along([P::zero(); 4], unit(i));
+            gradient(kinetic, moving).map(|component| component.slope)
+        });
+        let potential = |[x, y, z]: [Tangent<P>; 3]| bodies.potential_energy(Vector3::new(x, y, z));
+        Energies {
+            tensor: Matrix3::from_fn(|i, j| rows[i][j]),
+            mixed: Vector3::from_fn(|i, _| rows[i][3]),
+            axial: rows[3][3],
+            weight: -Vector3::from(gradient(potential, [P::zero(); 3])),
+        }
+    }
+
+    /// (M, h for a unit of what is kept).
+    pub fn quadratic(&self, kept: Kept) -> (Matrix3<P>, Vector3<P>) {
+        match kept {
+            Kept::RelativeSpeed => (self.tensor, self.mixed),
+            Kept::Momentum => {
+                let share = self.mixed / self.axial;
+                (self.tensor - share * self.mixed.transpose(), share)
+            }
+        }
+    }
+}
+
+impl Energies<Rational> {
+    /// As constants of expressions.
+    pub fn written(&self) -> Energies<Sym> {
+        Energies {
+            tensor: self.tensor.map(Sym::constant),
+            mixed: self.mixed.map(Sym::constant),
+            axial: Sym::constant(self.axial),
+            weight: self.weight.map(Sym::constant),
+        }
+    }
+}

@@ -1,0 +1,40 @@
+//! Stability of stationary motions, exactly.
+//!
+//! # Overview
+//! * [`state`]: stationary motions and deviations from them;
+//! * [`linear`]: the first approximation and the second variation of the energy, by differentiation, over any field;
+//! * [`approximation`]: both for a scene's gyrostat and motor, written down once and run over fractions and enclosures;
+//! * [`verdict`]: the closed set of answers, and the theorems behind them; [`judged`]: one with what it rests on;
+//! * [`judge`]: of a scene's motions, with enclosures fine enough, and with fractions where all is rational;
+//! * [`family`]: circles and spheres of motions as curves that fractions parametrise; [`critical`]: the functions on them one
+//!   of which vanishes where a verdict changes; [`along`]: the verdicts, arc by arc; [`symmetry`]: where one member stands for all;
+//! * [`reduced`]: the two classical gyrostats in three unknowns, for theorems, maps and pictures;
+//! * [`cone`]: the same for every point of the cone, exactly;
+//! * [`map`]: where rotation about the axis of everything is stable, over two speeds; [`plane`]: over any two data
+//!   ([`datum`]); [`region`]: of every motion of any gyrostat, judged at nodes and followed between them;
+//!
+//! The theorems, in letters, are a page of claims of their own.
+
+pub mod along;
+pub mod approximation;
+pub mod cone;
+pub mod critical;
+pub mod datum;
+pub mod family;
+pub mod judge;
+pub mod judged;
+pub mod linear;
+pub mod map;
+pub mod plane;
+pub mod reduced;
+pub mod region;
+pub mod state;
+pub mod symmetry;
+pub mod verdict;
+
+pub use along::Along;
+pub use approximation::Approximation;
+pub use judged::Judged;
+pub use linear::{Integral, Linear};
+pub use state::Place;
+pub use verdict::{Reason, Verdict};

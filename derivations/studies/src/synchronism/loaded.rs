@@ -1,0 +1,188 @@
+//! A motor alone whose load is a state that rests: so equilibria and rotations are followed over the load.
+
+use crate::scene::{Scene, Start, System};
+use field::{Analytic, Circle, Over};
+use integrators::Ode;
+use motor::{Bench, Machine, Motor, RotorState, is_fed};
+use simulation::{CompiledLaw, Law, SymbolicLaw};
+use std::f64::consts::TAU;
+use std::fmt;
+use std::sync::Arc;
+use systems::gyrostat::Gyrostat;
+
+/// The law of a bench with the load for its last state.
+#[derive(Clone, Debug)]
+pub struct UnderLoad(pub Bench<f64, Motor>);
+
+impl<S: Over<f64> + Analytic> Ode<S> for UnderLoad {
+    fn dimension(&self) -> usize {
+        self.0.dimension() + 1
+    }
+
+    fn rates(&self, _: S, y: &[S], dy: &mut [S]) {
+        if let ([state @ .., load], [rates @ .., resting]) = (y, dy) {
+            self.0.rates_under(*load, state, rates);
+            *resting = S::zero();
+        }
+    }
+}
+
+/// A motor that follows its field, with what its questions need to know of it.
+#[derive(Clone)]
+pub struct Loaded {
+    pub machine: Motor,
+    /// Of the rotor, kg m^2.
+    pub axial: f64,
+    /// The law; its state is angle, slip, currents, load.
+    pub law: Arc<dyn Law>,
+    pub facts: Facts,
+    pub(super) own: Arc<UnderLoad>,
+}
+
+/// Sizes of a motor.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Facts {
+    /// W, rad/s
+    pub field_speed: f64,
+    /// What friction takes at synchronism, N m.
+    pub friction: f64,
+    /// The greatest moment of a field U = -b cos g of the same depth, N m.
+    pub hold: f64,
+    /// sqrt(b / A'), 1/s: of small swings about synchronism.
+    pub frequency: f64,
+    /// The angle at which the field holds the rotor lowest, rad.
+    pub bottom: f64,
+    /// The usual size of angle, slip, currents and load.
+    pub sizes: Vec<f64>,
+}
+
+impl UnderLoad {
+    /// M without currents, N m.
+    pub(super) fn moment(&self, angle: f64, slip: f64) -> f64 {
+        let machine = &self.0.machine;
+        let speed = slip + machine.frame_speed();
+        machine.moment_law(slip, speed) - machine.field_energy(angle.circle().moving(1.0)).slope
+    }
+
+    /// [`height`](super::energy::height) at a state with its load.
+    pub(super) fn height(&self, y: &[f64]) -> f64 {
+        y.split_last().map_or(f64::NAN, |(load, state)| super::energy::height(&self.0, *load, state))
+    }
+}
+
+/// Why there is nothing to ask.
+#[derive(Clone, Debug, PartialEq)]
+pub enum NoField {
+    /// The machine knows no angle.
+    NoAngle { model: &'static str },
+    /// A supply drives its currents, so that no energy tells who is in step.
+    Fed { model: &'static str },
+    /// The field does not hold the rotor.
+    Flat { model: &'static str },
+}
+
+impl fmt::Display for NoField {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NoAngle { model } => write!(
+                f,
+                "`{model}` does not follow its field by the angle, so that there is no step to fall out of; a synchronous machine \
+                 is accepted: synchronous, equivalent_windings, multi_current"
+            ),
+            Self::Fed { model } => write!(
+                f,
+                "the field holds the rotor of `{model}` through currents that a supply feeds, so that no energy tells who is in \
+                 step; a machine without a supply is accepted: synchronous, equivalent_windings, multi_current"
+            ),
+            Self::Flat { model } => {
+                write!(
+                    f,
+                    "the field of `{model}` does not hold its rotor: every angle is as good; b0 > 0 of a synchronous machine is accepted"
+                )
+            }
+        }
+    }
+}
+
+impl std::error::Error for NoField {}
+
+impl Loaded {
+    /// The motor of a scene on a bench: the rotor alone, the housing at rest.
+    ///
+    /// # Errors
+    /// [`NoField`].
+    pub fn of(scene: &Scene) -> Result<Self, NoField> {
+        let axial = match &scene.system {
+            System::Bench { axial } => *axial,
+            System::Gyrostat(bodies) => bodies.rotor.axial,
+        };
+        Loaded::new(&scene.machine, axial)
+    }
+
+    /// A machine with a rotor of this moment of inertia, kg m^2.
+    ///
+    /// # Errors
+    /// [`NoField`].
+    pub fn new(machine: &Motor, axial: f64) -> Result<Self, NoField> {
+        if machine.rotor() != RotorState::AngleAndSpeed {
+            return Err(NoField::NoAngle { model: machine.name() });
+        }
+        if is_fed(machine) {
+            return Err(NoField::Fed { model: machine.name() });
+        }
+        let angles = || (0..SAMPLES).map(|i| TAU * f64::from(i) / f64::from(SAMPLES));
+        let half_range = |of: &dyn Fn(Circle<f64>) -> f64| {
+            let (low, high) = angles()
+                .map(|angle| of(angle.circle()))
+                .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
+            0.5 * (high - low)
+        };
+        let energy = |angle: f64| machine.field_energy(angle.circle());
+        let hold = half_range(&|angle| machine.field_energy(angle));
+        if !(hold > 0.0 && hold.is_finite()) {
+            return Err(NoField::Flat { model: machine.name() });
+        }
+        let bottom = angles().fold(0.0, |best, angle| if energy(angle) < energy(best) { angle } else { best });
+        let frequency = (hold / axial).sqrt();
+        let mut sizes = vec![1.0, frequency];
+        sizes.extend((0..machine.windings()).map(|k| {
+            let flux = half_range(&|angle| machine.linkage(k, angle));
+            if flux > 0.0 { flux / machine.inductance(k) } else { 1.0 }
+        }));
+        sizes.push(hold);
+        let field_speed = machine.frame_speed();
+        let friction = -machine.moment_law(0.0, field_speed);
+        let facts = Facts { field_speed, friction, hold, frequency, bottom, sizes };
+        let law = Arc::new(UnderLoad(Bench { machine: machine.clone(), axial }));
+        let compiled = Arc::new(CompiledLaw::of(Arc::clone(&law) as Arc<dyn SymbolicLaw>));
+        Ok(Loaded { machine: machine.clone(), axial, law: compiled, facts, own: law })
+    }
+}
+
+/// The scene's motor with another number of bars, as their equivalent windings, which do exactly what the bars do; `None`
+/// where it has none.
+pub fn with_bars(scene: &Scene, bars: usize) -> Option<Scene> {
+    let given = scene.given.with_count("bars", bars).ok()?;
+    let machine = given.model("equivalent_windings").ok()?;
+    let start = Start { currents: Vec::new(), ..scene.start.clone() };
+    Some(Scene { machine, given, start, ..scene.clone() })
+}
+
+/// The scene's motor without currents, with this damping f / sqrt(A' b); `None` where it cannot be made of the data.
+pub fn with_damping(scene: &Scene, damping: f64) -> Option<Scene> {
+    let plain = scene.with_model("synchronous").ok()?;
+    let motor = Loaded::of(&plain).ok()?;
+    let given = plain.given.with("f", damping * motor.axial * motor.facts.frequency)?;
+    Some(Scene { machine: given.model("synchronous").ok()?, given, ..plain })
+}
+
+/// The carrier gives way: the moment of inertia that the rotor has against a moment between them, kg m^2. It is
+/// 1 / (1/A' + l.A^-1 l), as the page `synchronism` proves.
+pub fn giving_way(bodies: &Gyrostat<f64>) -> f64 {
+    let (axis, axial) = (bodies.rotor.axis, bodies.rotor.axial);
+    let carrier = bodies.reduced_tensor().lu().solve(&axis).map_or(0.0, |response| axis.dot(&response));
+    1.0 / (1.0 / axial + carrier)
+}
+
+/// Angles at which a turn is looked at.
+const SAMPLES: u32 = 256;
