@@ -19,6 +19,7 @@ pub mod alphabet;
 pub mod catalogue;
 mod claim;
 mod condition;
+pub mod derivation;
 pub mod examine;
 pub mod finding;
 mod judge;
@@ -35,7 +36,7 @@ mod verdict;
 pub use catalogue::Catalogue;
 pub use claim::{Claim, Line, Statement, Theorem};
 pub use condition::{Condition, Point};
-/// Brings a [`Catalogue`]: papers of a crate, found wherever it is linked.
+/// Brings a [`Catalogue`] of papers, or a [`derivation::Derivation`], found wherever the crate is linked.
 pub use inventory::submit;
 pub use judge::Judged;
 pub use ledger::{Entry, entries};

@@ -29,8 +29,6 @@
 
 #[cfg(feature = "commands")]
 pub use commands;
+pub use {algebra, claims, field, integrators, mechanics, model, motor, reader, scenes, simulation, symbolic, units};
 #[cfg(feature = "content")]
 pub use {machines, papers, studies, systems, theorems};
-pub use {
-    algebra, claims, field, integrators, mechanics, model, motor, reader, scenes, simulation, symbolic, units,
-};

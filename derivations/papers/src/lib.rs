@@ -3,11 +3,8 @@
 //! # Overview
 //! * [`konosevich2022`]: gyrostats that an electric motor drives;
 //! * [`manglieva2022`]: systems with rolling, servo constraints and friction;
-//! * [`mukharlyamov2007`]: programmed constraints and their stabilisation;
-//! * [`derive`](mod@derive): equations of motion of the first paper's gyrostat and motor by a chosen principle, for reading.
+//! * [`mukharlyamov2007`]: programmed constraints and their stabilisation.
 
-pub mod derive;
-mod exact_turns;
 pub mod konosevich2022;
 pub mod manglieva2022;
 pub mod mukharlyamov2007;

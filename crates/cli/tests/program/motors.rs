@@ -12,7 +12,7 @@ const LIST: &str = "derivations/machines/src/lib.rs";
 impl Project {
     fn new(name: &str) -> Self {
         let folder = temporary(name);
-        fs::create_dir_all(folder.join("derivations/machines")).expect("a folder can be made");
+        fs::create_dir_all(folder.join("derivations/machines/src")).expect("a folder can be made");
         fs::copy(root().join(LIST), folder.join(LIST)).expect("a file can be copied");
         Project(folder)
     }

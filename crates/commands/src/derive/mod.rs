@@ -4,10 +4,10 @@ mod notation;
 
 use crate::ending::{Ending, print, warn};
 use ::scenes::{Task, read_model, start_of, starting, without_implied};
+use claims::derivation::{Principle, derive as equations_of};
 use clap::{Args, ValueEnum};
 use model::{Fault, MatrixForm, Model, QuasiPrinciple, QuasiVelocities, Trace, constraints, vectors};
 use notation::{of_scene, written};
-use papers::derive::{Principle, derive as equations_of};
 use reader::read_text;
 use simulation::Axes;
 use simulation::models::holds_model;

@@ -3,7 +3,8 @@
 use super::{Asked, Equations, refuse_form};
 use crate::ending::Ending;
 use crate::run::one_form;
-use papers::derive::{Equation, motor_of};
+use claims::derivation::Equation;
+use motor::reading::equations_of;
 use reader::Family;
 use std::path::Path;
 use studies::scene::Scene;
@@ -108,7 +109,7 @@ pub(super) fn of_scene(asked: &Asked) -> Result<String, Ending> {
                 ));
             }
             let scene = Scene::open(Path::new(&asked.system))?;
-            let motor = motor_of(&scene.machine).map_err(Ending::refused)?;
+            let motor = equations_of(&scene.machine).map_err(Ending::refused)?;
             return written(&motor, format);
         }
     };

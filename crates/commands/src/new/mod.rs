@@ -123,7 +123,10 @@ fn begun(asked: &Motor, scene: &Path) -> Vec<Begun> {
         return vec![Begun { place: scene.to_owned(), text: filled(TEXT) }];
     }
     vec![
-        Begun { place: asked.project.join("derivations/machines").join(format!("{name}.rs")), text: filled(MACHINE) },
+        Begun {
+            place: asked.project.join("derivations/machines/src").join(format!("{name}.rs")),
+            text: filled(MACHINE),
+        },
         Begun { place: scene.to_owned(), text: filled(SCENE) },
         Begun { place: asked.project.join("tests").join(format!("{name}.rs")), text: filled(TEST) },
     ]

@@ -18,6 +18,7 @@
 mod alphabet;
 mod beyond;
 mod damper;
+mod derivation;
 pub mod gyrostats;
 mod letters;
 mod power;
