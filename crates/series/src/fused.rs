@@ -132,9 +132,28 @@ fn otherwise<S: Fused>(arch: pulp::Arch, task: impl Task<S>) {
     }
 }
 
+/// Whether the processor has registers for several numbers, with a sum and product in one instruction.
+pub(crate) fn is_wide() -> bool {
+    !matches!(widest(), pulp::Arch::Scalar)
+}
+
+/// Runs work on several systems at once, where the processor [has registers for it](is_wide) and nowhere else.
+#[inline]
+pub(crate) fn in_wide(work: impl pulp::WithSimd<Output = ()>) {
+    match widest() {
+        #[cfg(target_arch = "x86_64")]
+        pulp::Arch::V3(wide) => pulp::Simd::vectorize(wide, work),
+        #[cfg(target_arch = "x86_64")]
+        pulp::Arch::V4(widest) => pulp::Simd::vectorize(widest, work),
+        #[cfg(not(target_arch = "x86_64"))]
+        wide if !matches!(wide, pulp::Arch::Scalar) => wide.dispatch(work),
+        _ => (),
+    }
+}
+
 /// What the processor has, asked once: to ask takes as long as a small task.
 #[inline]
-fn widest() -> pulp::Arch {
+pub(crate) fn widest() -> pulp::Arch {
     static FOUND: OnceLock<pulp::Arch> = OnceLock::new();
     *FOUND.get_or_init(pulp::Arch::new)
 }
