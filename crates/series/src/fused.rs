@@ -6,7 +6,7 @@ use super::pick::{OneByOne, Pick};
 use super::small::{Never, Small, SmallSeries};
 use super::stored::{Parts, Stored};
 use algebra::linear::Magnitude;
-use field::{Analytic, DoubleDouble, Over};
+use field::{Analytic, DoubleDouble, Lanes, Over, Tangent};
 use std::marker::PhantomData;
 use std::sync::OnceLock;
 
@@ -66,13 +66,31 @@ impl Fused for DoubleDouble {
     }
 }
 
-/// A number with its derivatives in D directions: the series of a solution and of how it depends on its beginning.
-impl<const D: usize> Fused for num_dual::DualSVec64<D> {
+/// A number in every lane, with its derivatives in as many directions: the series of a solution and of how it depends on its
+/// beginning.
+impl<const L: usize> Fused for Tangent<Lanes<L>> {
     type Stored = [Self; 8];
     type Small = Never;
 
+    #[inline(always)]
     fn rounded(self) -> f64 {
-        self.re
+        self.value.0[0]
+    }
+
+    #[inline(always)]
+    fn plus_product(self, a: Self, b: Self, fused: bool) -> Self {
+        let slope = self.slope.plus_product(a.slope, b.value, fused).plus_product(a.value, b.slope, fused);
+        Tangent::moving(self.value.plus_product(a.value, b.value, fused), slope)
+    }
+
+    #[allow(private_bounds)]
+    #[inline]
+    fn run<T: Task<Self>>(task: T, _group: usize) {
+        if is_wide() {
+            in_wide(With(task, OneByOne::<true>, PhantomData));
+        } else {
+            task.run(OneByOne::<false>);
+        }
     }
 }
 
