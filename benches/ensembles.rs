@@ -17,8 +17,6 @@ use reader::Family as _;
 use simulation::Axes;
 use std::time::Instant;
 
-/// Series: one register a number, so that all of them stay near the processor.
-const LANES: usize = 8;
 /// Steps: two registers a number, so that one is computed while the other is waited for.
 const WIDE: usize = 16;
 const MEMBERS: u64 = 2048;
@@ -112,7 +110,7 @@ fn trajectories(scene: &Scene, axes: Axes) {
     let ends = vec![0.0; n * MEMBERS as usize];
     let mut spread = Spread { next: 0, parameters: &parameters, state: &state, steps: 0, failed: 0, ends };
     let mut run = |tolerance: f64, repeats: usize| {
-        let series = kind.series::<LANES>(lanes_order(tolerance))?;
+        let series = kind.series(lanes_order(tolerance))?;
         let mut ensemble = Ensemble::new(series, tolerance, SPAN, n, kind.parameters());
         let time = median(repeats, || {
             (spread.next, spread.steps, spread.failed) = (0, 0, 0);

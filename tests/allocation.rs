@@ -268,7 +268,7 @@ fn an_ensemble_allocates_nothing_from_its_first_member_to_its_last() {
     let (_, mut parameters) = form_parameters(&scene.system, Axes::Second);
     parameters.extend(scene.machine.values());
     let state = scene.state(Axes::Second);
-    let series = kind.series::<8>(lanes_order(1e-9)).expect("it is small");
+    let series = kind.series(lanes_order(1e-9)).expect("it is small");
     let mut ensemble = Ensemble::new(series, 1e-9, 0.05, kind.states(), kind.parameters());
     let mut crowd = Crowd { left: 20, parameters: &parameters, state: &state, steps: 0 };
     assert_eq!(allocations(|| ensemble.run(&mut crowd)), 0);

@@ -112,6 +112,12 @@ impl<const L: usize, const FUSED: bool> Scalar for Lanes<L, FUSED> {
     }
 }
 
+impl<const L: usize, const FUSED: bool> From<f64> for Lanes<L, FUSED> {
+    fn from(number: f64) -> Self {
+        Self::all(number)
+    }
+}
+
 impl<const L: usize, const FUSED: bool> Base for Lanes<L, FUSED> {}
 
 impl<const L: usize, const FUSED: bool> Over<Lanes<L, FUSED>> for Lanes<L, FUSED> {

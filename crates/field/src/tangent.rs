@@ -211,6 +211,12 @@ impl<S: Scalar, M: Motion> Scalar for Tangent<S, M> {
     }
 }
 
+impl<S: Scalar + From<f64>, M: Motion> From<f64> for Tangent<S, M> {
+    fn from(number: f64) -> Self {
+        Self::at_rest(S::from(number))
+    }
+}
+
 impl<P: Base, S: Over<P>, M: Motion> Over<P> for Tangent<S, M> {
     #[inline(always)]
     fn lift(parameter: P) -> Self {

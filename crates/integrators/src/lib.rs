@@ -47,7 +47,7 @@ pub use branches::{Branch, Curve, Equilibria, Last, Place, Repeating, Walk, foll
 pub use events::{Event, Happening, Signal, Switches, integrate_to_event};
 pub use law::{
     Composed, DIRECTIONS, Directions, Held, HeldSystem, Jacobian, Ode, Pieces, Real, Slopes, Splitting, System,
-    TaylorSeries, Working, slope, variable,
+    TaylorSeries, Variations, Working, slope, variable,
 };
 pub use methods::{
     Across, Attempt, Collocation, Family, Holding, MOST_STAGES, Means, Method, Taylor, Traits, Transition, compose,

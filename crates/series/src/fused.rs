@@ -6,7 +6,7 @@ use super::pick::{OneByOne, Pick};
 use super::small::{Never, Small, SmallSeries};
 use super::stored::{Parts, Stored};
 use algebra::linear::Magnitude;
-use field::{Analytic, DoubleDouble, Over};
+use field::{Analytic, DoubleDouble, Lanes, Over, Tangent};
 use std::marker::PhantomData;
 use std::sync::OnceLock;
 
@@ -66,13 +66,31 @@ impl Fused for DoubleDouble {
     }
 }
 
-/// A number with its derivatives in D directions: the series of a solution and of how it depends on its beginning.
-impl<const D: usize> Fused for num_dual::DualSVec64<D> {
+/// A number in every lane, with its derivatives in as many directions: the series of a solution and of how it depends on its
+/// beginning.
+impl<const L: usize> Fused for Tangent<Lanes<L>> {
     type Stored = [Self; 8];
     type Small = Never;
 
+    #[inline(always)]
     fn rounded(self) -> f64 {
-        self.re
+        self.value.0[0]
+    }
+
+    #[inline(always)]
+    fn plus_product(self, a: Self, b: Self, fused: bool) -> Self {
+        let slope = self.slope.plus_product(a.slope, b.value, fused).plus_product(a.value, b.slope, fused);
+        Tangent::moving(self.value.plus_product(a.value, b.value, fused), slope)
+    }
+
+    #[allow(private_bounds)]
+    #[inline]
+    fn run<T: Task<Self>>(task: T, _group: usize) {
+        if is_wide() {
+            in_wide(With(task, OneByOne::<true>, PhantomData));
+        } else {
+            task.run(OneByOne::<false>);
+        }
     }
 }
 
@@ -132,9 +150,28 @@ fn otherwise<S: Fused>(arch: pulp::Arch, task: impl Task<S>) {
     }
 }
 
+/// Whether the processor has registers for several numbers, with a sum and product in one instruction.
+pub(crate) fn is_wide() -> bool {
+    !matches!(widest(), pulp::Arch::Scalar)
+}
+
+/// Runs work on several systems at once, where the processor [has registers for it](is_wide) and nowhere else.
+#[inline]
+pub(crate) fn in_wide(work: impl pulp::WithSimd<Output = ()>) {
+    match widest() {
+        #[cfg(target_arch = "x86_64")]
+        pulp::Arch::V3(wide) => pulp::Simd::vectorize(wide, work),
+        #[cfg(target_arch = "x86_64")]
+        pulp::Arch::V4(widest) => pulp::Simd::vectorize(widest, work),
+        #[cfg(not(target_arch = "x86_64"))]
+        wide if !matches!(wide, pulp::Arch::Scalar) => wide.dispatch(work),
+        _ => (),
+    }
+}
+
 /// What the processor has, asked once: to ask takes as long as a small task.
 #[inline]
-fn widest() -> pulp::Arch {
+pub(crate) fn widest() -> pulp::Arch {
     static FOUND: OnceLock<pulp::Arch> = OnceLock::new();
     *FOUND.get_or_init(pulp::Arch::new)
 }

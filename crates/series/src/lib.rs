@@ -43,6 +43,7 @@ mod permuting;
 mod pick;
 mod plan;
 mod points;
+#[cfg_attr(not(target_arch = "x86_64"), expect(dead_code, reason = "no other processor runs these kernels"))]
 mod small;
 mod stages;
 mod stored;

@@ -50,27 +50,9 @@ pub(crate) trait Pick<S: Fused>: Copy {
     /// One number in all places.
     fn all(self, number: S) -> Self::Eight;
 
-    /// Of two groups of eight.
-    fn shuffle(self, from: [Self::Eight; 2], shuffle: &Shuffle) -> Self::Eight;
-
-    /// One of eight, in all places.
-    fn spread(self, from: Self::Eight, number: usize) -> Self::Eight;
-
-    /// The second where the bit is set, else the first.
-    fn blend(self, bits: u8, a: Self::Eight, b: Self::Eight) -> Self::Eight;
-
     /// sum + a b
     fn plus_product(self, sum: Self::Eight, a: Self::Eight, b: Self::Eight) -> Self::Eight;
-
-    fn plus(self, a: Self::Eight, b: Self::Eight) -> Self::Eight;
-
-    fn product(self, a: Self::Eight, b: Self::Eight) -> Self::Eight;
 }
-
-/// For each of eight places a number from 0 to 15 in two groups of eight; in one line of the cache.
-#[derive(Clone, Copy, Debug)]
-#[repr(align(64))]
-pub(crate) struct Shuffle(pub [u64; 8]);
 
 /// One by one.
 #[derive(Clone, Copy)]
@@ -105,32 +87,7 @@ impl<S: Fused, const FUSED: bool> Pick<S> for OneByOne<FUSED> {
     }
 
     #[inline(always)]
-    fn shuffle(self, from: [[S; 8]; 2], shuffle: &Shuffle) -> [S; 8] {
-        shuffle.0.map(|number| from[number as usize / 8 % 2][number as usize % 8])
-    }
-
-    #[inline(always)]
-    fn spread(self, from: [S; 8], number: usize) -> [S; 8] {
-        [from[number % 8]; 8]
-    }
-
-    #[inline(always)]
-    fn blend(self, bits: u8, a: [S; 8], b: [S; 8]) -> [S; 8] {
-        std::array::from_fn(|lane| if bits >> lane & 1 == 1 { b[lane] } else { a[lane] })
-    }
-
-    #[inline(always)]
     fn plus_product(self, sum: [S; 8], a: [S; 8], b: [S; 8]) -> [S; 8] {
         add::<Self, S, 8>(sum, a, b)
-    }
-
-    #[inline(always)]
-    fn plus(self, a: [S; 8], b: [S; 8]) -> [S; 8] {
-        std::array::from_fn(|lane| a[lane] + b[lane])
-    }
-
-    #[inline(always)]
-    fn product(self, a: [S; 8], b: [S; 8]) -> [S; 8] {
-        std::array::from_fn(|lane| a[lane] * b[lane])
     }
 }

@@ -1,7 +1,6 @@
 //! Eight numbers as they stand in memory.
 
 use super::fused::Fused;
-use super::pick::Pick;
 use field::DoubleDouble;
 use std::fmt::Debug;
 
@@ -20,23 +19,6 @@ pub(crate) trait Stored<S>: Copy + Debug {
         S: Fused,
     {
         std::array::from_fn(|lane| self.lane(lane).rounded())
-    }
-}
-
-/// Eight numbers; of `f64` a line of the cache.
-#[derive(Clone, Copy, Debug)]
-#[repr(align(64))]
-pub(crate) struct Wide<S: Fused>(pub S::Stored);
-
-impl<S: Fused> Wide<S> {
-    pub fn zero() -> Self {
-        Wide(S::Stored::of([S::zero(); 8]))
-    }
-
-    /// self + times other
-    #[inline(always)]
-    pub fn plus<P: Pick<S>>(&self, pick: P, other: &Self, times: S) -> Self {
-        Wide(pick.store(pick.plus_product(pick.load(&self.0), pick.load(&other.0), pick.all(times))))
     }
 }
 

@@ -23,7 +23,7 @@ pub use pieces::{Composed, Pieces};
 pub use real::Real;
 pub use series::TaylorSeries;
 
-use field::{DoubleDouble, Scalar};
+use field::{DoubleDouble, Lanes, Scalar, Tangent};
 use num_dual::DualSVec64;
 
 /// The number of columns of a Jacobian that one evaluation gives.
@@ -31,6 +31,9 @@ pub const DIRECTIONS: usize = 8;
 
 /// The field in which a Jacobian is computed: a value and its slopes in eight directions.
 pub type Directions = DualSVec64<DIRECTIONS>;
+
+/// The field of a state-transition matrix: a value in every lane, and in each lane the slope in one of eight directions.
+pub type Variations = Tangent<Lanes<DIRECTIONS>>;
 
 /// y' = f(t, y) over one field, with a dimension known at run time (a machine has as many bars as its file says).
 pub trait Ode<S: Scalar> {
@@ -52,7 +55,7 @@ pub trait System: Ode<f64> + Ode<Directions> + Ode<DoubleDouble> {
     }
 
     /// A source of Taylor coefficients with their derivatives in eight directions, where there is one.
-    fn taylor_directions(&self) -> Option<Box<dyn TaylorSeries<Directions> + '_>> {
+    fn taylor_directions(&self) -> Option<Box<dyn TaylorSeries<Variations> + '_>> {
         None
     }
 

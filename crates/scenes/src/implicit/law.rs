@@ -3,7 +3,7 @@
 use super::slopes::ImplicitSlopes;
 use super::{Implicit, recurrence};
 use field::{DoubleDouble, Scalar};
-use integrators::{Directions, Ode, Slopes, System, TaylorSeries};
+use integrators::{Ode, Slopes, System, TaylorSeries, Variations};
 use model::Model;
 use simulation::{Differentiable, LawSeries};
 use std::sync::{Arc, OnceLock};
@@ -40,7 +40,7 @@ impl System for ImplicitLaw {
         self.series.plain()
     }
 
-    fn taylor_directions(&self) -> Option<Box<dyn TaylorSeries<Directions> + '_>> {
+    fn taylor_directions(&self) -> Option<Box<dyn TaylorSeries<Variations> + '_>> {
         self.series.directed()
     }
 

@@ -10,11 +10,11 @@ mod sums;
 mod work;
 
 use super::Recurrence;
+use super::fused::{in_wide, is_wide};
 use super::plan::{Place, Stage};
 use field::Lanes;
 use parts::{Side, Slots};
 use products::{Factor, Histories, Quantity};
-use pulp::Arch;
 use sums::Rows;
 use symbolic::Program;
 use work::{Expand, Sum};
@@ -45,15 +45,16 @@ pub struct Abreast<'a, const L: usize, const N: usize = 256> {
 }
 
 impl Recurrence {
-    /// Readies the recurrence for L systems; `None` where it has more than `N` quantities. Until a lane is [set], all its
-    /// coefficients are zero.
+    /// Readies the recurrence for L systems; `None` where it has more than `N` quantities, or where the processor has no
+    /// registers for several numbers with a sum and product in one instruction. Until a lane is [set], all its coefficients
+    /// are zero.
     ///
     /// [set]: Abreast::set
     pub fn abreast<const L: usize, const N: usize>(&self, order: usize) -> Option<Abreast<'_, L, N>> {
         const { assert!(N.is_power_of_two() && N <= 1 << 16) };
         let plan = &self.plan;
         let last = plan.stages.iter().flat_map(Stage::places).max().unwrap_or(0);
-        if plan.moving.max(last as usize + 1) > N {
+        if plan.moving.max(last as usize + 1) > N || !is_wide() {
             return None;
         }
         let zero = Lanes::all(0.0);
@@ -106,10 +107,7 @@ impl<const L: usize, const N: usize> Abreast<'_, L, N> {
 
     /// Expands the solutions through these states, each at its time.
     pub fn expand(&mut self, states: &[Lanes<L>], time: Lanes<L>) {
-        match Arch::new() {
-            Arch::Scalar => Expand::<L, N, false> { abreast: self, states, time }.run(),
-            wide => wide.dispatch(Expand::<L, N, true> { abreast: self, states, time }),
-        }
+        in_wide(Expand { abreast: self, states, time });
     }
 
     /// The coefficients a_k of the states, for k the order or one less; others are not kept in one piece.
@@ -123,9 +121,6 @@ impl<const L: usize, const N: usize> Abreast<'_, L, N> {
         let (histories, order) = (&self.histories, self.order);
         let states = self.states.min(out.len());
         let out = &mut out[..states];
-        match Arch::new() {
-            Arch::Scalar => Sum::<L, false> { histories, order, h, out }.run(),
-            wide => wide.dispatch(Sum::<L, true> { histories, order, h, out }),
-        }
+        in_wide(Sum { histories, order, h, out });
     }
 }

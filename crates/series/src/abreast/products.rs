@@ -65,18 +65,18 @@ pub(super) struct Fan<const L: usize, const M: usize> {
 impl<const L: usize, const M: usize> Fan<L, M> {
     /// What the first orders, so many fours of them, bring to the next four.
     #[inline(always)]
-    pub fn begin<const FUSED: bool>(&mut self, histories: &Histories<L>, fours: usize) {
+    pub fn begin(&mut self, histories: &Histories<L>, fours: usize) {
         let one = histories.of(self.one.slot, fours);
         let [first, last] = [self.others[0], self.others[M - 1]].map(|other| histories.of(other.slot, fours));
         let mut sums = [[Lanes::all(0.0); 4]; M];
-        ends::<L, FUSED>(&mut sums[0], one[fours - 1], first[0]);
+        ends(&mut sums[0], one[fours - 1], first[0]);
         if M == 2 {
-            ends::<L, FUSED>(&mut sums[M - 1], one[fours - 1], last[0]);
+            ends(&mut sums[M - 1], one[fours - 1], last[0]);
         }
         for ((pair, first), last) in one.windows(2).rev().zip(&first[1..]).zip(&last[1..]) {
-            middle::<L, FUSED>(&mut sums[0], pair, first);
+            middle(&mut sums[0], pair, first);
             if M == 2 {
-                middle::<L, FUSED>(&mut sums[M - 1], pair, last);
+                middle(&mut sums[M - 1], pair, last);
             }
         }
         self.known = sums;
@@ -84,20 +84,14 @@ impl<const L: usize, const M: usize> Fan<L, M> {
 
     /// The products of an order, the I-th of those at hand; `FIRST` where these are the first four.
     #[inline(always)]
-    pub fn finish<const FUSED: bool, const FIRST: bool, const I: usize, const N: usize>(
-        &self,
-        quantities: &mut [Quantity<L>; N],
-    ) {
+    pub fn finish<const FIRST: bool, const I: usize, const N: usize>(&self, quantities: &mut [Quantity<L>; N]) {
         // all are computed before one is written, or the common factor would be brought again for each
         let one = &quantities[usize::from(self.one.place) % N];
         let mut values = [Lanes::all(0.0); M];
         for number in 0..M {
             let other = &quantities[usize::from(self.others[number].place) % N];
-            values[number] = if FIRST {
-                among::<L, FUSED, I>(one, other)
-            } else {
-                newest::<L, FUSED, I>(self.known[number][I], one, other)
-            };
+            values[number] =
+                if FIRST { among::<L, I>(one, other) } else { newest::<L, I>(self.known[number][I], one, other) };
         }
         for (place, value) in self.places.iter().zip(values) {
             quantities[usize::from(*place) % N].newest[I] = value;
@@ -107,75 +101,65 @@ impl<const L: usize, const M: usize> Fan<L, M> {
 
 /// Where the last ones of a meet the first ones of b.
 #[inline(always)]
-fn ends<const L: usize, const FUSED: bool>(sums: &mut Four<L>, [_, x, y, z]: Four<L>, [_, b, c, d]: Four<L>) {
-    sums[0] = sums[0].plus_product(z, b, FUSED).plus_product(y, c, FUSED).plus_product(x, d, FUSED);
-    sums[1] = sums[1].plus_product(z, c, FUSED).plus_product(y, d, FUSED);
-    sums[2] = sums[2].plus_product(z, d, FUSED);
+fn ends<const L: usize>(sums: &mut Four<L>, [_, x, y, z]: Four<L>, [_, b, c, d]: Four<L>) {
+    sums[0] = sums[0].plus_product(z, b, true).plus_product(y, c, true).plus_product(x, d, true);
+    sums[1] = sums[1].plus_product(z, c, true).plus_product(y, d, true);
+    sums[2] = sums[2].plus_product(z, d, true);
 }
 
 /// One number with four. Written out, as is what follows: as loops these would not be unrolled, and the sums not kept in
 /// registers.
 #[inline(always)]
-fn add<const L: usize, const FUSED: bool>(sums: &mut Four<L>, [a, b, c, d]: Four<L>, x: Lanes<L>) {
-    sums[0] = sums[0].plus_product(a, x, FUSED);
-    sums[1] = sums[1].plus_product(b, x, FUSED);
-    sums[2] = sums[2].plus_product(c, x, FUSED);
-    sums[3] = sums[3].plus_product(d, x, FUSED);
+fn add<const L: usize>(sums: &mut Four<L>, [a, b, c, d]: Four<L>, x: Lanes<L>) {
+    sums[0] = sums[0].plus_product(a, x, true);
+    sums[1] = sums[1].plus_product(b, x, true);
+    sums[2] = sums[2].plus_product(c, x, true);
+    sums[3] = sums[3].plus_product(d, x, true);
 }
 
 /// Four numbers of b with the seven of a that they meet.
 #[inline(always)]
-fn middle<const L: usize, const FUSED: bool>(sums: &mut Four<L>, pair: &[Four<L>], &[a, b, c, d]: &Four<L>) {
+fn middle<const L: usize>(sums: &mut Four<L>, pair: &[Four<L>], &[a, b, c, d]: &Four<L>) {
     let ([_, t, u, v], [w, x, y, z]) = (pair[0], pair[1]);
-    add::<L, FUSED>(sums, [w, x, y, z], a);
-    add::<L, FUSED>(sums, [v, w, x, y], b);
-    add::<L, FUSED>(sums, [u, v, w, x], c);
-    add::<L, FUSED>(sums, [t, u, v, w], d);
+    add(sums, [w, x, y, z], a);
+    add(sums, [v, w, x, y], b);
+    add(sums, [u, v, w, x], c);
+    add(sums, [t, u, v, w], d);
 }
 
 /// What the orders at hand bring to the I-th of them, the newest last.
 #[inline(always)]
-fn newest<const L: usize, const FUSED: bool, const I: usize>(
-    mut sum: Lanes<L>,
-    a: &Quantity<L>,
-    b: &Quantity<L>,
-) -> Lanes<L> {
+fn newest<const L: usize, const I: usize>(mut sum: Lanes<L>, a: &Quantity<L>, b: &Quantity<L>) -> Lanes<L> {
     if I == 3 {
-        sum = both::<L, FUSED>(sum, a, b, 3, 0);
+        sum = both(sum, a, b, 3, 0);
     }
     if I >= 2 {
-        sum = both::<L, FUSED>(sum, a, b, 2, I - 2);
+        sum = both(sum, a, b, 2, I - 2);
     }
     if I >= 1 {
-        sum = both::<L, FUSED>(sum, a, b, 1, I - 1);
+        sum = both(sum, a, b, 1, I - 1);
     }
-    both::<L, FUSED>(sum, a, b, 0, I)
+    both(sum, a, b, 0, I)
 }
 
 #[inline(always)]
-fn both<const L: usize, const FUSED: bool>(
-    sum: Lanes<L>,
-    a: &Quantity<L>,
-    b: &Quantity<L>,
-    old: usize,
-    new: usize,
-) -> Lanes<L> {
-    sum.plus_product(a.oldest[old], b.newest[new], FUSED).plus_product(a.newest[new], b.oldest[old], FUSED)
+fn both<const L: usize>(sum: Lanes<L>, a: &Quantity<L>, b: &Quantity<L>, old: usize, new: usize) -> Lanes<L> {
+    sum.plus_product(a.oldest[old], b.newest[new], true).plus_product(a.newest[new], b.oldest[old], true)
 }
 
 /// sum_j a_j b_(I-j), the newest last.
 #[inline(always)]
-fn among<const L: usize, const FUSED: bool, const I: usize>(a: &Quantity<L>, b: &Quantity<L>) -> Lanes<L> {
+fn among<const L: usize, const I: usize>(a: &Quantity<L>, b: &Quantity<L>) -> Lanes<L> {
     let (a, b) = (&a.newest, &b.newest);
     let mut sum = Lanes::all(0.0);
     if I >= 2 {
-        sum = sum.plus_product(a[1], b[I - 1], FUSED);
+        sum = sum.plus_product(a[1], b[I - 1], true);
     }
     if I == 3 {
-        sum = sum.plus_product(a[2], b[1], FUSED);
+        sum = sum.plus_product(a[2], b[1], true);
     }
-    sum = sum.plus_product(a[0], b[I], FUSED);
-    if I >= 1 { sum.plus_product(a[I], b[0], FUSED) } else { sum }
+    sum = sum.plus_product(a[0], b[I], true);
+    if I >= 1 { sum.plus_product(a[I], b[0], true) } else { sum }
 }
 
 /// Two products that have a factor in common, as many as there are, and those that are left. The product that has the fewest

@@ -96,39 +96,39 @@ impl<const L: usize> Rows<L> {
 
     /// Each sum of the order at hand, given to `put` with its place; of order zero where `FIRST`.
     #[inline(always)]
-    pub fn sums<const FUSED: bool, const FIRST: bool, const I: usize, const N: usize>(
+    pub fn sums<const FIRST: bool, const I: usize, const N: usize>(
         &self,
         quantities: &mut [Quantity<L>; N],
         mut put: impl FnMut(&mut [Quantity<L>; N], usize, Lanes<L>),
     ) {
         for bunch in &self.long_fours {
-            let [a, b, c, d] = bunch.long_sums::<FUSED, FIRST, I, N>(quantities);
+            let [a, b, c, d] = bunch.long_sums::<FIRST, I, N>(quantities);
             put(quantities, usize::from(bunch.places[0]) % N, a);
             put(quantities, usize::from(bunch.places[1]) % N, b);
             put(quantities, usize::from(bunch.places[2]) % N, c);
             put(quantities, usize::from(bunch.places[3]) % N, d);
         }
         for bunch in &self.long_pairs {
-            let [a, b] = bunch.long_sums::<FUSED, FIRST, I, N>(quantities);
+            let [a, b] = bunch.long_sums::<FIRST, I, N>(quantities);
             put(quantities, usize::from(bunch.places[0]) % N, a);
             put(quantities, usize::from(bunch.places[1]) % N, b);
         }
         for bunch in &self.long {
-            let [a] = bunch.long_sums::<FUSED, FIRST, I, N>(quantities);
+            let [a] = bunch.long_sums::<FIRST, I, N>(quantities);
             put(quantities, usize::from(bunch.places[0]) % N, a);
         }
         for bunch in &self.twos {
             let mut sum = if FIRST { bunch.constants } else { [Lanes::all(0.0)] };
-            bunch.terms[0].add::<FUSED, I, N>(&mut sum, quantities);
-            bunch.terms[1].add::<FUSED, I, N>(&mut sum, quantities);
+            bunch.terms[0].add::<I, N>(&mut sum, quantities);
+            bunch.terms[1].add::<I, N>(&mut sum, quantities);
             put(quantities, usize::from(bunch.places[0]) % N, sum[0]);
         }
         for bunch in &self.fours {
             let mut sum = if FIRST { bunch.constants } else { [Lanes::all(0.0)] };
-            bunch.terms[0].add::<FUSED, I, N>(&mut sum, quantities);
-            bunch.terms[1].add::<FUSED, I, N>(&mut sum, quantities);
-            bunch.terms[2].add::<FUSED, I, N>(&mut sum, quantities);
-            bunch.terms[3].add::<FUSED, I, N>(&mut sum, quantities);
+            bunch.terms[0].add::<I, N>(&mut sum, quantities);
+            bunch.terms[1].add::<I, N>(&mut sum, quantities);
+            bunch.terms[2].add::<I, N>(&mut sum, quantities);
+            bunch.terms[3].add::<I, N>(&mut sum, quantities);
             put(quantities, usize::from(bunch.places[0]) % N, sum[0]);
         }
     }
@@ -138,14 +138,10 @@ impl<const L: usize, const R: usize> Term<L, R> {
     const NONE: Self = Term { times: [Lanes([0.0; L]); R], place: 0, times_of: [None; R] };
 
     #[inline(always)]
-    fn add<const FUSED: bool, const I: usize, const N: usize>(
-        &self,
-        sums: &mut [Lanes<L>; R],
-        quantities: &[Quantity<L>; N],
-    ) {
+    fn add<const I: usize, const N: usize>(&self, sums: &mut [Lanes<L>; R], quantities: &[Quantity<L>; N]) {
         let x = quantities[usize::from(self.place) % N].newest[I];
         for (sum, times) in sums.iter_mut().zip(&self.times) {
-            *sum = sum.plus_product(x, *times, FUSED);
+            *sum = sum.plus_product(x, *times, true);
         }
     }
 }
@@ -160,14 +156,14 @@ impl<const L: usize, const R: usize> Bunch<L, R, Vec<Term<L, R>>> {
 
     /// Every other term in a sum of its own: none waits for the addition before.
     #[inline(always)]
-    fn long_sums<const FUSED: bool, const FIRST: bool, const I: usize, const N: usize>(
+    fn long_sums<const FIRST: bool, const I: usize, const N: usize>(
         &self,
         quantities: &[Quantity<L>; N],
     ) -> [Lanes<L>; R] {
         let [mut even, mut odd] = [if FIRST { self.constants } else { [Lanes::all(0.0); R] }, [Lanes::all(0.0); R]];
         for two in self.terms.as_chunks::<2>().0 {
-            two[0].add::<FUSED, I, N>(&mut even, quantities);
-            two[1].add::<FUSED, I, N>(&mut odd, quantities);
+            two[0].add::<I, N>(&mut even, quantities);
+            two[1].add::<I, N>(&mut odd, quantities);
         }
         for (even, odd) in even.iter_mut().zip(odd) {
             *even += odd;

@@ -6,13 +6,13 @@ use field::Lanes;
 use pulp::{Simd, WithSimd};
 
 /// All orders, compiled once for each set of instructions.
-pub(super) struct Expand<'a, 'b, 'c, const L: usize, const N: usize, const FUSED: bool> {
+pub(super) struct Expand<'a, 'b, 'c, const L: usize, const N: usize> {
     pub abreast: &'a mut Abreast<'b, L, N>,
     pub states: &'c [Lanes<L>],
     pub time: Lanes<L>,
 }
 
-impl<const L: usize, const N: usize, const FUSED: bool> Expand<'_, '_, '_, L, N, FUSED> {
+impl<const L: usize, const N: usize> Expand<'_, '_, '_, L, N> {
     #[inline(always)]
     pub fn run(self) {
         let order = self.abreast.order;
@@ -22,10 +22,10 @@ impl<const L: usize, const N: usize, const FUSED: bool> Expand<'_, '_, '_, L, N,
         self.abreast.start(self.states, self.time);
         for k in (0..order).step_by(4) {
             if k == 0 {
-                self.abreast.four::<FUSED, true>(k, order);
+                self.abreast.four::<true>(k, order);
             } else {
-                self.abreast.begin::<FUSED>(k / 4);
-                self.abreast.four::<FUSED, false>(k, order);
+                self.abreast.begin(k / 4);
+                self.abreast.four::<false>(k, order);
             }
         }
         self.abreast.end();
@@ -79,44 +79,44 @@ impl<const L: usize, const N: usize> Abreast<'_, L, N> {
 
     /// What the first orders, so many fours of them, bring to the next four.
     #[inline(always)]
-    fn begin<const FUSED: bool>(&mut self, fours: usize) {
+    fn begin(&mut self, fours: usize) {
         for stage in &mut self.stages {
             for fan in &mut stage.pairs {
-                fan.begin::<FUSED>(&self.histories, fours);
+                fan.begin(&self.histories, fours);
             }
             for fan in &mut stage.alone {
-                fan.begin::<FUSED>(&self.histories, fours);
+                fan.begin(&self.histories, fours);
             }
         }
     }
 
     /// Four orders from k on, as far as there are so many.
     #[inline(always)]
-    fn four<const FUSED: bool, const FIRST: bool>(&mut self, k: usize, order: usize) {
-        self.next::<FUSED, FIRST, 0>(k);
+    fn four<const FIRST: bool>(&mut self, k: usize, order: usize) {
+        self.next::<FIRST, 0>(k);
         if k + 1 < order {
-            self.next::<FUSED, FIRST, 1>(k + 1);
+            self.next::<FIRST, 1>(k + 1);
         }
         if k + 2 < order {
-            self.next::<FUSED, FIRST, 2>(k + 2);
+            self.next::<FIRST, 2>(k + 2);
         }
         if k + 3 < order {
-            self.next::<FUSED, FIRST, 3>(k + 3);
+            self.next::<FIRST, 3>(k + 3);
         }
     }
 
     /// From order k of all that has a rate to the next.
     #[inline(always)]
-    fn next<const FUSED: bool, const FIRST: bool, const I: usize>(&mut self, k: usize) {
+    fn next<const FIRST: bool, const I: usize>(&mut self, k: usize) {
         let quantities = &mut *self.quantities;
         for stage in &mut self.stages {
             if FIRST && I == 0 {
-                stage.sums.sums::<FUSED, true, I, N>(quantities, |to, place, sum| to[place].newest[I] = sum);
+                stage.sums.sums::<true, I, N>(quantities, |to, place, sum| to[place].newest[I] = sum);
             } else {
-                stage.sums.sums::<FUSED, false, I, N>(quantities, |to, place, sum| to[place].newest[I] = sum);
+                stage.sums.sums::<false, I, N>(quantities, |to, place, sum| to[place].newest[I] = sum);
             }
-            finish::<L, 2, N, FUSED, FIRST, I>(&stage.pairs, quantities);
-            finish::<L, 1, N, FUSED, FIRST, I>(&stage.alone, quantities);
+            finish::<L, 2, N, FIRST, I>(&stage.pairs, quantities);
+            finish::<L, 1, N, FIRST, I>(&stage.alone, quantities);
             for each in &mut stage.reciprocals {
                 quantities[each.column % N].newest[I] = each.reciprocal(k, quantities[each.of % N].newest[I]);
             }
@@ -144,24 +144,24 @@ impl<const L: usize, const N: usize> Abreast<'_, L, N> {
         let put =
             |to: &mut [Quantity<L>; N], place: usize, sum: Lanes<L>| to[place].newest[(I + 1) % 4] = sum * reciprocal;
         if FIRST && I == 0 {
-            self.rates.sums::<FUSED, true, I, N>(quantities, put);
+            self.rates.sums::<true, I, N>(quantities, put);
         } else {
-            self.rates.sums::<FUSED, false, I, N>(quantities, put);
+            self.rates.sums::<false, I, N>(quantities, put);
         }
     }
 }
 
 #[inline(always)]
-fn finish<const L: usize, const M: usize, const N: usize, const FUSED: bool, const FIRST: bool, const I: usize>(
+fn finish<const L: usize, const M: usize, const N: usize, const FIRST: bool, const I: usize>(
     fans: &[Fan<L, M>],
     quantities: &mut [Quantity<L>; N],
 ) {
     for fan in fans {
-        fan.finish::<FUSED, FIRST, I, N>(quantities);
+        fan.finish::<FIRST, I, N>(quantities);
     }
 }
 
-impl<const L: usize, const N: usize> WithSimd for Expand<'_, '_, '_, L, N, true> {
+impl<const L: usize, const N: usize> WithSimd for Expand<'_, '_, '_, L, N> {
     type Output = ();
 
     #[inline(always)]
@@ -170,14 +170,14 @@ impl<const L: usize, const N: usize> WithSimd for Expand<'_, '_, '_, L, N, true>
     }
 }
 
-pub(super) struct Sum<'a, const L: usize, const FUSED: bool> {
+pub(super) struct Sum<'a, const L: usize> {
     pub histories: &'a Histories<L>,
     pub order: usize,
     pub h: Lanes<L>,
     pub out: &'a mut [Lanes<L>],
 }
 
-impl<const L: usize, const FUSED: bool> Sum<'_, L, FUSED> {
+impl<const L: usize> Sum<'_, L> {
     #[inline(always)]
     pub fn run(self) {
         for (slot, out) in (0..).zip(self.out) {
@@ -185,18 +185,18 @@ impl<const L: usize, const FUSED: bool> Sum<'_, L, FUSED> {
             let Some((last, before)) = fours.split_last() else { continue };
             let mut sum = Lanes::all(0.0);
             for term in last[..=self.order % 4].iter().rev() {
-                sum = term.plus_product(sum, self.h, FUSED);
+                sum = term.plus_product(sum, self.h, true);
             }
             for [a, b, c, d] in before.iter().rev() {
-                sum = c.plus_product(d.plus_product(sum, self.h, FUSED), self.h, FUSED);
-                sum = a.plus_product(b.plus_product(sum, self.h, FUSED), self.h, FUSED);
+                sum = c.plus_product(d.plus_product(sum, self.h, true), self.h, true);
+                sum = a.plus_product(b.plus_product(sum, self.h, true), self.h, true);
             }
             *out = sum;
         }
     }
 }
 
-impl<const L: usize> WithSimd for Sum<'_, L, true> {
+impl<const L: usize> WithSimd for Sum<'_, L> {
     type Output = ();
 
     #[inline(always)]

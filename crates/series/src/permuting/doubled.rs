@@ -4,7 +4,8 @@
 //! first part. What is neglected is of the size of the largest term's 105th digit, in binary.
 
 use super::Permuting;
-use crate::pick::{Columns, OneByOne, Pick, Selection, Shuffle};
+use crate::pick::{Columns, OneByOne, Pick, Selection};
+use crate::small::{Permute, Shuffle};
 use crate::stored::Parts;
 use field::DoubleDouble;
 use std::arch::x86_64::__m512d;
@@ -38,6 +39,16 @@ impl Pick<DoubleDouble> for Permuting {
     }
 
     #[inline(always)]
+    fn plus_product(self, [sum, so_far]: Self::Eight, a: Self::Eight, b: Self::Eight) -> Self::Eight {
+        let [product, lost] = twice(self.0, a, b);
+        let [sum, rounded] = two_sum(self.0, sum, product);
+        let simd = self.0.avx512f;
+        [sum, simd._mm512_add_pd(so_far, simd._mm512_add_pd(rounded, lost))]
+    }
+}
+
+impl Permute<DoubleDouble> for Permuting {
+    #[inline(always)]
     fn shuffle(self, [low, high]: [Self::Eight; 2], shuffle: &Shuffle) -> Self::Eight {
         let (simd, shuffle) = (self.0.avx512f, pulp::cast(shuffle.0));
         let first = simd._mm512_permutex2var_pd(low[0], shuffle, high[0]);
@@ -54,14 +65,6 @@ impl Pick<DoubleDouble> for Permuting {
     fn blend(self, bits: u8, a: Self::Eight, b: Self::Eight) -> Self::Eight {
         let simd = self.0.avx512f;
         [simd._mm512_mask_blend_pd(bits, a[0], b[0]), simd._mm512_mask_blend_pd(bits, a[1], b[1])]
-    }
-
-    #[inline(always)]
-    fn plus_product(self, [sum, so_far]: Self::Eight, a: Self::Eight, b: Self::Eight) -> Self::Eight {
-        let [product, lost] = twice(self.0, a, b);
-        let [sum, rounded] = two_sum(self.0, sum, product);
-        let simd = self.0.avx512f;
-        [sum, simd._mm512_add_pd(so_far, simd._mm512_add_pd(rounded, lost))]
     }
 
     #[inline(always)]

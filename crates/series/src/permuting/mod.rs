@@ -2,7 +2,8 @@
 
 mod doubled;
 
-use super::pick::{Columns, Pick, Selection, Shuffle};
+use super::pick::{Columns, Pick, Selection};
+use super::small::{Permute, Shuffle};
 use std::arch::x86_64::__m512d;
 
 /// Columns to be taken, as permutations of blocks of eight.
@@ -83,6 +84,13 @@ impl Pick<f64> for Permuting {
     }
 
     #[inline(always)]
+    fn plus_product(self, sum: __m512d, a: __m512d, b: __m512d) -> __m512d {
+        self.0.avx512f._mm512_fmadd_pd(a, b, sum)
+    }
+}
+
+impl Permute<f64> for Permuting {
+    #[inline(always)]
     fn shuffle(self, [low, high]: [__m512d; 2], shuffle: &Shuffle) -> __m512d {
         self.0.avx512f._mm512_permutex2var_pd(low, pulp::cast(shuffle.0), high)
     }
@@ -96,11 +104,6 @@ impl Pick<f64> for Permuting {
     #[inline(always)]
     fn blend(self, bits: u8, a: __m512d, b: __m512d) -> __m512d {
         self.0.avx512f._mm512_mask_blend_pd(bits, a, b)
-    }
-
-    #[inline(always)]
-    fn plus_product(self, sum: __m512d, a: __m512d, b: __m512d) -> __m512d {
-        self.0.avx512f._mm512_fmadd_pd(a, b, sum)
     }
 
     #[inline(always)]

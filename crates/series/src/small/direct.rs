@@ -11,6 +11,7 @@ use super::solving::Solving;
 use super::wide_sums::WideSums;
 use crate::fused::Fused;
 use crate::pick::Pick;
+use crate::small::permuted::Permute;
 use crate::stored::Stored;
 use std::ops::Range;
 
@@ -43,14 +44,14 @@ impl<S: Fused, const B: usize, const G: usize> Direct<S, B, G> {
 
     /// Before order 0 of the rates.
     #[inline(always)]
-    pub fn begin<P: Pick<S>>(&self, pick: P, newest: [P::Eight; B]) -> Between<P::Eight, B, G> {
+    pub fn begin<P: Permute<S>>(&self, pick: P, newest: [P::Eight; B]) -> Between<P::Eight, B, G> {
         let nothing = [pick.all(S::zero()); G];
         Between { newest, start: self.rates.constants(pick), oldest: [nothing; 2], ahead: [nothing; CHAINS] }
     }
 
     /// Finds y_(k+1) for these k, into the rows of the series; solving for what is to be solved for.
     #[inline(always)]
-    pub fn run<P: Pick<S>, R: From<S>>(
+    pub fn run<P: Permute<S>, R: From<S>>(
         &mut self,
         pick: P,
         places: &Places<G>,
@@ -101,7 +102,7 @@ impl<S: Fused, const B: usize, const G: usize> Direct<S, B, G> {
 
 impl<E: Copy, const B: usize, const G: usize> Between<E, B, G> {
     #[inline(always)]
-    pub fn rounded<S: Fused, P: Pick<S, Eight = E> + Pick<f64>>(
+    pub fn rounded<S: Fused, P: Permute<S, Eight = E> + Permute<f64>>(
         &self,
         pick: P,
     ) -> Between<<P as Pick<f64>>::Eight, B, G> {

@@ -3,8 +3,8 @@
 use super::law::Law;
 use super::round::round;
 use crate::fused::Fused;
-use crate::pick::{Pick, Shuffle};
-use crate::stored::Wide;
+use crate::small::permuted::{Permute, Shuffle};
+use crate::small::wide::Wide;
 
 /// So many orders there is room for: more than any tolerance asks for.
 pub(crate) const MOST_ORDER: usize = 64;
@@ -40,7 +40,7 @@ impl<const G: usize> Places<G> {
 
     /// The factors a and b of all products, from all quantities.
     #[inline(always)]
-    pub fn pick<S: Fused, P: Pick<S>, const B: usize>(&self, pick: P, from: &[P::Eight; B]) -> [[P::Eight; G]; 2] {
+    pub fn pick<S: Fused, P: Permute<S>, const B: usize>(&self, pick: P, from: &[P::Eight; B]) -> [[P::Eight; G]; 2] {
         let mut picked = [[pick.all(S::zero()); G]; 2];
         for (side, picked) in picked.iter_mut().enumerate() {
             // written out: as a loop it would not always be unrolled, and the factors not kept in registers
@@ -56,7 +56,7 @@ impl<const G: usize> Places<G> {
     }
 
     #[inline(always)]
-    fn eight<S: Fused, P: Pick<S>, const B: usize>(
+    fn eight<S: Fused, P: Permute<S>, const B: usize>(
         &self,
         pick: P,
         [group, side]: [usize; 2],
@@ -85,7 +85,7 @@ impl<S: Fused, const G: usize> Factors<S, G> {
 
     /// Keeps a_k and b_k.
     #[inline(always)]
-    pub fn keep<P: Pick<S>>(&mut self, pick: P, k: usize, [a, b]: &[[P::Eight; G]; 2]) {
+    pub fn keep<P: Permute<S>>(&mut self, pick: P, k: usize, [a, b]: &[[P::Eight; G]; 2]) {
         for group in 0..G {
             self.left[k][group].0 = pick.store(a[group]);
             self.right[MOST_ORDER - k][group].0 = pick.store(b[group]);
@@ -94,7 +94,7 @@ impl<S: Fused, const G: usize> Factors<S, G> {
 
     /// a_k and b_k of a group.
     #[inline(always)]
-    pub fn at<P: Pick<S>>(&self, pick: P, k: usize, group: usize) -> [P::Eight; 2] {
+    pub fn at<P: Permute<S>>(&self, pick: P, k: usize, group: usize) -> [P::Eight; 2] {
         [pick.load(&self.left[k][group].0), pick.load(&self.right[MOST_ORDER - k][group].0)]
     }
 
@@ -103,7 +103,7 @@ impl<S: Fused, const G: usize> Factors<S, G> {
     /// A factor that is loaded for one order serves the next one too: of every second order's sum there is then all `ahead` but
     /// its two ends. Orders come one after another, from before i on.
     #[inline(always)]
-    pub fn older<P: Pick<S>>(
+    pub fn older<P: Permute<S>>(
         &self,
         pick: P,
         i: usize,
@@ -129,7 +129,7 @@ impl<S: Fused, const G: usize> Factors<S, G> {
 
     /// The sum of this order, and of the next one's what is between its ends: a_(i+1) b_(k-1) + .. + a_(k-1) b_(i+1).
     #[inline(always)]
-    fn two<P: Pick<S>>(&self, pick: P, i: usize, k: usize) -> [Chains<P::Eight, G>; 2] {
+    fn two<P: Permute<S>>(&self, pick: P, i: usize, k: usize) -> [Chains<P::Eight, G>; 2] {
         let nothing = pick.all(S::zero());
         let (mut sums, mut next, mut before) = ([[nothing; G]; CHAINS], [[nothing; G]; CHAINS], [nothing; G]);
         let ((a, a_last), (b, _)) =

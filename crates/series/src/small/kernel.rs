@@ -7,8 +7,8 @@ use super::linearisation::Linearised;
 use super::round::rounded;
 use super::solving::Solving;
 use super::starts::Starts;
-use crate::fused::{Fused, Task};
-use crate::pick::Pick;
+use crate::fused::Fused;
+use crate::small::permuted::{Permute, Permuted};
 
 /// A law, with the quantities in B groups of eight and the products in G.
 #[derive(Clone, Debug)]
@@ -70,9 +70,9 @@ pub(super) struct Expand<'a, S: Fused, const B: usize, const G: usize> {
     pub fine: usize,
 }
 
-impl<S: Fused, const B: usize, const G: usize> Task<S> for Expand<'_, S, B, G> {
+impl<S: Fused, const B: usize, const G: usize> Permuted<S> for Expand<'_, S, B, G> {
     #[inline(always)]
-    fn run<P: Pick<S> + Pick<f64>>(self, pick: P) {
+    fn run<P: Permute<S> + Permute<f64>>(self, pick: P) {
         let Expand { kernel: Kernel { law, starts, solving, places, orders, later }, series, fine } = self;
         let (rows, _) = series.as_chunks_mut::<8>();
         let order = (rows.len() / B).saturating_sub(1).min(MOST_ORDER);

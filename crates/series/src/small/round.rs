@@ -2,7 +2,9 @@
 
 use crate::fused::Fused;
 use crate::pick::Pick;
-use crate::stored::{Stored, Wide};
+use crate::small::permuted::Permute;
+use crate::small::wide::Wide;
+use crate::stored::Stored;
 
 /// What stands in memory.
 #[inline(always)]
@@ -14,7 +16,7 @@ pub(super) fn round<S: Fused, const N: usize>(own: &mut [[Wide<f64>; N]], finer:
 
 /// What stands in registers.
 #[inline(always)]
-pub(super) fn rounded<S: Fused, P: Pick<S> + Pick<f64>, const N: usize>(
+pub(super) fn rounded<S: Fused, P: Permute<S> + Permute<f64>, const N: usize>(
     pick: P,
     finer: &[<P as Pick<S>>::Eight; N],
 ) -> [<P as Pick<f64>>::Eight; N] {

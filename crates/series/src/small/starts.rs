@@ -3,7 +3,7 @@
 use super::law::Law;
 use super::wide_sums::WideSums;
 use crate::fused::Fused;
-use crate::pick::Pick;
+use crate::small::permuted::Permute;
 use crate::stored::Stored;
 
 /// The sums among B groups of eight quantities.
@@ -27,7 +27,7 @@ impl<S: Fused, const B: usize> Starts<S, B> {
 
     /// y_0, of which the first coefficients that are given stand in the rows.
     #[inline(always)]
-    pub fn begin<P: Pick<S>>(&mut self, pick: P, rows: &[[S; 8]]) -> [P::Eight; B] {
+    pub fn begin<P: Permute<S>>(&mut self, pick: P, rows: &[[S; 8]]) -> [P::Eight; B] {
         let mut given = [pick.all(S::zero()); B];
         for (given, eight) in given.iter_mut().zip(rows) {
             *given = pick.load(&S::Stored::of(*eight));

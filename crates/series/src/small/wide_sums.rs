@@ -6,8 +6,9 @@
 
 use super::law::Sums;
 use crate::fused::Fused;
-use crate::pick::{Pick, Shuffle};
-use crate::stored::{Stored, Wide};
+use crate::small::permuted::{Permute, Shuffle};
+use crate::small::wide::Wide;
+use crate::stored::Stored;
 
 /// Pairs of registers: two of quantities, two of products.
 const PAIRS: usize = 4;
@@ -66,7 +67,7 @@ impl<S: Fused, const B: usize, const G: usize> WideSums<S, B, G> {
 
     /// c, of order 0 alone.
     #[inline(always)]
-    pub fn constants<P: Pick<S>>(&self, pick: P) -> [P::Eight; B] {
+    pub fn constants<P: Permute<S>>(&self, pick: P) -> [P::Eight; B] {
         let mut constants = [pick.all(S::zero()); B];
         for (constant, own) in constants.iter_mut().zip(&self.constants) {
             *constant = pick.load(&own.0);
@@ -76,7 +77,7 @@ impl<S: Fused, const B: usize, const G: usize> WideSums<S, B, G> {
 
     /// start + L y + W m
     #[inline(always)]
-    pub fn of<P: Pick<S>>(
+    pub fn of<P: Permute<S>>(
         &self,
         pick: P,
         start: &[P::Eight; B],
@@ -106,7 +107,7 @@ impl<S: Fused, const B: usize, const G: usize> WideSums<S, B, G> {
 
 /// Adds turns: as many sums run side by side.
 #[inline(always)]
-fn add<S: Fused, P: Pick<S>>(pick: P, sums: &mut [P::Eight; 4], turns: &[Turn<S>], from: [P::Eight; 2]) {
+fn add<S: Fused, P: Permute<S>>(pick: P, sums: &mut [P::Eight; 4], turns: &[Turn<S>], from: [P::Eight; 2]) {
     let (fours, rest) = turns.as_chunks::<4>();
     for four in fours {
         sums[0] = with(pick, sums[0], &four[0], from);
@@ -127,7 +128,7 @@ fn add<S: Fused, P: Pick<S>>(pick: P, sums: &mut [P::Eight; 4], turns: &[Turn<S>
 }
 
 #[inline(always)]
-fn with<S: Fused, P: Pick<S>>(pick: P, sum: P::Eight, turn: &Turn<S>, from: [P::Eight; 2]) -> P::Eight {
+fn with<S: Fused, P: Permute<S>>(pick: P, sum: P::Eight, turn: &Turn<S>, from: [P::Eight; 2]) -> P::Eight {
     pick.plus_product(sum, pick.load(&turn.weights.0), pick.shuffle(from, &turn.of))
 }
 

@@ -1,6 +1,7 @@
 //! The series of a recurrence in lanes, as an ensemble asks for it.
 
 use super::one_by_one::one_by_one;
+use super::parametric_system::LANES;
 use crate::Expandable;
 use field::Lanes;
 use integrators::LaneSeries;
@@ -10,20 +11,22 @@ use series::Abreast;
 pub(super) const FEW: usize = 256;
 pub(super) const MANY: usize = 1 << 16;
 
-/// The series of L systems of one law, to this order; `None` where there are more quantities than `MANY`.
-pub fn lane_series<const L: usize>(law: &Expandable, order: usize) -> Option<Box<dyn LaneSeries<L> + '_>> {
-    if law.exponents.is_some() {
-        return one_by_one(law, order);
+/// The series of [`LANES`] systems of one law, to this order; `None` where there are more quantities than `MANY`.
+pub fn lane_series(law: &Expandable, order: usize) -> Option<Box<dyn LaneSeries<LANES> + '_>> {
+    if law.exponents.is_none() {
+        if let Some(series) = law.recurrence.abreast::<LANES, FEW>(order) {
+            return Some(Box::new(Series(series)));
+        }
+        if let Some(series) = law.recurrence.abreast::<LANES, MANY>(order) {
+            return Some(Box::new(Series(series)));
+        }
     }
-    if let Some(series) = law.recurrence.abreast::<L, FEW>(order) {
-        return Some(Box::new(Series(series)));
-    }
-    law.recurrence.abreast::<L, MANY>(order).map(|series| Box::new(Series(series)) as Box<dyn LaneSeries<L>>)
+    one_by_one(law, order)
 }
 
-struct Series<'a, const L: usize, const N: usize>(Abreast<'a, L, N>);
+struct Series<'a, const N: usize>(Abreast<'a, LANES, N>);
 
-impl<const L: usize, const N: usize> LaneSeries<L> for Series<'_, L, N> {
+impl<const N: usize> LaneSeries<LANES> for Series<'_, N> {
     fn set(&mut self, lane: usize, parameters: &[f64]) {
         self.0.set(lane, parameters);
     }
@@ -32,15 +35,15 @@ impl<const L: usize, const N: usize> LaneSeries<L> for Series<'_, L, N> {
         self.0.order()
     }
 
-    fn expand(&mut self, times: Lanes<L>, states: &[Lanes<L>]) {
+    fn expand(&mut self, times: Lanes<LANES>, states: &[Lanes<LANES>]) {
         self.0.expand(states, times);
     }
 
-    fn coefficients(&self, k: usize) -> &[Lanes<L>] {
+    fn coefficients(&self, k: usize) -> &[Lanes<LANES>] {
         self.0.coefficients(k)
     }
 
-    fn sum(&self, h: Lanes<L>, out: &mut [Lanes<L>]) {
+    fn sum(&self, h: Lanes<LANES>, out: &mut [Lanes<LANES>]) {
         self.0.sum(h, out);
     }
 }

@@ -1,6 +1,8 @@
-//! Series of the systems in lanes, one after the other: of laws with exponentials, whose arguments bound each step.
+//! Series of the systems in lanes, one after the other: of laws with exponentials, whose arguments bound each step, and on
+//! processors without registers for several numbers.
 
 use super::lane_series::{FEW, MANY};
+use super::parametric_system::LANES;
 use crate::{Expandable, Room};
 use field::Lanes;
 use integrators::LaneSeries;
@@ -11,19 +13,19 @@ use std::cell::Cell;
 const WIDTH: usize = 8;
 
 /// As [`lane_series`](super::lane_series()).
-pub(super) fn one_by_one<const L: usize>(law: &Expandable, order: usize) -> Option<Box<dyn LaneSeries<L> + '_>> {
+pub(super) fn one_by_one(law: &Expandable, order: usize) -> Option<Box<dyn LaneSeries<LANES> + '_>> {
     match law.recurrence.columns::<WIDTH>() {
-        columns if columns <= FEW => Some(Box::new(OneByOne::<L, FEW>::new(law, order)?)),
-        columns if columns <= MANY => Some(Box::new(OneByOne::<L, MANY>::new(law, order)?)),
+        columns if columns <= FEW => Some(Box::new(OneByOne::<FEW>::new(law, order)?)),
+        columns if columns <= MANY => Some(Box::new(OneByOne::<MANY>::new(law, order)?)),
         _ => None,
     }
 }
 
-struct OneByOne<'a, const L: usize, const N: usize> {
+struct OneByOne<'a, const N: usize> {
     law: &'a Expandable,
     lanes: Vec<Lane<N>>,
     /// The coefficients of the last order, and of the one before it.
-    last: [Vec<Lanes<L>>; 2],
+    last: [Vec<Lanes<LANES>>; 2],
     /// Room for the sum of one lane.
     sums: Cell<Vec<f64>>,
 }
@@ -37,7 +39,7 @@ struct Lane<const N: usize> {
     exponents: Room,
 }
 
-impl<'a, const L: usize, const N: usize> OneByOne<'a, L, N> {
+impl<'a, const N: usize> OneByOne<'a, N> {
     fn new(law: &'a Expandable, order: usize) -> Option<Self> {
         let parameters = vec![0.0; law.parameters()];
         let lane = || {
@@ -48,13 +50,13 @@ impl<'a, const L: usize, const N: usize> OneByOne<'a, L, N> {
                 exponents: Room::default(),
             })
         };
-        let lanes = (0..L).map(|_| lane()).collect::<Option<Vec<_>>>()?;
+        let lanes = (0..LANES).map(|_| lane()).collect::<Option<Vec<_>>>()?;
         let last = [(); 2].map(|()| vec![Lanes::all(0.0); law.states()]);
         Some(OneByOne { law, lanes, last, sums: Cell::default() })
     }
 }
 
-impl<const L: usize, const N: usize> LaneSeries<L> for OneByOne<'_, L, N> {
+impl<const N: usize> LaneSeries<LANES> for OneByOne<'_, N> {
     fn set(&mut self, lane: usize, parameters: &[f64]) {
         let lane = &mut self.lanes[lane];
         lane.expansion.set_parameters(parameters);
@@ -65,7 +67,7 @@ impl<const L: usize, const N: usize> LaneSeries<L> for OneByOne<'_, L, N> {
         self.lanes[0].expansion.order()
     }
 
-    fn expand(&mut self, times: Lanes<L>, states: &[Lanes<L>]) {
+    fn expand(&mut self, times: Lanes<LANES>, states: &[Lanes<LANES>]) {
         let order = self.order();
         for (place, (lane, time)) in self.lanes.iter_mut().zip(times.0).enumerate() {
             lane.extended.iter_mut().zip(states).for_each(|(own, state)| *own = state.0[place]);
@@ -80,11 +82,11 @@ impl<const L: usize, const N: usize> LaneSeries<L> for OneByOne<'_, L, N> {
         }
     }
 
-    fn coefficients(&self, k: usize) -> &[Lanes<L>] {
+    fn coefficients(&self, k: usize) -> &[Lanes<LANES>] {
         &self.last[usize::from(k != self.order())]
     }
 
-    fn sum(&self, h: Lanes<L>, out: &mut [Lanes<L>]) {
+    fn sum(&self, h: Lanes<LANES>, out: &mut [Lanes<LANES>]) {
         let mut sums = self.sums.take();
         sums.resize(out.len(), 0.0);
         for (place, (lane, h)) in self.lanes.iter().zip(h.0).enumerate() {
@@ -94,7 +96,7 @@ impl<const L: usize, const N: usize> LaneSeries<L> for OneByOne<'_, L, N> {
         self.sums.set(sums);
     }
 
-    fn shown(&self) -> Lanes<L> {
+    fn shown(&self) -> Lanes<LANES> {
         let first = self.law.states();
         let longest = |lane: &Lane<N>| {
             let term = |place: usize, k: usize| lane.expansion.coefficients(k)[first + place];

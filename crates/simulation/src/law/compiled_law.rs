@@ -4,7 +4,7 @@ use crate::law::jacobian::JacobianProgram;
 use crate::law::program::Program;
 use crate::law::series::LawSeries;
 use field::DoubleDouble;
-use integrators::{Composed, Directions, Ode, Slopes, Splitting, System, TaylorSeries};
+use integrators::{Composed, Directions, Ode, Slopes, Splitting, System, TaylorSeries, Variations};
 use std::sync::{Arc, OnceLock};
 use symbolic::Sym;
 
@@ -120,7 +120,7 @@ impl System for CompiledLaw {
         self.series.plain()
     }
 
-    fn taylor_directions(&self) -> Option<Box<dyn TaylorSeries<Directions> + '_>> {
+    fn taylor_directions(&self) -> Option<Box<dyn TaylorSeries<Variations> + '_>> {
         self.series.directed()
     }
 

@@ -4,7 +4,7 @@ use crate::law::compiled_law::SymbolicLaw;
 use crate::law::exponents::{Expandable, Room};
 use crate::law::trace::{TracedOde, traced};
 use field::DoubleDouble;
-use integrators::{Directions, TaylorSeries};
+use integrators::{TaylorSeries, Variations};
 use series::{Equations, Expansion, Fused};
 use std::fmt;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
@@ -14,8 +14,9 @@ pub struct LawSeries {
     record: Box<Record>,
     /// Made when it is first asked for; `None` where a law cannot be recorded: then there is no Taylor method.
     recurrence: OnceLock<Option<Expandable>>,
-    spare: Spare<f64>,
-    finer: Spare<DoubleDouble>,
+    spare: Spare<f64, WIDTH>,
+    directed: Spare<Variations, 1>,
+    finer: Spare<DoubleDouble, WIDTH>,
 }
 
 impl fmt::Debug for LawSeries {
@@ -27,7 +28,7 @@ impl fmt::Debug for LawSeries {
 type Record = dyn Fn() -> Option<Expandable> + Send + Sync;
 
 /// Expansions that earlier runs have laid out.
-type Spare<S> = Mutex<Vec<Expansion<S, WIDTH, FEW>>>;
+type Spare<S, const W: usize> = Mutex<Vec<Expansion<S, W, FEW>>>;
 
 impl LawSeries {
     /// The series of a law, which may depend on time.
@@ -47,6 +48,7 @@ impl LawSeries {
             record: Box::new(record),
             recurrence: OnceLock::new(),
             spare: Spare::default(),
+            directed: Spare::default(),
             finer: Spare::default(),
         }
     }
@@ -57,8 +59,8 @@ impl LawSeries {
     }
 
     /// The coefficients with their derivatives in eight directions.
-    pub fn directed(&self) -> Option<Box<dyn TaylorSeries<Directions> + '_>> {
-        self.series()
+    pub fn directed(&self) -> Option<Box<dyn TaylorSeries<Variations> + '_>> {
+        self.kept(&self.directed)
     }
 
     /// The coefficients in double-double.
@@ -71,26 +73,26 @@ impl LawSeries {
     }
 
     /// One that goes from run to run, where it is of usual size.
-    fn kept<'a, S: Fused>(&'a self, spare: &'a Spare<S>) -> Option<Box<dyn TaylorSeries<S> + 'a>> {
+    fn kept<'a, S: Fused, const W: usize>(&'a self, spare: &'a Spare<S, W>) -> Option<Box<dyn TaylorSeries<S> + 'a>> {
         match self.recurrence() {
-            Some(law) if law.recurrence.columns::<WIDTH>() <= FEW => {
+            Some(law) if law.recurrence.columns::<W>() <= FEW => {
                 Some(Box::new(Kept { series: Series::of(law), spare }))
             }
-            _ => self.series(),
+            _ => self.series::<S, W>(),
         }
     }
 
-    fn series<S: Fused>(&self) -> Option<Box<dyn TaylorSeries<S> + '_>> {
+    fn series<S: Fused, const W: usize>(&self) -> Option<Box<dyn TaylorSeries<S> + '_>> {
         let law = self.recurrence()?;
-        match law.recurrence.columns::<WIDTH>() {
-            columns if columns <= FEW => Some(Box::new(Series::<S, FEW>::of(law))),
-            columns if columns <= MANY => Some(Box::new(Series::<S, MANY>::of(law))),
+        match law.recurrence.columns::<W>() {
+            columns if columns <= FEW => Some(Box::new(Series::<S, W, FEW>::of(law))),
+            columns if columns <= MANY => Some(Box::new(Series::<S, W, MANY>::of(law))),
             _ => None,
         }
     }
 }
 
-/// Quantities side by side: eight `f64` fill the widest registers.
+/// Quantities side by side: eight `f64` fill the widest registers; what fills them by itself has one.
 const WIDTH: usize = 8;
 
 /// Columns: of usual systems, which then stay near the processor, and of the largest.
@@ -98,21 +100,21 @@ const FEW: usize = 256;
 const MANY: usize = 1 << 16;
 
 /// The series of a recurrence, with room made for the order that is asked for.
-struct Series<'a, S: Fused, const N: usize> {
+struct Series<'a, S: Fused, const W: usize, const N: usize> {
     law: &'a Expandable,
-    expansion: Option<Expansion<S, WIDTH, N>>,
+    expansion: Option<Expansion<S, W, N>>,
     /// The arguments of exponentials, and the state with room for their series behind it.
     exponents: Room,
     extended: Vec<S>,
 }
 
-impl<'a, S: Fused, const N: usize> Series<'a, S, N> {
+impl<'a, S: Fused, const W: usize, const N: usize> Series<'a, S, W, N> {
     fn of(law: &'a Expandable) -> Self {
         Series { law, expansion: None, exponents: Room::default(), extended: Vec::new() }
     }
 }
 
-impl<S: Fused, const N: usize> TaylorSeries<S> for Series<'_, S, N> {
+impl<S: Fused, const W: usize, const N: usize> TaylorSeries<S> for Series<'_, S, W, N> {
     fn expand(&mut self, t: S, y: &[S], order: usize) {
         self.expand_rounding(t, y, order, order);
     }
@@ -149,12 +151,12 @@ impl<S: Fused, const N: usize> TaylorSeries<S> for Series<'_, S, N> {
 }
 
 /// A series whose room goes from run to run.
-struct Kept<'a, S: Fused> {
-    series: Series<'a, S, FEW>,
-    spare: &'a Spare<S>,
+struct Kept<'a, S: Fused, const W: usize> {
+    series: Series<'a, S, W, FEW>,
+    spare: &'a Spare<S, W>,
 }
 
-impl<S: Fused> TaylorSeries<S> for Kept<'_, S> {
+impl<S: Fused, const W: usize> TaylorSeries<S> for Kept<'_, S, W> {
     fn expand(&mut self, t: S, y: &[S], order: usize) {
         self.expand_rounding(t, y, order, order);
     }
@@ -181,7 +183,7 @@ impl<S: Fused> TaylorSeries<S> for Kept<'_, S> {
     }
 }
 
-impl<S: Fused> Drop for Kept<'_, S> {
+impl<S: Fused, const W: usize> Drop for Kept<'_, S, W> {
     fn drop(&mut self) {
         let mut spare = self.spare.lock().unwrap_or_else(PoisonError::into_inner);
         spare.extend(self.series.expansion.take());

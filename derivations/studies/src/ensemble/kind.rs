@@ -6,7 +6,7 @@ use integrators::LaneSeries;
 use motor::{Bench, Machine, Motor};
 use nalgebra::{Matrix3, Vector3};
 use series::Equations;
-use simulation::ensemble::lane_series;
+use simulation::ensemble::{LANES, lane_series};
 use simulation::{Axes, Expandable};
 use symbolic::{Sym, Tape, Untapeable, apart};
 use systems::gyrostat::driven::Driven;
@@ -52,8 +52,8 @@ impl Kind {
         self.law.states()
     }
 
-    /// The series of L members, to this order.
-    pub fn series<const L: usize>(&self, order: usize) -> Option<Box<dyn LaneSeries<L> + '_>> {
+    /// The series of members side by side, to this order.
+    pub fn series(&self, order: usize) -> Option<Box<dyn LaneSeries<LANES> + '_>> {
         lane_series(&self.law, order)
     }
 

@@ -61,8 +61,6 @@ impl fmt::Display for NoShares {
 
 impl std::error::Error for NoShares {}
 
-/// As many as a register of today holds.
-const LANES: usize = 8;
 /// Looks at each motion; a time is known to one of them.
 const WINDOWS: usize = 120;
 /// Of the integration.
@@ -101,7 +99,7 @@ pub fn shares(scene: &Scene, loads: &[f64], starts: Starts, span: f64) -> Result
     let motor = Loaded::of(scene).map_err(NoShares::Field)?;
     let kind = Kind::under_load(&scene.system, &scene.machine, axes);
     let kind = kind.map_err(|reason| NoShares::Law(reason.to_string()))?;
-    let series = kind.series::<LANES>(integrators::taylor_order(TOLERANCE));
+    let series = kind.series(integrators::taylor_order(TOLERANCE));
     let series = series.ok_or_else(|| NoShares::Law("it is too long".into()))?;
     let wells = match scene.system {
         System::Bench { .. } => loads.iter().map(|load| Wells::of(&motor, *load)).collect::<Result<Vec<_>, _>>(),

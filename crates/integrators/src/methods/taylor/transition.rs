@@ -1,12 +1,11 @@
 //! The state-transition matrix: how the end of a motion depends on its beginning, dy(t1)/dy(t0).
 //!
-//! The Taylor method over numbers that carry eight directions: value and derivatives are expanded together, so the
+//! The Taylor method over numbers that carry eight directions in the lanes of a register: value and derivatives are expanded together, so the
 //! matrix is as accurate as the motion, and nobody writes down variational equations.
 
 use crate::clock;
-use crate::law::jacobian::{slope, variable};
 use crate::methods::taylor::taylor_order;
-use crate::{DIRECTIONS, Directions, Failure, Refusal, System, TaylorSeries, Tolerance};
+use crate::{DIRECTIONS, Failure, Refusal, System, TaylorSeries, Tolerance, Variations};
 
 /// Where a motion ends, and how that depends on where it began.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,16 +36,16 @@ pub fn transition(
     let mut found = Transition { state: state.to_vec(), matrix: vec![0.0; n * n], steps: 0 };
     for first in (0..n).step_by(DIRECTIONS) {
         let block = DIRECTIONS.min(n - first);
-        let mut y: Vec<Directions> = state.iter().map(|&y| Directions::from_re(y)).collect();
+        let mut y: Vec<Variations> = state.iter().map(|&y| Variations::from(y)).collect();
         for k in 0..block {
-            y[first + k] = variable(state[first + k], k);
+            y[first + k].slope.0[k] = 1.0;
         }
         let steps = carry(&mut *series, tolerance, (from, to), &mut y)?;
         found.steps = found.steps.max(steps);
         for (i, end) in y.iter().enumerate() {
-            found.state[i] = end.re;
+            found.state[i] = end.value.0[0];
             for k in 0..block {
-                found.matrix[i * n + first + k] = slope(end, k);
+                found.matrix[i * n + first + k] = end.slope.0[k];
             }
         }
     }
@@ -55,10 +54,10 @@ pub fn transition(
 
 /// Moves y, and says in how many steps.
 fn carry(
-    series: &mut dyn TaylorSeries<Directions>,
+    series: &mut dyn TaylorSeries<Variations>,
     tolerance: &Tolerance,
     (from, to): (f64, f64),
-    y: &mut [Directions],
+    y: &mut [Variations],
 ) -> Result<u64, Failure> {
     let mut steps = 0;
     let (order, direction, mut at) = (taylor_order(tolerance.relative), (to - from).signum(), from);
@@ -66,7 +65,7 @@ fn carry(
         if let Some(over) = clock::over() {
             return Err(over.failure(at));
         }
-        series.expand(Directions::from_re(at), y, order);
+        series.expand(Variations::from(at), y, order);
         let terms = [order, order - 1].map(|k| {
             let share = largest_share(series.coefficients(k), y, tolerance);
             share.powf(-1.0 / k as f64)
@@ -79,20 +78,20 @@ fn carry(
         if next == at {
             return Err(Failure::StepCollapsed { at, step: reach });
         }
-        series.sum(Directions::from_re(next - at), y);
+        series.sum(Variations::from(next - at), y);
         (at, steps) = (next, steps + 1);
     }
     Ok(steps)
 }
 
 /// The largest coefficient in units of what is allowed; not a number where one is not.
-fn largest_share(coefficients: &[Directions], y: &[Directions], tolerance: &Tolerance) -> f64 {
+fn largest_share(coefficients: &[Variations], y: &[Variations], tolerance: &Tolerance) -> f64 {
     let columns: [f64; DIRECTIONS] =
-        std::array::from_fn(|k| y.iter().map(|y| slope(y, k).abs()).fold(f64::MIN_POSITIVE, f64::max));
+        std::array::from_fn(|k| y.iter().map(|y| y.slope.0[k].abs()).fold(f64::MIN_POSITIVE, f64::max));
     let mut largest = 0.0_f64;
     for (i, (a, y)) in coefficients.iter().zip(y).enumerate() {
-        let own = a.re.abs() / tolerance.allowed(i, y.re.abs());
-        let slopes = columns.iter().enumerate().map(|(k, column)| slope(a, k).abs() / (tolerance.relative * column));
+        let own = a.value.0[0].abs() / tolerance.allowed(i, y.value.0[0].abs());
+        let slopes = columns.iter().enumerate().map(|(k, column)| a.slope.0[k].abs() / (tolerance.relative * column));
         for share in slopes.chain([own]) {
             if !share.is_finite() {
                 return f64::NAN;

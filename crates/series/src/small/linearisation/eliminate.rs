@@ -2,10 +2,10 @@
 
 use super::matrix::Matrix;
 use crate::fused::Fused;
-use crate::pick::Pick;
 use crate::small::law::Law;
+use crate::small::permuted::Permute;
 use crate::small::solving::{Row, Set};
-use crate::stored::Wide;
+use crate::small::wide::Wide;
 
 /// Into which columns what is put.
 #[derive(Clone, Debug)]
@@ -42,7 +42,7 @@ impl Elimination {
 
     /// Of J, which has the columns of what is solved for, and of W.
     #[inline(always)]
-    pub fn run<S: Fused, P: Pick<f64>, const B: usize, const G: usize>(
+    pub fn run<S: Fused, P: Permute<f64>, const B: usize, const G: usize>(
         &self,
         pick: P,
         rows: &[Row<S, B, G>],
@@ -67,7 +67,7 @@ impl Elimination {
 
 /// A column, and others so many times each.
 #[inline(always)]
-fn plus<'a, P: Pick<f64>, const B: usize>(
+fn plus<'a, P: Permute<f64>, const B: usize>(
     pick: P,
     mut column: [Wide<f64>; B],
     others: impl Iterator<Item = (f64, &'a [Wide<f64>; B])>,

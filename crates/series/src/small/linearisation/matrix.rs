@@ -1,8 +1,8 @@
 //! Matrices of few rows and columns, by registers of eight rows.
 
-use crate::pick::Pick;
+use crate::small::permuted::Permute;
 use crate::small::solving::Set;
-use crate::stored::Wide;
+use crate::small::wide::Wide;
 
 /// Columns for C groups of eight, each over B groups of rows.
 pub(super) type Matrix<const B: usize, const C: usize> = [[[Wide<f64>; B]; 8]; C];
@@ -26,7 +26,7 @@ impl<const B: usize> Fours<B> {
 
 /// sum_c matrix_c x_c over the columns that count.
 #[inline(always)]
-pub(super) fn times<P: Pick<f64>, const B: usize, const C: usize>(
+pub(super) fn times<P: Permute<f64>, const B: usize, const C: usize>(
     pick: P,
     matrix: &Matrix<B, C>,
     x: &[P::Eight; C],
@@ -49,7 +49,7 @@ pub(super) fn times<P: Pick<f64>, const B: usize, const C: usize>(
 
 /// Adds four columns where they count.
 #[inline(always)]
-fn four<P: Pick<f64>, const B: usize, const C: usize, const FOUR: usize>(
+fn four<P: Permute<f64>, const B: usize, const C: usize, const FOUR: usize>(
     pick: P,
     sums: &mut [[P::Eight; B]; 4],
     matrix: &Matrix<B, C>,
@@ -72,7 +72,7 @@ fn four<P: Pick<f64>, const B: usize, const C: usize, const FOUR: usize>(
 
 /// Their rows of one group.
 #[inline(always)]
-fn rows<P: Pick<f64>, const B: usize, const FOUR: usize, const GROUP: usize>(
+fn rows<P: Permute<f64>, const B: usize, const FOUR: usize, const GROUP: usize>(
     pick: P,
     sums: &mut [[P::Eight; B]; 4],
     columns: &[[Wide<f64>; B]],

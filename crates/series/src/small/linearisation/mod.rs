@@ -12,8 +12,9 @@ use super::factors::{Factors, Places};
 use super::law::{Law, Sums};
 use super::solving::{Solving, solved_by};
 use crate::fused::Fused;
-use crate::pick::Pick;
-use crate::stored::{Stored, Wide};
+use crate::small::permuted::Permute;
+use crate::small::wide::Wide;
+use crate::stored::Stored;
 use eliminate::Elimination;
 use matrix::Matrix;
 use orders::{Orders, Shape};
@@ -76,7 +77,7 @@ impl<const B: usize, const G: usize> Linearised<B, G> {
 
     /// Finds J and W at the point where something is solved for.
     #[inline(always)]
-    pub fn about<S: Fused, P: Pick<f64>>(&mut self, pick: P, solving: &Solving<S, B, G>) {
+    pub fn about<S: Fused, P: Permute<f64>>(&mut self, pick: P, solving: &Solving<S, B, G>) {
         self.linearise(pick, &solving.point().map(|eight| eight.rounded()));
         let Linearised { elimination, weights, orders, .. } = self;
         elimination.run(pick, solving.rows(), &mut orders.jacobian, weights, &mut orders.gains);
@@ -84,7 +85,7 @@ impl<const B: usize, const G: usize> Linearised<B, G> {
 
     /// Finds y_(k+1) for these k > 0 from the last order before, y_k of what moves, and the factors before.
     #[inline(always)]
-    pub fn run<S: Fused, P: Pick<f64>, R: From<f64>>(
+    pub fn run<S: Fused, P: Permute<f64>, R: From<f64>>(
         &mut self,
         pick: P,
         places: &Places<G>,
@@ -102,7 +103,7 @@ impl<const B: usize, const G: usize> Linearised<B, G> {
     /// The derivatives of the rates at a point by all quantities: L, and each product's weight times the one factor in the
     /// column of the other.
     #[inline(always)]
-    fn linearise<P: Pick<f64>>(&mut self, pick: P, point: &[[f64; 8]; B]) {
+    fn linearise<P: Permute<f64>>(&mut self, pick: P, point: &[[f64; 8]; B]) {
         let (weights, point) = (self.weights.as_flattened(), point.as_flattened());
         let columns = self.orders.jacobian.as_flattened_mut().iter_mut().zip(self.linear.as_flattened());
         let mut first = 0;

@@ -8,11 +8,11 @@
 
 use super::matrix::{Fours, Matrix, times};
 use super::pattern::Pattern;
-use crate::pick::Pick;
 use crate::small::MOST_ORDER;
 use crate::small::factors::{CHAINS, Chains, Factors, Places, reciprocals};
 use crate::small::law::Law;
-use crate::stored::Wide;
+use crate::small::permuted::Permute;
+use crate::small::wide::Wide;
 use std::ops::Range;
 
 /// What is where, whatever the numbers are.
@@ -64,7 +64,7 @@ impl<const B: usize, const G: usize> Orders<B, G> {
 
     /// Before the order k > 0, from y_k of what moves: the factors before are known.
     #[inline(always)]
-    pub fn begin<P: Pick<f64>>(
+    pub fn begin<P: Permute<f64>>(
         &mut self,
         pick: P,
         shape: &Shape<B>,
@@ -91,7 +91,7 @@ impl<const B: usize, const G: usize> Orders<B, G> {
 
     /// Takes a_k and b_k, and sums a_1 b_k + .. + a_k b_1.
     #[inline(always)]
-    fn middle<P: Pick<f64>>(
+    fn middle<P: Permute<f64>>(
         &mut self,
         pick: P,
         k: usize,
@@ -114,7 +114,7 @@ impl<const B: usize, const G: usize> Orders<B, G> {
 
     /// Finds y_(k+1) for these k > 0, into the rows of the series.
     #[inline(always)]
-    pub fn run<P: Pick<f64>, R: From<f64>>(
+    pub fn run<P: Permute<f64>, R: From<f64>>(
         &mut self,
         pick: P,
         shape: &Shape<B>,

@@ -8,7 +8,7 @@ pub(super) use rows::Row;
 
 use super::law::{Law, Solved};
 use crate::fused::Fused;
-use crate::pick::Pick;
+use crate::small::permuted::Permute;
 use crate::stored::Stored;
 
 /// The quantities after those that move, among B groups of eight, with G groups of products.
@@ -52,7 +52,7 @@ impl<S: Fused, const B: usize, const G: usize> Solving<S, B, G> {
 
     /// Order 0, from that of what moves.
     #[inline(always)]
-    pub fn first<P: Pick<S>>(&mut self, pick: P, moving: &[P::Eight; B]) -> [P::Eight; B] {
+    pub fn first<P: Permute<S>>(&mut self, pick: P, moving: &[P::Eight; B]) -> [P::Eight; B] {
         let mut all = stored(pick, moving);
         for (quantity, solved) in (self.law.moving..).zip(&self.law.solved) {
             let at = |quantity: usize| lane(&all, quantity);
@@ -77,7 +77,7 @@ impl<S: Fused, const B: usize, const G: usize> Solving<S, B, G> {
 
     /// Order k > 0, from that of what moves and m_k = a_1 b_(k-1) + .. + a_(k-1) b_1 for each product.
     #[inline(always)]
-    pub fn next<P: Pick<S>>(&self, pick: P, moving: &[P::Eight; B], middle: &[P::Eight; G]) -> [P::Eight; B] {
+    pub fn next<P: Permute<S>>(&self, pick: P, moving: &[P::Eight; B], middle: &[P::Eight; G]) -> [P::Eight; B] {
         let (mut all, middle) = (stored(pick, moving), stored(pick, middle));
         for (quantity, row) in (self.law.moving..).zip(&self.rows) {
             // the products are known before
@@ -95,7 +95,7 @@ fn lane<S, E: Stored<S>, const N: usize>(groups: &[E; N], number: usize) -> S {
 }
 
 #[inline(always)]
-fn stored<S: Fused, P: Pick<S>, const N: usize>(pick: P, eights: &[P::Eight; N]) -> [S::Stored; N] {
+fn stored<S: Fused, P: Permute<S>, const N: usize>(pick: P, eights: &[P::Eight; N]) -> [S::Stored; N] {
     let mut stored = [S::Stored::of([S::zero(); 8]); N];
     for (own, eight) in stored.iter_mut().zip(eights) {
         *own = pick.store(*eight);
@@ -104,7 +104,7 @@ fn stored<S: Fused, P: Pick<S>, const N: usize>(pick: P, eights: &[P::Eight; N])
 }
 
 #[inline(always)]
-fn loaded<S: Fused, P: Pick<S>, const N: usize>(pick: P, stored: &[S::Stored; N]) -> [P::Eight; N] {
+fn loaded<S: Fused, P: Permute<S>, const N: usize>(pick: P, stored: &[S::Stored; N]) -> [P::Eight; N] {
     let mut loaded = [pick.all(S::zero()); N];
     for (own, eight) in loaded.iter_mut().zip(stored) {
         *own = pick.load(eight);
