@@ -100,8 +100,9 @@ pub fn chart(asked: &Asked) -> Result<Ending, Ending> {
     let kept = Stored::beside(&asked.scene);
     // beyond the end of its law there is no motion for methods to find
     let run = problem.simulate(&following(smooth.run().choice()), |_| ());
-    if run.left.is_some() {
-        return no_reference(smooth, &run, &run.stopped().unwrap_or_default());
+    if run.left.is_some() || run.ends_before(problem.span) {
+        let ends = || format!("the run ends at t = {} s, before its span", run.outcome.time);
+        return no_reference(smooth, &run, &run.stopped().unwrap_or_else(ends));
     }
     match judged(&|reference| smooth.observed(reference), &problem, ways, &trials, kept.as_ref(), allowed) {
         Ok(mut atlas) => {

@@ -57,8 +57,9 @@ pub fn reference(asked: &Asked) -> Result<Ending, Ending> {
     }
     let output = output(asked)?;
     let run = problem.simulate(&following(smooth.run().choice()), |_| ());
-    if run.left.is_some() {
-        let (why, last) = (run.stopped().unwrap_or_default(), run.outcome.time);
+    if run.left.is_some() || run.ends_before(problem.span) {
+        let told = || smooth.told(&smooth.run().choice(), &run).diagnosis.unwrap_or_default();
+        let (why, last) = (run.stopped().unwrap_or_else(told), run.outcome.time);
         let accepted = format!("--until with a time up to {last} s is accepted");
         return Err(Ending::refused(format!("{}: {why}; {accepted}", asked.scene.display())));
     }

@@ -136,7 +136,7 @@ fn follow(scene: &dyn Smooth, asked: &Asked, form: Option<Axes>) -> Result<Endin
     let headed = |names: &[String]| names.iter().map(|name| csv::headed(name, &scene.unit(name))).collect::<Vec<_>>();
     let writes = writes(asked);
     let table = csv::Table::at(&writes, asked.out.as_deref(), &headed(&problem.columns))?;
-    if asked.transition.is_some() && problem.switching.is_some() {
+    if asked.transition.is_some() && scene.hybrid().is_some() {
         let why = "the law of this system changes at events: its transition matrix is not computed yet";
         return Err(Ending::refused(format!("--transition: {why}; leave it out")));
     }
@@ -183,7 +183,8 @@ fn follow(scene: &dyn Smooth, asked: &Asked, form: Option<Axes>) -> Result<Endin
     let mut depends = Ok(None);
     if let Some(path) = &asked.transition {
         let not_written = |why: &str| warn(&format!("{} is not written: {why}", path.display()));
-        let rows = trajectory.outcome.reached().then(|| {
+        let is_whole = trajectory.outcome.reached() && !trajectory.ends_before(problem.span);
+        let rows = is_whole.then(|| {
             let problem = scene.problem(choice.axes);
             phase("the transition matrix", || problem.transition(choice.tolerance))
         });

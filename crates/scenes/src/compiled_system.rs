@@ -8,7 +8,7 @@ use crate::program::recorded;
 use field::DoubleDouble;
 use integrators::{Directions, Ode, Real};
 use model::equations::constraints_of;
-use model::{Model, ScalarId, Trace};
+use model::{Event, Model, ScalarId, Trace};
 use simulation::{CompiledLaw, Law, LawSeries, Program, SymbolicLaw};
 use std::fmt;
 use std::ops::Range;
@@ -112,7 +112,7 @@ impl Way {
     /// The way of a model; one with conditions or events has its elimination written down.
     pub fn of(model: &Model) -> Self {
         let unknowns = model.speeds() + model.constraints.len();
-        if !changes(model) && unknowns > MOST_WRITTEN { Way::Solved } else { Way::Written }
+        if !is_watched(model) && unknowns > MOST_WRITTEN { Way::Solved } else { Way::Written }
     }
 }
 
@@ -128,7 +128,7 @@ impl CompiledSystem {
         }
         match CompiledSystem::written(model, mode) {
             // a constraint may move what has no inertia
-            Err(NotCompiled::Massless { coordinate }) if !changes(model) && !model.constraints.is_empty() => {
+            Err(NotCompiled::Massless { coordinate }) if !is_watched(model) && !model.constraints.is_empty() => {
                 CompiledSystem::solved(model).map_err(|_| NotCompiled::Massless { coordinate })
             }
             other => other,
@@ -259,14 +259,21 @@ pub(crate) fn speed_name(model: &Model, speed: usize) -> String {
     }
 }
 
-/// Whether the law of a model changes at conditions, at events or with its contacts.
+/// Whether the law of a model, or its state, changes at conditions, at events or with its contacts. An event that ends the run, and sets
+/// nothing, changes neither.
 pub(crate) fn changes(model: &Model) -> bool {
-    !(model.switches.is_empty() && model.events.is_empty() && model.contacts.is_empty())
+    let is_end = |event: &Event| event.ends && event.set.is_empty();
+    !(model.switches.is_empty() && model.contacts.is_empty() && model.events.iter().all(is_end))
+}
+
+/// Whether a run watches for events, be it for its end alone.
+pub(crate) fn is_watched(model: &Model) -> bool {
+    changes(model) || !model.events.is_empty()
 }
 
 /// The first condition or event that depends on accelerations or reactions.
 fn of_accelerations(model: &Model) -> Option<Range<usize>> {
-    if !changes(model) {
+    if !is_watched(model) {
         return None;
     }
     apart(|| {

@@ -2,7 +2,7 @@
 
 use crate::admissible::impossible;
 use crate::branch::settled;
-use crate::compiled_system::{CompiledSystem, ENERGIES, changes};
+use crate::compiled_system::{CompiledSystem, ENERGIES, changes, is_watched};
 use crate::ensemble::parse_ensemble;
 use crate::inductances::impossible_inductances;
 use crate::modes::Modes;
@@ -174,7 +174,8 @@ impl ModelScene {
     /// The problem of the run, with the modes of a law that changes.
     pub(crate) fn switched(&self) -> (Problem, Option<Arc<Modes>>) {
         let (shown, kept) = (Arc::clone(&self.system), Arc::clone(&self.system));
-        let modes = changes(&self.model).then(|| Arc::new(Modes::of(&self.model, &self.events, &self.condition_lines)));
+        let watched = is_watched(&self.model);
+        let modes = watched.then(|| Arc::new(Modes::of(&self.model, &self.events, &self.condition_lines)));
         let of_mode = modes.clone();
         let row = move |time: f64, state: &[f64]| {
             let current = of_mode.as_ref().and_then(|modes| modes.current());

@@ -150,6 +150,11 @@ impl Trajectory {
         self.left.map(|why| format!("left its law: {why}")).or_else(broken_off).or_else(failure)
     }
 
+    /// Whether an event has ended it before its span, as its scene asks for.
+    pub fn ends_before(&self, span: f64) -> bool {
+        self.left.is_none() && self.outcome.reached() && self.outcome.time < span
+    }
+
     /// A failure with the name of the state at whose rate it is, where it is at one.
     fn named(&self, failure: Failure) -> String {
         let Failure::Refused(Refusal::RatesNotFinite { component }) = failure else { return failure.to_string() };

@@ -71,8 +71,8 @@ pub fn prepare(Read { id, scene: any, kept }: &Read) -> Option<Prepared> {
     };
     // what a scene is made to show may be its end: that is no fault of the run
     let atlas = match (scene.told(&choice, &run).diagnosis, scene.hybrid()) {
-        (Some(_), _) => Err(NoReference::Ends),
-        (None, Some(hybrid)) => {
+        (Some(_), None) => Err(NoReference::Ends),
+        (_, Some(hybrid)) => {
             judged_across_events(hybrid, &trials, kept.as_ref(), patience).map_err(NoReference::Unknown)
         }
         (None, None) => {

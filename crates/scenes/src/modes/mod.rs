@@ -37,7 +37,7 @@ pub use course::Course;
 pub use mode::{Case, Face, Mode, Phase};
 pub(crate) use motion::Motion;
 
-use crate::compiled_system::{CompiledSystem, NotCompiled, changes};
+use crate::compiled_system::{CompiledSystem, NotCompiled, is_watched};
 use crate::start::KeptConstraints;
 use course::{Crossing, Leg, Sets};
 use expansion::{Expansions, Instant};
@@ -211,7 +211,7 @@ impl Modes {
         // where speeds are algebraic, a mode in which no run is may have no law
         if model.algebraic_speeds.is_empty() {
             let moded = self.laws.moded(&Mode::off(model)).map_err(Refused::Law)?;
-            if !changes(model) {
+            if !is_watched(model) {
                 return Ok(Arc::clone(&moded.system));
             }
         }
