@@ -15,6 +15,7 @@ mod conservation;
 mod ensemble;
 mod equilibrium;
 mod first_motion;
+mod formulations;
 mod hybrid;
 mod implicit;
 mod inductances;

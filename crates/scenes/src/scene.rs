@@ -4,6 +4,7 @@ use crate::admissible::impossible;
 use crate::branch::settled;
 use crate::compiled_system::{CompiledSystem, ENERGIES, changes, is_watched};
 use crate::ensemble::parse_ensemble;
+use crate::formulations::formulations;
 use crate::inductances::impossible_inductances;
 use crate::modes::Modes;
 use crate::quoted_keys::with_quoted_primes;
@@ -22,7 +23,7 @@ use simulation::models::{ModelReaders, Modelled, holds_model, read_models_by};
 use simulation::problem::Invariant;
 use simulation::smooth::Parameter;
 use simulation::work_precision::Hybrid;
-use simulation::work_precision::{Formulation, Observed, Standing, Way};
+use simulation::work_precision::{Observed, Way};
 use simulation::{Axes, Choice, Problem, Run, Smooth, Told, Trajectory, run};
 use std::borrow::Cow;
 use std::path::Path;
@@ -310,13 +311,7 @@ impl Smooth for ModelScene {
     }
 
     fn ways(&self) -> Vec<Way> {
-        let constraints = &self.model.constraints;
-        let formulation = match constraints.iter().filter(|constraint| constraint.gains.is_some()).count() {
-            _ if constraints.is_empty() => Formulation::Minimal,
-            led if led == constraints.len() => Formulation::Given,
-            _ => Formulation::IndexReduced,
-        };
-        vec![Way::of(formulation, "", Standing::Own, self.problem(Axes::First))]
+        formulations(self)
     }
 
     fn hybrid(&self) -> Option<&dyn Hybrid> {
