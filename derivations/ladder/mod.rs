@@ -5,7 +5,7 @@
 //! * [`lumping`]: windings lumped without any loss, found and proved from the machine's laws; [`elimination`];
 //! * [`currents`]: what stands for currents that are not followed, `slaved` the rungs of that; `resting`: of those that a supply
 //!   feeds; `smaller`: other machines of the scene's data;
-//! * [`motors`], [`rough`]: the ladders of scenes; those of mechanisms stand with these;
+//! * [`motors`], [`rough`], [`models`]: the ladders of scenes; those of mechanisms stand with these;
 //! * [`watched`]: what of a run matters; [`followed`]: runs at the instants at which that is seen;
 //! * [`carried`]: the error that the defect makes, carried by the richer law; [`estimate`]: its run;
 //! * [`dual`]: the same by transition matrices, weighed for each output: where along the run an error comes from;
@@ -27,6 +27,7 @@ pub mod followed;
 pub mod forms;
 pub mod linear;
 pub mod lumping;
+pub mod models;
 pub mod motors;
 pub mod plan;
 pub mod receipt;

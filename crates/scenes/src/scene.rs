@@ -24,7 +24,7 @@ use simulation::problem::Invariant;
 use simulation::smooth::Parameter;
 use simulation::work_precision::Hybrid;
 use simulation::work_precision::{Observed, Way};
-use simulation::{Axes, Choice, Problem, Run, Smooth, Told, Trajectory, run};
+use simulation::{Axes, Choice, Problem, Run, Smooth, SymbolicLaw, Told, Trajectory, run};
 use std::borrow::Cow;
 use std::path::Path;
 use std::sync::Arc;
@@ -259,7 +259,11 @@ pub(crate) fn columns(model: &Model) -> Vec<String> {
     state.chain(outputs).chain(["kinetic_energy".to_owned(), "potential_energy".to_owned()]).collect()
 }
 
-impl Modelled for ModelScene {}
+impl Modelled for ModelScene {
+    fn symbolic_law(&self) -> Arc<dyn SymbolicLaw> {
+        Arc::clone(&self.system) as Arc<dyn SymbolicLaw>
+    }
+}
 
 impl Smooth for ModelScene {
     fn title(&self) -> &str {

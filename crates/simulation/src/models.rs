@@ -1,13 +1,17 @@
 //! The readers of files whose system is written in them.
 
 use crate::ensemble::EnsembleScene;
+use crate::law::SymbolicLaw;
 use crate::smooth::Smooth;
 use reader::{MODEL, SceneError};
 use std::fmt;
 use std::sync::{Arc, OnceLock};
 
 /// A scene whose system is data.
-pub trait Modelled: Smooth + fmt::Debug {}
+pub trait Modelled: Smooth + fmt::Debug {
+    /// The law over expressions; of one that changes at events, the law of the start.
+    fn symbolic_law(&self) -> Arc<dyn SymbolicLaw>;
+}
 
 /// Reads a text, which messages call by the first argument.
 type Reader<T> = fn(&str, &str) -> Result<T, SceneError>;

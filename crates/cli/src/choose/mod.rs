@@ -68,12 +68,10 @@ pub fn show(asked: &Asked) -> Result<Ending, Ending> {
             let kept = Stored::beside(&asked.scene);
             (Box::new(Forms { ladders: vec![scene.ladder()], kept }), Smooth::run(&**scene).outputs.clone())
         }
-        AnyScene::Model(_) => {
-            return Err(Ending::refused(format!(
-                "choose does not apply to {}: smaller models of a system that is written in its file are not there yet; `dalembert chart` \
-                 compares its methods",
-                asked.scene.display()
-            )));
+        AnyScene::Model(scene) => {
+            refuse("a system that is written in its file", asked.model.is_some(), false, &asked.scene)?;
+            let kept = Stored::beside(&asked.scene);
+            (Box::new(Forms { ladders: vec![Ladder::of_model(&**scene)], kept }), scene.run().outputs.clone())
         }
         AnyScene::Rough(scene) => {
             refuse("a system with rough contacts", asked.model.is_some(), false, &asked.scene)?;

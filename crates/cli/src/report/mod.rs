@@ -50,7 +50,7 @@ pub fn write(asked: &Asked, files: &[PathBuf]) -> Result<Ending, Ending> {
                 rough.push(ReadRough { id: id(file), scene: *scene, kept: Stored::beside(file) });
             }
             // the page is to stay small enough to be sent: `chart` makes a page for each of these
-            Ok(AnyScene::Model(_)) => {}
+            Ok(AnyScene::Model(_)) if is_example(file, folder) => {}
             Ok(scene) => scenes.push(Read { id: id(file), scene, kept: Stored::beside(file) }),
             Err(error) => {
                 warn_of(&error);
@@ -70,6 +70,13 @@ pub fn write(asked: &Asked, files: &[PathBuf]) -> Result<Ending, Ending> {
     report.studies.splice(0..0, unread::study(&unread));
     output.write_text(&charts::page::render(&report).html)?.tell(Format::Text)?;
     Ok(if whole { Ending::Done } else { Ending::Stopped })
+}
+
+/// The folder, among scenes, of examples of the language of systems.
+const EXAMPLES: &str = "models";
+
+fn is_example(file: &Path, scenes: &Path) -> bool {
+    file.strip_prefix(scenes).is_ok_and(|inner| inner.starts_with(EXAMPLES))
 }
 
 /// The commands that write pages: the main job, which has no name, and the charts of one scene.

@@ -132,10 +132,12 @@ impl Parts {
             }
             section
         };
-        report.scenes = self.prepared.into_iter().flatten().flatten().map(&mut charted).collect();
+        let prepared = self.prepared.into_iter().flatten().flatten();
+        let (across, smooth): (Vec<Prepared>, Vec<Prepared>) = prepared.partition(|one| one.across_events);
+        report.scenes = smooth.into_iter().map(&mut charted).collect();
         // of these there are the tables alone: the page is to stay small, `dalembert chart` draws them
         let tabled = |prepared| SceneSection { work: Vec::new(), ..charted(prepared) };
-        report.rough = self.rough.into_iter().flatten().map(tabled).collect();
+        report.rough = self.rough.into_iter().flatten().chain(across).map(tabled).collect();
         report.papers = self.papers.into_iter().flatten().map(|(section, _)| section).collect();
         report.stability = self.stability.unwrap_or_default();
         report.approximations = self.approximations.into_iter().collect();

@@ -15,16 +15,18 @@ use std::time::Duration;
 
 /// For a reference; they share the processors, so that one of them has less than when it is alone.
 const PATIENCE: Duration = Duration::from_secs(15);
-/// The same for a mechanism: there are many, and `dalembert chart` gives each its own time.
+/// The same for a system without a motor of the catalogue: there are many, and `dalembert chart` gives each its own time.
 const OF_A_MECHANISM: Duration = Duration::from_secs(8);
-/// In one run of a mechanism, whose laws are dear.
+/// In one run of such a system, whose laws are dear.
 const EVALUATIONS: u64 = 20_000;
-/// For the times of all runs of a scene with a motor, and of a mechanism.
+/// For the times of all runs of a scene with a motor, and of another.
 const TIMED: [Duration; 2] = [Duration::from_millis(2_000), Duration::from_millis(1_200)];
 
 /// A scene's section without its charts, whether it came out as it should, and the errors of its methods.
 pub struct Prepared {
     pub section: SceneSection,
+    /// Whether its law changes at events.
+    pub across_events: bool,
     pub reached: bool,
     pub atlas: Result<Atlas, NoReference>,
     pub trials: Trials,
@@ -62,7 +64,8 @@ pub fn prepare(Read { id, scene: any, kept }: &Read) -> Option<Prepared> {
     let problem = scene.problem(Axes::First);
     let run = problem.simulate(&choice, |_| ());
     let mut section = described(id, scene, &run);
-    let of_a_mechanism = matches!(any, AnyScene::Mechanism(_));
+    let of_a_mechanism = matches!(any, AnyScene::Mechanism(_) | AnyScene::Model(_));
+    let across_events = scene.hybrid().is_some();
     let usual = Trials::default().with(scene.run().method);
     let [motor, mechanism] = TIMED;
     let (patience, timed, trials) = match of_a_mechanism {
@@ -90,7 +93,7 @@ pub fn prepare(Read { id, scene: any, kept }: &Read) -> Option<Prepared> {
         Err(NoReference::Stopped(failure)) => of_a_mechanism && failure.is_broken_off(),
         Ok(_) => run.outcome.reached(),
     };
-    Some(Prepared { section, reached, atlas, trials, timed })
+    Some(Prepared { section, across_events, reached, atlas, trials, timed })
 }
 
 /// The same of a scene with rough contacts: what it is made to show may be that nothing moves.
@@ -98,7 +101,7 @@ pub fn prepare_rough(ReadRough { id, scene, kept }: &ReadRough) -> Prepared {
     let [_, timed] = TIMED;
     let trials = Trials { evaluations: EVALUATIONS, ..Trials::default() }.with(scene.plan.method);
     let atlas = judged_across_events(scene, &trials, kept.as_ref(), OF_A_MECHANISM).map_err(NoReference::Unknown);
-    Prepared { section: rough::section(id, scene), reached: true, atlas, trials, timed }
+    Prepared { section: rough::section(id, scene), across_events: true, reached: true, atlas, trials, timed }
 }
 
 /// A scene's section with its run and without its charts.
