@@ -17,7 +17,6 @@
 //! * [`alphabet`](mod@alphabet): the letters of a page, with LaTeX and dimensions;
 //! * [`papers`]: a paper a folder, its numbered equations as claims in the paper's own order and letters.
 //! * [`failures`]: every way in which methods fail, with its threshold by theory and by runs;
-//! * [`friction`]: motion with friction across its events;
 //! * [`governors`]: stability and series of the friction governors, for pictures;
 //! * [`phantom`]: what the steps of methods make of the stability of motions, as a page of claims and for scenes;
 //! * [`regimes`]: when motion with friction is determined, as a page of claims;
@@ -33,7 +32,6 @@ pub mod derive;
 pub mod ensemble;
 mod exact_turns;
 pub mod failures;
-pub mod friction;
 pub mod governors;
 pub mod ladder;
 pub mod ledger;

@@ -68,16 +68,7 @@ pub fn chart(asked: &Asked) -> Result<Ending, Ending> {
         }
         other => other,
     };
-    let smooth: &dyn Smooth = match &scene {
-        AnyScene::Rough(rough) => {
-            refuse("a system with rough contacts", asked.model.is_some(), asked.form.is_some(), &asked.scene)?;
-            let page = |atlas: &Atlas, work| report::of_rough(rough, atlas, work);
-            return across_events(&**rough, (&rough.title, rough.plan.method), asked, page);
-        }
-        AnyScene::Driven(scene) => &**scene,
-        AnyScene::Mechanism(scene) => &**scene,
-        AnyScene::Model(scene) => &**scene,
-    };
+    let smooth = scene.smooth();
     if matches!(scene, AnyScene::Mechanism(_) | AnyScene::Model(_)) {
         refuse("a system without a motor", asked.model.is_some(), asked.form.is_some(), &asked.scene)?;
     }
@@ -183,7 +174,7 @@ fn smaller(scene: &AnyScene, known: &[Way]) -> Vec<Way> {
         }
         AnyScene::Driven(scene) => (Ladder::of_scene(scene, Axes::First), Formulation::First),
         AnyScene::Mechanism(scene) => (scene.ladder(), Formulation::Minimal),
-        AnyScene::Rough(_) | AnyScene::Model(_) => return Vec::new(),
+        AnyScene::Model(_) => return Vec::new(),
     };
     let mut ways = Arc::new(ladder).ways(formulation);
     ways.retain(|way| known.iter().all(|known| known.model != way.model));

@@ -11,7 +11,7 @@ use reader::Family;
 use simulation::references::Event;
 use simulation::references::Owner;
 use simulation::work_precision::Hybrid;
-use simulation::{Axes, Choice, Smooth, Stored, references};
+use simulation::{Axes, Choice, Stored, references};
 use std::fmt::Write;
 use std::path::PathBuf;
 
@@ -36,12 +36,7 @@ pub struct Asked {
 /// or less: a reference that is there gives way to a better one only.
 pub fn reference(asked: &Asked) -> Result<Ending, Ending> {
     let scene = AnyScene::open(&asked.scene)?;
-    let smooth: &dyn Smooth = match &scene {
-        AnyScene::Rough(rough) => return across_events(&**rough, &rough.title, asked),
-        AnyScene::Driven(scene) => &**scene,
-        AnyScene::Mechanism(scene) => &**scene,
-        AnyScene::Model(scene) => &**scene,
-    };
+    let smooth = scene.smooth();
     if let Some(hybrid) = smooth.hybrid() {
         return across_events(hybrid, smooth.title(), asked);
     }

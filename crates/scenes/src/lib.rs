@@ -27,6 +27,8 @@ pub mod linearisation;
 mod modes;
 mod motions;
 mod no_system;
+mod other_values;
+mod outputs;
 mod parametric_law;
 mod program;
 mod quoted_keys;

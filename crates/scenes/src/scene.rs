@@ -2,13 +2,14 @@
 
 use crate::admissible::impossible;
 use crate::branch::settled;
-use crate::compiled_system::{CompiledSystem, ENERGIES, changes, is_watched};
+use crate::compiled_system::{CompiledSystem, changes, is_watched};
 use crate::ensemble::parse_ensemble;
 use crate::formulations::formulations;
 use crate::inductances::impossible_inductances;
-use crate::modes::Modes;
+use crate::modes::{BROKEN, Modes};
+use crate::outputs::ENERGIES;
 use crate::quoted_keys::with_quoted_primes;
-use crate::readiness::{ready, start_of, without_run};
+use crate::readiness::{Ready, ready, start_of, without_run};
 use crate::row_units::unit_of;
 use crate::size::{Task, too_large};
 use crate::start::SingularPositions;
@@ -24,7 +25,7 @@ use simulation::problem::Invariant;
 use simulation::smooth::Parameter;
 use simulation::work_precision::Hybrid;
 use simulation::work_precision::{Observed, Way};
-use simulation::{Axes, Choice, Problem, Run, Smooth, SymbolicLaw, Told, Trajectory, run};
+use simulation::{Axes, Choice, Problem, Run, Smooth, Told, Trajectory, run};
 use std::borrow::Cow;
 use std::path::Path;
 use std::sync::Arc;
@@ -44,6 +45,8 @@ pub struct ModelScene {
     events: Vec<String>,
     /// The line of each condition.
     condition_lines: Vec<usize>,
+    /// Of a start from which no motion goes on, or several: the place in the file, and what would be accepted.
+    without_motion: Option<String>,
 }
 
 /// Makes every command read files with `[coordinates]`; `warn` is told what is accepted in them and perhaps means something else.
@@ -151,7 +154,7 @@ impl ModelScene {
         let exist = bodies.is_empty();
         issues.extend(bodies);
         let ready = exist.then(|| ready(&mut model))?;
-        let (start, system) = ready.map_err(|issue| issues.push(issue)).ok()?;
+        let Ready { start, system, without_motion } = ready.map_err(|issue| issues.push(issue)).ok()?;
         if let Some(issue) = impossible_inductances(&model, &start) {
             issues.push(issue);
             return None;
@@ -159,7 +162,12 @@ impl ModelScene {
         let description = description.map_or_else(String::new, |text| text.value.trim().to_owned());
         let events = model.events.iter().map(|event| called(event, text)).collect();
         let condition_lines = model.switch_places.iter().map(|place| line_of(text, place.start)).collect();
-        Some(ModelScene { title, description, model, system, start, run: run?, events, condition_lines })
+        let without_motion = without_motion.map(|issue| {
+            let line = line_of(text, issue.span.map_or(0, |span| span.start));
+            format!("line {line}: {}; accepted is {}", issue.label, issue.help.unwrap_or_default())
+        });
+        let run = run?;
+        Some(ModelScene { title, description, model, system, start, run, events, condition_lines, without_motion })
     }
 }
 
@@ -169,7 +177,7 @@ impl ModelScene {
         let ModelScene { title, description, run, events, condition_lines, .. } = self;
         let (title, description) = (title.clone(), description.clone());
         let (run, events, condition_lines) = (run.clone(), events.clone(), condition_lines.clone());
-        ModelScene { title, description, model, system, start, run, events, condition_lines }
+        ModelScene { title, description, model, system, start, run, events, condition_lines, without_motion: None }
     }
 
     /// The problem of the run, with the modes of a law that changes.
@@ -259,12 +267,6 @@ pub(crate) fn columns(model: &Model) -> Vec<String> {
     state.chain(outputs).chain(["kinetic_energy".to_owned(), "potential_energy".to_owned()]).collect()
 }
 
-impl Modelled for ModelScene {
-    fn symbolic_law(&self) -> Arc<dyn SymbolicLaw> {
-        Arc::clone(&self.system) as Arc<dyn SymbolicLaw>
-    }
-}
-
 impl Smooth for ModelScene {
     fn title(&self) -> &str {
         &self.title
@@ -297,11 +299,13 @@ impl Smooth for ModelScene {
 
     fn told(&self, _choice: &Choice, trajectory: &Trajectory) -> Told {
         let ended = trajectory.passages.last().filter(|passage| passage.then.is_none());
-        let ended = ended.map(|Passage { what, .. }| match trajectory.stopped() {
-            None => format!("{what} ends the run"),
-            Some(_) => what.clone(),
-        });
-        Told { diagnosis: ended, ..Told::default() }
+        let diagnosis = match (ended, trajectory.left) {
+            (Some(Passage { what, .. }), None) => Some(format!("{what} ends the run")),
+            (Some(Passage { what, .. }), Some(BROKEN)) => Some(what.clone()),
+            _ if !trajectory.has_begun() => self.without_motion.clone(),
+            _ => None,
+        };
+        Told { diagnosis, ..Told::default() }
     }
 
     fn parameters(&self) -> Vec<Parameter> {

@@ -6,7 +6,6 @@ mod estimates;
 mod fed;
 mod governors;
 mod lumping;
-mod rough;
 
 use dalembert_derivations::AnyScene;
 use dalembert_derivations::ladder::followed::{followed, followed_at, instants};

@@ -11,8 +11,6 @@ use crate::output::{Form, Writes};
 use crate::run::{refuse, with_model};
 use clap::Args;
 use derivations::AnyScene;
-use derivations::friction::course::WORKS;
-use derivations::ladder::rough::RoughLadder;
 use derivations::ladder::{Forms, Ladder, Models, Wish, choose};
 use derivations::scene::System;
 use reader::Family;
@@ -73,10 +71,6 @@ pub fn show(asked: &Asked) -> Result<Ending, Ending> {
             let kept = Stored::beside(&asked.scene);
             (Box::new(Forms { ladders: vec![Ladder::of_model(&**scene)], kept }), scene.run().outputs.clone())
         }
-        AnyScene::Rough(scene) => {
-            refuse("a system with rough contacts", asked.model.is_some(), false, &asked.scene)?;
-            (Box::new(RoughLadder::of(scene)), Vec::new())
-        }
     };
     let title = scene.title();
     let outputs = outputs(asked, given, models.columns())?;
@@ -118,7 +112,7 @@ fn outputs(asked: &Asked, given: Vec<String>, known: &[String]) -> Result<Vec<St
             known.join(", ")
         )));
     }
-    let state = |name: &&String| *name != "work" && !WORKS.contains(&name.as_str());
+    let state = |name: &&String| *name != "work";
     let all = || known.iter().filter(state).cloned().collect();
     Ok([asked.outputs.clone(), given].into_iter().find(|names| !names.is_empty()).unwrap_or_else(all))
 }

@@ -1,13 +1,13 @@
 //! A scene in the report: its data, its run, its smaller models.
 
 use crate::pictures;
-use crate::rough;
 use crate::speed::tables::floors;
+use crate::summary::{Told, told_passages};
 use charts::{Parameter, SceneSection, Table, significant, tolerance};
 use derivations::AnyScene;
-use derivations::friction::RoughScene;
 use derivations::scene::Scene;
 use integrators::Failure;
+use simulation::events::Passage;
 use simulation::references::Unknown;
 use simulation::work_precision::judged_across_events;
 use simulation::{Atlas, Axes, Smooth, Stored, Trajectory, Trials, judged};
@@ -41,13 +41,6 @@ pub struct Read {
     pub kept: Option<Stored>,
 }
 
-/// The same of a scene with rough contacts.
-pub struct ReadRough {
-    pub id: String,
-    pub scene: RoughScene,
-    pub kept: Option<Stored>,
-}
-
 /// Why methods are not compared on a scene.
 pub enum NoReference {
     Stopped(Failure),
@@ -57,9 +50,9 @@ pub enum NoReference {
     Ends,
 }
 
-/// Runs a scene, computes its reference, and the errors of all methods by that; nothing where it is many problems.
-pub fn prepare(Read { id, scene: any, kept }: &Read) -> Option<Prepared> {
-    let scene = any.smooth()?;
+/// Runs a scene, computes its reference, and the errors of all methods by that.
+pub fn prepare(Read { id, scene: any, kept }: &Read) -> Prepared {
+    let scene = any.smooth();
     let choice = scene.run().choice();
     let problem = scene.problem(Axes::First);
     let run = problem.simulate(&choice, |_| ());
@@ -93,15 +86,7 @@ pub fn prepare(Read { id, scene: any, kept }: &Read) -> Option<Prepared> {
         Err(NoReference::Stopped(failure)) => of_a_mechanism && failure.is_broken_off(),
         Ok(_) => run.outcome.reached(),
     };
-    Some(Prepared { section, across_events, reached, atlas, trials, timed })
-}
-
-/// The same of a scene with rough contacts: what it is made to show may be that nothing moves.
-pub fn prepare_rough(ReadRough { id, scene, kept }: &ReadRough) -> Prepared {
-    let [_, timed] = TIMED;
-    let trials = Trials { evaluations: EVALUATIONS, ..Trials::default() }.with(scene.plan.method);
-    let atlas = judged_across_events(scene, &trials, kept.as_ref(), OF_A_MECHANISM).map_err(NoReference::Unknown);
-    Prepared { section: rough::section(id, scene), across_events: true, reached: true, atlas, trials, timed }
+    Prepared { section, across_events, reached, atlas, trials, timed }
 }
 
 /// A scene's section with its run and without its charts.
@@ -118,8 +103,26 @@ pub fn described(id: &str, scene: &dyn Smooth, run: &Trajectory) -> SceneSection
         description: scene.description().to_owned(),
         parameters: parameters.collect(),
         facts: facts(scene, run),
+        tables: if run.passages.is_empty() { Vec::new() } else { vec![log(run)] },
         trajectory: Some(pictures::trajectory(scene, run)),
         ..Default::default()
+    }
+}
+
+/// The events of a run with the laws that follow, and its end.
+fn log(run: &Trajectory) -> Table {
+    let time = |time: f64| format!("{time:.6}");
+    let events = told_passages(&run.passages).into_iter().map(|told| match told {
+        Told::Passage(Passage { time: at, what, then, .. }) => {
+            vec![time(*at), what.clone(), then.clone().unwrap_or_default()]
+        }
+        Told::LeftOut(count) => vec![String::new(), format!("{count} more"), String::new()],
+    });
+    let end = run.stopped().unwrap_or_else(|| "the end of the run".to_owned());
+    Table {
+        caption: "What happened, and why".to_owned(),
+        head: ["Time, s", "What happened", "From here on"].map(String::from).into(),
+        rows: events.chain([vec![time(run.outcome.time), end, String::new()]]).collect(),
     }
 }
 
