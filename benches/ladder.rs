@@ -1,14 +1,10 @@
-//! What estimates of lower models are worth: estimate over true error on the scenes with a motor, on those with rough contacts and
-//! on 1,000 random motors: `cargo bench --bench ladder`, or with another number behind it.
+//! What estimates of lower models are worth: estimate over true error on the scenes with a motor and on 1,000 random motors: `cargo bench --bench ladder`, or with another number behind it.
 
 #[path = "../tests/motions/ladder/drawn.rs"]
 mod drawn;
 
-use dalembert_derivations::studies::friction::RoughScene;
-use dalembert_derivations::studies::friction::course::WORKS;
 use dalembert_derivations::studies::ladder::followed::{followed_at, instants};
-use dalembert_derivations::studies::ladder::rough::RoughLadder;
-use dalembert_derivations::studies::ladder::{Ladder, Loss, Models};
+use dalembert_derivations::studies::ladder::{Ladder, Loss};
 use dalembert_derivations::studies::scene::Scene;
 use integrators::Tolerance;
 use reader::Family;
@@ -18,16 +14,6 @@ use std::path::Path;
 
 const SCENES: [&str; 7] =
     ["bench", "spin_up", "pull_out", "hanging_rest", "permanent_rotation", "stiff_damper", "asynchronous_drive"];
-/// Scenes with rough contacts, each with a span that its run lasts.
-const ROUGH: [(&str, &str); 5] = [
-    ("pushed_ladder", "1 s"),
-    ("steered_rod", "2 s"),
-    ("climbed_ladder", "5 s"),
-    ("jam", "0.1 s"),
-    ("painleve", "0.2 s"),
-];
-/// Parts of their friction.
-const PARTS: [f64; 4] = [1.0, 0.1, 0.01, 0.001];
 /// Runs tight enough for errors down to here.
 const TIGHT: f64 = 1e-11;
 const LEAST: f64 = 1e-8;
@@ -47,7 +33,6 @@ fn main() {
             println!("{name:<19} {model:<33} {error:>10.2e} {first:>9.2e} {effectivity:>12.4} {doubt:>8.1e}");
         }
     }
-    rough();
     let count = std::env::args().find_map(|word| word.parse().ok()).unwrap_or(1_000);
     let mut by_doubt: [Vec<f64>; DOUBTS.len()] = Default::default();
     let mut by_model: BTreeMap<&str, Vec<f64>> = BTreeMap::new();
@@ -73,61 +58,6 @@ fn main() {
         row(model, found);
     }
     println!("without a run or an estimate: {lost}");
-}
-
-/// The scenes with rough contacts, with ever less of their friction.
-fn rough() {
-    println!("\nscene            of its friction  model                   true error  estimate  effectivity  2nd/1st");
-    for (name, span) in ROUGH {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes/friction").join(name).with_extension("toml");
-        let Ok(text) = std::fs::read_to_string(&path) else { continue };
-        for part in PARTS {
-            let line = |line: &str| match line.split_once(" = ") {
-                Some((key, value)) if key.starts_with("friction") => {
-                    let value: f64 = value.trim_matches('"').parse().unwrap_or(f64::NAN);
-                    format!("{key} = \"{}\"", value * part)
-                }
-                Some(("span", _)) => format!("span = \"{span}\""),
-                _ => line.to_owned(),
-            };
-            let Ok(scene) = RoughScene::parse(name, &text.lines().map(line).collect::<Vec<_>>().join("\n")) else {
-                continue;
-            };
-            let ladder = RoughLadder::of(&scene);
-            let outputs: Vec<String> =
-                ladder.columns().iter().filter(|name| !WORKS.contains(&name.as_str())).cloned().collect();
-            let watched = match ladder.watched(&outputs) {
-                Ok((watched, _)) => watched,
-                Err(why) => {
-                    println!("{name:<16} {part:<16} the scene's own model stops: {why}");
-                    continue;
-                }
-            };
-            for (at, line) in ladder.lines(&watched, 1e-6).0.iter().enumerate().skip(1) {
-                match (&line.model, ladder.difference(at, &watched)) {
-                    (Ok(found), Some(0.0)) => println!(
-                        "{name:<16} {part:<16} {:<23} no error on this run, estimated {:.1e}",
-                        line.name, found.first
-                    ),
-                    (Ok(found), Some(error)) => println!(
-                        "{name:<16} {part:<16} {:<23} {error:>10.2e} {:>9.2e} {:>12.4} {:>8.1e}",
-                        line.name,
-                        found.first,
-                        found.first / error,
-                        found.second / found.first
-                    ),
-                    (Ok(_), None) => {
-                        let held = match line.loss {
-                            Loss::Held { margin, at } => format!("never left: by {margin:.2e} at {at:.4} s"),
-                            _ => "no states to compare".into(),
-                        };
-                        println!("{name:<16} {part:<16} {:<23} {held}", line.name);
-                    }
-                    (Err(why), _) => println!("{name:<16} {part:<16} {:<23} {why}", line.name),
-                }
-            }
-        }
-    }
 }
 
 fn row(name: &str, found: &mut [f64]) {

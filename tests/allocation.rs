@@ -3,7 +3,6 @@
 use dalembert_derivations::machines::synchronous::Synchronous;
 use dalembert_derivations::papers::konosevich2022::gyrostats;
 use dalembert_derivations::studies::ensemble::kind::{Kind, form_parameters};
-use dalembert_derivations::studies::friction::stretch::Stretch;
 use dalembert_derivations::studies::mechanisms::MechanismScene;
 use dalembert_derivations::studies::scene::Scene;
 use dalembert_derivations::systems::disc::Disc;
@@ -11,13 +10,11 @@ use dalembert_derivations::systems::gyrostat::driven::Driven;
 use dalembert_derivations::systems::gyrostat::forms::{Form, SecondForm};
 use dalembert_derivations::systems::ladder::Ladder;
 use field::{Analytic, DoubleDouble, Lanes, Over};
-use integrators::{
-    Directions, Ensemble, Failure, Members, Ode, Real, SideBySide, Signal, Splitting, Switches, compose, lanes_order,
-};
+use integrators::{Directions, Ensemble, Failure, Members, Ode, Real, SideBySide, Splitting, compose, lanes_order};
 use mechanics::constrained::State;
 use mechanics::constrained::System as _;
 use mechanics::constrained::programmed::{Linear, programmed};
-use mechanics::regimes::{Direction, Dry, Face, Mode, Sizes, Touch, Verdict, touches, verdict};
+use mechanics::regimes::{Dry, Sizes, Touch, Verdict, touches, verdict};
 use motor::{Metered, Motor, Separable, catalogue, has_known_flow};
 use physical::machines::with_bars;
 use physical::rounded;
@@ -181,23 +178,6 @@ fn a_verdict_allocates_nothing_be_it_moving_at_rest_or_undetermined() {
         });
         assert_eq!(count, 0);
     }
-}
-
-#[test]
-fn sliding_allocates_nothing() {
-    let (ladder, at) = ladder();
-    let regime = [Mode::Slip(Direction::Backwards, Face::Front), Mode::Slip(Direction::Forwards, Face::Front)];
-    let (rough, load) = ([true; 2], 9.81);
-    let stretch = Stretch { system: &ladder, regime, rough, rests: false, orientation: 1.0, speed: 1.0, load };
-    let mut y = [0.0; 10];
-    y[..4].copy_from_slice(&at.place);
-    let (mut dy, mut signals) = ([0.0; 10], vec![Signal::default(); stretch.count()]);
-    let count = allocations(|| {
-        stretch.rates(0.0, &y, &mut dy);
-        stretch.signals(0.0, &y, &mut signals);
-    });
-    assert_eq!(count, 0);
-    assert!(dy[7] != 0.0 && signals[0].value > 0.0);
 }
 
 #[test]

@@ -68,7 +68,7 @@ fn the_jacobian_of_a_mechanism_is_that_of_dual_numbers_and_so_are_its_slopes_in_
     {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes").join(name).with_extension("toml");
         let scene = AnyScene::open(&path).unwrap_or_else(|error| panic!("{error}"));
-        let problem = scene.smooth().expect("one initial value problem").problem(Axes::First);
+        let problem = scene.smooth().problem(Axes::First);
         let away = |turn: usize| {
             let moved = |(i, y): (usize, &f64)| y + 0.01 * ((5 * turn + 2 * i) as f64).cos();
             problem.state.iter().enumerate().map(moved).collect()

@@ -156,7 +156,7 @@ fn run(
 /// A line for each choice.
 fn page(name: &str, stiff: bool) -> String {
     let scene = open(name);
-    let scene = scene.smooth().expect("one initial value problem");
+    let scene = scene.smooth();
     let span = scene.problem(Axes::First).span;
     let goal = goal(scene, stiff);
     let most = if stiff { STIFF } else { EVALUATIONS };
@@ -237,7 +237,7 @@ fn the_work_of_every_choice_is_what_was_reviewed() {
 #[test]
 fn two_windings_have_the_motion_of_all_bars_and_smaller_models_have_not() {
     let scene = open("spin_up");
-    let scene = scene.smooth().expect("one initial value problem");
+    let scene = scene.smooth();
     let goal = goal(scene, false);
     let observed: Vec<&str> = goal.observed.iter().map(|one| one.name.as_str()).collect();
     assert_eq!(observed, ["w1", "w2", "w3", "v1", "v2", "v3", "angle", "rotor_speed"]);

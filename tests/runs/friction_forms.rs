@@ -4,8 +4,6 @@
 
 use claims::{Claim, Line, Statement};
 use dalembert_derivations::papers::manglieva2022;
-use dalembert_derivations::studies::friction::run;
-use dalembert_derivations::studies::friction::run::Plan;
 use dalembert_derivations::systems::ladder::Ladder;
 use dalembert_derivations::systems::rod::Rod;
 use dalembert_derivations::systems::steered_rod::SteeredRod;
@@ -15,7 +13,8 @@ use mechanics::constrained::contacts::{Closed, Contacts, Sides};
 use mechanics::constrained::motion::{Motion, velocity};
 use mechanics::constrained::multipliers::multipliers;
 use mechanics::constrained::{Charted, Constrained, State, appell, second_kind};
-use mechanics::regimes::Seen;
+use mechanics::regimes::cramer::Cramer;
+use mechanics::regimes::{Direction, Dry, Face, Mode, Seen, Touch, Verdict, verdict};
 use symbolic::{Sym, Tape};
 
 const G: f64 = 9.81;
@@ -92,6 +91,47 @@ where
 }
 
 impl<Q: Contacts<4, C, K, Given = f64>, const C: usize, const K: usize, const D: usize> Law for FirstKind<Q, C, K, D> {}
+
+/// By the regime in which every contact slides as it does.
+struct InRegime<Q, const C: usize, const K: usize>(Sliding<Q, C, K>);
+
+impl<Q: Contacts<4, C, K, Given = f64>, const C: usize, const K: usize> InRegime<Q, C, K> {
+    fn directions(&self) -> [Direction; K] {
+        self.0.ways.map(|way| if way > 0.0 { Direction::Forwards } else { Direction::Backwards })
+    }
+
+    /// Whether it is the one motion at a state.
+    fn is_the_motion(&self, at: &State<f64, 4>) -> bool {
+        let system = &self.0.closed.0;
+        let dry = Dry::of(system, at, system.force(at)).expect("regular");
+        let found = verdict(&dry, &self.directions().map(Touch::Slides));
+        matches!(found, Verdict::Unique(found) if found.regime == self.regime())
+    }
+
+    fn regime(&self) -> [Mode; K] {
+        self.directions().map(|direction| Mode::Slip(direction, Face::Front))
+    }
+}
+
+impl<Q, S, const C: usize, const K: usize> Ode<S> for InRegime<Q, C, K>
+where
+    Q: Contacts<4, C, K, Given = f64>,
+    S: Over<f64> + Analytic,
+{
+    fn dimension(&self) -> usize {
+        8
+    }
+
+    fn rates(&self, time: S, y: &[S], dy: &mut [S]) {
+        let at = State { time, place: std::array::from_fn(|i| y[i]), velocity: std::array::from_fn(|i| y[4 + i]) };
+        let system = &self.0.closed.0;
+        let seen = Seen::<S, 4, K>::of::<_, C>(system, &at, system.force(&at)).expect("regular");
+        dy[..4].copy_from_slice(&at.velocity);
+        dy[4..].copy_from_slice(&seen.acceleration(&Cramer::of(&seen.dry, &self.regime()).reactions()));
+    }
+}
+
+impl<Q: Contacts<4, C, K, Given = f64>, const C: usize, const K: usize> Law for InRegime<Q, C, K> {}
 
 /// In the chart (q, p): by the second kind, or by Appell.
 struct InChart<Q, const C: usize, const K: usize, const D: usize, const A: usize, const R: usize> {
@@ -214,9 +254,10 @@ where
         place: std::array::from_fn(|i| y[i]),
         velocity: std::array::from_fn(|i| y[4 + i]),
     };
-    let found = run::<Q, 4, C, K>(&system, &at(&start), &Plan::until(END), &mut ());
-    assert_eq!(found.entries.len(), 1, "an event in the stretch: {:?}", found.entries);
-    close(&[found.state.place, found.state.velocity].concat(), &first, "regimes");
+    let in_regime = InRegime(sliding);
+    let last = follow(&in_regime, &start);
+    assert!([&start, &last].into_iter().all(|y| in_regime.is_the_motion(&at(y))), "an event in the stretch");
+    close(&last, &first, "regimes");
     let constraints: [_; D] = sliding.closed.constraints(&at(&first));
     assert!(constraints.iter().all(|constraint| constraint.value().abs() < 1e-12), "drift {constraints:?}");
     first

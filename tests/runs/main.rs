@@ -7,6 +7,5 @@ mod friction_forms;
 #[path = "../physical/mod.rs"]
 mod physical;
 mod references;
-mod rough_references;
 mod splitting;
 mod transition;

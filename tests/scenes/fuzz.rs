@@ -200,11 +200,9 @@ fn a_torn_scene_is_read_or_refused_with_its_places() {
     let outcome = TestRunner::new(config).run(&torn, |text| {
         match AnyScene::parse("torn.toml", &text) {
             Ok(scene) => {
-                if let Some(smooth) = scene.smooth() {
-                    let problem = smooth.problem(Axes::First);
-                    prop_assert!(problem.state.iter().all(|value| value.is_finite()), "a start that is no number");
-                    prop_assert!(problem.state.len() < 10_000, "a scene that asks for all memory");
-                }
+                let problem = scene.smooth().problem(Axes::First);
+                prop_assert!(problem.state.iter().all(|value| value.is_finite()), "a start that is no number");
+                prop_assert!(problem.state.len() < 10_000, "a scene that asks for all memory");
             }
             Err(error) => {
                 let message = error.render(false);

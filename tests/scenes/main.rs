@@ -4,5 +4,4 @@ mod bounds_of_data;
 mod files;
 mod fuzz;
 mod messages;
-mod rough;
 mod units;

@@ -68,16 +68,7 @@ pub fn chart(asked: &Asked) -> Result<Ending, Ending> {
         }
         other => other,
     };
-    let smooth: &dyn Smooth = match &scene {
-        AnyScene::Rough(rough) => {
-            refuse("a system with rough contacts", asked.model.is_some(), asked.form.is_some(), &asked.scene)?;
-            let page = |atlas: &Atlas, work| report::of_rough(rough, atlas, work);
-            return across_events(&**rough, (&rough.title, rough.plan.method), asked, page);
-        }
-        AnyScene::Driven(scene) => &**scene,
-        AnyScene::Mechanism(scene) => &**scene,
-        AnyScene::Model(scene) => &**scene,
-    };
+    let smooth = scene.smooth();
     if matches!(scene, AnyScene::Mechanism(_) | AnyScene::Model(_)) {
         refuse("a system without a motor", asked.model.is_some(), asked.form.is_some(), &asked.scene)?;
     }
@@ -100,8 +91,9 @@ pub fn chart(asked: &Asked) -> Result<Ending, Ending> {
     let kept = Stored::beside(&asked.scene);
     // beyond the end of its law there is no motion for methods to find
     let run = problem.simulate(&following(smooth.run().choice()), |_| ());
-    if run.left.is_some() {
-        return no_reference(smooth, &run, &run.stopped().unwrap_or_default());
+    if run.left.is_some() || run.ends_before(problem.span) {
+        let ends = || format!("the run ends at t = {} s, before its span", run.outcome.time);
+        return no_reference(smooth, &run, &run.stopped().unwrap_or_else(ends));
     }
     match judged(&|reference| smooth.observed(reference), &problem, ways, &trials, kept.as_ref(), allowed) {
         Ok(mut atlas) => {
@@ -182,7 +174,7 @@ fn smaller(scene: &AnyScene, known: &[Way]) -> Vec<Way> {
         }
         AnyScene::Driven(scene) => (Ladder::of_scene(scene, Axes::First), Formulation::First),
         AnyScene::Mechanism(scene) => (scene.ladder(), Formulation::Minimal),
-        AnyScene::Rough(_) | AnyScene::Model(_) => return Vec::new(),
+        AnyScene::Model(_) => return Vec::new(),
     };
     let mut ways = Arc::new(ladder).ways(formulation);
     ways.retain(|way| known.iter().all(|known| known.model != way.model));

@@ -14,7 +14,6 @@
 //! * [`arguments`]: the command line; what can be asked of a command stands beside it;
 //! * `report`, `ledger`, `review`, `derive`, `linearise`, `inverse`, `regulate`, `bodies`, `run`, `ensemble`, `regimes`, `stationary`, `phantom`, `motor`, `conform`, `new`,
 //!   `failures`, `chart`, `choose`, `reference`, `scenes`: one file for each command;
-//! * [`rough`]: runs with rough contacts, with their logs;
 //! * [`summary`], [`csv`], [`pictures`], [`sphere`]: a run as text, JSON, a table and the data of pictures;
 //! * [`speed`]: the atlas of a scene as pictures, tables and advice;
 //! * [`crew`]: work shared among the processors;
@@ -51,7 +50,6 @@ mod region_map;
 mod regulate;
 mod report;
 mod review;
-mod rough;
 mod run;
 mod scenes;
 mod speed;

@@ -10,7 +10,7 @@ use reader::Family;
 use simulation::references::Event;
 use simulation::references::Owner;
 use simulation::work_precision::Hybrid;
-use simulation::{Axes, Choice, Smooth, Stored, references};
+use simulation::{Axes, Choice, Stored, references};
 use std::fmt::Write;
 use std::path::PathBuf;
 use studies::AnyScene;
@@ -36,12 +36,7 @@ pub struct Asked {
 /// or less: a reference that is there gives way to a better one only.
 pub fn reference(asked: &Asked) -> Result<Ending, Ending> {
     let scene = AnyScene::open(&asked.scene)?;
-    let smooth: &dyn Smooth = match &scene {
-        AnyScene::Rough(rough) => return across_events(&**rough, &rough.title, asked),
-        AnyScene::Driven(scene) => &**scene,
-        AnyScene::Mechanism(scene) => &**scene,
-        AnyScene::Model(scene) => &**scene,
-    };
+    let smooth = scene.smooth();
     if let Some(hybrid) = smooth.hybrid() {
         return across_events(hybrid, smooth.title(), asked);
     }
@@ -57,8 +52,9 @@ pub fn reference(asked: &Asked) -> Result<Ending, Ending> {
     }
     let output = output(asked)?;
     let run = problem.simulate(&following(smooth.run().choice()), |_| ());
-    if run.left.is_some() {
-        let (why, last) = (run.stopped().unwrap_or_default(), run.outcome.time);
+    if run.left.is_some() || run.ends_before(problem.span) {
+        let told = || smooth.told(&smooth.run().choice(), &run).diagnosis.unwrap_or_default();
+        let (why, last) = (run.stopped().unwrap_or_else(told), run.outcome.time);
         let accepted = format!("--until with a time up to {last} s is accepted");
         return Err(Ending::refused(format!("{}: {why}; {accepted}", asked.scene.display())));
     }

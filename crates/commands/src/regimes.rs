@@ -4,16 +4,9 @@ use crate::arguments::Format;
 use crate::ending::{Ending, placed, print};
 use ::scenes::{CriticalFriction, Motions, Regimes, Task, read_titled, regimes};
 use clap::Args;
-use mechanics::constrained::State;
-use mechanics::constrained::contacts::Contacts;
-use mechanics::regimes::{Condition, Dry, Found, Touch, Verdict, conditions, consistent, posed, verdict};
-use reader::{Family, read_text};
 use serde_json::{Value, json};
-use simulation::models::holds_model;
-use std::fmt::{Display, Write};
+use std::fmt::Write;
 use std::path::PathBuf;
-use studies::friction::log::{Names, describe};
-use studies::friction::{ForRough, RoughScene};
 
 /// Whose regimes are to be found.
 #[derive(Args, Debug)]
@@ -28,16 +21,8 @@ pub struct Asked {
 
 /// Prints the consistent regimes at the start of a scene.
 pub fn show(asked: &Asked) -> Result<Ending, Ending> {
-    let text = read_text(&asked.scene)?;
-    let (title, answer) = if holds_model(&text) {
-        let (title, model) = read_titled(&asked.scene, Task::Run)?;
-        let found = regimes(model).map_err(|issue| placed(&asked.scene, issue))?;
-        (title, Answer::of(found))
-    } else {
-        let scene = RoughScene::open(&asked.scene)?;
-        let answer = scene.apply(Start);
-        (scene.title, answer)
-    };
+    let (title, model) = read_titled(&asked.scene, Task::Run)?;
+    let answer = Answer::of(regimes(model).map_err(|issue| placed(&asked.scene, issue))?);
     print(&match asked.format {
         Format::Text => format!("{title}\n{}", answer.text()),
         Format::Json => format!("{:#}\n", answer.object(&title)),
@@ -70,11 +55,6 @@ struct Margin {
 }
 
 impl Answer {
-    fn none(reason: &impl Display) -> Self {
-        Answer { regimes: Vec::new(), verdict: format!("no regime: {reason}"), determined: false, critical: None }
-    }
-
-    /// The answer for a system that is written in its file.
     fn of(found: Regimes) -> Self {
         let regimes = found.regimes.iter().map(|regime| Regime {
             name: regime.name.clone(),
@@ -141,65 +121,4 @@ impl Answer {
             "critical_friction": self.critical.as_ref().map(|found| json!({ "factor": found.factor, "regime": found.regime })),
         })
     }
-}
-
-struct Start;
-
-impl ForRough for Start {
-    type Output = Answer;
-
-    fn apply<Q, const N: usize, const C: usize, const K: usize>(
-        self,
-        system: &Q,
-        start: State<f64, N>,
-        names: Names<K>,
-    ) -> Answer
-    where
-        Q: Contacts<N, C, K, Given = f64>,
-    {
-        let (dry, touch) = match posed(system, &start) {
-            Ok(posed) => posed,
-            Err(unposed) => return Answer::none(&unposed),
-        };
-        let mut regimes = Vec::new();
-        consistent(&dry, &touch, |found| {
-            let name = describe(&names, &found.regime);
-            let margins = margins(&dry, &touch, &names, &found);
-            regimes.push(Regime { name, margins, reactions_determined: found.determined });
-        });
-        let verdict = verdict(&dry, &touch);
-        let said = match verdict {
-            Verdict::Unique(found) if found.tie.is_some() => "one motion, on the boundary of its regime",
-            Verdict::Unique(_) => "one motion",
-            Verdict::None => "no motion",
-            Verdict::Several(..) => "several motions",
-            Verdict::Continuum(_) => "motions without end",
-            Verdict::Undefined => "the state or the force is not finite",
-        };
-        let determined = matches!(verdict, Verdict::Unique(_));
-        Answer { regimes, verdict: said.to_owned(), determined, critical: None }
-    }
-}
-
-/// What is asked at each contact, and by how much it is met.
-fn margins<const K: usize>(
-    dry: &Dry<f64, K>,
-    touch: &[Touch; K],
-    names: &Names<K>,
-    found: &Found<f64, K>,
-) -> Vec<Margin> {
-    let conditions = conditions(dry, touch, &found.regime);
-    let of_contacts =
-        conditions.iter().enumerate().flat_map(|(k, all)| all.iter().flatten().map(move |each| (k, each)));
-    of_contacts
-        .map(|(k, (condition, form))| Margin {
-            contact: names[k].to_string(),
-            condition: condition.to_string(),
-            value: form.at(&found.reactions),
-            unit: match condition {
-                Condition::Separates | Condition::Departs => "m/s^2",
-                _ => "N",
-            },
-        })
-        .collect()
 }

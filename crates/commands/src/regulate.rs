@@ -173,7 +173,7 @@ impl Told<'_> {
             Some(_) => format!(", {left:.1e} of it the cost of the end"),
         };
         line("cost of the run", number(self.cost()) + &rest);
-        told_passages(&run.passages).into_iter().for_each(|(name, told)| line(name, told));
+        told_passages(&run.passages).iter().for_each(|told| line("event", told.line()));
         let ended = run.passages.last().filter(|passage| passage.then.is_none());
         match (stopped(run), ended) {
             (Some(why), _) => line("stopped", why),

@@ -4,7 +4,6 @@ use crate::arguments::{Format, tolerance, whole};
 use crate::ending::{Ending, print, warn};
 use crate::output::{self, Writes};
 use crate::progress::Progress;
-use crate::rough;
 use crate::summary::Summary;
 use crate::{clock, csv};
 use ::scenes::completed_start;
@@ -37,7 +36,7 @@ pub struct Asked {
     #[arg(long)]
     pub form: Option<Axes>,
     /// Writes the trajectory as a table, each column with its unit: time, states, rotor's speed; of a mechanism time, states, work
-    /// and what follows from them; with rough contacts time, coordinates, velocities, works
+    /// and what follows from them; of a system that is written in its file time, states, outputs, energies
     #[arg(long, value_name = "FILE.csv")]
     pub out: Option<PathBuf>,
     /// Writes how the end depends on the start as a table: a row for each state at the end, a column for each at the start
@@ -75,11 +74,6 @@ pub fn run(asked: &Asked) -> Result<Ending, Ending> {
         ));
     }
     match AnyScene::open(&asked.scene)? {
-        AnyScene::Rough(_) if asked.transition.is_some() => Err(Ending::refused(format!(
-            "--transition does not apply to {}: across stick and slip the end has no derivative by the start",
-            asked.scene.display()
-        ))),
-        AnyScene::Rough(scene) => rough::run(&scene, asked),
         AnyScene::Driven(scene) => {
             let scene = with_model(*scene, asked.model.as_deref(), &asked.scene)?;
             one_form(&scene, asked.form.is_some(), &asked.scene)?;
@@ -136,7 +130,7 @@ fn follow(scene: &dyn Smooth, asked: &Asked, form: Option<Axes>) -> Result<Endin
     let headed = |names: &[String]| names.iter().map(|name| csv::headed(name, &scene.unit(name))).collect::<Vec<_>>();
     let writes = writes(asked);
     let table = csv::Table::at(&writes, asked.out.as_deref(), &headed(&problem.columns))?;
-    if asked.transition.is_some() && problem.switching.is_some() {
+    if asked.transition.is_some() && scene.hybrid().is_some() {
         let why = "the law of this system changes at events: its transition matrix is not computed yet";
         return Err(Ending::refused(format!("--transition: {why}; leave it out")));
     }
@@ -183,7 +177,8 @@ fn follow(scene: &dyn Smooth, asked: &Asked, form: Option<Axes>) -> Result<Endin
     let mut depends = Ok(None);
     if let Some(path) = &asked.transition {
         let not_written = |why: &str| warn(&format!("{} is not written: {why}", path.display()));
-        let rows = trajectory.outcome.reached().then(|| {
+        let is_whole = trajectory.outcome.reached() && !trajectory.ends_before(problem.span);
+        let rows = is_whole.then(|| {
             let problem = scene.problem(choice.axes);
             phase("the transition matrix", || problem.transition(choice.tolerance))
         });

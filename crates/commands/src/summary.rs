@@ -3,7 +3,7 @@
 use integrators::{Beside, Parting};
 use serde_json::{Map, Value, json};
 use simulation::events::Passage;
-use simulation::{Axes, Choice, Smooth, Told, Trajectory};
+use simulation::{Axes, Choice, Smooth, Trajectory};
 use std::fmt::Write;
 
 /// What is printed after a run.
@@ -13,7 +13,7 @@ pub struct Summary<'a> {
     /// Where there are several.
     pub form: Option<Axes>,
     pub trajectory: &'a Trajectory,
-    pub told: &'a Told,
+    pub told: &'a simulation::Told,
     /// Of constant steps: what shorter ones say.
     pub beside: Option<Beside>,
     /// Values of the start that constraints or an equilibrium have moved.
@@ -25,8 +25,14 @@ impl Summary<'_> {
     pub fn json(&self) -> String {
         let Summary { scene, choice, form, trajectory, told, beside, completed } = self;
         let outcome = &trajectory.outcome;
-        let states = trajectory.names.iter().zip(&trajectory.last);
-        let state: Map<String, Value> = states.map(|(name, value)| (name.clone(), json!(value))).collect();
+        let named = |row: &[f64]| -> Map<String, Value> {
+            trajectory.names.iter().zip(row).map(|(name, value)| (name.clone(), json!(value))).collect()
+        };
+        let event = |passage: &Passage| {
+            let mut event = passed(passage);
+            event["state"] = named(&passage.row).into();
+            event
+        };
         let invariants: Map<String, Value> = outcome
             .deviations
             .iter()
@@ -35,7 +41,7 @@ impl Summary<'_> {
         let work = outcome.work;
         let object = json!({
             "time": outcome.time,
-            "state": state,
+            "state": named(&trajectory.last),
             "work": {
                 "evaluations": work.rates,
                 "jacobians": work.jacobians,
@@ -53,7 +59,7 @@ impl Summary<'_> {
             "reached": outcome.reached(),
             "stopped": trajectory.stopped(),
             "undefined": trajectory.undefined(),
-            "events": trajectory.passages.iter().map(passed).collect::<Vec<_>>(),
+            "events": trajectory.passages.iter().map(event).collect::<Vec<_>>(),
             "theory": told.theory,
             "diagnosis": told.diagnosis,
             "steps": beside.map(judged),
@@ -85,9 +91,7 @@ impl Summary<'_> {
         }
         line("work", outcome.work.to_string());
         told.theory.iter().for_each(|said| line("theory", said.clone()));
-        for passage in told_passages(&trajectory.passages) {
-            line(passage.0, passage.1);
-        }
+        told_passages(&trajectory.passages).iter().for_each(|told| line("event", told.line()));
         let stopped = trajectory.stopped();
         match (&stopped, &told.diagnosis) {
             (None, None) => line("reached", format!("t = {} s", outcome.time)),
@@ -147,27 +151,42 @@ fn made_by() -> String {
 }
 
 /// An event of a run.
-pub fn passed(Passage { time, what, then }: &Passage) -> Value {
+pub fn passed(Passage { time, what, then, .. }: &Passage) -> Value {
     json!({ "time": time, "what": what, "then": then })
 }
 
 /// The most events that are shown; of more the first and the last.
 const MOST_SHOWN: usize = 20;
 
-/// The start and the events of a run, each with its line.
-pub fn told_passages(passages: &[Passage]) -> Vec<(&'static str, String)> {
-    let told = |Passage { time, what, then }: &Passage| {
-        let then = then.as_ref().filter(|then| !then.is_empty()).map_or_else(String::new, |then| format!(": {then}"));
-        ("event", format!("t = {time:.9} s: {what}{then}"))
-    };
+/// An event that is told, or so many that are not.
+pub enum Told<'a> {
+    Passage(&'a Passage),
+    LeftOut(usize),
+}
+
+/// The start and the events of a run that are told.
+pub fn told_passages(passages: &[Passage]) -> Vec<Told<'_>> {
     let left_out = passages.len().saturating_sub(MOST_SHOWN);
     if left_out == 0 {
-        return passages.iter().map(told).collect();
+        return passages.iter().map(Told::Passage).collect();
     }
     let (first, rest) = passages.split_at(MOST_SHOWN / 2);
-    let last = &rest[left_out..];
-    let between = ("event", format!("... {left_out} more; --format json shows all"));
-    first.iter().map(told).chain([between]).chain(last.iter().map(told)).collect()
+    let last = rest[left_out..].iter().map(Told::Passage);
+    first.iter().map(Told::Passage).chain([Told::LeftOut(left_out)]).chain(last).collect()
+}
+
+impl Told<'_> {
+    /// Its line, behind the word `event`.
+    pub fn line(&self) -> String {
+        match self {
+            Told::Passage(Passage { time, what, then, .. }) => {
+                let then = then.as_ref().filter(|then| !then.is_empty());
+                let then = then.map_or_else(String::new, |then| format!(": {then}"));
+                format!("t = {time:.9} s: {what}{then}")
+            }
+            Told::LeftOut(count) => format!("... {count} more; --format json shows all"),
+        }
+    }
 }
 
 /// Of a quantity without a value.

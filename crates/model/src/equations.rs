@@ -17,7 +17,7 @@ pub(crate) use characteristics::solved_in_short;
 pub use characteristics::{Characteristics, Motion};
 pub(crate) use constraints::held_of;
 pub use constraints::{Equation, Level, equations as constraints_of};
-pub use elimination::Singular;
+pub use elimination::{Pushes, Singular};
 pub(crate) use generic_point::{
     Course, circuits as generic_circuits, courses, depends, generic_rank, pivots as generic_pivots,
 };
@@ -83,5 +83,13 @@ impl Equations {
     /// The first coordinate, or constraint, without a pivot that is not zero as it stands.
     pub fn solved(&self) -> Result<(Vec<Sym>, Vec<Sym>), Singular> {
         elimination::solved(self)
+    }
+
+    /// The accelerations by multipliers that are not known.
+    ///
+    /// # Errors
+    /// The first coordinate without a pivot that is not zero as it stands.
+    pub fn pushes(&self) -> Result<Pushes, Singular> {
+        elimination::pushes(self)
     }
 }

@@ -26,6 +26,7 @@ mod agreement;
 mod arena;
 mod closed_loop;
 mod conformity;
+mod constraint_gains;
 mod divisors;
 mod elaboration;
 pub mod equations;

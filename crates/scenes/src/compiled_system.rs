@@ -1,14 +1,15 @@
 //! The equations of motion of a model, ready to run: one trace, in every form that a method asks for.
 
 use crate::conservation::conserves;
-use crate::implicit::{Implicit, ImplicitLaw, SolvedSlopes, recurrence, unknown_letters};
+use crate::implicit::{Implicit, ImplicitLaw, SolvedSlopes, recurrence};
 use crate::letters::Letters;
-use crate::modes::{Mode, Motion, reactions_of};
+use crate::modes::{Mode, Motion};
+use crate::outputs::{ENERGIES, of_motion, outputs, outputs_of_solved};
 use crate::program::recorded;
 use field::DoubleDouble;
 use integrators::{Directions, Ode, Real};
 use model::equations::constraints_of;
-use model::{Model, ScalarId, Trace};
+use model::{Event, Model, ScalarId, Trace};
 use simulation::{CompiledLaw, Law, LawSeries, Program, SymbolicLaw};
 use std::fmt;
 use std::ops::Range;
@@ -74,6 +75,8 @@ pub struct CompiledSystem {
     rates: Rates,
     /// Scalars that a run shows beside the state, from the state, and from accelerations and multipliers where these are solved for.
     outputs: Program,
+    /// The outputs that depend on the motion, where there is none: they have no value.
+    without_value: Vec<usize>,
     /// Whether kinetic and potential energy together stay what they are.
     pub keeps_energy: bool,
 }
@@ -112,7 +115,7 @@ impl Way {
     /// The way of a model; one with conditions or events has its elimination written down.
     pub fn of(model: &Model) -> Self {
         let unknowns = model.speeds() + model.constraints.len();
-        if !changes(model) && unknowns > MOST_WRITTEN { Way::Solved } else { Way::Written }
+        if !is_watched(model) && unknowns > MOST_WRITTEN { Way::Solved } else { Way::Written }
     }
 }
 
@@ -128,11 +131,20 @@ impl CompiledSystem {
         }
         match CompiledSystem::written(model, mode) {
             // a constraint may move what has no inertia
-            Err(NotCompiled::Massless { coordinate }) if !changes(model) && !model.constraints.is_empty() => {
+            Err(NotCompiled::Massless { coordinate }) if !is_watched(model) && !model.constraints.is_empty() => {
                 CompiledSystem::solved(model).map_err(|_| NotCompiled::Massless { coordinate })
             }
             other => other,
         }
+    }
+
+    /// The system at a start from which no motion goes on, or several: its law is that of contacts that are apart, which nothing follows.
+    ///
+    /// # Errors
+    /// Why there is no such law.
+    pub fn without_motion(model: &Arc<Model>) -> Result<Self, NotCompiled> {
+        let apart = CompiledSystem::of(model, &Mode::off(model))?;
+        Ok(CompiledSystem { without_value: symbolic::apart(|| of_motion(model)), ..apart })
     }
 
     /// Whether all letters of a model have values, and its conditions and events hold no unknowns of its equations.
@@ -157,6 +169,7 @@ impl CompiledSystem {
             mode: Mode::default(),
             rates: Rates::Solved(Arc::new(ImplicitLaw::new(implicit))),
             outputs: outputs?,
+            without_value: Vec::new(),
             keeps_energy,
         })
     }
@@ -180,6 +193,7 @@ impl CompiledSystem {
             mode: mode.clone(),
             rates: Rates::Written(Box::new(rates?)),
             outputs,
+            without_value: Vec::new(),
             keeps_energy,
         })
     }
@@ -247,6 +261,7 @@ impl CompiledSystem {
             Rates::Written(_) => self.outputs.run(time, state, &mut values),
             Rates::Solved(law) => self.outputs.run(time, &law.equations.extend(time, state), &mut values),
         };
+        self.without_value.iter().for_each(|&output| values[output] = f64::NAN);
         values
     }
 }
@@ -259,14 +274,21 @@ pub(crate) fn speed_name(model: &Model, speed: usize) -> String {
     }
 }
 
-/// Whether the law of a model changes at conditions, at events or with its contacts.
+/// Whether the law of a model, or its state, changes at conditions, at events or with its contacts. An event that ends the run, and sets
+/// nothing, changes neither.
 pub(crate) fn changes(model: &Model) -> bool {
-    !(model.switches.is_empty() && model.events.is_empty() && model.contacts.is_empty())
+    let is_end = |event: &Event| event.ends && event.set.is_empty();
+    !(model.switches.is_empty() && model.contacts.is_empty() && model.events.iter().all(is_end))
+}
+
+/// Whether a run watches for events, be it for its end alone.
+pub(crate) fn is_watched(model: &Model) -> bool {
+    changes(model) || !model.events.is_empty()
 }
 
 /// The first condition or event that depends on accelerations or reactions.
 fn of_accelerations(model: &Model) -> Option<Range<usize>> {
-    if !changes(model) {
+    if !is_watched(model) {
         return None;
     }
     apart(|| {
@@ -297,47 +319,12 @@ pub(crate) fn has_values_but(model: &Model, given: &[usize]) -> Result<(), NotCo
     }
 }
 
-/// Kinetic and potential energy stand behind the outputs.
-pub const ENERGIES: usize = 2;
-
 /// The rates of the state over letters.
 pub(crate) fn rates(model: &Model, mode: &Mode, letters: Letters<'_>) -> Result<Vec<Sym>, NotCompiled> {
     let trace = Trace::of(model);
     let Motion { accelerations, speeds, .. } = Motion::of(&trace, mode)?;
     let moved = substitute_all(&trace.position_rates, &speeds);
     Ok(letters.put_into(&trace, &[moved, accelerations].concat()))
-}
-
-/// The outputs, the kinetic and the potential energy.
-pub(crate) fn outputs(model: &Model, mode: &Mode, letters: Letters<'_>) -> Vec<Sym> {
-    let trace = Trace::of(model);
-    let shown = model.outputs.iter().map(|output| trace.scalar(output.is));
-    let mut all: Vec<Sym> = shown.chain([trace.kinetic_energy(), trace.potential_energy()]).collect();
-    let used: Vec<Sym> = all.iter().flat_map(|each| each.symbols_of()).collect();
-    let multipliers = constraints_of(&trace).into_iter().map(|one| one.multiplier);
-    let solved: Vec<Sym> = trace.accelerations.iter().copied().chain(multipliers).collect();
-    let own = reactions_of(&trace);
-    let algebraic = model.algebraic_speeds.iter().map(|&place| &trace.speeds[place]);
-    let mut moved = solved.iter().chain(&trace.switches).chain(&own).chain(algebraic);
-    if moved.any(|symbol| used.contains(symbol))
-        && let Ok(Motion { accelerations, multipliers, switches, reactions, speeds, .. }) = Motion::of(&trace, mode)
-    {
-        let known: Vec<(Sym, Sym)> =
-            trace.switches.iter().copied().zip(switches).chain(own.into_iter().zip(reactions.concat())).collect();
-        all = substitute_all(&all, &known);
-        let known: Vec<(Sym, Sym)> = solved.into_iter().zip(accelerations.into_iter().chain(multipliers)).collect();
-        all = substitute_all(&substitute_all(&all, &known), &speeds);
-    }
-    letters.put_into(&trace, &all)
-}
-
-/// The same where accelerations and multipliers are inputs of their own.
-pub(crate) fn outputs_of_solved(model: &Model, letters: Letters<'_>, unknowns: &[Sym]) -> Vec<Sym> {
-    let trace = Trace::of(model);
-    let shown = model.outputs.iter().map(|output| trace.scalar(output.is));
-    let all: Vec<Sym> = shown.chain([trace.kinetic_energy(), trace.potential_energy()]).collect();
-    let all = substitute_all(&all, &unknown_letters(&trace, unknowns));
-    letters.put_into(&trace, &all)
 }
 
 /// Symbols of the model by those of the state, and parameters by their values.

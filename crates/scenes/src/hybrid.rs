@@ -17,6 +17,10 @@ use std::time::{Duration, Instant};
 const TOLERANCE: f64 = 1e-13;
 const METHOD: Method = Method::DormandPrince8;
 
+/// The evaluations after which it is asked whether a contact jams: its reactions lose their digits as they grow, and rounding makes steps
+/// ever shorter.
+const FEW: u64 = 1_000_000;
+
 /// Sizes below this part of the largest of their kind are rounding of what stays zero.
 const ROUNDING: f64 = 1e-9;
 
@@ -37,11 +41,18 @@ impl ModelScene {
         let mut sizes = Sizes(self.start.iter().map(|part| part.abs()).collect());
         let mut span = Span::new(0.0, self.run.span, &self.start);
         span.budget.deadline = deadline;
-        let outcome = problem.across(&*modes, (METHOD, &Tolerance::both(TOLERANCE)), &span, &mut sizes);
-        match outcome.end {
-            End::Stopped(Failure::OtherCourse { .. }) | End::Reached => {}
-            End::Stopped(failure) => return Err(Unknown::Failed(failure)),
-            End::Halted => return Err(Unknown::Ends("it was broken off".to_owned())),
+        let usual = span.budget.evaluations;
+        span.budget.evaluations = FEW;
+        let (mut outcome, mut left) = problem.integrate(METHOD, &Tolerance::both(TOLERANCE), &span, &mut sizes);
+        if left.is_none() && matches!(outcome.failure(), Some(Failure::TooManyEvaluations { .. })) {
+            span.budget.evaluations = usual;
+            (outcome, left) = problem.integrate(METHOD, &Tolerance::both(TOLERANCE), &span, &mut sizes);
+        }
+        match (left, outcome.end) {
+            (Some(why), _) if modes.passages().is_empty() => return Err(Unknown::Ends(why.to_owned())),
+            (Some(_), _) | (None, End::Reached) => {}
+            (None, End::Stopped(failure)) => return Err(Unknown::Failed(failure)),
+            (None, End::Halted) => return Err(Unknown::Ends("it was broken off".to_owned())),
         }
         let (course, end) = (modes.course(), outcome.time);
         let positions = self.model.positions();

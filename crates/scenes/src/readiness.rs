@@ -4,7 +4,7 @@ use crate::branch::in_words;
 use crate::compiled_system::{CompiledSystem, NotCompiled};
 use crate::equilibrium::{Equilibrium, NoEquilibrium, equilibrium};
 use crate::first_motion::{inertia_for, massless, missing, with_unsolved_law};
-use crate::modes::Modes;
+use crate::modes::{Modes, Refused};
 use crate::refused_start::not_started;
 use crate::row_units::measured;
 use crate::start::{Completed, Open, Unmet, complete_algebraic_speeds, consistent, with_algebraic_speeds};
@@ -38,18 +38,35 @@ pub fn without_law(model: &Model, reason: &NotCompiled, what: &str) -> Issue {
     Issue::at(place, format!("{what}: {reason}"), label).accepted(accepted)
 }
 
+/// A start, and the law that runs from it.
+pub(crate) struct Ready {
+    /// Completed.
+    pub start: Vec<f64>,
+    pub system: Arc<CompiledSystem>,
+    /// Why no motion goes on from there, or none alone.
+    pub without_motion: Option<Issue>,
+}
+
 /// The start, completed, and the law that runs from it.
-pub(crate) fn ready(model: &mut Arc<Model>) -> Result<(Vec<f64>, Arc<CompiledSystem>), Issue> {
+pub(crate) fn ready(model: &mut Arc<Model>) -> Result<Ready, Issue> {
     if let Some(issue) = with_unsolved_law(model) {
         return Err(issue);
     }
     // before the law: what depends on others makes it singular
     let mut start = independent_start(Arc::make_mut(model))?;
     let model = &*model;
-    let system = Modes::of(model, &[], &[]).first(&start).map_err(|why| not_started(model, why))?;
+    let system = match Modes::of(model, &[], &[]).first(&start) {
+        Ok(system) => system,
+        Err(why @ Refused::Motion { .. }) => {
+            let issue = not_started(model, why);
+            let system = Arc::new(CompiledSystem::without_motion(model).map_err(|_| issue.clone())?);
+            return Ok(Ready { start, system, without_motion: Some(issue) });
+        }
+        Err(why) => return Err(not_started(model, why)),
+    };
     match missing(model, &system, &start).or_else(|| with_algebraic_speeds(model, &system, &mut start)) {
         Some(issue) => Err(issue),
-        None => Ok((start, system)),
+        None => Ok(Ready { start, system, without_motion: None }),
     }
 }
 

@@ -19,7 +19,7 @@ pub(crate) fn not_started(model: &Model, why: Refused) -> Issue {
             let place =
                 places.clone().map(|at| at.start).min().unwrap_or(0)..places.map(|at| at.end).max().unwrap_or(0);
             let issue = Issue::at(place, format!("this system cannot start: {why}"), "these contacts");
-            issue.accepted("another start")
+            issue.accepted("another start, or other coefficients of friction; `dalembert regimes` lists the regimes that agree with it")
         }
         Refused::Motion { why, switch } => {
             let place = switch.map_or(0..0, |switch| model.switch_places[switch].clone());

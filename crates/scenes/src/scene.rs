@@ -2,12 +2,14 @@
 
 use crate::admissible::impossible;
 use crate::branch::settled;
-use crate::compiled_system::{CompiledSystem, ENERGIES, changes};
+use crate::compiled_system::{CompiledSystem, changes, is_watched};
 use crate::ensemble::parse_ensemble;
+use crate::formulations::formulations;
 use crate::inductances::impossible_inductances;
-use crate::modes::Modes;
+use crate::modes::{BROKEN, Modes};
+use crate::outputs::ENERGIES;
 use crate::quoted_keys::with_quoted_primes;
-use crate::readiness::{ready, start_of, without_run};
+use crate::readiness::{Ready, ready, start_of, without_run};
 use crate::row_units::unit_of;
 use crate::size::{Task, too_large};
 use crate::start::SingularPositions;
@@ -22,7 +24,7 @@ use simulation::models::{ModelReaders, Modelled, holds_model, read_models_by};
 use simulation::problem::Invariant;
 use simulation::smooth::Parameter;
 use simulation::work_precision::Hybrid;
-use simulation::work_precision::{Formulation, Observed, Standing, Way};
+use simulation::work_precision::{Observed, Way};
 use simulation::{Axes, Choice, Problem, Run, Smooth, Told, Trajectory, run};
 use std::borrow::Cow;
 use std::path::Path;
@@ -43,6 +45,8 @@ pub struct ModelScene {
     events: Vec<String>,
     /// The line of each condition.
     condition_lines: Vec<usize>,
+    /// Of a start from which no motion goes on, or several: the place in the file, and what would be accepted.
+    without_motion: Option<String>,
 }
 
 /// Makes every command read files with `[coordinates]`; `warn` is told what is accepted in them and perhaps means something else.
@@ -150,7 +154,7 @@ impl ModelScene {
         let exist = bodies.is_empty();
         issues.extend(bodies);
         let ready = exist.then(|| ready(&mut model))?;
-        let (start, system) = ready.map_err(|issue| issues.push(issue)).ok()?;
+        let Ready { start, system, without_motion } = ready.map_err(|issue| issues.push(issue)).ok()?;
         if let Some(issue) = impossible_inductances(&model, &start) {
             issues.push(issue);
             return None;
@@ -158,7 +162,12 @@ impl ModelScene {
         let description = description.map_or_else(String::new, |text| text.value.trim().to_owned());
         let events = model.events.iter().map(|event| called(event, text)).collect();
         let condition_lines = model.switch_places.iter().map(|place| line_of(text, place.start)).collect();
-        Some(ModelScene { title, description, model, system, start, run: run?, events, condition_lines })
+        let without_motion = without_motion.map(|issue| {
+            let line = line_of(text, issue.span.map_or(0, |span| span.start));
+            format!("line {line}: {}; accepted is {}", issue.label, issue.help.unwrap_or_default())
+        });
+        let run = run?;
+        Some(ModelScene { title, description, model, system, start, run, events, condition_lines, without_motion })
     }
 }
 
@@ -168,13 +177,14 @@ impl ModelScene {
         let ModelScene { title, description, run, events, condition_lines, .. } = self;
         let (title, description) = (title.clone(), description.clone());
         let (run, events, condition_lines) = (run.clone(), events.clone(), condition_lines.clone());
-        ModelScene { title, description, model, system, start, run, events, condition_lines }
+        ModelScene { title, description, model, system, start, run, events, condition_lines, without_motion: None }
     }
 
     /// The problem of the run, with the modes of a law that changes.
     pub(crate) fn switched(&self) -> (Problem, Option<Arc<Modes>>) {
         let (shown, kept) = (Arc::clone(&self.system), Arc::clone(&self.system));
-        let modes = changes(&self.model).then(|| Arc::new(Modes::of(&self.model, &self.events, &self.condition_lines)));
+        let watched = is_watched(&self.model);
+        let modes = watched.then(|| Arc::new(Modes::of(&self.model, &self.events, &self.condition_lines)));
         let of_mode = modes.clone();
         let row = move |time: f64, state: &[f64]| {
             let current = of_mode.as_ref().and_then(|modes| modes.current());
@@ -257,8 +267,6 @@ pub(crate) fn columns(model: &Model) -> Vec<String> {
     state.chain(outputs).chain(["kinetic_energy".to_owned(), "potential_energy".to_owned()]).collect()
 }
 
-impl Modelled for ModelScene {}
-
 impl Smooth for ModelScene {
     fn title(&self) -> &str {
         &self.title
@@ -291,11 +299,13 @@ impl Smooth for ModelScene {
 
     fn told(&self, _choice: &Choice, trajectory: &Trajectory) -> Told {
         let ended = trajectory.passages.last().filter(|passage| passage.then.is_none());
-        let ended = ended.map(|Passage { what, .. }| match trajectory.stopped() {
-            None => format!("{what} ends the run"),
-            Some(_) => what.clone(),
-        });
-        Told { diagnosis: ended, ..Told::default() }
+        let diagnosis = match (ended, trajectory.left) {
+            (Some(Passage { what, .. }), None) => Some(format!("{what} ends the run")),
+            (Some(Passage { what, .. }), Some(BROKEN)) => Some(what.clone()),
+            _ if !trajectory.has_begun() => self.without_motion.clone(),
+            _ => None,
+        };
+        Told { diagnosis, ..Told::default() }
     }
 
     fn parameters(&self) -> Vec<Parameter> {
@@ -309,13 +319,7 @@ impl Smooth for ModelScene {
     }
 
     fn ways(&self) -> Vec<Way> {
-        let constraints = &self.model.constraints;
-        let formulation = match constraints.iter().filter(|constraint| constraint.gains.is_some()).count() {
-            _ if constraints.is_empty() => Formulation::Minimal,
-            led if led == constraints.len() => Formulation::Given,
-            _ => Formulation::IndexReduced,
-        };
-        vec![Way::of(formulation, "", Standing::Own, self.problem(Axes::First))]
+        formulations(self)
     }
 
     fn hybrid(&self) -> Option<&dyn Hybrid> {

@@ -37,7 +37,7 @@ pub struct Run {
 /// Reads it; without `known` outputs nobody knows which there are.
 pub fn read(top: &mut Table<'_>, issues: &mut Vec<Issue>, known: Option<&[String]>) -> Option<Run> {
     let mut table = top.table("run", "the span of time and the tolerance");
-    let run = of_any_family(&mut table, 1e-8, known.map_or(0, <[String]>::len));
+    let run = keys(&mut table, known.map_or(0, <[String]>::len));
     let outputs = table.texts("outputs", "[\"slip\"]");
     if let Some(known) = known {
         outputs.iter().for_each(|output| check_output(&mut table, output, known));
@@ -48,8 +48,11 @@ pub fn read(top: &mut Table<'_>, issues: &mut Vec<Issue>, known: Option<&[String
     Some(Run { outputs: outputs.into_iter().map(|output| output.value).collect(), ..run })
 }
 
-/// The keys that every family's table `[run]` may hold, with the tolerance where none is given, of a run whose rows have so many columns.
-pub fn of_any_family(table: &mut Table<'_>, usual: f64, columns: usize) -> Option<Run> {
+/// The tolerance of a step where none is given.
+const USUAL: f64 = 1e-8;
+
+/// Its keys but the outputs, of a run whose rows have so many columns.
+fn keys(table: &mut Table<'_>, columns: usize) -> Option<Run> {
     let span = table.scalar("span", "length of the run", "s");
     if span.value <= 0.0 {
         let issue = Issue::at(span.span, "`span` must be positive", format!("it is {} s", span.value));
@@ -76,7 +79,7 @@ pub fn of_any_family(table: &mut Table<'_>, usual: f64, columns: usize) -> Optio
     Some(Run {
         span: span.value,
         samples: samples.map_or(200, |samples| samples.value),
-        tolerance: tolerance.map_or(usual, |tolerance| tolerance.value),
+        tolerance: tolerance.map_or(USUAL, |tolerance| tolerance.value),
         method,
         outputs: Vec::new(),
     })

@@ -147,7 +147,21 @@ impl Trajectory {
     pub fn stopped(&self) -> Option<String> {
         let failure = || self.outcome.failure().map(|failure| self.named(failure));
         let broken_off = || self.broken_off().then(|| "interrupted".to_owned());
-        self.left.map(|why| format!("left its law: {why}")).or_else(broken_off).or_else(failure)
+        let left = self.left.map(|why| match self.has_begun() {
+            true => format!("left its law: {why}"),
+            false => format!("does not begin: {why}"),
+        });
+        left.or_else(broken_off).or_else(failure)
+    }
+
+    /// Whether there is a motion from the start.
+    pub fn has_begun(&self) -> bool {
+        self.outcome.time != 0.0 || self.outcome.work.steps > 0 || !self.passages.is_empty()
+    }
+
+    /// Whether an event has ended it before its span, as its scene asks for.
+    pub fn ends_before(&self, span: f64) -> bool {
+        self.left.is_none() && self.outcome.reached() && self.outcome.time < span
     }
 
     /// A failure with the name of the state at whose rate it is, where it is at one.

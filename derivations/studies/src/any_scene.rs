@@ -1,6 +1,5 @@
 //! A scene of any family: the one place that lists the families.
 
-use crate::friction::RoughScene;
 use crate::mechanisms::MechanismScene;
 use crate::scene::Scene;
 use reader::{Family, Issue, Opening, SceneError, Table, knows};
@@ -13,8 +12,6 @@ use std::sync::Arc;
 pub enum AnyScene {
     /// With a motor.
     Driven(Box<Scene>),
-    /// With rough contacts.
-    Rough(Box<RoughScene>),
     /// Governors, drives, bodies that roll.
     Mechanism(Box<MechanismScene>),
     /// A system that is written in the file.
@@ -25,7 +22,7 @@ impl Family for AnyScene {
     const KIND: &'static str = "a system";
 
     fn systems() -> Vec<(&'static str, &'static str)> {
-        [Scene::systems(), RoughScene::systems(), MechanismScene::systems()].concat()
+        [Scene::systems(), MechanismScene::systems()].concat()
     }
 
     fn parse(name: &str, text: &str) -> Result<Self, SceneError> {
@@ -37,9 +34,6 @@ impl Family for AnyScene {
 
     fn read(opening: Opening, top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<Self> {
         match opening.system.value.as_str() {
-            rough if knows::<RoughScene>(rough) => {
-                RoughScene::read(opening, top, issues).map(Box::new).map(Self::Rough)
-            }
             one if knows::<MechanismScene>(one) => {
                 MechanismScene::read(opening, top, issues).map(Box::new).map(Self::Mechanism)
             }
@@ -53,19 +47,17 @@ impl AnyScene {
     pub fn title(&self) -> &str {
         match self {
             Self::Driven(scene) => &scene.title,
-            Self::Rough(scene) => &scene.title,
             Self::Mechanism(scene) => scene.title(),
             Self::Model(scene) => scene.title(),
         }
     }
 
-    /// As one initial value problem, where it is one: with rough contacts it is many.
-    pub fn smooth(&self) -> Option<&dyn Smooth> {
+    /// As one initial value problem.
+    pub fn smooth(&self) -> &dyn Smooth {
         match self {
-            Self::Driven(scene) => Some(&**scene),
-            Self::Mechanism(scene) => Some(&**scene),
-            Self::Model(scene) => Some(&**scene),
-            Self::Rough(_) => None,
+            Self::Driven(scene) => &**scene,
+            Self::Mechanism(scene) => &**scene,
+            Self::Model(scene) => &**scene,
         }
     }
 }

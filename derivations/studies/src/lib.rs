@@ -12,7 +12,7 @@
 //! * [`long_runs`]: how errors grow over a million revolutions, by a closed form;
 //! * [`regimes`], [`governors`]: maps and series for pictures;
 //! * [`scene`]: a gyrostat or a bench with a motor, from a file; [`mechanisms`]: governors, drives, bodies that roll;
-//!   [`friction`]: contacts with friction; [`AnyScene`]: a scene of any family;
+//!   [`AnyScene`]: a scene of any family;
 //! * [`ensemble`]: many systems of one kind with data of their own, run side by side.
 
 mod any_scene;
@@ -20,7 +20,6 @@ pub mod closed_forms;
 pub mod conformance;
 pub mod ensemble;
 pub mod failures;
-pub mod friction;
 pub mod governors;
 pub mod ladder;
 pub mod long_runs;

@@ -1,6 +1,5 @@
 //! Mechanical systems.
 
-pub mod climbed_ladder;
 pub mod crank_drive;
 pub mod crank_slider;
 pub mod disc;

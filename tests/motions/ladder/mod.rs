@@ -6,7 +6,6 @@ mod estimates;
 mod fed;
 mod governors;
 mod lumping;
-mod rough;
 
 use dalembert_derivations::studies::AnyScene;
 use dalembert_derivations::studies::ladder::followed::{followed, followed_at, instants};

@@ -16,13 +16,13 @@ fn refused(name: &str, arguments: &[&str]) {
 }
 
 #[test]
-fn a_rough_scene_has_no_machine() {
-    refused("a_rough_scene_has_no_machine", &["run", "scenes/friction/jam.toml", "--model", "synchronous"]);
+fn a_system_in_its_file_has_no_machine() {
+    refused("a_system_in_its_file_has_no_machine", &["run", "scenes/friction/jam.toml", "--model", "synchronous"]);
 }
 
 #[test]
-fn a_rough_scene_has_one_form() {
-    refused("a_rough_scene_has_one_form", &["run", "scenes/friction/jam.toml", "--form", "first"]);
+fn a_system_in_its_file_has_one_form() {
+    refused("a_system_in_its_file_has_one_form", &["run", "scenes/friction/jam.toml", "--form", "first"]);
 }
 
 #[test]
@@ -159,9 +159,9 @@ fn a_mechanism_has_no_machine() {
 }
 
 #[test]
-fn a_chart_of_a_rough_scene_has_one_form_and_its_reference_one_end() {
-    refused("a_chart_of_a_rough_scene", &["chart", "scenes/friction/jam.toml", "--form", "second"]);
-    refused("a_reference_of_a_rough_scene", &["reference", "scenes/friction/jam.toml", "--until", "0.01"]);
+fn a_chart_across_events_has_one_form_and_its_reference_one_end() {
+    refused("a_chart_across_events", &["chart", "scenes/friction/jam.toml", "--form", "second"]);
+    refused("a_reference_across_events", &["reference", "scenes/friction/jam.toml", "--until", "0.01"]);
 }
 
 #[test]
@@ -194,7 +194,7 @@ fn a_way_to_fail_that_is_not_known() {
 
 #[test]
 fn what_cannot_be_chosen_from_is_refused() {
-    refused("choose_rough", &["choose", "scenes/friction/jam.toml", "--model", "synchronous"]);
+    refused("choose_in_its_file", &["choose", "scenes/friction/jam.toml", "--model", "synchronous"]);
     refused("choose_output", &["choose", "scenes/bench.toml", "--outputs", "slip,speed"]);
     refused("choose_model", &["choose", "scenes/governors/released.toml", "--model", "synchronous"]);
 }

@@ -145,27 +145,39 @@ fn the_report_is_one_page_with_the_scene_and_its_charts() {
 }
 
 #[test]
-fn a_rough_scene_writes_its_table_and_its_log() {
+fn a_run_across_events_writes_its_table_and_its_log() {
     let path = temporary("rough.csv");
     let asked = ["run", "scenes/friction/climbed_ladder.toml", "--samples", "8", "--format", "json", "--out"];
     let output = run(&[&asked[..], &[&path.to_string_lossy()]].concat());
     assert_eq!(output.status.code(), Some(1), "it ends by an impact");
     let run = json(&output);
-    let log = run["log"].as_array().expect("a log");
-    assert_eq!(log.len(), 4);
+    let log = run["events"].as_array().expect("a log");
+    assert_eq!(log.len(), 5);
     assert!(run["stopped"].as_str().is_some_and(|why| why.contains("impact")), "{run}");
-    assert!(run["closed_form"]["deviation"].as_f64().is_some_and(|off| off < 1e-9), "{run}");
+    // each event with the state and the reactions there
+    assert!(log.iter().all(|event| event["state"]["N_floor"].as_f64().is_some_and(|normal| normal > 0.0)), "{run}");
+    assert_eq!((&log[4]["what"], &log[4]["then"]), (&"contact `top` closes".into(), &Value::Null));
     let table = std::fs::read_to_string(&path).expect("it was written");
     std::fs::remove_file(&path).expect("it is there");
-    assert!(
-        table.starts_with("time [s],x [m],y [m],cos [1],sin [1],dx [m/s],dy [m/s],dcos [1/s],dsin [1/s],angle [rad],"),
-        "{table}"
-    );
+    let head = "time [s],x [m],y [m],alpha [rad],x' [m/s],y' [m/s],alpha' [rad/s],N_wall [N],T_wall [N],";
+    assert!(table.starts_with(head), "{table}");
     assert!(table.lines().count() > 3 && !table.contains("NaN"), "{table}");
 }
 
 #[test]
-fn the_report_tells_what_happened_in_rough_scenes() {
+fn a_start_without_a_motion_ends_the_run_with_the_reason_and_its_place() {
+    let output = run(&["run", "scenes/friction/painleve.toml"]);
+    let told = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert_eq!(output.status.code(), Some(1), "{told}");
+    for words in
+        ["does not begin: no case of its conditions and contacts agrees", "these contacts; accepted is another start"]
+    {
+        assert!(told.contains(words), "{words} in {told}");
+    }
+}
+
+#[test]
+fn the_report_tells_what_happened_across_events() {
     let folder = temporary("rough_scenes");
     std::fs::create_dir_all(folder.join("inside")).expect("a temporary folder");
     let copy = |from: &str, to: &str| std::fs::copy(root().join(from), folder.join(to)).expect("it can be copied");
@@ -180,7 +192,8 @@ fn the_report_tells_what_happened_in_rough_scenes() {
     assert!(output.status.code() == Some(1) && said.contains("unknown machine `not_built_yet`"), "{said}");
     let html = std::fs::read_to_string(&page).expect("it was written");
     std::fs::remove_dir_all(&folder).expect("it is there");
-    let told = ["What happened, and why", "wall sticks, floor sticks", "quadrature", "not_built_yet", "unread.toml"];
+    let told =
+        ["What happened, and why", "contact `wall` sticks, contact `floor` sticks", "not_built_yet", "unread.toml"];
     assert!(told.iter().all(|it| html.contains(it)));
 }
 

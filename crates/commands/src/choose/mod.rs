@@ -15,8 +15,6 @@ use simulation::{Axes, Smooth, Stored, references};
 use std::path::PathBuf;
 use std::time::Duration;
 use studies::AnyScene;
-use studies::friction::course::WORKS;
-use studies::ladder::rough::RoughLadder;
 use studies::ladder::{Forms, Ladder, Models, Wish, choose};
 use studies::scene::System;
 
@@ -68,16 +66,10 @@ pub fn show(asked: &Asked) -> Result<Ending, Ending> {
             let kept = Stored::beside(&asked.scene);
             (Box::new(Forms { ladders: vec![scene.ladder()], kept }), Smooth::run(&**scene).outputs.clone())
         }
-        AnyScene::Model(_) => {
-            return Err(Ending::refused(format!(
-                "choose does not apply to {}: smaller models of a system that is written in its file are not there yet; `dalembert chart` \
-                 compares its methods",
-                asked.scene.display()
-            )));
-        }
-        AnyScene::Rough(scene) => {
-            refuse("a system with rough contacts", asked.model.is_some(), false, &asked.scene)?;
-            (Box::new(RoughLadder::of(scene)), Vec::new())
+        AnyScene::Model(scene) => {
+            refuse("a system that is written in its file", asked.model.is_some(), false, &asked.scene)?;
+            let kept = Stored::beside(&asked.scene);
+            (Box::new(Forms { ladders: vec![Ladder::of_model(&**scene)], kept }), scene.run().outputs.clone())
         }
     };
     let title = scene.title();
@@ -120,7 +112,7 @@ fn outputs(asked: &Asked, given: Vec<String>, known: &[String]) -> Result<Vec<St
             known.join(", ")
         )));
     }
-    let state = |name: &&String| *name != "work" && !WORKS.contains(&name.as_str());
+    let state = |name: &&String| *name != "work";
     let all = || known.iter().filter(state).cloned().collect();
     Ok([asked.outputs.clone(), given].into_iter().find(|names| !names.is_empty()).unwrap_or_else(all))
 }

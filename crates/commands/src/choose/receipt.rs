@@ -44,12 +44,6 @@ pub fn text(title: &str, receipt: &Receipt, command: Option<&[String]>) -> Strin
             Loss::Own => String::new(),
             Loss::Nothing { claim: Some(claim) } => format!("exact, proved for these data; for all: {claim}"),
             Loss::Nothing { claim: None } => "exact: the laws do not differ, which is decided".to_owned(),
-            Loss::Held { .. } if line.model.is_err() => "exact while it lasts".to_owned(),
-            Loss::Held { margin, at } => {
-                format!(
-                    "exact while it lasts: at {at:.6} s by {margin:.2e} of what it is measured by; tested, not enclosed"
-                )
-            }
             Loss::Small { parameter } => format!("small: {parameter}"),
         };
         let not = line.model.as_ref().err().map_or_else(String::new, |why| format!("; {why}"));
@@ -134,7 +128,6 @@ fn said(line: &Line) -> String {
         Verdict::NotBelieved => "no estimate",
         Verdict::NotCarried => "not carried",
         Verdict::NotRun => "not run",
-        Verdict::NotHeld => "left",
     }
     .to_owned()
 }
@@ -146,7 +139,6 @@ pub fn object(title: &str, receipt: &Receipt, command: Option<&[String]>) -> Val
         let loss = match line.loss {
             Loss::Own => json!("own"),
             Loss::Nothing { claim } => json!({ "exact": true, "claim": claim }),
-            Loss::Held { margin, at } => json!({ "exact": "while it lasts", "margin": margin, "at": at }),
             Loss::Small { parameter } => {
                 json!({ "exact": false, "parameter": parameter, "value": model.and_then(|model| model.small) })
             }

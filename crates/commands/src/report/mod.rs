@@ -8,18 +8,16 @@ use crate::arguments::Format;
 use crate::ending::{Ending, warn_of};
 use crate::output::{Form, Maker, Writes};
 use crate::progress::Progress;
-use crate::rough;
 use crate::speed::{advice::advice, pictures, tables};
 use charts::{Report, SceneSection, WorkPrecision};
 use clap::Args;
 use parts::Parts;
 use reader::Family;
-use scene::{Read, ReadRough, described};
+use scene::{Read, described};
 use simulation::{Atlas, Smooth, Stored};
 use std::path::{Path, PathBuf};
 use studies::AnyScene;
 use studies::failures;
-use studies::friction::RoughScene;
 
 /// The main job, where no command is given.
 #[derive(Args, Debug)]
@@ -42,15 +40,12 @@ pub fn write(asked: &Asked, files: &[PathBuf]) -> Result<Ending, Ending> {
     let reads = files.iter().map(PathBuf::as_path).collect();
     let output = Writes { command: REPORT, force: asked.force, reads }.output(&asked.out, &[Form::Page])?;
     // all are read before the first is run: what is wrong is told at once
-    let (mut scenes, mut rough, mut unread) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut scenes, mut unread) = (Vec::new(), Vec::new());
     // those that are made to fail are told by the catalogue
     for file in files.iter().filter(|file| !failures::is_own(file)) {
         match AnyScene::open(file) {
-            Ok(AnyScene::Rough(scene)) => {
-                rough.push(ReadRough { id: id(file), scene: *scene, kept: Stored::beside(file) });
-            }
             // the page is to stay small enough to be sent: `chart` makes a page for each of these
-            Ok(AnyScene::Model(_)) => {}
+            Ok(AnyScene::Model(_)) if is_example(file, folder) => {}
             Ok(scene) => scenes.push(Read { id: id(file), scene, kept: Stored::beside(file) }),
             Err(error) => {
                 warn_of(&error);
@@ -58,9 +53,9 @@ pub fn write(asked: &Asked, files: &[PathBuf]) -> Result<Ending, Ending> {
             }
         }
     }
-    let mut parts = Parts::of(&scenes, &rough, folder);
+    let mut parts = Parts::of(&scenes, folder);
     let mut progress = Progress::new("ledger, runs, references, maps");
-    parts.compute(&scenes, &rough, folder, |done| progress.set(done));
+    parts.compute(&scenes, folder, |done| progress.set(done));
     drop(progress);
     let mut progress = Progress::new("methods timed");
     parts.take_times(|done| progress.set(done));
@@ -70,6 +65,13 @@ pub fn write(asked: &Asked, files: &[PathBuf]) -> Result<Ending, Ending> {
     report.studies.splice(0..0, unread::study(&unread));
     output.write_text(&charts::page::render(&report).html)?.tell(Format::Text)?;
     Ok(if whole { Ending::Done } else { Ending::Stopped })
+}
+
+/// The folder, among scenes, of examples of the language of systems.
+const EXAMPLES: &str = "models";
+
+fn is_example(file: &Path, scenes: &Path) -> bool {
+    file.strip_prefix(scenes).is_ok_and(|inner| inner.starts_with(EXAMPLES))
 }
 
 /// The commands that write pages: the main job, which has no name, and the charts of one scene.
@@ -84,14 +86,6 @@ pub fn of_scene(scene: &dyn Smooth, atlas: &Atlas, work: Vec<WorkPrecision>) -> 
     explained(&mut section, atlas);
     section.tables.push(tables::models(atlas));
     let report = Report { scenes: vec![section], ..titled(CHART, scene.title(), scene.description()) };
-    charts::page::render(&report).html
-}
-
-/// The same of a scene with rough contacts.
-pub fn of_rough(scene: &RoughScene, atlas: &Atlas, work: Vec<WorkPrecision>) -> String {
-    let mut section = SceneSection { work, ..rough::section("scene", scene) };
-    explained(&mut section, atlas);
-    let report = Report { rough: vec![section], ..titled(CHART, &scene.title, &scene.description) };
     charts::page::render(&report).html
 }
 

@@ -1,6 +1,6 @@
 //! The parts of the report: what is computed side by side, what is timed alone, and the page that they make.
 
-use super::scene::{NoReference, Prepared, Read, ReadRough, prepare, prepare_rough};
+use super::scene::{NoReference, Prepared, Read, prepare};
 use super::{REPORT, explained, titled};
 use crate::crew::Crew;
 use crate::ledger;
@@ -21,8 +21,7 @@ use studies::scene::Scene;
 /// while nothing else runs.
 pub struct Parts {
     papers: Vec<Option<(PaperSection, bool)>>,
-    prepared: Vec<Option<Option<Prepared>>>,
-    rough: Vec<Option<Prepared>>,
+    prepared: Vec<Option<Prepared>>,
     stability: Option<Vec<Areas>>,
     approximations: Option<charts::Trajectory>,
     friction: Option<Vec<Areas>>,
@@ -37,11 +36,10 @@ pub struct Parts {
 
 impl Parts {
     /// None yet.
-    pub fn of(scenes: &[Read], rough: &[ReadRough], folder: &Path) -> Self {
+    pub fn of(scenes: &[Read], folder: &Path) -> Self {
         Parts {
             papers: papers().iter().map(|_| None).collect(),
             prepared: scenes.iter().map(|_| None).collect(),
-            rough: rough.iter().map(|_| None).collect(),
             stability: None,
             approximations: None,
             friction: None,
@@ -56,16 +54,13 @@ impl Parts {
     }
 
     /// All that need not be timed.
-    pub fn compute(&mut self, scenes: &[Read], rough: &[ReadRough], folder: &Path, done: impl FnMut(f64)) {
+    pub fn compute(&mut self, scenes: &[Read], folder: &Path, done: impl FnMut(f64)) {
         let mut crew = Crew::default();
         for (place, paper) in self.papers.iter_mut().zip(papers()) {
             crew.add(1.0, place, move || ledger::judged(paper));
         }
         for (place, scene) in self.prepared.iter_mut().zip(scenes) {
             crew.add(3.0, place, move || prepare(scene));
-        }
-        for (place, scene) in self.rough.iter_mut().zip(rough) {
-            crew.add(1.0, place, move || prepare_rough(scene));
         }
         self.gains.enlist(&mut crew);
         self.drive.enlist(&mut crew);
@@ -87,9 +82,8 @@ impl Parts {
 
     /// The times, while nothing else runs.
     pub fn take_times(&mut self, mut done: impl FnMut(f64)) {
-        let whole = (self.prepared.len() + self.rough.len() + 1) as f64;
-        let all = self.prepared.iter_mut().flatten().flatten().chain(self.rough.iter_mut().flatten());
-        for (count, prepared) in all.enumerate() {
+        let whole = (self.prepared.len() + 1) as f64;
+        for (count, prepared) in self.prepared.iter_mut().flatten().enumerate() {
             if let Prepared { atlas: Ok(atlas), trials, timed, .. } = prepared {
                 atlas.take_times(trials, *timed);
             }
@@ -105,7 +99,7 @@ impl Parts {
 
     /// Whether every scene came out as it should.
     pub fn reached(&self) -> bool {
-        self.prepared.iter().flatten().flatten().all(|one| one.reached)
+        self.prepared.iter().flatten().all(|one| one.reached)
     }
 
     /// The page.
@@ -113,7 +107,7 @@ impl Parts {
         let mut report = titled(REPORT, "dalembert", SUMMARY);
         let mut digits = f64::INFINITY;
         let atlas = {
-            let prepared = self.prepared.iter().flatten().flatten().chain(self.rough.iter().flatten());
+            let prepared = self.prepared.iter().flatten();
             let found: Vec<_> =
                 prepared.filter_map(|one| Some((one.section.title.as_str(), one.atlas.as_ref().ok()?))).collect();
             atlas::study(&found)
@@ -133,10 +127,12 @@ impl Parts {
             }
             section
         };
-        report.scenes = self.prepared.into_iter().flatten().flatten().map(&mut charted).collect();
+        let prepared = self.prepared.into_iter().flatten();
+        let (across, smooth): (Vec<Prepared>, Vec<Prepared>) = prepared.partition(|one| one.across_events);
+        report.scenes = smooth.into_iter().map(&mut charted).collect();
         // of these there are the tables alone: the page is to stay small, `dalembert chart` draws them
         let tabled = |prepared| SceneSection { work: Vec::new(), ..charted(prepared) };
-        report.rough = self.rough.into_iter().flatten().map(tabled).collect();
+        report.rough = across.into_iter().map(tabled).collect();
         report.papers = self.papers.into_iter().flatten().map(|(section, _)| section).collect();
         report.stability = self.stability.unwrap_or_default();
         report.approximations = self.approximations.into_iter().collect();

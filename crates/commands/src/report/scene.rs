@@ -1,30 +1,32 @@
 //! A scene in the report: its data, its run, its smaller models.
 
 use crate::pictures;
-use crate::rough;
 use crate::speed::tables::floors;
+use crate::summary::{Told, told_passages};
 use charts::{Parameter, SceneSection, Table, significant, tolerance};
 use integrators::Failure;
+use simulation::events::Passage;
 use simulation::references::Unknown;
 use simulation::work_precision::judged_across_events;
 use simulation::{Atlas, Axes, Smooth, Stored, Trajectory, Trials, judged};
 use std::time::Duration;
 use studies::AnyScene;
-use studies::friction::RoughScene;
 use studies::scene::Scene;
 
 /// For a reference; they share the processors, so that one of them has less than when it is alone.
 const PATIENCE: Duration = Duration::from_secs(15);
-/// The same for a mechanism: there are many, and `dalembert chart` gives each its own time.
+/// The same for a system without a motor of the catalogue: there are many, and `dalembert chart` gives each its own time.
 const OF_A_MECHANISM: Duration = Duration::from_secs(8);
-/// In one run of a mechanism, whose laws are dear.
+/// In one run of such a system, whose laws are dear.
 const EVALUATIONS: u64 = 20_000;
-/// For the times of all runs of a scene with a motor, and of a mechanism.
+/// For the times of all runs of a scene with a motor, and of another.
 const TIMED: [Duration; 2] = [Duration::from_millis(2_000), Duration::from_millis(1_200)];
 
 /// A scene's section without its charts, whether it came out as it should, and the errors of its methods.
 pub struct Prepared {
     pub section: SceneSection,
+    /// Whether its law changes at events.
+    pub across_events: bool,
     pub reached: bool,
     pub atlas: Result<Atlas, NoReference>,
     pub trials: Trials,
@@ -39,13 +41,6 @@ pub struct Read {
     pub kept: Option<Stored>,
 }
 
-/// The same of a scene with rough contacts.
-pub struct ReadRough {
-    pub id: String,
-    pub scene: RoughScene,
-    pub kept: Option<Stored>,
-}
-
 /// Why methods are not compared on a scene.
 pub enum NoReference {
     Stopped(Failure),
@@ -55,14 +50,15 @@ pub enum NoReference {
     Ends,
 }
 
-/// Runs a scene, computes its reference, and the errors of all methods by that; nothing where it is many problems.
-pub fn prepare(Read { id, scene: any, kept }: &Read) -> Option<Prepared> {
-    let scene = any.smooth()?;
+/// Runs a scene, computes its reference, and the errors of all methods by that.
+pub fn prepare(Read { id, scene: any, kept }: &Read) -> Prepared {
+    let scene = any.smooth();
     let choice = scene.run().choice();
     let problem = scene.problem(Axes::First);
     let run = problem.simulate(&choice, |_| ());
     let mut section = described(id, scene, &run);
-    let of_a_mechanism = matches!(any, AnyScene::Mechanism(_));
+    let of_a_mechanism = matches!(any, AnyScene::Mechanism(_) | AnyScene::Model(_));
+    let across_events = scene.hybrid().is_some();
     let usual = Trials::default().with(scene.run().method);
     let [motor, mechanism] = TIMED;
     let (patience, timed, trials) = match of_a_mechanism {
@@ -71,8 +67,8 @@ pub fn prepare(Read { id, scene: any, kept }: &Read) -> Option<Prepared> {
     };
     // what a scene is made to show may be its end: that is no fault of the run
     let atlas = match (scene.told(&choice, &run).diagnosis, scene.hybrid()) {
-        (Some(_), _) => Err(NoReference::Ends),
-        (None, Some(hybrid)) => {
+        (Some(_), None) => Err(NoReference::Ends),
+        (_, Some(hybrid)) => {
             judged_across_events(hybrid, &trials, kept.as_ref(), patience).map_err(NoReference::Unknown)
         }
         (None, None) => {
@@ -90,15 +86,7 @@ pub fn prepare(Read { id, scene: any, kept }: &Read) -> Option<Prepared> {
         Err(NoReference::Stopped(failure)) => of_a_mechanism && failure.is_broken_off(),
         Ok(_) => run.outcome.reached(),
     };
-    Some(Prepared { section, reached, atlas, trials, timed })
-}
-
-/// The same of a scene with rough contacts: what it is made to show may be that nothing moves.
-pub fn prepare_rough(ReadRough { id, scene, kept }: &ReadRough) -> Prepared {
-    let [_, timed] = TIMED;
-    let trials = Trials { evaluations: EVALUATIONS, ..Trials::default() }.with(scene.plan.method);
-    let atlas = judged_across_events(scene, &trials, kept.as_ref(), OF_A_MECHANISM).map_err(NoReference::Unknown);
-    Prepared { section: rough::section(id, scene), reached: true, atlas, trials, timed }
+    Prepared { section, across_events, reached, atlas, trials, timed }
 }
 
 /// A scene's section with its run and without its charts.
@@ -115,8 +103,26 @@ pub fn described(id: &str, scene: &dyn Smooth, run: &Trajectory) -> SceneSection
         description: scene.description().to_owned(),
         parameters: parameters.collect(),
         facts: facts(scene, run),
+        tables: if run.passages.is_empty() { Vec::new() } else { vec![log(run)] },
         trajectory: Some(pictures::trajectory(scene, run)),
         ..Default::default()
+    }
+}
+
+/// The events of a run with the laws that follow, and its end.
+fn log(run: &Trajectory) -> Table {
+    let time = |time: f64| format!("{time:.6}");
+    let events = told_passages(&run.passages).into_iter().map(|told| match told {
+        Told::Passage(Passage { time: at, what, then, .. }) => {
+            vec![time(*at), what.clone(), then.clone().unwrap_or_default()]
+        }
+        Told::LeftOut(count) => vec![String::new(), format!("{count} more"), String::new()],
+    });
+    let end = run.stopped().unwrap_or_else(|| "the end of the run".to_owned());
+    Table {
+        caption: "What happened, and why".to_owned(),
+        head: ["Time, s", "What happened", "From here on"].map(String::from).into(),
+        rows: events.chain([vec![time(run.outcome.time), end, String::new()]]).collect(),
     }
 }
 

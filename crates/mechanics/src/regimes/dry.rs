@@ -104,11 +104,6 @@ impl<S: Scalar, const N: usize, const K: usize> Seen<S, N, K> {
         let each = || reactions.as_flattened().iter().zip(self.responses.as_flattened());
         std::array::from_fn(|n| each().fold(self.free[n], |sum, (reaction, response)| sum + *reaction * response[n]))
     }
-
-    /// D x'' where the reactions are numerators over a determinant D: also where that is zero.
-    pub fn times_determinant(&self, determinant: S, numerators: &Pairs<S, K>) -> [S; N] {
-        Seen { free: self.free.map(|x| x * determinant), ..*self }.acceleration(numerators)
-    }
 }
 
 impl<S: Scalar, const K: usize> Dry<S, K> {

@@ -105,16 +105,29 @@ fn inertia_of(equations: &Equations) -> Result<(Factors, Vec<Sym>), Singular> {
     }
 }
 
+/// Accelerations as an affine function of the multipliers.
+#[derive(Clone, Debug)]
+pub struct Pushes {
+    /// M^-1 (-h): those of multipliers that are zero.
+    pub free: Vec<Sym>,
+    /// A column of M^-1 J^T for each multiplier.
+    pub columns: Vec<Vec<Sym>>,
+}
+
+pub(super) fn pushes(equations: &Equations) -> Result<Pushes, Singular> {
+    let (inertia, bias) = inertia_of(equations)?;
+    let free = inertia.solve(&bias.iter().map(|h| -*h).collect::<Vec<_>>());
+    let columns = equations.constraints.iter().map(|constraint| inertia.solve(&constraint.row)).collect();
+    Ok(Pushes { free, columns })
+}
+
 pub(super) fn solved(equations: &Equations) -> Result<(Vec<Sym>, Vec<Sym>), Singular> {
     let constraints = &equations.constraints;
-    let (inertia, bias) = inertia_of(equations)?;
-    let free: Vec<Sym> = inertia.solve(&bias.iter().map(|h| -*h).collect::<Vec<_>>());
+    let Pushes { free, columns: moved } = pushes(equations)?;
     if constraints.is_empty() {
         return Ok((free, Vec::new()));
     }
     let dot = |a: &[Sym], b: &[Sym]| a.iter().zip(b).fold(Sym::ZERO, |sum, (&a, &b)| sum + a * b);
-    // each column M^-1 J^T
-    let moved: Vec<Vec<Sym>> = constraints.iter().map(|constraint| inertia.solve(&constraint.row)).collect();
     let matrix: Vec<Vec<Sym>> = constraints
         .iter()
         .map(|constraint| moved.iter().map(|column| dot(&constraint.row, column)).collect())

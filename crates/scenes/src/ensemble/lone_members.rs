@@ -1,7 +1,7 @@
 //! Members whose law changes at conditions, at events or with contacts: each runs by itself, with laws of its own numbers.
 
 use super::ModelEnsemble;
-use crate::compiled_system::changes;
+use crate::compiled_system::is_watched;
 use crate::modes::{Modes, Refused, described};
 use model::Model;
 use simulation::ensemble::{Drawn, Ended, Last, RunsAlone, Stopped};
@@ -13,9 +13,9 @@ use std::time::Duration;
 /// A member takes as long as it needs: the whole run is ended by its own time.
 const UNLIMITED: Duration = Duration::from_secs(1 << 30);
 
-/// All that decides the laws of a model that changes, for its fingerprint; none of one that does not.
+/// All that decides the laws and the events of a model that has any, for its fingerprint; none of one without.
 pub(super) fn laws_of(model: &Model) -> Option<String> {
-    changes(model).then(|| described(model).unwrap_or_else(|reason| reason.to_string()))
+    is_watched(model).then(|| described(model).unwrap_or_else(|reason| reason.to_string()))
 }
 
 impl RunsAlone for ModelEnsemble {

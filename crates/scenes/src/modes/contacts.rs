@@ -84,6 +84,69 @@ pub(super) fn friction(trace: &Trace<'_>, contact: usize) -> Sym {
     trace.model.contacts[contact].friction.map_or(Sym::ZERO, |friction| trace.scalar(friction))
 }
 
+/// The equations for the reactions of a mode that are to be found.
+pub(super) struct ReactionEquations {
+    /// Reactions that are zero, or that friction ties to others.
+    pub given: Vec<(Sym, Sym)>,
+    /// Contact and component of each that is to be found.
+    pub unknown: Vec<[usize; 2]>,
+    pub rows: Vec<Vec<Sym>>,
+    pub right: Vec<Sym>,
+    /// The sums that they keep at zero.
+    zeros: Vec<Sym>,
+}
+
+impl ReactionEquations {
+    /// From accelerations and multipliers that hold the letters of reactions; letters that are settled stand for themselves no longer.
+    pub fn of(
+        trace: &Trace<'_>,
+        mode: &Mode,
+        (settled, is_direct): (&[(Sym, Sym)], &[bool]),
+        (accelerations, multipliers): (&[Sym], &[Sym]),
+    ) -> Self {
+        let letter = |[contact, component]: [usize; 2]| trace.reaction(contact, component);
+        let mut given: Vec<(Sym, Sym)> = Vec::new();
+        let leant = leant(mode);
+        for (contact, phase) in mode.phases.iter().enumerate().filter(|(contact, _)| !is_direct[*contact]) {
+            let is_in_space = trace.model.contacts[contact].is_in_space();
+            match over_normal(trace, contact, *phase) {
+                Some(factors) => given
+                    .extend((1..PARTS).map(|part| (letter([contact, part]), factors[part - 1] * letter([contact, 0])))),
+                None => {
+                    let unknown = unknown_parts(*phase, is_in_space);
+                    let none = (0..PARTS).filter(|part| !unknown.contains(part) && !leant.contains(&[contact, *part]));
+                    given.extend(none.map(|part| (letter([contact, part]), Sym::ZERO)));
+                }
+            }
+        }
+        let mut unknown = unknown(mode, |contact| trace.model.contacts[contact].is_in_space());
+        unknown.retain(|[contact, _]| !is_direct[*contact]);
+        let kept = kept_at_zero(trace);
+        let zeros: Vec<Sym> = unknown.iter().map(|&[contact, component]| kept[contact][component]).collect();
+        let zeros = substitute_all(&zeros, &motion(trace, accelerations, multipliers));
+        let zeros = substitute_all(&substitute_all(&zeros, settled), &given);
+        let none: Vec<(Sym, Sym)> = unknown.iter().chain(&leant).map(|&of| (letter(of), Sym::ZERO)).collect();
+        let row = |&zero: &Sym| unknown.iter().map(|&of| slope(trace, zero, of)).collect();
+        let rows = zeros.iter().map(row).collect();
+        let right = substitute_all(&zeros, &none).into_iter().map(|zero| -zero).collect();
+        ReactionEquations { given, unknown, rows, right, zeros }
+    }
+
+    /// Their solution, with the determinant.
+    ///
+    /// # Errors
+    /// The contact whose equation has no pivot.
+    pub fn solved(&self, right: Vec<Sym>) -> Result<(Vec<Sym>, Sym), NotCompiled> {
+        super::held::eliminated(self.rows.clone(), right)
+            .map_err(|row| NotCompiled::NotHeldContact { contact: self.unknown[row][0] })
+    }
+}
+
+/// The derivative of an expression by a reaction.
+fn slope(trace: &Trace<'_>, expression: Sym, [contact, component]: [usize; 2]) -> Sym {
+    Derivation::new([(trace.reaction(contact, component), Sym::ONE)]).of(expression)
+}
+
 /// The contacts of a mode.
 pub(super) struct Closed {
     /// Reactions that others give, then those that are found, by their letters.
@@ -102,43 +165,20 @@ pub(super) fn closed(
     multipliers: &[Sym],
 ) -> Result<(Closed, Vec<Sym>), NotCompiled> {
     let letter = |[contact, component]: [usize; 2]| trace.reaction(contact, component);
-    let mut given: Vec<(Sym, Sym)> = Vec::new();
     let leant = leant(mode);
-    for (contact, phase) in mode.phases.iter().enumerate().filter(|(contact, _)| !is_direct[*contact]) {
-        let is_in_space = trace.model.contacts[contact].is_in_space();
-        match over_normal(trace, contact, *phase) {
-            Some(factors) => {
-                given.extend((1..PARTS).map(|part| (letter([contact, part]), factors[part - 1] * letter([contact, 0]))))
-            }
-            None => {
-                let unknown = unknown_parts(*phase, is_in_space);
-                let none = (0..PARTS).filter(|part| !unknown.contains(part) && !leant.contains(&[contact, *part]));
-                given.extend(none.map(|part| (letter([contact, part]), Sym::ZERO)));
-            }
-        }
-    }
-    let mut unknown = unknown(mode, |contact| trace.model.contacts[contact].is_in_space());
-    unknown.retain(|[contact, _]| !is_direct[*contact]);
-    let kept = kept_at_zero(trace);
-    let zeros: Vec<Sym> = unknown.iter().map(|&[contact, component]| kept[contact][component]).collect();
-    let zeros = substitute_all(&zeros, &motion(trace, accelerations, multipliers));
-    let zeros = substitute_all(&substitute_all(&zeros, settled), &given);
-    let none: Vec<(Sym, Sym)> = unknown.iter().chain(&leant).map(|&of| (letter(of), Sym::ZERO)).collect();
-    let slope = |zero: Sym, of: [usize; 2]| Derivation::new([(letter(of), Sym::ONE)]).of(zero);
-    let rows: Vec<Vec<Sym>> = zeros.iter().map(|&zero| unknown.iter().map(|&of| slope(zero, of)).collect()).collect();
-    let right = substitute_all(&zeros, &none).into_iter().map(|zero| -zero).collect();
-    let not_held = |row: usize| NotCompiled::NotHeldContact { contact: unknown[row][0] };
-    let (values, determinant) = super::held::eliminated(rows.clone(), right).map_err(not_held)?;
+    let equations = ReactionEquations::of(trace, mode, (settled, is_direct), (accelerations, multipliers));
+    let (values, determinant) = equations.solved(equations.right.clone())?;
+    let ReactionEquations { given, unknown, zeros, .. } = &equations;
     let found: Vec<(Sym, Sym)> = unknown.iter().map(|&of| letter(of)).zip(values.iter().copied()).collect();
     let one_choice: Vec<(Sym, Sym)> =
         found.iter().copied().chain(leant.iter().map(|&of| (letter(of), Sym::ZERO))).collect();
-    let all = |expressions: &[Sym], found: &[(Sym, Sym)]| substitute_all(&substitute_all(expressions, &given), found);
+    let all = |expressions: &[Sym], found: &[(Sym, Sym)]| substitute_all(&substitute_all(expressions, given), found);
     let mut shown = one_choice.clone();
     if !leant.is_empty() {
         let mut columns: Vec<Vec<Sym>> = Vec::new();
         for &of in &leant {
-            let right = zeros.iter().map(|&zero| -slope(zero, of)).collect();
-            columns.push(super::held::eliminated(rows.clone(), right).map_err(not_held)?.0);
+            let right = zeros.iter().map(|&zero| -slope(trace, zero, of)).collect();
+            columns.push(equations.solved(right)?.0);
         }
         let held = |contact: usize| mode.phases[contact].sticking().is_some();
         let friction_of = |&place: &usize| unknown[place][1] > 0 && held(unknown[place][0]);
@@ -160,7 +200,7 @@ pub(super) fn closed(
         }
     }
     let moved = [all(accelerations, &one_choice), all(multipliers, &shown)].concat();
-    Ok((Closed { found: vec![given, shown], determinant }, moved))
+    Ok((Closed { found: vec![given.clone(), shown], determinant }, moved))
 }
 
 /// Friction of contacts that lean, along the tangents along which others hold them.

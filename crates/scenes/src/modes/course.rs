@@ -24,6 +24,8 @@ pub(super) enum Sets {
     },
     /// The motion ends.
     End,
+    /// It ends where the equations for the reactions become singular.
+    Jam,
 }
 
 /// An event, by the signal of the law before it.

@@ -20,6 +20,9 @@ const MOST: usize = 7;
 /// An eigenvalue whose imaginary part is below this part of it is real.
 const REAL: f64 = 1e-9;
 
+/// An eigenvalue below this is rounding of zero: no friction is critical.
+const LEAST: f64 = 1e-12;
+
 /// Columns that depend on each other to this part: contacts that do not press together.
 const RANK: f64 = 1e-11;
 
@@ -100,7 +103,7 @@ fn factor(responses: &DMatrix<f64>, friction: &[f64], set: &[Sliding]) -> Option
     let values = own.lu().solve(&tied)?.complex_eigenvalues();
     let real = values.iter().filter(|value| value.re > 0.0 && value.im.abs() <= REAL * value.re).map(|value| value.re);
     let largest = real.fold(0.0, f64::max);
-    (largest > 0.0).then(|| 1.0 / largest)
+    (largest > LEAST).then(|| 1.0 / largest)
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 
 use super::course::{Course, Crossing, Leg, Sets};
 use super::signals::{Fall, GLIDE};
+use super::slowed::Slowed;
 use super::{Laws, Moded, Modes};
 use field::{DoubleDouble, Over};
 use integrators::{Happening, Ode, Real};
@@ -19,6 +20,11 @@ const LEFT: f64 = 1e-14;
 
 /// It comes to rest before so many times the time of its slide.
 const BEYOND: f64 = 2.0;
+
+/// A determinant so small beside that where it was slowed down is zero to all digits; it goes as exp(-s^2) with the slowed time s, which
+/// is doubled so often.
+const VANISHED: f64 = 1e-31;
+const DOUBLINGS: usize = 40;
 
 /// A correction so small, relative to the time, leaves nothing to correct.
 const LAST: f64 = 1e-20;
@@ -79,6 +85,7 @@ impl Follower<'_> {
             left = &left[within..];
             if let Some(next) = next {
                 match next.sets {
+                    Sets::Jam => self.jam(leg, next.time)?,
                     Sets::Rest { contact, fastest } => {
                         let then = &course.legs[place + 1].moded;
                         self.rest(leg, (contact, fastest), (next.time, then))?;
@@ -113,7 +120,7 @@ impl Follower<'_> {
         }
         let (time, state) = &mut self.at;
         match crossing.sets {
-            Sets::Nothing | Sets::Unseen | Sets::End => {}
+            Sets::Nothing | Sets::Unseen | Sets::End | Sets::Jam => {}
             Sets::Event(event) => *state = moded.signals.set_by(event, *time, state, glides),
             Sets::Impact(contact) => {
                 let expansions = self.laws.expansions().map_err(|_| blunt())?;
@@ -124,6 +131,27 @@ impl Follower<'_> {
             Sets::LastBounce => return Err(Unknown::LastBounce { time: crossing.time }),
         }
         Ok(())
+    }
+
+    /// Follows a law to where the equations for its reactions become singular: there speeds have no bound, and places are left.
+    fn jam(&mut self, Leg { moded, .. }: &Leg, told: f64) -> Result<(), Unknown> {
+        let blunt = || Unknown::Blunt { time: told };
+        let slowed = Slowed::of(&self.laws.model, &moded.system.mode).ok_or_else(blunt)?;
+        let (time, state) = &self.at;
+        let mut both = [&state[..], &[*time]].concat();
+        let first = slowed.determinant(&both).approx();
+        let mut length = (told - time.approx()) / first;
+        for _ in 0..DOUBLINGS {
+            both = self.means.run(&slowed, length, &both, &[told])?;
+            if slowed.determinant(&both).approx() / first <= VANISHED {
+                let time = both.pop().ok_or_else(blunt)?;
+                both.truncate(self.laws.model.positions());
+                self.at = (time, both);
+                return Ok(());
+            }
+            length *= 2.0;
+        }
+        Err(blunt())
     }
 
     /// Follows a contact that slides in space until a part of its speed is left whose square is rounding, and takes that part away.

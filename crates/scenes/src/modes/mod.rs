@@ -27,6 +27,7 @@ mod sides;
 mod signal_integrals;
 mod signals;
 mod slip_start;
+mod slowed;
 mod touch;
 mod touches;
 mod unfit;
@@ -37,14 +38,15 @@ pub use course::Course;
 pub use mode::{Case, Face, Mode, Phase};
 pub(crate) use motion::Motion;
 
-use crate::compiled_system::{CompiledSystem, NotCompiled, changes};
+use crate::compiled_system::{CompiledSystem, NotCompiled, is_watched};
 use crate::start::KeptConstraints;
 use course::{Crossing, Leg, Sets};
 use expansion::{Expansions, Instant};
 use glides::Glide;
-use integrators::{Event, Method};
+use integrators::{Event, Happening, Method};
 use model::Model;
 use passage::After;
+pub(crate) use reasons::BROKEN;
 pub use regimes::{CriticalFriction, Margin, Motions, Regime, Regimes};
 use sides::Side;
 use signals::{Fall, GLIDE, Signals};
@@ -187,10 +189,27 @@ impl Modes {
         Modes::with(Arc::clone(&self.laws))
     }
 
-    /// Keeps what a run has come to.
-    fn tell(&self, time: f64, what: String, then: Option<&Mode>) {
-        let then = then.map(|mode| self.laws.words.mode(mode));
-        self.passages.lock().unwrap_or_else(PoisonError::into_inner).push(Passage { time, what, then });
+    /// Keeps what a run has come to: the law that goes on from a state, or an end.
+    fn tell(&self, time: f64, state: &[f64], what: String, (by, goes_on): (&CompiledSystem, bool)) {
+        let then = goes_on.then(|| self.laws.words.mode(&by.mode));
+        let row = [state, &by.outputs(time, state)].concat();
+        self.passages.lock().unwrap_or_else(PoisonError::into_inner).push(Passage { time, what, then, row });
+    }
+
+    /// Keeps that no motion follows an event, with its reason.
+    fn end(&self, before: &Current, (time, state): (f64, &[f64]), crossing: Crossing, why: &'static str) {
+        let fall = before.moded.signals.falls.get(crossing.signal).copied();
+        let (sets, fall) = match why {
+            reasons::JAMS => (Sets::Jam, Some(Fall::Jams)),
+            _ => (Sets::End, fall),
+        };
+        // one that breaks a constraint has been told with it
+        if why != reasons::BROKEN
+            && let Some(fall) = fall
+        {
+            self.tell(time, state, self.laws.words.fall(fall), (&before.moded.system, false));
+        }
+        self.follow(Some(Crossing { sets, ..crossing }), before);
     }
 
     /// Keeps a law of the run with the event that led to it.
@@ -211,7 +230,7 @@ impl Modes {
         // where speeds are algebraic, a mode in which no run is may have no law
         if model.algebraic_speeds.is_empty() {
             let moded = self.laws.moded(&Mode::off(model)).map_err(Refused::Law)?;
-            if !changes(model) {
+            if !is_watched(model) {
                 return Ok(Arc::clone(&moded.system));
             }
         }
@@ -262,7 +281,7 @@ impl Switching for Modes {
         let begun = self.begun(time, state)?;
         begun.moded.system.set_algebraic_speeds(time, state);
         self.push_off(time, state, &begun);
-        self.tell(time, "start".to_owned(), Some(&begun.moded.system.mode));
+        self.tell(time, state, "start".to_owned(), (&begun.moded.system, true));
         self.follow(None, &begun);
         Ok(self.enter(begun))
     }
@@ -273,7 +292,12 @@ impl Switching for Modes {
         let fall = before.moded.signals.falls[event.signal];
         let crossing = |sets| Some(Crossing { time: event.time, signal: event.signal, what: event.what, sets });
         let rest = Self::rest_of_a_glide(&before, event, state);
-        match self.after(&before, event, state)? {
+        let at_event = state.to_vec();
+        let after = self.after(&before, event, state).inspect_err(|why| {
+            let crossing = Crossing { time: event.time, signal: event.signal, what: event.what, sets: Sets::End };
+            self.end(&before, (event.time, &at_event), crossing, why);
+        });
+        match after? {
             After::Unchanged(current) => {
                 self.follow(crossing(Sets::Unseen), &current);
                 Ok(Some(self.enter(current)))
@@ -287,12 +311,12 @@ impl Switching for Modes {
                     Sets::Rest { contact, .. } => (event.time + rest, Fall::Stops { contact }),
                     _ => (event.time, fall),
                 };
-                self.tell(time, self.laws.words.fall(fall), Some(&current.moded.system.mode));
+                self.tell(time, state, self.laws.words.fall(fall), (&current.moded.system, true));
                 self.follow(crossing(sets), &current);
                 Ok(Some(self.enter(current)))
             }
             After::Ended => {
-                self.tell(event.time, self.laws.words.fall(fall), None);
+                self.tell(event.time, state, self.laws.words.fall(fall), (&before.moded.system, false));
                 self.follow(crossing(Sets::End), &before);
                 Ok(None)
             }
@@ -306,7 +330,12 @@ impl Switching for Modes {
 
     fn obstacle(&self, time: f64, state: &[f64]) -> Option<&'static str> {
         let current = self.current.lock().unwrap_or_else(PoisonError::into_inner).clone()?;
-        self.jams(&current, time, state).then_some(reasons::JAMS)
+        let jams = self.jams(&current, time, state);
+        if jams {
+            let crossing = Crossing { time, signal: 0, what: Happening::Falls, sets: Sets::Jam };
+            self.end(&current, (time, state), crossing, reasons::JAMS);
+        }
+        jams.then_some(reasons::JAMS)
     }
 
     fn passages(&self) -> Vec<Passage> {

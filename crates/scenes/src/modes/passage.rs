@@ -133,7 +133,10 @@ impl Modes {
             true => mode.clone().without_glides(),
             false => mode.clone(),
         };
-        let Some(known) = expansions.at::<TERMS>(&exact, &seen) else { return Err(NO_LAW) };
+        let Some(known) = expansions.at::<TERMS>(&exact, &seen) else {
+            // a long step may end beyond
+            return Err(if self.jams(before, event.time, state) { JAMS } else { NO_LAW });
+        };
         let late = if over.is_some() { 0.0 } else { late(before, &known, event) };
         fall = over.map_or(fall, |contact| Fall::Stops { contact });
         let rates: Vec<f64> = match expansions.has_algebraic() {
@@ -278,7 +281,8 @@ impl Modes {
         // the state before the event stays the last good one
         if let Some(broken) = kept.broken(event.time, &set) {
             let name = self.laws.words.fall(Fall::Event { event: number });
-            self.tell(event.time, format!("after {name} {broken}, which must be zero"), None);
+            let what = format!("after {name} {broken}, which must be zero");
+            self.tell(event.time, state, what, (&before.moded.system, false));
             return Err(BROKEN);
         }
         state.copy_from_slice(&set);

@@ -14,7 +14,7 @@ pub(super) const TOGETHER: &str = "several contacts in space rest together: shar
 pub(super) const TOO_MANY: &str =
     "so many conditions and contacts are at zero together that their cases are not tried: more than 20,000";
 pub(super) const JAMS: &str = "the equations for the reactions of its contacts become singular: friction makes the reactions grow beyond every bound";
-pub(super) const BROKEN: &str = "an event leaves a state that breaks a constraint";
+pub(crate) const BROKEN: &str = "an event leaves a state that breaks a constraint";
 
 pub(super) const STEPS_OVER_REST: &str = "the long steps of bader_deuflhard pass over the instant at which a contact in space comes to rest; radau_5, gauss:4 or rodas_4 find it";
 

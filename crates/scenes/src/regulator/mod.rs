@@ -16,7 +16,7 @@ pub use controllability::Controllability;
 pub use riccati::Stage;
 pub use states::States;
 
-use crate::compiled_system::changes;
+use crate::compiled_system::is_watched;
 use crate::linearisation::{Linearisation, Standing, VariedEquations, eigenvalues, points};
 use crate::readiness::{unmet_at, without_law};
 use crate::scene::ModelScene;
@@ -121,7 +121,7 @@ pub fn regulated(scene: &ModelScene, allowed: Duration) -> Result<Regulated, Iss
     })?;
     let predicted = cost(&varied(&moved, &scene.start), &found.value);
     let tolerance = scene.run.tolerance.min(RUN);
-    let run = match (&found.gains, changes(model)) {
+    let run = match (&found.gains, is_watched(model)) {
         (Gains::Lasting(gains), true) => {
             let feedback = task.feedback(&first, &places, states, gains);
             switched_loop::run(scene, &feedback, &moved, tolerance, deadline)?
@@ -172,7 +172,7 @@ impl<'a> Task<'a> {
         if !model.contacts.is_empty() {
             return refused("regulators of a model with contacts are not there yet".to_owned(), "a law without them");
         }
-        if changes(model) && regulator.horizon.is_some() {
+        if is_watched(model) && regulator.horizon.is_some() {
             let title = "regulators over a horizon of a law that changes at conditions or events are not there yet";
             return refused(title.to_owned(), "no `horizon`, about an equilibrium; or a law without them");
         }

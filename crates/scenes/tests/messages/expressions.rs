@@ -94,9 +94,6 @@ fn one_slip_is_told_once_and_with_what_was_meant() {
     ] {
         one(&[("[outputs]", &event(when))], &[&format!("when = \"{meant}\", with direction")]);
     }
-    let friction =
-        [("(0.1 N)*N.x", "-(0.1 N)*sign(theta)*N.x - (3 N)*theta*N.x"), ("theta = \"0.3 rad\"", "theta = \"0 rad\"")];
-    one(&friction, &["`theta'`, if the sign of a speed is meant, as in dry friction -F*sign(theta')"]);
     one(&[("mass = \"m\"", "mass = \"m - (3.2 kg)\"")], &["it is -1.2 kg"]);
 }
 

@@ -52,7 +52,6 @@ fn a_start_without_a_motion_names_what_stops_it() {
     ];
     one(&pole, &["the acceleration of `phi` is not determined at the start", "no azimuth at the pole"]);
     one(&[("\"(0.1 N)*N.x\"", "\"(0.1 N)*ln(theta - 1)*N.x\"")], &["the forces on `theta` have no value at the start"]);
-    one(&[("\"(0.1 N)*N.x\"", "\"(100 N)*sign(theta')*N.x\"")], &["this is at zero at the start"]);
 }
 
 #[test]

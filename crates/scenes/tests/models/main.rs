@@ -1,6 +1,7 @@
 //! Systems as text: read, proved, run, beside closed forms and beside what must stay what it is.
 
 mod conformity;
+mod formulations;
 mod outputs;
 mod quasi_velocities;
 mod redundant;

@@ -1,16 +1,19 @@
-//! Contacts with Coulomb friction on systems that are text: beside the program's own rough systems, closed forms, and other texts.
+//! Contacts with Coulomb friction on systems that are text: beside closed forms, references to all digits, and other texts.
 
 mod belts;
 mod bounces;
+mod closed_forms;
 mod exact;
 mod feet;
 mod guides;
 mod impacts;
 mod ladders;
 mod rational_regimes;
+mod references;
 mod refusals;
 mod regimes;
 mod space;
+mod starts;
 mod stools;
 mod tripods;
 
@@ -31,6 +34,26 @@ fn stored(name: &str) -> String {
     std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{path}: {error}"))
 }
 
+/// A stored text with other values of parameters, of its start and of its run.
+fn edited(name: &str, values: &[(&str, &str)]) -> String {
+    let mut section = String::new();
+    let mut left = values.to_vec();
+    let mut lines = Vec::new();
+    for line in stored(name).lines() {
+        if line.starts_with('[') {
+            section = line.to_owned();
+        }
+        let key = line.split(" = ").next().unwrap_or_default();
+        let place = left.iter().position(|(known, _)| *known == key);
+        match place.filter(|_| ["[parameters]", "[start]", "[run]"].contains(&&*section)) {
+            Some(place) => lines.push(format!("{key} = \"{}\"", left.remove(place).1)),
+            None => lines.push(line.to_owned()),
+        }
+    }
+    assert!(left.is_empty(), "{name} has no {left:?}");
+    lines.join("\n")
+}
+
 fn last(trajectory: &Trajectory, name: &str) -> f64 {
     trajectory.last[trajectory.column(name).unwrap_or_else(|| panic!("{name}"))]
 }
@@ -44,16 +67,8 @@ fn events(trajectory: &Trajectory) -> Vec<f64> {
     trajectory.passages.iter().skip(1).map(|passage| passage.time).collect()
 }
 
-/// A rod of the length 2 l with one end on a rough line.
+/// The rod with one end on a rough line, at an angle, with a spin and a speed of the end.
 fn rod(angle: &str, spin: &str, slide: f64) -> String {
-    format!(
-        "title = \"rod\"\ngravity = \"-g*N.y\"\n[parameters]\nm = \"1 kg\"\nl = \"1 m\"\ng = \"9.81 m/s^2\"\nf = \"2\"\n\
-         [coordinates]\nx = \"m\"\ny = \"m\"\ntheta = \"rad\"\n[frames]\nR = \"N turned theta about z\"\n\
-         [points]\nG = \"O + x*N.x + y*N.y\"\nE = \"G - l*R.x\"\n\
-         [bodies.rod]\nframe = \"R\"\ncentre = \"G\"\nmass = \"m\"\ninertia = \"m*l^2/3\"\n\
-         [[contact]]\nname = \"end\"\nof = \"rod at E\"\nthrough = \"O\"\nnormal = \"N.y\"\nfriction = \"f\"\ntouching = true\n\
-         [outputs]\nsliding = \"sliding(end)\"\n\
-         [start]\ntheta = \"{angle}\"\n\"theta'\" = \"{spin}\"\n\"x'\" = \"guess {slide} m/s\"\n\
-         [run]\nspan = \"1 s\"\ntolerance = 1e-10\n"
-    )
+    let slide = format!("{slide} m/s");
+    edited("friction/jam", &[("theta", angle), ("\"theta'\"", spin), ("\"x'\"", &slide)])
 }

@@ -34,8 +34,7 @@ fn a_rod_as_text_has_the_regimes_and_reactions_of_rational_numbers() {
     {
         let angle = Circle::from_half_tangent(tenths(*half));
         let [sin, cos] = [angle.sin, angle.cos].map(|part| part.to_f64());
-        let slide = -1.0 - f64::from(*spin as i32) / 10.0 * sin;
-        let text = rod(&format!("{} rad", sin.atan2(cos)), &format!("{} rad/s", *spin as f64 / 10.0), slide)
+        let text = rod(&format!("{} rad", sin.atan2(cos)), &format!("{} rad/s", *spin as f64 / 10.0), -1.0)
             .replace("9.81", "1")
             .replace("f = \"2\"", &format!("f = \"{}\"", friction as f64 / 10.0));
         let (_, model) = parse_titled("scene.toml", &text, Task::Run).unwrap_or_else(|error| panic!("{error}"));

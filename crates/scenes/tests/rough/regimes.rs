@@ -24,7 +24,7 @@ fn shown(found: &Regimes) -> Vec<String> {
 fn painleves_rod_has_no_motion_one_or_several() {
     let none = of(&rod("63 deg", "0 rad/s", -3.0));
     assert_eq!((none.motions, shown(&none)), (Motions::None, Vec::new()));
-    let several = of(&rod("63 deg", "4 rad/s", -8.0));
+    let several = of(&rod("63 deg", "4 rad/s", -4.0));
     assert_eq!(several.motions, Motions::Several);
     let known = [
         "contact `end` slides backwards: normal reaction |N| 5.49765 N",
@@ -32,7 +32,7 @@ fn painleves_rod_has_no_motion_one_or_several() {
     ];
     assert_eq!(shown(&several), known);
     assert_eq!(several.regimes.iter().map(|regime| regime.motion).collect::<Vec<_>>(), [0, 1]);
-    let one = of(&rod("34 deg", "3 rad/s", -4.677_578_710_412_241));
+    let one = of(&rod("34 deg", "3 rad/s", -3.0));
     assert_eq!(one.motions, Motions::One);
     assert_eq!(shown(&one), ["contact `end` slides backwards: normal reaction |N| 17.03985 N"]);
 }
@@ -87,9 +87,8 @@ fn at_the_critical_friction_one_load_gives_motions_without_end() {
         assert_eq!(motions("2.25", "0"), Motions::None, "{across}");
         assert_eq!(motions("1.4", "3"), Motions::One, "{across}");
     }
-    let refused =
-        dalembert_scenes::ModelScene::parse("scene.toml", &sliders("1.5", "1", true)).expect_err("motions without end");
-    assert!(refused.to_string().contains("motions without end"), "{refused}");
+    let run = super::runs(&sliders("1.5", "1", true), integrators::Method::DormandPrince8, 1e-9);
+    assert!(run.stopped().is_some_and(|why| why.starts_with("does not begin: motions without end")));
 }
 
 /// N = mg cos - F sin is pushed up to what friction holds: at F = f m g exactly on the boundary.

@@ -27,6 +27,8 @@ pub struct Passage {
     pub what: String,
     /// The law that follows, in words; none where the motion ends.
     pub then: Option<String>,
+    /// The row that a run shows there: of the state after the event, by the law that follows.
+    pub row: Vec<f64>,
 }
 
 /// A system whose law, or state, changes at events.

@@ -26,7 +26,7 @@ pub enum Formulation {
     /// In redundant coordinates by Lagrange's multipliers, f'' = 0, and nothing else; a control that keeps an equation stands for
     /// the multiplier of one.
     IndexReduced,
-    /// In redundant coordinates, f'' = -2 w f' - w^2 f with w = 10/s (Baumgarte).
+    /// In redundant coordinates, f'' = -2 w f' - w^2 f with w = [`Formulation::RATE`] (Baumgarte).
     Led,
     /// As index-reduced, and brought onto f = 0 and f' = 0 after each step.
     Projected,
@@ -37,6 +37,9 @@ pub enum Formulation {
 }
 
 impl Formulation {
+    /// The rate w of [`Formulation::Led`], 1/s.
+    pub const RATE: f64 = 10.0;
+
     /// For tables and legends.
     pub fn name(self) -> &'static str {
         match self {

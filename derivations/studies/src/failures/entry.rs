@@ -2,6 +2,7 @@
 
 use super::{Exact, Trial};
 use reader::SceneError;
+use simulation::models::Modelled;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
@@ -97,10 +98,32 @@ impl Threshold {
 }
 
 impl NotFound {
+    /// A scene that says nothing of a datum.
+    pub(super) fn without(scene: &Path, datum: &str, accepted: &'static str) -> Self {
+        NotFound::unsuitable(scene, format!("nothing in it is called `{datum}`"), accepted)
+    }
+
     /// A scene of another kind.
     pub(super) fn unsuitable(scene: &Path, what: impl Into<String>, accepted: &'static str) -> Self {
         NotFound::Unsuitable { scene: scene.to_owned(), what: what.into(), accepted }
     }
+}
+
+/// Data of a scene whose system is written in it, by their names.
+///
+/// # Errors
+/// The first that it does not have.
+pub(super) fn data<const N: usize>(
+    scene: &dyn Modelled,
+    path: &Path,
+    names: [&str; N],
+    accepted: &'static str,
+) -> Result<[f64; N], NotFound> {
+    let mut found = [0.0; N];
+    for (value, name) in found.iter_mut().zip(names) {
+        *value = scene.value(name).ok_or_else(|| NotFound::without(path, name, accepted))?;
+    }
+    Ok(found)
 }
 
 impl From<SceneError> for NotFound {

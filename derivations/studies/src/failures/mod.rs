@@ -5,7 +5,8 @@
 //! * `exact`: a threshold as theory has it, rational, algebraic or a formula;
 //! * `bounds`: the longest steps that a method bears, as roots of its own one-step map;
 //! * `edge`: where a run ceases to hold, by halving; `at_a_parameter`: Newton's method, and how it is lost;
-//! * `trials`: every method on a scene under a budget, and what became of each; `slopes`: Jacobians of dear laws;
+//! * `trials`: every method on a scene under a budget, and what became of each; `slopes`: Jacobians of dear laws; `slip`: friction
+//!   whose direction is given;
 //! * one file for each way, in the order of the list below.
 //!
 //! A threshold by theory is computed from the scene's decimals, exactly; the measured one comes from runs alone: by halving
@@ -17,6 +18,7 @@ mod bounds;
 mod edge;
 mod entry;
 mod exact;
+mod slip;
 mod slopes;
 mod trials;
 

@@ -2,20 +2,20 @@
 
 use super::bounds::first_positive;
 use super::edge::edge;
-use super::trials::{BUDGET, Fate, every_method, fate_of};
+use super::entry::data;
+use super::slip::{Friction, Slip, parts};
+use super::trials::{BUDGET, Fate, across_events, every_method};
 use super::{Exact, Failing, Found, NotFound, Threshold, Trial, Within};
-use crate::friction::log::Names;
-use crate::friction::stretch::{Stretch, parts};
-use crate::friction::{ForRough, Rough, RoughScene};
 use crate::regimes::critical;
-use field::{Circle, Rational};
+use field::{Analytic, Circle, Rational};
 use integrators::{Method, Span, Tolerance, integrate};
 use mechanics::constrained::State;
-use mechanics::constrained::contacts::Contacts;
-use mechanics::regimes::{Direction, Face, Mode, Verdict, posed, verdict};
-use reader::Family;
+use mechanics::regimes::Direction;
+use simulation::Axes;
+use simulation::models::{Modelled, open};
 use std::path::Path;
 use symbolic::Sym;
+use systems::slender_rod::SlenderRod;
 
 pub const FAILING: Failing = Failing {
     name: "painleve",
@@ -30,16 +30,15 @@ pub const FAILING: Failing = Failing {
 /// As close as an angle can be told.
 const SHARP: f64 = 1e-13;
 
+const ACCEPTED: &str = "a rod with the data m, l, kappa, g, f and the coordinates x, theta, as that of the scene jam";
+
 fn measure(path: &Path) -> Result<Found, NotFound> {
-    let scene = RoughScene::open(path)?;
-    let Rough::SlenderRod(rod) = &scene.system else {
-        let accepted = "system = \"slender_rod\"";
-        return Err(NotFound::unsuitable(path, format!("this is a {}", scene.system.name()), accepted));
-    };
-    let kappa = Rational::decimal(rod.mass * rod.half_length * rod.half_length / rod.inertia);
+    let scene = open(path)?;
+    let [mass, half_length, kappa, gravity, friction] = data(&*scene, path, ["m", "l", "kappa", "g", "f"], ACCEPTED)?;
+    let [slide, _] = data(&*scene, path, ["x'", "theta"], ACCEPTED)?;
     let u = Sym::symbol("u");
-    let room = critical::rod(Sym::constant(kappa), Circle::from_half_tangent(u))
-        - Sym::constant(Rational::decimal(rod.friction));
+    let room = critical::rod(Sym::constant(Rational::decimal(kappa)), Circle::from_half_tangent(u))
+        - Sym::constant(Rational::decimal(friction));
     let half = first_positive(room, u);
     let Some(half) = half.filter(|half| half.to_f64() < 1.0) else {
         return Err(NotFound::unsuitable(path, "its friction is critical at no angle", "a friction above 4/3"));
@@ -54,74 +53,50 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
         measured,
         within: Within::Share(parts),
     };
-    let determined = |angle: f64| RoughScene { angle, ..scene.clone() }.apply(Determined);
-    let course = scene.follow(&scene.plan, &mut |_| ());
-    let last = course.column("angle").and_then(|angle| course.last().get(angle).copied());
+    let run = scene.run().choice();
+    let trajectory = scene.problem(Axes::default()).simulate(&run, |_| ());
+    let last = trajectory.column("theta").and_then(|theta| trajectory.last.get(theta).copied());
     let thresholds = vec![
         threshold(
             "angle from which on no regime is consistent",
-            edge(0.9 * at, 1.1 * at, SHARP, determined),
+            edge(0.9 * at, 1.1 * at, SHARP, |angle| has_one_motion(&*scene, angle)),
             1_000_000_000,
         ),
         threshold("angle at which a rod that turns towards it jams", last, 1_000_000_000),
     ];
-    let one = |(by, method): (String, Method)| {
-        let mut plan = scene.plan.clone();
-        (plan.method, plan.tolerance, plan.evaluations) = (method, Tolerance::both(1e-9), Some(BUDGET));
-        let fate = fate_of(&scene.follow(&plan, &mut |_| ()), |_| false)?;
-        Some(Trial { by, fate })
-    };
+    let problem = scene.problem(Axes::default());
+    let one =
+        |(by, method): (String, Method)| Some(Trial { by, fate: across_events(&problem, (method, 1e-9), |_| false)? });
     let mut trials: Vec<Trial> = every_method(1_000).filter_map(one).collect();
-    let beyond = RoughScene { angle: 1.2 * at, spin: 0.0, ..scene.clone() };
-    trials.push(Trial { by: "slip taken for granted beyond it".to_owned(), fate: beyond.apply(Granted) });
-    Ok(Found { thresholds, diagnosis: course.ending, trials })
+    let inertia = mass * half_length * half_length / kappa;
+    let rod = SlenderRod { mass, inertia, half_length, gravity, friction };
+    trials.push(Trial { by: "slip taken for granted beyond it".to_owned(), fate: granted(rod, 1.2 * at, slide) });
+    Ok(Found { thresholds, diagnosis: trajectory.stopped().unwrap_or_default(), trials })
 }
 
-/// Whether a state has one motion.
-struct Determined;
-
-impl ForRough for Determined {
-    type Output = bool;
-
-    fn apply<Q, const N: usize, const C: usize, const K: usize>(
-        self,
-        system: &Q,
-        start: State<f64, N>,
-        _names: Names<K>,
-    ) -> bool
-    where
-        Q: Contacts<N, C, K, Given = f64>,
-    {
-        posed(system, &start).is_ok_and(|(dry, touch)| matches!(verdict(&dry, &touch), Verdict::Unique(_)))
-    }
+/// Whether one motion goes on from the start of a scene at another angle.
+fn has_one_motion(scene: &dyn Modelled, angle: f64) -> bool {
+    let turned = scene.with_values(&[("theta", angle)]);
+    turned.is_ok_and(|turned| {
+        let problem = turned.problem(Axes::default());
+        let mut state = problem.state.clone();
+        problem.switching.is_some_and(|switching| switching.begin(0.0, &mut state).is_ok())
+    })
 }
 
-/// A run that takes the slip backwards for granted and asks no regime: a hundredth of a second.
-struct Granted;
-
-impl ForRough for Granted {
-    type Output = Fate;
-
-    fn apply<Q, const N: usize, const C: usize, const K: usize>(
-        self,
-        system: &Q,
-        start: State<f64, N>,
-        _names: Names<K>,
-    ) -> Fate
-    where
-        Q: Contacts<N, C, K, Given = f64>,
-    {
-        let regime = [Mode::Slip(Direction::Backwards, Face::Front); K];
-        let slip = Stretch { system, regime, rough: [true; K], rests: false, orientation: 1.0, speed: 1.0, load: 1.0 };
-        let y = [&start.place[..], &start.velocity[..], &[0.0, 0.0]].concat();
-        let span = Span::new(0.0, 0.01, &y).with_evaluations(BUDGET);
-        let outcome = integrate(&slip, Method::DormandPrince8, &Tolerance::both(1e-9), &span, &mut ());
-        let reactions = slip.solve(&parts::<f64, N>(outcome.time, &outcome.state)).map(|(_, it)| it.reactions());
-        let pulls = reactions.is_some_and(|all| all.iter().any(|[normal, _]| *normal < 0.0));
-        match outcome.failure() {
-            Some(failure) => Fate::Stops(failure.name().to_owned()),
-            None if pulls => Fate::Wrong,
-            None => Fate::Holds,
-        }
+/// A run that takes the slip backwards for granted and asks no regime, from an angle without a spin: a hundredth of a second.
+fn granted(rod: SlenderRod<f64>, angle: f64, slide: f64) -> Fate {
+    let (l, Circle { cos, sin }) = (rod.half_length, angle.circle());
+    let start = State { time: 0.0, place: [l * cos, l * sin, cos, sin], velocity: [slide, 0.0, 0.0, 0.0] };
+    let slip: Slip<_, 4, 1> = Slip { system: rod, friction: Friction::Granted(Direction::Backwards) };
+    let y = [start.place, start.velocity].concat();
+    let span = Span::new(0.0, 0.01, &y).with_evaluations(BUDGET);
+    let outcome = integrate(&slip, Method::DormandPrince8, &Tolerance::both(1e-9), &span, &mut ());
+    let motion = slip.motion(&parts::<f64, 4>(outcome.time, &outcome.state));
+    let pulls = motion.is_some_and(|(_, [normal, _])| normal < 0.0);
+    match outcome.failure() {
+        Some(failure) => Fate::Stops(failure.name().to_owned()),
+        None if pulls => Fate::Wrong,
+        None => Fate::Holds,
     }
 }

@@ -1,19 +1,20 @@
 //! Sliding reversals and chatter.
 
 use super::edge::edge;
-use super::slopes::ByTangents;
-use super::trials::{BUDGET, Fate, Tried, every_method, fate_of};
+use super::entry::data;
+use super::slip::{Friction, Slip};
+use super::trials::{Fate, Tried, across_events, every_method};
 use super::{Exact, Failing, Found, NotFound, Threshold, Trial, Within};
-use crate::friction::stretch::{motion_of_contacts, parts};
-use crate::friction::{Course, Rough, RoughScene};
-use field::{Analytic, Over, Rational, Scalar};
-use integrators::{Method, Observer, Ode, Slopes, Tolerance, integrate};
+use field::{Rational, Scalar};
+use integrators::{Method, Observer, Record, Span, Tolerance, integrate};
+use mechanics::constrained::contacts::Sides;
 use mechanics::constrained::{State, System};
 use mechanics::regimes::cramer::Cramer;
 use mechanics::regimes::{Direction, Face, Mode, Seen};
 use num_traits::Zero;
-use reader::Family;
 use simulation::events::Margins;
+use simulation::models::{Modelled, open};
+use simulation::{Axes, Trajectory};
 use std::path::Path;
 use systems::steered_rod::SteeredRod;
 
@@ -31,36 +32,38 @@ pub const FAILING: Failing = Failing {
 const STEPS: u32 = 5_000;
 /// Evaluations that a method may spend on a law that jumps.
 const FEW: u64 = 21_000;
-/// A speed that is none, m/s.
+/// A speed that is none, m/s; where it is looked for by halving, rounding alone is none.
 const REST: f64 = 1e-9;
+const STILL: f64 = 1e-13;
 /// Within which a sign is smoothed, m/s.
 const SMOOTH: f64 = 1e-3;
 
 type Rod<P> = SteeredRod<P>;
+/// The rod with no events.
+type Sign = Slip<Rod<f64>, 4, 2>;
+
+const ACCEPTED: &str =
+    "a rod with the data m1, m2, l, g, f, X and the coordinates x, theta, as that of the scene stopping_rod";
 
 fn measure(path: &Path) -> Result<Found, NotFound> {
-    let scene = RoughScene::open(path)?;
-    let Rough::SteeredRod(rod) = &scene.system else {
-        let accepted = "system = \"steered_rod\"";
-        return Err(NotFound::unsuitable(path, format!("this is a {}", scene.system.name()), accepted));
-    };
-    if scene.angle != 0.0 || scene.slide <= 0.0 {
-        return Err(NotFound::unsuitable(
-            path,
-            "it does not slide along its guide",
-            "angle = \"0 deg\" and a positive sliding",
-        ));
+    let scene = open(path)?;
+    let names = ["m1", "m2", "l", "g", "f", "X"];
+    let [guided, free, length, gravity, friction, drive] = data(&*scene, path, names, ACCEPTED)?;
+    let [angle, slide] = data(&*scene, path, ["theta", "x'"], ACCEPTED)?;
+    let rod = Rod { guided, free, length, gravity, drive, friction, sides: Sides::Two };
+    if angle != 0.0 || slide <= 0.0 {
+        let accepted = "theta = \"0 deg\" and a positive speed x'";
+        return Err(NotFound::unsuitable(path, "it does not slide along its guide", accepted));
     }
-    let exact = decimals(rod);
-    let speed = Rational::decimal(scene.slide);
+    let exact = decimals(&rod);
+    let speed = Rational::decimal(slide);
     let stop = -speed / sliding(&exact, speed, Direction::Forwards);
-    let course = scene.follow(&scene.plan, &mut |_| ());
     let stops = Threshold {
         of: "instant of rest, by events",
         formula: r"$mv_0/(fN-X)$",
         exact: Exact::Number(stop),
         unit: "s",
-        measured: course.log.get(1).map(|line| line.time),
+        measured: run(&*scene).passages.get(1).map(|event| event.time),
         within: Within::Share(1_000_000_000),
     };
     // from rest backwards, by a push that is linear in the acceleration
@@ -73,12 +76,12 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
         formula: r"$-fN$",
         exact: Exact::Number(turns),
         unit: "N",
-        measured: edge(0.9 * at, 1.1 * at, 1e-12, |drive| rests(&scene, rod, drive)),
+        measured: edge(0.9 * at, 1.1 * at, 1e-12, |drive| stays(&*scene, drive)),
         within: Within::Share(1_000_000_000),
     };
-    let law = Sign { rod: *rod, smooth: 0.0 };
-    let start = law.start(scene.slide);
-    let span = scene.plan.end;
+    let law = Sign { system: rod, friction: Friction::Sign { smooth: 0.0 } };
+    let at_start = along(length, slide);
+    let (start, span) = ([at_start.place, at_start.velocity].concat(), scene.run().span);
     let chatter = Threshold {
         of: "greatest speed of Euler's chatter with friction as a sign",
         formula: r"$h(fN+X)/m$",
@@ -87,15 +90,15 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
         measured: chatter(&law, &start, span, stop.to_f64()),
         within: Within::Share(100),
     };
-    let mut trials: Vec<Trial> =
-        every_method(STEPS).filter_map(|(by, method)| by_events(&scene, &by, method)).collect();
+    let by_events = |(by, method)| by_events(&*scene, by, method);
+    let mut trials: Vec<Trial> = every_method(STEPS).filter_map(by_events).collect();
     let free: &Margins = &|_, _, _| Vec::new();
     let tried =
         Tried { law: &law, state: &start, span, tolerance: 1e-9, steps: STEPS, outputs: 1, budget: FEW, margins: free };
     let resting = |y: &[f64]| y.get(4).is_some_and(|speed| speed.abs() < REST);
     let signed = tried.all(|record| record.states.last().is_some_and(|y| resting(y)));
     trials.extend(signed.into_iter().map(|trial| Trial { by: format!("as a sign, {}", trial.by), ..trial }));
-    let smooth = Sign { smooth: SMOOTH, ..law };
+    let smooth = Sign { friction: Friction::Sign { smooth: SMOOTH }, ..law };
     let (outcome, ..) = Tried { law: &smooth, ..tried }.run(Method::Radau5);
     let fate = if resting(&outcome.state) { Fate::Holds } else { Fate::Wrong };
     trials.push(Trial { by: "as a smooth sign, radau_5".to_owned(), fate });
@@ -127,62 +130,27 @@ fn sliding(rod: &Rod<Rational>, speed: Rational, direction: Direction) -> Ration
     })
 }
 
-/// Whether the rod stays where it stops, under a push.
-fn rests(scene: &RoughScene, rod: &Rod<f64>, drive: f64) -> bool {
-    let pushed = RoughScene { system: Rough::SteeredRod(Rod { drive, ..*rod }), ..scene.clone() };
-    let course = pushed.follow(&pushed.plan, &mut |_| ());
-    course.log.get(1).is_some_and(|line| line.slides == [0])
+/// The scene as it runs.
+fn run(scene: &dyn Modelled) -> Trajectory {
+    scene.problem(Axes::default()).simulate(&scene.run().choice(), |_| ())
+}
+
+/// Whether the rod stays where it stops, under a push: friction leaves rounding of its speed, and any other push more.
+fn stays(scene: &dyn Modelled, drive: f64) -> bool {
+    let pushed = scene.with_values(&[("X", drive)]).map(|pushed| run(&*pushed));
+    pushed.is_ok_and(|pushed| {
+        let speed = pushed.column("x'").map(|speed| pushed.last[speed].abs());
+        pushed.outcome.reached() && speed.is_some_and(|speed| speed < STILL)
+    })
 }
 
 /// A method between events.
-fn by_events(scene: &RoughScene, by: &str, method: Method) -> Option<Trial> {
-    let mut plan = scene.plan.clone();
-    (plan.method, plan.evaluations) = (method, Some(BUDGET));
-    let course = scene.follow(&plan, &mut |_| ());
-    let speed = |course: &Course| course.column("sliding_guide").and_then(|at| course.last().get(at).copied());
-    let fate = fate_of(&course, |course| speed(course).is_some_and(|speed| speed.abs() < REST))?;
+fn by_events(scene: &dyn Modelled, by: String, method: Method) -> Option<Trial> {
+    let problem = scene.problem(Axes::default());
+    let speed = problem.columns.iter().position(|name| name == "x'")?;
+    let rests = |record: &Record<f64>| record.states.last().is_some_and(|y| y[speed].abs() < REST);
+    let fate = across_events(&problem, (method, scene.run().tolerance), rests)?;
     Some(Trial { by: format!("by events, {by}"), fate })
-}
-
-/// The rod with friction as a sign, -f N v/sqrt(v^2 + e^2), with no events: y = (x, x').
-#[derive(Clone, Copy)]
-struct Sign {
-    rod: Rod<f64>,
-    smooth: f64,
-}
-
-impl Sign {
-    fn start(&self, speed: f64) -> Vec<f64> {
-        let at = along(self.rod.length, speed);
-        [at.place, at.velocity].concat()
-    }
-}
-
-impl<S: Over<f64> + Analytic> Ode<S> for Sign {
-    fn dimension(&self) -> usize {
-        8
-    }
-
-    fn rates(&self, t: S, y: &[S], dy: &mut [S]) {
-        let at = parts::<S, 4>(t, y);
-        let Ok(mut seen) = Seen::<S, 4, 1>::of::<_, 2>(&self.rod, &at, self.rod.force(&at)) else {
-            dy.fill(S::zero() / S::zero());
-            return;
-        };
-        let [[_, along]] = motion_of_contacts::<_, S, 4, 2, 1>(&self.rod, &at);
-        let size = (along.slope.squared() + S::lift(self.smooth).squared()).sqrt();
-        seen.dry.friction[0] *= along.slope / size;
-        let forwards = [Mode::Slip(Direction::Forwards, Face::Front)];
-        let acceleration = seen.acceleration(&Cramer::of(&seen.dry, &forwards).reactions());
-        dy[..4].copy_from_slice(&at.velocity);
-        dy[4..].copy_from_slice(&acceleration);
-    }
-}
-
-impl integrators::System for Sign {
-    fn slopes(&self) -> Option<Box<dyn Slopes + '_>> {
-        Some(Box::new(ByTangents::of(self)))
-    }
 }
 
 /// The greatest speed after the instant at which the rod should rest.
@@ -197,7 +165,7 @@ fn chatter(law: &Sign, start: &[f64], end: f64, rest: f64) -> Option<f64> {
     }
     // a few steps later, when it has crossed rest
     let mut greatest = Greatest(rest + 10.0 * end / f64::from(STEPS), 0.0);
-    let span = integrators::Span::new(0.0, end, start);
+    let span = Span::new(0.0, end, start);
     let euler = Method::Euler { steps: STEPS };
     integrate(law, euler, &Tolerance::both(1e-9), &span, &mut greatest).reached().then_some(greatest.1)
 }

@@ -1,14 +1,15 @@
 //! The integrable constraint of task 1 where sin(theta) goes to zero.
 
+use super::entry::data;
 use super::trials::{BUDGET, Tried, near};
 use super::{Exact, Failing, Found, NotFound, Threshold, Trial, Within};
-use crate::friction::{Rough, RoughScene};
 use crate::mechanisms::bodies::charted;
 use field::{Analytic, Over};
 use integrators::{Method, Observer, Ode, Record, Span, Tolerance, integrate};
+use mechanics::constrained::contacts::Sides;
 use mechanics::constrained::{Charted, State, System};
-use reader::Family;
 use simulation::events::Margins;
+use simulation::models::open;
 use std::f64::consts::{LN_2, PI};
 use std::path::Path;
 use systems::steered_rod::SteeredRod;
@@ -28,17 +29,19 @@ const TOLD: f64 = LN_2;
 /// Steps of the runs in which that is looked for, while the distance falls to 1/e.
 const STEPS_TO_A_FOLD: f64 = 2.0;
 
+const ACCEPTED: &str =
+    "a rod with the data m1, m2, l, g, f and the coordinates x, theta, as that of the scene straightening_rod";
+
 fn measure(path: &Path) -> Result<Found, NotFound> {
-    let scene = RoughScene::open(path)?;
-    let Rough::SteeredRod(rod) = scene.system else {
-        let accepted = "system = \"steered_rod\"";
-        return Err(NotFound::unsuitable(path, format!("this is a {}", scene.system.name()), accepted));
-    };
-    if rod.friction != 0.0 || scene.slide <= 0.0 || scene.angle.sin() <= 0.0 {
-        let accepted = "friction = \"0\", a positive sliding, an angle between 0 and 180 degrees";
+    let scene = open(path)?;
+    let [guided, free, length, gravity, friction] = data(&*scene, path, ["m1", "m2", "l", "g", "f"], ACCEPTED)?;
+    let [theta, speed] = data(&*scene, path, ["theta", "x'"], ACCEPTED)?;
+    if friction != 0.0 || speed <= 0.0 || theta.sin() <= 0.0 {
+        let accepted = "f = \"0\", a positive speed x', theta between 0 and 180 degrees";
         return Err(NotFound::unsuitable(path, "this rod does not straighten", accepted));
     }
-    let (theta, speed, span) = (scene.angle, scene.slide, scene.plan.end);
+    let rod = SteeredRod { guided, free, length, gravity, drive: 0.0, friction, sides: Sides::Two };
+    let span = scene.run().span;
     let first = (0.5 * theta).tan().ln();
     // pi - fl(pi) is the sine of the float
     let last = PI.sin() + 0.5 * f64::EPSILON;

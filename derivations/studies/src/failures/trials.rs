@@ -1,6 +1,5 @@
 //! Every method on a scene under a budget, and what became of each.
 
-use crate::friction::Course;
 use integrators::{End, Failure, Method, Outcome, Record, Span, System, Tolerance, beside};
 use simulation::events::{Ending, Margins};
 use simulation::{Problem, methods};
@@ -29,7 +28,7 @@ pub struct Trial {
     pub fate: Fate,
 }
 
-/// The evaluations that a method may usually spend, across events in each stretch: no clock, whose answer would be the
+/// The evaluations that a method may usually spend: no clock, whose answer would be the
 /// machine's.
 pub const BUDGET: u64 = 200_000;
 
@@ -158,15 +157,17 @@ pub fn near(record: &Record<f64>, right: &Record<f64>, share: f64) -> bool {
     record.times == right.times && record.states.iter().zip(&right.states).all(close)
 }
 
-/// A run across events in words: `None` where the method does not accept the law.
-pub fn fate_of(course: &Course, holds: impl Fn(&Course) -> bool) -> Option<Fate> {
-    if course.rows.iter().flatten().any(|x| !x.is_finite()) {
-        return Some(Fate::Undefined);
-    }
-    if course.reached {
-        return Some(if holds(course) { Fate::Holds } else { Fate::Wrong });
-    }
-    let told = course.ending.split([':', ',']).next().unwrap_or_default();
-    let told = told.split(" at t =").next().unwrap_or_default();
-    (told != "refused").then(|| Fate::Stops(told.to_owned()))
+/// A method on a problem across its events: `None` where it does not accept the law.
+pub fn across_events(
+    problem: &Problem,
+    (method, tolerance): (Method, f64),
+    holds: impl Fn(&Record<f64>) -> bool,
+) -> Option<Fate> {
+    let span = Span::new(0.0, problem.span, &problem.state).with_even_outputs(1).with_evaluations(BUDGET);
+    let mut record = Record::new();
+    let (outcome, left) = problem.integrate(method, &Tolerance::both(tolerance), &span, &mut record);
+    let accepted = !matches!(outcome.failure(), Some(Failure::Refused(_)));
+    // the first clause: what follows explains it
+    let left = left.and_then(|why| why.split(':').next());
+    accepted.then(|| fate(&outcome, &record, left, holds))
 }

@@ -2,6 +2,7 @@
 
 use super::choose::{MOST, Mixed, Models, OF_METHOD};
 use super::estimate::Estimate;
+use super::models::across_events;
 use super::plan::{FINEST, PILOTS, Plan, Runnable, plans};
 use super::receipt::{Line, OF_MODEL, Verdict, Wish};
 use super::switching::LOOKING;
@@ -137,6 +138,7 @@ fn cheaper(ladder: &Ladder, line: usize, rich: usize) -> bool {
 fn runnable(ladder: &Ladder, line: usize, axes: Axes) -> Runnable<'_> {
     let span = ladder.own.span;
     match line.checked_sub(1).and_then(|rung| ladder.rungs.get(rung)) {
+        None if ladder.own.switching.is_some() => across_events(axes, &ladder.own),
         None => {
             let (law, start) = (Arc::clone(&ladder.own.law), ladder.own.state.clone());
             let outside = |time: f64, y: &[f64]| ladder.own.outside(time, y).is_some();

@@ -5,13 +5,13 @@
 //! * [`lumping`]: windings lumped without any loss, found and proved from the machine's laws; [`elimination`];
 //! * [`currents`]: what stands for currents that are not followed, `slaved` the rungs of that; `resting`: of those that a supply
 //!   feeds; `smaller`: other machines of the scene's data;
-//! * [`motors`], [`rough`]: the ladders of scenes; those of mechanisms stand with these;
+//! * [`motors`], [`models`]: the ladders of scenes; those of mechanisms stand with these;
 //! * [`watched`]: what of a run matters; [`followed`]: runs at the instants at which that is seen;
 //! * [`carried`]: the error that the defect makes, carried by the richer law; [`estimate`]: its run;
 //! * [`dual`]: the same by transition matrices, weighed for each output: where along the run an error comes from;
 //! * [`switching`]: a smaller model on those stretches only; [`linear`]: what weighs its losses;
-//! * [`along`]: a run's rows at its steps; [`plan`]: the cheapest method and form for a rung; [`choose`](mod@choose): the cheapest of any [`choose::Models`], those
-//!   of [`forms`] and of rough contacts alike, with its [`receipt`].
+//! * [`along`]: a run's rows at its steps; [`plan`]: the cheapest method and form for a rung; [`choose`](mod@choose): the cheapest of any [`choose::Models`], as
+//!   those of [`forms`] are, with its [`receipt`].
 //!
 //! Key results: a step with a vanishing defect is exact, which is decided over expressions; of every other the error is
 //! estimated to first order, with the second order beside it. Neither is a bound; [`lumping::merged_at_most`] is one.
@@ -27,11 +27,11 @@ pub mod followed;
 pub mod forms;
 pub mod linear;
 pub mod lumping;
+pub mod models;
 pub mod motors;
 pub mod plan;
 pub mod receipt;
 mod resting;
-pub mod rough;
 pub mod rung;
 mod slaved;
 mod smaller;
@@ -57,8 +57,6 @@ pub enum Loss {
     Own,
     /// Nothing: proved here for these data, and for all of them by this claim of the ledger, where there is one.
     Nothing { claim: Option<&'static str> },
-    /// Nothing while what it holds by holds: on this run by so much at least, at that time; tested, not enclosed.
-    Held { margin: f64, at: f64 },
     /// Something, that is small where this is.
     Small { parameter: &'static str },
 }

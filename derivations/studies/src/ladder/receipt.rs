@@ -75,8 +75,6 @@ pub enum Verdict {
     NotCarried,
     /// No method reached the end.
     NotRun,
-    /// The run leaves the regime that it would hold.
-    NotHeld,
 }
 
 /// A run.

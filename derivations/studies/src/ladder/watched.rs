@@ -34,6 +34,9 @@ impl Ladder {
     /// # Errors
     /// Where the run does not reach its end.
     pub fn watched(&self, names: &[String]) -> Result<(Watched, u64), Failure> {
+        if self.own.switching.is_some() {
+            return self.watched_across_events(names);
+        }
         let (law, start) = (&self.law, &self.start);
         let (outputs, mut stiff): (Vec<f64>, bool) = (looks(self.own.span).collect(), false);
         let coarse = Tolerance::both(COARSE);

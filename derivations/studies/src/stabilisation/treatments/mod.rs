@@ -19,6 +19,7 @@ pub use timed::times;
 use super::schemes::Scheme;
 use integrators::Failure;
 use run::Run;
+use simulation::work_precision::Formulation;
 
 /// What is done about the constraint.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -76,7 +77,7 @@ pub struct Line {
 }
 
 /// The rate at which moderate gains bring a violation back, 1/s.
-pub const MODERATE: f64 = 10.0;
+pub const MODERATE: f64 = Formulation::RATE;
 
 /// Every method with a number of steps, and with twice as many.
 pub const RUNS: [(Scheme, u32); 8] = [

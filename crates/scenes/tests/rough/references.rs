@@ -1,58 +1,48 @@
-//! Motions across events to 25 digits: kept for every scene that has one, their own, and beside what is known in closed form.
+//! Motions across stick, slip and detachment to 25 digits: kept for every scene that has one, its own, and beside closed forms.
 
-use dalembert_derivations::studies::AnyScene;
-use dalembert_derivations::studies::friction::closed::climbed;
-use dalembert_derivations::studies::friction::exact::Regimes;
-use dalembert_derivations::studies::friction::{Rough, RoughScene};
-use dalembert_derivations::studies::regimes::critical;
-use field::{Circle, DoubleDouble, Over, Scalar};
+use super::closed_forms::climbed;
+use super::stored;
+use dalembert_scenes::ModelScene;
+use field::{Analytic, DoubleDouble, Over};
 use integrators::{Attempt, End, Failure, Method, Record, Span, Tolerance};
-use reader::Family;
 use simulation::references::Unknown;
-use simulation::work_precision::Treated;
-use simulation::work_precision::judged_across_events;
-use simulation::{Stored, Trials, references};
-use std::path::{Path, PathBuf};
+use simulation::work_precision::{Hybrid, Treated, judged_across_events};
+use simulation::{Choice, Smooth, Stored, Trials, references};
+use std::path::Path;
 use std::time::Duration;
+use studies::regimes::critical;
 
 const DIGITS: f64 = 25.0;
 const PATIENCE: Duration = Duration::from_secs(600);
 
-fn path(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes").join(name).with_extension("toml")
-}
+/// Every scene with contacts in the folders of friction and of failures but one, in which nothing moves.
+const SCENES: [&str; 6] = [
+    "friction/climbed_ladder",
+    "friction/jam",
+    "friction/pushed_ladder",
+    "friction/steered_rod",
+    "failures/stopping_rod",
+    "failures/straightening_rod",
+];
 
-fn open(name: &str) -> RoughScene {
-    RoughScene::open(&path(name)).unwrap_or_else(|error| panic!("{error}"))
+fn open(name: &str) -> ModelScene {
+    ModelScene::parse(name, &stored(name)).unwrap_or_else(|error| panic!("{error}"))
 }
 
 fn kept(name: &str) -> Stored {
-    let text =
-        std::fs::read_to_string(references::place(&path(name))).unwrap_or_else(|error| panic!("{name}: {error}"));
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes").join(name).with_extension("toml");
+    let text = std::fs::read_to_string(references::place(&path)).unwrap_or_else(|error| panic!("{name}: {error}"));
     Stored::read(&text).unwrap_or_else(|wrong| panic!("{name}: {wrong}"))
 }
 
-/// Every scene with rough contacts but one, in which nothing moves.
-fn scenes() -> Vec<String> {
-    let mut names = Vec::new();
-    for folder in ["friction", "failures"] {
-        let files = std::fs::read_dir(path(folder).with_extension("")).expect("the folder is there");
-        for file in files.map(|file| file.expect("it can be listed").path()) {
-            let is_scene = file.extension().is_some_and(|end| end == "toml");
-            if is_scene && let Ok(AnyScene::Rough(_)) = AnyScene::open(&file) {
-                let stem = file.file_stem().expect("it has a name").to_string_lossy();
-                names.push(format!("{folder}/{stem}"));
-            }
-        }
-    }
-    names.sort();
-    assert!(names.len() >= 7, "{names:?}");
-    names.retain(|name| name != "friction/painleve");
-    names
+/// A parameter, or a part of the start.
+fn value(scene: &ModelScene, name: &str) -> f64 {
+    use simulation::models::Modelled;
+    scene.value(name).unwrap_or_else(|| panic!("{name}"))
 }
 
-fn exactly(number: f64) -> DoubleDouble {
-    DoubleDouble::lift(number)
+fn exactly(scene: &ModelScene, name: &str) -> DoubleDouble {
+    DoubleDouble::lift(value(scene, name))
 }
 
 /// Whether two numbers differ by less than what a reference claims.
@@ -62,22 +52,24 @@ fn close(name: &str, a: DoubleDouble, b: DoubleDouble, digits: f64) {
 }
 
 #[test]
-fn every_motion_with_rough_contacts_has_a_reference_of_25_digits_that_is_its_own() {
-    for name in scenes() {
-        let (scene, kept) = (open(&name), kept(&name));
+fn every_motion_has_a_reference_of_25_digits_that_is_its_own() {
+    for name in SCENES {
+        let (scene, kept) = (open(name), kept(name));
         assert!(kept.reference.digits >= DIGITS, "{name}: {} digits", kept.reference.digits);
-        assert!(kept.belongs_to(&Regimes::of(&scene)), "{name} has changed: `dalembert reference` makes it anew");
-        let text = kept.write(&name);
+        assert!(kept.belongs_to(&*scene.owner()), "{name} has changed: `dalembert reference` makes it anew");
+        let text = kept.write(name);
         let again = Stored::read(&text).unwrap_or_else(|wrong| panic!("{name}: {wrong}"));
         assert_eq!((&again.reference.states, &again.events), (&kept.reference.states, &kept.events), "{name}");
-        assert_eq!(again.write(&name), text, "{name}");
+        assert_eq!(again.write(name), text, "{name}");
     }
 }
 
 #[test]
-fn what_has_no_motion_has_no_reference() {
+fn a_start_without_a_motion_has_no_reference() {
     let unknown = open("friction/painleve").exact(PATIENCE).map(|exact| exact.reference.digits);
-    assert!(matches!(unknown, Err(Unknown::Ends(why)) if why.contains("no regime is consistent")));
+    assert!(
+        matches!(unknown, Err(Unknown::Ends(why)) if why.contains("no case of its conditions and contacts agrees"))
+    );
 }
 
 #[test]
@@ -100,14 +92,12 @@ fn a_reference_made_again_is_the_one_that_is_kept() {
 
 #[test]
 fn runs_in_f64_have_the_events_of_the_reference() {
-    for name in scenes() {
-        let (scene, kept) = (open(&name), kept(&name));
-        let course = scene.follow(&scene.plan, &mut |_| ());
-        let mut times: Vec<f64> = course.log.iter().skip(1).map(|line| line.time).collect();
-        if !course.reached {
-            times.push(*course.times.last().expect("there are instants"));
-        }
-        assert_eq!(times.len(), kept.events.len(), "{name}");
+    for name in SCENES {
+        let (scene, kept) = (open(name), kept(name));
+        let choice = scene.run().choice();
+        let trajectory = scene.problem(choice.axes).simulate(&choice, |_| ());
+        let times: Vec<f64> = trajectory.passages.iter().skip(1).map(|passage| passage.time).collect();
+        assert_eq!(times.len(), kept.events.len(), "{name}: {:?}", trajectory.passages);
         for (time, event) in times.iter().zip(&kept.events) {
             assert!((time - event.time.hi()).abs() < 1e-8 * time, "{name}: {time}, {}", event.time.hi());
         }
@@ -118,25 +108,20 @@ fn runs_in_f64_have_the_events_of_the_reference() {
 #[test]
 fn a_rod_that_is_retarded_evenly_stops_when_it_should() {
     let (kept, scene) = (kept("failures/stopping_rod"), open("failures/stopping_rod"));
-    let Rough::SteeredRod(rod) = scene.system else { panic!("it is a steered rod") };
-    let [guided, free, friction, drive] = [rod.guided, rod.free, rod.friction, rod.drive].map(exactly);
-    // weights are data: products in `f64`
-    let [pressing, lifting] = [rod.guided * rod.gravity, rod.free * rod.gravity].map(exactly);
-    let retardation = (friction * (pressing - lifting) - drive) / (guided + free);
-    close("the stop", kept.events[0].time, exactly(scene.slide) / retardation, kept.reference.digits);
+    let [guided, free, friction, drive, gravity, speed] =
+        ["m1", "m2", "f", "X", "g", "x'"].map(|name| exactly(&scene, name));
+    let retardation = (friction * gravity * (guided - free) - drive) / (guided + free);
+    close("the stop", kept.events[0].time, speed / retardation, kept.reference.digits);
 }
 
 /// When both reactions are on their cones, at the angle that the reference has.
 #[test]
 fn a_climbed_ladder_slips_when_statics_says() {
     let (kept, scene) = (kept("friction/climbed_ladder"), open("friction/climbed_ladder"));
-    let Rough::ClimbedLadder(it) = scene.system else { panic!("it is a climbed ladder") };
     let slip = &kept.events[1];
-    let point = Circle { cos: slip.state[2], sin: slip.state[3] };
-    let data = [it.ladder.friction[0], it.weight, it.ladder.half_length, it.speed].map(exactly);
-    let own = exactly(it.ladder.mass * it.ladder.gravity);
-    let [friction, load, half_length, speed] = data;
-    let time = climbed(friction, [own, load], half_length, speed, point);
+    let [mass, gravity, friction, load, half_length, speed] =
+        ["m", "g", "f_wall", "P", "l", "v"].map(|name| exactly(&scene, name));
+    let time = climbed(friction, [mass * gravity, load], half_length, speed, slip.state[2].circle());
     close("the slip", slip.time, time, kept.reference.digits - 1.0);
 }
 
@@ -144,23 +129,19 @@ fn a_climbed_ladder_slips_when_statics_says() {
 #[test]
 fn a_rod_jams_at_its_critical_angle() {
     let (kept, scene) = (kept("friction/jam"), open("friction/jam"));
-    let Rough::SlenderRod(rod) = scene.system else { panic!("it is a slender rod") };
     let end = &kept.events[0];
-    assert_eq!(end.state.len(), 4, "velocities have no bound");
-    // the start is of unit length to the rounding of `f64`, and what it has is kept
-    let length = (end.state[2].squared() + end.state[3].squared()).sqrt();
-    let point = Circle { cos: end.state[2] / length, sin: end.state[3] / length };
-    let kappa = exactly(rod.mass) * exactly(rod.half_length).squared() / exactly(rod.inertia);
-    close("the friction", critical::rod(kappa, point), exactly(rod.friction), kept.reference.digits - 1.0);
+    assert_eq!(end.state.len(), 3, "speeds have no bound");
+    let [kappa, friction] = ["kappa", "f"].map(|name| exactly(&scene, name));
+    close("the friction", critical::rod(kappa, end.state[2].circle()), friction, kept.reference.digits - 1.0);
 }
 
 /// On every scene the eighth-order pair comes to its tolerance's error, and a method that fails says why.
 #[test]
 fn every_method_is_measured_by_the_reference() {
-    let methods = vec![Method::DormandPrince8, Method::GraggBulirschStoer, Method::Radau5];
+    let methods = vec![Method::DormandPrince8, Method::GraggBulirschStoer, Method::Radau5, Method::Taylor];
     let trials = Trials { methods, tolerances: vec![1e-5, 1e-9], allowed: PATIENCE, ..Trials::default() };
-    for name in scenes() {
-        let atlas = judged_across_events(&open(&name), &trials, Some(&kept(&name)), PATIENCE)
+    for name in SCENES {
+        let atlas = judged_across_events(&open(name), &trials, Some(&kept(name)), PATIENCE)
             .unwrap_or_else(|why| panic!("{name}: {why}"));
         for (_, point) in atlas.points() {
             let tolerance = point.tolerance.expect("all follow one");
@@ -193,8 +174,31 @@ fn a_run_across_events_ends_with_what_it_shows_last() {
     let (outcome, seen) = run(5.2);
     assert_eq!(outcome.end, End::Reached);
     assert_eq!((Some(&outcome.time), Some(&outcome.state)), (seen.times.last(), seen.states.last()));
-    let end = kept.events.last().expect("it touches down").time.hi();
-    let (outcome, _) = run(scene.plan.end);
+    let end = kept.events.last().expect("its top meets the floor").time.hi();
+    let (outcome, _) = run(scene.run().span);
     assert!((outcome.time - end).abs() < 1e-6 * end);
     assert_eq!(outcome.end, End::Stopped(Failure::OtherCourse { at: outcome.time }));
+}
+
+/// Which condition of a law fails first where its reactions grow beyond every bound is rounding: no method names another end.
+#[test]
+fn a_rod_that_jams_does_so_by_every_method() {
+    let (scene, known) = (open("friction/jam"), kept("friction/jam").events[0].time.hi());
+    for method in [
+        Method::DormandPrince5,
+        Method::DormandPrince8,
+        Method::Verner6,
+        Method::Verner9,
+        Method::GraggBulirschStoer,
+        Method::Radau5,
+        Method::Taylor,
+    ] {
+        let choice = Choice { method, tolerance: 1e-6, ..scene.run().choice() };
+        let trajectory = scene.problem(choice.axes).simulate(&choice, |_| ());
+        let left = trajectory.left.unwrap_or_else(|| panic!("{method}: {:?}", trajectory.outcome.end));
+        assert!(left.contains("become singular"), "{method}: {left}");
+        let end = trajectory.passages.last().expect("it is told");
+        assert_eq!((end.then.as_ref(), end.what.contains("become singular")), (None, true), "{method}");
+        assert!((end.time - known).abs() < 1e-6 * known, "{method}: {}", end.time);
+    }
 }

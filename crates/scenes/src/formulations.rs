@@ -1,0 +1,139 @@
+//! Formulations of a model with constraints: led to zero, projected, or held with a multiplier for each level.
+//!
+//! Held after Gear, Gupta and Leimkuhler, with the speeds u, the rates q' = T(q) u of the coordinates, and J_g the rows of constraints of
+//! positions,
+//!
+//!   q' = T (u + M^-1 J_g^T mu),   M u' + h = J^T lambda,   0 = f(q, t),   0 = df/dt, 0 = phi(q, u, t) .
+
+use crate::compiled_system::{self, CompiledSystem, changes};
+use crate::letters::Letters;
+use crate::modes::Mode;
+use crate::readiness::starting;
+use crate::scene::ModelScene;
+use crate::start::consistent;
+use integrators::Held;
+use model::equations::{Equation, Equations, Level, Pushes, constraints_of};
+use model::{Model, Trace};
+use simulation::work_precision::{Formulation, HeldLaw, Standing, Treated, Way};
+use simulation::{Axes, CompiledHeld, Law, Smooth};
+use std::sync::Arc;
+use symbolic::{Sym, apart, substitute_all};
+
+/// The scene's own formulation, and every other treatment of its constraints that has the same motion.
+pub(crate) fn formulations(scene: &ModelScene) -> Vec<Way> {
+    let constraints = &scene.model.constraints;
+    let led = constraints.iter().filter(|constraint| constraint.gains.is_some()).count();
+    let own = match led {
+        _ if constraints.is_empty() => Formulation::Minimal,
+        led if led == constraints.len() => Formulation::Given,
+        _ => Formulation::IndexReduced,
+    };
+    let mut ways = vec![Way::of(own, "", Standing::Own, scene.problem(Axes::First))];
+    if constraints.is_empty() || changes(&scene.model) {
+        return ways;
+    }
+    let reduced = Arc::new(scene.model.led_at(None));
+    // constraints that are led to zero from elsewhere have a motion of their own
+    if led > 0 && consistent(&starting(&reduced, &scene.start)).is_err() {
+        return ways;
+    }
+    let law = |model: &Arc<Model>| -> Option<Arc<dyn Law>> {
+        Some(Arc::new(CompiledSystem::of(model, &Mode::off(model)).ok()?).law())
+    };
+    let (led_at_a_rate, held) = (Arc::new(scene.model.led_at(Some(Formulation::RATE))), HeldModel::of(&reduced));
+    let held = held.map(|held| Arc::new(CompiledHeld::new(held)) as Arc<dyn HeldLaw>);
+    let (reduced, led_at_a_rate) = (law(&reduced), law(&led_at_a_rate));
+    let projected = reduced.clone().zip(held.clone()).map(|(law, held)| Treated::Projected(law, held));
+    let others = [
+        (Formulation::IndexReduced, reduced.filter(|_| led > 0).map(Treated::Free)),
+        (Formulation::Led, led_at_a_rate.map(Treated::Free)),
+        (Formulation::Projected, projected),
+        (Formulation::Held, held.map(Treated::Held)),
+    ];
+    let others = others.into_iter().filter_map(|(formulation, law)| Some((formulation, law?)));
+    ways.extend(others.map(|(formulation, law)| {
+        let problem = scene.problem(Axes::First);
+        Way { law, ..Way::of(formulation, "", Standing::Exact, problem) }
+    }));
+    ways
+}
+
+/// A model held to its constraints on every level.
+struct HeldModel {
+    model: Arc<Model>,
+    /// The number of constraints of positions, and that of all.
+    counts: [usize; 2],
+}
+
+impl HeldModel {
+    /// None where the accelerations are no functions of the multipliers, or too long to be written down.
+    fn of(model: &Arc<Model>) -> Option<Self> {
+        if compiled_system::Way::of(model) == compiled_system::Way::Solved {
+            return None;
+        }
+        apart(|| {
+            let trace = Trace::of(model);
+            let equations = Equations::of(&trace);
+            equations.pushes().ok()?;
+            let counts = [positions(&equations.constraints).count(), equations.constraints.len()];
+            Some(HeldModel { model: Arc::clone(model), counts })
+        })
+    }
+
+    /// Rates of the state, f(t, y), then the columns of B(t, y).
+    fn affine(&self, t: Sym, y: &[Sym]) -> Option<Vec<Vec<Sym>>> {
+        let trace = Trace::of(&self.model);
+        let equations = Equations::of(&trace);
+        let Pushes { free, columns } = equations.pushes().ok()?;
+        let moved = |speeds: &[Sym]| {
+            let by: Vec<(Sym, Sym)> = trace.speeds.iter().copied().zip(speeds.iter().copied()).collect();
+            substitute_all(&trace.position_rates, &by)
+        };
+        let rests = vec![Sym::ZERO; free.len()];
+        let of_positions =
+            positions(&equations.constraints).map(|place| [moved(&columns[place]), rests.clone()].concat());
+        let of_all = columns.iter().map(|column| [moved(&rests), column.clone()].concat());
+        let own = [trace.position_rates.clone(), free].concat();
+        let all: Vec<Vec<Sym>> = [own].into_iter().chain(of_positions).chain(of_all).collect();
+        let all = Letters::with_data(t, y).put_into(&trace, &all.concat());
+        Some(all.chunks_exact(y.len()).map(<[Sym]>::to_vec).collect())
+    }
+}
+
+/// The places of constraints of positions.
+fn positions(constraints: &[Equation]) -> impl Iterator<Item = usize> {
+    let levels = constraints.iter().enumerate();
+    levels.filter(|(_, constraint)| constraint.level == Level::Position).map(|(place, _)| place)
+}
+
+impl Held<Sym> for HeldModel {
+    fn sizes(&self) -> (usize, usize) {
+        (self.model.positions() + self.model.speeds(), self.counts.iter().sum())
+    }
+
+    fn rates(&self, t: Sym, y: &[Sym], z: &[Sym], dy: &mut [Sym]) {
+        let mut columns = vec![Sym::ZERO; y.len() * z.len()];
+        self.parts(t, y, dy, &mut columns);
+        for (column, &multiplier) in columns.chunks_exact(y.len()).zip(z) {
+            dy.iter_mut().zip(column).for_each(|(rate, &part)| *rate += part * multiplier);
+        }
+    }
+
+    fn parts(&self, t: Sym, y: &[Sym], dy: &mut [Sym], columns: &mut [Sym]) {
+        match self.affine(t, y).as_deref() {
+            Some([free, of_multipliers @ ..]) => {
+                dy.copy_from_slice(free);
+                columns.copy_from_slice(&of_multipliers.concat());
+            }
+            _ => dy.fill(Sym::UNDEFINED),
+        }
+    }
+
+    fn constraints(&self, t: Sym, y: &[Sym], g: &mut [Sym]) {
+        let trace = Trace::of(&self.model);
+        let all = constraints_of(&trace);
+        let zeros = positions(&all).map(|place| all[place].zero);
+        let values: Vec<Sym> = zeros.chain(all.iter().map(|constraint| constraint.rate)).collect();
+        g.copy_from_slice(&Letters::with_data(t, y).put_into(&trace, &values));
+    }
+}

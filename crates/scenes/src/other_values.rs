@@ -1,0 +1,49 @@
+//! A scene with other values of its parameters and of its start.
+
+use crate::admissible::impossible;
+use crate::readiness::{Ready, ready};
+use crate::scene::ModelScene;
+use model::StartValue;
+use reader::Issue;
+use simulation::SymbolicLaw;
+use simulation::models::Modelled;
+use std::sync::Arc;
+
+impl ModelScene {
+    fn state_place(&self, name: &str) -> Option<usize> {
+        self.model.state_names().iter().position(|(known, _)| known == name)
+    }
+}
+
+impl Modelled for ModelScene {
+    fn symbolic_law(&self) -> Arc<dyn SymbolicLaw> {
+        Arc::clone(&self.system) as Arc<dyn SymbolicLaw>
+    }
+
+    fn value(&self, name: &str) -> Option<f64> {
+        let parameter = self.model.parameters.iter().find(|parameter| parameter.name == name);
+        parameter.map_or_else(|| Some(self.start[self.state_place(name)?]), |parameter| parameter.value)
+    }
+
+    fn with_values(&self, values: &[(&str, f64)]) -> Result<Arc<dyn Modelled>, String> {
+        let mut model = (*self.model).clone();
+        for &(name, value) in values {
+            if let Some(parameter) = model.parameters.iter_mut().find(|parameter| parameter.name == name) {
+                parameter.value = Some(value);
+                continue;
+            }
+            let place = self.state_place(name).ok_or_else(|| format!("nothing is called `{name}`"))?;
+            let positions = model.positions();
+            let (coordinate, order) = (place % positions, place / positions);
+            model.start.retain(|start| (start.coordinate, start.order) != (coordinate, order));
+            model.start.push(StartValue { coordinate, order, value, is_guess: false });
+        }
+        let told = |issue: Issue| format!("{}: {}", issue.title, issue.label);
+        if let Some(issue) = impossible(&model).into_iter().next() {
+            return Err(told(issue));
+        }
+        let mut model = Arc::new(model);
+        let Ready { start, system, .. } = ready(&mut model).map_err(told)?;
+        Ok(Arc::new(self.with(model, system, start)))
+    }
+}

@@ -1,0 +1,75 @@
+//! Scalars that a run shows beside the state: the outputs of a model, and its energies.
+
+use crate::implicit::unknown_letters;
+use crate::letters::Letters;
+use crate::modes::{Mode, Motion, reactions_of};
+use model::equations::constraints_of;
+use model::{Model, Trace};
+use symbolic::{Sym, substitute_all};
+
+/// Kinetic and potential energy stand behind the outputs.
+pub const ENERGIES: usize = 2;
+
+/// Letters that a motion gives.
+struct Unknowns {
+    /// Accelerations, then multipliers.
+    solved: Vec<Sym>,
+    reactions: Vec<Sym>,
+    /// Switches and algebraic speeds.
+    others: Vec<Sym>,
+}
+
+impl Unknowns {
+    fn of(trace: &Trace<'_>) -> Self {
+        let multipliers = constraints_of(trace).into_iter().map(|one| one.multiplier);
+        let algebraic = trace.model.algebraic_speeds.iter().map(|&place| trace.speeds[place]);
+        Unknowns {
+            solved: trace.accelerations.iter().copied().chain(multipliers).collect(),
+            reactions: reactions_of(trace),
+            others: trace.switches.iter().copied().chain(algebraic).collect(),
+        }
+    }
+
+    /// Whether one of them stands in an expression.
+    fn stand_in(&self, expression: Sym) -> bool {
+        let used = expression.symbols_of();
+        let Unknowns { solved, reactions, others } = self;
+        solved.iter().chain(reactions).chain(others).any(|letter| used.contains(letter))
+    }
+}
+
+/// The outputs, the kinetic and the potential energy.
+pub(crate) fn outputs(model: &Model, mode: &Mode, letters: Letters<'_>) -> Vec<Sym> {
+    let trace = Trace::of(model);
+    let shown = model.outputs.iter().map(|output| trace.scalar(output.is));
+    let mut all: Vec<Sym> = shown.chain([trace.kinetic_energy(), trace.potential_energy()]).collect();
+    let unknowns = Unknowns::of(&trace);
+    if all.iter().any(|output| unknowns.stand_in(*output))
+        && let Ok(Motion { accelerations, multipliers, switches, reactions, speeds, .. }) = Motion::of(&trace, mode)
+    {
+        let reactions = unknowns.reactions.into_iter().zip(reactions.concat());
+        let known: Vec<(Sym, Sym)> = trace.switches.iter().copied().zip(switches).chain(reactions).collect();
+        all = substitute_all(&all, &known);
+        let known: Vec<(Sym, Sym)> =
+            unknowns.solved.into_iter().zip(accelerations.into_iter().chain(multipliers)).collect();
+        all = substitute_all(&substitute_all(&all, &known), &speeds);
+    }
+    letters.put_into(&trace, &all)
+}
+
+/// The same where accelerations and multipliers are inputs of their own.
+pub(crate) fn outputs_of_solved(model: &Model, letters: Letters<'_>, unknowns: &[Sym]) -> Vec<Sym> {
+    let trace = Trace::of(model);
+    let shown = model.outputs.iter().map(|output| trace.scalar(output.is));
+    let all: Vec<Sym> = shown.chain([trace.kinetic_energy(), trace.potential_energy()]).collect();
+    let all = substitute_all(&all, &unknown_letters(&trace, unknowns));
+    letters.put_into(&trace, &all)
+}
+
+/// The places of outputs that depend on the motion, and have no value where none is known.
+pub(crate) fn of_motion(model: &Model) -> Vec<usize> {
+    let trace = Trace::of(model);
+    let unknowns = Unknowns::of(&trace);
+    let depends = |&place: &usize| unknowns.stand_in(trace.scalar(model.outputs[place].is));
+    (0..model.outputs.len()).filter(depends).collect()
+}
