@@ -42,8 +42,7 @@ impl Ladder {
         }
         let left = left.or((outcome.time < own.span).then_some(ENDS));
         let sampled = record.times.into_iter().zip(record.states);
-        let seen: Vec<(f64, Vec<f64>)> =
-            [(0.0, own.state.clone())].into_iter().chain(sampled).chain(steps.0).collect();
+        let seen: Vec<(f64, Vec<f64>)> = [(0.0, own.state.clone())].into_iter().chain(sampled).chain(steps.0).collect();
         let rows: Vec<Vec<f64>> = seen.iter().map(|(time, state)| (own.row)(*time, state)).collect();
         let sizes = (0..own.state.len()).map(|i| largest(seen.iter().map(|(_, state)| state[i]))).collect();
         Ok((Watched { left, ..Watched::of(&own.columns, names, &rows, sizes) }, outcome.work.rates))

@@ -184,7 +184,7 @@ impl CompiledSystem {
         })
     }
 
-    pub(crate) fn model(&self) -> &Model {
+    pub(crate) fn model(&self) -> &Arc<Model> {
         &self.model
     }
 
@@ -216,12 +216,12 @@ impl CompiledSystem {
     }
 
     /// Whether its Jacobian is found by solves, where rates have accelerations written down.
-    fn has_solved_slopes(&self) -> bool {
+    pub(crate) fn has_solved_slopes(&self) -> bool {
         !changes(&self.model) && self.model.speeds() + self.model.constraints.len() > MOST_DERIVED
     }
 
     /// Whether a series solves for its accelerations, where rates have them written down: it has fewer products from there on.
-    fn has_solved_series(&self) -> bool {
+    pub(crate) fn has_solved_series(&self) -> bool {
         !changes(&self.model) && self.model.speeds() + self.model.constraints.len() >= LEAST_SOLVED
     }
 
@@ -319,15 +319,20 @@ pub(crate) fn rates(model: &Model, mode: &Mode, letters: Letters<'_>) -> Result<
 pub(crate) fn outputs(model: &Model, mode: &Mode, letters: Letters<'_>) -> Vec<Sym> {
     let trace = Trace::of(model);
     let shown = model.outputs.iter().map(|output| trace.scalar(output.is));
-    let mut all: Vec<Sym> = shown.chain([trace.kinetic_energy(), trace.potential_energy()]).collect();
+    let all: Vec<Sym> = shown.chain([trace.kinetic_energy(), trace.potential_energy()]).collect();
+    letters.put_into(&trace, &determined(&trace, mode, all))
+}
+
+/// Expressions of a trace without its unknowns: accelerations, multipliers, switches, reactions and algebraic speeds.
+pub(crate) fn determined(trace: &Trace<'_>, mode: &Mode, mut all: Vec<Sym>) -> Vec<Sym> {
     let used: Vec<Sym> = all.iter().flat_map(|each| each.symbols_of()).collect();
-    let multipliers = constraints_of(&trace).into_iter().map(|one| one.multiplier);
+    let multipliers = constraints_of(trace).into_iter().map(|one| one.multiplier);
     let solved: Vec<Sym> = trace.accelerations.iter().copied().chain(multipliers).collect();
-    let own = reactions_of(&trace);
-    let algebraic = model.algebraic_speeds.iter().map(|&place| &trace.speeds[place]);
+    let own = reactions_of(trace);
+    let algebraic = trace.model.algebraic_speeds.iter().map(|&place| &trace.speeds[place]);
     let mut moved = solved.iter().chain(&trace.switches).chain(&own).chain(algebraic);
     if moved.any(|symbol| used.contains(symbol))
-        && let Ok(Motion { accelerations, multipliers, switches, reactions, speeds, .. }) = Motion::of(&trace, mode)
+        && let Ok(Motion { accelerations, multipliers, switches, reactions, speeds, .. }) = Motion::of(trace, mode)
     {
         let known: Vec<(Sym, Sym)> =
             trace.switches.iter().copied().zip(switches).chain(own.into_iter().zip(reactions.concat())).collect();
@@ -335,7 +340,7 @@ pub(crate) fn outputs(model: &Model, mode: &Mode, letters: Letters<'_>) -> Vec<S
         let known: Vec<(Sym, Sym)> = solved.into_iter().zip(accelerations.into_iter().chain(multipliers)).collect();
         all = substitute_all(&substitute_all(&all, &known), &speeds);
     }
-    letters.put_into(&trace, &all)
+    all
 }
 
 /// The same where accelerations and multipliers are inputs of their own.

@@ -28,6 +28,7 @@ mod modes;
 mod motions;
 mod no_system;
 mod parametric_law;
+mod power_balance;
 mod program;
 mod quoted_keys;
 mod readiness;

@@ -7,6 +7,7 @@ use crate::ensemble::parse_ensemble;
 use crate::formulations::formulations;
 use crate::inductances::impossible_inductances;
 use crate::modes::Modes;
+use crate::power_balance::metered;
 use crate::quoted_keys::with_quoted_primes;
 use crate::readiness::{ready, start_of, without_run};
 use crate::row_units::unit_of;
@@ -293,6 +294,10 @@ impl Smooth for ModelScene {
 
     fn problem(&self, _axes: Axes) -> Problem {
         self.switched().0
+    }
+
+    fn metered(&self, axes: Axes) -> Problem {
+        metered(self, self.problem(axes))
     }
 
     fn told(&self, _choice: &Choice, trajectory: &Trajectory) -> Told {

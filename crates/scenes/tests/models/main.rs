@@ -3,6 +3,7 @@
 mod conformity;
 mod formulations;
 mod outputs;
+mod power_balance;
 mod quasi_velocities;
 mod redundant;
 mod singular;
