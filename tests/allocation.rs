@@ -1,9 +1,9 @@
 //! The right-hand side allocates nothing: for every machine, with one bar or with forty, over every field that runs.
 
+use dalembert_derivations::AnyScene;
 use dalembert_derivations::ensemble::kind::{Kind, form_parameters};
 use dalembert_derivations::friction::stretch::Stretch;
 use dalembert_derivations::machines::synchronous::Synchronous;
-use dalembert_derivations::mechanisms::MechanismScene;
 use dalembert_derivations::papers::konosevich2022::gyrostats;
 use dalembert_derivations::scene::Scene;
 use dalembert_derivations::systems::disc::Disc;
@@ -227,8 +227,10 @@ fn the_equations_of_mechanisms_and_their_power_allocate_nothing() {
             .into_iter()
             .chain(["drive/stiff_diode", "bodies/coin", "bodies/sleigh", "bodies/crank_slider"])
     {
+        scenes::register(|_| ());
         let path = std::path::Path::new("scenes").join(name).with_extension("toml");
-        let Problem { law, state, .. } = MechanismScene::open(&path).expect("it is sound").problem();
+        let scene = AnyScene::open(&path).expect("it is sound");
+        let Problem { law, state, .. } = scene.smooth().expect("one initial value problem").problem(Axes::First);
         let count =
             over::<f64>(&*law, &state) + over::<Directions>(&*law, &state) + over::<DoubleDouble>(&*law, &state);
         assert_eq!(count, 0, "{name}");

@@ -3,7 +3,7 @@
 use super::trials::{BUDGET, Tried, near};
 use super::{Exact, Failing, Found, NotFound, Threshold, Trial, Within};
 use crate::friction::{Rough, RoughScene};
-use crate::mechanisms::bodies::charted;
+use crate::mechanisms::charted::charted;
 use crate::systems::steered_rod::SteeredRod;
 use field::{Analytic, Over};
 use integrators::{Method, Observer, Ode, Record, Span, Tolerance, integrate};

@@ -4,11 +4,12 @@
 //! * [`mechanism`]: what a mechanism says of itself, and the law with its work that is made of it;
 //! * [`rewritten`], [`points`], [`steered`]: other formulations of the same mechanism, for the atlas;
 //! * [`scene`]: the family of scenes: reading, the problem, what theory says of a run;
-//! * [`governors`], [`elastic`], [`prescribed_top`], [`drive`], [`bodies`]: the mechanisms.
+//! * [`governors`], [`elastic`], [`prescribed_top`], [`drive`]: the mechanisms; [`charted`]: what those in
+//!   coordinates of their own share.
 //!
 //! To add one: [`Mechanism`] for the system's data, and one line in the list below.
 
-pub mod bodies;
+pub mod charted;
 pub mod drive;
 pub mod elastic;
 mod erased;
@@ -23,10 +24,7 @@ pub mod steered;
 pub use mechanism::{Amiss, Balanced, Diagnosis, Ended, Mechanism};
 pub use scene::MechanismScene;
 
-use crate::systems::crank_slider::CrankSlider;
-use crate::systems::disc::Disc;
 use crate::systems::elastic_governor::ElasticGovernor;
-use crate::systems::knife_edge::KnifeEdge;
 use erased::{Entry, entry};
 use governors::{Discs, Drum, Programme, Released};
 
@@ -39,7 +37,4 @@ pub const LIST: &[Entry] = &[
     entry::<ElasticGovernor<f64>>(),
     entry::<prescribed_top::PrescribedTop<f64>>(),
     entry::<drive::Drive>(),
-    entry::<CrankSlider<f64>>(),
-    entry::<Disc<f64>>(),
-    entry::<KnifeEdge<f64>>(),
 ];

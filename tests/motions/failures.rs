@@ -6,6 +6,7 @@ use std::sync::LazyLock;
 
 /// Each way with what was found, on two threads.
 static FOUND: LazyLock<Vec<(&Failing, Found)>> = LazyLock::new(|| {
+    scenes::register(|_| ());
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes");
     let one = |failing: &'static Failing| {
         (failing, failing.measure(&folder).unwrap_or_else(|error| panic!("{}: {error}", failing.name)))

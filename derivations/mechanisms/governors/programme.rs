@@ -1,6 +1,6 @@
 //! The wheel led so that the second shaft keeps its speed.
 
-use super::super::bodies::power;
+use super::super::charted::power;
 use super::super::points::Turning;
 use super::super::rewritten::Rewritten;
 use super::super::{Amiss, Diagnosis, Ended, Mechanism, steered};

@@ -1,6 +1,6 @@
 //! The wheel pushed along its axle by a constant force.
 
-use super::super::bodies::balance;
+use super::super::charted::balance;
 use super::super::points::{self, Turning};
 use super::super::rewritten::Rewritten;
 use super::super::{Amiss, Diagnosis, Ended, Mechanism};
