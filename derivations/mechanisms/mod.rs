@@ -11,7 +11,7 @@
 
 pub mod charted;
 pub mod drive;
-pub mod elastic;
+mod elastic;
 mod erased;
 pub mod governors;
 pub mod mechanism;
@@ -24,17 +24,13 @@ pub mod steered;
 pub use mechanism::{Amiss, Balanced, Diagnosis, Ended, Mechanism};
 pub use scene::MechanismScene;
 
-use crate::systems::elastic_governor::ElasticGovernor;
 use erased::{Entry, entry};
-use governors::{Discs, Drum, Programme, Released};
+use governors::{Discs, Drum, Programme};
 
 /// Every mechanism by the name that scene files use.
 pub const LIST: &[Entry] = &[
     entry::<Programme<Drum>>(),
     entry::<Programme<Discs>>(),
-    entry::<Released<Drum>>(),
-    entry::<Released<Discs>>(),
-    entry::<ElasticGovernor<f64>>(),
     entry::<prescribed_top::PrescribedTop<f64>>(),
     entry::<drive::Drive>(),
 ];

@@ -21,6 +21,7 @@ mod implicit;
 mod inductances;
 pub mod inverse;
 mod kernel;
+mod known_as;
 mod layout;
 mod letters;
 pub mod linearisation;

@@ -6,6 +6,7 @@ use crate::compiled_system::{CompiledSystem, ENERGIES, changes, is_watched};
 use crate::ensemble::parse_ensemble;
 use crate::formulations::formulations;
 use crate::inductances::impossible_inductances;
+use crate::known_as::asked_for;
 use crate::modes::Modes;
 use crate::power_balance::metered;
 use crate::quoted_keys::with_quoted_primes;
@@ -20,6 +21,7 @@ use model::{Event, Model, Source};
 use reader::{Issue, SceneError, Table, read_text, tables};
 use simulation::events::Margins;
 use simulation::events::{Passage, Switching};
+use simulation::knowledge::Knowledge;
 use simulation::models::{ModelReaders, Modelled, holds_model, read_models_by};
 use simulation::problem::Invariant;
 use simulation::smooth::Parameter;
@@ -45,6 +47,8 @@ pub struct ModelScene {
     events: Vec<String>,
     /// The line of each condition.
     condition_lines: Vec<usize>,
+    /// What is known beside its equations, where the file asks for it.
+    knowledge: Option<&'static Knowledge>,
 }
 
 /// Makes every command read files with `[coordinates]`; `warn` is told what is accepted in them and perhaps means something else.
@@ -80,7 +84,7 @@ pub fn read_titled(path: &Path, task: Task) -> Result<(String, Model), SceneErro
 /// All that is wrong with the system, each at its place.
 pub fn parse_titled(name: &str, text: &str, task: Task) -> Result<(String, Model), SceneError> {
     let read = tables(name, text, |top, issues| {
-        top.known(&["description", "run", "ensemble"]);
+        top.known(&["description", "known_as", "run", "ensemble"]);
         let title =
             top.optional_text("title", "one line that says what happens").map_or_else(String::new, |title| title.value);
         let (model, _) = model(top, issues)?;
@@ -127,6 +131,7 @@ impl ModelScene {
         let title = top.text("title", "one line that says what happens").value;
         let title = title.split_whitespace().collect::<Vec<_>>().join(" ");
         let description = top.optional_text("description", "what happens and why it is hard");
+        let known_as = top.optional_text("known_as", "name of a system of which more is known");
         let mut model = model(top, issues).map(|(model, _)| Arc::new(model));
         let names = model.as_deref().map(columns);
         let run = match top.has("run") {
@@ -141,6 +146,7 @@ impl ModelScene {
             }
         };
         let mut model = model.take()?;
+        let knowledge = known_as.and_then(|name| asked_for(&model, &name, issues));
         if model.regulator.is_some() {
             Arc::make_mut(&mut model).close_regulated_inputs();
         }
@@ -160,17 +166,18 @@ impl ModelScene {
         let description = description.map_or_else(String::new, |text| text.value.trim().to_owned());
         let events = model.events.iter().map(|event| called(event, text)).collect();
         let condition_lines = model.switch_places.iter().map(|place| line_of(text, place.start)).collect();
-        Some(ModelScene { title, description, model, system, start, run: run?, events, condition_lines })
+        let run = run?;
+        Some(ModelScene { title, description, model, system, start, run, events, condition_lines, knowledge })
     }
 }
 
 impl ModelScene {
     /// The same scene with other numbers: a model, its law at its start, and the start.
     pub(crate) fn with(&self, model: Arc<Model>, system: Arc<CompiledSystem>, start: Vec<f64>) -> Self {
-        let ModelScene { title, description, run, events, condition_lines, .. } = self;
+        let ModelScene { title, description, run, events, condition_lines, knowledge, .. } = self;
         let (title, description) = (title.clone(), description.clone());
         let (run, events, condition_lines) = (run.clone(), events.clone(), condition_lines.clone());
-        ModelScene { title, description, model, system, start, run, events, condition_lines }
+        ModelScene { title, description, model, system, start, run, events, condition_lines, knowledge: *knowledge }
     }
 
     /// The problem of the run, with the modes of a law that changes.
@@ -234,7 +241,7 @@ pub fn completed_start(path: &Path) -> Vec<(String, f64)> {
         return Vec::new();
     }
     let model = tables("", &text, |top, issues| {
-        top.known(&["title", "description", "run", "ensemble"]);
+        top.known(&["title", "description", "known_as", "run", "ensemble"]);
         model(top, issues).map(|(model, _)| model)
     });
     let Ok(model) = model else { return Vec::new() };
@@ -263,6 +270,24 @@ pub(crate) fn columns(model: &Model) -> Vec<String> {
 impl Modelled for ModelScene {
     fn symbolic_law(&self) -> Arc<dyn SymbolicLaw> {
         Arc::clone(&self.system) as Arc<dyn SymbolicLaw>
+    }
+
+    fn known_as(&self) -> Option<&'static str> {
+        self.knowledge.map(|knowledge| knowledge.name)
+    }
+
+    fn parameter(&self, name: &str) -> Option<f64> {
+        self.model.parameters.iter().find(|parameter| parameter.name == name)?.value
+    }
+
+    fn with_parameters(&self, values: &[(&str, f64)]) -> Option<Arc<dyn Modelled>> {
+        let mut model = (*self.model).clone();
+        for (name, value) in values {
+            model.parameters.iter_mut().find(|parameter| parameter.name == *name)?.value = Some(*value);
+        }
+        let model = Arc::new(model);
+        let system = Arc::new(CompiledSystem::of(&model, &self.system.mode).ok()?);
+        Some(Arc::new(self.with(model, system, self.start.clone())))
     }
 }
 
@@ -306,7 +331,8 @@ impl Smooth for ModelScene {
             None => format!("{what} ends the run"),
             Some(_) => what.clone(),
         });
-        Told { diagnosis: ended, ..Told::default() }
+        let theory = self.knowledge.map_or_else(Vec::new, |knowledge| (knowledge.theory)(self));
+        Told { theory, diagnosis: ended, ..Told::default() }
     }
 
     fn parameters(&self) -> Vec<Parameter> {

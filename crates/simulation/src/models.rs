@@ -11,6 +11,15 @@ use std::sync::{Arc, OnceLock};
 pub trait Modelled: Smooth + fmt::Debug {
     /// The law over expressions; of one that changes at events, the law of the start.
     fn symbolic_law(&self) -> Arc<dyn SymbolicLaw>;
+
+    /// The name under which more is known of it, where its file gives one: see [`crate::knowledge`].
+    fn known_as(&self) -> Option<&'static str>;
+
+    /// A parameter in SI units; none without such a one, or without its value.
+    fn parameter(&self, name: &str) -> Option<f64>;
+
+    /// The same scene with other values of some parameters, from the same start; none where that has no law.
+    fn with_parameters(&self, values: &[(&str, f64)]) -> Option<Arc<dyn Modelled>>;
 }
 
 /// Reads a text, which messages call by the first argument.
