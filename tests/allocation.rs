@@ -2,8 +2,8 @@
 
 use dalembert_derivations::machines::synchronous::Synchronous;
 use dalembert_derivations::papers::konosevich2022::gyrostats;
+use dalembert_derivations::studies::AnyScene;
 use dalembert_derivations::studies::ensemble::kind::{Kind, form_parameters};
-use dalembert_derivations::studies::mechanisms::MechanismScene;
 use dalembert_derivations::studies::scene::Scene;
 use dalembert_derivations::systems::disc::Disc;
 use dalembert_derivations::systems::gyrostat::driven::Driven;
@@ -207,8 +207,10 @@ fn the_equations_of_mechanisms_and_their_power_allocate_nothing() {
             .into_iter()
             .chain(["drive/stiff_diode", "bodies/coin", "bodies/sleigh", "bodies/crank_slider"])
     {
+        scenes::register(|_| ());
         let path = std::path::Path::new("scenes").join(name).with_extension("toml");
-        let Problem { law, state, .. } = MechanismScene::open(&path).expect("it is sound").problem();
+        let scene = AnyScene::open(&path).expect("it is sound");
+        let Problem { law, state, .. } = scene.smooth().problem(Axes::First);
         let count =
             over::<f64>(&*law, &state) + over::<Directions>(&*law, &state) + over::<DoubleDouble>(&*law, &state);
         assert_eq!(count, 0, "{name}");

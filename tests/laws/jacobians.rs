@@ -63,6 +63,7 @@ fn the_jacobian_of_a_machine_is_that_of_dual_numbers() {
 #[test]
 fn the_jacobian_of_a_mechanism_is_that_of_dual_numbers_and_so_are_its_slopes_in_time() {
     let mut with = Vec::new();
+    scenes::register(|_| ());
     for name in
         ["bodies/crank_slider", "bodies/coin", "drive/stiff_diode", "governors/drum_programme", "governors/released"]
     {

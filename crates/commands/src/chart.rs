@@ -174,7 +174,10 @@ fn smaller(scene: &AnyScene, known: &[Way]) -> Vec<Way> {
         }
         AnyScene::Driven(scene) => (Ladder::of_scene(scene, Axes::First), Formulation::First),
         AnyScene::Mechanism(scene) => (scene.ladder(), Formulation::Minimal),
-        AnyScene::Model(_) => return Vec::new(),
+        AnyScene::Model(scene) => {
+            let own = known.first().map_or(Formulation::Minimal, |way| way.formulation);
+            (Ladder::of_model(&**scene), own)
+        }
     };
     let mut ways = Arc::new(ladder).ways(formulation);
     ways.retain(|way| known.iter().all(|known| known.model != way.model));

@@ -198,7 +198,7 @@ impl CompiledSystem {
         })
     }
 
-    pub(crate) fn model(&self) -> &Model {
+    pub(crate) fn model(&self) -> &Arc<Model> {
         &self.model
     }
 
@@ -230,12 +230,12 @@ impl CompiledSystem {
     }
 
     /// Whether its Jacobian is found by solves, where rates have accelerations written down.
-    fn has_solved_slopes(&self) -> bool {
+    pub(crate) fn has_solved_slopes(&self) -> bool {
         !changes(&self.model) && self.model.speeds() + self.model.constraints.len() > MOST_DERIVED
     }
 
     /// Whether a series solves for its accelerations, where rates have them written down: it has fewer products from there on.
-    fn has_solved_series(&self) -> bool {
+    pub(crate) fn has_solved_series(&self) -> bool {
         !changes(&self.model) && self.model.speeds() + self.model.constraints.len() >= LEAST_SOLVED
     }
 

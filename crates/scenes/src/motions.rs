@@ -40,7 +40,7 @@ pub fn read_prescribed(path: &Path, motions: &[(String, String)]) -> Result<(Mod
     let options = Options::of(motions);
     let mut wrong: Vec<Issue> = Vec::new();
     let read = tables(&file, &text, |top, issues| {
-        top.known(&["title", "description", "run", "ensemble"]);
+        top.known(&["title", "description", "known_as", "run", "ensemble"]);
         let (own, mut source) = model(top, issues)?;
         let mut all: Vec<Written<'_>> = Vec::new();
         for (place, (name, is)) in motions.iter().enumerate() {

@@ -20,6 +20,10 @@ impl Modelled for ModelScene {
         Arc::clone(&self.system) as Arc<dyn SymbolicLaw>
     }
 
+    fn known_as(&self) -> Option<&'static str> {
+        self.knowledge.map(|knowledge| knowledge.name)
+    }
+
     fn value(&self, name: &str) -> Option<f64> {
         let parameter = self.model.parameters.iter().find(|parameter| parameter.name == name);
         parameter.map_or_else(|| Some(self.start[self.state_place(name)?]), |parameter| parameter.value)

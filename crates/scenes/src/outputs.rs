@@ -42,10 +42,15 @@ impl Unknowns {
 pub(crate) fn outputs(model: &Model, mode: &Mode, letters: Letters<'_>) -> Vec<Sym> {
     let trace = Trace::of(model);
     let shown = model.outputs.iter().map(|output| trace.scalar(output.is));
-    let mut all: Vec<Sym> = shown.chain([trace.kinetic_energy(), trace.potential_energy()]).collect();
-    let unknowns = Unknowns::of(&trace);
-    if all.iter().any(|output| unknowns.stand_in(*output))
-        && let Ok(Motion { accelerations, multipliers, switches, reactions, speeds, .. }) = Motion::of(&trace, mode)
+    let all: Vec<Sym> = shown.chain([trace.kinetic_energy(), trace.potential_energy()]).collect();
+    letters.put_into(&trace, &determined(&trace, mode, all))
+}
+
+/// Expressions of a trace without the letters that a motion gives.
+pub(crate) fn determined(trace: &Trace<'_>, mode: &Mode, mut all: Vec<Sym>) -> Vec<Sym> {
+    let unknowns = Unknowns::of(trace);
+    if all.iter().any(|each| unknowns.stand_in(*each))
+        && let Ok(Motion { accelerations, multipliers, switches, reactions, speeds, .. }) = Motion::of(trace, mode)
     {
         let reactions = unknowns.reactions.into_iter().zip(reactions.concat());
         let known: Vec<(Sym, Sym)> = trace.switches.iter().copied().zip(switches).chain(reactions).collect();
@@ -54,7 +59,7 @@ pub(crate) fn outputs(model: &Model, mode: &Mode, letters: Letters<'_>) -> Vec<S
             unknowns.solved.into_iter().zip(accelerations.into_iter().chain(multipliers)).collect();
         all = substitute_all(&substitute_all(&all, &known), &speeds);
     }
-    letters.put_into(&trace, &all)
+    all
 }
 
 /// The same where accelerations and multipliers are inputs of their own.

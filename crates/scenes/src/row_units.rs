@@ -1,5 +1,6 @@
 //! Units of the columns of runs and other tables.
 
+use crate::power_balance::WORK;
 use model::Model;
 use model::equations::{Equation, Level};
 use symbolic::Dimension;
@@ -46,7 +47,7 @@ pub(crate) fn rate_unit(unit: &str) -> String {
 pub fn unit_of(model: &Model, name: &str) -> String {
     let rate = |unit: &str| unit.strip_suffix("/s").map_or_else(|| coherent(unit), |of| rate_unit(&coherent(of)));
     let state = model.state_names().into_iter().find_map(|(own, unit)| (own == name).then(|| rate(&unit)));
-    let energy = || ["kinetic_energy", "potential_energy"].contains(&name).then(|| "J".to_owned());
+    let energy = || ["kinetic_energy", "potential_energy", WORK].contains(&name).then(|| "J".to_owned());
     let output = || {
         let output = model.outputs.iter().find(|output| output.name == name)?;
         Some(coherent(&output.dimension.to_string()))

@@ -6,8 +6,10 @@ use crate::compiled_system::{CompiledSystem, changes, is_watched};
 use crate::ensemble::parse_ensemble;
 use crate::formulations::formulations;
 use crate::inductances::impossible_inductances;
+use crate::known_as::asked_for;
 use crate::modes::{BROKEN, Modes};
 use crate::outputs::ENERGIES;
+use crate::power_balance::metered;
 use crate::quoted_keys::with_quoted_primes;
 use crate::readiness::{Ready, ready, start_of, without_run};
 use crate::row_units::unit_of;
@@ -20,6 +22,7 @@ use model::{Event, Model, Source};
 use reader::{Issue, SceneError, Table, read_text, tables};
 use simulation::events::Margins;
 use simulation::events::{Passage, Switching};
+use simulation::knowledge::Knowledge;
 use simulation::models::{ModelReaders, Modelled, holds_model, read_models_by};
 use simulation::problem::Invariant;
 use simulation::smooth::Parameter;
@@ -47,6 +50,8 @@ pub struct ModelScene {
     condition_lines: Vec<usize>,
     /// Of a start from which no motion goes on, or several: the place in the file, and what would be accepted.
     without_motion: Option<String>,
+    /// What is known beside its equations, where the file asks for it.
+    pub(crate) knowledge: Option<&'static Knowledge>,
 }
 
 /// Makes every command read files with `[coordinates]`; `warn` is told what is accepted in them and perhaps means something else.
@@ -82,7 +87,7 @@ pub fn read_titled(path: &Path, task: Task) -> Result<(String, Model), SceneErro
 /// All that is wrong with the system, each at its place.
 pub fn parse_titled(name: &str, text: &str, task: Task) -> Result<(String, Model), SceneError> {
     let read = tables(name, text, |top, issues| {
-        top.known(&["description", "run", "ensemble"]);
+        top.known(&["description", "known_as", "run", "ensemble"]);
         let title =
             top.optional_text("title", "one line that says what happens").map_or_else(String::new, |title| title.value);
         let (model, _) = model(top, issues)?;
@@ -129,6 +134,7 @@ impl ModelScene {
         let title = top.text("title", "one line that says what happens").value;
         let title = title.split_whitespace().collect::<Vec<_>>().join(" ");
         let description = top.optional_text("description", "what happens and why it is hard");
+        let known_as = top.optional_text("known_as", "name of a system of which more is known");
         let mut model = model(top, issues).map(|(model, _)| Arc::new(model));
         let names = model.as_deref().map(columns);
         let run = match top.has("run") {
@@ -143,6 +149,7 @@ impl ModelScene {
             }
         };
         let mut model = model.take()?;
+        let knowledge = known_as.and_then(|name| asked_for(&model, &name, issues));
         if model.regulator.is_some() {
             Arc::make_mut(&mut model).close_regulated_inputs();
         }
@@ -167,17 +174,40 @@ impl ModelScene {
             format!("line {line}: {}; accepted is {}", issue.label, issue.help.unwrap_or_default())
         });
         let run = run?;
-        Some(ModelScene { title, description, model, system, start, run, events, condition_lines, without_motion })
+        Some(ModelScene {
+            title,
+            description,
+            model,
+            system,
+            start,
+            run,
+            events,
+            condition_lines,
+            without_motion,
+            knowledge,
+        })
     }
 }
 
 impl ModelScene {
     /// The same scene with other numbers: a model, its law at its start, and the start.
     pub(crate) fn with(&self, model: Arc<Model>, system: Arc<CompiledSystem>, start: Vec<f64>) -> Self {
-        let ModelScene { title, description, run, events, condition_lines, .. } = self;
+        let ModelScene { title, description, run, events, condition_lines, knowledge, .. } = self;
         let (title, description) = (title.clone(), description.clone());
         let (run, events, condition_lines) = (run.clone(), events.clone(), condition_lines.clone());
-        ModelScene { title, description, model, system, start, run, events, condition_lines, without_motion: None }
+        let without_motion = None;
+        ModelScene {
+            title,
+            description,
+            model,
+            system,
+            start,
+            run,
+            events,
+            condition_lines,
+            without_motion,
+            knowledge: *knowledge,
+        }
     }
 
     /// The problem of the run, with the modes of a law that changes.
@@ -241,7 +271,7 @@ pub fn completed_start(path: &Path) -> Vec<(String, f64)> {
         return Vec::new();
     }
     let model = tables("", &text, |top, issues| {
-        top.known(&["title", "description", "run", "ensemble"]);
+        top.known(&["title", "description", "known_as", "run", "ensemble"]);
         model(top, issues).map(|(model, _)| model)
     });
     let Ok(model) = model else { return Vec::new() };
@@ -297,6 +327,10 @@ impl Smooth for ModelScene {
         self.switched().0
     }
 
+    fn metered(&self, axes: Axes) -> Problem {
+        metered(self, self.problem(axes))
+    }
+
     fn told(&self, _choice: &Choice, trajectory: &Trajectory) -> Told {
         let ended = trajectory.passages.last().filter(|passage| passage.then.is_none());
         let diagnosis = match (ended, trajectory.left) {
@@ -305,7 +339,8 @@ impl Smooth for ModelScene {
             _ if !trajectory.has_begun() => self.without_motion.clone(),
             _ => None,
         };
-        Told { diagnosis, ..Told::default() }
+        let theory = self.knowledge.map_or_else(Vec::new, |knowledge| (knowledge.theory)(self));
+        Told { theory, diagnosis, ..Told::default() }
     }
 
     fn parameters(&self) -> Vec<Parameter> {

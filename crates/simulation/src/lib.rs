@@ -39,6 +39,7 @@
 mod axes;
 pub mod ensemble;
 pub mod events;
+pub mod knowledge;
 mod law;
 pub mod methods;
 pub mod models;

@@ -13,6 +13,9 @@ pub trait Modelled: Smooth + fmt::Debug {
     /// The law over expressions; of one that changes at events, the law of the start.
     fn symbolic_law(&self) -> Arc<dyn SymbolicLaw>;
 
+    /// The name under which more is known of it, where its file gives one: see [`crate::knowledge`].
+    fn known_as(&self) -> Option<&'static str>;
+
     /// A parameter, or a coordinate or a speed at the start, by its name, in SI units.
     fn value(&self, name: &str) -> Option<f64>;
 

@@ -1,6 +1,6 @@
 //! The same ladder under governors.
 
-use super::{mechanism, truly};
+use super::{of_mechanism, truly};
 use dalembert_derivations::studies::ladder::{Ladder, Loss};
 
 fn effectivity(ladder: &Ladder, outputs: &[&str], name: &str) -> (f64, f64) {
@@ -17,18 +17,18 @@ fn friction_across_never_matters_to_a_wheel_that_is_led_and_does_to_one_that_is_
     for (name, exact) in
         [("governors/drum_programme", true), ("governors/between_discs", true), ("governors/released", false)]
     {
-        let ladder = mechanism(name, "span = \"1 s\"").ladder();
+        let ladder = of_mechanism(name, "span = \"1 s\"");
         let rung = ladder.rungs.iter().find(|rung| rung.name == "frictionless across").expect("it has friction");
         assert_eq!(rung.loss == Loss::Nothing { claim: None }, exact, "{name}");
     }
-    let released = mechanism("governors/released", "span = \"0.2 s\"").ladder();
+    let released = of_mechanism("governors/released", "span = \"0.2 s\"");
     let (error, effectivity) = effectivity(&released, &["rho", "omega2"], "frictionless across");
     assert!(error > 1e-4 && (effectivity - 1.0).abs() < 0.1, "{error} {effectivity}");
 }
 
 #[test]
 fn a_series_that_is_cut_off_is_off_by_what_is_estimated() {
-    let ladder = mechanism("governors/drum_programme", "span = \"0.5 s\"").ladder();
+    let ladder = of_mechanism("governors/drum_programme", "span = \"0.5 s\"");
     let mut last = f64::INFINITY;
     for name in ["series to eps", "series to eps^2", "series to eps^4"] {
         let (error, effectivity) = effectivity(&ladder, &["rho"], name);
@@ -39,7 +39,7 @@ fn a_series_that_is_cut_off_is_off_by_what_is_estimated() {
 
 #[test]
 fn rims_that_say_less_are_off_by_what_is_estimated() {
-    let ladder = mechanism("governors/elastic_stable", "span = \"1 s\"").ladder();
+    let ladder = of_mechanism("governors/elastic_stable", "span = \"1 s\"");
     for name in ["rim relaxed", "rigid wheel that slides", "rigid rim"] {
         let (error, effectivity) = effectivity(&ladder, &["omega1", "x"], name);
         assert!(error > 0.0 && (effectivity - 1.0).abs() < 0.1, "{name}: {error:e} {effectivity}");

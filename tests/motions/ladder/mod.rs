@@ -11,7 +11,6 @@ use dalembert_derivations::studies::AnyScene;
 use dalembert_derivations::studies::ladder::followed::{followed, followed_at, instants};
 use dalembert_derivations::studies::ladder::watched::Watched;
 use dalembert_derivations::studies::ladder::{Estimate, Ladder, Rung};
-use dalembert_derivations::studies::mechanisms::MechanismScene;
 use dalembert_derivations::studies::scene::Scene;
 use integrators::{Record, Tolerance};
 use reader::Family;
@@ -26,11 +25,14 @@ fn scene(name: &str) -> Scene {
     Scene::open(&path(name)).unwrap_or_else(|error| panic!("{error}"))
 }
 
-fn mechanism(name: &str, span: &str) -> MechanismScene {
+/// The ladder of a mechanism, or of a system as text, over another span.
+fn of_mechanism(name: &str, span: &str) -> Ladder {
+    scenes::register(|_| ());
     let text = std::fs::read_to_string(path(name)).expect("a scene");
     let lines = text.lines().map(|line| if line.starts_with("span") { span } else { line });
     match AnyScene::parse(name, &lines.collect::<Vec<_>>().join("\n")) {
-        Ok(AnyScene::Mechanism(scene)) => *scene,
+        Ok(AnyScene::Mechanism(scene)) => scene.ladder(),
+        Ok(AnyScene::Model(scene)) => Ladder::of_model(&*scene),
         _ => panic!("{name} is a scene of a mechanism"),
     }
 }

@@ -319,7 +319,7 @@ fn a_chart_of_a_mechanism_lists_every_method_and_says_why_there_is_none() {
     let output = run(&["chart", "scenes/bodies/falling_disc.toml"]);
     let table = String::from_utf8(output.stdout).expect("text");
     assert_eq!(output.status.code(), Some(1), "{table}");
-    assert!(table.contains("left its law") && table.contains("the disc lies flat"), "{table}");
+    assert!(table.contains("before its span") && table.contains("the disc lies flat"), "{table}");
     let output = run(&["reference", "scenes/bodies/falling_disc.toml", "--out", "/dev/null"]);
     let message = String::from_utf8(output.stderr).expect("text");
     assert_eq!(output.status.code(), Some(2), "{message}");

@@ -8,6 +8,7 @@ mod power_balance;
 mod reaction_power;
 
 pub use lost_terms::{Mistake, Mistaken, mistaken};
+pub use power_balance::PowerBalance;
 
 use crate::Trace;
 use crate::agreement::Agreement;

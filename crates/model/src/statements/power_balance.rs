@@ -11,7 +11,7 @@
 use super::reaction_power::{ReactionPower, or_zero, sum_written};
 use super::{Statement, piecewise, residual, while_inputs_rest};
 use crate::agreement::decided;
-use crate::equations::{constraints_of, vanishes};
+use crate::equations::{Equation, constraints_of, vanishes};
 use crate::principles::hamilton::momenta;
 use crate::principles::loads::{along, forces, torques};
 use crate::{Trace, Vector};
@@ -41,23 +41,58 @@ impl Energy {
     }
 }
 
+/// The energy of a model and the power that feeds it along every motion, over the letters of a trace, multipliers among them.
+#[derive(Clone, Copy, Debug)]
+pub struct PowerBalance {
+    /// H, which is T + V where T is homogeneous of second degree in the speeds.
+    pub energy: Sym,
+    /// dH/dt; the constant zero where it vanishes as it stands.
+    pub power: Sym,
+}
+
+impl PowerBalance {
+    /// The balance by the forces, the reactions and what knows the time.
+    pub fn of(trace: &Trace<'_>) -> Self {
+        let Parts { energy, constraints, powers, by_forces, by_masses } = Parts::of(trace);
+        let by_reactions = of_reactions(&constraints, &powers, |power| power.working);
+        PowerBalance { energy: energy.is, power: by_forces.is + by_reactions + energy.by_time + by_masses }
+    }
+}
+
+/// All that a balance is made of.
+struct Parts {
+    energy: Energy,
+    constraints: Vec<Equation>,
+    powers: Vec<ReactionPower>,
+    by_forces: Power,
+    by_masses: Sym,
+}
+
+impl Parts {
+    fn of(trace: &Trace<'_>) -> Self {
+        let (energy, constraints) = (Energy::of(trace), constraints_of(trace));
+        let powers = constraints.iter().map(|one| ReactionPower::of(trace, one)).collect();
+        let by_masses = energy.by_masses(trace);
+        Parts { energy, constraints, powers, by_forces: Power::of_forces(trace), by_masses }
+    }
+}
+
+/// The sum of a part of the power of each reaction.
+fn of_reactions(constraints: &[Equation], powers: &[ReactionPower], part: impl Fn(&ReactionPower) -> Sym) -> Sym {
+    constraints.iter().zip(powers).fold(Sym::ZERO, |sum, (one, power)| sum + one.multiplier * part(power))
+}
+
 pub(super) fn statement(trace: &Trace<'_>) -> Statement {
-    let energy = Energy::of(trace);
-    let constraints = constraints_of(trace);
-    let powers: Vec<ReactionPower> = constraints.iter().map(|one| ReactionPower::of(trace, one)).collect();
-    let by_forces = Power::of_forces(trace);
-    let by_masses = energy.by_masses(trace);
-    let of_reactions = |part: &dyn Fn(&ReactionPower) -> Sym| {
-        constraints.iter().zip(&powers).fold(Sym::ZERO, |sum, (one, power)| sum + one.multiplier * part(power))
-    };
+    let Parts { energy, constraints, powers, by_forces, by_masses } = Parts::of(trace);
+    let of_reactions = |part: fn(&ReactionPower) -> Sym| of_reactions(&constraints, &powers, part);
     // zero along every motion: sum u (R - J^T lambda), and sum lambda n f
     let of_speed = |(i, &inertia): (usize, &Sym)| {
         constraints.iter().fold(inertia, |rest, one| rest - one.multiplier * one.row[i]) * trace.speeds[i]
     };
     let equations = residual(trace).iter().enumerate().map(of_speed).fold(Sym::ZERO, |sum, each| sum + each);
     let rate = trace.rate_of(energy.is) + by_masses;
-    let stated = by_forces.is + of_reactions(&|power| power.working) + energy.by_time + by_masses;
-    let agreement = decided(trace, &[(rate, stated + equations + of_reactions(&|power| power.idle))]);
+    let stated = by_forces.is + of_reactions(|power| power.working) + energy.by_time + by_masses;
+    let agreement = decided(trace, &[(rate, stated + equations + of_reactions(|power| power.idle))]);
     let says = piecewise(trace, &says(trace, &energy, &by_forces, &powers));
     let known: Vec<Sym> = constraints.iter().map(|one| one.zero).chain([energy.is]).collect();
     Statement { subject: "energy".to_owned(), says: while_inputs_rest(trace, &known, says), agreement }

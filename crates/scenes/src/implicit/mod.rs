@@ -11,7 +11,7 @@ mod law;
 mod series;
 mod slopes;
 
-pub(crate) use self::series::{recurrence, recurrence_of};
+pub(crate) use self::series::{recurrence, recurrence_of, recurrence_with};
 pub(crate) use equations::{linear_equations, unknown_letters};
 pub(crate) use law::{ImplicitLaw, SolvedSlopes};
 

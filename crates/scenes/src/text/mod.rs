@@ -84,9 +84,10 @@ fn start(top: &mut Table<'_>) -> (Vec<Entry>, Option<Range<usize>>) {
 }
 
 /// Tables and keys at the top of a file.
-const TOP: [&str; 24] = [
+const TOP: [&str; 25] = [
     "title",
     "description",
+    "known_as",
     "language",
     "gravity",
     "parameters",
@@ -121,7 +122,7 @@ pub fn has_unknown_tables(top: &Table<'_>) -> bool {
 
 /// Whether a table at the top of a file is a part of a system, and no part of what every file has.
 pub(crate) fn is_of_system(key: &str) -> bool {
-    TOP.contains(&key) && !matches!(key, "title" | "description" | "parameters")
+    TOP.contains(&key) && !matches!(key, "title" | "description" | "known_as" | "parameters")
 }
 
 /// A fault of the model at its place in the file.

@@ -2,19 +2,20 @@
 
 use super::trials::{BUDGET, fate};
 use super::{Exact, Failing, Found, NotFound, Threshold, Trial, Within};
-use crate::mechanisms::{Mechanism, MechanismScene};
+use crate::AnyScene;
 use crate::stabilisation::drifting::{Drift, Drifting};
 use crate::stabilisation::law::{Stabilised, state};
 use crate::stabilisation::schemes::Scheme;
 use field::Rational;
-use integrators::{Attempt, Holding, Method, Record, Span, Tolerance, integrate};
+use integrators::{Attempt, Holding, Method, Ode, Record, Span, Tolerance, integrate};
 use mechanics::constrained::energies::{Kinematics, Reduced};
 use num_traits::Zero;
 use reader::Family;
-use simulation::Smooth;
-use simulation::work_precision::{Treated, Way};
-use std::convert::Infallible;
+use simulation::work_precision::{Formulation, Standing, Treated, Way};
+use simulation::{Axes, CompiledLaw, Law, Smooth};
 use std::path::Path;
+use std::sync::Arc;
+use symbolic::Sym;
 use systems::crank_slider::CrankSlider;
 
 pub const FAILING: Failing = Failing {
@@ -39,25 +40,71 @@ const STEPS: u32 = 1_000;
 const STEP: f64 = 1e-4;
 
 fn measure(path: &Path) -> Result<Found, NotFound> {
-    let scene = MechanismScene::open(path)?;
-    if scene.name != <CrankSlider<f64> as Mechanism>::NAME {
-        return Err(NotFound::unsuitable(path, format!("this is a {}", scene.name), "system = \"crank_slider\""));
-    }
-    let datum = |name: &str| scene.data.iter().find(|(quantity, _)| quantity.name == name).map_or(0.0, |it| it.1);
-    let Ok(mechanism) = <CrankSlider<f64> as Mechanism>::read::<Infallible>(&mut |quantity| Ok(datum(&quantity.name)));
+    let scene = AnyScene::open(path)?;
+    let scene = scene.smooth();
+    let mechanism = mechanism(scene).map_err(|missing| unsuitable(path, format!("it has no `{missing}`")))?;
+    let problem = scene.problem(Axes::First);
+    let start = &problem.state;
+    let &[angle, _, speed, _] = &start[..] else {
+        return Err(unsuitable(path, "it has other coordinates than the angle and the slider".to_owned()));
+    };
     let map = Scheme::RungeKutta4.transition(Rational::zero(), Rational::zero());
     let passed_on = Threshold {
         of: "share of a violation's rate that each step adds to the violation, any method",
         formula: r"$(f_n-f_0)/(nh\dot f_0)$",
         exact: Exact::Number(map.map_or(Rational::UNDEFINED, |[[_, across], _]| across)),
         unit: "",
-        measured: added(&mechanism, &scene.start),
+        measured: added(&mechanism, start),
         within: Within::Share(1_000_000),
     };
-    let span = LONGER * scene.run.span;
-    let trials: Vec<Trial> = scene.ways().iter().flat_map(|way| tried(&mechanism, way, span)).collect();
-    let diagnosis = drifts(&mechanism, &scene.start, span).map_or_else(String::new, |drift| drift.to_string());
+    let span = LONGER * scene.run().span;
+    let ways = [minimal(&mechanism, [angle, speed])].into_iter().chain(scene.ways());
+    let trials: Vec<Trial> = ways.flat_map(|way| tried(&mechanism, &way, span)).collect();
+    let diagnosis = drifts(&mechanism, start, span).map_or_else(String::new, |drift| drift.to_string());
     Ok(Found { thresholds: vec![passed_on], diagnosis, trials })
+}
+
+/// The data by the letters of the scene; the one that is missing.
+fn mechanism(scene: &dyn Smooth) -> Result<CrankSlider<f64>, &'static str> {
+    let data = scene.parameters();
+    let datum = |name: &'static str| {
+        let found = data.iter().find(|datum| datum.name == name);
+        found.and_then(|datum| datum.value.parse().ok()).ok_or(name)
+    };
+    let [inertia, mass, crank, rod, weight] = ["J", "m", "r", "l", "G"].map(datum);
+    Ok(CrankSlider { inertia: inertia?, mass: mass?, crank: crank?, rod: rod?, weight: weight? })
+}
+
+fn unsuitable(path: &Path, found: String) -> NotFound {
+    NotFound::unsuitable(path, found, "a system with the parameters J, m, r, l, G of scenes/bodies/crank_slider.toml")
+}
+
+/// The mechanism in the angle of its crank alone.
+#[derive(Clone)]
+struct Minimal(CrankSlider<f64>);
+
+impl Ode<Sym> for Minimal {
+    fn dimension(&self) -> usize {
+        2
+    }
+
+    fn rates(&self, t: Sym, y: &[Sym], dy: &mut [Sym]) {
+        Stabilised::<_, 1, 0> { system: &Reduced(&self.0), damping: 0.0, stiffness: 0.0 }.rates(t, y, dy);
+    }
+}
+
+fn minimal(mechanism: &CrankSlider<f64>, start: [f64; 2]) -> Way {
+    let law: Arc<dyn Law> = Arc::new(CompiledLaw::new(Minimal(*mechanism)));
+    Way {
+        formulation: Formulation::Minimal,
+        model: "",
+        standing: Standing::Exact,
+        law: Treated::Free(law),
+        state: start.to_vec(),
+        sizes: Vec::new(),
+        columns: Vec::new(),
+        row: Box::new(|_, state| state.to_vec()),
+    }
 }
 
 /// f and f' at (q, q').
@@ -68,8 +115,8 @@ fn violation(mechanism: &CrankSlider<f64>, y: &[f64]) -> [f64; 2] {
 
 /// What a run adds to a violation, in units of its rate and the time.
 fn added(mechanism: &CrankSlider<f64>, start: &[f64]) -> Option<f64> {
-    let (q, dq) = Reduced(mechanism).motion(0.0, [*start.first()?], [*start.get(1)?]);
-    let y = [q[0], q[1], dq[0], dq[1] + OFF];
+    let mut y = start.to_vec();
+    *y.get_mut(3)? += OFF;
     let law = Stabilised { system: mechanism, damping: 0.0, stiffness: 0.0 };
     let span = Span::new(0.0, STEP * f64::from(STEPS), &y);
     let outcome = integrate(&law, Method::RungeKutta4 { steps: STEPS }, &Tolerance::both(1e-9), &span, &mut ());
@@ -79,11 +126,9 @@ fn added(mechanism: &CrankSlider<f64>, start: &[f64]) -> Option<f64> {
 
 /// What is said of a run after index reduction, by Runge-Kutta 4.
 fn drifts(mechanism: &CrankSlider<f64>, start: &[f64], end: f64) -> Option<Drift> {
-    let (q, dq) = Reduced(mechanism).motion(0.0, [*start.first()?], [*start.get(1)?]);
     let law = Stabilised { system: mechanism, damping: 0.0, stiffness: 0.0 };
-    let y = [q, dq].concat();
-    let span = Span::new(0.0, end, &y);
-    let mut drifting = Drifting::new(|y: &[f64]| violation(mechanism, y), (0.0, &y), KEPT);
+    let span = Span::new(0.0, end, start);
+    let mut drifting = Drifting::new(|y: &[f64]| violation(mechanism, y), (0.0, start), KEPT);
     integrate(&law, Method::RungeKutta4 { steps: LONG }, &Tolerance::both(1e-9), &span, &mut drifting);
     drifting.found
 }

@@ -3,7 +3,7 @@
 use super::entry::data;
 use super::trials::{BUDGET, Tried, near};
 use super::{Exact, Failing, Found, NotFound, Threshold, Trial, Within};
-use crate::mechanisms::bodies::charted;
+use crate::mechanisms::charted::charted;
 use field::{Analytic, Over};
 use integrators::{Method, Observer, Ode, Record, Span, Tolerance, integrate};
 use mechanics::constrained::contacts::Sides;

@@ -36,7 +36,9 @@ impl Models for Forms {
 
     fn watched(&self, names: &[String]) -> Result<(Watched, u64), String> {
         let (watched, evaluations) = self.ladders[0].watched(names).map_err(|failure| failure.to_string())?;
-        watched.left.map_or(Ok((watched, evaluations)), |why| Err(format!("left its law: {why}")))
+        let changes = self.ladders[0].own.switching.is_some();
+        let told = |why: &str| if changes { why.to_owned() } else { format!("left its law: {why}") };
+        watched.left.map_or(Ok((watched, evaluations)), |why| Err(told(why)))
     }
 
     fn lines(&self, watched: &Watched, tolerance: f64) -> (Vec<Line>, u64) {

@@ -1,14 +1,23 @@
 //! The ladder of a system that is written in its file: its own law, across its events too.
 
-use super::Ladder;
 use super::along::{Along, Run};
 use super::followed::{COARSE, looks};
 use super::plan::Runnable;
 use super::watched::{Watched, largest};
+use super::{Ladder, Rung};
 use integrators::{Failure, Method, Observer, Record, Span, Tolerance};
 use simulation::models::Modelled;
 use simulation::{Axes, Problem};
 use std::sync::Arc;
+
+/// Smaller models of systems that files name by `known_as`; each file may have other values of its parameters.
+pub struct Reductions {
+    /// As [`simulation::knowledge::Knowledge`] has it.
+    pub name: &'static str,
+    pub rungs: fn(&dyn Modelled) -> Vec<Rung>,
+}
+
+inventory::collect!(Reductions);
 
 /// An event that ends a run before its span leaves instants without rows.
 const ENDS: &str = "an event ends the run before its span";
@@ -17,13 +26,15 @@ impl Ladder {
     /// Of a system that is written in its file.
     pub fn of_model(scene: &dyn Modelled) -> Self {
         let own = scene.problem(Axes::First);
+        let known = inventory::iter::<Reductions>().filter(|one| scene.known_as() == Some(one.name));
+        let rungs = known.flat_map(|one| (one.rungs)(scene)).collect();
         Ladder {
             model: scene.model(),
             written: scene.symbolic_law(),
             law: Arc::clone(&own.law),
             start: own.state.clone(),
             whole: Box::new(|_, state| state.to_vec()),
-            rungs: Vec::new(),
+            rungs,
             lumping: None,
             own,
         }

@@ -1,6 +1,5 @@
 //! The electromechanical drive in its nine equations, the rod's constraint stabilised by gains of the scene.
 
-use super::bodies::rod_too_short;
 use super::rewritten::{Rewritten, ready, redundant};
 use super::{Amiss, Diagnosis, Ended, Mechanism};
 use crate::stabilisation::bearable::bearable_steps;
@@ -192,4 +191,11 @@ impl Drive {
         });
         Foreseen { step, gains, circuit }
     }
+}
+
+/// The crank turns all the way round only with a rod that is longer.
+fn rod_too_short(mechanism: &CrankSlider<f64>) -> Option<Amiss> {
+    let accepted = format!("a rod longer than the crank, {} m, is accepted", mechanism.crank);
+    let what = "the rod is no longer than the crank: the crank cannot turn round";
+    (mechanism.rod <= mechanism.crank).then_some(Amiss { name: "rod", what, accepted })
 }

@@ -1,22 +1,43 @@
-//! The governor with an elastic rim: near its stationary motion, or anywhere else.
+//! The governor with an elastic rim, as text: whether its stationary motion is stable, and rims that say less.
+//!
+//! With the rolled distance s, s' = R omega1, the rim relaxes by
+//!
+//!   lambda_s = x_s - psi ,    psi_s = alpha lambda - beta psi .
 
-use super::governors::reductions;
-use super::points::{self, Turning};
-use super::rewritten::Rewritten;
-use super::{Amiss, Diagnosis, Ended, Mechanism};
 use crate::governors::{growth, has_positive_minors};
-use crate::ladder::Rung;
+use crate::ladder::models::Reductions;
+use crate::ladder::rung::Fill;
+use crate::ladder::{Loss, Lower, Rung};
 use field::{Analytic, Over};
-use integrators::Method;
-use mechanics::constrained::State;
-use reader::Quantity;
-use simulation::{Margin, SymbolicLaw};
-use std::sync::Arc;
+use simulation::Axes;
+use simulation::knowledge::{Knowledge, submit};
+use simulation::models::Modelled;
+use std::convert::Infallible;
 use systems::elastic_governor::ElasticGovernor;
 
-/// The state as the system has it.
-fn state<S: Copy>(y: &[S]) -> [S; 5] {
-    [y[0], y[1], y[2], y[3], y[4]]
+const NAME: &str = "elastic_governor";
+
+/// Coordinates, then speeds, as the scenes name them.
+const STATE: [&str; 12] =
+    ["phi1", "phi2", "phi", "x", "lambda", "psi", "phi1'", "phi2'", "phi'", "x'", "lambda'", "psi'"];
+
+submit! { Knowledge {
+    name: NAME,
+    summary: "a governor with centrifugal balls and a wheel with an elastic rim, after Keldysh",
+    parameters: &[
+        "drum_inertia", "disc_inertia", "wheel_inertia", "drum", "wheel", "offset", "sleeve", "ball", "link", "m1", "m2", "c1", "c2",
+        "delta1", "delta2", "rest", "across", "twist", "drill", "alpha", "beta",
+    ],
+    columns: &STATE,
+    theory: |scene| theory(&data(scene)),
+} }
+
+submit! { Reductions { name: NAME, rungs } }
+
+/// The data by their names; the rim of the text has no mass.
+fn data(scene: &dyn Modelled) -> ElasticGovernor<f64> {
+    let Ok(data) = ElasticGovernor::read(|quantity| Ok::<_, Infallible>(scene.value(&quantity.name).unwrap_or(0.0)));
+    data
 }
 
 /// How well the data must balance for their stationary motion to be one, against the largest of what is balanced.
@@ -31,94 +52,84 @@ fn stationary(data: &ElasticGovernor<f64>) -> Option<f64> {
     (speed > 0.0 && close(balanced.m1, data.m1)).then_some(speed)
 }
 
-/// Its angles are coordinates.
-impl Turning<12, 0> for ElasticGovernor<f64> {
-    fn turning<S: Over<f64>>(&self, _at: &State<S, 12>) -> [S; 0] {
-        []
-    }
+fn theory(data: &ElasticGovernor<f64>) -> Vec<String> {
+    let Some(speed) = stationary(data) else {
+        return vec!["the moments or the springs do not balance at x0: there is no stationary motion".to_owned()];
+    };
+    let verdict = match has_positive_minors(data, speed) {
+        true => "stable, by Hurwitz' minors, which are all positive",
+        false => "unstable, by Hurwitz' minors, which are not all positive",
+    };
+    let growth = growth(data, speed).filter(|rate| rate.is_finite()).map_or_else(String::new, |rate| {
+        format!("; a disturbance changes by e^({rate:.3e} t) in the long run, by the eigenvalues")
+    });
+    vec![format!("the stationary motion at omega1 = {speed:.9} rad/s, x = {} m is {verdict}{growth}", data.rest)]
 }
 
-impl Mechanism for ElasticGovernor<f64> {
-    const NAME: &'static str = "elastic_governor";
-    const SUMMARY: &'static str = "a governor with centrifugal balls and a wheel with an elastic rim, after Keldysh";
-    const STATE: &'static [Quantity] = &[
-        Quantity::any("omega1", "rad/s", "speed of the drum"),
-        Quantity::any("x", "m", "place of the sleeve"),
-        Quantity::any("dx", "m/s", "velocity of the sleeve"),
-        Quantity::any("lambda", "m", "displacement of the wheel's centre from that of the contact"),
-        Quantity::any("psi", "rad", "angle from the plane of the wheel to the line of rolling"),
-    ];
-    const SHOWN: &'static [Quantity] = &[Quantity::any("omega2", "rad/s", "speed of the disc")];
+/// The elastic rim against rims that say less.
+fn rungs(scene: &dyn Modelled) -> Vec<Rung> {
+    let (written, data, start) = (scene.symbolic_law(), data(scene), scene.problem(Axes::First).state);
+    let rung = |name, dropped: &str, parameter, rim: Rim, kept: Vec<usize>| {
+        let z0 = kept.iter().map(|&place| start[place]).collect();
+        let whole = Whole { rim, data };
+        Rung::new(name, dropped, Loss::Small { parameter }, Lower::keeping(&written, kept, whole), z0)
+    };
+    let sleeve = || vec![0, 1, 2, 3, 6, 9];
+    let quasi_steady = (data.alpha != 0.0).then(|| {
+        rung(
+            "rim relaxed",
+            "the rim's relaxation: psi = x'/(R omega1), lambda = beta psi/alpha",
+            "rate of the sleeve over that of the rim, R omega1 beta/2",
+            Rim::Relaxed,
+            sleeve(),
+        )
+    });
+    let sliding = rung(
+        "rigid wheel that slides",
+        "the rim: the wheel slides across without resistance",
+        "force of the rim over that of the springs",
+        Rim::Absent,
+        sleeve(),
+    );
+    let rolling = rung(
+        "rigid rim",
+        "the rim and with it the sleeve's motion: a rigid wheel rolls on in its own plane",
+        "way of the sleeve over its place",
+        Rim::Rigid { place: start[3] },
+        vec![0, 1, 2, 6],
+    );
+    quasi_steady.flatten().into_iter().chain(sliding).chain(rolling).collect()
+}
 
-    fn read<E>(source: &mut impl FnMut(&'static Quantity) -> Result<f64, E>) -> Result<Self, E> {
-        ElasticGovernor::read(source)
-    }
+/// A rim that is not followed.
+#[derive(Clone, Copy)]
+enum Rim {
+    Relaxed,
+    Absent,
+    Rigid { place: f64 },
+}
 
-    fn rates<S: Over<f64> + Analytic>(&self, _time: S, y: &[S], dy: &mut [S]) {
-        let rates = self.rates_of_state(state(y));
-        dy.copy_from_slice(&rates.unwrap_or([S::zero() / S::zero(); 5]));
-    }
+/// The whole state, of which the drum's angle and speed are known, and the sleeve's but for a rigid rim.
+struct Whole {
+    rim: Rim,
+    data: ElasticGovernor<f64>,
+}
 
-    fn energy<S: Over<f64> + Analytic>(&self, _time: S, y: &[S]) -> S {
-        ElasticGovernor::energy(self, state(y))
-    }
-
-    fn power<S: Over<f64> + Analytic>(&self, _time: S, y: &[S]) -> S {
-        ElasticGovernor::power(self, state(y))
-    }
-
-    fn shown(&self, _time: f64, y: &[f64]) -> Vec<f64> {
-        vec![self.drum * y[0] / (y[1] - self.offset)]
-    }
-
-    fn amiss(&self, start: &[f64]) -> Vec<Amiss> {
-        let accepted = format!("a place between {} m and {} m is accepted", self.offset, 2.0 * self.link);
-        self.outside(start, start).map(|what| Amiss { name: "x", what, accepted }).into_iter().collect()
-    }
-
-    fn margins(&self, _start: &[f64], y: &[f64], dy: &[f64]) -> Vec<Margin> {
-        let of_axis = "the wheel has come to the axis of the disc";
-        let of_links = "the links are stretched: the balls are on the axis";
-        vec![
-            Margin { value: y[1] - self.offset, rate: dy[1], what: of_axis, ..Margin::default() },
-            Margin { value: 2.0 * self.link - y[1], rate: -dy[1], what: of_links, ..Margin::default() },
-        ]
-    }
-
-    fn diagnosis(&self, run: &Ended<'_>) -> Option<Diagnosis> {
-        let (low, high) = (self.offset, 2.0 * self.link);
-        let near = 1e-2 * (high - low);
-        let what = match run.last[1] {
-            x if x < low + near => "the wheel comes to the axis of the disc, which then turns without bound",
-            x if x > high - near => "the links are stretched: the balls come to the axis",
-            _ => return None,
+impl Fill for Whole {
+    fn fill<S: Over<f64> + Analytic>(&self, y: &mut [S]) {
+        let (zero, data) = (S::zero(), self.data.map(S::lift));
+        if let Rim::Rigid { place } = self.rim {
+            (y[3], y[9]) = (S::lift(place), zero);
+        }
+        let rolled = data.drum * y[6];
+        (y[4], y[5]) = match self.rim {
+            Rim::Relaxed => {
+                let angle = y[9] / rolled;
+                (data.beta / data.alpha * angle, angle)
+            }
+            Rim::Absent | Rim::Rigid { .. } => (zero, zero),
         };
-        Some(Diagnosis { what, at: None })
-    }
-
-    fn rewritten(&self, start: &[f64]) -> Vec<Rewritten> {
-        let [speed, x, drift, lambda, psi] = state(start);
-        let start = ([0.0, 0.0, 0.0, x, lambda, psi], [speed, drift], []);
-        points::redundant::<_, 12, 10, 6, 2, 0>(self, start, |at, []| {
-            vec![at.velocity[0], at.place[3], at.velocity[3], at.place[10], at.place[11]]
-        })
-    }
-
-    fn smaller(&self, start: &[f64], written: &Arc<dyn SymbolicLaw>) -> Vec<Rung> {
-        reductions::elastic(self, start, written)
-    }
-
-    fn theory(&self, _start: &[f64], _method: Method, _span: f64) -> Vec<String> {
-        let Some(speed) = stationary(self) else {
-            return vec!["the moments or the springs do not balance at x0: there is no stationary motion".to_owned()];
-        };
-        let verdict = match has_positive_minors(self, speed) {
-            true => "stable, by Hurwitz' minors, which are all positive",
-            false => "unstable, by Hurwitz' minors, which are not all positive",
-        };
-        let growth = growth(self, speed).filter(|rate| rate.is_finite()).map_or_else(String::new, |rate| {
-            format!("; a disturbance changes by e^({rate:.3e} t) in the long run, by the eigenvalues")
-        });
-        vec![format!("the stationary motion at omega1 = {speed:.9} rad/s, x = {} m is {verdict}{growth}", self.rest)]
+        (y[7], y[8]) = (rolled / (y[3] - data.offset), rolled / data.wheel);
+        (y[10], y[11]) = (y[9] - rolled * y[5], rolled * (data.alpha * y[4] - data.beta * y[5]));
     }
 }

@@ -4,13 +4,14 @@
 //! * [`mechanism`]: what a mechanism says of itself, and the law with its work that is made of it;
 //! * [`rewritten`], [`points`], [`steered`]: other formulations of the same mechanism, for the atlas;
 //! * [`scene`]: the family of scenes: reading, the problem, what theory says of a run;
-//! * [`governors`], [`elastic`], [`prescribed_top`], [`drive`], [`bodies`]: the mechanisms.
+//! * [`governors`], [`elastic`], [`prescribed_top`], [`drive`]: the mechanisms; [`charted`]: what those in
+//!   coordinates of their own share.
 //!
 //! To add one: [`Mechanism`] for the system's data, and one line in the list below.
 
-pub mod bodies;
+pub mod charted;
 pub mod drive;
-pub mod elastic;
+mod elastic;
 mod erased;
 pub mod governors;
 pub mod mechanism;
@@ -24,22 +25,12 @@ pub use mechanism::{Amiss, Balanced, Diagnosis, Ended, Mechanism};
 pub use scene::MechanismScene;
 
 use erased::{Entry, entry};
-use governors::{Discs, Drum, Programme, Released};
-use systems::crank_slider::CrankSlider;
-use systems::disc::Disc;
-use systems::elastic_governor::ElasticGovernor;
-use systems::knife_edge::KnifeEdge;
+use governors::{Discs, Drum, Programme};
 
 /// Every mechanism by the name that scene files use.
 pub const LIST: &[Entry] = &[
     entry::<Programme<Drum>>(),
     entry::<Programme<Discs>>(),
-    entry::<Released<Drum>>(),
-    entry::<Released<Discs>>(),
-    entry::<ElasticGovernor<f64>>(),
     entry::<prescribed_top::PrescribedTop<f64>>(),
     entry::<drive::Drive>(),
-    entry::<CrankSlider<f64>>(),
-    entry::<Disc<f64>>(),
-    entry::<KnifeEdge<f64>>(),
 ];

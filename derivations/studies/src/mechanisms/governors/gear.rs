@@ -38,8 +38,8 @@ reader::quantities! {
 
 /// What the wheel rolls on.
 pub trait Gear: Copy + Debug + Send + Sync + 'static {
-    /// Name and summary of the governor whose speed is kept, and of the one that is released.
-    const NAMES: [(&'static str, &'static str); 2];
+    /// Name and summary of the governor.
+    const NAME: (&'static str, &'static str);
     /// What rho is.
     const RHO: &'static str;
     /// The one length that the gear has.
@@ -57,10 +57,8 @@ pub struct Drum;
 pub struct Discs;
 
 impl Gear for Drum {
-    const NAMES: [(&'static str, &'static str); 2] = [
-        ("drum_programme", "a friction governor with a drum, its wheel led so that the second shaft keeps its speed"),
-        ("drum_governor", "a friction governor with a drum, its wheel pushed by a constant force"),
-    ];
+    const NAME: (&'static str, &'static str) =
+        ("drum_programme", "a friction governor with a drum, its wheel led so that the second shaft keeps its speed");
     const RHO: &'static str = "distance of the wheel from the axis of the second disc";
     const LENGTH: &'static Quantity =
         &Quantity::within("drum", "m", "R, radius of the drum on the first shaft", Bound::Positive);
@@ -71,10 +69,8 @@ impl Gear for Drum {
 }
 
 impl Gear for Discs {
-    const NAMES: [(&'static str, &'static str); 2] = [
-        ("disc_programme", "a friction governor between two discs, led so that the second shaft keeps its speed"),
-        ("disc_governor", "a friction governor between two discs, its wheel pushed by a constant force"),
-    ];
+    const NAME: (&'static str, &'static str) =
+        ("disc_programme", "a friction governor between two discs, led so that the second shaft keeps its speed");
     const RHO: &'static str = "distance of the wheel from the axis of the first disc";
     const LENGTH: &'static Quantity =
         &Quantity::within("distance", "m", "a, distance of the axes of both discs", Bound::Positive);
@@ -94,39 +90,44 @@ pub(super) fn governor<G: Gear, E>(
     Ok(Governor { inertia: [j1, j2, j], mass, radius: wheel, gearing, moments, push: 0.0, lateral })
 }
 
+/// The smaller model without the friction across the wheel: its name, what it drops, and what is small then.
+pub(super) const FRICTIONLESS: [&str; 3] = [
+    "frictionless across",
+    "the friction across the wheel at both contacts",
+    "F11 + F22 over the force along the axle",
+];
+
 /// The governor whose wheel slides along its axle without friction.
 pub(super) fn without_friction<M: Mechanism>(smooth: M, start: &[f64], written: &Arc<dyn SymbolicLaw>) -> Option<Rung> {
-    let dropped = "the friction across the wheel at both contacts";
-    with_data("frictionless across", dropped, "F11 + F22 over the force along the axle", smooth, start, written)
+    let [name, dropped, parameter] = FRICTIONLESS;
+    with_data(name, dropped, parameter, smooth, start, written)
 }
 
-/// Where the levers are positive; for the released governor only the first need be.
-fn range(gearing: Gearing<f64>, kept: bool) -> [f64; 2] {
+/// Where the levers are positive.
+fn range(gearing: Gearing<f64>) -> [f64; 2] {
     match gearing {
-        Gearing::Drum { .. } if kept => [0.0, f64::INFINITY],
-        Gearing::Drum { .. } => [f64::NEG_INFINITY, f64::INFINITY],
-        Gearing::Discs { distance } if kept => [0.0, distance],
-        Gearing::Discs { .. } => [0.0, f64::INFINITY],
+        Gearing::Drum { .. } => [0.0, f64::INFINITY],
+        Gearing::Discs { distance } => [0.0, distance],
     }
 }
 
-pub(super) fn amiss(gearing: Gearing<f64>, kept: bool, rho: f64) -> Option<Amiss> {
-    let accepted = match range(gearing, kept) {
+pub(super) fn amiss(gearing: Gearing<f64>, rho: f64) -> Option<Amiss> {
+    let accepted = match range(gearing) {
         [_, most] if most.is_infinite() => "a positive distance is accepted".to_owned(),
         [least, most] => format!("a distance between {least} m and {most} m is accepted"),
     };
-    outside(&margins(gearing, kept, [rho, 0.0])).map(|what| Amiss { name: "rho", what, accepted })
+    outside(&margins(gearing, [rho, 0.0])).map(|what| Amiss { name: "rho", what, accepted })
 }
 
 /// Of rho with its rate.
-pub(super) fn margins(gearing: Gearing<f64>, kept: bool, [rho, rate]: [f64; 2]) -> Vec<Margin> {
-    let [least, most] = range(gearing, kept);
+pub(super) fn margins(gearing: Gearing<f64>, [rho, rate]: [f64; 2]) -> Vec<Margin> {
+    let [least, most] = range(gearing);
     let first = match gearing {
         Gearing::Drum { .. } => "the wheel has come to the axis of the second disc, or beyond",
         Gearing::Discs { .. } => "the wheel has come to the axis of the first disc, or beyond",
     };
     let last = "the wheel has come to the axis of the second disc, or beyond";
-    let below = least.is_finite().then_some(Margin { value: rho - least, rate, what: first, ..Margin::default() });
+    let below = Margin { value: rho - least, rate, what: first, ..Margin::default() };
     let above = most.is_finite().then_some(Margin { value: most - rho, rate: -rate, what: last, ..Margin::default() });
-    below.into_iter().chain(above).collect()
+    std::iter::once(below).chain(above).collect()
 }

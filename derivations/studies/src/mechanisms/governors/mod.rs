@@ -1,4 +1,5 @@
-//! The friction governors: the programme that keeps the speed of the second shaft, and the governor released.
+//! The friction governors: the programme that keeps the speed of the second shaft, and what is known of the governor released, which is
+//! text.
 
 mod gear;
 mod programme;
@@ -7,7 +8,6 @@ mod released;
 
 pub use gear::{Discs, Drum, Gear, Shafts};
 pub use programme::Programme;
-pub use released::Released;
 
 /// The share of its first lever at which a wheel counts as come to the axis.
 const NEAR: f64 = 1e-2;

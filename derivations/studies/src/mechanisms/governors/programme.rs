@@ -1,6 +1,6 @@
 //! The wheel led so that the second shaft keeps its speed.
 
-use super::super::bodies::power;
+use super::super::charted::power;
 use super::super::points::Turning;
 use super::super::rewritten::Rewritten;
 use super::super::{Amiss, Diagnosis, Ended, Mechanism, steered};
@@ -74,8 +74,8 @@ impl Turning<7, 0> for Kept<f64> {
 }
 
 impl<G: Gear> Mechanism for Programme<G> {
-    const NAME: &'static str = G::NAMES[0].0;
-    const SUMMARY: &'static str = G::NAMES[0].1;
+    const NAME: &'static str = G::NAME.0;
+    const SUMMARY: &'static str = G::NAME.1;
     const STATE: &'static [Quantity] = &[Quantity::any("rho", "m", G::RHO)];
     const SHOWN: &'static [Quantity] = &[
         Quantity::any("drho", "m/s", "rate of rho"),
@@ -112,11 +112,11 @@ impl<G: Gear> Mechanism for Programme<G> {
         let accepted = "a speed other than zero is accepted".to_owned();
         let still =
             (self.speed == 0.0).then_some(Amiss { name: "speed", what: "no wheel keeps a shaft at rest", accepted });
-        still.into_iter().chain(amiss(self.governor.gearing, true, start[0])).collect()
+        still.into_iter().chain(amiss(self.governor.gearing, start[0])).collect()
     }
 
     fn margins(&self, _start: &[f64], y: &[f64], dy: &[f64]) -> Vec<Margin> {
-        margins(self.governor.gearing, true, [y[0], dy[0]])
+        margins(self.governor.gearing, [y[0], dy[0]])
     }
 
     fn diagnosis(&self, run: &Ended<'_>) -> Option<Diagnosis> {

@@ -1,6 +1,6 @@
 //! The ladders of governors and other mechanisms: a law without some of its terms, quasi-steady states, series.
 
-use crate::ladder::rung::{Fill, Lower};
+use crate::ladder::rung::Lower;
 use crate::ladder::{Ladder, Loss, Rung};
 use crate::mechanisms::Mechanism;
 use crate::mechanisms::rewritten::ready;
@@ -9,7 +9,6 @@ use integrators::Ode;
 use simulation::{Problem, SymbolicLaw};
 use std::sync::Arc;
 use symbolic::Sym;
-use systems::elastic_governor::ElasticGovernor;
 use systems::governor::series::Programme;
 
 /// A mechanism's law without the work that is done on it.
@@ -49,65 +48,6 @@ pub fn with_data<M: Mechanism>(
     let lower = Lower::other(&(Arc::new(Alone(other)) as Arc<dyn SymbolicLaw>));
     let loss = if lower.is_exact(&**written) { Loss::Nothing { claim: None } } else { Loss::Small { parameter } };
     Rung::new(name, dropped, loss, lower, start.to_vec())
-}
-
-/// The elastic rim against rims that say less. With the rolled distance s, s' = R omega1, the rim relaxes by
-///
-///   lambda_s = x_s - psi ,    psi_s = alpha lambda - beta psi .
-pub fn elastic(data: &ElasticGovernor<f64>, start: &[f64], written: &Arc<dyn SymbolicLaw>) -> Vec<Rung> {
-    let rung = |name, dropped: &str, parameter, rim: Rim, kept: Vec<usize>| {
-        let z0 = kept.iter().map(|&place| start[place]).collect();
-        Rung::new(name, dropped, Loss::Small { parameter }, Lower::keeping(written, kept, rim), z0)
-    };
-    let (of_drum, of_angle, of_shift) = (data.drum, data.beta, data.alpha);
-    let quasi_steady = (of_shift != 0.0).then(|| {
-        rung(
-            "rim relaxed",
-            "the rim's relaxation: psi = x'/(R omega1), lambda = beta psi/alpha",
-            "rate of the sleeve over that of the rim, R omega1 beta/2",
-            Rim::Relaxed { drum: of_drum, ratio: of_angle / of_shift },
-            vec![0, 1, 2],
-        )
-    });
-    let sliding = rung(
-        "rigid wheel that slides",
-        "the rim: the wheel slides across without resistance",
-        "force of the rim over that of the springs",
-        Rim::Absent,
-        vec![0, 1, 2],
-    );
-    let rolling = rung(
-        "rigid rim",
-        "the rim and with it the sleeve's motion: a rigid wheel rolls on in its own plane",
-        "way of the sleeve over its place",
-        Rim::Rigid { place: start[1] },
-        vec![0],
-    );
-    quasi_steady.flatten().into_iter().chain(sliding).chain(rolling).collect()
-}
-
-/// (omega1, x, x', lambda, psi) where the rim is not followed.
-enum Rim {
-    Relaxed { drum: f64, ratio: f64 },
-    Absent,
-    Rigid { place: f64 },
-}
-
-impl Fill for Rim {
-    fn fill<S: Over<f64> + Analytic>(&self, y: &mut [S]) {
-        let zero = S::zero();
-        match *self {
-            Rim::Relaxed { drum, ratio } => {
-                let angle = y[2] / (S::lift(drum) * y[0]);
-                (y[3], y[4]) = (S::lift(ratio) * angle, angle);
-            }
-            Rim::Absent => (y[3], y[4]) = (zero, zero),
-            Rim::Rigid { place } => {
-                (y[1], y[2]) = (S::lift(place), zero);
-                (y[3], y[4]) = (zero, zero);
-            }
-        }
-    }
 }
 
 /// The programme's series by powers of its small parameter, cut off: no equation is solved, only a clock goes.

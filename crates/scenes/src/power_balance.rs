@@ -1,0 +1,101 @@
+//! The run of a model with the work that is done on it: its energy less this work keeps its first value, or the run has made up the rest.
+
+use crate::compiled_system::{CompiledSystem, Way, is_watched};
+use crate::implicit::recurrence_with;
+use crate::letters::Letters;
+use crate::outputs::determined;
+use crate::program::recorded;
+use crate::scene::ModelScene;
+use integrators::{Ode, Slopes};
+use model::{PowerBalance, Trace};
+use simulation::events::of_leading;
+use simulation::problem::Invariant;
+use simulation::{CompiledLaw, Differentiable, LawSeries, Problem, SymbolicLaw};
+use std::sync::Arc;
+use symbolic::{Sym, apart};
+
+/// The column of the work.
+pub(crate) const WORK: &str = "work";
+
+/// A problem with the work as its last state. Plain where nothing works or the energy is kept, where the law changes at events, where the
+/// name of the column is taken, and where accelerations are solved for at each evaluation.
+pub(crate) fn metered(scene: &ModelScene, plain: Problem) -> Problem {
+    let system = &scene.system;
+    let model = system.model();
+    let is_taken = plain.columns.iter().any(|name| name == WORK);
+    if system.keeps_energy || is_watched(model) || is_taken || Way::of(model) == Way::Solved {
+        return plain;
+    }
+    if apart(|| PowerBalance::of(&Trace::of(model)).power == Sym::ZERO) {
+        return plain;
+    }
+    let own = plain.state.len();
+    let energy = recorded(own, |time, state| {
+        let trace = Trace::of(model);
+        Letters::with_data(time, state).put_into(&trace, &[PowerBalance::of(&trace).energy])
+    });
+    let Ok(energy) = energy else { return plain };
+    let mut law = CompiledLaw::of(Arc::new(Metered(Arc::clone(system))) as Arc<dyn SymbolicLaw>);
+    if law.program().is_none() {
+        return plain;
+    }
+    if system.has_solved_series() {
+        let model = Arc::clone(model);
+        law = law.with_series(LawSeries::by(move || recurrence_with(&model, |trace| PowerBalance::of(trace).power)));
+    }
+    if system.has_solved_slopes() {
+        law = law.with_jacobian(Arc::new(OverDualNumbers));
+    }
+    let Problem { mut state, span, mut columns, row, margins, .. } = plain;
+    state.push(0.0);
+    columns.push(WORK.to_owned());
+    let balance = move |time: f64, state: &[f64]| {
+        let mut value = [f64::NAN];
+        // made for a state of this length
+        energy.run(time, &state[..own], &mut value).unwrap_or(());
+        value[0] - state[own]
+    };
+    let row = move |time: f64, state: &[f64]| {
+        let mut row = row(time, &state[..own]);
+        row.push(state[own]);
+        row
+    };
+    Problem {
+        law: Arc::new(law),
+        state,
+        span,
+        // nothing else is kept where the energy is not
+        invariants: vec![Invariant { name: "energy_less_work", value: Box::new(balance) }],
+        columns,
+        row: Box::new(row),
+        margins: of_leading(margins, own),
+        switching: None,
+    }
+}
+
+/// A law with the power that feeds its energy behind its rates.
+struct Metered(Arc<CompiledSystem>);
+
+impl Ode<Sym> for Metered {
+    fn dimension(&self) -> usize {
+        Ode::<Sym>::dimension(&*self.0) + 1
+    }
+
+    fn rates(&self, t: Sym, y: &[Sym], dy: &mut [Sym]) {
+        if let ([y @ .., _], [dy @ .., work]) = (y, dy) {
+            self.0.rates(t, y, dy);
+            let trace = Trace::of(self.0.model());
+            let power = determined(&trace, &self.0.mode, vec![PowerBalance::of(&trace).power]);
+            *work = Letters::with_data(t, y).put_into(&trace, &power)[0];
+        }
+    }
+}
+
+/// The Jacobian of a law whose derivatives are too long to be written down.
+struct OverDualNumbers;
+
+impl Differentiable for OverDualNumbers {
+    fn slopes(&self) -> Option<Box<dyn Slopes + '_>> {
+        None
+    }
+}
