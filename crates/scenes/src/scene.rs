@@ -6,6 +6,7 @@ use crate::compiled_system::{CompiledSystem, ENERGIES, changes};
 use crate::ensemble::parse_ensemble;
 use crate::inductances::impossible_inductances;
 use crate::modes::Modes;
+use crate::named;
 use crate::quoted_keys::with_quoted_primes;
 use crate::readiness::{ready, start_of, without_run};
 use crate::row_units::unit_of;
@@ -53,7 +54,7 @@ pub fn register(warn: Warn) {
         warn_of(name, text, &scene.model.warnings);
         Ok(Arc::new(scene))
     };
-    read_models_by(ModelReaders { scene, ensemble: parse_ensemble });
+    read_models_by(ModelReaders { scene, ensemble: parse_ensemble, runs: named::runs, knows: named::knows });
 }
 
 /// Reads the system of a file, and leaves its run alone: for what needs neither values nor a run.
@@ -93,7 +94,7 @@ pub fn parse_titled(name: &str, text: &str, task: Task) -> Result<(String, Model
 
 /// The system of a file with its source; what is wrong with it goes into the list.
 pub(crate) fn model(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<(Model, Source)> {
-    let source = text::source(top);
+    let source = named::source(top, issues)?;
     let faults = match Model::of(&source).and_then(settled) {
         // what could not be read is missing in it
         Ok(model) => return (!top.has_issues()).then_some((model, source)),
