@@ -27,6 +27,7 @@ mod letters;
 pub mod linearisation;
 mod modes;
 mod motions;
+mod named;
 mod no_system;
 mod other_values;
 mod outputs;
@@ -45,12 +46,16 @@ mod start;
 pub mod text;
 mod warnings;
 
+/// Brings a [`NamedSystem`], found wherever the crate is linked.
+pub use inventory::submit;
+
 pub use branch::{on_branch, without_implied};
 pub use compiled_system::{CompiledSystem, NotCompiled};
 pub use ensemble::parse_ensemble;
 pub use equilibrium::{Equilibrium, NoEquilibrium, equilibrium};
 pub use modes::{Case, CriticalFriction, Face, Margin, Mode, Motions, Phase, Regime, Regimes};
 pub use motions::{Motion, read_prescribed};
+pub use named::{NamedSystem, with_tables};
 pub use no_system::with_ways_to_a_system;
 pub use readiness::{equilibrium_of, independent_at, independent_start, start_of, starting, without_law};
 pub use regimes::regimes;

@@ -8,6 +8,7 @@ use crate::formulations::formulations;
 use crate::inductances::impossible_inductances;
 use crate::known_as::asked_for;
 use crate::modes::{BROKEN, Modes};
+use crate::named;
 use crate::outputs::ENERGIES;
 use crate::power_balance::metered;
 use crate::quoted_keys::with_quoted_primes;
@@ -62,7 +63,7 @@ pub fn register(warn: Warn) {
         warn_of(name, text, &scene.model.warnings);
         Ok(Arc::new(scene))
     };
-    read_models_by(ModelReaders { scene, ensemble: parse_ensemble });
+    read_models_by(ModelReaders { scene, ensemble: parse_ensemble, runs: named::runs, knows: named::knows });
 }
 
 /// Reads the system of a file, and leaves its run alone: for what needs neither values nor a run.
@@ -102,7 +103,7 @@ pub fn parse_titled(name: &str, text: &str, task: Task) -> Result<(String, Model
 
 /// The system of a file with its source; what is wrong with it goes into the list.
 pub(crate) fn model(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<(Model, Source)> {
-    let source = text::source(top);
+    let source = named::source(top, issues)?;
     let faults = match Model::of(&source).and_then(settled) {
         // what could not be read is missing in it
         Ok(model) => return (!top.has_issues()).then_some((model, source)),

@@ -34,6 +34,10 @@ type Reader<T> = fn(&str, &str) -> Result<T, SceneError>;
 pub struct ModelReaders {
     pub scene: Reader<Arc<dyn Modelled>>,
     pub ensemble: Reader<EnsembleScene>,
+    /// Whether a system of this name runs as a model that a crate builds.
+    pub runs: fn(&str) -> bool,
+    /// Whether a crate builds a model for this name, run or not.
+    pub knows: fn(&str) -> bool,
 }
 
 static READERS: OnceLock<ModelReaders> = OnceLock::new();
@@ -63,8 +67,20 @@ pub fn open(path: &Path) -> Result<Arc<dyn Modelled>, SceneError> {
 
 const ACCEPTED: &str = "a file with [coordinates] is accepted; the folder `scenes/models` holds examples";
 
-/// Whether a file holds its own system: it names coordinates, and no system of a list.
+/// Whether the system of a file runs as a model: the file names coordinates, or a system that a crate builds.
 pub fn holds_model(text: &str) -> bool {
+    holds(text, |readers, name| (readers.runs)(name))
+}
+
+/// Whether a model answers what is asked of the equations of a file, whatever law its scene runs.
+pub fn has_model(text: &str) -> bool {
+    holds(text, |readers, name| (readers.knows)(name))
+}
+
+fn holds(text: &str, named: impl Fn(&ModelReaders, &str) -> bool) -> bool {
     let (entries, _) = toml::de::DeTable::parse_recoverable(text);
-    entries.get_ref().contains_key(MODEL) && !entries.get_ref().contains_key("system")
+    match entries.get_ref().get("system") {
+        None => entries.get_ref().contains_key(MODEL),
+        Some(name) => name.get_ref().as_str().is_some_and(|name| readers().is_some_and(|readers| named(readers, name))),
+    }
 }

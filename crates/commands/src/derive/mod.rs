@@ -10,7 +10,7 @@ use model::{Fault, MatrixForm, Model, QuasiPrinciple, QuasiVelocities, Trace, co
 use notation::{of_scene, written};
 use reader::read_text;
 use simulation::Axes;
-use simulation::models::holds_model;
+use simulation::models::{has_model, holds_model};
 use std::path::Path;
 use symbolic::Language;
 
@@ -81,11 +81,14 @@ pub enum Equations {
 /// Prints the equations.
 pub fn derive(asked: &Asked) -> Result<Ending, Ending> {
     let path = Path::new(&asked.system);
-    if asked.echo && !is_model(path) {
-        return Err(Ending::refused("--echo is about the vectors of a file with `[coordinates]`; leave it out"));
+    // of a scene with a motor its motor is shown, and by a principle the equations of the whole
+    let of_whole = asked.echo || asked.principle.is_some();
+    let is_model = is_held(path, if of_whole { has_model } else { holds_model });
+    if asked.echo && !is_model {
+        return Err(Ending::refused("--echo is about the vectors of a file with a system; leave it out"));
     }
     let text = match asked.system.ends_with(".toml") {
-        true if is_model(path) => of_model(asked, path)?,
+        true if is_model => of_model(asked, path)?,
         true => of_scene(asked)?,
         false => {
             refuse_form(asked, "equations are in the axes of no form")?;
@@ -98,9 +101,9 @@ pub fn derive(asked: &Asked) -> Result<Ending, Ending> {
     Ok(Ending::Done)
 }
 
-/// Whether a file holds its own system.
-fn is_model(path: &Path) -> bool {
-    read_text(path).is_ok_and(|text| holds_model(&text))
+/// Whether a file can be read and its text is of a kind.
+fn is_held(path: &Path, kind: fn(&str) -> bool) -> bool {
+    read_text(path).is_ok_and(|text| kind(&text))
 }
 
 /// The equations of motion of a system that is written in its file.

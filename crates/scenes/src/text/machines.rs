@@ -23,10 +23,15 @@ pub(super) fn machine(table: &mut Table<'_>, drive: &mut DriveSource) -> Vec<Ent
     let mut issues = Vec::new();
     let found = machine_table::read(table, &mut issues);
     issues.into_iter().for_each(|issue| table.report(issue));
-    let Some(motor) = found else { return Vec::new() };
+    found.map_or_else(Vec::new, |motor| driven_by(drive, &motor, at))
+}
+
+/// Gives a drive the laws of a motor; its data become parameters of the system, `motor_voltage` of the drive `motor`. Texts have
+/// this place in their file.
+pub fn driven_by(drive: &mut DriveSource, motor: &Motor, at: usize) -> Vec<Entry> {
     let name = drive.name.as_ref().map_or("drive", |name| name.text.as_str()).to_owned();
     let written = |text: String| Text::at(text, at);
-    let laws = apart(|| texts(&name, &motor));
+    let laws = apart(|| texts(&name, motor));
     drive.torque = match drive.torque.take() {
         Some(own) => Some(Text { text: format!("({}) + ({})", own.text, laws.torque), ..own }),
         None => Some(written(laws.torque)),

@@ -3,6 +3,8 @@
 mod interactions;
 mod machines;
 
+pub use machines::driven_by;
+
 use interactions::{contacts, drives, loads, one_ways};
 use model::{
     BodySource, ConstraintSource, Entry, EventSource, Fault, InertiaSource, InputSource, RegulatorSource, Source, Text,

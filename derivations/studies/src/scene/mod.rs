@@ -6,11 +6,13 @@
 //! * [`state`]: the initial state in the axes of either form of the equations, and results back in the axes of the data;
 //! * `problem`: the law that any method integrates; `power_balance`: with the work of its supply; `configurations`: every form with every motor
 //!   that the data allow;
+//! * `model`: the same system as a model, which answers what is asked of equations;
 //! * [`code`]: the right-hand side and its Jacobian as code of other languages.
 
 pub mod bodies;
 pub mod code;
 mod configurations;
+mod model;
 mod power_balance;
 mod problem;
 mod runaway;
