@@ -1,6 +1,7 @@
 //! The laws of every gyrostat that exists, at random ones made of mass points.
 
 mod existence;
+mod models;
 #[path = "../physical/mod.rs"]
 mod physical;
 mod points;
