@@ -30,7 +30,7 @@ pub(crate) fn asked_for(model: &Model, name: &At<String>, issues: &mut Vec<Issue
     let Some((name, what)) = missing.next() else { return Some(found) };
     let title = format!("`{value}` is a system with `{name}`, which is no {what} here");
     let letters = found.parameters.iter().chain(found.columns).copied().collect::<Vec<_>>().join(", ");
-    let issue = Issue::at(span.clone(), title, format!("{}", found.summary));
+    let issue = Issue::at(span.clone(), title, found.summary);
     issues.push(issue.accepted(format!("a system with {letters}; without `known_as` any names are accepted")));
     None
 }
