@@ -10,10 +10,10 @@ use crate::known_as::asked_for;
 use crate::modes::Modes;
 use crate::power_balance::metered;
 use crate::quoted_keys::with_quoted_primes;
-use crate::readiness::{ready, start_of, without_run};
+use crate::readiness::{ready, start_of, starting, without_run};
 use crate::row_units::unit_of;
 use crate::size::{Task, too_large};
-use crate::start::SingularPositions;
+use crate::start::{SingularPositions, consistent};
 use crate::text;
 use crate::warnings::{Warn, warn_by, warn_of};
 use integrators::Reference;
@@ -146,7 +146,7 @@ impl ModelScene {
             }
         };
         let mut model = model.take()?;
-        let knowledge = known_as.and_then(|name| asked_for(&model, &name, issues));
+        let knowledge = known_as.and_then(|name| asked_for(&model, &columns(&model), &name, issues));
         if model.regulator.is_some() {
             Arc::make_mut(&mut model).close_regulated_inputs();
         }
@@ -322,7 +322,7 @@ impl Smooth for ModelScene {
     }
 
     fn metered(&self, axes: Axes) -> Problem {
-        metered(self, self.problem(axes))
+        metered(&self.system, self.problem(axes))
     }
 
     fn told(&self, _choice: &Choice, trajectory: &Trajectory) -> Told {
@@ -346,7 +346,8 @@ impl Smooth for ModelScene {
     }
 
     fn ways(&self) -> Vec<Way> {
-        formulations(self)
+        let meets = |model: &Model| consistent(&starting(model, &self.start)).is_ok();
+        formulations(&self.model, || self.problem(Axes::First), meets)
     }
 
     fn hybrid(&self) -> Option<&dyn Hybrid> {
