@@ -8,39 +8,41 @@
 use crate::compiled_system::{self, CompiledSystem, changes};
 use crate::letters::Letters;
 use crate::modes::Mode;
-use crate::readiness::starting;
-use crate::scene::ModelScene;
-use crate::start::consistent;
 use integrators::Held;
 use model::equations::{Equation, Equations, Level, Pushes, constraints_of};
 use model::{Model, Trace};
 use simulation::work_precision::{Formulation, HeldLaw, Standing, Treated, Way};
-use simulation::{Axes, CompiledHeld, Law, Smooth};
+use simulation::{CompiledHeld, Law, Problem};
 use std::sync::Arc;
 use symbolic::{Sym, apart, substitute_all};
 
-/// The scene's own formulation, and every other treatment of its constraints that has the same motion.
-pub(crate) fn formulations(scene: &ModelScene) -> Vec<Way> {
-    let constraints = &scene.model.constraints;
+/// The own formulation of a problem of a model, and every other treatment of its constraints that has the same motion: the start of the
+/// problem may meet those of a model, or not.
+pub(crate) fn formulations(
+    model: &Arc<Model>,
+    problem: impl Fn() -> Problem,
+    meets: impl Fn(&Model) -> bool,
+) -> Vec<Way> {
+    let constraints = &model.constraints;
     let led = constraints.iter().filter(|constraint| constraint.gains.is_some()).count();
     let own = match led {
         _ if constraints.is_empty() => Formulation::Minimal,
         led if led == constraints.len() => Formulation::Given,
         _ => Formulation::IndexReduced,
     };
-    let mut ways = vec![Way::of(own, "", Standing::Own, scene.problem(Axes::First))];
-    if constraints.is_empty() || changes(&scene.model) {
+    let mut ways = vec![Way::of(own, "", Standing::Own, problem())];
+    if constraints.is_empty() || changes(model) {
         return ways;
     }
-    let reduced = Arc::new(scene.model.led_at(None));
+    let reduced = Arc::new(model.led_at(None));
     // constraints that are led to zero from elsewhere have a motion of their own
-    if led > 0 && consistent(&starting(&reduced, &scene.start)).is_err() {
+    if led > 0 && !meets(&reduced) {
         return ways;
     }
     let law = |model: &Arc<Model>| -> Option<Arc<dyn Law>> {
         Some(Arc::new(CompiledSystem::of(model, &Mode::off(model)).ok()?).law())
     };
-    let (led_at_a_rate, held) = (Arc::new(scene.model.led_at(Some(Formulation::RATE))), HeldModel::of(&reduced));
+    let (led_at_a_rate, held) = (Arc::new(model.led_at(Some(Formulation::RATE))), HeldModel::of(&reduced));
     let held = held.map(|held| Arc::new(CompiledHeld::new(held)) as Arc<dyn HeldLaw>);
     let (reduced, led_at_a_rate) = (law(&reduced), law(&led_at_a_rate));
     let projected = reduced.clone().zip(held.clone()).map(|(law, held)| Treated::Projected(law, held));
@@ -51,10 +53,7 @@ pub(crate) fn formulations(scene: &ModelScene) -> Vec<Way> {
         (Formulation::Held, held.map(Treated::Held)),
     ];
     let others = others.into_iter().filter_map(|(formulation, law)| Some((formulation, law?)));
-    ways.extend(others.map(|(formulation, law)| {
-        let problem = scene.problem(Axes::First);
-        Way { law, ..Way::of(formulation, "", Standing::Exact, problem) }
-    }));
+    ways.extend(others.map(|(formulation, law)| Way { law, ..Way::of(formulation, "", Standing::Exact, problem()) }));
     ways
 }
 

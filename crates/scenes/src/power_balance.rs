@@ -5,7 +5,7 @@ use crate::implicit::recurrence_with;
 use crate::letters::Letters;
 use crate::outputs::determined;
 use crate::program::recorded;
-use crate::scene::ModelScene;
+use crate::row_units::WORK;
 use integrators::{Ode, Slopes};
 use model::{PowerBalance, Trace};
 use simulation::events::of_leading;
@@ -14,13 +14,9 @@ use simulation::{CompiledLaw, Differentiable, LawSeries, Problem, SymbolicLaw};
 use std::sync::Arc;
 use symbolic::{Sym, apart};
 
-/// The column of the work.
-pub(crate) const WORK: &str = "work";
-
 /// A problem with the work as its last state. Plain where nothing works or the energy is kept, where the law changes at events, where the
 /// name of the column is taken, and where accelerations are solved for at each evaluation.
-pub(crate) fn metered(scene: &ModelScene, plain: Problem) -> Problem {
-    let system = &scene.system;
+pub(crate) fn metered(system: &Arc<CompiledSystem>, plain: Problem) -> Problem {
     let model = system.model();
     let is_taken = plain.columns.iter().any(|name| name == WORK);
     if system.keeps_energy || is_watched(model) || is_taken || Way::of(model) == Way::Solved {

@@ -1,9 +1,11 @@
 //! Units of the columns of runs and other tables.
 
-use crate::power_balance::WORK;
 use model::Model;
 use model::equations::{Equation, Level};
 use symbolic::Dimension;
+
+/// The column of the work that a run meters.
+pub(crate) const WORK: &str = "work";
 
 /// The unit in which a run has a quantity that is written in another: m for mm, rad for deg.
 pub(crate) fn coherent(unit: &str) -> String {

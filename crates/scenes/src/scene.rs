@@ -12,10 +12,10 @@ use crate::named;
 use crate::outputs::ENERGIES;
 use crate::power_balance::metered;
 use crate::quoted_keys::with_quoted_primes;
-use crate::readiness::{Ready, ready, start_of, without_run};
+use crate::readiness::{Ready, ready, start_of, starting, without_run};
 use crate::row_units::unit_of;
 use crate::size::{Task, too_large};
-use crate::start::SingularPositions;
+use crate::start::{SingularPositions, consistent};
 use crate::text;
 use crate::warnings::{Warn, warn_by, warn_of};
 use integrators::Reference;
@@ -150,7 +150,7 @@ impl ModelScene {
             }
         };
         let mut model = model.take()?;
-        let knowledge = known_as.and_then(|name| asked_for(&model, &name, issues));
+        let knowledge = known_as.and_then(|name| asked_for(&model, &columns(&model), &name, issues));
         if model.regulator.is_some() {
             Arc::make_mut(&mut model).close_regulated_inputs();
         }
@@ -329,7 +329,7 @@ impl Smooth for ModelScene {
     }
 
     fn metered(&self, axes: Axes) -> Problem {
-        metered(self, self.problem(axes))
+        metered(&self.system, self.problem(axes))
     }
 
     fn told(&self, _choice: &Choice, trajectory: &Trajectory) -> Told {
@@ -355,7 +355,8 @@ impl Smooth for ModelScene {
     }
 
     fn ways(&self) -> Vec<Way> {
-        formulations(self)
+        let meets = |model: &Model| consistent(&starting(model, &self.start)).is_ok();
+        formulations(&self.model, || self.problem(Axes::First), meets)
     }
 
     fn hybrid(&self) -> Option<&dyn Hybrid> {

@@ -1,9 +1,9 @@
-//! Systems in coordinates that keep their constraints: Appell's equations as rates, the energy, and the power of given forces.
+//! Systems in coordinates that keep their constraints: Appell's equations as rates, and the power of given forces.
 
 use field::{Analytic, Over, Scalar};
+use mechanics::constrained::Charted;
 use mechanics::constrained::appell::rates;
-use mechanics::constrained::motion::{Motion, velocity};
-use mechanics::constrained::{Charted, State, kinetic_energy};
+use mechanics::constrained::motion::Motion;
 
 /// (q, p) of a slice.
 fn parts<S: Copy, const K: usize, const R: usize>(y: &[S]) -> ([S; K], [S; R]) {
@@ -21,17 +21,6 @@ where
     let found = rates(system, &motion, system.force(&motion.state));
     dy[..K].copy_from_slice(&system.rates(time, q, p));
     dy[K..].copy_from_slice(&found.unwrap_or([S::zero() / S::zero(); R]));
-}
-
-/// T, and the power of the given forces.
-pub fn balance<Q, S, const N: usize, const K: usize, const R: usize>(system: &Q, time: S, y: &[S]) -> [S; 2]
-where
-    Q: Charted<N, K, R, Given = f64>,
-    S: Over<f64> + Analytic,
-{
-    let (q, p) = parts::<S, K, R>(y);
-    let state = State { time, place: system.place(time, q), velocity: velocity(system, time, q, p) };
-    [kinetic_energy(system.masses(), state.velocity), power(system.force(&state), state.velocity)]
 }
 
 /// X.x', W.

@@ -7,7 +7,7 @@
 //!
 //! and nu vanishes on the exact motion, since there r is the rate of phi.
 
-use super::points::{Points, Turning, state};
+use super::points::{Points, state};
 use super::rewritten::{Rewritten, treated};
 use field::{Analytic, Over};
 use integrators::{Held, HeldSystem, Ode};
@@ -16,28 +16,23 @@ use mechanics::constrained::servo::{Servo, gradients, steered, violation};
 
 /// y = (x, x').
 #[derive(Clone, Debug)]
-struct Steered<Q, const N: usize, const C: usize, const U: usize>(Points<Q, N, C, 0>);
+struct Steered<Q, const N: usize, const C: usize, const U: usize>(Points<Q, N, C>);
 
 impl<Q, const N: usize, const C: usize, const U: usize> Steered<Q, N, C, U>
 where
-    Q: Servo<N, C, U, Given = f64> + Turning<N, 0>,
+    Q: Servo<N, C, U, Given = f64>,
 {
-    /// Multipliers of the contacts.
-    fn of_contacts(&self) -> usize {
-        Held::<f64>::sizes(&self.0).1
-    }
-
     /// What the multipliers nu, then the controls u, add to v', each by one.
     fn columns<S: Over<f64>>(&self, at: &State<S, N>) -> [[[S; N]; U]; 2] {
         [gradients(&self.0.system, at), self.0.system.directions(at)]
-            .map(|pushes| pushes.map(|push| self.0.moved(at, push)))
+            .map(|pushes| pushes.map(|push| self.0.moved(push)))
     }
 }
 
 impl<S, Q, const N: usize, const C: usize, const U: usize> Ode<S> for Steered<Q, N, C, U>
 where
     S: Over<f64> + Analytic,
-    Q: Servo<N, C, U, Given = f64> + Turning<N, 0>,
+    Q: Servo<N, C, U, Given = f64>,
 {
     fn dimension(&self) -> usize {
         2 * N
@@ -55,14 +50,14 @@ where
 impl<S, Q, const N: usize, const C: usize, const U: usize> Held<S> for Steered<Q, N, C, U>
 where
     S: Over<f64> + Analytic,
-    Q: Servo<N, C, U, Given = f64> + Turning<N, 0>,
+    Q: Servo<N, C, U, Given = f64>,
 {
     fn sizes(&self) -> (usize, usize) {
-        (2 * N, self.of_contacts() + 2 * U)
+        (2 * N, self.0.multipliers() + 2 * U)
     }
 
     fn rates(&self, t: S, y: &[S], z: &[S], dy: &mut [S]) {
-        let (contacts, servo) = z.split_at(self.of_contacts());
+        let (contacts, servo) = z.split_at(self.0.multipliers());
         Held::rates(&self.0, t, y, contacts, dy);
         let columns = self.columns(&state::<S, N>(t, y));
         for (column, by) in columns.as_flattened().iter().zip(servo) {
@@ -71,7 +66,7 @@ where
     }
 
     fn parts(&self, t: S, y: &[S], dy: &mut [S], columns: &mut [S]) {
-        let (contacts, servo) = columns.split_at_mut((2 * N) * self.of_contacts());
+        let (contacts, servo) = columns.split_at_mut((2 * N) * self.0.multipliers());
         Held::parts(&self.0, t, y, dy, contacts);
         servo.fill(S::zero());
         let pushes = self.columns(&state::<S, N>(t, y));
@@ -81,7 +76,7 @@ where
     }
 
     fn constraints(&self, t: S, y: &[S], g: &mut [S]) {
-        let (contacts, servo) = g.split_at_mut(self.of_contacts());
+        let (contacts, servo) = g.split_at_mut(self.0.multipliers());
         Held::constraints(&self.0, t, y, contacts);
         let found = violation(&self.0.system, &self.0.led::<C>(), &state::<S, N>(t, y));
         match found {
@@ -95,7 +90,7 @@ where
 }
 
 impl<Q, const N: usize, const C: usize, const U: usize> HeldSystem for Steered<Q, N, C, U> where
-    Q: Servo<N, C, U, Given = f64> + Turning<N, 0>
+    Q: Servo<N, C, U, Given = f64>
 {
 }
 
@@ -106,7 +101,7 @@ pub fn redundant<Q, const N: usize, const C: usize, const U: usize>(
     whole: impl Fn(&State<f64, N>) -> Vec<f64> + Clone + Send + Sync + 'static,
 ) -> Vec<Rewritten>
 where
-    Q: Servo<N, C, U, Given = f64> + Turning<N, 0> + Clone + Send + Sync + 'static,
+    Q: Servo<N, C, U, Given = f64> + Clone + Send + Sync + 'static,
 {
     let law = |gain| Steered::<Q, N, C, U>(Points::new(system.clone(), gain, start));
     let y = [start.place, start.velocity].concat();

@@ -13,7 +13,7 @@ fn rows_of_a_run_have_the_units_of_their_values() {
     let rows = std::fs::read_to_string(&table).expect("it is there");
     let heading = rows.lines().next().unwrap_or_default();
     // x is written in millimetres, and runs in metres
-    assert_eq!(heading, "time [s],x [m],x' [m/s],pull [N],kinetic_energy [J],potential_energy [J]");
+    assert_eq!(heading, "time [s],x [m],x' [m/s],pull [N],kinetic_energy [J],potential_energy [J],work [J]");
     for file in [path, table] {
         std::fs::remove_file(file).expect("it is there");
     }

@@ -1,7 +1,6 @@
 //! The wheel led so that the second shaft keeps its speed.
 
 use super::super::charted::power;
-use super::super::points::Turning;
 use super::super::rewritten::Rewritten;
 use super::super::{Amiss, Diagnosis, Ended, Mechanism, steered};
 use super::NEAR;
@@ -63,13 +62,6 @@ impl<G: Gear> Programme<G> {
         let q = [zero, zero, zero, rho];
         let velocity = velocity(&self.governor, time, q, [speed, drift]);
         (drift, State { time, place: self.governor.place(time, q), velocity })
-    }
-}
-
-/// No equation sees an angle.
-impl Turning<7, 0> for Kept<f64> {
-    fn turning<S: Over<f64>>(&self, _at: &State<S, 7>) -> [S; 0] {
-        []
     }
 }
 
