@@ -28,7 +28,6 @@ mod modes;
 mod motions;
 mod no_system;
 mod other_values;
-mod outputs;
 mod parametric_law;
 mod program;
 mod quoted_keys;

@@ -2,12 +2,11 @@
 
 use crate::admissible::impossible;
 use crate::branch::settled;
-use crate::compiled_system::{CompiledSystem, changes, is_watched};
+use crate::compiled_system::{CompiledSystem, ENERGIES, changes, is_watched};
 use crate::ensemble::parse_ensemble;
 use crate::formulations::formulations;
 use crate::inductances::impossible_inductances;
 use crate::modes::{BROKEN, Modes};
-use crate::outputs::ENERGIES;
 use crate::quoted_keys::with_quoted_primes;
 use crate::readiness::{Ready, ready, start_of, without_run};
 use crate::row_units::unit_of;
