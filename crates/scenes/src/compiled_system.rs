@@ -1,15 +1,20 @@
 //! The equations of motion of a model, ready to run: one trace, in every form that a method asks for.
 
+mod outputs;
+
+pub use outputs::ENERGIES;
+pub(crate) use outputs::{determined, outputs, outputs_of_solved};
+
 use crate::conservation::conserves;
 use crate::implicit::{Implicit, ImplicitLaw, SolvedSlopes, recurrence};
 use crate::letters::Letters;
 use crate::modes::{Mode, Motion};
-use crate::outputs::{ENERGIES, of_motion, outputs, outputs_of_solved};
 use crate::program::recorded;
 use field::DoubleDouble;
 use integrators::{Directions, Ode, Real};
 use model::equations::constraints_of;
 use model::{Event, Model, ScalarId, Trace};
+use outputs::of_motion;
 use simulation::{CompiledLaw, Law, LawSeries, Program, SymbolicLaw};
 use std::fmt;
 use std::ops::Range;

@@ -30,7 +30,6 @@ mod motions;
 mod named;
 mod no_system;
 mod other_values;
-mod outputs;
 mod parametric_law;
 mod power_balance;
 mod program;

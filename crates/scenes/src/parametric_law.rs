@@ -1,11 +1,10 @@
 //! The equations of motion of a model with every parameter as an input: one law for all members of an ensemble.
 
-use crate::compiled_system::{NotCompiled, Way, rates};
+use crate::compiled_system::{NotCompiled, Way, outputs, outputs_of_solved, rates};
 use crate::conservation::conserves;
 use crate::implicit::{linear_equations, recurrence_of};
 use crate::letters::Inputs;
 use crate::modes::Mode;
-use crate::outputs::{outputs, outputs_of_solved};
 use algebra::linear::{Factors, Pattern};
 use model::{Model, Trace};
 use series::Equations;

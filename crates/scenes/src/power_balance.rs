@@ -1,9 +1,9 @@
 //! The run of a model with the work that is done on it: its energy less this work keeps its first value, or the run has made up the rest.
 
+use crate::compiled_system::determined;
 use crate::compiled_system::{CompiledSystem, Way, is_watched};
 use crate::implicit::recurrence_with;
 use crate::letters::Letters;
-use crate::outputs::determined;
 use crate::program::recorded;
 use crate::row_units::WORK;
 use integrators::{Ode, Slopes};

@@ -2,14 +2,13 @@
 
 use crate::admissible::impossible;
 use crate::branch::settled;
-use crate::compiled_system::{CompiledSystem, changes, is_watched};
+use crate::compiled_system::{CompiledSystem, ENERGIES, changes, is_watched};
 use crate::ensemble::parse_ensemble;
 use crate::formulations::formulations;
 use crate::inductances::impossible_inductances;
 use crate::known_as::asked_for;
 use crate::modes::{BROKEN, Modes};
 use crate::named;
-use crate::outputs::ENERGIES;
 use crate::power_balance::metered;
 use crate::quoted_keys::with_quoted_primes;
 use crate::readiness::{Ready, ready, start_of, starting, without_run};

@@ -5,8 +5,7 @@
 mod lone_members;
 
 use crate::admissible::BodyNumbers;
-use crate::compiled_system::NotCompiled;
-use crate::outputs::ENERGIES;
+use crate::compiled_system::{ENERGIES, NotCompiled};
 use crate::parametric_law::ParametricLaw;
 use crate::readiness::{changes, refused, unmet_at};
 use crate::scene::{ModelScene, columns};
