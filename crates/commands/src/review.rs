@@ -129,6 +129,7 @@ fn git(arguments: &[&str]) -> Result<String, Ending> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use papers as _;
 
     #[test]
     fn rows_of_the_same_words_are_told_by_how_much_they_moved() {

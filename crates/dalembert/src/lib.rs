@@ -20,8 +20,8 @@
 //! source.coordinates = vec![("x", "m").into()];
 //! source.points = vec![("P", "O + x*N.x").into()];
 //! source.bodies = vec![BodySource::particle("bob", "P", "m")];
-//! source.potential = Some("k*x^2/2".into());
-//! let model = Model::of(&source)?;
+//! source.energies = vec![("potential", "k*x^2/2").into()];
+//! let model = Model::of(&source).expect("it is sound");
 //! let form = MatrixForm::of(&Trace::of(&model), Principle::Lagrange)?;
 //! assert_eq!(form.mass[0][0], Sym::symbol("m"));
 //! # Ok::<(), Box<dyn std::error::Error>>(())

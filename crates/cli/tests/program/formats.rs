@@ -135,3 +135,12 @@ fn every_shell_completes_every_command() {
         }
     }
 }
+
+/// A scene with a motor runs a law of its own, and is a model where its equations are asked for.
+#[test]
+fn a_scene_with_a_motor_is_derived_and_proved_as_a_whole() {
+    let text = printed(&["derive", "scenes/spin_up.toml", "--principle", "lagrange"]);
+    assert!(text.contains("phi''") && text.contains("C.wx'"), "{text}");
+    let proved = printed(&["prove", "scenes/bench.toml"]);
+    assert!(proved.contains("lagrange = newton-euler: proved"), "{proved}");
+}

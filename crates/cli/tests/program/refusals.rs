@@ -126,7 +126,6 @@ fn options_that_would_be_ignored() {
         ("ignored_form_derive", &["derive", "gyrostat", "--form", "second"]),
         ("ignored_form_code", &["derive", "scenes/bench.toml", "--form", "first", "--format", "c"]),
         ("ignored_form_motor", &["derive", "scenes/spin_up.toml", "--form", "first"]),
-        ("ignored_principle", &["derive", "scenes/spin_up.toml", "--principle", "lagrange"]),
         ("ignored_tolerance", &["run", "scenes/bench.toml", "--method", "runge_kutta_4:10", "--tol", "1e-3"]),
         ("ignored_model", &["conform", "synchronous", "--model", "kloss"]),
         ("ignored_omega0", &["phantom", "scenes/bench.toml", "--omega0", "3"]),
@@ -149,7 +148,7 @@ fn a_folder_of_scenes_that_does_not_exist() {
 
 #[test]
 fn a_folder_without_scenes() {
-    refused("a_folder_without_scenes", &["scenes", "derivations"]);
+    refused("a_folder_without_scenes", &["scenes", "snapshots"]);
 }
 
 /// Absurd in size, and yet nothing breaks: the run ends with a reason.

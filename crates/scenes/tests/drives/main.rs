@@ -9,7 +9,7 @@ mod program_motors;
 mod refusals;
 mod without_inertia;
 
-// the motors that scenes name
+use ::machines as _;
 use dalembert_scenes::ModelScene;
 use integrators::Method;
 use simulation::{Choice, Smooth, Trajectory};

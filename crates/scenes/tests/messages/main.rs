@@ -9,6 +9,7 @@ mod warnings;
 // the motors that scenes name
 use dalembert_scenes::ModelScene;
 use machines as _;
+use studies as _;
 
 const SOUND: &str = r#"title = "A pendulum"
 gravity = "-g*N.y"

@@ -7,6 +7,7 @@ use super::{frames, housing, power};
 use crate::stationary::motor::MotorStates;
 use claims::finding::Verdict;
 use field::{Base, Circle, Over};
+use machines as _;
 use motor::{Bench, Machine, Motor, RotorState, catalogue};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
