@@ -11,8 +11,7 @@
 //!
 //! ```
 //! use dalembert::model::principles::Principle;
-//! use dalembert::model::{BodySource, MatrixForm, Model, Source, Trace};
-//! use dalembert::symbolic::Sym;
+//! use dalembert::model::{BodySource, MatrixForm, Model, Source, Trace, text};
 //!
 //! // a mass on a spring: m x'' = -k x
 //! let mut source = Source::default();
@@ -22,8 +21,10 @@
 //! source.bodies = vec![BodySource::particle("bob", "P", "m")];
 //! source.energies = vec![("potential", "k*x^2/2").into()];
 //! let model = Model::of(&source).expect("it is sound");
-//! let form = MatrixForm::of(&Trace::of(&model), Principle::Lagrange)?;
-//! assert_eq!(form.mass[0][0], Sym::symbol("m"));
+//! let trace = Trace::of(&model);
+//! let form = MatrixForm::of(&trace, Principle::Lagrange)?;
+//! let equations = text(&trace, &form.for_reading());
+//! assert!(equations.contains("M[x, x] = m"), "{equations}");
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 

@@ -140,7 +140,7 @@ fn every_shell_completes_every_command() {
 #[test]
 fn a_scene_with_a_motor_is_derived_and_proved_as_a_whole() {
     let text = printed(&["derive", "scenes/spin_up.toml", "--principle", "lagrange"]);
-    assert!(text.contains("phi''") && text.contains("C.wx'"), "{text}");
+    assert!(text.contains("M[phi, C.wx] = A*sin(beta)*cos(alpha)"), "{text}");
     let proved = printed(&["prove", "scenes/bench.toml"]);
     assert!(proved.contains("lagrange = newton-euler: proved"), "{proved}");
 }
