@@ -11,16 +11,16 @@
 //! ```
 //!
 //! # Overview
-//! * [`arguments`]: the command line; what can be asked of a command stands beside it;
+//! * `arguments`: the command line; what can be asked of a command stands beside it;
 //! * `report`, `ledger`, `review`, `derive`, `linearise`, `inverse`, `regulate`, `bodies`, `run`, `ensemble`, `regimes`, `stationary`, `phantom`, `motor`, `conform`, `new`,
 //!   `failures`, `chart`, `choose`, `reference`, `scenes`: one file for each command;
-//! * [`summary`], [`csv`], [`pictures`], [`sphere`]: a run as text, JSON, a table and the data of pictures;
-//! * [`speed`]: the atlas of a scene as pictures, tables and advice;
-//! * [`crew`]: work shared among the processors;
-//! * [`values`], [`timings`]: exact values and measured times for a reader;
-//! * [`ending`]: exit codes, and writing that survives a closed pipe; [`whole`]: files that survive a kill; [`output`]: one rule
+//! * `summary`, `csv`, `pictures`, `sphere`: a run as text, JSON, a table and the data of pictures;
+//! * `speed`: the atlas of a scene as pictures, tables and advice;
+//! * `crew`: work shared among the processors;
+//! * `values`, `timings`: exact values and measured times for a reader;
+//! * `ending`: exit codes, and writing that survives a closed pipe; `whole`: files that survive a kill; `output`: one rule
 //!   for what a command may write, and over what;
-//! * [`clock`], which is the deadline and Ctrl-C; [`progress`], which it draws.
+//! * `clock`, which is the deadline and Ctrl-C; `progress`, which it draws.
 
 mod arguments;
 mod bodies;

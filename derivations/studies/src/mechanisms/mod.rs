@@ -4,7 +4,7 @@
 //! * [`mechanism`]: what a mechanism says of itself, and the law with its work that is made of it;
 //! * [`rewritten`], [`points`], [`steered`]: other formulations of the same mechanism, for the atlas;
 //! * [`scene`]: the family of scenes: reading, the problem, what theory says of a run;
-//! * [`governors`], [`elastic`], [`prescribed_top`], [`drive`]: the mechanisms; [`charted`]: what those in
+//! * [`governors`], `elastic`, [`prescribed_top`], [`drive`]: the mechanisms; [`charted`]: what those in
 //!   coordinates of their own share.
 //!
 //! To add one: [`Mechanism`] for the system's data, and one line in the list below.
