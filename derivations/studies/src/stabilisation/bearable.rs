@@ -3,8 +3,9 @@
 //! The longest step at an instant follows the diodes, whose knees are passed in milliseconds. It is looked at wherever a method of
 //! order 5 steps and at so many instants more, and about the least and the greatest found it is searched by golden sections.
 
-use super::drive_law::Seven;
-use integrators::{Failure, Method, Observer, Span, Tolerance, integrate};
+use super::drive_law::{Seven, bearable_step};
+use integrators::{Failure, Method, Observer, Span, System, Tolerance, integrate};
+use simulation::CompiledLaw;
 
 /// Instants that are looked at, beside the steps of the method.
 const INSTANTS: usize = 4000;
@@ -23,7 +24,7 @@ const EVALUATIONS: u64 = 1_000_000;
 
 /// The motion with the longest bearable step at each instant.
 struct Course<'a> {
-    law: &'a Seven,
+    law: &'a CompiledLaw,
     points: Vec<Point>,
 }
 
@@ -34,8 +35,8 @@ struct Point {
 }
 
 impl Point {
-    fn of(law: &Seven, time: f64, state: &[f64]) -> Self {
-        Point { time, state: state.to_vec(), step: law.bearable_step(time, state) }
+    fn of(law: &CompiledLaw, time: f64, state: &[f64]) -> Self {
+        Point { time, state: state.to_vec(), step: step_at(law, time, state) }
     }
 }
 
@@ -58,11 +59,17 @@ impl Observer<f64> for Course<'_> {
 pub fn bearable_steps(law: &Seven, start: &[f64], end: f64) -> Result<[f64; 2], Failure> {
     let mut span = Span::new(0.0, end, start).with_even_outputs(INSTANTS).with_evaluations(EVALUATIONS);
     span.outputs.insert(0, 0.0);
-    let mut course = Course { law, points: Vec::new() };
-    match integrate(law, METHOD, &Tolerance::both(TOLERANCE), &span, &mut course).failure() {
+    let law = CompiledLaw::new(*law);
+    let mut course = Course { law: &law, points: Vec::new() };
+    match integrate(&law, METHOD, &Tolerance::both(TOLERANCE), &span, &mut course).failure() {
         None => Ok([-course.greatest(|step| -step), course.greatest(|step| step)]),
         Some(failure) => Err(failure),
     }
+}
+
+/// The longest step at an instant; none is known of a law without derivatives.
+fn step_at(law: &CompiledLaw, time: f64, state: &[f64]) -> f64 {
+    law.slopes().map_or(f64::NAN, |mut slopes| bearable_step(&mut *slopes, time, state))
 }
 
 impl Course<'_> {
@@ -107,6 +114,6 @@ impl Course<'_> {
         }
         let span = Span::new(from.time, time, &from.state);
         let outcome = integrate(self.law, METHOD, &Tolerance::both(TOLERANCE), &span, &mut ());
-        outcome.reached().then(|| self.law.bearable_step(time, &outcome.state))
+        outcome.reached().then(|| step_at(self.law, time, &outcome.state))
     }
 }

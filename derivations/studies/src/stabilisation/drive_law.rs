@@ -3,7 +3,7 @@
 
 use super::law::Stabilised;
 use field::{Analytic, Over};
-use integrators::{Jacobian, Ode, System};
+use integrators::{Ode, Slopes, System};
 use mechanics::constrained::State;
 use mechanics::constrained::energies::{Kinematics, Reduced};
 use systems::crank_drive::CrankDrive;
@@ -76,14 +76,14 @@ impl Seven {
         let (q, dq) = Reduced(&self.drive).motion(0.0, [0.0, 0.0, y[2], 0.0, y[5]], [y[0], y[1], y[3], y[4], y[6]]);
         [y[0], y[1], y[2], y[3], y[4], y[5], y[6], q[5], dq[5]]
     }
+}
 
-    /// The longest step with which Euler multiplies no disturbance of the five electrical unknowns by more than one, with
-    /// the coefficients frozen at a state, s: I + h A has no eigenvalue outside the unit circle.
-    pub fn bearable_step(&self, time: f64, y: &[f64]) -> f64 {
-        let (mut jacobian, mut matrix) = (Jacobian::new(self), [0.0; 49]);
-        jacobian.matrix(time, y, &mut matrix);
-        longest(&std::array::from_fn(|i| std::array::from_fn(|j| matrix[7 * i + j])))
-    }
+/// The longest step with which Euler multiplies no disturbance of the five electrical unknowns of the seven by more than one, with
+/// the coefficients frozen at a state, s: I + h A has no eigenvalue outside the unit circle.
+pub fn bearable_step(slopes: &mut dyn Slopes, time: f64, y: &[f64]) -> f64 {
+    let mut matrix = [0.0; 49];
+    slopes.matrix(time, y, &mut matrix);
+    longest(&std::array::from_fn(|i| std::array::from_fn(|j| matrix[7 * i + j])))
 }
 
 type Five = [[f64; 5]; 5];

@@ -3,6 +3,7 @@
 use super::bearable::bearable_steps;
 use super::drive_law::{Nine, Seven, violation};
 use integrators::{Failure, Method, Observer, Record, Span, Tolerance, integrate};
+use simulation::CompiledLaw;
 use systems::crank_drive::{Circuit, CrankDrive};
 use systems::crank_slider::CrankSlider;
 
@@ -63,7 +64,7 @@ impl Observer<f64> for Every<'_> {
 
 /// One run of the nine equations in steps of so many seconds.
 pub fn run(name: &str, method: fn(u32) -> Method, step: f64, damping: f64, stiffness: f64) -> Track {
-    let law = Nine { drive: DRIVE, damping, stiffness };
+    let law = CompiledLaw::new(Nine { drive: DRIVE, damping, stiffness });
     let mut points = vec![(0.0, start())];
     let span = Span::new(0.0, SPAN, &start());
     let steps = (SPAN / step).round() as u32;
@@ -89,10 +90,11 @@ impl Track {
 pub fn exact(outputs: usize) -> Result<(Vec<Sample>, f64), Failure> {
     let y = start();
     let seven = Seven { drive: DRIVE };
+    let law = CompiledLaw::new(seven);
     let span = Span::new(0.0, SPAN, &y[..7]).with_even_outputs(outputs);
     let follow = |method| -> Result<Record<f64>, Failure> {
         let mut record = Record::new();
-        match integrate(&seven, method, &Tolerance::both(1e-12), &span, &mut record).failure() {
+        match integrate(&law, method, &Tolerance::both(1e-12), &span, &mut record).failure() {
             Some(failure) => Err(failure),
             None => Ok(record),
         }
