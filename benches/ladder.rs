@@ -1,4 +1,4 @@
-//! What estimates of lower models are worth: estimate over true error on the scenes with a motor and on 1,000 random motors: `cargo bench --bench ladder`, or with another number behind it.
+//! The worth of estimates of lower models: estimate over true error on the scenes with a motor and on 1,000 random motors: `cargo bench --bench ladder`, or with another number behind it.
 
 #[path = "../tests/motions/ladder/drawn.rs"]
 mod drawn;

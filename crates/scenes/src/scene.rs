@@ -48,9 +48,9 @@ pub struct ModelScene {
     events: Vec<String>,
     /// The line of each condition.
     condition_lines: Vec<usize>,
-    /// Of a start from which no motion goes on, or several: the place in the file, and what would be accepted.
+    /// The place in the file and the accepted values, where no motion goes on from the start, or several do.
     without_motion: Option<String>,
-    /// What is known beside its equations, where the file asks for it.
+    /// The knowledge beside its equations, where the file asks for it.
     pub(crate) knowledge: Option<&'static Knowledge>,
 }
 

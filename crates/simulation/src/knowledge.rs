@@ -23,7 +23,7 @@ pub use inventory::submit;
 
 use crate::models::Modelled;
 
-/// What is known of a system beside its equations.
+/// The knowledge of a system beside its equations.
 #[derive(Debug)]
 pub struct Knowledge {
     /// As files call it.

@@ -17,9 +17,9 @@ pub struct Problem {
     pub columns: Vec<String>,
     /// The columns that a run shows of a state at a time.
     pub row: Box<Row>,
-    /// How far a state is from where the law ends.
+    /// The distance of a state from where the law ends.
     pub margins: Box<Margins>,
-    /// Of a law that changes at events: then `law` is the one of the start.
+    /// The changes of a law at events; `law` is then the one of the start.
     pub switching: Option<Arc<dyn Switching>>,
 }
 

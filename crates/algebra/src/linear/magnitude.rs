@@ -37,7 +37,7 @@ impl<const D: usize> Magnitude for num_dual::DualSVec64<D> {
     }
 }
 
-/// Of numbers with the same value in every lane, each with a slope of its own.
+/// The tangent of numbers with the same value in every lane, each with a slope of its own.
 impl<const L: usize> Magnitude for Tangent<Lanes<L>> {
     #[inline(always)]
     fn magnitude(self) -> f64 {

@@ -7,7 +7,7 @@ use {crate::fused::widest, crate::permuting::Permuting, std::marker::PhantomData
 
 /// The operations of small right-hand sides on registers of eight numbers.
 pub(crate) trait Permute<S: Fused>: Pick<S> {
-    /// Of two groups of eight.
+    /// Eight numbers of two groups of eight.
     fn shuffle(self, from: [Self::Eight; 2], shuffle: &Shuffle) -> Self::Eight;
 
     /// One of eight, in all places.

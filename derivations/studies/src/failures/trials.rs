@@ -45,7 +45,7 @@ pub struct Tried<'a> {
     pub outputs: usize,
     /// Evaluations that a method may spend.
     pub budget: u64,
-    /// How far a state is from where the law ends.
+    /// The distance of a state from where the law ends.
     pub margins: &'a Margins,
 }
 
