@@ -5,7 +5,7 @@ mod scene;
 mod unread;
 
 use crate::arguments::Format;
-use crate::ending::{Ending, warn_of};
+use crate::ending::{Ending, warn, warn_of};
 use crate::output::{Form, Maker, Writes};
 use crate::progress::Progress;
 use crate::speed::{advice::advice, pictures, tables};
@@ -60,7 +60,9 @@ pub fn write(asked: &Asked, files: &[PathBuf]) -> Result<Ending, Ending> {
     let mut progress = Progress::new("methods timed");
     parts.take_times(|done| progress.set(done));
     drop(progress);
-    let whole = parts.sound() && parts.reached() && unread.is_empty();
+    let faults = parts.faults();
+    faults.iter().for_each(|fault| warn(fault));
+    let whole = faults.is_empty() && unread.is_empty();
     let mut report = parts.report(folder);
     report.studies.splice(0..0, unread::study(&unread));
     output.write_text(&charts::page::render(&report).html)?.tell(Format::Text)?;

@@ -92,14 +92,13 @@ impl Parts {
         self.gains.take_times();
     }
 
-    /// Whether every claim of the ledger is.
-    pub fn sound(&self) -> bool {
-        self.papers.iter().flatten().all(|(_, sound)| *sound)
-    }
-
-    /// Whether every scene came out as it should.
-    pub fn reached(&self) -> bool {
-        self.prepared.iter().flatten().all(|one| one.reached)
+    /// Every paper with a claim that is not sound, every scene that did not come out as it should, and why.
+    pub fn faults(&self) -> Vec<String> {
+        let unsound = self.papers.iter().flatten().filter(|(_, sound)| !sound);
+        let unsound =
+            unsound.map(|(paper, _)| format!("{}: a claim is not sound; `dalembert ledger` tells which", paper.id));
+        let unreached = self.prepared.iter().flatten().filter_map(|one| one.unreached.clone());
+        unsound.chain(unreached).collect()
     }
 
     /// The page.

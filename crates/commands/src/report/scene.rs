@@ -22,12 +22,13 @@ const EVALUATIONS: u64 = 20_000;
 /// For the times of all runs of a scene with a motor, and of another.
 const TIMED: [Duration; 2] = [Duration::from_millis(2_000), Duration::from_millis(1_200)];
 
-/// A scene's section without its charts, whether it came out as it should, and the errors of its methods.
+/// A scene's section without its charts, how it came out, and the errors of its methods.
 pub struct Prepared {
     pub section: SceneSection,
     /// Whether its law changes at events.
     pub across_events: bool,
-    pub reached: bool,
+    /// What is wrong where it did not come out as it should.
+    pub unreached: Option<String>,
     pub atlas: Result<Atlas, NoReference>,
     pub trials: Trials,
     /// For its times.
@@ -79,14 +80,18 @@ pub fn prepare(Read { id, scene: any, kept }: &Read) -> Prepared {
     if let AnyScene::Driven(scene) = any {
         section.tables.extend(ladder(scene, &run, atlas.as_ref().ok()));
     }
-    let reached = match &atlas {
-        Err(NoReference::Ends) => true,
+    let unreached = match &atlas {
+        Err(NoReference::Ends) => None,
         // a mechanism may take longer than the report has for it, which is said
-        Err(NoReference::Unknown(_)) => true,
-        Err(NoReference::Stopped(failure)) => of_a_mechanism && failure.is_broken_off(),
-        Ok(_) => run.outcome.reached(),
+        Err(NoReference::Unknown(_)) => None,
+        Err(NoReference::Stopped(failure)) if of_a_mechanism && failure.is_broken_off() => None,
+        Err(NoReference::Stopped(failure)) => Some(format!("its reference stopped: {failure}")),
+        // a motion may come to the end of its law, as a jam does: the reference confirms it, and the page tells it
+        Ok(_) if run.left.is_some() => None,
+        Ok(_) => run.stopped().map(|why| format!("its run stopped: {why}")),
     };
-    Prepared { section, across_events, reached, atlas, trials, timed }
+    let unreached = unreached.map(|why| format!("{id}: {why}"));
+    Prepared { section, across_events, unreached, atlas, trials, timed }
 }
 
 /// A scene's section with its run and without its charts.
