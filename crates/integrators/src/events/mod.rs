@@ -107,6 +107,9 @@ pub fn integrate_to_event(
     guard.arm();
     let mut outcome = integrate(system, method, tolerance, span, &mut guard);
     outcome.work = outcome.work + guard.again.extra;
+    if outcome.failure().is_some_and(|failure| !failure.is_broken_off()) {
+        guard.found = guard.event_at_its_end();
+    }
     let Some((event, state)) = guard.found else {
         let outcome = match guard.lost {
             Some(Instant { time, state, .. }) => {
@@ -125,6 +128,10 @@ type Found = (Event, Vec<f64>);
 
 /// Times that differ by so many roundings are not told apart.
 const TOGETHER: f64 = 8.0;
+
+/// A signal that falls to zero within so many roundings of the time at which steps collapse has come to it: where rates are infinite at
+/// the zero, as those of a square root are, no step reaches it.
+const AT_THE_END: f64 = 64.0;
 
 /// The number of parts of a step that is a polynomial; each is looked at.
 const PARTS: usize = 8;
@@ -193,6 +200,19 @@ impl Guard<'_> {
         std::mem::swap(begin, &mut self.before);
         std::mem::swap(&mut self.before, &mut self.after);
         self.arm();
+    }
+
+    /// The signal that the last state, behind which no step is possible, has brought to zero within the rounding of times.
+    fn event_at_its_end(&self) -> Option<Found> {
+        let Instant { time, state, signals } = &self.before;
+        let direction = (time - self.earlier.as_ref()?.time).signum();
+        let rounding = AT_THE_END * f64::EPSILON * time.abs();
+        let is_at_zero = |signal: &usize| {
+            let Signal { value, rate, .. } = signals[*signal];
+            self.armed[*signal] && value <= -direction * rate * rounding
+        };
+        let signal = (0..signals.len()).find(is_at_zero)?;
+        Some((Event { signal, what: Happening::Falls, time: *time }, state.clone()))
     }
 
     /// Whether an event comes before another. Of two that fall together within rounding, as the ends of one rod stop, the one

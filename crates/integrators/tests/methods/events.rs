@@ -250,6 +250,41 @@ fn a_distance_that_comes_to_zero_within_one_long_step_is_found() {
     }
 }
 
+/// y' = -1/y: y^2 falls evenly, and y comes to zero with an infinite rate at t = 1/2.
+struct Falling;
+
+impl<S: Over<f64> + Analytic> Ode<S> for Falling {
+    fn dimension(&self) -> usize {
+        1
+    }
+
+    fn rates(&self, _t: S, y: &[S], dy: &mut [S]) {
+        dy[0] = -S::one() / y[0];
+    }
+}
+
+impl System for Falling {}
+
+impl Switches for Falling {
+    fn count(&self) -> usize {
+        1
+    }
+
+    fn signals(&self, _time: f64, y: &[f64], out: &mut [Signal]) {
+        out[0] = Signal { value: y[0], rate: -1.0 / y[0], ..Signal::default() };
+    }
+}
+
+#[test]
+fn a_zero_with_an_infinite_rate_is_an_event_and_no_collapse_of_the_step() {
+    for method in [Method::DormandPrince5, Method::DormandPrince8, Method::Verner9, Method::Radau5] {
+        let span = Span::new(0.0, 1.0, &[1.0]);
+        let tolerance = Tolerance::both(1e-12);
+        let (outcome, event) = integrate_to_event(&Falling, method, &tolerance, &span, &Falling, &mut ());
+        assert!(event.is_some_and(|event| (event.time - 0.5).abs() < 1e-9), "{method:?}: {event:?} {outcome:?}");
+    }
+}
+
 /// q'' = -1, which has no numbers for |q| < 1e-6: a position that its coordinates do not describe.
 struct Undescribed;
 
