@@ -241,11 +241,14 @@ impl ModelScene {
         (problem, modes)
     }
 
-    /// The distance of a state from where its constraints determine the motion no longer.
+    /// The distance of a state from where its constraints determine the motion no longer, then those that are known of the system.
     fn margins(&self) -> Box<Margins> {
         let singular = SingularPositions::of(&self.model, &self.start);
+        let names: Vec<String> = self.model.state_names().into_iter().map(|(name, _)| name).collect();
+        let known = self.knowledge.and_then(|knowledge| (knowledge.margins)(self, &names));
         Box::new(move |time, state, rates| {
-            singular.iter().map(|singular| singular.margin(time, state, rates)).collect()
+            let known = known.iter().flat_map(|known| known(time, state, rates));
+            singular.iter().map(|singular| singular.margin(time, state, rates)).chain(known).collect()
         })
     }
 }
@@ -331,7 +334,7 @@ impl Smooth for ModelScene {
         metered(&self.system, self.problem(axes))
     }
 
-    fn told(&self, _choice: &Choice, trajectory: &Trajectory) -> Told {
+    fn told(&self, choice: &Choice, trajectory: &Trajectory) -> Told {
         let ended = trajectory.passages.last().filter(|passage| passage.then.is_none());
         let diagnosis = match (ended, trajectory.left) {
             (Some(Passage { what, .. }), None) => Some(format!("{what} ends the run")),
@@ -339,8 +342,8 @@ impl Smooth for ModelScene {
             _ if !trajectory.has_begun() => self.without_motion.clone(),
             _ => None,
         };
-        let theory = self.knowledge.map_or_else(Vec::new, |knowledge| (knowledge.theory)(self));
-        Told { theory, diagnosis, ..Told::default() }
+        let known = self.knowledge.map(|knowledge| knowledge.told(self, choice, trajectory)).unwrap_or_default();
+        Told { diagnosis: known.diagnosis.or(diagnosis), ..known }
     }
 
     fn parameters(&self) -> Vec<Parameter> {

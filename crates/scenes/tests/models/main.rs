@@ -3,6 +3,7 @@
 mod bodies;
 mod conformity;
 mod formulations;
+mod knowledge;
 mod outputs;
 mod power_balance;
 mod quasi_velocities;

@@ -29,7 +29,8 @@ submit! { Knowledge {
         "delta1", "delta2", "rest", "across", "twist", "drill", "alpha", "beta",
     ],
     columns: &STATE,
-    theory: |scene| theory(&data(scene)),
+    theory: |scene, _| theory(&data(scene)),
+    ..Knowledge::EMPTY
 } }
 
 submit! { Reductions { name: NAME, rungs } }

@@ -16,7 +16,7 @@ simulation::knowledge::submit! { Knowledge {
     summary: "a friction governor whose wheel is pushed along its axle",
     parameters: &[LATERAL],
     columns: &["rho"],
-    theory: |_| Vec::new(),
+    ..Knowledge::EMPTY
 } }
 
 simulation::knowledge::submit! { Reductions { name: NAME, rungs } }
