@@ -3,6 +3,7 @@
 mod atlas;
 mod failures;
 mod governors;
+mod knowledge;
 mod ladder;
 mod mechanisms;
 mod synchronism;

@@ -21,6 +21,7 @@ pub mod conformance;
 pub mod ensemble;
 pub mod failures;
 pub mod governors;
+pub mod knowledge;
 pub mod ladder;
 pub mod long_runs;
 pub mod mechanisms;

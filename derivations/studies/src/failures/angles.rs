@@ -1,6 +1,6 @@
 //! A singular parametrisation of SO(3): Euler's angles, the chart of Lagrange's route.
 
-use super::trials::{Tried, near};
+use super::trials::{Running, Tried, near};
 use super::{Exact, Failing, Found, NotFound, Threshold, Trial, Within};
 use crate::scene::{Scene, System};
 use field::{Analytic, DoubleDouble, Over, Rational, Tangent};
@@ -67,7 +67,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
         trials.into_iter().map(move |trial| Trial { by: format!("{name}, {}", trial.by), ..trial })
     };
     let start = law.start(&scene);
-    let in_angles = Tried { law: &running, state: &start, budget: FEW, margins: &|_, _, _| Vec::new(), ..tried };
+    let in_angles = Tried { law: Running::Alone(&running), state: &start, budget: FEW, ..tried };
     let mut trials: Vec<Trial> =
         named("first form", tried.all(|record| near(&seen(record, &by_vector), &right, 1e-3))).collect();
     trials.extend(named("Euler's angles", in_angles.all(|record| near(&seen(record, &by_angles), &right, 1e-3))));

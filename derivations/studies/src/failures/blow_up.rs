@@ -2,12 +2,11 @@
 
 use super::trials::Tried;
 use super::{Exact, Failing, Found, NotFound, Threshold, Within};
-use crate::mechanisms::governors::{Drum, Programme};
-use crate::mechanisms::{Mechanism, MechanismScene};
+use crate::knowledge::governor_programme::governor;
 use field::Rational;
 use num_traits::Zero;
-use reader::Family;
-use simulation::Smooth;
+use simulation::Axes;
+use simulation::models::open;
 use std::path::Path;
 use systems::governor::{Gearing, Governor, Moment};
 
@@ -22,30 +21,38 @@ pub const FAILING: Failing = Failing {
 };
 
 fn measure(path: &Path) -> Result<Found, NotFound> {
-    let scene = MechanismScene::open(path)?;
-    let datum = |name: &str| {
-        let found = scene.data.iter().find(|(quantity, _)| quantity.name == name);
-        found.map_or(Rational::zero(), |(_, value)| Rational::decimal(*value))
+    let scene = open(path)?;
+    let accepted = "known_as = \"governor_programme\" of a drum, with a moment on its second shaft alone";
+    let unsuitable = |what: &str| NotFound::unsuitable(path, what, accepted);
+    let Governor {
+        inertia,
+        mass,
+        radius,
+        gearing: Gearing::Drum { radius: drum },
+        moments: [first, second],
+        lateral,
+        ..
+    } = governor(&*scene).map_err(|datum| NotFound::without(path, datum, accepted))?
+    else {
+        return Err(unsuitable("its wheel rolls between two discs"));
     };
-    let loaded = ["m1", "m1_growth", "m2_growth"].into_iter().any(|name| !datum(name).is_zero());
-    if scene.name != <Programme<Drum> as Mechanism>::NAME || loaded {
-        let accepted = "system = \"drum_programme\" with a constant moment on its second shaft alone";
-        return Err(NotFound::unsuitable(path, "its end is no fraction of its data", accepted));
+    if first.start != 0.0 {
+        return Err(unsuitable("its end is no fraction of its data"));
     }
     let governor = Governor {
-        inertia: ["j1", "j2", "j"].map(datum),
-        mass: datum("mass"),
-        radius: datum("wheel"),
-        gearing: Gearing::Drum { radius: datum("drum") },
-        moments: ["m1", "m2"].map(|name| Moment::constant(datum(name))),
+        inertia: inertia.map(Rational::decimal),
+        mass: Rational::decimal(mass),
+        radius: Rational::decimal(radius),
+        gearing: Gearing::Drum { radius: Rational::decimal(drum) },
+        moments: [first, second].map(|moment| Moment::constant(Rational::decimal(moment.start))),
         push: Rational::zero(),
-        lateral: datum("lateral"),
+        lateral: Rational::decimal(lateral),
     };
-    let rho = Rational::decimal(scene.start.first().copied().unwrap_or(0.0));
-    let law = governor.small_parameter(datum("speed"));
+    let [rho, speed] = ["rho", "speed"].map(|name| Rational::decimal(scene.value(name).unwrap_or(0.0)));
+    let law = governor.small_parameter(speed);
     let falls = law.map_or(Rational::UNDEFINED, |law| law.epsilon * law.of_second[0]);
-    let choice = scene.run.choice();
-    let run = scene.simulate(&choice, |_| ());
+    let (choice, problem) = (scene.run().choice(), scene.problem(Axes::First));
+    let run = problem.simulate(&choice, |_| ());
     let end = Threshold {
         of: "instant after which there is no motion",
         formula: r"$-\rho_0^2/(2\varepsilon k_1)$",
@@ -54,7 +61,6 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
         measured: run.stopped().map(|_| run.outcome.time),
         within: Within::Share(1_000_000),
     };
-    let problem = scene.problem();
     let tried = Tried { steps: 1_000, ..Tried::of(&problem, 1e-9) };
     let diagnosis = scene.told(&choice, &run).diagnosis.unwrap_or_default();
     Ok(Found { thresholds: vec![end], diagnosis, trials: tried.all(|_| false) })

@@ -2,14 +2,14 @@
 
 use super::trials::{Fate, Tried};
 use super::{Exact, Failing, Found, NotFound, Threshold, Trial, Within};
-use crate::mechanisms::prescribed_top::{PrescribedTop, attitude, nodding};
-use crate::mechanisms::{Mechanism, MechanismScene};
+use crate::knowledge::prescribed_top::{NAME, NODDING};
 use field::{Rational, Scalar};
+use nalgebra::Vector3;
 use num_traits::Zero;
-use reader::Family;
-use simulation::Smooth;
+use simulation::Axes;
+use simulation::models::open;
 use std::path::Path;
-use systems::variable_top::{Top, prescribing};
+use systems::variable_top::{Attitude, Top, prescribing};
 
 pub const FAILING: Failing = Failing {
     name: "inclination",
@@ -22,13 +22,14 @@ pub const FAILING: Failing = Failing {
 };
 
 fn measure(path: &Path) -> Result<Found, NotFound> {
-    let scene = MechanismScene::open(path)?;
-    if scene.name != <PrescribedTop<f64> as Mechanism>::NAME {
-        return Err(NotFound::unsuitable(path, format!("this is a {}", scene.name), "system = \"prescribed_top\""));
+    let scene = open(path)?;
+    if scene.known_as() != Some(NAME) {
+        return Err(NotFound::unsuitable(path, "this is no prescribed top", "known_as = \"prescribed_top\""));
     }
-    let choice = scene.run.choice();
-    let run = scene.simulate(&choice, |_| ());
-    let left = run.stopped().map(|_| nodding(&run.outcome.state) / nodding(&scene.start));
+    let (choice, problem) = (scene.run().choice(), scene.problem(Axes::First));
+    let run = problem.simulate(&choice, |_| ());
+    let nodding = run.column(NODDING).zip(run.rows.first());
+    let left = nodding.filter(|_| run.stopped().is_some()).map(|(place, first)| run.last[place] / first[place]);
     let threshold = Threshold {
         of: "what is left of the determinant where the run ends, as a share of the first",
         formula: r"$p\gamma_2-q\gamma_1$",
@@ -37,7 +38,6 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
         measured: left,
         within: Within::Share(100),
     };
-    let problem = scene.problem();
     let mut trials = Tried { steps: 1_000, ..Tried::of(&problem, 1e-9) }.all(|_| false);
     let seen = |fate: bool| if fate { Fate::Holds } else { Fate::Wrong };
     trials.push(Trial {
@@ -55,7 +55,9 @@ fn all_refused<S: Scalar>(number: impl Fn(f64) -> S) -> bool {
     let top = top.map(&number).fixed();
     let pairs = (1..10).flat_map(|i| (1..10).map(move |j| (f64::from(i), f64::from(j))));
     pairs.into_iter().all(|(i, j)| {
-        let y = [i / 10.0, j / 10.0, 1.0, 3.0 * i / 100.0, 3.0 * j / 100.0, 0.5].map(&number);
-        prescribing(&top, &attitude(&y), S::one(), [S::one(); 3]).is_err()
+        let spin = [i / 10.0, j / 10.0, 1.0].map(&number);
+        let vertical = [3.0 * i / 100.0, 3.0 * j / 100.0, 0.5].map(&number);
+        let at = Attitude { spin: Vector3::from(spin), vertical: Vector3::from(vertical) };
+        prescribing(&top, &at, S::one(), [S::one(); 3]).is_err()
     })
 }

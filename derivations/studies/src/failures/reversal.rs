@@ -3,7 +3,7 @@
 use super::edge::edge;
 use super::entry::data;
 use super::slip::{Friction, Slip};
-use super::trials::{Fate, Tried, across_events, every_method};
+use super::trials::{Fate, Running, Tried, across_events, every_method};
 use super::{Exact, Failing, Found, NotFound, Threshold, Trial, Within};
 use field::{Rational, Scalar};
 use integrators::{Method, Observer, Record, Span, Tolerance, integrate};
@@ -12,7 +12,6 @@ use mechanics::constrained::{State, System};
 use mechanics::regimes::cramer::Cramer;
 use mechanics::regimes::{Direction, Face, Mode, Seen};
 use num_traits::Zero;
-use simulation::events::Margins;
 use simulation::models::{Modelled, open};
 use simulation::{Axes, Trajectory};
 use std::path::Path;
@@ -92,17 +91,16 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     };
     let by_events = |(by, method)| by_events(&*scene, by, method);
     let mut trials: Vec<Trial> = every_method(STEPS).filter_map(by_events).collect();
-    let free: &Margins = &|_, _, _| Vec::new();
-    let tried =
-        Tried { law: &law, state: &start, span, tolerance: 1e-9, steps: STEPS, outputs: 1, budget: FEW, margins: free };
+    let law_alone = Running::Alone(&law);
+    let tried = Tried { law: law_alone, state: &start, span, tolerance: 1e-9, steps: STEPS, outputs: 1, budget: FEW };
     let resting = |y: &[f64]| y.get(4).is_some_and(|speed| speed.abs() < REST);
     let signed = tried.all(|record| record.states.last().is_some_and(|y| resting(y)));
     trials.extend(signed.into_iter().map(|trial| Trial { by: format!("as a sign, {}", trial.by), ..trial }));
     let smooth = Sign { friction: Friction::Sign { smooth: SMOOTH }, ..law };
-    let (outcome, ..) = Tried { law: &smooth, ..tried }.run(Method::Radau5);
+    let (outcome, ..) = Tried { law: Running::Alone(&smooth), ..tried }.run(Method::Radau5);
     let fate = if resting(&outcome.state) { Fate::Holds } else { Fate::Wrong };
     trials.push(Trial { by: "as a smooth sign, radau_5".to_owned(), fate });
-    let (outcome, ..) = Tried { law: &law, ..tried }.run(Method::DormandPrince5);
+    let (outcome, ..) = tried.run(Method::DormandPrince5);
     let diagnosis = outcome.failure().map_or_else(String::new, |failure| failure.to_string());
     Ok(Found { thresholds: vec![stops, reverses, chatter], diagnosis, trials })
 }

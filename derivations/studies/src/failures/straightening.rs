@@ -1,14 +1,13 @@
 //! The integrable constraint of task 1 where sin(theta) goes to zero.
 
 use super::entry::data;
-use super::trials::{BUDGET, Tried, near};
+use super::trials::{BUDGET, Running, Tried, near};
 use super::{Exact, Failing, Found, NotFound, Threshold, Trial, Within};
-use crate::mechanisms::charted::charted;
 use field::{Analytic, Over};
 use integrators::{Method, Observer, Ode, Record, Span, Tolerance, integrate};
 use mechanics::constrained::contacts::Sides;
-use mechanics::constrained::{Charted, State, System};
-use simulation::events::Margins;
+use mechanics::constrained::motion::Motion;
+use mechanics::constrained::{Charted, State, System, appell};
 use simulation::models::open;
 use std::f64::consts::{LN_2, PI};
 use std::path::Path;
@@ -61,17 +60,8 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
         within: Within::Share(20),
     };
     let tolerance = 1e-9;
-    let free: &Margins = &|_, _, _| Vec::new();
-    let tried = Tried {
-        law: &by_place,
-        state: &start,
-        span,
-        tolerance,
-        steps: 2_000,
-        outputs: 10,
-        budget: BUDGET,
-        margins: free,
-    };
+    let place = Running::Alone(&by_place);
+    let tried = Tried { law: place, state: &start, span, tolerance, steps: 2_000, outputs: 10, budget: BUDGET };
     let speeds = |record: &Record<f64>, of: &dyn Fn(&[f64]) -> f64| Record {
         times: record.times.clone(),
         states: record.states.iter().map(|y| vec![of(y)]).collect(),
@@ -79,7 +69,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     let right = speeds(&tried.right(), &|y| y[2]);
     let by_angle = ByAngle(rod);
     let turning = [0.0, theta, 2.0 * speed * theta.sin() / rod.length];
-    let in_angle = Tried { law: &by_angle, state: &turning, ..tried };
+    let in_angle = Tried { law: Running::Alone(&by_angle), state: &turning, ..tried };
     let of_angle = |y: &[f64]| rod.length * y[2] / (2.0 * y[1].sin());
     let named = |name: &str, trials: Vec<Trial>| -> Vec<Trial> {
         trials.into_iter().map(|trial| Trial { by: format!("{name}, {}", trial.by), ..trial }).collect()
@@ -129,7 +119,7 @@ impl<S: Over<f64> + Analytic> Ode<S> for ByPlace {
     }
 
     fn rates(&self, t: S, y: &[S], dy: &mut [S]) {
-        charted::<_, S, 4, 2, 1>(&self.0, t, y, dy);
+        rates(&self.0, t, y, dy);
     }
 }
 
@@ -139,8 +129,21 @@ impl<S: Over<f64> + Analytic> Ode<S> for ByAngle {
     }
 
     fn rates(&self, t: S, y: &[S], dy: &mut [S]) {
-        charted::<_, S, 4, 2, 1>(self, t, y, dy);
+        rates(self, t, y, dy);
     }
+}
+
+/// (q', p') by Appell's equations; no number where they do not determine p'.
+fn rates<Q, S>(rod: &Q, time: S, y: &[S], dy: &mut [S])
+where
+    Q: Charted<4, 2, 1, Given = f64>,
+    S: Over<f64> + Analytic,
+{
+    let (q, p) = ([y[0], y[1]], [y[2]]);
+    let motion: Motion<S, 4, 1> = Motion::at(rod, time, q, p);
+    let [turned] = appell::rates(rod, &motion, rod.force(&motion.state)).unwrap_or([S::zero() / S::zero()]);
+    dy[..2].copy_from_slice(&rod.rates(time, q, p));
+    dy[2] = turned;
 }
 
 impl integrators::System for ByPlace {}

@@ -1,7 +1,6 @@
 //! Every method on a scene under a budget, and what became of each.
 
-use integrators::{End, Failure, Method, Outcome, Record, Span, System, Tolerance, beside};
-use simulation::events::{Ending, Margins};
+use integrators::{End, Failure, Method, Outcome, Record, Span, System, Tolerance, beside, integrate};
 use simulation::{Problem, methods};
 use std::fmt;
 
@@ -32,9 +31,18 @@ pub struct Trial {
 /// machine's.
 pub const BUDGET: u64 = 200_000;
 
+/// The law that methods run.
+#[derive(Clone, Copy)]
+pub enum Running<'a> {
+    /// Everywhere.
+    Alone(&'a dyn System),
+    /// Across its events, or to its end.
+    Problem(&'a Problem),
+}
+
 /// A problem that every method is to try.
 pub struct Tried<'a> {
-    pub law: &'a dyn System,
+    pub law: Running<'a>,
     pub state: &'a [f64],
     /// s
     pub span: f64,
@@ -45,8 +53,6 @@ pub struct Tried<'a> {
     pub outputs: usize,
     /// Evaluations that a method may spend.
     pub budget: u64,
-    /// The distance of a state from where the law ends.
-    pub margins: &'a Margins,
 }
 
 /// Every method by the name that the command line reads, those of constant step with so many.
@@ -60,17 +66,19 @@ pub fn every_method(steps: u32) -> impl Iterator<Item = (String, Method)> {
 impl<'a> Tried<'a> {
     /// A problem, seen at four instants, with a thousand steps where they are constant.
     pub fn of(problem: &'a Problem, tolerance: f64) -> Self {
-        let Problem { law, state, span, margins, .. } = problem;
-        Tried { law: &**law, state, span: *span, tolerance, steps: 1_000, outputs: 4, budget: BUDGET, margins }
+        let (law, Problem { state, span, .. }) = (Running::Problem(problem), problem);
+        Tried { law, state, span: *span, tolerance, steps: 1_000, outputs: 4, budget: BUDGET }
     }
 
     /// One method: how it ended, what it showed, and why the law ended where it did.
     pub fn run(&self, method: Method) -> (Outcome<f64>, Record<f64>, Option<&'static str>) {
         let span = Span::new(0.0, self.span, self.state).with_even_outputs(self.outputs).with_evaluations(self.budget);
         let mut record = Record::new();
-        let ending = Ending { law: self.law, margins: self.margins };
         let tolerance = Tolerance::both(self.tolerance);
-        let (outcome, left) = ending.integrate((method, &tolerance), &span, &mut record);
+        let (outcome, left) = match self.law {
+            Running::Alone(law) => (integrate(law, method, &tolerance, &span, &mut record), None),
+            Running::Problem(problem) => problem.integrate(method, &tolerance, &span, &mut record),
+        };
         (outcome, record, left)
     }
 

@@ -1,6 +1,6 @@
 //! A mechanism without its type: in the list by its name, read from the tables of a file, asked by its scene.
 
-use super::governors::reductions::of_mechanism;
+use super::reductions::of_mechanism;
 use super::rewritten::{Rewritten, ready};
 use super::{Balanced, Diagnosis, Ended, Mechanism};
 use crate::ladder::Ladder;

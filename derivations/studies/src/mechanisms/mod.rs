@@ -11,26 +11,16 @@
 
 pub mod charted;
 pub mod drive;
-mod elastic;
 mod erased;
-pub mod governors;
 pub mod mechanism;
-pub mod points;
-pub mod prescribed_top;
+mod reductions;
 pub mod rewritten;
 pub mod scene;
-pub mod steered;
 
 pub use mechanism::{Amiss, Balanced, Diagnosis, Ended, Mechanism};
 pub use scene::MechanismScene;
 
 use erased::{Entry, entry};
-use governors::{Discs, Drum, Programme};
 
 /// Every mechanism by the name that scene files use.
-pub const LIST: &[Entry] = &[
-    entry::<Programme<Drum>>(),
-    entry::<Programme<Discs>>(),
-    entry::<prescribed_top::PrescribedTop<f64>>(),
-    entry::<drive::Drive>(),
-];
+pub const LIST: &[Entry] = &[entry::<drive::Drive>()];

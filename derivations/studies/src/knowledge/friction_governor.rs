@@ -1,0 +1,37 @@
+//! The friction governor whose wheel is pushed along its axle: the same without the friction across the wheel.
+
+use crate::ladder::models::Reductions;
+use crate::ladder::{Loss, Lower, Rung};
+use simulation::Axes;
+use simulation::knowledge::{Knowledge, submit};
+use simulation::models::Modelled;
+
+const NAME: &str = "friction_governor";
+
+/// The friction across the wheel at both contacts.
+pub(super) const LATERAL: &str = "lateral";
+
+submit! { Knowledge {
+    name: NAME,
+    summary: "a friction governor whose wheel is pushed along its axle",
+    parameters: &[LATERAL],
+    columns: &["rho"],
+    ..Knowledge::EMPTY
+} }
+
+submit! { Reductions { name: NAME, rungs: |scene| frictionless(scene).into_iter().collect() } }
+
+/// The governor whose wheel slides along its axle without friction; none where it does already.
+pub(super) fn frictionless(scene: &dyn Modelled) -> Option<Rung> {
+    if scene.value(LATERAL) == Some(0.0) {
+        return None;
+    }
+    let smooth = scene.with_values(&[(LATERAL, 0.0)]).ok()?;
+    let lower = Lower::other(&smooth.symbolic_law());
+    let loss = match lower.is_exact(&*scene.symbolic_law()) {
+        true => Loss::Nothing { claim: None },
+        false => Loss::Small { parameter: "F11 + F22 over the force along the axle" },
+    };
+    let start = scene.problem(Axes::First).state;
+    Rung::new("frictionless across", "the friction across the wheel at both contacts", loss, lower, start)
+}

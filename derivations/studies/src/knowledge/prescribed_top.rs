@@ -1,0 +1,75 @@
+//! A symmetric top under the moments that lead its integrals, Mukharlyamov's inverse problem: where no moment does.
+
+use field::Scalar;
+use nalgebra::Vector3;
+use simulation::events::{Margin, Margins};
+use simulation::knowledge::{Diagnosis, Ended, Knowledge, submit};
+use simulation::models::Modelled;
+use systems::variable_top::{Attitude, poisson};
+
+/// As scene files call it.
+pub const NAME: &str = "prescribed_top";
+
+/// p g2 - q g1, as the scene shows it.
+pub const NODDING: &str = "nodding";
+
+submit! { Knowledge {
+    name: NAME,
+    summary: "a symmetric top under the moments that lead its integrals, after Mukharlyamov",
+    parameters: &["A", "C", "static_moment", "g", "aim", "k"],
+    columns: &["F.q0", "F.q1", "F.q2", "F.q3", "F.wx", "F.wy", "F.wz", NODDING],
+    diagnosis,
+    margins,
+    ..Knowledge::EMPTY
+} }
+
+/// The part of its first value below which p g2 - q g1 is no coincidence.
+const NEAR: f64 = 1e-2;
+
+fn diagnosis(run: &Ended<'_>) -> Option<Diagnosis> {
+    let place = run.trajectory.column(NODDING)?;
+    let first = run.trajectory.rows.first()?[place];
+    let what = "p g2 = q g1: the inclination of the axis becomes stationary, where the moments that lead the integrals are infinite";
+    let is_near = run.last(NODDING).abs() < NEAR * first.abs();
+    (run.has_left_its_law() || is_near).then(|| Diagnosis { what: what.to_owned(), at: None })
+}
+
+/// (p, q, r) and the vertical in the axes of the top, from its quaternion and its angular velocity.
+fn attitude<S: Scalar>(quaternion: [S; 4], spin: [S; 3]) -> Attitude<S> {
+    let [w, x, y, z] = quaternion;
+    let two = S::int(2);
+    let vertical = Vector3::new(
+        two * (x * z - w * y),
+        two * (y * z + w * x),
+        w.squared() - x.squared() - y.squared() + z.squared(),
+    );
+    Attitude { spin: spin.into(), vertical }
+}
+
+/// p g2 - q g1: the rate of the axis' inclination.
+pub fn nodding<S: Scalar>(at: &Attitude<S>) -> S {
+    at.spin.x * at.vertical.y - at.spin.y * at.vertical.x
+}
+
+/// The rate of the axis' inclination, with the sign that it has at the start.
+fn margins(scene: &dyn Modelled, states: &[String]) -> Option<Box<Margins>> {
+    const STATE: [&str; 7] = ["F.q0", "F.q1", "F.q2", "F.q3", "F.wx", "F.wy", "F.wz"];
+    let mut places = [0; 7];
+    for (place, name) in places.iter_mut().zip(STATE) {
+        *place = states.iter().position(|state| state == name)?;
+    }
+    let parts = move |y: &[f64]| places.map(|place| y[place]);
+    let at = |[q0, q1, q2, q3, p, q, r]: [f64; 7]| attitude([q0, q1, q2, q3], [p, q, r]);
+    let mut start = [0.0; 7];
+    for (value, name) in start.iter_mut().zip(STATE) {
+        *value = scene.value(name)?;
+    }
+    let sign = nodding(&at(start)).signum();
+    let what = "p g2 = q g1: the inclination of the axis is stationary, and no moment leads the integrals";
+    Some(Box::new(move |_, y, dy| {
+        let (now, [.., p, q, _]) = (at(parts(y)), parts(dy));
+        let vertical = poisson(&now);
+        let rate = p * now.vertical.y + now.spin.x * vertical.y - q * now.vertical.x - now.spin.y * vertical.x;
+        vec![Margin { value: sign * nodding(&now), rate: sign * rate, what, ..Margin::default() }]
+    }))
+}

@@ -1,0 +1,110 @@
+//! Scenes of systems of which more is known: they end as they should, beside closed forms and theory.
+
+use integrators::{Failure, Refusal};
+use simulation::models::{self, Modelled};
+use simulation::{Axes, Choice, Told, Trajectory, methods};
+use std::path::Path;
+use std::sync::Arc;
+
+fn open(name: &str) -> Arc<dyn Modelled> {
+    scenes::register(|_| ());
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes").join(name).with_extension("toml");
+    models::open(&path).unwrap_or_else(|error| panic!("{error}"))
+}
+
+fn by(scene: &dyn Modelled, choice: &Choice) -> (Trajectory, Told) {
+    let trajectory = scene.problem(Axes::First).simulate(choice, |_| ());
+    let told = scene.told(choice, &trajectory);
+    (trajectory, told)
+}
+
+/// A scene by its own choice.
+fn run(name: &str) -> (Trajectory, Told) {
+    let scene = open(name);
+    by(&*scene, &scene.run().choice())
+}
+
+/// (scene, the beginning of its diagnosis, if it ends early).
+const SCENES: [(&str, Option<&str>); 5] = [
+    ("governors/drum_programme", None),
+    ("governors/blow_up", Some("blow-up in finite time: the wheel comes to the axis of the second disc")),
+    ("governors/between_discs", None),
+    ("governors/between_discs_blow_up", Some("blow-up in finite time: the wheel comes to the axis of the second disc")),
+    ("failures/nodding_top", Some("p g2 = q g1")),
+];
+
+#[test]
+fn every_scene_ends_as_it_should_and_is_diagnosed_by_name() {
+    for (name, diagnosis) in SCENES {
+        let (trajectory, told) = run(name);
+        assert_eq!(trajectory.outcome.reached(), diagnosis.is_none(), "{name}: {:?}", trajectory.stopped());
+        let found = told.diagnosis.as_deref();
+        assert_eq!(found.is_some(), diagnosis.is_some(), "{name}: {found:?}");
+        assert!(found.unwrap_or_default().starts_with(diagnosis.unwrap_or_default()), "{name}: {found:?}");
+        assert!(trajectory.rows.iter().flatten().chain(&trajectory.last).all(|x| x.is_finite()), "{name}");
+        assert!(trajectory.rows.iter().all(|row| row.len() == trajectory.names.len()), "{name}");
+    }
+}
+
+#[test]
+fn runs_agree_with_their_closed_forms() {
+    for name in ["drum_programme", "blow_up", "between_discs", "between_discs_blow_up"] {
+        let (_, told) = run(&format!("governors/{name}"));
+        let (what, off) = told.closed_form.unwrap_or_else(|| panic!("{name} has a closed form"));
+        assert!(off < 1e-10, "{name}: {what}: {off:.1e}");
+    }
+}
+
+/// The constraint on the wheel's place knows the balance of the moments; the speed follows from the equations of motion alone.
+#[test]
+fn the_second_shaft_keeps_its_speed() {
+    for name in ["drum_programme", "between_discs"] {
+        let (trajectory, _) = run(&format!("governors/{name}"));
+        let place = trajectory.column("phi2'").expect("a speed");
+        let off = trajectory.rows.iter().map(|row| (row[place] - 2.0).abs()).fold(0.0, f64::max);
+        assert!(off < 1e-11, "{name}: {off:e}");
+    }
+}
+
+/// No contact slips: R omega1 = rho omega2 at a drum, rho omega1 = (a - rho) omega2 between two discs.
+#[test]
+fn the_other_shaft_is_as_fast_as_the_wheel_rolls() {
+    let levers: [(&str, fn(f64) -> f64); 2] =
+        [("drum_programme", |rho| rho / 0.5), ("between_discs", |rho| (0.8 - rho) / rho)];
+    for (name, ratio) in levers {
+        let (trajectory, _) = run(&format!("governors/{name}"));
+        let [rho, first] = ["rho", "omega1"].map(|name| trajectory.last[trajectory.column(name).expect("it is shown")]);
+        assert!((first - 2.0 * ratio(rho)).abs() < 1e-12, "{name}: {first}");
+    }
+}
+
+#[test]
+fn a_blow_up_is_where_the_closed_form_says() {
+    for (name, time) in [("blow_up", 1.1025), ("between_discs_blow_up", 7.265608828656)] {
+        let (trajectory, told) = run(&format!("governors/{name}"));
+        assert!((trajectory.outcome.time - time).abs() < 1e-9, "{name}: {}", trajectory.outcome.time);
+        let diagnosis = told.diagnosis.expect("it is named");
+        assert!(diagnosis.contains(&format!("by the closed form at t = {time}")), "{diagnosis}");
+    }
+}
+
+/// A step that is as long as ever would land on the other side, where the law has values again.
+#[test]
+fn no_method_steps_over_the_axis() {
+    let scene = open("governors/blow_up");
+    for (written, _) in methods::list() {
+        let method = methods::method(&written.replace("STEPS", "70")).expect("it is in the list");
+        let choice = Choice { method, ..scene.run().choice() };
+        let (trajectory, told) = by(&*scene, &choice);
+        if let Some(Failure::Refused(refusal)) = trajectory.outcome.failure() {
+            assert_eq!(refusal, Refusal::NoPieces, "{method}");
+            continue;
+        }
+        let rho = trajectory.column("rho").expect("a state");
+        assert!(!trajectory.outcome.reached() && trajectory.last[rho] > 0.0, "{method}: {:?}", trajectory.last);
+        let diagnosis = told.diagnosis.unwrap_or_default();
+        assert!(diagnosis.starts_with("blow-up"), "{method}: {:?}, {diagnosis}", trajectory.stopped());
+        assert!(told.theory[0].contains("t = 1.1025"), "{:?}", told.theory);
+        assert!(trajectory.rows.iter().all(|row| row[rho] > 0.0), "{method}");
+    }
+}
