@@ -59,8 +59,8 @@ fn all_of(name: &str, text: &str) {
 #[test]
 fn no_command_answers_with_what_is_no_number() {
     for (name, scene, datum, value) in [
-        ("no_second_moment", "scenes/governors/between_discs_blow_up.toml", "m2", "\"0 N m\""),
-        ("no_first_moment", "scenes/governors/drum_programme.toml", "m1", "\"0 N m\""),
+        ("no_second_moment", "scenes/governors/between_discs_blow_up.toml", "M2", "\"0 N m\""),
+        ("no_first_moment", "scenes/governors/drum_programme.toml", "M1", "\"0 N m\""),
         ("no_stiffness_across", "scenes/governors/elastic_unstable.toml", "across", "\"0 N/m\""),
         ("no_moment", "scenes/governors/elastic_stable.toml", "m1", "\"0 N m\""),
         ("no_field", "scenes/bench.toml", "b0", "\"0 N m\""),

@@ -269,7 +269,7 @@ fn a_blow_up_is_said_by_name_beside_the_time_of_the_closed_form() {
     assert!(diagnosis.starts_with("blow-up in finite time") && diagnosis.contains("t = 1.102500000000 s"), "{run}");
     assert!(run["time"].as_f64().is_some_and(|time| (time - 1.1025).abs() < 1e-9), "{run}");
     assert!(run["closed_form"]["deviation"].as_f64().is_some_and(|off| off < 1e-10), "{run}");
-    assert_eq!((&run["model"], &run["form"]), (&Value::from("drum_programme"), &Value::Null));
+    assert_eq!((&run["model"], &run["form"]), (&Value::from("as written in its file"), &Value::Null));
 }
 
 /// Behind a pole of the law, and on a motion that it follows.
@@ -277,13 +277,13 @@ fn a_blow_up_is_said_by_name_beside_the_time_of_the_closed_form() {
 fn constant_steps_say_whether_shorter_ones_come_nearer() {
     let asked = |scene, method| json(&run(&["run", scene, "--method", method, "--format", "json"]));
     // a step that ends behind the pole; shorter ones end with the law before it
-    let behind = asked("scenes/failures/nodding_top.toml", "euler:200");
+    let behind = asked("scenes/failures/nodding_top.toml", "euler:20");
     assert_eq!(
         (&behind["reached"], &behind["steps"]["follows"]),
         (&Value::from(true), &Value::from(false)),
         "{behind}"
     );
-    assert!(behind["steps"]["from"].as_f64().is_some_and(|from| (2.5..3.5).contains(&from)), "{behind}");
+    assert!(behind["steps"]["from"].as_f64().is_some_and(|from| (2.5..5.0).contains(&from)), "{behind}");
     let ended = asked("scenes/failures/nodding_top.toml", "runge_kutta_4:1000");
     assert!(ended["reached"] == false && ended["diagnosis"].is_string(), "{ended}");
     let followed = asked("scenes/bench.toml", "runge_kutta_4:4000");

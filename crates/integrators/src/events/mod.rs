@@ -131,7 +131,7 @@ const TOGETHER: f64 = 8.0;
 
 /// A signal that falls to zero within so many roundings of the time at which steps collapse has come to it: where rates are infinite at
 /// the zero, as those of a square root are, no step reaches it.
-const AT_THE_END: f64 = 64.0;
+const AT_THE_END: f64 = 256.0;
 
 /// The number of parts of a step that is a polynomial; each is looked at.
 const PARTS: usize = 8;
