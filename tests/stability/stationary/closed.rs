@@ -20,7 +20,7 @@ fn body(moments: [i64; 3], spin: [i64; 3], weight: [i64; 3]) -> Body {
 
 fn shapes(body: &Body, w: Rational) -> Vec<(Shape, Kind)> {
     let all = body.rotations(w).unwrap();
-    assert_eq!((all.roots[0], all.morse().unwrap_or(2)), (all.roots[1], 2));
+    assert_eq!((all.roots, all.morse().unwrap_or(2)), (all.roots_by_sturm(), 2));
     all.motions.iter().map(|motion| (motion.shape, motion.kind)).collect()
 }
 

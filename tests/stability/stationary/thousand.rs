@@ -31,7 +31,7 @@ fn none_is_missed_on_a_thousand_gyrostats() {
         let value = Root::rational(speed).expect("a fraction");
         let body = Body::new(&tensor, &share, &value, &energies.weight).expect("fractions");
         let all = body.rotations(w).expect("a fraction");
-        assert_eq!(all.roots[0], all.roots[1], "Descartes and Sturm, gyrostat {k}");
+        assert_eq!(all.roots, all.roots_by_sturm(), "Descartes and Sturm, gyrostat {k}");
         assert_eq!(all.morse().unwrap_or(2), 2, "Morse's sum, gyrostat {k}");
         let boxes = all.boxes(64).expect("directions lie apart");
         let families = all.motions.len() - all.isolated();

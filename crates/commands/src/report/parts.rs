@@ -6,10 +6,10 @@ use crate::crew::Crew;
 use crate::ledger;
 use crate::pictures;
 use crate::speed;
-use crate::sphere;
+use crate::sphere::Stationary;
 use crate::studies::{Drive, Endurance, Failures, Gains, Phantom, Synchronism, atlas, peers};
 use crate::timings;
-use charts::{Areas, PaperSection, Report, SceneSection, Sphere, Study, Verdict};
+use charts::{Areas, PaperSection, Report, SceneSection, Verdict};
 use claims::catalogue::papers;
 use std::path::Path;
 use studies::AnyScene;
@@ -25,7 +25,7 @@ pub struct Parts {
     stability: Option<Vec<Areas>>,
     approximations: Option<charts::Trajectory>,
     friction: Option<Vec<Areas>>,
-    stationary: Option<(Vec<Sphere>, Option<Study>)>,
+    stationary: Stationary,
     gains: Gains,
     drive: Drive,
     endurance: Endurance,
@@ -43,7 +43,7 @@ impl Parts {
             stability: None,
             approximations: None,
             friction: None,
-            stationary: None,
+            stationary: Stationary::of(driven(scenes)),
             gains: Gains::default(),
             drive: Drive::default(),
             endurance: Endurance::default(),
@@ -76,7 +76,7 @@ impl Parts {
         crew.add(1.5, &mut self.stability, || governors::stability().into_iter().map(pictures::stability).collect());
         crew.add(0.1, &mut self.approximations, || pictures::series_errors(&governors::series_errors()));
         crew.add(0.1, &mut self.friction, || regimes::maps::maps().into_iter().map(pictures::areas).collect());
-        crew.add(6.0, &mut self.stationary, || sphere::all(driven(scenes)));
+        self.stationary.enlist(driven(scenes).collect(), &mut crew);
         crew.work(done);
     }
 
@@ -136,7 +136,7 @@ impl Parts {
         report.stability = self.stability.unwrap_or_default();
         report.approximations = self.approximations.into_iter().collect();
         report.friction = self.friction.unwrap_or_default();
-        let (spheres, stationary) = self.stationary.unwrap_or_default();
+        let (spheres, stationary) = self.stationary.pictures();
         report.spheres = spheres;
         report.studies = stationary.into_iter().collect();
         report.studies.extend(self.synchronism.study());

@@ -5,20 +5,21 @@ mod along;
 mod marks;
 mod pieces;
 
+use crate::crew::Crew;
 use crate::stability_map;
 use along::{along, table};
-use charts::{Curve, CurvePoint, Sphere, Study, significant};
+use charts::{Areas, Curve, CurvePoint, Sphere, Study, significant};
 use marks::{idle, named};
 use mechanics::uniform::Census;
-use nalgebra::Vector3;
+use nalgebra::{Matrix3, Vector3};
 use pieces::{Known, Piece, class, pieces};
 use std::collections::HashMap;
 use studies::scene::{Scene, System};
 use studies::stationary::branches::Form;
 use studies::stationary::energies::Kept;
-use studies::stationary::motions::Stationary as All;
+use studies::stationary::motions::{Case as Drawn, Stationary as All};
 use studies::stationary::stability::cone::Fates;
-use systems::gyrostat::stationary::Stationary;
+use systems::gyrostat::stationary::Stationary as Conditions;
 
 /// Points closer together than this, as a share of the picture, are not drawn.
 const NEAR: f64 = 0.012;
@@ -26,53 +27,102 @@ const NEAR: f64 = 0.012;
 const VIEW: (f64, f64) = (35.0, 25.0);
 
 /// Gyrostats with a speed of their rotor: scenes that share these share the pictures.
-pub fn all<'a>(scenes: impl Iterator<Item = &'a Scene>) -> (Vec<Sphere>, Option<Study>) {
-    let scenes: Vec<&Scene> = scenes.collect();
-    let mut found: Vec<(Case, Vec<&str>)> = Vec::new();
-    scenes.iter().for_each(|scene| gather(scene, &mut found));
-    let spheres = found.iter().flat_map(|(case, titles)| [cone(case, titles), directrix(case)]).collect();
-    let study = (!found.is_empty()).then(|| Study { pictures: stability_map::all(&scenes), ..study(&found) });
-    (spheres, study)
+#[derive(Default)]
+pub struct Stationary {
+    cones: Vec<Cone>,
+    /// The same cones, drawn.
+    cases: Vec<Option<Case>>,
+    maps: Option<Vec<Areas>>,
 }
 
-/// Where a gyrostat may turn for ever, and what it is.
-struct Case {
-    conditions: Stationary<f64>,
+/// The conditions of stationary motion, and what decides about each motion.
+struct Cone {
+    conditions: Conditions<f64>,
     /// What the rotor keeps: its relative speed, rad/s.
     speed: f64,
     /// D = det A / det A*
     singularity: f64,
-    pieces: Vec<Piece>,
-    census: Option<Census>,
+    /// The principal axes as columns.
+    axes: Matrix3<f64>,
+    body: Drawn,
+    fates: Fates,
+    titles: Vec<String>,
 }
 
-/// One case for each stationary relative speed of the rotor, unless it is known; none for a free rotor, which has one for each of
+/// Where a gyrostat may turn for ever, and what it is.
+struct Case {
+    conditions: Conditions<f64>,
+    speed: f64,
+    singularity: f64,
+    pieces: Vec<Piece>,
+    census: Option<Census>,
+    titles: Vec<String>,
+}
+
+/// The seconds that a cone costs.
+const COST: f64 = 4.0;
+
+impl Stationary {
+    /// All gyrostats of the scenes, not yet drawn.
+    pub fn of<'s>(scenes: impl Iterator<Item = &'s Scene>) -> Self {
+        let mut cones = Vec::new();
+        scenes.for_each(|scene| gather(scene, &mut cones));
+        Stationary { cases: cones.iter().map(|_| None).collect(), cones, maps: None }
+    }
+
+    /// Draws them.
+    pub fn enlist<'s>(&'s mut self, scenes: Vec<&'s Scene>, crew: &mut Crew<'s>) {
+        for (place, cone) in self.cases.iter_mut().zip(&self.cones) {
+            crew.add(COST, place, || cone.drawn());
+        }
+        crew.add(1.0, &mut self.maps, move || stability_map::all(&scenes));
+    }
+
+    /// For the page.
+    pub fn pictures(self) -> (Vec<Sphere>, Option<Study>) {
+        let found: Vec<Case> = self.cases.into_iter().flatten().collect();
+        let spheres = found.iter().flat_map(|case| [cone(case), directrix(case)]).collect();
+        let pictures = self.maps.unwrap_or_default();
+        (spheres, (!found.is_empty()).then(|| Study { pictures, ..study(&found) }))
+    }
+}
+
+/// One cone for each stationary relative speed of the rotor, unless it is known; none for a free rotor, which has one for each of
 /// its momenta, and none where every direction is one.
-fn gather<'a>(scene: &'a Scene, found: &mut Vec<(Case, Vec<&'a str>)>) {
+fn gather(scene: &Scene, found: &mut Vec<Cone>) {
     let System::Gyrostat(bodies) = &scene.system else { return };
     let Ok(all) = All::of(scene) else { return };
-    let Ok(fates) = Fates::of(&all.energies) else { return };
     let derived = bodies.derived();
-    let own = bodies.in_axes(&derived.full.axes);
+    let axes = derived.full.axes;
+    let own = bodies.in_axes(&axes);
     if all.kept == Kept::Momentum || own.weight().norm() == 0.0 {
         return;
     }
     for case in &all.cases {
         let speed = case.value.to_f64();
         let (spin, weight) = (own.rotor.axial * speed, own.weight());
-        let conditions = Stationary { moments: derived.full.moments, axis: own.rotor.axis, spin, weight };
-        if let Some((_, titles)) = found.iter_mut().find(|(known, _)| known.conditions == conditions) {
-            titles.push(&scene.title);
+        let conditions = Conditions { moments: derived.full.moments, axis: own.rotor.axis, spin, weight };
+        if let Some(known) = found.iter_mut().find(|known| known.conditions == conditions) {
+            known.titles.push(scene.title.clone());
             continue;
         }
-        let Some(drawn) = case.drawn(&all.energies, all.kept) else { continue };
-        let census = case.body.census().ok();
-        let form = Form { moments: conditions.moments, spin: conditions.axis * spin, weight };
+        let (Some(body), Ok(fates)) = (case.drawn(&all.energies, all.kept), Fates::of(&all.energies)) else { continue };
+        let (singularity, titles) = (derived.singularity, vec![scene.title.clone()]);
+        found.push(Cone { conditions, speed, singularity, axes, body, fates, titles });
+    }
+}
+
+impl Cone {
+    fn drawn(&self) -> Case {
+        let Conditions { moments, axis, spin, weight } = self.conditions;
+        let census = self.body.body.census().ok();
+        let form = Form { moments, spin: axis * spin, weight };
         let folds = census.iter().flat_map(|census| &census.stretches).map(|stretch| stretch.to);
         let folds: Vec<f64> = folds.filter(|w| w.is_finite()).collect();
-        let mut known = Known { fates: &fates, case: &drawn, axes: derived.full.axes, at: HashMap::new() };
+        let mut known = Known { fates: &self.fates, case: &self.body, axes: self.axes, at: HashMap::new() };
         let pieces = form.branches(&folds).into_iter().flat_map(|branch| pieces(&mut known, branch)).collect();
-        found.push((Case { conditions, speed, singularity: derived.singularity, pieces, census }, vec![&scene.title]));
+        let Cone { conditions, speed, singularity, .. } = *self;
+        Case { conditions, speed, singularity, pieces, census, titles: self.titles.clone() }
     }
 }
 
@@ -91,7 +141,7 @@ fn curve(piece: &Piece, size: f64, place: impl Fn(&Vector3<f64>, f64) -> Vector3
     Curve { name: name.to_owned(), class: Some(class), points }
 }
 
-fn cone(case: &Case, titles: &[&str]) -> Sphere {
+fn cone(case: &Case) -> Sphere {
     let (conditions, speed) = (&case.conditions, case.speed);
     let marks = idle(conditions).into_iter().chain(named(conditions)).collect();
     Sphere {
@@ -110,7 +160,7 @@ fn cone(case: &Case, titles: &[&str]) -> Sphere {
         curves: case.pieces.iter().map(|piece| curve(piece, 1.0, |v, _| *v)).collect(),
         marks,
         view: VIEW,
-        note: format!("The gyrostat of: {}.", titles.join("; ")),
+        note: format!("The gyrostat of: {}.", case.titles.join("; ")),
         ..Sphere::default()
     }
 }
@@ -145,9 +195,9 @@ fn reach(case: &Case) -> f64 {
 }
 
 /// The angular velocity along the cone, and the number of motions for each.
-fn study(found: &[(Case, Vec<&str>)]) -> Study {
-    let tables = found.iter().filter_map(|(case, _)| table(case)).collect();
-    let run = found.first().map(|(case, _)| along(case));
+fn study(found: &[Case]) -> Study {
+    let tables = found.iter().filter_map(table).collect();
+    let run = found.first().map(along);
     Study {
         id: "stationary-cone".into(),
         title: "All stationary motions".into(),

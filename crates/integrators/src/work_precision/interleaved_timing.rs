@@ -5,11 +5,11 @@ use std::time::{Duration, Instant};
 /// The shortest time that is measured: a faster run is repeated within one measurement.
 const SHORTEST: Duration = Duration::from_micros(200);
 /// Measurements after which a median is settled, however short they are.
-const ENOUGH: usize = 15;
+const ENOUGH: usize = 9;
 /// Measurements without which there is no median, and what they must add up to if they are no more: a long run meets
 /// many moments of the machine by itself.
 const FEWEST: usize = 3;
-const LONG: Duration = Duration::from_millis(25);
+const LONG: Duration = Duration::from_millis(12);
 
 /// The median of a run's times.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -12,8 +12,9 @@ pub struct Rotations {
     pub motions: Vec<Motion>,
     /// Of the polynomial in lambda whose real roots are the directions that no symmetry repeats.
     pub degree: usize,
-    /// How many different real roots it has: by Descartes' rule and, once more, by Sturm's theorem.
-    pub roots: [usize; 2],
+    /// How many different real roots it has, by Descartes' rule.
+    pub roots: usize,
+    case: Arc<Case>,
 }
 
 /// One direction, or a connected family of directions.
@@ -82,7 +83,7 @@ impl Rotations {
         let excess = excess.primitive();
         let case = Arc::new(Case { spectrum, excess, scale });
         let roots = case.excess.real_roots();
-        let counts = [roots.len(), case.excess.count_by_sturm()];
+        let count = roots.len();
         let of_root = |multiplier: Root| Motion {
             shape: Shape::Point,
             kind: case.kind(&multiplier),
@@ -93,7 +94,12 @@ impl Rotations {
         for &place in &case.spectrum.unseen {
             motions.extend(Case::beyond(&case, place));
         }
-        Rotations { degree: case.excess.degree().unwrap_or(0), roots: counts, motions }
+        Rotations { degree: case.excess.degree().unwrap_or(0), roots: count, motions, case }
+    }
+
+    /// How many different real roots the polynomial has, once more, by Sturm's theorem: dearer than to isolate them.
+    pub fn roots_by_sturm(&self) -> usize {
+        self.case.excess.count_by_sturm()
     }
 
     /// Minima - saddles + maxima, with a family's own Euler characteristic as its factor: 2, the sphere's, by Morse's

@@ -106,8 +106,8 @@ impl<'a> Stationary<'a> {
         let found = all.motions.iter().zip(boxes).map(of_motion).collect::<Result<_, _>>()?;
         let certificate = Certificate {
             degree: all.degree,
-            roots: all.roots[0],
-            again: Some(all.roots[1]),
+            roots: all.roots,
+            again: Some(all.roots_by_sturm()),
             morse: all.morse(),
             undecided: None,
         };
