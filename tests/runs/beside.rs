@@ -23,6 +23,7 @@ fn judged(problem: &Problem, method: Method) -> (Trajectory, Option<Parting>) {
 
 /// Every scene that is one initial value problem.
 fn scenes() -> Vec<(PathBuf, AnyScene)> {
+    scenes::register(|_| ());
     let mut folders = vec![Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes")];
     let mut found = Vec::new();
     while let Some(folder) = folders.pop() {

@@ -4,13 +4,13 @@
 //! * [`mechanism`]: what a mechanism says of itself, and the law with its work that is made of it;
 //! * [`rewritten`], [`points`], [`steered`]: other formulations of the same mechanism, for the atlas;
 //! * [`scene`]: the family of scenes: reading, the problem, what theory says of a run;
-//! * [`governors`], `elastic`, [`prescribed_top`], [`drive`]: the mechanisms; [`charted`]: what those in
-//!   coordinates of their own share.
+//! * [`governors`], [`prescribed_top`]: the mechanisms; [`charted`]: what those in coordinates of their own share;
+//! * `elastic`, [`crank_drive`]: what is known of systems as text beyond their equations.
 //!
 //! To add one: [`Mechanism`] for the system's data, and one line in the list below.
 
 pub mod charted;
-pub mod drive;
+pub mod crank_drive;
 mod elastic;
 mod erased;
 pub mod governors;
@@ -28,9 +28,5 @@ use erased::{Entry, entry};
 use governors::{Discs, Drum, Programme};
 
 /// Every mechanism by the name that scene files use.
-pub const LIST: &[Entry] = &[
-    entry::<Programme<Drum>>(),
-    entry::<Programme<Discs>>(),
-    entry::<prescribed_top::PrescribedTop<f64>>(),
-    entry::<drive::Drive>(),
-];
+pub const LIST: &[Entry] =
+    &[entry::<Programme<Drum>>(), entry::<Programme<Discs>>(), entry::<prescribed_top::PrescribedTop<f64>>()];
