@@ -1,6 +1,7 @@
 //! Scenes of systems of which more is known: they end as they should, beside closed forms and theory.
 
-use integrators::{Failure, Refusal};
+use dalembert_derivations::studies::governors::{self, SPEED, growth};
+use integrators::{Failure, Method, Refusal};
 use simulation::models::{self, Modelled};
 use simulation::{Axes, Choice, Told, Trajectory, methods};
 use std::path::Path;
@@ -106,5 +107,48 @@ fn no_method_steps_over_the_axis() {
         assert!(diagnosis.starts_with("blow-up"), "{method}: {:?}, {diagnosis}", trajectory.stopped());
         assert!(told.theory[0].contains("t = 1.1025"), "{:?}", told.theory);
         assert!(trajectory.rows.iter().all(|row| row[rho] > 0.0), "{method}");
+    }
+}
+
+/// The rate of the linear theory, seen over forty seconds of the motion.
+#[test]
+fn the_elastic_governor_leaves_or_regains_its_stationary_motion_as_fast_as_theory_says() {
+    for (name, load) in [("elastic_stable", 20.0), ("elastic_unstable", 23.0)] {
+        let scene = open(&format!("governors/{name}"));
+        let (trajectory, told) = by(&*scene, &scene.run().choice());
+        let of_the_maps = governors::governor(50.0, load);
+        for (name, value) in [("m1", of_the_maps.m1), ("delta2", of_the_maps.delta2), ("beta", of_the_maps.beta)] {
+            let given = scene.value(name).expect("it is a parameter");
+            assert!((given - value).abs() < 1e-14, "{name}: {given} and {value}");
+        }
+        let column = trajectory.column("x").expect("a state");
+        let largest = |from: f64, to: f64| {
+            let rows = trajectory.times.iter().zip(&trajectory.rows);
+            let inside = rows.filter(|(time, _)| (from..to).contains(*time));
+            inside.map(|(_, row)| (row[column] - of_the_maps.rest).abs()).fold(0.0, f64::max)
+        };
+        let rate = (largest(80.0, 100.0) / largest(40.0, 60.0)).ln() / 40.0;
+        let foretold = growth(&of_the_maps, SPEED).expect("eigenvalues");
+        assert_eq!(foretold > 0.0, name.contains("unstable"));
+        assert!((rate - foretold).abs() < 0.1 * foretold.abs(), "{name}: {rate} and {foretold}");
+        let word = if foretold > 0.0 { "is unstable" } else { "is stable" };
+        assert!(told.theory.iter().any(|said| said.contains(word)), "{:?}", told.theory);
+    }
+}
+
+/// The moments of the one grow with the time, the source of the other alternates: the tape must know the time.
+#[test]
+fn taylors_method_follows_laws_with_the_time_in_them() {
+    for name in ["governors/released", "drive/euler_bears"] {
+        let scene = open(name);
+        let end = |method| {
+            let (trajectory, _) = by(&*scene, &Choice { method, tolerance: 1e-10, ..scene.run().choice() });
+            assert!(trajectory.outcome.reached(), "{name}: {:?}", trajectory.stopped());
+            trajectory.outcome.state
+        };
+        let (series, stages) = (end(Method::Taylor), end(Method::DormandPrince8));
+        for (a, b) in series.iter().zip(&stages) {
+            assert!((a - b).abs() < 1e-6 * a.abs().max(1.0), "{name}: {a} and {b}");
+        }
     }
 }

@@ -1,9 +1,9 @@
 //! Whole motions, minutes of them: the atlas, the catalogue of failures, mechanisms, reduced models, synchronism.
 
 mod atlas;
+mod crank_drive;
 mod failures;
 mod governors;
 mod knowledge;
 mod ladder;
-mod mechanisms;
 mod synchronism;

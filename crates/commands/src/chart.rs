@@ -69,11 +69,11 @@ pub fn chart(asked: &Asked) -> Result<Ending, Ending> {
         other => other,
     };
     let smooth = scene.smooth();
-    if matches!(scene, AnyScene::Mechanism(_) | AnyScene::Model(_)) {
-        refuse("a system without a motor", asked.model.is_some(), asked.form.is_some(), &asked.scene)?;
-    }
-    if let AnyScene::Driven(scene) = &scene {
-        one_form(scene, asked.form.is_some(), &asked.scene)?;
+    match &scene {
+        AnyScene::Model(_) => {
+            refuse("a system without a motor", asked.model.is_some(), asked.form.is_some(), &asked.scene)?;
+        }
+        AnyScene::Driven(scene) => one_form(scene, asked.form.is_some(), &asked.scene)?,
     }
     if let Some(hybrid) = smooth.hybrid() {
         let page = |atlas: &Atlas, work| report::of_scene(smooth, atlas, work);
@@ -173,7 +173,6 @@ fn smaller(scene: &AnyScene, known: &[Way]) -> Vec<Way> {
             (Ladder::of_scene(scene, Axes::First), Formulation::Bench)
         }
         AnyScene::Driven(scene) => (Ladder::of_scene(scene, Axes::First), Formulation::First),
-        AnyScene::Mechanism(scene) => (scene.ladder(), Formulation::Minimal),
         AnyScene::Model(scene) => {
             let own = known.first().map_or(Formulation::Minimal, |way| way.formulation);
             (Ladder::of_model(&**scene), own)

@@ -79,10 +79,6 @@ pub fn run(asked: &Asked) -> Result<Ending, Ending> {
             one_form(&scene, asked.form.is_some(), &asked.scene)?;
             follow(&scene, asked, (!scene.on_bench()).then(|| asked.form.unwrap_or_default()))
         }
-        AnyScene::Mechanism(scene) => {
-            refuse("a mechanism", asked.model.is_some(), asked.form.is_some(), &asked.scene)?;
-            follow(&*scene, asked, None)
-        }
         AnyScene::Model(scene) => {
             refuse("a system that is written in its file", asked.model.is_some(), asked.form.is_some(), &asked.scene)?;
             let choice = choice(scene.run(), asked);

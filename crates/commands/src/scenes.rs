@@ -36,7 +36,6 @@ pub fn list(asked: &Asked) -> Result<Ending, Ending> {
 fn listed(path: &Path) -> Result<(String, String), usize> {
     match AnyScene::open(path) {
         Ok(AnyScene::Driven(scene)) => Ok((scene.machine.name().to_owned(), scene.title)),
-        Ok(AnyScene::Mechanism(scene)) => Ok((scene.name.to_owned(), scene.title)),
         Ok(AnyScene::Model(scene)) => Ok((scene.model().to_owned(), scene.title().to_owned())),
         Err(error) => Err(error.issues.len()),
     }

@@ -1,8 +1,7 @@
 //! A scene of any family: the one place that lists the families.
 
-use crate::mechanisms::MechanismScene;
 use crate::scene::Scene;
-use reader::{Family, Issue, Opening, SceneError, Table, knows};
+use reader::{Family, Issue, Opening, SceneError, Table};
 use simulation::Smooth;
 use simulation::models::{self, Modelled};
 use std::sync::Arc;
@@ -12,8 +11,6 @@ use std::sync::Arc;
 pub enum AnyScene {
     /// With a motor.
     Driven(Box<Scene>),
-    /// Governors, drives, bodies that roll.
-    Mechanism(Box<MechanismScene>),
     /// A system that is written in the file.
     Model(Arc<dyn Modelled>),
 }
@@ -22,7 +19,7 @@ impl Family for AnyScene {
     const KIND: &'static str = "a system";
 
     fn systems() -> Vec<(&'static str, &'static str)> {
-        [Scene::systems(), MechanismScene::systems()].concat()
+        Scene::systems()
     }
 
     fn parse(name: &str, text: &str) -> Result<Self, SceneError> {
@@ -33,12 +30,7 @@ impl Family for AnyScene {
     }
 
     fn read(opening: Opening, top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<Self> {
-        match opening.system.value.as_str() {
-            one if knows::<MechanismScene>(one) => {
-                MechanismScene::read(opening, top, issues).map(Box::new).map(Self::Mechanism)
-            }
-            _ => Scene::read(opening, top, issues).map(Box::new).map(Self::Driven),
-        }
+        Scene::read(opening, top, issues).map(Box::new).map(Self::Driven)
     }
 }
 
@@ -47,7 +39,6 @@ impl AnyScene {
     pub fn title(&self) -> &str {
         match self {
             Self::Driven(scene) => &scene.title,
-            Self::Mechanism(scene) => scene.title(),
             Self::Model(scene) => scene.title(),
         }
     }
@@ -56,7 +47,6 @@ impl AnyScene {
     pub fn smooth(&self) -> &dyn Smooth {
         match self {
             Self::Driven(scene) => &**scene,
-            Self::Mechanism(scene) => &**scene,
             Self::Model(scene) => &**scene,
         }
     }

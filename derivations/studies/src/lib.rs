@@ -11,8 +11,8 @@
 //! * [`closed_forms`]: motions that are known, by which runs and references are measured;
 //! * [`long_runs`]: how errors grow over a million revolutions, by a closed form;
 //! * [`regimes`], [`governors`]: maps and series for pictures;
-//! * [`scene`]: a gyrostat or a bench with a motor, from a file; [`mechanisms`]: governors, drives, bodies that roll;
-//!   [`AnyScene`]: a scene of any family;
+//! * [`scene`]: a gyrostat or a bench with a motor, from a file; [`AnyScene`]: that, or a model;
+//! * [`knowledge`]: of systems that files write down, beyond their equations;
 //! * [`ensemble`]: many systems of one kind with data of their own, run side by side.
 
 mod any_scene;
@@ -24,7 +24,6 @@ pub mod governors;
 pub mod knowledge;
 pub mod ladder;
 pub mod long_runs;
-pub mod mechanisms;
 pub mod phantom;
 pub mod regimes;
 pub mod scene;

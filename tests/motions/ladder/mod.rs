@@ -31,7 +31,6 @@ fn of_mechanism(name: &str, span: &str) -> Ladder {
     let text = std::fs::read_to_string(path(name)).expect("a scene");
     let lines = text.lines().map(|line| if line.starts_with("span") { span } else { line });
     match AnyScene::parse(name, &lines.collect::<Vec<_>>().join("\n")) {
-        Ok(AnyScene::Mechanism(scene)) => scene.ladder(),
         Ok(AnyScene::Model(scene)) => Ladder::of_model(&*scene),
         _ => panic!("{name} is a scene of a mechanism"),
     }

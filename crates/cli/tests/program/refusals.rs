@@ -154,7 +154,7 @@ fn a_folder_without_scenes() {
 /// Absurd in size, and yet nothing breaks: the run ends with a reason.
 #[test]
 fn a_mechanism_has_no_machine() {
-    refused("a_mechanism_has_no_machine", &["run", "scenes/drive/stiff_diode.toml", "--model", "synchronous"]);
+    refused("a_mechanism_has_no_machine", &["run", "scenes/governors/blow_up.toml", "--model", "synchronous"]);
 }
 
 #[test]

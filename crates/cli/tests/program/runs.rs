@@ -300,8 +300,8 @@ fn a_mechanism_writes_its_table_and_takes_another_method() {
     assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
     let table = std::fs::read_to_string(&path).expect("it was written");
     std::fs::remove_file(&path).expect("it is there");
-    let columns =
-        "time [s],f1 [A],f2 [A],q3 [A s],f4 [A],f5 [A],q6 [rad],f6 [rad/s],q7 [m],f7 [m/s],work [J],violation [m^2],";
+    let columns = "time [s],q1 [C],q2 [C],q4 [C],q5 [C],q6 [rad],q7 [m],q1' [A],q2' [A],q4' [A],q5' [A],q6' [rad/s],q7' [m/s],\
+                   q3 [s A],violation [m^2],violation_rate [m^2 s^-1],kinetic_energy [J],potential_energy [J],work [J]\n";
     assert!(table.starts_with(columns), "{table}");
     assert_eq!(table.lines().count(), 7);
 }

@@ -11,7 +11,7 @@ use crate::output::{Form, Writes};
 use crate::run::{refuse, with_model};
 use clap::Args;
 use reader::Family;
-use simulation::{Axes, Smooth, Stored, references};
+use simulation::{Axes, Stored, references};
 use std::path::PathBuf;
 use std::time::Duration;
 use studies::AnyScene;
@@ -60,11 +60,6 @@ pub fn show(asked: &Asked) -> Result<Ending, Ending> {
             let axes = if matches!(scene.system, System::Bench { .. }) { &AXES[..1] } else { &AXES[..] };
             let ladders = axes.iter().map(|axes| Ladder::of_scene(scene, *axes)).collect();
             (Box::new(Forms { ladders, kept: Stored::beside(&asked.scene) }), scene.run.outputs.clone())
-        }
-        AnyScene::Mechanism(scene) => {
-            refuse("a mechanism", asked.model.is_some(), false, &asked.scene)?;
-            let kept = Stored::beside(&asked.scene);
-            (Box::new(Forms { ladders: vec![scene.ladder()], kept }), Smooth::run(&**scene).outputs.clone())
         }
         AnyScene::Model(scene) => {
             refuse("a system that is written in its file", asked.model.is_some(), false, &asked.scene)?;

@@ -58,7 +58,7 @@ pub fn prepare(Read { id, scene: any, kept }: &Read) -> Prepared {
     let problem = scene.problem(Axes::First);
     let run = problem.simulate(&choice, |_| ());
     let mut section = described(id, scene, &run);
-    let of_a_mechanism = matches!(any, AnyScene::Mechanism(_) | AnyScene::Model(_));
+    let of_a_mechanism = matches!(any, AnyScene::Model(_));
     let across_events = scene.hybrid().is_some();
     let usual = Trials::default().with(scene.run().method);
     let [motor, mechanism] = TIMED;

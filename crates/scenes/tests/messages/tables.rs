@@ -26,7 +26,7 @@ fn what_stands_in_the_wrong_table_is_sent_to_its_own() {
 fn knowledge_is_asked_for_by_a_name_that_is_known_and_fits() {
     let of = |name: &str, parts: &[&str]| one(&[("gravity = ", &format!("known_as = \"{name}\"\ngravity = "))], parts);
     of("friction_govenor", &["no system is known as `friction_govenor`", "is `friction_governor` meant?"]);
-    of("zebra", &["no system is known as `zebra`", "known: elastic_governor, friction_governor"]);
+    of("zebra", &["no system is known as `zebra`", "known: crank_drive, elastic_governor, friction_governor"]);
     of("friction_governor", &["a system with `lateral`, which is no parameter with a value here", "lateral, rho"]);
 }
 

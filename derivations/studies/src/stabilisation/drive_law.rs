@@ -23,7 +23,7 @@ pub struct Nine {
 }
 
 /// t, q and q' of the drive at a state of the nine.
-pub fn instant<S: Over<f64> + Analytic>(time: S, y: &[S]) -> State<S, 6> {
+fn instant<S: Over<f64> + Analytic>(time: S, y: &[S]) -> State<S, 6> {
     let none = S::zero();
     State { time, place: [none, none, y[2], none, y[5], y[7]], velocity: [y[0], y[1], y[3], y[4], y[6], y[8]] }
 }
