@@ -112,6 +112,11 @@ const MOST_WRITTEN: usize = 40;
 /// down: 3 links 22 and 26 us, 6 links 76 and 114, 10 links 217 and 346, 20 links 1.7 and 2.7 ms.
 const LEAST_SOLVED: usize = 5;
 
+/// But not where the coefficients of fewer unknowns move: an elimination that is written down has constants in the place of the others.
+/// The electromechanical drive has three of seven that move, and a step with a solve took 1.14 times as long; an induction machine has
+/// four of five, and a step without one took 1.45 times as long.
+pub(crate) const LEAST_MOVING: usize = 4;
+
 /// Of systems with more unknowns the derivatives of the elimination are not written down for the Jacobian. Until its first step, by Radau's
 /// method, a chain of 16 links took 0.8 s with them, and 0.06 s with solves; one of 10 links took the same time for 58,000 evaluations.
 const MOST_DERIVED: usize = 11;
@@ -214,8 +219,10 @@ impl CompiledSystem {
                 let mut law =
                     CompiledLaw::of(Arc::clone(self) as Arc<dyn SymbolicLaw>).with_rates(Program::clone(rates));
                 if self.has_solved_series() {
-                    let model = Arc::clone(&self.model);
-                    law = law.with_series(LawSeries::by(move || recurrence(&model)));
+                    let system = Arc::clone(self);
+                    law = law.with_series(LawSeries::by(move || {
+                        recurrence(&system.model, LEAST_MOVING).or_else(|| LawSeries::written(&*system))
+                    }));
                 }
                 if self.has_solved_slopes() {
                     law = law.with_jacobian(Arc::new(SolvedSlopes::new(&self.model)));

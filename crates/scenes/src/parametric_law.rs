@@ -54,7 +54,7 @@ impl ParametricLaw {
             let inputs = Inputs::of(model);
             let rates = rates(model, &Mode::default(), inputs.letters())?;
             let law = match model.speeds() + model.constraints.len() >= LEAST_SOLVED {
-                true => recurrence_of(&Trace::of(model), &inputs, inputs.letters(), &inputs.parameters, None),
+                true => recurrence_of(&Trace::of(model), &inputs, inputs.letters(), &inputs.parameters),
                 false => {
                     let moves = rates.iter().any(|rate| rate.symbols_of().contains(&inputs.time));
                     Expandable::record(&Equations {
@@ -76,7 +76,7 @@ impl ParametricLaw {
     fn solved(model: &Model) -> Result<Self, NotCompiled> {
         apart(|| {
             let (inputs, trace) = (Inputs::of(model), Trace::of(model));
-            let law = recurrence_of(&trace, &inputs, inputs.letters(), &inputs.parameters, None).map_err(undefined)?;
+            let law = recurrence_of(&trace, &inputs, inputs.letters(), &inputs.parameters).map_err(undefined)?;
             let Solve { unknowns, pattern, entries, right } = linear_equations(&trace, inputs.letters());
             let shown = outputs_of_solved(model, inputs.letters(), &unknowns);
             let are_asked = shown.iter().any(|each| each.symbols_of().iter().any(|symbol| unknowns.contains(symbol)));

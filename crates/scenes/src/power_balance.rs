@@ -1,7 +1,7 @@
 //! The run of a model with the work that is done on it: its energy less this work keeps its first value, or the run has made up the rest.
 
 use crate::compiled_system::determined;
-use crate::compiled_system::{CompiledSystem, Way, is_watched};
+use crate::compiled_system::{CompiledSystem, LEAST_MOVING, Way, is_watched};
 use crate::implicit::recurrence_with;
 use crate::letters::Letters;
 use crate::program::recorded;
@@ -36,8 +36,11 @@ pub(crate) fn metered(system: &Arc<CompiledSystem>, plain: Problem) -> Problem {
         return plain;
     }
     if system.has_solved_series() {
-        let model = Arc::clone(model);
-        law = law.with_series(LawSeries::by(move || recurrence_with(&model, |trace| PowerBalance::of(trace).power)));
+        let system = Arc::clone(system);
+        law = law.with_series(LawSeries::by(move || {
+            let solved = recurrence_with(system.model(), LEAST_MOVING, |trace| PowerBalance::of(trace).power);
+            solved.or_else(|| LawSeries::written(&Metered(Arc::clone(&system))))
+        }));
     }
     if system.has_solved_slopes() {
         law = law.with_jacobian(Arc::new(OverDualNumbers));

@@ -149,12 +149,12 @@ impl Ended<'_> {
         self.trajectory.column(column).map_or(f64::NAN, |place| self.trajectory.last[place])
     }
 
-    /// Whether the law has come to its end: a margin has, or an event that ends the run.
+    /// True where the law has come to its end: at a margin, or at an event that ends the run.
     pub fn has_left_its_law(&self) -> bool {
         self.trajectory.left.is_some() || self.trajectory.ends_before(self.span())
     }
 
-    /// Whether a time is within the step that could not be made, where steps are constant.
+    /// True where a time is within the step that could not be made, of methods with constant steps.
     pub fn was_before(&self, end: f64) -> bool {
         self.choice.method.steps().is_some_and(|steps| self.time() + self.span() / f64::from(steps) >= end)
     }

@@ -18,7 +18,7 @@ pub(crate) struct ImplicitLaw {
 impl ImplicitLaw {
     pub fn new(equations: Implicit) -> Self {
         let model = Arc::clone(&equations.model);
-        ImplicitLaw { equations: Arc::new(equations), series: LawSeries::by(move || recurrence(&model)) }
+        ImplicitLaw { equations: Arc::new(equations), series: LawSeries::by(move || recurrence(&model, 0)) }
     }
 }
 

@@ -33,12 +33,15 @@ type Spare<S, const W: usize> = Mutex<Vec<Expansion<S, W, FEW>>>;
 impl LawSeries {
     /// The series of a law, which may depend on time.
     pub fn of(law: Arc<dyn SymbolicLaw>) -> Self {
-        LawSeries::by(move || {
-            traced(&*law, |TracedOde { state, time, rates }| {
-                let moves = rates.iter().any(|rate| rate.symbols_of().contains(time));
-                let equations = Equations { state, time: moves.then_some(*time), parameters: &[], rates, solve: None };
-                Expandable::record(&equations).ok()
-            })
+        LawSeries::by(move || LawSeries::written(&*law))
+    }
+
+    /// The recurrence of a law as its rates are written; none where they have no series.
+    pub fn written(law: &dyn SymbolicLaw) -> Option<Expandable> {
+        traced(law, |TracedOde { state, time, rates }| {
+            let moves = rates.iter().any(|rate| rate.symbols_of().contains(time));
+            let equations = Equations { state, time: moves.then_some(*time), parameters: &[], rates, solve: None };
+            Expandable::record(&equations).ok()
         })
     }
 

@@ -61,7 +61,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     Ok(Found { thresholds: thresholds.into_iter().flatten().collect(), diagnosis, trials })
 }
 
-/// Whether Euler keeps the constraint with a damping.
+/// True where Euler keeps the constraint with a damping.
 fn kept(scene: &dyn Modelled, damping: f64, step: f64) -> bool {
     let Ok(scene) = scene.with_values(&[("damping", damping)]) else { return false };
     let mut problem = scene.problem(Axes::First);

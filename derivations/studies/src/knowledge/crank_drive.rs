@@ -115,9 +115,9 @@ fn unusual(scene: &dyn Modelled) -> Vec<String> {
 struct Foreseen {
     /// h, s; zero where it varies.
     step: f64,
-    /// Whether a violation decays, where it is led.
+    /// True where a violation decays; none where it is not led.
     gains: Option<bool>,
-    /// Of Euler: where it bears the circuit, and the least and greatest of the steps that it bears, s.
+    /// Where Euler bears the circuit, with the least and greatest of the steps that it bears, s; none for other methods.
     circuit: Option<(Bears, [f64; 2])>,
 }
 

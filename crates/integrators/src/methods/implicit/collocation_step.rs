@@ -46,6 +46,8 @@ pub(crate) struct Implicit<'a, S> {
     defect: Vec<f64>,
     plain: Vec<f64>,
     spectrum: SpectralRadius,
+    /// The spectral radius at the last step whose error was looked at.
+    radius: f64,
     accepted: bool,
     /// The integral of the spectral radius over the accepted steps: how much there was to follow.
     pub turns: f64,
@@ -72,6 +74,7 @@ impl<'a, S: Real> Implicit<'a, S> {
             defect: vec![0.0; n],
             plain: vec![0.0; n],
             spectrum: SpectralRadius::new(n),
+            radius: 0.0,
             accepted: false,
             turns: 0.0,
         }
@@ -218,7 +221,8 @@ impl<'a, S: Real> Implicit<'a, S> {
             Family::Gauss => (s, 2 * s + 1),
             Family::RadauIIA => (s - 1, 2 * (2 * s - 1)),
         };
-        let half_turn = 0.5 * step.approx() * self.spectrum.radius(&self.jacobians[..n * n]);
+        self.radius = self.spectrum.radius(&self.jacobians[..n * n]);
+        let half_turn = 0.5 * step.approx() * self.radius;
         let rough = (1..=degree).fold(1.0, |share, k| share * half_turn / (2 * k - 1) as f64);
         let share = (rough + plain / motion.max(f64::MIN_POSITIVE)).min(1.0);
         let power = if share > 0.5 { s + 1 } else { s + 1 + degree };
@@ -249,7 +253,7 @@ impl<S: Real> Stepper<S> for Implicit<'_, S> {
         self.accepted = error <= 1.0;
         let next = length * (0.9 * error.max(1e-300).powf(-1.0 / power)).clamp(0.2, most);
         if self.accepted {
-            self.turns += length * self.spectrum.radius(&self.jacobians[..self.n * self.n]);
+            self.turns += length * self.radius;
             Attempt::Accepted { next }
         } else {
             let cause = if error.is_nan() { Cause::Undefined } else { Cause::Error };
