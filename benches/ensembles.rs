@@ -10,7 +10,7 @@ use dalembert_derivations::studies::ensemble::kind::{Kind, form_parameters};
 use dalembert_derivations::studies::scene::Scene;
 use dalembert_derivations::systems::gyrostat::driven::Driven;
 use dalembert_derivations::systems::gyrostat::forms::SecondForm;
-use field::Lanes;
+use field::Batch;
 use integrators::{Ensemble, Failure, Members, Ode, SideBySide, fuses, lanes_order};
 use nalgebra::Vector3;
 use reader::Family as _;
@@ -134,7 +134,7 @@ fn runge_kutta<const FUSED: bool>(scene: &Scene) {
     let mut next = 0;
     let mut lanes = |value: f64| {
         next += 1;
-        Lanes::<WIDE, FUSED>(std::array::from_fn(|lane| value * near_one(lane as u64, next)))
+        Batch::<WIDE, FUSED>(std::array::from_fn(|lane| value * near_one(lane as u64, next)))
     };
     let p: Vec<_> = parameters.iter().map(|p| lanes(*p)).collect();
     let three = |i: usize| Vector3::new(p[i], p[i + 1], p[i + 2]);
@@ -153,7 +153,7 @@ fn runge_kutta<const FUSED: bool>(scene: &Scene) {
     }
 }
 
-fn in_lanes<const FUSED: bool>(law: &impl Ode<Lanes<WIDE, FUSED>>, start: &[Lanes<WIDE, FUSED>]) {
+fn in_lanes<const FUSED: bool>(law: &impl Ode<Batch<WIDE, FUSED>>, start: &[Batch<WIDE, FUSED>]) {
     let (mut state, mut room) = (start.to_vec(), SideBySide::new(start.len()));
     let time = median(REPEATS, || {
         state.copy_from_slice(start);

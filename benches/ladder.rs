@@ -3,8 +3,8 @@
 #[path = "../tests/motions/ladder/drawn.rs"]
 mod drawn;
 
-use dalembert_derivations::studies::ladder::followed::{followed_at, instants};
-use dalembert_derivations::studies::ladder::{Ladder, Loss};
+use dalembert_derivations::studies::model_reduction::sampled_run::{followed_at, instants};
+use dalembert_derivations::studies::model_reduction::{Hierarchy, Loss};
 use dalembert_derivations::studies::scene::Scene;
 use integrators::Tolerance;
 use reader::Family;
@@ -70,7 +70,7 @@ fn row(name: &str, found: &mut [f64]) {
 
 /// Of every rung that loses something, and how many have no number.
 fn seen(scene: &Scene) -> (Vec<Seen>, usize) {
-    let ladder = Ladder::of_scene(scene, Axes::First);
+    let ladder = Hierarchy::of_scene(scene, Axes::First);
     let span = ladder.own.span;
     let (mut all, mut lost) = (Vec::new(), 0);
     let Ok((watched, _)) = ladder.watched(&scene.run.outputs) else { return (all, 1) };

@@ -17,7 +17,7 @@ use dalembert_derivations::machines::synchronous::Synchronous;
 use dalembert_derivations::systems::gyrostat::driven::Driven;
 use dalembert_derivations::systems::gyrostat::forms::Form;
 use field::{Analytic, Over};
-use integrators::Directions;
+use integrators::Dual8;
 use motor::Machine;
 use native::Code;
 use std::hint::black_box;
@@ -90,7 +90,7 @@ fn row<F: Form<f64>, M: Machine<f64>>(form: &str, law: &Driven<f64, F, M>, peak:
     let Some(((tape, entries), (value, jacobian))) = recorded(law).zip(written(law)) else {
         return println!("{n:>6} {form:<7} cannot be written");
     };
-    let (compiled, directions) = (nanoseconds::<f64, F, M>(law), nanoseconds::<Directions, F, M>(law));
+    let (compiled, directions) = (nanoseconds::<f64, F, M>(law), nanoseconds::<Dual8, F, M>(law));
     let (value, of_value) = (one_call(&value, n, n), tape.flops());
     let (whole, of_whole) = (one_call(&jacobian, n, n * n), entries.flops());
     let share = |flops: usize, time: f64| 100.0 * flops as f64 / time / peak;

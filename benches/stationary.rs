@@ -6,7 +6,7 @@ mod physical;
 use algebra::real::Root;
 use dalembert_derivations::studies::stationary::energies::{Energies, Kept};
 use field::Rational;
-use mechanics::uniform::Body;
+use mechanics::steady_rotations::Body;
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;
 use proptest::test_runner::{Config, RngSeed, TestRunner};

@@ -9,10 +9,10 @@ use dalembert_derivations::systems::disc::Disc;
 use dalembert_derivations::systems::gyrostat::driven::Driven;
 use dalembert_derivations::systems::gyrostat::forms::{Form, SecondForm};
 use dalembert_derivations::systems::ladder::Ladder;
-use field::{Analytic, DoubleDouble, Lanes, Over};
-use integrators::{Directions, Ensemble, Failure, Members, Ode, Real, SideBySide, Splitting, compose, lanes_order};
+use field::{Analytic, Batch, DoubleDouble, Over};
+use integrators::{Dual8, Ensemble, Failure, Members, Ode, Real, SideBySide, Splitting, compose, lanes_order};
+use mechanics::constrained::PointSystem as _;
 use mechanics::constrained::State;
-use mechanics::constrained::System as _;
 use mechanics::constrained::programmed::{Linear, programmed};
 use mechanics::regimes::{Dry, Sizes, Touch, Verdict, touches, verdict};
 use motor::{Metered, Motor, Separable, catalogue, has_known_flow};
@@ -65,7 +65,7 @@ fn by_rates(form: impl Form<f64>, machine: Motor) -> usize {
     }
     // with the work that is done on it, which runs with it
     let law = Metered(Driven::new(form, machine));
-    over::<f64>(&law) + over::<Directions>(&law) + over::<DoubleDouble>(&law)
+    over::<f64>(&law) + over::<Dual8>(&law) + over::<DoubleDouble>(&law)
 }
 
 #[test]
@@ -211,8 +211,7 @@ fn the_equations_of_mechanisms_and_their_power_allocate_nothing() {
         let path = std::path::Path::new("scenes").join(name).with_extension("toml");
         let scene = AnyScene::open(&path).expect("it is sound");
         let Problem { law, state, .. } = scene.smooth().problem(Axes::First);
-        let count =
-            over::<f64>(&*law, &state) + over::<Directions>(&*law, &state) + over::<DoubleDouble>(&*law, &state);
+        let count = over::<f64>(&*law, &state) + over::<Dual8>(&*law, &state) + over::<DoubleDouble>(&*law, &state);
         assert_eq!(count, 0, "{name}");
     }
 }
@@ -261,15 +260,15 @@ fn an_ensemble_allocates_nothing_from_its_first_member_to_its_last() {
 fn steps_side_by_side_allocate_nothing() {
     let (form, motor) = (
         SecondForm::new(
-            [1.0, 2.0, 2.5].map(Lanes::all).into(),
-            [0.6, 0.0, 0.8].map(Lanes::all).into(),
-            Lanes::all(0.1),
-            [0.5, 0.8, 0.2].map(Lanes::all).into(),
+            [1.0, 2.0, 2.5].map(Batch::all).into(),
+            [0.6, 0.0, 0.8].map(Batch::all).into(),
+            Batch::all(0.1),
+            [0.5, 0.8, 0.2].map(Batch::all).into(),
         ),
         Synchronous { field_speed: 30.0, b0: 0.5, f: 0.1 },
     );
-    let law = Driven::new(form, motor.map(Lanes::<16, true>::all));
-    let mut state: Vec<_> = (0..8).map(|i| Lanes::all(0.1 * f64::from(i))).collect();
+    let law = Driven::new(form, motor.map(Batch::<16, true>::all));
+    let mut state: Vec<_> = (0..8).map(|i| Batch::all(0.1 * f64::from(i))).collect();
     let mut room = SideBySide::new(8);
     assert_eq!(allocations(|| room.steps(&law, 0.0, 1e-3, 5, &mut state)), 0);
     assert!(state[0].0[15].is_finite());

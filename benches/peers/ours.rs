@@ -8,9 +8,7 @@
 
 use dalembert_derivations::studies::scene::Scene;
 use field::{DoubleDouble, Over};
-use integrators::{
-    Directions, Jacobian, Ode, Outcome, Real, Span, System, Tolerance, integrate, integrate_in, reference,
-};
+use integrators::{Dual8, Jacobian, Ode, Outcome, Real, Span, System, Tolerance, integrate, integrate_in, reference};
 use reader::Family;
 use simulation::{Axes, methods};
 use std::error::Error;
@@ -47,7 +45,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let begin = Instant::now();
     let problem = scene.problem(AXES);
     let law: &dyn System = &*problem.law;
-    black_box(law.slopes().is_some());
+    black_box(law.jacobian_fn().is_some());
     let setup = begin.elapsed().as_nanos();
     let span = Span::new(0.0, scene.run.span, &problem.state);
     let exact = reference(law, &span)?;
@@ -118,7 +116,7 @@ fn write_code(scene: &Scene, folder: &Path) -> Result<(), Box<dyn Error>> {
 fn evaluations(law: &dyn System, start: &[f64], what: &str) -> Result<f64, String> {
     let n = start.len();
     let (mut y, mut rates, mut matrix) = (start.to_vec(), vec![0.0; n], vec![0.0; n * n]);
-    let dual: &dyn Ode<Directions> = law;
+    let dual: &dyn Ode<Dual8> = law;
     let mut jacobian = match what {
         "rates" | "jacobian" => Jacobian::of(law),
         "num-dual" => Jacobian::new(dual),

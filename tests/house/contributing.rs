@@ -5,7 +5,7 @@
 //! lines, no other change. The copy keeps the times of the files and shares the folder of build products, so that only
 //! the crate of the motors, under a version of its own, and those that use it are built anew: seconds.
 
-use claims::finding::Verdict;
+use claims::finding::PropertyVerdict;
 use dalembert_derivations::studies::conformance::conform;
 use dalembert_derivations::studies::scene::Scene;
 use reader::Family;
@@ -160,7 +160,7 @@ fn the_motors_that_the_documentation_writes_as_text_conform() {
         let scene =
             Scene::parse("CONTRIBUTING", &format!("{rest}{code}")).unwrap_or_else(|error| panic!("{error}\n{code}"));
         let findings = conform(&scene.machine);
-        let failed = findings.iter().find(|finding| matches!(finding.verdict, Verdict::Fails(_)));
+        let failed = findings.iter().find(|finding| matches!(finding.verdict, PropertyVerdict::Fails(_)));
         assert_eq!(failed, None, "{code}");
     }
 }

@@ -4,7 +4,7 @@ use dalembert_derivations::systems::knife_edge::KnifeEdge;
 use dalembert_derivations::theorems::principles::{cases, letter};
 use field::{Analytic, Over};
 use mechanics::constrained::classify::{Kind, Unclassified, classify};
-use mechanics::constrained::{Constrained, Constraint, State, System};
+use mechanics::constrained::{Constrained, Constraint, PointSystem, State};
 use symbolic::{Sym, symbols};
 
 #[test]
@@ -73,7 +73,7 @@ enum Pair {
     Growing,
 }
 
-impl System<4> for Pair {
+impl PointSystem<4> for Pair {
     type Given = Sym;
 
     fn masses<S: Over<Sym>>(&self) -> [S; 4] {

@@ -1,7 +1,7 @@
 //! A scene's right-hand side and Jacobian, printed as C, Python and Rust, compiled and run, agree with the law to round-off.
 
 use dalembert_derivations::studies::scene::Scene;
-use integrators::{Directions, Jacobian, Ode};
+use integrators::{Dual8, Jacobian, Ode};
 use reader::Family;
 use simulation::Axes;
 use std::fs;
@@ -26,7 +26,7 @@ fn expected(scene: &Scene, axes: Axes) -> Expected {
     let mut values = vec![0.0; n + n * n];
     let (rates, matrix) = values.split_at_mut(n);
     Ode::<f64>::rates(&*problem.law, 0.0, &problem.state, rates);
-    let dual: &dyn Ode<Directions> = &*problem.law;
+    let dual: &dyn Ode<Dual8> = &*problem.law;
     Jacobian::new(dual).matrix(0.0, &problem.state, matrix);
     Expected { state: problem.state, values }
 }

@@ -2,7 +2,7 @@
 //! few units of its own rounding.
 
 use field::laws::{analytic_laws, circle_laws, field_laws};
-use field::{Analytic, Circle, DoubleDouble, Lanes, Over, Rational, Scalar, Tangent};
+use field::{Analytic, Batch, Circle, DoubleDouble, Over, Rational, Scalar, Tangent};
 use num_dual::{Dual, Dual2, DualSVec, HyperDual};
 use num_traits::{One, Zero};
 use proptest::prelude::*;
@@ -49,10 +49,10 @@ impl Rounded for DoubleDouble {
     }
 }
 
-impl<const FUSED: bool> Rounded for Lanes<5, FUSED> {
+impl<const FUSED: bool> Rounded for Batch<5, FUSED> {
     fn from_parts(parts: [f64; 5]) -> Self {
         // away from zero, as the values of the others are
-        Lanes(parts.map(|part| part + 1.0_f64.copysign(part)))
+        Batch(parts.map(|part| part + 1.0_f64.copysign(part)))
     }
     fn size(self) -> f64 {
         largest(self.0)
@@ -145,9 +145,9 @@ macro_rules! to_rounding {
 to_rounding! {
     double_precision_is_a_field_to_rounding: f64;
     double_double_is_a_field_to_its_own_rounding: DoubleDouble;
-    lanes_are_a_field_to_rounding: Lanes<5>;
-    lanes_that_round_a_product_and_a_sum_once_are_a_field_to_rounding: Lanes<5, true>;
-    tangents_of_lanes_are_a_field_to_rounding: Tangent<Lanes<5>>;
+    lanes_are_a_field_to_rounding: Batch<5>;
+    lanes_that_round_a_product_and_a_sum_once_are_a_field_to_rounding: Batch<5, true>;
+    tangents_of_lanes_are_a_field_to_rounding: Tangent<Batch<5>>;
     dual_numbers_are_a_field_to_rounding: Dual<f64>;
     second_order_dual_numbers_are_a_field_to_rounding: Dual2<f64>;
     hyper_dual_numbers_are_a_field_to_rounding: HyperDual<f64>;
@@ -295,7 +295,7 @@ fn cosine_and_sine_are_off_by_less_than_a_unit_of_the_last_place() {
     let quarters = (1..600_000).step_by(59).map(|n| f64::from(n) * std::f64::consts::FRAC_PI_2);
     for angle in many.chain(quarters).chain([1e6, -1e6, 1e-300, f64::MIN_POSITIVE]) {
         let exact = DoubleDouble::from(angle).circle();
-        let (single, fused) = (angle.circle(), Lanes::<1, true>([angle]).circle());
+        let (single, fused) = (angle.circle(), Batch::<1, true>([angle]).circle());
         let numbers = [
             (single.cos, exact.cos),
             (single.sin, exact.sin),
@@ -316,8 +316,8 @@ fn every_lane_has_its_own_angle_be_it_near_far_or_undefined() {
     let angles: Vec<f64> = near.chain([1e6, -1e6, 1.1e6, -3e9, 1e300, 0.0, 1e-300, f64::MIN_POSITIVE]).collect();
     for four in angles.chunks_exact(4) {
         let angles = std::array::from_fn(|lane| four[lane]);
-        let point = Lanes::<4, false>(angles).circle();
-        let fused = Lanes::<4, true>(angles).circle();
+        let point = Batch::<4, false>(angles).circle();
+        let fused = Batch::<4, true>(angles).circle();
         for (lane, angle) in four.iter().enumerate() {
             let (sin, cos) = angle.sin_cos();
             for (s, c) in [(point.sin.0[lane], point.cos.0[lane]), (fused.sin.0[lane], fused.cos.0[lane])] {
@@ -326,9 +326,9 @@ fn every_lane_has_its_own_angle_be_it_near_far_or_undefined() {
             }
         }
     }
-    let point = Lanes::<3, false>([0.5, f64::NAN, f64::INFINITY]).circle();
+    let point = Batch::<3, false>([0.5, f64::NAN, f64::INFINITY]).circle();
     assert!(
-        point.sin.0[0] == Lanes::<1, false>([0.5]).circle().sin.0[0]
+        point.sin.0[0] == Batch::<1, false>([0.5]).circle().sin.0[0]
             && point.cos.0[1].is_nan()
             && point.sin.0[2].is_nan()
     );

@@ -7,7 +7,7 @@ use dalembert_derivations::papers::konosevich2022::gyrostats;
 use dalembert_derivations::studies::AnyScene;
 use dalembert_derivations::systems::gyrostat::driven::Driven;
 use dalembert_derivations::systems::gyrostat::forms::Form;
-use integrators::{Directions, Jacobian, Ode, System};
+use integrators::{Dual8, Jacobian, Ode, System};
 use motor::{Motor, catalogue};
 use reader::Family as _;
 use simulation::{Axes, CompiledLaw, SymbolicLaw};
@@ -15,7 +15,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 /// Whether the system has slopes of its own, after comparing them with those of a law at a few states.
-fn compared(system: &dyn System, law: &dyn Ode<Directions>, states: impl IntoIterator<Item = Vec<f64>>) -> bool {
+fn compared(system: &dyn System, law: &dyn Ode<Dual8>, states: impl IntoIterator<Item = Vec<f64>>) -> bool {
     let n = Ode::<f64>::dimension(system);
     let (mut own, mut dual) = (Jacobian::of(system), Jacobian::new(law));
     let (mut ours, mut theirs) = (vec![f64::NAN; n * n + n], vec![f64::NAN; n * n + n]);
@@ -32,7 +32,7 @@ fn compared(system: &dyn System, law: &dyn Ode<Directions>, states: impl IntoIte
             assert!(difference < 1e-13 * size, "row {}, column {}: {ours} for {theirs}", place / n, place % n);
         }
     }
-    system.slopes().is_some()
+    system.jacobian_fn().is_some()
 }
 
 fn has_slopes(form: impl Form<f64> + Send + Sync + 'static, machine: Motor) -> bool {

@@ -7,7 +7,7 @@ use dalembert_derivations::systems::steered_rod::{GuidedSteeredRod, SteeredRod};
 use field::{Rational, Scalar};
 use mechanics::constrained::contacts::{Closed, Sides};
 use mechanics::constrained::multipliers::{Reaction, multipliers};
-use mechanics::constrained::{State, System};
+use mechanics::constrained::{PointSystem, State};
 
 fn ratio(numerator: i64, denominator: i64) -> Rational {
     Rational::new(numerator, denominator)

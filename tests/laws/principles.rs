@@ -2,8 +2,8 @@
 
 use dalembert_derivations::systems::disc::Disc;
 use dalembert_derivations::systems::knife_edge::KnifeEdge;
+use dalembert_derivations::systems::moving_pivot_pendulum::Swing;
 use dalembert_derivations::systems::rod::{GuidedRod, Rod};
-use dalembert_derivations::systems::swing::Swing;
 use field::{Over, Rational, Scalar};
 use mechanics::constrained::combining::{extended, painleve};
 use mechanics::constrained::contacts::{Closed, Sides};
@@ -14,7 +14,7 @@ use mechanics::constrained::newton::{Reactions, newton};
 use mechanics::constrained::programmed::{Linear, programmed, violation};
 use mechanics::constrained::rates::rates;
 use mechanics::constrained::redundant::{Redundant, Split, accelerations};
-use mechanics::constrained::{Charted, Constrained, Constraint, State, System, appell, quasi, second_kind};
+use mechanics::constrained::{Charted, Constrained, Constraint, PointSystem, State, appell, quasi, second_kind};
 use num_traits::Zero;
 use proptest::array::{uniform3, uniform6};
 use proptest::prelude::*;
@@ -34,7 +34,7 @@ struct Rows {
     rest: [Rational; 3],
 }
 
-impl System<6> for Rows {
+impl PointSystem<6> for Rows {
     type Given = Rational;
 
     fn masses<S: Over<Rational>>(&self) -> [S; 6] {

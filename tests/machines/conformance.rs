@@ -1,6 +1,6 @@
 //! Every motor of the list does what a motor must, and each check notices one that does not.
 
-use claims::finding::{Finding, Verdict};
+use claims::finding::{Finding, PropertyVerdict};
 use dalembert_derivations::machines::asynchronous::Asynchronous;
 use dalembert_derivations::studies::conformance::{conform, sample};
 use dalembert_derivations::studies::scene::Scene;
@@ -14,7 +14,7 @@ fn no_motor_of_the_list_fails_a_check() {
     for model in catalogue::entries().into_iter().map(|entry| entry.name).filter(|name| !name.starts_with("of_")) {
         let findings = conform(&sample(model).expect("it is in the catalogue"));
         assert_eq!(failed(&findings), [], "{model}");
-        assert!(findings.iter().all(|finding| !matches!(finding.verdict, Verdict::Undecided(_))), "{model}");
+        assert!(findings.iter().all(|finding| !matches!(finding.verdict, PropertyVerdict::Undecided(_))), "{model}");
     }
 }
 
@@ -39,7 +39,7 @@ fn wound(inductance: &str, resistance: &str, more: &str) -> Scene {
 
 /// The checks that a motor fails, each with its reason.
 fn failed(findings: &[Finding]) -> Vec<(&'static str, String)> {
-    let fails = findings.iter().filter(|finding| matches!(finding.verdict, Verdict::Fails(_)));
+    let fails = findings.iter().filter(|finding| matches!(finding.verdict, PropertyVerdict::Fails(_)));
     fails.map(|finding| (finding.check, finding.verdict.says().to_owned())).collect()
 }
 
@@ -60,7 +60,7 @@ fn what_the_prover_gives_up_is_undecided_and_does_not_fail() {
     );
     let findings = conform(&scene.machine);
     assert_eq!(failed(&findings), []);
-    let open = findings.iter().filter(|finding| matches!(finding.verdict, Verdict::Undecided(_)));
+    let open = findings.iter().filter(|finding| matches!(finding.verdict, PropertyVerdict::Undecided(_)));
     let open: Vec<_> = open.map(|finding| (finding.check, finding.verdict.says())).collect();
     assert!(!open.is_empty() && open.iter().all(|(_, why)| !why.is_empty()), "{open:?}");
 }

@@ -5,7 +5,7 @@ use dalembert_derivations::machines::asynchronous::Asynchronous;
 use dalembert_derivations::machines::crossed_windings::CrossedWindings;
 use dalembert_derivations::machines::kloss::Kloss;
 use dalembert_derivations::machines::multi_current::{MultiCurrent, Windings};
-use dalembert_derivations::studies::ladder::currents::Current;
+use dalembert_derivations::studies::model_reduction::currents::Current;
 use field::{Circle, Rational, Tangent};
 use motor::{Machine, drive};
 use num_traits::Zero;

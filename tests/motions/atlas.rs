@@ -10,8 +10,8 @@ use field::DoubleDouble;
 use field::Over;
 use integrators::*;
 use reader::Family;
-use simulation::work_precision::{Goal, Standing, Treated, Way};
-use simulation::{Axes, Smooth};
+use simulation::work_precision::{Configuration, Goal, Standing, Treated};
+use simulation::{Axes, IvpScene};
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -54,7 +54,7 @@ macro_rules! as_before {
         }
     };
 }
-as_before!(Directions);
+as_before!(Dual8);
 as_before!(DoubleDouble);
 impl System for Rounded<'_> {}
 
@@ -70,7 +70,7 @@ const INSTANTS: usize = 8;
 const ROUNDING: f64 = 1e-11;
 
 /// The exact motion: to 16 digits, by a method in double-double.
-fn goal(scene: &dyn Smooth, stiff: bool) -> Goal {
+fn goal(scene: &dyn IvpScene, stiff: bool) -> Goal {
     let problem = scene.problem(Axes::First);
     let span = Span::new(0.0, problem.span, &lifted(&problem.state)).with_even_outputs(INSTANTS);
     let method = if stiff { Method::RadauIIA { stages: 7 } } else { Method::Taylor };
@@ -86,7 +86,7 @@ fn goal(scene: &dyn Smooth, stiff: bool) -> Goal {
 }
 
 /// The methods of a way, each with what it is run by: (name, runs).
-fn runs(way: &Way, stiff: bool, tolerance: impl Fn(f64) -> Tolerance) -> Vec<(String, Vec<Attempted>)> {
+fn runs(way: &Configuration, stiff: bool, tolerance: impl Fn(f64) -> Tolerance) -> Vec<(String, Vec<Attempted>)> {
     let adaptive =
         |method: Method| (method.to_string(), TOLERANCES.map(|each| (Some(method), tolerance(each), None)).to_vec());
     match &way.law {
@@ -123,7 +123,7 @@ type Attempted = (Option<Method>, Tolerance, Option<Holding>);
 
 /// Evaluations, and the error or why there is none.
 fn run(
-    way: &Way,
+    way: &Configuration,
     goal: &Goal,
     (span, most): (f64, u64),
     (method, tolerance, holding): &Attempted,

@@ -3,7 +3,7 @@
 use dalembert_derivations::studies::AnyScene;
 use integrators::{Method, Parting};
 use reader::Family as _;
-use simulation::{Axes, Choice, Problem, Smooth, Trajectory, methods};
+use simulation::{Axes, Choice, IvpScene, Problem, Trajectory, methods};
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -55,7 +55,7 @@ fn apart(a: &Trajectory, b: &Trajectory) -> f64 {
 fn what_is_right_is_never_named() {
     let (mut right, mut wrong, mut named, mut failed) = (0, 0, 0, Vec::new());
     for (path, scene) in scenes() {
-        let smooth: &dyn Smooth = scene.smooth();
+        let smooth: &dyn IvpScene = scene.smooth();
         let problem = smooth.problem(Axes::First);
         let (_, reference) = run(&problem, Method::RadauIIA { stages: 5 });
         if !reference.outcome.reached() {
@@ -88,7 +88,7 @@ fn what_is_right_is_never_named() {
 fn no_scene_with_constant_steps_of_its_own_is_named() {
     let mut seen = 0;
     for (path, scene) in scenes() {
-        let smooth: &dyn Smooth = scene.smooth();
+        let smooth: &dyn IvpScene = scene.smooth();
         let own = smooth.run().choice();
         if own.method.steps().is_some() {
             let (trajectory, parting) = judged(&smooth.problem(Axes::First), own.method);

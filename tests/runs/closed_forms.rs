@@ -4,7 +4,7 @@ use dalembert_derivations::studies::closed_forms::{ClosedForm, Lattice, Quadratu
 use dalembert_derivations::studies::scene::Scene;
 use field::{Analytic, DoubleDouble, Over, Scalar};
 use reader::Family;
-use simulation::{Axes, Smooth};
+use simulation::{Axes, IvpScene};
 use std::path::Path;
 use std::time::Duration;
 

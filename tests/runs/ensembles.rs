@@ -5,7 +5,7 @@ use dalembert_derivations::studies::scene::Scene;
 use dalembert_derivations::systems::gyrostat::admissible::Inadmissible;
 use dalembert_derivations::systems::gyrostat::driven::Driven;
 use dalembert_derivations::systems::gyrostat::forms::SecondForm;
-use field::Lanes;
+use field::Batch;
 use integrators::{
     Ensemble, Failure, LaneSeries, Members, Ode, SideBySide, Taylor, Tolerance, lanes_order, runge_kutta_4_step,
 };
@@ -221,8 +221,8 @@ fn what_is_wrong_with_an_ensemble_is_told_at_its_place() {
 
 /// y' = p y, which leaves the numbers where y does, and takes no steps of its own.
 struct Growth {
-    rates: Lanes<4>,
-    series: Vec<[Lanes<4>; 1]>,
+    rates: Batch<4>,
+    series: Vec<[Batch<4>; 1]>,
 }
 
 impl LaneSeries<4> for Growth {
@@ -234,20 +234,20 @@ impl LaneSeries<4> for Growth {
         self.series.len() - 1
     }
 
-    fn expand(&mut self, _: Lanes<4>, states: &[Lanes<4>]) {
+    fn expand(&mut self, _: Batch<4>, states: &[Batch<4>]) {
         let mut term = states[0];
         for (k, row) in self.series.iter_mut().enumerate() {
             row[0] = term;
-            term = term * self.rates / Lanes::all((k + 1) as f64);
+            term = term * self.rates / Batch::all((k + 1) as f64);
         }
     }
 
-    fn coefficients(&self, k: usize) -> &[Lanes<4>] {
+    fn coefficients(&self, k: usize) -> &[Batch<4>] {
         &self.series[k]
     }
 
-    fn sum(&self, h: Lanes<4>, out: &mut [Lanes<4>]) {
-        out[0] = self.series.iter().rev().fold(Lanes::all(0.0), |sum, row| sum * h + row[0]);
+    fn sum(&self, h: Batch<4>, out: &mut [Batch<4>]) {
+        out[0] = self.series.iter().rev().fold(Batch::all(0.0), |sum, row| sum * h + row[0]);
     }
 }
 
@@ -275,9 +275,9 @@ fn a_member_that_fails_disturbs_no_other_and_nobody_waits_for_the_slowest() {
     let rates = [1.0, -2.0, f64::NAN, 300.0, 0.0, 5e5, -1.0, 2.0, 3.0, -1e6];
     // the last one would be infinite after the one step that takes it to the end
     let starts: Vec<(f64, f64)> = rates.iter().map(|rate| (*rate, 1.0)).chain([(1.0, 1e308)]).collect();
-    let series = vec![[Lanes::all(0.0)]; lanes_order(1e-12) + 1];
+    let series = vec![[Batch::all(0.0)]; lanes_order(1e-12) + 1];
     let mut members = Starts { starts: &starts, next: 0, ended: Vec::new() };
-    let source = Growth { rates: Lanes::all(0.0), series };
+    let source = Growth { rates: Batch::all(0.0), series };
     Ensemble::new(source, 1e-12, 1.0, 1, 1).with_most_steps(10_000).run(&mut members);
     assert_eq!(members.ended.len(), starts.len());
     for (number, state, at, failure) in members.ended.iter().copied() {
@@ -297,11 +297,11 @@ fn a_member_that_fails_disturbs_no_other_and_nobody_waits_for_the_slowest() {
 
 /// Gyrostats with bars, one a lane, each a little different, from the first of so many on; and where they are after
 /// fifty steps.
-fn side_by_side<const L: usize, const FUSED: bool>(first: usize) -> Vec<Lanes<L, FUSED>> {
-    let lanes = |value: f64| Lanes(std::array::from_fn(|lane| value * (1.0 + 1e-2 * (first + lane) as f64)));
+fn side_by_side<const L: usize, const FUSED: bool>(first: usize) -> Vec<Batch<L, FUSED>> {
+    let lanes = |value: f64| Batch(std::array::from_fn(|lane| value * (1.0 + 1e-2 * (first + lane) as f64)));
     let form = SecondForm::new(
         Vector3::new(0.02, 0.026, 0.031).map(lanes),
-        Vector3::new(0.6, 0.0, 0.8).map(Lanes::all),
+        Vector3::new(0.6, 0.0, 0.8).map(Batch::all),
         lanes(3e-4),
         Vector3::new(0.5, 0.8, 0.2).map(lanes),
     );
@@ -309,7 +309,7 @@ fn side_by_side<const L: usize, const FUSED: bool>(first: usize) -> Vec<Lanes<L,
         Ok::<_, std::convert::Infallible>(lanes(if quantity.name == "field_speed" { 30.0 } else { 0.01 }))
     });
     let law = Driven::new(form, MultiCurrent::evenly(windings, 3));
-    let mut state: Vec<Lanes<L, FUSED>> = (0..law.dimension()).map(|i| lanes(0.3 + 0.1 * i as f64)).collect();
+    let mut state: Vec<Batch<L, FUSED>> = (0..law.dimension()).map(|i| lanes(0.3 + 0.1 * i as f64)).collect();
     SideBySide::new(state.len()).steps(&law, 0.0, 1e-4, 50, &mut state);
     state
 }
@@ -342,7 +342,7 @@ fn steps_side_by_side_are_the_classical_ones_with_the_time_in_the_law() {
             (dy[0], dy[1]) = (y[1] * t, -y[0] + t * t);
         }
     }
-    let mut state = [Lanes::<3, false>([1.0, 2.0, 3.0]), Lanes::all(0.5)];
+    let mut state = [Batch::<3, false>([1.0, 2.0, 3.0]), Batch::all(0.5)];
     SideBySide::new(2).steps(&Forced, 0.25, 0.125, 8, &mut state);
     for lane in 0..3 {
         let (mut y, mut after) = ([[1.0, 2.0, 3.0][lane], 0.5], [0.0; 2]);

@@ -35,7 +35,7 @@ impl<Q, const C: usize, const K: usize> Sliding<Q, C, K> {
         Closed<Q, C, K>: Constrained<4, D, Given = f64>,
         S: Over<f64>,
     {
-        use mechanics::constrained::System;
+        use mechanics::constrained::PointSystem;
         let given: [S; 4] = self.closed.force(at);
         let seen = Seen::of(&self.closed.0, at, given).expect("regular");
         let with = |normal: [S; K]| -> [S; 4] {

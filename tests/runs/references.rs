@@ -3,7 +3,7 @@
 use dalembert_derivations::studies::AnyScene;
 use field::{DoubleDouble, Over};
 use integrators::{
-    Directions, Failure, Method, Ode, Record, Span, System, TaylorSeries, Tolerance, integrate, integrate_in,
+    Dual8, Failure, Method, Ode, Record, Span, System, TaylorSeries, Tolerance, integrate, integrate_in,
 };
 use reader::Family;
 use simulation::models::holds_model;
@@ -154,7 +154,7 @@ macro_rules! as_before {
     };
 }
 as_before!(f64);
-as_before!(Directions);
+as_before!(Dual8);
 as_before!(DoubleDouble);
 
 impl System for AllDigits<'_> {

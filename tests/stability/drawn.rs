@@ -12,7 +12,7 @@ use dalembert_derivations::studies::stationary::stability::judge::{Given, Judge}
 use dalembert_derivations::studies::stationary::stability::{Approximation, Judged, Reason, Verdict};
 use dalembert_derivations::systems::gyrostat::Gyrostat;
 use field::{Circle, Rational, Scalar};
-use mechanics::uniform::{Body, Shape};
+use mechanics::steady_rotations::{Body, Shape};
 use motor::ConstantSpeed;
 use motor::FreeRotor;
 use motor::{Datum, Machine};

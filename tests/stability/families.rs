@@ -8,7 +8,7 @@ use dalembert_derivations::studies::stationary::stability::along::Along;
 use dalembert_derivations::studies::stationary::stability::{Reason, Verdict};
 use dalembert_derivations::systems::gyrostat::forms::SecondForm;
 use field::Rational;
-use mechanics::uniform::Shape;
+use mechanics::steady_rotations::Shape;
 use motor::ConstantSpeed;
 use nalgebra::Vector3;
 

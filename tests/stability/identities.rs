@@ -6,7 +6,7 @@ use dalembert_derivations::studies::stationary::energies::Energies;
 use dalembert_derivations::studies::stationary::stability::reduced::Reduced;
 use dalembert_derivations::studies::stationary::stability::{Linear, Place};
 use field::{Circle, Rational, Scalar};
-use mechanics::first_approximation::characteristic;
+use mechanics::linear_stability::characteristic;
 use mechanics::rotation::determinant;
 use motor::FreeRotor;
 use motor::Machine;

@@ -17,7 +17,7 @@ use dalembert_derivations::studies::scene::Scene;
 use dalembert_derivations::studies::stationary::motions::Stationary;
 use field::{DoubleDouble, Scalar};
 use integrators::{Collocation, Family, Jacobian, Real, Splitting, compose};
-use mechanics::discrete::{Judgement, Place};
+use mechanics::one_step_stability::{Judgement, Place};
 use motor::{Bench, Separable};
 use reader::Family as _;
 use simulation::Axes;

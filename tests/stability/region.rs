@@ -13,7 +13,7 @@ use dalembert_derivations::studies::stationary::stability::region::{
 };
 use dalembert_derivations::systems::gyrostat::Gyrostat;
 use field::{Rational, Scalar};
-use mechanics::first_approximation::{derivative, resultant};
+use mechanics::linear_stability::{derivative, resultant};
 use nalgebra::Matrix3;
 use reader::Family;
 use std::path::Path;

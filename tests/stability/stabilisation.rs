@@ -9,7 +9,7 @@ use dalembert_derivations::studies::stabilisation::treatments::{
     Goal, Line, Measured, Scan, Treatment, measure, times,
 };
 use field::Scalar;
-use integrators::{Held, Method, Ode, Span, System, Tolerance, integrate};
+use integrators::{Index2Dae, Method, Ode, Span, System, Tolerance, integrate};
 use std::time::Duration;
 
 /// y'' = -b y' - k y.

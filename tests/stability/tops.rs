@@ -12,7 +12,7 @@ use dalembert_derivations::studies::stationary::stability::along::{Along, Known}
 use dalembert_derivations::studies::stationary::stability::judge::{Given, Judge};
 use dalembert_derivations::systems::gyrostat::forms::SecondForm;
 use field::{Rational, Scalar};
-use mechanics::uniform::{Body, Shape};
+use mechanics::steady_rotations::{Body, Shape};
 use motor::ConstantSpeed;
 use motor::FreeRotor;
 use motor::Machine;

@@ -2,7 +2,7 @@
 
 /// The verdict on a property.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Verdict {
+pub enum PropertyVerdict {
     /// Exactly, for all states; of an identity, for all parameters.
     Proved(String),
     /// By runs and numbers.
@@ -20,29 +20,29 @@ pub enum Verdict {
 pub struct Finding {
     /// One word.
     pub check: &'static str,
-    pub verdict: Verdict,
+    pub verdict: PropertyVerdict,
 }
 
-impl Verdict {
+impl PropertyVerdict {
     /// As pages and programs have it.
     pub fn name(&self) -> &'static str {
         match self {
-            Verdict::Proved(_) => "proved",
-            Verdict::Tested(_) => "tested",
-            Verdict::Fails(_) => "fails",
-            Verdict::Undecided(_) => "undecided",
-            Verdict::DoesNotApply(_) => "does not apply",
+            PropertyVerdict::Proved(_) => "proved",
+            PropertyVerdict::Tested(_) => "tested",
+            PropertyVerdict::Fails(_) => "fails",
+            PropertyVerdict::Undecided(_) => "undecided",
+            PropertyVerdict::DoesNotApply(_) => "does not apply",
         }
     }
 
     /// The sentence that holds, or the reason why none does.
     pub fn says(&self) -> &str {
         match self {
-            Verdict::Proved(says)
-            | Verdict::Tested(says)
-            | Verdict::Fails(says)
-            | Verdict::Undecided(says)
-            | Verdict::DoesNotApply(says) => says,
+            PropertyVerdict::Proved(says)
+            | PropertyVerdict::Tested(says)
+            | PropertyVerdict::Fails(says)
+            | PropertyVerdict::Undecided(says)
+            | PropertyVerdict::DoesNotApply(says) => says,
         }
     }
 }

@@ -1,7 +1,7 @@
 //! `dalembert bodies`: what the physical data of a scene's gyrostat come to.
 
 use crate::arguments::Format;
-use crate::ending::{Ending, print};
+use crate::exit::{Exit, print};
 use clap::Args;
 use nalgebra::{Matrix3, Vector3};
 use reader::Family;
@@ -23,10 +23,10 @@ pub struct Asked {
 }
 
 /// Prints both inertia tensors, their principal moments and axes, the rotation between them, and the weight.
-pub fn show(asked: &Asked) -> Result<Ending, Ending> {
+pub fn show(asked: &Asked) -> Result<Exit, Exit> {
     let scene = Scene::open(&asked.scene)?;
     let System::Gyrostat(bodies) = &scene.system else {
-        return Err(Ending::refused(format!(
+        return Err(Exit::refused(format!(
             "{} has no bodies but a rotor on a bench; a scene with system = \"gyrostat\" is accepted",
             asked.scene.display()
         )));
@@ -35,7 +35,7 @@ pub fn show(asked: &Asked) -> Result<Ending, Ending> {
         Format::Text => text(bodies),
         Format::Json => format!("{:#}\n", object(bodies)),
     })?;
-    Ok(Ending::Done)
+    Ok(Exit::Done)
 }
 
 fn text(bodies: &Gyrostat<f64>) -> String {

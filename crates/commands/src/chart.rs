@@ -1,7 +1,7 @@
 //! `dalembert chart`: speed against accuracy of one scene, in every formulation with every model.
 
 use crate::arguments::Format;
-use crate::ending::{Ending, print};
+use crate::exit::{Exit, print};
 use crate::output::{Form, Output, Writes};
 use crate::reference::following;
 use crate::report;
@@ -16,13 +16,13 @@ use serde_json::{Value, json};
 use simulation::references::Unknown;
 use simulation::work_precision::Hybrid;
 use simulation::work_precision::judged_across_events;
-use simulation::work_precision::{Formulation, Way};
-use simulation::{Atlas, Axes, Smooth, Stored, Trajectory, Trials, judged, references};
+use simulation::work_precision::{Configuration, Formulation};
+use simulation::{Atlas, Axes, IvpScene, Stored, Trajectory, Trials, judged, references};
 use std::fmt::Write;
 use std::path::PathBuf;
 use std::sync::Arc;
 use studies::AnyScene;
-use studies::ladder::Ladder;
+use studies::model_reduction::Hierarchy;
 use studies::scene::System;
 
 /// What is to be measured and drawn.
@@ -61,7 +61,7 @@ pub enum Axis {
 
 /// Measures every method, prints the tables, draws the chart where one is asked for. A third of the time is for the reference, a
 /// third for the runs, a part of what they leave for taking times.
-pub fn chart(asked: &Asked) -> Result<Ending, Ending> {
+pub fn chart(asked: &Asked) -> Result<Exit, Exit> {
     let scene = match AnyScene::open(&asked.scene)? {
         AnyScene::Driven(scene) => {
             AnyScene::Driven(Box::new(with_model(*scene, asked.model.as_deref(), &asked.scene)?))
@@ -110,7 +110,7 @@ fn across_events(
     (title, method): (&str, Method),
     asked: &Asked,
     page: impl FnOnce(&Atlas, Vec<WorkPrecision>) -> String,
-) -> Result<Ending, Ending> {
+) -> Result<Exit, Exit> {
     let output = output(asked)?;
     let allowed = clock::left() / 3;
     let trials = Trials { allowed, ..Trials::default() }.with(method);
@@ -125,7 +125,7 @@ fn across_events(
                 other => other.to_string(),
             };
             print(&format!("{title}\n\nno reference: {unknown}\n"))?;
-            Ok(Ending::Stopped)
+            Ok(Exit::Stopped)
         }
     }
 }
@@ -137,7 +137,7 @@ fn told(
     asked: &Asked,
     output: Option<Output>,
     page: impl FnOnce(Vec<WorkPrecision>) -> String,
-) -> Result<Ending, Ending> {
+) -> Result<Exit, Exit> {
     print(&match asked.format {
         Format::Text => text(title, atlas),
         Format::Json => format!("{:#}\n", object(title, atlas)),
@@ -146,7 +146,7 @@ fn told(
         let drawn = drawn(title, atlas, asked, output.form(), page);
         output.write_text(&drawn)?.tell(asked.format)?;
     }
-    Ok(Ending::Done)
+    Ok(Exit::Done)
 }
 
 /// Why there is no reference; where its time was over, that it has a part of the command's time.
@@ -159,23 +159,23 @@ fn with_share(failure: &Failure) -> String {
     }
 }
 
-fn no_reference(scene: &dyn Smooth, run: &Trajectory, reason: &str) -> Result<Ending, Ending> {
+fn no_reference(scene: &dyn IvpScene, run: &Trajectory, reason: &str) -> Result<Exit, Exit> {
     let diagnosis = scene.told(&scene.run().choice(), run).diagnosis;
     let diagnosis = diagnosis.map_or_else(String::new, |diagnosis| format!("{diagnosis}\n"));
     print(&format!("{}\n\nno reference: {reason}\n{diagnosis}", scene.title()))?;
-    Ok(Ending::Stopped)
+    Ok(Exit::Stopped)
 }
 
 /// The models of the ladder that are no machines of their own: windings lumped, currents that are not followed.
-fn smaller(scene: &AnyScene, known: &[Way]) -> Vec<Way> {
+fn smaller(scene: &AnyScene, known: &[Configuration]) -> Vec<Configuration> {
     let (ladder, formulation) = match scene {
         AnyScene::Driven(scene) if matches!(scene.system, System::Bench { .. }) => {
-            (Ladder::of_scene(scene, Axes::First), Formulation::Bench)
+            (Hierarchy::of_scene(scene, Axes::First), Formulation::Bench)
         }
-        AnyScene::Driven(scene) => (Ladder::of_scene(scene, Axes::First), Formulation::First),
+        AnyScene::Driven(scene) => (Hierarchy::of_scene(scene, Axes::First), Formulation::First),
         AnyScene::Model(scene) => {
             let own = known.first().map_or(Formulation::Minimal, |way| way.formulation);
-            (Ladder::of_model(&**scene), own)
+            (Hierarchy::of_model(&**scene), own)
         }
     };
     let mut ways = Arc::new(ladder).ways(formulation);
@@ -183,7 +183,7 @@ fn smaller(scene: &AnyScene, known: &[Way]) -> Vec<Way> {
     ways
 }
 
-fn written_in(way: &Way, form: Axes) -> bool {
+fn written_in(way: &Configuration, form: Axes) -> bool {
     match way.formulation {
         Formulation::First => form == Axes::First,
         Formulation::Second => form == Axes::Second,
@@ -196,13 +196,13 @@ const COLUMNS: [&str; 8] =
     ["formulation", "model", "method", "tolerance [1]", "evaluations", "time [s]", "error [1]", "failure"];
 
 /// Where the chart goes, before the work.
-fn output(asked: &Asked) -> Result<Option<Output>, Ending> {
+fn output(asked: &Asked) -> Result<Option<Output>, Exit> {
     let kept = references::place(&asked.scene);
     let writes = Writes { command: "chart", force: asked.force, reads: vec![&asked.scene, &kept] };
     let output =
         writes.optional(asked.out.as_deref(), &[Form::Picture, Form::Page, Form::Table(csv::line(&COLUMNS))])?;
     match &output {
-        Some(output) if asked.x.is_some() && *output.form() != Form::Picture => Err(Ending::refused(format!(
+        Some(output) if asked.x.is_some() && *output.form() != Form::Picture => Err(Exit::refused(format!(
             "--x does not apply to a {}: it says what the work of one picture is counted in, and is accepted with a name that \
              ends in .svg",
             output.form().said()
@@ -237,7 +237,7 @@ fn drawn(
 /// Every run, a row each.
 fn runs(atlas: &Atlas) -> String {
     let number = |value: Option<f64>| value.map_or_else(String::new, |value| format!("{value:e}"));
-    let row = |(way, point): (&Way, &Point)| {
+    let row = |(way, point): (&Configuration, &Point)| {
         csv::line(&[
             way.formulation.to_string(),
             way.model.to_owned(),
@@ -255,7 +255,7 @@ fn runs(atlas: &Atlas) -> String {
 
 /// The reference, and every run.
 fn object(title: &str, atlas: &Atlas) -> Value {
-    let run = |(way, point): (&Way, &Point)| {
+    let run = |(way, point): (&Configuration, &Point)| {
         json!({
             "formulation": way.formulation.to_string(), "model": way.model, "method": point.means.to_string(),
             "tolerance": point.tolerance, "evaluations": point.evaluations, "seconds": point.time.map(|time| time.seconds),

@@ -4,7 +4,7 @@
 //! algebra as deep as it may be, needs to know nothing: the thread of the clock ends the program in its place, after it has
 //! printed the results that were found until then. While something is printed or written the thread waits.
 
-use crate::{progress, whole};
+use crate::{atomic_write, progress};
 use integrators::clock::{ask_for_the_end, is_asked, set_deadline, was_obeyed};
 use signal_hook::consts::SIGINT;
 use signal_hook::flag;
@@ -144,7 +144,7 @@ impl Clock {
     /// Ends the program, whatever it does.
     fn end(&self) -> ! {
         progress::clear();
-        whole::remove_parts();
+        atomic_write::remove_parts();
         let found = FOUND.try_lock().map(|found| found.clone()).unwrap_or_default();
         // a second Ctrl-C may come while a full pipe holds standard output: then nothing is found that is not printed
         if !found.is_empty() {

@@ -1,9 +1,9 @@
 //! `dalembert conform`: what every motor and every system should do, and whether this one does.
 
 use crate::arguments::Format;
-use crate::ending::{Ending, print};
+use crate::exit::{Exit, print};
 use ::scenes::{Task, read_titled};
-use claims::finding::{Finding, Verdict};
+use claims::finding::{Finding, PropertyVerdict};
 use clap::Args;
 use motor::{NoModel, catalogue, text};
 use reader::{Family, read_text};
@@ -28,13 +28,13 @@ pub struct Asked {
 }
 
 /// Prints every check with its verdict.
-pub fn show(asked: &Asked) -> Result<Ending, Ending> {
+pub fn show(asked: &Asked) -> Result<Exit, Exit> {
     let path = Path::new(&asked.motor);
     let is_system = || read_text(path).is_ok_and(|text| holds_model(&text));
     let (title, findings) = if asked.motor.ends_with(".toml") && is_system() {
         if asked.model.is_some() {
             let why = "--model does not apply to a system that is written in its file; it is accepted with a gyrostat or a bench";
-            return Err(Ending::refused(why.to_owned()));
+            return Err(Exit::refused(why.to_owned()));
         }
         let (title, model) = read_titled(path, Task::Write)?;
         (title, ::scenes::conformance::conform(&model))
@@ -42,19 +42,19 @@ pub fn show(asked: &Asked) -> Result<Ending, Ending> {
         let scene = Scene::open(Path::new(&asked.motor))?;
         let scene = match &asked.model {
             None => scene,
-            Some(model) => scene.with_model(model).map_err(Ending::refused)?,
+            Some(model) => scene.with_model(model).map_err(Exit::refused)?,
         };
         (format!("{}: {}", scene.machine.name(), scene.title), conform(&scene.machine))
     } else {
         if asked.model.is_some() {
-            return Err(Ending::refused(format!(
+            return Err(Exit::refused(format!(
                 "--model does not apply to `{}`, which is a machine by its name; it is accepted with a scene",
                 asked.motor
             )));
         }
         let unknown = || match asked.motor.as_str() {
-            text::NAME => Ending::refused(NoModel::NoLaws),
-            name => Ending::refused(NoModel::Unknown { name: name.to_owned() }),
+            text::NAME => Exit::refused(NoModel::NoLaws),
+            name => Exit::refused(NoModel::Unknown { name: name.to_owned() }),
         };
         let machine = sample(&asked.motor).ok_or_else(unknown)?;
         let summary = catalogue::entry(machine.name()).map_or("", |entry| entry.summary);
@@ -65,8 +65,8 @@ pub fn show(asked: &Asked) -> Result<Ending, Ending> {
         Format::Json => format!("{:#}\n", object(&title, &findings)),
     })?;
     // what was not decided is not known to hold
-    let open = |finding: &Finding| matches!(finding.verdict, Verdict::Fails(_) | Verdict::Undecided(_));
-    Ok(if findings.iter().any(open) { Ending::Stopped } else { Ending::Done })
+    let open = |finding: &Finding| matches!(finding.verdict, PropertyVerdict::Fails(_) | PropertyVerdict::Undecided(_));
+    Ok(if findings.iter().any(open) { Exit::Stopped } else { Exit::Done })
 }
 
 fn object(title: &str, findings: &[Finding]) -> Value {

@@ -1,6 +1,6 @@
 //! Tables: names of columns with their units, then rows, every number with all its digits; a cell is empty where there is none.
 
-use crate::ending::Ending;
+use crate::exit::Exit;
 use crate::output::{Form, Output, Writes, Written};
 use csv::{ByteRecord, Terminator, Writer, WriterBuilder};
 use std::io::{self, Write};
@@ -14,7 +14,7 @@ pub struct Table {
 
 impl Table {
     /// Before the work, so that a wrong name does not cost it: names with their units, time first.
-    pub fn at(writes: &Writes<'_>, path: Option<&Path>, columns: &[String]) -> Result<Self, Ending> {
+    pub fn at(writes: &Writes<'_>, path: Option<&Path>, columns: &[String]) -> Result<Self, Exit> {
         let heading: Vec<String> = std::iter::once(headed("time", "s")).chain(columns.iter().cloned()).collect();
         let output = writes.optional(path, &[Form::Table(line(&heading))])?;
         Ok(Table { output, heading })
@@ -26,7 +26,7 @@ impl Table {
     }
 
     /// Writes it: the samples of a run, then its end where that comes after the last of them, as at an event.
-    pub fn write(self, times: &[f64], rows: &[Vec<f64>], end: (f64, &[f64])) -> Result<Option<Written>, Ending> {
+    pub fn write(self, times: &[f64], rows: &[Vec<f64>], end: (f64, &[f64])) -> Result<Option<Written>, Exit> {
         let Table { output, heading } = self;
         let content = |out: &mut dyn Write| {
             let mut table = table(out);
@@ -53,7 +53,7 @@ pub struct Matrix {
 
 impl Matrix {
     /// Before the work: names with their units.
-    pub fn at(writes: &Writes<'_>, path: Option<&Path>, columns: &[String]) -> Result<Self, Ending> {
+    pub fn at(writes: &Writes<'_>, path: Option<&Path>, columns: &[String]) -> Result<Self, Exit> {
         let output = writes.optional(path, &[Form::Table(line(&heading(columns)))])?;
         Ok(Matrix { output, columns: columns.to_vec() })
     }
@@ -64,7 +64,7 @@ impl Matrix {
     }
 
     /// Writes it, a row for each quantity at the end; the unit of an entry is that of its row over that of its column.
-    pub fn write(self, rows: &[Vec<f64>]) -> Result<Option<Written>, Ending> {
+    pub fn write(self, rows: &[Vec<f64>]) -> Result<Option<Written>, Exit> {
         let Matrix { output, columns } = self;
         let content = |out: &mut dyn Write| {
             let mut table = table(out);

@@ -1,8 +1,8 @@
 //! `dalembert failures`: the catalogue of failure, measured.
 
 use crate::arguments::Format;
-use crate::crew::Crew;
-use crate::ending::{Ending, print};
+use crate::exit::{Exit, print};
+use crate::job_pool::JobPool;
 use charts::significant;
 use clap::Args;
 use serde_json::{Value, json};
@@ -28,14 +28,14 @@ pub struct Asked {
 pub type Measured = (&'static Failing, Result<Found, NotFound>);
 
 /// Measures the ways whose name contains what was asked for, and prints them.
-pub fn list(asked: &Asked) -> Result<Ending, Ending> {
+pub fn list(asked: &Asked) -> Result<Exit, Exit> {
     let chosen: Vec<&Failing> = ALL.iter().filter(|failing| failing.name.contains(&asked.name)).collect();
     if chosen.is_empty() {
         let names: Vec<&str> = ALL.iter().map(|failing| failing.name).collect();
-        return Err(Ending::refused(format!("no way to fail is called `{}`; known: {}", asked.name, names.join(", "))));
+        return Err(Exit::refused(format!("no way to fail is called `{}`; known: {}", asked.name, names.join(", "))));
     }
     let mut measured: Vec<Option<Measured>> = chosen.iter().map(|_| None).collect();
-    let mut crew = Crew::default();
+    let mut crew = JobPool::default();
     for (place, failing) in measured.iter_mut().zip(chosen) {
         crew.add(1.0, place, || (failing, failing.measure(&asked.scenes)));
     }
@@ -44,13 +44,13 @@ pub fn list(asked: &Asked) -> Result<Ending, Ending> {
     for (failing, found) in measured.into_iter().flatten() {
         match found {
             Ok(found) => told.push((failing, found)),
-            Err(NotFound::Scene(error)) => missed.push(Ending::from(error)),
-            Err(why @ NotFound::Unsuitable { .. }) => missed.push(Ending::refused(why)),
+            Err(NotFound::Scene(error)) => missed.push(Exit::from(error)),
+            Err(why @ NotFound::Unsuitable { .. }) => missed.push(Exit::refused(why)),
         }
     }
     // one scene that cannot be measured does not hide the others
     if told.is_empty() {
-        return Err(missed.into_iter().next().unwrap_or(Ending::Stopped));
+        return Err(missed.into_iter().next().unwrap_or(Exit::Stopped));
     }
     let all = missed.is_empty();
     for missed in missed {
@@ -63,7 +63,7 @@ pub fn list(asked: &Asked) -> Result<Ending, Ending> {
         }
         Format::Json => format!("{:#}\n", Value::from_iter(told.iter().map(|(failing, found)| object(failing, found)))),
     })?;
-    Ok(if agree && all { Ending::Done } else { Ending::Stopped })
+    Ok(if agree && all { Exit::Done } else { Exit::Stopped })
 }
 
 /// The trials of one fate together: those that hold first, then those that err silently.

@@ -2,7 +2,7 @@
 
 use crate::arguments::{finite, whole};
 use crate::csv;
-use crate::ending::{Ending, placed, print, warn};
+use crate::exit::{Exit, placed, print, warn};
 use crate::progress::Progress;
 use ::scenes::inverse::{AlongMotion, Forces, inverse};
 use ::scenes::{read_prescribed, unit_of, unit_of_rate};
@@ -54,7 +54,7 @@ fn positive(text: &str) -> Result<f64, String> {
 }
 
 /// Prints the motion with the forces that it needs.
-pub fn show(asked: &Asked) -> Result<Ending, Ending> {
+pub fn show(asked: &Asked) -> Result<Exit, Exit> {
     let (model, prescribed) = read_prescribed(&asked.scene, &asked.motions)?;
     let _progress = Progress::new("inverse dynamics");
     let times: Vec<f64> = (0..=asked.samples).map(|k| asked.span * f64::from(k) / f64::from(asked.samples)).collect();
@@ -101,5 +101,5 @@ pub fn show(asked: &Asked) -> Result<Ending, Ending> {
             format!("{}\n{}", csv::line(&heading), rows.iter().map(line).collect::<String>())
         }
     })?;
-    Ok(Ending::Done)
+    Ok(Exit::Done)
 }

@@ -1,8 +1,8 @@
 //! `dalembert ledger`: every claim with its verdict.
 
 use crate::arguments::Format;
-use crate::crew::Crew;
-use crate::ending::{Ending, print, warn};
+use crate::exit::{Exit, print, warn};
+use crate::job_pool::JobPool;
 use crate::values;
 use charts::{ClaimRow, PaperSection};
 use claims::Paper;
@@ -26,7 +26,7 @@ pub struct Asked {
 }
 
 /// Prints the claims whose id contains the filter, of one verdict where one is asked for.
-pub fn list(asked: &Asked) -> Result<Ending, Ending> {
+pub fn list(asked: &Asked) -> Result<Exit, Exit> {
     let verdict = asked.verdict.as_deref().map(verdict).transpose()?;
     let known = those_with(&asked.filter);
     let nowhere = known.is_empty();
@@ -34,7 +34,7 @@ pub fn list(asked: &Asked) -> Result<Ending, Ending> {
         known.into_iter().filter(|claim| verdict.is_none_or(|verdict| claim.verdict == verdict)).collect();
     if nowhere {
         let keys: Vec<&str> = papers().iter().map(|paper| paper.key).collect();
-        return Err(Ending::refused(format!(
+        return Err(Exit::refused(format!(
             "no claim's id contains `{}`; ids begin with: {}",
             asked.filter,
             keys.join(", ")
@@ -44,7 +44,7 @@ pub fn list(asked: &Asked) -> Result<Ending, Ending> {
         Format::Text => claims::render(&chosen),
         Format::Json => {
             let rows = serde_json::to_string_pretty(&entries(&chosen));
-            rows.map_err(|error| Ending::refused(format!("the ledger cannot be written as JSON: {error}")))? + "\n"
+            rows.map_err(|error| Exit::refused(format!("the ledger cannot be written as JSON: {error}")))? + "\n"
         }
     };
     print(&text)?;
@@ -52,20 +52,20 @@ pub fn list(asked: &Asked) -> Result<Ending, Ending> {
     for reason in &unsound {
         warn(reason);
     }
-    Ok(if unsound.is_empty() { Ending::Done } else { Ending::Stopped })
+    Ok(if unsound.is_empty() { Exit::Done } else { Exit::Stopped })
 }
 
-fn verdict(name: &str) -> Result<Verdict, Ending> {
+fn verdict(name: &str) -> Result<Verdict, Exit> {
     Verdict::ALL.into_iter().find(|verdict| verdict.name() == name).ok_or_else(|| {
         let names = Verdict::ALL.map(Verdict::name).join(", ");
-        Ending::refused(format!("there is no verdict `{name}`; there are: {names}"))
+        Exit::refused(format!("there is no verdict `{name}`; there are: {names}"))
     })
 }
 
 /// The claims whose id contains this, decided; the others are not.
 fn those_with(filter: &str) -> Vec<Judged> {
     let mut judged: Vec<Option<Vec<Judged>>> = papers().iter().map(|_| None).collect();
-    let mut crew = Crew::default();
+    let mut crew = JobPool::default();
     for (place, paper) in judged.iter_mut().zip(papers()) {
         crew.add(1.0, place, move || (paper.page)().judged(|claim| claim.id.contains(filter)).collect());
     }

@@ -23,18 +23,19 @@
 //! * `clock`, which is the deadline and Ctrl-C; `progress`, which it draws.
 
 mod arguments;
+mod atomic_write;
 mod bodies;
 mod chart;
 mod choose;
 mod clock;
 mod conform;
-mod crew;
 mod csv;
 mod derive;
-mod ending;
 mod ensemble;
+mod exit;
 mod failures;
 mod inverse;
+mod job_pool;
 mod ledger;
 mod linearise;
 mod motor;
@@ -61,26 +62,25 @@ mod studies;
 mod summary;
 mod timings;
 mod values;
-mod whole;
 
 use arguments::{Arguments, Command};
 use clap::{CommandFactory, Parser};
 use clap_complete::Shell;
-use ending::Ending;
+use exit::Exit;
 use std::process::ExitCode;
 
 /// Runs the command that the arguments of the process name.
 pub fn run() -> ExitCode {
     let arguments = match Arguments::try_parse() {
         Ok(arguments) => arguments,
-        Err(said) => return ending::print_instead(&said).tell(),
+        Err(said) => return exit::print_instead(&said).tell(),
     };
     if arguments.quiet {
-        ending::be_quiet();
+        exit::be_quiet();
     }
     ::scenes::register(|warning| {
-        if !ending::is_quiet() {
-            ending::warn(warning);
+        if !exit::is_quiet() {
+            exit::warn(warning);
         }
     });
     let (command, keeps, seconds) = arguments.timed();
@@ -109,7 +109,7 @@ pub fn run() -> ExitCode {
         Some(Command::Regimes(asked)) => regimes::show(&asked),
         Some(Command::Failures(asked)) => failures::list(&asked),
         Some(Command::Scenes(asked)) => scenes::list(&asked),
-        Some(Command::Completions { shell }) => ending::print(&completions(shell)).map(|()| Ending::Done),
+        Some(Command::Completions { shell }) => exit::print(&completions(shell)).map(|()| Exit::Done),
     };
     drop(work);
     ending.unwrap_or_else(|refused| refused).tell()
@@ -123,7 +123,7 @@ fn completions(shell: Shell) -> String {
 }
 
 /// The main job.
-fn report(asked: &report::Asked) -> Result<Ending, Ending> {
+fn report(asked: &report::Asked) -> Result<Exit, Exit> {
     let files = scenes::files(&asked.scenes)?;
     report::write(asked, &files)
 }

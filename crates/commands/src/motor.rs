@@ -1,7 +1,7 @@
 //! `dalembert motor`: in step and out of it under load, and from which starts the motor comes into step.
 
 use crate::arguments::Format;
-use crate::ending::{Ending, print};
+use crate::exit::{Exit, print};
 use crate::run::with_model;
 use crate::studies::synchronism::onset;
 use clap::Args;
@@ -66,9 +66,9 @@ struct Common {
 }
 
 /// Prints it.
-pub fn show(asked: &Asked) -> Result<Ending, Ending> {
+pub fn show(asked: &Asked) -> Result<Exit, Exit> {
     let scene = with_model(Scene::open(&asked.scene)?, asked.model.as_deref(), &asked.scene)?;
-    let refused = |reason: String| Ending::refused(format!("{}: {reason}", asked.scene.display()));
+    let refused = |reason: String| Exit::refused(format!("{}: {reason}", asked.scene.display()));
     let motor = Loaded::of(&scene).map_err(|reason| refused(reason.to_string()))?;
     let in_step = motor.in_step();
     let pull_out = Loaded::pull_out(&in_step).cloned();
@@ -107,7 +107,7 @@ pub fn show(asked: &Asked) -> Result<Ending, Ending> {
         Format::Json => format!("{:#}\n", object(&scene, &common, &cases)),
     })?;
     let complete = cases.len() == motors.len() && cases.iter().all(|case| case.pull_in.is_ok() && case.shares.is_ok());
-    Ok(if complete { Ending::Done } else { Ending::Stopped })
+    Ok(if complete { Exit::Done } else { Exit::Stopped })
 }
 
 fn case(bars: Option<usize>, scene: &Scene, common: &Common) -> Option<Case> {

@@ -1,7 +1,7 @@
 //! `dalembert phantom`: for which steps a method's map says of a stationary motion what is true.
 
 use crate::arguments::{Format, finite};
-use crate::ending::{Ending, print};
+use crate::exit::{Exit, print};
 use crate::run::with_model;
 use clap::Args;
 use integrators::Splitting;
@@ -36,17 +36,17 @@ pub struct Asked {
 type Courses = [Tested; Splitting::ALL.len()];
 
 /// Prints it.
-pub fn show(asked: &Asked) -> Result<Ending, Ending> {
+pub fn show(asked: &Asked) -> Result<Exit, Exit> {
     let scene = with_model(Scene::open(&asked.scene)?, asked.model.as_deref(), &asked.scene)?;
     if asked.omega0.is_some() && scene.on_bench() {
-        return Err(Ending::refused(format!(
+        return Err(Exit::refused(format!(
             "--omega0 does not apply to {}: a motor on a bench does not turn about the vertical; leave it out",
             asked.scene.display()
         )));
     }
     let omega0 = asked.omega0.unwrap_or_default();
     let chart =
-        Chart::of(&scene, omega0).map_err(|reason| Ending::refused(format!("{}: {reason}", asked.scene.display())))?;
+        Chart::of(&scene, omega0).map_err(|reason| Exit::refused(format!("{}: {reason}", asked.scene.display())))?;
     // on a member of a family multipliers coincide at one, and rounding would part them
     let of_motion = |motion: &Stationed| {
         let near = motion.member.is_none().then(|| SplitRuns::near(&scene, motion))?;
@@ -58,7 +58,7 @@ pub fn show(asked: &Asked) -> Result<Ending, Ending> {
         Format::Json => format!("{:#}\n", object(&scene, omega0, &chart, &tested)),
     })?;
     let known = chart.rows.iter().all(|rows| !rows.is_empty() && rows.iter().all(|row| row.steps.is_some()));
-    Ok(if known { Ending::Done } else { Ending::Stopped })
+    Ok(if known { Exit::Done } else { Exit::Stopped })
 }
 
 fn text(scene: &Scene, w: f64, chart: &Chart, tested: &[Option<Courses>]) -> String {

@@ -3,13 +3,13 @@
 use charts::{AreaCurve, Areas, Panel, Track, significant};
 use integrators as run;
 use reader::Quantity;
-use simulation::{Smooth, Trajectory};
+use simulation::{IvpScene, Trajectory};
 use studies::governors::StabilityMap;
 use studies::regimes::maps::{Kind, Map};
 use studies::scene::state::unit;
 
 /// The outputs that the scene names against time; components of one vector, and all currents, share a panel.
-pub fn trajectory(scene: &dyn Smooth, run: &Trajectory) -> charts::Trajectory {
+pub fn trajectory(scene: &dyn IvpScene, run: &Trajectory) -> charts::Trajectory {
     let outputs = &scene.run().outputs;
     let shown: Vec<&String> = run.names.iter().filter(|name| outputs.is_empty() || outputs.contains(name)).collect();
     let failure = run.outcome.failure();

@@ -1,7 +1,7 @@
 //! Progress of work that takes long, on a terminal only: a bar where the part done is known, else the seconds.
 
 use crate::clock;
-use crate::ending::is_quiet;
+use crate::exit::is_quiet;
 use charts::visible;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use integrators::clock::was_obeyed;

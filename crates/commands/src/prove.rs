@@ -1,7 +1,7 @@
 //! `dalembert prove`: whether every principle gives a system the same equations of motion, and whether these keep what they should.
 
 use crate::arguments::Format;
-use crate::ending::{Ending, print};
+use crate::exit::{Exit, print};
 use ::scenes::{Task, on_branch, read_model, start_of, starting, without_implied};
 use clap::{Args, ValueEnum};
 use model::principles::{Principle, Projection};
@@ -73,7 +73,7 @@ enum Subject {
 
 /// Compares the residuals of every principle with those of the first, parameters as letters, states what the equations keep, and
 /// prints a verdict for each.
-pub fn prove(asked: &Asked) -> Result<Ending, Ending> {
+pub fn prove(asked: &Asked) -> Result<Exit, Exit> {
     let mut model = read_model(&asked.scene, Task::Write)?;
     // of constraints that contradict each other there is no motion of which anything could be said
     without_implied(&asked.scene, &mut model.clone())?;
@@ -101,7 +101,7 @@ pub fn prove(asked: &Asked) -> Result<Ending, Ending> {
         let missed = matches!(row.agreement, Ok(Agreement::Refuted { .. } | Agreement::Undecided { .. }));
         row.must_hold && missed || mistake.is_some() && row.agreement.is_err()
     };
-    Ok(if rows.iter().any(fails) { Ending::Stopped } else { Ending::Done })
+    Ok(if rows.iter().any(fails) { Exit::Stopped } else { Exit::Done })
 }
 
 fn all(trace: &Trace<'_>) -> Vec<Row> {

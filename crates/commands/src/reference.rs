@@ -2,7 +2,7 @@
 
 use crate::arguments::Format;
 use crate::clock;
-use crate::ending::{Ending, print};
+use crate::exit::{Exit, print};
 use crate::output::{Form, Output, Writes};
 use clap::Args;
 use integrators::{ENOUGH_DIGITS, Method};
@@ -34,7 +34,7 @@ pub struct Asked {
 
 /// Computes it, says what it is, and writes it where charts and the report look for it. Another computer may share a digit more
 /// or less: a reference that is there gives way to a better one only.
-pub fn reference(asked: &Asked) -> Result<Ending, Ending> {
+pub fn reference(asked: &Asked) -> Result<Exit, Exit> {
     let scene = AnyScene::open(&asked.scene)?;
     let smooth = scene.smooth();
     if let Some(hybrid) = smooth.hybrid() {
@@ -43,7 +43,7 @@ pub fn reference(asked: &Asked) -> Result<Ending, Ending> {
     let mut problem = smooth.problem(Axes::default());
     if let Some(end) = asked.until {
         if !(end > 0.0 && end <= problem.span) {
-            return Err(Ending::refused(format!(
+            return Err(Exit::refused(format!(
                 "--until {end}: a time above 0 and up to {} s is accepted",
                 problem.span
             )));
@@ -56,7 +56,7 @@ pub fn reference(asked: &Asked) -> Result<Ending, Ending> {
         let told = || smooth.told(&smooth.run().choice(), &run).diagnosis.unwrap_or_default();
         let (why, last) = (run.stopped().unwrap_or_else(told), run.outcome.time);
         let accepted = format!("--until with a time up to {last} s is accepted");
-        return Err(Ending::refused(format!("{}: {why}; {accepted}", asked.scene.display())));
+        return Err(Exit::refused(format!("{}: {why}; {accepted}", asked.scene.display())));
     }
     match problem.reference(clock::left()) {
         Ok(found) => {
@@ -64,14 +64,14 @@ pub fn reference(asked: &Asked) -> Result<Ending, Ending> {
             let enough = lacking(found.is_trusted());
             print(&format!("{}\n{one} and {other} share {:.1} digits{enough}\n", smooth.title(), found.digits))?;
             if !found.is_trusted() {
-                return Ok(Ending::Stopped);
+                return Ok(Exit::Stopped);
             }
             keep(output, &problem, &Stored::of(&problem, found, Vec::new()), asked)
         }
         Err(failure) => {
             clock::keeps_nothing();
             print(&format!("{}\nno reference: {failure}\n", smooth.title()))?;
-            Ok(Ending::Stopped)
+            Ok(Exit::Stopped)
         }
     }
 }
@@ -82,7 +82,7 @@ fn lacking(is_trusted: bool) -> String {
 }
 
 /// Where it is kept, before the work.
-fn output(asked: &Asked) -> Result<Output, Ending> {
+fn output(asked: &Asked) -> Result<Output, Exit> {
     let writes = Writes { command: "reference", force: asked.force, reads: vec![&asked.scene] };
     writes.output(&place(asked), &[Form::Reference])
 }
@@ -93,9 +93,9 @@ fn place(asked: &Asked) -> PathBuf {
 }
 
 /// The same of a motion across events, with these.
-fn across_events(scene: &dyn Hybrid, title: &str, asked: &Asked) -> Result<Ending, Ending> {
+fn across_events(scene: &dyn Hybrid, title: &str, asked: &Asked) -> Result<Exit, Exit> {
     if asked.until.is_some() {
-        return Err(Ending::refused(format!(
+        return Err(Exit::refused(format!(
             "{} has a law that changes at events, which its own run tells: it is followed to its end, and --until is not accepted",
             asked.scene.display()
         )));
@@ -106,7 +106,7 @@ fn across_events(scene: &dyn Hybrid, title: &str, asked: &Asked) -> Result<Endin
         Err(unknown) => {
             clock::keeps_nothing();
             print(&format!("{title}\nno reference: {unknown}\n"))?;
-            return Ok(Ending::Stopped);
+            return Ok(Exit::Stopped);
         }
     };
     let ([one, other], digits) = (found.reference.methods, found.reference.digits);
@@ -121,7 +121,7 @@ fn across_events(scene: &dyn Hybrid, title: &str, asked: &Asked) -> Result<Endin
     }
     print(&text)?;
     if !found.reference.is_trusted() {
-        return Ok(Ending::Stopped);
+        return Ok(Exit::Stopped);
     }
     let owner = scene.owner();
     keep(output, &*owner, &Stored::of(&*owner, found.reference, found.events), asked)
@@ -136,7 +136,7 @@ pub fn following(own: Choice) -> Choice {
 }
 
 /// Writes a reference, unless one of the same motion is there whose methods share as many digits.
-fn keep(output: Output, owner: &dyn Owner, made: &Stored, asked: &Asked) -> Result<Ending, Ending> {
+fn keep(output: Output, owner: &dyn Owner, made: &Stored, asked: &Asked) -> Result<Exit, Exit> {
     let path = place(asked);
     // a pipe would be waited for
     let there = path.is_file().then(|| std::fs::read_to_string(&path).ok()).flatten();
@@ -152,5 +152,5 @@ fn keep(output: Output, owner: &dyn Owner, made: &Stored, asked: &Asked) -> Resu
             output.write_text(&made.write(&format!("{}{until}", asked.scene.display())))?.tell(Format::Text)?;
         }
     }
-    Ok(Ending::Done)
+    Ok(Exit::Done)
 }

@@ -1,7 +1,7 @@
 //! `dalembert regimes`: every consistent regime of contacts and conditions at the start of a scene.
 
 use crate::arguments::Format;
-use crate::ending::{Ending, placed, print};
+use crate::exit::{Exit, placed, print};
 use ::scenes::{CriticalFriction, Motions, Regimes, Task, read_titled, regimes};
 use clap::Args;
 use serde_json::{Value, json};
@@ -20,14 +20,14 @@ pub struct Asked {
 }
 
 /// Prints the consistent regimes at the start of a scene.
-pub fn show(asked: &Asked) -> Result<Ending, Ending> {
+pub fn show(asked: &Asked) -> Result<Exit, Exit> {
     let (title, model) = read_titled(&asked.scene, Task::Run)?;
     let answer = Answer::of(regimes(model).map_err(|issue| placed(&asked.scene, issue))?);
     print(&match asked.format {
         Format::Text => format!("{title}\n{}", answer.text()),
         Format::Json => format!("{:#}\n", answer.object(&title)),
     })?;
-    Ok(if answer.determined { Ending::Done } else { Ending::Stopped })
+    Ok(if answer.determined { Exit::Done } else { Exit::Stopped })
 }
 
 /// What is consistent at the start.

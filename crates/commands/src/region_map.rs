@@ -1,10 +1,10 @@
 //! Maps of every stationary motion over two data: computed by all processors, as pictures, text and JSON.
 
-use crate::crew::Crew;
+use crate::job_pool::JobPool;
 use crate::progress::Progress;
 use crate::stability_map::labelled;
 use charts::{AreaCurve, Areas, significant};
-use mechanics::uniform::Kind;
+use mechanics::steady_rotations::Kind;
 use serde_json::{Value, json};
 use std::fmt::Write;
 use studies::scene::Scene;
@@ -45,7 +45,7 @@ impl Asked<'_> {
         let [columns, rows] = [region.values[0].len(), region.values[1].len()];
         let share = NODES * columns as f64 / (NODES * columns as f64 + (columns + rows) as f64);
         let mut nodes: Vec<Option<Result<Vec<Node>, NoMotor>>> = (0..columns).map(|_| None).collect();
-        let mut crew = Crew::default();
+        let mut crew = JobPool::default();
         for (column, place) in nodes.iter_mut().enumerate() {
             let region = &region;
             crew.add(1.0, place, move || region.column(column));
@@ -55,7 +55,7 @@ impl Asked<'_> {
         let lines = (0..rows).map(|row| (0, nodes.iter().map(|column| &column[row]).collect::<Vec<&Node>>()));
         let lines: Vec<_> = lines.chain(nodes.iter().map(|column| (1, column.iter().collect()))).collect();
         let mut links: Vec<Option<Result<Vec<Link>, NoMotor>>> = lines.iter().map(|_| None).collect();
-        let mut crew = Crew::default();
+        let mut crew = JobPool::default();
         for ((moving, line), place) in lines.iter().zip(&mut links) {
             let region = &region;
             crew.add(1.0, place, move || region.links(line, *moving));

@@ -1,7 +1,7 @@
 //! `dalembert regulate`: the optimal regulator of a system, its run on the nonlinear model, and the cost beside Riccati's.
 
 use crate::arguments::Format;
-use crate::ending::{Ending, placed, print};
+use crate::exit::{Exit, placed, print};
 use crate::output::Writes;
 use crate::progress::Progress;
 use crate::summary::{passed, told_passages};
@@ -35,7 +35,7 @@ pub struct Asked {
 }
 
 /// Finds the regulator, runs its loop and prints both.
-pub fn show(asked: &Asked) -> Result<Ending, Ending> {
+pub fn show(asked: &Asked) -> Result<Exit, Exit> {
     let path: &Path = &asked.scene;
     let text = read_text(path)?;
     let scene = ModelScene::parse(&path.display().to_string(), &text)?;
@@ -65,7 +65,7 @@ pub fn show(asked: &Asked) -> Result<Ending, Ending> {
     {
         written.tell(asked.format)?;
     }
-    Ok(if stopped(run).is_some() { Ending::Stopped } else { Ending::Done })
+    Ok(if stopped(run).is_some() { Exit::Stopped } else { Exit::Done })
 }
 
 /// Why a run does not reach its end, where it does not.

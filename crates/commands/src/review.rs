@@ -1,7 +1,7 @@
 //! `dalembert review`: what changed in the reviewed pages, as mechanics.
 
 use crate::arguments::Format;
-use crate::ending::{Ending, print};
+use crate::exit::{Exit, print};
 use claims::catalogue::papers;
 use claims::review::review as changes;
 use clap::Args;
@@ -32,9 +32,9 @@ struct Changed {
 }
 
 /// Prints every change of every page.
-pub fn review(asked: &Asked) -> Result<Ending, Ending> {
+pub fn review(asked: &Asked) -> Result<Exit, Exit> {
     if !Path::new(FOLDER).is_dir() {
-        return Err(Ending::refused("there is no folder `snapshots` here: the project's own folder is accepted"));
+        return Err(Exit::refused("there is no folder `snapshots` here: the project's own folder is accepted"));
     }
     let changed: Vec<Changed> = pages(&asked.against)?.into_iter().filter(|page| !page.told.is_empty()).collect();
     print(&match asked.format {
@@ -45,7 +45,7 @@ pub fn review(asked: &Asked) -> Result<Ending, Ending> {
             format!("{:#}\n", pages.collect::<serde_json::Value>())
         }
     })?;
-    Ok(Ending::Done)
+    Ok(Exit::Done)
 }
 
 fn text(Changed { page, told }: &Changed) -> String {
@@ -53,7 +53,7 @@ fn text(Changed { page, told }: &Changed) -> String {
 }
 
 /// Every page that differs, by name.
-fn pages(commit: &str) -> Result<Vec<Changed>, Ending> {
+fn pages(commit: &str) -> Result<Vec<Changed>, Exit> {
     let listed = |arguments: &[&str]| git(arguments).map(|text| text.lines().map(str::to_owned).collect::<Vec<_>>());
     let mut names = BTreeSet::from_iter(listed(&["diff", "--name-only", "--relative", commit, "--", FOLDER])?);
     names.extend(listed(&["ls-files", "--others", "--", FOLDER])?);
@@ -116,12 +116,12 @@ fn moved(old: &str, new: &str) -> String {
 }
 
 /// What git prints.
-fn git(arguments: &[&str]) -> Result<String, Ending> {
+fn git(arguments: &[&str]) -> Result<String, Exit> {
     let output = Command::new("git").args(arguments).output();
-    let output = output.map_err(|error| Ending::refused(format!("git, which keeps the reviewed pages: {error}")))?;
+    let output = output.map_err(|error| Exit::refused(format!("git, which keeps the reviewed pages: {error}")))?;
     if !output.status.success() {
         let reason = String::from_utf8_lossy(&output.stderr);
-        return Err(Ending::refused(format!("git {}: {}", arguments.join(" "), reason.trim())));
+        return Err(Exit::refused(format!("git {}: {}", arguments.join(" "), reason.trim())));
     }
     Ok(String::from_utf8_lossy(&output.stdout).into_owned())
 }

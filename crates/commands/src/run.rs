@@ -1,7 +1,7 @@
 //! `dalembert run`: one scene, one method.
 
 use crate::arguments::{Format, tolerance, whole};
-use crate::ending::{Ending, print, warn};
+use crate::exit::{Exit, print, warn};
 use crate::output::{self, Writes};
 use crate::progress::Progress;
 use crate::summary::Summary;
@@ -12,7 +12,7 @@ use integrators::{Beside, Method};
 use motor::{NoModel, catalogue};
 use reader::Family;
 use simulation::run::most_samples;
-use simulation::{Axes, Choice, Smooth, Told, methods};
+use simulation::{Axes, Choice, IvpScene, Told, methods};
 use std::path::{Path, PathBuf};
 use studies::AnyScene;
 use studies::scene::Scene;
@@ -67,9 +67,9 @@ fn method(text: &str) -> Result<Method, String> {
 }
 
 /// Runs the scene, writes the trajectory where one is asked for, prints the summary.
-pub fn run(asked: &Asked) -> Result<Ending, Ending> {
+pub fn run(asked: &Asked) -> Result<Exit, Exit> {
     if asked.force && asked.out.is_none() && asked.transition.is_none() {
-        return Err(Ending::refused(
+        return Err(Exit::refused(
             "--force is about what --out and --transition replace; it is accepted with one of them",
         ));
     }
@@ -91,11 +91,11 @@ pub fn run(asked: &Asked) -> Result<Ending, Ending> {
 }
 
 /// Machines and forms are for systems with a motor.
-pub fn refuse(what: &str, model: bool, form: bool, path: &Path) -> Result<(), Ending> {
+pub fn refuse(what: &str, model: bool, form: bool, path: &Path) -> Result<(), Exit> {
     let given = [("--model", model), ("--form", form)];
     match given.iter().find(|(_, given)| *given) {
         None => Ok(()),
-        Some((option, _)) => Err(Ending::refused(format!(
+        Some((option, _)) => Err(Exit::refused(format!(
             "{option} does not apply to {}: {what} has no machine, and one form of its equations; leave it out",
             path.display()
         ))),
@@ -103,10 +103,10 @@ pub fn refuse(what: &str, model: bool, form: bool, path: &Path) -> Result<(), En
 }
 
 /// A motor alone has one form of its equations.
-pub fn one_form(scene: &Scene, form: bool, path: &Path) -> Result<(), Ending> {
+pub fn one_form(scene: &Scene, form: bool, path: &Path) -> Result<(), Exit> {
     match form && scene.on_bench() {
         false => Ok(()),
-        true => Err(Ending::refused(format!(
+        true => Err(Exit::refused(format!(
             "--form does not apply to {}: a motor on a bench has no carrier, and one form of its equations; leave it out",
             path.display()
         ))),
@@ -114,10 +114,10 @@ pub fn one_form(scene: &Scene, form: bool, path: &Path) -> Result<(), Ending> {
 }
 
 /// Runs one initial value problem.
-fn follow(scene: &dyn Smooth, asked: &Asked, form: Option<Axes>) -> Result<Ending, Ending> {
+fn follow(scene: &dyn IvpScene, asked: &Asked, form: Option<Axes>) -> Result<Exit, Exit> {
     let choice = choice(scene.run(), asked);
     if asked.tolerance.is_some() && asked.transition.is_none() && choice.method.steps().is_some() {
-        return Err(Ending::refused(format!(
+        return Err(Exit::refused(format!(
             "--tol does not apply to {}, whose steps are constant; leave it out, or name a method that follows a tolerance",
             choice.method
         )));
@@ -128,7 +128,7 @@ fn follow(scene: &dyn Smooth, asked: &Asked, form: Option<Axes>) -> Result<Endin
     let table = csv::Table::at(&writes, asked.out.as_deref(), &headed(&problem.columns))?;
     if asked.transition.is_some() && scene.hybrid().is_some() {
         let why = "the law of this system changes at events: its transition matrix is not computed yet";
-        return Err(Ending::refused(format!("--transition: {why}; leave it out")));
+        return Err(Exit::refused(format!("--transition: {why}; leave it out")));
     }
     let states = asked.transition.as_ref().map(|_| scene.problem(choice.axes));
     let states = states.map(|states| headed(&states.columns[..states.state.len().min(states.columns.len())]));
@@ -138,7 +138,7 @@ fn follow(scene: &dyn Smooth, asked: &Asked, form: Option<Axes>) -> Result<Endin
     let (columns, most) = (problem.columns.len(), most_samples(problem.columns.len()));
     if choice.samples > most {
         let option = if asked.samples.is_some() { "--samples" } else { "samples" };
-        return Err(Ending::refused(format!(
+        return Err(Exit::refused(format!(
             "{option} {}: a row of this run has {columns} numbers; a whole number from 1 to {most} is accepted",
             choice.samples
         )));
@@ -169,7 +169,7 @@ fn follow(scene: &dyn Smooth, asked: &Asked, form: Option<Axes>) -> Result<Endin
     // what has no value, or parts from its law, is no result
     let serves = beside.is_none_or(|beside| beside.parting.serves()) && trajectory.undefined().is_empty();
     let reached = trajectory.outcome.reached() && trajectory.left.is_none();
-    let mut ending = if reached && serves { Ending::Done } else { Ending::Stopped };
+    let mut ending = if reached && serves { Exit::Done } else { Exit::Stopped };
     let mut depends = Ok(None);
     if let Some(path) = &asked.transition {
         let not_written = |why: &str| warn(&format!("{} is not written: {why}", path.display()));
@@ -183,9 +183,9 @@ fn follow(scene: &dyn Smooth, asked: &Asked, form: Option<Axes>) -> Result<Endin
             Some(Ok(rows)) => depends = matrix.write(&rows),
             Some(Err(failure)) if failure.is_broken_off() => {
                 not_written(failure.name());
-                ending = Ending::Stopped;
+                ending = Exit::Stopped;
             }
-            Some(Err(failure)) => depends = Err(Ending::refused(format!("{}: {failure}", path.display()))),
+            Some(Err(failure)) => depends = Err(Exit::refused(format!("{}: {failure}", path.display()))),
         }
     }
     print(&text(&told, beside))?;
@@ -197,12 +197,12 @@ fn follow(scene: &dyn Smooth, asked: &Asked, form: Option<Axes>) -> Result<Endin
 }
 
 /// A splitting of a law without pieces.
-fn no_pieces(choice: &Choice, path: &Path) -> Ending {
+fn no_pieces(choice: &Choice, path: &Path) -> Exit {
     let others = methods::list().map(|(name, _)| name).filter(|name| {
         let numbered = name.replace("STEPS", "1");
         !matches!(methods::method(&numbered), Ok(Method::Split { .. }))
     });
-    Ending::refused(format!(
+    Exit::refused(format!(
         "{} does not apply to {}: {SPLITTINGS}; accepted are {}",
         methods::written(choice.method),
         path.display(),
@@ -226,14 +226,14 @@ pub fn writes(asked: &Asked) -> Writes<'_> {
 }
 
 /// The scene with the machine that is asked for, where one is.
-pub fn with_model(scene: Scene, model: Option<&str>, path: &Path) -> Result<Scene, Ending> {
+pub fn with_model(scene: Scene, model: Option<&str>, path: &Path) -> Result<Scene, Exit> {
     let Some(model) = model else { return Ok(scene) };
     scene.with_model(model).map_err(|error| {
         let made = match error {
             NoModel::Missing { .. } => format!("; it suffices for {}", scene.given.models().join(", ")),
             _ => String::new(),
         };
-        Ending::refused(format!("{}: {error}{made}", path.display()))
+        Exit::refused(format!("{}: {error}{made}", path.display()))
     })
 }
 

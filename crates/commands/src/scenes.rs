@@ -1,7 +1,7 @@
 //! `dalembert scenes`: what there is to run.
 
 use crate::arguments::Format;
-use crate::ending::{Ending, print};
+use crate::exit::{Exit, print};
 use clap::Args;
 use reader::Family;
 use serde_json::{Value, json};
@@ -22,14 +22,14 @@ pub struct Asked {
 
 /// Prints each scene of a folder with its machine or its system, and its title; one that is not acceptable with the number
 /// of its faults.
-pub fn list(asked: &Asked) -> Result<Ending, Ending> {
+pub fn list(asked: &Asked) -> Result<Exit, Exit> {
     let files = files(&asked.folder)?;
     let listed = files.iter().map(|path| (path.display().to_string(), listed(path)));
     print(&match asked.format {
         Format::Text => listed.map(|(path, scene)| line(&path, scene)).collect(),
         Format::Json => format!("{:#}\n", Value::from_iter(listed.map(|(path, scene)| object(path, scene)))),
     })?;
-    Ok(Ending::Done)
+    Ok(Exit::Done)
 }
 
 /// Its machine or its system, and its title; or the number of its faults.
@@ -57,7 +57,7 @@ fn object(path: String, scene: Result<(String, String), usize>) -> Value {
 }
 
 /// The TOML files of a folder and of the folders in it, each folder's own first, by name.
-pub fn files(folder: &Path) -> Result<Vec<PathBuf>, Ending> {
+pub fn files(folder: &Path) -> Result<Vec<PathBuf>, Exit> {
     let unreadable = |error: io::Error| {
         let accepted = "a folder with scene files is accepted; the project's own is `scenes`";
         let reason = match error.kind() {
@@ -65,7 +65,7 @@ pub fn files(folder: &Path) -> Result<Vec<PathBuf>, Ending> {
             io::ErrorKind::NotADirectory => "this is no folder".to_owned(),
             _ => error.to_string(),
         };
-        Ending::refused(format!("{}: {reason}; {accepted}", folder.display()))
+        Exit::refused(format!("{}: {reason}; {accepted}", folder.display()))
     };
     let (mut files, mut open) = (Vec::new(), vec![folder.to_owned()]);
     while let Some(next) = open.pop() {
@@ -86,7 +86,7 @@ pub fn files(folder: &Path) -> Result<Vec<PathBuf>, Ending> {
         open.extend(folders.into_iter().rev());
     }
     match files.is_empty() {
-        true => Err(Ending::refused(format!("{} holds no scene: no file ends in .toml", folder.display()))),
+        true => Err(Exit::refused(format!("{} holds no scene: no file ends in .toml", folder.display()))),
         false => Ok(files),
     }
 }

@@ -1,7 +1,7 @@
 //! Verdicts on the stability of stationary motions, with what each rests on, as text and JSON.
 
 use charts::significant;
-use mechanics::first_approximation::{HalfPlanes, Inertia};
+use mechanics::linear_stability::{HalfPlanes, Inertia};
 use nalgebra::Vector3;
 use serde_json::{Value, json};
 use std::fmt::Write;

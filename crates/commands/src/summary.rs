@@ -3,12 +3,12 @@
 use integrators::{Beside, Parting};
 use serde_json::{Map, Value, json};
 use simulation::events::Passage;
-use simulation::{Axes, Choice, Smooth, Trajectory};
+use simulation::{Axes, Choice, IvpScene, Trajectory};
 use std::fmt::Write;
 
 /// What is printed after a run.
 pub struct Summary<'a> {
-    pub scene: &'a dyn Smooth,
+    pub scene: &'a dyn IvpScene,
     pub choice: &'a Choice,
     /// Where there are several.
     pub form: Option<Axes>,

@@ -10,28 +10,28 @@
 //! | [`Tangent`] over any field, num-dual's duals over `f64` | derivatives, forward mode |
 //! | [`Rational`] | exact points and counterexamples |
 //! | [`DoubleDouble`] | reference solutions |
-//! | [`Lanes`] | as many systems at once as a register is wide |
+//! | [`Batch`] | as many systems at once as a register is wide |
 //! | `Sym` (crate `symbolic`) | proofs, printing, straight-line code |
 //!
 //! Key results: one suite of field laws ([`laws`]) that every field passes.
 
 pub mod laws;
 
+mod batch;
 mod circle;
 mod decimal;
 mod duals;
 mod elementary;
-mod lanes;
-mod quarters;
 mod rational;
 mod scalar;
-mod sixteenths;
+mod sincos_double_double;
+mod sincos_f64;
 mod tangent;
 
+pub use batch::Batch;
 pub use circle::Circle;
 pub use decimal::{decimal, from_decimal};
 pub use elementary::Elementary;
-pub use lanes::Lanes;
 pub use rational::Rational;
 pub use scalar::{Analytic, Base, Divisor, Over, Scalar};
 pub use tangent::{Motion, Tangent};

@@ -5,8 +5,8 @@ use std::fmt::Debug;
 use std::ops::Neg;
 use xprec::Df64;
 
-use crate::quarters::{far, is_near, near, plus};
-use crate::sixteenths;
+use crate::sincos_double_double;
+use crate::sincos_f64::{far, is_near, near, plus};
 use crate::{Circle, Elementary};
 
 /// A number of some field: operations and exact constants, no order, no rounding to `f64`.
@@ -198,7 +198,7 @@ impl Analytic for Df64 {
     fn circle(self) -> Circle<Self> {
         // beyond, multiples are not counted exactly; what comes to such an angle is lost anyway
         let countable = self.hi().abs() < MOST_ANGLE;
-        if countable { sixteenths::point(self) } else { Circle { cos: NONE, sin: NONE } }
+        if countable { sincos_double_double::point(self) } else { Circle { cos: NONE, sin: NONE } }
     }
 
     fn sqrt(self) -> Self {

@@ -21,7 +21,7 @@
 //! | Bader-Deuflhard | varies | yes | | own |
 //! | Strang, Blanes-Moan, Kahan-Li splittings, for systems with pieces (constant step) | 2, 4, 6, 8 | | 2, 8 | own |
 //!
-//! Laws that are held to constraints by multipliers ([`Held`], index 2) have an entry and methods of their own, [`hold()`];
+//! Laws that are held to constraints by multipliers ([`Index2Dae`], index 2) have an entry and methods of their own, [`hold()`];
 //! [`integrate_projected`] brings any method with a constant step onto the constraint after each step.
 //!
 //! [`clock`] ends every integration of a process at one moment, or when the user asks.
@@ -43,11 +43,11 @@ mod run;
 mod work_precision;
 
 pub use batch::{Ensemble, LaneSeries, LaneStep, Members, SideBySide, fuses, lanes_order};
-pub use branches::{Branch, Curve, Equilibria, Last, Place, Repeating, Walk, follow, spectrum};
+pub use branches::{Branch, Curve, CurvePoint, Equilibria, Last, Repeating, Walk, follow, spectrum};
 pub use events::{Event, Happening, Signal, Switches, integrate_to_event};
 pub use law::{
-    Composed, DIRECTIONS, Directions, Held, HeldSystem, Jacobian, Ode, Pieces, Real, Slopes, Splitting, System,
-    TaylorSeries, Variations, Working, slope, variable,
+    Composed, DIRECTIONS, Dual8, Index2Dae, Index2DaeSystem, Jacobian, JacobianFn, Ode, Pieces, Real, Splitting,
+    System, TaylorSeries, Variations, Working, slope, variable,
 };
 pub use methods::{
     Across, Attempt, Collocation, Family, Holding, MOST_STAGES, Means, Method, Taylor, Traits, Transition, compose,
@@ -62,5 +62,5 @@ pub use run::{
     Samples, Sizes, Span, Tolerance, Work, clock,
 };
 pub use work_precision::{
-    Course, Median, Point, Regrets, Timed, Trial, cost, excess, front, judge, measure, taking_turns,
+    Benchmark, Median, Point, Regrets, Timed, Trial, cost, excess, front, judge, measure, taking_turns,
 };

@@ -16,8 +16,8 @@
 //! [`regimes`] is not a principle: it finds which of the modes of rough contacts agree with the laws of friction.
 //!
 //! [`bellman`] does the same for optimal control: Riccati's equation from Bellman's. [`stability`] decides by Hurwitz;
-//! [`first_approximation`] counts roots and signs exactly, singular cases included.
-//! [`discrete`] asks what a one-step method makes of that.
+//! [`linear_stability`] counts roots and signs exactly, singular cases included.
+//! [`one_step_stability`] asks what a one-step method makes of that.
 //!
 //! Each returns *residuals*: expressions in accelerations that vanish along the motion. The right-hand side that runs is
 //! one of the forms; that it makes every residual vanish is a claim, and is proved.
@@ -27,13 +27,13 @@ pub mod bellman;
 pub mod constrained;
 pub mod definite;
 pub mod differentiate;
-pub mod discrete;
-pub mod first_approximation;
 pub mod hamel;
 pub mod lagrange;
+pub mod linear_stability;
 pub mod mass;
 pub mod momentum;
+pub mod one_step_stability;
 pub mod regimes;
 pub mod rotation;
 pub mod stability;
-pub mod uniform;
+pub mod steady_rotations;

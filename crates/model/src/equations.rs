@@ -14,7 +14,7 @@ mod integrability;
 mod zero_test;
 
 pub(crate) use characteristics::solved_in_short;
-pub use characteristics::{Characteristics, Motion};
+pub use characteristics::{Characteristics, SolvedMotion};
 pub(crate) use constraints::held_of;
 pub use constraints::{Equation, Level, equations as constraints_of};
 pub use elimination::{Pushes, Singular};

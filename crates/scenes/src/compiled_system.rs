@@ -11,7 +11,7 @@ use crate::letters::Letters;
 use crate::modes::{Mode, Motion};
 use crate::program::recorded;
 use field::DoubleDouble;
-use integrators::{Directions, Ode, Real};
+use integrators::{Dual8, Ode, Real};
 use model::equations::constraints_of;
 use model::{Event, Model, ScalarId, Trace};
 use outputs::of_motion;
@@ -361,7 +361,7 @@ macro_rules! runs {
         }
     )*};
 }
-runs!(f64, Directions, DoubleDouble);
+runs!(f64, Dual8, DoubleDouble);
 
 impl Ode<Sym> for CompiledSystem {
     fn dimension(&self) -> usize {

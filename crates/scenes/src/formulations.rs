@@ -8,11 +8,11 @@
 use crate::compiled_system::{self, CompiledSystem, changes};
 use crate::letters::Letters;
 use crate::modes::Mode;
-use integrators::Held;
+use integrators::Index2Dae;
 use model::equations::{Equation, Equations, Level, Pushes, constraints_of};
 use model::{Model, Trace};
-use simulation::work_precision::{Formulation, HeldLaw, Standing, Treated, Way};
-use simulation::{CompiledHeld, Law, Problem};
+use simulation::work_precision::{Configuration, Formulation, HeldLaw, Standing, Treated};
+use simulation::{CompiledDae, Law, Problem};
 use std::sync::Arc;
 use symbolic::{Sym, apart, substitute_all};
 
@@ -22,7 +22,7 @@ pub(crate) fn formulations(
     model: &Arc<Model>,
     problem: impl Fn() -> Problem,
     meets: impl Fn(&Model) -> bool,
-) -> Vec<Way> {
+) -> Vec<Configuration> {
     let constraints = &model.constraints;
     let led = constraints.iter().filter(|constraint| constraint.gains.is_some()).count();
     let own = match led {
@@ -30,7 +30,7 @@ pub(crate) fn formulations(
         led if led == constraints.len() => Formulation::Given,
         _ => Formulation::IndexReduced,
     };
-    let mut ways = vec![Way::of(own, "", Standing::Own, problem())];
+    let mut ways = vec![Configuration::of(own, "", Standing::Own, problem())];
     if constraints.is_empty() || changes(model) {
         return ways;
     }
@@ -43,7 +43,7 @@ pub(crate) fn formulations(
         Some(Arc::new(CompiledSystem::of(model, &Mode::off(model)).ok()?).law())
     };
     let (led_at_a_rate, held) = (Arc::new(model.led_at(Some(Formulation::RATE))), HeldModel::of(&reduced));
-    let held = held.map(|held| Arc::new(CompiledHeld::new(held)) as Arc<dyn HeldLaw>);
+    let held = held.map(|held| Arc::new(CompiledDae::new(held)) as Arc<dyn HeldLaw>);
     let (reduced, led_at_a_rate) = (law(&reduced), law(&led_at_a_rate));
     let projected = reduced.clone().zip(held.clone()).map(|(law, held)| Treated::Projected(law, held));
     let others = [
@@ -53,7 +53,10 @@ pub(crate) fn formulations(
         (Formulation::Held, held.map(Treated::Held)),
     ];
     let others = others.into_iter().filter_map(|(formulation, law)| Some((formulation, law?)));
-    ways.extend(others.map(|(formulation, law)| Way { law, ..Way::of(formulation, "", Standing::Exact, problem()) }));
+    ways.extend(others.map(|(formulation, law)| Configuration {
+        law,
+        ..Configuration::of(formulation, "", Standing::Exact, problem())
+    }));
     ways
 }
 
@@ -105,7 +108,7 @@ fn positions(constraints: &[Equation]) -> impl Iterator<Item = usize> {
     levels.filter(|(_, constraint)| constraint.level == Level::Position).map(|(place, _)| place)
 }
 
-impl Held<Sym> for HeldModel {
+impl Index2Dae<Sym> for HeldModel {
     fn sizes(&self) -> (usize, usize) {
         (self.model.positions() + self.model.speeds(), self.counts.iter().sum())
     }

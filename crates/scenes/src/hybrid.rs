@@ -9,7 +9,7 @@ use simulation::events::Switching;
 use simulation::references::Owner;
 use simulation::references::{Exact, Unknown, agreed, instants};
 use simulation::work_precision::Hybrid;
-use simulation::work_precision::{Formulation, Observed, Standing, Treated, Way};
+use simulation::work_precision::{Configuration, Formulation, Observed, Standing, Treated};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -82,7 +82,7 @@ impl Hybrid for ModelScene {
         Box::new(Laws { start: &self.start, course })
     }
 
-    fn way(&self) -> Way {
+    fn way(&self) -> Configuration {
         let (problem, modes) = self.switched();
         let columns = self.model.state_names().into_iter().map(|(name, _)| name).collect();
         let state = self.start.clone();
@@ -92,7 +92,7 @@ impl Hybrid for ModelScene {
         };
         let row = Box::new(|_: f64, state: &[f64]| state.to_vec());
         let (formulation, standing) = (Formulation::Contacts, Standing::Own);
-        Way { formulation, model: "", standing, law, state, sizes: Vec::new(), columns, row }
+        Configuration { formulation, model: "", standing, law, state, sizes: Vec::new(), columns, row }
     }
 
     fn observed(&self, columns: &[String], reference: &Reference) -> Vec<Observed> {

@@ -6,7 +6,7 @@ use crate::implicit::recurrence_with;
 use crate::letters::Letters;
 use crate::program::recorded;
 use crate::row_units::WORK;
-use integrators::{Ode, Slopes};
+use integrators::{JacobianFn, Ode};
 use model::{PowerBalance, Trace};
 use simulation::events::of_leading;
 use simulation::problem::Invariant;
@@ -94,7 +94,7 @@ impl Ode<Sym> for Metered {
 struct OverDualNumbers;
 
 impl Differentiable for OverDualNumbers {
-    fn slopes(&self) -> Option<Box<dyn Slopes + '_>> {
+    fn jacobian_fn(&self) -> Option<Box<dyn JacobianFn + '_>> {
         None
     }
 }

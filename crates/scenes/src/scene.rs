@@ -8,7 +8,7 @@ use crate::formulations::formulations;
 use crate::inductances::impossible_inductances;
 use crate::known_as::asked_for;
 use crate::modes::{BROKEN, Modes};
-use crate::named;
+use crate::named_systems;
 use crate::power_balance::metered;
 use crate::quoted_keys::with_quoted_primes;
 use crate::readiness::{Ready, ready, start_of, starting, without_run};
@@ -22,13 +22,13 @@ use model::{Event, Model, Source};
 use reader::{Issue, SceneError, Table, read_text, tables};
 use simulation::events::Margins;
 use simulation::events::{Passage, Switching};
+use simulation::ivp_scene::Parameter;
 use simulation::knowledge::Knowledge;
 use simulation::models::{ModelReaders, Modelled, holds_model, read_models_by};
 use simulation::problem::Invariant;
-use simulation::smooth::Parameter;
 use simulation::work_precision::Hybrid;
-use simulation::work_precision::{Observed, Way};
-use simulation::{Axes, Choice, Problem, Run, Smooth, Told, Trajectory, run};
+use simulation::work_precision::{Configuration, Observed};
+use simulation::{Axes, Choice, IvpScene, Problem, Run, Told, Trajectory, run};
 use std::borrow::Cow;
 use std::path::Path;
 use std::sync::Arc;
@@ -62,7 +62,12 @@ pub fn register(warn: Warn) {
         warn_of(name, text, &scene.model.warnings);
         Ok(Arc::new(scene))
     };
-    read_models_by(ModelReaders { scene, ensemble: parse_ensemble, runs: named::runs, knows: named::knows });
+    read_models_by(ModelReaders {
+        scene,
+        ensemble: parse_ensemble,
+        runs: named_systems::runs,
+        knows: named_systems::knows,
+    });
 }
 
 /// Reads the system of a file, and leaves its run alone: for what needs neither values nor a run.
@@ -102,7 +107,7 @@ pub fn parse_titled(name: &str, text: &str, task: Task) -> Result<(String, Model
 
 /// The system of a file with its source; what is wrong with it goes into the list.
 pub(crate) fn model(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<(Model, Source)> {
-    let source = named::source(top, issues)?;
+    let source = named_systems::source(top, issues)?;
     let faults = match Model::of(&source).and_then(settled) {
         // what could not be read is missing in it
         Ok(model) => return (!top.has_issues()).then_some((model, source)),
@@ -300,7 +305,7 @@ pub(crate) fn columns(model: &Model) -> Vec<String> {
     state.chain(outputs).chain(["kinetic_energy".to_owned(), "potential_energy".to_owned()]).collect()
 }
 
-impl Smooth for ModelScene {
+impl IvpScene for ModelScene {
     fn title(&self) -> &str {
         &self.title
     }
@@ -356,7 +361,7 @@ impl Smooth for ModelScene {
         self.model.parameters.iter().map(datum).collect()
     }
 
-    fn ways(&self) -> Vec<Way> {
+    fn ways(&self) -> Vec<Configuration> {
         let meets = |model: &Model| consistent(&starting(model, &self.start)).is_ok();
         formulations(&self.model, || self.problem(Axes::First), meets)
     }

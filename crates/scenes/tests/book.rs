@@ -4,7 +4,7 @@
 use dalembert_scenes::ModelScene;
 use machines as _;
 use model::Fault;
-use simulation::{Choice, Smooth};
+use simulation::{Choice, IvpScene};
 use std::time::Duration;
 
 const BOOK: &str = include_str!("../../../book/src/models.md");

@@ -4,7 +4,7 @@ use dalembert_scenes::ModelScene;
 use integrators::Method;
 use model::principles::Principle;
 use model::{Agreement, Trace, agreement};
-use simulation::{Choice, Smooth, Trajectory};
+use simulation::{Choice, IvpScene, Trajectory};
 
 fn open(text: &str) -> ModelScene {
     ModelScene::parse("scene.toml", text).unwrap_or_else(|error| panic!("{error}"))

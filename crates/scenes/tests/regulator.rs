@@ -72,8 +72,8 @@ fn no_other_gains_cost_less() {
         let system = system.replace("u = \"N\"", &closed)
             + "[start]\ntheta = \"0.05 deg\"\n[outputs]\nw = \"(x/(1 m))^2 + (theta/(0.1 rad))^2 + (u/(10 N))^2\"\n[run]\nspan = \"10 s\"\nsamples = 20000\ntolerance = 1e-10\n";
         let scene = ModelScene::parse("closed.toml", &system).unwrap_or_else(|error| panic!("{error}"));
-        let run = simulation::Smooth::run(&scene).choice();
-        let trajectory = simulation::Smooth::problem(&scene, run.axes).simulate(&run, |_| {});
+        let run = simulation::IvpScene::run(&scene).choice();
+        let trajectory = simulation::IvpScene::problem(&scene, run.axes).simulate(&run, |_| {});
         let column = trajectory.column("w").expect("it is shown");
         // the trapezoidal rule over equal steps
         let sum: f64 = trajectory.rows.iter().map(|row| row[column]).sum();

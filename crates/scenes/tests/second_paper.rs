@@ -3,7 +3,7 @@
 use dalembert_scenes::ModelScene;
 use integrators::{Method, Ode, Span, System, Tolerance, integrate};
 use nalgebra::Vector3;
-use simulation::{Choice, Smooth, Trajectory};
+use simulation::{Choice, IvpScene, Trajectory};
 use systems::variable_top::{Attitude, Top, poisson};
 
 fn runs(name: &str, edits: &[(&str, &str)]) -> Trajectory {
@@ -115,7 +115,7 @@ macro_rules! not_asked_for {
         }
     )*};
 }
-not_asked_for!(integrators::Directions, field::DoubleDouble);
+not_asked_for!(integrators::Dual8, field::DoubleDouble);
 
 impl System for Paper {}
 

@@ -3,7 +3,7 @@
 use dalembert_scenes::{ModelScene, parse_ensemble};
 use field::DoubleDouble;
 use integrators::{Jacobian, Method, Ode, System};
-use simulation::{Choice, Smooth, Trajectory};
+use simulation::{Choice, IvpScene, Trajectory};
 use std::ops::ControlFlow;
 
 fn runs(text: &str, method: Method, tolerance: f64) -> Trajectory {

@@ -6,7 +6,7 @@ use super::pick::{OneByOne, Pick};
 use super::small::{Never, Small, SmallSeries};
 use super::stored::{Parts, Stored};
 use algebra::linear::Magnitude;
-use field::{Analytic, DoubleDouble, Lanes, Over, Tangent};
+use field::{Analytic, Batch, DoubleDouble, Over, Tangent};
 use std::marker::PhantomData;
 use std::sync::OnceLock;
 
@@ -68,7 +68,7 @@ impl Fused for DoubleDouble {
 
 /// A number in every lane, with its derivatives in as many directions: the series of a solution and of how it depends on its
 /// beginning.
-impl<const L: usize> Fused for Tangent<Lanes<L>> {
+impl<const L: usize> Fused for Tangent<Batch<L>> {
     type Stored = [Self; 8];
     type Small = Never;
 

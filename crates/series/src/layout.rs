@@ -3,18 +3,18 @@
 use super::fused::Fused;
 use super::linear_equations::{Checked, LinearSeries};
 use super::pick::Selection;
-use super::plan::{Place, Plan, Product, Sums};
+use super::plan::{Plan, Product, Slot, Sums};
 use algebra::linear::Magnitude;
 use field::Scalar;
 
 /// W numbers side by side; a group of eight `f64` is one line of the cache.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
-pub(super) struct Lanes<S, const W: usize>(pub [S; W]);
+pub(super) struct Packed<S, const W: usize>(pub [S; W]);
 
-impl<S: Scalar, const W: usize> Lanes<S, W> {
+impl<S: Scalar, const W: usize> Packed<S, W> {
     pub fn zero() -> Self {
-        Lanes([S::zero(); W])
+        Packed([S::zero(); W])
     }
 }
 
@@ -51,9 +51,9 @@ pub(super) struct Group<S, const W: usize> {
     /// The column of the first product.
     pub first: usize,
     /// The series of the factors on the left: a_i at i.
-    pub left: Vec<Lanes<S, W>>,
+    pub left: Vec<Packed<S, W>>,
     /// The series of the factors on the right: b_i at order - i.
-    pub right: Vec<Lanes<S, W>>,
+    pub right: Vec<Packed<S, W>>,
 }
 
 /// A reciprocal or a root.
@@ -77,9 +77,9 @@ pub(super) struct Rows<S, const W: usize> {
 /// W sums: their constants, and for each column what it counts in each.
 #[derive(Clone, Debug)]
 pub(super) struct Block<S, const W: usize> {
-    pub constants: Lanes<S, W>,
+    pub constants: Packed<S, W>,
     pub columns: Vec<[u16; CHAINS]>,
-    pub factors: Vec<[Lanes<S, W>; CHAINS]>,
+    pub factors: Vec<[Packed<S, W>; CHAINS]>,
     /// Which coefficient is to be put where.
     constant_of: [u32; W],
     factor_of: Vec<[[u32; W]; CHAINS]>,
@@ -97,18 +97,18 @@ impl<S: Scalar + Magnitude, const W: usize> Layout<S, W> {
             let sums = Rows::new(&stage.sums, first_sum, &columns);
             let first = columns.take::<W>(stage.products.iter().map(|product| product.place));
             let group = |(number, products): (usize, &[Product])| {
-                let column = |factor: fn(&Product) -> Place, lane: usize| -> u16 {
+                let column = |factor: fn(&Product) -> Slot, lane: usize| -> u16 {
                     products.get(lane).map_or(0, |product| columns.of(factor(product)))
                 };
-                let factors: [fn(&Product) -> Place; 2] = [|product| product.a, |product| product.b];
+                let factors: [fn(&Product) -> Slot; 2] = [|product| product.a, |product| product.b];
                 let factors = factors.map(|factor| Selection::new(std::array::from_fn(|lane| column(factor, lane))));
-                let room = vec![Lanes::zero(); order + 1 + 2 * CHAINS];
+                let room = vec![Packed::zero(); order + 1 + 2 * CHAINS];
                 Group { factors, first: first + number * W, left: room.clone(), right: room }
             };
             let groups = stage.products.chunks(W).enumerate().map(group).collect();
-            let mut implicit = |pairs: &[(Place, Place)]| -> Vec<Implicit<S>> {
+            let mut implicit = |pairs: &[(Slot, Slot)]| -> Vec<Implicit<S>> {
                 let series = vec![[S::zero(); 2]; order + 1];
-                let one = |&(place, of): &(Place, Place)| {
+                let one = |&(place, of): &(Slot, Slot)| {
                     let column = columns.take::<1>([place]);
                     Implicit { column, of: columns.of(of).into(), series: series.clone() }
                 };
@@ -140,7 +140,7 @@ impl<S: Scalar + Magnitude, const W: usize> Layout<S, W> {
 impl<const W: usize> Layout<f64, W> {
     /// Takes the series of all factors from a finer field, up to an order and without it, where the last one is to be `order`.
     pub fn take<S: Fused>(&mut self, finer: &Layout<S, W>, up_to: usize, order: usize) {
-        let round = |own: &mut [Lanes<f64, W>], finer: &[Lanes<S, W>]| {
+        let round = |own: &mut [Packed<f64, W>], finer: &[Packed<S, W>]| {
             own.iter_mut().zip(finer).for_each(|(own, finer)| own.0 = finer.0.map(S::rounded));
         };
         for (own, finer) in self.stages.iter_mut().zip(&finer.stages) {
@@ -197,8 +197,8 @@ impl<S: Scalar, const W: usize> Rows<S, W> {
             let four = terms.chunks_exact(CHAINS);
             let columns = four.clone().map(|four| std::array::from_fn(|chain| four[chain].0)).collect();
             let factor_of: Vec<_> = four.map(|four| std::array::from_fn(|chain| four[chain].1)).collect();
-            let factors = vec![[Lanes::zero(); CHAINS]; factor_of.len()];
-            Block { constants: Lanes::zero(), columns, factors, constant_of, factor_of }
+            let factors = vec![[Packed::zero(); CHAINS]; factor_of.len()];
+            Block { constants: Packed::zero(), columns, factors, constant_of, factor_of }
         };
         Rows { first, blocks: (0..sums.rows.div_ceil(W)).map(block).collect() }
     }
@@ -208,7 +208,7 @@ impl<S: Scalar, const W: usize> Rows<S, W> {
         for block in &mut self.blocks {
             block.constants.0 = block.constant_of.map(value);
             for (factors, numbers) in block.factors.iter_mut().zip(&block.factor_of) {
-                *factors = numbers.map(|numbers| Lanes(numbers.map(value)));
+                *factors = numbers.map(|numbers| Packed(numbers.map(value)));
             }
         }
     }
@@ -221,12 +221,12 @@ struct Places {
 }
 
 impl Places {
-    fn of(&self, place: Place) -> u16 {
+    fn of(&self, place: Slot) -> u16 {
         self.of.get(place as usize).copied().unwrap_or(0)
     }
 
     /// Columns for these places, filled up to a multiple of W.
-    fn take<const W: usize>(&mut self, places: impl IntoIterator<Item = Place>) -> usize {
+    fn take<const W: usize>(&mut self, places: impl IntoIterator<Item = Slot>) -> usize {
         let first = self.next;
         for (number, place) in places.into_iter().enumerate() {
             if self.of.len() <= place as usize {

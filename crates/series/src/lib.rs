@@ -29,7 +29,7 @@
 //! # Ok::<(), symbolic::Untapeable>(())
 //! ```
 
-mod abreast;
+mod batch;
 mod build;
 mod collect;
 mod expand;
@@ -49,7 +49,7 @@ mod stages;
 mod stored;
 mod sum;
 
-pub use abreast::Abreast;
+pub use batch::Abreast;
 pub use expand::Expansion;
 pub use fused::Fused;
 

@@ -6,7 +6,7 @@ use super::fused::{Fused, Task};
 use super::pick::Pick;
 use super::plan::{LinearEquations, Quantity};
 use algebra::linear::{Factors, Magnitude, Pattern};
-use field::{Lanes, Scalar};
+use field::{Batch, Scalar};
 
 /// A matrix that is factored once for all orders.
 pub(super) trait Solver<S> {
@@ -61,9 +61,9 @@ impl<const L: usize> SideBySide<L> {
     }
 }
 
-impl<const L: usize> Solver<Lanes<L>> for SideBySide<L> {
+impl<const L: usize> Solver<Batch<L>> for SideBySide<L> {
     #[inline(always)]
-    fn factor(&mut self, entries: &[Lanes<L>]) {
+    fn factor(&mut self, entries: &[Batch<L>]) {
         for (lane, checked) in self.lanes.iter_mut().enumerate() {
             self.entries.iter_mut().zip(entries).for_each(|(own, entry)| *own = entry.0[lane]);
             checked.factor(&self.entries);
@@ -71,7 +71,7 @@ impl<const L: usize> Solver<Lanes<L>> for SideBySide<L> {
     }
 
     #[inline(always)]
-    fn solve(&mut self, right: &mut [Lanes<L>]) {
+    fn solve(&mut self, right: &mut [Batch<L>]) {
         for (lane, checked) in self.lanes.iter_mut().enumerate() {
             self.right.iter_mut().zip(&*right).for_each(|(own, number)| *own = number.0[lane]);
             checked.solve(&mut self.right);
@@ -244,7 +244,7 @@ impl<S: Fused> Task<S> for Next<'_, S> {
     }
 }
 
-impl<const L: usize> LinearSeries<Lanes<L>, SideBySide<L>> {
+impl<const L: usize> LinearSeries<Batch<L>, SideBySide<L>> {
     /// The unknowns of order k of every lane, from the quantities that were read.
     #[inline(never)]
     pub fn next_of_lanes(&mut self, k: usize) {

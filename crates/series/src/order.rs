@@ -1,7 +1,7 @@
 //! One order: sums, products, reciprocals and roots from what is known.
 
 use super::fused::Fused;
-use super::layout::{Block, CHAINS, Group, Implicit, Laid, Lanes};
+use super::layout::{Block, CHAINS, Group, Implicit, Laid, Packed};
 use super::pick::{Columns, Pick};
 use field::Analytic;
 
@@ -64,8 +64,8 @@ impl<S: Fused, const W: usize> Group<S, W> {
             }
         }
         let mut sum = together(sums);
-        left[k + CHAINS] = Lanes::zero();
-        (left[k], right[0]) = (Lanes(newest_a), Lanes(newest_b));
+        left[k + CHAINS] = Packed::zero();
+        (left[k], right[0]) = (Packed(newest_a), Packed(newest_b));
         if k > 0 {
             sum = add::<P, S, W>(sum, left[0].0, newest_b);
         }

@@ -7,7 +7,7 @@ use rustc_hash::FxHashMap;
 use symbolic::Sym;
 
 /// A quantity in the plan.
-pub(super) type Place = u32;
+pub(super) type Slot = u32;
 
 /// What is computed for each order: the stages, then the rates.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,10 +29,10 @@ pub(super) struct Plan {
 pub(super) struct Stage {
     pub sums: Sums,
     /// The places of the sums, by row.
-    pub sum_places: Vec<Place>,
+    pub sum_places: Vec<Slot>,
     pub products: Vec<Product>,
-    pub reciprocals: Vec<(Place, Place)>,
-    pub roots: Vec<(Place, Place)>,
+    pub reciprocals: Vec<(Slot, Slot)>,
+    pub roots: Vec<(Slot, Slot)>,
     pub linear: Option<LinearEquations>,
 }
 
@@ -42,7 +42,7 @@ pub(super) struct LinearEquations {
     pub pattern: Pattern,
     pub entries: Vec<Quantity>,
     pub right: Vec<Quantity>,
-    pub unknowns: Vec<Place>,
+    pub unknowns: Vec<Slot>,
 }
 
 /// A number of linear equations.
@@ -50,15 +50,15 @@ pub(super) struct LinearEquations {
 pub(super) enum Quantity {
     /// A constant: a coefficient, by its number.
     Fixed(u32),
-    Moving(Place),
+    Moving(Slot),
 }
 
 /// place = a b
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Product {
-    pub place: Place,
-    pub a: Place,
-    pub b: Place,
+    pub place: Slot,
+    pub a: Slot,
+    pub b: Slot,
 }
 
 /// Row by row, constants and multiples of places; coefficients by their number.
@@ -67,7 +67,7 @@ pub(super) struct Sums {
     pub rows: usize,
     pub constants: Vec<(u32, u32)>,
     /// row, place, coefficient
-    pub terms: Vec<(u32, Place, u32)>,
+    pub terms: Vec<(u32, Slot, u32)>,
 }
 
 /// The coefficients, each once.
@@ -94,7 +94,7 @@ impl LinearEquations {
         let mut quantities = |parts: &[Part]| -> Vec<Quantity> {
             let quantity = |part: &Part| match *part {
                 Part::Fixed(constant) => Quantity::Fixed(coefficients.number(constant)),
-                Part::Moving(atom) => Quantity::Moving(atom as Place),
+                Part::Moving(atom) => Quantity::Moving(atom as Slot),
             };
             parts.iter().map(quantity).collect()
         };
@@ -102,14 +102,14 @@ impl LinearEquations {
             pattern: solve.pattern.clone(),
             entries: quantities(entries),
             right: quantities(right),
-            unknowns: (0..solve.unknowns.len()).map(|number| (first + number) as Place).collect(),
+            unknowns: (0..solve.unknowns.len()).map(|number| (first + number) as Slot).collect(),
         }
     }
 }
 
 impl Stage {
     /// The quantities that it brings.
-    pub fn places(&self) -> impl Iterator<Item = Place> {
+    pub fn places(&self) -> impl Iterator<Item = Slot> {
         let products = self.products.iter().map(|product| product.place);
         let implicit = self.reciprocals.iter().chain(&self.roots).map(|(place, _)| *place);
         let unknowns = self.linear.iter().flat_map(|linear| linear.unknowns.iter().copied());
@@ -123,7 +123,7 @@ impl Sums {
         if form.constant.0 != Sym::ZERO {
             self.constants.push((row, coefficients.number(form.constant.0)));
         }
-        let terms = form.linear.iter().map(|(&atom, c)| (row, atom as Place, coefficients.number(c.0)));
+        let terms = form.linear.iter().map(|(&atom, c)| (row, atom as Slot, coefficients.number(c.0)));
         self.terms.extend(terms);
         self.rows += 1;
     }
@@ -138,7 +138,7 @@ impl Plan {
         let mut ready = vec![0usize; builder.definitions.len()];
         let used = builder.used();
         for (atom, definition) in builder.definitions.iter().enumerate().filter(|(atom, _)| used[*atom]) {
-            let place = atom as Place;
+            let place = atom as Slot;
             let after = |atoms: &[usize]| atoms.iter().map(|&atom| ready[atom]).max().unwrap_or(0);
             let parts = |reduction: &Reduction<'_>| {
                 let atoms = reduction.entries.iter().chain(&reduction.right).filter_map(|part| match part {
@@ -165,10 +165,10 @@ impl Plan {
                     here.sum_places.push(place);
                 }
                 Definition::Product(a, b) => {
-                    here.products.push(Product { place, a: *a as Place, b: *b as Place });
+                    here.products.push(Product { place, a: *a as Slot, b: *b as Slot });
                 }
-                Definition::Reciprocal(a) => here.reciprocals.push((place, *a as Place)),
-                Definition::Root(a) => here.roots.push((place, *a as Place)),
+                Definition::Reciprocal(a) => here.reciprocals.push((place, *a as Slot)),
+                Definition::Root(a) => here.roots.push((place, *a as Slot)),
                 // the first brings all of them
                 Definition::Unknown => {
                     let first = builder.reduction.as_ref().filter(|reduction| reduction.first == atom);

@@ -1,7 +1,7 @@
 //! Series by stages of sums and products, for laws of any size.
 
 use super::fused::{Fused, Task};
-use super::layout::{CHAINS, Lanes, Layout, Rows};
+use super::layout::{CHAINS, Layout, Packed, Rows};
 use super::linear_equations::Next;
 use super::pick::{Columns, Pick};
 use super::plan::Plan;
@@ -114,7 +114,7 @@ impl<S: Fused, const W: usize, const N: usize> Task<S> for Expand<'_, S, W, N> {
     fn run<P: Pick<S> + Pick<f64>>(self, pick: P) {
         let Expand { stages, series, width, fine } = self;
         for group in stages.layout.stages.iter_mut().flat_map(|stage| &mut stage.groups) {
-            group.left[..CHAINS].fill(Lanes::zero());
+            group.left[..CHAINS].fill(Packed::zero());
         }
         for (now, first) in stages.now.0.chunks_exact_mut(W).zip(series[..width].chunks_exact(W)) {
             now.copy_from_slice(first);

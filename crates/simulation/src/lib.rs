@@ -2,7 +2,7 @@
 //!
 //! A [`Problem`] is a law with a start, what it conserves and where it ends; it runs by any method ([`Choice`]), across [`events`],
 //! beside [`references`], and by every method at every tolerance ([`work_precision`]). A scene that
-//! is one such problem is [`Smooth`].
+//! is one such problem is [`IvpScene`].
 //!
 //! A law y' = f(t, y) is written down once, over expressions ([`TracedOde`]); all that runs are programs of these:
 //!
@@ -10,7 +10,7 @@
 //! * [`LawSeries`]: the recurrence of the Taylor coefficients;
 //! * [`JacobianProgram`]: the derivatives, exact and with common parts once;
 //! * [`CompiledLaw`]: all of them behind [`integrators::System`], each made when a method first asks for it;
-//! * [`CompiledHeld`]: the same for a law that is held to constraints.
+//! * [`CompiledDae`]: the same for a law that is held to constraints.
 //!
 //! ```
 //! use dalembert_simulation::CompiledLaw;
@@ -39,6 +39,7 @@
 mod axes;
 pub mod ensemble;
 pub mod events;
+pub mod ivp_scene;
 pub mod knowledge;
 mod law;
 pub mod methods;
@@ -47,19 +48,18 @@ pub mod problem;
 pub mod references;
 pub mod run;
 pub mod simulate;
-pub mod smooth;
 mod transition;
 pub mod work_precision;
 
 pub use axes::Axes;
 pub use events::Margin;
+pub use ivp_scene::{IvpScene, Told};
 pub use law::{
-    CompiledHeld, CompiledLaw, Differentiable, Expandable, Exponents, JacobianProgram, Law, LawSeries, Program, Room,
-    Running, Splittable, SymbolicHeld, SymbolicLaw, TracedOde, traced,
+    CompiledDae, CompiledLaw, Differentiable, Expandable, Exponents, JacobianProgram, Law, LawSeries, Program, Room,
+    Running, Splittable, SymbolicDae, SymbolicLaw, TracedOde, traced,
 };
 pub use problem::{Invariant, Problem};
 pub use references::Stored;
 pub use run::Run;
 pub use simulate::{Choice, Trajectory};
-pub use smooth::{Smooth, Told};
 pub use work_precision::{Atlas, Trials, judged};

@@ -1,15 +1,15 @@
 //! The readers of files whose system is written in them.
 
 use crate::ensemble::EnsembleScene;
+use crate::ivp_scene::IvpScene;
 use crate::law::SymbolicLaw;
-use crate::smooth::Smooth;
 use reader::{MODEL, SceneError, read_text};
 use std::fmt;
 use std::path::Path;
 use std::sync::{Arc, OnceLock};
 
 /// A scene whose system is data.
-pub trait Modelled: Smooth + fmt::Debug {
+pub trait Modelled: IvpScene + fmt::Debug {
     /// The law over expressions; of one that changes at events, the law of the start.
     fn symbolic_law(&self) -> Arc<dyn SymbolicLaw>;
 

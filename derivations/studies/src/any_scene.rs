@@ -2,7 +2,7 @@
 
 use crate::scene::Scene;
 use reader::{Family, Issue, Opening, SceneError, Table};
-use simulation::Smooth;
+use simulation::IvpScene;
 use simulation::models::{self, Modelled};
 use std::sync::Arc;
 
@@ -44,7 +44,7 @@ impl AnyScene {
     }
 
     /// As one initial value problem.
-    pub fn smooth(&self) -> &dyn Smooth {
+    pub fn smooth(&self) -> &dyn IvpScene {
         match self {
             Self::Driven(scene) => &**scene,
             Self::Model(scene) => &**scene,

@@ -6,7 +6,7 @@
 //! * [`synchronism`]: a synchronous motor under load, in step and out of it;
 //! * [`stabilisation`]: gains and treatments of constraints, measured;
 //! * [`failures`]: every way in which methods fail, with its threshold by theory and by runs;
-//! * [`ladder`]: smaller models under the one of a scene, the error of each, the cheapest that suffices;
+//! * [`model_reduction`]: smaller models under the one of a scene, the error of each, the cheapest that suffices;
 //! * [`conformance`]: rules for every motor, whoever wrote it;
 //! * [`closed_forms`]: motions that are known, by which runs and references are measured;
 //! * [`long_runs`]: how errors grow over a million revolutions, by a closed form;
@@ -22,8 +22,8 @@ pub mod ensemble;
 pub mod failures;
 pub mod governors;
 pub mod knowledge;
-pub mod ladder;
 pub mod long_runs;
+pub mod model_reduction;
 pub mod phantom;
 pub mod regimes;
 pub mod scene;

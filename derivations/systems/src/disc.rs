@@ -7,7 +7,7 @@
 
 use field::{Analytic, Base, Over, Scalar};
 use mechanics::constrained::newton::{Reactions, at_point};
-use mechanics::constrained::{Charted, Constrained, Constraint, State, System};
+use mechanics::constrained::{Charted, Constrained, Constraint, PointSystem, State};
 use mechanics::rotation::euler;
 
 reader::quantities! {
@@ -33,7 +33,7 @@ fn dot<S: Scalar>(a: [S; 3], b: [S; 3]) -> S {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-impl<P: Base> System<9> for Disc<P> {
+impl<P: Base> PointSystem<9> for Disc<P> {
     type Given = P;
 
     fn masses<S: Over<P>>(&self) -> [S; 9] {

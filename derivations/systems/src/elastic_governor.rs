@@ -15,7 +15,7 @@
 use field::{Analytic, Base, Over, Tangent};
 use mechanics::constrained::appell;
 use mechanics::constrained::motion::Motion;
-use mechanics::constrained::{Charted, Constrained, Constraint, State, System};
+use mechanics::constrained::{Charted, Constrained, Constraint, PointSystem, State};
 use mechanics::definite::NotDefinite;
 use mechanics::differentiate::{along, unit};
 
@@ -71,7 +71,7 @@ reader::quantities! {
     }
 }
 
-impl<P: Base> System<12> for ElasticGovernor<P> {
+impl<P: Base> PointSystem<12> for ElasticGovernor<P> {
     type Given = P;
 
     fn masses<S: Over<P>>(&self) -> [S; 12] {

@@ -5,7 +5,7 @@
 
 use field::{Analytic, Base, Over, Tangent};
 use mechanics::constrained::newton::{Reactions, at_point};
-use mechanics::constrained::{Charted, Constrained, Constraint, State, System};
+use mechanics::constrained::{Charted, Constrained, Constraint, PointSystem, State};
 
 reader::quantities! {
     /// The data of the sleigh.
@@ -21,7 +21,7 @@ reader::quantities! {
     }
 }
 
-impl<P: Base> System<4> for KnifeEdge<P> {
+impl<P: Base> PointSystem<4> for KnifeEdge<P> {
     type Given = P;
 
     fn masses<S: Over<P>>(&self) -> [S; 4] {

@@ -7,7 +7,7 @@
 use field::{Analytic, Base, Over, Tangent};
 use mechanics::constrained::contacts::{Closed, Contact, Contacts, Sides};
 use mechanics::constrained::newton::{Reactions, at_point};
-use mechanics::constrained::{Charted, Constrained, Constraint, State, System};
+use mechanics::constrained::{Charted, Constrained, Constraint, PointSystem, State};
 
 /// The data of the ladder.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,7 +27,7 @@ pub struct Ladder<P> {
 /// The ladder on wall and floor: rigidity, wall, floor.
 pub type LeaningLadder<P> = Closed<Ladder<P>, 1, 2>;
 
-impl<P: Base> System<4> for Ladder<P> {
+impl<P: Base> PointSystem<4> for Ladder<P> {
     type Given = P;
 
     fn masses<S: Over<P>>(&self) -> [S; 4] {

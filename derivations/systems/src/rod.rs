@@ -6,7 +6,7 @@
 use field::{Analytic, Base, Over};
 use mechanics::constrained::contacts::{Closed, Contact, Contacts, Sides};
 use mechanics::constrained::newton::Reactions;
-use mechanics::constrained::{Charted, Constrained, Constraint, State, System};
+use mechanics::constrained::{Charted, Constrained, Constraint, PointSystem, State};
 
 /// The data of the rod.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,7 +28,7 @@ pub struct Rod<P> {
 /// The rod with M on the guide: the length is the first constraint, the guide the second.
 pub type GuidedRod<P> = Closed<Rod<P>, 1, 1>;
 
-impl<P: Base> System<4> for Rod<P> {
+impl<P: Base> PointSystem<4> for Rod<P> {
     type Given = P;
 
     fn masses<S: Over<P>>(&self) -> [S; 4] {

@@ -5,7 +5,7 @@
 
 use field::{Base, Over};
 use mechanics::constrained::contacts::{Contact, Contacts, Sides};
-use mechanics::constrained::{Constrained, Constraint, State, System};
+use mechanics::constrained::{Constrained, Constraint, PointSystem, State};
 
 /// The data of the rod.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,7 +22,7 @@ pub struct SlenderRod<P> {
     pub friction: P,
 }
 
-impl<P: Base> System<4> for SlenderRod<P> {
+impl<P: Base> PointSystem<4> for SlenderRod<P> {
     type Given = P;
 
     fn masses<S: Over<P>>(&self) -> [S; 4] {

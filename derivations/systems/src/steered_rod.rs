@@ -6,7 +6,7 @@
 use field::{Analytic, Base, Over, Scalar, Tangent};
 use mechanics::constrained::contacts::{Closed, Contact, Contacts, Sides};
 use mechanics::constrained::newton::{Reactions, at_point};
-use mechanics::constrained::{Charted, Constrained, Constraint, State, System};
+use mechanics::constrained::{Charted, Constrained, Constraint, PointSystem, State};
 
 /// The data of the steered rod.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,7 +30,7 @@ pub struct SteeredRod<P> {
 /// The steered rod with M1 on the guide: length, middle, guide.
 pub type GuidedSteeredRod<P> = Closed<SteeredRod<P>, 2, 1>;
 
-impl<P: Base> System<4> for SteeredRod<P> {
+impl<P: Base> PointSystem<4> for SteeredRod<P> {
     type Given = P;
 
     fn masses<S: Over<P>>(&self) -> [S; 4] {

@@ -5,7 +5,7 @@ use dalembert_derivations::systems::rod::Rod;
 use dalembert_derivations::systems::slender_rod::SlenderRod;
 use field::{Circle, Over, Rational};
 use mechanics::constrained::contacts::{Contact, Contacts, Sides};
-use mechanics::constrained::{Constrained, Constraint, State, System};
+use mechanics::constrained::{Constrained, Constraint, PointSystem, State};
 use mechanics::regimes::{
     Condition, Direction, Dry, Face, Mode, Sizes, Touch, Unfit, Verdict, consistent, touches, verdict,
 };
@@ -55,7 +55,7 @@ fn painleves_rod_slides_as_newtons_laws_for_its_two_points_say() {
 /// A bead of mass 1 on a rough dome of radius 1, g = 10, f = 1/2.
 struct Dome;
 
-impl System<2> for Dome {
+impl PointSystem<2> for Dome {
     type Given = Rational;
 
     fn masses<S: Over<Rational>>(&self) -> [S; 2] {

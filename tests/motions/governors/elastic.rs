@@ -4,7 +4,7 @@ use super::*;
 use dalembert_derivations::studies::governors::{SPEED, governor as of_the_maps, growth, has_positive_minors};
 use mechanics::constrained::motion::velocity;
 use mechanics::constrained::programmed::violation;
-use mechanics::constrained::{Charted, State, System as _, massless};
+use mechanics::constrained::{Charted, PointSystem as _, State, massless};
 use symbolic::Sym;
 
 /// The governor of the maps with a rim that is elastic against twisting too.

@@ -1,11 +1,11 @@
 //! What is chosen keeps its tolerance, by references that two methods share to 24 digits.
 
 use super::{ladder, path, scene};
-use dalembert_derivations::studies::ladder::followed::instants;
-use dalembert_derivations::studies::ladder::linear::propagator;
-use dalembert_derivations::studies::ladder::switching::Schedule;
-use dalembert_derivations::studies::ladder::watched::Watched;
-use dalembert_derivations::studies::ladder::{Forms, Ladder, Models, Receipt, Rung, Wish, choose};
+use dalembert_derivations::studies::model_reduction::loss_weights::propagator;
+use dalembert_derivations::studies::model_reduction::outputs::Watched;
+use dalembert_derivations::studies::model_reduction::sampled_run::instants;
+use dalembert_derivations::studies::model_reduction::switching::Schedule;
+use dalembert_derivations::studies::model_reduction::{Forms, Hierarchy, Models, Receipt, ReducedModel, Wish, choose};
 use dalembert_derivations::studies::scene::Scene;
 use integrators::{Jacobian, Method, transition};
 use reader::Family;
@@ -14,22 +14,22 @@ use std::time::Duration;
 
 fn receipt(name: &str, tolerance: f64) -> Receipt {
     let scene = scene(name);
-    let ladders = [Axes::First, Axes::Second].map(|axes| Ladder::of_scene(&scene, axes)).into();
+    let ladders = [Axes::First, Axes::Second].map(|axes| Hierarchy::of_scene(&scene, axes)).into();
     let models = Forms { ladders, kept: Stored::beside(&path(name)) };
     let wish = Wish { tolerance, outputs: scene.run.outputs.clone(), allowed: Duration::ZERO };
     choose(&models, &wish).expect("it runs")
 }
 
-fn present_slip(ladder: &Ladder) -> &Rung {
+fn present_slip(ladder: &Hierarchy) -> &ReducedModel {
     ladder.rungs.iter().find(|rung| rung.name == "currents at the present slip").expect("on the ladder")
 }
 
-fn times(ladder: &Ladder) -> Vec<f64> {
+fn times(ladder: &Hierarchy) -> Vec<f64> {
     instants(ladder.own.span).collect()
 }
 
 /// A scene's ladder, what is watched of it, and on which stretches its currents may be those of the present slip for so much of a loss.
-fn scheduled(name: &str, allowed: f64) -> (Ladder, Watched, Schedule) {
+fn scheduled(name: &str, allowed: f64) -> (Hierarchy, Watched, Schedule) {
     let scene = scene(name);
     let ladder = ladder(&scene);
     let (watched, _) = ladder.watched(&scene.run.outputs).expect("it runs");
@@ -62,7 +62,7 @@ fn what_is_promised_holds_between_the_instants_too() {
         (include_str!("../../../crates/cli/tests/program/odd/choose_between_instants_1e-2.toml"), 1e-2),
     ] {
         let scene = Scene::parse("between", text).unwrap_or_else(|error| panic!("{error}"));
-        let models = Forms { ladders: vec![Ladder::of_scene(&scene, Axes::First)], kept: None };
+        let models = Forms { ladders: vec![Hierarchy::of_scene(&scene, Axes::First)], kept: None };
         let wish = Wish { tolerance, outputs: scene.run.outputs.clone(), allowed: Duration::ZERO };
         let receipt = choose(&models, &wish).expect("it runs");
         let dense: Vec<f64> = (1..=DENSE).map(|k| scene.run.span * k as f64 / DENSE as f64).collect();

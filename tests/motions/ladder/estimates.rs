@@ -1,8 +1,8 @@
 //! What an estimate is worth: beside the true error, and by a second route.
 
 use super::{corrected, drawn, exactly, ladder, scene, tight, truly};
-use dalembert_derivations::studies::ladder::Loss;
-use dalembert_derivations::studies::ladder::followed::followed;
+use dalembert_derivations::studies::model_reduction::Loss;
+use dalembert_derivations::studies::model_reduction::sampled_run::followed;
 use dalembert_derivations::studies::scene::Scene;
 use reader::Family;
 

@@ -1,10 +1,10 @@
 //! Windings that a supply feeds: what stands for their currents, beside the circuits and a motor in closed form.
 
 use super::{ladder, scene, tight};
-use dalembert_derivations::studies::ladder::followed::followed;
-use dalembert_derivations::studies::ladder::{Ladder, Rung};
+use dalembert_derivations::studies::model_reduction::sampled_run::followed;
+use dalembert_derivations::studies::model_reduction::{Hierarchy, ReducedModel};
 
-fn at_rest(ladder: &Ladder) -> &Rung {
+fn at_rest(ladder: &Hierarchy) -> &ReducedModel {
     ladder.rungs.iter().find(|rung| rung.name == "currents at rest").expect("it is on the ladder")
 }
 

@@ -1,9 +1,9 @@
 //! The same ladder under governors.
 
 use super::{of_mechanism, truly};
-use dalembert_derivations::studies::ladder::{Ladder, Loss};
+use dalembert_derivations::studies::model_reduction::{Hierarchy, Loss};
 
-fn effectivity(ladder: &Ladder, outputs: &[&str], name: &str) -> (f64, f64) {
+fn effectivity(ladder: &Hierarchy, outputs: &[&str], name: &str) -> (f64, f64) {
     let names: Vec<String> = outputs.iter().map(|name| (*name).to_owned()).collect();
     let (watched, _) = ladder.watched(&names).expect("it runs");
     let rung = ladder.rungs.iter().find(|rung| rung.name == name).unwrap_or_else(|| panic!("{name} is on the ladder"));

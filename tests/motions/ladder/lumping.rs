@@ -1,9 +1,9 @@
 //! Windings lumped without loss, and what merging of unlike ones costs.
 
 use super::{ladder, scene};
-use dalembert_derivations::studies::ladder::currents::Current;
-use dalembert_derivations::studies::ladder::lumping::{merged_at_most, seen_windings};
-use dalembert_derivations::studies::ladder::{Lumped, Lumping};
+use dalembert_derivations::studies::model_reduction::currents::Current;
+use dalembert_derivations::studies::model_reduction::lumping::{merged_at_most, seen_windings};
+use dalembert_derivations::studies::model_reduction::{Lumped, Lumping};
 use field::{Analytic, Base, Circle, Over, Rational, Scalar, Tangent};
 use integrators::{Method, Ode, Record, Span, System, Tolerance, integrate};
 use motor::{Bench, Machine, RotorState, drive};
@@ -124,7 +124,7 @@ fn the_scenes_damper_and_excitation_are_lumped_by_their_ratios() {
 
 #[test]
 fn what_is_said_to_be_proved_for_all_data_stands_in_the_ledger() {
-    use dalembert_derivations::studies::ladder::Loss;
+    use dalembert_derivations::studies::model_reduction::Loss;
     let ladder = ladder(&scene("spin_up"));
     let cited = ladder.rungs.iter().filter_map(|rung| match rung.loss {
         Loss::Nothing { claim } => claim,

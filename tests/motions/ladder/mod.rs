@@ -8,9 +8,9 @@ mod governors;
 mod lumping;
 
 use dalembert_derivations::studies::AnyScene;
-use dalembert_derivations::studies::ladder::followed::{followed, followed_at, instants};
-use dalembert_derivations::studies::ladder::watched::Watched;
-use dalembert_derivations::studies::ladder::{Estimate, Ladder, Rung};
+use dalembert_derivations::studies::model_reduction::outputs::Watched;
+use dalembert_derivations::studies::model_reduction::sampled_run::{followed, followed_at, instants};
+use dalembert_derivations::studies::model_reduction::{Estimate, Hierarchy, ReducedModel};
 use dalembert_derivations::studies::scene::Scene;
 use integrators::{Record, Tolerance};
 use reader::Family;
@@ -26,18 +26,18 @@ fn scene(name: &str) -> Scene {
 }
 
 /// The ladder of a mechanism, or of a system as text, over another span.
-fn of_mechanism(name: &str, span: &str) -> Ladder {
+fn of_mechanism(name: &str, span: &str) -> Hierarchy {
     scenes::register(|_| ());
     let text = std::fs::read_to_string(path(name)).expect("a scene");
     let lines = text.lines().map(|line| if line.starts_with("span") { span } else { line });
     match AnyScene::parse(name, &lines.collect::<Vec<_>>().join("\n")) {
-        Ok(AnyScene::Model(scene)) => Ladder::of_model(&*scene),
+        Ok(AnyScene::Model(scene)) => Hierarchy::of_model(&*scene),
         _ => panic!("{name} is a scene of a mechanism"),
     }
 }
 
-fn ladder(scene: &Scene) -> Ladder {
-    Ladder::of_scene(scene, Axes::First)
+fn ladder(scene: &Scene) -> Hierarchy {
+    Hierarchy::of_scene(scene, Axes::First)
 }
 
 /// Tight enough for any error that is compared here.
@@ -45,17 +45,17 @@ fn tight() -> Tolerance {
     Tolerance::both(1e-11)
 }
 
-fn exactly(ladder: &Ladder) -> Record<f64> {
+fn exactly(ladder: &Hierarchy) -> Record<f64> {
     followed(&*ladder.law, &tight(), ladder.own.span, &ladder.start).expect("it reaches its end").0
 }
 
 /// At these times, the last of which is the end.
-fn exactly_at(ladder: &Ladder, times: &[f64]) -> Record<f64> {
+fn exactly_at(ladder: &Hierarchy, times: &[f64]) -> Record<f64> {
     followed_at(&*ladder.law, &tight(), times, &ladder.start).expect("it reaches its end").0
 }
 
 /// What a rung is truly off, by runs of both models: at the instants, and where the estimate is largest.
-fn truly(ladder: &Ladder, rung: &Rung, found: &Estimate, watched: &Watched) -> Option<f64> {
+fn truly(ladder: &Hierarchy, rung: &ReducedModel, found: &Estimate, watched: &Watched) -> Option<f64> {
     let mut times: Vec<f64> = instants(ladder.own.span).chain((found.at > 0.0).then_some(found.at)).collect();
     times.sort_by(f64::total_cmp);
     times.dedup();
@@ -64,7 +64,7 @@ fn truly(ladder: &Ladder, rung: &Rung, found: &Estimate, watched: &Watched) -> O
 }
 
 /// What the run of an estimate with the first order added is off, where it was looked at.
-fn corrected(ladder: &Ladder, found: &Estimate, watched: &Watched) -> f64 {
+fn corrected(ladder: &Hierarchy, found: &Estimate, watched: &Watched) -> f64 {
     let times: Vec<f64> = found.corrected.iter().map(|(time, _)| *time).collect();
     let exact = exactly_at(ladder, &times);
     let rows = found.corrected.iter().zip(exact.times.iter().zip(&exact.states));

@@ -2,7 +2,7 @@
 
 use algebra::real::{Enclosure, Root};
 use field::{Rational, Scalar};
-use mechanics::uniform::{Body, Kind, Shape};
+use mechanics::steady_rotations::{Body, Kind, Shape};
 use nalgebra::{Matrix3, Vector3};
 
 fn r(n: i64, d: i64) -> Rational {

@@ -4,7 +4,7 @@ use crate::physical::{fixed, gyrostat};
 use algebra::real::{Enclosure, Root};
 use dalembert_derivations::studies::stationary::energies::{Energies, Kept};
 use field::Rational;
-use mechanics::uniform::{Body, Shape};
+use mechanics::steady_rotations::{Body, Shape};
 use nalgebra::Vector3;
 use proptest::prelude::*;
 

@@ -5,7 +5,7 @@ use crate::physical::{gyrostat, rounded};
 use algebra::real::{Enclosure, Root};
 use dalembert_derivations::studies::stationary::energies::{Energies, Kept};
 use field::Rational;
-use mechanics::uniform::{Body, Kind};
+use mechanics::steady_rotations::{Body, Kind};
 use nalgebra::Vector3;
 use proptest::prelude::*;
 use proptest::strategy::ValueTree;

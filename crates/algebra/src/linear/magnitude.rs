@@ -1,7 +1,7 @@
 //! The size of a number, by which pivots are chosen.
 
 use crate::real::{Model, Rounded};
-use field::{DoubleDouble, Lanes, Rational, Scalar, Tangent};
+use field::{Batch, DoubleDouble, Rational, Scalar, Tangent};
 
 /// The meaning of the numbers of a field.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,7 +38,7 @@ impl<const D: usize> Magnitude for num_dual::DualSVec64<D> {
 }
 
 /// The tangent of numbers with the same value in every lane, each with a slope of its own.
-impl<const L: usize> Magnitude for Tangent<Lanes<L>> {
+impl<const L: usize> Magnitude for Tangent<Batch<L>> {
     #[inline(always)]
     fn magnitude(self) -> f64 {
         self.value.0[0].abs()

@@ -2,7 +2,7 @@
 
 use simulation::{Axes, methods};
 use std::path::Path;
-use studies::ladder::Line;
+use studies::model_reduction::Line;
 
 /// The words behind the program's name, of a line of the receipt: its model where that is not the one that runs anyway, its
 /// method, its tolerance, and its form where the scene has several.

@@ -6,7 +6,7 @@ mod receipt;
 
 use crate::arguments::{Format, tolerance};
 use crate::clock;
-use crate::ending::{Ending, print};
+use crate::exit::{Exit, print};
 use crate::output::{Form, Writes};
 use crate::run::{refuse, with_model};
 use clap::Args;
@@ -15,7 +15,7 @@ use simulation::{Axes, Stored, references};
 use std::path::PathBuf;
 use std::time::Duration;
 use studies::AnyScene;
-use studies::ladder::{Forms, Ladder, Models, Wish, choose};
+use studies::model_reduction::{Forms, Hierarchy, Models, Wish, choose};
 use studies::scene::System;
 
 /// What is to be met, and in what.
@@ -48,7 +48,7 @@ pub struct Asked {
 const MEASURING: Duration = Duration::from_secs(3);
 
 /// Chooses, prints the receipt, draws what is asked for.
-pub fn show(asked: &Asked) -> Result<Ending, Ending> {
+pub fn show(asked: &Asked) -> Result<Exit, Exit> {
     let scene = match AnyScene::open(&asked.scene)? {
         AnyScene::Driven(scene) => {
             AnyScene::Driven(Box::new(with_model(*scene, asked.model.as_deref(), &asked.scene)?))
@@ -58,13 +58,13 @@ pub fn show(asked: &Asked) -> Result<Ending, Ending> {
     let (models, given): (Box<dyn Models>, Vec<String>) = match &scene {
         AnyScene::Driven(scene) => {
             let axes = if matches!(scene.system, System::Bench { .. }) { &AXES[..1] } else { &AXES[..] };
-            let ladders = axes.iter().map(|axes| Ladder::of_scene(scene, *axes)).collect();
+            let ladders = axes.iter().map(|axes| Hierarchy::of_scene(scene, *axes)).collect();
             (Box::new(Forms { ladders, kept: Stored::beside(&asked.scene) }), scene.run.outputs.clone())
         }
         AnyScene::Model(scene) => {
             refuse("a system that is written in its file", asked.model.is_some(), false, &asked.scene)?;
             let kept = Stored::beside(&asked.scene);
-            (Box::new(Forms { ladders: vec![Ladder::of_model(&**scene)], kept }), scene.run().outputs.clone())
+            (Box::new(Forms { ladders: vec![Hierarchy::of_model(&**scene)], kept }), scene.run().outputs.clone())
         }
     };
     let title = scene.title();
@@ -77,7 +77,7 @@ pub fn show(asked: &Asked) -> Result<Ending, Ending> {
         Ok(receipt) => receipt,
         Err(why) => {
             print(&format!("{title}\n\nnothing can be chosen: the scene's own model stops: {why}\n"))?;
-            return Ok(Ending::Stopped);
+            return Ok(Exit::Stopped);
         }
     };
     let command = receipt.taken.and_then(|at| {
@@ -91,17 +91,17 @@ pub fn show(asked: &Asked) -> Result<Ending, Ending> {
     if let Some(output) = output {
         output.write_text(&picture::of(title, &*models, &wish, receipt.clone()).svg())?.tell(asked.format)?;
     }
-    Ok(if receipt.taken.is_some() { Ending::Done } else { Ending::Stopped })
+    Ok(if receipt.taken.is_some() { Exit::Done } else { Exit::Stopped })
 }
 
 const AXES: [Axes; 2] = [Axes::First, Axes::Second];
 
 /// Those that are asked for, or those of the scene, or all states that its own model shows.
-fn outputs(asked: &Asked, given: Vec<String>, known: &[String]) -> Result<Vec<String>, Ending> {
+fn outputs(asked: &Asked, given: Vec<String>, known: &[String]) -> Result<Vec<String>, Exit> {
     // the work that a mechanism's run meters is none of its ladder's
     if let Some(wrong) = asked.outputs.iter().find(|name| !known.contains(name) || *name == "work") {
         let known: Vec<&str> = known.iter().map(String::as_str).filter(|name| *name != "work").collect();
-        return Err(Ending::refused(format!(
+        return Err(Exit::refused(format!(
             "{}: unknown output `{wrong}`; known: {}",
             asked.scene.display(),
             known.join(", ")

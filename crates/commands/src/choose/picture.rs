@@ -2,7 +2,7 @@
 
 use charts::{Method, Point, Work, WorkPrecision};
 use std::time::Duration;
-use studies::ladder::{Models, Receipt, Wish, choose};
+use studies::model_reduction::{Models, Receipt, Wish, choose};
 
 /// Error against evaluations of every model, each by the cheapest method for a tolerance: by the reference where one is kept,
 /// else as promised.

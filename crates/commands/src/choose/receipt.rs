@@ -4,10 +4,10 @@ use super::command::typed;
 use serde_json::{Value, json};
 use simulation::methods;
 use std::fmt::Write;
-use studies::ladder::followed::{INSTANTS, LOOKS};
-use studies::ladder::forms::SWITCHING;
-use studies::ladder::switching::STRETCHES;
-use studies::ladder::{Estimate, Line, Loss, Receipt, Verdict};
+use studies::model_reduction::forms::SWITCHING;
+use studies::model_reduction::sampled_run::{INSTANTS, LOOKS};
+use studies::model_reduction::switching::STRETCHES;
+use studies::model_reduction::{Estimate, Line, Loss, Receipt, Verdict};
 
 /// For readers.
 pub fn text(title: &str, receipt: &Receipt, command: Option<&[String]>) -> String {

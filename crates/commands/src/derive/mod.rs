@@ -2,7 +2,7 @@
 
 mod notation;
 
-use crate::ending::{Ending, print, warn};
+use crate::exit::{Exit, print, warn};
 use ::scenes::{Task, read_model, start_of, starting, without_implied};
 use claims::derivation::{Principle, derive as equations_of};
 use clap::{Args, ValueEnum};
@@ -79,13 +79,13 @@ pub enum Equations {
 }
 
 /// Prints the equations.
-pub fn derive(asked: &Asked) -> Result<Ending, Ending> {
+pub fn derive(asked: &Asked) -> Result<Exit, Exit> {
     let path = Path::new(&asked.system);
     // of a scene with a motor its motor is shown, and by a principle the equations of the whole
     let of_whole = asked.echo || asked.principle.is_some();
     let is_model = is_held(path, if of_whole { has_model } else { holds_model });
     if asked.echo && !is_model {
-        return Err(Ending::refused("--echo is about the vectors of a file with a system; leave it out"));
+        return Err(Exit::refused("--echo is about the vectors of a file with a system; leave it out"));
     }
     let text = match asked.system.ends_with(".toml") {
         true if is_model => of_model(asked, path)?,
@@ -93,12 +93,12 @@ pub fn derive(asked: &Asked) -> Result<Ending, Ending> {
         false => {
             refuse_form(asked, "equations are in the axes of no form")?;
             let principle = asked.principle.map(built_in).transpose()?;
-            let equations = equations_of(&asked.system, principle).map_err(Ending::refused)?;
+            let equations = equations_of(&asked.system, principle).map_err(Exit::refused)?;
             written(&equations, asked.format.unwrap_or(Equations::Text))?
         }
     };
     print(&text)?;
-    Ok(Ending::Done)
+    Ok(Exit::Done)
 }
 
 /// Whether a file can be read and its text is of a kind.
@@ -107,7 +107,7 @@ fn is_held(path: &Path, kind: fn(&str) -> bool) -> bool {
 }
 
 /// The equations of motion of a system that is written in its file.
-fn of_model(asked: &Asked, path: &Path) -> Result<String, Ending> {
+fn of_model(asked: &Asked, path: &Path) -> Result<String, Exit> {
     refuse_form(asked, "a system that is written in its file has one form")?;
     let mut model = read_model(path, Task::Write)?;
     // what follows from other constraints is no part of the equations
@@ -117,7 +117,7 @@ fn of_model(asked: &Asked, path: &Path) -> Result<String, Ending> {
         let is_own = !model.quasi_velocities.is_empty() && principle != QuasiPrinciple::Shulgin;
         if !is_own {
             if model.constraints.is_empty() {
-                return Err(Ending::refused(format!(
+                return Err(Exit::refused(format!(
                     "without constraints the equations of {} are those of lagrange",
                     principle.name()
                 )));
@@ -139,7 +139,7 @@ fn of_model(asked: &Asked, path: &Path) -> Result<String, Ending> {
         Some(PrincipleName::Hamel) => model::principles::Principle::Hamel,
         Some(PrincipleName::Hamilton) => model::principles::Principle::Hamilton,
         Some(PrincipleName::Momentum | PrincipleName::Maxwell) => {
-            return Err(Ending::refused(
+            return Err(Exit::refused(
                 "for a system that is written in its file the principle may be: virtual-power, lagrange, appell, gauss, newton-euler, \
                  hamel, hamilton, maggi, shulgin",
             ));
@@ -149,7 +149,7 @@ fn of_model(asked: &Asked, path: &Path) -> Result<String, Ending> {
     // what is written there means nothing outside of its graph
     symbolic::apart(|| {
         let trace = Trace::of(&model);
-        let form = MatrixForm::of(&trace, principle).map_err(Ending::refused)?.in_file(&model, &file);
+        let form = MatrixForm::of(&trace, principle).map_err(Exit::refused)?.in_file(&model, &file);
         Ok(echoed(asked, &trace) + &matrix_form(&trace, &form, asked.format.unwrap_or(Equations::Text))?)
     })
 }
@@ -173,19 +173,19 @@ fn quasi_principle(asked: &Asked, model: &Model) -> Option<QuasiPrinciple> {
 const MOST_WITHOUT_LETTERS: f64 = 12_000.0;
 
 /// The equations of motion in the quasi-velocities of a file.
-fn in_quasi_velocities(asked: &Asked, model: &Model, file: &str, principle: QuasiPrinciple) -> Result<String, Ending> {
+fn in_quasi_velocities(asked: &Asked, model: &Model, file: &str, principle: QuasiPrinciple) -> Result<String, Exit> {
     symbolic::apart(|| {
         let trace = Trace::of(model);
         let start = start_of(model).ok();
         let written = |quasi: Result<QuasiVelocities<'_, '_>, Vec<Fault>>| {
             // judged when the file was read
-            let quasi = quasi.map_err(|_| Ending::refused("its quasi-velocities are not independent"))?;
-            let form = MatrixForm::in_quasi_velocities(&trace, &quasi, principle).map_err(Ending::refused)?;
+            let quasi = quasi.map_err(|_| Exit::refused("its quasi-velocities are not independent"))?;
+            let form = MatrixForm::in_quasi_velocities(&trace, &quasi, principle).map_err(Exit::refused)?;
             let form = match &start {
                 Some(start) => form.with_start(&trace, start),
                 None => form,
             };
-            Ok::<MatrixForm, Ending>(form.in_file(model, file))
+            Ok::<MatrixForm, Exit>(form.in_file(model, file))
         };
         let mut form = written(QuasiVelocities::of(&trace))?;
         let is_code = matches!(asked.format, Some(Equations::C | Equations::Python | Equations::Rust));
@@ -216,11 +216,11 @@ fn echoed(asked: &Asked, trace: &Trace<'_>) -> String {
 const MOST_WRITTEN: f64 = 1_000_000.0;
 
 /// A system in matrix form in a notation.
-fn matrix_form(trace: &Trace<'_>, form: &MatrixForm, format: Equations) -> Result<String, Ending> {
-    let code = |language| model::code(trace, form, language).map_err(Ending::refused);
+fn matrix_form(trace: &Trace<'_>, form: &MatrixForm, format: Equations) -> Result<String, Exit> {
+    let code = |language| model::code(trace, form, language).map_err(Exit::refused);
     let is_code = matches!(format, Equations::C | Equations::Python | Equations::Rust);
     if !is_code && !form.is_read() {
-        return Err(Ending::refused(format!(
+        return Err(Exit::refused(format!(
             "in these quasi-velocities the equations have {:.0e} operations, too many to be read; `--format c`, `python` and `rust` \
              write them as code, and `--principle lagrange` writes them in the rates of coordinates",
             form.written_operations()
@@ -229,7 +229,7 @@ fn matrix_form(trace: &Trace<'_>, form: &MatrixForm, format: Equations) -> Resul
     let read = || {
         let read = form.for_reading();
         match read.written_operations() {
-            operations if operations > MOST_WRITTEN => Err(Ending::refused(format!(
+            operations if operations > MOST_WRITTEN => Err(Exit::refused(format!(
                 "these equations have {operations:.0e} operations where they are written out, too many to be read; `--format c`, `python` \
                  and `rust` write every common part once; `[speeds]` makes equations of chains shorter"
             ))),
@@ -242,10 +242,10 @@ fn matrix_form(trace: &Trace<'_>, form: &MatrixForm, format: Equations) -> Resul
         Equations::Mathml => {
             let equations = model::typeset(trace, &read()?).into_iter().flatten();
             let typeset = equations.map(|each| charts::mathml(&format!("{} = {}", each.left, each.right)));
-            let lines: Vec<String> = typeset.collect::<Result<_, _>>().map_err(Ending::refused)?;
+            let lines: Vec<String> = typeset.collect::<Result<_, _>>().map_err(Exit::refused)?;
             Ok(lines.join("\n") + "\n")
         }
-        Equations::Sympy => model::sympy(trace, form).map_err(Ending::refused),
+        Equations::Sympy => model::sympy(trace, form).map_err(Exit::refused),
         Equations::C => code(Language::C),
         Equations::Python => code(Language::Python),
         Equations::Rust => code(Language::Rust),
@@ -253,10 +253,10 @@ fn matrix_form(trace: &Trace<'_>, form: &MatrixForm, format: Equations) -> Resul
 }
 
 /// Forms are of a scene's code alone.
-fn refuse_form(asked: &Asked, why: &str) -> Result<(), Ending> {
+fn refuse_form(asked: &Asked, why: &str) -> Result<(), Exit> {
     match asked.form {
         None => Ok(()),
-        Some(_) => Err(Ending::refused(format!(
+        Some(_) => Err(Exit::refused(format!(
             "--form does not apply to `derive {}` in this format: {why}; it is accepted for the code of a scene",
             asked.system
         ))),
@@ -264,7 +264,7 @@ fn refuse_form(asked: &Asked, why: &str) -> Result<(), Ending> {
 }
 
 /// The principle of a system that the program brings along.
-fn built_in(name: PrincipleName) -> Result<Principle, Ending> {
+fn built_in(name: PrincipleName) -> Result<Principle, Exit> {
     Ok(match name {
         PrincipleName::Momentum => Principle::Momentum,
         PrincipleName::Appell => Principle::Appell,
@@ -274,7 +274,7 @@ fn built_in(name: PrincipleName) -> Result<Principle, Ending> {
         PrincipleName::VirtualPower => Principle::VirtualPower,
         PrincipleName::Gauss => Principle::Gauss,
         PrincipleName::NewtonEuler | PrincipleName::Hamilton | PrincipleName::Maggi | PrincipleName::Shulgin => {
-            return Err(Ending::refused(
+            return Err(Exit::refused(
                 "newton-euler, hamilton, maggi and shulgin are for a system that is written in its file; a gyrostat follows momentum, appell, hamel \
                  or lagrange, a motor maxwell",
             ));

@@ -1,7 +1,7 @@
 //! Equations of the program's own systems, and right-hand sides of scenes, in many notations.
 
 use super::{Asked, Equations, refuse_form};
-use crate::ending::Ending;
+use crate::exit::Exit;
 use crate::run::one_form;
 use claims::derivation::Equation;
 use motor::reading::equations_of;
@@ -11,7 +11,7 @@ use studies::scene::Scene;
 use symbolic::{Language, Sym, Tape};
 
 /// Equations in a notation.
-pub(super) fn written(equations: &[Equation], format: Equations) -> Result<String, Ending> {
+pub(super) fn written(equations: &[Equation], format: Equations) -> Result<String, Exit> {
     let lines = |line: &dyn Fn(&Equation) -> String| equations.iter().map(|each| line(each) + "\n").collect();
     let latex = |each: &Equation| format!("{} = {}", each.left.decimal_latex(), each.right.decimal_latex());
     match format {
@@ -19,7 +19,7 @@ pub(super) fn written(equations: &[Equation], format: Equations) -> Result<Strin
         Equations::Latex => Ok(lines(&latex)),
         Equations::Mathml => {
             let typeset = equations.iter().map(|each| charts::mathml(&latex(each)).map(|math| math + "\n"));
-            typeset.collect::<Result<_, _>>().map_err(Ending::refused)
+            typeset.collect::<Result<_, _>>().map_err(Exit::refused)
         }
         Equations::Sympy => Ok(sympy(equations)),
         Equations::C => residuals(equations, &C),
@@ -66,10 +66,10 @@ const PYTHON: Written =
 const RUST: Written = Written { language: Language::Rust, comment: "//", needs: "\n" };
 
 /// A function of the letters whose values vanish where the equations hold.
-fn residuals(equations: &[Equation], written: &Written) -> Result<String, Ending> {
+fn residuals(equations: &[Equation], written: &Written) -> Result<String, Exit> {
     let letters = letters(equations);
     let sides: Vec<Sym> = equations.iter().map(|each| each.left - each.right).collect();
-    let tape = Tape::record(&letters, &sides).map_err(Ending::refused)?;
+    let tape = Tape::record(&letters, &sides).map_err(Exit::refused)?;
     in_doubles(&tape)?;
     let names: Vec<String> = letters.iter().map(Sym::to_string).collect();
     let Written { language, comment, needs } = written;
@@ -78,14 +78,14 @@ fn residuals(equations: &[Equation], written: &Written) -> Result<String, Ending
 }
 
 /// Refuses a law one of whose constants is no double: its code would compute with infinity or zero instead.
-fn in_doubles(tape: &Tape) -> Result<(), Ending> {
+fn in_doubles(tape: &Tape) -> Result<(), Exit> {
     tape.beyond_range().map_or(Ok(()), |constant| {
         let mut digits = constant.to_string();
         if digits.len() > 40 {
             digits.truncate(40);
             digits += "...";
         }
-        Err(Ending::refused(format!(
+        Err(Exit::refused(format!(
             "a constant of the law is beyond the range of double precision, {digits}; data whose products and quotients lie \
              between 1e-307 and 1e308 are accepted"
         )))
@@ -93,7 +93,7 @@ fn in_doubles(tape: &Tape) -> Result<(), Ending> {
 }
 
 /// A scene's motor for reading, or the scene's rates and Jacobian as functions.
-pub(super) fn of_scene(asked: &Asked) -> Result<String, Ending> {
+pub(super) fn of_scene(asked: &Asked) -> Result<String, Exit> {
     let format = asked.format.unwrap_or(Equations::Text);
     let sympy = Written { needs: "from sympy import cos, sin, sqrt, symbols\n\n\n", ..PYTHON };
     let Written { language, comment, needs } = match format {
@@ -104,23 +104,23 @@ pub(super) fn of_scene(asked: &Asked) -> Result<String, Ending> {
         Equations::Text | Equations::Latex | Equations::Mathml => {
             refuse_form(asked, "the motor's moment and currents are the same in every form")?;
             if asked.principle.is_some() {
-                return Err(Ending::refused(
+                return Err(Exit::refused(
                     "--principle does not apply to the motor of a scene, which follows Maxwell; leave it out",
                 ));
             }
             let scene = Scene::open(Path::new(&asked.system))?;
-            let motor = equations_of(&scene.machine).map_err(Ending::refused)?;
+            let motor = equations_of(&scene.machine).map_err(Exit::refused)?;
             return written(&motor, format);
         }
     };
     if asked.principle.is_some() {
-        return Err(Ending::refused("a scene's code is of the form that runs; `--form first` or `second` is accepted"));
+        return Err(Exit::refused("a scene's code is of the form that runs; `--form first` or `second` is accepted"));
     }
     let scene = Scene::open(Path::new(&asked.system))?;
     one_form(&scene, asked.form.is_some(), Path::new(&asked.system))?;
     let form = asked.form.unwrap_or_default();
     let (rates, jacobian) = (scene.tape(form), scene.jacobian_tape(form));
-    let (rates, jacobian) = (rates.map_err(Ending::refused)?, jacobian.map_err(Ending::refused)?);
+    let (rates, jacobian) = (rates.map_err(Exit::refused)?, jacobian.map_err(Exit::refused)?);
     in_doubles(&rates).and_then(|()| in_doubles(&jacobian))?;
     let start: Vec<String> = scene.state(form).iter().map(|y| format!("{y:?}")).collect();
     let mut text = format!(

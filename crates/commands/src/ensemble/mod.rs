@@ -1,11 +1,11 @@
 //! `dalembert ensemble`: many members of one scene, their results in a table that survives a kill.
 
+mod fates;
 mod table;
-mod told;
 
 use crate::arguments::whole;
 use crate::clock;
-use crate::ending::{Ending, print};
+use crate::exit::{Exit, print};
 use crate::output::Writes;
 use crate::progress::Progress;
 use clap::Args;
@@ -31,7 +31,7 @@ pub struct Asked {
 }
 
 /// Runs what is not done yet, and says what became of all.
-pub fn run(asked: &Asked) -> Result<Ending, Ending> {
+pub fn run(asked: &Asked) -> Result<Exit, Exit> {
     let scene = studies::ensemble::open(&asked.scene)?;
     let usual = asked.scene.with_extension("csv");
     let path = asked.out.as_deref().unwrap_or_else(|| Path::new(usual.file_name().unwrap_or(usual.as_os_str())));
@@ -55,8 +55,8 @@ pub fn run(asked: &Asked) -> Result<Ending, Ending> {
     print(&told.text(path, done))?;
     if told.members == all {
         // as of a run that stops, where none came to its end
-        return Ok(if told.reached() > 0 { Ending::Done } else { Ending::Stopped });
+        return Ok(if told.reached() > 0 { Exit::Done } else { Exit::Stopped });
     }
     print(&format!("broken off: the same command goes on with member {}\n", told.members + 1))?;
-    Ok(Ending::Stopped)
+    Ok(Exit::Stopped)
 }

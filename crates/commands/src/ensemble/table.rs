@@ -4,11 +4,11 @@
 //! bears, and it stays with its rows when tables are joined; a comment or a file beside the table would not. A line that was
 //! cut is taken away, and the last whole row is computed again: it must come out the same.
 
-use super::told::Told;
+use super::fates::Fates;
+use crate::atomic_write;
 use crate::csv;
-use crate::ending::Ending;
+use crate::exit::Exit;
 use crate::output::Writes;
-use crate::whole;
 use ::csv::{ReaderBuilder, StringRecord};
 use same_file::Handle;
 use simulation::ensemble::{EnsembleScene, Fingerprint, Row};
@@ -46,15 +46,15 @@ type Foreign = (usize, String);
 
 impl Table {
     /// Makes it, or goes on with the one that is there.
-    pub fn open(writes: &Writes<'_>, path: &Path, scene: &EnsembleScene) -> Result<(Self, Told), Ending> {
-        let unwritable = |error: io::Error| Ending::unwritable(path, &error);
+    pub fn open(writes: &Writes<'_>, path: &Path, scene: &EnsembleScene) -> Result<(Self, Fates), Exit> {
+        let unwritable = |error: io::Error| Exit::unwritable(path, &error);
         let place = writes.continued(path)?;
-        std::fs::create_dir_all(whole::folder(&place)).map_err(unwritable)?;
+        std::fs::create_dir_all(atomic_write::folder(&place)).map_err(unwritable)?;
         let file = OpenOptions::new().read(true).append(true).create(true).open(&place).map_err(unwritable)?;
         match file.try_lock() {
             Err(TryLockError::WouldBlock) => {
                 let reason = "another run writes to it; wait for its end, or name another file";
-                return Err(Ending::refused(format!("{}: {reason}", path.display())));
+                return Err(Exit::refused(format!("{}: {reason}", path.display())));
             }
             // where files cannot be locked, two runs at once are the user's care
             Ok(()) | Err(TryLockError::Error(_)) => {}
@@ -62,11 +62,11 @@ impl Table {
         let fingerprint = Fingerprint::of(scene);
         let (whole, told) = match read(BufReader::new(&file), scene, &fingerprint) {
             Ok(found) => found,
-            Err(_) if writes.force => (0, Told::default()),
+            Err(_) if writes.force => (0, Fates::default()),
             Err((line, why)) => {
                 let accepted =
                     "a table of this very ensemble is continued; name another file, or begin anew with --force";
-                return Err(Ending::refused(format!("{}, line {line}: {why}; {accepted}", path.display())));
+                return Err(Exit::refused(format!("{}, line {line}: {why}; {accepted}", path.display())));
             }
         };
         file.set_len(whole).map_err(unwritable)?;
@@ -88,7 +88,7 @@ impl Table {
     }
 
     /// A kill takes what is not written, a failure of the power what is not brought to the disk.
-    pub fn push(&mut self, row: &Row) -> Result<(), Ending> {
+    pub fn push(&mut self, row: &Row) -> Result<(), Exit> {
         self.waiting += &line(row, self.columns, &self.fingerprint);
         if self.settled.elapsed() >= CHUNK {
             return self.settle();
@@ -97,7 +97,7 @@ impl Table {
     }
 
     /// Writes what waits, brings all to the disk, and looks whether it is still there.
-    pub fn settle(&mut self) -> Result<(), Ending> {
+    pub fn settle(&mut self) -> Result<(), Exit> {
         let settled = self.write().and_then(|()| self.file.sync_data());
         settled.map_err(|error| self.unwritable(&error))?;
         self.settled = Instant::now();
@@ -109,7 +109,7 @@ impl Table {
         });
         match same {
             Ok(true) => Ok(()),
-            _ => Err(Ending::refused(format!(
+            _ => Err(Exit::refused(format!(
                 "{} was deleted, replaced or changed by another program while it was written, and its rows are lost; the same \
                  command begins anew",
                 self.path.display()
@@ -125,16 +125,16 @@ impl Table {
     }
 
     /// The rows that are whole stay, so that the run can go on.
-    fn unwritable(&self, error: &io::Error) -> Ending {
-        Ending::unwritable(&self.path, error)
+    fn unwritable(&self, error: &io::Error) -> Exit {
+        Exit::unwritable(&self.path, error)
     }
 }
 
 /// The number of bytes of a file that are whole rows of the ensemble, and their summary. One line is held at a time.
-fn read(mut table: impl BufRead, scene: &EnsembleScene, fingerprint: &Fingerprint) -> Result<(u64, Told), Foreign> {
+fn read(mut table: impl BufRead, scene: &EnsembleScene, fingerprint: &Fingerprint) -> Result<(u64, Fates), Foreign> {
     let headings = scene.headings();
     let heading = csv::line(&headings) + "\n";
-    let mut told = Told::default();
+    let mut told = Fates::default();
     let unreadable = |error: io::Error| (1, error.to_string());
     let mut head = Vec::new();
     table.by_ref().take(heading.len() as u64).read_to_end(&mut head).map_err(unreadable)?;

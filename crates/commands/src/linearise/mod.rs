@@ -4,7 +4,7 @@ mod print;
 
 use self::print::{Names, csv, object, text};
 use crate::clock;
-use crate::ending::{Ending, placed, warn};
+use crate::exit::{Exit, placed, warn};
 use crate::progress::Progress;
 use ::scenes::linearisation::{Linearisation, NotLinear, Stability, Standing, VariedEquations, eigenvalues, points};
 use ::scenes::{ModelScene, Task, equilibrium_of, independent_at, independent_start, read_model, without_law};
@@ -68,8 +68,8 @@ struct Found {
 }
 
 /// Prints the matrices, the eigenvalues and what they say.
-pub fn linearise(asked: &Asked) -> Result<Ending, Ending> {
-    let refused = |why: String| Ending::refused(format!("{}: {why}", asked.scene.display()));
+pub fn linearise(asked: &Asked) -> Result<Exit, Exit> {
+    let refused = |why: String| Exit::refused(format!("{}: {why}", asked.scene.display()));
     let mut model = read_model(&asked.scene, Task::Vary)?;
     // inputs without a value are taken about zero
     model.close_inputs();
@@ -98,14 +98,14 @@ pub fn linearise(asked: &Asked) -> Result<Ending, Ending> {
         all.push(Found { linear, standing, eigenvalues, stability });
     }
     let names = Names::of(&model, &equations);
-    crate::ending::print(&match asked.format {
+    crate::exit::print(&match asked.format {
         Form::Text => all.iter().map(|found| text(&names, found)).collect::<Vec<_>>().join("\n"),
         Form::Json => {
             format!("{:#}\n", json!({ "points": all.iter().map(|found| object(&names, found)).collect::<Vec<_>>() }))
         }
         Form::Csv => csv(&names, &all),
     })?;
-    Ok(Ending::Done)
+    Ok(Exit::Done)
 }
 
 /// The places of parameters that are inputs; one without a value is taken about zero.
@@ -132,8 +132,8 @@ fn inputs(model: &mut Model, names: &[String]) -> Result<Vec<usize>, String> {
 }
 
 /// Times with the states then.
-fn instances(model: &mut Model, asked: &Asked) -> Result<Vec<points::Instance>, Ending> {
-    let refused = |why: String| Ending::refused(format!("{}: {why}", asked.scene.display()));
+fn instances(model: &mut Model, asked: &Asked) -> Result<Vec<points::Instance>, Exit> {
+    let refused = |why: String| Exit::refused(format!("{}: {why}", asked.scene.display()));
     if !asked.times.is_empty() {
         let scene = ModelScene::parse(&asked.scene.display().to_string(), &read_text(&asked.scene)?)?;
         if let Some(late) = asked.times.iter().find(|time| **time > scene.run.span) {

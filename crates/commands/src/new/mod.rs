@@ -2,8 +2,8 @@
 
 mod names;
 
-use crate::ending::{Ending, print};
-use crate::whole;
+use crate::atomic_write;
+use crate::exit::{Exit, print};
 use clap::{Args, Subcommand};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -51,7 +51,7 @@ struct Begun {
 }
 
 /// Writes what was asked for; all of it or nothing.
-pub fn write(asked: &Asked) -> Result<Ending, Ending> {
+pub fn write(asked: &Asked) -> Result<Exit, Exit> {
     let What::Motor(asked) = &asked.what;
     let name = asked.name.as_str();
     names::check_letters(name)?;
@@ -60,7 +60,7 @@ pub fn write(asked: &Asked) -> Result<Ending, Ending> {
     let in_project = ENDS.iter().all(|end| before.contains(end));
     if !in_project && !asked.text {
         let folder = asked.project.display();
-        return Err(Ending::refused(format!(
+        return Err(Exit::refused(format!(
             "{folder} is not the project: there is no list of machines in {LIST}; its folder is accepted: --project FOLDER; \
              a motor as text, --text, needs no project"
         )));
@@ -71,9 +71,7 @@ pub fn write(asked: &Asked) -> Result<Ending, Ending> {
         // a folder of the name would be the same module
         if place.exists() || (!asked.text && place.with_extension("").is_dir()) {
             let place = place.display();
-            return Err(Ending::refused(format!(
-                "{place} exists; the name of a motor that does not exist is accepted"
-            )));
+            return Err(Exit::refused(format!("{place} exists; the name of a motor that does not exist is accepted")));
         }
     }
     names::check_free(name, &asked.project)?;
@@ -86,9 +84,9 @@ pub fn write(asked: &Asked) -> Result<Ending, Ending> {
     if !asked.text {
         let lines = [format!("pub mod {name};"), format!("            &{name}::ENTRY,")];
         let after = lines.iter().zip(ENDS).fold(before, |text, (line, end)| with_line(&text, line, end));
-        if let Err(error) = whole::replace(&list, &after) {
+        if let Err(error) = atomic_write::replace(&list, &after) {
             begun.iter().for_each(|begun| drop(fs::remove_file(&begun.place)));
-            return Err(Ending::unwritable(&list, &error));
+            return Err(Exit::unwritable(&list, &error));
         }
     }
     let mut told: String = begun.iter().map(|begun| format!("wrote {}\n", begun.place.display())).collect();
@@ -107,7 +105,7 @@ pub fn write(asked: &Asked) -> Result<Ending, Ending> {
         told += &format!("a scene in `scenes` is kept with its reference: dalembert reference {scene}\n");
     }
     print(&told)?;
-    Ok(Ending::Done)
+    Ok(Exit::Done)
 }
 
 /// Among the project's scenes; without the project in the folder itself.
@@ -155,9 +153,9 @@ fn with_line(text: &str, line: &str, end: &str) -> String {
 }
 
 /// A file in a folder that need not be there yet.
-fn create(place: &Path, text: &str) -> Result<(), Ending> {
+fn create(place: &Path, text: &str) -> Result<(), Exit> {
     if let Some(folder) = place.parent() {
-        fs::create_dir_all(folder).map_err(|error| Ending::unwritable(folder, &error))?;
+        fs::create_dir_all(folder).map_err(|error| Exit::unwritable(folder, &error))?;
     }
-    whole::create(place, text).map_err(|error| Ending::unwritable(place, &error))
+    atomic_write::create(place, text).map_err(|error| Exit::unwritable(place, &error))
 }

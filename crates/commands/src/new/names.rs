@@ -1,7 +1,7 @@
 //! Names of new motors: each must serve as a file, a module, a type and a test on every system, beside all names that are there.
 
 use super::{LIST, MACHINE, TEST, camel};
-use crate::ending::Ending;
+use crate::exit::Exit;
 use std::fs;
 use std::path::Path;
 
@@ -91,12 +91,12 @@ const PRELUDE: &[&str] = &[
 const DEVICES: &[&str] = &["aux", "con", "nul", "prn"];
 
 /// Letters, digits and _, a letter first, and no word of the language.
-pub fn check_letters(name: &str) -> Result<(), Ending> {
+pub fn check_letters(name: &str) -> Result<(), Exit> {
     let begins = name.bytes().next().is_some_and(|byte| byte.is_ascii_lowercase());
     let goes_on = name.bytes().all(|byte| byte.is_ascii_lowercase() || byte.is_ascii_digit() || byte == b'_');
     let word = WORDS.contains(&name) || name.starts_with("text");
     if !(begins && goes_on && name.len() <= 40) || word {
-        return Err(Ending::refused(format!(
+        return Err(Exit::refused(format!(
             "`{name}` cannot name a motor: up to 40 lower case letters, digits and _ are accepted, a letter first, and no \
              word of the language, and nothing that begins with `text`: such as `salient_pole`"
         )));
@@ -105,10 +105,10 @@ pub fn check_letters(name: &str) -> Result<(), Ending> {
 }
 
 /// No name that is taken, by the language, by a system or by the project.
-pub fn check_free(name: &str, project: &Path) -> Result<(), Ending> {
+pub fn check_free(name: &str, project: &Path) -> Result<(), Exit> {
     match taken(name, project) {
         None => Ok(()),
-        Some(by) => Err(Ending::refused(format!(
+        Some(by) => Err(Exit::refused(format!(
             "`{name}` cannot name a motor: {by}; another name is accepted, such as `salient_pole`"
         ))),
     }

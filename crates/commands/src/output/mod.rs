@@ -14,9 +14,9 @@ mod place;
 pub use form::{Form, Maker};
 
 use crate::arguments::Format;
+use crate::atomic_write::{self, Beside, Untaken};
 use crate::clock;
-use crate::ending::{Ending, is_quiet, print};
-use crate::whole::{self, Beside, Untaken};
+use crate::exit::{Exit, is_quiet, print};
 use place::Place;
 use std::fs::File;
 use std::io::{self, BufWriter, Write};
@@ -50,15 +50,15 @@ struct Rights {
 impl Writes<'_> {
     /// A place for one of these forms, as the end of its name says: asked before the work, so that a wrong name does not
     /// cost it. Nothing is made yet.
-    pub fn output(&self, path: &Path, forms: &[Form]) -> Result<Output, Ending> {
-        let place = Place::of(path).map_err(|error| Ending::unwritable(path, &error))?;
+    pub fn output(&self, path: &Path, forms: &[Form]) -> Result<Output, Exit> {
+        let place = Place::of(path).map_err(|error| Exit::unwritable(path, &error))?;
         let form = match (Form::named(path, forms), &place) {
             (Some(form), _) => form,
             (None, Place::Device(_)) if !forms.is_empty() => forms[0].clone(),
             (None, _) => {
                 let ends: Vec<&str> = forms.iter().flat_map(Form::ends).copied().collect();
                 let ends = ends.join(" or .");
-                return Err(Ending::refused(format!(
+                return Err(Exit::refused(format!(
                     "{} cannot be written: the end of its name is that of no form which `{}` writes there; a name that ends in \
                      .{ends} is accepted",
                     path.display(),
@@ -70,22 +70,22 @@ impl Writes<'_> {
         let rights = Rights { maker: self.maker(), force: self.force, reads };
         if let Place::File(file) = &place {
             rights.admit(path, file, &form)?;
-            whole::probe(file).map_err(|error| Ending::unwritable(path, &error))?;
+            atomic_write::probe(file).map_err(|error| Exit::unwritable(path, &error))?;
         }
         Ok(Output { path: path.to_owned(), form, place, rights })
     }
 
     /// The same where a place is asked for.
-    pub fn optional(&self, path: Option<&Path>, forms: &[Form]) -> Result<Option<Output>, Ending> {
+    pub fn optional(&self, path: Option<&Path>, forms: &[Form]) -> Result<Option<Output>, Exit> {
         path.map(|path| self.output(path, forms)).transpose()
     }
 
     /// A table that is read before it is continued: a file, or nothing yet. Whether it is ours its rows show.
-    pub fn continued(&self, path: &Path) -> Result<PathBuf, Ending> {
+    pub fn continued(&self, path: &Path) -> Result<PathBuf, Exit> {
         let output = Writes { force: true, reads: self.reads.clone(), ..*self };
         match output.output(path, &[Form::Table(String::new())])?.place {
             Place::File(file) => Ok(file),
-            Place::Device(_) => Err(Ending::refused(format!(
+            Place::Device(_) => Err(Exit::refused(format!(
                 "{} cannot be written: this is a pipe or a device, and a table that is continued is read first; a file is accepted",
                 path.display()
             ))),
@@ -99,24 +99,24 @@ impl Writes<'_> {
 
 impl Rights {
     /// Whether a file may be written there, over what stands there now.
-    fn admit(&self, path: &Path, file: &Path, form: &Form) -> Result<bool, Ending> {
+    fn admit(&self, path: &Path, file: &Path, form: &Form) -> Result<bool, Exit> {
         if std::fs::symlink_metadata(file).is_err() {
             return Ok(false);
         }
         let read =
             self.reads.iter().find(|read| read.is_file() && same_file::is_same_file(read, file).unwrap_or(false));
         if let Some(read) = read {
-            return Err(Ending::refused(format!(
+            return Err(Exit::refused(format!(
                 "{} cannot be written: it is the file {} that is read; another name is accepted",
                 path.display(),
                 read.display()
             )));
         }
         let known = self.force
-            || form.is_of(self.maker, file).map_err(|error| Ending::refused(format!("{}: {error}", path.display())))?;
+            || form.is_of(self.maker, file).map_err(|error| Exit::refused(format!("{}: {error}", path.display())))?;
         match known {
             true => Ok(true),
-            false => Err(Ending::refused(format!(
+            false => Err(Exit::refused(format!(
                 "{} exists and is no {} of `{}`; a name that is free is accepted, and --force, which replaces the file",
                 path.display(),
                 form.said(),
@@ -133,10 +133,10 @@ impl Output {
     }
 
     /// Writes it, all or nothing, with the mark of its maker where the form has room for one.
-    pub fn write(self, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<Written, Ending> {
+    pub fn write(self, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<Written, Exit> {
         let _held = clock::held();
         let Output { path, form, place, rights } = self;
-        let unwritable = |error: io::Error| Ending::unwritable(&path, &error);
+        let unwritable = |error: io::Error| Exit::unwritable(&path, &error);
         let mark = form.mark(rights.maker);
         let marked = |out: &mut dyn Write| {
             out.write_all(mark.as_bytes())?;
@@ -145,7 +145,7 @@ impl Output {
         match place {
             Place::Device(device) => to_device(device, marked).map_err(unwritable)?,
             Place::File(file) => {
-                std::fs::create_dir_all(whole::folder(&file)).map_err(unwritable)?;
+                std::fs::create_dir_all(atomic_write::folder(&file)).map_err(unwritable)?;
                 let written = Beside::write(&file, marked).map_err(unwritable)?;
                 match rights.admit(&path, &file, &form) {
                     Ok(true) => written.replace().map_err(unwritable)?,
@@ -162,7 +162,7 @@ impl Output {
     }
 
     /// Writes a text.
-    pub fn write_text(self, text: &str) -> Result<Written, Ending> {
+    pub fn write_text(self, text: &str) -> Result<Written, Exit> {
         self.write(|out| out.write_all(text.as_bytes()))
     }
 }
@@ -173,7 +173,7 @@ pub struct Written(PathBuf);
 
 impl Written {
     /// Tells its name, where there is text to read and not one object for programs.
-    pub fn tell(self, format: Format) -> Result<(), Ending> {
+    pub fn tell(self, format: Format) -> Result<(), Exit> {
         match format {
             Format::Text if !is_quiet() => print(&format!("{}\n", self.0.display())),
             _ => Ok(()),
@@ -191,20 +191,20 @@ fn to_device(device: File, content: impl FnOnce(&mut dyn Write) -> io::Result<()
 }
 
 /// The place was taken, or what stood there was changed, after it was looked at first.
-fn came_meanwhile(path: &Path, written: Beside) -> Ending {
+fn came_meanwhile(path: &Path, written: Beside) -> Exit {
     let kept = match written.keep() {
         Ok(kept) => format!("what was computed is kept in {}", kept.display()),
         Err(error) => format!("what was computed could not be kept: {error}"),
     };
-    Ending::refused(format!("{} came into being meanwhile and is left alone; {kept}", path.display()))
+    Exit::refused(format!("{} came into being meanwhile and is left alone; {kept}", path.display()))
 }
 
 /// Refuses two outputs of one command that would be one file.
-pub fn apart(one: Option<&Output>, other: Option<&Output>) -> Result<(), Ending> {
+pub fn apart(one: Option<&Output>, other: Option<&Output>) -> Result<(), Exit> {
     let (Some(one), Some(other)) = (one, other) else { return Ok(()) };
     match one.path == other.path || one.place.is(&other.place) {
         false => Ok(()),
-        true => Err(Ending::refused(format!(
+        true => Err(Exit::refused(format!(
             "{} and {} are one file, and each would be lost in the other; two names are accepted",
             one.path.display(),
             other.path.display()

@@ -42,7 +42,7 @@ impl Place {
     /// Whether two names stand for one file.
     pub fn is(&self, other: &Place) -> bool {
         let whole = |path: &Path| {
-            let folder = fs::canonicalize(crate::whole::folder(path)).ok()?;
+            let folder = fs::canonicalize(crate::atomic_write::folder(path)).ok()?;
             Some(folder.join(path.file_name()?))
         };
         match (self, other) {

@@ -5,7 +5,7 @@ mod scene;
 mod unread;
 
 use crate::arguments::Format;
-use crate::ending::{Ending, warn, warn_of};
+use crate::exit::{Exit, warn, warn_of};
 use crate::output::{Form, Maker, Writes};
 use crate::progress::Progress;
 use crate::speed::{advice::advice, pictures, tables};
@@ -14,7 +14,7 @@ use clap::Args;
 use parts::Parts;
 use reader::Family;
 use scene::{Read, described};
-use simulation::{Atlas, Smooth, Stored};
+use simulation::{Atlas, IvpScene, Stored};
 use std::path::{Path, PathBuf};
 use studies::AnyScene;
 use studies::failures;
@@ -35,7 +35,7 @@ pub struct Asked {
 
 /// Judges the ledger, runs and charts the scenes, and writes the page. A scene that cannot be read is told at once and on the
 /// page, and the others are reported.
-pub fn write(asked: &Asked, files: &[PathBuf]) -> Result<Ending, Ending> {
+pub fn write(asked: &Asked, files: &[PathBuf]) -> Result<Exit, Exit> {
     let folder = &asked.scenes;
     let reads = files.iter().map(PathBuf::as_path).collect();
     let output = Writes { command: REPORT, force: asked.force, reads }.output(&asked.out, &[Form::Page])?;
@@ -66,7 +66,7 @@ pub fn write(asked: &Asked, files: &[PathBuf]) -> Result<Ending, Ending> {
     let mut report = parts.report(folder);
     report.studies.splice(0..0, unread::study(&unread));
     output.write_text(&charts::page::render(&report).html)?.tell(Format::Text)?;
-    Ok(if whole { Ending::Done } else { Ending::Stopped })
+    Ok(if whole { Exit::Done } else { Exit::Stopped })
 }
 
 /// The folder, among scenes, of examples of the language of systems.
@@ -81,7 +81,7 @@ const REPORT: &str = "";
 const CHART: &str = "chart";
 
 /// A page with nothing but a scene and its atlas.
-pub fn of_scene(scene: &dyn Smooth, atlas: &Atlas, work: Vec<WorkPrecision>) -> String {
+pub fn of_scene(scene: &dyn IvpScene, atlas: &Atlas, work: Vec<WorkPrecision>) -> String {
     let choice = scene.run().choice();
     let run = scene.problem(choice.axes).simulate(&choice, |_| ());
     let mut section = SceneSection { work, ..described("scene", scene, &run) };

@@ -2,7 +2,7 @@
 
 use super::scene::{NoReference, Prepared, Read, prepare};
 use super::{REPORT, explained, titled};
-use crate::crew::Crew;
+use crate::job_pool::JobPool;
 use crate::ledger;
 use crate::pictures;
 use crate::speed;
@@ -55,7 +55,7 @@ impl Parts {
 
     /// All that need not be timed.
     pub fn compute(&mut self, scenes: &[Read], folder: &Path, done: impl FnMut(f64)) {
-        let mut crew = Crew::default();
+        let mut crew = JobPool::default();
         for (place, paper) in self.papers.iter_mut().zip(papers()) {
             crew.add(1.0, place, move || ledger::judged(paper));
         }

@@ -8,7 +8,7 @@ use integrators::Failure;
 use simulation::events::Passage;
 use simulation::references::Unknown;
 use simulation::work_precision::judged_across_events;
-use simulation::{Atlas, Axes, Smooth, Stored, Trajectory, Trials, judged};
+use simulation::{Atlas, Axes, IvpScene, Stored, Trajectory, Trials, judged};
 use std::time::Duration;
 use studies::AnyScene;
 use studies::scene::Scene;
@@ -95,7 +95,7 @@ pub fn prepare(Read { id, scene: any, kept }: &Read) -> Prepared {
 }
 
 /// A scene's section with its run and without its charts.
-pub fn described(id: &str, scene: &dyn Smooth, run: &Trajectory) -> SceneSection {
+pub fn described(id: &str, scene: &dyn IvpScene, run: &Trajectory) -> SceneSection {
     let parameters = scene.parameters().into_iter().map(|datum| Parameter {
         symbol: datum.name.replace('_', " "),
         value: datum.value,
@@ -131,7 +131,7 @@ fn log(run: &Trajectory) -> Table {
     }
 }
 
-fn facts(scene: &dyn Smooth, run: &Trajectory) -> Vec<(String, String)> {
+fn facts(scene: &dyn IvpScene, run: &Trajectory) -> Vec<(String, String)> {
     let choice = scene.run().choice();
     let told = scene.told(&choice, run);
     let mut facts = vec![

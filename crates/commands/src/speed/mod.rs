@@ -11,7 +11,7 @@ pub mod tables;
 
 use integrators::{Holding, Means, Method, Point, Trial};
 use simulation::Atlas;
-use simulation::work_precision::{Standing, Way};
+use simulation::work_precision::{Configuration, Standing};
 
 /// What a run is charged with.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,7 +45,7 @@ pub const ANSWER: f64 = 0.1;
 
 /// The runs of a method on one way.
 pub struct Series<'a> {
-    pub way: &'a Way,
+    pub way: &'a Configuration,
     pub family: String,
     pub points: Vec<&'a Point>,
 }
@@ -91,7 +91,7 @@ pub fn series(atlas: &Atlas) -> Vec<Series<'_>> {
 }
 
 /// A motor's model for a reader, with what it is beside the scene's own.
-pub fn model(way: &Way) -> String {
+pub fn model(way: &Configuration) -> String {
     let name = way.model.replace('_', " ");
     match way.standing {
         Standing::Approximate => format!("{name} (approximate)"),

@@ -4,7 +4,7 @@ use super::{Counted, family, model};
 use charts::{Table, significant, tolerance};
 use integrators::{Point, front};
 use simulation::Atlas;
-use simulation::work_precision::{Standing, Way};
+use simulation::work_precision::{Configuration, Standing};
 
 /// For each decade of the error the cheapest run of all that reaches it.
 pub fn fronts(atlas: &Atlas) -> Vec<Table> {
@@ -12,7 +12,7 @@ pub fn fronts(atlas: &Atlas) -> Vec<Table> {
 }
 
 fn decades(atlas: &Atlas, counted: Counted) -> Table {
-    let all: Vec<(&Way, &Point, f64)> =
+    let all: Vec<(&Configuration, &Point, f64)> =
         atlas.points().filter_map(|(way, point)| Some((way, point, point.error.ok()?))).collect();
     let costs: Vec<(f64, f64)> = all.iter().map(|(_, point, error)| (counted.of(point), *error)).collect();
     let front = front(&costs);

@@ -5,12 +5,12 @@ mod along;
 mod marks;
 mod pieces;
 
-use crate::crew::Crew;
+use crate::job_pool::JobPool;
 use crate::stability_map;
 use along::{along, table};
 use charts::{Areas, Curve, CurvePoint, Sphere, Study, significant};
 use marks::{idle, named};
-use mechanics::uniform::Census;
+use mechanics::steady_rotations::Census;
 use nalgebra::{Matrix3, Vector3};
 use pieces::{Known, Piece, class, pieces};
 use std::collections::HashMap;
@@ -71,7 +71,7 @@ impl Stationary {
     }
 
     /// Draws them.
-    pub fn enlist<'s>(&'s mut self, scenes: Vec<&'s Scene>, crew: &mut Crew<'s>) {
+    pub fn enlist<'s>(&'s mut self, scenes: Vec<&'s Scene>, crew: &mut JobPool<'s>) {
         for (place, cone) in self.cases.iter_mut().zip(&self.cones) {
             crew.add(COST, place, || cone.drawn());
         }

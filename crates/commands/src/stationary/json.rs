@@ -2,7 +2,7 @@
 
 use super::{Given, motor, why};
 use crate::stability;
-use mechanics::uniform::{Census, Shape, Undecided};
+use mechanics::steady_rotations::{Census, Shape, Undecided};
 use serde_json::{Value, json};
 use studies::scene::Scene;
 use studies::stationary::energies::Kept;
@@ -32,7 +32,7 @@ pub(super) fn census(scene: &Scene, all: &Stationary<'_>, census: &[Result<Censu
     let finite = |w: f64| w.is_finite().then_some(w);
     let each = all.cases.iter().zip(census).map(|(case, census)| {
         let stretches = census.as_ref().ok().map(|census| {
-            let stretch = |s: &mechanics::uniform::Stretch| {
+            let stretch = |s: &mechanics::steady_rotations::Stretch| {
                 json!({ "from": finite(s.from), "to": finite(s.to), "isolated": s.isolated, "families": s.families })
             };
             census.stretches.iter().map(stretch).collect::<Vec<_>>()

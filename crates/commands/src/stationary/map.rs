@@ -3,7 +3,7 @@
 
 use super::{Asked, Ranged};
 use crate::arguments::Format;
-use crate::ending::{Ending, print};
+use crate::exit::{Exit, print};
 use crate::output::{Form, Output, Writes};
 use crate::{region_map, stability_map};
 use serde_json::{Value, json};
@@ -14,16 +14,16 @@ use studies::stationary::stability::plane::{Cell, NoPlane};
 use studies::stationary::stability::region::NoRegion;
 
 /// Prints it, and writes the picture where one is asked for.
-pub(super) fn show(asked: &Asked, scene: &Scene) -> Result<Ending, Ending> {
-    let refused = |reason: NoPlane| Ending::refused(format!("{}: {reason}", asked.scene.display()));
-    let unknown = |reason: Unknown| Ending::refused(format!("{}: {reason}", asked.scene.display()));
+pub(super) fn show(asked: &Asked, scene: &Scene) -> Result<Exit, Exit> {
+    let refused = |reason: NoPlane| Exit::refused(format!("{}: {reason}", asked.scene.display()));
+    let unknown = |reason: Unknown| Exit::refused(format!("{}: {reason}", asked.scene.display()));
     let [first, second] = &asked.map[..] else {
-        return Err(Ending::refused("a map has two data; --map A=FROM..TO --map B=FROM..TO is accepted"));
+        return Err(Exit::refused("a map has two data; --map A=FROM..TO --map B=FROM..TO is accepted"));
     };
     let datum = |ranged: &Ranged| Datum::named(scene, &ranged.name).map_err(unknown);
     let data = [datum(first)?, datum(second)?];
     if asked.omega0.is_some() && data.iter().any(|datum| datum.name == "omega0") {
-        return Err(Ending::refused(
+        return Err(Exit::refused(
             "--omega0 does not apply to a map over omega0, which says all of its values; leave it out, or map two other data",
         ));
     }
@@ -52,12 +52,12 @@ pub(super) fn show(asked: &Asked, scene: &Scene) -> Result<Ending, Ending> {
     if let Some(output) = output {
         output.write_text(&map.map(&columns).svg())?.tell(asked.format)?;
     }
-    Ok(Ending::Done)
+    Ok(Exit::Done)
 }
 
 /// Of all motions.
-fn every(asked: &Asked, output: Option<Output>, map: &region_map::Asked<'_>) -> Result<Ending, Ending> {
-    let refused = |reason: NoRegion| Ending::refused(format!("{}: {reason}", asked.scene.display()));
+fn every(asked: &Asked, output: Option<Output>, map: &region_map::Asked<'_>) -> Result<Exit, Exit> {
+    let refused = |reason: NoRegion| Exit::refused(format!("{}: {reason}", asked.scene.display()));
     let atlas = map.atlas().map_err(refused)?;
     print(&match asked.format {
         Format::Text => map.text(&atlas),
@@ -66,7 +66,7 @@ fn every(asked: &Asked, output: Option<Output>, map: &region_map::Asked<'_>) -> 
     if let Some(output) = output {
         output.write_text(&map.sheet(&atlas))?.tell(asked.format)?;
     }
-    Ok(Ending::Done)
+    Ok(Exit::Done)
 }
 
 fn text(scene: &Scene, [first, second]: &[Datum; 2], columns: &[(f64, Cell)]) -> String {

@@ -8,10 +8,10 @@ mod text;
 
 use crate::arguments::{Format, finite};
 use crate::clock;
-use crate::ending::{Ending, print};
+use crate::exit::{Exit, print};
 use crate::run::with_model;
 use clap::Args;
-use mechanics::uniform::Undecided;
+use mechanics::steady_rotations::Undecided;
 use reader::Family;
 use std::path::PathBuf;
 use studies::scene::Scene;
@@ -75,12 +75,12 @@ fn ranged(text: &str) -> Result<Ranged, String> {
 }
 
 /// Prints them.
-pub fn show(asked: &Asked) -> Result<Ending, Ending> {
+pub fn show(asked: &Asked) -> Result<Exit, Exit> {
     let scene = with_model(Scene::open(&asked.scene)?, asked.model.as_deref(), &asked.scene)?;
     if !asked.map.is_empty() {
         return map::show(asked, &scene);
     }
-    let refused = |reason: NoAnswer| Ending::refused(format!("{}: {reason}", asked.scene.display()));
+    let refused = |reason: NoAnswer| Exit::refused(format!("{}: {reason}", asked.scene.display()));
     let all = Stationary::of(&scene).map_err(refused)?;
     if matches!(asked.format, Format::Text) {
         clock::publish(format!("{}\n{}", scene.title, motor::text(&all.motor)));
@@ -91,7 +91,7 @@ pub fn show(asked: &Asked) -> Result<Ending, Ending> {
             Format::Text => format!("{}\n{}{}", scene.title, motor::text(&all.motor), text::counts(&all, &census)),
             Format::Json => format!("{:#}\n", json::census(&scene, &all, &census)),
         })?;
-        return Ok(if census.iter().all(Result::is_ok) { Ending::Done } else { Ending::Stopped });
+        return Ok(if census.iter().all(Result::is_ok) { Exit::Done } else { Exit::Stopped });
     }
     let (given, answers) = match (asked.omega0, asked.momentum) {
         (Some(w), _) => (Given::Speed(w), all.at_speed(w).map_err(refused)?),
@@ -105,7 +105,7 @@ pub fn show(asked: &Asked) -> Result<Ending, Ending> {
         Format::Json => format!("{:#}\n", json::all(&scene, &all, given, &answers)),
     })?;
     let complete = answers.iter().all(|answer| answer.certificate.is_complete());
-    Ok(if complete { Ending::Done } else { Ending::Stopped })
+    Ok(if complete { Exit::Done } else { Exit::Stopped })
 }
 
 /// What all motions have in common.

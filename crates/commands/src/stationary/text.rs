@@ -2,7 +2,7 @@
 
 use super::{Given, motor, why};
 use crate::stability;
-use mechanics::uniform::{Census, Kind, Shape, Undecided};
+use mechanics::steady_rotations::{Census, Kind, Shape, Undecided};
 use std::fmt::Write;
 use studies::scene::Scene;
 use studies::stationary::energies::Kept;

@@ -8,7 +8,7 @@ use crate::speed::{Counted, Series, series};
 use charts::{Study, Table, significant, tolerance};
 use integrators::{Regrets, cost};
 use simulation::Atlas;
-use simulation::work_precision::{Formulation, Standing, Way};
+use simulation::work_precision::{Configuration, Formulation, Standing};
 
 /// Errors at which choices are compared.
 const ERRORS: [f64; 3] = [1e-3, 1e-6, 1e-9];
@@ -57,7 +57,7 @@ const OWN: &str = "the scene's own model";
 const SMALLEST_EXACT: &str = "the smallest exact model";
 
 /// The choices that the runs of a way belong to.
-fn choices(method: &str, way: &Way, atlas: &Atlas) -> Vec<Choice> {
+fn choices(method: &str, way: &Configuration, atlas: &Atlas) -> Vec<Choice> {
     // a motor alone has one form, which is both
     let formulations = match way.formulation {
         Formulation::Bench => vec![Formulation::First, Formulation::Second],

@@ -1,7 +1,7 @@
 //! The electromechanical drive: the experiment of its paper, and what step and gains it can bear.
 
 use super::{extent, missing};
-use crate::crew::Crew;
+use crate::job_pool::JobPool;
 use charts::{AreaCurve, Areas, Panel, Study, Table, Track, Trajectory, significant};
 use integrators::{Failure, Method};
 use studies::stabilisation::drive_law::violation;
@@ -23,7 +23,7 @@ pub struct Drive {
 
 impl Drive {
     /// All of it.
-    pub fn enlist<'s>(&'s mut self, crew: &mut Crew<'s>) {
+    pub fn enlist<'s>(&'s mut self, crew: &mut JobPool<'s>) {
         crew.add(1.0, &mut self.exact, || experiment::exact(1000));
         crew.add(2.0, &mut self.bearable, bearable);
         crew.add(0.3, &mut self.most_damping, || most_damping(FASTEST.1));

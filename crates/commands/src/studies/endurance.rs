@@ -1,7 +1,7 @@
 //! Long runs: how errors grow with the number of revolutions.
 
 use super::{extent, million};
-use crate::crew::Crew;
+use crate::job_pool::JobPool;
 use charts::{AreaCurve, Areas, Study, Table, significant};
 use integrators::Means;
 use std::path::Path;
@@ -21,7 +21,7 @@ pub struct Endurance {
 
 impl Endurance {
     /// All of it.
-    pub fn enlist<'s>(&'s mut self, crew: &mut Crew<'s>) {
+    pub fn enlist<'s>(&'s mut self, crew: &mut JobPool<'s>) {
         for (place, pace) in self.courses.iter_mut().zip(PACES) {
             crew.add(1.2, place, move || LongRun::new().map(|run| run.course(pace, REVOLUTIONS)));
         }

@@ -1,7 +1,7 @@
 //! The catalogue of failure in the report: one table of thresholds, one of what became of every method.
 
-use crate::crew::Crew;
 use crate::failures::{Measured, grouped, judged, quantity};
+use crate::job_pool::JobPool;
 use charts::{Study, Table};
 use std::path::Path;
 use studies::failures::{ALL, Failing, Found};
@@ -20,7 +20,7 @@ impl Failures {
     }
 
     /// All of them.
-    pub fn enlist<'s>(&'s mut self, crew: &mut Crew<'s>, folder: &'s Path) {
+    pub fn enlist<'s>(&'s mut self, crew: &mut JobPool<'s>, folder: &'s Path) {
         for (place, failing) in self.measured.iter_mut().zip(&self.chosen) {
             crew.add(1.0, place, move || (*failing, failing.measure(folder)));
         }

@@ -2,7 +2,7 @@
 
 use super::missing;
 use super::treatments::{note, scanned, table};
-use crate::crew::Crew;
+use crate::job_pool::JobPool;
 use charts::{AreaCurve, Areas, Study};
 use integrators::Failure;
 use std::sync::OnceLock;
@@ -33,7 +33,7 @@ const ALLOWED: Duration = Duration::from_secs(6);
 
 impl Gains {
     /// All that need not be timed.
-    pub fn enlist<'s>(&'s mut self, crew: &mut Crew<'s>) {
+    pub fn enlist<'s>(&'s mut self, crew: &mut JobPool<'s>) {
         let Gains { maps, goal, compared, .. } = self;
         for (place, (scheme, cost)) in maps.iter_mut().zip(SCHEMES) {
             crew.add(cost, place, move || regions::map(scheme, CELLS.0, CELLS.1));

@@ -1,8 +1,8 @@
 //! Phantom stability: what every step of every method says of stationary motions.
 
-use crate::crew::Crew;
+use crate::job_pool::JobPool;
 use charts::{AreaCurve, Areas, Study, Table, significant};
-use mechanics::discrete::Judgement;
+use mechanics::one_step_stability::Judgement;
 use studies::phantom::survey::{self, Method, SCENES, Split, Surveyed};
 use studies::scene::Scene;
 
@@ -22,7 +22,7 @@ const NEAR: f64 = std::f64::consts::LN_10 / 8.0;
 
 impl Phantom {
     /// All of it, of the scenes that there are by the names of their files.
-    pub fn enlist<'s>(&'s mut self, crew: &mut Crew<'s>, scene: impl Fn(&str) -> Option<&'s Scene>) {
+    pub fn enlist<'s>(&'s mut self, crew: &mut JobPool<'s>, scene: impl Fn(&str) -> Option<&'s Scene>) {
         for (place, (name, w)) in self.scenes.iter_mut().zip(SCENES) {
             if let Some(scene) = scene(name) {
                 crew.add(COST, place, move || survey::survey(scene, w));

@@ -5,7 +5,7 @@
 
 use crate::methods::taylor::reach;
 use crate::{Failure, clock};
-use field::Lanes;
+use field::Batch;
 use pulp::{Arch, Simd, WithSimd};
 
 /// The order of series in lanes for a tolerance.
@@ -27,17 +27,17 @@ pub trait LaneSeries<const L: usize> {
     fn order(&self) -> usize;
 
     /// Expands the solutions through (t, y), lane by lane.
-    fn expand(&mut self, times: Lanes<L>, states: &[Lanes<L>]);
+    fn expand(&mut self, times: Batch<L>, states: &[Batch<L>]);
 
     /// Of the last expansion the coefficients of order k, the last or the one before it.
-    fn coefficients(&self, k: usize) -> &[Lanes<L>];
+    fn coefficients(&self, k: usize) -> &[Batch<L>];
 
     /// The sum of the last expansion, each lane at its h.
-    fn sum(&self, h: Lanes<L>, out: &mut [Lanes<L>]);
+    fn sum(&self, h: Batch<L>, out: &mut [Batch<L>]);
 
     /// The longest steps over which the last expansion shows the law, as [`TaylorSeries::shown`](crate::TaylorSeries::shown).
-    fn shown(&self) -> Lanes<L> {
-        Lanes::all(f64::INFINITY)
+    fn shown(&self) -> Batch<L> {
+        Batch::all(f64::INFINITY)
     }
 }
 
@@ -50,19 +50,19 @@ impl<T: LaneSeries<L> + ?Sized, const L: usize> LaneSeries<L> for Box<T> {
         (**self).order()
     }
 
-    fn expand(&mut self, times: Lanes<L>, states: &[Lanes<L>]) {
+    fn expand(&mut self, times: Batch<L>, states: &[Batch<L>]) {
         (**self).expand(times, states);
     }
 
-    fn coefficients(&self, k: usize) -> &[Lanes<L>] {
+    fn coefficients(&self, k: usize) -> &[Batch<L>] {
         (**self).coefficients(k)
     }
 
-    fn sum(&self, h: Lanes<L>, out: &mut [Lanes<L>]) {
+    fn sum(&self, h: Batch<L>, out: &mut [Batch<L>]) {
         (**self).sum(h, out);
     }
 
-    fn shown(&self) -> Lanes<L> {
+    fn shown(&self) -> Batch<L> {
         (**self).shown()
     }
 }
@@ -103,10 +103,10 @@ pub struct Ensemble<T, const L: usize> {
     tolerance: f64,
     end: f64,
     most_steps: u64,
-    states: Vec<Lanes<L>>,
+    states: Vec<Batch<L>>,
     /// Room for the states after a step.
-    after: Vec<Lanes<L>>,
-    times: Lanes<L>,
+    after: Vec<Batch<L>>,
+    times: Batch<L>,
     steps: [u64; L],
     /// Who is in which lane.
     numbers: [Option<u64>; L],
@@ -124,9 +124,9 @@ impl<T: LaneSeries<L>, const L: usize> Ensemble<T, L> {
             tolerance,
             end,
             most_steps: u64::MAX,
-            states: vec![Lanes::all(0.0); states],
-            after: vec![Lanes::all(0.0); states],
-            times: Lanes::all(0.0),
+            states: vec![Batch::all(0.0); states],
+            after: vec![Batch::all(0.0); states],
+            times: Batch::all(0.0),
             steps: [0; L],
             numbers: [None; L],
             parameters: vec![0.0; parameters],
@@ -157,7 +157,7 @@ impl<T: LaneSeries<L>, const L: usize> Ensemble<T, L> {
         let (last, before) = (self.source.coefficients(self.order), self.source.coefficients(self.order - 1));
         let reach = Reach { states: &self.states, last, before, order: self.order, tolerance: self.tolerance };
         let (reach, shown) = (Arch::new().dispatch(reach), self.source.shown());
-        let (mut steps, mut nexts) = (Lanes::all(0.0), [Ok(0.0); L]);
+        let (mut steps, mut nexts) = (Batch::all(0.0), [Ok(0.0); L]);
         for lane in (0..L).filter(|lane| self.numbers[*lane].is_some()) {
             // what is not a number stays so
             let reach = if shown.0[lane] < reach.0[lane] { shown.0[lane] } else { reach.0[lane] };
@@ -198,8 +198,8 @@ impl<T: LaneSeries<L>, const L: usize> Ensemble<T, L> {
         std::array::from_fn(|lane| {
             let (number, end, begin) = (self.numbers[lane]?, nexts[lane].ok()?, self.times.0[lane]);
             let state_at = |time: f64, state: &mut [f64]| {
-                let mut lanes = vec![Lanes::all(0.0); state.len()];
-                self.source.sum(Lanes::all(time - begin), &mut lanes);
+                let mut lanes = vec![Batch::all(0.0); state.len()];
+                self.source.sum(Batch::all(time - begin), &mut lanes);
                 state.iter_mut().zip(lanes).for_each(|(part, lanes)| *part = lanes.0[lane]);
             };
             let left = members.leaves(number, &LaneStep { begin, end, state_at: &state_at })?;
@@ -235,20 +235,20 @@ impl<T: LaneSeries<L>, const L: usize> Ensemble<T, L> {
 
 /// How far the series reach, lane by lane; not a number where a coefficient is none.
 struct Reach<'a, const L: usize> {
-    states: &'a [Lanes<L>],
-    last: &'a [Lanes<L>],
-    before: &'a [Lanes<L>],
+    states: &'a [Batch<L>],
+    last: &'a [Batch<L>],
+    before: &'a [Batch<L>],
     order: usize,
     tolerance: f64,
 }
 
 impl<const L: usize> WithSimd for Reach<'_, L> {
-    type Output = Lanes<L>;
+    type Output = Batch<L>;
 
     #[inline(always)]
-    fn with_simd<S: Simd>(self, _: S) -> Lanes<L> {
+    fn with_simd<S: Simd>(self, _: S) -> Batch<L> {
         // the largest coefficients in units of what is allowed, and the sum of all, which is finite where they are
-        let [mut s_last, mut s_before, mut sum] = [Lanes::all(0.0); 3];
+        let [mut s_last, mut s_before, mut sum] = [Batch::all(0.0); 3];
         for ((state, last), before) in self.states.iter().zip(self.last).zip(self.before) {
             for lane in 0..L {
                 let share = 1.0 / (self.tolerance + self.tolerance * state.0[lane].abs());

@@ -1,7 +1,7 @@
 //! Many systems of one kind at once, one in each lane of a wide register.
 
 mod ensemble;
-mod side_by_side;
+mod lockstep;
 
 pub use ensemble::{Ensemble, LaneSeries, LaneStep, Members, lanes_order};
-pub use side_by_side::{SideBySide, fuses};
+pub use lockstep::{SideBySide, fuses};

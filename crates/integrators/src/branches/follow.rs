@@ -20,7 +20,7 @@ pub struct Walk<'a> {
 
 /// A point of a curve.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Place {
+pub struct CurvePoint {
     pub x: Vec<f64>,
     /// Whether the parameter turns back here.
     pub fold: bool,
@@ -42,13 +42,13 @@ pub enum Last {
 /// A stretch of a curve, its folds among its points.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Branch {
-    pub places: Vec<Place>,
+    pub places: Vec<CurvePoint>,
     pub last: Last,
 }
 
 impl Branch {
     /// Its folds.
-    pub fn folds(&self) -> impl Iterator<Item = &Place> {
+    pub fn folds(&self) -> impl Iterator<Item = &CurvePoint> {
         self.places.iter().filter(|place| place.fold)
     }
 }
@@ -72,7 +72,7 @@ pub fn follow(curve: &mut dyn Curve, start: &[f64], towards: &[f64], walk: &Walk
     let mut direction = corrector.direction(&x, &along)?;
     let place = |x: &DVector<f64>, fold| {
         let x = x.iter().zip(walk.sizes).map(|(x, size)| x * size).collect();
-        Place { x, fold }
+        CurvePoint { x, fold }
     };
     let first = (x.clone(), direction.clone());
     let mut places = vec![place(&x, false)];

@@ -18,7 +18,7 @@ mod repeating;
 mod spectrum;
 
 pub use equilibria::Equilibria;
-pub use follow::{Branch, Last, Place, Walk, follow};
+pub use follow::{Branch, CurvePoint, Last, Walk, follow};
 pub use repeating::Repeating;
 pub use spectrum::spectrum;
 

@@ -2,26 +2,26 @@
 
 use num_dual::Derivative;
 
-use crate::{DIRECTIONS, Directions, Ode, Slopes, System};
+use crate::{DIRECTIONS, Dual8, JacobianFn, Ode, System};
 
 /// df/dy, and df/dt where asked for, of a law of any dimension.
 pub struct Jacobian<'a> {
-    law: &'a dyn Ode<Directions>,
-    y: Vec<Directions>,
-    dy: Vec<Directions>,
-    code: Option<Box<dyn Slopes + 'a>>,
+    law: &'a dyn Ode<Dual8>,
+    y: Vec<Dual8>,
+    dy: Vec<Dual8>,
+    code: Option<Box<dyn JacobianFn + 'a>>,
 }
 
 impl<'a> Jacobian<'a> {
     /// By forward differentiation.
-    pub fn new(law: &'a dyn Ode<Directions>) -> Self {
-        let zeros = vec![Directions::from_re(0.0); law.dimension()];
+    pub fn new(law: &'a dyn Ode<Dual8>) -> Self {
+        let zeros = vec![Dual8::from_re(0.0); law.dimension()];
         Jacobian { law, y: zeros.clone(), dy: zeros, code: None }
     }
 
     /// By the system's own code where it has any.
     pub fn of(system: &'a dyn System) -> Self {
-        Jacobian { code: system.slopes(), ..Jacobian::new(system) }
+        Jacobian { code: system.jacobian_fn(), ..Jacobian::new(system) }
     }
 
     /// `matrix[i * n + j]` = df_i / dy_j at (t, y).
@@ -36,14 +36,14 @@ impl<'a> Jacobian<'a> {
             for k in 0..block {
                 self.y[first + k] = variable(y[first + k], k);
             }
-            self.law.rates(Directions::from_re(t), &self.y, &mut self.dy);
+            self.law.rates(Dual8::from_re(t), &self.y, &mut self.dy);
             for (row, rate) in matrix.chunks_mut(n).zip(&self.dy) {
                 for k in 0..block {
                     row[first + k] = slope(rate, k);
                 }
             }
             for k in 0..block {
-                self.y[first + k] = Directions::from_re(y[first + k]);
+                self.y[first + k] = Dual8::from_re(y[first + k]);
             }
         }
     }
@@ -61,17 +61,17 @@ impl<'a> Jacobian<'a> {
     }
 
     fn load(&mut self, y: &[f64]) {
-        self.y.iter_mut().zip(y).for_each(|(own, y)| *own = Directions::from_re(*y));
+        self.y.iter_mut().zip(y).for_each(|(own, y)| *own = Dual8::from_re(*y));
     }
 }
 
 /// A number that varies along direction k.
-pub fn variable(value: f64, k: usize) -> Directions {
-    Directions::from_re(value).derivative(k)
+pub fn variable(value: f64, k: usize) -> Dual8 {
+    Dual8::from_re(value).derivative(k)
 }
 
 /// The derivative of a number along direction k.
-pub fn slope(number: &Directions, k: usize) -> f64 {
+pub fn slope(number: &Dual8, k: usize) -> f64 {
     let Derivative(slopes) = &number.eps;
     slopes.as_ref().map_or(0.0, |slopes| slopes[k])
 }

@@ -2,38 +2,38 @@
 //!
 //! # Overview
 //! * [`Ode`] over one field, [`System`] over the three of a computation;
-//! * its Jacobian: code of its own ([`Slopes`]) or forward differentiation ([`Jacobian`]);
+//! * its Jacobian: code of its own ([`JacobianFn`]) or forward differentiation ([`Jacobian`]);
 //! * its Taylor coefficients ([`TaylorSeries`]);
 //! * the flows of its pieces ([`Pieces`]), in the order of a [`Splitting`];
-//! * a law that multipliers hold to constraints ([`Held`]).
+//! * a law that multipliers hold to constraints ([`Index2Dae`]).
 
 #[cfg(test)]
 pub(crate) mod bell;
 mod composition;
-mod held;
+mod index2_dae;
 pub(crate) mod jacobian;
 mod pieces;
 mod real;
 mod series;
 
 pub use composition::Splitting;
-pub use held::{Held, HeldSystem};
+pub use index2_dae::{Index2Dae, Index2DaeSystem};
 pub use jacobian::{Jacobian, slope, variable};
 pub use pieces::{Composed, Pieces};
 pub use real::Real;
 pub use series::TaylorSeries;
 
-use field::{DoubleDouble, Lanes, Scalar, Tangent};
+use field::{Batch, DoubleDouble, Scalar, Tangent};
 use num_dual::DualSVec64;
 
 /// The number of columns of a Jacobian that one evaluation gives.
 pub const DIRECTIONS: usize = 8;
 
 /// The field in which a Jacobian is computed: a value and its slopes in eight directions.
-pub type Directions = DualSVec64<DIRECTIONS>;
+pub type Dual8 = DualSVec64<DIRECTIONS>;
 
 /// The field of a state-transition matrix: a value in every lane, and in each lane the slope in one of eight directions.
-pub type Variations = Tangent<Lanes<DIRECTIONS>>;
+pub type Variations = Tangent<Batch<DIRECTIONS>>;
 
 /// y' = f(t, y) over one field, with a dimension known at run time (a machine has as many bars as its file says).
 pub trait Ode<S: Scalar> {
@@ -48,19 +48,19 @@ pub trait Ode<S: Scalar> {
 ///
 /// A system generic over `S: Over<f64> + Analytic` needs one more line, `impl System for Mine {}`. A system whose
 /// expression graph is at hand may offer its Taylor coefficients too.
-pub trait System: Ode<f64> + Ode<Directions> + Ode<DoubleDouble> {
+pub trait System: Ode<f64> + Ode<Dual8> + Ode<DoubleDouble> {
     /// A source of Taylor coefficients in `f64`, where there is one.
     fn taylor(&self) -> Option<Box<dyn TaylorSeries<f64> + '_>> {
         None
     }
 
     /// A source of Taylor coefficients with their derivatives in eight directions, where there is one.
-    fn taylor_directions(&self) -> Option<Box<dyn TaylorSeries<Variations> + '_>> {
+    fn taylor_variations(&self) -> Option<Box<dyn TaylorSeries<Variations> + '_>> {
         None
     }
 
-    /// The law's Jacobian as code of its own, where there is one; otherwise the law is run over [`Directions`].
-    fn slopes(&self) -> Option<Box<dyn Slopes + '_>> {
+    /// The law's Jacobian as code of its own, where there is one; otherwise the law is run over [`Dual8`].
+    fn jacobian_fn(&self) -> Option<Box<dyn JacobianFn + '_>> {
         None
     }
 
@@ -81,7 +81,7 @@ pub trait System: Ode<f64> + Ode<Directions> + Ode<DoubleDouble> {
 }
 
 /// The derivatives of a law. Neither may allocate.
-pub trait Slopes {
+pub trait JacobianFn {
     /// `matrix[i * n + j]` = df_i / dy_j at (t, y).
     fn matrix(&mut self, t: f64, y: &[f64], matrix: &mut [f64]);
 
@@ -97,7 +97,7 @@ pub trait Working: Real {
     fn law(system: &dyn System) -> &dyn Ode<Self>;
 
     /// The law of a held system, seen in this field.
-    fn held(system: &dyn HeldSystem) -> &dyn Held<Self>;
+    fn held(system: &dyn Index2DaeSystem) -> &dyn Index2Dae<Self>;
 
     /// The system's source of Taylor coefficients in this field.
     fn series(system: &dyn System) -> Option<Box<dyn TaylorSeries<Self> + '_>>;
@@ -111,7 +111,7 @@ impl Working for f64 {
         system
     }
 
-    fn held(system: &dyn HeldSystem) -> &dyn Held<f64> {
+    fn held(system: &dyn Index2DaeSystem) -> &dyn Index2Dae<f64> {
         system
     }
 
@@ -129,7 +129,7 @@ impl Working for DoubleDouble {
         system
     }
 
-    fn held(system: &dyn HeldSystem) -> &dyn Held<DoubleDouble> {
+    fn held(system: &dyn Index2DaeSystem) -> &dyn Index2Dae<DoubleDouble> {
         system
     }
 

@@ -1,6 +1,6 @@
 //! A law and a method for it, whatever keeps the law's constraints.
 
-use crate::{HeldSystem, Holding, Method, Observer, Outcome, Span, System, Tolerance};
+use crate::{Holding, Index2DaeSystem, Method, Observer, Outcome, Span, System, Tolerance};
 use crate::{hold, integrate, integrate_projected};
 use std::fmt;
 
@@ -10,9 +10,9 @@ pub enum Attempt<'a> {
     /// y' = f(t, y).
     Integrated(&'a dyn System, Method),
     /// The same, brought onto the constraints of a held law after each step.
-    Projected(&'a dyn System, &'a dyn HeldSystem, Method),
+    Projected(&'a dyn System, &'a dyn Index2DaeSystem, Method),
     /// Held to its constraints by multipliers.
-    Held(&'a dyn HeldSystem, Holding),
+    Held(&'a dyn Index2DaeSystem, Holding),
     /// Law after law, across events.
     Across(&'a dyn Across, Method),
 }
@@ -71,7 +71,7 @@ impl Attempt<'_> {
             Attempt::Integrated(system, _) | Attempt::Projected(system, ..) => crate::Ode::<f64>::dimension(system),
             Attempt::Across(motion, _) => motion.dimension(),
             Attempt::Held(held, _) => {
-                let (states, multipliers) = crate::Held::<f64>::sizes(held);
+                let (states, multipliers) = crate::Index2Dae::<f64>::sizes(held);
                 states + multipliers
             }
         };

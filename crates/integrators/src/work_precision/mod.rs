@@ -30,7 +30,7 @@ pub struct Point {
 
 /// What methods are to follow, and how far they are off.
 #[derive(Clone, Copy)]
-pub struct Course<'a> {
+pub struct Benchmark<'a> {
     pub span: &'a Span<'a, f64>,
     /// Of the state's components.
     pub sizes: &'a [f64],
@@ -40,7 +40,7 @@ pub struct Course<'a> {
 
 /// Runs every attempt at every tolerance, one with a constant step once, without times: problems may be judged at the same
 /// time. Each run may take its share of what the ones before have left of the time allowed: few need it.
-pub fn judge(attempts: &[Attempt<'_>], course: &Course<'_>, tolerances: &[f64], allowed: Duration) -> Vec<Point> {
+pub fn judge(attempts: &[Attempt<'_>], course: &Benchmark<'_>, tolerances: &[f64], allowed: Duration) -> Vec<Point> {
     let end = Instant::now() + allowed;
     let tried: Vec<(f64, &Attempt<'_>)> = tolerances
         .iter()

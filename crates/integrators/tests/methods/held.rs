@@ -2,7 +2,7 @@
 
 use crate::problems::{Growth, LooseRim, Rim, distance};
 use dalembert_integrators::{
-    Failure, Held, HeldSystem, Holding, Method, Observer, Ode, Refusal, Span, System, Working, hold,
+    Failure, Holding, Index2Dae, Index2DaeSystem, Method, Observer, Ode, Refusal, Span, System, Working, hold,
     integrate_projected,
 };
 use field::{Analytic, DoubleDouble, Over};
@@ -30,7 +30,7 @@ struct Drift<'a, S>(&'a mut f64, std::marker::PhantomData<S>);
 
 impl<S: Working> Observer<S> for Drift<'_, S>
 where
-    Rim: Held<S>,
+    Rim: Index2Dae<S>,
 {
     fn step(&mut self, time: f64, y: &[S]) {
         let mut g = [S::zero(); 2];
@@ -42,7 +42,7 @@ where
 /// The error at the end, and the drift.
 fn run<S: Working>(method: Holding, [start, end]: [f64; 2]) -> (f64, f64)
 where
-    Rim: Held<S>,
+    Rim: Index2Dae<S>,
 {
     let span = Span::new(start, end, &Rim::state::<S>(start));
     let mut drift = 0.0;
@@ -94,7 +94,7 @@ fn a_start_off_the_constraint_is_brought_onto_it_by_the_first_step() {
 /// The rim with columns that do not move its constraint: no multiplier can hold it.
 struct Loose;
 
-impl<S: Over<f64> + Analytic> Held<S> for Loose {
+impl<S: Over<f64> + Analytic> Index2Dae<S> for Loose {
     fn sizes(&self) -> (usize, usize) {
         (4, 2)
     }
@@ -113,7 +113,7 @@ impl<S: Over<f64> + Analytic> Held<S> for Loose {
     }
 }
 
-impl HeldSystem for Loose {}
+impl Index2DaeSystem for Loose {}
 
 #[test]
 fn what_cannot_be_held_is_singular_by_name() {
@@ -192,7 +192,7 @@ impl Led {
     }
 }
 
-impl<S: Over<f64> + Analytic> Held<S> for Led {
+impl<S: Over<f64> + Analytic> Index2Dae<S> for Led {
     fn sizes(&self) -> (usize, usize) {
         (2, 1)
     }
@@ -211,7 +211,7 @@ impl<S: Over<f64> + Analytic> Held<S> for Led {
     }
 }
 
-impl HeldSystem for Led {}
+impl Index2DaeSystem for Led {}
 
 /// The same with nothing that leads: x' = cos t.
 struct Unled;

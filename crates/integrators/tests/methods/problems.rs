@@ -1,6 +1,6 @@
 //! Nonlinear problems with known solutions, each written once for every field.
 
-use dalembert_integrators::{Held, HeldSystem, Ode, Real, System};
+use dalembert_integrators::{Index2Dae, Index2DaeSystem, Ode, Real, System};
 use field::{Analytic, DoubleDouble, Over};
 
 /// Kepler's problem: q'' = -q / |q|^3, with semi-major axis 1 and the pericentre at t = 0.
@@ -257,7 +257,7 @@ impl Rim {
     }
 }
 
-impl<S: Over<f64> + Analytic> Held<S> for Rim {
+impl<S: Over<f64> + Analytic> Index2Dae<S> for Rim {
     fn sizes(&self) -> (usize, usize) {
         (4, 2)
     }
@@ -283,7 +283,7 @@ impl<S: Over<f64> + Analytic> Held<S> for Rim {
     }
 }
 
-impl HeldSystem for Rim {}
+impl Index2DaeSystem for Rim {}
 
 /// The same point with Lagrange's multiplier of the twice differentiated constraint: nothing holds it on the rim.
 pub struct LooseRim;

@@ -2,7 +2,7 @@
 
 use crate::problems::{Chain, Explosion, Kaps, Kepler, Lorenz, Pendulum, distance};
 use dalembert_integrators::{
-    Attempt, Course, Failure, Means, Method, Record, Span, System, Timed, Tolerance, judge, measure, reference,
+    Attempt, Benchmark, Failure, Means, Method, Record, Span, System, Timed, Tolerance, judge, measure, reference,
 };
 use field::DoubleDouble;
 use std::time::Duration;
@@ -106,7 +106,7 @@ fn work_against_precision_has_a_point_for_every_method_and_tolerance() {
     let allowed = Duration::from_millis(200);
     let attempts = methods.map(|method| Attempt::Integrated(&kaps, method));
     let error = |record: &Record<f64>| known.error(record);
-    let course = Course { span: &span, sizes: &known.sizes, error: &error };
+    let course = Benchmark { span: &span, sizes: &known.sizes, error: &error };
     let mut points = judge(&attempts, &course, &[1e-5, 1e-8], allowed);
     assert!(points.iter().all(|point| point.time.is_none()));
     for point in points.iter_mut().filter(|point| point.error.is_ok()) {

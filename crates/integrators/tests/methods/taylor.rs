@@ -2,8 +2,8 @@
 
 use crate::problems::{Kepler, Pendulum, distance};
 use dalembert_integrators::{
-    Directions, Failure, Method, Ode, Record, Refusal, Span, System, Taylor, TaylorSeries, Tolerance, Working,
-    integrate, integrate_in, reference,
+    Dual8, Failure, Method, Ode, Record, Refusal, Span, System, Taylor, TaylorSeries, Tolerance, Working, integrate,
+    integrate_in, reference,
 };
 use field::DoubleDouble;
 
@@ -25,7 +25,7 @@ where
 
 impl System for Series
 where
-    Pendulum: Ode<f64> + Ode<Directions> + Ode<DoubleDouble>,
+    Pendulum: Ode<f64> + Ode<Dual8> + Ode<DoubleDouble>,
 {
     fn taylor(&self) -> Option<Box<dyn TaylorSeries<f64> + '_>> {
         Some(Box::new(Recurrence {

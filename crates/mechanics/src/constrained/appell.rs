@@ -1,6 +1,6 @@
 //! Appell's equations in quasi-velocities: dS'/dp'_j = Q'_j, with the acceleration energy S' = 1/2 sum m_i x_i''^2.
 
-use super::System;
+use super::PointSystem;
 use super::motion::Motion;
 use crate::appell::appell;
 use crate::definite::{NotDefinite, root};
@@ -8,7 +8,7 @@ use crate::differentiate::fixed;
 use field::{Over, Scalar};
 
 /// dS'/dp'_j - Q'_j at the rates p'.
-pub fn residual<Q: System<N>, S: Over<Q::Given>, const N: usize, const R: usize>(
+pub fn residual<Q: PointSystem<N>, S: Over<Q::Given>, const N: usize, const R: usize>(
     system: &Q,
     motion: &Motion<S, N, R>,
     force: [S; N],
@@ -24,7 +24,7 @@ pub fn residual<Q: System<N>, S: Over<Q::Given>, const N: usize, const R: usize>
 ///
 /// # Errors
 /// [`NotDefinite`] names the first field that depends on those before it.
-pub fn rates<Q: System<N>, S: Over<Q::Given>, const N: usize, const R: usize>(
+pub fn rates<Q: PointSystem<N>, S: Over<Q::Given>, const N: usize, const R: usize>(
     system: &Q,
     motion: &Motion<S, N, R>,
     force: [S; N],

@@ -1,7 +1,7 @@
 //! Points that touch rough curves.
 
 use super::newton::Reactions;
-use super::{Charted, Constrained, Constraint, State, System};
+use super::{Charted, Constrained, Constraint, PointSystem, State};
 use field::{Analytic, Over};
 
 /// Where a point of the system may touch a rough curve.
@@ -37,7 +37,7 @@ pub trait Contacts<const N: usize, const C: usize, const K: usize>: Constrained<
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Closed<Q, const C: usize, const K: usize>(pub Q);
 
-impl<Q: System<N>, const N: usize, const C: usize, const K: usize> System<N> for Closed<Q, C, K> {
+impl<Q: PointSystem<N>, const N: usize, const C: usize, const K: usize> PointSystem<N> for Closed<Q, C, K> {
     type Given = Q::Given;
 
     fn masses<S: Over<Self::Given>>(&self) -> [S; N] {

@@ -6,7 +6,7 @@
 //! (x, y, c, s) with the masses (m, m, J, J) and c^2 + s^2 = 1; a body in space is its centre and its axes. Everything
 //! is then algebraic: every law has exact values at rational points, and angles come in with a chart only.
 //!
-//! * [`System`], [`Constrained`]: masses, forces and constraints, of which everything else is derived;
+//! * [`PointSystem`], [`Constrained`]: masses, forces and constraints, of which everything else is derived;
 //! * [`Charted`]: coordinates q and quasi-velocities p that satisfy the constraints identically;
 //! * [`rates`](mod@rates): constraints differentiated along a motion, their matrix;
 //! * [`contacts`]: rough curves that the system touches, from one side or from both;
@@ -92,7 +92,7 @@ impl<S> Constraint<S> {
 }
 
 /// N coordinates with masses and given forces.
-pub trait System<const N: usize> {
+pub trait PointSystem<const N: usize> {
     /// The field of the parameters.
     type Given: Base;
 
@@ -104,14 +104,14 @@ pub trait System<const N: usize> {
 }
 
 /// A system with C constraints that hold as equations.
-pub trait Constrained<const N: usize, const C: usize>: System<N> {
+pub trait Constrained<const N: usize, const C: usize>: PointSystem<N> {
     /// The constraints in a fixed order. A geometric one must not look at the velocity.
     fn constraints<S: Over<Self::Given>>(&self, at: &State<S, N>) -> [Constraint<S>; C];
 }
 
 /// Generalised coordinates q (K of them) and quasi-velocities p (R of them): whatever they are, the constraints hold that
 /// the chart is made for.
-pub trait Charted<const N: usize, const K: usize, const R: usize>: System<N> {
+pub trait Charted<const N: usize, const K: usize, const R: usize>: PointSystem<N> {
     /// x = a(q, t)
     fn place<S: Over<Self::Given> + Analytic>(&self, time: S, q: [S; K]) -> [S; N];
 

@@ -4,13 +4,13 @@
 //! across, a blade across its edge. The reactions are forces in newtons, and that they do no work is a finding.
 
 use super::rates::rates;
-use super::{Constrained, State, System};
+use super::{Constrained, PointSystem, State};
 use crate::definite::{NotDefinite, solve};
 use crate::differentiate::{along, unit};
 use field::{Over, Scalar, Tangent};
 
 /// A system with C reactions.
-pub trait Reactions<const N: usize, const C: usize>: System<N> {
+pub trait Reactions<const N: usize, const C: usize>: PointSystem<N> {
     /// A unit of each reaction as a force in the coordinates x.
     fn reactions<S: Over<Self::Given>>(&self, at: &State<S, N>) -> [[S; N]; C];
 }

@@ -7,7 +7,7 @@
 //! lost_j = sum over a of m_a x'_a (dA_aj/dt - E_j(x'_a)).
 
 use super::rates::{first_rates, jacobian, rates};
-use super::{Charted, Constrained, State, System};
+use super::{Charted, Constrained, PointSystem, State};
 use crate::definite::{NotDefinite, solve};
 use field::{Analytic, Over, Scalar};
 
@@ -123,7 +123,9 @@ impl<'a, Q: Constrained<N, C>, const N: usize, const C: usize, const F: usize> R
     }
 }
 
-impl<Q: Constrained<N, C>, const N: usize, const C: usize, const F: usize> System<N> for Redundant<'_, Q, N, C, F> {
+impl<Q: Constrained<N, C>, const N: usize, const C: usize, const F: usize> PointSystem<N>
+    for Redundant<'_, Q, N, C, F>
+{
     type Given = Q::Given;
 
     fn masses<S: Over<Self::Given>>(&self) -> [S; N] {

@@ -2,8 +2,8 @@
 
 use algebra::complex::Rectangle;
 use algebra::real::Enclosure;
-use dalembert_mechanics::discrete::{Fates, Judgement, Place, Spectrum, StabilityFunction, Steps};
-use dalembert_mechanics::first_approximation::characteristic;
+use dalembert_mechanics::linear_stability::characteristic;
+use dalembert_mechanics::one_step_stability::{Fates, Judgement, Place, Spectrum, StabilityFunction, Steps};
 use field::Rational;
 
 const BITS: usize = 192;

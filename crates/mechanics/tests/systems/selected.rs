@@ -1,7 +1,7 @@
 //! Motions with a given vertical momentum in special positions, each beside its closed form: none is left open.
 
 use algebra::real::{Enclosure, Polynomial, Root};
-use dalembert_mechanics::uniform::{Body, Kind, Selected, Shape};
+use dalembert_mechanics::steady_rotations::{Body, Kind, Selected, Shape};
 use field::{Rational, Scalar};
 use nalgebra::{Matrix3, Vector3};
 

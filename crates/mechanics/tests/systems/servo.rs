@@ -6,7 +6,7 @@ use dalembert_mechanics::constrained::multipliers::leading_to;
 use dalembert_mechanics::constrained::programmed::{Linear, Programme, violation as of_contacts};
 use dalembert_mechanics::constrained::rates::{jacobian, rates};
 use dalembert_mechanics::constrained::servo::{Servo, Steered, additions, gradients, steered, violation};
-use dalembert_mechanics::constrained::{Constrained, Constraint, State, System};
+use dalembert_mechanics::constrained::{Constrained, Constraint, PointSystem, State};
 use dalembert_mechanics::differentiate::along;
 use field::{Over, Rational, Tangent};
 
@@ -16,7 +16,7 @@ struct Driven {
     last: Rational,
 }
 
-impl System<4> for Driven {
+impl PointSystem<4> for Driven {
     type Given = Rational;
 
     fn masses<S: Over<Rational>>(&self) -> [S; 4] {

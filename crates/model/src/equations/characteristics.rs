@@ -88,7 +88,7 @@ impl Characteristics {
     ///
     /// # Errors
     /// The place of the first constraint that is not linear.
-    pub fn motion(&self, trace: &Trace<'_>, constraints: &[Equation]) -> Result<Motion, usize> {
+    pub fn motion(&self, trace: &Trace<'_>, constraints: &[Equation]) -> Result<SolvedMotion, usize> {
         let moves = |row: &Vec<Sym>| {
             let mut symbols = row.iter().flat_map(|slope| slope.symbols_of());
             symbols.any(|symbol| trace.speeds.contains(&symbol))
@@ -110,18 +110,18 @@ impl Characteristics {
         let rates: Vec<Sym> = speeds.iter().map(|&(_, speed)| trace.rate_of(speed)).collect();
         let rates = substitute_all(&rates, &speeds);
         let accelerations = self.dependent.iter().zip(rates).map(|(&(d, _), rate)| (trace.accelerations[d], rate));
-        Ok(Motion { accelerations: accelerations.collect(), speeds })
+        Ok(SolvedMotion { accelerations: accelerations.collect(), speeds })
     }
 }
 
 /// Dependent speeds and accelerations by independent ones.
 #[derive(Clone, Debug)]
-pub struct Motion {
+pub struct SolvedMotion {
     pub speeds: Vec<(Sym, Sym)>,
     pub accelerations: Vec<(Sym, Sym)>,
 }
 
-impl Motion {
+impl SolvedMotion {
     /// Expressions at points on the constraints.
     pub fn on_constraints(&self, expressions: &[Sym]) -> Vec<Sym> {
         let moved = substitute_all(expressions, &self.accelerations);

@@ -3,7 +3,7 @@
 use super::loads::generalised;
 use super::{NotApplicable, Principle};
 use crate::Trace;
-use crate::equations::{Characteristics, Equation, Motion};
+use crate::equations::{Characteristics, Equation, SolvedMotion};
 use std::fmt;
 use symbolic::Sym;
 
@@ -56,7 +56,7 @@ pub struct Operator {
 }
 
 /// Both sides of the identity but the first sum, at points on the constraints.
-pub fn operator(trace: &Trace<'_>, characteristics: &Characteristics, motion: &Motion) -> Operator {
+pub fn operator(trace: &Trace<'_>, characteristics: &Characteristics, motion: &SolvedMotion) -> Operator {
     let kinetic = trace.kinetic_and_coenergy();
     let reduced = motion.on_constraints(&[kinetic])[0];
     let momenta: Vec<Sym> = characteristics.dependent.iter().map(|&(d, _)| trace.by_speed(kinetic, d)).collect();
@@ -121,7 +121,10 @@ impl Projection {
 }
 
 /// The motion on the constraints, or which of them is not linear, or need not hold.
-pub(crate) fn linear(constraints: &[Equation], motion: Result<Motion, usize>) -> Result<Motion, NotApplicable> {
+pub(crate) fn linear(
+    constraints: &[Equation],
+    motion: Result<SolvedMotion, usize>,
+) -> Result<SolvedMotion, NotApplicable> {
     if let Some(place) = constraints.iter().position(|constraint| constraint.gains.is_some()) {
         let title = constraints[place].title(place);
         return Err(NotApplicable(format!("{title} is programmed: it need not hold along a motion")));

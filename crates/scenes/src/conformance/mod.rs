@@ -8,7 +8,7 @@ mod states;
 use crate::admissible::impossible;
 use crate::inductances::impossible_inductances;
 use crate::readiness::start_of;
-use claims::finding::{Finding, Verdict};
+use claims::finding::{Finding, PropertyVerdict};
 use model::principles::Principle;
 use model::{Agreement, Model, Pairs, Trace, agreement, statements};
 use symbolic::apart;
@@ -18,7 +18,7 @@ pub fn conform(model: &Model) -> Vec<Finding> {
     let mut model = model.clone();
     model.close_inputs();
     let model = &model;
-    let dimensions = Verdict::Proved("the units of all expressions agree, as they were read".to_owned());
+    let dimensions = PropertyVerdict::Proved("the units of all expressions agree, as they were read".to_owned());
     [
         ("principles", apart(|| principles(model))),
         ("power", apart(|| power(model))),
@@ -34,33 +34,33 @@ pub fn conform(model: &Model) -> Vec<Finding> {
 }
 
 /// The verdict of an agreement, with what it says of.
-fn verdict(found: &Agreement, says: &str) -> Verdict {
+fn verdict(found: &Agreement, says: &str) -> PropertyVerdict {
     match found {
-        Agreement::Proved { .. } | Agreement::Theorem { .. } => Verdict::Proved(says.to_owned()),
-        Agreement::Identified { .. } | Agreement::Tested { .. } => Verdict::Tested(format!("{says}: {found}")),
-        Agreement::Refuted { .. } => Verdict::Fails(format!("{says}: {found}")),
-        Agreement::Undecided { .. } => Verdict::Undecided(format!("{says}: {found}")),
+        Agreement::Proved { .. } | Agreement::Theorem { .. } => PropertyVerdict::Proved(says.to_owned()),
+        Agreement::Identified { .. } | Agreement::Tested { .. } => PropertyVerdict::Tested(format!("{says}: {found}")),
+        Agreement::Refuted { .. } => PropertyVerdict::Fails(format!("{says}: {found}")),
+        Agreement::Undecided { .. } => PropertyVerdict::Undecided(format!("{says}: {found}")),
     }
 }
 
 /// Energies and virtual displacements beside bodies with the loads of their joints.
-fn principles(model: &Model) -> Verdict {
+fn principles(model: &Model) -> PropertyVerdict {
     let trace = Trace::of(model);
     match agreement(&trace, Principle::Lagrange, Principle::NewtonEuler) {
         Ok(found) => verdict(&found, "Lagrange's equations are those of the bodies with the loads of their joints"),
-        Err(why) => Verdict::DoesNotApply(why.to_string()),
+        Err(why) => PropertyVerdict::DoesNotApply(why.to_string()),
     }
 }
 
-fn power(model: &Model) -> Verdict {
+fn power(model: &Model) -> PropertyVerdict {
     let trace = Trace::of(model);
     match statements(&trace).into_iter().find(|one| one.subject == "energy") {
         Some(energy) => verdict(&energy.agreement, &energy.says),
-        None => Verdict::DoesNotApply("it has no energy".to_owned()),
+        None => PropertyVerdict::DoesNotApply("it has no energy".to_owned()),
     }
 }
 
-fn pairs(model: &Model) -> Verdict {
+fn pairs(model: &Model) -> PropertyVerdict {
     let Pairs { between, from_outside, along } = Pairs::of(model);
     let pairs = match between {
         0 => "no load acts between two bodies".to_owned(),
@@ -69,23 +69,25 @@ fn pairs(model: &Model) -> Verdict {
     };
     let alone = [from_outside, along].concat();
     match (between, alone.is_empty()) {
-        (0, true) => Verdict::DoesNotApply(pairs),
-        (_, true) => Verdict::Proved(format!("{pairs}; none acts on one alone")),
-        (_, false) => Verdict::DoesNotApply(format!("{pairs}; {}: on what it reacts is not said", alone.join(", "))),
+        (0, true) => PropertyVerdict::DoesNotApply(pairs),
+        (_, true) => PropertyVerdict::Proved(format!("{pairs}; none acts on one alone")),
+        (_, false) => {
+            PropertyVerdict::DoesNotApply(format!("{pairs}; {}: on what it reacts is not said", alone.join(", ")))
+        }
     }
 }
 
-fn inertia(model: &Model) -> Verdict {
+fn inertia(model: &Model) -> PropertyVerdict {
     if let Some(issue) = impossible(model).into_iter().next() {
-        return Verdict::Fails(issue.title);
+        return PropertyVerdict::Fails(issue.title);
     }
     let Ok(start) = start_of(model) else {
-        return Verdict::DoesNotApply("it has no start: parameters or coordinates are open".to_owned());
+        return PropertyVerdict::DoesNotApply("it has no start: parameters or coordinates are open".to_owned());
     };
     match impossible_inductances(model, &start) {
-        Some(issue) => Verdict::Fails(issue.title),
-        None => {
-            Verdict::Tested("masses, moments of inertia and inductances are those of bodies and windings".to_owned())
-        }
+        Some(issue) => PropertyVerdict::Fails(issue.title),
+        None => PropertyVerdict::Tested(
+            "masses, moments of inertia and inductances are those of bodies and windings".to_owned(),
+        ),
     }
 }

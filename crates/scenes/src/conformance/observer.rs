@@ -5,7 +5,7 @@
 
 use super::states::{Expressions, States};
 use crate::layout::Layout;
-use claims::finding::Verdict;
+use claims::finding::PropertyVerdict;
 use model::{Force, FrameId, Material, Model, ScalarId, Torque, Trace, VectorId};
 use nalgebra::{DMatrix, DVector};
 use symbolic::{Sym, apart, substitute_all};
@@ -73,15 +73,15 @@ struct Compared {
 }
 
 /// The verdict of all loads between bodies.
-pub(super) fn verdict(model: &Model) -> Verdict {
+pub(super) fn verdict(model: &Model) -> PropertyVerdict {
     apart(|| {
         let trace = Trace::of(model);
         let loads = Load::all(&trace);
         if loads.is_empty() {
-            return Verdict::DoesNotApply("no load acts between two bodies other than the ground".to_owned());
+            return PropertyVerdict::DoesNotApply("no load acts between two bodies other than the ground".to_owned());
         }
         let Some(compared) = Compared::of(&trace, &loads) else {
-            return Verdict::Undecided("the loads have no values".to_owned());
+            return PropertyVerdict::Undecided("the loads have no values".to_owned());
         };
         let mut states = States::about_start(&trace);
         let (mut moved, mut found) = (false, None);
@@ -95,12 +95,12 @@ pub(super) fn verdict(model: &Model) -> Verdict {
         }
         match found {
             _ if !moved => {
-                Verdict::DoesNotApply("its bodies cannot move along together: the ground holds them".to_owned())
+                PropertyVerdict::DoesNotApply("its bodies cannot move along together: the ground holds them".to_owned())
             }
-            None => Verdict::Tested(
+            None => PropertyVerdict::Tested(
                 "moved along together, in place or in speed, its bodies exert the same loads on each other".to_owned(),
             ),
-            Some((load, what)) => Verdict::Fails(format!(
+            Some((load, what)) => PropertyVerdict::Fails(format!(
                 "{} changes where all bodies move along together: it holds {what} beside the ground",
                 loads[load].title(model)
             )),

@@ -3,7 +3,7 @@
 use super::states::{Expressions, States};
 use crate::letters::Letters;
 use crate::row_units::unit_of;
-use claims::finding::Verdict;
+use claims::finding::PropertyVerdict;
 use field::Rational;
 use model::{Model, Trace, forces_without_potential};
 use num_traits::Zero;
@@ -20,9 +20,9 @@ const NEAR: f64 = 0.05;
 const ANYWHERE: f64 = 1.0;
 
 /// The verdict: exact where their power is a quadratic form with constant coefficients, else by many states.
-pub(super) fn verdict(model: &Model) -> Verdict {
+pub(super) fn verdict(model: &Model) -> PropertyVerdict {
     if model.parameters.iter().any(|parameter| parameter.value.is_none()) {
-        return Verdict::DoesNotApply("some parameters have no value".to_owned());
+        return PropertyVerdict::DoesNotApply("some parameters have no value".to_owned());
     }
     apart(|| {
         let trace = Trace::of(model);
@@ -32,10 +32,10 @@ pub(super) fn verdict(model: &Model) -> Verdict {
         if !chooses && !trace.speeds.iter().any(|speed| held.contains(speed)) {
             let rubs = model.contacts.iter().any(|contact| contact.friction.is_some());
             let beside = if rubs { ", beside friction in contacts" } else { "" };
-            return Verdict::Proved(format!("no force changes with the speeds{beside}"));
+            return PropertyVerdict::Proved(format!("no force changes with the speeds{beside}"));
         }
         match (!chooses).then(|| quadratic(&trace, &forces)).flatten().map(is_never_positive) {
-            Some(true) => Verdict::Proved(
+            Some(true) => PropertyVerdict::Proved(
                 "what comes with the speeds takes energy, for any positions and speeds and for these data".to_owned(),
             ),
             _ => sampled(&trace, &forces),
@@ -91,10 +91,10 @@ fn is_never_positive(mut form: Vec<Vec<Rational>>) -> bool {
 }
 
 /// Looks for a state at which the power is positive.
-fn sampled(trace: &Trace<'_>, forces: &[Sym]) -> Verdict {
+fn sampled(trace: &Trace<'_>, forces: &[Sym]) -> PropertyVerdict {
     let model = trace.model;
     let Some(expressions) = Expressions::of(trace, forces) else {
-        return Verdict::Undecided("the power has no values".to_owned());
+        return PropertyVerdict::Undecided("the power has no values".to_owned());
     };
     let mut states = States::about_start(trace);
     let mut seen = 0;
@@ -114,10 +114,10 @@ fn sampled(trace: &Trace<'_>, forces: &[Sym]) -> Verdict {
             if power > ROUNDING * sizes && power > 0.0 {
                 let found = gives(model, &state, power);
                 return match part == NEAR {
-                    true => Verdict::Fails(format!(
+                    true => PropertyVerdict::Fails(format!(
                         "forces that come with the speeds give {found}: a wrong sign, or a motor whose field or supply they stand for"
                     )),
-                    false => Verdict::Tested(format!(
+                    false => PropertyVerdict::Tested(format!(
                         "near the start what comes with the speeds takes energy; away from it, forces give {found}"
                     )),
                 };
@@ -125,8 +125,8 @@ fn sampled(trace: &Trace<'_>, forces: &[Sym]) -> Verdict {
         }
     }
     match seen {
-        0 => Verdict::Undecided("the power has a value at no state that was tried".to_owned()),
-        _ => Verdict::Tested(format!("at {seen} states what comes with the speeds takes energy")),
+        0 => PropertyVerdict::Undecided("the power has a value at no state that was tried".to_owned()),
+        _ => PropertyVerdict::Tested(format!("at {seen} states what comes with the speeds takes energy")),
     }
 }
 

@@ -5,7 +5,7 @@ use crate::compiled_system::is_watched;
 use crate::modes::{Modes, Refused, described};
 use model::Model;
 use simulation::ensemble::{Drawn, Ended, Last, RunsAlone, Stopped};
-use simulation::{Choice, Smooth};
+use simulation::{Choice, IvpScene};
 use std::ops::ControlFlow;
 use std::sync::Arc;
 use std::time::Duration;

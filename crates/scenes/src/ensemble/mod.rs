@@ -20,7 +20,7 @@ use simulation::ensemble::{
     lane_series, vary,
 };
 use simulation::events::Margins;
-use simulation::{Run, Smooth};
+use simulation::{IvpScene, Run};
 use std::fmt::{self, Write};
 use std::sync::Arc;
 

@@ -3,7 +3,7 @@
 use super::slopes::ImplicitSlopes;
 use super::{Implicit, recurrence};
 use field::{DoubleDouble, Scalar};
-use integrators::{Ode, Slopes, System, TaylorSeries, Variations};
+use integrators::{JacobianFn, Ode, System, TaylorSeries, Variations};
 use model::Model;
 use simulation::{Differentiable, LawSeries};
 use std::sync::{Arc, OnceLock};
@@ -40,7 +40,7 @@ impl System for ImplicitLaw {
         self.series.plain()
     }
 
-    fn taylor_directions(&self) -> Option<Box<dyn TaylorSeries<Variations> + '_>> {
+    fn taylor_variations(&self) -> Option<Box<dyn TaylorSeries<Variations> + '_>> {
         self.series.directed()
     }
 
@@ -48,7 +48,7 @@ impl System for ImplicitLaw {
         self.series.exact()
     }
 
-    fn slopes(&self) -> Option<Box<dyn Slopes + '_>> {
+    fn jacobian_fn(&self) -> Option<Box<dyn JacobianFn + '_>> {
         Some(Box::new(ImplicitSlopes::new(&self.equations)))
     }
 }
@@ -67,7 +67,7 @@ impl SolvedSlopes {
 }
 
 impl Differentiable for SolvedSlopes {
-    fn slopes(&self) -> Option<Box<dyn Slopes + '_>> {
+    fn jacobian_fn(&self) -> Option<Box<dyn JacobianFn + '_>> {
         let equations = self.equations.get_or_init(|| Implicit::of(&self.model).ok()).as_ref()?;
         Some(Box::new(ImplicitSlopes::new(equations)))
     }

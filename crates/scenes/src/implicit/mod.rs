@@ -20,7 +20,7 @@ use crate::letters::Letters;
 use crate::program::recorded;
 use algebra::linear::{Factors, Magnitude, NotSolved, Pattern};
 use field::DoubleDouble;
-use integrators::{Directions, Ode, System};
+use integrators::{Dual8, Ode, System};
 use model::{Model, Trace};
 use simulation::{Program, Running};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -34,7 +34,7 @@ pub(crate) struct Implicit {
     terms: Program,
     pattern: Pattern,
     plain: Pool<f64>,
-    directed: Pool<Directions>,
+    directed: Pool<Dual8>,
     exact: Pool<DoubleDouble>,
 }
 
@@ -141,6 +141,6 @@ macro_rules! runs {
         }
     )*};
 }
-runs!(f64: plain, Directions: directed, DoubleDouble: exact);
+runs!(f64: plain, Dual8: directed, DoubleDouble: exact);
 
 impl System for Implicit {}

@@ -5,15 +5,15 @@
 
 use super::{Implicit, Room};
 use algebra::linear::NotSolved;
-use integrators::{DIRECTIONS, Directions, Slopes, slope, variable};
+use integrators::{DIRECTIONS, Dual8, JacobianFn, slope, variable};
 
 /// The derivatives of one law, with room for them.
 pub(super) struct ImplicitSlopes<'a> {
     implicit: &'a Implicit,
     room: Room<f64>,
-    state: Vec<Directions>,
-    terms: Vec<Directions>,
-    rates: Vec<Directions>,
+    state: Vec<Dual8>,
+    terms: Vec<Dual8>,
+    rates: Vec<Dual8>,
     /// b' - A' z, then z', of one direction.
     right: Vec<f64>,
 }
@@ -21,7 +21,7 @@ pub(super) struct ImplicitSlopes<'a> {
 impl<'a> ImplicitSlopes<'a> {
     pub fn new(implicit: &'a Implicit) -> Self {
         let Implicit { model, pattern, .. } = implicit;
-        let zeros = |count: usize| vec![Directions::from(0.0); count];
+        let zeros = |count: usize| vec![Dual8::from(0.0); count];
         ImplicitSlopes {
             implicit,
             room: Room::new(pattern),
@@ -45,7 +45,7 @@ impl ImplicitSlopes<'_> {
     }
 
     /// The terms along the directions of time and state, and the rates of the positions.
-    fn direct(&mut self, t: Directions) -> Option<()> {
+    fn direct(&mut self, t: Dual8) -> Option<()> {
         self.implicit.model.position_rates(&self.state, &mut self.rates);
         self.implicit.terms.run(t, &self.state, &mut self.terms)
     }
@@ -66,10 +66,10 @@ impl ImplicitSlopes<'_> {
     }
 }
 
-impl Slopes for ImplicitSlopes<'_> {
+impl JacobianFn for ImplicitSlopes<'_> {
     fn matrix(&mut self, t: f64, y: &[f64], matrix: &mut [f64]) {
         let n = y.len();
-        self.state.iter_mut().zip(y).for_each(|(own, y)| *own = Directions::from(*y));
+        self.state.iter_mut().zip(y).for_each(|(own, y)| *own = Dual8::from(*y));
         if self.solve(t, y).is_err() {
             return matrix.fill(f64::NAN);
         }
@@ -78,18 +78,18 @@ impl Slopes for ImplicitSlopes<'_> {
             for k in 0..block {
                 self.state[first + k] = variable(y[first + k], k);
             }
-            if self.direct(Directions::from(t)).is_none() {
+            if self.direct(Dual8::from(t)).is_none() {
                 return matrix.fill(f64::NAN);
             }
             for k in 0..block {
                 self.along(k, |row, slope| matrix[row * n + first + k] = slope);
-                self.state[first + k] = Directions::from(y[first + k]);
+                self.state[first + k] = Dual8::from(y[first + k]);
             }
         }
     }
 
     fn by_time(&mut self, t: f64, y: &[f64], slopes: &mut [f64]) {
-        self.state.iter_mut().zip(y).for_each(|(own, y)| *own = Directions::from(*y));
+        self.state.iter_mut().zip(y).for_each(|(own, y)| *own = Dual8::from(*y));
         match self.solve(t, y).is_ok() && self.direct(variable(t, 0)).is_some() {
             true => self.along(0, |row, slope| slopes[row] = slope),
             false => slopes.fill(f64::NAN),

@@ -5,7 +5,7 @@
 
 use super::Current;
 use field::DoubleDouble;
-use integrators::{Directions, Ode, Slopes, System};
+use integrators::{Dual8, JacobianFn, Ode, System};
 use simulation::Law;
 use std::sync::Arc;
 
@@ -37,10 +37,10 @@ macro_rules! runs {
         }
     )*};
 }
-runs!(f64, Directions, DoubleDouble);
+runs!(f64, Dual8, DoubleDouble);
 
 impl System for WithoutSeries {
-    fn slopes(&self) -> Option<Box<dyn Slopes + '_>> {
-        self.0.slopes()
+    fn jacobian_fn(&self) -> Option<Box<dyn JacobianFn + '_>> {
+        self.0.jacobian_fn()
     }
 }

@@ -6,7 +6,7 @@ use super::held::eliminated;
 use super::mode::Mode;
 use crate::letters::Letters;
 use field::DoubleDouble;
-use integrators::{Directions, Ode, System};
+use integrators::{Dual8, Ode, System};
 use model::{Model, Trace};
 use simulation::{Program, Running};
 use symbolic::{Derivation, Sym, substitute_all};
@@ -85,4 +85,4 @@ impl<S: Running> Ode<S> for Slowed {
     }
 }
 
-impl System for Slowed where Self: Ode<f64> + Ode<Directions> + Ode<DoubleDouble> {}
+impl System for Slowed where Self: Ode<f64> + Ode<Dual8> + Ode<DoubleDouble> {}

@@ -8,7 +8,7 @@ use crate::letters::Letters;
 use crate::modes::Mode;
 use crate::program::recorded;
 use field::{DoubleDouble, Over, Rational};
-use integrators::{Directions, Method, Ode, Outcome, Real, Record, Span, System, Tolerance, integrate};
+use integrators::{Dual8, Method, Ode, Outcome, Real, Record, Span, System, Tolerance, integrate};
 use model::{Model, Regulator, Trace};
 use nalgebra::DMatrix;
 use simulation::Program;
@@ -45,7 +45,7 @@ struct ClosedLoop<'a> {
     states: usize,
     count: usize,
     chosen: usize,
-    room: (Room<f64>, Room<Directions>, Room<DoubleDouble>),
+    room: (Room<f64>, Room<Dual8>, Room<DoubleDouble>),
 }
 
 /// Inputs and outputs of the program.
@@ -75,7 +75,7 @@ macro_rules! runs {
         }
     )*};
 }
-runs!(f64, 0, |t| t; Directions, 1, |t| t.re; DoubleDouble, 2, |t| t.approx());
+runs!(f64, 0, |t| t; Dual8, 1, |t| t.re; DoubleDouble, 2, |t| t.approx());
 
 impl System for ClosedLoop<'_> {}
 

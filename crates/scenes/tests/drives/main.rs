@@ -12,7 +12,7 @@ mod without_inertia;
 use ::machines as _;
 use dalembert_scenes::ModelScene;
 use integrators::Method;
-use simulation::{Choice, Smooth, Trajectory};
+use simulation::{Choice, IvpScene, Trajectory};
 
 fn runs(text: &str) -> Trajectory {
     let scene = ModelScene::parse("scene.toml", text).unwrap_or_else(|error| panic!("{error}"));

@@ -85,8 +85,8 @@ fn a_step_down_converter_gives_the_part_of_the_voltage_in_which_its_switch_is_cl
         [[force]]\nalong = \"qs\"\nis = \"V\"\n[[diode]]\nname = \"D\"\ncurrent = \"qd'\"\n[outputs]\nu = \"qc/C\"\n\
         [run]\nspan = \"0.01 s\"\nmethod = \"radau_5\"\ntolerance = 1e-8\n";
     let scene = ModelScene::parse("scene.toml", text).unwrap_or_else(|error| panic!("{error}"));
-    let choice = simulation::Smooth::run(&scene).choice();
-    let trajectory = simulation::Smooth::problem(&scene, choice.axes).simulate(&choice, |_| {});
+    let choice = simulation::IvpScene::run(&scene).choice();
+    let trajectory = simulation::IvpScene::problem(&scene, choice.axes).simulate(&choice, |_| {});
     assert_eq!(trajectory.stopped(), None);
     close(last(&trajectory, "u"), 12.0, 0.1);
 }

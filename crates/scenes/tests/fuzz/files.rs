@@ -5,7 +5,7 @@ use super::{Drawn, changed};
 use dalembert_scenes::conformance::conform;
 use dalembert_scenes::regulator::regulated;
 use dalembert_scenes::{ModelScene, regimes};
-use simulation::{Choice, Smooth};
+use simulation::{Choice, IvpScene};
 use std::time::{Duration, Instant};
 
 const TEXTS: [&str; 14] = [

@@ -2,7 +2,7 @@
 
 use dalembert_scenes::ModelScene;
 use integrators::Method;
-use simulation::{Choice, Smooth};
+use simulation::{Choice, IvpScene};
 
 pub const DRAWS: u64 = 200;
 const METHODS: [Method; 4] = [Method::Taylor, Method::DormandPrince8, Method::DormandPrince5, Method::Radau5];

@@ -9,7 +9,7 @@ mod starts;
 
 use dalembert_scenes::ModelScene;
 use integrators::Method;
-use simulation::{Axes, Choice, Problem, Smooth, Trajectory};
+use simulation::{Axes, Choice, IvpScene, Problem, Trajectory};
 
 const METHODS: [Method; 3] = [Method::DormandPrince8, Method::Taylor, Method::Radau5];
 

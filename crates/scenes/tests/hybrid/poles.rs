@@ -2,7 +2,7 @@
 
 use dalembert_scenes::ModelScene;
 use integrators::Method;
-use simulation::{Choice, Smooth};
+use simulation::{Choice, IvpScene};
 
 /// A ball rolls on a plane with a constant angular velocity, so that the angle theta of Euler's goes through zero at 0.45 s.
 fn ball() -> String {

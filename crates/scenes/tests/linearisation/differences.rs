@@ -2,9 +2,9 @@
 
 use super::{CART, linear, scene, stored};
 use dalembert_scenes::linearisation::{Linearisation, Point, Standing, VariedEquations};
-use integrators::{Directions, Jacobian, Ode};
+use integrators::{Dual8, Jacobian, Ode};
 use nalgebra::{DMatrix, DVector};
-use simulation::{Axes, Smooth};
+use simulation::{Axes, IvpScene};
 
 /// Without constraints A is the Jacobian of the law that runs, along the motion too, by dual numbers.
 #[test]
@@ -16,7 +16,7 @@ fn a_moving_point_has_the_jacobian_of_the_law_that_runs() {
         let law = scene.problem(Axes::First).law;
         let n = scene.start.len();
         let mut expected = vec![0.0; n * n];
-        let dual: &dyn Ode<Directions> = &*law;
+        let dual: &dyn Ode<Dual8> = &*law;
         Jacobian::new(dual).matrix(0.0, &scene.start, &mut expected);
         let expected = DMatrix::from_row_slice(n, n, &expected);
         assert!((&found.a - &expected).amax() < 1e-11 * expected.amax(), "{} {expected}", found.a);

@@ -5,7 +5,7 @@ use dalembert_scenes::ModelScene;
 use dalembert_scenes::linearisation::{Stability, Standing, eigenvalues};
 use integrators::Ode;
 use nalgebra::{DMatrix, DVector};
-use simulation::{Axes, Smooth};
+use simulation::{Axes, IvpScene};
 
 /// A symmetric top about a fixed point, A and C its moments there, in a frame that turns freely.
 const FREE_TOP: &str = "title = \"A top\"\ngravity = \"-g*N.z\"\n[parameters]\nm = \"1.5 kg\"\nl = \"0.2 m\"\nA = \"0.09 kg m^2\"\nC = \"0.01 kg m^2\"\n\

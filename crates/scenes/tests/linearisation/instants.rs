@@ -2,7 +2,7 @@
 
 use super::{scene, stored};
 use dalembert_scenes::linearisation::points::{NoInstance, along};
-use simulation::Smooth;
+use simulation::IvpScene;
 use std::time::Duration;
 
 const ALLOWED: Duration = Duration::from_secs(60);

@@ -2,7 +2,7 @@
 
 use super::{ensemble, rows, text, with};
 use dalembert_scenes::ModelScene;
-use simulation::Smooth;
+use simulation::IvpScene;
 
 /// The last row of the run of one file, by its own method.
 fn run_of(text: &str) -> (f64, Vec<f64>) {

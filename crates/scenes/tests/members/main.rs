@@ -7,7 +7,7 @@ mod lone_members;
 use dalembert_scenes::{ModelScene, parse_ensemble};
 use integrators::{Taylor, Tolerance, lanes_order};
 use simulation::ensemble::{EnsembleScene, Row};
-use simulation::{Axes, Smooth};
+use simulation::{Axes, IvpScene};
 use std::ops::ControlFlow;
 use std::path::Path;
 

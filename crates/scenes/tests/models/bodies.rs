@@ -3,7 +3,7 @@
 use super::{folder, open};
 use dalembert_scenes::ModelScene;
 use integrators::{Failure, Method, Refusal};
-use simulation::{Choice, Smooth, Trajectory, methods};
+use simulation::{Choice, IvpScene, Trajectory, methods};
 
 fn body(name: &str) -> ModelScene {
     open(&folder().join("bodies").join(name).with_extension("toml"))

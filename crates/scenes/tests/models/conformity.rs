@@ -1,7 +1,7 @@
 //! `conform` on systems that are text: what is sound passes, and each mistake is found by its check.
 
 use super::{all, path};
-use claims::finding::{Finding, Verdict};
+use claims::finding::{Finding, PropertyVerdict};
 use dalembert_scenes::conformance::conform;
 use dalembert_scenes::{Task, parse_titled, read_model};
 
@@ -10,7 +10,7 @@ fn found(text: &str) -> Vec<Finding> {
     conform(&model)
 }
 
-fn verdict<'f>(findings: &'f [Finding], check: &str) -> &'f Verdict {
+fn verdict<'f>(findings: &'f [Finding], check: &str) -> &'f PropertyVerdict {
     let finding = findings.iter().find(|finding| finding.check == check);
     &finding.unwrap_or_else(|| panic!("no {check}")).verdict
 }
@@ -24,7 +24,7 @@ fn every_model_conforms_but_for_one_whose_force_gives_energy() {
         let model = read_model(&path, Task::Write).unwrap_or_else(|error| panic!("{error}"));
         let name = path.file_stem().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
         for Finding { check, verdict } in conform(&model) {
-            let sound = !matches!(verdict, Verdict::Fails(_) | Verdict::Undecided(_));
+            let sound = !matches!(verdict, PropertyVerdict::Fails(_) | PropertyVerdict::Undecided(_));
             let active = check == "passivity" && ACTIVE.contains(&name.as_str());
             assert_eq!(sound, !active, "{name}, {check}: {}", verdict.says());
         }
@@ -42,27 +42,33 @@ fn blocks(force: &str) -> Vec<Finding> {
 #[test]
 fn a_damper_between_bodies_takes_energy_whoever_looks() {
     let sound = blocks("between = [\"a\", \"b\"]\nis = \"-c*rate(distance(P, Q))\"");
-    assert!(matches!(verdict(&sound, "passivity"), Verdict::Tested(_)));
-    assert!(matches!(verdict(&sound, "frame"), Verdict::Tested(_)), "{}", verdict(&sound, "frame").says());
+    assert!(matches!(verdict(&sound, "passivity"), PropertyVerdict::Tested(_)));
+    assert!(matches!(verdict(&sound, "frame"), PropertyVerdict::Tested(_)), "{}", verdict(&sound, "frame").says());
     for check in ["principles", "power", "pairs"] {
-        assert!(matches!(verdict(&sound, check), Verdict::Proved(_)), "{check}: {}", verdict(&sound, check).says());
+        assert!(
+            matches!(verdict(&sound, check), PropertyVerdict::Proved(_)),
+            "{check}: {}",
+            verdict(&sound, check).says()
+        );
     }
     let wrong_sign = blocks("between = [\"a\", \"b\"]\nis = \"c*rate(distance(P, Q))\"");
-    assert!(matches!(verdict(&wrong_sign, "passivity"), Verdict::Fails(says) if says.contains(" W at ")));
+    assert!(matches!(verdict(&wrong_sign, "passivity"), PropertyVerdict::Fails(says) if says.contains(" W at ")));
     // where the blocks have passed each other, y' - x' is no rate of their distance
     let passed = blocks("between = [\"a\", \"b\"]\nis = \"-c*(y' - x')\"");
-    assert!(matches!(verdict(&passed, "passivity"), Verdict::Tested(says) if says.contains("away from it")));
+    assert!(matches!(verdict(&passed, "passivity"), PropertyVerdict::Tested(says) if says.contains("away from it")));
     // drag by the velocity beside the ground is no force between two bodies
     let of_ground = blocks("between = [\"a\", \"b\"]\nis = \"-c*(velocity(Q) . N.x)\"");
-    assert!(matches!(verdict(&of_ground, "frame"), Verdict::Fails(says) if says.contains("`a` and `b`")));
+    assert!(matches!(verdict(&of_ground, "frame"), PropertyVerdict::Fails(says) if says.contains("`a` and `b`")));
     let relative = blocks("between = [\"a\", \"b\"]\nis = \"-c*((velocity(Q) - velocity(P)) . N.x)\"");
-    assert!(matches!(verdict(&relative, "frame"), Verdict::Tested(_)));
+    assert!(matches!(verdict(&relative, "frame"), PropertyVerdict::Tested(_)));
     let by_letters = blocks("between = [\"a\", \"b\"]\nis = \"-c*y'\"");
     assert!(
-        matches!(verdict(&by_letters, "frame"), Verdict::Fails(says) if says.contains("a velocity beside the ground"))
+        matches!(verdict(&by_letters, "frame"), PropertyVerdict::Fails(says) if says.contains("a velocity beside the ground"))
     );
     let by_place = blocks("between = [\"a\", \"b\"]\nis = \"-(3 N/m)*x\"");
-    assert!(matches!(verdict(&by_place, "frame"), Verdict::Fails(says) if says.contains("a place beside the ground")));
+    assert!(
+        matches!(verdict(&by_place, "frame"), PropertyVerdict::Fails(says) if says.contains("a place beside the ground"))
+    );
     let alone = blocks("on = \"b\"\nis = \"-c*y'*N.x\"");
     assert!(
         verdict(&alone, "pairs").says().contains("a force acts on `b`: on what it reacts is not said"),
@@ -80,14 +86,14 @@ fn a_dissipation_that_is_indefinite_gives_energy() {
              [energies]\ndissipation = \"(1 N s/m)/2*(x'^2 + y'^2) + ({b} N s/m)*x'*y'\"\n[run]\nspan = \"1 s\"\n"
         ))
     };
-    assert!(matches!(verdict(&with("0.9"), "passivity"), Verdict::Proved(_)));
-    assert!(matches!(verdict(&with("1.1"), "passivity"), Verdict::Fails(_)));
+    assert!(matches!(verdict(&with("0.9"), "passivity"), PropertyVerdict::Proved(_)));
+    assert!(matches!(verdict(&with("1.1"), "passivity"), PropertyVerdict::Fails(_)));
 }
 
 #[test]
 fn dry_friction_with_a_wrong_sign_gives_energy() {
     let sound = std::fs::read_to_string(path("dry_friction")).expect("it is there");
-    assert!(matches!(verdict(&found(&sound), "passivity"), Verdict::Tested(_)));
+    assert!(matches!(verdict(&found(&sound), "passivity"), PropertyVerdict::Tested(_)));
     let wrong = sound.replace("k*x + F*sign(x')", "k*x - F*sign(x')");
-    assert!(matches!(verdict(&found(&wrong), "passivity"), Verdict::Fails(_)));
+    assert!(matches!(verdict(&found(&wrong), "passivity"), PropertyVerdict::Fails(_)));
 }

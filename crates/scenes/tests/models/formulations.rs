@@ -4,7 +4,7 @@ use super::{open, path};
 use dalembert_scenes::ModelScene;
 use integrators::{Holding, Method, Record, Span, Tolerance, hold, integrate, integrate_projected};
 use simulation::work_precision::{Formulation, Treated};
-use simulation::{Axes, Smooth};
+use simulation::{Axes, IvpScene};
 
 /// A body on a frame that turns freely, held at a point of its own: constraints of positions with a quaternion in them.
 const HELD_AT_A_POINT: &str = "title = \"A body held at a point\"\ngravity = \"-(9.81 m/s^2)*N.z\"\n\

@@ -3,7 +3,7 @@
 use dalembert_scenes::ModelScene;
 use simulation::knowledge::{ClosedForm, Diagnosis, Knowledge, submit};
 use simulation::models::Modelled;
-use simulation::{Axes, Margin, Smooth, Told, Trajectory};
+use simulation::{Axes, IvpScene, Margin, Told, Trajectory};
 
 submit! { Knowledge {
     name: "falling_stone",

@@ -17,7 +17,7 @@ use machines as _;
 use model::principles::Principle;
 use model::{Agreement, Trace, agreement};
 use simulation::models::holds_model;
-use simulation::{Axes, Choice, Smooth, Stored, references};
+use simulation::{Axes, Choice, IvpScene, Stored, references};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 use studies as _;

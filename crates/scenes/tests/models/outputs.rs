@@ -2,7 +2,7 @@
 
 use dalembert_scenes::ModelScene;
 use integrators::Method;
-use simulation::{Choice, Smooth};
+use simulation::{Choice, IvpScene};
 
 const SPRING: &str = "title = \"spring\"\n[parameters]\nk = \"4 N/m\"\nm = \"1 kg\"\n[coordinates]\nx = \"m\"\n\
     [points]\nP = \"O + x*N.x\"\n[definitions]\nfar = \"if(x > (0.5 m), 1, 0)\"\n[bodies.b]\ncentre = \"P\"\nmass = \"m\"\n\

@@ -3,7 +3,7 @@
 use super::{all, open};
 use dalembert_scenes::ModelScene;
 use integrators::Method;
-use simulation::{Axes, Choice, Smooth, Trajectory};
+use simulation::{Axes, Choice, IvpScene, Trajectory};
 
 const METHODS: [Method; 3] = [Method::DormandPrince8, Method::Taylor, Method::RadauIIA { stages: 5 }];
 

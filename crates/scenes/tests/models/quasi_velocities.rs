@@ -4,7 +4,7 @@ use dalembert_scenes::linearisation::VariedEquations;
 use dalembert_scenes::{ModelScene, equilibrium_of, parse_ensemble};
 use integrators::Method;
 use model::{QuasiPrinciple, QuasiVelocities, Trace, quasi_agreement};
-use simulation::{Axes, Smooth};
+use simulation::{Axes, IvpScene};
 
 const SLEIGH: &str = r#"
 title = "Chaplygin's sleigh"

@@ -4,7 +4,7 @@ use dalembert_scenes::linearisation::{VariedEquations, eigenvalues};
 use dalembert_scenes::{ModelScene, independent_start, parse_ensemble};
 use integrators::Method;
 use model::{QuasiPrinciple, QuasiVelocities, Trace};
-use simulation::{Axes, Smooth};
+use simulation::{Axes, IvpScene};
 use std::collections::HashMap;
 
 /// A rod on three parallel cranks: the third holds along the rod what the second holds.

@@ -2,7 +2,7 @@
 
 use dalembert_scenes::{ModelScene, parse_ensemble};
 use integrators::Method;
-use simulation::{Axes, Choice, Smooth};
+use simulation::{Axes, Choice, IvpScene};
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
 use std::time::Duration;

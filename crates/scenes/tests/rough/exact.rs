@@ -6,7 +6,7 @@ use field::DoubleDouble;
 use integrators::{Failure, Method, Record, Span, Tolerance};
 use simulation::references::{Exact, Unknown};
 use simulation::work_precision::{Hybrid, judged_across_events};
-use simulation::{Axes, Choice, Smooth, Stored, Trials};
+use simulation::{Axes, Choice, IvpScene, Stored, Trials};
 use std::time::Duration;
 
 const PATIENCE: Duration = Duration::from_secs(60);

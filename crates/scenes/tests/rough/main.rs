@@ -19,7 +19,7 @@ mod tripods;
 
 use dalembert_scenes::ModelScene;
 use integrators::Method;
-use simulation::{Choice, Smooth, Trajectory};
+use simulation::{Choice, IvpScene, Trajectory};
 
 const METHODS: [Method; 3] = [Method::DormandPrince8, Method::Taylor, Method::Radau5];
 

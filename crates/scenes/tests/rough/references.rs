@@ -7,7 +7,7 @@ use field::{Analytic, DoubleDouble, Over};
 use integrators::{Attempt, End, Failure, Method, Record, Span, Tolerance};
 use simulation::references::Unknown;
 use simulation::work_precision::{Hybrid, Treated, judged_across_events};
-use simulation::{Choice, Smooth, Stored, Trials, references};
+use simulation::{Choice, IvpScene, Stored, Trials, references};
 use std::path::Path;
 use std::time::Duration;
 use studies::regimes::critical;

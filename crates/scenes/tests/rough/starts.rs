@@ -4,7 +4,7 @@ use super::{edited, rod, runs, stored};
 use dalembert_scenes::ModelScene;
 use integrators::Method;
 use simulation::models::Modelled;
-use simulation::{Axes, Smooth, Trajectory};
+use simulation::{Axes, IvpScene, Trajectory};
 
 fn begins(text: &str) -> Trajectory {
     runs(text, Method::DormandPrince8, 1e-9)
@@ -67,7 +67,7 @@ fn a_scene_with_other_values_is_that_of_the_text_with_them() {
     let text = edited("friction/jam", &[("f", "0.5"), ("theta", "1 rad")]);
     let written = ModelScene::parse("scene.toml", &text).unwrap_or_else(|error| panic!("{error}"));
     assert_eq!((changed.value("f"), changed.value("theta")), (Some(0.5), Some(1.0)));
-    let end = |scene: &dyn Smooth| scene.problem(Axes::First).simulate(&written.run().choice(), |_| ()).outcome.state;
+    let end = |scene: &dyn IvpScene| scene.problem(Axes::First).simulate(&written.run().choice(), |_| ()).outcome.state;
     assert_eq!(end(&*changed), end(&written));
     assert_eq!(scene.with_values(&[("mu", 0.1)]).expect_err("no such datum"), "nothing is called `mu`");
     let heavier = scene.with_values(&[("m", -1.0)]).expect_err("no such body");

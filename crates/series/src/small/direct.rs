@@ -11,7 +11,7 @@ use super::solving::Solving;
 use super::wide_sums::WideSums;
 use crate::fused::Fused;
 use crate::pick::Pick;
-use crate::small::permuted::Permute;
+use crate::small::permutation::Permute;
 use crate::stored::Stored;
 use std::ops::Range;
 

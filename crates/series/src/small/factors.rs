@@ -3,7 +3,7 @@
 use super::law::Law;
 use super::round::round;
 use crate::fused::Fused;
-use crate::small::permuted::{Permute, Shuffle};
+use crate::small::permutation::{Permute, Shuffle};
 use crate::small::wide::Wide;
 
 /// So many orders there is room for: more than any tolerance asks for.

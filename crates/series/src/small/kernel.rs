@@ -8,7 +8,7 @@ use super::round::rounded;
 use super::solving::Solving;
 use super::starts::Starts;
 use crate::fused::Fused;
-use crate::small::permuted::{Permute, Permuted};
+use crate::small::permutation::{Permute, Permuted};
 
 /// A law, with the quantities in B groups of eight and the products in G.
 #[derive(Clone, Debug)]

@@ -9,7 +9,7 @@ mod factors;
 mod kernel;
 mod law;
 mod linearisation;
-mod permuted;
+mod permutation;
 mod reduce;
 mod round;
 mod solving;
@@ -20,12 +20,12 @@ mod wide_sums;
 pub(super) use factors::MOST_ORDER;
 pub(super) use law::Law;
 #[cfg(target_arch = "x86_64")]
-pub(super) use permuted::{Permute, Shuffle};
+pub(super) use permutation::{Permute, Shuffle};
 
 use super::fused::Fused;
 use field::DoubleDouble;
 use kernel::{Expand, Kernel};
-use permuted::{in_permuting, permutes};
+use permutation::{in_permuting, permutes};
 
 /// Groups of eight quantities, and of eight products.
 #[derive(Clone, Debug)]

@@ -2,7 +2,7 @@
 
 use crate::fused::Fused;
 use crate::pick::Pick;
-use crate::small::permuted::Permute;
+use crate::small::permutation::Permute;
 use crate::small::wide::Wide;
 use crate::stored::Stored;
 

@@ -3,7 +3,7 @@
 use super::law::Law;
 use super::wide_sums::WideSums;
 use crate::fused::Fused;
-use crate::small::permuted::Permute;
+use crate::small::permutation::Permute;
 use crate::stored::Stored;
 
 /// The sums among B groups of eight quantities.

@@ -6,7 +6,7 @@
 
 use super::law::Sums;
 use crate::fused::Fused;
-use crate::small::permuted::{Permute, Shuffle};
+use crate::small::permutation::{Permute, Shuffle};
 use crate::small::wide::Wide;
 use crate::stored::Stored;
 

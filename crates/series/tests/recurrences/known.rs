@@ -1,7 +1,7 @@
 //! Taylor series of solutions: sums and products for every law, whatever the width of a group.
 
 use dalembert_series::{Equations, Fused, Recurrence};
-use field::{Analytic, DoubleDouble, Lanes, Scalar};
+use field::{Analytic, Batch, DoubleDouble, Scalar};
 use symbolic::{Sym, Untapeable, symbols};
 
 fn record(state: &[Sym], time: Option<Sym>, parameters: &[Sym], rates: &[Sym]) -> Result<Recurrence, Untapeable> {
@@ -278,7 +278,7 @@ fn mixed() -> Recurrence {
 #[test]
 fn every_lane_has_the_last_terms_and_the_sum_of_its_own_series_at_any_order() {
     let recurrence = mixed();
-    let lanes = |from: f64, by: f64| Lanes::<3>([from, from + by, from - 2.0 * by]);
+    let lanes = |from: f64, by: f64| Batch::<3>([from, from + by, from - 2.0 * by]);
     let (states, times, h) =
         ([lanes(0.4, 0.1), lanes(-0.3, 0.2), lanes(0.2, -0.1)], lanes(0.5, 0.3), lanes(0.02, 0.005));
     let parameters = |lane: usize| [0.7 - 0.2 * lane as f64, 0.3 + 0.4 * lane as f64];
@@ -286,16 +286,16 @@ fn every_lane_has_the_last_terms_and_the_sum_of_its_own_series_at_any_order() {
         let mut abreast = recurrence.abreast::<3, 64>(order).unwrap();
         (0..3).for_each(|lane| abreast.set(lane, &parameters(lane)));
         // a first expansion leaves nothing behind
-        abreast.expand(&[Lanes::all(f64::NAN); 3], times);
+        abreast.expand(&[Batch::all(f64::NAN); 3], times);
         abreast.expand(&states, times);
-        let mut sums = [Lanes::all(0.0); 3];
+        let mut sums = [Batch::all(0.0); 3];
         abreast.sum(h, &mut sums);
         for lane in 0..3 {
             let mut single = recurrence.expansion::<f64, 4, 256>(&parameters(lane), order).unwrap();
             single.expand(&states.map(|y| y.0[lane]), times.0[lane]);
             let mut sum = [0.0; 3];
             single.sum(h.0[lane], &mut sum);
-            let near = |found: &[Lanes<3>], known: &[f64]| {
+            let near = |found: &[Batch<3>], known: &[f64]| {
                 let size = known.iter().fold(0.0_f64, |size, x| size.max(x.abs()));
                 found.len() == 3 && found.iter().zip(known).all(|(a, b)| (a.0[lane] - b).abs() <= 1e-12 * size)
             };
@@ -330,8 +330,8 @@ fn long_sums_abreast_are_each_their_own_whether_one_stands_alone_or_five_are_ali
         (0..2).for_each(|lane| abreast.set(lane, &[]));
         let mut single = recurrence.expansion::<f64, 4, 256>(&[], 6).unwrap();
         single.expand(&start, 0.0);
-        let lanes: Vec<Lanes<2>> = start.iter().map(|y| Lanes([*y, 0.0])).collect();
-        abreast.expand(&lanes, Lanes::all(0.0));
+        let lanes: Vec<Batch<2>> = start.iter().map(|y| Batch([*y, 0.0])).collect();
+        abreast.expand(&lanes, Batch::all(0.0));
         for k in [5, 6] {
             for (number, (found, known)) in abreast.coefficients(k).iter().zip(single.coefficients(k)).enumerate() {
                 assert!((found.0[0] - known).abs() <= 1e-14, "{sums} sums, x{number}: {} for {known}", found.0[0]);

@@ -1,7 +1,7 @@
 //! Series of laws whose rates hold the unknowns of linear equations, beside the same laws written out.
 
 use dalembert_series::{Equations, Fused, Recurrence};
-use field::{Analytic, DoubleDouble, Lanes, Scalar, Tangent};
+use field::{Analytic, Batch, DoubleDouble, Scalar, Tangent};
 use symbolic::linear::Solve;
 use symbolic::{Sym, Untapeable, symbols};
 
@@ -53,7 +53,7 @@ fn unknowns_have_the_series_of_their_elimination_in_every_field_and_width() {
     same_series::<f64, 8>(1e-11, f64::abs);
     same_series::<f64, 1>(1e-11, f64::abs);
     same_series::<DoubleDouble, 8>(1e-27, |x| x.hi().abs());
-    same_series::<Tangent<Lanes<2>>, 1>(1e-11, |x| x.value.0[0].abs());
+    same_series::<Tangent<Batch<2>>, 1>(1e-11, |x| x.value.0[0].abs());
 }
 
 #[test]
@@ -61,8 +61,8 @@ fn slopes_of_unknowns_are_those_of_their_elimination() {
     let order = 9;
     let [solved, written] = [false, true].map(|is_written| {
         let mut expansion =
-            links(is_written).expansion::<Tangent<Lanes<2>>, 1, 256>(&[Tangent::from(1.25)], order).unwrap();
-        let mut start = START.map(Tangent::<Lanes<2>>::from);
+            links(is_written).expansion::<Tangent<Batch<2>>, 1, 256>(&[Tangent::from(1.25)], order).unwrap();
+        let mut start = START.map(Tangent::<Batch<2>>::from);
         start[0].slope.0[0] = 1.0;
         start[3].slope.0[1] = 1.0;
         expansion.expand(&start, Tangent::from(0.125));
@@ -99,8 +99,8 @@ fn every_lane_solves_for_its_own_unknowns() {
     let masses = [1.25, 0.5];
     masses.iter().enumerate().for_each(|(lane, mass)| side_by_side.set(lane, &[*mass]));
     let other = [-0.3, 0.8, 0.1, -0.9, 0.0];
-    let starts: Vec<Lanes<2>> = (0..5).map(|i| Lanes([START[i], other[i]])).collect();
-    side_by_side.expand(&starts, Lanes([0.125, 0.5]));
+    let starts: Vec<Batch<2>> = (0..5).map(|i| Batch([START[i], other[i]])).collect();
+    side_by_side.expand(&starts, Batch([0.125, 0.5]));
     for (lane, (start, time)) in [(START, 0.125), (other, 0.5)].into_iter().enumerate() {
         let mut alone = recurrence.expansion::<f64, 8, 256>(&[masses[lane]], order).unwrap();
         alone.expand(&start, time);

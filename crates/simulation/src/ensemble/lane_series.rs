@@ -3,7 +3,7 @@
 use super::one_by_one::one_by_one;
 use super::parametric_system::LANES;
 use crate::Expandable;
-use field::Lanes;
+use field::Batch;
 use integrators::LaneSeries;
 use series::Abreast;
 
@@ -35,15 +35,15 @@ impl<const N: usize> LaneSeries<LANES> for Series<'_, N> {
         self.0.order()
     }
 
-    fn expand(&mut self, times: Lanes<LANES>, states: &[Lanes<LANES>]) {
+    fn expand(&mut self, times: Batch<LANES>, states: &[Batch<LANES>]) {
         self.0.expand(states, times);
     }
 
-    fn coefficients(&self, k: usize) -> &[Lanes<LANES>] {
+    fn coefficients(&self, k: usize) -> &[Batch<LANES>] {
         self.0.coefficients(k)
     }
 
-    fn sum(&self, h: Lanes<LANES>, out: &mut [Lanes<LANES>]) {
+    fn sum(&self, h: Batch<LANES>, out: &mut [Batch<LANES>]) {
         self.0.sum(h, out);
     }
 }

@@ -4,7 +4,7 @@
 use super::lane_series::{FEW, MANY};
 use super::parametric_system::LANES;
 use crate::{Expandable, Room};
-use field::Lanes;
+use field::Batch;
 use integrators::LaneSeries;
 use series::Expansion;
 use std::cell::Cell;
@@ -25,7 +25,7 @@ struct OneByOne<'a, const N: usize> {
     law: &'a Expandable,
     lanes: Vec<Lane<N>>,
     /// The coefficients of the last order, and of the one before it.
-    last: [Vec<Lanes<LANES>>; 2],
+    last: [Vec<Batch<LANES>>; 2],
     /// Room for the sum of one lane.
     sums: Cell<Vec<f64>>,
 }
@@ -51,7 +51,7 @@ impl<'a, const N: usize> OneByOne<'a, N> {
             })
         };
         let lanes = (0..LANES).map(|_| lane()).collect::<Option<Vec<_>>>()?;
-        let last = [(); 2].map(|()| vec![Lanes::all(0.0); law.states()]);
+        let last = [(); 2].map(|()| vec![Batch::all(0.0); law.states()]);
         Some(OneByOne { law, lanes, last, sums: Cell::default() })
     }
 }
@@ -67,7 +67,7 @@ impl<const N: usize> LaneSeries<LANES> for OneByOne<'_, N> {
         self.lanes[0].expansion.order()
     }
 
-    fn expand(&mut self, times: Lanes<LANES>, states: &[Lanes<LANES>]) {
+    fn expand(&mut self, times: Batch<LANES>, states: &[Batch<LANES>]) {
         let order = self.order();
         for (place, (lane, time)) in self.lanes.iter_mut().zip(times.0).enumerate() {
             lane.extended.iter_mut().zip(states).for_each(|(own, state)| *own = state.0[place]);
@@ -82,11 +82,11 @@ impl<const N: usize> LaneSeries<LANES> for OneByOne<'_, N> {
         }
     }
 
-    fn coefficients(&self, k: usize) -> &[Lanes<LANES>] {
+    fn coefficients(&self, k: usize) -> &[Batch<LANES>] {
         &self.last[usize::from(k != self.order())]
     }
 
-    fn sum(&self, h: Lanes<LANES>, out: &mut [Lanes<LANES>]) {
+    fn sum(&self, h: Batch<LANES>, out: &mut [Batch<LANES>]) {
         let mut sums = self.sums.take();
         sums.resize(out.len(), 0.0);
         for (place, (lane, h)) in self.lanes.iter().zip(h.0).enumerate() {
@@ -96,7 +96,7 @@ impl<const N: usize> LaneSeries<LANES> for OneByOne<'_, N> {
         self.sums.set(sums);
     }
 
-    fn shown(&self) -> Lanes<LANES> {
+    fn shown(&self) -> Batch<LANES> {
         let first = self.law.states();
         let longest = |lane: &Lane<N>| {
             let term = |place: usize, k: usize| lane.expansion.coefficients(k)[first + place];
@@ -104,7 +104,7 @@ impl<const N: usize> LaneSeries<LANES> for OneByOne<'_, N> {
                 exponents.longest(&lane.exponents.values, lane.expansion.order(), false, term)
             })
         };
-        let mut shown = Lanes::all(f64::INFINITY);
+        let mut shown = Batch::all(f64::INFINITY);
         shown.0.iter_mut().zip(&self.lanes).for_each(|(shown, lane)| *shown = longest(lane));
         shown
     }

@@ -4,7 +4,7 @@ use crate::law::jacobian::JacobianProgram;
 use crate::law::program::Program;
 use crate::law::series::LawSeries;
 use field::DoubleDouble;
-use integrators::{Composed, Directions, Ode, Slopes, Splitting, System, TaylorSeries, Variations};
+use integrators::{Composed, Dual8, JacobianFn, Ode, Splitting, System, TaylorSeries, Variations};
 use std::sync::{Arc, OnceLock};
 use symbolic::Sym;
 
@@ -19,7 +19,7 @@ impl<L: Ode<Sym> + Send + Sync> SymbolicLaw for L {}
 /// A source of the derivatives of a law.
 pub trait Differentiable: Send + Sync {
     /// The derivatives with room for one run; none where there are none: then the law is run over dual numbers.
-    fn slopes(&self) -> Option<Box<dyn Slopes + '_>>;
+    fn jacobian_fn(&self) -> Option<Box<dyn JacobianFn + '_>>;
 }
 
 /// A law that is a sum of fields whose flows are known: what splitting methods compose.
@@ -103,7 +103,7 @@ macro_rules! runs {
         }
     )*};
 }
-runs!(f64, Directions, DoubleDouble);
+runs!(f64, Dual8, DoubleDouble);
 
 impl Ode<Sym> for CompiledLaw {
     fn dimension(&self) -> usize {
@@ -120,7 +120,7 @@ impl System for CompiledLaw {
         self.series.plain()
     }
 
-    fn taylor_directions(&self) -> Option<Box<dyn TaylorSeries<Variations> + '_>> {
+    fn taylor_variations(&self) -> Option<Box<dyn TaylorSeries<Variations> + '_>> {
         self.series.directed()
     }
 
@@ -128,8 +128,8 @@ impl System for CompiledLaw {
         self.series.exact()
     }
 
-    fn slopes(&self) -> Option<Box<dyn Slopes + '_>> {
-        self.jacobian.slopes()
+    fn jacobian_fn(&self) -> Option<Box<dyn JacobianFn + '_>> {
+        self.jacobian.jacobian_fn()
     }
 
     fn composed(&self, splitting: Splitting) -> Option<Box<dyn Composed<f64> + '_>> {

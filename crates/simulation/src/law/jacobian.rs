@@ -2,7 +2,7 @@
 
 use crate::law::compiled_law::{Differentiable, SymbolicLaw};
 use crate::law::trace::{TracedOde, traced};
-use integrators::Slopes;
+use integrators::JacobianFn;
 use native::Code;
 use std::sync::{Arc, OnceLock};
 use symbolic::{Program, Sym, Tape};
@@ -50,7 +50,7 @@ impl Line {
 }
 
 impl Differentiable for JacobianProgram {
-    fn slopes(&self) -> Option<Box<dyn Slopes + '_>> {
+    fn jacobian_fn(&self) -> Option<Box<dyn JacobianFn + '_>> {
         let [by_state, by_time] = self.lines()?;
         Some(Box::new(Lines { by_state: by_state.into(), by_time: by_time.into() }))
     }
@@ -61,7 +61,7 @@ struct Lines<'a> {
     by_time: Running<'a>,
 }
 
-impl Slopes for Lines<'_> {
+impl JacobianFn for Lines<'_> {
     fn matrix(&mut self, t: f64, y: &[f64], matrix: &mut [f64]) {
         self.by_state.run(t, y, matrix);
     }

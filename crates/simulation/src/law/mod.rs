@@ -1,6 +1,6 @@
 //! A law as programs: every form that a method asks for, of one law over expressions.
 
-mod compiled_held;
+mod compiled_dae;
 mod compiled_law;
 mod exponents;
 mod jacobian;
@@ -8,7 +8,7 @@ mod program;
 mod series;
 mod trace;
 
-pub use compiled_held::{CompiledHeld, SymbolicHeld};
+pub use compiled_dae::{CompiledDae, SymbolicDae};
 pub use compiled_law::{CompiledLaw, Differentiable, Law, Splittable, SymbolicLaw};
 pub use exponents::{Expandable, Exponents, Room};
 pub use jacobian::JacobianProgram;

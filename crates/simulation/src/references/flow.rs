@@ -1,7 +1,7 @@
 //! The flow of a law from a time to another, both known to more digits than an `f64` has.
 
 use field::{DoubleDouble, Over};
-use integrators::{Directions, Failure, Method, Ode, Span, System, TIGHTEST, Tolerance, Work, integrate_in};
+use integrators::{Dual8, Failure, Method, Ode, Span, System, TIGHTEST, Tolerance, Work, integrate_in};
 use std::time::Instant;
 
 /// y' = L f(t + s L, y) for s from 0 to 1: a law over a stretch of its time.
@@ -28,7 +28,7 @@ impl<S: Over<f64>, L: Ode<S>> Ode<S> for Paced<'_, L> {
     }
 }
 
-impl<L: Ode<f64> + Ode<Directions> + Ode<DoubleDouble>> System for Paced<'_, L> {}
+impl<L: Ode<f64> + Ode<Dual8> + Ode<DoubleDouble>> System for Paced<'_, L> {}
 
 /// A method with its tolerance, and what it has cost.
 pub struct Means {
@@ -51,7 +51,7 @@ impl Means {
         y: &[DoubleDouble],
     ) -> Result<Vec<DoubleDouble>, Failure>
     where
-        L: Ode<f64> + Ode<Directions> + Ode<DoubleDouble>,
+        L: Ode<f64> + Ode<Dual8> + Ode<DoubleDouble>,
     {
         if from == to {
             return Ok(y.to_vec());

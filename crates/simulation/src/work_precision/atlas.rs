@@ -1,9 +1,9 @@
 //! The runs of all formulations of a scene with all methods, their errors, work and times.
 
+use super::configuration::{Configuration, Standing, Treated};
 use super::measured::Trials;
-use super::way::{Standing, Treated, Way};
 use crate::problem::Row;
-use integrators::{Attempt, Course, Method, Point, Record, Reference, Timed, Tolerance, judge, measure};
+use integrators::{Attempt, Benchmark, Method, Point, Record, Reference, Timed, Tolerance, judge, measure};
 use std::time::{Duration, Instant};
 
 /// A quantity that is compared, with its size along the motion.
@@ -36,7 +36,7 @@ impl Goal {
 
     /// The largest error of a run of some way, of what it has, each relative to its size; no number where its instants are
     /// others.
-    pub fn error(&self, way: &Way, record: &Record<f64>) -> f64 {
+    pub fn error(&self, way: &Configuration, record: &Record<f64>) -> f64 {
         if record.times != self.times {
             return f64::NAN;
         }
@@ -59,7 +59,7 @@ fn places(observed: &[Observed], columns: &[String]) -> Vec<Option<usize>> {
 
 /// The runs of a way.
 pub struct Explored {
-    pub way: Way,
+    pub way: Configuration,
     pub points: Vec<Point>,
     /// What the model itself is off, by an accurate run; none where the way is exact, or where there is no such run.
     pub floor: Option<f64>,
@@ -75,7 +75,7 @@ pub struct Atlas {
 impl Atlas {
     /// Runs every method of every way at every tolerance without timing it: many scenes' at a time too. The first way is
     /// the reference's own.
-    pub fn judged(ways: Vec<Way>, reference: Reference, goal: &Goal, span: f64, trials: &Trials) -> Self {
+    pub fn judged(ways: Vec<Configuration>, reference: Reference, goal: &Goal, span: f64, trials: &Trials) -> Self {
         let end = Instant::now() + trials.allowed;
         let mut explored = Vec::new();
         for (place, mut way) in ways.into_iter().enumerate() {
@@ -107,7 +107,7 @@ impl Atlas {
     }
 
     /// All runs with their ways.
-    pub fn points(&self) -> impl Iterator<Item = (&Way, &Point)> {
+    pub fn points(&self) -> impl Iterator<Item = (&Configuration, &Point)> {
         self.explored.iter().flat_map(|one| one.points.iter().map(move |point| (&one.way, point)))
     }
 }
@@ -115,10 +115,10 @@ impl Atlas {
 /// A tolerance so far below the floor of a model adds nothing.
 const BELOW_FLOOR: f64 = 1e-3;
 
-fn explore(way: Way, goal: &Goal, span: f64, trials: &Trials, allowed: Duration) -> Explored {
+fn explore(way: Configuration, goal: &Goal, span: f64, trials: &Trials, allowed: Duration) -> Explored {
     let from = way.span(span, trials.evaluations);
     let error = |record: &Record<f64>| goal.error(&way, record);
-    let course = Course { span: &from, sizes: &way.sizes, error: &error };
+    let course = Benchmark { span: &from, sizes: &way.sizes, error: &error };
     let (mut floor, mut tolerances) = (None, trials.tolerances.clone());
     if let (Standing::Approximate, Treated::Free(law)) = (way.standing, &way.law) {
         let accurate = |method| {

@@ -1,7 +1,7 @@
 //! Scenes whose law changes at events: every method across the same events.
 
 use super::atlas::Observed;
-use super::way::Way;
+use super::configuration::Configuration;
 use crate::references::{Exact, Owner, Unknown};
 use integrators::Reference;
 use std::time::Duration;
@@ -18,7 +18,7 @@ pub trait Hybrid {
     fn owner(&self) -> Box<dyn Owner + '_>;
 
     /// Law after law, by any method.
-    fn way(&self) -> Way;
+    fn way(&self) -> Configuration;
 
     /// The columns of [`Self::way`] that are compared, with their sizes along the motion.
     fn observed(&self, columns: &[String], reference: &Reference) -> Vec<Observed>;

@@ -1,8 +1,8 @@
 //! Speed against accuracy: what is tried on a scene, and the reference by which it is measured.
 
 use super::atlas::{Atlas, Goal, Observed};
+use super::configuration::Configuration;
 use super::hybrid::Hybrid;
-use super::way::Way;
 use crate::Problem;
 use crate::references::{Stored, Unknown};
 use integrators::{Failure, Method, Reference, Splitting};
@@ -71,7 +71,7 @@ impl Default for Trials {
 pub fn judged(
     observed: &dyn Fn(&Reference) -> Vec<Observed>,
     problem: &Problem,
-    ways: Vec<Way>,
+    ways: Vec<Configuration>,
     trials: &Trials,
     kept: Option<&Stored>,
     patience: Duration,

@@ -1,18 +1,18 @@
 //! Work against precision: every method on every formulation of a scene's equations with every model of its motor.
 //!
 //! # Overview
-//! * [`Way`]: a formulation with a model; each family of scenes lists its own ([`Smooth::ways`](crate::Smooth::ways));
+//! * [`Configuration`]: a formulation with a model; each family of scenes lists its own ([`IvpScene::ways`](crate::IvpScene::ways));
 //! * [`Observed`]: what all ways have, so that their errors can be compared, by the reference of the scene's own model. A
 //!   smaller model is measured by the same reference: no tolerance brings it below what the model itself is off;
 //! * [`Atlas`]: the runs of all ways, their errors, work and times;
 //! * [`Hybrid`]: scenes whose law changes at events.
 
 mod atlas;
+mod configuration;
 mod hybrid;
 mod measured;
-mod way;
 
 pub use atlas::{Atlas, Explored, Goal, Observed};
+pub use configuration::{Configuration, Course as AcrossEvents, Formulation, HeldLaw, Standing, Treated};
 pub use hybrid::Hybrid;
 pub use measured::{Trials, judged, judged_across_events};
-pub use way::{Course as AcrossEvents, Formulation, HeldLaw, Standing, Treated, Way};

@@ -4,7 +4,7 @@ use super::alphabet::{int, letter, letters, tidy};
 use field::Scalar;
 use mechanics::constrained::appell::residual;
 use mechanics::constrained::motion::Motion;
-use mechanics::constrained::{Charted, System, kinetic_energy};
+use mechanics::constrained::{Charted, PointSystem, kinetic_energy};
 use symbolic::{Hypotheses, Sym};
 use systems::elastic_governor::ElasticGovernor;
 

@@ -9,7 +9,7 @@ use field::{Analytic, Over};
 use mechanics::constrained::combining::Combined;
 use mechanics::constrained::motion::Motion;
 use mechanics::constrained::multipliers::{Reaction, multipliers};
-use mechanics::constrained::{Charted, Constrained, Constraint, State, System};
+use mechanics::constrained::{Charted, Constrained, Constraint, PointSystem, State};
 use mechanics::definite::NotDefinite;
 use symbolic::Sym;
 
@@ -45,7 +45,7 @@ fn to_second_order<S: Over<Sym>, const N: usize>(name: &str, numbers: [usize; N]
 
 macro_rules! massive {
     ($system:ty, $n:literal) => {
-        impl System<$n> for $system {
+        impl PointSystem<$n> for $system {
             type Given = Sym;
 
             fn masses<S: Over<Sym>>(&self) -> [S; $n] {

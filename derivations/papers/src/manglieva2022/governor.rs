@@ -4,7 +4,7 @@ use super::alphabet::{letter, letters, tidy};
 use claims::Condition;
 use field::{Analytic, Scalar};
 use mechanics::constrained::motion::Motion;
-use mechanics::constrained::{State, System, kinetic_energy};
+use mechanics::constrained::{PointSystem, State, kinetic_energy};
 use symbolic::{Hypotheses, Sym};
 use systems::governor::{Gearing, Governor, Moment};
 

@@ -2,7 +2,7 @@
 
 use super::alphabet::{letter, letters, tidy};
 use field::{Analytic, Circle, Scalar};
-use mechanics::constrained::System;
+use mechanics::constrained::PointSystem;
 use mechanics::constrained::contacts::{Closed, Contacts};
 use mechanics::constrained::motion::Motion;
 use mechanics::differentiate::{along, fixed, unit};

@@ -8,7 +8,7 @@ use mechanics::constrained::contacts::{Closed, Sides};
 use mechanics::constrained::motion::Motion;
 use mechanics::constrained::multipliers::multipliers;
 use mechanics::constrained::rates::{jacobian, rates};
-use mechanics::constrained::{Charted, State, System};
+use mechanics::constrained::{Charted, PointSystem, State};
 use symbolic::Sym;
 use systems::rod::{GuidedRod, Rod};
 
@@ -36,7 +36,7 @@ pub struct RodLetters {
 #[derive(Clone, Copy, Debug)]
 pub struct Released(pub Rod<Sym>);
 
-impl System<4> for Released {
+impl PointSystem<4> for Released {
     type Given = Sym;
 
     fn masses<S: Over<Sym>>(&self) -> [S; 4] {

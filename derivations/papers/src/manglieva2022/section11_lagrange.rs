@@ -6,7 +6,7 @@ use claims::{Condition, Line, Page};
 use field::{Analytic, Tangent};
 use mechanics::constrained::motion::Motion;
 use mechanics::constrained::second_kind;
-use mechanics::constrained::{Constrained, Constraint, State, System, kinetic_energy};
+use mechanics::constrained::{Constrained, Constraint, PointSystem, State, kinetic_energy};
 use mechanics::differentiate::gradient;
 use symbolic::{Hypotheses, Sym};
 

@@ -4,7 +4,7 @@ use super::alphabet::{exact, int, letter, letters};
 use super::rod::RodLetters;
 use claims::{Condition, Line, Page};
 use mechanics::constrained::rates::rates;
-use mechanics::constrained::{Constrained, Constraint, State, System};
+use mechanics::constrained::{Constrained, Constraint, PointSystem, State};
 use symbolic::{Hypotheses, Sym};
 
 use Condition::{Equal, NonZero, Positive, Zero};

@@ -4,7 +4,7 @@ use super::alphabet::{exact, int, letter, letters, tidy};
 use super::ladder::LadderLetters;
 use claims::{Condition, Line, Page};
 use mechanics::constrained::multipliers::multipliers;
-use mechanics::constrained::{System, kinetic_energy};
+use mechanics::constrained::{PointSystem, kinetic_energy};
 use symbolic::Sym;
 
 use Condition::{Equal, NonZero, Positive, Zero};

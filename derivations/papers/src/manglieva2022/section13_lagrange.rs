@@ -4,7 +4,7 @@ use super::alphabet::{int, letter, letters, tidy};
 use super::steered::SteeredLetters;
 use claims::{Condition, Line, Page};
 use field::{Analytic, Tangent};
-use mechanics::constrained::{System, kinetic_energy};
+use mechanics::constrained::{PointSystem, kinetic_energy};
 use symbolic::Sym;
 
 use Condition::Zero;

@@ -4,7 +4,7 @@ use super::alphabet::{exact, int, letters, tidy};
 use super::governor::GovernorLetters;
 use claims::{Condition, Line, Page};
 use field::Scalar;
-use mechanics::constrained::{Constrained, System};
+use mechanics::constrained::{Constrained, PointSystem};
 use symbolic::Sym;
 
 use Condition::{Equal, Positive, Zero};

@@ -4,7 +4,7 @@ use super::alphabet::{int, letters, tidy};
 use super::governor::GovernorLetters;
 use claims::{Condition, Line, Page};
 use mechanics::constrained::newton::Reactions;
-use mechanics::constrained::{Constrained, System};
+use mechanics::constrained::{Constrained, PointSystem};
 use symbolic::Sym;
 use systems::governor::between::{Between, Quadrature};
 

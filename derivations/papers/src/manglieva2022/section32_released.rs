@@ -4,7 +4,7 @@ use super::alphabet::{int, letters, tidy};
 use super::released::ReleasedLetters;
 use claims::{Line, Page};
 use field::Scalar;
-use mechanics::constrained::System;
+use mechanics::constrained::PointSystem;
 use symbolic::Sym;
 
 pub fn claims(page: &mut Page, r: &ReleasedLetters) {

@@ -8,7 +8,7 @@ use mechanics::constrained::contacts::{Closed, Sides};
 use mechanics::constrained::motion::Motion;
 use mechanics::constrained::multipliers::multipliers;
 use mechanics::constrained::rates::{jacobian, rates};
-use mechanics::constrained::{Constrained, State, System};
+use mechanics::constrained::{Constrained, PointSystem, State};
 use symbolic::Sym;
 use systems::steered_rod::{GuidedSteeredRod, SteeredRod};
 

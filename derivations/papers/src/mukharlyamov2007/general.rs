@@ -7,7 +7,7 @@
 use super::alphabet::{indexed, letter};
 use field::Over;
 use mechanics::constrained::multipliers::{Reaction, leading_to};
-use mechanics::constrained::{Constrained, Constraint, State, System};
+use mechanics::constrained::{Constrained, Constraint, PointSystem, State};
 use symbolic::Sym;
 
 /// The system.
@@ -38,7 +38,7 @@ fn linear<S: Over<Sym>>(coefficients: [S; 3], x: [S; 3]) -> S {
     (0..3).fold(S::zero(), |sum, i| sum + coefficients[i] * x[i])
 }
 
-impl System<3> for General {
+impl PointSystem<3> for General {
     type Given = Sym;
 
     fn masses<S: Over<Sym>>(&self) -> [S; 3] {

@@ -5,7 +5,7 @@ use claims::{Condition, Line, Page};
 use field::{Scalar, Tangent};
 use mechanics::lagrange::rheonomic;
 use symbolic::Sym;
-use systems::growth::{Growth, Joint, Learning, Plant, VariablePoint};
+use systems::variable_inertia::{Growth, Joint, Learning, Plant, VariablePoint};
 
 use Condition::{Equal, NonZero, Zero};
 

@@ -7,10 +7,10 @@ use field::Tangent;
 use mechanics::constrained::multipliers::{Reaction, multipliers as lagrange};
 use mechanics::constrained::programmed::{Linear, programmed, violation};
 use mechanics::constrained::rates::{jacobian, rates};
-use mechanics::constrained::{Constrained, Constraint, State, System};
+use mechanics::constrained::{Constrained, Constraint, PointSystem, State};
 use mechanics::differentiate::{fixed, gradient};
 use symbolic::Sym;
-use systems::kept_speed::KeptSpeed;
+use systems::prescribed_speed_point::KeptSpeed;
 
 use Condition::{Equal, NonZero, Positive, Zero};
 

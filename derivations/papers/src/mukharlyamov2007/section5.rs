@@ -4,7 +4,7 @@ use super::alphabet::{exact, indexed, int, letter, letters};
 use super::general::{General, instant, led};
 use claims::{Condition, Line, Page};
 use field::{Scalar, Tangent};
-use mechanics::constrained::System;
+use mechanics::constrained::PointSystem;
 use mechanics::constrained::programmed::violation;
 use mechanics::constrained::rates::jacobian;
 use mechanics::differentiate::{along, gradient, unit};

@@ -5,7 +5,7 @@ use super::rest::Rest;
 use super::slopes::compared;
 use super::{frames, housing, power};
 use crate::stationary::motor::MotorStates;
-use claims::finding::Verdict;
+use claims::finding::PropertyVerdict;
 use field::{Base, Circle, Over};
 use machines as _;
 use motor::{Bench, Machine, Motor, RotorState, catalogue};
@@ -57,8 +57,8 @@ impl<P: Base> Machine<P> for Deceiver<P> {
     }
 }
 
-fn fails(verdict: &Verdict) -> bool {
-    matches!(verdict, Verdict::Fails(_))
+fn fails(verdict: &PropertyVerdict) -> bool {
+    matches!(verdict, PropertyVerdict::Fails(_))
 }
 
 #[test]

@@ -2,16 +2,16 @@
 
 use super::instant::{Instant, vanish};
 use super::verdict_of;
-use claims::finding::Verdict;
+use claims::finding::PropertyVerdict;
 use field::{Analytic, Circle, Over, Scalar, Tangent};
 use motor::{Machine, RotorState, drive};
 use symbolic::Sym;
 
 /// Seen from the stator the coenergy is K(phi - W t, i), and the field's turning a constraint that depends on time: Lagrange,
 /// Maxwell and Hamel there, by two derivatives of K, against the law in the field's frame.
-pub(super) fn stator(machine: &impl Machine<Sym>, at: &Instant) -> Verdict {
+pub(super) fn stator(machine: &impl Machine<Sym>, at: &Instant) -> PropertyVerdict {
     if at.kept {
-        return Verdict::DoesNotApply("the speed is kept by whatever moment that takes".to_owned());
+        return PropertyVerdict::DoesNotApply("the speed is kept by whatever moment that takes".to_owned());
     }
     let (phi, field) = match machine.rotor() {
         RotorState::AngleAndSpeed => (Sym::symbol("the angle phi").circle(), Sym::symbol("the angle W t").circle()),
@@ -50,14 +50,14 @@ fn coenergy<S: Over<Sym>, M: Machine<Sym>>(machine: &M, angle: Circle<S>, curren
 }
 
 /// Two windings with one inductance and one resistance, exchanged for two that are turned among themselves.
-pub(super) fn turned_windings(machine: &impl Machine<Sym>, at: &Instant) -> Verdict {
+pub(super) fn turned_windings(machine: &impl Machine<Sym>, at: &Instant) -> PropertyVerdict {
     let alike = |&(j, k): &(usize, usize)| {
         machine.inductance(j) == machine.inductance(k) && machine.resistance(j) == machine.resistance(k)
     };
     let count = at.currents.len();
     let pairs: Vec<(usize, usize)> = (1..count).map(|k| (k - 1, k)).filter(alike).collect();
     if pairs.is_empty() {
-        return Verdict::DoesNotApply("no two windings in a row are alike".to_owned());
+        return PropertyVerdict::DoesNotApply("no two windings in a row are alike".to_owned());
     }
     let turn = Circle { cos: Sym::ratio(3, 5), sin: Sym::ratio(4, 5) };
     let residuals = pairs.into_iter().flat_map(|pair| {

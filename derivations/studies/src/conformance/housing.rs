@@ -2,7 +2,7 @@
 
 use super::instant::{Doubt, Instant, bench_state, vanish};
 use super::verdict_of;
-use claims::finding::Verdict;
+use claims::finding::PropertyVerdict;
 use field::Tangent;
 use motor::{Bench, Machine, RotorState, drive};
 use nalgebra::Vector3;
@@ -21,7 +21,7 @@ fn driven<M: Machine<Sym> + Clone>(machine: &M, moments: Vector3<Sym>) -> Driven
 }
 
 /// Neither the momentum about the vertical nor more than M of the rotor's own momentum comes from the motor.
-pub(super) fn momentum(machine: &(impl Machine<Sym> + Clone), at: &Instant) -> Verdict {
+pub(super) fn momentum(machine: &(impl Machine<Sym> + Clone), at: &Instant) -> PropertyVerdict {
     let law = driven(machine, three("moment A"));
     let (w, v) = (three("velocity w"), three("vertical v"));
     let mut y: Vec<Sym> = w.iter().chain(&v).copied().collect();
@@ -55,10 +55,10 @@ fn vertical(law: &Driven<Sym, FirstForm<Sym>, impl Machine<Sym>>, moving: &[Tang
 }
 
 /// As the moments of the housing grow beyond all bounds, one at rest stays so and the motor runs as on the bench.
-pub(super) fn bench(machine: &(impl Machine<Sym> + Clone)) -> Verdict {
+pub(super) fn bench(machine: &(impl Machine<Sym> + Clone)) -> PropertyVerdict {
     let own = bench_state(machine);
     if own.is_empty() {
-        return Verdict::DoesNotApply("a kept rotor without windings has no state of its own".to_owned());
+        return PropertyVerdict::DoesNotApply("a kept rotor without windings has no state of its own".to_owned());
     }
     let small = Sym::symbol("1 over A");
     let law = driven(machine, Vector3::repeat(Sym::ONE / small));

@@ -22,18 +22,18 @@ pub mod slopes;
 mod units;
 
 use ::units::Dimension;
-use claims::finding::{Finding, Verdict};
+use claims::finding::{Finding, PropertyVerdict};
 use instant::{Doubt, Instant};
 use motor::{Motor, catalogue};
 use reader::Quantity;
 use std::fmt::Write;
 
 /// What a proof comes to.
-fn verdict_of(proof: Result<(), Doubt>, says: &str) -> Verdict {
+fn verdict_of(proof: Result<(), Doubt>, says: &str) -> PropertyVerdict {
     match proof {
-        Ok(()) => Verdict::Proved(says.to_owned()),
-        Err(Doubt::Off(why)) => Verdict::Fails(why),
-        Err(Doubt::Open(why)) => Verdict::Undecided(format!("the prover gave up: {why}")),
+        Ok(()) => PropertyVerdict::Proved(says.to_owned()),
+        Err(Doubt::Off(why)) => PropertyVerdict::Fails(why),
+        Err(Doubt::Open(why)) => PropertyVerdict::Undecided(format!("the prover gave up: {why}")),
     }
 }
 

@@ -4,15 +4,15 @@ use super::instant::{Instant, vanish};
 use super::verdict_of;
 use crate::stationary::motor::{Fraction, NoMotor};
 use algebra::real::Root;
-use claims::finding::Verdict;
+use claims::finding::PropertyVerdict;
 use field::{Analytic, Circle, Rational, Scalar, Tangent};
 use motor::{Machine, RotorState, heat, motional_moment, stored_energy, supplied};
 use symbolic::{Decision, Hypotheses, Sym, decide};
 
 /// M phi' + d/dt (U + sum 1/2 L i^2) = W dK/dg + phi' m + sum v i - sum R i^2, by moving the stored energy along the motion.
-pub(super) fn balance(machine: &impl Machine<Sym>, at: &Instant) -> Verdict {
+pub(super) fn balance(machine: &impl Machine<Sym>, at: &Instant) -> PropertyVerdict {
     if at.kept {
-        return Verdict::DoesNotApply("the speed is kept by whatever moment that takes".to_owned());
+        return PropertyVerdict::DoesNotApply("the speed is kept by whatever moment that takes".to_owned());
     }
     let moving: Vec<_> = at.currents.iter().zip(&at.rates).map(|(&i, &rate)| Tangent::moving(i, rate)).collect();
     let stored = stored_energy(machine, at.angle.moving(at.slip), &moving).slope;
@@ -32,26 +32,31 @@ pub(super) fn balance(machine: &impl Machine<Sym>, at: &Instant) -> Verdict {
 
 /// Whether the motor gives energy of its own. Seen from the field it does not where E - W p + c0 g, with c0 = -m(0, W), never
 /// grows without a supply; seen from the housing, where nothing turns with the field, where E does not.
-pub(super) fn passivity(machine: &impl Machine<Sym>, written: &impl Machine<Sym>) -> Verdict {
+pub(super) fn passivity(machine: &impl Machine<Sym>, written: &impl Machine<Sym>) -> PropertyVerdict {
     if machine.rotor() == RotorState::Prescribed {
-        return Verdict::DoesNotApply("whatever keeps the speed gives what that takes".to_owned());
+        return PropertyVerdict::DoesNotApply("whatever keeps the speed gives what that takes".to_owned());
     }
     for k in 0..machine.windings() {
         if sign(machine.resistance(k)) == Some(-1) {
-            return Verdict::Fails(format!("winding {} gives: its resistance is negative", machine.current_name(k)));
+            return PropertyVerdict::Fails(format!(
+                "winding {} gives: its resistance is negative",
+                machine.current_name(k)
+            ));
         }
         if sign(machine.inductance(k)) != Some(1) {
             let name = machine.current_name(k);
-            return Verdict::Fails(format!("winding {name} stores no energy: its inductance is not positive"));
+            return PropertyVerdict::Fails(format!("winding {name} stores no energy: its inductance is not positive"));
         }
     }
     let supply = (0..machine.windings()).any(|k| machine.supply(k, Circle::<Sym>::zero()).is_some());
     let beyond = if supply { "; beyond that it takes what its supplies put in" } else { "" };
     match from_field(machine) {
-        Ok(()) => Verdict::Proved(format!("seen from the field it gives nothing: E - W p + c0 g never grows{beyond}")),
+        Ok(()) => {
+            PropertyVerdict::Proved(format!("seen from the field it gives nothing: E - W p + c0 g never grows{beyond}"))
+        }
         Err(reason) => match from_housing(machine) {
-            Ok(()) => Verdict::Proved(format!("seen from the housing it gives nothing: E never grows{beyond}")),
-            Err(Gives::Unknown(why)) => Verdict::Undecided(why.to_string()),
+            Ok(()) => PropertyVerdict::Proved(format!("seen from the housing it gives nothing: E never grows{beyond}")),
+            Err(Gives::Unknown(why)) => PropertyVerdict::Undecided(why.to_string()),
             Err(_) => reason.judged(written),
         },
     }
@@ -96,8 +101,8 @@ enum Gives {
 }
 
 impl Gives {
-    fn judged<M: Machine<Sym>>(&self, machine: &M) -> Verdict {
-        Verdict::Fails(match self {
+    fn judged<M: Machine<Sym>>(&self, machine: &M) -> PropertyVerdict {
+        PropertyVerdict::Fails(match self {
             Gives::Sliding => "conductors that slide under a turning field give W sum c i".to_owned(),
             Gives::Field => "the field turns, and gives W dK/dg".to_owned(),
             Gives::Moment { below } => {
@@ -105,7 +110,7 @@ impl Gives {
                 let moment = machine.moment_law(Sym::symbol("g'"), Sym::symbol("phi'"));
                 format!("the moment m gives {side} synchronism: {moment}")
             }
-            Gives::Unknown(reason) => return Verdict::Undecided(reason.to_string()),
+            Gives::Unknown(reason) => return PropertyVerdict::Undecided(reason.to_string()),
         })
     }
 }

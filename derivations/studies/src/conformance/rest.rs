@@ -3,7 +3,7 @@
 use super::instant::{Instant, vanish};
 use super::verdict_of;
 use crate::stationary::motor::{MotorStates, NoMotor};
-use claims::finding::Verdict;
+use claims::finding::PropertyVerdict;
 use integrators::{Jacobian, Method, Ode, Span, Tolerance, integrate, spectrum};
 use motor::{Bench, Machine, Motor, RotorState, drive, is_fed, resting_currents};
 use nalgebra::Complex;
@@ -24,12 +24,12 @@ const APART: f64 = 1e12;
 
 /// At the currents that rest every rate vanishes; whatever the inductances are, so that these are the currents of the limit
 /// L -> 0. In step, where nothing feeds them, they vanish, and what is left is the motor without currents.
-pub(super) fn currents(machine: &impl Machine<Sym>, at: &Instant) -> Verdict {
+pub(super) fn currents(machine: &impl Machine<Sym>, at: &Instant) -> PropertyVerdict {
     if at.currents.is_empty() {
-        return Verdict::DoesNotApply("it has no windings".to_owned());
+        return PropertyVerdict::DoesNotApply("it has no windings".to_owned());
     }
     let Some(resting) = resting_currents(machine, at.angle, at.slip) else {
-        return Verdict::Fails(
+        return PropertyVerdict::Fails(
             "no currents rest: the smaller model without their transients does not exist".to_owned(),
         );
     };
@@ -52,7 +52,7 @@ pub(super) fn currents(machine: &impl Machine<Sym>, at: &Instant) -> Verdict {
 
 /// The stationary states as numbers, each with its spectrum, and what runs from nearby do.
 pub(super) struct Rest {
-    known: Result<Known, Verdict>,
+    known: Result<Known, PropertyVerdict>,
 }
 
 struct Known {
@@ -81,14 +81,16 @@ impl Rest {
         M: Machine<f64> + Clone + Send + Sync + 'static,
     {
         let unknown = |reason: NoMotor| match reason {
-            NoMotor::NotAlgebraic(_) => Verdict::Undecided(reason.to_string()),
-            NoMotor::Data(_) | NoMotor::NoRest | NoMotor::AnyAngle => Verdict::Fails(reason.to_string()),
+            NoMotor::NotAlgebraic(_) => PropertyVerdict::Undecided(reason.to_string()),
+            NoMotor::Data(_) | NoMotor::NoRest | NoMotor::AnyAngle => PropertyVerdict::Fails(reason.to_string()),
         };
         let known = motor.map_err(unknown).and_then(|motor| {
             let bench = Bench { machine: machine.clone(), axial: AXIAL };
             let starts = states(&motor, machine);
             if bench.dimension() == 0 {
-                return Err(Verdict::DoesNotApply("a kept rotor without windings has no state of its own".to_owned()));
+                return Err(PropertyVerdict::DoesNotApply(
+                    "a kept rotor without windings has no state of its own".to_owned(),
+                ));
             }
             let system = CompiledLaw::new(bench);
             let states = starts.iter().map(|start| State::at(&system, start)).collect();
@@ -98,66 +100,74 @@ impl Rest {
     }
 
     /// Whether the exact values are those of the law that runs.
-    pub fn stationary(&self) -> Verdict {
+    pub fn stationary(&self) -> PropertyVerdict {
         self.judged(|known| {
             let count = known.states.len();
             if count == 0 {
-                return Verdict::Proved("it has no stationary state".to_owned());
+                return PropertyVerdict::Proved("it has no stationary state".to_owned());
             }
             match known.states.iter().position(|state| state.residual > ROUNDING) {
                 Some(place) => {
-                    Verdict::Fails(format!("the law that runs does not rest at stationary state {}", place + 1))
+                    PropertyVerdict::Fails(format!("the law that runs does not rest at stationary state {}", place + 1))
                 }
-                None if known.every => Verdict::Tested("every speed is stationary, and rests".to_owned()),
+                None if known.every => PropertyVerdict::Tested("every speed is stationary, and rests".to_owned()),
                 None if count == 1 => {
-                    Verdict::Tested("one state, found exactly; the law that runs rests there".to_owned())
+                    PropertyVerdict::Tested("one state, found exactly; the law that runs rests there".to_owned())
                 }
-                None => Verdict::Tested(format!("{count} states, all found exactly; the law that runs rests at each")),
+                None => PropertyVerdict::Tested(format!(
+                    "{count} states, all found exactly; the law that runs rests at each"
+                )),
             }
         })
     }
 
     /// Whether runs from nearby do what the eigenvalues say.
-    pub fn stability(&self) -> Verdict {
+    pub fn stability(&self) -> PropertyVerdict {
         self.judged(|known| {
             let told: Vec<(bool, f64)> = known.states.iter().filter_map(State::told).collect();
             let wrong = told.iter().find(|(decays, grows)| *decays != (*grows < 1.0));
             match wrong {
-                Some((true, _)) => Verdict::Fails("a run leaves a state to which its eigenvalues draw it".to_owned()),
-                Some((false, _)) => {
-                    Verdict::Fails("a run comes to a state from which its eigenvalues drive it".to_owned())
+                Some((true, _)) => {
+                    PropertyVerdict::Fails("a run leaves a state to which its eigenvalues draw it".to_owned())
                 }
-                None if told.is_empty() => Verdict::DoesNotApply("no state is told by its eigenvalues".to_owned()),
+                Some((false, _)) => {
+                    PropertyVerdict::Fails("a run comes to a state from which its eigenvalues drive it".to_owned())
+                }
+                None if told.is_empty() => {
+                    PropertyVerdict::DoesNotApply("no state is told by its eigenvalues".to_owned())
+                }
                 None => {
                     let stable = told.iter().filter(|(decays, _)| *decays).count();
                     let left = told.len() - stable;
-                    Verdict::Tested(format!("as the eigenvalues say, runs come to {stable} and leave {left}"))
+                    PropertyVerdict::Tested(format!("as the eigenvalues say, runs come to {stable} and leave {left}"))
                 }
             }
         })
     }
 
     /// How far apart the fastest and the slowest motion are.
-    pub fn stiffness(&self) -> Verdict {
+    pub fn stiffness(&self) -> PropertyVerdict {
         self.judged(|known| {
             let mut widest = 1.0_f64;
             for state in &known.states {
                 let Some(spectrum) = &state.spectrum else {
-                    return Verdict::Fails("the eigenvalues at a stationary state are not finite".to_owned());
+                    return PropertyVerdict::Fails("the eigenvalues at a stationary state are not finite".to_owned());
                 };
                 let sizes = || spectrum.iter().map(|root| root.norm()).filter(|size| *size > 1e-12);
                 let (least, most) = (sizes().fold(f64::INFINITY, f64::min), sizes().fold(0.0, f64::max));
                 widest = widest.max(if least.is_finite() { most / least } else { 1.0 });
             }
             match widest {
-                _ if known.states.is_empty() => Verdict::DoesNotApply("it has no stationary state".to_owned()),
-                apart if apart > APART => Verdict::Fails("the fastest motion hides the slowest in rounding".to_owned()),
-                apart => Verdict::Tested(format!("eigenvalues within 10^{}", apart.log10().ceil() as i32)),
+                _ if known.states.is_empty() => PropertyVerdict::DoesNotApply("it has no stationary state".to_owned()),
+                apart if apart > APART => {
+                    PropertyVerdict::Fails("the fastest motion hides the slowest in rounding".to_owned())
+                }
+                apart => PropertyVerdict::Tested(format!("eigenvalues within 10^{}", apart.log10().ceil() as i32)),
             }
         })
     }
 
-    fn judged(&self, judge: impl FnOnce(&Known) -> Verdict) -> Verdict {
+    fn judged(&self, judge: impl FnOnce(&Known) -> PropertyVerdict) -> PropertyVerdict {
         self.known.as_ref().map_or_else(Clone::clone, judge)
     }
 }
@@ -228,7 +238,7 @@ fn states(motor: &MotorStates, machine: &impl Machine<f64>) -> Vec<Vec<f64>> {
 #[cfg(test)]
 mod tests {
     use super::{Known, Rest, State};
-    use claims::finding::Verdict;
+    use claims::finding::PropertyVerdict;
     use integrators::Ode;
     use simulation::CompiledLaw;
     use symbolic::Sym;
@@ -254,7 +264,7 @@ mod tests {
         for decays in [true, false] {
             let state = State::at(&CompiledLaw::new(Fickle { decays }), &[0.0]);
             let rest = Rest { known: Ok(Known { states: vec![state], every: false }) };
-            assert!(matches!(rest.stability(), Verdict::Fails(_)), "{:?}", rest.stability());
+            assert!(matches!(rest.stability(), PropertyVerdict::Fails(_)), "{:?}", rest.stability());
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The Jacobian by two routes: dual numbers, and polynomials recorded from the differentiated expressions.
 
-use claims::finding::Verdict;
-use integrators::{Directions, Jacobian, Ode, System};
+use claims::finding::PropertyVerdict;
+use integrators::{Dual8, Jacobian, Ode, System};
 use motor::{Bench, Motor};
 use simulation::{CompiledLaw, SymbolicLaw};
 use std::sync::Arc;
@@ -12,13 +12,13 @@ const ROUNDING: f64 = 1e-13;
 const STATES: usize = 5;
 
 /// On a bench.
-pub(super) fn jacobian(machine: &Motor) -> Verdict {
+pub(super) fn jacobian(machine: &Motor) -> PropertyVerdict {
     let bench = Bench { machine: machine.clone(), axial: 0.7 };
     match bench.dimension() {
-        0 => Verdict::DoesNotApply("a kept rotor without windings has no state of its own".to_owned()),
-        _ => compared(Arc::new(bench)).map_or_else(Verdict::Fails, |recorded| match recorded {
-            true => Verdict::Tested("dual numbers and recorded polynomials give the same".to_owned()),
-            false => Verdict::DoesNotApply("an entry is no polynomial: dual numbers alone give it".to_owned()),
+        0 => PropertyVerdict::DoesNotApply("a kept rotor without windings has no state of its own".to_owned()),
+        _ => compared(Arc::new(bench)).map_or_else(PropertyVerdict::Fails, |recorded| match recorded {
+            true => PropertyVerdict::Tested("dual numbers and recorded polynomials give the same".to_owned()),
+            false => PropertyVerdict::DoesNotApply("an entry is no polynomial: dual numbers alone give it".to_owned()),
         }),
     }
 }
@@ -29,11 +29,11 @@ pub(super) fn jacobian(machine: &Motor) -> Verdict {
 /// The first entry that differs.
 pub fn compared<L>(law: Arc<L>) -> Result<bool, String>
 where
-    L: Ode<Directions> + SymbolicLaw + 'static,
+    L: Ode<Dual8> + SymbolicLaw + 'static,
 {
     let system = CompiledLaw::of(Arc::clone(&law) as Arc<dyn SymbolicLaw>);
     let n = Ode::<f64>::dimension(&system);
-    let dual: &dyn Ode<Directions> = &*law;
+    let dual: &dyn Ode<Dual8> = &*law;
     let (mut ours, mut theirs) = (vec![f64::NAN; n * n], vec![f64::NAN; n * n]);
     for turn in 0..STATES {
         let y: Vec<f64> = (0..n).map(|i| 2.0 * ((7 * turn + 3 * i) as f64).sin()).collect();
@@ -47,5 +47,5 @@ where
             }
         }
     }
-    Ok(system.slopes().is_some())
+    Ok(system.jacobian_fn().is_some())
 }

@@ -2,11 +2,11 @@
 
 use super::instant::{Doubt, Instant};
 use super::verdict_of;
-use claims::finding::Verdict;
+use claims::finding::PropertyVerdict;
 use symbolic::{Dimension, Sym, dimension};
 
 /// M in N m and di/dt in A/s, from the units of the parameters.
-pub(super) fn dimensions(at: &Instant, parameters: &[(String, Dimension)]) -> Verdict {
+pub(super) fn dimensions(at: &Instant, parameters: &[(String, Dimension)]) -> PropertyVerdict {
     let turning = Dimension::none() / Dimension::time();
     let of = |name: &str| match name {
         "the angle" => Some(Dimension::none()),

@@ -11,8 +11,8 @@ use integrators::{Attempt, Holding, Method, Ode, Record, Span, Tolerance, integr
 use mechanics::constrained::energies::{Kinematics, Reduced};
 use num_traits::Zero;
 use reader::Family;
-use simulation::work_precision::{Formulation, Standing, Treated, Way};
-use simulation::{Axes, CompiledLaw, Law, Smooth};
+use simulation::work_precision::{Configuration, Formulation, Standing, Treated};
+use simulation::{Axes, CompiledLaw, IvpScene, Law};
 use std::path::Path;
 use std::sync::Arc;
 use symbolic::Sym;
@@ -65,7 +65,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
 }
 
 /// The data by the letters of the scene; the one that is missing.
-fn mechanism(scene: &dyn Smooth) -> Result<CrankSlider<f64>, &'static str> {
+fn mechanism(scene: &dyn IvpScene) -> Result<CrankSlider<f64>, &'static str> {
     let data = scene.parameters();
     let datum = |name: &'static str| {
         let found = data.iter().find(|datum| datum.name == name);
@@ -93,9 +93,9 @@ impl Ode<Sym> for Minimal {
     }
 }
 
-fn minimal(mechanism: &CrankSlider<f64>, start: [f64; 2]) -> Way {
+fn minimal(mechanism: &CrankSlider<f64>, start: [f64; 2]) -> Configuration {
     let law: Arc<dyn Law> = Arc::new(CompiledLaw::new(Minimal(*mechanism)));
-    Way {
+    Configuration {
         formulation: Formulation::Minimal,
         model: "",
         standing: Standing::Exact,
@@ -134,7 +134,7 @@ fn drifts(mechanism: &CrankSlider<f64>, start: &[f64], end: f64) -> Option<Drift
 }
 
 /// A formulation by methods of its own.
-fn tried(mechanism: &CrankSlider<f64>, way: &Way, span: f64) -> Vec<Trial> {
+fn tried(mechanism: &CrankSlider<f64>, way: &Configuration, span: f64) -> Vec<Trial> {
     let constant = Method::RungeKutta4 { steps: LONG };
     let attempts = match &way.law {
         Treated::Free(law) => {

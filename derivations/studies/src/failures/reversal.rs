@@ -8,7 +8,7 @@ use super::{Exact, Failing, Found, NotFound, Threshold, Trial, Within};
 use field::{Rational, Scalar};
 use integrators::{Method, Observer, Record, Span, Tolerance, integrate};
 use mechanics::constrained::contacts::Sides;
-use mechanics::constrained::{State, System};
+use mechanics::constrained::{PointSystem, State};
 use mechanics::regimes::cramer::Cramer;
 use mechanics::regimes::{Direction, Face, Mode, Seen};
 use num_traits::Zero;

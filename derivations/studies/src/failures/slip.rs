@@ -1,7 +1,7 @@
 //! A contact that slips, with the direction of its friction given: no regime is asked.
 
 use field::{Analytic, Over, Scalar, Tangent};
-use integrators::{Ode, Slopes};
+use integrators::{JacobianFn, Ode};
 use mechanics::constrained::State;
 use mechanics::constrained::contacts::Contacts;
 use mechanics::regimes::cramer::Cramer;
@@ -83,7 +83,7 @@ impl<Q, const N: usize, const C: usize> integrators::System for Slip<Q, N, C>
 where
     Q: Contacts<N, C, 1, Given = f64> + Sync,
 {
-    fn slopes(&self) -> Option<Box<dyn Slopes + '_>> {
+    fn jacobian_fn(&self) -> Option<Box<dyn JacobianFn + '_>> {
         Some(Box::new(ByTangents::of(self)))
     }
 }

@@ -3,7 +3,7 @@
 //! Eight columns at once are cheaper only where the law is short enough to be inlined whole.
 
 use field::Tangent;
-use integrators::{Ode, Slopes};
+use integrators::{JacobianFn, Ode};
 
 /// A law, and room for one pass.
 pub struct ByTangents<'a, L> {
@@ -20,7 +20,7 @@ impl<'a, L: Ode<Tangent<f64>>> ByTangents<'a, L> {
     }
 }
 
-impl<L: Ode<Tangent<f64>>> Slopes for ByTangents<'_, L> {
+impl<L: Ode<Tangent<f64>>> JacobianFn for ByTangents<'_, L> {
     fn matrix(&mut self, _t: f64, y: &[f64], matrix: &mut [f64]) {
         let n = y.len();
         for column in 0..n {

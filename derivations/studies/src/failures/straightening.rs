@@ -7,7 +7,7 @@ use field::{Analytic, Over};
 use integrators::{Method, Observer, Ode, Record, Span, Tolerance, integrate};
 use mechanics::constrained::contacts::Sides;
 use mechanics::constrained::motion::Motion;
-use mechanics::constrained::{Charted, State, System, appell};
+use mechanics::constrained::{Charted, PointSystem, State, appell};
 use simulation::models::open;
 use std::f64::consts::{LN_2, PI};
 use std::path::Path;
@@ -88,7 +88,7 @@ struct ByPlace(SteeredRod<f64>);
 /// y = (x, theta, theta').
 struct ByAngle(SteeredRod<f64>);
 
-impl System<4> for ByAngle {
+impl PointSystem<4> for ByAngle {
     type Given = f64;
 
     fn masses<S: Over<f64>>(&self) -> [S; 4] {

@@ -5,9 +5,9 @@
 //!   lambda_s = x_s - psi ,    psi_s = alpha lambda - beta psi .
 
 use crate::governors::{growth, has_positive_minors};
-use crate::ladder::models::Reductions;
-use crate::ladder::rung::Fill;
-use crate::ladder::{Loss, Lower, Rung};
+use crate::model_reduction::models::Reductions;
+use crate::model_reduction::reduced_model::Fill;
+use crate::model_reduction::{Loss, Lower, ReducedModel};
 use field::{Analytic, Over};
 use simulation::Axes;
 use simulation::knowledge::{Knowledge, submit};
@@ -68,12 +68,12 @@ fn theory(data: &ElasticGovernor<f64>) -> Vec<String> {
 }
 
 /// The elastic rim against rims that say less.
-fn rungs(scene: &dyn Modelled) -> Vec<Rung> {
+fn rungs(scene: &dyn Modelled) -> Vec<ReducedModel> {
     let (written, data, start) = (scene.symbolic_law(), data(scene), scene.problem(Axes::First).state);
     let rung = |name, dropped: &str, parameter, rim: Rim, kept: Vec<usize>| {
         let z0 = kept.iter().map(|&place| start[place]).collect();
         let whole = Whole { rim, data };
-        Rung::new(name, dropped, Loss::Small { parameter }, Lower::keeping(&written, kept, whole), z0)
+        ReducedModel::new(name, dropped, Loss::Small { parameter }, Lower::keeping(&written, kept, whole), z0)
     };
     let sleeve = || vec![0, 1, 2, 3, 6, 9];
     let quasi_steady = (data.alpha != 0.0).then(|| {

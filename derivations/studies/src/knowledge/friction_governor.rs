@@ -1,7 +1,7 @@
 //! The friction governor whose wheel is pushed along its axle: the same without the friction across the wheel.
 
-use crate::ladder::models::Reductions;
-use crate::ladder::{Loss, Lower, Rung};
+use crate::model_reduction::models::Reductions;
+use crate::model_reduction::{Loss, Lower, ReducedModel};
 use simulation::Axes;
 use simulation::knowledge::{Knowledge, submit};
 use simulation::models::Modelled;
@@ -22,7 +22,7 @@ submit! { Knowledge {
 submit! { Reductions { name: NAME, rungs: |scene| frictionless(scene).into_iter().collect() } }
 
 /// The governor whose wheel slides along its axle without friction; none where it does already.
-pub(super) fn frictionless(scene: &dyn Modelled) -> Option<Rung> {
+pub(super) fn frictionless(scene: &dyn Modelled) -> Option<ReducedModel> {
     if scene.value(LATERAL) == Some(0.0) {
         return None;
     }
@@ -33,5 +33,5 @@ pub(super) fn frictionless(scene: &dyn Modelled) -> Option<Rung> {
         false => Loss::Small { parameter: "F11 + F22 over the force along the axle" },
     };
     let start = scene.problem(Axes::First).state;
-    Rung::new("frictionless across", "the friction across the wheel at both contacts", loss, lower, start)
+    ReducedModel::new("frictionless across", "the friction across the wheel at both contacts", loss, lower, start)
 }

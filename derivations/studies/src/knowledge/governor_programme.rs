@@ -3,8 +3,8 @@
 //! A wheel between a drum and a disc has the parameter R, one between two discs a.
 
 use super::friction_governor::{LATERAL, frictionless};
-use crate::ladder::models::Reductions;
-use crate::ladder::{Loss, Lower, Rung};
+use crate::model_reduction::models::Reductions;
+use crate::model_reduction::{Loss, Lower, ReducedModel};
 use field::Over;
 use simulation::Axes;
 use simulation::events::{Margin, Margins};
@@ -140,13 +140,13 @@ fn margins(scene: &dyn Modelled, states: &[String]) -> Option<Box<Margins>> {
     }))
 }
 
-fn rungs(scene: &dyn Modelled) -> Vec<Rung> {
+fn rungs(scene: &dyn Modelled) -> Vec<ReducedModel> {
     frictionless(scene).into_iter().chain(series(scene).unwrap_or_default()).collect()
 }
 
 /// The programme's series by powers of its small parameter, cut off: no equation is solved for the wheel, only a clock goes; the
 /// shafts turn as the wheel rolls.
-fn series(scene: &dyn Modelled) -> Option<Vec<Rung>> {
+fn series(scene: &dyn Modelled) -> Option<Vec<ReducedModel>> {
     const ORDERS: [(usize, &str); 4] =
         [(1, "series to eps"), (2, "series to eps^2"), (4, "series to eps^4"), (8, "series to eps^8")];
     let (governor, speed) = (governor(scene).ok()?, scene.value("speed")?);
@@ -177,7 +177,7 @@ fn series(scene: &dyn Modelled) -> Option<Vec<Rung>> {
         let lower = Lower { dimension: 4, lift: Arc::new(lift), rates: Arc::new(rates), kept: None };
         let loss = Loss::Small { parameter: "eps (k1/rho0 + k2) t/rho0" };
         let first = vec![0.0, start[0], start[1], start[2]];
-        Rung::new(name, "the powers of the small parameter beyond", loss, lower, first)
+        ReducedModel::new(name, "the powers of the small parameter beyond", loss, lower, first)
     };
     Some(ORDERS.into_iter().filter_map(rung).collect())
 }

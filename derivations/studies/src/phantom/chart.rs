@@ -4,8 +4,8 @@ use super::methods::OneStep;
 use super::motions::{AllStationed, NoMotions, Rotor, Stationed};
 use crate::scene::Scene;
 use algebra::real::Enclosure;
-use mechanics::discrete::{Judgement, Mode, Place, Spectrum, Steps, Stretch};
-use mechanics::uniform::Kind;
+use mechanics::one_step_stability::{Judgement, Mode, Place, Spectrum, StepInterval, Steps};
+use mechanics::steady_rotations::Kind;
 use std::fmt::{self, Write};
 
 /// All of it for one angular velocity.
@@ -117,7 +117,7 @@ impl Row {
 }
 
 /// In the words of a chart.
-pub fn said(stretch: Stretch) -> &'static str {
+pub fn said(stretch: StepInterval) -> &'static str {
     match stretch.judgement {
         Judgement::Honest => "honest",
         Judgement::Hides => "PHANTOM STABILITY",

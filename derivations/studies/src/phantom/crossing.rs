@@ -10,7 +10,7 @@
 //! thousands, where d N/10 and b N/10 are above a hundredth. Where that takes too many steps no run tells, and none is asked.
 
 use super::methods::OneStep;
-use mechanics::discrete::Spectrum;
+use mechanics::one_step_stability::Spectrum;
 
 /// What happens to a motion's modes in a step of the length of a threshold.
 #[derive(Clone, Copy, Debug, PartialEq)]

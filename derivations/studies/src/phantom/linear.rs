@@ -13,8 +13,8 @@ use crate::scene::Scene;
 use crate::stationary::motor::{MotorStates, NoMotor};
 use algebra::real::Enclosure;
 use field::Rational;
-use mechanics::discrete::{Mode, Place, Spectrum};
-use mechanics::first_approximation::characteristic;
+use mechanics::linear_stability::characteristic;
+use mechanics::one_step_stability::{Mode, Place, Spectrum};
 use symbolic::{Hypotheses, Sym, coefficients, normal};
 
 /// The matrix of a scene's linear motion near any stationary one, over the symbols of its place.

@@ -6,8 +6,8 @@ use super::motions::Stationed;
 use crate::scene::Scene;
 use field::Scalar;
 use integrators::{
-    Family, Held, HeldSystem, Holding, Method, Observer, Ode, Outcome, Record, Span, Splitting, Tolerance, hold,
-    integrate,
+    Family, Holding, Index2Dae, Index2DaeSystem, Method, Observer, Ode, Outcome, Record, Span, Splitting, Tolerance,
+    hold, integrate,
 };
 use nalgebra::{DMatrix, DVector};
 use simulation::{Axes, Law};
@@ -172,7 +172,7 @@ impl Observer<f64> for Watched {
 /// A law that nothing holds: what has a constant step among the methods for held laws runs it too.
 struct Free<'a>(&'a dyn Law);
 
-impl<'a, S: Scalar> Held<S> for Free<'a>
+impl<'a, S: Scalar> Index2Dae<S> for Free<'a>
 where
     dyn Law + 'a: Ode<S>,
 {
@@ -191,4 +191,4 @@ where
     fn constraints(&self, _t: S, _y: &[S], _g: &mut [S]) {}
 }
 
-impl HeldSystem for Free<'_> {}
+impl Index2DaeSystem for Free<'_> {}

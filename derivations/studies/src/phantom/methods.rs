@@ -3,7 +3,7 @@
 use crate::stabilisation::schemes::Scheme;
 use field::Scalar;
 use integrators::{Family, nodal};
-use mechanics::discrete::StabilityFunction;
+use mechanics::one_step_stability::StabilityFunction;
 use std::fmt;
 use symbolic::{Hypotheses, Sym, normal, univariate};
 

@@ -6,7 +6,7 @@
 
 use algebra::real::{Ordered, TaylorModel};
 use field::Rational;
-use mechanics::first_approximation::{HalfPlanes, characteristic};
+use mechanics::linear_stability::{HalfPlanes, characteristic};
 
 /// Row after row.
 pub(super) type Matrix<R = TaylorModel> = Vec<Vec<R>>;

@@ -1,7 +1,7 @@
 //! A step of a gyrostat in the coordinates of `Surface`, over floats, Taylor models and enclosed numbers.
 
 use super::surface::{Step, Surface};
-use crate::ladder::Lumped;
+use crate::model_reduction::Lumped;
 use algebra::real::{Model, Ordered, Rounded};
 use field::{Analytic, Base, Over, Rational, Scalar, Tangent};
 use integrators::Splitting;

@@ -22,7 +22,7 @@ use super::stretches::{Found, Limits, Proved};
 use super::surface::{Step, Surface};
 use super::unproved::{MOST_UNKNOWNS, Unproved};
 use super::written::keeps_energy;
-use crate::ladder::{Lumped, Lumping};
+use crate::model_reduction::{Lumped, Lumping};
 use crate::scene::{Scene, System};
 use algebra::real::{Ball, FixedPoint, Mapped, Model, Rounded, TaylorModel};
 use field::{Base, Rational, Scalar, Tangent};

@@ -4,14 +4,14 @@ use crate::scene::Scene;
 use crate::scene::state::ROTOR_SPEED;
 use integrators::Reference;
 use simulation::Axes;
-use simulation::work_precision::{Formulation, Observed, Standing, Way};
+use simulation::work_precision::{Configuration, Formulation, Observed, Standing};
 
 /// Models that have one motion, which is proved for every number of bars: `konosevich2022/damper`.
 const EQUAL: [&str; 2] = ["multi_current", "equivalent_windings"];
 
 impl Scene {
     /// The scene's own model first, then the others from the largest.
-    pub(super) fn all_ways(&self) -> Vec<Way> {
+    pub(super) fn all_ways(&self) -> Vec<Configuration> {
         let own = self.machine.name();
         let others = self.given.models().into_iter().rev().filter(|model| *model != own);
         let others = others.filter_map(|model| self.with_model(model).ok());
@@ -30,9 +30,9 @@ impl Scene {
         }
     }
 
-    fn formulations(&self, standing: Standing) -> Vec<Way> {
+    fn formulations(&self, standing: Standing) -> Vec<Configuration> {
         let model = self.machine.name();
-        let way = |formulation, axes| Way::of(formulation, model, standing, self.problem(axes));
+        let way = |formulation, axes| Configuration::of(formulation, model, standing, self.problem(axes));
         if self.names().is_empty() {
             return Vec::new(); // on a bench a rotor of constant speed has no state at all
         }

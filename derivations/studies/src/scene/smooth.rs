@@ -3,9 +3,9 @@
 use super::Scene;
 use integrators::{Method, Reference};
 use motor::{Count, has_known_flow};
-use simulation::smooth::Parameter;
-use simulation::work_precision::{Observed, Way};
-use simulation::{Axes, Choice, Problem, Run, Smooth, Told, Trajectory};
+use simulation::ivp_scene::Parameter;
+use simulation::work_precision::{Configuration, Observed};
+use simulation::{Axes, Choice, IvpScene, Problem, Run, Told, Trajectory};
 use std::borrow::Cow;
 
 impl Scene {
@@ -20,7 +20,7 @@ impl Scene {
     }
 }
 
-impl Smooth for Scene {
+impl IvpScene for Scene {
     fn title(&self) -> &str {
         &self.title
     }
@@ -68,7 +68,7 @@ impl Smooth for Scene {
         Told { theory, closed_form: off, ..Told::default() }
     }
 
-    fn ways(&self) -> Vec<Way> {
+    fn ways(&self) -> Vec<Configuration> {
         self.all_ways()
     }
 

@@ -69,7 +69,7 @@ pub fn bearable_steps(law: &Seven, start: &[f64], end: f64) -> Result<[f64; 2], 
 
 /// The longest step at an instant; none is known of a law without derivatives.
 fn step_at(law: &CompiledLaw, time: f64, state: &[f64]) -> f64 {
-    law.slopes().map_or(f64::NAN, |mut slopes| bearable_step(&mut *slopes, time, state))
+    law.jacobian_fn().map_or(f64::NAN, |mut slopes| bearable_step(&mut *slopes, time, state))
 }
 
 impl Course<'_> {

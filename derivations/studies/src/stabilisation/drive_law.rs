@@ -3,7 +3,7 @@
 
 use super::law::Stabilised;
 use field::{Analytic, Over};
-use integrators::{Ode, Slopes, System};
+use integrators::{JacobianFn, Ode, System};
 use mechanics::constrained::State;
 use mechanics::constrained::energies::{Kinematics, Reduced};
 use systems::crank_drive::CrankDrive;
@@ -80,7 +80,7 @@ impl Seven {
 
 /// The longest step with which Euler multiplies no disturbance of the five electrical unknowns of the seven by more than one, with
 /// the coefficients frozen at a state, s: I + h A has no eigenvalue outside the unit circle.
-pub fn bearable_step(slopes: &mut dyn Slopes, time: f64, y: &[f64]) -> f64 {
+pub fn bearable_step(slopes: &mut dyn JacobianFn, time: f64, y: &[f64]) -> f64 {
     let mut matrix = [0.0; 49];
     slopes.matrix(time, y, &mut matrix);
     longest(&std::array::from_fn(|i| std::array::from_fn(|j| matrix[7 * i + j])))

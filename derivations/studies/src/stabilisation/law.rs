@@ -1,7 +1,7 @@
 //! A system given by energies as a law of y = (q, q'): its constraints stabilised, or held by multipliers.
 
 use field::{Analytic, Over, Scalar};
-use integrators::{Held, HeldSystem, Ode, System};
+use integrators::{Index2Dae, Index2DaeSystem, Ode, System};
 use mechanics::constrained::State;
 use mechanics::constrained::energies::{Energies, Instant, violation};
 use mechanics::constrained::gear_gupta_leimkuhler::Extended;
@@ -56,7 +56,7 @@ impl<Q: Energies<N, C, Given = f64>, const N: usize, const C: usize> System for 
 #[derive(Clone, Copy, Debug)]
 pub struct BothHeld<'a, Q, const N: usize, const C: usize>(pub &'a Q);
 
-impl<S: Over<f64> + Analytic, Q: Energies<N, C, Given = f64>, const N: usize, const C: usize> Held<S>
+impl<S: Over<f64> + Analytic, Q: Energies<N, C, Given = f64>, const N: usize, const C: usize> Index2Dae<S>
     for BothHeld<'_, Q, N, C>
 {
     fn sizes(&self) -> (usize, usize) {
@@ -92,7 +92,7 @@ impl<S: Over<f64> + Analytic, Q: Energies<N, C, Given = f64>, const N: usize, co
     }
 }
 
-impl<Q: Energies<N, C, Given = f64>, const N: usize, const C: usize> HeldSystem for BothHeld<'_, Q, N, C> {}
+impl<Q: Energies<N, C, Given = f64>, const N: usize, const C: usize> Index2DaeSystem for BothHeld<'_, Q, N, C> {}
 
 /// No numbers, which every integrator refuses.
 fn undefined<S: Scalar>(dy: &mut [S]) {

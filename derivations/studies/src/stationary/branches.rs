@@ -4,7 +4,7 @@
 //! sum b_i^2 / (k_i - x)^2 = 1: one beyond either end of the poles, and none or two between neighbours, where the sum is
 //! convex. So no branch can be missed. Between two cuts (folds, zero, and where some b_i vanishes) their number is constant.
 
-use mechanics::uniform::Kind;
+use mechanics::steady_rotations::Kind;
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 

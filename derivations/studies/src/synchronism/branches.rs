@@ -1,7 +1,7 @@
 //! What a motor can do for ever under a load: stand in step, or slip turn after turn.
 
 use super::loaded::Loaded;
-use integrators::{Branch, Equilibria, Failure, Last, Place, Repeating, Walk, follow, spectrum};
+use integrators::{Branch, CurvePoint, Equilibria, Failure, Last, Repeating, Walk, follow, spectrum};
 use nalgebra::{Matrix3, RowVector3, Vector3};
 use std::cell::Cell;
 use std::f64::consts::{PI, TAU};
@@ -90,13 +90,13 @@ impl Loaded {
         let mut rest = Equilibria::new(&*self.law);
         let mut towards = vec![0.0; sizes.len()];
         towards[0] = 1.0;
-        let mut side = |sign: f64| -> Vec<Place> {
+        let mut side = |sign: f64| -> Vec<CurvePoint> {
             towards[0] = sign;
             follow(&mut rest, &start, &towards, &walk).map_or_else(Vec::new, |branch| branch.places)
         };
         let (down, up) = (side(-1.0), side(1.0));
         let places = down.into_iter().skip(1).rev().chain(up);
-        let standing = |Place { x, fold }: Place| {
+        let standing = |CurvePoint { x, fold }: CurvePoint| {
             let (n, matrix) = rest.linearised(&x);
             let growth = spectrum(n, &matrix).and_then(|all| Some(all.first()?.re));
             Some(Standing { angle: x[0], load: x[last], growth: growth?, fold })
@@ -174,7 +174,7 @@ impl Loaded {
         let walk = Walk { sizes: &sizes, parameter: count - 1, step: LONGER_STEP, most, within };
         let lost = Failure::NewtonFailed { at: start[0], step: start[0] };
         let Branch { places, last } = follow(&mut turns, start, towards, &walk).ok_or(lost)?;
-        let slipping = |Place { x, fold }: Place| -> Result<Slipping, Failure> {
+        let slipping = |CurvePoint { x, fold }: CurvePoint| -> Result<Slipping, Failure> {
             let (n, matrix) = turns.returning(&x)?;
             let (mut state, period) = turns.motion(&x);
             state.pop();

@@ -18,7 +18,7 @@ pub mod servo;
 
 use field::{Analytic, Base, Over, Scalar};
 use mechanics::constrained::newton::Reactions;
-use mechanics::constrained::{Charted, Constrained, Constraint, State, System};
+use mechanics::constrained::{Charted, Constrained, Constraint, PointSystem, State};
 
 /// What the wheel rolls on.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -84,7 +84,7 @@ fn turning<S: Scalar>(at: &State<S, 7>, body: usize) -> S {
     at.place[cos] * at.velocity[sin] - at.place[sin] * at.velocity[cos]
 }
 
-impl<P: Base> System<7> for Governor<P> {
+impl<P: Base> PointSystem<7> for Governor<P> {
     type Given = P;
 
     fn masses<S: Over<P>>(&self) -> [S; 7] {

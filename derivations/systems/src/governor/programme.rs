@@ -5,7 +5,7 @@
 
 use super::Governor;
 use field::{Analytic, Base, Over, Tangent};
-use mechanics::constrained::System;
+use mechanics::constrained::PointSystem;
 use mechanics::constrained::appell::residual;
 use mechanics::constrained::motion::Motion;
 

@@ -3,7 +3,7 @@
 
 use super::Governor;
 use field::{Analytic, Base, Over, Scalar, Tangent};
-use mechanics::constrained::System;
+use mechanics::constrained::PointSystem;
 use mechanics::constrained::appell::rates;
 use mechanics::constrained::motion::Motion;
 use mechanics::definite::NotDefinite;

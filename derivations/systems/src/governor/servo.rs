@@ -7,7 +7,7 @@
 use super::{Governor, turning};
 use field::{Base, Over};
 use mechanics::constrained::servo::Servo;
-use mechanics::constrained::{Constrained, Constraint, State, System};
+use mechanics::constrained::{Constrained, Constraint, PointSystem, State};
 use mechanics::differentiate::unit;
 
 /// A governor that keeps the speed of its second shaft.
@@ -18,7 +18,7 @@ pub struct Kept<P> {
     pub speed: P,
 }
 
-impl<P: Base> System<7> for Kept<P> {
+impl<P: Base> PointSystem<7> for Kept<P> {
     type Given = P;
 
     fn masses<S: Over<P>>(&self) -> [S; 7] {

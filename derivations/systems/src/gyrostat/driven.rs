@@ -2,7 +2,7 @@
 
 use super::forms::Form;
 use super::vectors::cross;
-use field::{Analytic, Base, Lanes, Over, Tangent};
+use field::{Analytic, Base, Batch, Over, Tangent};
 use integrators::Ode;
 use motor::{Circuit, Machine, Powered, RotorState, drive_circuits, feeding, state_names, stored_energy};
 use nalgebra::Vector3;
@@ -138,17 +138,17 @@ impl<F: Form<f64>, M: Machine<f64>> Powered for Driven<f64, F, M> {
 }
 
 /// Many gyrostats side by side, each with data of its own.
-impl<const L: usize, const FUSED: bool, F, M> Ode<Lanes<L, FUSED>> for Driven<Lanes<L, FUSED>, F, M>
+impl<const L: usize, const FUSED: bool, F, M> Ode<Batch<L, FUSED>> for Driven<Batch<L, FUSED>, F, M>
 where
-    F: Form<Lanes<L, FUSED>>,
-    M: Machine<Lanes<L, FUSED>>,
+    F: Form<Batch<L, FUSED>>,
+    M: Machine<Batch<L, FUSED>>,
 {
     fn dimension(&self) -> usize {
         Driven::dimension(self)
     }
 
     #[inline(always)]
-    fn rates(&self, _t: Lanes<L, FUSED>, y: &[Lanes<L, FUSED>], dy: &mut [Lanes<L, FUSED>]) {
+    fn rates(&self, _t: Batch<L, FUSED>, y: &[Batch<L, FUSED>], dy: &mut [Batch<L, FUSED>]) {
         Driven::rates(self, y, dy);
     }
 }

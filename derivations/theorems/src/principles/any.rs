@@ -3,7 +3,7 @@
 use super::alphabet::letter;
 use field::Over;
 use mechanics::constrained::multipliers::{Reaction, multipliers};
-use mechanics::constrained::{Constrained, Constraint, State, System};
+use mechanics::constrained::{Constrained, Constraint, PointSystem, State};
 use symbolic::Sym;
 
 /// Masses, rows of constraints and what is in them beside the accelerations.
@@ -53,7 +53,7 @@ impl<const N: usize, const C: usize> AnySystem<N, C> {
     }
 }
 
-impl<const N: usize, const C: usize> System<N> for AnySystem<N, C> {
+impl<const N: usize, const C: usize> PointSystem<N> for AnySystem<N, C> {
     type Given = Sym;
 
     fn masses<S: Over<Sym>>(&self) -> [S; N] {

@@ -6,12 +6,12 @@ use mechanics::constrained::contacts::{Closed, Sides};
 use symbolic::Sym;
 use systems::disc::Disc;
 use systems::governor::{Gearing, Governor, Moment};
-use systems::kept_speed::KeptSpeed;
 use systems::knife_edge::KnifeEdge;
 use systems::ladder::{Ladder, LeaningLadder};
+use systems::moving_pivot_pendulum::Swing;
+use systems::prescribed_speed_point::KeptSpeed;
 use systems::rod::{GuidedRod, Rod};
 use systems::steered_rod::{GuidedSteeredRod, SteeredRod};
-use systems::swing::Swing;
 
 /// Painleve's rod on its guide.
 pub fn rod() -> Case<GuidedRod<Sym>, 4, 2, 2, 2> {

@@ -9,7 +9,7 @@ use super::cases;
 use algebra::linear;
 use claims::{Condition, Line, Page};
 use field::Analytic;
-use mechanics::constrained::System;
+use mechanics::constrained::PointSystem;
 use mechanics::constrained::combining::{extended, painleve};
 use mechanics::constrained::rates::jacobian;
 use symbolic::{Hypotheses, Sym};

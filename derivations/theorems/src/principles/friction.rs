@@ -8,7 +8,7 @@ use field::{Analytic, Tangent};
 use mechanics::constrained::appell::residual;
 use mechanics::constrained::combining::extended;
 use mechanics::constrained::rates::jacobian;
-use mechanics::constrained::{System, gauss::constraint, kinetic_energy};
+use mechanics::constrained::{PointSystem, gauss::constraint, kinetic_energy};
 use mechanics::definite::root;
 use mechanics::differentiate::{along, fixed, gradient, unit};
 use symbolic::Sym;

@@ -9,7 +9,7 @@ use mechanics::constrained::appell;
 use mechanics::constrained::newton::Reactions;
 use mechanics::constrained::quasi::{Operator, operator};
 use mechanics::constrained::redundant::{Redundant, Split};
-use mechanics::constrained::{Charted, Constrained, System, motion::Motion};
+use mechanics::constrained::{Charted, Constrained, PointSystem, motion::Motion};
 use mechanics::differentiate::{along, fixed, unit};
 use symbolic::Sym;
 

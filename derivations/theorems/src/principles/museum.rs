@@ -8,7 +8,7 @@ use field::{Analytic, Base, Over, Tangent};
 use mechanics::appell::appell;
 use mechanics::constrained::motion::{Motion, velocity};
 use mechanics::constrained::rates::first_rates;
-use mechanics::constrained::{Charted, State, System, appell as equations, kinetic_energy};
+use mechanics::constrained::{Charted, PointSystem, State, appell as equations, kinetic_energy};
 use mechanics::differentiate::fixed;
 use symbolic::Sym;
 use systems::knife_edge::KnifeEdge;
@@ -19,7 +19,7 @@ use Condition::Equal;
 #[derive(Clone, Copy, Debug)]
 struct Point<P>(P);
 
-impl<P: Base> System<2> for Point<P> {
+impl<P: Base> PointSystem<2> for Point<P> {
     type Given = P;
 
     fn masses<S: Over<P>>(&self) -> [S; 2] {
@@ -47,7 +47,7 @@ impl<P: Base> Charted<2, 2, 2> for Point<P> {
 #[derive(Clone, Copy, Debug)]
 struct Reversed<P>(KnifeEdge<P>);
 
-impl<P: Base> System<4> for Reversed<P> {
+impl<P: Base> PointSystem<4> for Reversed<P> {
     type Given = P;
 
     fn masses<S: Over<P>>(&self) -> [S; 4] {

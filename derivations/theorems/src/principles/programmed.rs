@@ -10,7 +10,7 @@ use claims::{Condition, Page};
 use mechanics::constrained::multipliers::{Reaction, leading_to};
 use mechanics::constrained::programmed::{Linear, Violation, programmed, violation};
 use mechanics::constrained::rates::{jacobian, rates};
-use mechanics::constrained::{Constrained, State, System, gauss};
+use mechanics::constrained::{Constrained, PointSystem, State, gauss};
 use symbolic::Sym;
 
 use Condition::{Equal, Zero};

@@ -2,8 +2,8 @@
 
 use super::alphabet::{angle, letter};
 use claims::{Line, Page};
+use mechanics::constrained::PointSystem;
 use mechanics::constrained::State;
-use mechanics::constrained::System;
 use mechanics::regimes::cramer::Cramer;
 use mechanics::regimes::{Direction, Dry, Face, Mode, Touch, conditions};
 use symbolic::Sym;

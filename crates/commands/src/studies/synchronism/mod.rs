@@ -3,7 +3,7 @@
 mod carried;
 mod pictures;
 
-use crate::crew::Crew;
+use crate::job_pool::JobPool;
 use carried::Carried;
 use charts::{Study, Table, significant};
 use pictures::{by_bars, plain, slipping, standing};
@@ -49,7 +49,7 @@ pub struct Synchronism {
 
 impl Synchronism {
     /// Of the first scene of a motor with bars on a bench, and of the first in which a gyrostat carries one.
-    pub fn enlist<'s>(&'s mut self, scenes: impl Iterator<Item = &'s Scene>, crew: &mut Crew<'s>) {
+    pub fn enlist<'s>(&'s mut self, scenes: impl Iterator<Item = &'s Scene>, crew: &mut JobPool<'s>) {
         let scenes: Vec<&Scene> = scenes.filter(|scene| with_bars(scene, 0).is_some()).collect();
         let on_bench = |scene: &&&Scene| matches!(scene.system, System::Bench { .. });
         if let Some(scene) = scenes.iter().copied().find(|scene| matches!(scene.system, System::Gyrostat(_))) {

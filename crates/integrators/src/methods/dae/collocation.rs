@@ -11,7 +11,7 @@ use crate::newton::Lu;
 use crate::newton::Newton;
 use crate::run::budgeted_rhs::BudgetedRhs;
 use crate::run::stepping::{Attempt, Cause, Stepper};
-use crate::{Directions, Real};
+use crate::{Dual8, Real};
 
 pub(super) struct Collocated<'a, S> {
     method: Collocation<S>,
@@ -31,7 +31,7 @@ pub(super) struct Collocated<'a, S> {
 }
 
 impl<'a, S: Real> Collocated<'a, S> {
-    pub fn new(family: Family, stages: usize, step: S, slopes: &'a Whole<'a, Directions>, onto: Onto<'a, S>) -> Self {
+    pub fn new(family: Family, stages: usize, step: S, slopes: &'a Whole<'a, Dual8>, onto: Onto<'a, S>) -> Self {
         let one = onto.n + onto.m;
         let all = stages * one;
         Collocated {

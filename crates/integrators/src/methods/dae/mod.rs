@@ -25,7 +25,7 @@ use crate::run::stepping::drive;
 use crate::run::watch::Watch;
 use crate::run::within::Within;
 use crate::{
-    Directions, Held, HeldSystem, MOST_STAGES, Method, Observer, Ode, Outcome, Refusal, Span, System, Working,
+    Dual8, Index2Dae, Index2DaeSystem, MOST_STAGES, Method, Observer, Ode, Outcome, Refusal, Span, System, Working,
 };
 use collocation::Collocated;
 use field::Scalar;
@@ -102,7 +102,7 @@ impl fmt::Display for Holding {
 ///
 /// Never panics, never answers with a number that is not one: what goes wrong is the outcome's end.
 pub fn hold<S: Working>(
-    system: &dyn HeldSystem,
+    system: &dyn Index2DaeSystem,
     method: Holding,
     span: &Span<'_, S>,
     observer: &mut dyn Observer<S>,
@@ -123,7 +123,7 @@ pub fn hold<S: Working>(
     let (meter, watch) = (BudgetedRhs::new(&whole, span), Watch::new(span, observer, Within::new(&again, None)));
     let step = watch.length() / S::int(method.steps().into());
     let onto = Onto::new(law, system);
-    let slopes = Whole { law: system as &dyn Held<Directions>, n, m };
+    let slopes = Whole { law: system as &dyn Index2Dae<Dual8>, n, m };
     match method {
         Holding::HalfExplicitEuler { .. } => {
             drive(&mut HalfExplicit::new(half_explicit::EULER, step, onto), 0.0, &meter, watch)
@@ -144,7 +144,7 @@ pub fn hold<S: Working>(
 /// each step. A method that follows a tolerance is refused.
 pub fn integrate_projected<S: Working>(
     system: &dyn System,
-    held: &dyn HeldSystem,
+    held: &dyn Index2DaeSystem,
     method: Method,
     span: &Span<'_, S>,
     observer: &mut dyn Observer<S>,
@@ -166,7 +166,7 @@ pub fn integrate_projected<S: Working>(
 
 /// (f + B z, g) of (y, z): its Jacobian holds everything that Newton needs.
 struct Whole<'a, S> {
-    law: &'a dyn Held<S>,
+    law: &'a dyn Index2Dae<S>,
     n: usize,
     m: usize,
 }

@@ -1,17 +1,17 @@
 //! Onto the constraint along given columns: y + B d with g(t, y + B d) = 0.
 
-use super::Held;
+use super::Index2Dae;
 use crate::law::jacobian::{slope, variable};
 use crate::newton::Lu;
 use crate::newton::Newton;
 use crate::run::budgeted_rhs::BudgetedRhs;
 use crate::run::stepping::Cause;
-use crate::{DIRECTIONS, Directions, Real};
+use crate::{DIRECTIONS, Dual8, Real};
 
 /// Newton's iteration for d, until rounding stops it, with the exact derivative of g.
 pub(super) struct Onto<'a, S> {
-    pub law: &'a dyn Held<S>,
-    varied: &'a dyn Held<Directions>,
+    pub law: &'a dyn Index2Dae<S>,
+    varied: &'a dyn Index2Dae<Dual8>,
     pub n: usize,
     pub m: usize,
     /// B: m columns of n.
@@ -19,8 +19,8 @@ pub(super) struct Onto<'a, S> {
     /// d
     pub moved: Vec<S>,
     g: Vec<S>,
-    y: Vec<Directions>,
-    slopes: Vec<Directions>,
+    y: Vec<Dual8>,
+    slopes: Vec<Dual8>,
     /// g_y, by rows
     rows: Vec<f64>,
     correction: Vec<f64>,
@@ -28,9 +28,9 @@ pub(super) struct Onto<'a, S> {
 }
 
 impl<'a, S: Real> Onto<'a, S> {
-    pub fn new(law: &'a dyn Held<S>, varied: &'a dyn Held<Directions>) -> Self {
+    pub fn new(law: &'a dyn Index2Dae<S>, varied: &'a dyn Index2Dae<Dual8>) -> Self {
         let (n, m) = law.sizes();
-        let zero = Directions::from_re(0.0);
+        let zero = Dual8::from_re(0.0);
         Onto {
             law,
             varied,
@@ -105,15 +105,15 @@ impl<'a, S: Real> Onto<'a, S> {
     /// g_y at (t, y).
     fn derive(&mut self, t: f64, y: &[S]) {
         let n = self.n;
-        self.y.iter_mut().zip(y).for_each(|(own, y)| *own = Directions::from_re(y.approx()));
+        self.y.iter_mut().zip(y).for_each(|(own, y)| *own = Dual8::from_re(y.approx()));
         for first in (0..n).step_by(DIRECTIONS) {
             let block = first..n.min(first + DIRECTIONS);
             block.clone().for_each(|c| self.y[c] = variable(y[c].approx(), c - first));
-            self.varied.constraints(Directions::from_re(t), &self.y, &mut self.slopes);
+            self.varied.constraints(Dual8::from_re(t), &self.y, &mut self.slopes);
             for (row, g) in self.rows.chunks_mut(n).zip(&self.slopes) {
                 block.clone().for_each(|c| row[c] = slope(g, c - first));
             }
-            block.for_each(|c| self.y[c] = Directions::from_re(y[c].approx()));
+            block.for_each(|c| self.y[c] = Dual8::from_re(y[c].approx()));
         }
     }
 }

@@ -32,7 +32,7 @@ pub fn transition(
         return Err(Failure::Refused(Refusal::SpanNotFinite { start: from, end: to }));
     }
     let n = state.len();
-    let mut series = system.taylor_directions().ok_or(Failure::Refused(Refusal::NoSeries))?;
+    let mut series = system.taylor_variations().ok_or(Failure::Refused(Refusal::NoSeries))?;
     let mut found = Transition { state: state.to_vec(), matrix: vec![0.0; n * n], steps: 0 };
     for first in (0..n).step_by(DIRECTIONS) {
         let block = DIRECTIONS.min(n - first);

@@ -3,7 +3,7 @@
 use super::matrix::Matrix;
 use crate::fused::Fused;
 use crate::small::law::Law;
-use crate::small::permuted::Permute;
+use crate::small::permutation::Permute;
 use crate::small::solving::{Row, Set};
 use crate::small::wide::Wide;
 

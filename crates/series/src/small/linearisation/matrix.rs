@@ -1,6 +1,6 @@
 //! Matrices of few rows and columns, by registers of eight rows.
 
-use crate::small::permuted::Permute;
+use crate::small::permutation::Permute;
 use crate::small::solving::Set;
 use crate::small::wide::Wide;
 

@@ -12,7 +12,7 @@ use super::factors::{Factors, Places};
 use super::law::{Law, Sums};
 use super::solving::{Solving, solved_by};
 use crate::fused::Fused;
-use crate::small::permuted::Permute;
+use crate::small::permutation::Permute;
 use crate::small::wide::Wide;
 use crate::stored::Stored;
 use eliminate::Elimination;

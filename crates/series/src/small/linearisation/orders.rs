@@ -11,7 +11,7 @@ use super::pattern::Pattern;
 use crate::small::MOST_ORDER;
 use crate::small::factors::{CHAINS, Chains, Factors, Places, reciprocals};
 use crate::small::law::Law;
-use crate::small::permuted::Permute;
+use crate::small::permutation::Permute;
 use crate::small::wide::Wide;
 use std::ops::Range;
 

@@ -8,7 +8,7 @@ pub(super) use rows::Row;
 
 use super::law::{Law, Solved};
 use crate::fused::Fused;
-use crate::small::permuted::Permute;
+use crate::small::permutation::Permute;
 use crate::stored::Stored;
 
 /// The quantities after those that move, among B groups of eight, with G groups of products.

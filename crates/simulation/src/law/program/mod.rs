@@ -4,7 +4,7 @@ mod table;
 
 use crate::law::trace::{TracedOde, symbols, traced};
 use field::{Analytic, DoubleDouble};
-use integrators::{Directions, Ode};
+use integrators::{Dual8, Ode};
 use native::Code;
 use std::sync::Arc;
 use symbolic::{Sym, Tape, apart};
@@ -17,7 +17,7 @@ pub struct Program {
     /// In `f64`, where this machine can be written for.
     code: Option<Arc<Code>>,
     plain: Table<f64>,
-    slopes: Table<Directions>,
+    slopes: Table<Dual8>,
     exact: Table<DoubleDouble>,
 }
 
@@ -114,7 +114,7 @@ impl Running for f64 {
     }
 }
 
-impl Running for Directions {
+impl Running for Dual8 {
     fn run(program: &Program, t: Self, y: &[Self], values: &mut [Self]) -> Option<()> {
         program.follow(&program.slopes, t, y, values)
     }

@@ -2,7 +2,7 @@
 
 use crate::stationary::stability::{Along, Judged};
 use algebra::real::Enclosure;
-use mechanics::uniform::{Kind, Shape, Undecided};
+use mechanics::steady_rotations::{Kind, Shape, Undecided};
 use nalgebra::Vector3;
 
 /// All that goes with one case.

@@ -16,7 +16,7 @@ use super::stability::judge::{Given, Judge};
 use crate::scene::{Scene, Start, System};
 use algebra::real::{Enclosure, Root};
 use field::Rational;
-use mechanics::uniform::{Body, Census, Kind, Motion, Shape, Turning, Undecided};
+use mechanics::steady_rotations::{Body, Census, Kind, Motion, Shape, Turning, Undecided};
 use nalgebra::Vector3;
 use simulation::Axes;
 use systems::gyrostat::Gyrostat;

@@ -9,7 +9,7 @@ use super::verdict::{Reason, Verdict};
 use crate::stationary::motor::Angle;
 use algebra::real::{Conic, Enclosure, Ordered, Root, Surd, Tower};
 use field::{Rational, Scalar};
-use mechanics::uniform::Shape;
+use mechanics::steady_rotations::Shape;
 use nalgebra::Vector3;
 
 /// The verdicts along a family with one angle of the rotor.

@@ -12,7 +12,7 @@ use super::reduced::Reduced;
 use crate::stationary::energies::Energies;
 use algebra::real::{Conic, Ordered};
 use field::Rational;
-use mechanics::first_approximation::{characteristic, derivative, resultant};
+use mechanics::linear_stability::{characteristic, derivative, resultant};
 use nalgebra::Vector3;
 use symbolic::{Formulas, Sym, symbols};
 

@@ -5,7 +5,7 @@ use super::family::cross;
 use super::linear::{Integral, Linear};
 use super::verdict::{Reason, Verdict};
 use algebra::real::Ordered;
-use mechanics::first_approximation::{HalfPlanes, Inertia, characteristic, growth};
+use mechanics::linear_stability::{HalfPlanes, Inertia, characteristic, growth};
 
 /// A verdict with what it rests on.
 #[derive(Clone, Debug, PartialEq)]

@@ -19,7 +19,7 @@
 //! A fourth is a check of the first two, where nothing drives and no root is on the axis: there are as many roots to the right
 //! as G has negative squares (Ostrowski, Schneider 1962; Zajac 1964 for systems of this kind).
 
-use mechanics::first_approximation::{HalfPlanes, Inertia};
+use mechanics::linear_stability::{HalfPlanes, Inertia};
 
 /// What becomes of small deviations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

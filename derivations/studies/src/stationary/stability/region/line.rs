@@ -7,7 +7,7 @@ use super::spot::{BITS, Raw, Spot};
 use crate::stationary::motor::NoMotor;
 use algebra::real::Enclosure;
 use field::Rational;
-use mechanics::uniform::{self, Data, followed};
+use mechanics::steady_rotations::{self, Data, followed};
 use std::cell::OnceCell;
 use symbolic::{Formulas, Sym, symbols};
 
@@ -92,7 +92,7 @@ impl<'a> Line<'a> {
     }
 
     /// Where a motion of one stop is at another.
-    fn followed(&self, place: &uniform::Place, from: &Stop, to: &Stop) -> Option<uniform::Place> {
+    fn followed(&self, place: &steady_rotations::Place, from: &Stop, to: &Stop) -> Option<steady_rotations::Place> {
         let number = |x: f64| Enclosure::rational(Rational::decimal(x), BITS);
         let speed = |stop: &Stop| number(self.region.setting(stop.values).speed);
         let ends = |a: Enclosure, b: Enclosure| (a.clone(), &b - &a);
@@ -229,7 +229,7 @@ impl<'a> Line<'a> {
 }
 
 impl Here {
-    fn is_in(&self, place: &uniform::Place) -> bool {
+    fn is_in(&self, place: &steady_rotations::Place) -> bool {
         self.place.iter().zip(place).all(|(a, b)| !a.is_apart_from(b))
     }
 }

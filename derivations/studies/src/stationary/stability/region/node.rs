@@ -7,7 +7,7 @@ use crate::stationary::energies::Kept;
 use crate::stationary::motor::{MotorStates, NoMotor};
 use crate::stationary::stability::verdict::{Reason, Verdict};
 use algebra::real::Enclosure;
-use mechanics::uniform::{self, Kind, Shape};
+use mechanics::steady_rotations::{self, Kind, Shape};
 use nalgebra::Vector3;
 
 /// What becomes of small deviations, without the count of roots.
@@ -54,7 +54,7 @@ pub struct Here {
     pub direction: Vector3<f64>,
     pub verdict: Verdict,
     /// (v, lambda)
-    pub(super) place: uniform::Place,
+    pub(super) place: steady_rotations::Place,
     /// W, or the rotor's own momentum.
     pub(super) value: Enclosure,
 }

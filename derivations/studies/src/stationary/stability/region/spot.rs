@@ -12,7 +12,7 @@ use crate::stationary::stability::judge::{Given, Judge};
 use crate::stationary::stability::verdict::Verdict;
 use algebra::real::{Enclosure, Root};
 use field::Rational;
-use mechanics::uniform::{self, Body, Data, Kind, count, followed, sharpened};
+use mechanics::steady_rotations::{self, Body, Data, Kind, count, followed, sharpened};
 use nalgebra::Vector3;
 
 /// What judges at two values of the data.
@@ -28,7 +28,7 @@ pub(super) struct Spot<'a> {
 pub(super) struct Raw<'a> {
     pub state: usize,
     pub kind: Kind,
-    pub place: uniform::Place,
+    pub place: steady_rotations::Place,
     pub value: Enclosure,
     found: Found,
     held: &'a Held<'a>,
@@ -36,7 +36,7 @@ pub(super) struct Raw<'a> {
 
 /// By isolation, or carried to an irrational W from a fraction beside it.
 enum Found {
-    Isolated(uniform::Motion),
+    Isolated(steady_rotations::Motion),
     Carried,
 }
 
@@ -87,7 +87,7 @@ impl<'a> Spot<'a> {
         let body = self.body(held, &held.value)?;
         let all = body.rotations(Rational::decimal(self.setting.speed))?;
         let value = held.value.enclosure(BITS);
-        let raw = |motion: &uniform::Motion| {
+        let raw = |motion: &steady_rotations::Motion| {
             let place = enclosed(motion, BITS)?;
             let found = Found::Isolated(motion.clone());
             Some(Raw { state, kind: motion.kind, place, value: value.clone(), found, held })
@@ -123,7 +123,7 @@ impl<'a> Spot<'a> {
         let all = self.body(held, &Root::rational(beside)?)?.rotations(Rational::decimal(self.setting.speed))?;
         let whole = Enclosure::integer(0, FINE).hull(&Enclosure::integer(1, FINE));
         let same = count(&between(&whole)?)? == all.motions.len();
-        let raw = |motion: &uniform::Motion| {
+        let raw = |motion: &steady_rotations::Motion| {
             let place = followed(&between, &enclosed(motion, FINE)?)?;
             let place = place.each_ref().map(|z| z * &Enclosure::integer(1, BITS));
             Some(Raw {
@@ -179,7 +179,7 @@ impl<'a> Spot<'a> {
     }
 
     /// The verdicts that occur along a family.
-    fn along(&self, held: &Held<'_>, family: &uniform::Motion) -> Vec<Verdict> {
+    fn along(&self, held: &Held<'_>, family: &steady_rotations::Motion) -> Vec<Verdict> {
         let speed = Rational::decimal(self.setting.speed);
         let enclosed = |bits| Some((family.direction(bits)?, Enclosure::rational(speed, bits)?));
         let axis = |bits| family.axis(bits);
@@ -193,12 +193,12 @@ impl<'a> Spot<'a> {
 
 impl Raw<'_> {
     /// Whether it may be the motion that is known to be the only one in a box.
-    pub fn is_in(&self, place: &uniform::Place) -> bool {
+    pub fn is_in(&self, place: &steady_rotations::Place) -> bool {
         self.place.iter().zip(place).all(|(a, b)| !a.is_apart_from(b))
     }
 }
 
-fn enclosed(motion: &uniform::Motion, bits: usize) -> Option<uniform::Place> {
+fn enclosed(motion: &steady_rotations::Motion, bits: usize) -> Option<steady_rotations::Place> {
     let [v1, v2, v3] = motion.direction(bits)?;
     Some([v1, v2, v3, motion.multiplier(bits)?])
 }

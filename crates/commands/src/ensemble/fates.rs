@@ -1,0 +1,77 @@
+//! The fates of the members of an ensemble.
+
+use simulation::ensemble::Stopped;
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// The fates of the members.
+#[derive(Default)]
+pub struct Fates {
+    pub members: u64,
+    /// By the kind of their reason.
+    stopped: BTreeMap<String, Counted>,
+}
+
+/// Members that stopped for reasons of one kind.
+struct Counted {
+    count: u64,
+    /// The first of them, and its reason with its numbers.
+    member: u64,
+    why: String,
+}
+
+impl Fates {
+    /// One more member, with the reason for which it stopped, where it did.
+    pub fn add(&mut self, stopped: Option<&str>) {
+        self.members += 1;
+        if let Some(why) = stopped {
+            let first = || Counted { count: 0, member: self.members, why: why.to_owned() };
+            self.stopped.entry(Stopped::kind_in(why).to_owned()).or_insert_with(first).count += 1;
+        }
+    }
+
+    fn stopped(&self) -> u64 {
+        self.stopped.values().map(|stopped| stopped.count).sum()
+    }
+
+    /// The number of members that reached the end.
+    pub fn reached(&self) -> u64 {
+        self.members - self.stopped()
+    }
+
+    /// For reading.
+    pub fn text(&self, path: &Path, before: u64) -> String {
+        let (reached, stopped) = (self.reached(), self.stopped());
+        let mut text = format!("{} members: {reached} reached the end, {stopped} did not\n", self.members);
+        for Counted { count, member, why } in self.stopped.values() {
+            text += &format!("  {count:>8}  such as member {member}: {why}\n");
+        }
+        if before > 0 {
+            text += &format!("the first {before} were there already\n");
+        }
+        text + &format!("{}\n", path.display())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Fates, Stopped};
+    use integrators::Failure;
+    use std::path::Path;
+
+    #[test]
+    fn reasons_are_whole_and_counted_by_their_kind() {
+        let mut told = Fates::default();
+        let [first, second] =
+            [2.0, 1.5].map(|value| Stopped::Impossible(format!("A' > 0 is broken: it is {}", -value)).to_string());
+        let late = Stopped::Run(Failure::OutOfTime { at: 3.0 }).to_string();
+        for why in [None, Some(first.as_str()), Some(&second), Some(&late)] {
+            told.add(why);
+        }
+        assert_eq!(told.reached(), 1);
+        let text = told.text(Path::new("t.csv"), 0);
+        assert!(text.starts_with("4 members: 1 reached the end, 3 did not\n"), "{text}");
+        assert!(text.contains("2  such as member 2: no such bodies exist: A' > 0 is broken: it is -2\n"), "{text}");
+        assert!(text.contains("1  such as member 4: out of time: "), "{text}");
+    }
+}

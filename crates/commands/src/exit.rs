@@ -1,0 +1,192 @@
+//! How the program ends: exit codes, messages, and writing that survives a closed pipe.
+
+use crate::{clock, progress};
+use ::scenes::with_ways_to_a_system;
+use charts::visible;
+use reader::{Issue, SceneError, read_text};
+use std::fmt::Display;
+use std::io::{self, IsTerminal, Write};
+use std::path::Path;
+use std::process::ExitCode;
+use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
+
+/// Begins what a terminal obeys.
+const ESCAPE: &str = "\u{1b}";
+
+/// Whether nothing but results and errors is wanted: said once, when the program begins.
+static QUIET: AtomicBool = AtomicBool::new(false);
+
+/// From here on nothing is told but results and errors.
+pub fn be_quiet() {
+    QUIET.store(true, Relaxed);
+}
+
+/// Whether nothing but results and errors is wanted.
+pub fn is_quiet() -> bool {
+    QUIET.load(Relaxed)
+}
+
+/// What the caller is told.
+#[derive(Debug)]
+pub enum Exit {
+    /// All is well.
+    Done,
+    /// What was asked ran, and did not come out as it should; the reason has been printed.
+    Stopped,
+    /// The input is not acceptable: a message in which nothing acts on a terminal but our own colours.
+    Refused(String),
+    /// The command line is not acceptable; the reason has been printed.
+    Wrong,
+}
+
+impl Exit {
+    /// A command that cannot be carried out.
+    pub fn refused(error: impl Display) -> Self {
+        Exit::Refused(visible(&format!("error: {error}")).into_owned())
+    }
+
+    /// A file that cannot be written.
+    pub fn unwritable(path: &Path, error: &io::Error) -> Self {
+        const A_FILE: &str = "the name of a file is accepted";
+        const ROOM: &str = "free some, or name a file on another disk";
+        let (reason, remedy) = match error.kind() {
+            io::ErrorKind::NotFound => ("there is no such folder".to_owned(), A_FILE),
+            io::ErrorKind::IsADirectory => ("this is a folder".to_owned(), A_FILE),
+            io::ErrorKind::NotADirectory => ("what stands before its name is no folder".to_owned(), A_FILE),
+            io::ErrorKind::InvalidFilename => ("this cannot name a file".to_owned(), A_FILE),
+            io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem => {
+                ("this may not be written".to_owned(), "a file that may be written is accepted")
+            }
+            io::ErrorKind::StorageFull => ("no space is left there".to_owned(), ROOM),
+            io::ErrorKind::QuotaExceeded => ("the quota of disk space is used up".to_owned(), ROOM),
+            io::ErrorKind::FileTooLarge => (
+                "the file would be larger than is allowed there".to_owned(),
+                "another place or a shorter table is accepted",
+            ),
+            _ => (error.to_string(), ""),
+        };
+        let remedy = if remedy.is_empty() { String::new() } else { format!("; {remedy}") };
+        Exit::refused(format!("{} cannot be written: {reason}{remedy}", path.display()))
+    }
+
+    /// Prints the message, if there is one, and gives the exit code.
+    pub fn tell(self) -> ExitCode {
+        if matches!(self, Exit::Done | Exit::Stopped)
+            && let Some(code) = clock::broke_off()
+        {
+            return ExitCode::from(code);
+        }
+        match self {
+            Exit::Done => ExitCode::SUCCESS,
+            Exit::Stopped => ExitCode::from(1),
+            Exit::Refused(message) => {
+                told(&message);
+                ExitCode::from(2)
+            }
+            Exit::Wrong => ExitCode::from(2),
+        }
+    }
+}
+
+/// A fault of a file that was read, at its place.
+pub fn placed(path: &Path, issue: Issue) -> Exit {
+    match read_text(path) {
+        Ok(text) => SceneError { path: path.display().to_string(), text, issues: vec![issue] }.into(),
+        Err(error) => error.into(),
+    }
+}
+
+impl From<SceneError> for Exit {
+    fn from(error: SceneError) -> Self {
+        Exit::Refused(rendered(&with_ways_to_a_system(error)))
+    }
+}
+
+/// All that is wrong with a scene, as standard error takes it: nothing of its texts acts on a terminal.
+fn rendered(error: &SceneError) -> String {
+    let mut error = error.clone();
+    let seen = |text: &mut String| *text = visible(text).into_owned();
+    seen(&mut error.path);
+    for issue in &mut error.issues {
+        seen(&mut issue.title);
+        seen(&mut issue.label);
+        issue.help.iter_mut().for_each(seen);
+    }
+    let colours = io::stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none_or(|value| value.is_empty());
+    // in the lines of the file the renderer has replaced the escape: those that are left begin its own colours
+    error.render(colours).split(ESCAPE).map(visible).collect::<Vec<_>>().join(ESCAPE)
+}
+
+/// Prints to standard output, with nothing in it that acts on a terminal. A reader who has seen enough and closed the pipe is no error.
+pub fn print(text: &str) -> Result<(), Exit> {
+    let _held = clock::held();
+    // what is printed holds what was found before
+    clock::publish(String::new());
+    progress::clear();
+    let mut out = io::stdout().lock();
+    match out.write_all(visible(text).as_bytes()).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
+            Err(Exit::refused(format!("standard output cannot be written: {error}")))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// Prints what clap has to say instead of a command: help and version to standard output, which must take them; what is wrong
+/// with a command line to standard error.
+pub fn print_instead(said: &clap::Error) -> Exit {
+    let hostile = std::env::args_os().any(|argument| {
+        let argument = argument.to_string_lossy();
+        visible(&argument) != argument
+    });
+    if said.use_stderr() && hostile {
+        // arguments are repeated as they are
+        warn(said.to_string().trim_end());
+        return Exit::Wrong;
+    }
+    let printed = said.print().and_then(|()| io::stdout().flush());
+    match printed {
+        _ if said.use_stderr() => Exit::Wrong,
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => {
+            Exit::refused(format!("standard output cannot be written: {error}"))
+        }
+        _ => Exit::Done,
+    }
+}
+
+/// Tells something beside the results: where standard error takes nothing, the exit code must do.
+pub fn warn(text: &str) {
+    told(&visible(text));
+}
+
+/// Tells what is wrong with a scene beside the results.
+pub fn warn_of(error: &SceneError) {
+    told(&rendered(error));
+}
+
+fn told(text: &str) {
+    let _held = clock::held();
+    progress::clear();
+    let _ = writeln!(io::stderr(), "{text}");
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Exit;
+    use reader::{Issue, SceneError};
+
+    #[test]
+    fn a_message_about_a_scene_keeps_our_colours_and_nothing_of_others() {
+        let text = "title = \"A\u{1b}[31m\u{9b}2J\u{202e}B\u{7}\" x";
+        let error = |path: &str| SceneError {
+            path: path.to_owned(),
+            text: text.to_owned(),
+            issues: vec![Issue::at(0..text.len(), path, path).accepted(path)],
+        };
+        let Exit::Refused(message) = Exit::from(error("\u{1b}]0;T\u{7}\u{9b}5m\u{202e}")) else {
+            unreachable!("a scene with issues is refused")
+        };
+        assert!(!message.contains(['\u{7}', '\u{9b}', '\u{202e}']), "{message:?}");
+        assert!(message.contains("\\u001b]0;T") && message.contains("\u{241b}[31m"), "{message:?}");
+    }
+}

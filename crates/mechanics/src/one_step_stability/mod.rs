@@ -1,0 +1,30 @@
+//! What a one-step method makes of a motion's stability: for every length of step, exactly.
+//!
+//! Near a stationary motion x' = A x, and a Runge-Kutta method with the step h has the matrix R(h A), R = P/Q its stability
+//! function. An eigenvalue mu of A becomes the multiplier R(h mu), and the map lets it
+//!
+//!   fade, stay or grow   as   |P(h mu)|^2 - |Q(h mu)|^2   is negative, zero or positive:
+//!
+//! one real polynomial in h for each mode. Its positive roots, all of them, are where the map changes; between two of them a
+//! mode has one fate, which is right where it is that of the motion, the sign of Re mu. (Schur and Cohn's conditions on
+//! R(h A) say the same of all modes at once.)
+//!
+//! # Overview
+//! * [`Spectrum`]: the eigenvalues of a matrix, each enclosed and apart from the others, from its characteristic polynomial;
+//! * [`StabilityFunction`]: R, with rational coefficients;
+//! * [`Fates`]: where one mode fades and grows under the steps of a method;
+//! * [`Steps`]: all modes together: every step, judged.
+//!
+//! # Key results
+//! Roots are enclosed and counted, so that no window of steps is missed. Imaginary modes are so by a theorem that the caller
+//! names (energy is kept), never because a real part is small: for these the thresholds are numbers of the method alone.
+
+mod fates;
+mod function;
+mod spectrum;
+mod steps;
+
+pub use fates::{Fates, UndecidedFate};
+pub use function::StabilityFunction;
+pub use spectrum::{Mode, Place, Spectrum};
+pub use steps::{Judgement, StepInterval, Steps};

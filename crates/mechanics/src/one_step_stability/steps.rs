@@ -1,0 +1,140 @@
+//! Every length of step of a method, judged by what it makes of all modes of a motion.
+
+use super::{Fates, Mode, StabilityFunction, UndecidedFate};
+use algebra::real::Enclosure;
+
+/// What the map says of the motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Judgement {
+    /// Every mode fades, stays or grows as it does in the motion.
+    Honest,
+    /// The motion grows, the map does not: phantom stability.
+    Hides,
+    /// The map grows, the motion does not: phantom instability.
+    Invents,
+    /// Neither grows, but the map lets fade what the motion keeps.
+    Damps,
+    /// Both grow, but some mode has another fate in the map than in the motion.
+    Confuses,
+}
+
+/// Steps between two neighbouring thresholds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct StepInterval {
+    pub judgement: Judgement,
+    /// How many eigenvalues have multipliers outside the unit circle, and how many on it.
+    pub growing: usize,
+    pub staying: usize,
+}
+
+/// All lengths of step from zero to infinity.
+#[derive(Clone, Debug)]
+pub struct Steps {
+    /// Where anything changes, s, in ascending order.
+    pub cuts: Vec<Enclosure>,
+    /// Before, between and after the cuts.
+    pub stretches: Vec<StepInterval>,
+}
+
+impl Steps {
+    /// Of a method, for the modes of a motion.
+    ///
+    /// # Errors
+    /// [`UndecidedFate`] where thresholds of one mode cannot be told apart.
+    pub fn of(modes: &[Mode], function: &StabilityFunction) -> Result<Self, UndecidedFate> {
+        let fates: Vec<Fates> = modes.iter().map(|mode| Fates::of(&mode.place, function)).collect::<Result<_, _>>()?;
+        let mut cuts: Vec<Enclosure> = fates.iter().flat_map(|fates| fates.cuts.iter().cloned()).collect();
+        cuts.sort_by(|a, b| a.to_f64().total_cmp(&b.to_f64()));
+        // thresholds of two modes may be one
+        cuts.dedup_by(|next, last| {
+            let one = !next.is_apart_from(last);
+            if one {
+                *last = last.hull(next);
+            }
+            one
+        });
+        let probes = probes(&cuts).ok_or(UndecidedFate)?;
+        let judged = probes.iter().map(|step| {
+            let signs: Option<Vec<i32>> = fates.iter().map(|fates| fates.at(step)).collect();
+            signs.map(|signs| StepInterval::of(modes, &signs)).ok_or(UndecidedFate)
+        });
+        let mut stretches: Vec<StepInterval> = judged.collect::<Result<_, _>>()?;
+        // what does not change all of a stretch's numbers is no threshold of the map
+        let mut place = 0;
+        while place < cuts.len() {
+            if stretches[place] == stretches[place + 1] {
+                cuts.remove(place);
+                stretches.remove(place);
+            } else {
+                place += 1;
+            }
+        }
+        Ok(Steps { cuts, stretches })
+    }
+
+    /// The largest step up to which all are honest; `Ok(None)` where all steps are.
+    ///
+    /// # Errors
+    /// `Err` with the judgement of the shortest steps, where these are not.
+    pub fn honest(&self) -> Result<Option<&Enclosure>, Judgement> {
+        match self.stretches.first() {
+            Some(StepInterval { judgement: Judgement::Honest, .. }) => Ok(self.cuts.first()),
+            Some(first) => Err(first.judgement),
+            None => Ok(None),
+        }
+    }
+
+    /// The stretches with their ends; the first begins at zero and the last has no end.
+    pub fn all(&self) -> impl Iterator<Item = (Option<&Enclosure>, Option<&Enclosure>, StepInterval)> {
+        let ends = |place: usize| (place.checked_sub(1).and_then(|k| self.cuts.get(k)), self.cuts.get(place));
+        self.stretches.iter().enumerate().map(move |(place, stretch)| {
+            let (from, to) = ends(place);
+            (from, to, *stretch)
+        })
+    }
+
+    /// What is said of steps of a length, s; `None` where that is a threshold to within rounding.
+    pub fn at(&self, step: f64) -> Option<StepInterval> {
+        let bits = self.cuts.first().map_or(64, Enclosure::bits);
+        let step = Enclosure::float(step, bits)?;
+        let mut passed = 0;
+        for cut in &self.cuts {
+            match (&step - cut).sign()? {
+                1 => passed += 1,
+                _ => break,
+            }
+        }
+        self.stretches.get(passed).copied()
+    }
+}
+
+impl StepInterval {
+    fn of(modes: &[Mode], signs: &[i32]) -> Self {
+        let count = |sign: i32| modes.iter().zip(signs).filter(|(_, s)| **s == sign).map(|(mode, _)| mode.count).sum();
+        let (growing, staying) = (count(1), count(0));
+        let right = modes.iter().zip(signs).all(|(mode, sign)| mode.place.sign() == *sign);
+        let grows = modes.iter().any(|mode| mode.place.sign() > 0);
+        let judgement = match (right, grows, growing > 0) {
+            (true, ..) => Judgement::Honest,
+            (false, true, false) => Judgement::Hides,
+            (false, false, true) => Judgement::Invents,
+            (false, false, false) => Judgement::Damps,
+            (false, true, true) => Judgement::Confuses,
+        };
+        StepInterval { judgement, growing, staying }
+    }
+}
+
+/// A step in each stretch.
+fn probes(cuts: &[Enclosure]) -> Option<Vec<Enclosure>> {
+    let bits = cuts.first().map_or(64, Enclosure::bits);
+    let two = Enclosure::integer(2, bits);
+    let mut before = Enclosure::integer(0, bits);
+    let mut probes = Vec::new();
+    for cut in cuts {
+        probes.push((&before + cut).over(&two)?.middle());
+        before = cut.clone();
+    }
+    probes.push((&before + &Enclosure::integer(1, bits)).middle());
+    Some(probes)
+}

@@ -1,0 +1,39 @@
+//! Uniform rotations about the vertical, all of them: exactly.
+//!
+//! A body with a fixed point, the tensor M about it, an own angular momentum h that is constant in the body (spinning
+//! wheels), and the weight vector G turns uniformly with the angular velocity w about the direction v, fixed in the body
+//! and in space, if and only if v is a critical point on the unit sphere of
+//!
+//!   W(v) = 1/2 w^2 v.M v + w h.v + G.v :    (w^2 M - lambda) v + w h + G = 0 ,    |v| = 1 ,
+//!
+//! with a multiplier lambda. Elimination leaves one polynomial in lambda alone.
+//!
+//! # Overview
+//! * [`Body`]: M, h, G exactly; h may hold one algebraic number;
+//! * `spectrum`: (K - lambda) v + b = 0 as polynomials in lambda, and the eigenvalues that b does not see;
+//! * [`Rotations`] ([`Body::rotations`]): all v for a given w;
+//! * [`Selected`]: all (v, w) for a given angular momentum about the vertical ([`Body::at_momentum`]), and where rotations
+//!   merge ([`Body::folds`]);
+//! * [`Census`] ([`Body::census`]): how many there are, for every w;
+//! * [`krawczyk_path`]: one of them along a path of data, proved to be the same at both ends.
+//!
+//! # Key results
+//! In general position there are two, four or six directions for a given w: one for lambda below and one above all
+//! eigenvalues, and none or two in each gap between them. Where b is orthogonal to an eigenspace of K, pairs, circles or
+//! the whole sphere may come in addition; they are found as what they are.
+//!
+//! # References
+//! The equation in lambda is known from trust regions (More, Sorensen 1983; "hard case").
+
+mod body;
+mod census;
+mod krawczyk_path;
+mod rotations;
+mod selected;
+mod spectrum;
+
+pub use body::Body;
+pub use census::{Census, Stretch};
+pub use krawczyk_path::{Data, Path, Place, count, followed, sharpened};
+pub use rotations::{Kind, Motion, Rotations, Shape};
+pub use selected::{Selected, Turning, Undecided};

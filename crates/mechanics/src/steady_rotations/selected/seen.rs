@@ -1,0 +1,153 @@
+//! Eigenvalues k that h or G sees: for s = -h.u/G.u alone b = s h + s^2 G does not see them, and then v = a + z, where
+//! (M - k) a = -b with a across the eigenspace and z in it.
+//!
+//! With P a multiple of the projection onto the eigenspace (adj(M - k), M - tr M + 2 k, 1 for a simple, double, threefold k)
+//! and u = P G, g = G.u, c = h.u, the momentum gives the part of z along u, and |v| = 1 the rest:
+//!
+//!   s = -c/g ,   G.z = (k - p s)/s^2 - G.a ,   |z|^2 = 1 - |a|^2 .
+//!
+//! All of it is polynomials in x at x = k, so that the sign of what is left is exact: a motion, two, a circle or none.
+
+use super::{Case, Momentum, Place, Selected, Turning};
+use crate::steady_rotations::spectrum::{Matrix, Vector, adjugate, along, dot, scaled, sum};
+use crate::steady_rotations::{Kind, Shape};
+use algebra::real::{Enclosure, Number, Polynomial, Root};
+use std::sync::Arc;
+
+/// Such a place: v = (centre + side sqrt(-excess) (n x u) / |u|) / below, n a unit vector across the eigenspace.
+#[derive(Clone)]
+pub(super) struct Special {
+    eigenvalue: usize,
+    /// (c, g)
+    speed: [Polynomial; 2],
+    along: Vector<Polynomial>,
+    centre: Vector<Polynomial>,
+    below: Polynomial,
+    /// |z.u/|u||^2 - |z|^2, times a square.
+    excess: Polynomial,
+    /// On which side of the plane of n and u; 0 in it.
+    side: i64,
+}
+
+impl Selected {
+    pub(super) fn seen(&mut self, case: &Arc<Case>, momentum: &Momentum) {
+        for place in (0..case.spectrum.eigenvalues.len()).filter(|place| !case.spectrum.unseen.contains(place)) {
+            let (eigenvalue, multiplicity) = &case.spectrum.eigenvalues[place];
+            let Some(special) = Special::of(case, place, momentum) else { continue };
+            let excess = eigenvalue.sign_of(&special.excess);
+            let [below, _] = case.spectrum.beside(place);
+            let (sides, shape, kind) = match (multiplicity, excess) {
+                (1, 0) => (vec![0], Shape::Point, special.kind(eigenvalue, below)),
+                (2, 0) => (vec![0], Shape::Point, if below == 0 { Kind::Minimum } else { Kind::Maximum }),
+                (2, -1) => (vec![1, -1], Shape::Point, if below == 0 { Kind::Minimum } else { Kind::Maximum }),
+                (3, 0) => (vec![0], Shape::Point, Kind::Degenerate),
+                (3, -1) => (vec![0], Shape::Circle { place }, Kind::Degenerate),
+                _ => continue,
+            };
+            let special = Arc::new(special);
+            let of_side = |side: i64| {
+                let at = Arc::new(Special { side, ..special.as_ref().clone() });
+                Turning { shape, kind, place: Place::Seen(at), case: Arc::clone(case) }
+            };
+            self.motions.extend(sides.into_iter().map(of_side));
+        }
+    }
+}
+
+impl Special {
+    /// `None` where no s does it.
+    fn of(case: &Case, place: usize, momentum: &Momentum) -> Option<Self> {
+        let (spectrum, body) = (&case.spectrum, &case.body);
+        let (eigenvalue, multiplicity) = &spectrum.eigenvalues[place];
+        let number = |n: &Number| Polynomial::constant(n.clone());
+        let x = Polynomial::from_integers([0, 1]);
+        let shifted: Matrix<Polynomial> = std::array::from_fn(|i| {
+            std::array::from_fn(|j| {
+                let entry = number(&body.tensor[i][j]);
+                if i == j { &entry - &x } else { entry }
+            })
+        });
+        let projection: Matrix<Polynomial> = match multiplicity {
+            1 => spectrum.adjugate.clone(),
+            2 => {
+                let trace = sum((0..3).map(|i| number(&body.tensor[i][i])));
+                let more = &scaled(&x, &Number::from(3)) - &trace;
+                std::array::from_fn(|i| {
+                    std::array::from_fn(|j| if i == j { &shifted[i][j] + &more } else { shifted[i][j].clone() })
+                })
+            }
+            _ => std::array::from_fn(|i| std::array::from_fn(|j| Polynomial::from_integers([i64::from(i == j)]))),
+        };
+        let projected = |v: &Vector<Number>| -> Vector<Polynomial> { projection.each_ref().map(|row| along(row, v)) };
+        let (u, of_spin) = (projected(&body.weight), projected(&body.spin));
+        let (c, g) = (along(&u, &body.spin), along(&u, &body.weight));
+        if eigenvalue.sign_of(&c) == 0 || eigenvalue.sign_of(&g) == 0 {
+            return None;
+        }
+        // in a larger eigenspace h and G may point in different directions
+        if (0..3).any(|i| eigenvalue.sign_of(&(&(&c * &u[i]) - &(&g * &of_spin[i]))) != 0) {
+            return None;
+        }
+        // times g^2: b
+        let (of_h, of_g) = (-&(&c * &g), &c * &c);
+        let b: Vector<Polynomial> =
+            std::array::from_fn(|i| &scaled(&of_h, &body.spin[i]) + &scaled(&of_g, &body.weight[i]));
+        let regular: Matrix<Polynomial> =
+            std::array::from_fn(|i| std::array::from_fn(|j| &shifted[i][j] + &projection[i][j]));
+        let inverse = adjugate(&regular);
+        let determinant = sum((0..3).map(|j| &regular[0][j] * &inverse[j][0]));
+        // times g^2 det: a
+        let across: Vector<Polynomial> = std::array::from_fn(|i| -&dot(&inverse[i], &b));
+        let (g2, c2) = (&g * &g, &c * &c);
+        let g4 = &g2 * &g2;
+        // times p's denominator, g^4 det: k - p s - s^2 G.a
+        let kept = scaled(&(&(&g4 * &determinant) * &x), &momentum.denominator);
+        let carried = scaled(&(&(&(&g2 * &g) * &determinant) * &c), &momentum.numerator);
+        let lifted = scaled(&(&c2 * &along(&across, &body.weight)), &momentum.denominator);
+        let gap = &(&kept + &carried) - &lifted;
+        // v = a + gap g / (c^2) u
+        let scale = &(&g * &c2) * &Polynomial::constant(momentum.denominator.clone());
+        let centre: Vector<Polynomial> = std::array::from_fn(|i| &(&across[i] * &scale) + &(&gap * &u[i]));
+        let below = &(&g2 * &determinant) * &scale;
+        let room = &(&(&g4 * &determinant) * &determinant) - &dot(&across, &across);
+        let excess = &(&(&gap * &gap) * &dot(&u, &u)) - &(&(&scale * &scale) * &room);
+        Some(Special { eigenvalue: place, speed: [c, g], along: u, centre, below, excess, side: 0 })
+    }
+
+    /// Of an isolated motion: M - k is of the signs of the other eigenvalues on the tangent plane, unless that holds u.
+    fn kind(&self, eigenvalue: &Root, below: usize) -> Kind {
+        // z = 0 where v is orthogonal to u
+        if eigenvalue.sign_of(&dot(&self.centre, &self.along)) == 0 { Kind::Degenerate } else { Kind::of(below) }
+    }
+
+    /// (v, w); of a circle its centre.
+    pub(super) fn at(&self, case: &Case, bits: usize) -> Option<(Vector<Enclosure>, Enclosure)> {
+        let at = case.spectrum.eigenvalues[self.eigenvalue].0.enclosure(bits);
+        let value = |p: &Polynomial| p.enclosure(&at, bits);
+        let below = value(&self.below);
+        let mut v: Vector<Enclosure> = self.centre.each_ref().map(value);
+        if self.side != 0 {
+            let n = case.spectrum.normal(self.eigenvalue, bits)?;
+            let u = self.along.each_ref().map(value);
+            let size = u.iter().fold(Enclosure::integer(0, bits), |sum, u| &sum + &(u * u)).sqrt()?;
+            let reach = (-&value(&self.excess)).sqrt()?.over(&size)?;
+            let reach = &reach * &Enclosure::integer(self.side, bits);
+            v = std::array::from_fn(|i| {
+                let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+                &v[i] + &(&reach * &(&(&n[j] * &u[k]) - &(&n[k] * &u[j])))
+            });
+        }
+        let v: Vec<Enclosure> = v.iter().map(|v| v.over(&below)).collect::<Option<_>>()?;
+        let w = -&value(&self.speed[1]).over(&value(&self.speed[0]))?;
+        Some((v.try_into().ok()?, w))
+    }
+
+    /// A unit vector along u: the axis of a circle.
+    pub(super) fn axis(&self, case: &Case, bits: usize) -> Option<Vector<Enclosure>> {
+        let at = case.spectrum.eigenvalues[self.eigenvalue].0.enclosure(bits);
+        let u = self.along.each_ref().map(|p| p.enclosure(&at, bits));
+        let size = u.iter().fold(Enclosure::integer(0, bits), |sum, u| &sum + &(u * u)).sqrt()?;
+        let unit: Vec<Enclosure> = u.iter().map(|u| u.over(&size)).collect::<Option<_>>()?;
+        unit.try_into().ok()
+    }
+}

@@ -1,0 +1,76 @@
+//! What is computed for each order, readied for lanes: the plan with its coefficients beside it.
+
+use super::products::{Factor, Fan, paired};
+use super::sums::Rows;
+use crate::layout::Implicit;
+use crate::linear_equations::{LinearSeries, SideBySide};
+use crate::plan::{Product, Slot, Stage};
+use field::Batch;
+
+/// Sums, then products, then what is solved for.
+#[derive(Clone, Debug)]
+pub(super) struct Side<const L: usize> {
+    pub sums: Rows<L>,
+    pub pairs: Vec<Fan<L, 2>>,
+    pub alone: Vec<Fan<L, 1>>,
+    pub reciprocals: Vec<Implicit<Batch<L>>>,
+    pub roots: Vec<Implicit<Batch<L>>>,
+    pub linear: Option<Box<LinearSeries<Batch<L>, SideBySide<L>>>>,
+}
+
+/// The factors so far, and of each place which one it is.
+pub(super) struct Slots {
+    pub of: Vec<Option<u16>>,
+    pub factors: Vec<Factor>,
+}
+
+impl Slots {
+    pub fn factor(&mut self, place: Slot) -> Factor {
+        let next = self.factors.len() as u16;
+        let slot = *self.of[place as usize].get_or_insert(next);
+        let factor = Factor { place: place as u16, slot };
+        if slot == next {
+            self.factors.push(factor);
+        }
+        factor
+    }
+
+    /// Products that have a factor in common.
+    fn fan<const L: usize, const M: usize>(&mut self, products: [Product; M]) -> Fan<L, M> {
+        let common = |place: &Slot| products.iter().all(|product| product.a == *place || product.b == *place);
+        let Product { a, b, .. } = products[0];
+        let one = if common(&a) { a } else { b };
+        let other = |product: Product| if product.a == one { product.b } else { product.a };
+        Fan {
+            places: products.map(|product| product.place as u16),
+            one: self.factor(one),
+            others: products.map(|product| self.factor(other(product))),
+            known: [[Batch::all(0.0); 4]; M],
+        }
+    }
+}
+
+impl<const L: usize> Side<L> {
+    pub fn new(stage: &Stage, order: usize, slots: &mut Slots) -> Self {
+        let (pairs, alone) = paired(&stage.products);
+        let implicit = |pairs: &[(Slot, Slot)]| {
+            let one = |&(place, of): &(Slot, Slot)| Implicit {
+                column: place as usize,
+                of: of as usize,
+                series: vec![[Batch::all(0.0); 2]; order + 1],
+            };
+            pairs.iter().map(one).collect()
+        };
+        Side {
+            sums: Rows::new(&stage.sums, &stage.sum_places),
+            pairs: pairs.into_iter().map(|pair| slots.fan(pair)).collect(),
+            alone: alone.into_iter().map(|product| slots.fan([product])).collect(),
+            reciprocals: implicit(&stage.reciprocals),
+            roots: implicit(&stage.roots),
+            linear: stage.linear.as_ref().map(|linear| {
+                let factors = SideBySide::new(&linear.pattern);
+                Box::new(LinearSeries::new(linear, order, factors, |place| place as usize))
+            }),
+        }
+    }
+}

@@ -1,0 +1,156 @@
+//! The models of a scene that is one initial value problem, in every form of its equations.
+
+use super::choose::{MOST, Mixed, Models, OF_METHOD};
+use super::estimate::Estimate;
+use super::models::across_events;
+use super::outputs::Watched;
+use super::plan::{FINEST, PILOTS, Plan, Runnable, plans};
+use super::receipt::{Line, OF_MODEL, Verdict, Wish};
+use super::switching::LOOKING;
+use super::{Hierarchy, Loss, ReducedModel};
+use integrators::Method;
+use simulation::{Axes, Stored};
+use std::sync::Arc;
+use std::time::Instant;
+
+/// The ladders of one scene, in each form that it has, and the exact motion where it is kept.
+pub struct Forms {
+    pub ladders: Vec<Hierarchy>,
+    pub kept: Option<Stored>,
+}
+
+/// The name of a run of several models.
+pub const SWITCHING: &str = "switching";
+const AXES: [Axes; 2] = [Axes::First, Axes::Second];
+/// A model whose error is so many times what is allowed is not followed further.
+const HOPELESS: f64 = 10.0;
+/// A smaller model for less than this share of the run is not worth switching to.
+const WORTH_WHILE: f64 = 0.1;
+/// Nor is one whose run over the whole span has more than this share of the richer one's work.
+const CHEAPER: f64 = 0.7;
+
+impl Models for Forms {
+    fn columns(&self) -> &[String] {
+        &self.ladders[0].own.columns
+    }
+
+    fn watched(&self, names: &[String]) -> Result<(Watched, u64), String> {
+        let (watched, evaluations) = self.ladders[0].watched(names).map_err(|failure| failure.to_string())?;
+        let changes = self.ladders[0].own.switching.is_some();
+        let told = |why: &str| if changes { why.to_owned() } else { format!("left its law: {why}") };
+        watched.left.map_or(Ok((watched, evaluations)), |why| Err(told(why)))
+    }
+
+    fn lines(&self, watched: &Watched, tolerance: f64) -> (Vec<Line>, u64) {
+        let (ladder, mut spent) = (&self.ladders[0], 0);
+        let mut lines = vec![Line::own(ladder.model, ladder.own.state.len(), watched.columns.len())];
+        for rung in &ladder.rungs {
+            let model = ladder.estimate_within(rung, watched, tolerance, HOPELESS * tolerance);
+            spent += model.as_ref().map_or(0, |model| model.evaluations);
+            let model = model.map_err(|failure| failure.to_string());
+            lines.push(Line {
+                name: rung.name.to_owned(),
+                dropped: rung.dropped.clone(),
+                loss: rung.loss,
+                states: rung.start.len(),
+                verdict: Verdict::of(&model, tolerance),
+                model,
+                asked_as: rung.shows_all(&watched.names).then_some(rung.name),
+                choice: None,
+            });
+        }
+        (lines, spent)
+    }
+
+    fn forms(&self, line: usize) -> Vec<Runnable<'_>> {
+        self.ladders.iter().zip(AXES).map(|(ladder, axes)| runnable(ladder, line, axes)).collect()
+    }
+
+    fn exact(&self) -> Option<Vec<Vec<f64>>> {
+        let ladder = &self.ladders[0];
+        let kept = self.kept.as_ref().filter(|kept| kept.serves(&ladder.own))?;
+        let row = |(time, state): (&f64, &Vec<field::DoubleDouble>)| {
+            let state: Vec<f64> = state.iter().map(|y| y.hi()).collect();
+            (ladder.own.row)(*time, &state)
+        };
+        Some(kept.reference.times.iter().zip(&kept.reference.states).map(row).collect())
+    }
+
+    /// The rung that does not suffice for the whole run but for the largest part of it, with the richest that does for the rest.
+    /// Where a smaller model suffices for the whole run nothing is switched: those below it are hardly smaller.
+    fn mixed(&self, watched: &Watched, lines: &[Line], found: &[(usize, Plan)], wish: &Wish) -> Option<Mixed<'_>> {
+        let ladder = &self.ladders[0];
+        // the law that the rungs are derived from is the exact one next to the scene's own, or that
+        let rich = usize::from(ladder.lumping.is_some());
+        let plan = Plan { axes: Axes::First, ..found.iter().find(|(line, _)| *line == rich)?.1.clone() };
+        // along stiff windings an explicit method does not switch; and looking for where is dearer than a short run
+        let whole = |line: &Line| line.verdict == Verdict::Suffices && matches!(line.loss, Loss::Small { .. });
+        let short = plan.foretold < LOOKING as f64;
+        if wish.allowed.is_zero() || short || plan.method.traits().implicit || lines.iter().any(whole) {
+            return None;
+        }
+        let far = |line: &Line| matches!(line.verdict, Verdict::TooFar | Verdict::NotBelieved);
+        let worth = |at: usize, rung: &ReducedModel| rung.lower.kept.is_some() && cheaper(ladder, at + 1, rich);
+        let unfit = ladder.rungs.iter().enumerate().filter(|(at, _)| far(&lines[at + 1]));
+        let unfit: Vec<(usize, &ReducedModel)> = unfit.filter(|(at, rung)| worth(*at, rung)).collect();
+        if unfit.is_empty() {
+            return None;
+        }
+        let course = ladder.course(watched, Some(Instant::now() + wish.allowed)).ok()?;
+        let schedules = unfit.into_iter().filter_map(|(at, rung)| {
+            let schedule = ladder.schedule(rung, &course, OF_MODEL * wish.tolerance)?;
+            (schedule.share() >= WORTH_WHILE).then_some((at, schedule))
+        });
+        let (at, schedule) = schedules.max_by(|a, b| a.1.share().total_cmp(&b.1.share()))?;
+        let low = plans(&[runnable(ladder, at + 1, Axes::First)], watched, OF_METHOD * wish.tolerance);
+        let low = low.into_iter().next()?;
+        let spans = schedule.spans().into_iter().map(|(from, to)| format!("{from:.3} to {to:.3} s"));
+        let (rung, name) = (&ladder.rungs[at], &lines[rich].name);
+        let line = Line {
+            name: SWITCHING.to_owned(),
+            dropped: format!("{name}, and from {} {}", spans.collect::<Vec<_>>().join(", "), rung.name),
+            loss: rung.loss,
+            states: ladder.start.len(),
+            model: Ok(Estimate { first: schedule.promised, ..Estimate::nothing(watched.columns.len()) }),
+            asked_as: None,
+            verdict: Verdict::Suffices,
+            choice: None,
+        };
+        let sides = [(plan.method, plan.tolerance), (low.method, low.tolerance)];
+        let go = move |finer: f64, times: &[f64]| {
+            let sides = sides.map(|(method, tolerance)| (method, (tolerance * finer).max(FINEST)));
+            ladder.run_switching(rung, &schedule, sides, MOST, times)
+        };
+        Some(Mixed { line, plan, go: Box::new(go) })
+    }
+}
+
+/// Whether a model's run over the whole span is so much cheaper than the richer one's that to run it on a part can be worth
+/// while: evaluations times states, by a method that needs no recording.
+fn cheaper(ladder: &Hierarchy, line: usize, rich: usize) -> bool {
+    let work = |line: usize| {
+        let states = line.checked_sub(1).map_or(ladder.own.state.len(), |rung| ladder.rungs[rung].start.len());
+        let (run, evaluations) = runnable(ladder, line, Axes::First).run(Method::DormandPrince8, PILOTS[0], MOST, None);
+        run.map(|_| evaluations as f64 * states as f64)
+    };
+    matches!((work(line), work(rich)), (Some(low), Some(rich)) if low < CHEAPER * rich)
+}
+
+/// A line of the receipt in a form.
+fn runnable(ladder: &Hierarchy, line: usize, axes: Axes) -> Runnable<'_> {
+    let span = ladder.own.span;
+    match line.checked_sub(1).and_then(|rung| ladder.rungs.get(rung)) {
+        None if ladder.own.switching.is_some() => across_events(axes, &ladder.own),
+        None => {
+            let (law, start) = (Arc::clone(&ladder.own.law), ladder.own.state.clone());
+            let outside = |time: f64, y: &[f64]| ladder.own.outside(time, y).is_some();
+            Runnable::of_law(axes, law, start, span, |time, y| (ladder.own.row)(time, y), outside)
+        }
+        Some(rung) => {
+            let lifted = move |time: f64, z: &[f64]| rung.lifted(time, z, ladder.start.len());
+            let outside = move |time: f64, z: &[f64]| ladder.left(time, &lifted(time, z)).is_some();
+            let row = move |time: f64, z: &[f64]| ladder.row(time, &lifted(time, z));
+            Runnable::of_law(axes, Arc::clone(&rung.law), rung.start.clone(), span, row, outside)
+        }
+    }
+}

@@ -1,0 +1,97 @@
+//! The ladder of a scene with a motor: its own model, its windings lumped, currents at their quasi-steady values, none, and
+//! the smaller machines that the scene's data make.
+
+use super::lumping::{Lumped, Lumping};
+use super::reduced_model::Lower;
+use super::{Hierarchy, Loss, ReducedModel, Whole, quasi_steady, smaller_machines};
+use crate::scene::{Scene, System};
+use field::Rational;
+use motor::{Bench, Machine, Motor, catalogue};
+use simulation::{Axes, SymbolicLaw};
+use std::sync::Arc;
+use systems::gyrostat::driven::Driven;
+
+/// That bars at any angles close in the sums of their currents.
+const CLOSURE: &str = "konosevich2022/beyond-damper/closure";
+
+impl Hierarchy {
+    /// Of a scene in the axes of a form.
+    pub fn of_scene(scene: &Scene, axes: Axes) -> Self {
+        let own = scene.problem(axes);
+        let Within { written, start, whole, lumping, rungs } = Within::of(scene, axes, &own.state);
+        let law = match (&lumping, rungs.first()) {
+            (Some(_), Some(lumped)) => Arc::clone(&lumped.law),
+            _ => Arc::clone(&own.law),
+        };
+        let model = scene.machine.name();
+        let mut ladder = Hierarchy { model, own, written, law, start, whole, rungs, lumping };
+        let known =
+            catalogue::entries().into_iter().map(|entry| entry.name).take_while(|name| *name != scene.machine.name());
+        // the equivalent windings are what lumping finds
+        let known = known.filter(|name| *name != "equivalent_windings").collect::<Vec<_>>();
+        for model in known.into_iter().rev() {
+            ladder.rungs.extend(smaller_machines::rung(scene, axes, &ladder, model));
+        }
+        ladder
+    }
+}
+
+/// What is derived from the scene's own machine.
+struct Within {
+    written: Arc<dyn SymbolicLaw>,
+    start: Vec<f64>,
+    whole: Box<Whole>,
+    lumping: Option<Lumping>,
+    rungs: Vec<ReducedModel>,
+}
+
+impl Within {
+    fn of(scene: &Scene, axes: Axes, start: &[f64]) -> Self {
+        let machine = scene.machine.clone();
+        let windings = machine.windings();
+        let mechanical = start.len() - windings;
+        let Some(lumping) = Lumping::of(&machine.decimals()) else {
+            return unlumped(scene, axes, machine, start);
+        };
+        let lumped = Lumped { machine, windings: lumping.over(Rational::to_f64) };
+        let written = written(&scene.system, axes, lumped.clone());
+        let (mechanics, currents) = start.split_at(mechanical);
+        let inner = [mechanics, &lumping.lumped(currents)].concat();
+        let dropped = format!(
+            "of {windings} currents those {} combinations that feel no field and do no work",
+            windings - lumping.windings.len()
+        );
+        let loss = Loss::Nothing { claim: Some(CLOSURE) };
+        let lower = Lower::other(&written);
+        let Some(exact) = ReducedModel::new("lumped windings", &dropped, loss, lower, inner.clone()) else {
+            return unlumped(scene, axes, lumped.machine, start);
+        };
+        let rungs = std::iter::once(exact).chain(quasi_steady::rungs(&lumped, &written, &inner)).collect();
+        let recovery = lumping.recovery(currents);
+        let whole = move |time: f64, y: &[f64]| {
+            let (mechanics, lumped) = y.split_at(mechanical);
+            mechanics.iter().copied().chain(recovery.currents(time, lumped)).collect()
+        };
+        Within { written, start: inner, whole: Box::new(whole), lumping: Some(lumping), rungs }
+    }
+}
+
+/// What is derived from a machine as it is.
+fn unlumped(scene: &Scene, axes: Axes, machine: Motor, start: &[f64]) -> Within {
+    let written = written(&scene.system, axes, machine.clone());
+    let rungs = quasi_steady::rungs(&machine, &written, start);
+    Within { written, start: start.to_vec(), whole: Box::new(|_, y| y.to_vec()), lumping: None, rungs }
+}
+
+/// A system with a machine over expressions.
+pub(super) fn written<M: Machine<f64> + Send + Sync + 'static>(
+    system: &System,
+    axes: Axes,
+    machine: M,
+) -> Arc<dyn SymbolicLaw> {
+    match (system, axes) {
+        (System::Gyrostat(bodies), Axes::First) => Arc::new(Driven::new(bodies.first_form().0, machine)),
+        (System::Gyrostat(bodies), Axes::Second) => Arc::new(Driven::new(bodies.second_form().0, machine)),
+        (System::Bench { axial }, _) => Arc::new(Bench { machine, axial: *axial }),
+    }
+}

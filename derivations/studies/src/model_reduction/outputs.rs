@@ -1,0 +1,83 @@
+//! What of a run matters, and by what its errors are measured.
+
+use super::Hierarchy;
+use super::sampled_run::{COARSE, followed_while, looks};
+use integrators::{Failure, Tolerance};
+
+/// What of a run matters, with the sizes by which errors are measured.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Watched {
+    pub names: Vec<String>,
+    /// Of the rows that the scene's own problem shows.
+    pub columns: Vec<usize>,
+    pub sizes: Vec<f64>,
+    /// Of the states of the law that models are derived from.
+    pub states: Vec<f64>,
+    /// Whether that law is stiff: a law that carries errors by it is so too.
+    pub stiff: bool,
+    /// Why the scene's own model left its law, where it did.
+    pub left: Option<&'static str>,
+}
+
+/// What stays at rounding is measured by one.
+const ROUNDING: f64 = 1e-12;
+
+/// The largest absolute value, 1 where all vanish up to rounding.
+pub(super) fn largest(values: impl Iterator<Item = f64>) -> f64 {
+    let size = values.map(f64::abs).fold(0.0, f64::max);
+    if size > ROUNDING { size } else { 1.0 }
+}
+
+impl Hierarchy {
+    /// The outputs of these names, by a coarse run at its steps and at even instants. With the evaluations that it took.
+    ///
+    /// # Errors
+    /// Where the run does not reach its end.
+    pub fn watched(&self, names: &[String]) -> Result<(Watched, u64), Failure> {
+        if self.own.switching.is_some() {
+            return self.watched_across_events(names);
+        }
+        let (law, start) = (&self.law, &self.start);
+        let (outputs, mut stiff): (Vec<f64>, bool) = (looks(self.own.span).collect(), false);
+        let coarse = Tolerance::both(COARSE);
+        let mut seen = vec![(0.0, start.clone())];
+        let mut left = None;
+        let mut keep = |time: f64, state: &[f64]| {
+            // the implicit method begins anew
+            if seen.last().is_some_and(|(last, _)| time < *last) {
+                seen.truncate(1);
+            }
+            seen.push((time, state.to_vec()));
+            left = self.left(time, state);
+            left.is_none()
+        };
+        let (_, evaluations) = followed_while(&**law, &coarse, 0.0, &outputs, start, &mut stiff, &mut keep)?;
+        let rows: Vec<Vec<f64>> = seen.iter().map(|(time, state)| self.row(*time, state)).collect();
+        let sizes = (0..start.len()).map(|i| largest(seen.iter().map(|(_, state)| state[i]))).collect();
+        Ok((Watched { stiff, left, ..Watched::of(&self.own.columns, names, &rows, sizes) }, evaluations))
+    }
+}
+
+impl Watched {
+    /// The outputs of these names, with sizes by these rows: the components of a vector by the size of the vector.
+    pub fn of(columns: &[String], names: &[String], rows: &[Vec<f64>], states: Vec<f64>) -> Self {
+        let size = |column: usize| rows.iter().map(|row| row[column].abs()).fold(0.0, f64::max);
+        let place = |name: &String| columns.iter().position(|known| known == name);
+        let known: Vec<(String, usize)> = names.iter().filter_map(|name| Some((name.clone(), place(name)?))).collect();
+        let vector = |name: &str| -> Option<f64> {
+            let first = name.strip_suffix(['1', '2', '3']).filter(|first| ["w", "v"].contains(first))?;
+            let parts = (1..=3).filter_map(|k| place(&format!("{first}{k}")));
+            Some(parts.map(|column| size(column).powi(2)).sum::<f64>().sqrt())
+        };
+        let sizes = known.iter().map(|(name, column)| vector(name).unwrap_or_else(|| size(*column)));
+        let sizes = sizes.map(|size| if size > ROUNDING { size } else { 1.0 }).collect();
+        let (names, columns) = known.into_iter().unzip();
+        Watched { names, columns, sizes, states, stiff: false, left: None }
+    }
+
+    /// The largest difference of two rows, relative to the sizes.
+    pub fn off(&self, one: &[f64], other: &[f64]) -> f64 {
+        let each = self.columns.iter().zip(&self.sizes).map(|(&at, size)| (one[at] - other[at]).abs() / size);
+        each.fold(0.0, f64::max)
+    }
+}

@@ -1,0 +1,150 @@
+//! A run as a choice needs it: rows at the instants that are asked for, and at the method's own steps.
+//!
+//! Two runs are compared where the coarser one has looked: the finer one is asked for rows at the coarser one's steps. So
+//! nothing is interpolated, and a transient that the coarser run has followed between two instants is compared there.
+
+use super::outputs::Watched;
+use super::sampled_run::instants;
+use integrators::Observer;
+
+/// A time with what is shown there.
+pub type Row = (f64, Vec<f64>);
+
+/// Steps of which rows are kept: of more, every second one, every fourth, ...
+const KEPT: usize = 256;
+
+/// A run of a plan.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Run {
+    /// At the instants that were asked for.
+    pub asked: Vec<Row>,
+    /// At the method's own steps.
+    pub steps: Vec<Row>,
+    pub evaluations: u64,
+}
+
+impl Run {
+    /// At the instants of the references.
+    pub fn at_instants(&self, span: f64) -> Vec<Row> {
+        let known = |(time, _): &&Row| instants(span).any(|instant| instant == *time);
+        self.asked.iter().filter(known).cloned().collect()
+    }
+
+    /// All times that it has rows of, in their order.
+    pub fn times(&self) -> Vec<f64> {
+        self.rows().into_iter().map(|(time, _)| *time).collect()
+    }
+
+    /// The largest difference from a run that was asked for rows at all times of this one, relative to the sizes; none where
+    /// it was not.
+    pub fn apart(&self, finer: &Run, watched: &Watched) -> Option<f64> {
+        let mut rest = finer.asked.iter();
+        let off = |(time, row): &Row| {
+            let (_, finer) = rest.find(|(at, _)| at == time)?;
+            Some(watched.off(row, finer))
+        };
+        self.rows().into_iter().map(off).try_fold(0.0, |largest, off| Some(f64::max(largest, off?)))
+    }
+
+    fn rows(&self) -> Vec<&Row> {
+        let mut all: Vec<&Row> = self.asked.iter().chain(&self.steps).collect();
+        all.sort_by(|a, b| a.0.total_cmp(&b.0));
+        all.dedup_by(|a, b| a.0 == b.0);
+        all
+    }
+}
+
+/// Keeps the rows of a run, and ends it where it leaves its law.
+pub struct Along<'a, F> {
+    row: F,
+    outside: &'a dyn Fn(f64, &[f64]) -> bool,
+    left: bool,
+    asked: Vec<Row>,
+    steps: Vec<Row>,
+    stride: usize,
+    seen: usize,
+}
+
+impl<'a, F: Fn(f64, &[f64]) -> Vec<f64>> Along<'a, F> {
+    /// Of a run whose states are shown so.
+    pub fn of(row: F) -> Self {
+        Self::within(row, &|_, _| false)
+    }
+
+    /// The same with what is outside of its law.
+    pub fn within(row: F, outside: &'a dyn Fn(f64, &[f64]) -> bool) -> Self {
+        Along { row, outside, left: false, asked: Vec::new(), steps: Vec::new(), stride: 1, seen: 0 }
+    }
+
+    /// Whether it has left its law.
+    pub fn left(&self) -> bool {
+        self.left
+    }
+
+    /// Its rows.
+    pub fn run(self, evaluations: u64) -> Run {
+        Run { asked: self.asked, steps: self.steps, evaluations }
+    }
+}
+
+impl<F: Fn(f64, &[f64]) -> Vec<f64>> Observer<f64> for Along<'_, F> {
+    fn sample(&mut self, time: f64, state: &[f64]) {
+        self.asked.push((time, (self.row)(time, state)));
+    }
+
+    fn enough(&self) -> bool {
+        self.left
+    }
+
+    fn step(&mut self, time: f64, state: &[f64]) {
+        self.left |= (self.outside)(time, state);
+        self.seen += 1;
+        if !self.seen.is_multiple_of(self.stride) {
+            return;
+        }
+        if self.steps.len() == KEPT {
+            let mut place = 0;
+            self.steps.retain(|_| {
+                place += 1;
+                place % 2 == 0
+            });
+            self.stride *= 2;
+            if !self.seen.is_multiple_of(self.stride) {
+                return;
+            }
+        }
+        self.steps.push((time, (self.row)(time, state)));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn of_many_steps_so_many_are_kept_evenly() {
+        let mut along = Along::of(|time, _: &[f64]| vec![time]);
+        (1..=10_000).for_each(|k| along.step(f64::from(k), &[]));
+        let times: Vec<f64> = along.steps.iter().map(|(time, _)| *time).collect();
+        assert!((KEPT / 2..=KEPT).contains(&times.len()), "{}", times.len());
+        assert!(times.windows(2).all(|pair| pair[1] - pair[0] == times[0]), "{times:?}");
+    }
+
+    #[test]
+    fn a_difference_between_two_instants_is_seen_where_there_are_steps() {
+        let watched = Watched {
+            names: vec!["x".into()],
+            columns: vec![0],
+            sizes: vec![2.0],
+            states: Vec::new(),
+            stiff: false,
+            left: None,
+        };
+        let row = |time, value| (time, vec![value]);
+        let coarse = Run { asked: vec![row(1.0, 0.0)], steps: vec![row(0.1, 3.0), row(1.0, 0.0)], evaluations: 0 };
+        assert_eq!(coarse.times(), [0.1, 1.0]);
+        let finer = Run { asked: vec![row(0.1, 1.0), row(1.0, 0.0)], steps: Vec::new(), evaluations: 0 };
+        assert_eq!(coarse.apart(&finer, &watched), Some(1.0));
+        assert_eq!(finer.apart(&Run { asked: vec![row(1.0, 0.0)], ..coarse }, &watched), None);
+    }
+}
