@@ -14,7 +14,7 @@ use integrators::{Dual8, Ensemble, Failure, Members, Ode, Real, SideBySide, Spli
 use mechanics::constrained::PointSystem as _;
 use mechanics::constrained::State;
 use mechanics::constrained::programmed::{Linear, programmed};
-use mechanics::regimes::{Dry, Sizes, Touch, Verdict, touches, verdict};
+use mechanics::regimes::{Consistency, Dry, Sizes, Touch, touches, verdict};
 use motor::{Metered, Motor, Separable, catalogue, has_known_flow};
 use physical::machines::with_bars;
 use physical::rounded;
@@ -174,7 +174,7 @@ fn a_verdict_allocates_nothing_be_it_moving_at_rest_or_undetermined() {
         let count = allocations(|| {
             let dry = Dry::<f64, 2>::of(&ladder, &at, ladder.force(&at)).expect("one constraint");
             let touch: [Touch; 2] = touches(&ladder, &at, Sizes::of(&at)).expect("on wall and floor");
-            assert!(matches!(verdict(&dry, &touch), Verdict::Unique(_)));
+            assert!(matches!(verdict(&dry, &touch), Consistency::Unique(_)));
         });
         assert_eq!(count, 0);
     }

@@ -5,7 +5,7 @@ use dalembert_derivations::studies::stabilisation::experiment;
 use integrators::Method;
 use reader::Family;
 use simulation::models::Modelled;
-use simulation::{Axes, Choice, Told, Trajectory};
+use simulation::{Axes, Choice, RunNotes, Trajectory};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -26,13 +26,13 @@ fn open(name: &str) -> Arc<dyn Modelled> {
     parse(&text).unwrap_or_else(|error| panic!("{error}"))
 }
 
-fn by(scene: &dyn Modelled, choice: &Choice) -> (Trajectory, Told) {
+fn by(scene: &dyn Modelled, choice: &Choice) -> (Trajectory, RunNotes) {
     let trajectory = scene.problem(Axes::First).simulate(choice, |_| ());
     let told = scene.told(choice, &trajectory);
     (trajectory, told)
 }
 
-fn run(name: &str) -> (Trajectory, Told) {
+fn run(name: &str) -> (Trajectory, RunNotes) {
     let scene = open(name);
     by(&*scene, &scene.run().choice())
 }

@@ -3,7 +3,7 @@
 use dalembert_derivations::studies::governors::{self, SPEED, growth};
 use integrators::{Failure, Method, Refusal};
 use simulation::models::{self, Modelled};
-use simulation::{Axes, Choice, Told, Trajectory, methods};
+use simulation::{Axes, Choice, RunNotes, Trajectory, methods};
 use std::path::Path;
 use std::sync::Arc;
 
@@ -13,14 +13,14 @@ fn open(name: &str) -> Arc<dyn Modelled> {
     models::open(&path).unwrap_or_else(|error| panic!("{error}"))
 }
 
-fn by(scene: &dyn Modelled, choice: &Choice) -> (Trajectory, Told) {
+fn by(scene: &dyn Modelled, choice: &Choice) -> (Trajectory, RunNotes) {
     let trajectory = scene.problem(Axes::First).simulate(choice, |_| ());
     let told = scene.told(choice, &trajectory);
     (trajectory, told)
 }
 
 /// A scene by its own choice.
-fn run(name: &str) -> (Trajectory, Told) {
+fn run(name: &str) -> (Trajectory, RunNotes) {
     let scene = open(name);
     by(&*scene, &scene.run().choice())
 }

@@ -42,7 +42,7 @@ fn short(members: u64) -> String {
 /// The scene of a member as its own file would give it.
 fn single(text: &str, row: &Row) -> Scene {
     let mut one = Scene::parse("ensemble.toml", text).unwrap_or_else(|error| panic!("{error}"));
-    let dalembert_derivations::studies::scene::System::Gyrostat(bodies) = &mut one.system else {
+    let dalembert_derivations::studies::scene::Setup::Gyrostat(bodies) = &mut one.system else {
         panic!("it has a carrier")
     };
     let [cx, cy, cz, axial, b0, r2, angle, wx, wy, wz, vx, vy, vz] = row.drawn[..] else { panic!("13 numbers vary") };

@@ -14,7 +14,7 @@ use mechanics::constrained::motion::{Motion, velocity};
 use mechanics::constrained::multipliers::multipliers;
 use mechanics::constrained::{Charted, Constrained, State, appell, second_kind};
 use mechanics::regimes::cramer::Cramer;
-use mechanics::regimes::{Direction, Dry, Face, Mode, Seen, Touch, Verdict, verdict};
+use mechanics::regimes::{Consistency, Direction, Dry, Face, Mode, Seen, Touch, verdict};
 use symbolic::{Sym, Tape};
 
 const G: f64 = 9.81;
@@ -105,7 +105,7 @@ impl<Q: Contacts<4, C, K, Given = f64>, const C: usize, const K: usize> InRegime
         let system = &self.0.closed.0;
         let dry = Dry::of(system, at, system.force(at)).expect("regular");
         let found = verdict(&dry, &self.directions().map(Touch::Slides));
-        matches!(found, Verdict::Unique(found) if found.regime == self.regime())
+        matches!(found, Consistency::Unique(found) if found.regime == self.regime())
     }
 
     fn regime(&self) -> [Mode; K] {

@@ -4,7 +4,7 @@ mod closed;
 mod drawn;
 mod families;
 mod identities;
-mod phantom;
+mod numerical_stability;
 #[path = "../physical/mod.rs"]
 mod physical;
 mod plane;

@@ -1,6 +1,6 @@
 //! Maps of every motion over two data: beside single scenes, beside exact columns, beside the discriminant.
 
-use dalembert_derivations::studies::scene::{Scene, System};
+use dalembert_derivations::studies::scene::{Scene, Setup};
 use dalembert_derivations::studies::stationary::energies::{Energies, Kept};
 use dalembert_derivations::studies::stationary::motions::{Stationary, decimals};
 use dalembert_derivations::studies::stationary::motor::MotorStates;
@@ -33,7 +33,7 @@ fn column(scene: &Scene, names: [&str; 2], ranges: [[f64; 2]; 2], speed: f64, ro
 
 fn with_bodies(scene: &Scene, change: impl Fn(&mut Gyrostat<f64>)) -> Scene {
     let mut other = scene.clone();
-    if let System::Gyrostat(bodies) = &mut other.system {
+    if let Setup::Gyrostat(bodies) = &mut other.system {
         change(bodies);
     }
     other
@@ -135,7 +135,7 @@ fn discriminant(energies: &Energies<Rational>, speed: Rational, kept: Rational) 
 fn motions_merge_where_the_discriminant_vanishes() {
     let scene = scene("constant_speed");
     let (_, borders) = column(&scene, ["rotor_speed", "omega0"], [[149.0, 151.0], [5.0, 65.0]], 0.0, 8);
-    let System::Gyrostat(bodies) = &scene.system else { panic!("it has bodies") };
+    let Setup::Gyrostat(bodies) = &scene.system else { panic!("it has bodies") };
     let energies = Energies::of(&decimals(bodies));
     let mut folds: Vec<[f64; 2]> = borders
         .iter()
@@ -221,7 +221,7 @@ fn an_irrational_speed_has_its_edges_beside_those_of_the_fraction_next_to_it() {
             Cell::PulledOut => panic!("the motor runs"),
         }
     };
-    let System::Gyrostat(bodies) = &scene.system else { panic!("it has bodies") };
+    let Setup::Gyrostat(bodies) = &scene.system else { panic!("it has bodies") };
     let (irrational, beside) = (cell(&first, bodies.gravity), cell(&own, kept.to_f64()));
     assert_eq!(irrational.fates, beside.fates);
     assert!(!irrational.edges.is_empty());

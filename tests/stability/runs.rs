@@ -2,7 +2,7 @@
 
 use crate::running::{Law, eigenvalues, run, state};
 use dalembert_derivations::machines::asynchronous::Asynchronous;
-use dalembert_derivations::studies::scene::{Scene, Start, System};
+use dalembert_derivations::studies::scene::{Scene, Setup, Start};
 use dalembert_derivations::studies::stationary::motions::Stationary;
 use dalembert_derivations::studies::stationary::motor::MotorStates;
 use dalembert_derivations::studies::stationary::stability::{Judged, Reason, Verdict};
@@ -74,7 +74,7 @@ fn upright_with_the_rotor_along_it_falls_when_slow_and_stays_when_fast() {
 #[test]
 fn what_gyroscopic_forces_hold_at_constant_speed_leaves_with_a_motor() {
     let scene = Scene::open(Path::new("scenes/constant_speed.toml")).unwrap();
-    let System::Gyrostat(bodies) = &scene.system else { panic!("a gyrostat") };
+    let Setup::Gyrostat(bodies) = &scene.system else { panic!("a gyrostat") };
     let all = Stationary::of(&scene).unwrap().at_speed(20.0).unwrap();
     let held = |found: &&dalembert_derivations::studies::stationary::motions::Found| {
         found.stability[0].verdict == Verdict::CannotTell(Reason::Gyroscopic { negative: 2 })

@@ -2,8 +2,8 @@
 
 use crate::clock::Keeps;
 use crate::{
-    bodies, chart, choose, conform, derive, ensemble, failures, inverse, ledger, linearise, motor, new, phantom, prove,
-    reference, regimes, regulate, report, review, run, scenes, stationary,
+    bodies, chart, choose, conform, derive, ensemble, failures, inverse, ledger, linearise, motor, new,
+    numerical_stability, prove, reference, regimes, regulate, report, review, run, scenes, stationary,
 };
 use clap::{Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
@@ -109,7 +109,7 @@ pub enum Command {
     /// All stationary motions of a scene's gyrostat with its motor, and why none is missing
     Stationary(stationary::Asked),
     /// For which steps each method tells a scene's stationary motions stable or unstable as they are, and for which not
-    Phantom(phantom::Asked),
+    Phantom(numerical_stability::Asked),
     /// A synchronous motor under load: pull-out, pull-in, what lies between, and which starts come into step
     Motor(motor::Asked),
     /// What every motor must do, each with a verdict: power, passivity, frames, housing, rest, stiffness, dimensions

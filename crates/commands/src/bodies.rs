@@ -8,7 +8,7 @@ use reader::Family;
 use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::PathBuf;
-use studies::scene::{Scene, System};
+use studies::scene::{Scene, Setup};
 use systems::gyrostat::Gyrostat;
 
 /// Whose bodies are to be looked at.
@@ -25,7 +25,7 @@ pub struct Asked {
 /// Prints both inertia tensors, their principal moments and axes, the rotation between them, and the weight.
 pub fn show(asked: &Asked) -> Result<Exit, Exit> {
     let scene = Scene::open(&asked.scene)?;
-    let System::Gyrostat(bodies) = &scene.system else {
+    let Setup::Gyrostat(bodies) = &scene.system else {
         return Err(Exit::refused(format!(
             "{} has no bodies but a rotor on a bench; a scene with system = \"gyrostat\" is accepted",
             asked.scene.display()

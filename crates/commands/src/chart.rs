@@ -23,7 +23,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use studies::AnyScene;
 use studies::model_reduction::Hierarchy;
-use studies::scene::System;
+use studies::scene::Setup;
 
 /// What is to be measured and drawn.
 #[derive(Args, Debug)]
@@ -169,7 +169,7 @@ fn no_reference(scene: &dyn IvpScene, run: &Trajectory, reason: &str) -> Result<
 /// The models of the ladder that are no machines of their own: windings lumped, currents that are not followed.
 fn smaller(scene: &AnyScene, known: &[Configuration]) -> Vec<Configuration> {
     let (ladder, formulation) = match scene {
-        AnyScene::Driven(scene) if matches!(scene.system, System::Bench { .. }) => {
+        AnyScene::Driven(scene) if matches!(scene.system, Setup::Bench { .. }) => {
             (Hierarchy::of_scene(scene, Axes::First), Formulation::Bench)
         }
         AnyScene::Driven(scene) => (Hierarchy::of_scene(scene, Axes::First), Formulation::First),

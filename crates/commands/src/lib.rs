@@ -40,8 +40,8 @@ mod ledger;
 mod linearise;
 mod motor;
 mod new;
+mod numerical_stability;
 mod output;
-mod phantom;
 mod pictures;
 mod progress;
 mod prove;
@@ -102,7 +102,7 @@ pub fn run() -> ExitCode {
         Some(Command::Prove(asked)) => prove::prove(&asked),
         Some(Command::Bodies(asked)) => bodies::show(&asked),
         Some(Command::Stationary(asked)) => stationary::show(&asked),
-        Some(Command::Phantom(asked)) => phantom::show(&asked),
+        Some(Command::Phantom(asked)) => numerical_stability::show(&asked),
         Some(Command::Motor(asked)) => motor::show(&asked),
         Some(Command::Conform(asked)) => conform::show(&asked),
         Some(Command::New(asked)) => new::write(&asked),

@@ -9,7 +9,7 @@ use reader::Family;
 use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::PathBuf;
-use studies::scene::{Scene, System};
+use studies::scene::{Scene, Setup};
 use studies::stationary::motor::{Angle, MotorStates};
 use studies::synchronism::basin::Share;
 use studies::synchronism::branches::{Slipping, Standing};
@@ -92,7 +92,7 @@ pub fn show(asked: &Asked) -> Result<Exit, Exit> {
             bars.into_iter().filter_map(|bars| Some((Some(bars), with_bars(&bench, bars)?))).collect()
         }
     };
-    if let System::Gyrostat(_) = scene.system {
+    if let Setup::Gyrostat(_) = scene.system {
         let own = scene.given.count("bars");
         let same = own.and_then(|bars| with_bars(&scene, bars)).unwrap_or_else(|| scene.clone());
         motors.push((own, same));
@@ -111,10 +111,10 @@ pub fn show(asked: &Asked) -> Result<Exit, Exit> {
 }
 
 fn case(bars: Option<usize>, scene: &Scene, common: &Common) -> Option<Case> {
-    let in_gyrostat = matches!(scene.system, System::Gyrostat(_));
+    let in_gyrostat = matches!(scene.system, Setup::Gyrostat(_));
     let motor = match &scene.system {
-        System::Gyrostat(bodies) => Loaded::new(&scene.machine, giving_way(bodies)),
-        System::Bench { .. } => Loaded::of(scene),
+        Setup::Gyrostat(bodies) => Loaded::new(&scene.machine, giving_way(bodies)),
+        Setup::Bench { .. } => Loaded::of(scene),
     };
     let motor = motor.ok()?;
     let found = motor.out_of_step();

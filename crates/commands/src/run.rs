@@ -12,7 +12,7 @@ use integrators::{Beside, Method};
 use motor::{NoModel, catalogue};
 use reader::Family;
 use simulation::run::most_samples;
-use simulation::{Axes, Choice, IvpScene, Told, methods};
+use simulation::{Axes, Choice, IvpScene, RunNotes, methods};
 use std::path::{Path, PathBuf};
 use studies::AnyScene;
 use studies::scene::Scene;
@@ -150,7 +150,7 @@ fn follow(scene: &dyn IvpScene, asked: &Asked, form: Option<Axes>) -> Result<Exi
     });
     drop(progress);
     let completed = completed_start(&asked.scene);
-    let text = |told: &Told, beside: Option<Beside>| {
+    let text = |told: &RunNotes, beside: Option<Beside>| {
         let (choice, trajectory, completed) = (&choice, &trajectory, &completed);
         let summary = Summary { scene, choice, form, trajectory, told, beside, completed };
         match asked.format {
@@ -161,7 +161,7 @@ fn follow(scene: &dyn IvpScene, asked: &Asked, form: Option<Axes>) -> Result<Exi
 
     // what follows may take longer than the run, and the run is not lost by it
     let table = table.write(&trajectory.times, &trajectory.rows, (trajectory.outcome.time, &trajectory.last));
-    clock::publish(text(&Told::default(), None));
+    clock::publish(text(&RunNotes::default(), None));
     let told = phase("what theory says of the run", || scene.told(&choice, &trajectory));
     clock::publish(text(&told, None));
     let beside = phase("the run with half of its step", || problem.beside(&choice, &trajectory, clock::goes_on));

@@ -1,7 +1,7 @@
 //! Maps of stability over two data of a scene, where rotor and weight lie along one principal axis.
 
 use charts::{AreaCurve, Areas};
-use studies::scene::{Scene, System};
+use studies::scene::{Scene, Setup};
 use studies::stationary::stability::datum::Datum;
 use studies::stationary::stability::map::Column;
 use studies::stationary::stability::plane::{Cell, NoPlane, Plane};
@@ -30,7 +30,7 @@ pub fn all(scenes: &[&Scene]) -> Vec<Areas> {
     let mut known: Vec<&Gyrostat<f64>> = Vec::new();
     let mut maps = Vec::new();
     for &scene in scenes {
-        let System::Gyrostat(bodies) = &scene.system else { continue };
+        let Setup::Gyrostat(bodies) = &scene.system else { continue };
         let bodies: &Gyrostat<f64> = bodies;
         if scene.machine.name() == "free_rotor" || known.contains(&bodies) {
             continue;
@@ -96,8 +96,8 @@ impl Asked<'_> {
     /// Whether the scene's own weight points along the axis.
     fn weighs_along(&self) -> bool {
         match &self.scene.system {
-            System::Gyrostat(bodies) => bodies.weight().iter().find(|g| **g != 0.0).is_none_or(|g| *g > 0.0),
-            System::Bench { .. } => true,
+            Setup::Gyrostat(bodies) => bodies.weight().iter().find(|g| **g != 0.0).is_none_or(|g| *g > 0.0),
+            Setup::Bench { .. } => true,
         }
     }
 

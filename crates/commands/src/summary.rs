@@ -13,7 +13,7 @@ pub struct Summary<'a> {
     /// Where there are several.
     pub form: Option<Axes>,
     pub trajectory: &'a Trajectory,
-    pub told: &'a simulation::Told,
+    pub told: &'a simulation::RunNotes,
     /// Of constant steps: what shorter ones say.
     pub beside: Option<Beside>,
     /// Values of the start that constraints or an equilibrium have moved.

@@ -63,17 +63,17 @@ pub fn instructions(tape: &Tape, pieces: &Pieces, piece: usize, isa: &OwnedTarge
         once: tape.rounds_once(),
     };
     for place in 0..tape.inputs().checked_sub(1)? {
-        writer.registers.push(Place::Input(offset(place)?));
+        writer.registers.push(Operand::Input(offset(place)?));
     }
-    writer.registers.push(Place::Computed(time));
+    writer.registers.push(Operand::Computed(time));
     for (place, constant) in tape.rounded().iter().enumerate() {
-        writer.registers.push(Place::Constant(*constant, offset(place)?));
+        writer.registers.push(Operand::Constant(*constant, offset(place)?));
     }
     let given = writer.registers.len();
     for kept in
         pieces.kept.iter().zip(&pieces.made_in).take_while(|(_, made_in)| **made_in < piece).map(|(kept, _)| *kept)
     {
-        writer.registers.push(kept.map_or(Some(Place::Gone), |place| offset(place).map(Place::Kept))?);
+        writer.registers.push(kept.map_or(Some(Operand::Gone), |place| offset(place).map(Operand::Kept))?);
     }
     for step in &tape.steps()[pieces.ranges[piece].clone()] {
         let first = writer.registers.len();
@@ -101,7 +101,7 @@ pub fn instructions(tape: &Tape, pieces: &Pieces, piece: usize, isa: &OwnedTarge
 
 /// Where a number of a tape is found.
 #[derive(Clone, Copy)]
-enum Place {
+enum Operand {
     /// So many bytes behind the first input.
     Input(i32),
     /// Its value, and so many bytes behind the first of the table.
@@ -122,7 +122,7 @@ struct Writer<'a> {
     room: Value,
     angle_to_point: SigRef,
     pair_to_number: SigRef,
-    registers: Vec<Place>,
+    registers: Vec<Operand>,
     once: bool,
 }
 
@@ -132,17 +132,17 @@ impl Writer<'_> {
     fn read(&mut self, register: Register) -> Value {
         let code = self.code.ins();
         match self.registers[register as usize] {
-            Place::Input(offset) => code.load(types::F64, MEMORY, self.state, offset),
-            Place::Constant(constant, _) => code.f64const(constant),
-            Place::Computed(value) => value,
-            Place::Kept(offset) => code.load(types::F64, MEMORY, self.room, offset),
-            Place::Gone => unreachable!("a register that a later piece reads is kept"),
+            Operand::Input(offset) => code.load(types::F64, MEMORY, self.state, offset),
+            Operand::Constant(constant, _) => code.f64const(constant),
+            Operand::Computed(value) => value,
+            Operand::Kept(offset) => code.load(types::F64, MEMORY, self.room, offset),
+            Operand::Gone => unreachable!("a register that a later piece reads is kept"),
         }
     }
 
     /// Writes a number that later pieces read.
     fn keep(&mut self, made: usize, kept: Option<usize>) -> Option<()> {
-        if let (Some(kept), Place::Computed(value)) = (kept, self.registers[made]) {
+        if let (Some(kept), Operand::Computed(value)) = (kept, self.registers[made]) {
             self.code.ins().store(KEPT, value, self.room, offset(kept)?);
         }
         Some(())
@@ -152,9 +152,9 @@ impl Writer<'_> {
     /// instructions of its own.
     fn either_way(&mut self, a: Register, b: Register) -> [Value; 2] {
         let rank = |register: Register| match self.registers[register as usize] {
-            Place::Computed(_) => 0,
-            Place::Input(_) | Place::Kept(_) | Place::Gone => 1,
-            Place::Constant(..) => 2,
+            Operand::Computed(_) => 0,
+            Operand::Input(_) | Operand::Kept(_) | Operand::Gone => 1,
+            Operand::Constant(..) => 2,
         };
         let (a, b) = if rank(b) < rank(a) { (b, a) } else { (a, b) };
         [a, b].map(|register| self.read(register))
@@ -163,7 +163,7 @@ impl Writer<'_> {
     /// Two factors of a product within a sum: there a constant is an operand from the table, or two instructions of its own.
     fn factors(&mut self, [a, b]: [Register; 2]) -> [Value; 2] {
         let known = [a, b].map(|register| match self.registers[register as usize] {
-            Place::Constant(_, offset) => Some(offset),
+            Operand::Constant(_, offset) => Some(offset),
             _ => None,
         });
         match known {
@@ -216,7 +216,7 @@ impl Writer<'_> {
                 self.code.ins().fma(less, second, other)
             }
         };
-        self.registers.push(Place::Computed(result));
+        self.registers.push(Operand::Computed(result));
     }
 
     /// Calls an elementary function.
@@ -239,14 +239,14 @@ impl Writer<'_> {
         let function = if self.once { once() } else { circle as *const () };
         let function = self.code.ins().iconst(self.pointer, function as i64);
         let call = self.code.ins().call_indirect(self.angle_to_point, function, &[angle]);
-        self.registers.extend(self.code.inst_results(call).iter().copied().map(Place::Computed));
+        self.registers.extend(self.code.inst_results(call).iter().copied().map(Operand::Computed));
     }
 
     /// Writes outputs, each to its place. Of a Jacobian most are constants: two that stand side by side are written at once, one
     /// alone as the integer that has its bits.
     fn results(&mut self, mut results: &[(usize, Register)]) -> Option<()> {
-        let constant = |registers: &[Place], register: Register| match registers[register as usize] {
-            Place::Constant(constant, _) => Some(constant.to_bits()),
+        let constant = |registers: &[Operand], register: Register| match registers[register as usize] {
+            Operand::Constant(constant, _) => Some(constant.to_bits()),
             _ => None,
         };
         while let [(place, register), rest @ ..] = results {

@@ -8,7 +8,7 @@ pub(crate) use outputs::{determined, outputs, outputs_of_solved};
 use crate::conservation::conserves;
 use crate::implicit::{Implicit, ImplicitLaw, SolvedSlopes, recurrence};
 use crate::letters::Letters;
-use crate::modes::{Mode, Motion};
+use crate::modes::{Mode, ModeMotion};
 use crate::program::recorded;
 use field::DoubleDouble;
 use integrators::{Dual8, Ode, Real};
@@ -334,7 +334,7 @@ pub(crate) fn has_values_but(model: &Model, given: &[usize]) -> Result<(), NotCo
 /// The rates of the state over letters.
 pub(crate) fn rates(model: &Model, mode: &Mode, letters: Letters<'_>) -> Result<Vec<Sym>, NotCompiled> {
     let trace = Trace::of(model);
-    let Motion { accelerations, speeds, .. } = Motion::of(&trace, mode)?;
+    let ModeMotion { accelerations, speeds, .. } = ModeMotion::of(&trace, mode)?;
     let moved = substitute_all(&trace.position_rates, &speeds);
     Ok(letters.put_into(&trace, &[moved, accelerations].concat()))
 }

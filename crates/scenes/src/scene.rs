@@ -28,7 +28,7 @@ use simulation::models::{ModelReaders, Modelled, holds_model, read_models_by};
 use simulation::problem::Invariant;
 use simulation::work_precision::Hybrid;
 use simulation::work_precision::{Configuration, Observed};
-use simulation::{Axes, Choice, IvpScene, Problem, Run, Told, Trajectory, run};
+use simulation::{Axes, Choice, IvpScene, Problem, Run, RunNotes, Trajectory, run};
 use std::borrow::Cow;
 use std::path::Path;
 use std::sync::Arc;
@@ -339,7 +339,7 @@ impl IvpScene for ModelScene {
         metered(&self.system, self.problem(axes))
     }
 
-    fn told(&self, choice: &Choice, trajectory: &Trajectory) -> Told {
+    fn told(&self, choice: &Choice, trajectory: &Trajectory) -> RunNotes {
         let ended = trajectory.passages.last().filter(|passage| passage.then.is_none());
         let diagnosis = match (ended, trajectory.left) {
             (Some(Passage { what, .. }), None) => Some(format!("{what} ends the run")),
@@ -348,7 +348,7 @@ impl IvpScene for ModelScene {
             _ => None,
         };
         let known = self.knowledge.map(|knowledge| knowledge.told(self, choice, trajectory)).unwrap_or_default();
-        Told { diagnosis: known.diagnosis.or(diagnosis), ..known }
+        RunNotes { diagnosis: known.diagnosis.or(diagnosis), ..known }
     }
 
     fn parameters(&self) -> Vec<Parameter> {

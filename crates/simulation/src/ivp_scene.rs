@@ -45,8 +45,8 @@ pub trait IvpScene: Send + Sync {
     }
 
     /// What is known beside a run.
-    fn told(&self, _choice: &Choice, _trajectory: &Trajectory) -> Told {
-        Told::default()
+    fn told(&self, _choice: &Choice, _trajectory: &Trajectory) -> RunNotes {
+        RunNotes::default()
     }
 }
 
@@ -70,7 +70,7 @@ impl Parameter {
 
 /// What is said of a run beside its numbers.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Told {
+pub struct RunNotes {
     /// What theory says without the run.
     pub theory: Vec<String>,
     /// Of one that ended early: the name of what happened.

@@ -24,7 +24,7 @@ pub use inventory::submit;
 
 use crate::events::Margins;
 use crate::models::Modelled;
-use crate::{Choice, Told, Trajectory};
+use crate::{Choice, RunNotes, Trajectory};
 
 /// The knowledge of a system beside its equations. What is left out is that of [`Knowledge::EMPTY`].
 #[derive(Debug)]
@@ -98,10 +98,10 @@ impl Knowledge {
     };
 
     /// All that it says of a run.
-    pub fn told(&self, scene: &dyn Modelled, choice: &Choice, trajectory: &Trajectory) -> Told {
+    pub fn told(&self, scene: &dyn Modelled, choice: &Choice, trajectory: &Trajectory) -> RunNotes {
         let ended = Ended { scene, choice, trajectory };
         let diagnosis = ended.is_early().then(|| (self.diagnosis)(&ended)).flatten();
-        Told {
+        RunNotes {
             theory: (self.theory)(scene, choice),
             diagnosis: diagnosis.map(|diagnosis| diagnosis.sentence(trajectory.outcome.time)),
             closed_form: self.distance(scene, trajectory),

@@ -53,7 +53,7 @@ pub mod work_precision;
 
 pub use axes::Axes;
 pub use events::Margin;
-pub use ivp_scene::{IvpScene, Told};
+pub use ivp_scene::{IvpScene, RunNotes};
 pub use law::{
     CompiledDae, CompiledLaw, Differentiable, Expandable, Exponents, JacobianProgram, Law, LawSeries, Program, Room,
     Running, Splittable, SymbolicDae, SymbolicLaw, TracedOde, traced,

@@ -2,7 +2,7 @@
 //!
 //! # Overview
 //! * [`stationary`]: all stationary motions of a gyrostat with any motor, exactly;
-//! * [`phantom`]: numerical stability of steady motions;
+//! * [`numerical_stability`]: numerical stability of steady motions;
 //! * [`synchronism`]: a synchronous motor under load, in step and out of it;
 //! * [`stabilisation`]: gains and treatments of constraints, measured;
 //! * [`failures`]: every way in which methods fail, with its threshold by theory and by runs;
@@ -24,7 +24,7 @@ pub mod governors;
 pub mod knowledge;
 pub mod long_runs;
 pub mod model_reduction;
-pub mod phantom;
+pub mod numerical_stability;
 pub mod regimes;
 pub mod scene;
 pub mod stabilisation;

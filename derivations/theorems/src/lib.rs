@@ -5,10 +5,10 @@
 //! * [`regimes`]: when motion with friction is determined;
 //! * [`stabilisation`]: stabilised constraints in steps;
 //! * [`stationary`], [`stability`]: all stationary motions of a gyrostat with any motor, and whether they are stable;
-//! * [`phantom`]: stability of a motion beside that of a method's steps on it;
+//! * [`numerical_stability`]: stability of a motion beside that of a method's steps on it;
 //! * [`synchronism`]: a synchronous motor under load.
 
-pub mod phantom;
+pub mod numerical_stability;
 pub mod principles;
 pub mod regimes;
 pub mod stabilisation;
@@ -24,7 +24,7 @@ claims::submit! {
             &regimes::PAPER,
             &stabilisation::PAPER,
             &stationary::PAPER,
-            &phantom::PAPER,
+            &numerical_stability::PAPER,
             &synchronism::PAPER,
             &stability::PAPER,
         ],

@@ -4,7 +4,7 @@ use super::verdicts::{decide, name, q};
 use dalembert_derivations::systems::ladder::Ladder;
 use field::{Circle, Rational};
 use mechanics::constrained::State;
-use mechanics::regimes::{Direction, Dry, Face, Mode, Seen, Touch, Verdict, consistent};
+use mechanics::regimes::{Consistency, Direction, Dry, Face, Mode, Seen, Touch, consistent};
 use num_traits::Zero;
 
 use Direction::{Backwards, Forwards};
@@ -24,7 +24,7 @@ pub fn leaning(angle: Circle<Rational>, spin: Rational) -> State<Rational, 4> {
 #[test]
 fn a_steep_ladder_on_rough_ground_stays_with_undetermined_reactions() {
     let steep = leaning(Circle { cos: q(12, 13), sin: q(5, 13) }, q(0, 1));
-    let Verdict::Unique(found) = decide(&ladder(q(1, 2)), &steep) else { panic!("one motion") };
+    let Consistency::Unique(found) = decide(&ladder(q(1, 2)), &steep) else { panic!("one motion") };
     assert_eq!(found.regime, [Mode::Stick(Face::Front); 2]);
     assert!(found.motion.as_flattened().iter().all(Rational::is_zero));
     assert!(!found.determined);
@@ -34,7 +34,7 @@ fn a_steep_ladder_on_rough_ground_stays_with_undetermined_reactions() {
 #[test]
 fn a_ladder_that_is_wedged_has_reactions_without_bound() {
     let wedged = leaning(Circle { cos: q(3, 5), sin: q(4, 5) }, q(0, 1));
-    let Verdict::Unique(found) = decide(&ladder(q(2, 1)), &wedged) else { panic!("one motion") };
+    let Consistency::Unique(found) = decide(&ladder(q(2, 1)), &wedged) else { panic!("one motion") };
     assert_eq!(found.regime, [Mode::Stick(Face::Front); 2]);
     assert!(!found.determined);
 }
@@ -42,7 +42,7 @@ fn a_ladder_that_is_wedged_has_reactions_without_bound() {
 #[test]
 fn a_flat_ladder_on_smooth_ground_falls_as_the_closed_form_says() {
     let angle = Circle { cos: q(3, 5), sin: q(4, 5) };
-    let Verdict::Unique(found) = decide(&ladder(q(0, 1)), &leaning(angle, q(0, 1))) else { panic!("one motion") };
+    let Consistency::Unique(found) = decide(&ladder(q(0, 1)), &leaning(angle, q(0, 1))) else { panic!("one motion") };
     // (m l^2 + J) alpha'' = m g l sin alpha, and the floor's point has x = 2 l sin alpha
     let turning = q(10, 1) * angle.sin / q(4, 3);
     assert_eq!(found.motion[1][1], q(2, 1) * angle.cos * turning);

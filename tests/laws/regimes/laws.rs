@@ -10,7 +10,7 @@ use mechanics::constrained::contacts::Sides;
 use mechanics::regimes::cramer::Cramer;
 use mechanics::regimes::mode::modes;
 use mechanics::regimes::{
-    Direction, Dry, Found, Ordered, Sizes, Touch, Verdict, conditions, consistent, posed, touches, verdict,
+    Consistency, Direction, Dry, Found, Ordered, Sizes, Touch, conditions, consistent, posed, touches, verdict,
 };
 use num_traits::Zero;
 use std::collections::HashSet;
@@ -63,8 +63,8 @@ fn what_is_found_obeys_the_laws_and_floats_agree() {
         let touch = touches(&system, &at, Sizes::of(&at)).expect("on wall and floor");
         consistent(&dry, &touch, |found| assert!(lawful(&dry, &touch, &found), "case {case}: {found:?}"));
         let exact = verdict(&dry, &touch);
-        none += u32::from(exact == Verdict::None);
-        several += u32::from(matches!(exact, Verdict::Several(..)));
+        none += u32::from(exact == Consistency::None);
+        several += u32::from(matches!(exact, Consistency::Several(..)));
         let f = system.friction.map(Rational::to_f64);
         let rounded = Ladder { mass: 1.0, inertia: 1.0 / 3.0, half_length: 1.0, gravity: 10.0, friction: f };
         let place = at.place.map(Rational::to_f64);

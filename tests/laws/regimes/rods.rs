@@ -7,13 +7,13 @@ use field::{Circle, Over, Rational};
 use mechanics::constrained::contacts::{Contact, Contacts, Sides};
 use mechanics::constrained::{Constrained, Constraint, PointSystem, State};
 use mechanics::regimes::{
-    Condition, Direction, Dry, Face, Mode, Sizes, Touch, Unfit, Verdict, consistent, touches, verdict,
+    Condition, Consistency, Direction, Dry, Face, Mode, Sizes, Touch, Unfit, consistent, touches, verdict,
 };
 
 use Direction::Forwards;
 
 /// A uniform slender rod with m = l = g = 1 whose end slides backwards, the rod leaning forwards and turning.
-fn slender_rod(friction: Rational, angle: Circle<Rational>, spin: Rational) -> Verdict<Rational, 1> {
+fn slender_rod(friction: Rational, angle: Circle<Rational>, spin: Rational) -> Consistency<Rational, 1> {
     let one = q(1, 1);
     let rod = SlenderRod { mass: one, inertia: q(1, 3), half_length: one, gravity: one, friction };
     let velocity = [-one - spin * angle.sin, spin * angle.cos, -spin * angle.sin, spin * angle.cos];
@@ -26,12 +26,12 @@ fn the_slender_rod_is_unique_up_to_its_critical_friction() {
     let angle = Circle { cos: q(3, 5), sin: q(4, 5) };
     let (slow, fast) = (q(0, 1), q(2, 1));
     for spin in [slow, fast] {
-        assert!(matches!(slender_rod(q(129, 90), angle, spin), Verdict::Unique(_)));
+        assert!(matches!(slender_rod(q(129, 90), angle, spin), Consistency::Unique(_)));
     }
     // beyond: falling slowly none, lifted by its rotation two; between them, at g = l sin theta' ^2, only the tie
-    assert_eq!(slender_rod(q(131, 90), angle, slow), Verdict::None);
-    assert!(matches!(slender_rod(q(131, 90), angle, fast), Verdict::Several(..)));
-    assert_eq!(slender_rod(q(13, 9), angle, slow), Verdict::None);
+    assert_eq!(slender_rod(q(131, 90), angle, slow), Consistency::None);
+    assert!(matches!(slender_rod(q(131, 90), angle, fast), Consistency::Several(..)));
+    assert_eq!(slender_rod(q(13, 9), angle, slow), Consistency::None);
 }
 
 #[test]
@@ -43,7 +43,7 @@ fn painleves_rod_slides_as_newtons_laws_for_its_two_points_say() {
         let speed = direction.sign();
         let velocity = [speed, q(0, 1), speed, q(0, 1)];
         let at = State { time: q(0, 1), place: [q(0, 1), q(0, 1), c, s], velocity };
-        let Verdict::Unique(found) = decide(&rod, &at) else { panic!("one motion") };
+        let Consistency::Unique(found) = decide(&rod, &at) else { panic!("one motion") };
         // R_x = -(direction) f N, N = (m + m1) g - m1 l theta'' c, l theta'' = x'' s + g c
         let against = -f * speed;
         let weight = (m + m1) * g - m1 * g * c * c;
@@ -85,7 +85,7 @@ impl Contacts<2, 0, 1> for Dome {
 fn a_bead_leaves_the_top_of_a_dome_when_it_is_too_fast() {
     let over_the_top = |speed| {
         let at = State { time: q(0, 1), place: [q(0, 1), q(1, 1)], velocity: [q(speed, 1), q(0, 1)] };
-        let Verdict::Unique(found) = decide(&Dome, &at) else { panic!("one motion") };
+        let Consistency::Unique(found) = decide(&Dome, &at) else { panic!("one motion") };
         found
     };
     // N = m (g - v^2/R)
@@ -121,7 +121,7 @@ fn a_tie_is_told_and_counted_as_one_motion() {
     let stick = (Mode::Stick(Face::Front), Some((0, Condition::HoldsBackwards)));
     let slip = (Mode::Slip(Forwards, Face::Front), Some((0, Condition::Departs)));
     assert_eq!(names, [stick, slip]);
-    let Verdict::Unique(found) = verdict(&dry, &[Touch::Rest]) else { panic!("one motion under two names") };
+    let Consistency::Unique(found) = verdict(&dry, &[Touch::Rest]) else { panic!("one motion under two names") };
     assert_eq!(found.motion, [[q(0, 1); 2]]);
 }
 
@@ -130,5 +130,5 @@ fn infinite_forces_have_no_verdict() {
     let rod = SlenderRod { mass: 1.0, inertia: 1.0, half_length: 1.0, gravity: 1.0, friction: 1.0 };
     let at = State { time: 0.0, place: [0.0, 1.0, 0.0, 1.0], velocity: [0.0; 4] };
     let dry = Dry::<f64, 1>::of(&rod, &at, [f64::INFINITY, 0.0, 0.0, 0.0]).expect("one constraint");
-    assert_eq!(verdict(&dry, &[Touch::Rest]), Verdict::Undefined);
+    assert_eq!(verdict(&dry, &[Touch::Rest]), Consistency::Undefined);
 }

@@ -4,10 +4,10 @@ use super::verdicts::{decide, q};
 use dalembert_derivations::systems::painleve_klein::Sliders;
 use field::Rational;
 use mechanics::constrained::State;
-use mechanics::regimes::Verdict;
+use mechanics::regimes::Consistency;
 
 /// The sliders with tan theta = 4/3 and m1 = m2 = P2 = 1, moving forwards.
-fn sliders(tangent_times_friction: Rational, load: i64) -> Verdict<Rational, 2> {
+fn sliders(tangent_times_friction: Rational, load: i64) -> Consistency<Rational, 2> {
     let system = Sliders {
         masses: [q(1, 1), q(1, 1)],
         loads: [q(load, 1), q(1, 1)],
@@ -21,23 +21,23 @@ fn sliders(tangent_times_friction: Rational, load: i64) -> Verdict<Rational, 2> 
 
 #[test]
 fn the_sliders_have_two_accelerations_or_none() {
-    let Verdict::Several(a, b) = sliders(q(3, 1), 2) else { panic!("two accelerations") };
+    let Consistency::Several(a, b) = sliders(q(3, 1), 2) else { panic!("two accelerations") };
     let mut found = [a.motion[0][1], b.motion[0][1]];
     found.sort_by(|a, b| (*a - *b).sign().unwrap_or(0).cmp(&0));
     assert_eq!(found, [q(0, 1), q(6, 5)]);
-    assert_eq!(sliders(q(3, 1), 0), Verdict::None);
+    assert_eq!(sliders(q(3, 1), 0), Consistency::None);
 }
 
 #[test]
 fn the_sliders_are_unique_below_the_critical_friction() {
     for load in -20..=20 {
-        assert!(matches!(sliders(q(19, 10), load), Verdict::Unique(_)), "load {load}");
+        assert!(matches!(sliders(q(19, 10), load), Consistency::Unique(_)), "load {load}");
     }
 }
 
 #[test]
 fn at_the_critical_friction_one_load_gives_a_continuum() {
     // (m1 + m2 - f m2 tan theta) x'' = P1 + P2 - f P2 tan theta is 0 = 0
-    assert!(matches!(sliders(q(2, 1), 1), Verdict::Continuum(_)));
-    assert_eq!(sliders(q(2, 1), 0), Verdict::None);
+    assert!(matches!(sliders(q(2, 1), 1), Consistency::Continuum(_)));
+    assert_eq!(sliders(q(2, 1), 0), Consistency::None);
 }

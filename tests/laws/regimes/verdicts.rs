@@ -3,13 +3,13 @@
 use field::{Over, Rational};
 use mechanics::constrained::State;
 use mechanics::constrained::contacts::Contacts;
-use mechanics::regimes::{Mode, Ordered, Verdict, posed, verdict};
+use mechanics::regimes::{Consistency, Mode, Ordered, posed, verdict};
 
 pub fn q(numerator: i64, denominator: i64) -> Rational {
     Rational::new(numerator, denominator)
 }
 
-pub fn decide<Q, S, const N: usize, const C: usize, const K: usize>(system: &Q, at: &State<S, N>) -> Verdict<S, K>
+pub fn decide<Q, S, const N: usize, const C: usize, const K: usize>(system: &Q, at: &State<S, N>) -> Consistency<S, K>
 where
     Q: Contacts<N, C, K>,
     S: Over<Q::Given> + Ordered,
@@ -18,12 +18,12 @@ where
     verdict(&dry, &touches)
 }
 
-pub fn name<S, const K: usize>(verdict: &Verdict<S, K>) -> (&'static str, Option<[Mode; K]>) {
+pub fn name<S, const K: usize>(verdict: &Consistency<S, K>) -> (&'static str, Option<[Mode; K]>) {
     match verdict {
-        Verdict::Unique(found) => ("unique", Some(found.regime)),
-        Verdict::None => ("none", None),
-        Verdict::Several(a, _) => ("several", Some(a.regime)),
-        Verdict::Continuum(found) => ("continuum", Some(found.regime)),
-        Verdict::Undefined => ("undefined", None),
+        Consistency::Unique(found) => ("unique", Some(found.regime)),
+        Consistency::None => ("none", None),
+        Consistency::Several(a, _) => ("several", Some(a.regime)),
+        Consistency::Continuum(found) => ("continuum", Some(found.regime)),
+        Consistency::Undefined => ("undefined", None),
     }
 }

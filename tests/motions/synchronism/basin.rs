@@ -1,7 +1,7 @@
 //! Which starts come into step.
 
 use super::{pendulum, scene};
-use dalembert_derivations::studies::scene::{Scene, System};
+use dalembert_derivations::studies::scene::{Scene, Setup};
 use dalembert_derivations::studies::synchronism::basin::{Share, Starts, shares};
 use dalembert_derivations::studies::synchronism::loaded::giving_way;
 use reader::Family;
@@ -54,10 +54,10 @@ const UPRIGHT: &str = r#"
 #[test]
 fn in_an_upright_gyrostat_the_same_starts_come_into_step_as_with_a_lighter_rotor_on_a_bench() {
     let upright = Scene::parse("upright.toml", UPRIGHT).unwrap_or_else(|error| panic!("{error}"));
-    let System::Gyrostat(bodies) = &upright.system else { panic!("it has a carrier") };
+    let Setup::Gyrostat(bodies) = &upright.system else { panic!("it has a carrier") };
     let axial = giving_way(bodies);
     assert!((axial - 1.6e-4).abs() < 1e-18, "{axial}");
-    let bench = |axial| Scene { system: System::Bench { axial }, ..upright.clone() };
+    let bench = |axial| Scene { system: Setup::Bench { axial }, ..upright.clone() };
     let starts = Starts { slip: [-150.0, 0.0], ..STARTS };
     // drags of 0.04 to 0.14, of which friction takes 0.225
     let loads = [0.04, 0.06, 0.08, 0.1, 0.14].map(|drag| drag - 0.225);

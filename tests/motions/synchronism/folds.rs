@@ -83,7 +83,7 @@ fn a_motor_without_a_field_or_an_angle_is_refused_by_name() {
 #[test]
 fn the_carrier_makes_the_rotor_lighter() {
     let scene = scene("spin_up");
-    let dalembert_derivations::studies::scene::System::Gyrostat(bodies) = &scene.system else {
+    let dalembert_derivations::studies::scene::Setup::Gyrostat(bodies) = &scene.system else {
         panic!("it has a carrier")
     };
     let light = giving_way(bodies);

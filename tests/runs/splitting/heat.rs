@@ -1,7 +1,7 @@
 //! The energy that is lost is the work of friction and resistance, to the order of the method.
 
 use super::runs;
-use dalembert_derivations::studies::scene::System as Kind;
+use dalembert_derivations::studies::scene::Setup as Kind;
 use dalembert_derivations::systems::gyrostat::Gyrostat;
 use dalembert_derivations::systems::gyrostat::driven::Driven;
 use dalembert_derivations::systems::gyrostat::forms::FirstForm;

@@ -1,7 +1,7 @@
 //! What the steps keep: |v|, x.v, brackets, the energy within bounds, the rate at which volumes shrink.
 
 use super::runs::{self, SCENES, split};
-use dalembert_derivations::studies::scene::System;
+use dalembert_derivations::studies::scene::Setup;
 use dalembert_derivations::systems::gyrostat::Gyrostat;
 use dalembert_derivations::systems::gyrostat::driven::Driven;
 use dalembert_derivations::systems::gyrostat::momenta::Point;
@@ -106,7 +106,7 @@ fn volumes(bodies: &Gyrostat<f64>, machine: Motor, state: &[f64], splitting: Spl
 fn volumes_shrink_exactly_as_the_divergence_of_the_law_says() {
     for (name, model) in [("pull_out", None), ("spin_up", Some("synchronous")), ("free_rotor", None)] {
         let scene = runs::scene(name, model);
-        let System::Gyrostat(bodies) = &scene.system else { panic!("{name} is a gyrostat") };
+        let Setup::Gyrostat(bodies) = &scene.system else { panic!("{name} is a gyrostat") };
         let state = scene.problem(Axes::First).state;
         for splitting in Splitting::ALL {
             let (found, theory) = volumes(bodies, scene.machine.clone(), &state, splitting);
@@ -134,7 +134,7 @@ fn bracket(z: &[DoubleDouble]) -> DMatrix<f64> {
 #[test]
 fn without_friction_a_step_keeps_the_bracket() {
     let scene = runs::scene("spin_up", Some("synchronous"));
-    let System::Gyrostat(bodies) = &scene.system else { panic!("it is a gyrostat") };
+    let Setup::Gyrostat(bodies) = &scene.system else { panic!("it is a gyrostat") };
     let law = Driven::new(bodies.first_form().0, scene.machine.with("f", 0.0).expect("it has friction"));
     let pieces = law.in_momenta::<DoubleDouble>(None).expect("it has pieces");
     let state = [0.3, -0.2, 4.0, 0.6, 0.0, 0.8, 0.7, -11.0].map(DoubleDouble::from);

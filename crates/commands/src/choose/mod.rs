@@ -16,7 +16,7 @@ use std::path::PathBuf;
 use std::time::Duration;
 use studies::AnyScene;
 use studies::model_reduction::{Forms, Hierarchy, Models, Wish, choose};
-use studies::scene::System;
+use studies::scene::Setup;
 
 /// What is to be met, and in what.
 #[derive(Args, Debug)]
@@ -57,7 +57,7 @@ pub fn show(asked: &Asked) -> Result<Exit, Exit> {
     };
     let (models, given): (Box<dyn Models>, Vec<String>) = match &scene {
         AnyScene::Driven(scene) => {
-            let axes = if matches!(scene.system, System::Bench { .. }) { &AXES[..1] } else { &AXES[..] };
+            let axes = if matches!(scene.system, Setup::Bench { .. }) { &AXES[..1] } else { &AXES[..] };
             let ladders = axes.iter().map(|axes| Hierarchy::of_scene(scene, *axes)).collect();
             (Box::new(Forms { ladders, kept: Stored::beside(&asked.scene) }), scene.run.outputs.clone())
         }

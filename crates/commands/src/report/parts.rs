@@ -7,7 +7,7 @@ use crate::ledger;
 use crate::pictures;
 use crate::speed;
 use crate::sphere::Stationary;
-use crate::studies::{Drive, Endurance, Failures, Gains, Phantom, Synchronism, atlas, peers};
+use crate::studies::{Drive, Endurance, Failures, Gains, NumericalStability, Synchronism, atlas, peers};
 use crate::timings;
 use charts::{Areas, PaperSection, Report, SceneSection, Verdict};
 use claims::catalogue::papers;
@@ -29,7 +29,7 @@ pub struct Parts {
     gains: Gains,
     drive: Drive,
     endurance: Endurance,
-    phantom: Phantom,
+    phantom: NumericalStability,
     synchronism: Synchronism,
     failures: Failures,
 }
@@ -47,7 +47,7 @@ impl Parts {
             gains: Gains::default(),
             drive: Drive::default(),
             endurance: Endurance::default(),
-            phantom: Phantom::default(),
+            phantom: NumericalStability::default(),
             synchronism: Synchronism::default(),
             failures: Failures::of(folder),
         }

@@ -14,7 +14,7 @@ use mechanics::steady_rotations::Census;
 use nalgebra::{Matrix3, Vector3};
 use pieces::{Known, Piece, class, pieces};
 use std::collections::HashMap;
-use studies::scene::{Scene, System};
+use studies::scene::{Scene, Setup};
 use studies::stationary::branches::Form;
 use studies::stationary::energies::Kept;
 use studies::stationary::motions::{Case as Drawn, Stationary as All};
@@ -90,7 +90,7 @@ impl Stationary {
 /// One cone for each stationary relative speed of the rotor, unless it is known; none for a free rotor, which has one for each of
 /// its momenta, and none where every direction is one.
 fn gather(scene: &Scene, found: &mut Vec<Cone>) {
-    let System::Gyrostat(bodies) = &scene.system else { return };
+    let Setup::Gyrostat(bodies) = &scene.system else { return };
     let Ok(all) = All::of(scene) else { return };
     let derived = bodies.derived();
     let axes = derived.full.axes;

@@ -32,7 +32,7 @@ pub(super) fn census(scene: &Scene, all: &Stationary<'_>, census: &[Result<Censu
     let finite = |w: f64| w.is_finite().then_some(w);
     let each = all.cases.iter().zip(census).map(|(case, census)| {
         let stretches = census.as_ref().ok().map(|census| {
-            let stretch = |s: &mechanics::steady_rotations::Stretch| {
+            let stretch = |s: &mechanics::steady_rotations::SpeedInterval| {
                 json!({ "from": finite(s.from), "to": finite(s.to), "isolated": s.isolated, "families": s.families })
             };
             census.stretches.iter().map(stretch).collect::<Vec<_>>()

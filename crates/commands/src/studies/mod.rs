@@ -7,8 +7,8 @@ mod endurance;
 mod failures;
 mod gains;
 mod million;
+mod numerical_stability;
 pub mod peers;
-mod phantom;
 pub mod synchronism;
 mod treatments;
 
@@ -16,7 +16,7 @@ pub use drive::Drive;
 pub use endurance::Endurance;
 pub use failures::Failures;
 pub use gains::Gains;
-pub use phantom::Phantom;
+pub use numerical_stability::NumericalStability;
 pub use synchronism::Synchronism;
 
 use charts::AreaCurve;

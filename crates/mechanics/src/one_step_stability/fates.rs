@@ -1,6 +1,6 @@
 //! What the steps of a method make of one mode.
 
-use super::{Place, StabilityFunction};
+use super::{HalfPlane, StabilityFunction};
 use algebra::complex::{Rectangle, zeros};
 use algebra::real::{Enclosure, Polynomial, Root};
 use field::{Rational, Scalar};
@@ -22,18 +22,18 @@ impl Fates {
     ///
     /// # Errors
     /// [`UndecidedFate`] where two thresholds coincide or nearly do.
-    pub fn of(place: &Place, function: &StabilityFunction) -> Result<Self, UndecidedFate> {
+    pub fn of(place: &HalfPlane, function: &StabilityFunction) -> Result<Self, UndecidedFate> {
         let (terms, _) = function.balance();
         match place {
             // Re u^m is 1 or (-1)^m
-            Place::Real(mu) => {
+            HalfPlane::Real(mu) => {
                 let size = if mu.sign() == Some(-1) { -mu } else { mu.clone() };
                 let turn = |m: usize| if mu.sign() == Some(-1) && m % 2 == 1 { -1 } else { 1 };
                 Self::exactly(&terms, turn, &size)
             }
             // Re i^m
-            Place::Imaginary(b) => Self::exactly(&terms, |m| [1, 0, -1, 0][m % 4], b),
-            Place::Pair(mu) => Self::enclosed(&terms, mu).ok_or(UndecidedFate),
+            HalfPlane::Imaginary(b) => Self::exactly(&terms, |m| [1, 0, -1, 0][m % 4], b),
+            HalfPlane::Pair(mu) => Self::enclosed(&terms, mu).ok_or(UndecidedFate),
         }
     }
 

@@ -26,5 +26,5 @@ mod steps;
 
 pub use fates::{Fates, UndecidedFate};
 pub use function::StabilityFunction;
-pub use spectrum::{Mode, Place, Spectrum};
+pub use spectrum::{HalfPlane, Mode, Spectrum};
 pub use steps::{Judgement, StepInterval, Steps};

@@ -6,14 +6,14 @@ use algebra::real::Enclosure;
 /// Eigenvalues that a step treats alike: one, or a pair of conjugates.
 #[derive(Clone, Debug)]
 pub struct Mode {
-    pub place: Place,
+    pub place: HalfPlane,
     /// How many eigenvalues: one for each member of a pair.
     pub count: usize,
 }
 
 /// Where an eigenvalue is.
 #[derive(Clone, Debug)]
-pub enum Place {
+pub enum HalfPlane {
     /// mu, not zero.
     Real(Enclosure),
     /// mu = i b, b > 0, and its conjugate: by a theorem, not by a tolerance.
@@ -44,8 +44,8 @@ impl Spectrum {
         let mut modes = Vec::new();
         for zero in zeros(polynomial)? {
             let place = match (zero.real, zero.at.im.sign()?) {
-                (true, _) => Place::Real(zero.at.re),
-                (false, 1) => Place::Pair(zero.at),
+                (true, _) => HalfPlane::Real(zero.at.re),
+                (false, 1) => HalfPlane::Pair(zero.at),
                 _ => continue,
             };
             modes.push(place.mode()?);
@@ -63,18 +63,18 @@ impl Spectrum {
                 match re.sign()? {
                     1 => {
                         let root = re.sqrt()?;
-                        modes.push(Place::Real(-&root).mode()?);
-                        modes.push(Place::Real(root).mode()?);
+                        modes.push(HalfPlane::Real(-&root).mode()?);
+                        modes.push(HalfPlane::Real(root).mode()?);
                     }
-                    _ => modes.push(Place::Imaginary((-re).sqrt()?).mode()?),
+                    _ => modes.push(HalfPlane::Imaginary((-re).sqrt()?).mode()?),
                 }
             } else if im.sign()? > 0 {
                 // (a + i b)^2 = s
                 let size = zero.at.square().sqrt()?;
                 let half = |twice: Enclosure| twice.over(&Enclosure::integer(2, twice.bits()))?.sqrt();
                 let (a, b) = (half(&size + re)?, half(&size - re)?);
-                modes.push(Place::Pair(Rectangle { re: -&a, im: b.clone() }).mode()?);
-                modes.push(Place::Pair(Rectangle { re: a, im: b }).mode()?);
+                modes.push(HalfPlane::Pair(Rectangle { re: -&a, im: b.clone() }).mode()?);
+                modes.push(HalfPlane::Pair(Rectangle { re: a, im: b }).mode()?);
             }
         }
         Some(Spectrum { modes })
@@ -87,13 +87,13 @@ impl Spectrum {
     }
 }
 
-impl Place {
+impl HalfPlane {
     /// One, or both of a pair; `None` where the sign of its real part is open.
     fn mode(self) -> Option<Mode> {
         let count = match &self {
-            Place::Real(mu) => mu.sign().filter(|sign| *sign != 0).map(|_| 1)?,
-            Place::Imaginary(b) => b.sign().filter(|sign| *sign > 0).map(|_| 2)?,
-            Place::Pair(mu) => mu.re.sign().filter(|sign| *sign != 0).map(|_| 2)?,
+            HalfPlane::Real(mu) => mu.sign().filter(|sign| *sign != 0).map(|_| 1)?,
+            HalfPlane::Imaginary(b) => b.sign().filter(|sign| *sign > 0).map(|_| 2)?,
+            HalfPlane::Pair(mu) => mu.re.sign().filter(|sign| *sign != 0).map(|_| 2)?,
         };
         Some(Mode { place: self, count })
     }
@@ -101,18 +101,18 @@ impl Place {
     /// The eigenvalue with the positive imaginary part, rounded: (re, im).
     pub fn point(&self) -> [f64; 2] {
         match self {
-            Place::Real(mu) => [mu.to_f64(), 0.0],
-            Place::Imaginary(b) => [0.0, b.to_f64()],
-            Place::Pair(mu) => [mu.re.to_f64(), mu.im.to_f64()],
+            HalfPlane::Real(mu) => [mu.to_f64(), 0.0],
+            HalfPlane::Imaginary(b) => [0.0, b.to_f64()],
+            HalfPlane::Pair(mu) => [mu.re.to_f64(), mu.im.to_f64()],
         }
     }
 
     /// Of the real part: -1 where the motion lets it fade, 0 where it stays, 1 where it grows.
     pub fn sign(&self) -> i32 {
         match self {
-            Place::Real(mu) => mu.sign().unwrap_or(0),
-            Place::Imaginary(_) => 0,
-            Place::Pair(mu) => mu.re.sign().unwrap_or(0),
+            HalfPlane::Real(mu) => mu.sign().unwrap_or(0),
+            HalfPlane::Imaginary(_) => 0,
+            HalfPlane::Pair(mu) => mu.re.sign().unwrap_or(0),
         }
     }
 }

@@ -32,4 +32,4 @@ pub use dry::{Dry, Seen};
 pub use mode::{Direction, Face, Mode, Sizes, Touch, Unfit, touches};
 pub use posed::{Unposed, posed};
 pub use sign::Ordered;
-pub use verdict::{Found, Verdict, consistent, verdict};
+pub use verdict::{Consistency, Found, consistent, verdict};

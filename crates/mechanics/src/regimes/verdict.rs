@@ -24,7 +24,7 @@ pub struct Found<S, const K: usize> {
 
 /// How many motions are consistent.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Verdict<S, const K: usize> {
+pub enum Consistency<S, const K: usize> {
     /// One motion.
     Unique(Found<S, K>),
     /// None: with these laws the state has no acceleration.
@@ -95,16 +95,16 @@ fn visit_if_consistent<S: Ordered, const K: usize>(
 }
 
 /// How many motions are consistent.
-pub fn verdict<S: Ordered, const K: usize>(dry: &Dry<S, K>, touches: &[Touch; K]) -> Verdict<S, K> {
+pub fn verdict<S: Ordered, const K: usize>(dry: &Dry<S, K>, touches: &[Touch; K]) -> Consistency<S, K> {
     if !dry.defined() {
-        return Verdict::Undefined;
+        return Consistency::Undefined;
     }
-    let mut verdict = Verdict::None;
+    let mut verdict = Consistency::None;
     consistent(dry, touches, |found| {
         verdict = match verdict {
-            _ if !found.single => Verdict::Continuum(found),
-            Verdict::None => Verdict::Unique(found),
-            Verdict::Unique(first) if differ(dry, &first, &found) => Verdict::Several(first, found),
+            _ if !found.single => Consistency::Continuum(found),
+            Consistency::None => Consistency::Unique(found),
+            Consistency::Unique(first) if differ(dry, &first, &found) => Consistency::Several(first, found),
             other => other,
         };
     });

@@ -6,12 +6,12 @@ use field::Rational;
 /// The line of all angular velocities, cut where the number of rotations may change.
 pub struct Census {
     /// In ascending order; the first begins at minus infinity, the last ends at plus infinity.
-    pub stretches: Vec<Stretch>,
+    pub stretches: Vec<SpeedInterval>,
 }
 
 /// An open interval of angular velocities, rad/s, in which the number of directions is constant.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Stretch {
+pub struct SpeedInterval {
     pub from: f64,
     pub to: f64,
     /// Isolated directions and families.
@@ -40,7 +40,7 @@ impl Body {
         cuts.sort_by(f64::total_cmp);
         cuts.dedup();
         let ends = [&[f64::NEG_INFINITY], &cuts[..], &[f64::INFINITY]].concat();
-        let mut stretches: Vec<Stretch> = Vec::new();
+        let mut stretches: Vec<SpeedInterval> = Vec::new();
         for pair in ends.windows(2) {
             let [from, to] = [pair[0], pair[1]];
             let at = match (from.is_finite(), to.is_finite()) {
@@ -51,7 +51,7 @@ impl Body {
             };
             let found = self.rotations(Rational::exactly(at)).ok_or(Undecided::TooFine)?;
             let isolated = found.isolated();
-            stretches.push(Stretch { from, to, isolated, families: found.motions.len() - isolated });
+            stretches.push(SpeedInterval { from, to, isolated, families: found.motions.len() - isolated });
         }
         Ok(Census { stretches })
     }

@@ -33,7 +33,7 @@ mod selected;
 mod spectrum;
 
 pub use body::Body;
-pub use census::{Census, Stretch};
+pub use census::{Census, SpeedInterval};
 pub use krawczyk_path::{Data, Path, Place, count, followed, sharpened};
-pub use rotations::{Kind, Motion, Rotations, Shape};
+pub use rotations::{Kind, Rotations, Shape, SteadyRotation};
 pub use selected::{Selected, Turning, Undecided};

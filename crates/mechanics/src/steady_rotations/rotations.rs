@@ -9,7 +9,7 @@ use std::sync::Arc;
 /// All v for one w.
 pub struct Rotations {
     /// Isolated directions in ascending order of their multipliers, then families.
-    pub motions: Vec<Motion>,
+    pub motions: Vec<SteadyRotation>,
     /// Of the polynomial in lambda whose real roots are the directions that no symmetry repeats.
     pub degree: usize,
     /// How many different real roots it has, by Descartes' rule.
@@ -19,7 +19,7 @@ pub struct Rotations {
 
 /// One direction, or a connected family of directions.
 #[derive(Clone)]
-pub struct Motion {
+pub struct SteadyRotation {
     pub shape: Shape,
     pub kind: Kind,
     /// lambda times a positive number that is the same for all.
@@ -84,13 +84,13 @@ impl Rotations {
         let case = Arc::new(Case { spectrum, excess, scale });
         let roots = case.excess.real_roots();
         let count = roots.len();
-        let of_root = |multiplier: Root| Motion {
+        let of_root = |multiplier: Root| SteadyRotation {
             shape: Shape::Point,
             kind: case.kind(&multiplier),
             multiplier,
             case: Arc::clone(&case),
         };
-        let mut motions: Vec<Motion> = roots.into_iter().map(of_root).collect();
+        let mut motions: Vec<SteadyRotation> = roots.into_iter().map(of_root).collect();
         for &place in &case.spectrum.unseen {
             motions.extend(Case::beyond(&case, place));
         }
@@ -137,7 +137,7 @@ impl Rotations {
     }
 }
 
-impl Motion {
+impl SteadyRotation {
     /// v within 2^-bits in every component; of a circle its centre, of the sphere zero.
     pub fn direction(&self, bits: usize) -> Option<Vector<Enclosure>> {
         let close = |v: &Vector<Enclosure>| v.iter().all(|x| x.is_within(bits));
@@ -199,7 +199,7 @@ impl Case {
 
     /// What an eigenvalue that b does not see adds: v = -N/q + z with z in its eigenspace and |z|^2 = -F/q^2. With z = 0
     /// it is a root of F, and found there.
-    fn beyond(case: &Arc<Self>, place: usize) -> Vec<Motion> {
+    fn beyond(case: &Arc<Self>, place: usize) -> Vec<SteadyRotation> {
         let (multiplier, multiplicity) = &case.spectrum.eigenvalues[place];
         if multiplier.sign_of(&case.excess) >= 0 {
             return Vec::new();
@@ -210,7 +210,7 @@ impl Case {
             2 => (vec![Shape::Circle { place }], if below == 0 { Kind::Minimum } else { Kind::Maximum }),
             _ => (vec![Shape::Sphere], Kind::Degenerate),
         };
-        let of_shape = |shape| Motion { shape, kind, multiplier: multiplier.clone(), case: Arc::clone(case) };
+        let of_shape = |shape| SteadyRotation { shape, kind, multiplier: multiplier.clone(), case: Arc::clone(case) };
         shapes.into_iter().map(of_shape).collect()
     }
 

@@ -3,7 +3,7 @@
 use algebra::complex::Rectangle;
 use algebra::real::Enclosure;
 use dalembert_mechanics::linear_stability::characteristic;
-use dalembert_mechanics::one_step_stability::{Fates, Judgement, Place, Spectrum, StabilityFunction, Steps};
+use dalembert_mechanics::one_step_stability::{Fates, HalfPlane, Judgement, Spectrum, StabilityFunction, Steps};
 use field::Rational;
 
 const BITS: usize = 192;
@@ -37,14 +37,14 @@ fn cuts(fates: &Fates) -> Vec<f64> {
     fates.cuts.iter().map(Enclosure::to_f64).collect()
 }
 
-fn fates(place: &Place, function: &StabilityFunction) -> (Vec<f64>, Vec<i32>) {
+fn fates(place: &HalfPlane, function: &StabilityFunction) -> (Vec<f64>, Vec<i32>) {
     let found = Fates::of(place, function).expect("thresholds are apart");
     (cuts(&found), found.signs)
 }
 
 #[test]
 fn a_centre_grows_under_euler_at_every_step_and_under_runge_kutta_beyond_the_root_of_eight() {
-    let centre = Place::Imaginary(number(2));
+    let centre = HalfPlane::Imaginary(number(2));
     assert_eq!(fates(&centre, &euler()), (vec![], vec![1]));
     assert_eq!(fates(&centre, &runge_kutta_4()), (vec![8f64.sqrt() / 2.0], vec![-1, 1]));
     assert_eq!(fates(&centre, &backward_euler()), (vec![], vec![-1]));
@@ -53,8 +53,8 @@ fn a_centre_grows_under_euler_at_every_step_and_under_runge_kutta_beyond_the_roo
 
 #[test]
 fn a_growing_mode_is_hidden_by_backward_euler_from_two_over_its_rate_on() {
-    assert_eq!(fates(&Place::Real(number(4)), &backward_euler()), (vec![0.5], vec![1, -1]));
-    let pair = Place::Pair(Rectangle { re: number(3), im: number(4) });
+    assert_eq!(fates(&HalfPlane::Real(number(4)), &backward_euler()), (vec![0.5], vec![1, -1]));
+    let pair = HalfPlane::Pair(Rectangle { re: number(3), im: number(4) });
     // 2 a / |mu|^2
     assert_eq!(fates(&pair, &backward_euler()), (vec![6.0 / 25.0], vec![1, -1]));
     assert_eq!(fates(&pair, &midpoint()), (vec![], vec![1]));
@@ -62,11 +62,11 @@ fn a_growing_mode_is_hidden_by_backward_euler_from_two_over_its_rate_on() {
 
 #[test]
 fn a_fading_mode_grows_under_explicit_methods_from_their_textbook_thresholds_on() {
-    let real = Place::Real(number(-1));
+    let real = HalfPlane::Real(number(-1));
     assert_eq!(fates(&real, &euler()), (vec![2.0], vec![-1, 1]));
     let (found, signs) = fates(&real, &runge_kutta_4());
     assert!((found[0] - 2.785_293_563_405_28).abs() < 1e-13 && signs == [-1, 1]);
-    let pair = Place::Pair(Rectangle { re: number(-3), im: number(4) });
+    let pair = HalfPlane::Pair(Rectangle { re: number(-3), im: number(4) });
     assert_eq!(fates(&pair, &euler()), (vec![6.0 / 25.0], vec![-1, 1]));
 }
 

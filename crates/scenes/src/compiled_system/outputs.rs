@@ -2,7 +2,7 @@
 
 use crate::implicit::unknown_letters;
 use crate::letters::Letters;
-use crate::modes::{Mode, Motion, reactions_of};
+use crate::modes::{Mode, ModeMotion, reactions_of};
 use model::equations::constraints_of;
 use model::{Model, Trace};
 use symbolic::{Sym, substitute_all};
@@ -50,7 +50,8 @@ pub(crate) fn outputs(model: &Model, mode: &Mode, letters: Letters<'_>) -> Vec<S
 pub(crate) fn determined(trace: &Trace<'_>, mode: &Mode, mut all: Vec<Sym>) -> Vec<Sym> {
     let unknowns = Unknowns::of(trace);
     if all.iter().any(|each| unknowns.stand_in(*each))
-        && let Ok(Motion { accelerations, multipliers, switches, reactions, speeds, .. }) = Motion::of(trace, mode)
+        && let Ok(ModeMotion { accelerations, multipliers, switches, reactions, speeds, .. }) =
+            ModeMotion::of(trace, mode)
     {
         let reactions = unknowns.reactions.into_iter().zip(reactions.concat());
         let known: Vec<(Sym, Sym)> = trace.switches.iter().copied().zip(switches).chain(reactions).collect();

@@ -6,14 +6,14 @@
 use super::algebraic::Parted;
 use super::contacts::{Closed, PARTS, closed, letters as reactions_of};
 use super::mode::{Case, Mode};
-use super::motion::Motion;
+use super::motion::ModeMotion;
 use super::multiples::{Mirrored, letters as letters_of, mirrored as mirrored_in};
 use crate::compiled_system::NotCompiled;
 use model::Trace;
 use symbolic::{Derivation, Sym, substitute_all};
 
 /// The motion in a mode, with every switch and every reaction replaced.
-pub(crate) fn held(trace: &Trace<'_>, mode: &Mode, parted: Parted) -> Result<Motion, NotCompiled> {
+pub(crate) fn held(trace: &Trace<'_>, mode: &Mode, parted: Parted) -> Result<ModeMotion, NotCompiled> {
     let settled = parted.settled(trace, mode)?;
     let Parted { accelerations, multipliers, is_direct, letters, .. } = parted;
     let [accelerations, multipliers] = [accelerations, multipliers].map(|all| substitute_all(&all, &settled));
@@ -112,7 +112,7 @@ pub(crate) fn held(trace: &Trace<'_>, mode: &Mode, parted: Parted) -> Result<Mot
         let place = trace.speeds.iter().position(|speed| *speed == letter);
         place.into_iter().for_each(|place| accelerations[place] = rate);
     }
-    Ok(Motion { switches, parts, accelerations, multipliers, reactions, determinant, speeds })
+    Ok(ModeMotion { switches, parts, accelerations, multipliers, reactions, determinant, speeds })
 }
 
 /// The values of letters, with the reactions of contacts in them.

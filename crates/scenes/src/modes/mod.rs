@@ -36,7 +36,7 @@ mod words;
 pub(crate) use contacts::letters as reactions_of;
 pub use course::Course;
 pub use mode::{Case, Face, Mode, Phase};
-pub(crate) use motion::Motion;
+pub(crate) use motion::ModeMotion;
 
 use crate::compiled_system::{CompiledSystem, NotCompiled, is_watched};
 use crate::start::KeptConstraints;

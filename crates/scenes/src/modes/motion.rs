@@ -9,7 +9,7 @@ use model::Trace;
 use symbolic::Sym;
 
 /// Accelerations in a mode, and the values of the switches.
-pub(crate) struct Motion {
+pub(crate) struct ModeMotion {
     pub accelerations: Vec<Sym>,
     pub multipliers: Vec<Sym>,
     /// Normal and tangential reaction of each contact.
@@ -24,7 +24,7 @@ pub(crate) struct Motion {
     pub speeds: Vec<(Sym, Sym)>,
 }
 
-impl Motion {
+impl ModeMotion {
     pub(crate) fn of(trace: &Trace<'_>, mode: &Mode) -> Result<Self, NotCompiled> {
         held(trace, mode, Parted::of(trace)?)
     }

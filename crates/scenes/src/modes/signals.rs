@@ -4,7 +4,7 @@ use super::Current;
 use super::contacts::{PARTS, friction, number, slides};
 use super::glides::FASTER;
 use super::mode::{Case, Mode, Phase};
-use super::motion::Motion;
+use super::motion::ModeMotion;
 use super::multiples::mirrored;
 use crate::compiled_system::{NotCompiled, values};
 use crate::program::recorded;
@@ -158,7 +158,8 @@ pub(super) fn written(
     }
     let trace = Trace::of(model);
     let mirrored = mirrored(&trace);
-    let Motion { accelerations, switches, parts, reactions, determinant, speeds, .. } = Motion::of(&trace, mode)?;
+    let ModeMotion { accelerations, switches, parts, reactions, determinant, speeds, .. } =
+        ModeMotion::of(&trace, mode)?;
     let cases: Vec<(Sym, Sym)> = trace.switches.iter().copied().zip(switches.iter().copied()).collect();
     let motion: Vec<(Sym, Sym)> = trace.accelerations.iter().copied().zip(accelerations).collect();
     let with_rate = |value: Sym| -> [Sym; 2] {

@@ -3,7 +3,7 @@
 use dalembert_scenes::ModelScene;
 use simulation::knowledge::{ClosedForm, Diagnosis, Knowledge, submit};
 use simulation::models::Modelled;
-use simulation::{Axes, IvpScene, Margin, Told, Trajectory};
+use simulation::{Axes, IvpScene, Margin, RunNotes, Trajectory};
 
 submit! { Knowledge {
     name: "falling_stone",
@@ -50,7 +50,7 @@ const STONE: &str = "title = \"a stone\"\nknown_as = \"falling_stone\"\ngravity 
     [coordinates]\ny = \"m\"\n\n[bodies.stone]\ncentre = \"O + y*N.y\"\nmass = \"(1 kg)\"\n\n[start]\ny = \"5 m\"\n\n\
     [run]\nspan = \"0.9 s\"\n";
 
-fn run(text: &str) -> (Trajectory, Told) {
+fn run(text: &str) -> (Trajectory, RunNotes) {
     let scene = ModelScene::parse("scene.toml", text).unwrap_or_else(|error| panic!("{error}"));
     let choice = scene.run().choice();
     let trajectory = scene.problem(Axes::First).simulate(&choice, |_| ());
@@ -89,5 +89,5 @@ fn a_run_that_an_event_ends_is_diagnosed_by_its_event_where_nothing_else_is_know
 fn without_the_key_nothing_is_known() {
     let (trajectory, told) = run(&STONE.replace("known_as = \"falling_stone\"\n", "").replace("0.9 s", "2 s"));
     assert!(trajectory.outcome.reached());
-    assert_eq!(told, Told::default());
+    assert_eq!(told, RunNotes::default());
 }

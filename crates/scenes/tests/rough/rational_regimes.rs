@@ -4,7 +4,7 @@ use super::{close, rod};
 use dalembert_scenes::{Motions, Task, parse_titled, regimes};
 use field::{Circle, Rational};
 use mechanics::constrained::State;
-use mechanics::regimes::{Verdict, posed, verdict};
+use mechanics::regimes::{Consistency, posed, verdict};
 use systems::slender_rod::SlenderRod;
 
 /// Half tangents of angles, spins in rad/s and coefficients of friction, in tenths.
@@ -17,7 +17,7 @@ fn tenths(number: i64) -> Rational {
 }
 
 /// A rod of m = l = g = 1 whose end slides backwards with 1 m/s.
-fn exactly(angle: Circle<Rational>, spin: Rational, friction: Rational) -> Verdict<Rational, 1> {
+fn exactly(angle: Circle<Rational>, spin: Rational, friction: Rational) -> Consistency<Rational, 1> {
     let one = Rational::new(1, 1);
     let rod = SlenderRod { mass: one, inertia: Rational::new(1, 3), half_length: one, gravity: one, friction };
     let velocity = [-one - spin * angle.sin, spin * angle.cos, -spin * angle.sin, spin * angle.cos];
@@ -41,7 +41,7 @@ fn a_rod_as_text_has_the_regimes_and_reactions_of_rational_numbers() {
         let found = regimes(model).unwrap_or_else(|issue| panic!("{issue:?}"));
         let normal = |regime: usize| found.regimes[regime].margins[0].value;
         match exactly(angle, tenths(*spin), tenths(friction)) {
-            Verdict::Unique(known) => {
+            Consistency::Unique(known) => {
                 seen[0] += 1;
                 assert_eq!(found.motions, Motions::One, "{text}");
                 let pressed = known.reactions[0][0].to_f64();
@@ -49,11 +49,11 @@ fn a_rod_as_text_has_the_regimes_and_reactions_of_rational_numbers() {
                     close(normal(0), pressed, 1e-13 * pressed.max(1.0));
                 }
             }
-            Verdict::None => {
+            Consistency::None => {
                 seen[1] += 1;
                 assert_eq!(found.motions, Motions::None, "{text}");
             }
-            Verdict::Several(..) => {
+            Consistency::Several(..) => {
                 seen[2] += 1;
                 assert_eq!(found.motions, Motions::Several, "{text}");
             }

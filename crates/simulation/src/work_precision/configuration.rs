@@ -102,7 +102,7 @@ pub enum Treated {
     Projected(Arc<dyn Law>, Arc<dyn HeldLaw>),
     Held(Arc<dyn HeldLaw>),
     /// Law after law.
-    Across(Arc<dyn Course>),
+    Across(Arc<dyn SharedAcross>),
 }
 
 /// A held law that can be shared between threads.
@@ -110,8 +110,8 @@ pub trait HeldLaw: Index2DaeSystem + Send + Sync {}
 impl<L: Index2DaeSystem + Send + Sync> HeldLaw for L {}
 
 /// A motion across events that can be shared between threads.
-pub trait Course: Across + Send + Sync {}
-impl<L: Across + Send + Sync> Course for L {}
+pub trait SharedAcross: Across + Send + Sync {}
+impl<L: Across + Send + Sync> SharedAcross for L {}
 
 /// A formulation with a model, ready to be run by every method that it has.
 pub struct Configuration {

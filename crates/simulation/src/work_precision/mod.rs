@@ -13,6 +13,6 @@ mod hybrid;
 mod measured;
 
 pub use atlas::{Atlas, Explored, Goal, Observed};
-pub use configuration::{Configuration, Course as AcrossEvents, Formulation, HeldLaw, Standing, Treated};
+pub use configuration::{Configuration, Formulation, HeldLaw, SharedAcross as AcrossEvents, Standing, Treated};
 pub use hybrid::Hybrid;
 pub use measured::{Trials, judged, judged_across_events};

@@ -16,7 +16,7 @@ pub use quadrature::Quadrature;
 pub use weierstrass::{Lattice, Weierstrass};
 
 use crate::scene::state::principal;
-use crate::scene::{Scene, System};
+use crate::scene::{Scene, Setup};
 use field::Over;
 use integrators::Real;
 use nalgebra::Vector3;
@@ -92,11 +92,11 @@ impl Scene {
     /// What is known of the motion in closed form, for states in the axes of the first form.
     pub fn closed_form<S: Real>(&self) -> Option<ClosedForm<S>> {
         match (&self.system, self.machine.name()) {
-            (System::Gyrostat(_), "free_rotor") => {
+            (Setup::Gyrostat(_), "free_rotor") => {
                 let start = self.aligned()?;
                 volterra::solution(&start).or_else(|| lagrange::solution(&start))
             }
-            (System::Bench { axial }, "synchronous") if self.machine.datum("f") == Some(0.0) => {
+            (Setup::Bench { axial }, "synchronous") if self.machine.datum("f") == Some(0.0) => {
                 unloaded::solution(&self.machine, *axial, &self.start)
             }
             _ => None,
@@ -105,7 +105,7 @@ impl Scene {
 
     /// The start, if the rotor lies along a principal axis.
     fn aligned<S: Real>(&self) -> Option<Start<S>> {
-        let System::Gyrostat(bodies) = &self.system else { return None };
+        let Setup::Gyrostat(bodies) = &self.system else { return None };
         let (moments, axis, axial, weight) = bodies.form_data(&principal(Axes::First, bodies));
         let along = axis.iamax();
         let off = (0..3).filter(|i| *i != along).map(|i| axis[i].abs()).fold(0.0, f64::max);

@@ -3,7 +3,7 @@
 use super::kind::{INVARIANT_UNITS, INVARIANTS, Kind, form_parameters};
 use super::known::{Data, Place, variables};
 use crate::scene::state::{ROTOR_SPEED, rotor_state};
-use crate::scene::{Scene, System};
+use crate::scene::{Scene, Setup};
 use integrators::LaneSeries;
 use motor::{Conserved, Machine};
 use nalgebra::{Matrix3, Vector3};
@@ -77,11 +77,11 @@ impl ParametricSystem for DrivenSystem {
             }
         }
         match &data.system {
-            System::Gyrostat(bodies) => bodies.admissible().map_err(|broken| impossible(&broken))?,
-            System::Bench { axial } if *axial <= 0.0 => {
+            Setup::Gyrostat(bodies) => bodies.admissible().map_err(|broken| impossible(&broken))?,
+            Setup::Bench { axial } if *axial <= 0.0 => {
                 return Err(Stopped::Impossible(format!("A' > 0 is broken: it is {axial}")));
             }
-            System::Bench { .. } => {}
+            Setup::Bench { .. } => {}
         }
         let given = self.scene.given.with_data(data.machine.clone());
         let machine = given.model(self.scene.machine.name()).map_err(|reason| Stopped::Machine(reason.to_string()))?;

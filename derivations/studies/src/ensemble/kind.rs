@@ -1,6 +1,6 @@
 //! The law of a scene with a symbol for every datum, written down once: it serves every member of an ensemble.
 
-use crate::scene::System;
+use crate::scene::Setup;
 use crate::scene::state::principal;
 use integrators::LaneSeries;
 use motor::{Bench, Machine, Motor};
@@ -30,7 +30,7 @@ impl Kind {
     ///
     /// # Errors
     /// [`Untapeable`] where the law is none that can be written down.
-    pub fn record(system: &System, machine: &Motor, axes: Axes) -> Result<Self, Untapeable> {
+    pub fn record(system: &Setup, machine: &Motor, axes: Axes) -> Result<Self, Untapeable> {
         apart(|| recorded(system, machine, axes, false))
     }
 
@@ -38,7 +38,7 @@ impl Kind {
     ///
     /// # Errors
     /// [`Untapeable`] where the law is none that can be written down.
-    pub fn under_load(system: &System, machine: &Motor, axes: Axes) -> Result<Self, Untapeable> {
+    pub fn under_load(system: &Setup, machine: &Motor, axes: Axes) -> Result<Self, Untapeable> {
         apart(|| recorded(system, machine, axes, true))
     }
 
@@ -64,22 +64,22 @@ impl Kind {
 }
 
 /// The axes of the form as columns, and the parameters of the system; those of the machine follow.
-pub fn form_parameters(system: &System, axes: Axes) -> (Option<Matrix3<f64>>, Vec<f64>) {
+pub fn form_parameters(system: &Setup, axes: Axes) -> (Option<Matrix3<f64>>, Vec<f64>) {
     match system {
-        System::Gyrostat(bodies) => {
+        Setup::Gyrostat(bodies) => {
             let principal = principal(axes, bodies);
             let (moments, axis, axial, weight) = bodies.form_data(&principal);
             let parameters = moments.iter().chain(&axis).chain([&axial]).chain(&weight).copied().collect();
             (Some(principal.axes), parameters)
         }
-        System::Bench { axial } => (None, vec![*axial]),
+        Setup::Bench { axial } => (None, vec![*axial]),
     }
 }
 
-fn recorded(system: &System, machine: &Motor, axes: Axes, loaded: bool) -> Result<Kind, Untapeable> {
+fn recorded(system: &Setup, machine: &Motor, axes: Axes, loaded: bool) -> Result<Kind, Untapeable> {
     let mut names = Names { made: Vec::new() };
     match system {
-        System::Gyrostat(_) => {
+        Setup::Gyrostat(_) => {
             let [moments, axis] = [names.three(), names.three()];
             let (axial, weight) = (names.one(), names.three());
             let machine = machine.over(|_, _| names.one());
@@ -89,7 +89,7 @@ fn recorded(system: &System, machine: &Motor, axes: Axes, loaded: bool) -> Resul
                 Axes::Second => gyrostat(SecondForm::new(moments, axis, axial, weight), machine, load, &names.made),
             }
         }
-        System::Bench { .. } => {
+        Setup::Bench { .. } => {
             let axial = names.one();
             let machine = machine.over(|_, _| names.one());
             let load = names.load(loaded);

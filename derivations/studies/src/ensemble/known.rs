@@ -1,6 +1,6 @@
 //! The numbers of a scene that may differ from member to member: how a file names them, and where they are.
 
-use crate::scene::{Scene, Start, System};
+use crate::scene::{Scene, Setup, Start};
 use motor::Machine;
 use reader::Quantity;
 use simulation::ensemble::parametric_system::{Shape, Variable};
@@ -10,7 +10,7 @@ use std::slice::from_mut;
 /// The numbers of a scene that may vary.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Data {
-    pub system: System,
+    pub system: Setup,
     /// Of the machine, in its own order.
     pub machine: Vec<f64>,
     pub start: Start,
@@ -19,7 +19,7 @@ pub struct Data {
 /// Where a datum is.
 #[derive(Clone, Copy, Debug)]
 pub enum Place {
-    Bodies(fn(&mut System) -> Option<&mut [f64]>),
+    Bodies(fn(&mut Setup) -> Option<&mut [f64]>),
     Machine(usize),
     Start(fn(&mut Start) -> &mut [f64]),
 }
@@ -36,8 +36,8 @@ pub(crate) struct Known {
 macro_rules! of_bodies {
     ($bodies:ident => $number:expr) => {
         Place::Bodies(|system| match system {
-            System::Gyrostat($bodies) => Some($number),
-            System::Bench { .. } => None,
+            Setup::Gyrostat($bodies) => Some($number),
+            Setup::Bench { .. } => None,
         })
     };
 }
@@ -85,11 +85,11 @@ impl Known {
             start.push(Known::new("currents", "row of currents", "A", windings, Place::Start(|s| &mut s.currents)));
         }
         let axial = Place::Bodies(|system| match system {
-            System::Gyrostat(bodies) => Some(from_mut(&mut bodies.rotor.axial)),
-            System::Bench { axial } => Some(from_mut(axial)),
+            Setup::Gyrostat(bodies) => Some(from_mut(&mut bodies.rotor.axial)),
+            Setup::Bench { axial } => Some(from_mut(axial)),
         });
         let mut rotor = vec![Known::new("axial", "moment of inertia about the axis", "kg m^2", 1, axial)];
-        if let System::Bench { .. } = scene.system {
+        if let Setup::Bench { .. } = scene.system {
             return vec![("rotor", rotor), ("machine", machine), ("start", start)];
         }
         rotor.extend([

@@ -2,7 +2,7 @@
 
 use super::trials::{Running, Tried, near};
 use super::{Exact, Failing, Found, NotFound, Threshold, Trial, Within};
-use crate::scene::{Scene, System};
+use crate::scene::{Scene, Setup};
 use field::{Analytic, DoubleDouble, Over, Rational, Tangent};
 use integrators::{Method, Ode, Record, Span, Tolerance, integrate};
 use mechanics::definite::root;
@@ -32,7 +32,7 @@ const RATES: [f64; 4] = [0.5, -0.7, 0.9, 1.1];
 
 fn measure(path: &Path) -> Result<Found, NotFound> {
     let scene = Scene::open(path)?;
-    let (System::Gyrostat(bodies), "free_rotor") = (&scene.system, scene.machine.name()) else {
+    let (Setup::Gyrostat(bodies), "free_rotor") = (&scene.system, scene.machine.name()) else {
         let accepted = "a gyrostat with model = \"free_rotor\"";
         return Err(NotFound::unsuitable(path, "this is another system or machine", accepted));
     };

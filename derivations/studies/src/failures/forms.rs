@@ -4,7 +4,7 @@ use super::bounds::swinging;
 use super::edge::edge;
 use super::trials::{Fate, Tried, near};
 use super::{Exact, Failing, Found, NotFound, Threshold, Trial, Within};
-use crate::scene::{Scene, System};
+use crate::scene::{Scene, Setup};
 use crate::stabilisation::schemes::Scheme;
 use crate::stationary::motions::decimals;
 use field::{Base, Rational};
@@ -39,7 +39,7 @@ const DIGITS: f64 = 1e-12;
 fn measure(path: &Path) -> Result<Found, NotFound> {
     let scene = Scene::open(path)?;
     let accepted = "a gyrostat with a motor model = \"synchronous\" whose axis and weight are along z";
-    let (System::Gyrostat(bodies), "synchronous", Some(b0)) =
+    let (Setup::Gyrostat(bodies), "synchronous", Some(b0)) =
         (&scene.system, scene.machine.name(), scene.machine.datum("b0"))
     else {
         return Err(NotFound::unsuitable(path, "this is another system or machine", accepted));
@@ -137,7 +137,7 @@ fn swings(problem: &Problem, h: f64) -> bool {
 
 /// What is said of the same carrier without inertia about the axis.
 fn refused(scene: &Scene) -> String {
-    let System::Gyrostat(bodies) = &scene.system else { return String::new() };
+    let Setup::Gyrostat(bodies) = &scene.system else { return String::new() };
     let mut flat = **bodies;
     flat.carrier.inertia[(2, 2)] = 0.0;
     flat.carrier.inertia[(1, 1)] = flat.carrier.inertia[(0, 0)];

@@ -5,7 +5,7 @@ use super::bounds::{numerator, rational};
 use super::edge::edge;
 use super::trials::{Fate, Tried, near};
 use super::{Exact, Failing, Found, NotFound, Threshold, Trial, Within};
-use crate::scene::{Scene, Start, System};
+use crate::scene::{Scene, Setup, Start};
 use crate::stationary::motor::MotorStates;
 use field::{Analytic, Circle, Over, Rational, Scalar, Tangent};
 use integrators::{Branch, Curve, Failure, Method, Walk, follow};
@@ -33,7 +33,7 @@ const MOST: usize = 200;
 fn measure(path: &Path) -> Result<Found, NotFound> {
     let scene = Scene::open(path)?;
     let data = [scene.machine.datum("field_speed"), scene.machine.datum("b0")];
-    let (System::Gyrostat(bodies), "multi_current", [Some(field_speed), Some(b0)]) =
+    let (Setup::Gyrostat(bodies), "multi_current", [Some(field_speed), Some(b0)]) =
         (&scene.system, scene.machine.name(), data)
     else {
         let accepted = "a gyrostat with model = \"multi_current\"";
@@ -153,7 +153,7 @@ fn stays(scene: &Scene, axial: f64, [field_speed, b0]: [f64; 2], f: f64) -> bool
     let held = (f * field_speed / b0).min(1.0);
     let start =
         Start { rotor_angle: -held.asin(), rotor_speed: field_speed, currents: Vec::new(), ..scene.start.clone() };
-    let alone = Scene { system: System::Bench { axial }, machine, start, ..scene.clone() };
+    let alone = Scene { system: Setup::Bench { axial }, machine, start, ..scene.clone() };
     let choice = Choice { method: Method::DormandPrince8, tolerance: 1e-8, ..scene.choice() };
     let run = alone.simulate(&choice, |_| ());
     let angle = run.column("angle").and_then(|angle| run.last.get(angle));

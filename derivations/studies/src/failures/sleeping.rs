@@ -4,7 +4,7 @@ use super::bounds::first_positive;
 use super::edge::edge;
 use super::trials::{Fate, Tried, near};
 use super::{Exact, Failing, Found, NotFound, Threshold, Trial, Within};
-use crate::scene::{Scene, Start, System};
+use crate::scene::{Scene, Setup, Start};
 use crate::stationary::motions::decimals;
 use algebra::real::Polynomial;
 use field::{Base, Rational, Scalar, Tangent};
@@ -42,7 +42,7 @@ const MARGIN: f64 = 1e-9;
 
 fn measure(path: &Path) -> Result<Found, NotFound> {
     let scene = Scene::open(path)?;
-    let (System::Gyrostat(bodies), "free_rotor") = (&scene.system, scene.machine.name()) else {
+    let (Setup::Gyrostat(bodies), "free_rotor") = (&scene.system, scene.machine.name()) else {
         let accepted = "a gyrostat with model = \"free_rotor\"";
         return Err(NotFound::unsuitable(path, "this is another system or machine", accepted));
     };

@@ -4,7 +4,7 @@
 use super::lumping::{Lumped, Lumping};
 use super::reduced_model::Lower;
 use super::{Hierarchy, Loss, ReducedModel, Whole, quasi_steady, smaller_machines};
-use crate::scene::{Scene, System};
+use crate::scene::{Scene, Setup};
 use field::Rational;
 use motor::{Bench, Machine, Motor, catalogue};
 use simulation::{Axes, SymbolicLaw};
@@ -85,13 +85,13 @@ fn unlumped(scene: &Scene, axes: Axes, machine: Motor, start: &[f64]) -> Within 
 
 /// A system with a machine over expressions.
 pub(super) fn written<M: Machine<f64> + Send + Sync + 'static>(
-    system: &System,
+    system: &Setup,
     axes: Axes,
     machine: M,
 ) -> Arc<dyn SymbolicLaw> {
     match (system, axes) {
-        (System::Gyrostat(bodies), Axes::First) => Arc::new(Driven::new(bodies.first_form().0, machine)),
-        (System::Gyrostat(bodies), Axes::Second) => Arc::new(Driven::new(bodies.second_form().0, machine)),
-        (System::Bench { axial }, _) => Arc::new(Bench { machine, axial: *axial }),
+        (Setup::Gyrostat(bodies), Axes::First) => Arc::new(Driven::new(bodies.first_form().0, machine)),
+        (Setup::Gyrostat(bodies), Axes::Second) => Arc::new(Driven::new(bodies.second_form().0, machine)),
+        (Setup::Bench { axial }, _) => Arc::new(Bench { machine, axial: *axial }),
     }
 }

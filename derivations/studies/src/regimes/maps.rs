@@ -4,7 +4,7 @@ use super::critical::{rod, two_masses};
 use field::Circle;
 use mechanics::constrained::State;
 use mechanics::constrained::contacts::{Contacts, Sides};
-use mechanics::regimes::{Mode, Verdict, posed, verdict};
+use mechanics::regimes::{Consistency, Mode, posed, verdict};
 use std::f64::consts::{FRAC_PI_2, SQRT_2};
 use systems::ladder::Ladder;
 use systems::rod::Rod;
@@ -185,9 +185,9 @@ where
     let at = State { time: 0.0, place, velocity };
     let Ok((dry, touch)) = posed(system, &at) else { return Kind::None };
     match verdict(&dry, &touch) {
-        Verdict::Unique(found) if found.regime.contains(&Mode::Apart) => Kind::Leaves,
-        Verdict::Unique(_) => Kind::Slides,
-        Verdict::None | Verdict::Undefined => Kind::None,
-        Verdict::Several(..) | Verdict::Continuum(_) => Kind::Several,
+        Consistency::Unique(found) if found.regime.contains(&Mode::Apart) => Kind::Leaves,
+        Consistency::Unique(_) => Kind::Slides,
+        Consistency::None | Consistency::Undefined => Kind::None,
+        Consistency::Several(..) | Consistency::Continuum(_) => Kind::Several,
     }
 }

@@ -1,6 +1,6 @@
 //! A scene's right-hand side as straight-line code of other languages.
 
-use super::{Scene, System};
+use super::{Scene, Setup};
 use motor::Bench;
 use simulation::{Axes, TracedOde, traced};
 use symbolic::{Sym, Tape, Untapeable};
@@ -29,9 +29,9 @@ impl Scene {
     fn read(&self, axes: Axes, read: fn(&TracedOde) -> Result<Tape, Untapeable>) -> Result<Tape, Untapeable> {
         let machine = self.machine.clone();
         match (&self.system, axes) {
-            (System::Gyrostat(bodies), Axes::First) => traced(&Driven::new(bodies.first_form().0, machine), read),
-            (System::Gyrostat(bodies), Axes::Second) => traced(&Driven::new(bodies.second_form().0, machine), read),
-            (System::Bench { axial }, _) => traced(&Bench { machine, axial: *axial }, read),
+            (Setup::Gyrostat(bodies), Axes::First) => traced(&Driven::new(bodies.first_form().0, machine), read),
+            (Setup::Gyrostat(bodies), Axes::Second) => traced(&Driven::new(bodies.second_form().0, machine), read),
+            (Setup::Bench { axial }, _) => traced(&Bench { machine, axial: *axial }, read),
         }
     }
 }

@@ -29,7 +29,7 @@ use systems::gyrostat::Gyrostat;
 
 /// What moves.
 #[derive(Clone, Debug, PartialEq)]
-pub enum System {
+pub enum Setup {
     /// A gyrostat with a motor between carrier and rotor.
     Gyrostat(Box<Gyrostat<f64>>),
     /// A motor alone: a housing at rest, and a rotor with this moment of inertia about its axis, kg m^2.
@@ -42,7 +42,7 @@ pub struct Scene {
     pub title: String,
     /// What happens and why it is hard.
     pub description: String,
-    pub system: System,
+    pub system: Setup,
     pub machine: Motor,
     /// The machine with the data that were given: what other machines can be made of.
     pub given: Motor,
@@ -68,8 +68,8 @@ impl Family for Scene {
         top.known(&["ensemble"]);
         let on_bench = system.value == "bench";
         let system = match on_bench {
-            true => bodies::bench(top, issues).map(|axial| System::Bench { axial }),
-            false => bodies::gyrostat(top, issues).map(|bodies| System::Gyrostat(Box::new(bodies))),
+            true => bodies::bench(top, issues).map(|axial| Setup::Bench { axial }),
+            false => bodies::gyrostat(top, issues).map(|bodies| Setup::Gyrostat(Box::new(bodies))),
         };
         let machine = motor::machine_table::read(top, issues);
         let start = start::read(top, issues, on_bench, machine.as_ref());

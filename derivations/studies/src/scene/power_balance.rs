@@ -1,6 +1,6 @@
 //! A motor's scene with the work of its supply metered: a run then shows whether energy went where the laws send it.
 
-use super::{Scene, System};
+use super::{Scene, Setup};
 use motor::{Bench, Metered, Powered, is_fed};
 use simulation::events::of_leading;
 use simulation::problem::{Invariant, Problem};
@@ -39,9 +39,9 @@ impl Scene {
     fn fed(&self, axes: Axes) -> Option<(Arc<dyn Law>, Invariant)> {
         let machine = self.machine.clone();
         is_fed(&machine).then(|| match (&self.system, axes) {
-            (System::Gyrostat(bodies), Axes::First) => metered(Driven::new(bodies.first_form().0, machine)),
-            (System::Gyrostat(bodies), Axes::Second) => metered(Driven::new(bodies.second_form().0, machine)),
-            (System::Bench { axial }, _) => metered(Bench { machine, axial: *axial }),
+            (Setup::Gyrostat(bodies), Axes::First) => metered(Driven::new(bodies.first_form().0, machine)),
+            (Setup::Gyrostat(bodies), Axes::Second) => metered(Driven::new(bodies.second_form().0, machine)),
+            (Setup::Bench { axial }, _) => metered(Bench { machine, axial: *axial }),
         })
     }
 }

@@ -1,7 +1,7 @@
 //! A scene with a motor as an initial value problem.
 
 use super::state::outputs;
-use super::{Scene, System};
+use super::{Scene, Setup};
 use motor::{Bench, Conserved, Motor, compiled};
 use simulation::{Axes, Invariant, Law, Problem};
 use std::sync::Arc;
@@ -13,8 +13,8 @@ impl Scene {
     /// The problem in the axes of a form.
     pub fn problem(&self, axes: Axes) -> Problem {
         let (law, invariants) = match &self.system {
-            System::Gyrostat(bodies) => gyrostatic(bodies, self.machine.clone(), axes),
-            System::Bench { axial } => on_bench(self.machine.clone(), *axial),
+            Setup::Gyrostat(bodies) => gyrostatic(bodies, self.machine.clone(), axes),
+            Setup::Bench { axial } => on_bench(self.machine.clone(), *axial),
         };
         Problem {
             law,

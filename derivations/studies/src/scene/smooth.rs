@@ -5,7 +5,7 @@ use integrators::{Method, Reference};
 use motor::{Count, has_known_flow};
 use simulation::ivp_scene::Parameter;
 use simulation::work_precision::{Configuration, Observed};
-use simulation::{Axes, Choice, IvpScene, Problem, Run, Told, Trajectory};
+use simulation::{Axes, Choice, IvpScene, Problem, Run, RunNotes, Trajectory};
 use std::borrow::Cow;
 
 impl Scene {
@@ -49,7 +49,7 @@ impl IvpScene for Scene {
         Scene::unit(self, name).into()
     }
 
-    fn told(&self, choice: &Choice, trajectory: &Trajectory) -> Told {
+    fn told(&self, choice: &Choice, trajectory: &Trajectory) -> RunNotes {
         let known = has_known_flow(&self.machine);
         let refused = matches!(choice.method, Method::Split { .. }) && !known;
         let theory = refused.then(|| {
@@ -65,7 +65,7 @@ impl IvpScene for Scene {
             (known.name, off.fold(0.0, f64::max) / size)
         });
         let theory = theory.into_iter().chain(self.runs_away(trajectory)).collect();
-        Told { theory, closed_form: off, ..Told::default() }
+        RunNotes { theory, closed_form: off, ..RunNotes::default() }
     }
 
     fn ways(&self) -> Vec<Configuration> {

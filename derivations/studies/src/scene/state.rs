@@ -1,6 +1,6 @@
 //! The initial state of a scene in the axes of either form, and results back in the axes of the data.
 
-use super::{Scene, Start, System};
+use super::{Scene, Setup, Start};
 use motor::{Machine, Motor, NoModel, state_names};
 use nalgebra::{Matrix3, Vector3};
 use simulation::Axes;
@@ -22,7 +22,7 @@ impl Scene {
     /// The initial state: w and v in the axes of the form, then the rotor's state and the currents.
     pub fn state(&self, axes: Axes) -> Vec<f64> {
         let mut state = Vec::new();
-        if let System::Gyrostat(_) = self.system {
+        if let Setup::Gyrostat(_) = self.system {
             let to_form = self.frame(axes).transpose();
             state.extend((to_form * self.start.angular_velocity).iter());
             state.extend((to_form * self.start.vertical).iter());
@@ -34,7 +34,7 @@ impl Scene {
     /// Turns w and v of a state from the axes of a form into the axes of the data, so that results of both can be
     /// compared.
     pub fn back(&self, axes: Axes) -> impl Fn(&mut [f64]) + use<> {
-        let frame = matches!(self.system, System::Gyrostat(_)).then(|| self.frame(axes));
+        let frame = matches!(self.system, Setup::Gyrostat(_)).then(|| self.frame(axes));
         move |state| {
             let Some(frame) = frame else { return };
             for vector in state[..6].chunks_exact_mut(3) {
@@ -58,7 +58,7 @@ impl Scene {
 
     /// Whether there is no carrier.
     pub fn on_bench(&self) -> bool {
-        matches!(self.system, System::Bench { .. })
+        matches!(self.system, Setup::Bench { .. })
     }
 
     /// The same scene with another machine, made of the same data.
@@ -93,8 +93,8 @@ impl Scene {
     /// The axes of a form as columns, in the axes of the data.
     fn frame(&self, axes: Axes) -> Matrix3<f64> {
         match (&self.system, axes) {
-            (System::Gyrostat(bodies), axes) => principal(axes, bodies).axes,
-            (System::Bench { .. }, _) => Matrix3::identity(),
+            (Setup::Gyrostat(bodies), axes) => principal(axes, bodies).axes,
+            (Setup::Bench { .. }, _) => Matrix3::identity(),
         }
     }
 }

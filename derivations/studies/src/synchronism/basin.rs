@@ -3,7 +3,7 @@
 use super::energy::Wells;
 use super::loaded::{Loaded, NoField};
 use crate::ensemble::kind::{Kind, form_parameters};
-use crate::scene::{Scene, Start, System};
+use crate::scene::{Scene, Setup, Start};
 use crate::stationary::motor::NoMotor;
 use integrators::{Ensemble, Failure, Members};
 use simulation::Axes;
@@ -102,8 +102,8 @@ pub fn shares(scene: &Scene, loads: &[f64], starts: Starts, span: f64) -> Result
     let series = kind.series(integrators::taylor_order(TOLERANCE));
     let series = series.ok_or_else(|| NoShares::Law("it is too long".into()))?;
     let wells = match scene.system {
-        System::Bench { .. } => loads.iter().map(|load| Wells::of(&motor, *load)).collect::<Result<Vec<_>, _>>(),
-        System::Gyrostat(_) => Ok(Vec::new()),
+        Setup::Bench { .. } => loads.iter().map(|load| Wells::of(&motor, *load)).collect::<Result<Vec<_>, _>>(),
+        Setup::Gyrostat(_) => Ok(Vec::new()),
     };
     let wells = wells.map_err(NoShares::Motor)?;
     let (_, mut parameters) = form_parameters(&scene.system, axes);

@@ -1,6 +1,6 @@
 //! A motor alone whose load is a state that rests: so equilibria and rotations are followed over the load.
 
-use crate::scene::{Scene, Start, System};
+use crate::scene::{Scene, Setup, Start};
 use field::{Analytic, Circle, Over};
 use integrators::Ode;
 use motor::{Bench, Machine, Motor, RotorState, is_fed};
@@ -113,8 +113,8 @@ impl Loaded {
     /// [`NoField`].
     pub fn of(scene: &Scene) -> Result<Self, NoField> {
         let axial = match &scene.system {
-            System::Bench { axial } => *axial,
-            System::Gyrostat(bodies) => bodies.rotor.axial,
+            Setup::Bench { axial } => *axial,
+            Setup::Gyrostat(bodies) => bodies.rotor.axial,
         };
         Loaded::new(&scene.machine, axial)
     }

@@ -2,7 +2,7 @@
 
 use super::basin::{NoShares, Share, Starts, shares};
 use super::loaded::{Loaded, with_damping};
-use crate::scene::{Scene, System};
+use crate::scene::{Scene, Setup};
 
 /// One row of the map of the motor without currents: what becomes of the starts under each load.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,10 +20,10 @@ const SWINGS: f64 = 200.0;
 /// Alone on its bench, whatever carries it in the scene.
 pub fn alone(scene: &Scene) -> Scene {
     let axial = match &scene.system {
-        System::Bench { axial } => *axial,
-        System::Gyrostat(bodies) => bodies.rotor.axial,
+        Setup::Bench { axial } => *axial,
+        Setup::Gyrostat(bodies) => bodies.rotor.axial,
     };
-    Scene { system: System::Bench { axial }, ..scene.clone() }
+    Scene { system: Setup::Bench { axial }, ..scene.clone() }
 }
 
 /// The motor without currents under these drags M + f W, in units of what the field holds.

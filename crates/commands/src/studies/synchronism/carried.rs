@@ -2,7 +2,7 @@
 
 use super::{SWINGS, onset};
 use charts::{Table, significant};
-use studies::scene::{Scene, System};
+use studies::scene::{Scene, Setup};
 use studies::synchronism::basin::Share;
 use studies::synchronism::loaded::{Loaded, giving_way};
 use studies::synchronism::maps::{alone, over_starts};
@@ -27,7 +27,7 @@ pub struct Carried {
 impl Carried {
     /// Of a scene with a motor that follows its field; `None` on a bench, or where the motor does not.
     pub fn of(scene: &Scene) -> Option<Self> {
-        let System::Gyrostat(bodies) = &scene.system else { return None };
+        let Setup::Gyrostat(bodies) = &scene.system else { return None };
         let axial = [bodies.rotor.axial, giving_way(bodies)];
         let motors = axial.map(|axial| Loaded::new(&scene.machine, axial).ok());
         let [Some(own), Some(light)] = motors else { return None };

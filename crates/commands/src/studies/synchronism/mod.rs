@@ -7,7 +7,7 @@ use crate::job_pool::JobPool;
 use carried::Carried;
 use charts::{Study, Table, significant};
 use pictures::{by_bars, plain, slipping, standing};
-use studies::scene::{Scene, System};
+use studies::scene::{Scene, Setup};
 use studies::synchronism::basin::Share;
 use studies::synchronism::branches::{OutOfStep, Standing};
 use studies::synchronism::loaded::{Loaded, with_bars};
@@ -51,8 +51,8 @@ impl Synchronism {
     /// Of the first scene of a motor with bars on a bench, and of the first in which a gyrostat carries one.
     pub fn enlist<'s>(&'s mut self, scenes: impl Iterator<Item = &'s Scene>, crew: &mut JobPool<'s>) {
         let scenes: Vec<&Scene> = scenes.filter(|scene| with_bars(scene, 0).is_some()).collect();
-        let on_bench = |scene: &&&Scene| matches!(scene.system, System::Bench { .. });
-        if let Some(scene) = scenes.iter().copied().find(|scene| matches!(scene.system, System::Gyrostat(_))) {
+        let on_bench = |scene: &&&Scene| matches!(scene.system, Setup::Bench { .. });
+        if let Some(scene) = scenes.iter().copied().find(|scene| matches!(scene.system, Setup::Gyrostat(_))) {
             crew.add(6.0, &mut self.carried, move || Carried::of(scene));
         }
         let Some(scene) = scenes.iter().find(on_bench).copied() else { return };

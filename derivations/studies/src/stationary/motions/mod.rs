@@ -13,10 +13,10 @@ use super::motor::{MotorStates, Slip};
 use super::stability::Approximation;
 use super::stability::along::{Along, Known};
 use super::stability::judge::{Given, Judge};
-use crate::scene::{Scene, Start, System};
+use crate::scene::{Scene, Setup, Start};
 use algebra::real::{Enclosure, Root};
 use field::Rational;
-use mechanics::steady_rotations::{Body, Census, Kind, Motion, Shape, Turning, Undecided};
+use mechanics::steady_rotations::{Body, Census, Kind, Shape, SteadyRotation, Turning, Undecided};
 use nalgebra::Vector3;
 use simulation::Axes;
 use systems::gyrostat::Gyrostat;
@@ -63,7 +63,7 @@ impl<'a> Stationary<'a> {
     /// # Errors
     /// [`NoAnswer`].
     pub fn of(scene: &'a Scene) -> Result<Self, NoAnswer> {
-        let System::Gyrostat(bodies) = &scene.system else { return Err(NoAnswer::Bench) };
+        let Setup::Gyrostat(bodies) = &scene.system else { return Err(NoAnswer::Bench) };
         let motor = MotorStates::of(&scene.machine).map_err(NoAnswer::Motor)?;
         let energies = Energies::of(&decimals(bodies));
         let approximation = Approximation::of(&energies, &scene.machine).map_err(NoAnswer::Motor)?;
@@ -92,7 +92,7 @@ impl<'a> Stationary<'a> {
         let exactly = Rational::decimal(w);
         let all = case.body.rotations(exactly).ok_or(NoAnswer::NotFinite(w))?;
         let boxes = all.boxes(BITS).ok_or(NoAnswer::TooFine)?;
-        let of_motion = |(motion, enclosed): (&Motion, [Enclosure; 3])| {
+        let of_motion = |(motion, enclosed): (&SteadyRotation, [Enclosure; 3])| {
             let raw = Raw {
                 shape: motion.shape,
                 kind: motion.kind,
@@ -145,7 +145,7 @@ impl<'a> Stationary<'a> {
     }
 
     /// What becomes of small deviations from the members of a family with the angular velocity w, for each angle of the rotor.
-    pub fn along(&self, case: &Case, family: &Motion, w: Rational) -> Vec<Along> {
+    pub fn along(&self, case: &Case, family: &SteadyRotation, w: Rational) -> Vec<Along> {
         let enclosed = |bits| Some((family.direction(bits)?, Enclosure::rational(w, bits)?));
         let axis = |bits| family.axis(bits);
         self.judge(case, Given::Speed(w)).along(&Known { shape: family.shape, enclosed: &enclosed, axis: &axis })

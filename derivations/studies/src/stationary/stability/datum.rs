@@ -1,7 +1,7 @@
 //! The data of a scene and of its motions by their names, and the scene with other values of them.
 
 use crate::ensemble::known::{Data, Known, Place};
-use crate::scene::{Scene, System};
+use crate::scene::{Scene, Setup};
 use crate::stationary::energies::Energies;
 use crate::stationary::motions::{decimals, written};
 use field::Rational;
@@ -145,8 +145,8 @@ impl Setting {
     /// T and V as fractions.
     pub fn energies(&self) -> Option<Energies<Rational>> {
         match &self.data.system {
-            System::Gyrostat(bodies) => Some(Energies::of(&decimals(bodies))),
-            System::Bench { .. } => None,
+            Setup::Gyrostat(bodies) => Some(Energies::of(&decimals(bodies))),
+            Setup::Bench { .. } => None,
         }
     }
 
@@ -154,8 +154,8 @@ impl Setting {
     pub fn energies_in(&self, unknown: Sym) -> Option<Energies<Sym>> {
         let number = |x: f64| if x.is_nan() { unknown } else { Sym::constant(Rational::decimal(x)) };
         match &self.data.system {
-            System::Gyrostat(bodies) => Some(Energies::of(&written(bodies, number))),
-            System::Bench { .. } => None,
+            Setup::Gyrostat(bodies) => Some(Energies::of(&written(bodies, number))),
+            Setup::Bench { .. } => None,
         }
     }
 }

@@ -3,7 +3,7 @@
 use super::Region;
 use super::law::{Ground, Held};
 use super::node::{Family, Here, Place};
-use crate::scene::System;
+use crate::scene::Setup;
 use crate::stationary::energies::Energies;
 use crate::stationary::stability::along::Known;
 use crate::stationary::stability::approximation::Approximation;
@@ -36,7 +36,7 @@ pub(super) struct Raw<'a> {
 
 /// By isolation, or carried to an irrational W from a fraction beside it.
 enum Found {
-    Isolated(steady_rotations::Motion),
+    Isolated(steady_rotations::SteadyRotation),
     Carried,
 }
 
@@ -51,7 +51,7 @@ impl<'a> Spot<'a> {
     /// `None` where no bodies have these data.
     pub fn of(region: &'a Region<'a>, ground: &'a Ground, values: [f64; 2]) -> Option<Self> {
         let setting = region.setting(values);
-        let System::Gyrostat(bodies) = &setting.data.system else { return None };
+        let Setup::Gyrostat(bodies) = &setting.data.system else { return None };
         bodies.admissible().ok()?;
         let energies = setting.energies()?;
         let approximation = ground.approximation(&energies);
@@ -87,7 +87,7 @@ impl<'a> Spot<'a> {
         let body = self.body(held, &held.value)?;
         let all = body.rotations(Rational::decimal(self.setting.speed))?;
         let value = held.value.enclosure(BITS);
-        let raw = |motion: &steady_rotations::Motion| {
+        let raw = |motion: &steady_rotations::SteadyRotation| {
             let place = enclosed(motion, BITS)?;
             let found = Found::Isolated(motion.clone());
             Some(Raw { state, kind: motion.kind, place, value: value.clone(), found, held })
@@ -123,7 +123,7 @@ impl<'a> Spot<'a> {
         let all = self.body(held, &Root::rational(beside)?)?.rotations(Rational::decimal(self.setting.speed))?;
         let whole = Enclosure::integer(0, FINE).hull(&Enclosure::integer(1, FINE));
         let same = count(&between(&whole)?)? == all.motions.len();
-        let raw = |motion: &steady_rotations::Motion| {
+        let raw = |motion: &steady_rotations::SteadyRotation| {
             let place = followed(&between, &enclosed(motion, FINE)?)?;
             let place = place.each_ref().map(|z| z * &Enclosure::integer(1, BITS));
             Some(Raw {
@@ -179,7 +179,7 @@ impl<'a> Spot<'a> {
     }
 
     /// The verdicts that occur along a family.
-    fn along(&self, held: &Held<'_>, family: &steady_rotations::Motion) -> Vec<Verdict> {
+    fn along(&self, held: &Held<'_>, family: &steady_rotations::SteadyRotation) -> Vec<Verdict> {
         let speed = Rational::decimal(self.setting.speed);
         let enclosed = |bits| Some((family.direction(bits)?, Enclosure::rational(speed, bits)?));
         let axis = |bits| family.axis(bits);
@@ -198,7 +198,7 @@ impl Raw<'_> {
     }
 }
 
-fn enclosed(motion: &steady_rotations::Motion, bits: usize) -> Option<steady_rotations::Place> {
+fn enclosed(motion: &steady_rotations::SteadyRotation, bits: usize) -> Option<steady_rotations::Place> {
     let [v1, v2, v3] = motion.direction(bits)?;
     Some([v1, v2, v3, motion.multiplier(bits)?])
 }

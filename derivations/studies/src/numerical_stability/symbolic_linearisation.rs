@@ -1,7 +1,7 @@
 //! The matrix of the linear motion near any stationary one, written down over symbols by differentiation of the law.
 
 use super::linear::{Linearised, NoLinear};
-use crate::scene::System;
+use crate::scene::Setup;
 use crate::stationary::motions::decimals;
 use crate::stationary::motor::NoMotor;
 use field::{Analytic, Circle, Rational, Scalar};
@@ -20,7 +20,7 @@ struct Group {
 }
 
 /// Writes it down for a motor in a system. `free`: whether the rotor is left alone, so that its own momentum is an integral.
-pub(super) fn linearised(system: &System, motor: &Motor, free: bool) -> Result<Linearised, NoLinear> {
+pub(super) fn linearised(system: &Setup, motor: &Motor, free: bool) -> Result<Linearised, NoLinear> {
     let machine = motor.decimals();
     let known = machine.rotor();
     let field_speed = machine.frame_speed();
@@ -42,12 +42,12 @@ pub(super) fn linearised(system: &System, motor: &Motor, free: bool) -> Result<L
         RotorState::AngleAndSpeed => &[g, slip],
     };
     let (mut states, mut rates, acceleration) = match system {
-        System::Gyrostat(bodies) => {
+        Setup::Gyrostat(bodies) => {
             let relative = if known == RotorState::Prescribed { Sym::ZERO } else { slip };
             let speed = relative + machine.frame_speed();
             carrier(&decimals(bodies), known, speed, moment)?
         }
-        System::Bench { axial } => (Vec::new(), Vec::new(), moment / Sym::constant(Rational::decimal(*axial))),
+        Setup::Bench { axial } => (Vec::new(), Vec::new(), moment / Sym::constant(Rational::decimal(*axial))),
     };
     let mut of_rotor = vec![Sym::ZERO; rotor.len()];
     known.write(slip, acceleration, &mut of_rotor);
@@ -63,7 +63,7 @@ pub(super) fn linearised(system: &System, motor: &Motor, free: bool) -> Result<L
         symbols: [w.as_slice(), v.as_slice(), &[point.cos, point.sin, slip]].concat(),
         field_speed,
         idle: groups.iter().filter(|group| group.count > 1).map(|group| (group.decay, group.count - 1)).collect(),
-        integrals: if matches!(system, System::Gyrostat(_)) { 2 } else { 0 } + usize::from(free),
+        integrals: if matches!(system, Setup::Gyrostat(_)) { 2 } else { 0 } + usize::from(free),
         symmetric: keeps_energy(&machine),
     })
 }

@@ -14,16 +14,16 @@
 //! laws over models: of the bodies, the integrals and the collocation it has the floats that run, of the motor the decimals, with
 //! windings lumped. A moment that is not linear in the slip takes as many of Newton's steps as it takes when it runs.
 
-use super::followed::{before, followed};
+use super::casimir_leaf::{Step, Surface};
+use super::continuation::{before, followed};
+use super::gyrostat_step::{OnSurface, enclosed};
 use super::motions::Stationed;
 use super::multipliers::{Matrix, grows};
-use super::stepped::{OnSurface, enclosed};
-use super::stretches::{Found, Limits, Proved};
-use super::surface::{Step, Surface};
-use super::unproved::{MOST_UNKNOWNS, Unproved};
-use super::written::keeps_energy;
+use super::reasons::{MOST_UNKNOWNS, Unproved};
+use super::step_intervals::{Found, Limits, Proved};
+use super::symbolic_linearisation::keeps_energy;
 use crate::model_reduction::{Lumped, Lumping};
-use crate::scene::{Scene, System};
+use crate::scene::{Scene, Setup};
 use algebra::real::{Ball, FixedPoint, Mapped, Model, Rounded, TaylorModel};
 use field::{Base, Rational, Scalar, Tangent};
 use integrators::Splitting;
@@ -66,7 +66,7 @@ impl Turning {
     /// # Errors
     /// [`Unproved`].
     pub fn of(scene: &Scene, motion: &Stationed) -> Result<Self, Unproved> {
-        let System::Gyrostat(bodies) = &scene.system else { return Err(Unproved::Bench) };
+        let Setup::Gyrostat(bodies) = &scene.system else { return Err(Unproved::Bench) };
         if motion.member.is_some() {
             return Err(Unproved::Family);
         }

@@ -1,6 +1,6 @@
 //! A step of a gyrostat in the coordinates of `Surface`, over floats, Taylor models and enclosed numbers.
 
-use super::surface::{Step, Surface};
+use super::casimir_leaf::{Step, Surface};
 use crate::model_reduction::Lumped;
 use algebra::real::{Model, Ordered, Rounded};
 use field::{Analytic, Base, Over, Rational, Scalar, Tangent};

@@ -1,11 +1,11 @@
 //! For the report: some scenes' motions, every method on each, with the thresholds by runs.
 
 use super::chart::{Chart, Row};
-use super::crossing::Crossing;
-use super::measured::{Run, Runs};
+use super::measured_thresholds::{Run, Runs};
 use super::motions::Rotor;
 use super::splittings::SplitRuns;
-use super::tested::Tested;
+use super::tested_steps::Tested;
+use super::threshold_run_length::Crossing;
 use crate::scene::Scene;
 use integrators::Splitting;
 

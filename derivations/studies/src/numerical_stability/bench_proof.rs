@@ -5,9 +5,9 @@
 
 use super::motions::{Rotor, Stationed};
 use super::multipliers::{Matrix, grows};
-use super::pieces::{Piece, pieces};
-use super::stretches::{Found, Limits, Proved};
-use crate::scene::{Scene, System};
+use super::step_intervals::{Found, Limits, Proved};
+use super::subflows::{Piece, pieces};
+use crate::scene::{Scene, Setup};
 use algebra::real::{Ordered, TaylorModel};
 use field::Rational;
 use integrators::Splitting;
@@ -29,7 +29,7 @@ impl Resting {
     /// Of a scene at a stationary motion; `None` in a gyrostat, for motors
     /// whose flow is not known, and for those with another moment than one linear in the slip.
     pub fn of(scene: &Scene, motion: &Stationed) -> Option<Self> {
-        let (System::Bench { axial }, Rotor::InStep { .. }) = (&scene.system, &motion.rotor) else { return None };
+        let (Setup::Bench { axial }, Rotor::InStep { .. }) = (&scene.system, &motion.rotor) else { return None };
         let (pieces, symmetric) = pieces(&scene.machine, *axial)?;
         Some(Resting { pieces, angle: motion.at.angle.each_ref().map(TaylorModel::enclosed), symmetric })
     }

@@ -8,11 +8,11 @@ use integrators::Splitting;
 use reader::Family;
 use serde_json::{Value, json};
 use std::path::PathBuf;
-use studies::phantom::chart::{Chart, Motion, Row, said};
-use studies::phantom::motions::Stationed;
-use studies::phantom::splittings::SplitRuns;
-use studies::phantom::survey::steps;
-use studies::phantom::tested::Tested;
+use studies::numerical_stability::chart::{Chart, Motion, Row, said};
+use studies::numerical_stability::motions::Stationed;
+use studies::numerical_stability::splittings::SplitRuns;
+use studies::numerical_stability::survey::steps;
+use studies::numerical_stability::tested_steps::Tested;
 use studies::scene::Scene;
 
 /// Whose motions methods are to be judged on.

@@ -6,8 +6,8 @@ use alphabet::{dimension, letters};
 use claims::{Condition, Line, Page, Paper};
 use field::{Rational, Scalar};
 use integrators::{Family, Splitting, nodal};
-use studies::phantom::methods::{OneStep, course};
-use studies::phantom::oscillator::step;
+use studies::numerical_stability::methods::{OneStep, course};
+use studies::numerical_stability::oscillator::step;
 use studies::stabilisation::schemes::Scheme;
 use symbolic::{Hypotheses, Sym};
 

@@ -1,14 +1,14 @@
-//! Phantom stability: what every step of every method says of stationary motions.
+//! NumericalStability stability: what every step of every method says of stationary motions.
 
 use crate::job_pool::JobPool;
 use charts::{AreaCurve, Areas, Study, Table, significant};
 use mechanics::one_step_stability::Judgement;
-use studies::phantom::survey::{self, Method, SCENES, Split, Surveyed};
+use studies::numerical_stability::survey::{self, Method, SCENES, Split, Surveyed};
 use studies::scene::Scene;
 
 /// The motions of each scene, computed by themselves.
 #[derive(Default)]
-pub struct Phantom {
+pub struct NumericalStability {
     scenes: [Option<Result<Vec<Surveyed>, String>>; SCENES.len()],
 }
 
@@ -20,7 +20,7 @@ const DECADES: [f64; 2] = [-3.0, 0.3];
 /// A tested step tells of those beside it, as a ratio's logarithm: there are eight a decade.
 const NEAR: f64 = std::f64::consts::LN_10 / 8.0;
 
-impl Phantom {
+impl NumericalStability {
     /// All of it, of the scenes that there are by the names of their files.
     pub fn enlist<'s>(&'s mut self, crew: &mut JobPool<'s>, scene: impl Fn(&str) -> Option<&'s Scene>) {
         for (place, (name, w)) in self.scenes.iter_mut().zip(SCENES) {
@@ -34,7 +34,7 @@ impl Phantom {
     pub fn study(self) -> Study {
         let mut study = Study {
             id: "steps-and-stability".into(),
-            title: "Phantom stability".into(),
+            title: "NumericalStability stability".into(),
             lead: r"Near a stationary motion $\dot x=Ax$ a Runge-Kutta method has the matrix $R(hA)$. A mode $\mu$ fades, stays or grows in the map as $|R(h\mu)|$ is below, at or above one, which need not be what it does in the motion. Every step $h$ is judged: thresholds are roots of one polynomial for each mode, all of them isolated. What integrals and idle windings explain is split off exactly.".into(),
             note: r"Splittings have a stationary motion of their own near the law's, followed here from short steps to 1 s: what their step's matrix does there is proved over ranges of steps, with Taylor models, as far as the row says, and tested at eight steps a decade elsewhere; windows are found that lie between the tested steps. Dark lines: thresholds by runs of the program near the motion, each as long as the growth beside the threshold and the slowest of the other modes ask for; where that is more than 40 000 steps, as for Euler near lightly damped motions, there is none. Honest means the right sign, not the right rate: what the classical Runge-Kutta method and backward Euler damp may still be far more than what the motion does.".into(),
             ..Study::default()

@@ -6,15 +6,15 @@
 //! and x.v, so that its matrix is looked at on the surface of these alone. So it is tested at each step that is asked for; what
 //! it does at every step between them is proved besides, and the edges are those of the proof where that comes to them.
 
-use super::crossing::Crossing;
-use super::enclosed::Resting;
-use super::followed::followed;
+use super::bench_proof::Resting;
+use super::continuation::followed;
+use super::gyrostat_proof::Turning;
 use super::matrices::{complement, next_to, spectral_radius};
 use super::motions::Stationed;
-use super::stretches::Proved;
-use super::tested::Tested;
-use super::turning::Turning;
-use super::unproved::Unproved;
+use super::reasons::Unproved;
+use super::step_intervals::Proved;
+use super::tested_steps::Tested;
+use super::threshold_run_length::Crossing;
 use crate::scene::Scene;
 use field::DoubleDouble;
 use integrators::{Composed, Real, Splitting};

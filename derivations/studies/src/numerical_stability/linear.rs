@@ -8,13 +8,13 @@
 //!   Where a supply feeds them, currents are states of their own;
 //! * where energy is kept the motion is Hamilton's on the surface of the integrals: with mu there is -mu.
 
-use super::written::linearised;
+use super::symbolic_linearisation::linearised;
 use crate::scene::Scene;
 use crate::stationary::motor::{MotorStates, NoMotor};
 use algebra::real::Enclosure;
 use field::Rational;
 use mechanics::linear_stability::characteristic;
-use mechanics::one_step_stability::{Mode, Place, Spectrum};
+use mechanics::one_step_stability::{HalfPlane, Mode, Spectrum};
 use symbolic::{Hypotheses, Sym, coefficients, normal};
 
 /// The matrix of a scene's linear motion near any stationary one, over the symbols of its place.
@@ -111,7 +111,7 @@ impl Linearised {
     pub fn spectrum(&self, at: &At, bits: usize) -> Option<Spectrum> {
         let mut spectrum = Spectrum::of(&self.polynomial(at, bits)?, self.symmetric)?;
         for (rate, count) in &self.idle {
-            spectrum.modes.push(Mode { place: Place::Real(Enclosure::rational(-*rate, bits)?), count: *count });
+            spectrum.modes.push(Mode { place: HalfPlane::Real(Enclosure::rational(-*rate, bits)?), count: *count });
         }
         Some(spectrum)
     }

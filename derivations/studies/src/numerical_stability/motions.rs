@@ -1,14 +1,14 @@
 //! The stationary motions of a scene, each with its place enclosed and a start for runs.
 
 use super::linear::{At, Linearised, NoLinear};
-use crate::scene::{Scene, Start, System};
+use crate::scene::{Scene, Setup, Start};
 use crate::stationary::energies::{Energies, Kept};
 use crate::stationary::motions::{NoAnswer, Stationary, decimals};
 use crate::stationary::motor::{Angle, MotorStates};
 use crate::stationary::stability::{Reason, Verdict};
 use algebra::real::{Enclosure, Root};
 use field::Rational;
-use mechanics::one_step_stability::{Mode, Place as Location, Spectrum};
+use mechanics::one_step_stability::{HalfPlane as Location, Mode, Spectrum};
 use mechanics::steady_rotations::{Kind, Shape};
 use nalgebra::Vector3;
 use num_traits::Zero;
@@ -82,8 +82,8 @@ impl AllStationed {
     /// [`NoMotions`].
     pub fn of(scene: &Scene, w: f64) -> Result<Self, NoMotions> {
         match &scene.system {
-            System::Gyrostat(_) => Self::turning(scene, w),
-            System::Bench { .. } => Self::on_bench(scene),
+            Setup::Gyrostat(_) => Self::turning(scene, w),
+            Setup::Bench { .. } => Self::on_bench(scene),
         }
     }
 
@@ -150,7 +150,7 @@ impl AllStationed {
 
 /// phi' of a motion.
 fn own_speed(scene: &Scene, kept: Kept, value: &Root, w: &[Enclosure; 3]) -> Option<Enclosure> {
-    let (Kept::Momentum, System::Gyrostat(bodies)) = (kept, &scene.system) else { return Some(value.enclosure(BITS)) };
+    let (Kept::Momentum, Setup::Gyrostat(bodies)) = (kept, &scene.system) else { return Some(value.enclosure(BITS)) };
     let energies = Energies::of(&decimals(bodies));
     let mut rest = value.enclosure(BITS);
     for (share, w) in energies.mixed.iter().zip(w) {

@@ -1,23 +1,23 @@
 //! What the steps of methods make of stationary motions: exact thresholds beside runs, and the matrix beside the law that runs.
 
 use dalembert_derivations::machines::synchronous::Synchronous;
-use dalembert_derivations::studies::phantom::chart::{Chart, Motion, Row};
-use dalembert_derivations::studies::phantom::crossing::Crossing;
-use dalembert_derivations::studies::phantom::followed::{before, followed};
-use dalembert_derivations::studies::phantom::linear::Linearised;
-use dalembert_derivations::studies::phantom::measured::{APART, Run, Runs};
-use dalembert_derivations::studies::phantom::methods::OneStep;
-use dalembert_derivations::studies::phantom::motions::Stationed;
-use dalembert_derivations::studies::phantom::oscillator::bounds;
-use dalembert_derivations::studies::phantom::splittings::SplitRuns;
-use dalembert_derivations::studies::phantom::stretches::Proved;
-use dalembert_derivations::studies::phantom::survey::steps;
-use dalembert_derivations::studies::phantom::tested::Tested;
+use dalembert_derivations::studies::numerical_stability::chart::{Chart, Motion, Row};
+use dalembert_derivations::studies::numerical_stability::continuation::{before, followed};
+use dalembert_derivations::studies::numerical_stability::linear::Linearised;
+use dalembert_derivations::studies::numerical_stability::measured_thresholds::{APART, Run, Runs};
+use dalembert_derivations::studies::numerical_stability::methods::OneStep;
+use dalembert_derivations::studies::numerical_stability::motions::Stationed;
+use dalembert_derivations::studies::numerical_stability::oscillator::bounds;
+use dalembert_derivations::studies::numerical_stability::splittings::SplitRuns;
+use dalembert_derivations::studies::numerical_stability::step_intervals::Proved;
+use dalembert_derivations::studies::numerical_stability::survey::steps;
+use dalembert_derivations::studies::numerical_stability::tested_steps::Tested;
+use dalembert_derivations::studies::numerical_stability::threshold_run_length::Crossing;
 use dalembert_derivations::studies::scene::Scene;
 use dalembert_derivations::studies::stationary::motions::Stationary;
 use field::{DoubleDouble, Scalar};
 use integrators::{Collocation, Family, Jacobian, Real, Splitting, compose};
-use mechanics::one_step_stability::{Judgement, Place};
+use mechanics::one_step_stability::{HalfPlane, Judgement};
 use motor::{Bench, Separable};
 use reader::Family as _;
 use simulation::Axes;
@@ -332,7 +332,7 @@ fn without_losses_the_proved_edges_are_those_of_the_oscillator() {
     let chart = chart(&scene, 0.0);
     let held = &chart.all.motions[0];
     let [mode] = &held.spectrum.as_ref().expect("one mode").modes[..] else { panic!("one mode") };
-    let Place::Imaginary(rate) = &mode.place else { panic!("it swings") };
+    let HalfPlane::Imaginary(rate) = &mode.place else { panic!("it swings") };
     let near = SplitRuns::near(&scene, held);
     for splitting in [Splitting::Strang, Splitting::BlanesMoan4, Splitting::BlanesMoan6] {
         let proved = near.course(splitting, &steps()).proved.expect("all pieces rest");
@@ -355,7 +355,7 @@ fn a_member_of_a_family_is_judged_across_it() {
     let spectrum = member.spectrum.as_ref().unwrap();
     // two zeros of the circle beside those of the integrals leave the nodding alone
     let [mode] = &spectrum.modes[..] else { panic!("{spectrum:?}") };
-    assert!(member.member.is_some() && matches!(mode.place, Place::Imaginary(_)), "{mode:?}");
+    assert!(member.member.is_some() && matches!(mode.place, HalfPlane::Imaginary(_)), "{mode:?}");
     assert_eq!(Motion::of(spectrum), Motion::Stays { staying: 2 });
 }
 

@@ -1,9 +1,9 @@
 //! What a splitting was seen to do near a motion, step by step, beside what is proved of every step.
 
-use super::followed::before;
+use super::continuation::before;
+use super::reasons::Unproved;
 use super::splittings::Own;
-use super::stretches::{Proved, does};
-use super::unproved::Unproved;
+use super::step_intervals::{Proved, does};
 use integrators::Splitting;
 
 /// What a splitting was seen to do near a motion.

@@ -5,7 +5,7 @@
 //! else their fluxes do fades. Where every piece rests, these matrices are all that a step is made of.
 
 use super::multipliers::Matrix;
-use super::written::keeps_energy;
+use super::symbolic_linearisation::keeps_energy;
 use algebra::real::{Ordered, TaylorModel};
 use field::{Analytic, Circle, Over, Rational, Scalar, Tangent};
 use motor::{BenchFlows, Kick, Law, Machine, Motor, Point, RotorState, Rule, has_known_flow};

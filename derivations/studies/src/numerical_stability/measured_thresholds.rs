@@ -1,8 +1,8 @@
 //! Thresholds by runs: the step from which on a perturbed motion stays near under a method, or leaves.
 
-use super::crossing::{Crossing, SHOWN, STRETCHES};
 use super::methods::OneStep;
 use super::motions::Stationed;
+use super::threshold_run_length::{Crossing, SHOWN, STRETCHES};
 use crate::scene::Scene;
 use field::Scalar;
 use integrators::{

@@ -4,7 +4,7 @@ use super::methods::OneStep;
 use super::motions::{AllStationed, NoMotions, Rotor, Stationed};
 use crate::scene::Scene;
 use algebra::real::Enclosure;
-use mechanics::one_step_stability::{Judgement, Mode, Place, Spectrum, StepInterval, Steps};
+use mechanics::one_step_stability::{HalfPlane, Judgement, Mode, Spectrum, StepInterval, Steps};
 use mechanics::steady_rotations::Kind;
 use std::fmt::{self, Write};
 
@@ -139,9 +139,9 @@ fn range(from: Option<&Enclosure>, to: Option<&Enclosure>) -> String {
 
 fn eigenvalue(mode: &Mode) -> String {
     match &mode.place {
-        Place::Real(mu) => digits(mu),
-        Place::Imaginary(b) => format!("\u{b1}{}i", digits(b)),
-        Place::Pair(mu) => format!("{} \u{b1} {}i", digits(&mu.re), digits(&mu.im)),
+        HalfPlane::Real(mu) => digits(mu),
+        HalfPlane::Imaginary(b) => format!("\u{b1}{}i", digits(b)),
+        HalfPlane::Pair(mu) => format!("{} \u{b1} {}i", digits(&mu.re), digits(&mu.im)),
     }
 }
 
