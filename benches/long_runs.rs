@@ -2,7 +2,7 @@
 //! the exponents of their growth: `cargo bench --bench long_runs [-- REVOLUTIONS]`, a million by default, ten minutes; these go into
 //! long_runs.json, which the report draws.
 
-use dalembert_derivations::studies::long_runs::{Course, LongRun, PACES, Sample};
+use dalembert_derivations::studies::long_runs::{LongRun, MethodRun, PACES, Sample};
 use serde_json::{Value, json};
 use simulation::methods::written;
 use std::time::Instant;
@@ -51,7 +51,7 @@ fn main() {
 }
 
 /// What the report needs of a course.
-fn kept(course: &Course) -> Value {
+fn kept(course: &MethodRun) -> Value {
     let sample = |s: &Sample| json!([s.revolutions, s.energy, s.swing, s.length, s.momentum, s.phase]);
     json!({
         "method": written(course.method),

@@ -11,7 +11,7 @@ use claims::Judged;
 use claims::Paper;
 use claims::catalogue::papers;
 use dalembert_derivations as _;
-use dalembert_derivations::systems::gyrostat::{Carrier, Gyrostat, Motion, Rotor};
+use dalembert_derivations::systems::gyrostat::{Carrier, Gyrostat, MotionInstant, Rotor};
 use field::{Scalar, Tangent};
 use mechanics::differentiate::along;
 use mechanics::lagrange::lagrange;
@@ -221,12 +221,12 @@ impl Course {
     }
 
     /// W and what happens to the carrier along it, w = W q'.
-    fn motion(&self, moment: Sym) -> (Matrix3<Sym>, Motion<Sym>) {
+    fn motion(&self, moment: Sym) -> (Matrix3<Sym>, MotionInstant<Sym>) {
         let [position, velocity, acceleration] =
             [self.angles, self.rates, self.accelerations].map(|[a, b, c, _]| [a, b, c]);
         let forms = euler_forms(along(position, velocity));
         let moving = forms * Vector3::from(along(velocity, acceleration));
-        let motion = Motion {
+        let motion = MotionInstant {
             angular_velocity: moving.map(|x| x.value),
             angular_acceleration: moving.map(|x| x.slope),
             vertical: vertical(&euler(position)),
@@ -247,7 +247,7 @@ struct Second {
 }
 
 impl Second {
-    fn residuals(&self, m: &Motion<Sym>) -> (Vector3<Sym>, Sym) {
+    fn residuals(&self, m: &MotionInstant<Sym>) -> (Vector3<Sym>, Sym) {
         let (w, a) = (m.angular_velocity, m.angular_acceleration);
         let momentum = self.tensor * w + self.axis * (self.axial * m.rotor_speed);
         let gain = momentum.cross(&w) + self.weight.cross(&m.vertical);

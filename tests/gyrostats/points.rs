@@ -1,7 +1,7 @@
 //! The energies and momenta of the bodies are sums over their mass points, each moved by kinematics alone.
 
 use crate::physical::{Bodies, MassPoint, Vector, bodies, fixed, inertia, motion};
-use dalembert_derivations::systems::gyrostat::Motion;
+use dalembert_derivations::systems::gyrostat::MotionInstant;
 use field::{Rational, Scalar, Tangent};
 use mechanics::differentiate::along;
 use mechanics::mass::{AffineField, MassMoments};
@@ -18,7 +18,12 @@ struct Moving {
 }
 
 /// In axes that turn with w every absolute rate is the relative one and w x (.).
-fn moving(point: MassPoint, centre: Vector, spin: Vector3<Tangent<Rational>>, motion: &Motion<Rational>) -> Moving {
+fn moving(
+    point: MassPoint,
+    centre: Vector,
+    spin: Vector3<Tangent<Rational>>,
+    motion: &MotionInstant<Rational>,
+) -> Moving {
     let w = Vector3::from(along(motion.angular_velocity.into(), motion.angular_acceleration.into()));
     let turn = spin.map(|s| s.value).cross(&point.place);
     let place = Vector3::from(along((centre + point.place).into(), turn.into()));
@@ -31,7 +36,7 @@ fn moving(point: MassPoint, centre: Vector, spin: Vector3<Tangent<Rational>>, mo
     }
 }
 
-fn all(bodies: &Bodies, motion: &Motion<Rational>) -> [Vec<Moving>; 2] {
+fn all(bodies: &Bodies, motion: &MotionInstant<Rational>) -> [Vec<Moving>; 2] {
     let speed = Tangent::moving(motion.rotor_speed, motion.rotor_acceleration);
     let spin = bodies.axis.map(Tangent::fixed) * speed;
     let carrier = bodies.carrier.iter().map(|&p| moving(p, Vector3::zeros(), Vector3::zeros(), motion)).collect();

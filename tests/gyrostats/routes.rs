@@ -3,7 +3,7 @@
 use crate::physical::machines::numbers;
 use crate::physical::{fixed, gyrostat, motion, rounded, rounded_twice};
 use dalembert_derivations::systems::gyrostat::forms::{FirstForm, Form, SecondForm};
-use dalembert_derivations::systems::gyrostat::{Carrier, Gyrostat, Motion, Rotor};
+use dalembert_derivations::systems::gyrostat::{Carrier, Gyrostat, MotionInstant, Rotor};
 use field::{DoubleDouble, Rational, Scalar};
 use mechanics::differentiate::along;
 use mechanics::rotation::{euler, euler_forms, vertical};
@@ -19,11 +19,11 @@ fn orientation() -> impl Strategy<Value = [[DoubleDouble; 4]; 3]> {
 }
 
 /// The same motion in quasi-velocities.
-fn seen_from_the_body([angles, rates, accelerations]: [[DoubleDouble; 4]; 3]) -> Motion<DoubleDouble> {
+fn seen_from_the_body([angles, rates, accelerations]: [[DoubleDouble; 4]; 3]) -> MotionInstant<DoubleDouble> {
     let three = |[a, b, c, _]: [DoubleDouble; 4]| [a, b, c];
     let forms = euler_forms(along(three(angles), three(rates)));
     let w = forms * Vector3::from(along(three(rates), three(accelerations)));
-    Motion {
+    MotionInstant {
         angular_velocity: w.map(|x| x.value),
         vertical: vertical(&euler(three(angles))),
         rotor_speed: rates[3],
@@ -38,15 +38,15 @@ fn largest<S: Into<DoubleDouble>>(parts: impl IntoIterator<Item = S>) -> f64 {
 }
 
 /// How large the terms of the equations are, N m.
-fn size(g: &Gyrostat<f64>, m: &Motion<f64>) -> f64 {
+fn size(g: &Gyrostat<f64>, m: &MotionInstant<f64>) -> f64 {
     let speed = 1.0 + m.angular_velocity.norm() + m.rotor_speed.abs();
     let rates = m.angular_acceleration.norm() + m.rotor_acceleration.abs();
     g.full_tensor().norm() * (speed * speed + rates) + g.weight().norm() + m.moment.abs()
 }
 
-fn approximate(m: &Motion<DoubleDouble>) -> Motion<f64> {
+fn approximate(m: &MotionInstant<DoubleDouble>) -> MotionInstant<f64> {
     let near = |x: DoubleDouble| x.hi();
-    Motion {
+    MotionInstant {
         angular_velocity: m.angular_velocity.map(near),
         vertical: m.vertical.map(near),
         rotor_speed: near(m.rotor_speed),
@@ -127,13 +127,13 @@ proptest! {
             second.accelerations(w, v, motion.rotor_speed, motion.moment),
         ];
         for (angular_acceleration, rotor_acceleration) in free {
-            let solved = Motion { angular_acceleration, rotor_acceleration, ..motion };
+            let solved = MotionInstant { angular_acceleration, rotor_acceleration, ..motion };
             prop_assert_eq!(g.by_momentum(&solved), [Rational::zero(); 4]);
         }
         for (angular_acceleration, moment) in
             [first.prescribed(w, v, motion.rotor_speed), second.prescribed(w, v, motion.rotor_speed)]
         {
-            let kept = Motion { angular_acceleration, rotor_acceleration: Rational::zero(), moment, ..motion };
+            let kept = MotionInstant { angular_acceleration, rotor_acceleration: Rational::zero(), moment, ..motion };
             prop_assert_eq!(g.by_momentum(&kept), [Rational::zero(); 4]);
         }
     }
@@ -150,7 +150,7 @@ fn satisfies(
     let (free, rotor_acceleration) = form.accelerations(back * w, back * v, rotor_speed, moment);
     let (kept, reaction) = form.prescribed(back * w, back * v, rotor_speed);
     for (acceleration, rotor_acceleration, moment) in [(free, rotor_acceleration, moment), (kept, 0.0, reaction)] {
-        let motion = Motion {
+        let motion = MotionInstant {
             angular_velocity: w,
             vertical: v,
             rotor_speed,

@@ -85,7 +85,7 @@ proptest! {
     #[test]
     fn energies_and_residuals_do_not_depend_on_the_axes(g in gyrostat(), axes in axes(), motion in motion()) {
         let (turned, back) = (g.in_axes(&axes), axes.transpose());
-        let seen = dalembert_derivations::systems::gyrostat::Motion {
+        let seen = dalembert_derivations::systems::gyrostat::MotionInstant {
             angular_velocity: back * motion.angular_velocity,
             vertical: back * motion.vertical,
             angular_acceleration: back * motion.angular_acceleration,

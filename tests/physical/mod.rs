@@ -5,7 +5,7 @@
 pub mod machines;
 pub mod rate;
 
-use dalembert_derivations::systems::gyrostat::{Carrier, Gyrostat, Motion, Rotor};
+use dalembert_derivations::systems::gyrostat::{Carrier, Gyrostat, MotionInstant, Rotor};
 use field::{DoubleDouble, Rational, Scalar};
 use mechanics::rotation::{determinant, quaternion};
 use nalgebra::{Matrix3, Vector3};
@@ -153,10 +153,10 @@ pub fn rounded_twice(g: &Gyrostat<Rational>) -> Gyrostat<DoubleDouble> {
 }
 
 /// Any instant: velocities, accelerations and moment unrelated to each other.
-pub fn motion() -> impl Strategy<Value = Motion<Rational>> {
+pub fn motion() -> impl Strategy<Value = MotionInstant<Rational>> {
     let number = || fraction(-30..31, 7);
     (vector(-30..31, 7), axes(), number(), vector(-30..31, 7), number(), number()).prop_map(
-        |(angular_velocity, axes, rotor_speed, angular_acceleration, rotor_acceleration, moment)| Motion {
+        |(angular_velocity, axes, rotor_speed, angular_acceleration, rotor_acceleration, moment)| MotionInstant {
             angular_velocity,
             vertical: axes.column(0).into(),
             rotor_speed,

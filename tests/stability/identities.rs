@@ -4,7 +4,7 @@ use crate::physical::{axes, fixed, gyrostat};
 use dalembert_derivations::machines::synchronous::Synchronous;
 use dalembert_derivations::studies::stationary::energies::Energies;
 use dalembert_derivations::studies::stationary::stability::reduced::Reduced;
-use dalembert_derivations::studies::stationary::stability::{Linear, Place};
+use dalembert_derivations::studies::stationary::stability::{Linear, StationaryState};
 use field::{Circle, Rational, Scalar};
 use mechanics::linear_stability::characteristic;
 use mechanics::rotation::determinant;
@@ -21,7 +21,7 @@ fn int(n: i64) -> Rational {
 #[derive(Clone, Debug)]
 struct Drawn {
     energies: Energies<Rational>,
-    place: Place<Rational>,
+    place: StationaryState<Rational>,
     multiplier: Rational,
 }
 
@@ -33,7 +33,7 @@ fn drawn() -> impl Strategy<Value = Drawn> {
         let (all, _) = energies.momenta::<Rational>(vertical * speed, rotor_speed);
         energies.weight = vertical * multiplier - all * speed;
         let angle = Circle::from_half_tangent(Rational::new(t, 7));
-        Drawn { energies, place: Place { speed, vertical, rotor_speed, angle }, multiplier }
+        Drawn { energies, place: StationaryState { speed, vertical, rotor_speed, angle }, multiplier }
     })
 }
 
@@ -45,7 +45,7 @@ impl Drawn {
     /// (highest power first) det T (z^4 + a z^2 + b) at constant speed, and of a free rotor.
     fn classical(&self) -> [[Rational; 3]; 2] {
         let Energies { tensor, mixed, axial, .. } = self.energies;
-        let Place { speed, vertical, rotor_speed, .. } = self.place;
+        let StationaryState { speed, vertical, rotor_speed, .. } = self.place;
         let kept = Reduced { tensor, spin: mixed * rotor_speed, speed, vertical, multiplier: self.multiplier };
         let share = mixed / axial;
         let own = mixed.dot(&vertical) * speed + axial * rotor_speed;

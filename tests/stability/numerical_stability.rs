@@ -1,7 +1,7 @@
 //! What the steps of methods make of stationary motions: exact thresholds beside runs, and the matrix beside the law that runs.
 
 use dalembert_derivations::machines::synchronous::Synchronous;
-use dalembert_derivations::studies::numerical_stability::chart::{Chart, Motion, Row};
+use dalembert_derivations::studies::numerical_stability::chart::{Chart, ChartedMotion, Row};
 use dalembert_derivations::studies::numerical_stability::continuation::{before, followed};
 use dalembert_derivations::studies::numerical_stability::linear::Linearised;
 use dalembert_derivations::studies::numerical_stability::measured_thresholds::{APART, Run, Runs};
@@ -91,7 +91,7 @@ fn the_midpoint_rule_and_gauss_are_honest_at_every_step_and_backward_euler_hides
         for (motion, row) in each(&chart(&scene, w)) {
             let steps = row.steps.as_ref().expect("thresholds are apart");
             let spectrum = motion.spectrum.as_ref().expect("eigenvalues are apart");
-            let grows = matches!(Motion::of(spectrum), Motion::Grows { .. });
+            let grows = matches!(ChartedMotion::of(spectrum), ChartedMotion::Grows { .. });
             let last = steps.stretches.last().map(|stretch| stretch.judgement);
             match row.method.to_string().as_str() {
                 "implicit midpoint" | "Gauss, 2 stages" | "Gauss, 3 stages" => assert_eq!(steps.honest(), Ok(None)),
@@ -356,7 +356,7 @@ fn a_member_of_a_family_is_judged_across_it() {
     // two zeros of the circle beside those of the integrals leave the nodding alone
     let [mode] = &spectrum.modes[..] else { panic!("{spectrum:?}") };
     assert!(member.member.is_some() && matches!(mode.place, HalfPlane::Imaginary(_)), "{mode:?}");
-    assert_eq!(Motion::of(spectrum), Motion::Stays { staying: 2 });
+    assert_eq!(ChartedMotion::of(spectrum), ChartedMotion::Stays { staying: 2 });
 }
 
 #[test]

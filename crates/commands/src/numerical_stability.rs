@@ -8,7 +8,7 @@ use integrators::Splitting;
 use reader::Family;
 use serde_json::{Value, json};
 use std::path::PathBuf;
-use studies::numerical_stability::chart::{Chart, Motion, Row, said};
+use studies::numerical_stability::chart::{Chart, ChartedMotion, Row, said};
 use studies::numerical_stability::motions::Stationed;
 use studies::numerical_stability::splittings::SplitRuns;
 use studies::numerical_stability::survey::steps;
@@ -84,7 +84,7 @@ fn object(scene: &Scene, w: f64, chart: &Chart, tested: &[Option<Courses>]) -> V
         let spectrum = motion.spectrum.as_ref();
         json!({
             "motion": motion.to_string(),
-            "does": spectrum.map(|spectrum| Motion::of(spectrum).to_string()),
+            "does": spectrum.map(|spectrum| ChartedMotion::of(spectrum).to_string()),
             "eigenvalues": spectrum.map(|spectrum| chart.eigenvalues(spectrum)),
             "methods": rows.iter().map(method).collect::<Vec<_>>(),
             "splittings": tested.as_ref().map(|all| all.iter().map(splitting).collect::<Vec<_>>()),

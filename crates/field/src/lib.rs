@@ -34,7 +34,7 @@ pub use decimal::{decimal, from_decimal};
 pub use elementary::Elementary;
 pub use rational::Rational;
 pub use scalar::{Analytic, Base, Divisor, Over, Scalar};
-pub use tangent::{Motion, Tangent};
+pub use tangent::{SlopeKnowledge, Tangent};
 
 /// Twice the precision of `f64`: an unevaluated sum of two, 106 bits, relative error about 4e-32.
 pub type DoubleDouble = xprec::Df64;

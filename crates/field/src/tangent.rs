@@ -14,13 +14,13 @@ use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Rem, RemAssi
 /// With `()` nothing is known, and all products with slopes that are zero are formed. With `bool` they are left out, which no
 /// compiler may do where numbers round: a short law that is inlined whole then costs what is written down by hand. (A long
 /// one, or one differentiated twice, would be compiled for every combination of what rests.)
-pub trait Motion: Copy + Debug + 'static {
+pub trait SlopeKnowledge: Copy + Debug + 'static {
     const KNOWN: bool;
     fn of(moves: bool) -> Self;
     fn moves(self) -> bool;
 }
 
-impl Motion for () {
+impl SlopeKnowledge for () {
     const KNOWN: bool = false;
 
     #[inline(always)]
@@ -32,7 +32,7 @@ impl Motion for () {
     }
 }
 
-impl Motion for bool {
+impl SlopeKnowledge for bool {
     const KNOWN: bool = true;
 
     #[inline(always)]
@@ -74,7 +74,7 @@ impl<S: Scalar> Tangent<S> {
     }
 }
 
-impl<S: Scalar, M: Motion> Tangent<S, M> {
+impl<S: Scalar, M: SlopeKnowledge> Tangent<S, M> {
     #[inline(always)]
     fn at_rest(value: S) -> Self {
         Tangent { value, slope: S::zero(), motion: M::of(false) }
@@ -98,7 +98,7 @@ impl<S: PartialEq, M> PartialEq for Tangent<S, M> {
     }
 }
 
-impl<S: Scalar, M: Motion> Add for Tangent<S, M> {
+impl<S: Scalar, M: SlopeKnowledge> Add for Tangent<S, M> {
     type Output = Self;
     #[inline(always)]
     fn add(self, b: Self) -> Self {
@@ -115,7 +115,7 @@ impl<S: Scalar, M: Motion> Add for Tangent<S, M> {
     }
 }
 
-impl<S: Scalar, M: Motion> Sub for Tangent<S, M> {
+impl<S: Scalar, M: SlopeKnowledge> Sub for Tangent<S, M> {
     type Output = Self;
     #[inline(always)]
     fn sub(self, b: Self) -> Self {
@@ -132,7 +132,7 @@ impl<S: Scalar, M: Motion> Sub for Tangent<S, M> {
     }
 }
 
-impl<S: Scalar, M: Motion> Mul for Tangent<S, M> {
+impl<S: Scalar, M: SlopeKnowledge> Mul for Tangent<S, M> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, b: Self) -> Self {
@@ -149,7 +149,7 @@ impl<S: Scalar, M: Motion> Mul for Tangent<S, M> {
     }
 }
 
-impl<S: Scalar, M: Motion> Div for Tangent<S, M> {
+impl<S: Scalar, M: SlopeKnowledge> Div for Tangent<S, M> {
     type Output = Self;
     #[inline]
     fn div(self, b: Self) -> Self {
@@ -162,14 +162,14 @@ impl<S: Scalar, M: Motion> Div for Tangent<S, M> {
 }
 
 /// In a field every remainder is zero (nalgebra and num-traits ask for the operator).
-impl<S: Scalar, M: Motion> Rem for Tangent<S, M> {
+impl<S: Scalar, M: SlopeKnowledge> Rem for Tangent<S, M> {
     type Output = Self;
     fn rem(self, b: Self) -> Self {
         Tangent::at_rest(self.value % b.value)
     }
 }
 
-impl<S: Scalar, M: Motion> Neg for Tangent<S, M> {
+impl<S: Scalar, M: SlopeKnowledge> Neg for Tangent<S, M> {
     type Output = Self;
     #[inline(always)]
     fn neg(self) -> Self {
@@ -179,7 +179,7 @@ impl<S: Scalar, M: Motion> Neg for Tangent<S, M> {
 
 macro_rules! assign {
     ($($op:ident $method:ident $sign:tt),*) => {$(
-        impl<S: Scalar, M: Motion> $op for Tangent<S, M> {
+        impl<S: Scalar, M: SlopeKnowledge> $op for Tangent<S, M> {
             #[inline]
             fn $method(&mut self, b: Self) {
                 *self = *self $sign b;
@@ -189,7 +189,7 @@ macro_rules! assign {
 }
 assign!(AddAssign add_assign +, SubAssign sub_assign -, MulAssign mul_assign *, DivAssign div_assign /, RemAssign rem_assign %);
 
-impl<S: Scalar, M: Motion> Zero for Tangent<S, M> {
+impl<S: Scalar, M: SlopeKnowledge> Zero for Tangent<S, M> {
     fn zero() -> Self {
         Self::at_rest(S::zero())
     }
@@ -199,25 +199,25 @@ impl<S: Scalar, M: Motion> Zero for Tangent<S, M> {
     }
 }
 
-impl<S: Scalar, M: Motion> One for Tangent<S, M> {
+impl<S: Scalar, M: SlopeKnowledge> One for Tangent<S, M> {
     fn one() -> Self {
         Self::at_rest(S::one())
     }
 }
 
-impl<S: Scalar, M: Motion> Scalar for Tangent<S, M> {
+impl<S: Scalar, M: SlopeKnowledge> Scalar for Tangent<S, M> {
     fn ratio(numerator: i64, denominator: i64) -> Self {
         Self::at_rest(S::ratio(numerator, denominator))
     }
 }
 
-impl<S: Scalar + From<f64>, M: Motion> From<f64> for Tangent<S, M> {
+impl<S: Scalar + From<f64>, M: SlopeKnowledge> From<f64> for Tangent<S, M> {
     fn from(number: f64) -> Self {
         Self::at_rest(S::from(number))
     }
 }
 
-impl<P: Base, S: Over<P>, M: Motion> Over<P> for Tangent<S, M> {
+impl<P: Base, S: Over<P>, M: SlopeKnowledge> Over<P> for Tangent<S, M> {
     #[inline(always)]
     fn lift(parameter: P) -> Self {
         Self::at_rest(S::lift(parameter))
@@ -230,7 +230,7 @@ impl<P: Base, S: Over<P>, M: Motion> Over<P> for Tangent<S, M> {
     }
 }
 
-impl<S: Analytic, M: Motion> Analytic for Tangent<S, M> {
+impl<S: Analytic, M: SlopeKnowledge> Analytic for Tangent<S, M> {
     #[inline]
     fn circle(self) -> Circle<Self> {
         let Circle { cos, sin } = self.value.circle();

@@ -19,7 +19,7 @@ pub(crate) use constraints::held_of;
 pub use constraints::{Equation, Level, equations as constraints_of};
 pub use elimination::{Pushes, Singular};
 pub(crate) use generic_point::{
-    Course, circuits as generic_circuits, courses, depends, generic_rank, pivots as generic_pivots,
+    Dependence, circuits as generic_circuits, courses, depends, generic_rank, pivots as generic_pivots,
 };
 pub use guides::balances;
 pub use integrability::{Integrability, Undecided};

@@ -57,8 +57,8 @@ pub use parts::{
     Zero,
 };
 pub use presentation::{
-    Cosine, Divisor, Held, InQuasiVelocities, Lines, MatrixForm, Typeset, axes, code, constraints, latex, left_out,
-    shorter, sympy, text, titles, typeset, vectors,
+    Cosine, Divisor, HeldEquation, InQuasiVelocities, Lines, MatrixForm, Typeset, axes, code, constraints, latex,
+    left_out, shorter, sympy, text, titles, typeset, vectors,
 };
 pub use quasi_velocities::{Coefficient, QuasiPrinciple, QuasiVelocities, quasi_agreement};
 pub use source::{

@@ -20,7 +20,7 @@ pub use code::code;
 pub use conditions::left_out;
 pub use cosines::Cosine;
 pub use latex::{Typeset, equations as typeset, latex};
-pub use matrix_form::{Held, Lines, MatrixForm};
+pub use matrix_form::{HeldEquation, Lines, MatrixForm};
 pub use quasi_velocities::{Divisor, InQuasiVelocities};
 pub use sympy::sympy;
 pub use text::text;

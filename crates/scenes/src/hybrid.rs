@@ -1,6 +1,6 @@
 //! A scene whose law changes at events: its reference, and every method across the same events.
 
-use crate::modes::{Course, Modes};
+use crate::modes::{Modes, RunTable};
 use crate::scene::ModelScene;
 use field::DoubleDouble;
 use integrators::{Across, End, Failure, Method, Observer, Outcome, Reference, Sizes, Span, Tolerance};
@@ -27,7 +27,7 @@ const ROUNDING: f64 = 1e-9;
 /// A run in `f64` as it tells the laws.
 struct Told {
     modes: Arc<Modes>,
-    course: Course,
+    course: RunTable,
     sizes: Vec<f64>,
     end: f64,
     /// Whether it reached the end of the span.
@@ -78,7 +78,7 @@ impl Hybrid for ModelScene {
     }
 
     fn owner(&self) -> Box<dyn Owner + '_> {
-        let course = self.told_laws(None).map_or_else(|_| Course::default(), |told| told.course);
+        let course = self.told_laws(None).map_or_else(|_| RunTable::default(), |told| told.course);
         Box::new(Laws { start: &self.start, course })
     }
 
@@ -115,7 +115,7 @@ fn of_kind(sizes: &[f64]) -> Vec<f64> {
 /// A start, and the laws that follow from it.
 struct Laws<'a> {
     start: &'a [f64],
-    course: Course,
+    course: RunTable,
 }
 
 impl Owner for Laws<'_> {

@@ -53,7 +53,7 @@ pub use compiled_system::{CompiledSystem, NotCompiled};
 pub use ensemble::parse_ensemble;
 pub use equilibrium::{Equilibrium, NoEquilibrium, equilibrium};
 pub use modes::{Case, CriticalFriction, Face, Margin, Mode, Motions, Phase, Regime, Regimes};
-pub use motions::{Motion, read_prescribed};
+pub use motions::{PrescribedMotion, read_prescribed};
 pub use named_systems::{NamedSystem, with_tables};
 pub use no_system::with_ways_to_a_system;
 pub use readiness::{equilibrium_of, independent_at, independent_start, start_of, starting, without_law};

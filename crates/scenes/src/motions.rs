@@ -10,7 +10,7 @@ use symbolic::Dimension;
 
 /// Prescribed motions, each an expression of the time.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Motion {
+pub enum PrescribedMotion {
     /// A coordinate, by its place.
     Coordinate { place: usize, is: ScalarId },
     /// A free frame, by its number: turns in its parent, one after the other, each about an axis x, y or z that the one before has turned.
@@ -33,7 +33,10 @@ const TURNS: &str = "turns one after the other: F = 0.3*sin(t*(2 rad/s)) about x
 ///
 /// # Errors
 /// All that is wrong with the system, and with the motions.
-pub fn read_prescribed(path: &Path, motions: &[(String, String)]) -> Result<(Model, Vec<Motion>), SceneError> {
+pub fn read_prescribed(
+    path: &Path,
+    motions: &[(String, String)],
+) -> Result<(Model, Vec<PrescribedMotion>), SceneError> {
     let text = read_text(path)?;
     let behind = text.len();
     let file = path.display().to_string();
@@ -96,12 +99,12 @@ pub fn read_prescribed(path: &Path, motions: &[(String, String)]) -> Result<(Mod
         let mut prescribed = Vec::with_capacity(all.len());
         for motion in all {
             prescribed.push(match motion {
-                Written::Coordinate { place, .. } => Motion::Coordinate { place, is: next()?.1 },
+                Written::Coordinate { place, .. } => PrescribedMotion::Coordinate { place, is: next()?.1 },
                 Written::Turns { frame, turns } => {
                     let turns = turns.into_iter().map(|(axis, _)| Some((axis, next()?.1)));
-                    Motion::Turns { frame, turns: turns.collect::<Option<_>>()? }
+                    PrescribedMotion::Turns { frame, turns: turns.collect::<Option<_>>()? }
                 }
-                Written::Speed { .. } => Motion::Speed { output: next()?.0 },
+                Written::Speed { .. } => PrescribedMotion::Speed { output: next()?.0 },
             });
         }
         Some((model, prescribed))

@@ -52,7 +52,7 @@ pub struct Sample {
 
 /// A method over a long run.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Course {
+pub struct MethodRun {
     pub method: Method,
     /// for a method that follows one
     pub tolerance: f64,
@@ -132,7 +132,7 @@ impl LongRun {
     }
 
     /// Runs a method; samples at 1, 2, 5, 10, ... revolutions and a quarter.
-    pub fn course(&self, pace: Pace, revolutions: u32) -> Course {
+    pub fn course(&self, pace: Pace, revolutions: u32) -> MethodRun {
         let (period, quarter) = (self.nutation.period, 0.25);
         let counts = (0..).map(|k| [1, 2, 5][k % 3] * 10_u32.pow(k as u32 / 3));
         let counts: Vec<u32> = counts.take_while(|count| *count <= revolutions).collect();
@@ -148,7 +148,7 @@ impl LongRun {
         };
         let mut samples = Sampled { run: self, samples: Vec::new(), swing: 0.0 };
         let outcome = integrate(&self.system(), method, &Tolerance::both(tolerance), &span, &mut samples);
-        Course { method, tolerance, samples: samples.samples, work: outcome.work, failure: outcome.failure() }
+        MethodRun { method, tolerance, samples: samples.samples, work: outcome.work, failure: outcome.failure() }
     }
 
     /// What runs.
@@ -210,7 +210,7 @@ impl LongRun {
     }
 }
 
-impl Course {
+impl MethodRun {
     /// The exponent e of error ~ n^e from a hundredth of the run to its end, or while `of` shows any.
     pub fn growth(&self, of: impl Fn(&Sample) -> Option<f64>) -> Option<f64> {
         let seen = |sample: &Sample| Some((sample.revolutions, of(sample)?));

@@ -6,7 +6,7 @@ mod regulator;
 mod servo;
 
 use dalembert_derivations::systems::elastic_governor::ElasticGovernor;
-use dalembert_derivations::systems::governor::constant::{ConstantMoments, Course};
+use dalembert_derivations::systems::governor::constant::{ConstantMoments, ProgrammeEnd};
 use dalembert_derivations::systems::governor::{Gearing, Governor, Moment};
 use field::{Analytic, Over, Rational, Scalar};
 use integrators::{Method, Ode, Span, System, Tolerance, integrate};

@@ -8,7 +8,7 @@ fn the_closed_form_is_the_programme_of_appells_equations() {
         let data = steady(first, second);
         let closed = constant(&data, 0.3);
         let end = match closed.course() {
-            Course::ReachesAxis { time } => 0.9 * time,
+            ProgrammeEnd::ReachesAxis { time } => 0.9 * time,
             _ => 0.7,
         };
         let followed = run(&Programme(data), Span::new(0.0, end, &[0.3]))[0];
@@ -22,7 +22,7 @@ fn the_closed_form_is_the_programme_of_appells_equations() {
 fn a_braked_second_shaft_drives_the_wheel_to_the_axis_in_finite_time() {
     let data = steady(0.0, -0.4);
     let closed = constant(&data, 0.3);
-    let Course::ReachesAxis { time } = closed.course() else { panic!("{:?}", closed.course()) };
+    let ProgrammeEnd::ReachesAxis { time } = closed.course() else { panic!("{:?}", closed.course()) };
     assert!((time + 0.09 / (2.0 * closed.epsilon * closed.of_second)).abs() < 1e-15);
     assert_eq!(closed.distance(time), None);
     // half the distance is left at three quarters of the time: the speed grows without bound
@@ -36,10 +36,10 @@ fn a_braked_second_shaft_drives_the_wheel_to_the_axis_in_finite_time() {
 #[test]
 fn the_wheel_tends_to_its_place_where_the_first_shaft_takes_what_the_second_gives() {
     let closed = constant(&steady(-0.5, 0.4), 0.3);
-    assert_eq!(closed.course(), Course::TendsTo { distance: 0.4 });
+    assert_eq!(closed.course(), ProgrammeEnd::TendsTo { distance: 0.4 });
     assert!((closed.distance(200.0).expect("for ever") - 0.4).abs() < 1e-15);
-    assert_eq!(constant(&steady(0.5, 0.4), 0.3).course(), Course::Grows);
-    assert_eq!(constant(&steady(-0.5, 0.4), 0.4).course(), Course::Rest);
+    assert_eq!(constant(&steady(0.5, 0.4), 0.3).course(), ProgrammeEnd::Grows);
+    assert_eq!(constant(&steady(-0.5, 0.4), 0.4).course(), ProgrammeEnd::Rest);
 }
 
 #[test]
@@ -175,27 +175,27 @@ fn between_two_discs_the_programme_is_the_quadrature() {
         ..steady(first, second)
     };
     for (first, second, course) in [
-        (-0.5, 0.4, Course::TendsTo { distance: 0.8 * 0.5 / 0.9 }),
-        (0.5, 0.4, Course::TendsTo { distance: 0.0 }),
-        (0.4, 0.4, Course::TendsTo { distance: 0.0 }),
-        (0.0, 0.4, Course::TendsTo { distance: 0.0 }),
-        (0.4, 0.0, Course::TendsTo { distance: 0.0 }),
-        (0.5, -0.1, Course::TendsTo { distance: 0.0 }),
-        (0.1, -0.5, Course::ReachesAxis { time: f64::NAN }),
-        (-0.4, -0.4, Course::ReachesAxis { time: f64::NAN }),
-        (0.0, -0.4, Course::ReachesAxis { time: f64::NAN }),
-        (-0.2, -0.4, Course::ReachesAxis { time: f64::NAN }),
+        (-0.5, 0.4, ProgrammeEnd::TendsTo { distance: 0.8 * 0.5 / 0.9 }),
+        (0.5, 0.4, ProgrammeEnd::TendsTo { distance: 0.0 }),
+        (0.4, 0.4, ProgrammeEnd::TendsTo { distance: 0.0 }),
+        (0.0, 0.4, ProgrammeEnd::TendsTo { distance: 0.0 }),
+        (0.4, 0.0, ProgrammeEnd::TendsTo { distance: 0.0 }),
+        (0.5, -0.1, ProgrammeEnd::TendsTo { distance: 0.0 }),
+        (0.1, -0.5, ProgrammeEnd::ReachesAxis { time: f64::NAN }),
+        (-0.4, -0.4, ProgrammeEnd::ReachesAxis { time: f64::NAN }),
+        (0.0, -0.4, ProgrammeEnd::ReachesAxis { time: f64::NAN }),
+        (-0.2, -0.4, ProgrammeEnd::ReachesAxis { time: f64::NAN }),
     ] {
         let data = between(first, second);
         let law = data.between(SPEED).expect("two discs");
         let end = match (law.course(0.3), course) {
-            (Course::ReachesAxis { time }, Course::ReachesAxis { .. }) => {
+            (ProgrammeEnd::ReachesAxis { time }, ProgrammeEnd::ReachesAxis { .. }) => {
                 assert_eq!(law.distance_at(0.3, time), None);
                 let nearly = law.distance_at(0.3, time * (1.0 - 1e-12)).expect("before the end");
                 assert!((0.8 - nearly).abs() < 1e-4, "{nearly}");
                 0.9 * time
             }
-            (Course::TendsTo { distance: found }, Course::TendsTo { distance }) => {
+            (ProgrammeEnd::TendsTo { distance: found }, ProgrammeEnd::TendsTo { distance }) => {
                 assert!((found - distance).abs() < 1e-15, "{found} and {distance}");
                 1.5
             }
@@ -206,6 +206,6 @@ fn between_two_discs_the_programme_is_the_quadrature() {
         assert!((followed - direct).abs() < 1e-11, "M1 = {first}, M2 = {second}: {followed} and {direct}");
         assert!((law.time(0.3, direct) - end).abs() < 1e-11, "the quadrature takes it back");
     }
-    assert_eq!(between(-0.5, 0.5).between(SPEED).map(|law| law.course(0.4)), Some(Course::Rest));
+    assert_eq!(between(-0.5, 0.5).between(SPEED).map(|law| law.course(0.4)), Some(ProgrammeEnd::Rest));
     assert!(between(-0.5, 0.4).between(SPEED).is_some_and(|law| law.time(0.3, 0.5).is_nan()), "behind its place");
 }

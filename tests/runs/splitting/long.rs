@@ -8,7 +8,7 @@
 //!
 //! b and d are zero where an energy near the true one is kept. All of these are read off samples at a few n.
 
-use dalembert_derivations::studies::long_runs::{Constant, Course, LongRun, Pace, Sample};
+use dalembert_derivations::studies::long_runs::{Constant, LongRun, MethodRun, Pace, Sample};
 use integrators::{Method, Span, Splitting, Tolerance, integrate};
 
 const SPLITTINGS: [(Constant, u32, u32); 4] = [
@@ -18,20 +18,20 @@ const SPLITTINGS: [(Constant, u32, u32); 4] = [
     (|steps| Method::Split { splitting: Splitting::KahanLi8, steps }, 8, 20),
 ];
 
-fn course(pace: Pace, revolutions: u32) -> Course {
+fn course(pace: Pace, revolutions: u32) -> MethodRun {
     let course = LongRun::new().expect("the top nutates").course(pace, revolutions);
     assert_eq!(course.failure, None, "{}", course.method);
     course
 }
 
 /// The sample after n revolutions.
-fn at(course: &Course, n: u32) -> &Sample {
+fn at(course: &MethodRun, n: u32) -> &Sample {
     let near = |sample: &&Sample| (sample.revolutions - f64::from(n) - 0.25).abs() < 1e-6;
     course.samples.iter().find(near).expect("it is sampled")
 }
 
 /// Of a line through two of the samples.
-fn slope(course: &Course, [from, to]: [u32; 2], of: fn(&Sample) -> f64) -> f64 {
+fn slope(course: &MethodRun, [from, to]: [u32; 2], of: fn(&Sample) -> f64) -> f64 {
     let (from, to) = (at(course, from), at(course, to));
     (of(to) - of(from)) / (to.revolutions - from.revolutions)
 }
@@ -41,7 +41,7 @@ fn phase(sample: &Sample) -> f64 {
 }
 
 /// (c, d) of phase = c t + d t^2 by two of the samples.
-fn parabola(course: &Course, [one, two]: [u32; 2]) -> (f64, f64) {
+fn parabola(course: &MethodRun, [one, two]: [u32; 2]) -> (f64, f64) {
     let mean = |n| {
         let sample = at(course, n);
         (sample.revolutions, phase(sample) / sample.revolutions)
@@ -71,7 +71,7 @@ fn runge_kutta_loses_energy_and_length_as_h5_n_and_phase_as_h4_n_and_h5_n2() {
         let [early, late] = [[50, 200], [100, 500]].map(|pair| parabola(course, pair).1);
         assert!((late / early - 1.0).abs() < 0.05, "{early:e} {late:e}");
     }
-    let order = |of: &dyn Fn(&Course) -> f64| (of(&coarse) / of(&fine)).log2();
+    let order = |of: &dyn Fn(&MethodRun) -> f64| (of(&coarse) / of(&fine)).log2();
     let energy = order(&|course| slope(course, [1, 500], |s| s.energy));
     let length = order(&|course| slope(course, [1, 500], |s| s.length));
     let [linear, quadratic] =

@@ -1,6 +1,6 @@
 //! An independent search: Newton's method on the equations of motion, in doubles, from many starts on the sphere.
 
-use dalembert_derivations::systems::gyrostat::{Gyrostat, Motion};
+use dalembert_derivations::systems::gyrostat::{Gyrostat, MotionInstant};
 use field::Tangent;
 use nalgebra::{Matrix3, Vector3};
 
@@ -31,7 +31,7 @@ fn residual(g: &Gyrostat<f64>, w0: f64, rotor_speed: f64, v: Vector3<f64>) -> (V
     for j in 0..3 {
         let moving = Vector3::from_fn(|i, _| Tangent::moving(v[i], if i == j { 1.0 } else { 0.0 }));
         let zero = Tangent::fixed(0.0);
-        let motion = Motion {
+        let motion = MotionInstant {
             angular_velocity: moving * Tangent::fixed(w0),
             vertical: moving,
             rotor_speed: Tangent::fixed(rotor_speed),

@@ -7,7 +7,7 @@ use std::fmt::Write;
 use studies::model_reduction::forms::SWITCHING;
 use studies::model_reduction::sampled_run::{INSTANTS, LOOKS};
 use studies::model_reduction::switching::STRETCHES;
-use studies::model_reduction::{Estimate, Line, Loss, Receipt, Verdict};
+use studies::model_reduction::{Estimate, Line, Loss, Receipt, Sufficiency};
 
 /// For readers.
 pub fn text(title: &str, receipt: &Receipt, command: Option<&[String]>) -> String {
@@ -123,11 +123,11 @@ fn told(value: Option<f64>) -> String {
 /// Why a line has no run.
 fn said(line: &Line) -> String {
     match line.verdict {
-        Verdict::Suffices => "too inexact",
-        Verdict::TooFar => "too far",
-        Verdict::NotBelieved => "no estimate",
-        Verdict::NotCarried => "not carried",
-        Verdict::NotRun => "not run",
+        Sufficiency::Suffices => "too inexact",
+        Sufficiency::TooFar => "too far",
+        Sufficiency::NotBelieved => "no estimate",
+        Sufficiency::NotCarried => "not carried",
+        Sufficiency::NotRun => "not run",
     }
     .to_owned()
 }

@@ -17,7 +17,7 @@ use crate::arguments::Format;
 use crate::atomic_write::{self, Beside, Untaken};
 use crate::clock;
 use crate::exit::{Exit, is_quiet, print};
-use place::Place;
+use place::Target;
 use std::fs::File;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
@@ -36,7 +36,7 @@ pub struct Writes<'a> {
 pub struct Output {
     path: PathBuf,
     form: Form,
-    place: Place,
+    place: Target,
     rights: Rights,
 }
 
@@ -51,10 +51,10 @@ impl Writes<'_> {
     /// A place for one of these forms, as the end of its name says: asked before the work, so that a wrong name does not
     /// cost it. Nothing is made yet.
     pub fn output(&self, path: &Path, forms: &[Form]) -> Result<Output, Exit> {
-        let place = Place::of(path).map_err(|error| Exit::unwritable(path, &error))?;
+        let place = Target::of(path).map_err(|error| Exit::unwritable(path, &error))?;
         let form = match (Form::named(path, forms), &place) {
             (Some(form), _) => form,
-            (None, Place::Device(_)) if !forms.is_empty() => forms[0].clone(),
+            (None, Target::Device(_)) if !forms.is_empty() => forms[0].clone(),
             (None, _) => {
                 let ends: Vec<&str> = forms.iter().flat_map(Form::ends).copied().collect();
                 let ends = ends.join(" or .");
@@ -68,7 +68,7 @@ impl Writes<'_> {
         };
         let reads = self.reads.iter().map(|path| path.to_path_buf()).collect();
         let rights = Rights { maker: self.maker(), force: self.force, reads };
-        if let Place::File(file) = &place {
+        if let Target::File(file) = &place {
             rights.admit(path, file, &form)?;
             atomic_write::probe(file).map_err(|error| Exit::unwritable(path, &error))?;
         }
@@ -84,8 +84,8 @@ impl Writes<'_> {
     pub fn continued(&self, path: &Path) -> Result<PathBuf, Exit> {
         let output = Writes { force: true, reads: self.reads.clone(), ..*self };
         match output.output(path, &[Form::Table(String::new())])?.place {
-            Place::File(file) => Ok(file),
-            Place::Device(_) => Err(Exit::refused(format!(
+            Target::File(file) => Ok(file),
+            Target::Device(_) => Err(Exit::refused(format!(
                 "{} cannot be written: this is a pipe or a device, and a table that is continued is read first; a file is accepted",
                 path.display()
             ))),
@@ -143,8 +143,8 @@ impl Output {
             content(out)
         };
         match place {
-            Place::Device(device) => to_device(device, marked).map_err(unwritable)?,
-            Place::File(file) => {
+            Target::Device(device) => to_device(device, marked).map_err(unwritable)?,
+            Target::File(file) => {
                 std::fs::create_dir_all(atomic_write::folder(&file)).map_err(unwritable)?;
                 let written = Beside::write(&file, marked).map_err(unwritable)?;
                 match rights.admit(&path, &file, &form) {

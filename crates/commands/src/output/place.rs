@@ -5,14 +5,14 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 /// The thing behind a name.
-pub enum Place {
+pub enum Target {
     /// A file, there or not yet; links are followed.
     File(PathBuf),
     /// A terminal, a pipe, nothing: written to as it stands.
     Device(File),
 }
 
-impl Place {
+impl Target {
     /// Looks at a name. A pipe is opened here and stays open, so that its reader waits for what is written; nobody who reads
     /// is waited for longer than a few seconds.
     pub fn of(path: &Path) -> io::Result<Self> {
@@ -23,7 +23,7 @@ impl Place {
                     return Err(io::Error::other("this is a link to nothing"));
                 }
                 return match path.file_name() {
-                    Some(_) => Ok(Place::File(path.to_owned())),
+                    Some(_) => Ok(Target::File(path.to_owned())),
                     None => Err(io::ErrorKind::IsADirectory.into()),
                 };
             }
@@ -32,21 +32,21 @@ impl Place {
         match found.file_type() {
             kind if kind.is_dir() => Err(io::ErrorKind::IsADirectory.into()),
             kind if kind.is_file() && found.permissions().readonly() => Err(io::ErrorKind::PermissionDenied.into()),
-            kind if kind.is_file() => fs::canonicalize(path).map(Place::File),
-            kind if is_pipe(kind) => pipe(path).map(Place::Device),
-            kind if is_characters(kind) => OpenOptions::new().write(true).open(path).map(Place::Device),
+            kind if kind.is_file() => fs::canonicalize(path).map(Target::File),
+            kind if is_pipe(kind) => pipe(path).map(Target::Device),
+            kind if is_characters(kind) => OpenOptions::new().write(true).open(path).map(Target::Device),
             _ => Err(io::Error::other("this is neither a file nor a pipe nor a device that takes characters")),
         }
     }
 
     /// Whether two names stand for one file.
-    pub fn is(&self, other: &Place) -> bool {
+    pub fn is(&self, other: &Target) -> bool {
         let whole = |path: &Path| {
             let folder = fs::canonicalize(crate::atomic_write::folder(path)).ok()?;
             Some(folder.join(path.file_name()?))
         };
         match (self, other) {
-            (Place::File(one), Place::File(other)) => {
+            (Target::File(one), Target::File(other)) => {
                 one == other
                     || whole(one).is_some_and(|one| whole(other) == Some(one))
                     || same_file::is_same_file(one, other).unwrap_or(false)

@@ -5,7 +5,7 @@ use crate::job_pool::JobPool;
 use charts::{AreaCurve, Areas, Study, Table, significant};
 use integrators::Means;
 use std::path::Path;
-use studies::long_runs::{Course, LongRun, PACES, Sample};
+use studies::long_runs::{LongRun, MethodRun, PACES, Sample};
 
 /// Run for the report; a million, which take minutes, are read.
 const REVOLUTIONS: u32 = 2_000;
@@ -16,7 +16,7 @@ const FLOOR: f64 = 1e-17;
 /// The course of each method, computed by itself.
 #[derive(Default)]
 pub struct Endurance {
-    courses: [Option<Option<Course>>; PACES.len()],
+    courses: [Option<Option<MethodRun>>; PACES.len()],
 }
 
 impl Endurance {
@@ -29,7 +29,7 @@ impl Endurance {
 
     /// All of it, for the page; what was kept of longer runs is beside the folder of scenes.
     pub fn study(self, scenes: &Path) -> Study {
-        let courses: Vec<Course> = self.courses.into_iter().flatten().flatten().collect();
+        let courses: Vec<MethodRun> = self.courses.into_iter().flatten().flatten().collect();
         let mut study = Study {
             id: "long-runs".into(),
             title: "Long runs".into(),
@@ -69,8 +69,8 @@ impl Endurance {
 }
 
 /// Decades over decades.
-fn picture(courses: &[Course], title: &str, label: &str, of: impl Fn(&Sample) -> Option<f64>) -> Areas {
-    let curve = |course: &Course| {
+fn picture(courses: &[MethodRun], title: &str, label: &str, of: impl Fn(&Sample) -> Option<f64>) -> Areas {
+    let curve = |course: &MethodRun| {
         let point = |sample: &Sample| Some((sample.revolutions.log10(), of(sample)?.abs().max(FLOOR).log10()));
         AreaCurve { name: name(course), points: course.samples.iter().filter_map(point).collect() }
     };
@@ -84,11 +84,11 @@ fn picture(courses: &[Course], title: &str, label: &str, of: impl Fn(&Sample) ->
     }
 }
 
-fn revolutions(courses: &[Course]) -> f64 {
+fn revolutions(courses: &[MethodRun]) -> f64 {
     courses.iter().flat_map(|course| &course.samples).fold(1.0, |most, sample| most.max(sample.revolutions))
 }
 
-fn name(course: &Course) -> String {
+fn name(course: &MethodRun) -> String {
     if course.method.traits().adaptive {
         return format!("{}, tolerance {:e}", course.method, course.tolerance);
     }
@@ -99,7 +99,7 @@ const QUANTITIES: [fn(&Sample) -> Option<f64>; 5] =
     [|s| Some(s.energy), |s| Some(s.swing), |s| Some(s.length), |s| Some(s.momentum), |s| s.phase];
 
 /// Errors at the end, with the exponents of their growth.
-fn table(courses: &[Course]) -> Table {
+fn table(courses: &[MethodRun]) -> Table {
     let head = [
         "Method",
         "Steps",
@@ -114,7 +114,7 @@ fn table(courses: &[Course]) -> Table {
         "of the phase",
         "as n to the",
     ];
-    let row = |course: &Course| {
+    let row = |course: &MethodRun| {
         let mut cells = vec![name(course), course.work.steps.to_string()];
         if let Some(failure) = course.failure {
             cells.push(failure.to_string());

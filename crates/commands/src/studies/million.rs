@@ -4,7 +4,7 @@ use integrators::Work;
 use serde::Deserialize;
 use simulation::methods::method;
 use std::path::Path;
-use studies::long_runs::{Course, Sample};
+use studies::long_runs::{MethodRun, Sample};
 
 /// Where the bench writes, beside the folder of scenes.
 const FILE: &str = "benches/long_runs.json";
@@ -19,7 +19,7 @@ struct Kept {
 }
 
 /// The courses, or why there are none.
-pub fn courses(scenes: &Path) -> Result<Vec<Course>, String> {
+pub fn courses(scenes: &Path) -> Result<Vec<MethodRun>, String> {
     let path = scenes.parent().unwrap_or(Path::new("")).join(FILE);
     let text = std::fs::read_to_string(path).map_err(|_| format!("A million revolutions: {COMMAND} writes {FILE}."))?;
     let anew = || format!("{FILE} is not what this program reads; {COMMAND} writes it anew.");
@@ -27,7 +27,7 @@ pub fn courses(scenes: &Path) -> Result<Vec<Course>, String> {
     kept.iter().map(course).collect::<Option<_>>().ok_or_else(anew)
 }
 
-fn course(kept: &Kept) -> Option<Course> {
+fn course(kept: &Kept) -> Option<MethodRun> {
     let sample = |[revolutions, energy, swing, length, momentum, phase]: &[Option<f64>; 6]| {
         let [revolutions, energy, swing, length, momentum] = [*revolutions, *energy, *swing, *length, *momentum];
         Some(Sample {
@@ -39,7 +39,7 @@ fn course(kept: &Kept) -> Option<Course> {
             phase: *phase,
         })
     };
-    Some(Course {
+    Some(MethodRun {
         method: method(&kept.method).ok()?,
         tolerance: kept.tolerance,
         samples: kept.samples.iter().map(sample).collect::<Option<_>>()?,

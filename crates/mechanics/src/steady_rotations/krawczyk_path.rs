@@ -15,7 +15,7 @@ use algebra::real::Enclosure;
 use nalgebra::{Matrix4, Vector4};
 
 /// (v, lambda), enclosed.
-pub type Place = [Enclosure; 4];
+pub type EnclosedPoint = [Enclosure; 4];
 
 /// (K, b)
 pub type Data = (Matrix<Enclosure>, Vector<Enclosure>);
@@ -34,7 +34,7 @@ const TRIALS: usize = 3;
 const ROUNDS: usize = 4;
 
 /// Where a solution at t = 0 is at t = 1, if it is followed so far.
-pub fn followed(path: &Path<'_>, from: &Place) -> Option<Place> {
+pub fn followed(path: &Path<'_>, from: &EnclosedPoint) -> Option<EnclosedPoint> {
     let (mut place, mut t, mut step) = (from.clone(), 0.0, 1.0);
     while t < 1.0 {
         // halves of halves: every end is a float
@@ -49,14 +49,14 @@ pub fn followed(path: &Path<'_>, from: &Place) -> Option<Place> {
 }
 
 /// One step.
-fn across(path: &Path<'_>, from: &Place, [start, end]: [f64; 2]) -> Option<Place> {
+fn across(path: &Path<'_>, from: &EnclosedPoint, [start, end]: [f64; 2]) -> Option<EnclosedPoint> {
     let bits = from[0].bits();
     let at = |t: f64| Enclosure::float(t, bits);
     let (begun, ended) = (path(&at(start)?)?, path(&at(end)?)?);
     let expected = newton(&ended, from.each_ref().map(Enclosure::to_f64))?;
     let hull: Vec<Enclosure> =
         from.iter().zip(expected).map(|(z, to)| Some(z.hull(&at(to)?))).collect::<Option<_>>()?;
-    let hull: Place = hull.try_into().ok()?;
+    let hull: EnclosedPoint = hull.try_into().ok()?;
     let during = path(&at(start)?.hull(&at(end)?))?;
     // what the box must hold beside both ends is seen from the box itself
     let mut boxed = wider(&hull, size(&begun))?;
@@ -71,7 +71,7 @@ fn across(path: &Path<'_>, from: &Place, [start, end]: [f64; 2]) -> Option<Place
 }
 
 /// A box with room about it.
-fn wider(hull: &Place, size: f64) -> Option<Place> {
+fn wider(hull: &EnclosedPoint, size: f64) -> Option<EnclosedPoint> {
     let widest = hull[..3].iter().map(Enclosure::radius).fold(MARGIN, f64::max);
     let room = |i: usize| {
         let margin = ROOM * if i < 3 { widest } else { hull[i].radius().max(size * MARGIN) };
@@ -83,10 +83,10 @@ fn wider(hull: &Place, size: f64) -> Option<Place> {
 }
 
 /// The solution that is known to be the only one in a box, as finely as the data let it be known.
-pub fn sharpened(data: &Data, mut place: Place) -> Option<Place> {
+pub fn sharpened(data: &Data, mut place: EnclosedPoint) -> Option<EnclosedPoint> {
     loop {
         let next = held(data, &place)?;
-        let width = |place: &Place| place.iter().map(Enclosure::radius).fold(0.0, f64::max);
+        let width = |place: &EnclosedPoint| place.iter().map(Enclosure::radius).fold(0.0, f64::max);
         if width(&next) >= 0.5 * width(&place) {
             return Some(next);
         }
@@ -95,7 +95,7 @@ pub fn sharpened(data: &Data, mut place: Place) -> Option<Place> {
 }
 
 /// N: holds every solution in the box.
-fn held((k, b): &Data, boxed: &Place) -> Option<Place> {
+fn held((k, b): &Data, boxed: &EnclosedPoint) -> Option<EnclosedPoint> {
     let bits = boxed[0].bits();
     let middle = boxed.each_ref().map(Enclosure::middle);
     let near = |e: &Enclosure| e.to_f64();
@@ -149,7 +149,7 @@ pub fn count((k, b): &Data) -> Option<usize> {
 }
 
 /// f
-fn missing(k: &Matrix<Enclosure>, b: &Vector<Enclosure>, [v1, v2, v3, multiplier]: &Place) -> Place {
+fn missing(k: &Matrix<Enclosure>, b: &Vector<Enclosure>, [v1, v2, v3, multiplier]: &EnclosedPoint) -> EnclosedPoint {
     let v = [v1, v2, v3];
     let row = |i: usize| (0..3).fold(&b[i] - &(multiplier * v[i]), |sum, j| &sum + &(&k[i][j] * v[j]));
     let one = Enclosure::integer(1, v1.bits());
@@ -160,7 +160,7 @@ fn missing(k: &Matrix<Enclosure>, b: &Vector<Enclosure>, [v1, v2, v3, multiplier
 }
 
 /// f'
-fn slopes(k: &Matrix<Enclosure>, place: &Place) -> [[Enclosure; 4]; 4] {
+fn slopes(k: &Matrix<Enclosure>, place: &EnclosedPoint) -> [[Enclosure; 4]; 4] {
     let zero = Enclosure::integer(0, place[0].bits());
     std::array::from_fn(|i| {
         std::array::from_fn(|j| match (i, j) {
@@ -211,7 +211,7 @@ mod tests {
         move |t| Some((std::array::from_fn(|i| std::array::from_fn(|j| k(i, j))), std::array::from_fn(|i| b(t, i))))
     }
 
-    fn start(path: &Path<'_>, guess: [f64; 4]) -> Place {
+    fn start(path: &Path<'_>, guess: [f64; 4]) -> EnclosedPoint {
         let still = path(&Enclosure::integer(0, BITS)).unwrap();
         let near = newton(&still, newton(&still, guess).unwrap()).unwrap();
         let wide = Enclosure::float(-1e-9, BITS).unwrap().hull(&Enclosure::float(1e-9, BITS).unwrap());

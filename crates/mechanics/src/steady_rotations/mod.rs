@@ -34,6 +34,6 @@ mod spectrum;
 
 pub use body::Body;
 pub use census::{Census, SpeedInterval};
-pub use krawczyk_path::{Data, Path, Place, count, followed, sharpened};
+pub use krawczyk_path::{Data, EnclosedPoint, Path, count, followed, sharpened};
 pub use rotations::{Kind, Rotations, Shape, SteadyRotation};
 pub use selected::{Selected, Turning, Undecided};

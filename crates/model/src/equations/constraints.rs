@@ -49,7 +49,7 @@ impl Equation {
 
 /// A scalar equation of a constraint.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Held {
+pub(crate) struct ScalarConstraint {
     pub zero: Sym,
     /// The axis along which it is a component, of a vector.
     pub axis: Option<Vector>,
@@ -59,9 +59,9 @@ pub(crate) struct Held {
 
 /// The equations of a constraint by its place: itself, or each component of a vector that does not vanish identically; none that
 /// follows from others.
-pub(crate) fn held_of(trace: &Trace<'_>, place: usize) -> Vec<Held> {
+pub(crate) fn held_of(trace: &Trace<'_>, place: usize) -> Vec<ScalarConstraint> {
     let mut held = match trace.model.constraints[place].zero {
-        Zero::Scalar(zero) => vec![Held { zero: trace.scalar(zero), axis: None, component: 0 }],
+        Zero::Scalar(zero) => vec![ScalarConstraint { zero: trace.scalar(zero), axis: None, component: 0 }],
         Zero::Vector(zero) => independent(trace, trace.vector(zero)),
     };
     held.retain(|held| !trace.model.is_implied([place, held.component]));
@@ -81,14 +81,17 @@ pub fn equations(trace: &Trace<'_>) -> Vec<Equation> {
 
 /// The components of a vector that do not vanish, in the axes in which the most of them do: those of its frame, or of one that this
 /// turns in. A vector along a line has one there, and two that depend on each other in axes that turn.
-fn independent(trace: &Trace<'_>, vector: Vector) -> Vec<Held> {
+fn independent(trace: &Trace<'_>, vector: Vector) -> Vec<ScalarConstraint> {
     let above = |frame: &FrameId| trace.model.frames[frame.0].parent.map(|(parent, _)| parent);
     let frames = std::iter::successors(Some(vector.frame), above);
     let held = frames.map(|frame| {
         let components = trace.express(vector, frame).into_iter().enumerate();
         let held = components.filter(|(_, zero)| !vanishes(*zero)).enumerate();
-        let held =
-            held.map(|(component, (axis, zero))| Held { zero, axis: Some(Vector::axis(frame, axis)), component });
+        let held = held.map(|(component, (axis, zero))| ScalarConstraint {
+            zero,
+            axis: Some(Vector::axis(frame, axis)),
+            component,
+        });
         held.collect::<Vec<_>>()
     });
     held.min_by_key(Vec::len).unwrap_or_default()

@@ -118,7 +118,7 @@ impl Point {
 
 /// The dependence of expressions on what moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Course {
+pub(crate) enum Dependence {
     Zero,
     /// Equal at two points that differ in all letters but those that stay.
     Constant,
@@ -126,7 +126,7 @@ pub(crate) enum Course {
 }
 
 /// The courses of expressions, where these letters stay and all others and all angles move.
-pub(crate) fn courses(expressions: &[Sym], stay: &[Sym]) -> Vec<Course> {
+pub(crate) fn courses(expressions: &[Sym], stay: &[Sym]) -> Vec<Dependence> {
     let [first, second] = [2, 3].map(|seed| {
         let mut point = Point::new();
         for &letter in stay {
@@ -138,9 +138,9 @@ pub(crate) fn courses(expressions: &[Sym], stay: &[Sym]) -> Vec<Course> {
     let pairs = first.into_iter().zip(second);
     pairs
         .map(|pair| match pair {
-            (Some(0), Some(0)) => Course::Zero,
-            (Some(one), Some(other)) if one == other => Course::Constant,
-            _ => Course::Varying,
+            (Some(0), Some(0)) => Dependence::Zero,
+            (Some(one), Some(other)) if one == other => Dependence::Constant,
+            _ => Dependence::Varying,
         })
         .collect()
 }
@@ -207,7 +207,7 @@ impl Elimination {
 
 #[cfg(test)]
 mod tests {
-    use super::{Course, circuits, courses, generic_rank, pivots};
+    use super::{Dependence, circuits, courses, generic_rank, pivots};
     use field::{Analytic, Scalar};
     use symbolic::{Sym, apart, symbols};
 
@@ -240,8 +240,14 @@ mod tests {
             let square = circle.cos * circle.cos + circle.sin * circle.sin;
             let all = [r * square, square - Sym::ONE, r * x, r, circle.cos, (r + r).circle().sin];
             let found = courses(&all, &[r]).into_iter();
-            let known =
-                [Course::Constant, Course::Zero, Course::Varying, Course::Constant, Course::Varying, Course::Constant];
+            let known = [
+                Dependence::Constant,
+                Dependence::Zero,
+                Dependence::Varying,
+                Dependence::Constant,
+                Dependence::Varying,
+                Dependence::Constant,
+            ];
             assert!(found.eq(known));
         });
     }

@@ -37,7 +37,7 @@ pub struct MatrixForm {
     pub inertia: Vec<Sym>,
     /// Q.
     pub forces: Vec<Sym>,
-    pub constraints: Vec<Held>,
+    pub constraints: Vec<HeldEquation>,
     /// lambda, one for each constraint.
     pub multipliers: Vec<Sym>,
     /// Inputs without a value, and reactions of contacts.
@@ -65,7 +65,7 @@ pub struct Lines {
 
 /// A scalar constraint f = 0.
 #[derive(Clone, Debug)]
-pub struct Held {
+pub struct HeldEquation {
     /// As the model names it; empty where it does not.
     pub name: String,
     /// The axis of a vector's component, such as `F3.x`; none of a scalar.
@@ -90,7 +90,8 @@ impl MatrixForm {
         let free = without_forces(trace.model);
         let inertia = Equations::by(principle, &Trace::of(&free))?.bias;
         let forces = inertia.iter().zip(&bias).map(|(&inertia, &bias)| inertia - bias).collect();
-        let constraints = constraints.into_iter().zip(axes(trace)).map(|(each, axis)| Held::of(each, axis)).collect();
+        let constraints =
+            constraints.into_iter().zip(axes(trace)).map(|(each, axis)| HeldEquation::of(each, axis)).collect();
         let dynamics = Dynamics { mass, inertia, forces, constraints };
         let shown = (0..trace.speeds.len()).map(|speed| displaced(trace, speed)).collect();
         let (speeds, accelerations) = (trace.speeds.clone(), trace.accelerations.clone());
@@ -291,17 +292,17 @@ pub(super) struct Dynamics {
     pub mass: Vec<Vec<Sym>>,
     pub inertia: Vec<Sym>,
     pub forces: Vec<Sym>,
-    pub constraints: Vec<Held>,
+    pub constraints: Vec<HeldEquation>,
 }
 
-impl Held {
+impl HeldEquation {
     pub(super) fn of(Equation { name, level, zero, row, bias, .. }: Equation, axis: Option<String>) -> Self {
-        Held { name, axis, level, zero, row, bias }
+        HeldEquation { name, axis, level, zero, row, bias }
     }
 
     pub(super) fn mapped(&self, map: &mut dyn FnMut(&[Sym]) -> Vec<Sym>) -> Self {
         let [zero, bias] = [self.zero, self.bias].map(|each| map(&[each])[0]);
-        Held { zero, row: map(&self.row), bias, ..self.clone() }
+        HeldEquation { zero, row: map(&self.row), bias, ..self.clone() }
     }
 }
 

@@ -1,7 +1,7 @@
 //! The matrix form in quasi-velocities: kinematic equations, dynamic ones without reactions.
 
 use super::axes::axes;
-use super::matrix_form::{Dynamics, Held, MatrixForm, without_forces};
+use super::matrix_form::{Dynamics, HeldEquation, MatrixForm, without_forces};
 use super::reading_of;
 use crate::equations::constraints_of;
 use crate::principles::NotApplicable;
@@ -17,7 +17,7 @@ pub struct InQuasiVelocities {
     /// Each by coordinates, their rates and the time.
     pub definitions: Vec<Sym>,
     /// Constraints that hold, over coordinates, their rates and the time.
-    pub met: Vec<Held>,
+    pub met: Vec<HeldEquation>,
     /// Rates of coordinates, and angular velocities of free frames.
     pub(super) rates: Vec<Sym>,
     /// Letters of long slopes of the speeds, with their meanings.
@@ -128,12 +128,12 @@ impl MatrixForm {
         let constraints = constraints_of(trace).into_iter().zip(axes(trace));
         let (met, programmed): (Vec<_>, Vec<_>) = constraints.partition(|(one, _)| one.gains.is_none());
         let programmed = programmed.into_iter().map(|(one, axis)| {
-            let held = Held::of(one, axis);
+            let held = HeldEquation::of(one, axis);
             // J u' + c over w and w'
             let terms = held.row.iter().zip(&trace.accelerations);
             let rate = terms.fold(held.bias, |sum, (&slope, &acceleration)| sum + slope * acceleration);
             let [zero, rate] = [held.zero, rate].map(|each| quasi.by_quasi_velocities(&[each])[0]);
-            Held { zero, row: derivatives(&rate), bias: rate.substitute(&at_rest), ..held }
+            HeldEquation { zero, row: derivatives(&rate), bias: rate.substitute(&at_rest), ..held }
         });
         let mass = residual.iter().map(derivatives).collect();
         let dynamics = Dynamics { mass, inertia, forces, constraints: programmed.collect() };
@@ -142,7 +142,7 @@ impl MatrixForm {
         let form = MatrixForm::with(trace, dynamics, speeds.clone(), speeds, accelerations, rates);
         let quasi_velocities = InQuasiVelocities {
             definitions: quasi.definitions.clone(),
-            met: met.into_iter().map(|(one, axis)| Held::of(one, axis)).collect(),
+            met: met.into_iter().map(|(one, axis)| HeldEquation::of(one, axis)).collect(),
             rates: trace.speeds.clone(),
             coefficients: quasi.coefficients.clone(),
             divisors: quasi.divisors.iter().map(|&is| Divisor { is, vanishes_at_start: None }).collect(),

@@ -3,7 +3,7 @@
 use super::conditions::left_out;
 use super::cosines::Cosine;
 use super::identifiers::identifiers;
-use super::matrix_form::{Held, MatrixForm};
+use super::matrix_form::{HeldEquation, MatrixForm};
 use crate::Trace;
 use std::fmt::Write;
 use symbolic::{Sym, substitute_all};
@@ -83,7 +83,7 @@ pub fn sympy(trace: &Trace<'_>, form: &MatrixForm) -> Result<String, String> {
          from sympy import Derivative, Function, Matrix, Piecewise, Rational, Subs, Symbol, atan2, cos, exp, log, pi, sin, sqrt, tanh\n\n\
          t = Symbol(\"t\")\n",
     );
-    let titled = |(k, held): (usize, &Held)| {
+    let titled = |(k, held): (usize, &HeldEquation)| {
         held.axis.as_ref().map(|axis| format!("# multiplier {}: the reaction along {axis}\n", k + 1))
     };
     text.extend(form.constraints.iter().enumerate().filter_map(titled));

@@ -6,7 +6,7 @@
 
 use super::ShortForms;
 use super::inverse::Reading as _;
-use crate::equations::{Course, courses};
+use crate::equations::{Dependence, courses};
 use crate::{Body, FrameId, Trace, Vector};
 use symbolic::Sym;
 
@@ -24,8 +24,8 @@ impl Axes {
                 let along = |row: &Vec<Sym>| expressed(trace, own, &row[first..first + 3], axes);
                 let entries: Vec<Sym> = slopes.iter().flat_map(along).collect();
                 let found = courses(&entries, &trace.parameters);
-                let count = |course: Course| found.iter().filter(|own| **own == course).count();
-                (count(Course::Varying), count(Course::Constant), axes != own)
+                let count = |course: Dependence| found.iter().filter(|own| **own == course).count();
+                (count(Dependence::Varying), count(Dependence::Constant), axes != own)
             };
             // axes that turn with their own frame are no others
             let is_above = |frame: &FrameId| *frame == own || !turns_in(trace, *frame, own);

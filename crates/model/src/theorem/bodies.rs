@@ -1,7 +1,7 @@
 //! Bodies: Lagrange's operator on the kinetic energy, momenta along partial velocities, and the energy of accelerations.
 
 use super::Equations;
-use super::directions::{Directions, in_axes};
+use super::directions::{TestDirections, in_axes};
 use crate::trace::{Frames, Vector};
 use field::Rational;
 use symbolic::Sym;
@@ -12,7 +12,7 @@ fn half() -> Sym {
 
 /// A mass at any point: (dT/du)' - dT/dq = m a . dv/du = dS/du'.
 pub(super) fn masses() -> Equations {
-    let mut any = Directions::any();
+    let mut any = TestDirections::any();
     let (velocity, acceleration) = any.velocity("v");
     let frames = Frames::turning_at(Vector::ZERO);
     let mass = Sym::symbol("m");
@@ -27,7 +27,7 @@ pub(super) fn masses() -> Equations {
 
 /// An inertia in the axes of its body: (dT/du)' - dT/dq = (I w)' . dw/du = dS/du'.
 pub(super) fn inertias() -> Equations {
-    let mut any = Directions::any();
+    let mut any = TestDirections::any();
     let turning = any.turning("w");
     let [xx, yy, zz, xy, xz, yz] = ["xx", "yy", "zz", "xy", "xz", "yz"].map(Sym::symbol);
     let times = |vector: Vector| {
@@ -40,7 +40,7 @@ pub(super) fn inertias() -> Equations {
 /// An inertia that is the same about two axes, in a frame in which its body turns about the third.
 pub(super) fn inertias_beside_a_spin() -> Equations {
     let about = |axis: usize| {
-        let mut any = Directions::any();
+        let mut any = TestDirections::any();
         let (axes, angle) = (any.turning("w"), any.function("angle"));
         let mut turning = axes;
         turning.components[axis] += any.rate(angle);
@@ -56,7 +56,7 @@ pub(super) fn inertias_beside_a_spin() -> Equations {
 }
 
 /// In axes that turn at one angular velocity, a body at another.
-fn of_inertia(any: &Directions, axes: Vector, turning: Vector, times: impl Fn(Vector) -> Vector) -> Equations {
+fn of_inertia(any: &TestDirections, axes: Vector, turning: Vector, times: impl Fn(Vector) -> Vector) -> Equations {
     let frames = Frames::turning_at(axes);
     let rate = |vector: Vector| frames.sum(vector.map(|part| any.rate(part)), frames.cross(axes, vector));
     let momentum = times(turning);

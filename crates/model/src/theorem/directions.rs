@@ -12,7 +12,7 @@ use crate::trace::Vector;
 use symbolic::{Derivation, Sym};
 
 /// The three directions, with every derivative of every letter.
-pub(super) struct Directions {
+pub(super) struct TestDirections {
     pub speeds: [Sym; 3],
     pub accelerations: [Sym; 3],
     bracket: Sym,
@@ -31,16 +31,16 @@ fn three(name: &str) -> [Sym; 3] {
     std::array::from_fn(|k| Sym::symbol(&format!("{name} {}", k + 1)))
 }
 
-impl Directions {
-    /// Directions of coordinates or of turns, by the letter e.
+impl TestDirections {
+    /// TestDirections of coordinates or of turns, by the letter e.
     pub fn any() -> Self {
-        Directions::along(three("u"), three("u'"), Sym::symbol("e"))
+        TestDirections::along(three("u"), three("u'"), Sym::symbol("e"))
     }
 
     /// Along speeds whose displacements have the bracket e.
     pub fn along(speeds: [Sym; 3], accelerations: [Sym; 3], bracket: Sym) -> Self {
         let alone = |letters: [Sym; 3]| letters.map(|letter| vec![(letter, Sym::ONE)]);
-        Directions {
+        TestDirections {
             speeds,
             accelerations,
             bracket,

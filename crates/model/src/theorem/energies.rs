@@ -1,11 +1,11 @@
 //! Energies: as they stand in the equations of each principle.
 
 use super::Equations;
-use super::directions::Directions;
+use super::directions::TestDirections;
 use symbolic::Sym;
 
 /// A function of places, speeds and time, of which nothing is known: with its derivatives, and their rates.
-fn any_energy(any: &mut Directions, name: &str) -> Sym {
+fn any_energy(any: &mut TestDirections, name: &str) -> Sym {
     let letter = Sym::symbol(name);
     let of = |what: &str| std::array::from_fn(|k| Sym::symbol(&format!("{name} by {what} {}", k + 1)));
     let (by_place, by_speed): ([Sym; 3], [Sym; 3]) = (of("place"), of("speed"));
@@ -18,7 +18,7 @@ fn any_energy(any: &mut Directions, name: &str) -> Sym {
 
 /// Weights: the potential -m g . r by a coordinate is -m g . dv/du, for gravity that is the same everywhere.
 pub(super) fn weights() -> Equations {
-    let mut any = Directions::any();
+    let mut any = TestDirections::any();
     // g . r, of positions and time, whose rate is g . v
     let height = any.function("g . r");
     (0..3).map(|k| (any.by_place(height, k), any.by_speed(any.rate(height), k))).collect()
@@ -26,7 +26,7 @@ pub(super) fn weights() -> Equations {
 
 /// A potential: dV/dq = dV''/du'', as it stands in the least constraint.
 pub(super) fn potentials() -> Equations {
-    let mut any = Directions::any();
+    let mut any = TestDirections::any();
     let potential = any.function("V");
     let second = any.rate(any.rate(potential));
     (0..3).map(|k| (any.by_place(potential, k), any.by_acceleration(second, k))).collect()
@@ -34,14 +34,14 @@ pub(super) fn potentials() -> Equations {
 
 /// Rayleigh's function: dD/du = dD'/du'.
 pub(super) fn dissipation() -> Equations {
-    let mut any = Directions::any();
+    let mut any = TestDirections::any();
     let dissipation = any_energy(&mut any, "D");
     (0..3).map(|k| (any.by_speed(dissipation, k), any.by_acceleration(any.rate(dissipation), k))).collect()
 }
 
 /// Hamilton's equations back along the speeds, with H = p . u - T + V: those of Lagrange.
 pub(super) fn canonical() -> Equations {
-    let mut any = Directions::any();
+    let mut any = TestDirections::any();
     let kinetic = any_energy(&mut any, "T");
     let potential = any.function("V");
     // the derivatives of T by the speeds, as functions of places and speeds themselves
@@ -69,7 +69,7 @@ pub(super) fn canonical() -> Equations {
 ///
 /// The proof for two of them holds for any number, since each has terms of its own.
 pub(super) fn quasi_velocities() -> Equations {
-    let mut any = Directions::any();
+    let mut any = TestDirections::any();
     let letters = |name: &str| -> [Sym; 3] { std::array::from_fn(|k| Sym::symbol(&format!("{name} {}", k + 1))) };
     // dT/dq while the quasi-velocities rest
     let at_rest = letters("T by place");
@@ -106,7 +106,7 @@ pub(super) fn quasi_velocities() -> Equations {
 ///
 /// The proof for one dependent speed holds for any number, since each has terms of its own.
 pub(super) fn constrained() -> Equations {
-    let mut any = Directions::any();
+    let mut any = TestDirections::any();
     let letters = |name: &str| -> [Sym; 3] { std::array::from_fn(|k| Sym::symbol(&format!("{name} {}", k + 1))) };
     let (momenta, rates, forces) = (letters("p"), letters("p'"), letters("T by place"));
     // the third speed by the first two, and by places

@@ -1,7 +1,7 @@
 //! Frames: what is known of the angular velocity of a frame is known of one that turns in it.
 
 use super::Equations;
-use super::directions::{Directions, equal, in_axes};
+use super::directions::{TestDirections, equal, in_axes};
 use crate::FrameId;
 use crate::trace::{Frames, FreeFrame, Rotation, Vector};
 use field::Analytic;
@@ -12,7 +12,7 @@ const CHILD: FrameId = FrameId(1);
 /// A frame that turns by an angle about an axis of another.
 pub(super) fn turned_by_an_angle() -> Equations {
     let about = |axis: usize| {
-        let mut any = Directions::any();
+        let mut any = TestDirections::any();
         let (parent, angle) = (any.turning("w"), any.function("angle"));
         let mut rate = [Sym::ZERO; 3];
         rate[axis] = any.rate(angle);
@@ -25,7 +25,7 @@ pub(super) fn turned_by_an_angle() -> Equations {
 /// A frame that turns freely, along turns about its own axes; its parent moves without them.
 pub(super) fn turned_freely() -> Equations {
     let free = FreeFrame::named("free");
-    let mut any = Directions::along(free.speeds, free.accelerations, Sym::ONE);
+    let mut any = TestDirections::along(free.speeds, free.accelerations, Sym::ONE);
     let displacements = free.displacements();
     let of_quaternion =
         |k: usize, part: Sym| displacements[k].iter().find(|(own, _)| *own == part).map(|found| found.1);
@@ -47,7 +47,7 @@ pub(super) fn turned_freely() -> Equations {
 /// A frame that turns freely in one that moves along the directions, at speeds that these do not change.
 pub(super) fn turned_in_one_that_turns_freely() -> Equations {
     let free = FreeFrame::named("free");
-    let mut any = Directions::any();
+    let mut any = TestDirections::any();
     let parent = any.turning("w");
     let speeds = free.speeds.into_iter().zip(free.accelerations);
     for (part, rate) in free.turned(free.speeds).chain(speeds) {
@@ -65,7 +65,7 @@ fn child_of(parent: Vector, rotation: Rotation, rate: [Sym; 3]) -> Frames {
 }
 
 /// The premises of [`Directions::turning`] for the child. Rates and products of vectors are the same in both axes.
-fn carried(any: &mut Directions, frames: &Frames) -> Equations {
+fn carried(any: &mut TestDirections, frames: &Frames) -> Equations {
     let [a, b] = ["a", "b"].map(|name| {
         let components = std::array::from_fn(|part| any.free(&format!("{name} {}", part + 1)));
         in_axes(components)

@@ -1,13 +1,13 @@
 //! Functions of positions and time: ways between points, angles of frames, potentials.
 
 use super::Equations;
-use super::directions::Directions;
+use super::directions::TestDirections;
 use symbolic::Sym;
 
 /// From second derivatives that are symmetric up to the bracket of the directions: c' by a speed is c by its coordinate, c'' by an
 /// acceleration is the same, and X_k c' = (X_k c)'.
 pub(super) fn of_places() -> Equations {
-    let mut any = Directions::any();
+    let mut any = TestDirections::any();
     let slopes: [Sym; 3] = std::array::from_fn(|k| Sym::symbol(&format!("c by {}", k + 1)));
     // along all other directions and the time, which commute with the three
     let others = Sym::symbol("c by others");

@@ -1,12 +1,12 @@
 //! Points: what is known of the velocity of a point is known of one that is found from it, and of one that a body carries.
 
 use super::Equations;
-use super::directions::{Directions, equal};
+use super::directions::{TestDirections, equal};
 use crate::trace::{Frames, Vector};
 
 /// A point that is found from another by a way in the axes of any frame.
 pub(super) fn found_by_a_way() -> Equations {
-    let mut any = Directions::any();
+    let mut any = TestDirections::any();
     let frames = Frames::turning_at(any.turning("w"));
     let way = super::directions::in_axes(["x", "y", "z"].map(|name| any.function(name)));
     let turning = frames.turning(way.frame);
@@ -32,7 +32,7 @@ pub(super) fn found_by_a_way() -> Equations {
 
 /// A point that a body carries: its acceleration w' x r + w x (w x r) beside the centre, by an acceleration.
 pub(super) fn carried_by_a_body() -> Equations {
-    let mut any = Directions::any();
+    let mut any = TestDirections::any();
     let frames = Frames::turning_at(any.turning("w"));
     let arm = super::directions::in_axes(["x", "y", "z"].map(|name| any.function(name)));
     let turning = frames.turning(arm.frame);

@@ -20,7 +20,7 @@ const DIGITS: i32 = 18;
 
 /// What of the motion an expression may know.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Motion {
+pub enum KnownMotion {
     /// Parameters alone.
     Rest,
     /// The angle to the field, by its cosine and sine.
@@ -42,7 +42,7 @@ pub struct Letters<'a> {
     pub parameters: &'a [(String, Dimension)],
     /// By their names, of every winding.
     pub currents: &'a [String],
-    pub motion: Motion,
+    pub motion: KnownMotion,
 }
 
 impl Letters<'_> {
@@ -63,10 +63,10 @@ impl Letters<'_> {
     /// All that may stand here, for messages.
     pub fn known(&self) -> String {
         let motion = match self.motion {
-            Motion::Rest => Vec::new(),
-            Motion::Angle => vec!["cos(g), sin(g) of the angle g to the field".to_owned()],
-            Motion::Speeds => vec!["the slip g'".to_owned(), "the speed phi'".to_owned()],
-            Motion::Currents => self.currents.to_vec(),
+            KnownMotion::Rest => Vec::new(),
+            KnownMotion::Angle => vec!["cos(g), sin(g) of the angle g to the field".to_owned()],
+            KnownMotion::Speeds => vec!["the slip g'".to_owned(), "the speed phi'".to_owned()],
+            KnownMotion::Currents => self.currents.to_vec(),
         };
         let names = motion.into_iter().chain(self.parameters.iter().map(|(name, _)| name.clone()));
         let mut known: Vec<String> = Vec::new();
@@ -109,24 +109,26 @@ impl Vocabulary for Letters<'_> {
     fn name(&self, name: &str, in_angle: bool) -> Result<Sym, Reason> {
         let refused = |why: &str| Err(Reason::Refused(why.to_owned()));
         match (name, self.motion) {
-            (ANGLE, Motion::Angle) if in_angle => Ok(Sym::symbol(name)),
-            (ANGLE, Motion::Angle) => refused("the angle stands in cos and sin alone: a whole turn changes no law"),
-            (SLIP | SPEED, Motion::Speeds) => Ok(Sym::symbol(name)),
-            (ANGLE | SLIP | SPEED, Motion::Rest) => refused("the data of a winding do not know the motion"),
+            (ANGLE, KnownMotion::Angle) if in_angle => Ok(Sym::symbol(name)),
+            (ANGLE, KnownMotion::Angle) => {
+                refused("the angle stands in cos and sin alone: a whole turn changes no law")
+            }
+            (SLIP | SPEED, KnownMotion::Speeds) => Ok(Sym::symbol(name)),
+            (ANGLE | SLIP | SPEED, KnownMotion::Rest) => refused("the data of a winding do not know the motion"),
             (ANGLE, _) => {
                 refused("a moment of the angle comes from `field_energy` or from fluxes, else energy is lost")
             }
             (SLIP | SPEED, _) => {
                 refused("a law of the angle or the currents knows no speed: speeds stand in `moment_law`")
             }
-            (_, Motion::Currents) if self.is_current(name) => Ok(Sym::symbol(name)),
-            (_, Motion::Rest) if self.is_current(name) => {
+            (_, KnownMotion::Currents) if self.is_current(name) => Ok(Sym::symbol(name)),
+            (_, KnownMotion::Rest) if self.is_current(name) => {
                 refused(&format!("the data of a winding do not know the currents: nothing saturates, and {INDUCED}"))
             }
-            (_, Motion::Angle) if self.is_current(name) => {
+            (_, KnownMotion::Angle) if self.is_current(name) => {
                 refused(&format!("no law of the angle knows a current: inductances are constant, and {INDUCED}"))
             }
-            (_, Motion::Speeds) if self.is_current(name) => {
+            (_, KnownMotion::Speeds) if self.is_current(name) => {
                 refused("a moment of currents follows from `flux` and `motional`, else energy is lost")
             }
             _ if self.parameters.iter().any(|(known, _)| known == name) => Ok(Sym::symbol(name)),
@@ -145,7 +147,7 @@ impl Vocabulary for Letters<'_> {
                 return refused(format!("a number in a law has at most {DIGITS} digits above and below the line"));
             }
         }
-        let slides = |side: Sym| self.motion == Motion::Currents && self.moves(side);
+        let slides = |side: Sym| self.motion == KnownMotion::Currents && self.moves(side);
         match part.node() {
             Node::Product(a, b) if slides(a) && slides(b) => return refused(AFFINE.to_owned()),
             Node::Quotient(_, divisor) if slides(divisor) => return refused(AFFINE.to_owned()),

@@ -4,7 +4,7 @@
 
 mod letters;
 
-pub use letters::{ANGLE, INDUCED, Letters, Motion, SLIP, SPEED, is_taken};
+pub use letters::{ANGLE, INDUCED, KnownMotion, Letters, SLIP, SPEED, is_taken};
 
 use reader::Quantity;
 

@@ -1,7 +1,7 @@
 //! One law of a written motor: an expression of a dimension.
 
 use super::names::Names;
-use crate::text::{INDUCED, Motion};
+use crate::text::{INDUCED, KnownMotion};
 use reader::{At, Issue, NO_MUTUAL_INDUCTANCE, Table};
 use symbolic::{NotExpression, Reason, Sym, parse_in};
 use units::{Dimension, nearest};
@@ -16,7 +16,7 @@ pub struct Kind {
     pub meaning: &'static str,
     pub unit: &'static str,
     /// The letters of the motion that it may use.
-    pub motion: Motion,
+    pub motion: KnownMotion,
 }
 
 impl Kind {

@@ -23,7 +23,7 @@
 mod law;
 mod names;
 
-use crate::text::{FIELD_SPEED, Motion, NAME};
+use crate::text::{FIELD_SPEED, KnownMotion, NAME};
 use crate::{Expressions, Laws, Motor, RotorState, Winding, runaway};
 use law::{Kind, Reader};
 use names::Names;
@@ -36,26 +36,35 @@ use symbolic::Sym;
 const WINDINGS: usize = 100;
 const PARAMETERS: usize = 200;
 
-const FIELD_ENERGY: Kind =
-    Kind { key: "field_energy", meaning: "energy U(g) of the rotor in the field", unit: "J", motion: Motion::Angle };
-const MOMENT_LAW: Kind =
-    Kind { key: "moment_law", meaning: "moment m(g', phi') of friction and slip", unit: "N m", motion: Motion::Speeds };
+const FIELD_ENERGY: Kind = Kind {
+    key: "field_energy",
+    meaning: "energy U(g) of the rotor in the field",
+    unit: "J",
+    motion: KnownMotion::Angle,
+};
+const MOMENT_LAW: Kind = Kind {
+    key: "moment_law",
+    meaning: "moment m(g', phi') of friction and slip",
+    unit: "N m",
+    motion: KnownMotion::Speeds,
+};
 const FLUX: Kind = Kind {
     key: "flux",
     meaning: "flux psi(g) of the stator's field through the winding",
     unit: "Wb",
-    motion: Motion::Angle,
+    motion: KnownMotion::Angle,
 };
 const INDUCTANCE: Kind =
-    Kind { key: "inductance", meaning: "inductance of the winding", unit: "H", motion: Motion::Rest };
+    Kind { key: "inductance", meaning: "inductance of the winding", unit: "H", motion: KnownMotion::Rest };
 const RESISTANCE: Kind =
-    Kind { key: "resistance", meaning: "resistance of the winding", unit: "ohm", motion: Motion::Rest };
-const SUPPLY: Kind = Kind { key: "supply", meaning: "voltage v(g) of the supply", unit: "V", motion: Motion::Angle };
+    Kind { key: "resistance", meaning: "resistance of the winding", unit: "ohm", motion: KnownMotion::Rest };
+const SUPPLY: Kind =
+    Kind { key: "supply", meaning: "voltage v(g) of the supply", unit: "V", motion: KnownMotion::Angle };
 const MOTIONAL: Kind = Kind {
     key: "motional",
     meaning: "voltage c(i) per speed against the supply (back-EMF), L di/dt = v - R i - c phi'",
     unit: "V s",
-    motion: Motion::Currents,
+    motion: KnownMotion::Currents,
 };
 
 /// Where the data of a winding stand.

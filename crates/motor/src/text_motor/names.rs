@@ -1,6 +1,6 @@
 //! The names that expressions of a written motor may hold: of its parameters and of its currents.
 
-use crate::text::{FIELD_SPEED, Letters, Motion, is_taken};
+use crate::text::{FIELD_SPEED, KnownMotion, Letters, is_taken};
 use reader::{At, Bound, Issue, Quantity, Table};
 use std::cell::RefCell;
 use symbolic::Sym;
@@ -35,7 +35,7 @@ impl Names {
     }
 
     /// The letters of an expression.
-    pub fn letters(&self, motion: Motion) -> Letters<'_> {
+    pub fn letters(&self, motion: KnownMotion) -> Letters<'_> {
         Letters { parameters: &self.dimensions, currents: &self.currents, motion }
     }
 

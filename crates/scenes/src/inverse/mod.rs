@@ -13,7 +13,7 @@ mod no_forces;
 mod prescription;
 
 use crate::linearisation::{At, Known, Point, VariedEquations};
-use crate::motions::Motion;
+use crate::motions::PrescribedMotion;
 use crate::readiness::independent_at;
 use completion::Completion;
 use currents::Currents;
@@ -54,7 +54,12 @@ const RANK: f64 = 1e-10;
 ///
 /// # Errors
 /// Why there are none.
-pub fn inverse(model: &Model, motions: &[Motion], unknowns: &[String], times: &[f64]) -> Result<AlongMotion, NoForces> {
+pub fn inverse(
+    model: &Model,
+    motions: &[PrescribedMotion],
+    unknowns: &[String],
+    times: &[f64],
+) -> Result<AlongMotion, NoForces> {
     let mut known = model.clone();
     known.close_inputs();
     let named = |name: &String| model.parameters.iter().position(|parameter| parameter.name == *name);

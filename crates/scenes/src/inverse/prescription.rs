@@ -4,7 +4,7 @@ use super::NoForces;
 use crate::compiled_system::values;
 use crate::layout::Layout;
 use crate::linearisation::Point;
-use crate::motions::Motion;
+use crate::motions::PrescribedMotion;
 use crate::program::recorded;
 use field::{Analytic, Circle};
 use model::{Model, ScalarId, Trace, turned_further};
@@ -14,7 +14,7 @@ use symbolic::substitute_all;
 
 /// Prescribed coordinates and turns as functions of the time, with three rates.
 pub(super) struct Prescribed {
-    motions: Vec<Motion>,
+    motions: Vec<PrescribedMotion>,
     pub layout: Layout,
     /// Outputs of the model that prescribed speeds keep at zero.
     pub speeds: Vec<usize>,
@@ -25,12 +25,12 @@ pub(super) struct Prescribed {
 impl Prescribed {
     /// # Errors
     /// Where a motion asks for something that moves.
-    pub fn of(model: &Model, motions: &[Motion]) -> Result<Self, NoForces> {
+    pub fn of(model: &Model, motions: &[PrescribedMotion]) -> Result<Self, NoForces> {
         let mut wrong = None;
-        let expressions = |motion: &Motion| match motion {
-            Motion::Coordinate { is, .. } => vec![*is],
-            Motion::Turns { turns, .. } => turns.iter().map(|(_, is)| *is).collect(),
-            Motion::Speed { .. } => Vec::new(),
+        let expressions = |motion: &PrescribedMotion| match motion {
+            PrescribedMotion::Coordinate { is, .. } => vec![*is],
+            PrescribedMotion::Turns { turns, .. } => turns.iter().map(|(_, is)| *is).collect(),
+            PrescribedMotion::Speed { .. } => Vec::new(),
         };
         let program = recorded(0, |time, _| {
             let trace = Trace::of(model);
@@ -50,16 +50,16 @@ impl Prescribed {
             substitute_all(&[positions, speeds, accelerations, third].concat(), &values(&trace, time, &[]))
         });
         let speeds = motions.iter().filter_map(|motion| match motion {
-            Motion::Speed { output } => Some(*output),
-            Motion::Coordinate { .. } | Motion::Turns { .. } => None,
+            PrescribedMotion::Speed { output } => Some(*output),
+            PrescribedMotion::Coordinate { .. } | PrescribedMotion::Turns { .. } => None,
         });
         let (layout, speeds) = (Layout::of(model), speeds.collect());
         match (wrong, program) {
             (Some(place), _) => Err(NoForces::NotOfTime {
                 coordinate: match motions[place] {
-                    Motion::Coordinate { place, .. } => model.coordinates[place].name.clone(),
-                    Motion::Turns { frame, .. } => model.frames[model.free[frame].0].name.clone(),
-                    Motion::Speed { output } => model.outputs[output].name.clone(),
+                    PrescribedMotion::Coordinate { place, .. } => model.coordinates[place].name.clone(),
+                    PrescribedMotion::Turns { frame, .. } => model.frames[model.free[frame].0].name.clone(),
+                    PrescribedMotion::Speed { output } => model.outputs[output].name.clone(),
                 },
             }),
             (None, Ok(program)) => Ok(Prescribed { motions: motions.to_vec(), layout, speeds, program }),
@@ -70,21 +70,21 @@ impl Prescribed {
     /// Whether a speed is prescribed.
     pub fn has(&self, speed: usize) -> bool {
         self.motions.iter().any(|motion| match motion {
-            Motion::Coordinate { place, .. } => *place == speed,
-            Motion::Turns { frame, .. } => {
+            PrescribedMotion::Coordinate { place, .. } => *place == speed,
+            PrescribedMotion::Turns { frame, .. } => {
                 let first = self.layout.turning().nth(*frame).map_or(usize::MAX, |(first, _)| first);
                 (first..first.saturating_add(3)).contains(&speed)
             }
-            Motion::Speed { .. } => false,
+            PrescribedMotion::Speed { .. } => false,
         })
     }
 
     /// Into the coordinates, speeds and accelerations of a point; rates of prescribed accelerations, zero where none is.
     pub fn put(&self, point: &mut Point) -> DVector<f64> {
-        let expressions = |motion: &Motion| match motion {
-            Motion::Coordinate { .. } => 1,
-            Motion::Turns { turns, .. } => turns.len(),
-            Motion::Speed { .. } => 0,
+        let expressions = |motion: &PrescribedMotion| match motion {
+            PrescribedMotion::Coordinate { .. } => 1,
+            PrescribedMotion::Turns { turns, .. } => turns.len(),
+            PrescribedMotion::Speed { .. } => 0,
         };
         let count: usize = self.motions.iter().map(expressions).sum();
         let mut numbers = vec![f64::NAN; 4 * count];
@@ -93,15 +93,15 @@ impl Prescribed {
         let mut third = DVector::zeros(point.speeds.len());
         for motion in &self.motions {
             match motion {
-                Motion::Coordinate { place, .. } => {
+                PrescribedMotion::Coordinate { place, .. } => {
                     let own: [f64; 4] = rates.next().unwrap_or([f64::NAN; 4]);
                     point.coordinates[*place] = own[0];
                     point.speeds[*place] = own[1];
                     point.accelerations[*place] = own[2];
                     third[*place] = own[3];
                 }
-                Motion::Speed { .. } => {}
-                Motion::Turns { frame, turns } => {
+                PrescribedMotion::Speed { .. } => {}
+                PrescribedMotion::Turns { frame, turns } => {
                     let Some((speed, coordinate)) = self.layout.turning().nth(*frame) else { continue };
                     let turned = Turned::by(turns.iter().map(|(axis, _)| *axis).zip(rates.by_ref()));
                     point.coordinates.as_mut_slice()[coordinate..coordinate + 4].copy_from_slice(&turned.quaternion);

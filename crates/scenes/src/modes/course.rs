@@ -51,6 +51,6 @@ pub(super) struct Leg {
 
 /// The laws of a run, in their order.
 #[derive(Default)]
-pub struct Course {
+pub struct RunTable {
     pub(super) legs: Vec<Leg>,
 }

@@ -1,6 +1,6 @@
 //! The course of a run to all digits: by one method in double-double along its laws, event after event.
 
-use super::course::{Course, Crossing, Leg, Sets};
+use super::course::{Crossing, Leg, RunTable, Sets};
 use super::signals::{Fall, GLIDE};
 use super::slowed::Slowed;
 use super::{Laws, Moded, Modes};
@@ -31,8 +31,8 @@ const LAST: f64 = 1e-20;
 
 impl Modes {
     /// The laws of the last run.
-    pub fn course(&self) -> Course {
-        Course { legs: self.course.lock().unwrap_or_else(PoisonError::into_inner).clone() }
+    pub fn course(&self) -> RunTable {
+        RunTable { legs: self.course.lock().unwrap_or_else(PoisonError::into_inner).clone() }
     }
 
     /// The course of a run by one method, at instants up to its end.
@@ -41,7 +41,7 @@ impl Modes {
     /// Where the method does not follow it, or an event is told by a tie.
     pub fn exactly(
         &self,
-        course: &Course,
+        course: &RunTable,
         start: &[f64],
         instants: &[f64],
         means: Means,
@@ -51,7 +51,7 @@ impl Modes {
     }
 }
 
-impl Course {
+impl RunTable {
     /// y' of the law that holds at a time.
     pub fn rates_at(&self, time: f64, state: &[DoubleDouble], rates: &mut [DoubleDouble]) {
         let has_begun = |leg: &&Leg| leg.cause.is_none_or(|cause| cause.time <= time);
@@ -68,7 +68,7 @@ struct Follower<'a> {
 }
 
 impl Follower<'_> {
-    fn follow(mut self, course: &Course, instants: &[f64]) -> Result<(Followed, Means), Unknown> {
+    fn follow(mut self, course: &RunTable, instants: &[f64]) -> Result<(Followed, Means), Unknown> {
         let (mut states, mut events, mut left) = (Vec::new(), Vec::new(), instants);
         for (place, leg) in course.legs.iter().enumerate() {
             if leg.begins_to_glide {

@@ -34,7 +34,7 @@ mod unfit;
 mod words;
 
 pub(crate) use contacts::letters as reactions_of;
-pub use course::Course;
+pub use course::RunTable;
 pub use mode::{Case, Face, Mode, Phase};
 pub(crate) use motion::ModeMotion;
 

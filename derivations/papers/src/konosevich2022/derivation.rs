@@ -7,7 +7,7 @@ use claims::derivation::{Derivation, Equation, NotDerived, Principle};
 use claims::submit;
 use mechanics::rotation::{euler, vertical};
 use symbolic::{Hypotheses, Sym, coefficients, normal};
-use systems::gyrostat::Motion;
+use systems::gyrostat::MotionInstant;
 
 const GYROSTAT: Derivation = Derivation {
     name: "gyrostat",
@@ -39,7 +39,7 @@ fn gyrostat(principle: Principle) -> Result<Vec<Equation>, NotDerived> {
         Principle::Appell => g.by_appell(&s.motion()),
         Principle::Hamel => {
             let at = vertical(&euler([angles[0], angles[1], angles[2]]));
-            g.by_hamel(angles, &Motion { vertical: at, ..s.motion() })
+            g.by_hamel(angles, &MotionInstant { vertical: at, ..s.motion() })
         }
         Principle::Lagrange => {
             let rates = ["ψ̇", "θ̇", "φ̇", "φ̇′"].map(letter);

@@ -8,7 +8,7 @@ use claims::Point;
 use field::{Rational, Scalar};
 use nalgebra::{Matrix3, Vector3};
 use num_traits::Zero;
-use systems::gyrostat::{Carrier, Gyrostat, Motion, Rotor};
+use systems::gyrostat::{Carrier, Gyrostat, MotionInstant, Rotor};
 
 /// A gyrostat with a direction, a field speed and, where it matters, an angular velocity about the vertical.
 #[derive(Clone, Copy, Debug)]
@@ -236,8 +236,8 @@ impl Example {
     }
 
     /// The rotation about the vertical with an angular velocity, the rotor keeping the field's speed without a moment.
-    pub fn rotation(&self, angular_velocity: Rational) -> Motion<Rational> {
-        Motion {
+    pub fn rotation(&self, angular_velocity: Rational) -> MotionInstant<Rational> {
+        MotionInstant {
             angular_velocity: self.vertical * angular_velocity,
             vertical: self.vertical,
             rotor_speed: self.field_speed,

@@ -6,7 +6,7 @@ use machines::multi_current::{MultiCurrent, Windings};
 use nalgebra::{Matrix3, Vector3};
 use num_traits::Zero;
 use symbolic::{Hypotheses, Sym};
-use systems::gyrostat::{Carrier, Gyrostat, Motion, Rotor};
+use systems::gyrostat::{Carrier, Gyrostat, MotionInstant, Rotor};
 
 /// Everything that the paper names.
 pub struct Letters {
@@ -117,8 +117,8 @@ impl Letters {
     }
 
     /// An instant with all accelerations free.
-    pub fn motion(&self) -> Motion<Sym> {
-        Motion {
+    pub fn motion(&self) -> MotionInstant<Sym> {
+        MotionInstant {
             angular_velocity: self.w,
             vertical: self.nu,
             rotor_speed: self.dphi,
@@ -129,13 +129,13 @@ impl Letters {
     }
 
     /// The same with the rotor's angle measured from the field: phi' = g' + W.
-    pub fn motion_from_field(&self) -> Motion<Sym> {
-        Motion { rotor_speed: self.dgamma + self.omega_field, rotor_acceleration: self.ddgamma, ..self.motion() }
+    pub fn motion_from_field(&self) -> MotionInstant<Sym> {
+        MotionInstant { rotor_speed: self.dgamma + self.omega_field, rotor_acceleration: self.ddgamma, ..self.motion() }
     }
 
     /// A constant motion: w = w0 nu, everything else at rest, the rotor at a relative speed.
-    pub fn stationary(&self, rotor_speed: Sym, moment: Sym) -> Motion<Sym> {
-        Motion {
+    pub fn stationary(&self, rotor_speed: Sym, moment: Sym) -> MotionInstant<Sym> {
+        MotionInstant {
             angular_velocity: self.nu * self.omega0,
             vertical: self.nu,
             rotor_speed,

@@ -7,7 +7,7 @@ use mechanics::differentiate::along;
 use mechanics::rotation::{euler, euler_forms, vertical};
 use nalgebra::Vector3;
 use symbolic::Sym;
-use systems::gyrostat::Motion;
+use systems::gyrostat::MotionInstant;
 
 use Condition::Equal;
 
@@ -22,7 +22,7 @@ pub fn claims(page: &mut Page, s: &Letters) {
         .follows((0..4).map(|i| Equal(by_appell[i], by_momentum[i])));
 
     let angles = ["ψ", "θ", "φ", "φ′"].map(letter);
-    let motion = Motion { vertical: vertical(&euler([angles[0], angles[1], angles[2]])), ..s.motion() };
+    let motion = MotionInstant { vertical: vertical(&euler([angles[0], angles[1], angles[2]])), ..s.motion() };
     let at_angles = g.by_momentum(&motion);
     let by_hamel = g.by_hamel(angles, &motion);
     page.claim("beyond-routes", "hamel", r"the equations of Boltzmann and Hamel in the quasi-velocities $(\omega, \dot\varphi')$, with brackets from Euler's angles, are the theorem of angular momentum for the carrier and the rotor")
@@ -43,7 +43,7 @@ fn lagrange(page: &mut Page, s: &Letters) {
     let [position, velocity, acceleration] = [angles, rates, accelerations].map(|[a, b, c, _]| [a, b, c]);
     let forms = euler_forms(along(position, velocity));
     let moving = forms * Vector3::from(along(velocity, acceleration));
-    let motion = Motion {
+    let motion = MotionInstant {
         angular_velocity: moving.map(|x| x.value),
         angular_acceleration: moving.map(|x| x.slope),
         vertical: vertical(&euler(position)),

@@ -139,12 +139,12 @@ fn solved(page: &mut Page, s: &Letters) {
     let g = s.in_axes_of_a();
     let form = FirstForm::new(s.a, s.l, s.axial, s.e * s.big_gamma);
     let (dw, ddphi) = form.accelerations(s.w, s.nu, s.dphi, s.moment);
-    let motion = systems::gyrostat::Motion { angular_acceleration: dw, rotor_acceleration: ddphi, ..s.motion() };
+    let motion = systems::gyrostat::MotionInstant { angular_acceleration: dw, rotor_acceleration: ddphi, ..s.motion() };
     page.claim("eq4.3", "runs", "first form: the accelerations that the program integrates satisfy the angular momentum equations of the mass points")
         .under(&s.unit_axis)
         .follows(g.by_momentum(&motion).map(Condition::Zero));
     let (dw, reaction) = form.prescribed(s.w, s.nu, s.dphi);
-    let motion = systems::gyrostat::Motion {
+    let motion = systems::gyrostat::MotionInstant {
         angular_acceleration: dw,
         rotor_acceleration: Sym::int(0),
         moment: reaction,

@@ -9,7 +9,7 @@ use field::Rational;
 use mechanics::rotation::{determinant, quaternion};
 use nalgebra::{Matrix3, Vector3};
 use symbolic::{Hypotheses, Sym};
-use systems::gyrostat::Motion;
+use systems::gyrostat::MotionInstant;
 use systems::gyrostat::forms::{Form, SecondForm};
 
 pub fn claims(page: &mut Page, s: &Letters) {
@@ -61,7 +61,7 @@ fn second_form(page: &mut Page, s: &Letters) {
     }
     let form = SecondForm::new(s.a_star, l, s.axial, s.e * s.big_gamma);
     let (dw, ddphi) = form.accelerations(s.w, s.nu, s.dphi, s.moment);
-    let motion = Motion { angular_acceleration: dw, rotor_acceleration: ddphi, ..s.motion() };
+    let motion = MotionInstant { angular_acceleration: dw, rotor_acceleration: ddphi, ..s.motion() };
     page.claim("eq5.2", "runs", "second form: the accelerations that the program integrates satisfy the angular momentum equations of the mass points")
         .under(&s.unit_axis)
         .follows(g.by_momentum(&motion).map(Condition::Zero));

@@ -8,7 +8,7 @@ use mechanics::momentum::absolute_rate;
 use motor::FreeRotor;
 use nalgebra::Vector3;
 use symbolic::Sym;
-use systems::gyrostat::Motion;
+use systems::gyrostat::MotionInstant;
 use systems::gyrostat::driven::Driven;
 use systems::gyrostat::forms::{FirstForm, Form, SecondForm};
 
@@ -21,7 +21,7 @@ pub fn claims(page: &mut Page, s: &Letters) {
 /// 8.1: the rotor kept at the relative speed W.
 fn constant_speed(page: &mut Page, s: &Letters) {
     let g = s.in_axes_of_a_star();
-    let motion = Motion { rotor_speed: s.omega_field, rotor_acceleration: Sym::ZERO, ..s.motion() };
+    let motion = MotionInstant { rotor_speed: s.omega_field, rotor_acceleration: Sym::ZERO, ..s.motion() };
     let residual = g.by_momentum(&motion);
     let gyrostatic = s.l * (s.axial * s.omega_field);
     let right = (s.a_star.component_mul(&s.w) + gyrostatic).cross(&s.w) + s.e.cross(&s.nu) * s.big_gamma;
@@ -40,7 +40,7 @@ fn constant_speed(page: &mut Page, s: &Letters) {
         .in_words()
         .under(&s.unit_axis)
         .follows([Condition::Equal(residual[3], s.axial * s.l.dot(&s.dw) - s.moment)]);
-    let still = Motion { moment: Sym::ZERO, ..s.stationary(s.omega_field, Sym::ZERO) };
+    let still = MotionInstant { moment: Sym::ZERO, ..s.stationary(s.omega_field, Sym::ZERO) };
     let stationary = g.by_momentum(&still);
     page.claim(
         "section8.1",
@@ -58,8 +58,12 @@ fn free_rotor(page: &mut Page, s: &Letters) {
     let rest = letter("Ω⁰");
     // first form: the relative speed that goes with p'
     let first = s.in_axes_of_a();
-    let free =
-        Motion { rotor_speed: p - s.w.dot(&s.l), rotor_acceleration: -s.l.dot(&s.dw), moment: Sym::ZERO, ..s.motion() };
+    let free = MotionInstant {
+        rotor_speed: p - s.w.dot(&s.l),
+        rotor_acceleration: -s.l.dot(&s.dw),
+        moment: Sym::ZERO,
+        ..s.motion()
+    };
     let residual = first.by_momentum(&free);
     let right = (s.a.component_mul(&s.w) + s.l * (s.axial * p)).cross(&s.w) + s.e.cross(&s.nu) * s.big_gamma;
     page.claim(
@@ -79,7 +83,7 @@ fn free_rotor(page: &mut Page, s: &Letters) {
     page.claim("section8.2", "runs", r"$p'$ of a free rotor has no rate along the motions that the program integrates, in the first form and in the second")
         .under(&s.unit_axis)
         .follows([spin_rate(forms.0, s), spin_rate(forms.1, s)].map(Condition::Zero));
-    let still = Motion { moment: Sym::ZERO, ..s.stationary(p - s.omega0 * s.nu.dot(&s.l), Sym::ZERO) };
+    let still = MotionInstant { moment: Sym::ZERO, ..s.stationary(p - s.omega0 * s.nu.dot(&s.l), Sym::ZERO) };
     let stationary = first.by_momentum(&still);
     let to_first: Vec<(Sym, Sym)> = (0..3).map(|i| (s.a_star[i], s.a[i])).chain([(s.omega_field, p)]).collect();
     let printed = s.conditions().map(|x| x.substitute(&to_first));

@@ -1,7 +1,7 @@
 //! A scene with a motor as a parametric system: bodies, machine and start of its own for every member, results in the axes of the data.
 
 use super::kind::{INVARIANT_UNITS, INVARIANTS, Kind, form_parameters};
-use super::known::{Data, Place, variables};
+use super::known::{Data, DatumPlace, variables};
 use crate::scene::state::{ROTOR_SPEED, rotor_state};
 use crate::scene::{Scene, Setup};
 use integrators::LaneSeries;
@@ -23,7 +23,7 @@ struct DrivenSystem {
     kind: Kind,
     axes: Axes,
     /// Where each variable belongs.
-    places: Vec<Place>,
+    places: Vec<DatumPlace>,
     /// The place of the slip among the states, where there is one.
     slip: Option<usize>,
 }
@@ -42,7 +42,7 @@ pub(super) fn read(opening: Opening, top: &mut Table<'_>, issues: &mut Vec<Issue
 }
 
 impl DrivenSystem {
-    fn of(scene: Scene, places: Vec<Place>) -> Result<Self, Untapeable> {
+    fn of(scene: Scene, places: Vec<DatumPlace>) -> Result<Self, Untapeable> {
         let axes = Axes::Second;
         let kind = Kind::record(&scene.system, &scene.machine, axes)?;
         let slip = scene.names().iter().position(|name| name == "slip");

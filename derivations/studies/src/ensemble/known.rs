@@ -18,7 +18,7 @@ pub struct Data {
 
 /// Where a datum is.
 #[derive(Clone, Copy, Debug)]
-pub enum Place {
+pub enum DatumPlace {
     Bodies(fn(&mut Setup) -> Option<&mut [f64]>),
     Machine(usize),
     Start(fn(&mut Start) -> &mut [f64]),
@@ -30,12 +30,12 @@ pub(crate) struct Known {
     pub meaning: Cow<'static, str>,
     pub unit: Cow<'static, str>,
     pub components: usize,
-    pub place: Place,
+    pub place: DatumPlace,
 }
 
 macro_rules! of_bodies {
     ($bodies:ident => $number:expr) => {
-        Place::Bodies(|system| match system {
+        DatumPlace::Bodies(|system| match system {
             Setup::Gyrostat($bodies) => Some($number),
             Setup::Bench { .. } => None,
         })
@@ -48,7 +48,7 @@ impl Known {
         meaning: &'static str,
         unit: &'static str,
         components: usize,
-        place: Place,
+        place: DatumPlace,
     ) -> Self {
         let [key, meaning, unit] = [Cow::Borrowed(key), Cow::Borrowed(meaning), Cow::Borrowed(unit)];
         Known { key, meaning, unit, components, place }
@@ -57,7 +57,7 @@ impl Known {
     /// A parameter of the machine, by its place among them.
     fn of_machine((place, (quantity, _)): (usize, (&Quantity, f64))) -> Self {
         let Quantity { name, unit, meaning, .. } = quantity.clone();
-        Known { key: name, meaning, unit, components: 1, place: Place::Machine(place) }
+        Known { key: name, meaning, unit, components: 1, place: DatumPlace::Machine(place) }
     }
 
     /// All that a scene may vary, by the tables in which they stand; at the top of the file the name is empty.
@@ -70,7 +70,7 @@ impl Known {
             "angle of the rotor",
             "rad",
             1,
-            Place::Start(|s| from_mut(&mut s.rotor_angle)),
+            DatumPlace::Start(|s| from_mut(&mut s.rotor_angle)),
         )];
         if scene.machine.kept_speed().is_none() {
             start.push(Known::new(
@@ -78,13 +78,19 @@ impl Known {
                 "relative speed of the rotor",
                 "rad/s",
                 1,
-                Place::Start(|s| from_mut(&mut s.rotor_speed)),
+                DatumPlace::Start(|s| from_mut(&mut s.rotor_speed)),
             ));
         }
         if windings > 0 {
-            start.push(Known::new("currents", "row of currents", "A", windings, Place::Start(|s| &mut s.currents)));
+            start.push(Known::new(
+                "currents",
+                "row of currents",
+                "A",
+                windings,
+                DatumPlace::Start(|s| &mut s.currents),
+            ));
         }
-        let axial = Place::Bodies(|system| match system {
+        let axial = DatumPlace::Bodies(|system| match system {
             Setup::Gyrostat(bodies) => Some(from_mut(&mut bodies.rotor.axial)),
             Setup::Bench { axial } => Some(from_mut(axial)),
         });
@@ -133,14 +139,14 @@ impl Known {
                 "angular velocity of the carrier",
                 "rad/s",
                 3,
-                Place::Start(|s| s.angular_velocity.as_mut_slice()),
+                DatumPlace::Start(|s| s.angular_velocity.as_mut_slice()),
             ),
             Known::new(
                 "vertical",
                 "direction of the vertical, downwards",
                 "1",
                 3,
-                Place::Start(|s| s.vertical.as_mut_slice()),
+                DatumPlace::Start(|s| s.vertical.as_mut_slice()),
             ),
         ]);
         let top = vec![Known::new(
@@ -155,7 +161,7 @@ impl Known {
 }
 
 /// All that a scene may vary, in the order of a table of results, each with its place.
-pub(super) fn variables(scene: &Scene) -> (Vec<Variable>, Vec<Place>) {
+pub(super) fn variables(scene: &Scene) -> (Vec<Variable>, Vec<DatumPlace>) {
     let mut all = Vec::new();
     for (table, known) in Known::of(scene) {
         for Known { key, meaning, unit, components, place } in known {
@@ -170,13 +176,13 @@ pub(super) fn variables(scene: &Scene) -> (Vec<Variable>, Vec<Place>) {
     all.into_iter().unzip()
 }
 
-impl Place {
+impl DatumPlace {
     /// Puts drawn numbers where they belong; six are a symmetric tensor.
     pub(super) fn put(self, drawn: &[f64], data: &mut Data) {
         let place = match self {
-            Place::Bodies(of) => of(&mut data.system).unwrap_or_default(),
-            Place::Machine(i) => data.machine.get_mut(i).map(from_mut).unwrap_or_default(),
-            Place::Start(of) => of(&mut data.start),
+            DatumPlace::Bodies(of) => of(&mut data.system).unwrap_or_default(),
+            DatumPlace::Machine(i) => data.machine.get_mut(i).map(from_mut).unwrap_or_default(),
+            DatumPlace::Start(of) => of(&mut data.start),
         };
         match (drawn, place.len()) {
             (&[a, b, c, d, e, f], 9) => place.copy_from_slice(&[a, b, c, b, d, e, c, e, f]),

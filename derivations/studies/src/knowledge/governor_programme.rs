@@ -12,7 +12,7 @@ use simulation::knowledge::{ClosedForm, Diagnosis, Ended, Knowledge, submit};
 use simulation::models::Modelled;
 use std::sync::Arc;
 use symbolic::Sym;
-use systems::governor::constant::{ConstantMoments, Course};
+use systems::governor::constant::{ConstantMoments, ProgrammeEnd};
 use systems::governor::{Gearing, Governor, Moment};
 
 const NAME: &str = "governor_programme";
@@ -53,7 +53,7 @@ pub fn governor(scene: &dyn Modelled) -> Result<Governor<f64>, &'static str> {
 
 /// The motion of the wheel in closed form.
 struct Closed {
-    course: Course,
+    course: ProgrammeEnd,
     what: &'static str,
     distance: Box<dyn Fn(f64) -> Option<f64>>,
 }
@@ -81,21 +81,21 @@ fn closed_form(scene: &dyn Modelled, time: f64) -> Option<ClosedForm> {
 
 fn theory(scene: &dyn Modelled) -> Vec<String> {
     let said = Closed::of(scene).map(|closed| match closed.course {
-        Course::Rest => "the moments balance: the wheel rests".to_owned(),
-        Course::ReachesAxis { time } if !time.is_finite() => {
+        ProgrammeEnd::Rest => "the moments balance: the wheel rests".to_owned(),
+        ProgrammeEnd::ReachesAxis { time } if !time.is_finite() => {
             "the wheel comes to the axis of the second disc, at a time that doubles do not hold".to_owned()
         }
-        Course::ReachesAxis { time } => {
+        ProgrammeEnd::ReachesAxis { time } => {
             format!("the wheel comes to the axis of the second disc at t = {time:.9} s, and no motion goes on")
         }
-        Course::TendsTo { distance: 0.0 } => {
+        ProgrammeEnd::TendsTo { distance: 0.0 } => {
             "the wheel tends to the axis of the first disc, whose speed grows without bound".to_owned()
         }
-        Course::TendsTo { distance } if !distance.is_finite() => {
+        ProgrammeEnd::TendsTo { distance } if !distance.is_finite() => {
             "the wheel tends to a distance that doubles do not hold".to_owned()
         }
-        Course::TendsTo { distance } => format!("the wheel tends to rho = {distance:.9} m"),
-        Course::Grows => "rho grows without bound: the wheel leaves every disc".to_owned(),
+        ProgrammeEnd::TendsTo { distance } => format!("the wheel tends to rho = {distance:.9} m"),
+        ProgrammeEnd::Grows => "rho grows without bound: the wheel leaves every disc".to_owned(),
     });
     said.into_iter().collect()
 }
@@ -106,7 +106,7 @@ const NEAR: f64 = 1e-2;
 fn diagnosis(run: &Ended<'_>) -> Option<Diagnosis> {
     let (governor, first) = (governor(run.scene).ok()?, run.scene.value("rho")?);
     let at = Closed::of(run.scene).and_then(|closed| match closed.course {
-        Course::ReachesAxis { time } => Some(time).filter(|time| time.is_finite()),
+        ProgrammeEnd::ReachesAxis { time } => Some(time).filter(|time| time.is_finite()),
         _ => None,
     });
     let [[_, now], [_, first]] = [run.last("rho"), first].map(|rho| governor.levers(rho));

@@ -4,7 +4,7 @@
 
 use super::outputs::Watched;
 use super::plan::{FINEST, Plan, Runnable, plans};
-use super::receipt::{Choice, Line, Receipt, Verdict, Wish, cheapest};
+use super::receipt::{Choice, Line, Receipt, Sufficiency, Wish, cheapest};
 use super::run_rows::Run;
 use super::sampled_run::instants;
 use integrators::taking_turns;
@@ -69,13 +69,13 @@ pub fn choose(models: &dyn Models, wish: &Wish) -> Result<Receipt, String> {
     let span = forms.iter().flatten().map(|form| form.span).fold(0.0, f64::max);
     let mut tried: Vec<(usize, Plan)> = Vec::new();
     for (at, line) in lines.iter_mut().enumerate() {
-        if line.verdict != Verdict::Suffices {
+        if line.verdict != Sufficiency::Suffices {
             continue;
         }
         let found = plans(&forms[at], &watched, OF_METHOD * wish.tolerance);
         deciding += found.first().map_or(0, |plan| plan.spent);
         if found.is_empty() {
-            line.verdict = Verdict::NotRun;
+            line.verdict = Sufficiency::NotRun;
         }
         tried.extend(found.into_iter().take(TRIED).map(|plan| (at, plan)));
     }

@@ -5,7 +5,7 @@ use super::estimate::Estimate;
 use super::models::across_events;
 use super::outputs::Watched;
 use super::plan::{FINEST, PILOTS, Plan, Runnable, plans};
-use super::receipt::{Line, OF_MODEL, Verdict, Wish};
+use super::receipt::{Line, OF_MODEL, Sufficiency, Wish};
 use super::switching::LOOKING;
 use super::{Hierarchy, Loss, ReducedModel};
 use integrators::Method;
@@ -53,7 +53,7 @@ impl Models for Forms {
                 dropped: rung.dropped.clone(),
                 loss: rung.loss,
                 states: rung.start.len(),
-                verdict: Verdict::of(&model, tolerance),
+                verdict: Sufficiency::of(&model, tolerance),
                 model,
                 asked_as: rung.shows_all(&watched.names).then_some(rung.name),
                 choice: None,
@@ -84,12 +84,12 @@ impl Models for Forms {
         let rich = usize::from(ladder.lumping.is_some());
         let plan = Plan { axes: Axes::First, ..found.iter().find(|(line, _)| *line == rich)?.1.clone() };
         // along stiff windings an explicit method does not switch; and looking for where is dearer than a short run
-        let whole = |line: &Line| line.verdict == Verdict::Suffices && matches!(line.loss, Loss::Small { .. });
+        let whole = |line: &Line| line.verdict == Sufficiency::Suffices && matches!(line.loss, Loss::Small { .. });
         let short = plan.foretold < LOOKING as f64;
         if wish.allowed.is_zero() || short || plan.method.traits().implicit || lines.iter().any(whole) {
             return None;
         }
-        let far = |line: &Line| matches!(line.verdict, Verdict::TooFar | Verdict::NotBelieved);
+        let far = |line: &Line| matches!(line.verdict, Sufficiency::TooFar | Sufficiency::NotBelieved);
         let worth = |at: usize, rung: &ReducedModel| rung.lower.kept.is_some() && cheaper(ladder, at + 1, rich);
         let unfit = ladder.rungs.iter().enumerate().filter(|(at, _)| far(&lines[at + 1]));
         let unfit: Vec<(usize, &ReducedModel)> = unfit.filter(|(at, rung)| worth(*at, rung)).collect();
@@ -113,7 +113,7 @@ impl Models for Forms {
             states: ladder.start.len(),
             model: Ok(Estimate { first: schedule.promised, ..Estimate::nothing(watched.columns.len()) }),
             asked_as: None,
-            verdict: Verdict::Suffices,
+            verdict: Sufficiency::Suffices,
             choice: None,
         };
         let sides = [(plan.method, plan.tolerance), (low.method, low.tolerance)];

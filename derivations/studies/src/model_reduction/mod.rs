@@ -43,7 +43,7 @@ pub use estimate::Estimate;
 pub use forms::Forms;
 pub use lumping::{Lumped, Lumping};
 pub use plan::Plan;
-pub use receipt::{Choice, Line, Receipt, Verdict, Wish};
+pub use receipt::{Choice, Line, Receipt, Sufficiency, Wish};
 pub use reduced_model::Lower;
 
 use simulation::work_precision::{Configuration, Formulation, Standing, Treated};

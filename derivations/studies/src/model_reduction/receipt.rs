@@ -36,7 +36,7 @@ pub struct Line {
     /// The name by which a run is asked for it; none of a model that no run takes by name.
     pub asked_as: Option<&'static str>,
     /// Why it is not taken, where it cannot be.
-    pub verdict: Verdict,
+    pub verdict: Sufficiency,
     /// The best run of it.
     pub choice: Option<Choice>,
 }
@@ -46,25 +46,25 @@ impl Line {
     pub fn own(name: &'static str, states: usize, outputs: usize) -> Self {
         let model = Ok(Estimate::nothing(outputs));
         let (name, asked_as, dropped) = (name.to_owned(), Some(name), String::new());
-        Line { name, dropped, loss: Loss::Own, states, model, asked_as, verdict: Verdict::Suffices, choice: None }
+        Line { name, dropped, loss: Loss::Own, states, model, asked_as, verdict: Sufficiency::Suffices, choice: None }
     }
 }
 
-impl Verdict {
+impl Sufficiency {
     /// Of a model by its estimate.
     pub fn of(model: &Result<Estimate, String>, tolerance: f64) -> Self {
         match model {
-            Err(_) => Verdict::NotCarried,
-            Ok(model) if model.second > BELIEVED * model.first.max(MINUTE * tolerance) => Verdict::NotBelieved,
-            Ok(model) if model.promised() > OF_MODEL * tolerance => Verdict::TooFar,
-            Ok(_) => Verdict::Suffices,
+            Err(_) => Sufficiency::NotCarried,
+            Ok(model) if model.second > BELIEVED * model.first.max(MINUTE * tolerance) => Sufficiency::NotBelieved,
+            Ok(model) if model.promised() > OF_MODEL * tolerance => Sufficiency::TooFar,
+            Ok(_) => Sufficiency::Suffices,
         }
     }
 }
 
 /// Whether a rung serves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Verdict {
+pub enum Sufficiency {
     /// It does.
     Suffices,
     /// Its error is estimated above what is allowed.

@@ -60,7 +60,7 @@ impl Schedule {
 }
 
 /// A coarse run of the richer law, with what a small change after each stretch makes of the outputs.
-pub struct Course {
+pub struct CoarseRun {
     /// The ends of the stretches.
     times: Vec<f64>,
     /// At their beginnings, and at the end.
@@ -74,7 +74,7 @@ impl Hierarchy {
     ///
     /// # Errors
     /// Where its run stops, by the deadline too.
-    pub fn course(&self, watched: &Watched, deadline: Option<Instant>) -> Result<Course, Failure> {
+    pub fn course(&self, watched: &Watched, deadline: Option<Instant>) -> Result<CoarseRun, Failure> {
         let (n, span) = (self.start.len(), self.own.span);
         let times: Vec<f64> = (1..=STRETCHES).map(|k| span * (k as f64 / STRETCHES as f64)).collect();
         let mut record = Record::new();
@@ -108,12 +108,12 @@ impl Hierarchy {
                 }
             }
         }
-        Ok(Course { times, states, weights })
+        Ok(CoarseRun { times, states, weights })
     }
 
     /// Where a rung may run if the outputs may lose so much; `None` where it may nowhere, or where its states are none of the
     /// richer law's.
-    pub fn schedule(&self, rung: &ReducedModel, course: &Course, allowed: f64) -> Option<Schedule> {
+    pub fn schedule(&self, rung: &ReducedModel, course: &CoarseRun, allowed: f64) -> Option<Schedule> {
         let kept = rung.lower.kept.as_ref()?;
         let losses: Vec<f64> = (0..STRETCHES).map(|k| self.loss(rung, kept, course, k)).collect();
         let taken = |threshold: f64| -> Vec<bool> {
@@ -135,7 +135,7 @@ impl Hierarchy {
     }
 
     /// What the outputs lose at most by running the stretch k on a rung; infinite where that does not reach its end.
-    fn loss(&self, rung: &ReducedModel, kept: &[usize], course: &Course, k: usize) -> f64 {
+    fn loss(&self, rung: &ReducedModel, kept: &[usize], course: &CoarseRun, k: usize) -> f64 {
         let begin = k.checked_sub(1).map_or(0.0, |before| course.times[before]);
         let (y, end) = (&course.states[k], course.times[k]);
         let down: Vec<f64> = kept.iter().map(|&place| y[place]).collect();

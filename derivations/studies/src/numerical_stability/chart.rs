@@ -25,7 +25,7 @@ pub struct Row {
 
 /// What is known of a motion near it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Motion {
+pub enum ChartedMotion {
     /// Every eigenvalue but those of the integrals has a negative real part.
     Fades,
     /// None has a positive one, some are imaginary.
@@ -63,7 +63,7 @@ impl Chart {
                 out += "  not known: eigenvalues coincide, or a real part vanishes for no known reason\n";
                 continue;
             };
-            let _ = writeln!(out, "  the motion {}", Motion::of(spectrum));
+            let _ = writeln!(out, "  the motion {}", ChartedMotion::of(spectrum));
             let _ = writeln!(out, "  eigenvalues, 1/s: {}", self.eigenvalues(spectrum));
             for row in rows {
                 let _ = writeln!(out, "  {:<20} {}", row.method.to_string(), row.told());
@@ -166,26 +166,26 @@ fn plain(value: f64) -> String {
     }
 }
 
-impl Motion {
+impl ChartedMotion {
     /// By its eigenvalues.
     pub fn of(spectrum: &Spectrum) -> Self {
         match spectrum.growing() {
-            [0, 0] => Motion::Fades,
-            [0, staying] => Motion::Stays { staying },
-            [growing, _] => Motion::Grows { growing },
+            [0, 0] => ChartedMotion::Fades,
+            [0, staying] => ChartedMotion::Stays { staying },
+            [growing, _] => ChartedMotion::Grows { growing },
         }
     }
 }
 
-impl fmt::Display for Motion {
+impl fmt::Display for ChartedMotion {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Motion::Fades => write!(f, "is asymptotically stable, with its integrals held"),
-            Motion::Stays { staying } => write!(
+            ChartedMotion::Fades => write!(f, "is asymptotically stable, with its integrals held"),
+            ChartedMotion::Stays { staying } => write!(
                 f,
                 "is a centre in the first approximation: {staying} imaginary eigenvalues, no positive real part"
             ),
-            Motion::Grows { growing } => write!(
+            ChartedMotion::Grows { growing } => write!(
                 f,
                 "is unstable: {growing} eigenvalue{} with a positive real part",
                 if *growing == 1 { "" } else { "s" }

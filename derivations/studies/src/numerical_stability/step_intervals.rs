@@ -4,13 +4,13 @@
 //! threshold, or touches one, and stays open.
 
 /// All steps from one to another, s, with whether the map grows at each of them: `None` where that is open.
-pub type Stretch = (f64, f64, Option<bool>);
+pub type StepRange = (f64, f64, Option<bool>);
 
 /// What is proved of all steps between two.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Proved {
     /// Neighbours.
-    pub stretches: Vec<Stretch>,
+    pub stretches: Vec<StepRange>,
     /// Those of them in which no stationary motion of the splitting's own could be enclosed.
     pub lost: Vec<(f64, f64)>,
     /// Single steps, s, in what is open, with whether the map grows there.

@@ -76,7 +76,7 @@ pub fn survey(scene: &Scene, w: f64) -> Result<Vec<Surveyed>, String> {
         Some(Surveyed {
             scene: scene.title.clone(),
             motion: motion.to_string(),
-            does: super::chart::Motion::of(spectrum).to_string(),
+            does: super::chart::ChartedMotion::of(spectrum).to_string(),
             eigenvalues: chart.eigenvalues(spectrum),
             methods: methods.collect(),
             splittings: splittings.collect(),

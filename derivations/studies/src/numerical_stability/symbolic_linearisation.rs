@@ -9,7 +9,7 @@ use mechanics::definite::solve;
 use motor::{Machine, Motor, RotorState, drive, is_fed, resting_currents};
 use nalgebra::Vector3;
 use symbolic::{Hypotheses, Sym, decide, substitute_all};
-use systems::gyrostat::{Gyrostat, Motion};
+use systems::gyrostat::{Gyrostat, MotionInstant};
 
 /// Windings that fade at one rate.
 struct Group {
@@ -114,7 +114,7 @@ fn carrier(
     let zero = Rational::int(0);
     let column = |k: usize| {
         let one = |i: usize| if i == k { Rational::int(1) } else { zero };
-        bodies.by_momentum(&Motion {
+        bodies.by_momentum(&MotionInstant {
             angular_velocity: Vector3::zeros(),
             vertical: Vector3::zeros(),
             rotor_speed: zero,
@@ -125,7 +125,7 @@ fn carrier(
     };
     let columns: [[Rational; 4]; 4] = std::array::from_fn(column);
     let [w, v] = vectors();
-    let missing = bodies.by_momentum(&Motion {
+    let missing = bodies.by_momentum(&MotionInstant {
         angular_velocity: w,
         vertical: v,
         rotor_speed,

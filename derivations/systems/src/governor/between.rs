@@ -8,7 +8,7 @@
 //! closed form. At the axis of the first disc its shaft is alone with its moment and takes for ever; at that of the second
 //! rho' is infinite.
 
-use super::constant::Course;
+use super::constant::ProgrammeEnd;
 use super::{Gearing, Governor};
 use field::{Base, Scalar};
 
@@ -132,30 +132,30 @@ impl Between<f64> {
     }
 
     /// What becomes of the wheel.
-    pub fn course(&self, start: f64) -> Course {
+    pub fn course(&self, start: f64) -> ProgrammeEnd {
         let [m1, m2] = self.moments;
         let outwards = -self.pull(start) / self.first;
         // without a moment on the second shaft they balance at its axis
         let balance = if m2 == 0.0 { self.distance } else { m1 * self.distance / (m1 - m2) };
         let attracts = (m2 - m1) / self.first > 0.0;
         if outwards == 0.0 {
-            Course::Rest
+            ProgrammeEnd::Rest
         } else if attracts && 0.0 < balance && balance <= self.distance {
-            Course::TendsTo { distance: balance }
+            ProgrammeEnd::TendsTo { distance: balance }
         } else if outwards > 0.0 {
-            Course::ReachesAxis { time: self.time(start, self.distance) }
+            ProgrammeEnd::ReachesAxis { time: self.time(start, self.distance) }
         } else {
-            Course::TendsTo { distance: 0.0 }
+            ProgrammeEnd::TendsTo { distance: 0.0 }
         }
     }
 
     /// rho at an instant, by the quadrature; `None` after the end.
     pub fn distance_at(&self, start: f64, time: f64) -> Option<f64> {
         let goal = match self.course(start) {
-            Course::Rest => return Some(start),
-            Course::ReachesAxis { time: end } if time >= end => return None,
-            Course::ReachesAxis { .. } | Course::Grows => self.distance,
-            Course::TendsTo { distance } => distance,
+            ProgrammeEnd::Rest => return Some(start),
+            ProgrammeEnd::ReachesAxis { time: end } if time >= end => return None,
+            ProgrammeEnd::ReachesAxis { .. } | ProgrammeEnd::Grows => self.distance,
+            ProgrammeEnd::TendsTo { distance } => distance,
         };
         // the time grows along the way: halves, from start towards the goal
         let (mut passed, mut ahead) = (start, goal);

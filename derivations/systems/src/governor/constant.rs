@@ -15,7 +15,7 @@ pub struct ConstantMoments {
 
 /// How the programme goes on.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Course {
+pub enum ProgrammeEnd {
     /// The wheel rests: k1 + k2 rho_0 = 0.
     Rest,
     /// The wheel comes to the axis of the second disc at this time, s, with infinite speed unless k1 = 0: no motion is
@@ -48,8 +48,8 @@ impl ConstantMoments {
     pub fn distance(&self, time: f64) -> Option<f64> {
         let Self { epsilon, of_second, of_first, start } = *self;
         match self.course() {
-            Course::Rest => return Some(start),
-            Course::ReachesAxis { time: end } if time >= end => return None,
+            ProgrammeEnd::Rest => return Some(start),
+            ProgrammeEnd::ReachesAxis { time: end } if time >= end => return None,
             _ => {}
         }
         if of_first == 0.0 {
@@ -64,17 +64,17 @@ impl ConstantMoments {
     }
 
     /// What becomes of the wheel.
-    pub fn course(&self) -> Course {
+    pub fn course(&self) -> ProgrammeEnd {
         let Self { epsilon, of_second, of_first, start } = *self;
         let pull = epsilon * (of_second + of_first * start);
         if pull == 0.0 {
-            Course::Rest
+            ProgrammeEnd::Rest
         } else if of_first != 0.0 && epsilon * of_second > 0.0 && epsilon * of_first < 0.0 {
-            Course::TendsTo { distance: -of_second / of_first }
+            ProgrammeEnd::TendsTo { distance: -of_second / of_first }
         } else if pull < 0.0 {
-            Course::ReachesAxis { time: self.time(0.0) }
+            ProgrammeEnd::ReachesAxis { time: self.time(0.0) }
         } else {
-            Course::Grows
+            ProgrammeEnd::Grows
         }
     }
 }

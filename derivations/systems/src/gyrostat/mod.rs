@@ -30,4 +30,4 @@ pub mod tensors;
 mod vectors;
 
 pub use bodies::{Carrier, Gyrostat, Rotor};
-pub use routes::Motion;
+pub use routes::MotionInstant;

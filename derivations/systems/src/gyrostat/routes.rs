@@ -14,7 +14,7 @@ use nalgebra::{Matrix4, Vector3};
 
 /// An instant of a motion: velocities, accelerations, the vertical, and the moment on the rotor.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Motion<S: field::Scalar> {
+pub struct MotionInstant<S: field::Scalar> {
     /// w, rad/s
     pub angular_velocity: Vector3<S>,
     /// v, the unit vector downwards
@@ -41,7 +41,7 @@ impl<P: Base> Gyrostat<P> {
     }
 
     /// The theorem of angular momentum: for all mass points about O, and for the rotor's about C' in the direction l.
-    pub fn by_momentum<S: Over<P>>(&self, motion: &Motion<S>) -> [S; 4] {
+    pub fn by_momentum<S: Over<P>>(&self, motion: &MotionInstant<S>) -> [S; 4] {
         let w = motion.angular_velocity;
         let moving = Vector3::from(along(w.into(), motion.angular_acceleration.into()));
         let rotor_speed = Tangent::moving(motion.rotor_speed, motion.rotor_acceleration);
@@ -53,7 +53,7 @@ impl<P: Base> Gyrostat<P> {
     }
 
     /// Appell's equations from the acceleration energy of the mass points.
-    pub fn by_appell<S: Over<P>>(&self, motion: &Motion<S>) -> [S; 4] {
+    pub fn by_appell<S: Over<P>>(&self, motion: &MotionInstant<S>) -> [S; 4] {
         let w = motion.angular_velocity.map(Tangent::fixed);
         let rotor_speed = Tangent::fixed(motion.rotor_speed);
         let a = motion.angular_acceleration;
@@ -98,7 +98,7 @@ impl<P: Base> Gyrostat<P> {
     }
 
     /// The equations of Boltzmann and Hamel in the quasi-velocities (w, phi'), kinematics from Euler's angles.
-    pub fn by_hamel<S: Over<P> + Analytic>(&self, angles: [S; 4], motion: &Motion<S>) -> [S; 4] {
+    pub fn by_hamel<S: Over<P> + Analytic>(&self, angles: [S; 4], motion: &MotionInstant<S>) -> [S; 4] {
         let fields = |[a, b, c, _]: [Tangent<S>; 4]| bordered(inverse(&euler_forms([a, b, c])));
         let forms = bordered(euler_forms([angles[0], angles[1], angles[2]]));
         let (w, a) = (motion.angular_velocity, motion.angular_acceleration);

@@ -12,7 +12,7 @@ use papers::konosevich2022::{self as paper, Letters};
 use studies::stationary::energies::Energies;
 use studies::stationary::stability::linear::{Linear, missing, variation};
 use studies::stationary::stability::reduced::Reduced;
-use studies::stationary::stability::state::{Place, State};
+use studies::stationary::stability::state::{State, StationaryState};
 use symbolic::Sym;
 
 use Condition::{Equal, NonZero, Zero};
@@ -97,8 +97,8 @@ impl Deviation {
     }
 }
 
-fn place(s: &Letters) -> Place<Sym> {
-    Place { speed: s.omega0, vertical: s.nu, rotor_speed: s.omega_field, angle: s.angle() }
+fn place(s: &Letters) -> StationaryState<Sym> {
+    StationaryState { speed: s.omega0, vertical: s.nu, rotor_speed: s.omega_field, angle: s.angle() }
 }
 
 fn reduced(page: &mut Page, s: &Letters) {
@@ -189,7 +189,7 @@ fn polynomial(page: &mut Page, s: &Letters) {
     let carrier = kept(s);
     let machine = ConstantSpeed { speed: s.omega_field };
     let circle = Circle { cos: Sym::int(1), sin: Sym::ZERO };
-    let place = Place { angle: circle, ..place(s) };
+    let place = StationaryState { angle: circle, ..place(s) };
     let eta = vector("η");
     let tilt = s.nu.cross(&eta) / z;
     let w = tilt * s.omega0 + eta;

@@ -12,7 +12,7 @@ use motor::{Machine, drive};
 use nalgebra::{Matrix3, Matrix4};
 use papers::konosevich2022::{self as paper, Letters};
 use studies::stationary::stability::linear::variation;
-use studies::stationary::stability::state::Place;
+use studies::stationary::stability::state::StationaryState;
 use symbolic::Sym;
 
 use Condition::{Equal, NonZero, Positive, Zero};
@@ -56,7 +56,7 @@ fn motor(page: &mut Page, s: &Letters) {
     let w = tilt * s.omega0 + eta;
     let y: Vec<Sym> = w.iter().chain(tilt.iter()).copied().chain([gamma, z * gamma]).collect();
     let dy: Vec<Sym> = y.iter().map(|&one| z * one).collect();
-    let place = Place { speed: s.omega0, vertical: s.nu, rotor_speed: s.omega_field, angle: s.angle() };
+    let place = StationaryState { speed: s.omega0, vertical: s.nu, rotor_speed: s.omega_field, angle: s.angle() };
     let found = variation(&stationary(s), &machine, &place, &y, &dy);
     let lever = s.l.cross(&s.nu) * s.omega0;
     let (above, below) = (s.l * z - lever, s.l * z + lever);

@@ -1,7 +1,7 @@
 //! The first approximation of a scene's gyrostat with its motor: written down once, run over fractions and enclosures.
 
 use super::linear::{Integral, Linear};
-use super::state::{Layout, Place};
+use super::state::{Layout, StationaryState};
 use crate::stationary::energies::Energies;
 use crate::stationary::motor::NoMotor;
 use algebra::real::Ordered;
@@ -55,7 +55,8 @@ impl Approximation {
     ) -> Result<Self, NoMotor> {
         let unknowns = symbols(["w0", "v1", "v2", "v3", "W", "c", "s"]);
         let [speed, v1, v2, v3, rotor_speed, cos, sin] = unknowns;
-        let place = Place { speed, vertical: Vector3::new(v1, v2, v3), rotor_speed, angle: Circle { cos, sin } };
+        let place =
+            StationaryState { speed, vertical: Vector3::new(v1, v2, v3), rotor_speed, angle: Circle { cos, sin } };
         let (fed, slip) = (is_fed(machine), rotor_speed - machine.frame_speed());
         if resting_currents(machine, place.angle, slip).is_none() {
             return Err(NoMotor::NoRest);

@@ -1,6 +1,6 @@
 //! The data of a scene and of its motions by their names, and the scene with other values of them.
 
-use crate::ensemble::known::{Data, Known, Place};
+use crate::ensemble::known::{Data, DatumPlace, Known};
 use crate::scene::{Scene, Setup};
 use crate::stationary::energies::Energies;
 use crate::stationary::motions::{decimals, written};
@@ -26,7 +26,7 @@ pub(super) enum Where {
     /// W, rad/s, whatever the motor would keep.
     RotorSpeed,
     /// Components of one number.
-    Data { place: Place, components: Vec<usize> },
+    Data { place: DatumPlace, components: Vec<usize> },
 }
 
 /// A scene's data with some changed.
@@ -114,13 +114,13 @@ impl Datum {
     /// Its place among the data of the machine.
     pub(super) fn of_machine(&self) -> Option<usize> {
         match self.place {
-            Where::Data { place: Place::Machine(place), .. } => Some(place),
+            Where::Data { place: DatumPlace::Machine(place), .. } => Some(place),
             _ => None,
         }
     }
 
     pub(super) fn is_of_motor(&self) -> bool {
-        matches!(self.place, Where::Load | Where::Data { place: Place::Machine(_), .. })
+        matches!(self.place, Where::Load | Where::Data { place: DatumPlace::Machine(_), .. })
     }
 }
 
@@ -131,13 +131,13 @@ impl Setting {
             Where::Load => set.load = value,
             Where::Speed => set.speed = value,
             Where::RotorSpeed => set.rotor_speed = Some(value),
-            Where::Data { place: Place::Machine(place), .. } => set.data.machine[*place] = value,
-            Where::Data { place: Place::Bodies(of), components } => {
+            Where::Data { place: DatumPlace::Machine(place), .. } => set.data.machine[*place] = value,
+            Where::Data { place: DatumPlace::Bodies(of), components } => {
                 if let Some(numbers) = of(&mut set.data.system) {
                     components.iter().for_each(|k| numbers[*k] = value);
                 }
             }
-            Where::Data { place: Place::Start(_), .. } => {}
+            Where::Data { place: DatumPlace::Start(_), .. } => {}
         }
         set
     }

@@ -11,7 +11,7 @@
 //!
 //!   G = E - W p' - w0 x.v + 1/2 lambda v.v ,    lambda = w0 x.v + Ge.v .
 
-use super::state::{Layout, Place, State, twice_moved};
+use super::state::{Layout, State, StationaryState, twice_moved};
 use crate::stationary::energies::Energies;
 use field::{Base, Over, Scalar, Tangent};
 use mechanics::momentum::absolute_rate;
@@ -92,7 +92,7 @@ pub fn missing<P: Base, S: Over<P>, M: Machine<P>>(
 pub fn variation<P: Base, S: Over<P>, M: Machine<P>>(
     energies: &Energies<P>,
     machine: &M,
-    place: &Place<S>,
+    place: &StationaryState<S>,
     deviations: &[S],
     rates: &[S],
 ) -> Vec<S> {
@@ -105,7 +105,7 @@ pub fn variation<P: Base, S: Over<P>, M: Machine<P>>(
 fn energy<P: Base, S: Over<P>, M: Machine<P>>(
     energies: &Energies<P>,
     machine: &M,
-    place: &Place<S>,
+    place: &StationaryState<S>,
     multiplier: S,
     state: &State<S>,
 ) -> S {
@@ -120,7 +120,12 @@ fn energy<P: Base, S: Over<P>, M: Machine<P>>(
 
 impl<S: Scalar> Linear<S> {
     /// At a stationary motion. `free`: no moment ever acts on the rotor.
-    pub fn at<P: Base, M: Machine<P>>(energies: &Energies<P>, machine: &M, place: &Place<S>, free: bool) -> Self
+    pub fn at<P: Base, M: Machine<P>>(
+        energies: &Energies<P>,
+        machine: &M,
+        place: &StationaryState<S>,
+        free: bool,
+    ) -> Self
     where
         S: Over<P>,
     {

@@ -36,5 +36,5 @@ pub use along::Along;
 pub use approximation::Approximation;
 pub use judged::Judged;
 pub use linear::{Integral, Linear};
-pub use state::Place;
+pub use state::StationaryState;
 pub use verdict::{Reason, Verdict};

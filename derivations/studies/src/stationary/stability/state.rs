@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 
 /// A stationary motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Place<S> {
+pub struct StationaryState<S> {
     /// w0, rad/s
     pub speed: S,
     /// v
@@ -54,11 +54,11 @@ pub struct State<S> {
     pub currents: Vec<S>,
 }
 
-impl<S: Scalar> Place<S> {
+impl<S: Scalar> StationaryState<S> {
     /// The same place with constant coordinates.
-    pub(super) fn fixed(&self) -> Place<Tangent<S>> {
-        let Place { speed, vertical, rotor_speed, angle } = self;
-        Place {
+    pub(super) fn fixed(&self) -> StationaryState<Tangent<S>> {
+        let StationaryState { speed, vertical, rotor_speed, angle } = self;
+        StationaryState {
             speed: Tangent::fixed(*speed),
             vertical: vertical.map(Tangent::fixed),
             rotor_speed: Tangent::fixed(*rotor_speed),
@@ -95,7 +95,7 @@ impl<S: Scalar> Place<S> {
 /// A state that moves in one direction, moved in another.
 pub(super) fn twice_moved<P: Base, S: Over<P>, M: Machine<P>>(
     inner: &State<Tangent<S>>,
-    place: &Place<Tangent<S>>,
+    place: &StationaryState<Tangent<S>>,
     machine: &M,
     slopes: &[S],
 ) -> State<Tangent<Tangent<S>>> {

@@ -92,7 +92,12 @@ impl<'a> Line<'a> {
     }
 
     /// Where a motion of one stop is at another.
-    fn followed(&self, place: &steady_rotations::Place, from: &Stop, to: &Stop) -> Option<steady_rotations::Place> {
+    fn followed(
+        &self,
+        place: &steady_rotations::EnclosedPoint,
+        from: &Stop,
+        to: &Stop,
+    ) -> Option<steady_rotations::EnclosedPoint> {
         let number = |x: f64| Enclosure::rational(Rational::decimal(x), BITS);
         let speed = |stop: &Stop| number(self.region.setting(stop.values).speed);
         let ends = |a: Enclosure, b: Enclosure| (a.clone(), &b - &a);
@@ -229,7 +234,7 @@ impl<'a> Line<'a> {
 }
 
 impl Here {
-    fn is_in(&self, place: &steady_rotations::Place) -> bool {
+    fn is_in(&self, place: &steady_rotations::EnclosedPoint) -> bool {
         self.place.iter().zip(place).all(|(a, b)| !a.is_apart_from(b))
     }
 }

@@ -54,7 +54,7 @@ pub struct Here {
     pub direction: Vector3<f64>,
     pub verdict: Verdict,
     /// (v, lambda)
-    pub(super) place: steady_rotations::Place,
+    pub(super) place: steady_rotations::EnclosedPoint,
     /// W, or the rotor's own momentum.
     pub(super) value: Enclosure,
 }

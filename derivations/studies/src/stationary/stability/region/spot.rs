@@ -28,7 +28,7 @@ pub(super) struct Spot<'a> {
 pub(super) struct Raw<'a> {
     pub state: usize,
     pub kind: Kind,
-    pub place: steady_rotations::Place,
+    pub place: steady_rotations::EnclosedPoint,
     pub value: Enclosure,
     found: Found,
     held: &'a Held<'a>,
@@ -193,12 +193,12 @@ impl<'a> Spot<'a> {
 
 impl Raw<'_> {
     /// Whether it may be the motion that is known to be the only one in a box.
-    pub fn is_in(&self, place: &steady_rotations::Place) -> bool {
+    pub fn is_in(&self, place: &steady_rotations::EnclosedPoint) -> bool {
         self.place.iter().zip(place).all(|(a, b)| !a.is_apart_from(b))
     }
 }
 
-fn enclosed(motion: &steady_rotations::SteadyRotation, bits: usize) -> Option<steady_rotations::Place> {
+fn enclosed(motion: &steady_rotations::SteadyRotation, bits: usize) -> Option<steady_rotations::EnclosedPoint> {
     let [v1, v2, v3] = motion.direction(bits)?;
     Some([v1, v2, v3, motion.multiplier(bits)?])
 }
