@@ -6,7 +6,7 @@ use dalembert_derivations::studies::stationary::energies::Energies;
 use dalembert_derivations::studies::stationary::motions::{Found, Stationary};
 use dalembert_derivations::studies::stationary::stability::map::OneAxis;
 use dalembert_derivations::studies::stationary::stability::reduced::{Fate, Reduced};
-use dalembert_derivations::studies::stationary::stability::{Approximation, Judged, Reason, Verdict};
+use dalembert_derivations::studies::stationary::stability::{Approximation, Judged, Reason, StabilityVerdict};
 use field::{Rational, Scalar};
 use motor::ConstantSpeed;
 use motor::Machine;
@@ -68,11 +68,11 @@ fn rest() -> Rational {
 #[test]
 fn a_hanging_rest_is_stable_at_every_speed_of_the_rotor() {
     for h in [r(0, 1), r(1, 7), r(-40, 1)] {
-        assert_eq!(HANGING.kept(rest(), h).verdict, Verdict::Stable);
+        assert_eq!(HANGING.kept(rest(), h).verdict, StabilityVerdict::Stable);
         // the rotor along the vertical feels no tilt: stable, but tilts do not fade
-        assert_eq!(HANGING.driven(rest(), h).verdict, Verdict::Stable);
+        assert_eq!(HANGING.driven(rest(), h).verdict, StabilityVerdict::Stable);
         let across = Axes { rotor: [1, 0, 0], weight: 1 };
-        assert_eq!(across.kept(rest(), h).verdict, Verdict::Stable);
+        assert_eq!(across.kept(rest(), h).verdict, StabilityVerdict::Stable);
     }
 }
 
@@ -81,9 +81,9 @@ fn a_rotor_along_the_vertical_holds_it_upright_from_the_known_speed_on() {
     // (A' W)^2 = Gamma (2 + 3)^2
     let at = |h: Rational| UPRIGHT.kept(rest(), h);
     let fast = at(r(5_000_001, 1_000_000));
-    assert_eq!(fast.verdict, Verdict::CannotTell(Reason::Gyroscopic { negative: 2 }));
+    assert_eq!(fast.verdict, StabilityVerdict::CannotTell(Reason::Gyroscopic { negative: 2 }));
     assert_eq!(fast.roots.map(|roots| (roots.axis, roots.distinct)), Some((4, 4)));
-    assert_eq!(at(r(4_999_999, 1_000_000)).verdict, Verdict::Unstable { right: 2 });
+    assert_eq!(at(r(4_999_999, 1_000_000)).verdict, StabilityVerdict::Unstable { right: 2 });
     // exactly there both pairs are one
     let edge = at(r(5, 1)).roots.unwrap();
     assert_eq!((edge.axis, edge.distinct), (4, 2));
@@ -92,16 +92,16 @@ fn a_rotor_along_the_vertical_holds_it_upright_from_the_known_speed_on() {
 #[test]
 fn a_motor_along_the_vertical_does_not_feel_the_tilt_and_leaves_the_count_as_it_is() {
     let driven = UPRIGHT.driven(rest(), r(6, 1));
-    assert_eq!(driven.verdict, Verdict::CannotTell(Reason::Gyroscopic { negative: 2 }));
+    assert_eq!(driven.verdict, StabilityVerdict::CannotTell(Reason::Gyroscopic { negative: 2 }));
     assert_eq!(driven.roots.map(|roots| (roots.left, roots.axis)), Some((1, 4)));
-    assert_eq!(UPRIGHT.driven(rest(), r(4, 1)).verdict, Verdict::Unstable { right: 2 });
+    assert_eq!(UPRIGHT.driven(rest(), r(4, 1)).verdict, StabilityVerdict::Unstable { right: 2 });
 }
 
 #[test]
 fn a_rotor_across_the_vertical_never_holds_it() {
     let across = Axes { rotor: [1, 0, 0], weight: -1 };
     for h in [0, 1, 3, 40, 1000] {
-        assert!(matches!(across.kept(rest(), r(h, 1)).verdict, Verdict::Unstable { .. }), "{h}");
+        assert!(matches!(across.kept(rest(), r(h, 1)).verdict, StabilityVerdict::Unstable { .. }), "{h}");
     }
 }
 
@@ -109,7 +109,7 @@ fn a_rotor_across_the_vertical_never_holds_it() {
 fn where_a_tilt_costs_nothing_a_further_root_is_zero_and_nothing_is_said() {
     // H1 = w^2 (A3 - A1) + w h - Gamma = 2 - 1 - 1
     let judged = UPRIGHT.kept(r(1, 1), r(-1, 1));
-    assert_eq!(judged.verdict, Verdict::CannotTell(Reason::Neutral));
+    assert_eq!(judged.verdict, StabilityVerdict::CannotTell(Reason::Neutral));
     assert_eq!(judged.energy.map(|energy| energy.zero), Some(1));
 }
 
@@ -123,8 +123,8 @@ fn the_reduced_signs_are_those_of_the_whole() {
         let motion = Reduced { tensor: energies.tensor, spin: vertical * h, speed: w0, vertical, multiplier };
         let fate = Fate::of(&motion, |x: Rational| x.sign().unwrap());
         let expected = match UPRIGHT.kept(w0, h) {
-            Judged { verdict: Verdict::Stable, .. } => Fate::ByEnergy,
-            Judged { verdict: Verdict::Unstable { .. }, .. } => Fate::Unstable,
+            Judged { verdict: StabilityVerdict::Stable, .. } => Fate::ByEnergy,
+            Judged { verdict: StabilityVerdict::Unstable { .. }, .. } => Fate::Unstable,
             Judged { roots: Some(roots), .. } if roots.distinct == 4 => Fate::ByGyroscopes,
             _ => Fate::Edge,
         };
@@ -140,7 +140,7 @@ fn a_scene_with_an_irrational_angle_is_judged_exactly_where_motors_feel_nothing(
     assert_eq!(upright.len(), 2);
     for found in upright {
         for judged in &found.stability {
-            assert_ne!(judged.verdict, Verdict::CannotTell(Reason::TooFine), "{judged:?}");
+            assert_ne!(judged.verdict, StabilityVerdict::CannotTell(Reason::TooFine), "{judged:?}");
             assert!(judged.roots.is_some());
         }
     }
@@ -150,7 +150,7 @@ fn a_scene_with_an_irrational_angle_is_judged_exactly_where_motors_feel_nothing(
 fn a_motion_that_is_none_is_refused() {
     let tilted = Axes { rotor: [1, 0, 0], weight: -1 };
     let judged = tilted.kept(r(1, 1), r(2, 1));
-    assert_eq!(judged.verdict, Verdict::CannotTell(Reason::NotStationary));
+    assert_eq!(judged.verdict, StabilityVerdict::CannotTell(Reason::NotStationary));
 }
 
 #[test]

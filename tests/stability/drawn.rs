@@ -9,7 +9,7 @@ use dalembert_derivations::machines::synchronous::Synchronous;
 use dalembert_derivations::studies::stationary::energies::{Energies, Kept};
 use dalembert_derivations::studies::stationary::motor::{Angle, MotorStates, Slip};
 use dalembert_derivations::studies::stationary::stability::judge::{Given, Judge};
-use dalembert_derivations::studies::stationary::stability::{Approximation, Judged, Reason, Verdict};
+use dalembert_derivations::studies::stationary::stability::{Approximation, Judged, Reason, StabilityVerdict};
 use dalembert_derivations::systems::gyrostat::Gyrostat;
 use field::{Circle, Rational, Scalar};
 use mechanics::steady_rotations::{Body, Shape};
@@ -163,7 +163,7 @@ impl Turning<'_> {
 
 fn compare(judged: &Judged, eigenvalues: &[(f64, f64)], counts: &mut Counts) {
     assert!(judged.is_consistent(), "{judged:?}");
-    assert_ne!(judged.verdict, Verdict::CannotTell(Reason::NotStationary), "{judged:?}");
+    assert_ne!(judged.verdict, StabilityVerdict::CannotTell(Reason::NotStationary), "{judged:?}");
     *counts.verdicts.entry(named(judged.verdict)).or_default() += 1;
     let Some(roots) = judged.roots else { return };
     let size = eigenvalues.iter().map(|(re, im)| re.hypot(*im)).fold(0.0, f64::max);
@@ -183,15 +183,15 @@ fn compare(judged: &Judged, eigenvalues: &[(f64, f64)], counts: &mut Counts) {
     assert_eq!((left, right), (roots.left, roots.right), "{judged:?} {eigenvalues:?}");
 }
 
-fn named(verdict: Verdict) -> String {
+fn named(verdict: StabilityVerdict) -> String {
     match verdict {
-        Verdict::Stable => "stable".into(),
-        Verdict::AsymptoticallyStableModuloIntegrals => "asymptotically stable".into(),
-        Verdict::Unstable { right } => format!("unstable, {right} to the right"),
-        Verdict::CannotTell(Reason::Gyroscopic { negative }) => {
+        StabilityVerdict::Stable => "stable".into(),
+        StabilityVerdict::AsymptoticallyStableModuloIntegrals => "asymptotically stable".into(),
+        StabilityVerdict::Unstable { right } => format!("unstable, {right} to the right"),
+        StabilityVerdict::CannotTell(Reason::Gyroscopic { negative }) => {
             format!("on the axis, {negative} negative squares")
         }
-        Verdict::CannotTell(reason) => format!("{reason:?}"),
+        StabilityVerdict::CannotTell(reason) => format!("{reason:?}"),
     }
 }
 
@@ -250,19 +250,22 @@ fn every_count_is_that_of_floats_and_a_motor_leaves_what_the_energy_holds() {
 
 /// Stable at constant speed by energy: asymptotically with a motor. By gyroscopic forces alone: unstable with it. Without
 /// weight a tilt in space is felt by none, and does not fade; and what is stable as a maximum of the energy a motor takes down.
-fn agrees(kept: &Judged, with_motor: Verdict, balanced: bool) {
+fn agrees(kept: &Judged, with_motor: StabilityVerdict, balanced: bool) {
     let negative = kept.energy.map_or(0, |energy| energy.negative);
     let expected = match kept.verdict {
-        Verdict::Stable if balanced && negative > 0 => Verdict::Unstable { right: negative },
-        Verdict::Stable if balanced => Verdict::Stable,
-        Verdict::CannotTell(Reason::Gyroscopic { .. }) if balanced => {
-            assert!(!matches!(with_motor, Verdict::AsymptoticallyStableModuloIntegrals | Verdict::Stable));
+        StabilityVerdict::Stable if balanced && negative > 0 => StabilityVerdict::Unstable { right: negative },
+        StabilityVerdict::Stable if balanced => StabilityVerdict::Stable,
+        StabilityVerdict::CannotTell(Reason::Gyroscopic { .. }) if balanced => {
+            assert!(!matches!(
+                with_motor,
+                StabilityVerdict::AsymptoticallyStableModuloIntegrals | StabilityVerdict::Stable
+            ));
             return;
         }
-        Verdict::Stable => Verdict::AsymptoticallyStableModuloIntegrals,
-        Verdict::CannotTell(Reason::Gyroscopic { negative }) => Verdict::Unstable { right: negative },
-        Verdict::Unstable { .. } => {
-            assert!(matches!(with_motor, Verdict::Unstable { .. }), "{with_motor:?}");
+        StabilityVerdict::Stable => StabilityVerdict::AsymptoticallyStableModuloIntegrals,
+        StabilityVerdict::CannotTell(Reason::Gyroscopic { negative }) => StabilityVerdict::Unstable { right: negative },
+        StabilityVerdict::Unstable { .. } => {
+            assert!(matches!(with_motor, StabilityVerdict::Unstable { .. }), "{with_motor:?}");
             return;
         }
         other => panic!("{other:?} in general position"),

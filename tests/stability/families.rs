@@ -5,7 +5,7 @@ use crate::tops::{
     Top, along, at_constant_speed, by_slip, circling, free, in_step, lagrange, oblique, r, without_friction,
 };
 use dalembert_derivations::studies::stationary::stability::along::Along;
-use dalembert_derivations::studies::stationary::stability::{Reason, Verdict};
+use dalembert_derivations::studies::stationary::stability::{Reason, StabilityVerdict};
 use dalembert_derivations::systems::gyrostat::forms::SecondForm;
 use field::Rational;
 use mechanics::steady_rotations::Shape;
@@ -13,18 +13,18 @@ use motor::ConstantSpeed;
 use nalgebra::Vector3;
 
 /// The verdicts on all arcs with one angle, and the directions that are apart.
-fn told(along: &Along) -> (Vec<Verdict>, Vec<([f64; 3], Verdict)>) {
+fn told(along: &Along) -> (Vec<StabilityVerdict>, Vec<([f64; 3], StabilityVerdict)>) {
     let rounded = |v: Vector3<f64>| [v.x, v.y, v.z].map(|x| (x * 1e12).round() / 1e12 + 0.0);
     let edges = along.edges.iter().map(|edge| (rounded(edge.direction), edge.judged.verdict));
     (along.arcs.iter().map(|arc| arc.judged.verdict).collect(), edges.collect())
 }
 
-const ASYMPTOTIC: Verdict = Verdict::AsymptoticallyStableModuloIntegrals;
+const ASYMPTOTIC: StabilityVerdict = StabilityVerdict::AsymptoticallyStableModuloIntegrals;
 
 #[test]
 fn a_symmetric_top_that_precesses_is_stable_as_a_family_with_every_motor_that_holds_its_angle() {
     let top = lagrange();
-    let whole = |all: Vec<(Shape, Vec<Along>)>| -> Vec<Verdict> {
+    let whole = |all: Vec<(Shape, Vec<Along>)>| -> Vec<StabilityVerdict> {
         let [(Shape::Circle { .. }, along)] = &all[..] else { panic!("one circle: {all:?}") };
         // the tangent of the circle is one more zero root, and one more integral goes with it
         let one = |along: &Along| {
@@ -33,30 +33,30 @@ fn a_symmetric_top_that_precesses_is_stable_as_a_family_with_every_motor_that_ho
         };
         along.iter().map(one).collect()
     };
-    assert_eq!(whole(top.families(at_constant_speed(r(2, 1)), r(2, 1))), [Verdict::Stable]);
-    assert_eq!(whole(top.families(free(r(1, 1)), r(2, 1))), [Verdict::Stable]);
-    assert_eq!(whole(top.families(by_slip(r(2, 1)), r(2, 1))), [Verdict::Stable]);
+    assert_eq!(whole(top.families(at_constant_speed(r(2, 1)), r(2, 1))), [StabilityVerdict::Stable]);
+    assert_eq!(whole(top.families(free(r(1, 1)), r(2, 1))), [StabilityVerdict::Stable]);
+    assert_eq!(whole(top.families(by_slip(r(2, 1)), r(2, 1))), [StabilityVerdict::Stable]);
     let in_step = whole(top.families(in_step(r(2, 1)), r(2, 1)));
-    assert_eq!(in_step, [Verdict::Stable, Verdict::Unstable { right: 1 }]);
+    assert_eq!(in_step, [StabilityVerdict::Stable, StabilityVerdict::Unstable { right: 1 }]);
 }
 
 #[test]
 fn beside_an_oblique_rotor_a_circle_is_stable_where_its_axis_has_the_smaller_moment() {
     // but for where the momentum is greatest and least along the circle
-    let open = Verdict::CannotTell(Reason::Edge);
+    let open = StabilityVerdict::CannotTell(Reason::Edge);
     let ends = [([-0.8, 0.0, 0.6], open), ([0.8, 0.0, 0.6], open)];
-    let verdicts = |all: Vec<(Shape, Vec<Along>)>, angle: usize| -> Vec<Verdict> {
+    let verdicts = |all: Vec<(Shape, Vec<Along>)>, angle: usize| -> Vec<StabilityVerdict> {
         let (arcs, mut edges) = told(&all[0].1[angle]);
         edges.sort_by(|a, b| a.0[0].total_cmp(&b.0[0]));
         assert_eq!((all.len(), &edges[..]), (1, &ends[..]));
         arcs
     };
     let top = oblique([4, 4, 2]);
-    assert_eq!(verdicts(top.families(at_constant_speed(r(5, 1)), r(2, 1)), 0), [Verdict::Stable; 2]);
+    assert_eq!(verdicts(top.families(at_constant_speed(r(5, 1)), r(2, 1)), 0), [StabilityVerdict::Stable; 2]);
     assert_eq!(verdicts(top.families(by_slip(r(5, 1)), r(2, 1)), 0), [ASYMPTOTIC; 2]);
     assert_eq!(told(&top.families(in_step(r(5, 1)), r(2, 1))[0].1[0]).0, [ASYMPTOTIC; 2]);
     let flat = oblique([4, 4, 7]).families(at_constant_speed(r(5, 1)), r(2, 1));
-    assert!(told(&flat[0].1[0]).0.iter().all(|one| matches!(one, Verdict::Unstable { .. })), "{flat:?}");
+    assert!(told(&flat[0].1[0]).0.iter().all(|one| matches!(one, StabilityVerdict::Unstable { .. })), "{flat:?}");
 }
 
 /// With the rotor across the axis of symmetry and v3 = 0 the body nutates without turning about the rotor's axis where
@@ -67,7 +67,7 @@ fn beside_a_rotor_that_does_not_feel_the_nutation_two_directions_of_a_circle_are
     let all = top.families(by_slip(r(6, 1)), r(1, 1));
     let (arcs, edges) = told(&all[0].1[0]);
     let mut apart: Vec<[f64; 3]> =
-        edges.into_iter().filter(|edge| edge.1 == Verdict::Stable).map(|edge| edge.0).collect();
+        edges.into_iter().filter(|edge| edge.1 == StabilityVerdict::Stable).map(|edge| edge.0).collect();
     apart.sort_by(|a, b| a[1].total_cmp(&b[1]));
     assert_eq!((&arcs[..], &apart[..]), (&[ASYMPTOTIC; 4][..], &[[0.6, -0.8, 0.0], [0.6, 0.8, 0.0]][..]));
 }
@@ -78,8 +78,8 @@ fn along_a_circle_two_pairs_meet_and_what_gyroscopes_keep_is_lost() {
     let top = circling([4, 4, 7], [r(3, 5), r(0, 1), r(4, 5)], r(4, 5), [r(3, 1), r(1, 1)]);
     let all = top.families(without_friction(r(2, 1), r(1, 100)), r(3, 1));
     let arcs = told(&all[0].1[1]).0;
-    let kept = |one: &&Verdict| **one == Verdict::CannotTell(Reason::Gyroscopic { negative: 2 });
-    let lost = |one: &&Verdict| **one == Verdict::Unstable { right: 2 };
+    let kept = |one: &&StabilityVerdict| **one == StabilityVerdict::CannotTell(Reason::Gyroscopic { negative: 2 });
+    let lost = |one: &&StabilityVerdict| **one == StabilityVerdict::Unstable { right: 2 };
     assert_eq!(
         (arcs.iter().filter(kept).count(), arcs.iter().filter(lost).count(), arcs.len()),
         (2, 8, 10),
@@ -92,7 +92,7 @@ fn a_ball_turns_about_any_direction_with_its_rotor_and_weight_in_balance() {
     let ball = Top { moments: [3, 3, 3], axis: along([0, 0, 1]), weight: along([0, 0, -2]) };
     let all = ball.families(at_constant_speed(r(2, 1)), r(2, 1));
     let [(Shape::Sphere, belts)] = &all[..] else { panic!("a sphere: {all:?}") };
-    assert_eq!(told(&belts[0]).0, [Verdict::Stable]);
+    assert_eq!(told(&belts[0]).0, [StabilityVerdict::Stable]);
     assert_eq!(belts[0].arcs[0].judged.along, 1, "along the parallels");
 }
 
@@ -101,13 +101,13 @@ fn without_weight_the_size_of_the_momentum_makes_a_family_stable() {
     let weightless = Top { moments: [3, 4, 5], axis: [r(3, 5), r(0, 1), r(4, 5)], weight: along([0, 0, 0]) };
     let rests = weightless.families(at_constant_speed(r(2, 1)), r(0, 1));
     let (arcs, poles) = told(&rests[0].1[0]);
-    assert_eq!((rests[0].0, &arcs[..]), (Shape::Sphere, &[Verdict::Stable][..]));
-    assert!(poles.iter().all(|pole| pole.1 == Verdict::Stable), "{poles:?}");
+    assert_eq!((rests[0].0, &arcs[..]), (Shape::Sphere, &[StabilityVerdict::Stable][..]));
+    assert!(poles.iter().all(|pole| pole.1 == StabilityVerdict::Stable), "{poles:?}");
     // a symmetric body turns about a circle of axes across its own
     let symmetric = Top { moments: [4, 4, 2], axis: along([0, 0, 1]), weight: along([0, 0, 0]) };
     for speed in [0, 2] {
         let all = symmetric.families(at_constant_speed(r(speed, 1)), r(2, 1));
-        assert_eq!(told(&all[0].1[0]), (vec![Verdict::Stable], vec![]), "{all:?}");
+        assert_eq!(told(&all[0].1[0]), (vec![StabilityVerdict::Stable], vec![]), "{all:?}");
     }
 }
 

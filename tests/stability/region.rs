@@ -9,7 +9,7 @@ use dalembert_derivations::studies::stationary::stability::plane::{Cell, Plane};
 use dalembert_derivations::studies::stationary::stability::reduced::Fate;
 use dalembert_derivations::studies::stationary::stability::region::line::Link;
 use dalembert_derivations::studies::stationary::stability::region::{
-    Atlas, Border, Change, Class, Node, Place, Region,
+    Atlas, Border, Change, Class, Node, NodeMotions, Region,
 };
 use dalembert_derivations::systems::gyrostat::Gyrostat;
 use field::{Rational, Scalar};
@@ -170,7 +170,7 @@ fn a_load_moves_no_axis_and_no_verdict_up_to_the_pull_out() {
     let [held, lost] = [0, 1].map(|k| region.column(k).unwrap().remove(0));
     assert_eq!((held.values[0], lost.values[0]), (0.0, 0.16));
     as_alone(&held, &scene, 6.0);
-    assert!(matches!(lost.place, Place::PulledOut));
+    assert!(matches!(lost.place, NodeMotions::PulledOut));
     let border = &region.links(&[&held, &lost], 0).unwrap()[0].borders[0];
     let [low, high] = border.between.map(|values| values[0]);
     // b0 - f W = 0.15 - 1e-4 150
@@ -198,10 +198,10 @@ fn a_branch_that_folds_back_is_one_and_a_border_lies_on_the_motion_to_which_it_h
 #[test]
 fn a_node_without_bodies_says_so_and_a_symmetric_one_that_motions_form_a_family() {
     let (nodes, _) = column(&scene("constant_speed"), ["omega0", "carrier.mass"], [[5.0, 7.0], [-3.0, 3.0]], 0.0, 2);
-    assert!(matches!(nodes[0].place, Place::NoBodies) && nodes[1].isolated().len() >= 2);
+    assert!(matches!(nodes[0].place, NodeMotions::NoBodies) && nodes[1].isolated().len() >= 2);
     let top = scene("closed_forms/lagrange_top");
     let (nodes, _) = column(&top, ["omega0", "gravity"], [[19.0, 21.0], [9.8, 9.82]], 0.0, 1);
-    let Place::Motions { families, .. } = &nodes[0].place else { panic!("{nodes:?}") };
+    let NodeMotions::Motions { families, .. } = &nodes[0].place else { panic!("{nodes:?}") };
     assert_eq!(families.len(), 1);
 }
 

@@ -5,7 +5,7 @@ use dalembert_derivations::machines::asynchronous::Asynchronous;
 use dalembert_derivations::studies::scene::{Scene, Setup, Start};
 use dalembert_derivations::studies::stationary::motions::Stationary;
 use dalembert_derivations::studies::stationary::motor::MotorStates;
-use dalembert_derivations::studies::stationary::stability::{Judged, Reason, Verdict};
+use dalembert_derivations::studies::stationary::stability::{Judged, Reason, StabilityVerdict};
 use dalembert_derivations::systems::gyrostat::forms::SecondForm;
 use integrators::{Jacobian, spectrum};
 use motor::ConstantSpeed;
@@ -77,7 +77,7 @@ fn what_gyroscopic_forces_hold_at_constant_speed_leaves_with_a_motor() {
     let Setup::Gyrostat(bodies) = &scene.system else { panic!("a gyrostat") };
     let all = Stationary::of(&scene).unwrap().at_speed(20.0).unwrap();
     let held = |found: &&dalembert_derivations::studies::stationary::motions::Found| {
-        found.stability[0].verdict == Verdict::CannotTell(Reason::Gyroscopic { negative: 2 })
+        found.stability[0].verdict == StabilityVerdict::CannotTell(Reason::Gyroscopic { negative: 2 })
     };
     let found = all[0].found.iter().find(held).unwrap();
     let (form, axes) = bodies.second_form();
@@ -149,7 +149,8 @@ fn a_motor_on_a_supply_is_judged_by_its_roots_and_not_by_an_energy_that_is_fed()
             assert!(judged.energy.is_none() && !judged.conservative, "{name}: {judged:?}");
             assert_eq!(judged.roots.map(|roots| roots.right), Some(*right), "{name}: {judged:?}");
         }
-        let held = |(judged, _): &(Judged, usize)| judged.verdict == Verdict::AsymptoticallyStableModuloIntegrals;
+        let held =
+            |(judged, _): &(Judged, usize)| judged.verdict == StabilityVerdict::AsymptoticallyStableModuloIntegrals;
         assert_eq!(all.iter().any(held), holds, "{name}, {resistance}");
     }
 }

@@ -60,7 +60,7 @@ impl Arguments {
             Some(Command::Prove(_)) => ("prove", Nothing, Some(USUAL)),
             Some(Command::Bodies(_)) => ("bodies", Nothing, Some(USUAL)),
             Some(Command::Stationary(_)) => ("stationary", Nothing, Some(USUAL)),
-            Some(Command::Phantom(_)) => ("phantom", Nothing, Some(USUAL)),
+            Some(Command::NumericalStability(_)) => ("numerical-stability", Nothing, Some(USUAL)),
             Some(Command::Motor(_)) => ("motor", Nothing, Some(USUAL)),
             Some(Command::Conform(_)) => ("conform", Nothing, Some(USUAL)),
             Some(Command::New(_)) => ("new", Nothing, Some(USUAL)),
@@ -109,7 +109,8 @@ pub enum Command {
     /// All stationary motions of a scene's gyrostat with its motor, and why none is missing
     Stationary(stationary::Asked),
     /// For which steps each method tells a scene's stationary motions stable or unstable as they are, and for which not
-    Phantom(numerical_stability::Asked),
+    #[command(alias = "phantom")]
+    NumericalStability(numerical_stability::Asked),
     /// A synchronous motor under load: pull-out, pull-in, what lies between, and which starts come into step
     Motor(motor::Asked),
     /// What every motor must do, each with a verdict: power, passivity, frames, housing, rest, stiffness, dimensions
@@ -184,7 +185,7 @@ mod tests {
         "motor",
         "conform",
         "new",
-        "phantom",
+        "numerical-stability",
         "choose",
         "review",
         "failures",

@@ -12,7 +12,7 @@
 //!
 //! # Overview
 //! * `arguments`: the command line; what can be asked of a command stands beside it;
-//! * `report`, `ledger`, `review`, `derive`, `linearise`, `inverse`, `regulate`, `bodies`, `run`, `ensemble`, `regimes`, `stationary`, `phantom`, `motor`, `conform`, `new`,
+//! * `report`, `ledger`, `review`, `derive`, `linearise`, `inverse`, `regulate`, `bodies`, `run`, `ensemble`, `regimes`, `stationary`, `numerical-stability`, `motor`, `conform`, `new`,
 //!   `failures`, `chart`, `choose`, `reference`, `scenes`: one file for each command;
 //! * `summary`, `csv`, `pictures`, `sphere`: a run as text, JSON, a table and the data of pictures;
 //! * `speed`: the atlas of a scene as pictures, tables and advice;
@@ -102,7 +102,7 @@ pub fn run() -> ExitCode {
         Some(Command::Prove(asked)) => prove::prove(&asked),
         Some(Command::Bodies(asked)) => bodies::show(&asked),
         Some(Command::Stationary(asked)) => stationary::show(&asked),
-        Some(Command::Phantom(asked)) => numerical_stability::show(&asked),
+        Some(Command::NumericalStability(asked)) => numerical_stability::show(&asked),
         Some(Command::Motor(asked)) => motor::show(&asked),
         Some(Command::Conform(asked)) => conform::show(&asked),
         Some(Command::New(asked)) => new::write(&asked),

@@ -1,4 +1,4 @@
-//! `dalembert phantom`: for which steps a method's map says of a stationary motion what is true.
+//! `dalembert numerical-stability`: for which steps a method's map says of a stationary motion what is true.
 
 use crate::arguments::{Format, finite};
 use crate::exit::{Exit, print};

@@ -11,7 +11,9 @@ use studies::scene::Scene;
 use studies::stationary::motor::NoMotor;
 use studies::stationary::stability::datum::Datum;
 use studies::stationary::stability::region::line::Link;
-use studies::stationary::stability::region::{Atlas, Border, Branch, Change, Class, NoRegion, Node, Place, Region};
+use studies::stationary::stability::region::{
+    Atlas, Border, Branch, Change, Class, NoRegion, Node, NodeMotions, Region,
+};
 
 /// Columns and rows of nodes.
 const CELLS: [usize; 2] = [28, 21];
@@ -241,15 +243,15 @@ fn changes(change: Change) -> &'static str {
 /// What is at a node beside or instead of isolated motions.
 fn unusual(node: &Node) -> Option<String> {
     match &node.place {
-        Place::Motions { families, .. } if families.is_empty() => None,
-        Place::Motions { families, .. } => {
+        NodeMotions::Motions { families, .. } if families.is_empty() => None,
+        NodeMotions::Motions { families, .. } => {
             let verdicts = families.iter().flat_map(|(_, verdicts)| verdicts);
             let mut names: Vec<&str> = verdicts.map(|verdict| name(Class::from(*verdict))).collect();
             names.dedup();
             Some(format!("a connected family of motions beside: {}", names.join(", along it also ")))
         }
-        Place::PulledOut => Some("the motor is pulled out".into()),
-        Place::NoBodies => Some("no bodies have these data".into()),
-        Place::TooFine => Some("motions lie closer together than is told apart".into()),
+        NodeMotions::PulledOut => Some("the motor is pulled out".into()),
+        NodeMotions::NoBodies => Some("no bodies have these data".into()),
+        NodeMotions::TooFine => Some("motions lie closer together than is told apart".into()),
     }
 }

@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 use serde_json::{Value, json};
 use std::fmt::Write;
 use studies::stationary::motor::MotorStates;
-use studies::stationary::stability::{Along, Integral, Judged, Reason, Verdict};
+use studies::stationary::stability::{Along, Integral, Judged, Reason, StabilityVerdict};
 
 /// A line for each angle of the rotor, and one for what it rests on.
 pub fn text(motor: &MotorStates, judged: &[Judged]) -> String {
@@ -105,12 +105,12 @@ fn angles(motor: &MotorStates) -> Vec<Option<f64>> {
 }
 
 /// The name of a verdict.
-pub fn name(verdict: Verdict) -> &'static str {
+pub fn name(verdict: StabilityVerdict) -> &'static str {
     match verdict {
-        Verdict::Stable => "stable",
-        Verdict::AsymptoticallyStableModuloIntegrals => "asymptotically stable modulo the integrals",
-        Verdict::Unstable { .. } => "unstable",
-        Verdict::CannotTell(_) => "not decided",
+        StabilityVerdict::Stable => "stable",
+        StabilityVerdict::AsymptoticallyStableModuloIntegrals => "asymptotically stable modulo the integrals",
+        StabilityVerdict::Unstable { .. } => "unstable",
+        StabilityVerdict::CannotTell(_) => "not decided",
     }
 }
 
@@ -155,21 +155,21 @@ fn because(judged: &Judged) -> String {
         format!("E - W p' at fixed integrals: {positive} positive, {zero} vanishing, {negative} negative squares")
     });
     match judged.verdict {
-        Verdict::Stable => format!(
+        StabilityVerdict::Stable => format!(
             "E - W p' at fixed integrals is definite ({}) and {flow}",
             judged.energy.map_or(String::new(), |energy| number(energy.positive.max(energy.negative), "square"))
         ),
-        Verdict::AsymptoticallyStableModuloIntegrals => {
+        StabilityVerdict::AsymptoticallyStableModuloIntegrals => {
             let all = judged.roots.map_or(0, |roots| roots.left);
             format!("all {} lie to the left, {beside} (Routh; Lyapunov, Malkin)", number(all, "root"))
         }
-        Verdict::Unstable { right } => {
+        StabilityVerdict::Unstable { right } => {
             let all = judged.roots.map_or(0, |roots| roots.degree());
             let lie = if right == 1 { "lies" } else { "lie" };
             let growth = judged.growth.map_or_else(String::new, |growth| format!("; {}", grows(growth)));
             format!("{right} of {} {lie} to the right, {beside} (Routh){growth}", number(all, "root"))
         }
-        Verdict::CannotTell(reason) => {
+        StabilityVerdict::CannotTell(reason) => {
             let why = match reason {
                 Reason::Gyroscopic { .. } => {
                     "no root to the right, but some on the axis, and the energy is not definite: if it is stable, then by \

@@ -159,32 +159,32 @@ pub fn passed(Passage { time, what, then, .. }: &Passage) -> Value {
 const MOST_SHOWN: usize = 20;
 
 /// An event that is told, or so many that are not.
-pub enum Told<'a> {
+pub enum ToldEvent<'a> {
     Passage(&'a Passage),
     LeftOut(usize),
 }
 
 /// The start and the events of a run that are told.
-pub fn told_passages(passages: &[Passage]) -> Vec<Told<'_>> {
+pub fn told_passages(passages: &[Passage]) -> Vec<ToldEvent<'_>> {
     let left_out = passages.len().saturating_sub(MOST_SHOWN);
     if left_out == 0 {
-        return passages.iter().map(Told::Passage).collect();
+        return passages.iter().map(ToldEvent::Passage).collect();
     }
     let (first, rest) = passages.split_at(MOST_SHOWN / 2);
-    let last = rest[left_out..].iter().map(Told::Passage);
-    first.iter().map(Told::Passage).chain([Told::LeftOut(left_out)]).chain(last).collect()
+    let last = rest[left_out..].iter().map(ToldEvent::Passage);
+    first.iter().map(ToldEvent::Passage).chain([ToldEvent::LeftOut(left_out)]).chain(last).collect()
 }
 
-impl Told<'_> {
+impl ToldEvent<'_> {
     /// Its line, behind the word `event`.
     pub fn line(&self) -> String {
         match self {
-            Told::Passage(Passage { time, what, then, .. }) => {
+            ToldEvent::Passage(Passage { time, what, then, .. }) => {
                 let then = then.as_ref().filter(|then| !then.is_empty());
                 let then = then.map_or_else(String::new, |then| format!(": {then}"));
                 format!("t = {time:.9} s: {what}{then}")
             }
-            Told::LeftOut(count) => format!("... {count} more; --format json shows all"),
+            ToldEvent::LeftOut(count) => format!("... {count} more; --format json shows all"),
         }
     }
 }

@@ -97,7 +97,7 @@ enum Rates {
 
 /// The way in which accelerations are found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Way {
+pub(crate) enum Elimination {
     /// By an elimination that is written down.
     Written,
     /// By a solve at each evaluation.
@@ -121,11 +121,11 @@ pub(crate) const LEAST_MOVING: usize = 4;
 /// method, a chain of 16 links took 0.8 s with them, and 0.06 s with solves; one of 10 links took the same time for 58,000 evaluations.
 const MOST_DERIVED: usize = 11;
 
-impl Way {
+impl Elimination {
     /// The way of a model; one with conditions or events has its elimination written down.
     pub fn of(model: &Model) -> Self {
         let unknowns = model.speeds() + model.constraints.len();
-        if !is_watched(model) && unknowns > MOST_WRITTEN { Way::Solved } else { Way::Written }
+        if !is_watched(model) && unknowns > MOST_WRITTEN { Elimination::Solved } else { Elimination::Written }
     }
 }
 
@@ -136,7 +136,7 @@ impl CompiledSystem {
     /// Why there is no law that runs.
     pub fn of(model: &Arc<Model>, mode: &Mode) -> Result<Self, NotCompiled> {
         CompiledSystem::has_equations(model)?;
-        if Way::of(model) == Way::Solved {
+        if Elimination::of(model) == Elimination::Solved {
             return CompiledSystem::solved(model);
         }
         match CompiledSystem::written(model, mode) {

@@ -70,7 +70,7 @@ struct HeldModel {
 impl HeldModel {
     /// None where the accelerations are no functions of the multipliers, or too long to be written down.
     fn of(model: &Arc<Model>) -> Option<Self> {
-        if compiled_system::Way::of(model) == compiled_system::Way::Solved {
+        if compiled_system::Elimination::of(model) == compiled_system::Elimination::Solved {
             return None;
         }
         apart(|| {

@@ -1,6 +1,6 @@
 //! The equations of motion of a model with every parameter as an input: one law for all members of an ensemble.
 
-use crate::compiled_system::{NotCompiled, Way, outputs, outputs_of_solved, rates};
+use crate::compiled_system::{Elimination, NotCompiled, outputs, outputs_of_solved, rates};
 use crate::conservation::conserves;
 use crate::implicit::{linear_equations, recurrence_of};
 use crate::letters::Inputs;
@@ -39,13 +39,13 @@ const LEAST_SOLVED: usize = 16;
 impl ParametricLaw {
     /// By the trace from which a run is compiled; parameters need no values.
     pub fn of(model: &Model) -> Result<Self, NotCompiled> {
-        match Way::of(model) {
-            Way::Written => match ParametricLaw::written(model) {
+        match Elimination::of(model) {
+            Elimination::Written => match ParametricLaw::written(model) {
                 // a constraint may move what has no inertia
                 Err(NotCompiled::Massless { .. }) if !model.constraints.is_empty() => ParametricLaw::solved(model),
                 other => other,
             },
-            Way::Solved => ParametricLaw::solved(model),
+            Elimination::Solved => ParametricLaw::solved(model),
         }
     }
 

@@ -1,7 +1,7 @@
 //! The run of a model with the work that is done on it: its energy less this work keeps its first value, or the run has made up the rest.
 
 use crate::compiled_system::determined;
-use crate::compiled_system::{CompiledSystem, LEAST_MOVING, Way, is_watched};
+use crate::compiled_system::{CompiledSystem, Elimination, LEAST_MOVING, is_watched};
 use crate::implicit::recurrence_with;
 use crate::letters::Letters;
 use crate::program::recorded;
@@ -19,7 +19,7 @@ use symbolic::{Sym, apart};
 pub(crate) fn metered(system: &Arc<CompiledSystem>, plain: Problem) -> Problem {
     let model = system.model();
     let is_taken = plain.columns.iter().any(|name| name == WORK);
-    if system.keeps_energy || is_watched(model) || is_taken || Way::of(model) == Way::Solved {
+    if system.keeps_energy || is_watched(model) || is_taken || Elimination::of(model) == Elimination::Solved {
         return plain;
     }
     if apart(|| PowerBalance::of(&Trace::of(model)).power == Sym::ZERO) {

@@ -43,13 +43,13 @@ impl Polynomial {
                 if flip { -&c } else { c }
             });
             let mut found = Vec::new();
-            halve(scaled.primitive(), Place { at: IBig::ZERO, halvings: 0 }, patience, &mut found)?;
+            halve(scaled.primitive(), DyadicInterval { at: IBig::ZERO, halvings: 0 }, patience, &mut found)?;
             if negative {
                 found.reverse();
             } else if zeros == 1 {
                 roots.push(Root::point(Arc::clone(&own), IBig::ZERO, 0));
             }
-            for (Place { at, halvings }, exact) in found {
+            for (DyadicInterval { at, halvings }, exact) in found {
                 let at = match (negative, exact) {
                     (false, _) => at,
                     (true, true) => -at,
@@ -67,13 +67,13 @@ impl Polynomial {
 }
 
 /// The interval (at, at + 1) / 2^halvings, or its lower end.
-struct Place {
+struct DyadicInterval {
     at: IBig,
     halvings: usize,
 }
 
 /// The roots of q in the open interval between 0 and 1, which stands for the place, in ascending order.
-fn halve(q: Polynomial, place: Place, patience: usize, found: &mut Vec<(Place, bool)>) -> Option<()> {
+fn halve(q: Polynomial, place: DyadicInterval, patience: usize, found: &mut Vec<(DyadicInterval, bool)>) -> Option<()> {
     let Some(degree) = q.degree() else { return Some(()) };
     let reversed = Polynomial::new(q.coefficients().iter().rev().cloned().collect());
     match changes(&shifted(&reversed)) {
@@ -89,10 +89,10 @@ fn halve(q: Polynomial, place: Place, patience: usize, found: &mut Vec<(Place, b
     let left = q.map(|power, c| c.map(|part| part << (degree - power))).primitive();
     let right = shifted(&left);
     let middle = right.coefficients().first().is_some_and(Number::is_zero);
-    halve(left, Place { at: at.clone(), halvings }, patience, found)?;
+    halve(left, DyadicInterval { at: at.clone(), halvings }, patience, found)?;
     let upper = at + IBig::ONE;
     let right = if middle {
-        found.push((Place { at: upper.clone(), halvings }, true));
+        found.push((DyadicInterval { at: upper.clone(), halvings }, true));
         // a second zero is a repeated root
         let rest = Polynomial::new(right.coefficients()[1..].to_vec());
         if rest.coefficients().first().is_some_and(Number::is_zero) {
@@ -102,7 +102,7 @@ fn halve(q: Polynomial, place: Place, patience: usize, found: &mut Vec<(Place, b
     } else {
         right
     };
-    halve(right, Place { at: upper, halvings }, patience, found)
+    halve(right, DyadicInterval { at: upper, halvings }, patience, found)
 }
 
 /// q(x + 1).

@@ -128,7 +128,7 @@ fn options_that_would_be_ignored() {
         ("ignored_form_motor", &["derive", "scenes/spin_up.toml", "--form", "first"]),
         ("ignored_tolerance", &["run", "scenes/bench.toml", "--method", "runge_kutta_4:10", "--tol", "1e-3"]),
         ("ignored_model", &["conform", "synchronous", "--model", "kloss"]),
-        ("ignored_omega0", &["phantom", "scenes/bench.toml", "--omega0", "3"]),
+        ("ignored_omega0", &["numerical-stability", "scenes/bench.toml", "--omega0", "3"]),
         ("ignored_axis", &["chart", "scenes/bench.toml", "--x", "time", "--out", "chart.html"]),
         ("ignored_force", &["run", "scenes/bench.toml", "--force"]),
     ] {

@@ -29,7 +29,7 @@ pub struct Parts {
     gains: Gains,
     drive: Drive,
     endurance: Endurance,
-    phantom: NumericalStability,
+    numerical_stability: NumericalStability,
     synchronism: Synchronism,
     failures: Failures,
 }
@@ -47,7 +47,7 @@ impl Parts {
             gains: Gains::default(),
             drive: Drive::default(),
             endurance: Endurance::default(),
-            phantom: NumericalStability::default(),
+            numerical_stability: NumericalStability::default(),
             synchronism: Synchronism::default(),
             failures: Failures::of(folder),
         }
@@ -65,7 +65,7 @@ impl Parts {
         self.gains.enlist(&mut crew);
         self.drive.enlist(&mut crew);
         self.endurance.enlist(&mut crew);
-        self.phantom.enlist(&mut crew, |id| {
+        self.numerical_stability.enlist(&mut crew, |id| {
             scenes.iter().filter(|read| read.id == id).find_map(|read| match &read.scene {
                 AnyScene::Driven(scene) => Some(&**scene),
                 _ => None,
@@ -145,7 +145,7 @@ impl Parts {
             self.gains.study(),
             self.drive.study(),
             self.endurance.study(folder),
-            self.phantom.study(),
+            self.numerical_stability.study(),
         ]);
         report.studies.extend(self.failures.study());
         report.studies.push(peers::study(folder));

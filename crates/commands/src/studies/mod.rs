@@ -1,5 +1,5 @@
 //! Studies in the report: gains and treatments of stabilised constraints, the electromechanical drive, long runs,
-//! phantom stability, a motor under load, how methods fail.
+//! numerical stability, a motor under load, how methods fail.
 
 pub mod atlas;
 mod drive;

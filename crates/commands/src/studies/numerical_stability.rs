@@ -1,4 +1,4 @@
-//! NumericalStability stability: what every step of every method says of stationary motions.
+//! Numerical stability of stationary motions: the map of every method at every step.
 
 use crate::job_pool::JobPool;
 use charts::{AreaCurve, Areas, Study, Table, significant};
@@ -34,8 +34,8 @@ impl NumericalStability {
     pub fn study(self) -> Study {
         let mut study = Study {
             id: "steps-and-stability".into(),
-            title: "NumericalStability stability".into(),
-            lead: r"Near a stationary motion $\dot x=Ax$ a Runge-Kutta method has the matrix $R(hA)$. A mode $\mu$ fades, stays or grows in the map as $|R(h\mu)|$ is below, at or above one, which need not be what it does in the motion. Every step $h$ is judged: thresholds are roots of one polynomial for each mode, all of them isolated. What integrals and idle windings explain is split off exactly.".into(),
+            title: "Numerical stability of stationary motions".into(),
+            lead: r"Near a stationary motion $\dot x=Ax$ a Runge-Kutta method has the matrix $R(hA)$. A mode $\mu$ fades, stays or grows in the map as $|R(h\mu)|$ is below, at or above one, which need not be what it does in the motion: a method hides growth (phantom stability) or invents it. Every step $h$ is judged: thresholds are roots of one polynomial for each mode, all of them isolated. What integrals and idle windings explain is split off exactly.".into(),
             note: r"Splittings have a stationary motion of their own near the law's, followed here from short steps to 1 s: what their step's matrix does there is proved over ranges of steps, with Taylor models, as far as the row says, and tested at eight steps a decade elsewhere; windows are found that lie between the tested steps. Dark lines: thresholds by runs of the program near the motion, each as long as the growth beside the threshold and the slowest of the other modes ask for; where that is more than 40 000 steps, as for Euler near lightly damped motions, there is none. Honest means the right sign, not the right rate: what the classical Runge-Kutta method and backward Euler damp may still be far more than what the motion does.".into(),
             ..Study::default()
         };
@@ -56,8 +56,8 @@ impl NumericalStability {
 const KINDS: [&str; 6] = [
     "honest",
     "damps what stays",
-    "PHANTOM STABILITY",
-    "phantom instability",
+    "HIDES GROWTH",
+    "invents growth",
     "wrong in some mode",
     "no such step, or no motion found",
 ];

@@ -1,7 +1,7 @@
 //! Work around the accepted steps of any method: outputs, monitors, progress, the last good state.
 
 use crate::run::budgeted_rhs::BudgetedRhs;
-use crate::run::within::{Place, Within};
+use crate::run::within::{StepEnd, Within};
 use crate::{Deviation, End, Failure, Observer, Outcome, Real, Span};
 
 /// The run as seen from outside its method.
@@ -131,7 +131,7 @@ impl<'a, 'm, S: Real> Watch<'a, 'm, S> {
         if times.is_empty() || self.failed.is_some() {
             return;
         }
-        let places = [Place { time: self.time(), state: &self.state }, Place { time: end, state: after }];
+        let places = [StepEnd { time: self.time(), state: &self.state }, StepEnd { time: end, state: after }];
         let read = match self.within.polynomial(self.span, places, times.len()) {
             Ok(read) => read,
             Err(failure) => {
@@ -143,7 +143,7 @@ impl<'a, 'm, S: Real> Watch<'a, 'm, S> {
             let state = match &read {
                 Some(polynomial) => Ok(polynomial.at(time)),
                 None if self.observer.enough() => return,
-                None => self.within.state(self.span, Place { time: self.time(), state: &self.state }, time),
+                None => self.within.state(self.span, StepEnd { time: self.time(), state: &self.state }, time),
             };
             match state {
                 Ok(state) => self.sample(&state),

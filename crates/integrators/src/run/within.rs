@@ -28,7 +28,7 @@ pub(crate) struct Within<'a, S> {
 
 /// One end of an accepted step.
 #[derive(Clone, Copy)]
-pub(crate) struct Place<'s, S> {
+pub(crate) struct StepEnd<'s, S> {
     pub time: f64,
     pub state: &'s [S],
 }
@@ -42,7 +42,7 @@ impl<'a, S: Real> Within<'a, S> {
     ///
     /// # Errors
     /// [`Failure`] where the run's budget is spent, or the method fails within a step that it has accepted.
-    pub fn state(&mut self, run: &Span<'_, S>, begin: Place<'_, S>, time: f64) -> Result<Vec<S>, Failure> {
+    pub fn state(&mut self, run: &Span<'_, S>, begin: StepEnd<'_, S>, time: f64) -> Result<Vec<S>, Failure> {
         // a step takes too few evaluations for its own clocks to be read
         if let Some(over) = clock::over() {
             return Err(over.failure(begin.time));
@@ -80,7 +80,7 @@ impl<'a, S: Real> Within<'a, S> {
     pub fn polynomial(
         &mut self,
         run: &Span<'_, S>,
-        [begin, end]: [Place<'_, S>; 2],
+        [begin, end]: [StepEnd<'_, S>; 2],
         outputs: usize,
     ) -> Result<Option<Polynomial<S>>, Failure> {
         if outputs <= DEGREE {

@@ -120,8 +120,8 @@ impl Row {
 pub fn said(stretch: StepInterval) -> &'static str {
     match stretch.judgement {
         Judgement::Honest => "honest",
-        Judgement::Hides => "PHANTOM STABILITY",
-        Judgement::Invents => "phantom instability",
+        Judgement::Hides => "HIDES GROWTH",
+        Judgement::Invents => "invents growth",
         Judgement::Damps => "damps what stays",
         Judgement::Confuses => "wrong in some mode",
     }

@@ -1,4 +1,5 @@
-//! Phantom stability: what the steps of a method make of a motion that is stable, or is not.
+//! Numerical stability: the map of a method's steps beside a motion that is stable, or is not. Growth that a map hides is called
+//! phantom stability.
 //!
 //! # Overview
 //! * `claims`: what a step makes of one mode, by method, proved;

@@ -5,7 +5,7 @@ use crate::scene::{Scene, Setup, Start};
 use crate::stationary::energies::{Energies, Kept};
 use crate::stationary::motions::{NoAnswer, Stationary, decimals};
 use crate::stationary::motor::{Angle, MotorStates};
-use crate::stationary::stability::{Reason, Verdict};
+use crate::stationary::stability::{Reason, StabilityVerdict};
 use algebra::real::{Enclosure, Root};
 use field::Rational;
 use mechanics::one_step_stability::{HalfPlane as Location, Mode, Spectrum};
@@ -112,7 +112,7 @@ impl AllStationed {
                 }
                 // for each angle of the rotor, a member of each stretch
                 for (angle, along) in all.along(case, motion, speed).into_iter().enumerate() {
-                    let unknown = Verdict::CannotTell(Reason::Family);
+                    let unknown = StabilityVerdict::CannotTell(Reason::Family);
                     families += usize::from(along.arcs.iter().any(|arc| arc.judged.verdict == unknown));
                     for arc in along.arcs.iter().filter(|arc| arc.judged.verdict != unknown) {
                         let w = turning(&arc.member);

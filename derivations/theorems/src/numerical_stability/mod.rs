@@ -15,10 +15,10 @@ use Condition::{Equal, Positive};
 
 /// The page in the ledger.
 pub const PAPER: Paper = Paper {
-    key: "phantom",
-    title: "Phantom stability: what a step makes of a motion",
+    key: "numerical_stability",
+    title: "Numerical stability: the map of a step beside the motion",
     citation: "The workbench's own page. The stability function and A-stability are those of G. Dahlquist (1963); collocation after E. Hairer, G. Wanner: Solving ordinary differential equations II (1991), IV.3 and IV.5.",
-    summary: r"Near a stationary motion $\dot x=Ax$ a Runge-Kutta method has the matrix $R(hA)$, and a mode $\mu$ fades, stays or grows under it as $|R(h\mu)|$ is below, at or above one. Euler lets grow at every step what stays; the classical Runge-Kutta method damps it up to $h|\mu|=2\sqrt2$; backward Euler and Radau IIA damp it always, and hide a mode that grows from some step on: phantom stability. The midpoint rule and Gauss with two and three stages are honest at every step on every motion. The command `dalembert phantom` gives for a scene's motions every threshold, isolated.",
+    summary: r"Near a stationary motion $\dot x=Ax$ a Runge-Kutta method has the matrix $R(hA)$, and a mode $\mu$ fades, stays or grows under it as $|R(h\mu)|$ is below, at or above one. Euler lets grow at every step what stays; the classical Runge-Kutta method damps it up to $h|\mu|=2\sqrt2$; backward Euler and Radau IIA damp it always, and hide a mode that grows from some step on: phantom stability. The midpoint rule and Gauss with two and three stages are honest at every step on every motion. The command `dalembert numerical-stability` gives for a scene's motions every threshold, isolated.",
     entries: &["function", "axis", "grows", "honest", "splitting"],
     page,
 };
@@ -36,13 +36,13 @@ const fn radau(stages: u8) -> OneStep {
 
 pub fn page() -> Page {
     let mut page = Page::of(PAPER.key, dimension);
-    page.section("Phantom stability: the step on one mode");
+    page.section("Numerical stability: the step on one mode");
     functions(&mut page);
-    page.section("Phantom stability: modes that stay");
+    page.section("Numerical stability: modes that stay");
     axis(&mut page);
-    page.section("Phantom stability: modes that grow or fade");
+    page.section("Numerical stability: modes that grow or fade");
     plane(&mut page);
-    page.section("Phantom stability: kick and drift");
+    page.section("Numerical stability: kick and drift");
     kick_and_drift(&mut page);
     page
 }

@@ -56,7 +56,7 @@ pub enum Undecided {
 
 /// Where a motion is.
 #[derive(Clone)]
-enum Place {
+enum RotationPlace {
     /// x, and s as a fraction there.
     Regular(Root),
     /// x and s, where several s go with one x.
@@ -117,7 +117,7 @@ impl Body {
             all.motions.extend(begins.into_iter().map(|s| Turning {
                 shape: super::Shape::Point,
                 kind: Kind::Degenerate,
-                place: Place::Unseen { eigenvalue, s },
+                place: RotationPlace::Unseen { eigenvalue, s },
                 case: Arc::clone(&case),
             }));
         }

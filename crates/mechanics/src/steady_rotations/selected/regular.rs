@@ -1,6 +1,6 @@
 //! The common solutions of both equations away from the eigenvalues.
 
-use super::{Case, Place, Selected, Turning, Undecided};
+use super::{Case, RotationPlace, Selected, Turning, Undecided};
 use crate::steady_rotations::spectrum::Spectrum;
 use crate::steady_rotations::{Body, Kind, Shape};
 use algebra::real::{Nested, Polynomial, Root, subresultant};
@@ -43,7 +43,9 @@ impl Selected {
         for mut x in roots {
             x.refine(BITS);
             match case.ratio.get(1) {
-                Some(slope) if x.sign_of(slope) != 0 => self.motions.push(Turning::away(case, Place::Regular(x))),
+                Some(slope) if x.sign_of(slope) != 0 => {
+                    self.motions.push(Turning::away(case, RotationPlace::Regular(x)))
+                }
                 _ => self.shared(case, x, length, second),
             }
         }
@@ -55,13 +57,14 @@ impl Selected {
         let leads = |p: &[Polynomial]| p.last().is_some_and(|lead| x.sign_of(lead) != 0);
         let divisor = (2..second.len() - 1).map(|k| subresultant(length, second, k)).find(|divisor| leads(divisor));
         let divisor = divisor.unwrap_or_else(|| if leads(second) { second.to_vec() } else { length.to_vec() });
-        let each = Nested::roots(&x, &divisor).into_iter().map(|s| Turning::away(case, Place::Shared(s, x.clone())));
+        let each =
+            Nested::roots(&x, &divisor).into_iter().map(|s| Turning::away(case, RotationPlace::Shared(s, x.clone())));
         self.motions.extend(each);
     }
 }
 
 impl Turning {
-    fn away(case: &Arc<Case>, place: Place) -> Self {
+    fn away(case: &Arc<Case>, place: RotationPlace) -> Self {
         let mut motion = Turning { shape: Shape::Point, kind: Kind::Degenerate, place, case: Arc::clone(case) };
         motion.kind = motion.kind_by_signature().unwrap_or(Kind::Degenerate);
         motion

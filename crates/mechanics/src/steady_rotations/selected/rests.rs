@@ -1,6 +1,6 @@
 //! w = 0: p = h.v with v along the weight or against it; without weight with any v.
 
-use super::{Case, Momentum, Place, Selected, Turning};
+use super::{Case, Momentum, RotationPlace, Selected, Turning};
 use crate::steady_rotations::spectrum::Vector;
 use crate::steady_rotations::{Kind, Shape};
 use algebra::real::Number;
@@ -11,7 +11,8 @@ impl Selected {
         let body = &case.body;
         let Momentum { numerator: p, denominator: d } = momentum;
         let (squared, shared) = (inner(&body.weight, &body.weight), &inner(&body.spin, &body.weight) * d);
-        let rest = |shape: Shape, kind: Kind, place: Place| Turning { shape, kind, place, case: Arc::clone(case) };
+        let rest =
+            |shape: Shape, kind: Kind, place: RotationPlace| Turning { shape, kind, place, case: Arc::clone(case) };
         if squared.is_zero() {
             self.motions
                 .extend(weightless(case, momentum).into_iter().map(|(s, place)| rest(s, Kind::Degenerate, place)));
@@ -20,7 +21,7 @@ impl Selected {
             let same = p.sign() * shared.sign() >= 0;
             let sides = if p.is_zero() { vec![true, false] } else { vec![same] };
             let of_side = |along: bool| {
-                let place = Place::Rest { along, vector: body.weight.clone() };
+                let place = RotationPlace::Rest { along, vector: body.weight.clone() };
                 rest(Shape::Point, if along { Kind::Maximum } else { Kind::Minimum }, place)
             };
             self.motions.extend(sides.into_iter().map(of_side));
@@ -29,14 +30,14 @@ impl Selected {
 }
 
 /// Every v with h.v = p: a circle about h where |p| < |h|, its pole where both are equal.
-fn weightless(case: &Arc<Case>, Momentum { numerator: p, denominator: d }: &Momentum) -> Vec<(Shape, Place)> {
+fn weightless(case: &Arc<Case>, Momentum { numerator: p, denominator: d }: &Momentum) -> Vec<(Shape, RotationPlace)> {
     let axis = case.body.spin.clone();
     let most = inner(&axis, &axis);
     match (&(p * p) - &(&(&most * d) * d)).sign() {
-        0 if most.is_zero() => vec![(Shape::Sphere, Place::Everywhere)],
-        0 => vec![(Shape::Point, Place::Rest { along: p.sign() * d.sign() > 0, vector: axis })],
+        0 if most.is_zero() => vec![(Shape::Sphere, RotationPlace::Everywhere)],
+        0 => vec![(Shape::Point, RotationPlace::Rest { along: p.sign() * d.sign() > 0, vector: axis })],
         -1 => {
-            let place = Place::Circle { axis, momentum: p.clone(), denominator: &most * d };
+            let place = RotationPlace::Circle { axis, momentum: p.clone(), denominator: &most * d };
             vec![(Shape::Circle { place: 0 }, place)]
         }
         _ => Vec::new(),

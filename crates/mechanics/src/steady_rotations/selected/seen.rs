@@ -8,7 +8,7 @@
 //!
 //! All of it is polynomials in x at x = k, so that the sign of what is left is exact: a motion, two, a circle or none.
 
-use super::{Case, Momentum, Place, Selected, Turning};
+use super::{Case, Momentum, RotationPlace, Selected, Turning};
 use crate::steady_rotations::spectrum::{Matrix, Vector, adjugate, along, dot, scaled, sum};
 use crate::steady_rotations::{Kind, Shape};
 use algebra::real::{Enclosure, Number, Polynomial, Root};
@@ -47,7 +47,7 @@ impl Selected {
             let special = Arc::new(special);
             let of_side = |side: i64| {
                 let at = Arc::new(Special { side, ..special.as_ref().clone() });
-                Turning { shape, kind, place: Place::Seen(at), case: Arc::clone(case) }
+                Turning { shape, kind, place: RotationPlace::Seen(at), case: Arc::clone(case) }
             };
             self.motions.extend(sides.into_iter().map(of_side));
         }

@@ -1,6 +1,6 @@
 //! One of the rotations that are selected: its kind, direction and angular velocity.
 
-use super::{Case, Place};
+use super::{Case, RotationPlace};
 use crate::steady_rotations::spectrum::Vector;
 use crate::steady_rotations::{Kind, Shape};
 use algebra::real::{Enclosure, Number};
@@ -11,7 +11,7 @@ use std::sync::Arc;
 pub struct Turning {
     pub shape: Shape,
     pub kind: Kind,
-    pub(super) place: Place,
+    pub(super) place: RotationPlace,
     pub(super) case: Arc<Case>,
 }
 
@@ -21,7 +21,7 @@ const BITS: [usize; 7] = [160, 320, 640, 1280, 2560, 5120, 8192];
 impl Turning {
     /// As for a given w: by the signature of M - x on the tangent plane.
     pub(super) fn kind_by_signature(&self) -> Option<Kind> {
-        let (Place::Regular(x) | Place::Shared(_, x)) = &self.place else { return None };
+        let (RotationPlace::Regular(x) | RotationPlace::Shared(_, x)) = &self.place else { return None };
         let [below, above] = self.case.spectrum.around(x)?;
         let adjugate = &self.case.spectrum.adjugate;
         let slope = BITS[..4].iter().find_map(|&bits| {
@@ -49,8 +49,8 @@ impl Turning {
     pub fn axis(&self, bits: usize) -> Option<Vector<Enclosure>> {
         let Shape::Circle { place } = self.shape else { return None };
         let at = |work: usize| match &self.place {
-            Place::Seen(special) => special.axis(&self.case, work),
-            Place::Circle { axis, .. } => unit(axis, work),
+            RotationPlace::Seen(special) => special.axis(&self.case, work),
+            RotationPlace::Circle { axis, .. } => unit(axis, work),
             _ => self.case.spectrum.normal(place, work),
         };
         let close = |v: &Vector<Enclosure>| v.iter().all(|x| x.is_within(bits));
@@ -61,23 +61,25 @@ impl Turning {
         let (case, spectrum) = (&*self.case, &self.case.spectrum);
         let still = Enclosure::integer(0, bits);
         let (x, s) = match &self.place {
-            Place::Rest { along, vector } => {
+            RotationPlace::Rest { along, vector } => {
                 let v = unit(vector, bits)?;
                 return Some((if *along { v } else { v.map(|v| -&v) }, still));
             }
-            Place::Circle { axis, momentum, denominator } => {
+            RotationPlace::Circle { axis, momentum, denominator } => {
                 let share = momentum.enclosure(bits).over(&denominator.enclosure(bits))?;
                 return Some((axis.each_ref().map(|h| &share * &h.enclosure(bits)), still));
             }
-            Place::Everywhere => return Some(([still.clone(), still.clone(), still.clone()], still)),
-            Place::Seen(special) => return special.at(case, bits),
-            Place::Regular(x) => {
+            RotationPlace::Everywhere => return Some(([still.clone(), still.clone(), still.clone()], still)),
+            RotationPlace::Seen(special) => return special.at(case, bits),
+            RotationPlace::Regular(x) => {
                 let x = x.enclosure(bits);
                 let [constant, slope] = [0, 1].map(|k| case.ratio[k].enclosure(&x, bits));
                 (x, (-&constant).over(&slope)?)
             }
-            Place::Shared(s, x) => (x.enclosure(bits), s.enclosure(bits)),
-            Place::Unseen { eigenvalue, s } => (spectrum.eigenvalues[*eigenvalue].0.enclosure(bits), s.enclosure(bits)),
+            RotationPlace::Shared(s, x) => (x.enclosure(bits), s.enclosure(bits)),
+            RotationPlace::Unseen { eigenvalue, s } => {
+                (spectrum.eigenvalues[*eigenvalue].0.enclosure(bits), s.enclosure(bits))
+            }
         };
         let q = spectrum.seen.enclosure(&x, bits);
         let share = |k: usize, i: usize| spectrum.numerators[k][i].enclosure(&x, bits).over(&q);

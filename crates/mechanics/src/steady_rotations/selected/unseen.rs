@@ -1,6 +1,6 @@
 //! Eigenvalues that neither h nor G sees: v = -N/q + z with z in the eigenspace, wherever that leaves |z|^2 > 0.
 
-use super::{Case, Place, Selected, Turning};
+use super::{Case, RotationPlace, Selected, Turning};
 use crate::steady_rotations::{Kind, Shape};
 use algebra::real::{Nested, Polynomial};
 use std::sync::Arc;
@@ -25,7 +25,7 @@ impl Selected {
                     (2, _) => Kind::Maximum,
                     _ => Kind::Degenerate,
                 };
-                let at = Place::Unseen { eigenvalue: place, s };
+                let at = RotationPlace::Unseen { eigenvalue: place, s };
                 let of_shape = |shape| Turning { shape, kind, place: at.clone(), case: Arc::clone(case) };
                 self.motions.extend(shapes.into_iter().map(of_shape));
             }

@@ -28,12 +28,12 @@ pub struct Measured {
 pub(super) struct Run {
     pub scheme: Scheme,
     pub steps: u32,
-    pub way: Way,
+    pub way: Keeping,
 }
 
 /// How the constraint is kept.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Way {
+pub(super) enum Keeping {
     /// f'' = -b f' - k f with (h b, h^2 k).
     Led(f64, f64),
     Projected,
@@ -45,15 +45,15 @@ impl Run {
     /// None where the method has no such gains.
     pub fn new(scheme: Scheme, steps: u32, treatment: Treatment) -> Option<Self> {
         let h = SPAN / f64::from(steps);
-        let critical = |rate: f64| Way::Led(2.0 * rate * h, (rate * h).powi(2));
+        let critical = |rate: f64| Keeping::Led(2.0 * rate * h, (rate * h).powi(2));
         let way = match treatment {
-            Treatment::IndexReduction => Way::Led(0.0, 0.0),
-            Treatment::Fastest => scheme.best().map(|(beta, kappa)| Way::Led(beta, kappa))?,
+            Treatment::IndexReduction => Keeping::Led(0.0, 0.0),
+            Treatment::Fastest => scheme.best().map(|(beta, kappa)| Keeping::Led(beta, kappa))?,
             Treatment::Moderate => critical(super::MODERATE),
             Treatment::MostAccurate { rate } => critical(rate),
-            Treatment::Projected => Way::Projected,
-            Treatment::GearGuptaLeimkuhler => Way::BothHeld,
-            Treatment::Minimal => Way::Minimal,
+            Treatment::Projected => Keeping::Projected,
+            Treatment::GearGuptaLeimkuhler => Keeping::BothHeld,
+            Treatment::Minimal => Keeping::Minimal,
         };
         Some(Run { scheme, steps, way })
     }
@@ -70,10 +70,10 @@ impl Run {
         // followed by no method with a constant step
         let tolerance = Tolerance::both(1e-9);
         match self.way {
-            Way::Led(beta, kappa) => integrate(&law(beta, kappa), method, &tolerance, &span_of_all, observer),
-            Way::Projected => integrate_projected(&law(0.0, 0.0), &held, method, &span_of_all, observer),
-            Way::BothHeld => hold(&held, self.holding(), &span_of_all, observer),
-            Way::Minimal => integrate(&reduced(), method, &tolerance, &span(&START), observer),
+            Keeping::Led(beta, kappa) => integrate(&law(beta, kappa), method, &tolerance, &span_of_all, observer),
+            Keeping::Projected => integrate_projected(&law(0.0, 0.0), &held, method, &span_of_all, observer),
+            Keeping::BothHeld => hold(&held, self.holding(), &span_of_all, observer),
+            Keeping::Minimal => integrate(&reduced(), method, &tolerance, &span(&START), observer),
         }
     }
 
@@ -90,16 +90,16 @@ impl Run {
 
     /// Against the exact motion.
     pub fn measure(&self, goal: &Goal) -> Result<Measured, Failure> {
-        let mut watch = goal.watch(self.way == Way::Minimal);
+        let mut watch = goal.watch(self.way == Keeping::Minimal);
         let outcome = self.go(&mut watch);
         if let Some(failure) = outcome.failure() {
             return Err(failure);
         }
         let (drift, rate_drift, error) = (watch.drift, watch.rate_drift, watch.error);
         let columns = match self.way {
-            Way::Led(..) | Way::Projected => 4,
-            Way::BothHeld => 6,
-            Way::Minimal => 2,
+            Keeping::Led(..) | Keeping::Projected => 4,
+            Keeping::BothHeld => 6,
+            Keeping::Minimal => 2,
         };
         let evaluations = outcome.work.rates + columns * outcome.work.jacobians;
         Ok(Measured { drift, rate_drift, error, evaluations, corrections: outcome.work.constraints })

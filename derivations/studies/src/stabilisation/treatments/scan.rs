@@ -5,7 +5,7 @@
 //! fastest decay go with 1/h and 1/h^2. What that time is, no theory here tells: it is measured.
 
 use super::goal::{Goal, SPAN};
-use super::run::{Run, Way};
+use super::run::{Keeping, Run};
 use crate::stabilisation::schemes::Scheme;
 
 /// Drift and error by the rate w of critically damped gains, b = 2 w, k = w^2, at a constant step.
@@ -35,7 +35,7 @@ impl Scan {
         let h = SPAN / f64::from(steps);
         let measure = |rate: f64| {
             let (beta, kappa) = (2.0 * h * rate, (h * rate).powi(2));
-            let found = Run { scheme, steps, way: Way::Led(beta, kappa) }.measure(goal).ok()?;
+            let found = Run { scheme, steps, way: Keeping::Led(beta, kappa) }.measure(goal).ok()?;
             (found.error < LOST).then_some(Measure { rate, drift: found.drift, error: found.error })
         };
         let between = |low: f64, high: f64, count: u32| {
@@ -52,7 +52,7 @@ impl Scan {
             points.sort_by(|a, b| a.rate.total_cmp(&b.rate));
             points.dedup_by(|a, b| a.rate == b.rate);
         }
-        let without = Run { scheme, steps, way: Way::Led(0.0, 0.0) }.measure(goal);
+        let without = Run { scheme, steps, way: Keeping::Led(0.0, 0.0) }.measure(goal);
         Scan { scheme, steps, points, without: without.map_or(f64::INFINITY, |found| found.error) }
     }
 

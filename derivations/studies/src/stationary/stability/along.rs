@@ -5,7 +5,7 @@ use super::family::{Cut, Family, cross, direction};
 use super::judge::{BITS, Enclosed, Given, Judge, circle_point};
 use super::judged::{Among, Judged};
 use super::symmetry::{is_symmetric, unfelt};
-use super::verdict::{Reason, Verdict};
+use super::verdict::{Reason, StabilityVerdict};
 use crate::stationary::motor::Angle;
 use algebra::real::{Conic, Enclosure, Ordered, Root, Surd, Tower};
 use field::{Rational, Scalar};
@@ -138,7 +138,7 @@ impl Judge<'_> {
             let pair = unfelt(self.energies, &place, &one);
             let among = Among { tangents: vec![cross(&axis, &v)], axis: Some(axis), pair };
             judged = Judged::among(self.approximation, &place, &among, &one, Enclosure::to_f64);
-            if judged.verdict != Verdict::CannotTell(Reason::TooFine) {
+            if judged.verdict != StabilityVerdict::CannotTell(Reason::TooFine) {
                 break;
             }
         }
@@ -216,8 +216,10 @@ fn joined(family: &Family, cuts: &[Cut], arcs: Vec<Arc>, at_cut: impl Fn(&Cut) -
         }
         let mut judged = at_cut(cut)?;
         // the family leaves the level of the integrals here, if only to second order: what is said across it does not suffice
-        if beside.iter().any(|one| one.aside < judged.aside) && !matches!(judged.verdict, Verdict::Unstable { .. }) {
-            judged.verdict = Verdict::CannotTell(Reason::Edge);
+        if beside.iter().any(|one| one.aside < judged.aside)
+            && !matches!(judged.verdict, StabilityVerdict::Unstable { .. })
+        {
+            judged.verdict = StabilityVerdict::CannotTell(Reason::Edge);
         }
         if !(same && beside.first().is_some_and(|one| alike(one, &judged) || pole && one.verdict == judged.verdict)) {
             edges.push((k, Edge { direction: place(cut)?, judged }));

@@ -2,7 +2,7 @@
 
 use super::approximation::Approximation;
 use super::judged::Judged;
-use super::verdict::{Reason, Verdict};
+use super::verdict::{Reason, StabilityVerdict};
 use crate::stationary::energies::{Energies, Kept};
 use crate::stationary::motor::{Angle, MotorStates};
 use algebra::real::{Enclosure, Ordered, Polynomial, Root, Surd};
@@ -65,7 +65,7 @@ impl Judge<'_> {
         if self.merges(angle) {
             return Judged::cannot_tell(self.approximation, Reason::PullOut);
         }
-        let too_fine = Verdict::CannotTell(Reason::TooFine);
+        let too_fine = StabilityVerdict::CannotTell(Reason::TooFine);
         let mut last = Judged::cannot_tell(self.approximation, Reason::TooFine);
         for &bits in fineness {
             let one = Enclosure::integer(1, bits);

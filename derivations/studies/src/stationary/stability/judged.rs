@@ -3,14 +3,14 @@
 use super::approximation::Approximation;
 use super::family::cross;
 use super::linear::{Integral, Linear};
-use super::verdict::{Reason, Verdict};
+use super::verdict::{Reason, StabilityVerdict};
 use algebra::real::Ordered;
 use mechanics::linear_stability::{HalfPlanes, Inertia, characteristic, growth};
 
 /// A verdict with what it rests on.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Judged {
-    pub verdict: Verdict,
+    pub verdict: StabilityVerdict,
     /// What gives a zero root each.
     pub integrals: Vec<Integral>,
     /// In how many directions a family goes on without a change of the integrals: as many further zero roots.
@@ -54,7 +54,7 @@ impl Judged {
     /// Without a computation.
     pub fn cannot_tell(approximation: &Approximation, reason: Reason) -> Self {
         Judged {
-            verdict: Verdict::CannotTell(reason),
+            verdict: StabilityVerdict::CannotTell(reason),
             integrals: approximation.integrals.clone(),
             along: 0,
             aside: 0,
@@ -130,7 +130,7 @@ impl Judged {
         let neutral = polynomial.last().is_some_and(|c| c.sign() == Some(0));
         let unstable = roots.is_some_and(|roots| roots.right > 0);
         Judged {
-            verdict: Verdict::of(roots, energy, *conservative, falls, neutral),
+            verdict: StabilityVerdict::of(roots, energy, *conservative, falls, neutral),
             growth: if unstable { growth(&polynomial) } else { None },
             integrals,
             along,

@@ -37,4 +37,4 @@ pub use approximation::Approximation;
 pub use judged::Judged;
 pub use linear::{Integral, Linear};
 pub use state::StationaryState;
-pub use verdict::{Reason, Verdict};
+pub use verdict::{Reason, StabilityVerdict};

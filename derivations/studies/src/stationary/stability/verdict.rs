@@ -23,7 +23,7 @@ use mechanics::linear_stability::{HalfPlanes, Inertia};
 
 /// What becomes of small deviations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Verdict {
+pub enum StabilityVerdict {
     /// They stay small: the energy is definite where the integrals have their values.
     Stable,
     /// They fade, on each level of the integrals towards the stationary motion of this level.
@@ -54,7 +54,7 @@ pub enum Reason {
     NotStationary,
 }
 
-impl Verdict {
+impl StabilityVerdict {
     /// `falls`: G is conserved or never grows. `neutral`: a root is zero that nothing explains.
     pub(super) fn of(
         roots: Option<HalfPlanes>,
@@ -66,15 +66,15 @@ impl Verdict {
         let definite = energy
             .is_some_and(|energy| energy.zero == 0 && (energy.negative == 0 || (conservative && energy.positive == 0)));
         match roots {
-            Some(HalfPlanes { right, .. }) if right > 0 => Verdict::Unstable { right },
-            Some(HalfPlanes { axis: 0, .. }) => Verdict::AsymptoticallyStableModuloIntegrals,
-            _ if definite && falls => Verdict::Stable,
-            _ if neutral => Verdict::CannotTell(Reason::Neutral),
+            Some(HalfPlanes { right, .. }) if right > 0 => StabilityVerdict::Unstable { right },
+            Some(HalfPlanes { axis: 0, .. }) => StabilityVerdict::AsymptoticallyStableModuloIntegrals,
+            _ if definite && falls => StabilityVerdict::Stable,
+            _ if neutral => StabilityVerdict::CannotTell(Reason::Neutral),
             Some(_) => match energy {
-                Some(energy) => Verdict::CannotTell(Reason::Gyroscopic { negative: energy.negative }),
-                None => Verdict::CannotTell(Reason::TooFine),
+                Some(energy) => StabilityVerdict::CannotTell(Reason::Gyroscopic { negative: energy.negative }),
+                None => StabilityVerdict::CannotTell(Reason::TooFine),
             },
-            None => Verdict::CannotTell(Reason::TooFine),
+            None => StabilityVerdict::CannotTell(Reason::TooFine),
         }
     }
 }

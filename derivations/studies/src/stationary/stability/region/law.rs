@@ -31,7 +31,7 @@ pub(super) struct Ground {
 }
 
 /// What the rotor keeps, with its angle where the motor holds one.
-pub(super) struct Held<'a> {
+pub(super) struct HeldRotor<'a> {
     pub kept: Kept,
     pub value: Root,
     pub angle: Option<&'a Angle>,
@@ -80,8 +80,13 @@ impl Region<'_> {
     }
 
     /// The states of the rotor to which the moment drives back, or at which they merge.
-    pub(super) fn held<'a>(&self, ground: &'a Ground, here: &Setting, energies: &Energies<Rational>) -> Vec<Held<'a>> {
-        let at = |value: Option<Root>, angle| value.map(|value| Held { kept: Kept::RelativeSpeed, value, angle });
+    pub(super) fn held<'a>(
+        &self,
+        ground: &'a Ground,
+        here: &Setting,
+        energies: &Energies<Rational>,
+    ) -> Vec<HeldRotor<'a>> {
+        let at = |value: Option<Root>, angle| value.map(|value| HeldRotor { kept: Kept::RelativeSpeed, value, angle });
         if self.letters.prescribed {
             let value = here.rotor_speed.and_then(|speed| Root::rational(Rational::decimal(speed)));
             return at(value, None).into_iter().collect();
@@ -92,7 +97,7 @@ impl Region<'_> {
                 let spin = start.angular_velocity.map(Rational::decimal).dot(&energies.mixed)
                     + Rational::decimal(start.rotor_speed) * energies.axial;
                 let value = Root::rational(spin);
-                value.map(|value| Held { kept: Kept::Momentum, value, angle: None }).into_iter().collect()
+                value.map(|value| HeldRotor { kept: Kept::Momentum, value, angle: None }).into_iter().collect()
             }
             MotorStates::Kept { speed } => at(Some(speed.clone()), None).into_iter().collect(),
             MotorStates::InStep { speed, angles, .. } => {

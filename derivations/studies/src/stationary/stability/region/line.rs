@@ -2,7 +2,7 @@
 
 use super::Region;
 use super::law::Ground;
-use super::node::{Class, Here, Node, Place};
+use super::node::{Class, Here, Node, NodeMotions};
 use super::spot::{BITS, Raw, Spot};
 use crate::stationary::motor::NoMotor;
 use algebra::real::Enclosure;
@@ -144,7 +144,7 @@ impl<'a> Line<'a> {
                 link.lost += of_first.len() + of_second.len();
                 continue;
             }
-            if [first, second].iter().any(|node| matches!(node.place, Place::NoBodies | Place::TooFine)) {
+            if [first, second].iter().any(|node| matches!(node.place, NodeMotions::NoBodies | NodeMotions::TooFine)) {
                 continue;
             }
             let (between, change) = self.counted(first, second, state, counts[0])?;
@@ -191,7 +191,7 @@ impl<'a> Line<'a> {
         number: usize,
     ) -> Result<([[f64; 2]; 2], Change), NoMotor> {
         let (mut low, mut high) = (first.values, second.values);
-        let mut held = [first, second].map(|node| !matches!(node.place, Place::PulledOut));
+        let mut held = [first, second].map(|node| !matches!(node.place, NodeMotions::PulledOut));
         for _ in 0..HALVINGS {
             let values = self.middle(low, high);
             let ground = self.region.ground(values[0])?;

@@ -19,7 +19,7 @@ mod spot;
 
 pub use atlas::{Atlas, Branch};
 pub use line::{Border, Change};
-pub use node::{Class, Node, Place};
+pub use node::{Class, Node, NodeMotions};
 
 use super::datum::{Datum, Setting};
 use crate::ensemble::known::Data;

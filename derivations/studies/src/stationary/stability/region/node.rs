@@ -5,7 +5,7 @@ use super::law::Ground;
 use super::spot::Spot;
 use crate::stationary::energies::Kept;
 use crate::stationary::motor::{MotorStates, NoMotor};
-use crate::stationary::stability::verdict::{Reason, Verdict};
+use crate::stationary::stability::verdict::{Reason, StabilityVerdict};
 use algebra::real::Enclosure;
 use mechanics::steady_rotations::{self, Kind, Shape};
 use nalgebra::Vector3;
@@ -26,12 +26,12 @@ pub enum Class {
 #[derive(Clone, Debug)]
 pub struct Node {
     pub values: [f64; 2],
-    pub place: Place,
+    pub place: NodeMotions,
 }
 
 /// Motions, or why there are none.
 #[derive(Clone, Debug)]
-pub enum Place {
+pub enum NodeMotions {
     /// Isolated ones, and families of which each is judged as a whole.
     Motions { isolated: Vec<Here>, families: Vec<Family> },
     /// The motor holds no speed or angle.
@@ -43,7 +43,7 @@ pub enum Place {
 }
 
 /// A connected family, and the verdicts along it, one for each stretch.
-pub type Family = (Shape, Vec<Verdict>);
+pub type Family = (Shape, Vec<StabilityVerdict>);
 
 /// An isolated motion.
 #[derive(Clone, Debug)]
@@ -52,7 +52,7 @@ pub struct Here {
     pub state: usize,
     pub kind: Kind,
     pub direction: Vector3<f64>,
-    pub verdict: Verdict,
+    pub verdict: StabilityVerdict,
     /// (v, lambda)
     pub(super) place: steady_rotations::EnclosedPoint,
     /// W, or the rotor's own momentum.
@@ -64,14 +64,14 @@ impl Class {
         [Class::AsymptoticallyStable, Class::Stable, Class::Unstable, Class::Gyroscopic, Class::Undecided];
 }
 
-impl From<Verdict> for Class {
-    fn from(verdict: Verdict) -> Self {
+impl From<StabilityVerdict> for Class {
+    fn from(verdict: StabilityVerdict) -> Self {
         match verdict {
-            Verdict::Stable => Class::Stable,
-            Verdict::AsymptoticallyStableModuloIntegrals => Class::AsymptoticallyStable,
-            Verdict::Unstable { .. } => Class::Unstable,
-            Verdict::CannotTell(Reason::Gyroscopic { .. }) => Class::Gyroscopic,
-            Verdict::CannotTell(_) => Class::Undecided,
+            StabilityVerdict::Stable => Class::Stable,
+            StabilityVerdict::AsymptoticallyStableModuloIntegrals => Class::AsymptoticallyStable,
+            StabilityVerdict::Unstable { .. } => Class::Unstable,
+            StabilityVerdict::CannotTell(Reason::Gyroscopic { .. }) => Class::Gyroscopic,
+            StabilityVerdict::CannotTell(_) => Class::Undecided,
         }
     }
 }
@@ -80,7 +80,7 @@ impl Node {
     /// The isolated motions; none where nothing moves steadily.
     pub fn isolated(&self) -> &[Here] {
         match &self.place {
-            Place::Motions { isolated, .. } => isolated,
+            NodeMotions::Motions { isolated, .. } => isolated,
             _ => &[],
         }
     }
@@ -99,8 +99,8 @@ impl Region<'_> {
 
     fn node(&self, ground: &Ground, values: [f64; 2]) -> Node {
         let place = match Spot::of(self, ground, values) {
-            None => Place::NoBodies,
-            Some(spot) => spot.place().unwrap_or(Place::TooFine),
+            None => NodeMotions::NoBodies,
+            Some(spot) => spot.place().unwrap_or(NodeMotions::TooFine),
         };
         Node { values, place }
     }

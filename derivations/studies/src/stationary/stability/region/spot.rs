@@ -1,15 +1,15 @@
 //! What finds the motions at two values of the data, and judges each.
 
 use super::Region;
-use super::law::{Ground, Held};
-use super::node::{Family, Here, Place};
+use super::law::{Ground, HeldRotor};
+use super::node::{Family, Here, NodeMotions};
 use crate::scene::Setup;
 use crate::stationary::energies::Energies;
 use crate::stationary::stability::along::Known;
 use crate::stationary::stability::approximation::Approximation;
 use crate::stationary::stability::datum::Setting;
 use crate::stationary::stability::judge::{Given, Judge};
-use crate::stationary::stability::verdict::Verdict;
+use crate::stationary::stability::verdict::StabilityVerdict;
 use algebra::real::{Enclosure, Root};
 use field::Rational;
 use mechanics::steady_rotations::{self, Body, Data, Kind, count, followed, sharpened};
@@ -31,7 +31,7 @@ pub(super) struct Raw<'a> {
     pub place: steady_rotations::EnclosedPoint,
     pub value: Enclosure,
     found: Found,
-    held: &'a Held<'a>,
+    held: &'a HeldRotor<'a>,
 }
 
 /// By isolation, or carried to an irrational W from a fraction beside it.
@@ -58,15 +58,15 @@ impl<'a> Spot<'a> {
         Some(Spot { region, ground, setting, energies, approximation })
     }
 
-    pub fn held(&self) -> Vec<Held<'a>> {
+    pub fn held(&self) -> Vec<HeldRotor<'a>> {
         self.region.held(self.ground, &self.setting, &self.energies)
     }
 
     /// `None` where more bits would be needed to tell motions apart.
-    pub fn place(&self) -> Option<Place> {
+    pub fn place(&self) -> Option<NodeMotions> {
         let held = self.held();
         if held.is_empty() {
-            return Some(Place::PulledOut);
+            return Some(NodeMotions::PulledOut);
         }
         let (mut isolated, mut families) = (Vec::new(), Vec::new());
         for (state, held) in held.iter().enumerate() {
@@ -74,11 +74,11 @@ impl<'a> Spot<'a> {
             isolated.extend(motions.into_iter().map(|raw| self.judged(&raw)));
             families.extend(along);
         }
-        Some(Place::Motions { isolated, families })
+        Some(NodeMotions::Motions { isolated, families })
     }
 
     /// All isolated ones with one state of the rotor, and the families.
-    pub fn motions<'b>(&self, state: usize, held: &'b Held<'b>) -> Option<(Vec<Raw<'b>>, Vec<Family>)> {
+    pub fn motions<'b>(&self, state: usize, held: &'b HeldRotor<'b>) -> Option<(Vec<Raw<'b>>, Vec<Family>)> {
         if held.value.as_rational().is_none()
             && let Some(carried) = self.carried(state, held)
         {
@@ -97,13 +97,13 @@ impl<'a> Spot<'a> {
         Some((isolated, families.collect()))
     }
 
-    fn body(&self, held: &Held<'_>, value: &Root) -> Option<Body> {
+    fn body(&self, held: &HeldRotor<'_>, value: &Root) -> Option<Body> {
         let (tensor, share) = self.energies.quadratic(held.kept);
         Body::new(&tensor, &share, value, &self.energies.weight)
     }
 
     /// The angular velocities at which motions merge, where all are known; not of an irrational W, whose field would take long.
-    pub fn folds(&self, held: &Held<'_>) -> Option<Vec<f64>> {
+    pub fn folds(&self, held: &HeldRotor<'_>) -> Option<Vec<f64>> {
         held.value.as_rational()?;
         let folds = self.body(held, &held.value)?.folds();
         let all =
@@ -113,7 +113,7 @@ impl<'a> Spot<'a> {
 
     /// An irrational W beside a fraction: the motions there, followed to W, are all if as many are there for everything between
     /// both. `None` where that is not known.
-    fn carried<'b>(&self, state: usize, held: &'b Held<'b>) -> Option<Vec<Raw<'b>>> {
+    fn carried<'b>(&self, state: usize, held: &'b HeldRotor<'b>) -> Option<Vec<Raw<'b>>> {
         let value = held.value.enclosure(FINE);
         let beside = Rational::exactly(held.value.to_f64());
         let between = |t: &Enclosure| {
@@ -139,7 +139,7 @@ impl<'a> Spot<'a> {
     }
 
     /// K and b with a value of what the rotor keeps.
-    fn data(&self, held: &Held<'_>, value: &Enclosure) -> Option<Data> {
+    fn data(&self, held: &HeldRotor<'_>, value: &Enclosure) -> Option<Data> {
         let number = |x: Rational| Enclosure::rational(x, value.bits());
         let (tensor, share) = self.energies.quadratic(held.kept);
         let w = Rational::decimal(self.setting.speed);
@@ -172,20 +172,20 @@ impl<'a> Spot<'a> {
         Here { state: raw.state, kind: raw.kind, direction, verdict, place, value }
     }
 
-    fn judge<'b>(&'b self, held: &'b Held<'b>) -> Judge<'b> {
+    fn judge<'b>(&'b self, held: &'b HeldRotor<'b>) -> Judge<'b> {
         let (approximation, energies, motor) = (&self.approximation, &self.energies, &self.ground.motor);
         let given = Given::Speed(Rational::decimal(self.setting.speed));
         Judge { approximation, energies, motor, kept: held.kept, value: &held.value, given }
     }
 
     /// The verdicts that occur along a family.
-    fn along(&self, held: &Held<'_>, family: &steady_rotations::SteadyRotation) -> Vec<Verdict> {
+    fn along(&self, held: &HeldRotor<'_>, family: &steady_rotations::SteadyRotation) -> Vec<StabilityVerdict> {
         let speed = Rational::decimal(self.setting.speed);
         let enclosed = |bits| Some((family.direction(bits)?, Enclosure::rational(speed, bits)?));
         let axis = |bits| family.axis(bits);
         let known = Known { shape: family.shape, enclosed: &enclosed, axis: &axis };
         let along = self.judge(held).along_at(&known, held.angle);
-        let mut all: Vec<Verdict> = along.arcs.iter().map(|arc| arc.judged.verdict).collect();
+        let mut all: Vec<StabilityVerdict> = along.arcs.iter().map(|arc| arc.judged.verdict).collect();
         all.dedup();
         all
     }
