@@ -5,5 +5,5 @@ mod crank_drive;
 mod failures;
 mod governors;
 mod knowledge;
-mod ladder;
+mod model_reduction;
 mod synchronism;

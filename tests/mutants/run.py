@@ -79,7 +79,7 @@ SUBJECT_OF = {
     "crates/motor/src/text_motor/": ["machines::text_motors", "machines::conformance"],
     "derivations/studies/src/conformance/": ["machines::conformance"],
     "derivations/systems/src/gyrostat/momenta.rs": ["runs::splitting"],
-    "derivations/studies/src/model_reduction/": ["motions::ladder"],
+    "derivations/studies/src/model_reduction/": ["motions::model_reduction"],
     "crates/claims/src/review/": ["verdicts::review"],
     "crates/motor/src/steady_currents.rs": PRACTICE,
     "crates/motor/src/power_balance.rs": PRACTICE,

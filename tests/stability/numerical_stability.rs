@@ -56,7 +56,7 @@ fn each(chart: &Chart) -> impl Iterator<Item = (&Stationed, &Row)> {
 fn every_step_of_every_method_is_judged_as_reviewed() {
     for (name, scene, w) in cases() {
         insta::with_settings!({
-            snapshot_path => "../../snapshots/phantom", prepend_module_to_snapshot => false, omit_expression => true,
+            snapshot_path => "../../snapshots/numerical_stability", prepend_module_to_snapshot => false, omit_expression => true,
         }, { insta::assert_snapshot!(name, chart(&scene, w).text()) });
     }
 }
@@ -320,7 +320,7 @@ fn near_gyrostats_what_a_splitting_does_between_the_tested_steps_is_proved_as_fa
     };
     for case in &cases()[1..] {
         insta::with_settings!({
-            snapshot_path => "../../snapshots/phantom", prepend_module_to_snapshot => false, omit_expression => true,
+            snapshot_path => "../../snapshots/numerical_stability", prepend_module_to_snapshot => false, omit_expression => true,
         }, { insta::assert_snapshot!(format!("{}-splittings", case.0), rows(case)) });
     }
 }

@@ -166,7 +166,7 @@ fn no_reference(scene: &dyn IvpScene, run: &Trajectory, reason: &str) -> Result<
     Ok(Exit::Stopped)
 }
 
-/// The models of the ladder that are no machines of their own: windings lumped, currents that are not followed.
+/// The models of the hierarchy that are no machines of their own: windings lumped, currents that are not followed.
 fn smaller(scene: &AnyScene, known: &[Configuration]) -> Vec<Configuration> {
     let (ladder, formulation) = match scene {
         AnyScene::Driven(scene) if matches!(scene.system, Setup::Bench { .. }) => {

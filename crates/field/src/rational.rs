@@ -240,6 +240,8 @@ impl One for Rational {
 }
 
 impl Scalar for Rational {
+    const CALLS: bool = true;
+
     fn ratio(numerator: i64, denominator: i64) -> Self {
         Self::new(numerator, denominator)
     }

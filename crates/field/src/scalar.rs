@@ -11,6 +11,9 @@ use crate::{Circle, Elementary};
 
 /// A number of some field: operations and exact constants, no order, no rounding to `f64`.
 pub trait Scalar: Copy + Debug + PartialEq + 'static + Zero + One + NumOps + NumAssignOps + Neg<Output = Self> {
+    /// Whether each operation is a call: then what has several of them, as a derivative has, is a call too, and not inlined.
+    const CALLS: bool = false;
+
     /// The quotient of two integers, as exactly as the field holds it. `denominator` must not be zero.
     fn ratio(numerator: i64, denominator: i64) -> Self;
 

@@ -86,9 +86,75 @@ impl<S: Scalar, M: SlopeKnowledge> Tangent<S, M> {
     }
 
     #[inline(always)]
+    fn sum(self, b: Self) -> Self {
+        let value = self.value + b.value;
+        if M::KNOWN {
+            match (self.rests(), b.rests()) {
+                (true, true) => return Tangent::at_rest(value),
+                (true, false) => return Tangent::at_rate(value, b.slope),
+                (false, true) => return Tangent::at_rate(value, self.slope),
+                (false, false) => {}
+            }
+        }
+        Tangent::at_rate(value, self.slope + b.slope)
+    }
+
+    #[inline(always)]
+    fn difference(self, b: Self) -> Self {
+        let value = self.value - b.value;
+        if M::KNOWN {
+            match (self.rests(), b.rests()) {
+                (true, true) => return Tangent::at_rest(value),
+                (true, false) => return Tangent::at_rate(value, -b.slope),
+                (false, true) => return Tangent::at_rate(value, self.slope),
+                (false, false) => {}
+            }
+        }
+        Tangent::at_rate(value, self.slope - b.slope)
+    }
+
+    #[inline(always)]
+    fn product(self, b: Self) -> Self {
+        let value = self.value * b.value;
+        if M::KNOWN {
+            match (self.rests(), b.rests()) {
+                (true, true) => return Tangent::at_rest(value),
+                (true, false) => return Tangent::at_rate(value, self.value * b.slope),
+                (false, true) => return Tangent::at_rate(value, self.slope * b.value),
+                (false, false) => {}
+            }
+        }
+        Tangent::at_rate(value, (self.slope * b.value).and_product(self.value, b.slope))
+    }
+
+    #[inline]
+    fn quotient(self, b: Self) -> Self {
+        let value = self.value / b.value;
+        if M::KNOWN && b.rests() {
+            return if self.rests() { Tangent::at_rest(value) } else { Tangent::at_rate(value, self.slope / b.value) };
+        }
+        Tangent::at_rate(value, (self.slope - value * b.slope) / b.value)
+    }
+
+    #[inline(always)]
     fn rests(&self) -> bool {
         !self.motion.moves()
     }
+}
+
+/// The operations as calls.
+mod called {
+    use super::{Scalar, SlopeKnowledge, Tangent};
+
+    macro_rules! calls {
+        ($($operation:ident),*) => {$(
+            #[inline(never)]
+            pub fn $operation<S: Scalar, M: SlopeKnowledge>(a: Tangent<S, M>, b: Tangent<S, M>) -> Tangent<S, M> {
+                a.$operation(b)
+            }
+        )*};
+    }
+    calls!(sum, difference, product, quotient);
 }
 
 impl<S: PartialEq, M> PartialEq for Tangent<S, M> {
@@ -102,16 +168,7 @@ impl<S: Scalar, M: SlopeKnowledge> Add for Tangent<S, M> {
     type Output = Self;
     #[inline(always)]
     fn add(self, b: Self) -> Self {
-        let value = self.value + b.value;
-        if M::KNOWN {
-            match (self.rests(), b.rests()) {
-                (true, true) => return Tangent::at_rest(value),
-                (true, false) => return Tangent::at_rate(value, b.slope),
-                (false, true) => return Tangent::at_rate(value, self.slope),
-                (false, false) => {}
-            }
-        }
-        Tangent::at_rate(value, self.slope + b.slope)
+        if S::CALLS { called::sum(self, b) } else { self.sum(b) }
     }
 }
 
@@ -119,16 +176,7 @@ impl<S: Scalar, M: SlopeKnowledge> Sub for Tangent<S, M> {
     type Output = Self;
     #[inline(always)]
     fn sub(self, b: Self) -> Self {
-        let value = self.value - b.value;
-        if M::KNOWN {
-            match (self.rests(), b.rests()) {
-                (true, true) => return Tangent::at_rest(value),
-                (true, false) => return Tangent::at_rate(value, -b.slope),
-                (false, true) => return Tangent::at_rate(value, self.slope),
-                (false, false) => {}
-            }
-        }
-        Tangent::at_rate(value, self.slope - b.slope)
+        if S::CALLS { called::difference(self, b) } else { self.difference(b) }
     }
 }
 
@@ -136,16 +184,7 @@ impl<S: Scalar, M: SlopeKnowledge> Mul for Tangent<S, M> {
     type Output = Self;
     #[inline(always)]
     fn mul(self, b: Self) -> Self {
-        let value = self.value * b.value;
-        if M::KNOWN {
-            match (self.rests(), b.rests()) {
-                (true, true) => return Tangent::at_rest(value),
-                (true, false) => return Tangent::at_rate(value, self.value * b.slope),
-                (false, true) => return Tangent::at_rate(value, self.slope * b.value),
-                (false, false) => {}
-            }
-        }
-        Tangent::at_rate(value, (self.slope * b.value).and_product(self.value, b.slope))
+        if S::CALLS { called::product(self, b) } else { self.product(b) }
     }
 }
 
@@ -153,11 +192,7 @@ impl<S: Scalar, M: SlopeKnowledge> Div for Tangent<S, M> {
     type Output = Self;
     #[inline]
     fn div(self, b: Self) -> Self {
-        let value = self.value / b.value;
-        if M::KNOWN && b.rests() {
-            return if self.rests() { Tangent::at_rest(value) } else { Tangent::at_rate(value, self.slope / b.value) };
-        }
-        Tangent::at_rate(value, (self.slope - value * b.slope) / b.value)
+        if S::CALLS { called::quotient(self, b) } else { self.quotient(b) }
     }
 }
 
@@ -206,6 +241,8 @@ impl<S: Scalar, M: SlopeKnowledge> One for Tangent<S, M> {
 }
 
 impl<S: Scalar, M: SlopeKnowledge> Scalar for Tangent<S, M> {
+    const CALLS: bool = S::CALLS;
+
     fn ratio(numerator: i64, denominator: i64) -> Self {
         Self::at_rest(S::ratio(numerator, denominator))
     }

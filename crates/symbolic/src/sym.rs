@@ -87,6 +87,8 @@ impl One for Sym {
 }
 
 impl Scalar for Sym {
+    const CALLS: bool = true;
+
     fn ratio(numerator: i64, denominator: i64) -> Self {
         match (numerator, denominator) {
             (0, 1) => Sym::ZERO,

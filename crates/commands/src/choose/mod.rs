@@ -98,7 +98,7 @@ const AXES: [Axes; 2] = [Axes::First, Axes::Second];
 
 /// Those that are asked for, or those of the scene, or all states that its own model shows.
 fn outputs(asked: &Asked, given: Vec<String>, known: &[String]) -> Result<Vec<String>, Exit> {
-    // the work that a mechanism's run meters is none of its ladder's
+    // the work that a mechanism's run meters is none of its hierarchy's
     if let Some(wrong) = asked.outputs.iter().find(|name| !known.contains(name) || *name == "work") {
         let known: Vec<&str> = known.iter().map(String::as_str).filter(|name| *name != "work").collect();
         return Err(Exit::refused(format!(

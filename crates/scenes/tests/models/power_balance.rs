@@ -1,6 +1,6 @@
 //! The work that a run meters, beside closed forms, and beside the energy of every system that is shown.
 
-use super::{all, open};
+use super::{going_on, open};
 use dalembert_scenes::ModelScene;
 use integrators::Method;
 use simulation::{Axes, Choice, IvpScene, Trajectory};
@@ -55,7 +55,7 @@ fn a_constraint_that_knows_the_time_does_work() {
 #[test]
 fn the_energy_of_every_system_that_is_shown_is_the_work_on_it() {
     let mut count = 0;
-    for path in all() {
+    for path in going_on() {
         let scene = open(&path);
         let problem = scene.metered(Axes::First);
         if !problem.columns.iter().any(|name| name == "work") {

@@ -1,4 +1,4 @@
-//! The cheapest rung, method and form that meet a tolerance in the outputs that matter.
+//! The cheapest reduced model, method and form that meet a tolerance in the outputs that matter.
 //!
 //! What is cheap is counted in evaluations of the law, and never timed: the same scene has the same choice on any machine.
 
@@ -11,7 +11,7 @@ use integrators::taking_turns;
 
 /// The method's share of the tolerance, with room for what its pilots do not tell.
 pub(super) const OF_METHOD: f64 = 0.1;
-/// Plans of a rung that are run.
+/// Plans of a reduced model that are run.
 const TRIED: usize = 3;
 /// A finer run tells the method's error: their tolerances apart.
 const FINER: f64 = 1e-2;

@@ -143,7 +143,7 @@ impl Carrying<'_> {
 }
 
 impl Hierarchy {
-    /// What a rung loses of the outputs; the tolerance says how well that need be known.
+    /// What a reduced model loses of the outputs; the tolerance says how well that need be known.
     ///
     /// # Errors
     /// Where the carried error does not reach the end: the lower motion leaves what the richer law allows.
@@ -195,7 +195,7 @@ impl Hierarchy {
         carrying.estimate(&[(span, law)], start, &sizes, tolerance, most)
     }
 
-    /// The largest difference of two runs in the outputs, relative to the sizes: a rung's beside the law that it is derived
+    /// The largest difference of two runs in the outputs, relative to the sizes: a reduced model's beside the law that it is derived
     /// from.
     pub fn difference(&self, rung: &ReducedModel, low: &Record<f64>, rich: &Record<f64>, watched: &Watched) -> f64 {
         let at = |((time, z), y): ((&f64, &Vec<f64>), &Vec<f64>)| {

@@ -13,7 +13,7 @@ use simulation::{Axes, Stored};
 use std::sync::Arc;
 use std::time::Instant;
 
-/// The ladders of one scene, in each form that it has, and the exact motion where it is kept.
+/// The hierarchies of one scene, in each form that it has, and the exact motion where it is kept.
 pub struct Forms {
     pub ladders: Vec<Hierarchy>,
     pub kept: Option<Stored>,
@@ -76,11 +76,11 @@ impl Models for Forms {
         Some(kept.reference.times.iter().zip(&kept.reference.states).map(row).collect())
     }
 
-    /// The rung that does not suffice for the whole run but for the largest part of it, with the richest that does for the rest.
+    /// The reduced model that does not suffice for the whole run but for the largest part of it, with the richest that does for the rest.
     /// Where a smaller model suffices for the whole run nothing is switched: those below it are hardly smaller.
     fn mixed(&self, watched: &Watched, lines: &[Line], found: &[(usize, Plan)], wish: &Wish) -> Option<Mixed<'_>> {
         let ladder = &self.ladders[0];
-        // the law that the rungs are derived from is the exact one next to the scene's own, or that
+        // the law that the reduced models are derived from is the exact one next to the scene's own, or that
         let rich = usize::from(ladder.lumping.is_some());
         let plan = Plan { axes: Axes::First, ..found.iter().find(|(line, _)| *line == rich)?.1.clone() };
         // along stiff windings an explicit method does not switch; and looking for where is dearer than a short run

@@ -1,16 +1,16 @@
-//! The smallest sufficient model: a ladder of models under a scene's own, what each step loses, and the choice.
+//! The smallest sufficient model: a hierarchy of models under a scene's own, what each step loses, and the choice.
 //!
 //! # Overview
 //! * [`reduced_model`]: a smaller model within a richer one, as a lift and a law; its defect, exact where that vanishes;
 //! * [`lumping`]: windings lumped without any loss, found and proved from the machine's laws; [`elimination`];
 //! * [`currents`]: what stands for currents that are not followed, `slaved` the rungs of that; `resting`: of those that a supply
 //!   feeds; `smaller`: other machines of the scene's data;
-//! * [`motors`], [`models`]: the ladders of scenes; those of mechanisms stand with these;
+//! * [`motors`], [`models`]: the hierarchies of scenes;
 //! * [`outputs`]: what of a run matters; [`sampled_run`]: runs at the instants at which that is seen;
 //! * [`error_propagation`]: the error that the defect makes, carried by the richer law; [`estimate`]: its run;
 //! * [`dual_weighted_error`]: the same by transition matrices, weighed for each output: where along the run an error comes from;
 //! * [`switching`]: a smaller model on those stretches only; [`loss_weights`]: what weighs its losses;
-//! * [`run_rows`]: a run's rows at its steps; [`plan`]: the cheapest method and form for a rung; [`choose`](mod@choose): the cheapest of any [`choose::Models`], as
+//! * [`run_rows`]: a run's rows at its steps; [`plan`]: the cheapest method and form for a law; [`choose`](mod@choose): the cheapest of any [`choose::Models`], as
 //!   those of [`forms`] are, with its [`receipt`].
 //!
 //! Key results: a step with a vanishing defect is exact, which is decided over expressions; of every other the error is
@@ -64,7 +64,7 @@ pub enum Loss {
 /// A model under the scene's own.
 pub struct ReducedModel {
     pub name: &'static str,
-    /// In words, against the rung above.
+    /// In words, against the reduced model above.
     pub dropped: String,
     pub loss: Loss,
     pub lower: Lower,
@@ -80,7 +80,7 @@ pub struct ReducedModel {
 
 /// A value at (z, z').
 pub type Small = dyn Fn(&[f64], &[f64]) -> Option<f64> + Send + Sync;
-/// The scene's own state at a time, from that of the law that the rungs are derived from.
+/// The scene's own state at a time, from that of the law that the reduced models are derived from.
 pub type Whole = dyn Fn(f64, &[f64]) -> Vec<f64> + Send + Sync;
 
 /// The models of a scene, from the largest.
@@ -89,7 +89,7 @@ pub struct Hierarchy {
     pub model: &'static str,
     /// The scene's own.
     pub own: Problem,
-    /// What the rungs are derived from: the scene's own law, or the exact one next to it.
+    /// What the reduced models are derived from: the scene's own law, or the exact one next to it.
     pub written: Arc<dyn SymbolicLaw>,
     /// The same as it runs.
     pub law: Arc<dyn Law>,
@@ -138,17 +138,17 @@ impl ReducedModel {
 }
 
 impl Hierarchy {
-    /// Why the law of the scene does not hold at a state of the law that the rungs are derived from, where it does not.
+    /// Why the law of the scene does not hold at a state of the law that the reduced models are derived from, where it does not.
     pub fn left(&self, time: f64, state: &[f64]) -> Option<&'static str> {
         self.own.outside(time, &(self.whole)(time, state))
     }
 
-    /// What a run shows, from a state of the law that the rungs are derived from.
+    /// What a run shows, from a state of the law that the reduced models are derived from.
     pub fn row(&self, time: f64, state: &[f64]) -> Vec<f64> {
         (self.own.row)(time, &(self.whole)(time, state))
     }
 
-    /// The rungs as ways of an atlas, each with a law of its own.
+    /// The reduced models as ways of an atlas, each with a law of its own.
     pub fn ways(self: &Arc<Self>, formulation: Formulation) -> Vec<Configuration> {
         let way = |(at, rung): (usize, &ReducedModel)| {
             let ladder = Arc::clone(self);

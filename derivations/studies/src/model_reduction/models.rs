@@ -1,4 +1,4 @@
-//! The ladder of a system that is written in its file: its own law, across its events too.
+//! The hierarchy of a system that is written in its file: its own law, across its events too.
 
 use super::outputs::{Watched, largest};
 use super::plan::Runnable;

@@ -1,4 +1,4 @@
-//! The ladder of a scene with a motor: its own model, its windings lumped, currents at their quasi-steady values, none, and
+//! The hierarchy of a scene with a motor: its own model, its windings lumped, currents at their quasi-steady values, none, and
 //! the smaller machines that the scene's data make.
 
 use super::lumping::{Lumped, Lumping};

@@ -1,4 +1,4 @@
-//! The rungs on which currents are not followed: the richer law at what stands for them.
+//! The reduced models on which currents are not followed: the richer law at what stands for them.
 
 use super::currents::Current;
 use super::reduced_model::{Fill, Lower};
@@ -42,7 +42,7 @@ where
     rungs
 }
 
-/// The rung on which these windings have currents of a kind.
+/// The reduced model on which these windings have currents of a kind.
 fn without<M>(
     machine: &M,
     written: &Arc<dyn SymbolicLaw>,

@@ -24,7 +24,7 @@ const BELIEVED: f64 = 0.5;
 /// Errors below this share of what is allowed need no belief.
 const MINUTE: f64 = 1e-3;
 
-/// A rung as the receipt has it.
+/// A reduced model as the receipt has it.
 #[derive(Clone, Debug)]
 pub struct Line {
     pub name: String,
@@ -62,7 +62,7 @@ impl Sufficiency {
     }
 }
 
-/// Whether a rung serves.
+/// Whether a reduced model serves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sufficiency {
     /// It does.

@@ -1,10 +1,10 @@
 //! A smaller model within a richer one: the states that it follows, and what stands for the others.
 //!
-//! With y' = F(t, y) the richer law, a rung is a lift y = Y(t, z) and a law z' = f(t, z). The defect
+//! With y' = F(t, y) the richer law, a reduced model is a lift y = Y(t, z) and a law z' = f(t, z). The defect
 //!
 //!   d = dY/dt + Y_z f - F(t, Y)
 //!
-//! is what the richer law says against the lifted motion. Where d vanishes identically the step down is exact. Most rungs
+//! is what the richer law says against the lifted motion. Where d vanishes identically the step down is exact. Most reduced models
 //! need no law of their own: f are the richer rates of what is followed, at the lifted state.
 
 use field::{Analytic, Over};

@@ -1,4 +1,4 @@
-//! The rungs of smaller machines that a scene's data make.
+//! The reduced models of smaller machines that a scene's data make.
 
 use super::motors::written;
 use super::reduced_model::Lower;

@@ -1,4 +1,4 @@
-//! The rung of a machine that a supply feeds: its currents are not followed, and not zero either.
+//! The reduced model of a machine that a supply feeds: its currents are not followed, and not zero either.
 
 use super::quasi_steady::counted;
 use super::reduced_model::{Fill, Lower};
@@ -9,7 +9,7 @@ use simulation::SymbolicLaw;
 use std::sync::Arc;
 use symbolic::symbols;
 
-/// The rung on which fed windings, all of them, have the currents that would rest at the present angle and speed.
+/// The reduced model on which fed windings, all of them, have the currents that would rest at the present angle and speed.
 pub fn rung<M>(machine: &M, written: &Arc<dyn SymbolicLaw>, start: &[f64]) -> Option<ReducedModel>
 where
     M: Machine<f64> + Clone + Send + Sync + 'static,

@@ -111,7 +111,7 @@ impl Hierarchy {
         Ok(CoarseRun { times, states, weights })
     }
 
-    /// Where a rung may run if the outputs may lose so much; `None` where it may nowhere, or where its states are none of the
+    /// Where a reduced model may run if the outputs may lose so much; `None` where it may nowhere, or where its states are none of the
     /// richer law's.
     pub fn schedule(&self, rung: &ReducedModel, course: &CoarseRun, allowed: f64) -> Option<Schedule> {
         let kept = rung.lower.kept.as_ref()?;
@@ -134,7 +134,7 @@ impl Hierarchy {
         Some(Schedule { stretches, promised }).filter(|schedule| schedule.share() > 0.0)
     }
 
-    /// What the outputs lose at most by running the stretch k on a rung; infinite where that does not reach its end.
+    /// What the outputs lose at most by running the stretch k on a reduced model; infinite where that does not reach its end.
     fn loss(&self, rung: &ReducedModel, kept: &[usize], course: &CoarseRun, k: usize) -> f64 {
         let begin = k.checked_sub(1).map_or(0.0, |before| course.times[before]);
         let (y, end) = (&course.states[k], course.times[k]);

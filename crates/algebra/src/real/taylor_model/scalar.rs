@@ -86,6 +86,8 @@ impl<C: Rounded, const N: usize> One for Model<C, N> {
 }
 
 impl<C: Rounded, const N: usize> Scalar for Model<C, N> {
+    const CALLS: bool = true;
+
     fn ratio(numerator: i64, denominator: i64) -> Self {
         let unit = Self::one();
         unit.integer(numerator) / unit.integer(denominator)

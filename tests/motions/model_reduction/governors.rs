@@ -1,4 +1,4 @@
-//! The same ladder under governors.
+//! The same hierarchy under governors.
 
 use super::{of_mechanism, truly};
 use dalembert_derivations::studies::model_reduction::{Hierarchy, Loss};

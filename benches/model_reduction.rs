@@ -1,6 +1,6 @@
-//! The worth of estimates of lower models: estimate over true error on the scenes with a motor and on 1,000 random motors: `cargo bench --bench ladder`, or with another number behind it.
+//! The worth of estimates of lower models: estimate over true error on the scenes with a motor and on 1,000 random motors: `cargo bench --bench model_reduction`, or with another number behind it.
 
-#[path = "../tests/motions/ladder/drawn.rs"]
+#[path = "../tests/motions/model_reduction/drawn.rs"]
 mod drawn;
 
 use dalembert_derivations::studies::model_reduction::sampled_run::{followed_at, instants};
@@ -20,7 +20,7 @@ const LEAST: f64 = 1e-8;
 /// Shares of the second order up to which estimates are sorted.
 const DOUBTS: [f64; 3] = [0.1, 0.5, f64::INFINITY];
 
-/// A rung of a scene: (its name, true error, first order, second order).
+/// A reduced model of a scene: (its name, true error, first order, second order).
 type Seen = (&'static str, f64, f64, f64);
 
 fn main() {
@@ -68,7 +68,7 @@ fn row(name: &str, found: &mut [f64]) {
     println!("{name:<36}{:>6}{cells}", found.len());
 }
 
-/// Of every rung that loses something, and how many have no number.
+/// Of every reduced model that loses something, and how many have no number.
 fn seen(scene: &Scene) -> (Vec<Seen>, usize) {
     let ladder = Hierarchy::of_scene(scene, Axes::First);
     let span = ladder.own.span;

@@ -1,4 +1,4 @@
-//! The ladder of models: what is lumped without loss, what an estimate is worth, what is chosen.
+//! The hierarchy of models: what is lumped without loss, what an estimate is worth, what is chosen.
 
 mod choice;
 mod drawn;
@@ -25,7 +25,7 @@ fn scene(name: &str) -> Scene {
     Scene::open(&path(name)).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// The ladder of a mechanism, or of a system as text, over another span.
+/// The hierarchy of a mechanism, or of a system as text, over another span.
 fn of_mechanism(name: &str, span: &str) -> Hierarchy {
     scenes::register(|_| ());
     let text = std::fs::read_to_string(path(name)).expect("a scene");
@@ -54,7 +54,7 @@ fn exactly_at(ladder: &Hierarchy, times: &[f64]) -> Record<f64> {
     followed_at(&*ladder.law, &tight(), times, &ladder.start).expect("it reaches its end").0
 }
 
-/// What a rung is truly off, by runs of both models: at the instants, and where the estimate is largest.
+/// What a reduced model is truly off, by runs of both models: at the instants, and where the estimate is largest.
 fn truly(ladder: &Hierarchy, rung: &ReducedModel, found: &Estimate, watched: &Watched) -> Option<f64> {
     let mut times: Vec<f64> = instants(ladder.own.span).chain((found.at > 0.0).then_some(found.at)).collect();
     times.sort_by(f64::total_cmp);

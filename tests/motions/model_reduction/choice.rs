@@ -28,7 +28,7 @@ fn times(ladder: &Hierarchy) -> Vec<f64> {
     instants(ladder.own.span).collect()
 }
 
-/// A scene's ladder, what is watched of it, and on which stretches its currents may be those of the present slip for so much of a loss.
+/// A scene's hierarchy, what is watched of it, and on which stretches its currents may be those of the present slip for so much of a loss.
 fn scheduled(name: &str, allowed: f64) -> (Hierarchy, Watched, Schedule) {
     let scene = scene(name);
     let ladder = ladder(&scene);
