@@ -20,7 +20,7 @@ const OF_A_MECHANISM: Duration = Duration::from_secs(8);
 /// In one run of such a system, whose laws are dear.
 const EVALUATIONS: u64 = 20_000;
 /// For the times of all runs of a scene with a motor, and of another.
-const TIMED: [Duration; 2] = [Duration::from_millis(1_200), Duration::from_millis(700)];
+const TIMED: [Duration; 2] = [Duration::from_millis(800), Duration::from_millis(500)];
 
 /// A scene's section without its charts, how it came out, and the errors of its methods.
 pub struct Prepared {
