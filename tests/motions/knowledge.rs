@@ -152,3 +152,24 @@ fn taylors_method_follows_laws_with_the_time_in_them() {
         }
     }
 }
+
+/// Closed forms and theory hold for these equations alone: a file with others is not known.
+#[test]
+fn a_file_with_other_equations_is_refused_under_a_known_name() {
+    scenes::register(|_| ());
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes");
+    for (name, from, to) in [
+        ("governors/drum_programme", "zero = \"rho' - power/(gain*speed)\"", "zero = \"rho' - 2*power/(gain*speed)\""),
+        ("governors/between_discs", "(J1*phi1'^2", "(2*J1*phi1'^2"),
+        ("governors/elastic_stable", "alpha*lambda - beta*psi", "alpha*lambda + beta*psi"),
+        ("failures/nodding_top", "nodding = \"p*g2 - q*g1\"", "nodding = \"p - q\""),
+        ("drive/stiff_diode", "motor*q6*q5'", "-motor*q6*q5'"),
+    ] {
+        let text = std::fs::read_to_string(folder.join(name).with_extension("toml")).expect("it is there");
+        assert!(text.contains(from), "{name}");
+        let readers = models::readers().expect("they were registered");
+        assert!((readers.scene)(name, &text).is_ok(), "{name}");
+        let error = (readers.scene)(name, &text.replace(from, to)).expect_err(name);
+        assert!(error.to_string().contains("the equations are not those of"), "{error}");
+    }
+}

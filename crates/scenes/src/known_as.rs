@@ -1,7 +1,12 @@
 //! The key `known_as`: a system of which some crate knows more than its equations.
 
-use model::Model;
-use reader::{At, Issue};
+use crate::compiled_system::rates;
+use crate::letters::Letters;
+use crate::modes::Mode;
+use crate::program::recorded;
+use crate::scene::model as model_of;
+use model::{Model, Trace};
+use reader::{At, Issue, tables};
 use simulation::knowledge::{self, Knowledge};
 use units::nearest;
 
@@ -30,10 +35,95 @@ pub(crate) fn asked_for(
         found.parameters.iter().filter(|name| !has_value(name)).map(|name| (name, "parameter with a value"));
     let read = found.columns.iter().filter(|name| !columns.iter().any(|own| own == *name));
     let mut missing = parameters.chain(read.map(|name| (name, "coordinate, speed or output")));
-    let Some((name, what)) = missing.next() else { return Some(found) };
+    let Some((name, what)) = missing.next() else {
+        let Some(difference) = difference(model, found) else { return Some(found) };
+        let title = format!("the equations are not those of `{value}`");
+        let accepted = "the equations of a scene that has this key; without `known_as` any are accepted";
+        issues.push(Issue::at(span.clone(), title, difference).accepted(accepted));
+        return None;
+    };
     let title = format!("`{value}` is a system with `{name}`, which is no {what} here");
     let letters = found.parameters.iter().chain(found.columns).copied().collect::<Vec<_>>().join(", ");
     let issue = Issue::at(span.clone(), title, found.summary);
     issues.push(issue.accepted(format!("a system with {letters}; without `known_as` any names are accepted")));
+    None
+}
+
+/// The rates that differ from those of every known text, in words of the nearest one; none where one text has the same.
+fn difference(model: &Model, known: &Knowledge) -> Option<String> {
+    let mut nearest: Option<String> = None;
+    for text in known.equations {
+        match compared(model, known, text) {
+            None => return None,
+            Some(found) => nearest = nearest.or(Some(found)),
+        }
+    }
+    nearest
+}
+
+/// Both count as equal up to this part of their size.
+const EQUAL: f64 = 1e-9;
+
+/// By so much of itself, and of one, each part of a state is off the start at a point where rates are compared.
+const ASIDE: [[f64; 3]; 3] = [[0.0; 3], [0.037, -0.021, 0.053], [-0.047, 0.031, 0.019]];
+
+/// The first rate, or column, that differs from that of a text with the same parameters.
+fn compared(model: &Model, known: &Knowledge, text: &str) -> Option<String> {
+    let read = tables("", text, |top, issues| {
+        top.known(&["title", "description", "known_as", "run", "ensemble"]);
+        model_of(top, issues).map(|(model, _)| model)
+    });
+    // a text of a crate that cannot be read says nothing
+    let mut other = read.ok()?;
+    for parameter in &mut other.parameters {
+        match model.parameters.iter().find(|one| one.name == parameter.name) {
+            Some(own) if own.dimension == parameter.dimension => parameter.value = own.value,
+            Some(_) => return Some(format!("`{}` has another dimension there", parameter.name)),
+            None => return Some(format!("`{}` is a parameter there", parameter.name)),
+        }
+    }
+    let [own_names, names] = [model, &other].map(|model| {
+        let states = model.state_names().into_iter().map(|(name, _)| name);
+        states.collect::<Vec<String>>()
+    });
+    if own_names != names {
+        return Some(format!("the states there are {}, in this order", names.join(", ")));
+    }
+    let shown = |model: &Model| {
+        let shown = known.columns.iter().filter_map(|name| model.outputs.iter().find(|output| output.name == **name));
+        shown.map(|output| output.is).collect::<Vec<_>>()
+    };
+    let law = |model: &Model| {
+        let mut wrong = false;
+        let program = recorded(names.len(), |time, state| {
+            let letters = Letters::with_data(time, state);
+            let trace = Trace::of(model);
+            let outputs: Vec<_> = shown(model).into_iter().map(|id| trace.scalar(id)).collect();
+            let found = rates(model, &Mode::default(), letters);
+            wrong |= found.is_err();
+            [found.unwrap_or_default(), letters.put_into(&trace, &outputs)].concat()
+        });
+        program.ok().filter(|_| !wrong)
+    };
+    let (Some(own), Some(known_law)) = (law(model), law(&other)) else {
+        return Some("their rates cannot be compared with those that are known".to_owned());
+    };
+    let titles = names.iter().map(|name| format!("the rate of `{name}`"));
+    let titles: Vec<String> = titles.chain(known.columns.iter().map(|name| format!("`{name}`"))).collect();
+    let start = model.start_state();
+    for aside in ASIDE {
+        let moved = |(place, y): (usize, &f64)| y + aside[place % 3] * (1.0 + y.abs());
+        let state: Vec<f64> = start.iter().enumerate().map(moved).collect();
+        let count = names.len() + shown(&other).len();
+        let (mut here, mut there) = (vec![f64::NAN; count], vec![f64::NAN; count]);
+        // programs of this length
+        let _ = (own.run(0.1, &state, &mut here), known_law.run(0.1, &state, &mut there));
+        let size = there.iter().filter(|value| value.is_finite()).fold(1.0, |size: f64, value| size.max(value.abs()));
+        let differs = |(a, b): (&f64, &f64)| b.is_finite() && !((a - b).abs() <= EQUAL * size.min(1.0 + 1e6 * b.abs()));
+        if let Some(place) = here.iter().zip(&there).position(differs) {
+            let title = titles.get(place).cloned().unwrap_or_default();
+            return Some(format!("{title} is {:.9e} near the start, and {:.9e} there", here[place], there[place]));
+        }
+    }
     None
 }

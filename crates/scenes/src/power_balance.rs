@@ -62,6 +62,7 @@ pub(crate) fn metered(system: &Arc<CompiledSystem>, plain: Problem) -> Problem {
     Problem {
         law: Arc::new(law),
         state,
+        metered: 1,
         span,
         // nothing else is kept where the energy is not
         invariants: vec![Invariant { name: "energy_less_work", value: Box::new(balance) }],

@@ -236,6 +236,7 @@ impl ModelScene {
         let problem = Problem {
             law: self.system.law(),
             state: self.start.clone(),
+            metered: 0,
             span: self.run.span,
             invariants,
             columns: columns(&self.model),

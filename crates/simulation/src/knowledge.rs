@@ -37,6 +37,9 @@ pub struct Knowledge {
     pub parameters: &'static [&'static str],
     /// The states and outputs that it reads.
     pub columns: &'static [&'static str],
+    /// Scene files of which one must give the same equations, with the parameters of the file that asks: of others nothing is known.
+    /// None: any equations are accepted.
+    pub equations: &'static [&'static str],
     /// Sentences of theory on the run, without the run; its span is that of the scene.
     pub theory: fn(&dyn Modelled, &Choice) -> Vec<String>,
     /// The name of what a run that ended early has come to, where its last state or its method shows it.
@@ -91,6 +94,7 @@ impl Knowledge {
         summary: "",
         parameters: &[],
         columns: &[],
+        equations: &[],
         theory: |_, _| Vec::new(),
         diagnosis: |_| None,
         closed_form: |_, _| None,
@@ -100,7 +104,8 @@ impl Knowledge {
     /// All that it says of a run.
     pub fn told(&self, scene: &dyn Modelled, choice: &Choice, trajectory: &Trajectory) -> RunNotes {
         let ended = Ended { scene, choice, trajectory };
-        let diagnosis = ended.is_early().then(|| (self.diagnosis)(&ended)).flatten();
+        let is_early = trajectory.has_begun() && ended.is_early();
+        let diagnosis = is_early.then(|| (self.diagnosis)(&ended)).flatten();
         RunNotes {
             theory: (self.theory)(scene, choice),
             diagnosis: diagnosis.map(|diagnosis| diagnosis.sentence(trajectory.outcome.time)),

@@ -108,7 +108,9 @@ impl Problem {
         if !trajectory.outcome.reached() || trajectory.left.is_some() {
             return None;
         }
-        let record = Record { times: trajectory.times.clone(), states: trajectory.states.clone() };
+        let own = self.state.len() - self.metered;
+        let judged = |states: &[Vec<f64>]| states.iter().map(|state| state[..own].to_vec()).collect();
+        let record = Record { times: trajectory.times.clone(), states: judged(&trajectory.states) };
         beside(choice.method, &record, |method| {
             let mut span = Span::new(0.0, self.span, &self.state).with_deadline(Instant::now() + choice.allowed);
             span.outputs.clone_from(&record.times);
@@ -116,6 +118,7 @@ impl Problem {
             let mut told = Told { goes_on: &mut goes_on, broken_off: false };
             let tolerance = Tolerance::both(choice.tolerance);
             let (outcome, left) = self.integrate(method, &tolerance, &span, &mut (&mut seen, &mut told));
+            seen.states = judged(&seen.states);
             (outcome, seen, left)
         })
     }

@@ -5,8 +5,9 @@
 //!
 //!   d_1 = |y_1 - y_2| ,   d_2 = |y_2 - y_4| ,   d_2/d_1 -> 2^-p <= 1/2   with the order p, where there is a motion to converge to.
 //!
-//! So a run parts from its law where d_1 of some state is beyond all of its size, or where it can be seen and d_2 is no smaller. All
-//! are the largest up to a time: a single instant at which a difference happens to vanish tells nothing. What converges
+//! So a run parts from its law where d_1 of some state is beyond all of its size, or where it can be seen and d_2 is no smaller. A
+//! difference can be seen that is a part of the state's size over the whole run: beginnings from rest say nothing. All are the largest
+//! up to a time: a single instant at which a difference happens to vanish tells nothing. What converges
 //! slowly is not named: its error is d_1/(1 - 2^-p), and is told. The time that is told is the one from which on it is seen: what
 //! happened lies before.
 
@@ -64,12 +65,14 @@ pub fn beside(method: Method, record: &Record<f64>, mut run: impl FnMut(Method) 
     let mut judge = || -> Result<Parting, Parting> {
         let once = shorter(half)?;
         let first = Differences::along([record, &once, &once]);
-        if first.iter().all(|seen| !seen.far() && !seen.visible()) {
+        let whole = sizes(&first);
+        if first.iter().all(|seen| !seen.visible(&whole)) {
             return Ok(Parting::Follows { apart: first.last().map_or(0.0, Differences::apart) });
         }
         let twice = shorter(quarter)?;
         let all = Differences::along([record, &once, &twice]);
-        let parts = all.iter().position(|seen| seen.far() || seen.stays());
+        let whole = sizes(&all);
+        let parts = all.iter().position(|seen| seen.far(&whole) || seen.stays(&whole));
         Ok(match parts.and_then(|place| record.times.get(place)) {
             Some(from) => Parting::Parts { from: *from },
             None => Parting::Follows { apart: all.last().map_or(0.0, Differences::apart) },
@@ -77,6 +80,11 @@ pub fn beside(method: Method, record: &Record<f64>, mut run: impl FnMut(Method) 
     };
     let parting = judge().unwrap_or_else(|ended| ended);
     Some(Beside { parting, work })
+}
+
+/// The size of each state over the whole run.
+fn sizes(all: &[Differences]) -> Vec<f64> {
+    all.last().map_or_else(Vec::new, |last| last.0.iter().map(|[size, ..]| *size).collect())
 }
 
 /// Up to a time, for each state: its size, d_1, d_2.
@@ -97,22 +105,23 @@ impl Differences {
         all
     }
 
-    /// The states that are something, with what is nothing in them.
-    fn any(&self, is: impl Fn(&[f64; 3]) -> bool) -> bool {
+    /// Among the states whose difference can be seen beside their sizes over the whole run.
+    fn any(&self, whole: &[f64], is: impl Fn(&[f64; 3]) -> bool) -> bool {
         let nothing = ROUNDING * self.0.iter().map(|state| state[0]).fold(0.0, f64::max);
-        self.0.iter().any(|state| state[1] > nothing && is(state))
+        let seen = |(state, whole): &(&[f64; 3], &f64)| state[1] > nothing && state[1] > SEEN * *whole;
+        self.0.iter().zip(whole).filter(seen).any(|(state, _)| is(state))
     }
 
-    fn far(&self) -> bool {
-        self.any(|[size, first, _]| first > size)
+    fn far(&self, whole: &[f64]) -> bool {
+        self.any(whole, |[size, first, _]| first > size)
     }
 
-    fn visible(&self) -> bool {
-        self.any(|[size, first, _]| *first > SEEN * size)
+    fn visible(&self, whole: &[f64]) -> bool {
+        self.any(whole, |_| true)
     }
 
-    fn stays(&self) -> bool {
-        self.any(|[size, first, second]| *first > SEEN * size && *second > SLOWEST * first)
+    fn stays(&self, whole: &[f64]) -> bool {
+        self.any(whole, |[_, first, second]| *second > SLOWEST * first)
     }
 
     fn apart(&self) -> f64 {

@@ -10,6 +10,7 @@ submit! { Knowledge {
     summary: "a stone that falls to the ground",
     parameters: &["g"],
     columns: &["y"],
+    equations: &[],
     theory: |scene, choice| {
         vec![format!("it falls for {:.3} s; {} is exact", fall(scene), choice.method)]
     },

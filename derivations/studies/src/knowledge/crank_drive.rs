@@ -27,6 +27,7 @@ submit! { Knowledge {
         "b6", "b7", "inertia", "mass", "crank", "rod", "weight", "damping", "stiffness",
     ],
     columns: &["q1", "q2", "q4", "q5", "q6", "q7", "q1'", "q2'", "q4'", "q5'", "q6'", "q7'"],
+    equations: &[include_str!("../../../../scenes/drive/stiff_diode.toml")],
     theory,
     diagnosis,
     margins,
@@ -63,7 +64,9 @@ fn margins(scene: &dyn Modelled, names: &[String]) -> Option<Box<Margins>> {
 }
 
 fn diagnosis(ended: &Ended<'_>) -> Option<Diagnosis> {
+    let Nine { damping, stiffness, .. } = data(ended.scene);
     let what = match foreseen(ended.scene, ended.choice) {
+        _ if damping < 0.0 || stiffness < 0.0 => "the violation of the constraint grows: both gains must be positive",
         Foreseen { gains: Some(false), .. } => {
             "the violation of the constraint grows: the gains are outside what the method bears at its step"
         }

@@ -29,6 +29,7 @@ submit! { Knowledge {
         "delta1", "delta2", "rest", "across", "twist", "drill", "alpha", "beta",
     ],
     columns: &STATE,
+    equations: &[include_str!("../../../../scenes/governors/elastic_stable.toml")],
     theory: |scene, _| theory(&data(scene)),
     ..Knowledge::EMPTY
 } }

@@ -16,6 +16,7 @@ submit! { Knowledge {
     summary: "a friction governor whose wheel is pushed along its axle",
     parameters: &[LATERAL],
     columns: &["rho"],
+    equations: &[include_str!("../../../../scenes/governors/released.toml")],
     ..Knowledge::EMPTY
 } }
 

@@ -22,6 +22,7 @@ submit! { Knowledge {
     summary: "a friction governor, its wheel led so that the second shaft keeps its speed",
     parameters: &["J1", "J2", "J", "m", "r", "M1", "M2", LATERAL, "speed"],
     columns: &["phi1", "phi2", "phi", "rho"],
+    equations: &[include_str!("../../../../scenes/governors/drum_programme.toml"), include_str!("../../../../scenes/governors/between_discs.toml")],
     theory: |scene, _| theory(scene),
     diagnosis,
     closed_form,

@@ -18,6 +18,7 @@ submit! { Knowledge {
     summary: "a symmetric top under the moments that lead its integrals, after Mukharlyamov",
     parameters: &["A", "C", "static_moment", "g", "aim", "k"],
     columns: &["F.q0", "F.q1", "F.q2", "F.q3", "F.wx", "F.wy", "F.wz", NODDING],
+    equations: &[include_str!("../../../../scenes/failures/nodding_top.toml")],
     diagnosis,
     margins,
     ..Knowledge::EMPTY

@@ -19,6 +19,7 @@ impl Scene {
         Problem {
             law,
             state: self.state(axes),
+            metered: 0,
             span: self.run.span,
             invariants,
             columns: outputs(self.on_bench(), &self.machine),
