@@ -70,8 +70,8 @@ fn the_second_shaft_keeps_its_speed() {
 /// No contact slips: R omega1 = rho omega2 at a drum, rho omega1 = (a - rho) omega2 between two discs.
 #[test]
 fn the_other_shaft_is_as_fast_as_the_wheel_rolls() {
-    let levers: [(&str, fn(f64) -> f64); 2] =
-        [("drum_programme", |rho| rho / 0.5), ("between_discs", |rho| (0.8 - rho) / rho)];
+    type Ratio = fn(f64) -> f64;
+    let levers: [(&str, Ratio); 2] = [("drum_programme", |rho| rho / 0.5), ("between_discs", |rho| (0.8 - rho) / rho)];
     for (name, ratio) in levers {
         let (trajectory, _) = run(&format!("governors/{name}"));
         let [rho, first] = ["rho", "omega1"].map(|name| trajectory.last[trajectory.column(name).expect("it is shown")]);

@@ -119,7 +119,10 @@ fn compared(model: &Model, known: &Knowledge, text: &str) -> Option<String> {
         // programs of this length
         let _ = (own.run(0.1, &state, &mut here), known_law.run(0.1, &state, &mut there));
         let size = there.iter().filter(|value| value.is_finite()).fold(1.0, |size: f64, value| size.max(value.abs()));
-        let differs = |(a, b): (&f64, &f64)| b.is_finite() && !((a - b).abs() <= EQUAL * size.min(1.0 + 1e6 * b.abs()));
+        let differs = |(a, b): (&f64, &f64)| {
+            let is_close = (a - b).abs() <= EQUAL * size.min(1.0 + 1e6 * b.abs());
+            b.is_finite() && !is_close
+        };
         if let Some(place) = here.iter().zip(&there).position(differs) {
             let title = titles.get(place).cloned().unwrap_or_default();
             return Some(format!("{title} is {:.9e} near the start, and {:.9e} there", here[place], there[place]));

@@ -15,7 +15,7 @@ pub struct Reaction<S, const N: usize, const C: usize> {
 }
 
 /// Accelerations and multipliers under a force: J M^-1 J^T lambda = -(rates at x'' = M^-1 X). The force is the given
-/// one, [`System::force`](super::System::force), and whatever else acts beside it, such as friction.
+/// one, [`PointSystem::force`](super::PointSystem::force), and whatever else acts beside it, such as friction.
 ///
 /// # Errors
 /// [`NotDefinite`] names the first constraint that depends on those before it.

@@ -15,7 +15,7 @@
 //! * [`Selected`]: all (v, w) for a given angular momentum about the vertical ([`Body::at_momentum`]), and where rotations
 //!   merge ([`Body::folds`]);
 //! * [`Census`] ([`Body::census`]): how many there are, for every w;
-//! * [`krawczyk_path`]: one of them along a path of data, proved to be the same at both ends.
+//! * [`followed()`]: one of them along a path of data, proved to be the same at both ends.
 //!
 //! # Key results
 //! In general position there are two, four or six directions for a given w: one for lambda below and one above all
