@@ -4,17 +4,20 @@ use crate::compiled_system::rates;
 use crate::letters::Letters;
 use crate::modes::Mode;
 use crate::program::recorded;
-use crate::scene::model as model_of;
 use model::{Model, Trace};
-use reader::{At, Issue, tables};
+use reader::{At, Issue};
 use simulation::knowledge::{self, Knowledge};
 use units::nearest;
 
-/// The knowledge of a name; an issue where there is none, or where the model has other letters. A row of its runs has these columns.
+/// The model of a text; none where it cannot be read.
+type Reader = fn(&str) -> Option<Model>;
+
+/// The knowledge of a name; an issue where there is none, or where the model has other letters or other equations. A row of its runs has
+/// these columns.
 pub(crate) fn asked_for(
-    model: &Model,
-    columns: &[String],
+    (model, columns): (&Model, &[String]),
     name: &At<String>,
+    read: Reader,
     issues: &mut Vec<Issue>,
 ) -> Option<&'static Knowledge> {
     let entries = knowledge::entries();
@@ -33,10 +36,10 @@ pub(crate) fn asked_for(
     let has_value = |name: &str| model.parameters.iter().any(|one| one.name == name && one.value.is_some());
     let parameters =
         found.parameters.iter().filter(|name| !has_value(name)).map(|name| (name, "parameter with a value"));
-    let read = found.columns.iter().filter(|name| !columns.iter().any(|own| own == *name));
-    let mut missing = parameters.chain(read.map(|name| (name, "coordinate, speed or output")));
+    let shown = found.columns.iter().filter(|name| !columns.iter().any(|own| own == *name));
+    let mut missing = parameters.chain(shown.map(|name| (name, "coordinate, speed or output")));
     let Some((name, what)) = missing.next() else {
-        let Some(difference) = difference(model, found) else { return Some(found) };
+        let Some(difference) = difference(model, found, read) else { return Some(found) };
         let title = format!("the equations are not those of `{value}`");
         let accepted = "the equations of a scene that has this key; without `known_as` any are accepted";
         issues.push(Issue::at(span.clone(), title, difference).accepted(accepted));
@@ -50,10 +53,10 @@ pub(crate) fn asked_for(
 }
 
 /// The rates that differ from those of every known text, in words of the nearest one; none where one text has the same.
-fn difference(model: &Model, known: &Knowledge) -> Option<String> {
+fn difference(model: &Model, known: &Knowledge, read: Reader) -> Option<String> {
     let mut nearest: Option<String> = None;
     for text in known.equations {
-        match compared(model, known, text) {
+        match compared(model, known, read(text)) {
             None => return None,
             Some(found) => nearest = nearest.or(Some(found)),
         }
@@ -67,14 +70,10 @@ const EQUAL: f64 = 1e-9;
 /// By so much of itself, and of one, each part of a state is off the start at a point where rates are compared.
 const ASIDE: [[f64; 3]; 3] = [[0.0; 3], [0.037, -0.021, 0.053], [-0.047, 0.031, 0.019]];
 
-/// The first rate, or column, that differs from that of a text with the same parameters.
-fn compared(model: &Model, known: &Knowledge, text: &str) -> Option<String> {
-    let read = tables("", text, |top, issues| {
-        top.known(&["title", "description", "known_as", "run", "ensemble"]);
-        model_of(top, issues).map(|(model, _)| model)
-    });
+/// The first rate, or column, that differs from that of another model with the same parameters.
+fn compared(model: &Model, known: &Knowledge, other: Option<Model>) -> Option<String> {
     // a text of a crate that cannot be read says nothing
-    let mut other = read.ok()?;
+    let mut other = other?;
     for parameter in &mut other.parameters {
         match model.parameters.iter().find(|one| one.name == parameter.name) {
             Some(own) if own.dimension == parameter.dimension => parameter.value = own.value,

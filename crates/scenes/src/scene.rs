@@ -154,7 +154,7 @@ impl ModelScene {
             }
         };
         let mut model = model.take()?;
-        let knowledge = known_as.and_then(|name| asked_for(&model, &columns(&model), &name, issues));
+        let knowledge = known_as.and_then(|name| asked_for((&model, &columns(&model)), &name, written, issues));
         if model.regulator.is_some() {
             Arc::make_mut(&mut model).close_regulated_inputs();
         }
@@ -272,6 +272,15 @@ fn called(event: &Event, text: &str) -> String {
     }
 }
 
+/// The model of a text; none where it cannot be read.
+fn written(text: &str) -> Option<Model> {
+    let read = tables("", text, |top, issues| {
+        top.known(&["title", "description", "known_as", "run", "ensemble"]);
+        model(top, issues).map(|(model, _)| model)
+    });
+    read.ok()
+}
+
 /// Coordinates and speeds at the start of a file that were left out or guessed, and that constraints or an equilibrium have moved, with
 /// their values in SI units; none of a file that holds no such system.
 pub fn completed_start(path: &Path) -> Vec<(String, f64)> {
@@ -279,11 +288,7 @@ pub fn completed_start(path: &Path) -> Vec<(String, f64)> {
     if !holds_model(&text) {
         return Vec::new();
     }
-    let model = tables("", &text, |top, issues| {
-        top.known(&["title", "description", "known_as", "run", "ensemble"]);
-        model(top, issues).map(|(model, _)| model)
-    });
-    let Ok(model) = model else { return Vec::new() };
+    let Some(model) = written(&text) else { return Vec::new() };
     let Ok(start) = start_of(&model) else { return Vec::new() };
     let names = model.state_names().into_iter().map(|(name, _)| name);
     let positions = model.positions();
