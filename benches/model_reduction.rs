@@ -68,7 +68,7 @@ fn row(name: &str, found: &mut [f64]) {
     println!("{name:<36}{:>6}{cells}", found.len());
 }
 
-/// Of every reduced model that loses something, and how many have no number.
+/// The effectivities of every reduced model that loses something, and the count of those without a number.
 fn seen(scene: &Scene) -> (Vec<Seen>, usize) {
     let ladder = Hierarchy::of_scene(scene, Axes::First);
     let span = ladder.own.span;

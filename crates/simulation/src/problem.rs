@@ -10,7 +10,7 @@ pub struct Problem {
     pub law: Arc<dyn Law>,
     /// As the law has it: of a gyrostat in the axes of the form.
     pub state: Vec<f64>,
-    /// How many components, the last ones, only meter what the others do, such as work: a run is not judged by them.
+    /// The number of components, the last ones, that only meter what the others do, such as work: a run is not judged by them.
     pub metered: usize,
     /// s, from time zero.
     pub span: f64,

@@ -54,7 +54,7 @@ fn exactly_at(ladder: &Hierarchy, times: &[f64]) -> Record<f64> {
     followed_at(&*ladder.law, &tight(), times, &ladder.start).expect("it reaches its end").0
 }
 
-/// What a reduced model is truly off, by runs of both models: at the instants, and where the estimate is largest.
+/// The true error of a reduced model, by runs of both models: at the instants, and where the estimate is largest.
 fn truly(ladder: &Hierarchy, rung: &ReducedModel, found: &Estimate, watched: &Watched) -> Option<f64> {
     let mut times: Vec<f64> = instants(ladder.own.span).chain((found.at > 0.0).then_some(found.at)).collect();
     times.sort_by(f64::total_cmp);

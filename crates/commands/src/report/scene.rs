@@ -27,7 +27,7 @@ pub struct Prepared {
     pub section: SceneSection,
     /// Whether its law changes at events.
     pub across_events: bool,
-    /// What is wrong where it did not come out as it should.
+    /// The fault, where it did not come out as it should.
     pub unreached: Option<String>,
     pub atlas: Result<Atlas, NoReference>,
     pub trials: Trials,

@@ -5,7 +5,7 @@
 //!
 //!   d_1 = |y_1 - y_2| ,   d_2 = |y_2 - y_4| ,   d_2/d_1 -> 2^-p <= 1/2   with the order p, where there is a motion to converge to.
 //!
-//! So a run parts from its law where d_1 of some state is beyond all of its size, or where it can be seen and d_2 is no smaller. A
+//! A run parts from its law where d_1 of some state is beyond all of its size, or where it can be seen and d_2 is no smaller. A
 //! difference can be seen that is a part of the state's size over the whole run: beginnings from rest say nothing. All are the largest
 //! up to a time: a single instant at which a difference happens to vanish tells nothing. What converges
 //! slowly is not named: its error is d_1/(1 - 2^-p), and is told. The time that is told is the one from which on it is seen: what

@@ -12,7 +12,7 @@ pub struct Rotations {
     pub motions: Vec<SteadyRotation>,
     /// Of the polynomial in lambda whose real roots are the directions that no symmetry repeats.
     pub degree: usize,
-    /// How many different real roots it has, by Descartes' rule.
+    /// The number of its different real roots, by Descartes' rule.
     pub roots: usize,
     case: Arc<Case>,
 }
@@ -97,7 +97,7 @@ impl Rotations {
         Rotations { degree: case.excess.degree().unwrap_or(0), roots: count, motions, case }
     }
 
-    /// How many different real roots the polynomial has, once more, by Sturm's theorem: dearer than to isolate them.
+    /// The number of the polynomial's different real roots once more, by Sturm's theorem: dearer than to isolate them.
     pub fn roots_by_sturm(&self) -> usize {
         self.case.excess.count_by_sturm()
     }

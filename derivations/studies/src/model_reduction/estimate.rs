@@ -143,7 +143,7 @@ impl Carrying<'_> {
 }
 
 impl Hierarchy {
-    /// What a reduced model loses of the outputs; the tolerance says how well that need be known.
+    /// The loss of a reduced model in the outputs; the tolerance says how well that need be known.
     ///
     /// # Errors
     /// Where the carried error does not reach the end: the lower motion leaves what the richer law allows.

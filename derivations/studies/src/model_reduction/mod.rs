@@ -89,7 +89,7 @@ pub struct Hierarchy {
     pub model: &'static str,
     /// The scene's own.
     pub own: Problem,
-    /// What the reduced models are derived from: the scene's own law, or the exact one next to it.
+    /// The law that the reduced models are derived from: the scene's own, or the exact one next to it.
     pub written: Arc<dyn SymbolicLaw>,
     /// The same as it runs.
     pub law: Arc<dyn Law>,

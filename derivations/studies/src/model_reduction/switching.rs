@@ -134,7 +134,7 @@ impl Hierarchy {
         Some(Schedule { stretches, promised }).filter(|schedule| schedule.share() > 0.0)
     }
 
-    /// What the outputs lose at most by running the stretch k on a reduced model; infinite where that does not reach its end.
+    /// The largest loss of the outputs by running the stretch k on a reduced model; infinite where that does not reach its end.
     fn loss(&self, rung: &ReducedModel, kept: &[usize], course: &CoarseRun, k: usize) -> f64 {
         let begin = k.checked_sub(1).map_or(0.0, |before| course.times[before]);
         let (y, end) = (&course.states[k], course.times[k]);
