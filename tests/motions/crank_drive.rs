@@ -1,12 +1,12 @@
 //! The electromechanical drive as text: its runs end as theory says, its energy is the work on it, and it is the drive of the experiment.
 
+use super::knowledge::{by, open, run};
 use dalembert_derivations::studies::AnyScene;
 use dalembert_derivations::studies::stabilisation::experiment;
 use integrators::Method;
 use reader::Family;
 use simulation::models::Modelled;
-use simulation::{Axes, Choice, RunNotes, Trajectory};
-use std::path::Path;
+use simulation::{Axes, Choice};
 use std::sync::Arc;
 
 const SOUND: &str = include_str!("../../scenes/drive/stiff_diode.toml");
@@ -20,30 +20,13 @@ fn parse(text: &str) -> Result<Arc<dyn Modelled>, String> {
     }
 }
 
-fn open(name: &str) -> Arc<dyn Modelled> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes/drive").join(name).with_extension("toml");
-    let text = std::fs::read_to_string(path).expect("it is there");
-    parse(&text).unwrap_or_else(|error| panic!("{error}"))
-}
-
-fn by(scene: &dyn Modelled, choice: &Choice) -> (Trajectory, RunNotes) {
-    let trajectory = scene.problem(Axes::First).simulate(choice, |_| ());
-    let told = scene.told(choice, &trajectory);
-    (trajectory, told)
-}
-
-fn run(name: &str) -> (Trajectory, RunNotes) {
-    let scene = open(name);
-    by(&*scene, &scene.run().choice())
-}
-
 #[test]
 fn every_run_ends_as_it_should_and_is_diagnosed_by_name() {
     let scenes = [
-        ("euler_bears", None),
-        ("euler_overdamped", Some("the violation of the constraint grows")),
-        ("euler_stiff_diode", Some("the currents grow")),
-        ("stiff_diode", None),
+        ("drive/euler_bears", None),
+        ("drive/euler_overdamped", Some("the violation of the constraint grows")),
+        ("drive/euler_stiff_diode", Some("the currents grow")),
+        ("drive/stiff_diode", None),
     ];
     for (name, diagnosis) in scenes {
         let (trajectory, told) = run(name);
@@ -61,7 +44,7 @@ fn every_run_ends_as_it_should_and_is_diagnosed_by_name() {
 /// Euler is far from it: what it violates is no constraint.
 #[test]
 fn the_energy_is_the_work_on_the_drive() {
-    let scene = open("stiff_diode");
+    let scene = open("drive/stiff_diode");
     let trajectory = scene.metered(Axes::First).simulate(&scene.run().choice(), |_| ());
     let work = trajectory.last[trajectory.column("work").expect("it is counted")].abs().max(1.0);
     let [deviation] = &trajectory.outcome.deviations[..] else { panic!("one balance") };
@@ -71,7 +54,7 @@ fn the_energy_is_the_work_on_the_drive() {
 /// The crate's Radau5 goes on with factors of other steps, and Kvaerno's iteration wants less than rounding: both are dealt with.
 #[test]
 fn implicit_methods_meet_tight_tolerances_on_stiff_circuits() {
-    for name in ["stiff_diode", "euler_bears"] {
+    for name in ["drive/stiff_diode", "drive/euler_bears"] {
         let scene = open(name);
         for (method, tolerance) in
             [(Method::Radau5, 1e-11), (Method::Radau5, 3e-12), (Method::Radau5, 1e-13), (Method::Kvaerno5, 1e-13)]
@@ -86,7 +69,7 @@ fn implicit_methods_meet_tight_tolerances_on_stiff_circuits() {
 /// The step that Euler bears is longest for an instant: between a hundred instants it was missed.
 #[test]
 fn the_longest_step_that_euler_bears_is_found() {
-    let (_, told) = run("euler_bears");
+    let (_, told) = run("drive/euler_bears");
     let said = told.theory.iter().find(|said| said.contains("longest steps")).expect("theory tells the steps");
     let greatest = said.split(" s to ").nth(1).and_then(|rest| rest.split(' ').next()).map(str::parse::<f64>);
     assert!(greatest.is_some_and(|step| step.is_ok_and(|step| (0.0890..0.0900).contains(&step))), "{said}");
@@ -94,7 +77,7 @@ fn the_longest_step_that_euler_bears_is_found() {
 
 #[test]
 fn the_drive_of_the_scene_is_the_drive_of_the_experiment() {
-    let (trajectory, told) = run("euler_bears");
+    let (trajectory, told) = run("drive/euler_bears");
     let euler: fn(u32) -> Method = |steps| Method::Euler { steps };
     let track = experiment::run("", euler, experiment::STEP, 200.0, 1e4);
     let (time, state) = track.points[500];
@@ -108,7 +91,7 @@ fn the_drive_of_the_scene_is_the_drive_of_the_experiment() {
 
 #[test]
 fn what_theory_says_of_a_constant_step_is_what_the_run_does() {
-    let overdamped = open("euler_overdamped");
+    let overdamped = open("drive/euler_overdamped");
     // h b = 2 + h^2 k/2 at h = 5 s/654
     for (steps, bears) in [(500, false), (600, false), (700, true), (2000, true)] {
         let choice = Choice { method: Method::Euler { steps }, ..overdamped.run().choice() };

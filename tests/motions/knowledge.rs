@@ -7,20 +7,20 @@ use simulation::{Axes, Choice, RunNotes, Trajectory, methods};
 use std::path::Path;
 use std::sync::Arc;
 
-fn open(name: &str) -> Arc<dyn Modelled> {
+pub fn open(name: &str) -> Arc<dyn Modelled> {
     scenes::register(|_| ());
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes").join(name).with_extension("toml");
     models::open(&path).unwrap_or_else(|error| panic!("{error}"))
 }
 
-fn by(scene: &dyn Modelled, choice: &Choice) -> (Trajectory, RunNotes) {
+pub fn by(scene: &dyn Modelled, choice: &Choice) -> (Trajectory, RunNotes) {
     let trajectory = scene.problem(Axes::First).simulate(choice, |_| ());
     let told = scene.told(choice, &trajectory);
     (trajectory, told)
 }
 
 /// A scene by its own choice.
-fn run(name: &str) -> (Trajectory, RunNotes) {
+pub fn run(name: &str) -> (Trajectory, RunNotes) {
     let scene = open(name);
     by(&*scene, &scene.run().choice())
 }

@@ -143,7 +143,7 @@ impl Hierarchy {
         self.own.outside(time, &(self.whole)(time, state))
     }
 
-    /// What a run shows, from a state of the law that the reduced models are derived from.
+    /// The row of a run, from a state of the law that the reduced models are derived from.
     pub fn row(&self, time: f64, state: &[f64]) -> Vec<f64> {
         (self.own.row)(time, &(self.whole)(time, state))
     }

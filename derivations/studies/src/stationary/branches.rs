@@ -31,7 +31,7 @@ pub struct Branch {
 const POINTS: usize = 60;
 /// Shares of b below this are rounding.
 const ROUNDING: f64 = 1e-13;
-/// Of the distance to the next cut, in an angular velocity.
+/// Binary digits of the distance to the next cut that an angular velocity keeps.
 const BITS: i32 = 6;
 /// How near to a cut a branch is followed, as a share of the stretch.
 const NEAR: f64 = 1e-9;
