@@ -1,6 +1,6 @@
 //! A run in a few lines, or as one JSON object.
 
-use integrators::{Beside, Parting};
+use integrators::{Beside, Lost, Parting};
 use serde_json::{Map, Value, json};
 use simulation::events::Passage;
 use simulation::{Axes, Choice, IvpScene, Trajectory};
@@ -59,6 +59,7 @@ impl Summary<'_> {
             "reached": outcome.reached(),
             "stopped": trajectory.stopped(),
             "undefined": trajectory.undefined(),
+            "lost": trajectory.lost().map(|(own, Lost { at, size })| json!({ "name": own.name, "at": at, "size": size })),
             "events": trajectory.passages.iter().map(event).collect::<Vec<_>>(),
             "theory": told.theory,
             "diagnosis": told.diagnosis,
@@ -106,10 +107,14 @@ impl Summary<'_> {
             line(&format!("  {name}"), readable(*value));
         }
         for deviation in &outcome.deviations {
-            let kept = if deviation.largest.is_finite() {
-                format!("kept to {:.1e}", deviation.largest)
-            } else {
-                format!("without a value at t = {} s", deviation.at)
+            let kept = match trajectory.lost() {
+                _ if !deviation.largest.is_finite() => format!("without a value at t = {} s", deviation.at),
+                Some((own, Lost { at, size })) if own.name == deviation.name => format!(
+                    "lost at t = {at:.9} s, where its change passed a hundredth of its size, {size:.1e}; in all it changed by {:.1e}. \
+                     From there on the numbers are no motion of this system; a finer tolerance keeps it, or shows where the law ends",
+                    deviation.largest
+                ),
+                _ => format!("kept to {:.1e}", deviation.largest),
             };
             line(&deviation.name, format!("{}, {kept}", readable(deviation.first)));
         }

@@ -46,8 +46,8 @@ pub use batch::{Ensemble, LaneSeries, LaneStep, Members, SideBySide, fuses, lane
 pub use branches::{Branch, Curve, CurvePoint, Equilibria, Last, Repeating, Walk, follow, spectrum};
 pub use events::{Event, Happening, Signal, Switches, integrate_to_event};
 pub use law::{
-    Composed, DIRECTIONS, Dual8, Index2Dae, Index2DaeSystem, Jacobian, JacobianFn, Ode, Pieces, Real, Splitting,
-    System, TaylorSeries, Variations, Working, slope, variable,
+    Composed, DIRECTIONS, Divisors, Dual8, Index2Dae, Index2DaeSystem, Jacobian, JacobianFn, Ode, Pieces, Real,
+    Splitting, System, TaylorSeries, Variations, Working, slope, variable,
 };
 pub use methods::{
     Across, Attempt, Collocation, Family, Holding, MOST_STAGES, Means, Method, Taylor, Traits, Transition, compose,
@@ -58,8 +58,8 @@ pub use references::{
     Beside, ENOUGH_DIGITS, Parting, Reference, Shorter, TIGHTEST, beside, difference, reference, shared_digits, survey,
 };
 pub use run::{
-    Absolute, Budget, Deviation, End, Failure, Monitor, Observer, Outcome, Progress, Quantity, Record, Refusal,
-    Samples, Sizes, Span, Tolerance, Work, clock,
+    Absolute, Budget, Deviation, End, Failure, LOST, Lost, Monitor, Observer, Outcome, Progress, Quantity, Record,
+    Refusal, Samples, Sizes, Span, Tolerance, Work, clock,
 };
 pub use work_precision::{
     Benchmark, Median, Point, Regrets, Timed, Trial, cost, excess, front, judge, measure, taking_turns,

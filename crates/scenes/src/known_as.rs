@@ -12,6 +12,23 @@ use units::nearest;
 /// The model of a text; none where it cannot be read.
 type Reader = fn(&str) -> Option<Model>;
 
+/// The knowledge of a name.
+///
+/// # Errors
+/// The name is not known.
+pub(crate) fn known(At { value, span }: &At<String>) -> Result<&'static Knowledge, Issue> {
+    let entries = knowledge::entries();
+    entries.iter().find(|entry| entry.name == *value).copied().ok_or_else(|| {
+        let list = entries.iter().map(|entry| entry.name).collect::<Vec<_>>().join(", ");
+        let accepted = match nearest(value, entries.iter().map(|entry| entry.name)) {
+            Some(nearest) => format!("is `{nearest}` meant? Known: {list}"),
+            None if list.is_empty() => "a file without `known_as`: this program knows no more of any system".to_owned(),
+            None => format!("known: {list}"),
+        };
+        Issue::at(span.clone(), format!("no system is known as `{value}`"), "not known").accepted(accepted)
+    })
+}
+
 /// The knowledge of a name; an issue where there is none, or where the model has other letters or other equations. A row of its runs has
 /// these columns.
 pub(crate) fn asked_for(
@@ -20,19 +37,8 @@ pub(crate) fn asked_for(
     read: Reader,
     issues: &mut Vec<Issue>,
 ) -> Option<&'static Knowledge> {
-    let entries = knowledge::entries();
+    let found = known(name).map_err(|issue| issues.push(issue)).ok()?;
     let At { value, span } = name;
-    let Some(found) = entries.iter().find(|entry| entry.name == *value) else {
-        let list = entries.iter().map(|entry| entry.name).collect::<Vec<_>>().join(", ");
-        let accepted = match nearest(value, entries.iter().map(|entry| entry.name)) {
-            Some(nearest) => format!("is `{nearest}` meant? Known: {list}"),
-            None if list.is_empty() => "a file without `known_as`: this program knows no more of any system".to_owned(),
-            None => format!("known: {list}"),
-        };
-        let title = format!("no system is known as `{value}`");
-        issues.push(Issue::at(span.clone(), title, "not known").accepted(accepted));
-        return None;
-    };
     let has_value = |name: &str| model.parameters.iter().any(|one| one.name == name && one.value.is_some());
     let parameters =
         found.parameters.iter().filter(|name| !has_value(name)).map(|name| (name, "parameter with a value"));

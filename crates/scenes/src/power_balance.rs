@@ -28,9 +28,16 @@ pub(crate) fn metered(system: &Arc<CompiledSystem>, plain: Problem) -> Problem {
     let own = plain.state.len();
     let energy = recorded(own, |time, state| {
         let trace = Trace::of(model);
-        Letters::with_data(time, state).put_into(&trace, &[PowerBalance::of(&trace).energy])
+        let all = [PowerBalance::of(&trace).energy, trace.kinetic_energy(), trace.potential_energy()];
+        Letters::with_data(time, state).put_into(&trace, &all)
     });
     let Ok(energy) = energy else { return plain };
+    let energies = move |time: f64, state: &[f64]| {
+        let mut values = [f64::NAN; 3];
+        // made for a state of this length
+        energy.run(time, state, &mut values).unwrap_or(());
+        values
+    };
     let mut law = CompiledLaw::of(Arc::new(Metered(Arc::clone(system))) as Arc<dyn SymbolicLaw>);
     if law.program().is_none() {
         return plain;
@@ -46,14 +53,14 @@ pub(crate) fn metered(system: &Arc<CompiledSystem>, plain: Problem) -> Problem {
         law = law.with_jacobian(Arc::new(OverDualNumbers));
     }
     let Problem { mut state, span, mut columns, row, margins, .. } = plain;
-    state.push(0.0);
     columns.push(WORK.to_owned());
-    let balance = move |time: f64, state: &[f64]| {
-        let mut value = [f64::NAN];
-        // made for a state of this length
-        energy.run(time, &state[..own], &mut value).unwrap_or(());
-        value[0] - state[own]
+    let (of_size, [_, _, first]) = (energies.clone(), energies(0.0, &state));
+    let balance = move |time: f64, state: &[f64]| energies(time, &state[..own])[0] - state[own];
+    let size = move |time: f64, state: &[f64]| {
+        let [_, kinetic, potential] = of_size(time, &state[..own]);
+        kinetic.abs() + (potential - first).abs() + state[own].abs()
     };
+    state.push(0.0);
     let row = move |time: f64, state: &[f64]| {
         let mut row = row(time, &state[..own]);
         row.push(state[own]);
@@ -65,7 +72,7 @@ pub(crate) fn metered(system: &Arc<CompiledSystem>, plain: Problem) -> Problem {
         metered: 1,
         span,
         // nothing else is kept where the energy is not
-        invariants: vec![Invariant { name: "energy_less_work", value: Box::new(balance) }],
+        invariants: vec![Invariant { name: "energy_less_work", value: Box::new(balance), size: Some(Box::new(size)) }],
         columns,
         row: Box::new(row),
         margins: of_leading(margins, own),

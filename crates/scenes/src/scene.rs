@@ -6,7 +6,7 @@ use crate::compiled_system::{CompiledSystem, ENERGIES, changes, is_watched};
 use crate::ensemble::parse_ensemble;
 use crate::formulations::formulations;
 use crate::inductances::impossible_inductances;
-use crate::known_as::asked_for;
+use crate::known_as::{asked_for, known};
 use crate::modes::{BROKEN, Modes};
 use crate::named_systems;
 use crate::power_balance::metered;
@@ -92,7 +92,12 @@ pub fn read_titled(path: &Path, task: Task) -> Result<(String, Model), SceneErro
 /// All that is wrong with the system, each at its place.
 pub fn parse_titled(name: &str, text: &str, task: Task) -> Result<(String, Model), SceneError> {
     let read = tables(name, text, |top, issues| {
-        top.known(&["description", "known_as", "run", "ensemble"]);
+        top.known(&["description", "run", "ensemble"]);
+        if let Some(name) = top.optional_text("known_as", KNOWN_AS)
+            && let Err(issue) = known(&name)
+        {
+            top.report(issue);
+        }
         let title =
             top.optional_text("title", "one line that says what happens").map_or_else(String::new, |title| title.value);
         let (model, _) = model(top, issues)?;
@@ -104,6 +109,9 @@ pub fn parse_titled(name: &str, text: &str, task: Task) -> Result<(String, Model
     warn_of(name, text, &model.warnings);
     Ok((title, model))
 }
+
+/// The key `known_as` in words.
+const KNOWN_AS: &str = "name of a system of which more is known";
 
 /// The system of a file with its source; what is wrong with it goes into the list.
 pub(crate) fn model(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<(Model, Source)> {
@@ -139,7 +147,7 @@ impl ModelScene {
         let title = top.text("title", "one line that says what happens").value;
         let title = title.split_whitespace().collect::<Vec<_>>().join(" ");
         let description = top.optional_text("description", "what happens and why it is hard");
-        let known_as = top.optional_text("known_as", "name of a system of which more is known");
+        let known_as = top.optional_text("known_as", KNOWN_AS);
         let mut model = model(top, issues).map(|(model, _)| Arc::new(model));
         let names = model.as_deref().map(columns);
         let run = match top.has("run") {
@@ -149,6 +157,7 @@ impl ModelScene {
                 None
             }
             false => {
+                top.known(&["run"]);
                 issues.push(without_run(text));
                 None
             }
@@ -227,11 +236,17 @@ impl ModelScene {
         };
         let mut invariants = Vec::new();
         if self.system.keeps_energy {
-            let energy = move |time: f64, state: &[f64]| {
-                let outputs = kept.outputs(time, state);
-                outputs[outputs.len() - ENERGIES..].iter().sum()
+            let energies = |system: &CompiledSystem, time: f64, state: &[f64]| -> [f64; ENERGIES] {
+                let outputs = system.outputs(time, state);
+                outputs.last_chunk().copied().unwrap_or([f64::NAN; ENERGIES])
             };
-            invariants.push(Invariant { name: "energy", value: Box::new(energy) });
+            let (of_size, [_, first]) = (Arc::clone(&kept), energies(&kept, 0.0, &self.start));
+            let energy = move |time: f64, state: &[f64]| energies(&kept, time, state).iter().sum();
+            let size = move |time: f64, state: &[f64]| {
+                let [kinetic, potential] = energies(&of_size, time, state);
+                kinetic.abs() + (potential - first).abs()
+            };
+            invariants.push(Invariant { name: "energy", value: Box::new(energy), size: Some(Box::new(size)) });
         }
         let problem = Problem {
             law: self.system.law(),

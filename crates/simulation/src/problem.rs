@@ -71,4 +71,7 @@ pub type Row = dyn Fn(f64, &[f64]) -> Vec<f64> + Send + Sync;
 pub struct Invariant {
     pub name: &'static str,
     pub value: Box<Function>,
+    /// The size of what it is put together from, where it is known, such as that of kinetic and potential energy: a run that changes its
+    /// value by a hundredth of that has lost it.
+    pub size: Option<Box<Function>>,
 }

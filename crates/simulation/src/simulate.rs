@@ -4,7 +4,7 @@ use super::problem::Row;
 use super::{Axes, Problem, Run};
 use crate::events::Passage;
 use integrators::{
-    Beside, Deviation, End, Failure, Method, Observer, Outcome, Record, Refusal, Span, Tolerance, beside,
+    Beside, Deviation, End, Failure, Lost, Method, Observer, Outcome, Record, Refusal, Span, Tolerance, beside,
 };
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
@@ -77,6 +77,9 @@ impl Problem {
                 None => (invariant.value)(time, y),
             };
             span = span.with_monitor(invariant.name, value);
+            if let Some(size) = &invariant.size {
+                span = span.beside(size);
+            }
         }
         let mut kept = Kept {
             row: &*self.row,
@@ -187,6 +190,13 @@ impl Trajectory {
         let lost = |deviation: &&Deviation| !(deviation.first.is_finite() && deviation.largest.is_finite());
         let kept = self.outcome.deviations.iter().filter(lost);
         columns.map(|(name, _)| name.as_str()).chain(kept.map(|deviation| deviation.name.as_str())).collect()
+    }
+
+    /// The quantity that the motion keeps and the run has lost first, by a method that follows a tolerance: constant steps are judged beside
+    /// shorter ones.
+    pub fn lost(&self) -> Option<(&Deviation, Lost)> {
+        let lost = self.outcome.deviations.iter().filter_map(|one| Some((one, one.lost?)));
+        lost.filter(|_| self.states.is_empty()).min_by(|(_, one), (_, other)| one.at.total_cmp(&other.at))
     }
 
     /// Whether it went on until it was told to end.

@@ -226,6 +226,9 @@ impl fmt::Display for Dimension {
 impl fmt::Display for NoUnit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
+            Self::Unknown { name, .. } if name.starts_with(|first: char| first.is_ascii_digit()) => {
+                write!(f, "`{name}` is no number, such as `9.81` or `1e-3` with a point, and no unit")
+            }
             Self::Unknown { name, nearest: Some(nearest) } => {
                 write!(f, "no unit is called `{name}`; is `{nearest}` meant?")
             }

@@ -118,8 +118,10 @@ fn of_model(asked: &Asked, path: &Path) -> Result<String, Exit> {
         if !is_own {
             if model.constraints.is_empty() {
                 return Err(Exit::refused(format!(
-                    "without constraints the equations of {} are those of lagrange",
-                    principle.name()
+                    "--principle {0} does not apply to {1}: without constraints its equations are those of lagrange; accepted is \
+                     --principle lagrange, or a system with constraints",
+                    principle.name(),
+                    path.display()
                 )));
             }
             // rates are independent there

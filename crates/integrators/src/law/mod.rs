@@ -64,6 +64,11 @@ pub trait System: Ode<f64> + Ode<Dual8> + Ode<DoubleDouble> {
         None
     }
 
+    /// The divisors of its rates, where they are known.
+    fn divisors(&self) -> Option<&dyn Divisors> {
+        None
+    }
+
     /// A source of Taylor coefficients in double-double, where there is one.
     fn taylor_exact(&self) -> Option<Box<dyn TaylorSeries<DoubleDouble> + '_>> {
         None
@@ -78,6 +83,16 @@ pub trait System: Ode<f64> + Ode<Dual8> + Ode<DoubleDouble> {
     fn composed_exact(&self, _splitting: Splitting) -> Option<Box<dyn Composed<DoubleDouble> + '_>> {
         None
     }
+}
+
+/// Functions of time and state that a law divides by: those of its expressions, the pivots of an elimination, a determinant. Where one
+/// changes its sign along a motion, the rates may have been infinite.
+pub trait Divisors {
+    /// The number of divisors.
+    fn count(&self) -> usize;
+
+    /// All of them at (t, y); `out` has their count. Must not allocate.
+    fn at(&self, t: f64, y: &[f64], out: &mut [f64]);
 }
 
 /// The derivatives of a law. Neither may allocate.

@@ -10,7 +10,7 @@ pub(crate) mod budgeted_rhs;
 pub mod clock;
 pub(crate) mod failure;
 mod observer;
-mod outcome;
+pub(crate) mod outcome;
 mod span;
 pub(crate) mod stepping;
 mod tolerance;
@@ -19,6 +19,6 @@ pub(crate) mod within;
 
 pub use failure::{Failure, Refusal};
 pub use observer::{Observer, Progress, Record, Samples, Sizes};
-pub use outcome::{Deviation, End, Outcome, Work};
+pub use outcome::{Deviation, End, LOST, Lost, Outcome, Work};
 pub use span::{Budget, Monitor, Quantity, Span};
 pub use tolerance::{Absolute, Tolerance};

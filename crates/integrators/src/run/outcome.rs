@@ -44,6 +44,20 @@ pub struct Deviation {
     pub largest: f64,
     /// Where it was reached.
     pub at: f64,
+    /// From where on it was larger than [`LOST`] of the size of the quantity, where that is known.
+    pub lost: Option<Lost>,
+}
+
+/// A quantity that a motion keeps is lost where it has changed by this part of its size: what is computed from there on is another motion,
+/// or none.
+pub const LOST: f64 = 0.01;
+
+/// A place at which a quantity was lost.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lost {
+    pub at: f64,
+    /// The largest size of the quantity up to there.
+    pub size: f64,
 }
 
 /// The end of a run: the last good state in any case, never a number that is not one.

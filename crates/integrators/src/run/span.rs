@@ -26,6 +26,8 @@ pub type Quantity<'a, S> = Box<dyn Fn(f64, &[S]) -> S + 'a>;
 pub struct Monitor<'a, S> {
     pub name: String,
     pub value: Quantity<'a, S>,
+    /// The size of what its value is put together from, where it is known: a change is judged beside the largest of a run.
+    pub size: Option<Quantity<'a, S>>,
 }
 
 /// An initial value problem but for its law: times, initial state, outputs, monitors, budget.
@@ -75,7 +77,15 @@ impl<'a, S: Real> Span<'a, S> {
 
     /// The same, watching one more quantity.
     pub fn with_monitor(mut self, name: &str, value: impl Fn(f64, &[S]) -> S + 'a) -> Self {
-        self.monitors.push(Monitor { name: name.to_owned(), value: Box::new(value) });
+        self.monitors.push(Monitor { name: name.to_owned(), value: Box::new(value), size: None });
+        self
+    }
+
+    /// The same, judging the quantity that was added last beside a size.
+    pub fn beside(mut self, size: impl Fn(f64, &[S]) -> S + 'a) -> Self {
+        if let Some(last) = self.monitors.last_mut() {
+            last.size = Some(Box::new(size));
+        }
         self
     }
 

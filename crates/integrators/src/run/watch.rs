@@ -1,8 +1,12 @@
 //! Work around the accepted steps of any method: outputs, monitors, progress, the last good state.
 
 use crate::run::budgeted_rhs::BudgetedRhs;
+use crate::run::outcome::{LOST, Lost};
 use crate::run::within::{StepEnd, Within};
 use crate::{Deviation, End, Failure, Observer, Outcome, Real, Span};
+
+/// After so many steps the sizes of monitored quantities are looked at, whether these have moved or not.
+const SIZED: u64 = 64;
 
 /// The run as seen from outside its method.
 pub(crate) struct Watch<'a, 'm, S> {
@@ -13,7 +17,8 @@ pub(crate) struct Watch<'a, 'm, S> {
     next_output: usize,
     tau: S,
     state: Vec<S>,
-    deviations: Vec<(S, Deviation)>,
+    /// The first value of each monitor, its deviation, and the largest size that was seen.
+    deviations: Vec<(S, Deviation, f64)>,
     steps: u64,
     rejected: u64,
     /// Why an output could not be shown.
@@ -26,7 +31,7 @@ impl<'a, 'm, S: Real> Watch<'a, 'm, S> {
         let first = |monitor: &crate::Monitor<'m, S>| {
             let value = (monitor.value)(span.start, &span.state);
             let name = monitor.name.clone();
-            (value, Deviation { name, first: value.approx(), largest: 0.0, at: span.start })
+            (value, Deviation { name, first: value.approx(), largest: 0.0, at: span.start, lost: None }, 0.0)
         };
         let mut watch = Watch {
             length: span.length(),
@@ -166,9 +171,18 @@ impl<'a, 'm, S: Real> Watch<'a, 'm, S> {
         self.steps += 1;
         self.sample_if_at(tau);
         let time = self.time();
-        for (monitor, (first, deviation)) in self.span.monitors.iter().zip(&mut self.deviations) {
+        for (monitor, (first, deviation, largest)) in self.span.monitors.iter().zip(&mut self.deviations) {
             let distance = ((monitor.value)(time, &self.state) - *first).magnitude().approx();
             let distance = if distance.is_nan() { f64::INFINITY } else { distance };
+            let is_off = |size: f64| distance > LOST * size;
+            if let Some(size) = &monitor.size
+                && (is_off(*largest) || self.steps.is_multiple_of(SIZED))
+            {
+                *largest = largest.max(size(time, &self.state).magnitude().approx());
+                if is_off(*largest) && deviation.lost.is_none() {
+                    deviation.lost = Some(Lost { at: time, size: *largest });
+                }
+            }
             if distance > deviation.largest {
                 (deviation.largest, deviation.at) = (distance, time);
             }
@@ -197,7 +211,7 @@ impl<'a, 'm, S: Real> Watch<'a, 'm, S> {
         let time = self.time();
         let mut work = meter.work();
         (work.steps, work.rejected, work.outputs) = (self.steps, self.rejected, self.within.steps);
-        let deviations = self.deviations.into_iter().map(|(_, deviation)| deviation).collect();
+        let deviations = self.deviations.into_iter().map(|(_, deviation, _)| deviation).collect();
         Outcome { end, time, state: self.state, work, deviations }
     }
 

@@ -132,6 +132,7 @@ impl Elaborator<'_> {
                 let (si, dimension) = units::quantity::parse_any(text).map_err(|wrong| fault(wrong.to_string()))?;
                 (dimension, Some(si))
             }
+            Some(Err(wrong @ units::NoQuantity::NotFinite { .. })) => return Err(fault(wrong.to_string())),
             _ => {
                 let unit = units::Unit::parse(text).map_err(|wrong| fault(wrong.to_string()))?;
                 if text.is_empty() {

@@ -5,7 +5,7 @@
 
 use super::Current;
 use field::DoubleDouble;
-use integrators::{Dual8, JacobianFn, Ode, System};
+use integrators::{Divisors, Dual8, JacobianFn, Ode, System};
 use simulation::Law;
 use std::sync::Arc;
 
@@ -40,6 +40,10 @@ macro_rules! runs {
 runs!(f64, Dual8, DoubleDouble);
 
 impl System for WithoutSeries {
+    fn divisors(&self) -> Option<&dyn Divisors> {
+        self.0.divisors()
+    }
+
     fn jacobian_fn(&self) -> Option<Box<dyn JacobianFn + '_>> {
         self.0.jacobian_fn()
     }

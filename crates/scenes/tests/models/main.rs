@@ -5,6 +5,7 @@ mod conformity;
 mod formulations;
 mod knowledge;
 mod outputs;
+mod poles;
 mod power_balance;
 mod quasi_velocities;
 mod redundant;
@@ -57,9 +58,12 @@ fn going_on() -> Vec<PathBuf> {
     all().into_iter().filter(|path| !is_rough(path) && !ends(path)).collect()
 }
 
+fn parsed(text: &str) -> ModelScene {
+    ModelScene::parse("scene.toml", text).unwrap_or_else(|error| panic!("{error}"))
+}
+
 fn open(path: &Path) -> ModelScene {
-    let text = std::fs::read_to_string(path).expect("it is there");
-    ModelScene::parse("scene.toml", &text).unwrap_or_else(|error| panic!("{error}"))
+    parsed(&std::fs::read_to_string(path).expect("it is there"))
 }
 
 /// The last row of a run, and how far every invariant went.

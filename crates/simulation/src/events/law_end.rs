@@ -3,6 +3,7 @@
 //! A margin is positive where the law holds. Its end is found by the bounds of the margin over each step, so that it does not
 //! depend on where a method puts its steps, and the run goes on up to it.
 
+use super::poles::{POLE, PoleWatch, up_to};
 use integrators::{
     Event, Method, Observer, Ode, Outcome, Signal, Span, Switches, System, Tolerance, integrate, integrate_to_event,
 };
@@ -34,6 +35,20 @@ pub struct Ending<'a> {
 impl Ending<'_> {
     /// Runs over a span, or to the end of the law: then the outcome is the last state within it, and the reason is told.
     pub fn integrate(
+        &self,
+        (method, tolerance): (Method, &Tolerance),
+        span: &Span<'_, f64>,
+        observer: &mut dyn Observer<f64>,
+    ) -> (Outcome<f64>, Option<&'static str>) {
+        let mut watch = PoleWatch::new(self.law, (span.start, &span.state), observer);
+        let (outcome, left) = self.up_to_a_pole((method, tolerance), span, &mut watch);
+        match watch.end(&outcome) {
+            Some(before) => (up_to(outcome, before), Some(POLE)),
+            None => (outcome, left),
+        }
+    }
+
+    fn up_to_a_pole(
         &self,
         (method, tolerance): (Method, &Tolerance),
         span: &Span<'_, f64>,

@@ -1,6 +1,7 @@
 //! Runs of systems whose law changes at events: segment after segment, each from an event, located to rounding, to the next.
 
 use super::law_end::{Ending, Ends, Margins, SwitchesAndEnds};
+use super::poles::{POLE, PoleWatch, up_to};
 use crate::law::Law;
 use integrators::{
     Absolute, Deviation, End, Event, Method, Observer, Outcome, Span, Switches, Tolerance, Work, integrate_to_event,
@@ -102,6 +103,9 @@ pub(crate) fn integrate(
         rest.budget.evaluations = span.budget.evaluations.saturating_sub(at.work.rates);
         for monitor in &span.monitors {
             rest = rest.with_monitor(&monitor.name, move |time, state| (monitor.value)(time, &state[..states]));
+            if let Some(size) = &monitor.size {
+                rest = rest.beside(move |time, state| size(time, &state[..states]));
+            }
         }
         let whole = span.end - span.start;
         let done = (here - span.start) / whole;
@@ -109,9 +113,15 @@ pub(crate) fn integrate(
         let ends = Ends::of(Ending { law: &*segment.law, margins }, here, &at.state[..states], segment.followed);
         let switches = SwitchesAndEnds { switches: &*segment.switches, ends };
         let tolerance = with_followed(tolerance, segment.followed);
-        let (mut outcome, event) = integrate_to_event(&*segment.law, method, &tolerance, &rest, &switches, &mut part);
+        let mut watch = PoleWatch::new(&*segment.law, (here, &at.state), &mut part);
+        let (mut outcome, event) = integrate_to_event(&*segment.law, method, &tolerance, &rest, &switches, &mut watch);
+        let pole = watch.end(&outcome);
         outcome.state.truncate(states);
         at = joined(at, outcome);
+        if let Some((time, mut state)) = pole {
+            state.truncate(states);
+            return (up_to(at, (time, state)), Some(POLE));
+        }
         let Some(event) = event else {
             let failed = matches!(at.end, End::Stopped(failure) if !failure.is_broken_off());
             let why = if failed { switching.obstacle(at.time, &at.state) } else { None };
@@ -148,9 +158,10 @@ fn joined(before: Outcome<f64>, after: Outcome<f64>) -> Outcome<f64> {
     for (later, earlier) in deviations.iter_mut().zip(before.deviations) {
         // the first value is that of the whole run
         let moved = later.largest + (later.first - earlier.first).abs();
+        let lost = earlier.lost.or(later.lost);
         *later = match moved > earlier.largest {
-            true => Deviation { first: earlier.first, largest: moved, ..later.clone() },
-            false => earlier,
+            true => Deviation { first: earlier.first, largest: moved, lost, ..later.clone() },
+            false => Deviation { lost, ..earlier },
         };
     }
     Outcome { work: before.work + after.work, deviations, ..after }

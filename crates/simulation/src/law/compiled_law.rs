@@ -1,10 +1,11 @@
 //! A law of motion compiled: every form that a method asks for, made of one law over expressions.
 
+use crate::law::divisors::DivisorProgram;
 use crate::law::jacobian::JacobianProgram;
 use crate::law::program::Program;
 use crate::law::series::LawSeries;
 use field::DoubleDouble;
-use integrators::{Composed, Dual8, JacobianFn, Ode, Splitting, System, TaylorSeries, Variations};
+use integrators::{Composed, Divisors, Dual8, JacobianFn, Ode, Splitting, System, TaylorSeries, Variations};
 use std::sync::{Arc, OnceLock};
 use symbolic::Sym;
 
@@ -36,6 +37,8 @@ pub struct CompiledLaw {
     law: Arc<dyn SymbolicLaw>,
     /// `None` where an expression has no values.
     rates: OnceLock<Option<Program>>,
+    /// `None` where the rates divide by constants only.
+    divisors: OnceLock<Option<DivisorProgram>>,
     series: LawSeries,
     jacobian: Arc<dyn Differentiable>,
     pieces: Option<Arc<dyn Splittable>>,
@@ -51,6 +54,7 @@ impl CompiledLaw {
     pub fn of(law: Arc<dyn SymbolicLaw>) -> Self {
         CompiledLaw {
             rates: OnceLock::new(),
+            divisors: OnceLock::new(),
             series: LawSeries::of(Arc::clone(&law)),
             jacobian: Arc::new(JacobianProgram::of(Arc::clone(&law))),
             pieces: None,
@@ -116,6 +120,11 @@ impl Ode<Sym> for CompiledLaw {
 }
 
 impl System for CompiledLaw {
+    fn divisors(&self) -> Option<&dyn Divisors> {
+        let made = self.divisors.get_or_init(|| self.program().and_then(DivisorProgram::of));
+        made.as_ref().map(|program| program as &dyn Divisors)
+    }
+
     fn taylor(&self) -> Option<Box<dyn TaylorSeries<f64> + '_>> {
         self.series.plain()
     }

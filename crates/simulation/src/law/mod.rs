@@ -2,6 +2,7 @@
 
 mod compiled_dae;
 mod compiled_law;
+mod divisors;
 mod exponents;
 mod jacobian;
 mod program;

@@ -2,6 +2,7 @@
 
 mod algebraic;
 mod arranged;
+mod divisors;
 mod factors;
 mod fused;
 mod record;

@@ -20,9 +20,9 @@ impl Scene {
         let own = state.len();
         state.push(0.0);
         columns.push("work".to_owned());
-        let of_own = |Invariant { name, value }: Invariant| {
+        let of_own = |Invariant { name, value, .. }: Invariant| {
             let value = move |time: f64, y: &[f64]| value(time, &y[..own]);
-            Invariant { name, value: Box::new(value) }
+            Invariant { name, value: Box::new(value), size: None }
         };
         let mut invariants: Vec<Invariant> = invariants.into_iter().map(of_own).collect();
         invariants.push(balance);
@@ -49,6 +49,6 @@ impl Scene {
 fn metered(law: impl Powered + Send + Sync + 'static) -> (Arc<dyn Law>, Invariant) {
     let law = Arc::new(Metered(law));
     let balancing = Arc::clone(&law);
-    let balance = Invariant { name: "jacobi_less_work", value: Box::new(move |_, y| balancing.balance(y)) };
+    let balance = Invariant { name: "jacobi_less_work", value: Box::new(move |_, y| balancing.balance(y)), size: None };
     (Arc::new(CompiledLaw::of(law)), balance)
 }

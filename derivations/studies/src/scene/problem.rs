@@ -70,5 +70,5 @@ fn on_bench(machine: Motor, axial: f64) -> Lawful {
 
 fn of<L: Send + Sync + 'static>(law: &Arc<L>, name: &'static str, value: fn(&L, &[f64]) -> f64) -> Invariant {
     let law = Arc::clone(law);
-    Invariant { name, value: Box::new(move |_, y| value(&law, y)) }
+    Invariant { name, value: Box::new(move |_, y| value(&law, y)), size: None }
 }

@@ -53,9 +53,19 @@ impl Program {
     }
 
     fn recorded(tape: Tape) -> Option<Self> {
-        let (plain, slopes, exact) = (Table::of(&tape), Table::of(&tape), Table::of(&tape));
         let code = Code::of(&tape).map(Arc::new);
-        Some(Program { code, plain, slopes, exact, tape })
+        Some(Program { code, ..Program::without_code(tape) })
+    }
+
+    /// What it divides by, as a tape; none where it divides by constants only.
+    pub(super) fn divisors(&self) -> Option<Tape> {
+        self.tape.divisors()
+    }
+
+    /// The program of a tape whose operations are followed one by one.
+    pub(super) fn without_code(tape: Tape) -> Self {
+        let (plain, slopes, exact) = (Table::of(&tape), Table::of(&tape), Table::of(&tape));
+        Program { code: None, plain, slopes, exact, tape }
     }
 
     /// Whether it runs as machine code; else its table of operations is followed, which takes some five times as long.
@@ -135,7 +145,7 @@ mod tests {
     fn without_machine_code_a_program_has_the_same_bits() {
         let made = Program::of(2, |t, y| vec![y[0] * y[1] - t, (y[0] + t).circle().sin / y[1], y[1].sqrt().half()]);
         let written = made.expect("it has values");
-        let followed = Program { code: None, ..written.clone() };
+        let followed = Program::without_code(written.tape.clone());
         let ([mut own, mut table], y) = ([[0.0_f64; 3]; 2], [0.7, 1.9]);
         assert_eq!(written.run(0.3, &y, &mut own), Some(()));
         assert_eq!(followed.run(0.3, &y, &mut table), Some(()));

@@ -1,0 +1,90 @@
+//! Places at which a law has no value: no run goes on behind one and calls its numbers a motion.
+
+use super::parsed;
+use integrators::Method;
+use simulation::{Axes, Choice, Trajectory};
+use std::time::Duration;
+
+/// Methods that follow a tolerance.
+const METHODS: [Method; 9] = [
+    Method::DormandPrince5,
+    Method::DormandPrince8,
+    Method::Verner6,
+    Method::Verner9,
+    Method::GraggBulirschStoer,
+    Method::Taylor,
+    Method::Radau5,
+    Method::Rodas4,
+    Method::Kvaerno5,
+];
+
+fn run(text: &str, method: Method, tolerance: f64) -> Trajectory {
+    let choice = Choice { method, tolerance, axes: Axes::First, samples: 50, allowed: Duration::from_secs(60) };
+    let scene = parsed(text);
+    simulation::IvpScene::metered(&scene, Axes::First).simulate(&choice, |_| ())
+}
+
+/// Whether a run says that its numbers are a motion up to its end.
+fn serves(trajectory: &Trajectory) -> bool {
+    trajectory.stopped().is_none() && trajectory.lost().is_none()
+}
+
+/// A unit mass under a force.
+fn pushed(force: &str, start: &str, span: &str) -> String {
+    format!(
+        "title = \"a mass\"\n[coordinates]\nx = \"m\"\n[bodies.b]\ncentre = \"O + x*N.x\"\nmass = \"(1 kg)\"\n[[force]]\non = \"b\"\n\
+         is = \"{force}*N.x\"\n[start]\nx = \"{start}\"\n[run]\nspan = \"{span}\"\n"
+    )
+}
+
+#[test]
+fn no_method_passes_a_pole_of_a_force_in_time_or_place() {
+    for method in METHODS {
+        for tolerance in [1e-2, 1e-4, 1e-8] {
+            for (force, start) in [("(1 N s)/(t - (1.05 s))", "0 m"), ("(1 N m)/((1 m) - x)", "0.5 m")] {
+                let trajectory = run(&pushed(force, start, "3 s"), method, tolerance);
+                let shown = trajectory.times.iter().zip(&trajectory.rows);
+                let is_before = |(time, row): (&f64, &Vec<f64>)| *time < 1.05 && row[0] < 1.0;
+                assert!(trajectory.stopped().is_some(), "{method} {tolerance} {force}");
+                assert!(shown.into_iter().all(is_before), "{method} {tolerance} {force}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_divisor_that_vanishes_with_what_it_divides_stops_nothing() {
+    for method in METHODS {
+        let text = pushed("(-1 N)*sin(x/(1 m))/(x/(1 m))", "0.7 m", "20 s");
+        let trajectory = run(&text, method, 1e-8);
+        assert!(serves(&trajectory), "{method}: {:?}", trajectory.stopped());
+    }
+}
+
+/// T = x'^2/(2 (1 - x^2)) has the motion x = sin t, which touches the place at which T is infinite.
+#[test]
+fn a_place_without_inertia_that_is_touched_is_passed_truly_or_told() {
+    let text = "title = \"an arc\"\n[coordinates]\nx = \"m\"\n[energies]\nkinetic = \"(1 kg)*x'^2/(2*(1 - (x/(1 m))^2))\"\n[start]\n\
+                \"x'\" = \"1 m/s\"\n[run]\nspan = \"3 s\"\n";
+    let mut passed = 0;
+    for method in METHODS {
+        for tolerance in [1e-4, 1e-6, 1e-8, 1e-10] {
+            let trajectory = run(text, method, tolerance);
+            if serves(&trajectory) {
+                let off = (trajectory.last[0] - 3.0_f64.sin()).abs();
+                assert!(off < 0.02, "{method} {tolerance}: {off:e}");
+                passed += 1;
+            }
+        }
+    }
+    assert!(passed > 0);
+}
+
+#[test]
+fn an_energy_that_begins_at_zero_is_not_lost_where_the_motion_returns() {
+    let text = pushed("(-1 N/m)*(x - (1 m))", "0 m", "600 s");
+    for method in METHODS {
+        let trajectory = run(&text, method, 1e-6);
+        assert!(serves(&trajectory), "{method}: {:?}", trajectory.lost());
+    }
+}

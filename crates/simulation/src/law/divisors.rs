@@ -1,0 +1,51 @@
+//! What a law divides by, as a program.
+
+use crate::law::program::Program;
+use integrators::Divisors;
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicU32, Ordering};
+use symbolic::Tape;
+
+/// Machine code takes as long to write as some hundreds of evaluations without it: a run with fewer steps has none.
+const WRITTEN_AFTER: u32 = 500;
+
+/// The divisors of a program, followed operation by operation until a run is long.
+#[derive(Debug)]
+pub(super) struct DivisorProgram {
+    tape: Tape,
+    followed: Program,
+    written: OnceLock<Option<Program>>,
+    evaluations: AtomicU32,
+}
+
+impl DivisorProgram {
+    /// None of a program that divides by constants only.
+    pub fn of(program: &Program) -> Option<Self> {
+        let tape = program.divisors()?;
+        Some(DivisorProgram {
+            followed: Program::without_code(tape.clone()),
+            tape,
+            written: OnceLock::new(),
+            evaluations: AtomicU32::new(0),
+        })
+    }
+
+    fn program(&self) -> &Program {
+        if self.evaluations.load(Ordering::Relaxed) < WRITTEN_AFTER {
+            self.evaluations.fetch_add(1, Ordering::Relaxed);
+            return &self.followed;
+        }
+        self.written.get_or_init(|| Program::of_tape(self.tape.clone())).as_ref().unwrap_or(&self.followed)
+    }
+}
+
+impl Divisors for DivisorProgram {
+    fn count(&self) -> usize {
+        self.tape.outputs()
+    }
+
+    fn at(&self, t: f64, y: &[f64], out: &mut [f64]) {
+        // made for a state of this length
+        self.program().run(t, y, out).unwrap_or(());
+    }
+}
