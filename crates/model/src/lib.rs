@@ -33,6 +33,7 @@ pub mod equations;
 pub mod expression;
 mod fault;
 mod joints;
+mod judgements;
 mod parts;
 mod presentation;
 pub mod principles;
@@ -50,6 +51,7 @@ pub use closed_loop::Feedback;
 pub use conformity::{Pairs, forces_without_potential};
 pub use elaboration::{HALF_TURN, bare_angle, is_reserved, misplaced};
 pub use fault::Fault;
+pub use judgements::{Judgement, Subject, judged_mistake, judgements};
 pub use parts::{
     Along, Assignment, Body, BodyId, Constraint, Contact, Coordinate, Defined, Direction, Energies, Event, Force,
     Frame, FrameId, GeneralisedForce, Implied, Inertia, Input, Material, Model, Moves, OneWay, Output, Parameter,

@@ -2,14 +2,14 @@
 
 use crate::readiness::{completed, leave_out, unmet_at};
 use crate::start::{Completed, Unmet, consistent};
+use crate::system_text::SystemText;
 use crate::warnings::warn_of;
 use model::equations::dependent_everywhere;
 use model::{Fault, Model, Trace};
-use reader::{SceneError, read_text};
-use std::path::Path;
+use reader::SceneError;
 
 /// The model without the equations of constraints that follow from others on the branch of its start alone, where it has a start.
-pub fn on_branch(model: &mut Model) {
+pub(crate) fn on_branch(model: &mut Model) {
     let Ok(mut completed) = completed(model) else { return };
     let everywhere = everywhere(model, &completed);
     completed.implied.retain(|of| !everywhere.contains(of));
@@ -25,11 +25,10 @@ fn everywhere(model: &Model, Completed { implied, .. }: &Completed) -> Vec<[usiz
 /// known where the file has a start that is met; a start that is not met leaves those that follow everywhere.
 ///
 /// # Errors
-/// Constraints that contradict each other, and a file that cannot be read again.
-pub fn without_implied(path: &Path, model: &mut Model) -> Result<(), SceneError> {
-    let (name, text) = (path.display().to_string(), read_text(path)?);
+/// Constraints that contradict each other.
+pub(crate) fn without_implied(SystemText { name, text }: &SystemText, model: &mut Model) -> Result<(), SceneError> {
     if let Err(unmet @ Unmet::Contradiction { .. }) = consistent(model) {
-        return Err(SceneError { path: name, text, issues: vec![unmet_at(model, unmet)] });
+        return Err(SceneError { path: name.clone(), text: text.clone(), issues: vec![unmet_at(model, unmet)] });
     }
     let known = model.warnings.len();
     let found = completed(model).or_else(|_| {
@@ -44,7 +43,7 @@ pub fn without_implied(path: &Path, model: &mut Model) -> Result<(), SceneError>
     if let Ok(found) = found {
         leave_out(model, &found);
     }
-    warn_of(&name, &text, &model.warnings.split_off(known));
+    warn_of(name, text, &model.warnings.split_off(known));
     Ok(())
 }
 

@@ -2,6 +2,7 @@
 //!
 //! # Overview
 //! * [`ModelScene`]: a file with `[coordinates]`, read and checked; every command that runs a scene runs it;
+//! * [`SystemText`], [`derivation`]: the equations of motion of a text by a principle;
 //! * [`text`]: the tables of a file as a [`model::Source`];
 //! * [`linearisation`]: x' = A x + B w about a point; [`equilibrium()`]: a point of rest near a guess;
 //! * [`parse_ensemble`]: the same file with `[ensemble]`: many members, parameters and starts of their own;
@@ -12,6 +13,7 @@ mod branch;
 mod compiled_system;
 pub mod conformance;
 mod conservation;
+pub mod derivation;
 mod ensemble;
 mod equilibrium;
 mod first_motion;
@@ -42,13 +44,13 @@ mod row_units;
 mod scene;
 mod size;
 mod start;
+mod system_text;
 pub mod text;
 mod warnings;
 
 /// Brings a [`NamedSystem`], found wherever the crate is linked.
 pub use inventory::submit;
 
-pub use branch::{on_branch, without_implied};
 pub use compiled_system::{CompiledSystem, NotCompiled};
 pub use ensemble::parse_ensemble;
 pub use equilibrium::{Equilibrium, NoEquilibrium, equilibrium};
@@ -62,4 +64,5 @@ pub use row_units::{unit_of, unit_of_rate};
 pub use scene::{ModelScene, completed_start, parse_titled, read_model, read_titled, register};
 pub use size::{Task, too_large};
 pub use start::{Completed, Open, Unmet, consistent};
+pub use system_text::SystemText;
 pub use warnings::Warn;

@@ -3,10 +3,11 @@
 mod notation;
 
 use crate::exit::{Exit, print, warn};
-use ::scenes::{Task, read_model, start_of, starting, without_implied};
+use ::scenes::SystemText;
+use ::scenes::derivation::{Derived, NamedPrinciple, NotDerived, Notation, derived};
 use claims::derivation::{Principle, derive as equations_of};
 use clap::{Args, ValueEnum};
-use model::{Fault, MatrixForm, Model, QuasiPrinciple, QuasiVelocities, Trace, constraints, vectors};
+use model::{constraints, vectors};
 use notation::{of_scene, written};
 use reader::read_text;
 use simulation::Axes;
@@ -109,149 +110,65 @@ fn is_held(path: &Path, kind: fn(&str) -> bool) -> bool {
 /// The equations of motion of a system that is written in its file.
 fn of_model(asked: &Asked, path: &Path) -> Result<String, Exit> {
     refuse_form(asked, "a system that is written in its file has one form")?;
-    let mut model = read_model(path, Task::Write)?;
-    // what follows from other constraints is no part of the equations
-    without_implied(path, &mut model)?;
-    let file = read_text(path)?;
-    if let Some(principle) = quasi_principle(asked, &model) {
-        let is_own = !model.quasi_velocities.is_empty() && principle != QuasiPrinciple::Shulgin;
-        if !is_own {
-            if model.constraints.is_empty() {
-                return Err(Exit::refused(format!(
-                    "--principle {0} does not apply to {1}: without constraints its equations are those of lagrange; accepted is \
-                     --principle lagrange, or a system with constraints",
-                    principle.name(),
-                    path.display()
-                )));
-            }
-            // rates are independent there
-            if let Ok(state) = start_of(&model) {
-                model = starting(&model, &state);
-            }
-            model = model.along_independent_rates();
-        }
-        return in_quasi_velocities(asked, &model, &file, principle);
+    let principle = asked.principle.map(in_file).transpose()?;
+    let format = asked.format.unwrap_or(Equations::Text);
+    let is_code = matches!(format, Equations::C | Equations::Python | Equations::Rust);
+    let written = derived(&SystemText::read(path)?, principle, is_code, |derived| {
+        let echo = match asked.echo {
+            true => [vectors(derived.trace), constraints(derived.trace)].concat().join("\n") + "\n\n",
+            false => String::new(),
+        };
+        let equations = match format {
+            Equations::Text => derived.written(Notation::Text),
+            Equations::Latex => derived.written(Notation::Latex),
+            Equations::Mathml => mathml(derived),
+            Equations::Sympy => derived.written(Notation::Sympy),
+            Equations::C => derived.written(Notation::Code(Language::C)),
+            Equations::Python => derived.written(Notation::Code(Language::Python)),
+            Equations::Rust => derived.written(Notation::Code(Language::Rust)),
+        };
+        (derived.vanishes_at_start, equations.map(|equations| echo + &equations))
+    });
+    let (vanishes_at_start, written) = written.map_err(|why| match why {
+        NotDerived::Text(error) => Exit::from(error),
+        NotDerived::Refused(why) => Exit::refused(why),
+    })?;
+    if vanishes_at_start {
+        warn(&format!(
+            "warning: {}: the quasi-velocities do not determine the speeds at the start: these equations have no value there",
+            asked.system
+        ));
     }
-    let principle = match asked.principle {
-        None if model.energies.kinetic.is_some() => model::principles::Principle::Lagrange,
-        Some(PrincipleName::Lagrange) => model::principles::Principle::Lagrange,
-        Some(PrincipleName::Appell) => model::principles::Principle::Appell,
-        Some(PrincipleName::Gauss) => model::principles::Principle::Gauss,
-        Some(PrincipleName::NewtonEuler) => model::principles::Principle::NewtonEuler,
-        Some(PrincipleName::Hamel) => model::principles::Principle::Hamel,
-        Some(PrincipleName::Hamilton) => model::principles::Principle::Hamilton,
-        Some(PrincipleName::Momentum | PrincipleName::Maxwell) => {
+    written.map_err(Exit::refused)
+}
+
+/// One element for each equation.
+fn mathml(derived: &Derived<'_, '_>) -> Result<String, String> {
+    let equations = model::typeset(derived.trace, &derived.for_reading()?).into_iter().flatten();
+    let typeset = equations.map(|each| charts::mathml(&format!("{} = {}", each.left, each.right)));
+    let lines: Vec<String> = typeset.collect::<Result<_, _>>().map_err(|why| why.to_string())?;
+    Ok(lines.join("\n") + "\n")
+}
+
+/// The principle of a system that is written in its file.
+fn in_file(name: PrincipleName) -> Result<NamedPrinciple, Exit> {
+    Ok(match name {
+        PrincipleName::Lagrange => NamedPrinciple::Lagrange,
+        PrincipleName::VirtualPower => NamedPrinciple::VirtualPower,
+        PrincipleName::Appell => NamedPrinciple::Appell,
+        PrincipleName::Gauss => NamedPrinciple::Gauss,
+        PrincipleName::NewtonEuler => NamedPrinciple::NewtonEuler,
+        PrincipleName::Hamel => NamedPrinciple::Hamel,
+        PrincipleName::Hamilton => NamedPrinciple::Hamilton,
+        PrincipleName::Maggi => NamedPrinciple::Maggi,
+        PrincipleName::Shulgin => NamedPrinciple::Shulgin,
+        PrincipleName::Momentum | PrincipleName::Maxwell => {
             return Err(Exit::refused(
                 "for a system that is written in its file the principle may be: virtual-power, lagrange, appell, gauss, newton-euler, \
                  hamel, hamilton, maggi, shulgin",
             ));
         }
-        _ => model::principles::Principle::VirtualPower,
-    };
-    // what is written there means nothing outside of its graph
-    symbolic::apart(|| {
-        let trace = Trace::of(&model);
-        let form = MatrixForm::of(&trace, principle).map_err(Exit::refused)?.in_file(&model, &file);
-        Ok(echoed(asked, &trace) + &matrix_form(&trace, &form, asked.format.unwrap_or(Equations::Text))?)
     })
-}
-
-/// The principle of equations along quasi-velocities; the others keep the rates of all coordinates.
-fn quasi_principle(asked: &Asked, model: &Model) -> Option<QuasiPrinciple> {
-    let has_own = !model.quasi_velocities.is_empty();
-    match asked.principle {
-        Some(PrincipleName::Maggi) => Some(QuasiPrinciple::Maggi),
-        Some(PrincipleName::Shulgin) => Some(QuasiPrinciple::Shulgin),
-        _ if !has_own => None,
-        None if model.energies.kinetic.is_some() || model.energies.coenergy.is_some() => Some(QuasiPrinciple::Hamel),
-        None | Some(PrincipleName::VirtualPower) => Some(QuasiPrinciple::VirtualPower),
-        Some(PrincipleName::Appell) => Some(QuasiPrinciple::Appell),
-        Some(PrincipleName::Hamel) => Some(QuasiPrinciple::Hamel),
-        Some(_) => None,
-    }
-}
-
-/// Equations of more operations have letters for the slopes of speeds, where these make them fewer by a quarter.
-const MOST_WITHOUT_LETTERS: f64 = 12_000.0;
-
-/// The equations of motion in the quasi-velocities of a file.
-fn in_quasi_velocities(asked: &Asked, model: &Model, file: &str, principle: QuasiPrinciple) -> Result<String, Exit> {
-    symbolic::apart(|| {
-        let trace = Trace::of(model);
-        let start = start_of(model).ok();
-        let written = |quasi: Result<QuasiVelocities<'_, '_>, Vec<Fault>>| {
-            // judged when the file was read
-            let quasi = quasi.map_err(|_| Exit::refused("its quasi-velocities are not independent"))?;
-            let form = MatrixForm::in_quasi_velocities(&trace, &quasi, principle).map_err(Exit::refused)?;
-            let form = match &start {
-                Some(start) => form.with_start(&trace, start),
-                None => form,
-            };
-            Ok::<MatrixForm, Exit>(form.in_file(model, file))
-        };
-        let mut form = written(QuasiVelocities::of(&trace))?;
-        let is_code = matches!(asked.format, Some(Equations::C | Equations::Python | Equations::Rust));
-        let operations = form.written_operations();
-        if principle != QuasiPrinciple::Hamel && !is_code && operations > MOST_WITHOUT_LETTERS {
-            let named = written(QuasiVelocities::named(&trace))?;
-            if 4.0 * named.written_operations() < 3.0 * operations {
-                form = named;
-            }
-        }
-        let mut divisors = form.quasi.iter().flat_map(|quasi| &quasi.divisors);
-        if divisors.any(|divisor| divisor.vanishes_at_start == Some(true)) {
-            warn(&format!(
-                "warning: {}: the quasi-velocities do not determine the speeds at the start: these equations have no value there",
-                asked.system
-            ));
-        }
-        Ok(echoed(asked, &trace) + &matrix_form(&trace, &form, asked.format.unwrap_or(Equations::Text))?)
-    })
-}
-
-/// Vectors and kinds of constraints, where they are asked for.
-fn echoed(asked: &Asked, trace: &Trace<'_>) -> String {
-    if asked.echo { [vectors(trace), constraints(trace)].concat().join("\n") + "\n\n" } else { String::new() }
-}
-
-/// Longer equations are code alone: a megabyte of text has two hundred thousand operations.
-const MOST_WRITTEN: f64 = 1_000_000.0;
-
-/// A system in matrix form in a notation.
-fn matrix_form(trace: &Trace<'_>, form: &MatrixForm, format: Equations) -> Result<String, Exit> {
-    let code = |language| model::code(trace, form, language).map_err(Exit::refused);
-    let is_code = matches!(format, Equations::C | Equations::Python | Equations::Rust);
-    if !is_code && !form.is_read() {
-        return Err(Exit::refused(format!(
-            "in these quasi-velocities the equations have {:.0e} operations, too many to be read; `--format c`, `python` and `rust` \
-             write them as code, and `--principle lagrange` writes them in the rates of coordinates",
-            form.written_operations()
-        )));
-    }
-    let read = || {
-        let read = form.for_reading();
-        match read.written_operations() {
-            operations if operations > MOST_WRITTEN => Err(Exit::refused(format!(
-                "these equations have {operations:.0e} operations where they are written out, too many to be read; `--format c`, `python` \
-                 and `rust` write every common part once; `[speeds]` makes equations of chains shorter"
-            ))),
-            _ => Ok(read),
-        }
-    };
-    match format {
-        Equations::Text => Ok(model::text(trace, &read()?)),
-        Equations::Latex => Ok(model::latex(trace, &read()?)),
-        Equations::Mathml => {
-            let equations = model::typeset(trace, &read()?).into_iter().flatten();
-            let typeset = equations.map(|each| charts::mathml(&format!("{} = {}", each.left, each.right)));
-            let lines: Vec<String> = typeset.collect::<Result<_, _>>().map_err(Exit::refused)?;
-            Ok(lines.join("\n") + "\n")
-        }
-        Equations::Sympy => model::sympy(trace, form).map_err(Exit::refused),
-        Equations::C => code(Language::C),
-        Equations::Python => code(Language::Python),
-        Equations::Rust => code(Language::Rust),
-    }
 }
 
 /// Forms are of a scene's code alone.

@@ -75,7 +75,7 @@ fn without_quasi_velocities_equations_stand_along_independent_rates() {
     }
     refused(
         &["derive", "scenes/models/double_pendulum.toml", "--principle", "maggi"],
-        "without constraints the equations of maggi are those of lagrange",
+        "maggi does not apply: without constraints its equations are those of lagrange",
     );
     // the other names of two principles
     for (name, of) in [("kane", "virtual-power"), ("lagrange-1", "lagrange")] {

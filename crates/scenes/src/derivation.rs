@@ -1,0 +1,283 @@
+//! The equations of motion of a text by a principle that is named, in matrix form.
+
+use crate::readiness::{start_of, starting};
+use crate::system_text::SystemText;
+use model::principles::Principle;
+use model::{Fault, MatrixForm, Model, QuasiPrinciple, QuasiVelocities, Trace};
+use reader::SceneError;
+use std::fmt;
+use symbolic::Language;
+use units::nearest;
+
+/// A principle by its name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NamedPrinciple {
+    /// Of the second kind; with multipliers of constraints.
+    Lagrange,
+    VirtualPower,
+    Appell,
+    Gauss,
+    NewtonEuler,
+    Hamel,
+    Hamilton,
+    Maggi,
+    Shulgin,
+}
+
+impl NamedPrinciple {
+    /// All of them.
+    pub const ALL: [NamedPrinciple; 9] = [
+        NamedPrinciple::Lagrange,
+        NamedPrinciple::VirtualPower,
+        NamedPrinciple::Appell,
+        NamedPrinciple::Gauss,
+        NamedPrinciple::NewtonEuler,
+        NamedPrinciple::Hamel,
+        NamedPrinciple::Hamilton,
+        NamedPrinciple::Maggi,
+        NamedPrinciple::Shulgin,
+    ];
+
+    /// As commands call it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Maggi => QuasiPrinciple::Maggi.name(),
+            Self::Shulgin => QuasiPrinciple::Shulgin.name(),
+            Self::Lagrange => Principle::Lagrange.name(),
+            Self::VirtualPower => Principle::VirtualPower.name(),
+            Self::Appell => Principle::Appell.name(),
+            Self::Gauss => Principle::Gauss.name(),
+            Self::NewtonEuler => Principle::NewtonEuler.name(),
+            Self::Hamel => Principle::Hamel.name(),
+            Self::Hamilton => Principle::Hamilton.name(),
+        }
+    }
+
+    /// The principle of a name, `kane` and `jourdain` among them.
+    ///
+    /// # Errors
+    /// No principle has this name; the sentence says which do.
+    pub fn of_name(name: &str) -> Result<Self, String> {
+        let plain = name.to_lowercase().replace(['_', ' '], "-");
+        if matches!(plain.as_str(), "kane" | "jourdain") {
+            return Ok(Self::VirtualPower);
+        }
+        let names = Self::ALL.map(Self::name);
+        Self::ALL.into_iter().find(|known| known.name() == plain).ok_or_else(|| {
+            let meant = nearest(&plain, names).map_or_else(String::new, |nearest| format!(" is `{nearest}` meant?"));
+            format!("no principle is called `{name}`;{meant} accepted are {}", names.join(", "))
+        })
+    }
+
+    /// The principle in rates of all coordinates; none where it needs quasi-velocities.
+    fn in_rates(self) -> Option<Principle> {
+        Some(match self {
+            Self::Lagrange => Principle::Lagrange,
+            Self::VirtualPower => Principle::VirtualPower,
+            Self::Appell => Principle::Appell,
+            Self::Gauss => Principle::Gauss,
+            Self::NewtonEuler => Principle::NewtonEuler,
+            Self::Hamel => Principle::Hamel,
+            Self::Hamilton => Principle::Hamilton,
+            Self::Maggi | Self::Shulgin => return None,
+        })
+    }
+
+    /// The principle along the quasi-velocities of a file, where it has such equations.
+    fn in_quasi_velocities(self) -> Option<QuasiPrinciple> {
+        Some(match self {
+            Self::Maggi => QuasiPrinciple::Maggi,
+            Self::Shulgin => QuasiPrinciple::Shulgin,
+            Self::VirtualPower => QuasiPrinciple::VirtualPower,
+            Self::Appell => QuasiPrinciple::Appell,
+            Self::Hamel => QuasiPrinciple::Hamel,
+            Self::Lagrange | Self::Gauss | Self::NewtonEuler | Self::Hamilton => return None,
+        })
+    }
+
+    /// The first that applies to a model.
+    fn usual(model: &Model) -> Self {
+        let has_energy = model.energies.kinetic.is_some();
+        match model.quasi_velocities.is_empty() {
+            false if has_energy || model.energies.coenergy.is_some() => Self::Hamel,
+            true if has_energy => Self::Lagrange,
+            _ => Self::VirtualPower,
+        }
+    }
+}
+
+/// Why equations are not written.
+#[derive(Debug)]
+pub enum NotDerived {
+    /// The text is wrong.
+    Text(SceneError),
+    /// The principle does not apply, or the equations are too long.
+    Refused(String),
+}
+
+impl fmt::Display for NotDerived {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Text(error) => write!(f, "{error}"),
+            Self::Refused(why) => write!(f, "{why}"),
+        }
+    }
+}
+
+impl std::error::Error for NotDerived {}
+
+impl From<SceneError> for NotDerived {
+    fn from(error: SceneError) -> Self {
+        NotDerived::Text(error)
+    }
+}
+
+fn refused(why: impl fmt::Display) -> NotDerived {
+    NotDerived::Refused(why.to_string())
+}
+
+/// Equations of motion of a text, over the letters of a trace.
+pub struct Derived<'t, 'm> {
+    pub trace: &'t Trace<'m>,
+    pub form: MatrixForm,
+    /// The principle that gave them.
+    pub principle: NamedPrinciple,
+    /// Whether quasi-velocities do not determine the speeds at the start: these equations have no value there.
+    pub vanishes_at_start: bool,
+}
+
+/// Shows the equations of motion of a text by a principle; without one by the first that applies.
+///
+/// # Errors
+/// The text is wrong, or the principle does not apply to its system.
+pub fn derived<R: Send>(
+    text: &SystemText,
+    principle: Option<NamedPrinciple>,
+    code: bool,
+    show: impl FnOnce(&Derived<'_, '_>) -> R + Send,
+) -> Result<R, NotDerived> {
+    let mut model = text.for_equations()?;
+    let principle = principle.unwrap_or_else(|| NamedPrinciple::usual(&model));
+    let has_own = !model.quasi_velocities.is_empty();
+    let quasi = principle.in_quasi_velocities().filter(|_| has_own || principle.in_rates().is_none());
+    if let Some(quasi) = quasi {
+        if !has_own || quasi == QuasiPrinciple::Shulgin {
+            if model.constraints.is_empty() {
+                return Err(refused(format!(
+                    "{}: {} does not apply: without constraints its equations are those of lagrange; accepted is lagrange, or a system \
+                     with constraints",
+                    text.name,
+                    quasi.name()
+                )));
+            }
+            // rates are independent there
+            if let Ok(state) = start_of(&model) {
+                model = starting(&model, &state);
+            }
+            model = model.along_independent_rates();
+        }
+        return in_quasi_velocities((&model, text), (principle, quasi), code, show);
+    }
+    let Some(in_rates) = principle.in_rates() else { return Err(refused("this principle needs quasi-velocities")) };
+    // what is written there means nothing outside of its graph
+    symbolic::apart(|| {
+        let trace = Trace::of(&model);
+        let form = MatrixForm::of(&trace, in_rates).map_err(refused)?.in_file(&model, &text.text);
+        Ok(show(&Derived { trace: &trace, form, principle, vanishes_at_start: false }))
+    })
+}
+
+/// Equations of more operations have letters for the slopes of speeds, where these make them fewer by a quarter.
+const MOST_WITHOUT_LETTERS: f64 = 12_000.0;
+
+fn in_quasi_velocities<R: Send>(
+    (model, text): (&Model, &SystemText),
+    (principle, quasi): (NamedPrinciple, QuasiPrinciple),
+    code: bool,
+    show: impl FnOnce(&Derived<'_, '_>) -> R + Send,
+) -> Result<R, NotDerived> {
+    symbolic::apart(|| {
+        let trace = Trace::of(model);
+        let start = start_of(model).ok();
+        let written = |velocities: Result<QuasiVelocities<'_, '_>, Vec<Fault>>| {
+            // judged when the file was read
+            let velocities = velocities.map_err(|_| refused("its quasi-velocities are not independent"))?;
+            let form = MatrixForm::in_quasi_velocities(&trace, &velocities, quasi).map_err(refused)?;
+            let form = match &start {
+                Some(start) => form.with_start(&trace, start),
+                None => form,
+            };
+            Ok::<MatrixForm, NotDerived>(form.in_file(model, &text.text))
+        };
+        let mut form = written(QuasiVelocities::of(&trace))?;
+        let operations = form.written_operations();
+        if quasi != QuasiPrinciple::Hamel && !code && operations > MOST_WITHOUT_LETTERS {
+            let named = written(QuasiVelocities::named(&trace))?;
+            if 4.0 * named.written_operations() < 3.0 * operations {
+                form = named;
+            }
+        }
+        let mut divisors = form.quasi.iter().flat_map(|quasi| &quasi.divisors);
+        let vanishes_at_start = divisors.any(|divisor| divisor.vanishes_at_start == Some(true));
+        Ok(show(&Derived { trace: &trace, form, principle, vanishes_at_start }))
+    })
+}
+
+/// A notation for equations.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Notation {
+    /// For reading.
+    Text,
+    Latex,
+    Sympy,
+    Code(Language),
+}
+
+/// Longer equations are code alone: a megabyte of text has two hundred thousand operations.
+const MOST_WRITTEN: f64 = 1_000_000.0;
+
+impl Derived<'_, '_> {
+    /// The equations in a notation.
+    ///
+    /// # Errors
+    /// They are too long for it.
+    pub fn written(&self, notation: Notation) -> Result<String, String> {
+        let Derived { trace, form, .. } = self;
+        match notation {
+            Notation::Text => Ok(model::text(trace, &self.for_reading()?)),
+            Notation::Latex => Ok(model::latex(trace, &self.for_reading()?)),
+            Notation::Sympy => {
+                self.is_read()?;
+                model::sympy(trace, form).map_err(|why| why.to_string())
+            }
+            Notation::Code(language) => model::code(trace, form, language).map_err(|why| why.to_string()),
+        }
+    }
+
+    fn is_read(&self) -> Result<(), String> {
+        match self.form.is_read() {
+            true => Ok(()),
+            false => Err(format!(
+                "in these quasi-velocities the equations have {:.0e} operations, too many to be read; the formats c, python and rust \
+                 write them as code, and the principle lagrange writes them in the rates of coordinates",
+                self.form.written_operations()
+            )),
+        }
+    }
+
+    /// The equations with their common parts written out.
+    ///
+    /// # Errors
+    /// They are too long to be read.
+    pub fn for_reading(&self) -> Result<MatrixForm, String> {
+        self.is_read()?;
+        let read = self.form.for_reading();
+        match read.written_operations() {
+            operations if operations > MOST_WRITTEN => Err(format!(
+                "these equations have {operations:.0e} operations where they are written out, too many to be read; the formats c, python \
+                 and rust write every common part once; `[speeds]` makes equations of chains shorter"
+            )),
+            _ => Ok(read),
+        }
+    }
+}
