@@ -43,6 +43,7 @@ mod source;
 mod statements;
 mod theorem;
 mod trace;
+mod values;
 mod variations;
 
 pub use agreement::{Agreement, Projected, agreement, projected_agreement};

@@ -2,7 +2,6 @@
 
 use crate::readiness::{completed, leave_out, unmet_at};
 use crate::start::{Completed, Unmet, consistent};
-use crate::system_text::SystemText;
 use crate::warnings::warn_of;
 use model::equations::dependent_everywhere;
 use model::{Fault, Model, Trace};
@@ -21,14 +20,14 @@ fn everywhere(model: &Model, Completed { implied, .. }: &Completed) -> Vec<[usiz
     symbolic::apart(|| dependent_everywhere(&Trace::of(model), implied))
 }
 
-/// The model of a file without the equations of constraints that follow from others: each is told by a warning. Those of one branch are
+/// The model of a text, which messages call by a name, without the equations of constraints that follow from others: each is told by a warning. Those of one branch are
 /// known where the file has a start that is met; a start that is not met leaves those that follow everywhere.
 ///
 /// # Errors
 /// Constraints that contradict each other.
-pub(crate) fn without_implied(SystemText { name, text }: &SystemText, model: &mut Model) -> Result<(), SceneError> {
+pub(crate) fn without_implied((name, text): (&str, &str), model: &mut Model) -> Result<(), SceneError> {
     if let Err(unmet @ Unmet::Contradiction { .. }) = consistent(model) {
-        return Err(SceneError { path: name.clone(), text: text.clone(), issues: vec![unmet_at(model, unmet)] });
+        return Err(SceneError { path: name.to_owned(), text: text.to_owned(), issues: vec![unmet_at(model, unmet)] });
     }
     let known = model.warnings.len();
     let found = completed(model).or_else(|_| {

@@ -3,7 +3,6 @@
 use crate::admissible::impossible;
 use crate::readiness::{Ready, ready};
 use crate::scene::ModelScene;
-use model::StartValue;
 use reader::Issue;
 use simulation::SymbolicLaw;
 use simulation::models::Modelled;
@@ -31,17 +30,7 @@ impl Modelled for ModelScene {
 
     fn with_values(&self, values: &[(&str, f64)]) -> Result<Arc<dyn Modelled>, String> {
         let mut model = (*self.model).clone();
-        for &(name, value) in values {
-            if let Some(parameter) = model.parameters.iter_mut().find(|parameter| parameter.name == name) {
-                parameter.value = Some(value);
-                continue;
-            }
-            let place = self.state_place(name).ok_or_else(|| format!("nothing is called `{name}`"))?;
-            let positions = model.positions();
-            let (coordinate, order) = (place % positions, place / positions);
-            model.start.retain(|start| (start.coordinate, start.order) != (coordinate, order));
-            model.start.push(StartValue { coordinate, order, value, is_guess: false });
-        }
+        model.set_values(values)?;
         let told = |issue: Issue| format!("{}: {}", issue.title, issue.label);
         if let Some(issue) = impossible(&model).into_iter().next() {
             return Err(told(issue));

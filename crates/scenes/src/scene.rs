@@ -6,7 +6,7 @@ use crate::compiled_system::{CompiledSystem, ENERGIES, changes, is_watched};
 use crate::ensemble::parse_ensemble;
 use crate::formulations::formulations;
 use crate::inductances::impossible_inductances;
-use crate::known_as::{asked_for, known};
+use crate::known_as::asked_for;
 use crate::modes::{BROKEN, Modes};
 use crate::named_systems;
 use crate::power_balance::metered;
@@ -70,48 +70,11 @@ pub fn register(warn: Warn) {
     });
 }
 
-/// Reads the system of a file, and leaves its run alone: for what needs neither values nor a run.
-///
-/// # Errors
-/// All that is wrong with the system, each at its place.
-pub fn read_model(path: &Path, task: Task) -> Result<Model, SceneError> {
-    read_titled(path, task).map(|(_, model)| model)
-}
-
-/// The same with the title of the file, empty where it has none.
-///
-/// # Errors
-/// All that is wrong with the system, each at its place.
-pub fn read_titled(path: &Path, task: Task) -> Result<(String, Model), SceneError> {
-    parse_titled(&path.display().to_string(), &read_text(path)?, task)
-}
-
-/// The same of a text; `name` is what messages call it.
-///
-/// # Errors
-/// All that is wrong with the system, each at its place.
-pub fn parse_titled(name: &str, text: &str, task: Task) -> Result<(String, Model), SceneError> {
-    let read = tables(name, text, |top, issues| {
-        top.known(&["description", "run", "ensemble"]);
-        if let Some(name) = top.optional_text("known_as", KNOWN_AS)
-            && let Err(issue) = known(&name)
-        {
-            top.report(issue);
-        }
-        let title =
-            top.optional_text("title", "one line that says what happens").map_or_else(String::new, |title| title.value);
-        let (model, _) = model(top, issues)?;
-        let large = too_large(&model, task);
-        issues.extend(large.clone());
-        large.is_none().then_some((title.split_whitespace().collect::<Vec<_>>().join(" "), model))
-    });
-    let (title, model) = read.map_err(with_quoted_primes)?;
-    warn_of(name, text, &model.warnings);
-    Ok((title, model))
-}
+/// The key `title` in words.
+pub(crate) const TITLE: &str = "one line that says what happens";
 
 /// The key `known_as` in words.
-const KNOWN_AS: &str = "name of a system of which more is known";
+pub(crate) const KNOWN_AS: &str = "name of a system of which more is known";
 
 /// The system of a file with its source; what is wrong with it goes into the list.
 pub(crate) fn model(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<(Model, Source)> {
@@ -134,17 +97,33 @@ impl ModelScene {
     /// # Errors
     /// All that is wrong with it, each at its place.
     pub fn parse(name: &str, text: &str) -> Result<Self, SceneError> {
+        ModelScene::parse_or(name, text, None)
+    }
+
+    /// The same, with a run for a file that says nothing of its own.
+    ///
+    /// # Errors
+    /// All that is wrong with it, each at its place.
+    pub fn parse_or(name: &str, text: &str, run: Option<Run>) -> Result<Self, SceneError> {
         let scene = tables(name, text, |top, issues| {
             // members are read by `parse_ensemble`
             top.known(&["ensemble"]);
-            ModelScene::read(top, issues, text)
+            ModelScene::read_or(top, issues, text, run)
         });
         scene.map_err(with_quoted_primes)
     }
 
     /// Reads the tables of a file; what is wrong goes into the list.
     pub(crate) fn read(top: &mut Table<'_>, issues: &mut Vec<Issue>, text: &str) -> Option<Self> {
-        let title = top.text("title", "one line that says what happens").value;
+        ModelScene::read_or(top, issues, text, None)
+    }
+
+    fn read_or(top: &mut Table<'_>, issues: &mut Vec<Issue>, text: &str, default: Option<Run>) -> Option<Self> {
+        let title = match &default {
+            None => top.text("title", TITLE).value,
+            // equations need no title, and neither does a run that another program asks for
+            Some(_) => top.optional_text("title", TITLE).map_or_else(String::new, |title| title.value),
+        };
         let title = title.split_whitespace().collect::<Vec<_>>().join(" ");
         let description = top.optional_text("description", "what happens and why it is hard");
         let known_as = top.optional_text("known_as", KNOWN_AS);
@@ -152,6 +131,7 @@ impl ModelScene {
         let names = model.as_deref().map(columns);
         let run = match top.has("run") {
             true => run::read(top, issues, names.as_deref()),
+            false if default.is_some() => default,
             // keys of the run under another heading are told there
             false if issues.iter().any(|issue| issue.help.as_deref().is_some_and(|help| help.contains("[run]"))) => {
                 None

@@ -1,11 +1,14 @@
 //! A text with a system, as commands and programs that are handed a text ask for it.
 
 use crate::branch::{on_branch, without_implied};
+use crate::known_as::known;
+use crate::quoted_keys::with_quoted_primes;
 use crate::readiness::{start_of, starting};
-use crate::scene::parse_titled;
-use crate::size::Task;
+use crate::scene::{KNOWN_AS, TITLE, model};
+use crate::size::{Task, too_large};
+use crate::warnings::warn_of;
 use model::Model;
-use reader::{SceneError, read_text};
+use reader::{SceneError, read_text, tables};
 use std::path::Path;
 
 /// A text with `[coordinates]`, and what messages call it.
@@ -38,7 +41,7 @@ impl SystemText {
     /// All that is wrong with the system, and constraints that contradict each other.
     pub fn for_equations(&self) -> Result<Model, SceneError> {
         let mut model = self.model(Task::Write)?;
-        without_implied(self, &mut model)?;
+        without_implied((&self.name, &self.text), &mut model)?;
         Ok(model)
     }
 
@@ -49,7 +52,7 @@ impl SystemText {
     /// said.
     pub fn for_judgement(&self) -> Result<Model, SceneError> {
         let mut model = self.model(Task::Write)?;
-        without_implied(self, &mut model.clone())?;
+        without_implied((&self.name, &self.text), &mut model.clone())?;
         // off the branch the constraints leave other motions
         on_branch(&mut model);
         Ok(match start_of(&model) {
@@ -57,4 +60,43 @@ impl SystemText {
             Err(_) => model,
         })
     }
+}
+
+/// Reads the system of a file, and leaves its run alone: for what needs neither values nor a run.
+///
+/// # Errors
+/// All that is wrong with the system, each at its place.
+pub fn read_model(path: &Path, task: Task) -> Result<Model, SceneError> {
+    read_titled(path, task).map(|(_, model)| model)
+}
+
+/// The same with the title of the file, empty where it has none.
+///
+/// # Errors
+/// All that is wrong with the system, each at its place.
+pub fn read_titled(path: &Path, task: Task) -> Result<(String, Model), SceneError> {
+    parse_titled(&path.display().to_string(), &read_text(path)?, task)
+}
+
+/// The same of a text; `name` is what messages call it.
+///
+/// # Errors
+/// All that is wrong with the system, each at its place.
+pub fn parse_titled(name: &str, text: &str, task: Task) -> Result<(String, Model), SceneError> {
+    let read = tables(name, text, |top, issues| {
+        top.known(&["description", "run", "ensemble"]);
+        if let Some(name) = top.optional_text("known_as", KNOWN_AS)
+            && let Err(issue) = known(&name)
+        {
+            top.report(issue);
+        }
+        let title = top.optional_text("title", TITLE).map_or_else(String::new, |title| title.value);
+        let (model, _) = model(top, issues)?;
+        let large = too_large(&model, task);
+        issues.extend(large.clone());
+        large.is_none().then_some((title.split_whitespace().collect::<Vec<_>>().join(" "), model))
+    });
+    let (title, model) = read.map_err(with_quoted_primes)?;
+    warn_of(name, text, &model.warnings);
+    Ok((title, model))
 }

@@ -2,12 +2,12 @@
 
 mod print;
 
-use self::print::{Names, csv, object, text};
+use self::print::{Headed, csv, object, text};
 use crate::clock;
 use crate::exit::{Exit, placed, warn};
 use crate::progress::Progress;
-use ::scenes::linearisation::{Linearisation, NotLinear, Stability, Standing, VariedEquations, eigenvalues, points};
-use ::scenes::{ModelScene, Task, equilibrium_of, independent_at, independent_start, read_model, without_law};
+use ::scenes::linearisation::{NotLinear, VariedEquations, inputs_of, point_of, points};
+use ::scenes::{ModelScene, Task, read_model, without_law};
 use clap::{Args, ValueEnum};
 use model::Model;
 use reader::read_text;
@@ -58,22 +58,13 @@ fn instant(text: &str) -> Result<f64, String> {
     time.ok_or_else(|| "a time that is not negative, in seconds, such as 0.5 is accepted".to_owned())
 }
 
-/// The linear equations about one point.
-struct Found {
-    linear: Linearisation,
-    standing: Standing,
-    /// Real and imaginary parts.
-    eigenvalues: Vec<[f64; 2]>,
-    stability: Stability,
-}
-
 /// Prints the matrices, the eigenvalues and what they say.
 pub fn linearise(asked: &Asked) -> Result<Exit, Exit> {
     let refused = |why: String| Exit::refused(format!("{}: {why}", asked.scene.display()));
     let mut model = read_model(&asked.scene, Task::Vary)?;
     // inputs without a value are taken about zero
     model.close_inputs();
-    let inputs = inputs(&mut model, &asked.inputs).map_err(refused)?;
+    let inputs = inputs_of(&mut model, &asked.inputs).map_err(refused)?;
     let _progress = Progress::new("the linear equations");
     let instances = instances(&mut model, asked)?;
     let equations = VariedEquations::of(&model, &inputs)
@@ -90,14 +81,9 @@ pub fn linearise(asked: &Asked) -> Result<Exit, Exit> {
     let mut all = Vec::with_capacity(instances.len());
     for (time, state) in instances {
         let no_linear = |why: NotLinear| placed(&asked.scene, why.at(&model, time));
-        let linear = equations.linearised(equations.point(time, &state)).map_err(no_linear)?;
-        let standing = equations.standing(&linear).map_err(no_linear)?;
-        let eigenvalues = eigenvalues(&linear.a);
-        let stability = Stability::of(&eigenvalues, standing != Standing::Moving);
-        let eigenvalues = eigenvalues.values.iter().map(|value| [value.re, value.im]).collect();
-        all.push(Found { linear, standing, eigenvalues, stability });
+        all.push(equations.about(time, &state).map_err(no_linear)?);
     }
-    let names = Names::of(&model, &equations);
+    let names = Headed::of(&model, &equations);
     crate::exit::print(&match asked.format {
         Form::Text => all.iter().map(|found| text(&names, found)).collect::<Vec<_>>().join("\n"),
         Form::Json => {
@@ -106,29 +92,6 @@ pub fn linearise(asked: &Asked) -> Result<Exit, Exit> {
         Form::Csv => csv(&names, &all),
     })?;
     Ok(Exit::Done)
-}
-
-/// The places of parameters that are inputs; one without a value is taken about zero.
-fn inputs(model: &mut Model, names: &[String]) -> Result<Vec<usize>, String> {
-    let mut places = Vec::new();
-    for name in names {
-        // those of the file are inputs in any case
-        if model.inputs.iter().any(|input| input.name == *name) {
-            continue;
-        }
-        let Some(place) = model.parameters.iter().position(|parameter| parameter.name == *name) else {
-            let known: Vec<&str> = model.parameters.iter().map(|parameter| parameter.name.as_str()).collect();
-            return Err(match units::nearest(name, known.iter().copied()) {
-                Some(nearest) => format!("no parameter is called `{name}`; is `{nearest}` meant?"),
-                None => format!("no parameter is called `{name}`; there are: {}", known.join(", ")),
-            });
-        };
-        model.parameters[place].value.get_or_insert(0.0);
-        if !places.contains(&place) {
-            places.push(place);
-        }
-    }
-    Ok(places)
 }
 
 /// Times with the states then.
@@ -146,15 +109,10 @@ fn instances(model: &mut Model, asked: &Asked) -> Result<Vec<points::Instance>, 
         let along = points::along(&scene, &asked.times, clock::left());
         return along.map_err(|failure| refused(format!("the run does not reach these times: {failure}")));
     }
-    let state = match asked.about {
-        About::Start => independent_start(model),
-        About::Equilibrium => equilibrium_of(model).and_then(|found| {
-            if let Some(choice) = found.choice() {
-                warn(&format!("note: {}: {choice}", asked.scene.display()));
-            }
-            independent_at(model, &found.state).map(|()| found.state)
-        }),
-    };
-    let state = state.map_err(|issue| placed(&asked.scene, issue))?;
-    Ok(vec![(0.0, state)])
+    let (instance, choice) =
+        point_of(model, asked.about == About::Equilibrium).map_err(|issue| placed(&asked.scene, issue))?;
+    if let Some(choice) = choice {
+        warn(&format!("note: {}: {choice}", asked.scene.display()));
+    }
+    Ok(vec![instance])
 }

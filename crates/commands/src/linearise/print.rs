@@ -1,8 +1,7 @@
 //! Linear equations as text, JSON and a table.
 
-use super::Found;
 use crate::csv::{headed as csv_headed, line};
-use ::scenes::linearisation::{Linearisation, Point, Standing, VariedEquations};
+use ::scenes::linearisation::{Linear, Names, Point, Standing, VariedEquations};
 use ::scenes::unit_of;
 use model::Model;
 use nalgebra::DVector;
@@ -10,44 +9,21 @@ use serde_json::json;
 use std::collections::HashMap;
 use std::fmt::Write;
 
-/// Names of what rows and columns are.
-pub(super) struct Names<'a> {
-    /// Coordinates and speeds of a state.
-    coordinates: Vec<String>,
-    speeds: Vec<String>,
-    /// Displacements along speeds: coordinates, and turns of free frames about their axes.
-    displacements: Vec<String>,
-    inputs: Vec<&'a str>,
-    outputs: Vec<&'a str>,
-    /// Each with its unit.
+/// Names of what rows and columns are, each with its unit.
+pub(super) struct Headed {
+    names: Names,
     headed: HashMap<String, String>,
 }
 
-impl<'a> Names<'a> {
-    pub(super) fn of(model: &'a Model, equations: &'a VariedEquations) -> Self {
-        let mut coordinates: Vec<String> = model.state_names().into_iter().map(|(name, _)| name).collect();
-        let speeds = coordinates.split_off(model.positions());
-        let own = model.coordinates.iter().map(|coordinate| coordinate.name.clone());
-        let turns = model.free.iter().flat_map(|frame| {
-            let name = &model.frames[frame.0].name;
-            ["x", "y", "z"].map(|axis| format!("turn about {name}.{axis}"))
-        });
-        let inputs: Vec<&str> = equations.inputs.iter().map(String::as_str).collect();
-        let outputs: Vec<&str> = model.outputs.iter().map(|output| output.name.as_str()).collect();
-        let displacements: Vec<String> = own.chain(turns).collect();
-        let shown =
-            displacements.iter().chain(&speeds).map(String::as_str).chain(inputs.iter().chain(&outputs).copied());
+impl Headed {
+    pub(super) fn of(model: &Model, equations: &VariedEquations) -> Self {
+        let names = Names::of(model, equations);
+        let shown = [&names.displacements, &names.speeds, &names.inputs, &names.outputs].into_iter().flatten();
         let headed = shown.map(|name| {
             let unit = if name.starts_with("turn about ") { "rad".to_owned() } else { unit_of(model, name) };
-            (name.to_owned(), csv_headed(name, &unit))
+            (name.clone(), csv_headed(name, &unit))
         });
-        Names { headed: headed.collect(), coordinates, speeds, displacements, inputs, outputs }
-    }
-
-    /// Names of the components of x.
-    fn states(&self, linear: &Linearisation) -> Vec<String> {
-        let displacements = linear.coordinates.iter().map(|&place| self.displacements[place].clone());
-        displacements.chain(linear.speeds.iter().map(|&place| self.speeds[place].clone())).collect()
+        Headed { headed: headed.collect(), names }
     }
 
     /// The values of a point, each coordinate with its rates; accelerations that are taken for zero are zero.
@@ -61,12 +37,12 @@ impl<'a> Names<'a> {
         };
         let written = |name: &str, value: f64| format!("{name} = {}", number(value).trim());
         let rates = |place: usize| {
-            let name = &self.speeds[place];
+            let name = &self.names.speeds[place];
             [written(name, point.speeds[place]), written(&format!("{name}'"), point.accelerations[place])]
         };
-        let own = self.speeds.iter().filter(|name| name.ends_with('\'')).count();
+        let own = self.names.speeds.iter().filter(|name| name.ends_with('\'')).count();
         let mut text = String::new();
-        for (place, (name, &value)) in self.coordinates.iter().zip(&point.coordinates).enumerate() {
+        for (place, (name, &value)) in self.names.coordinates.iter().zip(&point.coordinates).enumerate() {
             let line = if place < own {
                 [&[written(name, value)][..], &rates(place)].concat()
             } else {
@@ -74,18 +50,10 @@ impl<'a> Names<'a> {
             };
             let _ = writeln!(text, "  {}", line.join(", "));
         }
-        (own..self.speeds.len()).for_each(|place| {
+        (own..self.names.speeds.len()).for_each(|place| {
             let _ = writeln!(text, "  {}", rates(place).join(", "));
         });
         text
-    }
-
-    /// Names of the rows and columns of a matrix.
-    fn sides(&self, linear: &Linearisation, matrix: &str) -> (Vec<String>, Vec<String>) {
-        let owned = |names: &[&str]| names.iter().map(|name| (*name).to_owned()).collect::<Vec<_>>();
-        let states = self.states(linear);
-        let rows = if matrix == "A" || matrix == "B" { states.clone() } else { owned(&self.outputs) };
-        (rows, if matrix == "A" || matrix == "C" { states } else { owned(&self.inputs) })
     }
 }
 
@@ -98,11 +66,11 @@ fn standing(standing: Standing) -> &'static str {
     }
 }
 
-pub(super) fn text(names: &Names<'_>, found: &Found) -> String {
-    let Found { linear, eigenvalues, stability, .. } = found;
+pub(super) fn text(headed: &Headed, found: &Linear) -> String {
+    let Linear { linear, eigenvalues, stability, .. } = found;
     let mut text = format!("t = {} s, {}\n", linear.point.time, standing(found.standing));
-    text += &names.point(&linear.point, found.standing);
-    let states = names.states(linear);
+    text += &headed.point(&linear.point, found.standing);
+    let states = headed.names.states(linear);
     let _ = match states.is_empty() {
         true => writeln!(text, "x is empty: the constraints determine every coordinate and every speed"),
         false => writeln!(text, "x = ({})", states.join(", ")),
@@ -111,12 +79,13 @@ pub(super) fn text(names: &Names<'_>, found: &Found) -> String {
         names.iter().enumerate().filter(|(place, _)| !free.contains(place)).map(|(_, name)| name.clone()).collect()
     };
     let fixed =
-        [dependent(&names.displacements, &linear.coordinates), dependent(&names.speeds, &linear.speeds)].concat();
+        [dependent(&headed.names.displacements, &linear.coordinates), dependent(&headed.names.speeds, &linear.speeds)]
+            .concat();
     if !fixed.is_empty() {
         let _ = writeln!(text, "by the constraints: {}", fixed.join(", "));
     }
     for (matrix, rows) in linear.matrices() {
-        let (left, above) = names.sides(linear, matrix);
+        let (left, above) = headed.names.sides(linear, matrix);
         if left.is_empty() || above.is_empty() {
             continue;
         }
@@ -167,17 +136,17 @@ fn number(value: f64) -> String {
     format!("{text:>19}")
 }
 
-pub(super) fn object(names: &Names<'_>, found: &Found) -> serde_json::Value {
-    let Found { linear, eigenvalues, stability, .. } = found;
+pub(super) fn object(headed: &Headed, found: &Linear) -> serde_json::Value {
+    let Linear { linear, eigenvalues, stability, .. } = found;
     let mut object = json!({
         "time": linear.point.time,
         "point": standing(found.standing),
         "coordinates": linear.point.coordinates.as_slice(),
         "speeds": linear.point.speeds.as_slice(),
         "accelerations": linear.point.accelerations.as_slice(),
-        "states": names.states(linear),
-        "inputs": names.inputs,
-        "outputs": names.outputs,
+        "states": headed.names.states(linear),
+        "inputs": headed.names.inputs,
+        "outputs": headed.names.outputs,
         "eigenvalues": eigenvalues,
         "stability": stability.to_string(),
     });
@@ -189,15 +158,15 @@ pub(super) fn object(names: &Names<'_>, found: &Found) -> serde_json::Value {
 
 /// A row for each entry of a matrix, then for each eigenvalue. Rows and columns carry their units: an entry has that of its row, per
 /// second in A and B, over that of its column.
-pub(super) fn csv(names: &Names<'_>, all: &[Found]) -> String {
+pub(super) fn csv(headed: &Headed, all: &[Linear]) -> String {
     let mut text = "time [s],matrix,row,column,value\n".to_owned();
-    for Found { linear, eigenvalues, .. } in all {
+    for Linear { linear, eigenvalues, .. } in all {
         let time = linear.point.time;
         for (matrix, rows) in linear.matrices() {
-            let (left, above) = names.sides(linear, matrix);
+            let (left, above) = headed.names.sides(linear, matrix);
             for (row, values) in left.iter().zip(rows) {
                 for (column, value) in above.iter().zip(values) {
-                    let cells = [&format!("{time:?}"), matrix, &names.headed[row], &names.headed[column]];
+                    let cells = [&format!("{time:?}"), matrix, &headed.headed[row], &headed.headed[column]];
                     let _ = writeln!(text, "{},{value:?}", line(&cells));
                 }
             }

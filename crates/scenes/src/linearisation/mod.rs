@@ -7,15 +7,19 @@
 //!
 //! A free frame varies by three small turns about its own axes, and not by the four parts of its quaternion.
 
+mod about;
 mod cyclic;
 mod displacement;
 mod equations;
 mod independence;
+mod names;
 mod point;
 pub mod points;
 mod stability;
 
+pub use about::{Linear, inputs_of, point_of};
 pub use equations::{At, Known, Point, Values, VariedEquations};
+pub use names::Names;
 pub use point::Undetermined;
 pub use points::Standing;
 pub use stability::{Spectrum, Stability, eigenvalues};

@@ -169,7 +169,7 @@ fn equations_that_nobody_reads_are_code_alone() {
     for format in ["text", "latex", "mathml", "sympy"] {
         refused(
             &["derive", file, "--format", format],
-            "operations, too many to be read; `--format c`, `python` and `rust`",
+            "operations, too many to be read; the formats c, python and rust",
         );
     }
     assert!(printed(&["derive", file, "--format", "c"]).contains("SPEEDS = 3, CONSTRAINTS = 0"));

@@ -1,0 +1,33 @@
+//! Other values of parameters and of the start.
+
+use crate::parts::{Model, StartValue};
+
+impl Model {
+    /// Gives parameters, coordinates and speeds at the start other values, in SI units.
+    ///
+    /// # Errors
+    /// The name of nothing that has such a value.
+    pub fn set_values<N: AsRef<str>>(&mut self, values: &[(N, f64)]) -> Result<(), String> {
+        for (name, value) in values {
+            let (name, value) = (name.as_ref(), *value);
+            if let Some(parameter) = self.parameters.iter_mut().find(|parameter| parameter.name == name) {
+                parameter.value = Some(value);
+                continue;
+            }
+            let own = self.coordinates.len();
+            let place = self.state_names().iter().position(|(known, _)| known == name);
+            let found = match place {
+                Some(place) if place < own => (place, 0),
+                Some(place) if (self.positions()..self.positions() + own).contains(&place) => {
+                    (place - self.positions(), 1)
+                }
+                Some(_) => return Err(format!("`{name}` belongs to a free frame, whose start stands in its text")),
+                None => return Err(format!("nothing is called `{name}`")),
+            };
+            let (coordinate, order) = found;
+            self.start.retain(|start| (start.coordinate, start.order) != found);
+            self.start.push(StartValue { coordinate, order, value, is_guess: false });
+        }
+        Ok(())
+    }
+}

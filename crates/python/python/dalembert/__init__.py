@@ -1,0 +1,50 @@
+"""Derives, proves and runs the equations of motion of mechanical and electromechanical systems.
+
+    >>> import dalembert
+    >>> model = dalembert.Model.from_text('''
+    ... [parameters]
+    ... m = "1 kg"
+    ... k = "4 N/m"
+    ... [coordinates]
+    ... x = "m"
+    ... [bodies.block]
+    ... centre = "O + x*N.x"
+    ... mass = "m"
+    ... [[force]]
+    ... on = "block"
+    ... is = "-k*x*N.x"
+    ... [start]
+    ... x = "0.1 m"
+    ... ''')
+    >>> run = model.run(span=10)
+    >>> run["x"], run.time                       # NumPy arrays
+    >>> model.derive("lagrange")                 # typeset in a notebook
+    >>> model.prove()                            # do all principles agree?
+    >>> solve_ivp(model.rhs(), (0, 10), model.start, jac=model.jacobian(), method="Radau")
+
+The language of the texts stands in the book of the project (book/src/models.md). All numbers are in SI units unless a text says
+otherwise. What is wrong with a model raises ModelError with file, line, column and what is accepted there.
+"""
+
+from ._model import Model
+from ._builder import ModelBuilder
+from ._native import METHODS, PRINCIPLES, VERSION, Equations, Judgement, LinearEquations, ModelError, JacobianMatrix, RightHandSide
+from ._proofs import Judgements
+from ._trajectory import Trajectory
+
+__version__ = VERSION
+
+__all__ = [
+    "METHODS",
+    "PRINCIPLES",
+    "Equations",
+    "JacobianMatrix",
+    "Judgement",
+    "Judgements",
+    "LinearEquations",
+    "Model",
+    "ModelBuilder",
+    "ModelError",
+    "RightHandSide",
+    "Trajectory",
+]

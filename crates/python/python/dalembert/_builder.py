@@ -1,0 +1,168 @@
+"""A model built call by call: each call writes one part of its text."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from ._model import Model
+
+__all__ = ["ModelBuilder"]
+
+
+def _key(name: str) -> str:
+    plain = name.isascii() and name.replace("_", "a").replace("-", "a").isalnum()
+    return name if plain else _text(name)
+
+
+def _text(value: str) -> str:
+    escaped = value.replace("\\", "\\\\").replace('"', '\\"').replace("\n", "\\n").replace("\t", "\\t").replace("\r", "\\r")
+    return f'"{escaped}"'
+
+
+def _value(value: Any) -> str:
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, str):
+        return _text(value)
+    if isinstance(value, dict):
+        return "{ " + ", ".join(f"{_key(str(name))} = {_value(one)}" for name, one in value.items()) + " }"
+    if isinstance(value, (list, tuple)):
+        return "[" + ", ".join(map(_value, value)) + "]"
+    if isinstance(value, (int, float)):
+        return repr(value)
+    try:
+        return repr(float(value))
+    except (TypeError, ValueError):
+        raise TypeError(f"{value!r} is no value of a model: texts, numbers, truth values, lists and dictionaries are accepted") from None
+
+
+class ModelBuilder:
+    """A model built call by call.
+
+        model = (
+            dalembert.Model.builder("Cart with a pendulum")
+            .parameters(M="1 kg", m="0.1 kg", l="0.5 m", g="9.81 m/s^2")
+            .coordinates(x="m", theta="rad")
+            .point("C", "O + x*N.x")
+            .point("P", "C + l*(sin(theta)*N.x - cos(theta)*N.y)")
+            .body("cart", centre="C", mass="M")
+            .body("bob", centre="P", mass="m")
+            .gravity("-g*N.y")
+            .start({"theta": "0.3 rad", "theta'": "1 rad/s"})
+            .build()
+        )
+
+    Every call takes the keys of the table of the same name in a text, and gives the builder back. A key that is a word of Python
+    has an underscore behind it: is_="-k*x*N.x". `text` shows what was written; `table` writes a table that has no call of its own.
+    """
+
+    def __init__(self, title: str) -> None:
+        self._title = title
+        self._top: dict[str, Any] = {}
+        self._tables: dict[str, dict[str, Any]] = {}
+        self._lists: list[tuple[str, dict[str, Any]]] = []
+
+    def _set(self, table: str, values: dict[str, Any] | None, more: dict[str, Any]) -> ModelBuilder:
+        self._tables.setdefault(table, {}).update({**(values or {}), **more})
+        return self
+
+    def _add(self, table: str, keys: dict[str, Any]) -> ModelBuilder:
+        self._lists.append((table, {name.rstrip("_"): value for name, value in keys.items()}))
+        return self
+
+    def parameters(self, values: dict[str, Any] | None = None, **more: Any) -> ModelBuilder:
+        """Letters with values and units, m="2 kg"; a unit alone, "kg", leaves a letter without a value."""
+        return self._set("parameters", values, more)
+
+    def coordinates(self, values: dict[str, Any] | None = None, **more: Any) -> ModelBuilder:
+        """Coordinates with their units: theta="rad"."""
+        return self._set("coordinates", values, more)
+
+    def definitions(self, values: dict[str, Any] | None = None, **more: Any) -> ModelBuilder:
+        """Abbreviations of any kind: I="m*r^2/2"."""
+        return self._set("definitions", values, more)
+
+    def frame(self, name: str, is_: str) -> ModelBuilder:
+        """A frame: .frame("B", "N turned theta about z")."""
+        return self._set("frames", {name: is_}, {})
+
+    def point(self, name: str, is_: str) -> ModelBuilder:
+        """A point: .point("P", "O + l*B.x")."""
+        return self._set("points", {name: is_}, {})
+
+    def body(self, name: str, **keys: Any) -> ModelBuilder:
+        """A body: centre, mass, frame, turns, inertia. With mass alone it is a particle."""
+        return self._set(f"bodies.{_key(name)}", keys, {})
+
+    def gravity(self, is_: str) -> ModelBuilder:
+        """The acceleration that acts on every body with mass: .gravity("-g*N.y")."""
+        self._top["gravity"] = is_
+        return self
+
+    def energies(self, values: dict[str, Any] | None = None, **more: Any) -> ModelBuilder:
+        """kinetic, potential, dissipation, coenergy: beside bodies, or in their place."""
+        return self._set("energies", values, more)
+
+    def force(self, **keys: Any) -> ModelBuilder:
+        """A force: .force(on="bob", is_="-k*x*N.x"), or .force(between=["a at P", "b at Q"], is_="k*distance(P, Q)")."""
+        return self._add("force", keys)
+
+    def torque(self, **keys: Any) -> ModelBuilder:
+        """A torque: .torque(between=["ground", "crank"], is_="T*N.z")."""
+        return self._add("torque", keys)
+
+    def constraint(self, **keys: Any) -> ModelBuilder:
+        """A constraint: .constraint(zero="x - r*phi")."""
+        return self._add("constraint", keys)
+
+    def contact(self, **keys: Any) -> ModelBuilder:
+        """A contact with Coulomb's friction."""
+        return self._add("contact", keys)
+
+    def drive(self, **keys: Any) -> ModelBuilder:
+        """A drive by a motor."""
+        return self._add("drive", keys)
+
+    def event(self, **keys: Any) -> ModelBuilder:
+        """An event: .event(when="x - a", direction="up", set={"x'": "-e*x'"})."""
+        return self._add("event", keys)
+
+    def input(self, name: str, **keys: Any) -> ModelBuilder:
+        """An input: .input("u", unit="N", value="if(t < (2 s), (1 N), 0)")."""
+        return self._set("inputs", {name: keys}, {})
+
+    def output(self, name: str, is_: str) -> ModelBuilder:
+        """A scalar that runs show beside the state: .output("height", "(P - O) . N.y")."""
+        return self._set("outputs", {name: is_}, {})
+
+    def start(self, values: dict[str, Any] | None = None, **more: Any) -> ModelBuilder:
+        """The state at time zero: {"theta": "0.3 rad", "theta'": "1 rad/s"}; what is left out is zero."""
+        return self._set("start", values, more)
+
+    def run(self, **keys: Any) -> ModelBuilder:
+        """How the model runs where a call of `run` says nothing: span, method, tolerance, samples."""
+        return self._set("run", keys, {})
+
+    def table(self, table: str, values: dict[str, Any]) -> ModelBuilder:
+        """A table of any name; of a table with dots, such as "drive.winding", one more of its list."""
+        return self._add(table, values) if "." in table else self._set(table, values, {})
+
+    @property
+    def text(self) -> str:
+        """The text of the model."""
+        lines = [f"title = {_text(self._title)}"] + [f"{name} = {_value(value)}" for name, value in self._top.items()]
+        for table, values in self._tables.items():
+            lines += ["", f"[{table}]"] + [f"{_key(name)} = {_value(value)}" for name, value in values.items()]
+        for table, values in self._lists:
+            lines += ["", f"[[{table}]]"] + [f"{_key(name)} = {_value(value)}" for name, value in values.items()]
+        return "\n".join(lines) + "\n"
+
+    def build(self) -> Model:
+        """Reads the text: raises ModelError where something is wrong with it, with its line in `text`."""
+        from ._model import Model
+
+        return Model.from_text(self.text, f"<{self._title}>")
+
+    def __repr__(self) -> str:
+        return self.text

@@ -1,0 +1,132 @@
+"""What the package is made of; use the names of `dalembert`."""
+
+from os import PathLike
+from typing import Any
+
+import numpy
+from numpy.typing import ArrayLike, NDArray
+
+METHODS: list[str]
+PRINCIPLES: list[str]
+VERSION: str
+
+class ModelError(ValueError):
+    """A model that cannot be read, or that cannot do what is asked of it."""
+
+    file: str
+    line: int | None
+    column: int | None
+    title: str
+    label: str
+    remedy: str | None
+    issues: list[dict[str, Any]]
+
+class Equations:
+    """Equations of motion of a model by a principle. A notebook shows them typeset."""
+
+    @property
+    def principle(self) -> str: ...
+    @property
+    def text(self) -> str: ...
+    @property
+    def latex(self) -> str: ...
+    @property
+    def sympy(self) -> str: ...
+    def code(self, language: str) -> str: ...
+    def _repr_latex_(self) -> str | None: ...
+
+class Judgement:
+    """A statement about a model with its verdict."""
+
+    @property
+    def statement(self) -> str: ...
+    @property
+    def verdict(self) -> str: ...
+    @property
+    def sentence(self) -> str: ...
+    @property
+    def grounds(self) -> list[str]: ...
+    @property
+    def fails(self) -> bool: ...
+
+class LinearEquations:
+    """The linear equations x' = A x + B w, y = C x + D w about a point of a model."""
+
+    @property
+    def A(self) -> NDArray[numpy.float64]: ...
+    @property
+    def B(self) -> NDArray[numpy.float64]: ...
+    @property
+    def C(self) -> NDArray[numpy.float64]: ...
+    @property
+    def D(self) -> NDArray[numpy.float64]: ...
+    @property
+    def eigenvalues(self) -> NDArray[numpy.complex128]: ...
+    @property
+    def stability(self) -> str: ...
+    @property
+    def states(self) -> list[str]: ...
+    @property
+    def inputs(self) -> list[str]: ...
+    @property
+    def outputs(self) -> list[str]: ...
+    @property
+    def point(self) -> dict[str, float]: ...
+
+class RightHandSide:
+    """The right-hand side of the equations of motion: f(t, y) gives y'."""
+
+    @property
+    def states(self) -> list[str]: ...
+    def __call__(self, t: float, y: ArrayLike) -> NDArray[numpy.float64]: ...
+
+class JacobianMatrix:
+    """The derivatives of the right-hand side by the state: J(t, y)."""
+
+    @property
+    def states(self) -> list[str]: ...
+    def __call__(self, t: float, y: ArrayLike) -> NDArray[numpy.float64]: ...
+
+class NativeModel:
+    @staticmethod
+    def from_text(text: str, name: str) -> NativeModel: ...
+    @staticmethod
+    def from_file(path: str | PathLike[str]) -> NativeModel: ...
+    title: str
+    text: str
+    name: str
+    parameters: list[tuple[str, float | None, str]]
+    states: list[tuple[str, str]]
+    positions: int
+    def start(self) -> list[float]: ...
+    def with_values(self, values: list[tuple[str, float]]) -> NativeModel: ...
+    def derive(self, principle: str | None) -> Equations: ...
+    def prove(self) -> list[Judgement]: ...
+    def linearise(self, equilibrium: bool, inputs: list[str]) -> LinearEquations: ...
+    def rhs(self) -> RightHandSide: ...
+    def jacobian(self) -> JacobianMatrix: ...
+    def run(
+        self,
+        span: float | None,
+        method: str | None,
+        tolerance: float | None,
+        samples: int | None,
+        seconds: float,
+    ) -> NativeTrajectory: ...
+
+class NativeTrajectory:
+    time: NDArray[numpy.float64]
+    rows: NDArray[numpy.float64]
+    names: list[str]
+    units: list[str]
+    method: str
+    tolerance: float
+    states: int
+    stopped: str | None
+    theory: list[str]
+    diagnosis: str | None
+    lost: tuple[str, float, float] | None
+    undefined: list[str]
+    invariants: dict[str, tuple[float, float]]
+    events: list[tuple[float, str, str | None]]
+    work: dict[str, int]

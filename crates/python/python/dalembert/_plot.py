@@ -1,0 +1,52 @@
+"""Pictures of a run, by matplotlib."""
+
+from __future__ import annotations
+
+
+def _matplotlib():
+    try:
+        from matplotlib import pyplot
+    except ImportError as missing:
+        raise ImportError("pictures need matplotlib: pip install matplotlib") from missing
+    return pyplot
+
+
+def _label(unit: str) -> str:
+    return "" if unit == "1" else f" [{unit}]"
+
+
+def plot(run, names, figure=None):
+    """Columns over time, one picture for each unit."""
+    pyplot = _matplotlib()
+    for name in names:
+        run[name]
+    units: dict[str, list[str]] = {}
+    for name in names:
+        units.setdefault(run.units[name], []).append(name)
+    figure = figure or pyplot.figure(figsize=(7, 2.2 * len(units) + 0.6), layout="constrained")
+    axes = figure.subplots(len(units), 1, sharex=True, squeeze=False)[:, 0]
+    for own, (unit, columns) in zip(axes, units.items()):
+        for name in columns:
+            own.plot(run.time, run[name], label=name, linewidth=1.2)
+        own.set_ylabel(", ".join(columns) + _label(unit) if len(columns) == 1 else _label(unit).strip() or "1")
+        if len(columns) > 1:
+            own.legend(loc="upper right", fontsize="small")
+        for time, _, then in run.events[1:]:
+            own.axvline(time, color="0.8", linewidth=0.6, zorder=0)
+        own.grid(alpha=0.3)
+    axes[0].set_title(run.title)
+    axes[-1].set_xlabel("t [s]")
+    return figure
+
+
+def phase(run, abscissa, ordinate, axes=None):
+    """One column over another."""
+    x, y = run[abscissa], run[ordinate]
+    axes = axes or _matplotlib().subplots(layout="constrained")[1]
+    axes.plot(x, y, linewidth=1.2)
+    axes.plot(x[:1], y[:1], "o", markersize=4)
+    axes.set_xlabel(abscissa + _label(run.units[abscissa]))
+    axes.set_ylabel(ordinate + _label(run.units[ordinate]))
+    axes.set_title(run.title)
+    axes.grid(alpha=0.3)
+    return axes

@@ -1,0 +1,178 @@
+"""A run: named columns with units, and what is to be known of it."""
+
+from __future__ import annotations
+
+from html import escape
+
+import numpy
+
+from ._native import NativeTrajectory
+
+__all__ = ["Trajectory"]
+
+
+class Trajectory:
+    """A run of a model.
+
+    run["x"] is a column, run.time the times; run.array has a row for each time, its columns as in run.names.
+    `run.ok` says whether the run reached its end and its numbers are the motion of the model; `run.stopped`, `run.lost` and
+    `run.undefined` say why not.
+    """
+
+    __slots__ = ("_native", "_places", "title")
+
+    def __init__(self, native: NativeTrajectory, title: str) -> None:
+        self._native = native
+        self._places = {name: place for place, name in enumerate(native.names)}
+        self.title = title
+
+    @property
+    def time(self) -> numpy.ndarray:
+        """Times in seconds."""
+        return self._native.time
+
+    @property
+    def array(self) -> numpy.ndarray:
+        """A row for each time: states, outputs, energies; not copied."""
+        return self._native.rows
+
+    @property
+    def names(self) -> list[str]:
+        """Names of the columns."""
+        return self._native.names
+
+    @property
+    def units(self) -> dict[str, str]:
+        """Units of the columns."""
+        return dict(zip(self._native.names, self._native.units))
+
+    def __getitem__(self, name: str) -> numpy.ndarray:
+        if name not in self._places:
+            raise KeyError(f"no column is called {name!r}; there are {', '.join(self.names)}")
+        return self.array[:, self._places[name]]
+
+    def __contains__(self, name: str) -> bool:
+        return name in self._places
+
+    def keys(self) -> list[str]:
+        """Names of the columns: dict(run) has them all."""
+        return self.names
+
+    def __len__(self) -> int:
+        return len(self.time)
+
+    @property
+    def states(self) -> list[str]:
+        """Names of the columns that are the state."""
+        return self.names[: self._native.states]
+
+    @property
+    def last(self) -> dict[str, float]:
+        """The last row by its names."""
+        return dict(zip(self.names, map(float, self.array[-1])))
+
+    @property
+    def ok(self) -> bool:
+        """Whether the run reached its end, and its numbers are the motion."""
+        return self.stopped is None and self.lost is None and not self.undefined
+
+    @property
+    def stopped(self) -> str | None:
+        """Why the run stopped before its end; None where it did not."""
+        return self._native.stopped
+
+    @property
+    def lost(self) -> str | None:
+        """What the motion keeps and the run has lost, such as the energy behind a singular place; None where nothing is."""
+        if self._native.lost is None:
+            return None
+        name, at, size = self._native.lost
+        return f"{name} is lost at t = {at:.9g} s, where its change passed a hundredth of {size:.2g}; numbers from there on are no motion"
+
+    @property
+    def undefined(self) -> list[str]:
+        """Columns without a value at the end."""
+        return self._native.undefined
+
+    @property
+    def invariants(self) -> dict[str, tuple[float, float]]:
+        """What is kept along the run: first value, and largest change."""
+        return self._native.invariants
+
+    @property
+    def events(self) -> list[tuple[float, str, str | None]]:
+        """Events: time, what happened, what holds then."""
+        return self._native.events
+
+    @property
+    def theory(self) -> list[str]:
+        """What theory says of the run."""
+        return self._native.theory
+
+    @property
+    def diagnosis(self) -> str | None:
+        """What a run that ended early has come to, where it is known."""
+        return self._native.diagnosis
+
+    @property
+    def work(self) -> dict[str, int]:
+        """Counts of evaluations, Jacobians, factorisations, steps."""
+        return self._native.work
+
+    def to_dataframe(self):
+        """A pandas DataFrame, indexed by time; pandas must be installed."""
+        import pandas
+
+        return pandas.DataFrame(self.array, index=pandas.Index(self.time, name="time"), columns=self.names)
+
+    def plot(self, *names: str, figure=None):
+        """Draws columns over time, one picture for each unit; without names all of them. Gives the figure of matplotlib."""
+        from ._plot import plot
+
+        return plot(self, names or self._usual(), figure)
+
+    def phase(self, abscissa: str, ordinate: str, axes=None):
+        """Draws one column over another: run.phase("theta", "theta'"). Gives the axes of matplotlib."""
+        from ._plot import phase
+
+        return phase(self, abscissa, ordinate, axes)
+
+    def _usual(self) -> list[str]:
+        energies = {"kinetic_energy", "potential_energy"}
+        chosen = [name for name in self.names if name not in energies]
+        return chosen + [name for name in self.names if name in energies and numpy.ptp(self[name]) > 0]
+
+    def _facts(self) -> list[tuple[str, str]]:
+        facts = [("method", f"{self._native.method}, tolerance {self._native.tolerance:g}")]
+        facts += [("theory", sentence) for sentence in self.theory]
+        end = f"t = {self.time[-1]:.9g} s"
+        if self.stopped is None:
+            facts.append(("reached", end if self.diagnosis is None else f"{end}: {self.diagnosis}"))
+        else:
+            facts.append(("stopped", f"{self.stopped}; the last good state is at {end}"))
+            if self.diagnosis is not None:
+                facts.append(("diagnosis", self.diagnosis))
+        if self.lost is not None:
+            facts.append(("lost", self.lost))
+        if self.undefined:
+            facts.append(("undefined", ", ".join(self.undefined)))
+        facts += [(name, f"{first:.9g}, kept to {change:.1e}") for name, (first, change) in self.invariants.items()]
+        return facts
+
+    def __repr__(self) -> str:
+        lines = [self.title or "a run"] + [f"  {name:<18} {value}" for name, value in self._facts()]
+        lines += [f"  {name:<18} {value:.9g} {_unit(self.units[name])}".rstrip() for name, value in self.last.items()]
+        return "\n".join(lines)
+
+    def _repr_html_(self) -> str:
+        rows = [(name, value) for name, value in self._facts()]
+        rows += [(name, f"{value:.9g} {_unit(self.units[name])}") for name, value in self.last.items()]
+        cells = "".join(
+            f'<tr><td style="text-align:left">{escape(name)}</td><td style="text-align:left">{escape(value)}</td></tr>'
+            for name, value in rows
+        )
+        return f"<b>{escape(self.title or 'a run')}</b><table>{cells}</table>"
+
+
+def _unit(unit: str) -> str:
+    return "" if unit == "1" else unit

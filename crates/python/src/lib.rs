@@ -1,0 +1,43 @@
+//! The module `dalembert._native`: what the Python package `dalembert` is made of. Sentences for users stand in the package.
+
+mod callables;
+mod equations;
+mod errors;
+mod judgement;
+mod linear;
+mod model;
+mod trajectory;
+
+// they bring motors and knowledge, by being linked
+use dalembert_machines as _;
+use dalembert_studies as _;
+use pyo3::prelude::*;
+
+/// A warning about a text, as Python tells it.
+fn warn(text: &str) {
+    Python::attach(|py| {
+        let text = text.strip_prefix("warning: ").unwrap_or(text);
+        let told = std::ffi::CString::new(text).map(|text| {
+            let category = py.get_type::<pyo3::exceptions::PyUserWarning>();
+            PyErr::warn(py, &category, &text, 2)
+        });
+        // a filter that makes errors of warnings has no one to give them to here
+        drop(told);
+    });
+}
+
+#[pymodule]
+fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    dalembert::scenes::register(warn);
+    module.add_class::<model::NativeModel>()?;
+    module.add_class::<equations::Equations>()?;
+    module.add_class::<judgement::Judgement>()?;
+    module.add_class::<trajectory::NativeTrajectory>()?;
+    module.add_class::<linear::LinearEquations>()?;
+    module.add_class::<callables::RightHandSide>()?;
+    module.add_class::<callables::JacobianMatrix>()?;
+    errors::add(module)?;
+    module.add("METHODS", dalembert::simulation::methods::list().map(|(name, _)| name).collect::<Vec<_>>())?;
+    module.add("PRINCIPLES", dalembert::scenes::derivation::NamedPrinciple::ALL.map(|principle| principle.name()))?;
+    module.add("VERSION", env!("CARGO_PKG_VERSION"))
+}

@@ -1,0 +1,229 @@
+//! A model: a text that is read, and all that is done with it.
+
+use crate::callables::{JacobianMatrix, NamedLaw, RightHandSide};
+use crate::equations::Equations;
+use crate::errors::{refused, scene_error};
+use crate::judgement::Judgement;
+use crate::linear::LinearEquations;
+use crate::trajectory::{Beside, NativeTrajectory};
+use dalembert::model::{self, Trace, judgements};
+use dalembert::scenes::{ModelScene, SystemText, Task};
+use dalembert::simulation::models::Modelled;
+use dalembert::simulation::run::most_samples;
+use dalembert::simulation::{Axes, Choice, Run, methods, run};
+use dalembert::symbolic;
+use pyo3::prelude::*;
+use std::ops::ControlFlow;
+use std::path::PathBuf;
+use std::sync::{Arc, OnceLock};
+use std::time::{Duration, Instant};
+
+/// A system with values of its own for some letters.
+#[pyclass(frozen, module = "dalembert._native")]
+pub struct NativeModel {
+    text: SystemText,
+    /// In SI units.
+    values: Vec<(String, f64)>,
+    model: Arc<model::Model>,
+    #[pyo3(get)]
+    title: String,
+    /// Made when it first runs.
+    scene: OnceLock<Arc<dyn Modelled>>,
+}
+
+/// So often Python looks whether Ctrl-C was pressed.
+const LOOK: Duration = Duration::from_millis(50);
+
+/// The run of a text that says nothing of its own.
+fn usual() -> Run {
+    Run {
+        span: 10.0,
+        samples: 200,
+        tolerance: 1e-8,
+        method: dalembert::integrators::Method::DormandPrince8,
+        outputs: Vec::new(),
+    }
+}
+
+impl NativeModel {
+    fn read(py: Python<'_>, text: SystemText, values: Vec<(String, f64)>) -> PyResult<Self> {
+        let read = py.detach(|| dalembert::scenes::parse_titled(&text.name, &text.text, Task::Run));
+        let (title, model) = read.map_err(|error| scene_error(py, &error))?;
+        Ok(NativeModel { text, values, model: Arc::new(model), title, scene: OnceLock::new() })
+    }
+
+    fn scene(&self, py: Python<'_>) -> PyResult<&Arc<dyn Modelled>> {
+        if let Some(scene) = self.scene.get() {
+            return Ok(scene);
+        }
+        let made = py.detach(|| ModelScene::parse_or(&self.text.name, &self.text.text, Some(usual())));
+        let made: Arc<dyn Modelled> = Arc::new(made.map_err(|error| scene_error(py, &error))?);
+        let values: Vec<(&str, f64)> = self.values.iter().map(|(name, value)| (name.as_str(), *value)).collect();
+        let made = match values.is_empty() {
+            true => made,
+            false => py.detach(|| made.with_values(&values)).map_err(|why| refused(py, &self.text.name, why))?,
+        };
+        Ok(self.scene.get_or_init(|| made))
+    }
+
+    /// The one law of the model.
+    fn law(&self, py: Python<'_>) -> PyResult<NamedLaw> {
+        let scene = self.scene(py)?;
+        if scene.hybrid().is_some() {
+            let why = "the law of this model changes at events, so that it has no single right-hand side; `run` follows the events";
+            return Err(refused(py, &self.text.name, why));
+        }
+        let problem = scene.problem(Axes::First);
+        let states = problem.columns[..problem.state.len()].to_vec();
+        Ok(NamedLaw { law: problem.law, file: self.text.name.clone(), states })
+    }
+}
+
+#[pymethods]
+impl NativeModel {
+    #[staticmethod]
+    fn from_text(py: Python<'_>, text: String, name: String) -> PyResult<Self> {
+        NativeModel::read(py, SystemText { name, text }, Vec::new())
+    }
+
+    #[staticmethod]
+    fn from_file(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
+        let text = SystemText::read(&path).map_err(|error| scene_error(py, &error))?;
+        NativeModel::read(py, text, Vec::new())
+    }
+
+    #[getter]
+    fn text(&self) -> &str {
+        &self.text.text
+    }
+
+    #[getter]
+    fn name(&self) -> &str {
+        &self.text.name
+    }
+
+    /// Parameters: name, value in SI units, unit.
+    #[getter]
+    fn parameters(&self) -> Vec<(String, Option<f64>, String)> {
+        let value = |name: &str| self.values.iter().rev().find(|(known, _)| known == name).map(|(_, value)| *value);
+        let datum = |one: &model::Parameter| (one.name.clone(), value(&one.name).or(one.value), one.unit.clone());
+        self.model.parameters.iter().map(datum).collect()
+    }
+
+    /// Coordinates and speeds with their units.
+    #[getter]
+    fn states(&self) -> Vec<(String, String)> {
+        self.model.state_names()
+    }
+
+    /// The number of coordinates among the states.
+    #[getter]
+    fn positions(&self) -> usize {
+        self.model.positions()
+    }
+
+    /// The state at time zero, completed so that constraints hold.
+    fn start(&self, py: Python<'_>) -> PyResult<Vec<f64>> {
+        Ok(self.scene(py)?.problem(Axes::First).state)
+    }
+
+    /// The same system with other values, in SI units, of parameters and of the start.
+    fn with_values(&self, py: Python<'_>, values: Vec<(String, f64)>) -> PyResult<Self> {
+        let names = self.model.parameters.iter().map(|one| one.name.clone());
+        let names: Vec<String> = names.chain(self.states().into_iter().map(|(name, _)| name)).collect();
+        for (name, value) in &values {
+            if !names.contains(name) {
+                let meant = dalembert::units::nearest(name, names.iter().map(String::as_str));
+                let meant = meant.map_or_else(String::new, |nearest| format!(" is `{nearest}` meant?"));
+                let why = format!("nothing is called `{name}`;{meant} known are {}", names.join(", "));
+                return Err(refused(py, &self.text.name, why));
+            }
+            if !value.is_finite() {
+                return Err(refused(py, &self.text.name, format!("`{name}` is {value}; a finite number is accepted")));
+            }
+        }
+        let (text, model, title) = (self.text.clone(), Arc::clone(&self.model), self.title.clone());
+        let values = [self.values.clone(), values].concat();
+        Ok(NativeModel { text, values, model, title, scene: OnceLock::new() })
+    }
+
+    fn derive(&self, py: Python<'_>, principle: Option<&str>) -> PyResult<Equations> {
+        Equations::of(py, &self.text, principle)
+    }
+
+    fn prove(&self, py: Python<'_>) -> PyResult<Vec<Judgement>> {
+        let model = py.detach(|| self.text.for_judgement()).map_err(|error| scene_error(py, &error))?;
+        let found = py.detach(|| symbolic::apart(|| judgements(&Trace::of(&model))));
+        Ok(found.into_iter().map(Judgement).collect())
+    }
+
+    fn linearise(&self, py: Python<'_>, equilibrium: bool, inputs: Vec<String>) -> PyResult<LinearEquations> {
+        LinearEquations::of(py, &self.text, equilibrium, &inputs, &self.values)
+    }
+
+    fn rhs(&self, py: Python<'_>) -> PyResult<RightHandSide> {
+        self.law(py).map(RightHandSide)
+    }
+
+    fn jacobian(&self, py: Python<'_>) -> PyResult<JacobianMatrix> {
+        self.law(py).map(JacobianMatrix)
+    }
+
+    /// Runs; what is left out, the text says.
+    #[pyo3(signature = (span, method, tolerance, samples, seconds))]
+    fn run(
+        &self,
+        py: Python<'_>,
+        span: Option<f64>,
+        method: Option<&str>,
+        tolerance: Option<f64>,
+        samples: Option<usize>,
+        seconds: f64,
+    ) -> PyResult<NativeTrajectory> {
+        let wrong = |why: String| refused(py, &self.text.name, why);
+        let scene = self.scene(py)?;
+        let own = scene.run();
+        let span = span.unwrap_or(own.span);
+        if !(span.is_finite() && span > 0.0) {
+            return Err(wrong(format!("`span` is {span}; a positive time in seconds is accepted")));
+        }
+        if !(seconds.is_finite() && seconds > 0.0) {
+            return Err(wrong(format!("`seconds` is {seconds}; a positive time in seconds is accepted")));
+        }
+        let method = match method {
+            None => own.method,
+            Some(name) => methods::method(name).map_err(|(why, accepted)| wrong(format!("{why}: {accepted}")))?,
+        };
+        let tolerance = tolerance.unwrap_or(own.tolerance);
+        run::check_tolerance(tolerance)
+            .map_err(|why| wrong(format!("`tolerance`: {why}; from 1e-14 to below 1 is accepted")))?;
+        let mut problem = py.detach(|| scene.metered(Axes::First));
+        problem.span = span;
+        let most = most_samples(problem.columns.len());
+        let samples = samples.unwrap_or(own.samples);
+        if !(1..=most).contains(&samples) {
+            return Err(wrong(format!("`samples` is {samples}; a whole number from 1 to {most} is accepted")));
+        }
+        let allowed = Duration::try_from_secs_f64(seconds).map_err(|why| wrong(format!("`seconds`: {why}")))?;
+        let choice = Choice { method, tolerance, axes: Axes::First, samples, allowed };
+        let (mut looked, mut interrupted) = (Instant::now(), None);
+        let (trajectory, told) = py.detach(|| {
+            let trajectory = problem.simulate_while(&choice, |_| {
+                if looked.elapsed() > LOOK {
+                    looked = Instant::now();
+                    interrupted = Python::attach(|py| py.check_signals()).err();
+                }
+                if interrupted.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            });
+            let told = scene.told(&choice, &trajectory);
+            (trajectory, told)
+        });
+        if let Some(interrupted) = interrupted {
+            return Err(interrupted);
+        }
+        let units = trajectory.names.iter().map(|name| scene.unit(name).into_owned()).collect();
+        let states = problem.state.len() - problem.metered;
+        let beside = Beside { units, method: method.to_string(), tolerance, states, told };
+        NativeTrajectory::of(py, trajectory, beside)
+    }
+}

@@ -1,0 +1,131 @@
+//! A run, handed over to Python.
+
+use dalembert::integrators::Lost;
+use dalembert::simulation::events::Passage;
+use dalembert::simulation::{RunNotes, Trajectory};
+use numpy::{PyArray1, PyArray2, PyArrayMethods};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+/// The numbers and the facts of a run. The class Trajectory of the package shows them.
+#[pyclass(frozen, module = "dalembert._native")]
+pub struct NativeTrajectory {
+    #[pyo3(get)]
+    time: Py<PyArray1<f64>>,
+    /// A row for each time.
+    #[pyo3(get)]
+    rows: Py<PyArray2<f64>>,
+    #[pyo3(get)]
+    names: Vec<String>,
+    #[pyo3(get)]
+    units: Vec<String>,
+    #[pyo3(get)]
+    method: String,
+    #[pyo3(get)]
+    tolerance: f64,
+    /// Of the columns, those of the state.
+    #[pyo3(get)]
+    states: usize,
+    trajectory: Trajectory,
+    told: RunNotes,
+}
+
+/// What stands beside the trajectory itself.
+pub struct Beside {
+    pub units: Vec<String>,
+    pub method: String,
+    pub tolerance: f64,
+    pub states: usize,
+    pub told: RunNotes,
+}
+
+impl NativeTrajectory {
+    /// Takes a trajectory over: its rows become one array.
+    pub fn of(py: Python<'_>, mut trajectory: Trajectory, beside: Beside) -> PyResult<Self> {
+        let Beside { units, method, tolerance, states, told } = beside;
+        let columns = trajectory.names.len();
+        let mut rows = std::mem::take(&mut trajectory.rows);
+        let mut times = std::mem::take(&mut trajectory.times);
+        // where it stopped is a row too
+        if times.last().is_none_or(|last| *last < trajectory.outcome.time) {
+            times.push(trajectory.outcome.time);
+            rows.push(trajectory.last.clone());
+        }
+        let count = rows.len();
+        let rows = PyArray1::from_vec(py, rows.concat()).reshape([count, columns])?;
+        Ok(NativeTrajectory {
+            time: PyArray1::from_vec(py, times).unbind(),
+            rows: rows.unbind(),
+            names: trajectory.names.clone(),
+            units,
+            method,
+            tolerance,
+            states,
+            trajectory,
+            told,
+        })
+    }
+}
+
+#[pymethods]
+impl NativeTrajectory {
+    /// Why the run stopped before its end; None where it did not.
+    #[getter]
+    fn stopped(&self) -> Option<String> {
+        self.trajectory.stopped()
+    }
+
+    /// What theory says of the run, sentence by sentence.
+    #[getter]
+    fn theory(&self) -> Vec<String> {
+        self.told.theory.clone()
+    }
+
+    /// What a run that ended early has come to, where it is known.
+    #[getter]
+    fn diagnosis(&self) -> Option<String> {
+        self.told.diagnosis.clone()
+    }
+
+    /// The quantity that the motion keeps and the run has lost, with the time and what it is measured by.
+    #[getter]
+    fn lost(&self) -> Option<(String, f64, f64)> {
+        self.trajectory.lost().map(|(own, Lost { at, size })| (own.name.clone(), at, size))
+    }
+
+    /// Columns that have no value at the end.
+    #[getter]
+    fn undefined(&self) -> Vec<String> {
+        self.trajectory.undefined().into_iter().map(str::to_owned).collect()
+    }
+
+    /// What is kept along the run: first value, and largest change.
+    #[getter]
+    fn invariants<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let all = PyDict::new(py);
+        for deviation in &self.trajectory.outcome.deviations {
+            all.set_item(&deviation.name, (deviation.first, deviation.largest))?;
+        }
+        Ok(all)
+    }
+
+    /// Events: time, what happened, what holds then.
+    #[getter]
+    fn events(&self) -> Vec<(f64, String, Option<String>)> {
+        let event = |Passage { time, what, then, .. }: &Passage| (*time, what.clone(), then.clone());
+        self.trajectory.passages.iter().map(event).collect()
+    }
+
+    /// Counts of the work.
+    #[getter]
+    fn work<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let work = &self.trajectory.outcome.work;
+        let all = PyDict::new(py);
+        all.set_item("evaluations", work.rates)?;
+        all.set_item("jacobians", work.jacobians)?;
+        all.set_item("factorisations", work.factorisations)?;
+        all.set_item("steps", work.steps)?;
+        all.set_item("rejected", work.rejected)?;
+        Ok(all)
+    }
+}

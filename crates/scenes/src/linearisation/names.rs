@@ -1,0 +1,50 @@
+//! Names of what the rows and columns of linear equations are.
+
+use super::{Linearisation, VariedEquations};
+use model::Model;
+
+/// Names of variations, inputs and outputs.
+#[derive(Clone, Debug)]
+pub struct Names {
+    /// Coordinates of a state.
+    pub coordinates: Vec<String>,
+    /// Speeds of a state.
+    pub speeds: Vec<String>,
+    /// Displacements along speeds: coordinates, and turns of free frames about their axes.
+    pub displacements: Vec<String>,
+    pub inputs: Vec<String>,
+    pub outputs: Vec<String>,
+}
+
+impl Names {
+    /// Of a model with its varied equations.
+    pub fn of(model: &Model, equations: &VariedEquations) -> Self {
+        let mut coordinates: Vec<String> = model.state_names().into_iter().map(|(name, _)| name).collect();
+        let speeds = coordinates.split_off(model.positions());
+        let own = model.coordinates.iter().map(|coordinate| coordinate.name.clone());
+        let turns = model.free.iter().flat_map(|frame| {
+            let name = &model.frames[frame.0].name;
+            ["x", "y", "z"].map(|axis| format!("turn about {name}.{axis}"))
+        });
+        Names {
+            coordinates,
+            speeds,
+            displacements: own.chain(turns).collect(),
+            inputs: equations.inputs.clone(),
+            outputs: model.outputs.iter().map(|output| output.name.clone()).collect(),
+        }
+    }
+
+    /// Names of the components of x.
+    pub fn states(&self, linear: &Linearisation) -> Vec<String> {
+        let displacements = linear.coordinates.iter().map(|&place| self.displacements[place].clone());
+        displacements.chain(linear.speeds.iter().map(|&place| self.speeds[place].clone())).collect()
+    }
+
+    /// Names of the rows and columns of A, B, C or D.
+    pub fn sides(&self, linear: &Linearisation, matrix: &str) -> (Vec<String>, Vec<String>) {
+        let states = self.states(linear);
+        let rows = if matrix == "A" || matrix == "B" { states.clone() } else { self.outputs.clone() };
+        (rows, if matrix == "A" || matrix == "C" { states } else { self.inputs.clone() })
+    }
+}
