@@ -3,7 +3,7 @@
 //! # Overview
 //! The crate takes plain data and knows no physics and no paper. [`Report`] is everything that a page shows;
 //! [`page::render`] turns it into one HTML file without a single reference to the outside, that reads on a screen and on
-//! paper. Each chart ([`WorkPrecision`], [`Trajectory`], [`Sphere`], [`Areas`], [`Timings`]) is also a picture of its own, from
+//! paper. Each chart ([`WorkPrecision`], [`Trajectory`], [`Sphere`], [`Areas`], [`Timings`], and those of one run together, [`Sheet`]) is also a picture of its own, from
 //! its `svg` method: the same data give the same bytes.
 //!
 //! Texts may hold LaTeX between dollar signs; labels inside pictures are plain text. LaTeX that cannot be typeset is
@@ -23,6 +23,7 @@ pub use page::Page;
 pub use report::{ClaimRow, PaperSection, Parameter, Report, SceneSection, Study, Table};
 pub use svg::areas::{AreaCurve, Areas};
 pub use svg::number::{significant, tolerance};
+pub use svg::sheet::Sheet;
 pub use svg::sphere::{Curve, CurvePoint, Mark, Sphere};
 pub use svg::timings::{Contender, TimingRow, Timings};
 pub use svg::trajectory::{Panel, Track, Trajectory};

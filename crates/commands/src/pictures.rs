@@ -1,6 +1,6 @@
 //! A scene's runs as the data of pictures.
 
-use charts::{AreaCurve, Areas, Panel, Track, significant};
+use charts::{AreaCurve, Areas, Panel, Sheet, Track, significant};
 use integrators as run;
 use reader::Quantity;
 use simulation::{IvpScene, Trajectory};
@@ -36,6 +36,41 @@ pub fn trajectory(scene: &dyn IvpScene, run: &Trajectory) -> charts::Trajectory 
         panels,
         note: String::new(),
     }
+}
+
+/// One run on one sheet: its outputs against time, below them what should stay zero, and beside them speeds over coordinates.
+pub fn sheet(scene: &dyn IvpScene, run: &Trajectory) -> Sheet {
+    let mut against_time = trajectory(scene, run);
+    let stopped = run.stopped();
+    // the sheet says once why
+    let tracks = against_time.panels.iter_mut().flat_map(|panel| &mut panel.series);
+    tracks.for_each(|track| track.stopped = None);
+    let checks = run.checks.iter().enumerate().map(|(place, name)| {
+        let points = run.times.iter().zip(&run.checked).map(|(time, row)| (*time, row[place])).collect();
+        Panel { y: name.replace('_', " "), series: vec![Track { name: String::new(), points, stopped: None }] }
+    });
+    let checks = charts::Trajectory { x: "time, s".to_owned(), panels: checks.collect(), ..Default::default() };
+    let outputs = &scene.run().outputs;
+    let is_shown = |name: &String| outputs.is_empty() || outputs.contains(name);
+    let phases = run.names.iter().enumerate().filter(|(_, name)| is_shown(name)).filter_map(|(place, name)| {
+        let (rate, own) = (run.column(&format!("{name}'"))?, scene.unit(name));
+        let points = run.rows.iter().map(|row| (row[place], row[rate])).collect();
+        let track = Track { name: name.clone(), points, stopped: None };
+        let heading = with_unit(&run.names[rate], &scene.unit(&run.names[rate]));
+        let panels = vec![Panel { y: heading, series: vec![track] }];
+        Some(charts::Trajectory { x: with_unit(name, &own), panels, ..Default::default() })
+    });
+    let left = if checks.panels.is_empty() { vec![against_time] } else { vec![against_time, checks] };
+    let note = stopped.map_or_else(String::new, |why| format!("The run stopped: {why}."));
+    Sheet { title: scene.title().to_owned(), columns: vec![left, phases.take(MOST_PHASES).collect()], note }
+}
+
+/// Pictures of speeds over coordinates that a sheet has.
+const MOST_PHASES: usize = 4;
+
+/// A name with its unit.
+fn with_unit(name: &str, unit: &str) -> String {
+    if unit == "1" || unit.is_empty() { name.to_owned() } else { format!("{name}, {unit}") }
 }
 
 /// Where the curves of a panel stand far apart and each hardly moves, the motion is what departs from the start.

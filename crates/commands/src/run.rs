@@ -2,7 +2,8 @@
 
 use crate::arguments::{Format, tolerance, whole};
 use crate::exit::{Exit, print, warn};
-use crate::output::{self, Writes};
+use crate::output::{self, Form, Writes};
+use crate::pictures;
 use crate::progress::Progress;
 use crate::summary::Summary;
 use crate::{clock, csv};
@@ -42,7 +43,11 @@ pub struct Asked {
     /// Writes how the end depends on the start as a table: a row for each state at the end, a column for each at the start
     #[arg(long, value_name = "FILE.csv")]
     pub transition: Option<PathBuf>,
-    /// Replaces the files of --out and --transition even where `run` did not write what stands there
+    /// Draws the run on one sheet: its columns against time, each with its unit, what should stay zero (the change of the energy, the
+    /// residual of constraints), and speeds over coordinates
+    #[arg(long, value_name = "FILE.svg")]
+    pub plot: Option<PathBuf>,
+    /// Replaces the files of --out, --plot and --transition even where `run` did not write what stands there
     #[arg(long)]
     pub force: bool,
     /// How to print the summary; JSON is one object: time, state, work, invariants, model, method; null where a number is not
@@ -68,9 +73,9 @@ fn method(text: &str) -> Result<Method, String> {
 
 /// Runs the scene, writes the trajectory where one is asked for, prints the summary.
 pub fn run(asked: &Asked) -> Result<Exit, Exit> {
-    if asked.force && asked.out.is_none() && asked.transition.is_none() {
+    if asked.force && asked.out.is_none() && asked.transition.is_none() && asked.plot.is_none() {
         return Err(Exit::refused(
-            "--force is about what --out and --transition replace; it is accepted with one of them",
+            "--force is about what --out, --plot and --transition replace; it is accepted with one of them",
         ));
     }
     match AnyScene::open(&asked.scene)? {
@@ -126,6 +131,7 @@ fn follow(scene: &dyn IvpScene, asked: &Asked, form: Option<Axes>) -> Result<Exi
     let headed = |names: &[String]| names.iter().map(|name| csv::headed(name, &scene.unit(name))).collect::<Vec<_>>();
     let writes = writes(asked);
     let table = csv::Table::at(&writes, asked.out.as_deref(), &headed(&problem.columns))?;
+    let plot = writes.optional(asked.plot.as_deref(), &[Form::Picture])?;
     if asked.transition.is_some() && scene.hybrid().is_some() {
         let why = "the law of this system changes at events: its transition matrix is not computed yet";
         return Err(Exit::refused(format!("--transition: {why}; leave it out")));
@@ -134,6 +140,8 @@ fn follow(scene: &dyn IvpScene, asked: &Asked, form: Option<Axes>) -> Result<Exi
     let states = states.map(|states| headed(&states.columns[..states.state.len().min(states.columns.len())]));
     let matrix = csv::Matrix::at(&writes, asked.transition.as_deref(), &states.unwrap_or_default())?;
     output::apart(table.output(), matrix.output())?;
+    output::apart(table.output(), plot.as_ref())?;
+    output::apart(matrix.output(), plot.as_ref())?;
 
     let (columns, most) = (problem.columns.len(), most_samples(problem.columns.len()));
     if choice.samples > most {
@@ -161,6 +169,7 @@ fn follow(scene: &dyn IvpScene, asked: &Asked, form: Option<Axes>) -> Result<Exi
 
     // what follows may take longer than the run, and the run is not lost by it
     let table = table.write(&trajectory.times, &trajectory.rows, (trajectory.outcome.time, &trajectory.last));
+    let plot = plot.map(|plot| plot.write_text(&pictures::sheet(scene, &trajectory).svg())).transpose();
     clock::publish(text(&RunNotes::default(), None));
     let told = phase("what theory says of the run", || scene.told(&choice, &trajectory));
     clock::publish(text(&told, None));
@@ -191,7 +200,7 @@ fn follow(scene: &dyn IvpScene, asked: &Asked, form: Option<Axes>) -> Result<Exi
     }
     print(&text(&told, beside))?;
     // what was computed is told in any case
-    for written in [table?, depends?].into_iter().flatten() {
+    for written in [table?, plot?, depends?].into_iter().flatten() {
         written.tell(asked.format)?;
     }
     Ok(ending)

@@ -80,7 +80,7 @@ impl Equations {
         // a notebook's typesetter knows aligned displays, and no comments
         let latex = self.written(py, Notation::Latex).ok()?;
         let lines = latex.lines().filter(|line| !line.starts_with('%'));
-        Some(lines.collect::<Vec<_>>().join("\n"))
+        Some(lines.collect::<Vec<_>>().join("\n").replace("{align}", "{align*}"))
     }
 
     fn __repr__(&self) -> &str {

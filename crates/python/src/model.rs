@@ -7,7 +7,7 @@ use crate::judgement::Judgement;
 use crate::linear::LinearEquations;
 use crate::trajectory::{Beside, NativeTrajectory};
 use dalembert::model::{self, Trace, judgements};
-use dalembert::scenes::{ModelScene, SystemText, Task};
+use dalembert::scenes::{Given, ModelScene, SystemText, Task};
 use dalembert::simulation::models::Modelled;
 use dalembert::simulation::run::most_samples;
 use dalembert::simulation::{Axes, Choice, Run, methods, run};
@@ -56,14 +56,10 @@ impl NativeModel {
         if let Some(scene) = self.scene.get() {
             return Ok(scene);
         }
-        let made = py.detach(|| ModelScene::parse_or(&self.text.name, &self.text.text, Some(usual())));
-        let made: Arc<dyn Modelled> = Arc::new(made.map_err(|error| scene_error(py, &error))?);
-        let values: Vec<(&str, f64)> = self.values.iter().map(|(name, value)| (name.as_str(), *value)).collect();
-        let made = match values.is_empty() {
-            true => made,
-            false => py.detach(|| made.with_values(&values)).map_err(|why| refused(py, &self.text.name, why))?,
-        };
-        Ok(self.scene.get_or_init(|| made))
+        let given = Given { run: Some(usual()), values: self.values.clone() };
+        let made = py.detach(|| ModelScene::parse_with(&self.text.name, &self.text.text, given));
+        let made = made.map_err(|error| scene_error(py, &error))?;
+        Ok(self.scene.get_or_init(|| Arc::new(made)))
     }
 
     /// The one law of the model.

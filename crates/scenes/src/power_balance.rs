@@ -9,20 +9,17 @@ use crate::row_units::WORK;
 use integrators::{JacobianFn, Ode};
 use model::{PowerBalance, Trace};
 use simulation::events::of_leading;
-use simulation::problem::Invariant;
+use simulation::problem::{Function, Invariant};
 use simulation::{CompiledLaw, Differentiable, LawSeries, Problem, SymbolicLaw};
 use std::sync::Arc;
 use symbolic::{Sym, apart};
 
-/// A problem with the work as its last state. Plain where nothing works or the energy is kept, where the law changes at events, where the
+/// A problem with the work as its last state; where nothing works, with its energy among what is kept. Plain where that stands there already, where the law changes at events, where the
 /// name of the column is taken, and where accelerations are solved for at each evaluation.
 pub(crate) fn metered(system: &Arc<CompiledSystem>, plain: Problem) -> Problem {
     let model = system.model();
     let is_taken = plain.columns.iter().any(|name| name == WORK);
     if system.keeps_energy || is_watched(model) || is_taken || Elimination::of(model) == Elimination::Solved {
-        return plain;
-    }
-    if apart(|| PowerBalance::of(&Trace::of(model)).power == Sym::ZERO) {
         return plain;
     }
     let own = plain.state.len();
@@ -38,6 +35,9 @@ pub(crate) fn metered(system: &Arc<CompiledSystem>, plain: Problem) -> Problem {
         energy.run(time, state, &mut values).unwrap_or(());
         values
     };
+    if apart(|| PowerBalance::of(&Trace::of(model)).power == Sym::ZERO) {
+        return kept(plain, energies);
+    }
     let mut law = CompiledLaw::of(Arc::new(Metered(Arc::clone(system))) as Arc<dyn SymbolicLaw>);
     if law.program().is_none() {
         return plain;
@@ -52,7 +52,7 @@ pub(crate) fn metered(system: &Arc<CompiledSystem>, plain: Problem) -> Problem {
     if system.has_solved_slopes() {
         law = law.with_jacobian(Arc::new(OverDualNumbers));
     }
-    let Problem { mut state, span, mut columns, row, margins, .. } = plain;
+    let Problem { mut state, span, mut columns, row, margins, residual, .. } = plain;
     columns.push(WORK.to_owned());
     let (of_size, [_, _, first]) = (energies.clone(), energies(0.0, &state));
     let balance = move |time: f64, state: &[f64]| energies(time, &state[..own])[0] - state[own];
@@ -75,9 +75,24 @@ pub(crate) fn metered(system: &Arc<CompiledSystem>, plain: Problem) -> Problem {
         invariants: vec![Invariant { name: "energy_less_work", value: Box::new(balance), size: Some(Box::new(size)) }],
         columns,
         row: Box::new(row),
+        residual: residual.map(|residual| -> Box<Function> {
+            Box::new(move |time: f64, state: &[f64]| residual(time, &state[..own]))
+        }),
         margins: of_leading(margins, own),
         switching: None,
     }
+}
+
+/// A problem whose energy nothing changes, as the first of the three energies says.
+fn kept(plain: Problem, energies: impl Fn(f64, &[f64]) -> [f64; 3] + Clone + Send + Sync + 'static) -> Problem {
+    let (of_size, [_, _, first]) = (energies.clone(), energies(0.0, &plain.state));
+    let value = move |time: f64, state: &[f64]| energies(time, state)[0];
+    let size = move |time: f64, state: &[f64]| {
+        let [_, kinetic, potential] = of_size(time, state);
+        kinetic.abs() + (potential - first).abs()
+    };
+    let energy = Invariant { name: "energy", value: Box::new(value), size: Some(Box::new(size)) };
+    Problem { invariants: vec![energy], ..plain }
 }
 
 /// A law with the power that feeds its energy behind its rates.

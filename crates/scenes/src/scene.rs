@@ -11,27 +11,26 @@ use crate::modes::{BROKEN, Modes};
 use crate::named_systems;
 use crate::power_balance::metered;
 use crate::quoted_keys::with_quoted_primes;
-use crate::readiness::{Ready, ready, start_of, starting, without_run};
+use crate::readiness::{Ready, ready, starting, without_run};
 use crate::row_units::unit_of;
 use crate::size::{Task, too_large};
-use crate::start::{SingularPositions, consistent};
+use crate::start::{KeptConstraints, SingularPositions, consistent};
 use crate::text;
 use crate::warnings::{Warn, warn_by, warn_of};
 use integrators::Reference;
 use model::{Event, Model, Source};
-use reader::{Issue, SceneError, Table, read_text, tables};
+use reader::{Issue, SceneError, Table, tables};
 use simulation::events::Margins;
 use simulation::events::{Passage, Switching};
 use simulation::ivp_scene::Parameter;
 use simulation::knowledge::Knowledge;
-use simulation::models::{ModelReaders, Modelled, holds_model, read_models_by};
-use simulation::problem::Invariant;
+use simulation::models::{ModelReaders, Modelled, read_models_by};
+use simulation::problem::{Function, Invariant};
 use simulation::work_precision::Hybrid;
 use simulation::work_precision::{Configuration, Observed};
 use simulation::{Axes, Choice, IvpScene, Problem, Run, RunNotes, Trajectory, run};
 use std::borrow::Cow;
-use std::path::Path;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// A system that is data, with a run.
 #[derive(Debug)]
@@ -52,6 +51,15 @@ pub struct ModelScene {
     without_motion: Option<String>,
     /// The knowledge beside its equations, where the file asks for it.
     pub(crate) knowledge: Option<&'static Knowledge>,
+}
+
+/// What a program gives beside a text.
+#[derive(Clone, Debug, Default)]
+pub struct Given {
+    /// The run of a text that says nothing of its own; with one a text needs no title.
+    pub run: Option<Run>,
+    /// Values of parameters, and of coordinates and speeds at the start, in SI units.
+    pub values: Vec<(String, f64)>,
 }
 
 /// Makes every command read files with `[coordinates]`; `warn` is told what is accepted in them and perhaps means something else.
@@ -97,29 +105,29 @@ impl ModelScene {
     /// # Errors
     /// All that is wrong with it, each at its place.
     pub fn parse(name: &str, text: &str) -> Result<Self, SceneError> {
-        ModelScene::parse_or(name, text, None)
+        ModelScene::parse_with(name, text, Given::default())
     }
 
-    /// The same, with a run for a file that says nothing of its own.
+    /// The same, with what a program gives beside the text.
     ///
     /// # Errors
     /// All that is wrong with it, each at its place.
-    pub fn parse_or(name: &str, text: &str, run: Option<Run>) -> Result<Self, SceneError> {
+    pub fn parse_with(name: &str, text: &str, given: Given) -> Result<Self, SceneError> {
         let scene = tables(name, text, |top, issues| {
             // members are read by `parse_ensemble`
             top.known(&["ensemble"]);
-            ModelScene::read_or(top, issues, text, run)
+            ModelScene::read_with(top, issues, text, given)
         });
         scene.map_err(with_quoted_primes)
     }
 
     /// Reads the tables of a file; what is wrong goes into the list.
     pub(crate) fn read(top: &mut Table<'_>, issues: &mut Vec<Issue>, text: &str) -> Option<Self> {
-        ModelScene::read_or(top, issues, text, None)
+        ModelScene::read_with(top, issues, text, Given::default())
     }
 
-    fn read_or(top: &mut Table<'_>, issues: &mut Vec<Issue>, text: &str, default: Option<Run>) -> Option<Self> {
-        let title = match &default {
+    fn read_with(top: &mut Table<'_>, issues: &mut Vec<Issue>, text: &str, given: Given) -> Option<Self> {
+        let title = match &given.run {
             None => top.text("title", TITLE).value,
             // equations need no title, and neither does a run that another program asks for
             Some(_) => top.optional_text("title", TITLE).map_or_else(String::new, |title| title.value),
@@ -128,10 +136,16 @@ impl ModelScene {
         let description = top.optional_text("description", "what happens and why it is hard");
         let known_as = top.optional_text("known_as", KNOWN_AS);
         let mut model = model(top, issues).map(|(model, _)| Arc::new(model));
+        if let Some(model) = &mut model
+            && let Err(why) = Arc::make_mut(model).set_values(&given.values)
+        {
+            let accepted = "names of parameters, coordinates and speeds are accepted";
+            issues.push(Issue { span: None, title: why, label: String::new(), help: Some(accepted.to_owned()) });
+        }
         let names = model.as_deref().map(columns);
         let run = match top.has("run") {
             true => run::read(top, issues, names.as_deref()),
-            false if default.is_some() => default,
+            false if given.run.is_some() => given.run,
             // keys of the run under another heading are told there
             false if issues.iter().any(|issue| issue.help.as_deref().is_some_and(|help| help.contains("[run]"))) => {
                 None
@@ -236,10 +250,22 @@ impl ModelScene {
             invariants,
             columns: columns(&self.model),
             row: Box::new(row),
+            residual: self.residual(),
             margins: self.margins(),
             switching: modes.clone().map(|modes| modes as Arc<dyn Switching>),
         };
         (problem, modes)
+    }
+
+    /// The largest residual of the constraints; none of a model without constraints.
+    fn residual(&self) -> Option<Box<Function>> {
+        if self.model.constraints.iter().all(|constraint| constraint.gains.is_some()) {
+            return None;
+        }
+        let (model, kept) = (Arc::clone(&self.model), OnceLock::new());
+        Some(Box::new(move |time: f64, state: &[f64]| {
+            kept.get_or_init(|| KeptConstraints::of(&model)).residual(time, state)
+        }))
     }
 
     /// The distance of a state from where its constraints determine the motion no longer, then those that are known of the system.
@@ -268,35 +294,12 @@ fn called(event: &Event, text: &str) -> String {
 }
 
 /// The model of a text; none where it cannot be read.
-fn written(text: &str) -> Option<Model> {
+pub(crate) fn written(text: &str) -> Option<Model> {
     let read = tables("", text, |top, issues| {
         top.known(&["title", "description", "known_as", "run", "ensemble"]);
         model(top, issues).map(|(model, _)| model)
     });
     read.ok()
-}
-
-/// Coordinates and speeds at the start of a file that were left out or guessed, and that constraints or an equilibrium have moved, with
-/// their values in SI units; none of a file that holds no such system.
-pub fn completed_start(path: &Path) -> Vec<(String, f64)> {
-    let Ok(text) = read_text(path) else { return Vec::new() };
-    if !holds_model(&text) {
-        return Vec::new();
-    }
-    let Some(model) = written(&text) else { return Vec::new() };
-    let Ok(start) = start_of(&model) else { return Vec::new() };
-    let names = model.state_names().into_iter().map(|(name, _)| name);
-    let positions = model.positions();
-    let largest = |parts: &[f64]| parts.iter().fold(0.0, |largest: f64, part| largest.max(part.abs()));
-    let rounding = [&start[..positions], &start[positions..]].map(|parts| f64::EPSILON * largest(parts));
-    let moved = names.zip(start.iter().zip(model.start_state())).enumerate();
-    // beside others of its kind a part below their rounding is zero
-    let shown = |(place, (name, (&now, written))): (usize, (String, (&f64, f64)))| {
-        let rounding = rounding[usize::from(place >= positions)];
-        let now = if now.abs() <= rounding { 0.0 } else { now };
-        (now != written).then_some((name, now))
-    };
-    moved.filter_map(shown).collect()
 }
 
 /// Names of a row: coordinates, speeds, outputs, energies.

@@ -4,11 +4,12 @@ use crate::branch::{on_branch, without_implied};
 use crate::known_as::known;
 use crate::quoted_keys::with_quoted_primes;
 use crate::readiness::{start_of, starting};
-use crate::scene::{KNOWN_AS, TITLE, model};
+use crate::scene::{KNOWN_AS, TITLE, model, written};
 use crate::size::{Task, too_large};
 use crate::warnings::warn_of;
 use model::Model;
 use reader::{SceneError, read_text, tables};
+use simulation::models::holds_model;
 use std::path::Path;
 
 /// A text with `[coordinates]`, and what messages call it.
@@ -99,4 +100,27 @@ pub fn parse_titled(name: &str, text: &str, task: Task) -> Result<(String, Model
     let (title, model) = read.map_err(with_quoted_primes)?;
     warn_of(name, text, &model.warnings);
     Ok((title, model))
+}
+
+/// Coordinates and speeds at the start of a file that were left out or guessed, and that constraints or an equilibrium have moved, with
+/// their values in SI units; none of a file that holds no such system.
+pub fn completed_start(path: &Path) -> Vec<(String, f64)> {
+    let Ok(text) = read_text(path) else { return Vec::new() };
+    if !holds_model(&text) {
+        return Vec::new();
+    }
+    let Some(model) = written(&text) else { return Vec::new() };
+    let Ok(start) = start_of(&model) else { return Vec::new() };
+    let names = model.state_names().into_iter().map(|(name, _)| name);
+    let positions = model.positions();
+    let largest = |parts: &[f64]| parts.iter().fold(0.0, |largest: f64, part| largest.max(part.abs()));
+    let rounding = [&start[..positions], &start[positions..]].map(|parts| f64::EPSILON * largest(parts));
+    let moved = names.zip(start.iter().zip(model.start_state())).enumerate();
+    // beside others of its kind a part below their rounding is zero
+    let shown = |(place, (name, (&now, written))): (usize, (String, (&f64, f64)))| {
+        let rounding = rounding[usize::from(place >= positions)];
+        let now = if now.abs() <= rounding { 0.0 } else { now };
+        (now != written).then_some((name, now))
+    };
+    moved.filter_map(shown).collect()
 }

@@ -15,6 +15,8 @@ pub struct Problem {
     /// s, from time zero.
     pub span: f64,
     pub invariants: Vec<Invariant>,
+    /// How far a state is from the constraints that hold along the motion, where there are some.
+    pub residual: Option<Box<Function>>,
     /// The names of a row.
     pub columns: Vec<String>,
     /// The columns that a run shows of a state at a time.
@@ -64,7 +66,7 @@ impl Problem {
     }
 }
 
-type Function = dyn Fn(f64, &[f64]) -> f64 + Send + Sync;
+pub type Function = dyn Fn(f64, &[f64]) -> f64 + Send + Sync;
 pub type Row = dyn Fn(f64, &[f64]) -> Vec<f64> + Send + Sync;
 
 /// A function of time and state that keeps its first value.

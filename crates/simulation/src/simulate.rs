@@ -31,6 +31,10 @@ pub struct Trajectory {
     pub rows: Vec<Vec<f64>>,
     /// The states of the law at these times, for methods with a constant step.
     pub states: Vec<Vec<f64>>,
+    /// What should stay zero, by names: the change of each invariant, and the largest residual of the constraints.
+    pub checks: Vec<String>,
+    /// Their values, one list for each time.
+    pub checked: Vec<Vec<f64>>,
     /// The last good state, written like a row.
     pub last: Vec<f64>,
     /// As the integrator gave it; where the law ended, up to there.
@@ -86,20 +90,46 @@ impl Problem {
             times: Vec::new(),
             rows: Vec::new(),
             states: choice.method.steps().map(|_| Vec::new()),
+            problem: self,
+            first: self.invariants.iter().map(|one| (one.value)(0.0, &self.state)).collect(),
+            checked: Vec::new(),
             broken_off: false,
             progress,
         };
         let tolerance = Tolerance::both(choice.tolerance);
         let (outcome, left) = self.integrate(choice.method, &tolerance, &span, &mut kept);
-        let Kept { times, rows, states, .. } = kept;
+        let Kept { times, rows, states, checked, .. } = kept;
         let states = states.unwrap_or_default();
         let last = (self.row)(outcome.time, &outcome.state);
         let passages = self.switching.as_ref().map_or_else(Vec::new, |switching| switching.passages());
-        Trajectory { names: self.columns.clone(), times, rows, states, last, outcome, left, passages }
+        Trajectory {
+            names: self.columns.clone(),
+            times,
+            rows,
+            states,
+            checks: self.checks(),
+            checked,
+            last,
+            outcome,
+            left,
+            passages,
+        }
     }
 }
 
 impl Problem {
+    /// The names of what should stay zero along a run.
+    fn checks(&self) -> Vec<String> {
+        let invariants = self.invariants.iter().map(|one| format!("change of {}", one.name));
+        invariants.chain(self.residual.as_ref().map(|_| "residual of constraints".to_owned())).collect()
+    }
+
+    /// Their values at a state.
+    fn checked(&self, first: &[f64], time: f64, state: &[f64]) -> Vec<f64> {
+        let changes = self.invariants.iter().zip(first).map(|(one, first)| (one.value)(time, state) - first);
+        changes.chain(self.residual.as_ref().map(|residual| residual(time, state))).collect()
+    }
+
     /// What shorter steps say of a run with constant ones that reached its end, each in the time that it was allowed; `None` for
     /// others. `goes_on` breaks it off.
     pub fn beside(
@@ -213,6 +243,10 @@ struct Kept<'a, F> {
     rows: Vec<Vec<f64>>,
     /// Where they are asked for.
     states: Option<Vec<Vec<f64>>>,
+    problem: &'a Problem,
+    /// The first values of the invariants.
+    first: Vec<f64>,
+    checked: Vec<Vec<f64>>,
     broken_off: bool,
     progress: F,
 }
@@ -221,6 +255,7 @@ impl<F: FnMut(f64) -> ControlFlow<()>> Observer<f64> for Kept<'_, F> {
     fn sample(&mut self, time: f64, state: &[f64]) {
         self.times.push(time);
         self.rows.push((self.row)(time, state));
+        self.checked.push(self.problem.checked(&self.first, time, state));
         if let Some(states) = &mut self.states {
             states.push(state.to_vec());
         }

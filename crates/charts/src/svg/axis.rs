@@ -107,7 +107,9 @@ fn decimals(step: f64) -> usize {
 fn tick_label(at: f64, step: f64, digits: usize) -> String {
     let extreme = digits > 5 || at.abs() >= 1e6;
     let text = if extreme {
-        significant(at, 1 + (at.abs() / step).log10().max(0.0).floor() as usize)
+        // down to the decade of the step
+        let decades = at.abs().log10().floor() - step.log10().floor();
+        significant(at, 1 + decades.max(0.0) as usize)
     } else {
         format!("{at:.digits$}")
     };
@@ -120,6 +122,12 @@ mod tests {
 
     fn labels(axis: &Axis) -> Vec<&str> {
         axis.ticks.iter().filter_map(|tick| tick.label.as_deref()).collect()
+    }
+
+    #[test]
+    fn ticks_of_small_numbers_are_told_apart() {
+        let axis = Axis::linear([0.0, -2.3e-12].into_iter(), 0.0, 150.0, 26.0, 0.0);
+        assert_eq!(labels(&axis), ["−2·10⁻¹²", "−1.5·10⁻¹²", "−1·10⁻¹²", "−5·10⁻¹³", "0"]);
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 pub(crate) mod areas;
 pub(crate) mod number;
+pub(crate) mod sheet;
 pub(crate) mod sphere;
 pub(crate) mod timings;
 pub(crate) mod trajectory;

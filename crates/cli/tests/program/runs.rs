@@ -292,6 +292,27 @@ fn constant_steps_say_whether_shorter_ones_come_nearer() {
 }
 
 #[test]
+fn a_run_is_drawn_on_one_sheet_with_what_should_stay_zero() {
+    let path = temporary("sheet.svg");
+    let asked = ["run", "scenes/models/slider_crank.toml", "--plot", &path.to_string_lossy()].map(str::to_owned);
+    let asked: Vec<&str> = asked.iter().map(String::as_str).collect();
+    let output = run(&asked);
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    let picture = std::fs::read_to_string(&path).expect("it was written");
+    for shown in ["time, s", "theta, rad", "theta', rad/s", "change of energy less work", "residual of constraints"] {
+        assert!(picture.contains(&shown.replace('\'', "&#39;")) || picture.contains(shown), "{shown}: {picture}");
+    }
+    // what it wrote it may replace
+    assert_eq!(run(&asked).status.code(), Some(0));
+    std::fs::write(&path, "mine").expect("it can be written");
+    let output = run(&asked);
+    assert_eq!((output.status.code(), std::fs::read_to_string(&path).ok().as_deref()), (Some(2), Some("mine")));
+    std::fs::remove_file(&path).expect("it is there");
+    let named = run(&["run", "scenes/models/slider_crank.toml", "--plot", "picture.png"]);
+    assert!(named.status.code() == Some(2) && String::from_utf8_lossy(&named.stderr).contains(".svg"));
+}
+
+#[test]
 fn a_mechanism_writes_its_table_and_takes_another_method() {
     let path = temporary("mechanism.csv");
     let asked =

@@ -41,6 +41,13 @@ impl KeptConstraints {
         }
     }
 
+    /// The largest residual at a time and a state, each in the SI unit of its constraint.
+    pub fn residual(&self, time: f64, state: &[f64]) -> f64 {
+        let Some(constraints) = &self.constraints else { return 0.0 };
+        let values = constraints.values(time, state, &self.parameters);
+        values[..constraints.kept].iter().fold(0.0, |largest: f64, residual| largest.max(residual.abs()))
+    }
+
     /// Moves coordinates without inertia, and their speeds, until constraints hold; the state stays where the model has none.
     pub fn follow(&self, time: f64, state: &mut [f64]) {
         let (Some(constraints), own) = (&self.constraints, &self.inertialess) else { return };

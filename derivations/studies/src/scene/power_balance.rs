@@ -32,7 +32,7 @@ impl Scene {
             row
         };
         let (row, margins) = (Box::new(row), of_leading(margins, own));
-        Problem { law, state, metered: 1, span, invariants, columns, row, margins, switching: None }
+        Problem { law, state, metered: 1, span, invariants, residual: None, columns, row, margins, switching: None }
     }
 
     /// The law with the work that is done on it, and the balance of both; none where nothing feeds the machine.

@@ -22,6 +22,7 @@ impl Scene {
             metered: 0,
             span: self.run.span,
             invariants,
+            residual: None,
             columns: outputs(self.on_bench(), &self.machine),
             row: Box::new(self.row(axes)),
             margins: Box::new(|_, _, _| Vec::new()),

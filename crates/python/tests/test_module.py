@@ -1,0 +1,202 @@
+"""The module as its users meet it: numbers against closed forms and SciPy, messages, ownership of arrays, Ctrl-C."""
+
+import os
+import signal
+import threading
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+import dalembert
+
+SCENES = Path(__file__).parents[3] / "scenes"
+
+OSCILLATOR = """
+title = "A block on a spring"
+[parameters]
+m = "1 kg"
+k = "4 N/m"
+[coordinates]
+x = "m"
+[bodies.block]
+centre = "O + x*N.x"
+mass = "m"
+[[force]]
+on = "block"
+is = "-k*x*N.x"
+[start]
+x = "0.1 m"
+"""
+
+
+def oscillator():
+    return dalembert.Model.from_text(OSCILLATOR)
+
+
+def test_a_run_has_named_columns_with_units_and_the_closed_form():
+    run = oscillator().run(span=10, tolerance=1e-12, samples=50)
+    assert run.ok and run.units["x"] == "m" and run.states == ["x", "x'"] and len(run) == 51
+    assert np.abs(run["x"] - 0.1 * np.cos(2 * run.time)).max() < 1e-10
+    assert run["x"].base is not None and np.shares_memory(run["x"], run.array)
+    assert run.invariants["energy_less_work"][1] < 1e-12
+    with pytest.raises(KeyError, match="no column is called 'y'; there are x, x'"):
+        run["y"]
+
+
+def test_other_values_make_another_model():
+    other = oscillator().with_values({"x": 0.2}, k=9.0)
+    run = other.run(span=5, tolerance=1e-12)
+    assert np.abs(run["x"] - 0.2 * np.cos(3 * run.time)).max() < 1e-10
+    assert oscillator().parameters == {"m": 1.0, "k": 4.0} and other.parameters["k"] == 9.0
+    assert np.allclose(other.linearise().eigenvalues.imag.max(), 3.0)
+    with pytest.raises(dalembert.ModelError, match="nothing is called `kk`; is `k` meant"):
+        oscillator().with_values(kk=1.0)
+    with pytest.raises(dalembert.ModelError, match="a finite number is accepted"):
+        oscillator().with_values(k=float("nan"))
+
+
+def test_the_callables_serve_scipy():
+    model = dalembert.Model.from_file(SCENES / "models" / "double_pendulum.toml")
+    f, jacobian, start = model.rhs(), model.jacobian(), model.start
+    assert f.states == jacobian.states == model.states
+    step = 1e-6
+    differences = [(f(0.0, start + step * e) - f(0.0, start - step * e)) / (2 * step) for e in np.eye(len(start))]
+    assert np.abs(np.array(differences).T - jacobian(0.0, start)).max() < 1e-6
+    ours = model.run(span=2, method="taylor", tolerance=1e-12, samples=10)
+    for method, more in [("DOP853", {}), ("Radau", {"jac": jacobian})]:
+        found = solve_ivp(f, (0, 2), start, method=method, t_eval=ours.time, rtol=1e-9, atol=1e-11, **more)
+        assert np.abs(found.y.T - ours.array[:, : len(start)]).max() < 1e-5
+
+
+def test_states_of_any_kind_are_taken_and_others_refused():
+    f = oscillator().rhs()
+    expected = f(0.0, np.array([0.5, 0.25]))
+    for state in ([0.5, 0.25], (0.5, 0.25), np.array([0.5, 9, 0.25, 9])[::2], np.array([0.5, 0.25], dtype=np.float32)):
+        assert np.array_equal(f(0.0, state), expected)
+    for state in ([1.0], [1.0, 2.0, 3.0], [[1.0, 2.0]], 1.0):
+        with pytest.raises(dalembert.ModelError, match="an array of 2 numbers"):
+            f(0.0, state)
+
+
+def test_equations_stand_in_every_notation():
+    equations = oscillator().derive("lagrange")
+    assert "M[x, x] = m" in repr(equations) and r"\begin{align*}" in equations._repr_latex_()
+    space = {}
+    exec(equations.code("python"), space)
+    assert callable(space["accelerations"]) and "sympy" in equations.sympy
+    assert oscillator().derive("Kane").principle == "virtual-power"
+    with pytest.raises(dalembert.ModelError, match="is `lagrange` meant"):
+        oscillator().derive("lagrang")
+
+
+def test_statements_are_proved_and_shown_as_a_table():
+    judgements = oscillator().prove()
+    assert judgements[0].verdict == "proved" and not judgements.failed
+    assert "<td" in judgements._repr_html_() and "proved" in repr(judgements)
+
+
+def test_a_fault_has_its_place_and_its_remedy():
+    with pytest.raises(dalembert.ModelError) as raised:
+        dalembert.Model.from_text(OSCILLATOR.replace("-k*x", "-k*y"), "mine.toml")
+    error = raised.value
+    assert (error.file, error.line, error.column) == ("mine.toml", 13, 10)
+    assert "y" in error.title and error.issues[0]["remedy"] == error.remedy and "mine.toml:13" in str(error)
+    for call in (lambda: oscillator().run(span=-1), lambda: oscillator().run(method="dopri"), lambda: oscillator().run(samples=0)):
+        with pytest.raises(dalembert.ModelError, match="accepted|Known"):
+            call()
+    with pytest.raises(dalembert.ModelError, match="no such file"):
+        dalembert.Model.from_file("nowhere.toml")
+
+
+def test_letters_without_values_are_derived_and_do_not_run():
+    letters = dalembert.Model.from_text(OSCILLATOR.replace('k = "4 N/m"', 'k = "N/m"'))
+    assert letters.parameters["k"] is None and letters.prove()[0].verdict == "proved"
+    with pytest.raises(dalembert.ModelError, match="`k` has no value"):
+        letters.run()
+    assert letters.with_values(k=4.0).run(span=1).ok
+
+
+def test_a_built_model_is_the_written_one():
+    built = (
+        dalembert.Model.builder("A block on a spring")
+        .parameters(m="1 kg", k="4 N/m")
+        .coordinates(x="m")
+        .body("block", centre="O + x*N.x", mass="m")
+        .force(on="block", is_="-k*x*N.x")
+        .start({"x": "0.1 m", "x'": "0.3 m/s"})
+        .output("twice", "2*x")
+        .build()
+    )
+    run = built.run(span=3, tolerance=1e-12)
+    assert np.abs(run["twice"] - 2 * (0.1 * np.cos(2 * run.time) + 0.15 * np.sin(2 * run.time))).max() < 1e-10
+    assert repr(built.derive().text) == repr(oscillator().derive().text)
+    with pytest.raises(TypeError, match="is no value of a model"):
+        dalembert.Model.builder().parameters(m=object()).build()
+
+
+def test_events_end_a_law_and_are_told():
+    ball = dalembert.Model.from_file(SCENES / "models" / "bouncing_ball.toml")
+    run = ball.run()
+    assert len(run.events) > 2 and run.ok
+    with pytest.raises(dalembert.ModelError, match="changes at events"):
+        ball.rhs()
+
+
+def test_a_run_that_fails_says_why():
+    text = OSCILLATOR.replace("-k*x*N.x", "(1 N s)/(t - (0.5 s))*N.x")
+    run = dalembert.Model.from_text(text).run(span=1)
+    assert not run.ok and run.stopped and run.time[-1] < 0.5 and "stopped" in repr(run)
+
+
+def test_a_long_run_lets_others_work_and_obeys_its_time_and_ctrl_c():
+    model = dalembert.Model.from_file(SCENES / "models" / "double_pendulum.toml")
+    counted = [0]
+    over = threading.Event()
+
+    def count():
+        while not over.is_set():
+            counted[0] += 1
+            time.sleep(0.001)
+
+    thread = threading.Thread(target=count)
+    thread.start()
+    run = model.run(span=1e7, seconds=0.5, samples=10)
+    over.set()
+    thread.join()
+    assert counted[0] > 50 and run.stopped and not run.ok
+    threading.Timer(0.3, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
+    begin = time.monotonic()
+    with pytest.raises(KeyboardInterrupt):
+        model.run(span=1e7, seconds=60)
+    assert time.monotonic() - begin < 5
+
+
+def test_every_name_has_help_and_every_stub_stands_for_something():
+    stubs = (Path(dalembert.__file__).parent / "_native.pyi").read_text()
+    from dalembert import _native
+
+    for name in dir(_native):
+        if not name.startswith("_"):
+            assert name in stubs, name
+    for name in dalembert.__all__:
+        assert getattr(dalembert, name).__doc__, name
+    for member in dir(dalembert.Model):
+        if not member.startswith("_"):
+            assert getattr(dalembert.Model, member).__doc__, member
+
+
+def test_the_page_of_the_book_runs_as_it_is_written():
+    page = (Path(__file__).parents[3] / "book" / "src" / "python.md").read_text()
+    blocks = [part.split("```")[0] for part in page.split("```python")[1:]]
+    assert len(blocks) >= 3
+    exec("\n".join(blocks), {})
+
+
+def test_pictures_are_drawn():
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    run = oscillator().run(span=2)
+    assert len(run.plot().axes) >= 2 and run.phase("x", "x'").get_xlabel() == "x [m]"
