@@ -64,7 +64,7 @@ pub trait System: Ode<f64> + Ode<Dual8> + Ode<DoubleDouble> {
         None
     }
 
-    /// The divisors of its rates, where they are known.
+    /// The divisors and radicands of its rates, where they are known.
     fn divisors(&self) -> Option<&dyn Divisors> {
         None
     }
@@ -85,13 +85,13 @@ pub trait System: Ode<f64> + Ode<Dual8> + Ode<DoubleDouble> {
     }
 }
 
-/// Functions of time and state that a law divides by: those of its expressions, the pivots of an elimination, a determinant. Where one
-/// changes its sign along a motion, the rates may have been infinite.
+/// Functions of time and state at whose zeros a law may have no value, or jump: divisors, which are those of its expressions, the pivots of
+/// an elimination, a determinant; and radicands, at whose zeros roots have a corner, such as a distance.
 pub trait Divisors {
-    /// The number of divisors.
-    fn count(&self) -> usize;
+    /// The number of divisors, which stand first, and of radicands.
+    fn counts(&self) -> [usize; 2];
 
-    /// All of them at (t, y); `out` has their count. Must not allocate.
+    /// All of them at (t, y); `out` has both counts. Must not allocate.
     fn at(&self, t: f64, y: &[f64], out: &mut [f64]);
 }
 

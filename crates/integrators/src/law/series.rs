@@ -25,6 +25,12 @@ pub trait TaylorSeries<S: Scalar> {
     fn shown(&self) -> f64 {
         f64::INFINITY
     }
+
+    /// Whether the law has roots or angles: the series of one goes on along its branch where the law takes another, as the root of x^2 does
+    /// at x = 0.
+    fn has_branches(&self) -> bool {
+        false
+    }
 }
 
 impl<S: Scalar, T: TaylorSeries<S> + ?Sized> TaylorSeries<S> for Box<T> {
@@ -46,5 +52,9 @@ impl<S: Scalar, T: TaylorSeries<S> + ?Sized> TaylorSeries<S> for Box<T> {
 
     fn shown(&self) -> f64 {
         (**self).shown()
+    }
+
+    fn has_branches(&self) -> bool {
+        (**self).has_branches()
     }
 }

@@ -3,7 +3,7 @@
 //! A margin is positive where the law holds. Its end is found by the bounds of the margin over each step, so that it does not
 //! depend on where a method puts its steps, and the run goes on up to it.
 
-use super::poles::{POLE, PoleWatch, up_to};
+use super::poles::{PoleWatch, up_to};
 use integrators::{
     Event, Method, Observer, Ode, Outcome, Signal, Span, Switches, System, Tolerance, integrate, integrate_to_event,
 };
@@ -40,10 +40,10 @@ impl Ending<'_> {
         span: &Span<'_, f64>,
         observer: &mut dyn Observer<f64>,
     ) -> (Outcome<f64>, Option<&'static str>) {
-        let mut watch = PoleWatch::new(self.law, (span.start, &span.state), observer);
+        let mut watch = PoleWatch::new((self.law, tolerance), (span.start, &span.state), observer);
         let (outcome, left) = self.up_to_a_pole((method, tolerance), span, &mut watch);
         match watch.end(&outcome) {
-            Some(before) => (up_to(outcome, before), Some(POLE)),
+            Some((time, state, why)) => (up_to(outcome, (time, state)), Some(why)),
             None => (outcome, left),
         }
     }

@@ -1,11 +1,15 @@
-//! Poles of a law that a step has passed over.
+//! Poles and jumps of a law that a step has passed over.
 //!
 //! A method of finite order may step over a place where the rates are infinite, and go on with numbers that are no motion. Along a
 //! motion the divisors of a law keep their signs, or vanish together with what they divide. So a step over which one changes its sign
 //! is looked at: near the zero of the divisor, on the chord of the step, rates are large beside those at both ends if it is a pole, and
 //! of their size if it is none.
+//!
+//! A root has a corner where its radicand vanishes, and a direction jumps there: the distance of two points along one line. A method of
+//! finite order passes a jump by short steps, or steps over it and does not see it. So a step over which a radicand comes down to zero is
+//! looked at too: the jump of the rates there, times the step, must be of the size of the tolerance.
 
-use integrators::{Divisors, Observer, Outcome, System};
+use integrators::{Divisors, Observer, Outcome, System, Tolerance};
 
 /// Rates near a zero that are larger than at the ends of the step by this factor are those of a pole.
 const LARGE: f64 = 1e3;
@@ -20,13 +24,29 @@ const ROUNDING: f64 = 1e-9;
 const HALVINGS: usize = 60;
 
 /// Why a run ends before a pole.
-pub(super) const POLE: &str = "a divisor of its rates passes through zero in the next step, where they grow without bound: no motion goes on there";
+const POLE: &str = "a divisor of its rates passes through zero in the next step, where they grow without bound: no motion goes on there";
 
 /// A run that ends before its last step; what changed most in that step is not told.
 pub(super) fn up_to(outcome: Outcome<f64>, (time, state): (f64, Vec<f64>)) -> Outcome<f64> {
     let deviations = outcome.deviations.into_iter().filter(|one| one.at <= time).collect();
     Outcome { time, state, deviations, ..outcome }
 }
+
+/// Why a run ends before a jump that the method does not see.
+const JUMP: &str = "in the next step the argument of a root, such as a distance or a speed, passes through zero, where the rates jump: \
+     this step is too long to follow them; dormand_prince_8 and taylor pass such places by short steps";
+
+/// A radicand that is smaller than at the ends of a step by this factor comes down to zero.
+const SMALL: f64 = 1e-3;
+
+/// The distance from the zero of a radicand at which rates are compared, of the shorter part of the step.
+const BESIDE: f64 = 1e-3;
+
+/// The part of the rates that is a jump, where they change by it over that distance.
+const JUMPS: f64 = 0.05;
+
+/// A jump times the step that is larger than the tolerance by this factor is not followed.
+const UNSEEN: f64 = 1e3;
 
 /// A time and a state.
 #[derive(Clone, Debug, Default)]
@@ -38,6 +58,7 @@ struct Instant {
 /// Watches the divisors of a law over the steps of a run, and shows its observer nothing beyond a pole.
 pub(super) struct PoleWatch<'a> {
     law: &'a dyn System,
+    tolerance: &'a Tolerance,
     divisors: Option<&'a dyn Divisors>,
     observer: &'a mut dyn Observer<f64>,
     before: Instant,
@@ -45,32 +66,38 @@ pub(super) struct PoleWatch<'a> {
     values: [Vec<f64>; 2],
     /// Outputs of the step that was not looked at yet.
     samples: Vec<Instant>,
-    is_over: bool,
+    /// Why the run ends, where it does.
+    why: Option<&'static str>,
 }
 
 impl<'a> PoleWatch<'a> {
     /// Of a run that begins at a time and a state.
-    pub fn new(law: &'a dyn System, (time, state): (f64, &[f64]), observer: &'a mut dyn Observer<f64>) -> Self {
+    pub fn new(
+        (law, tolerance): (&'a dyn System, &'a Tolerance),
+        (time, state): (f64, &[f64]),
+        observer: &'a mut dyn Observer<f64>,
+    ) -> Self {
         let divisors = law.divisors();
-        let mut value = vec![f64::NAN; divisors.map_or(0, Divisors::count)];
+        let mut value = vec![f64::NAN; divisors.map_or(0, |divisors| divisors.counts().iter().sum())];
         if let Some(divisors) = divisors {
             divisors.at(time, state, &mut value);
         }
         PoleWatch {
             law,
+            tolerance,
             divisors,
             observer,
             before: Instant { time, state: state.to_vec() },
             values: [value.clone(), value],
             samples: Vec::new(),
-            is_over: false,
+            why: None,
         }
     }
 
-    /// The last state before a pole, where the run has come to one, be it on the way to the event that has ended it.
-    pub fn end(mut self, Outcome { time, state, .. }: &Outcome<f64>) -> Option<(f64, Vec<f64>)> {
-        if self.is_over || self.has_passed(*time, state) {
-            return Some((self.before.time, self.before.state));
+    /// The last state before a pole or a jump and the reason, where the run has come to one, be it on the way to the event that has ended it.
+    pub fn end(mut self, Outcome { time, state, .. }: &Outcome<f64>) -> Option<(f64, Vec<f64>, &'static str)> {
+        if let Some(why) = self.why.or_else(|| self.passed(*time, state)) {
+            return Some((self.before.time, self.before.state, why));
         }
         self.show_samples();
         None
@@ -82,27 +109,69 @@ impl<'a> PoleWatch<'a> {
         }
     }
 
-    /// Whether a pole lies between the last state and another.
-    fn has_passed(&mut self, time: f64, state: &[f64]) -> bool {
-        let Some(divisors) = self.divisors else { return false };
+    /// What lies between the last state and another.
+    fn passed(&mut self, time: f64, state: &[f64]) -> Option<&'static str> {
+        let divisors = self.divisors?;
         let [before, after] = &mut self.values;
         divisors.at(time, state, after);
         let changed = |(one, other): (&f64, &f64)| one * other < 0.0;
-        let candidates = before.iter().zip(&*after).map(changed).enumerate();
+        let [signed, radicands] = divisors.counts();
+        let candidates = before[..signed].iter().zip(&*after).map(changed).enumerate();
         let candidates: Vec<usize> = candidates.filter_map(|(place, has)| has.then_some(place)).collect();
-        candidates.into_iter().any(|place| self.is_pole(divisors, place, (time, state)))
+        if candidates.into_iter().any(|place| self.is_pole(divisors, place, (time, state))) {
+            return Some(POLE);
+        }
+        (radicands > 0 && self.has_jumped(divisors, (time, state))).then_some(JUMP)
+    }
+
+    /// A time and a state on the chord from the last state to another.
+    fn chord(&self, (time, state): (f64, &[f64]), part: f64) -> (f64, Vec<f64>) {
+        let between = |(from, to): (&f64, &f64)| from + part * (to - from);
+        (between((&self.before.time, &time)), self.before.state.iter().zip(state).map(between).collect())
+    }
+
+    /// The rates on the chord.
+    fn rates(&self, end: (f64, &[f64]), part: f64) -> Vec<f64> {
+        let (time, state) = self.chord(end, part);
+        let mut rates = vec![f64::NAN; state.len()];
+        self.law.rates(time, &state, &mut rates);
+        rates
+    }
+
+    /// Whether a radicand comes down to zero between the last state and another, with a jump of the rates that the step does not see.
+    fn has_jumped(&self, divisors: &dyn Divisors, (time, state): (f64, &[f64])) -> bool {
+        let [signed, radicands] = divisors.counts();
+        let mut middle = vec![f64::NAN; signed + radicands];
+        let (time_between, between) = self.chord((time, state), 0.5);
+        divisors.at(time_between, &between, &mut middle);
+        let [before, after] = &self.values;
+        (signed..signed + radicands).any(|place| {
+            let [from, at, to] = [before[place], middle[place], after[place]];
+            // the parabola through the three
+            let (slope, bend) = (4.0 * at - 3.0 * from - to, 2.0 * (from + to - 2.0 * at));
+            let lowest = -slope / (2.0 * bend);
+            let least = from + lowest * (slope + lowest * bend);
+            if !(lowest > 0.0 && lowest < 1.0 && least <= SMALL * from.min(to)) {
+                return false;
+            }
+            let part = lowest.min(1.0 - lowest);
+            let [first, last, below, above] =
+                [0.0, 1.0, lowest - BESIDE * part, lowest + BESIDE * part].map(|at| self.rates((time, state), at));
+            let step = part * (time - self.before.time).abs();
+            (0..first.len()).any(|i| {
+                let jump = (above[i] - below[i]).abs();
+                let usual = first[i].abs().max(last[i].abs());
+                let allowed = self.tolerance.absolute(i) + self.tolerance.relative * state[i].abs();
+                jump > JUMPS * usual && jump * step > UNSEEN * allowed
+            })
+        })
     }
 
     /// Whether the rates are large where a divisor vanishes between the last state and another.
-    fn is_pole(&self, divisors: &dyn Divisors, place: usize, (time, state): (f64, &[f64])) -> bool {
-        let at = |part: f64| {
-            let between = |(from, to): (&f64, &f64)| from + part * (to - from);
-            let states = self.before.state.iter().zip(state).map(between).collect::<Vec<f64>>();
-            (between((&self.before.time, &time)), states)
-        };
-        let mut values = vec![f64::NAN; divisors.count()];
+    fn is_pole(&self, divisors: &dyn Divisors, place: usize, end: (f64, &[f64])) -> bool {
+        let mut values = vec![f64::NAN; divisors.counts().iter().sum()];
         let mut value = |part: f64| {
-            let (time, state) = at(part);
+            let (time, state) = self.chord(end, part);
             divisors.at(time, &state, &mut values);
             values[place]
         };
@@ -113,12 +182,7 @@ impl<'a> PoleWatch<'a> {
             if value(middle).signum() == sign { from = middle } else { to = middle }
         }
         let apart = NEAR * from.min(1.0 - to);
-        let rates = |part: f64| {
-            let (time, state) = at(part);
-            let mut rates = vec![f64::NAN; state.len()];
-            self.law.rates(time, &state, &mut rates);
-            rates
-        };
+        let rates = |part: f64| self.rates(end, part);
         let [first, last, below, above] = [0.0, 1.0, from - apart, to + apart].map(rates);
         let largest = first.iter().chain(&last).fold(0.0, |largest: f64, rate| largest.max(rate.abs()));
         (0..first.len()).any(|i| {
@@ -142,8 +206,8 @@ impl Observer<f64> for PoleWatch<'_> {
     }
 
     fn step(&mut self, time: f64, state: &[f64]) {
-        self.is_over = self.has_passed(time, state);
-        if self.is_over {
+        self.why = self.passed(time, state);
+        if self.why.is_some() {
             return;
         }
         self.show_samples();
@@ -158,6 +222,6 @@ impl Observer<f64> for PoleWatch<'_> {
     }
 
     fn enough(&self) -> bool {
-        self.is_over || self.observer.enough()
+        self.why.is_some() || self.observer.enough()
     }
 }

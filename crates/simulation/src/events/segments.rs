@@ -1,7 +1,7 @@
 //! Runs of systems whose law changes at events: segment after segment, each from an event, located to rounding, to the next.
 
 use super::law_end::{Ending, Ends, Margins, SwitchesAndEnds};
-use super::poles::{POLE, PoleWatch, up_to};
+use super::poles::{PoleWatch, up_to};
 use crate::law::Law;
 use integrators::{
     Absolute, Deviation, End, Event, Method, Observer, Outcome, Span, Switches, Tolerance, Work, integrate_to_event,
@@ -113,14 +113,14 @@ pub(crate) fn integrate(
         let ends = Ends::of(Ending { law: &*segment.law, margins }, here, &at.state[..states], segment.followed);
         let switches = SwitchesAndEnds { switches: &*segment.switches, ends };
         let tolerance = with_followed(tolerance, segment.followed);
-        let mut watch = PoleWatch::new(&*segment.law, (here, &at.state), &mut part);
+        let mut watch = PoleWatch::new((&*segment.law, &tolerance), (here, &at.state), &mut part);
         let (mut outcome, event) = integrate_to_event(&*segment.law, method, &tolerance, &rest, &switches, &mut watch);
         let pole = watch.end(&outcome);
         outcome.state.truncate(states);
         at = joined(at, outcome);
-        if let Some((time, mut state)) = pole {
+        if let Some((time, mut state, why)) = pole {
             state.truncate(states);
-            return (up_to(at, (time, state)), Some(POLE));
+            return (up_to(at, (time, state)), Some(why));
         }
         let Some(event) = event else {
             let failed = matches!(at.end, End::Stopped(failure) if !failure.is_broken_off());

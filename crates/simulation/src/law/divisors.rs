@@ -1,4 +1,4 @@
-//! What a law divides by, as a program.
+//! What a law divides by, and takes roots of, as a program.
 
 use crate::law::program::Program;
 use integrators::Divisors;
@@ -9,22 +9,24 @@ use symbolic::Tape;
 /// Machine code takes as long to write as some hundreds of evaluations without it: a run with fewer steps has none.
 const WRITTEN_AFTER: u32 = 500;
 
-/// The divisors of a program, followed operation by operation until a run is long.
+/// The divisors and radicands of a program, followed operation by operation until a run is long.
 #[derive(Debug)]
 pub(super) struct DivisorProgram {
     tape: Tape,
+    divisors: usize,
     followed: Program,
     written: OnceLock<Option<Program>>,
     evaluations: AtomicU32,
 }
 
 impl DivisorProgram {
-    /// None of a program that divides by constants only.
+    /// None of a program that divides by constants only and has no roots.
     pub fn of(program: &Program) -> Option<Self> {
-        let tape = program.divisors()?;
+        let (tape, divisors) = program.divisors_and_radicands()?;
         Some(DivisorProgram {
             followed: Program::without_code(tape.clone()),
             tape,
+            divisors,
             written: OnceLock::new(),
             evaluations: AtomicU32::new(0),
         })
@@ -40,8 +42,8 @@ impl DivisorProgram {
 }
 
 impl Divisors for DivisorProgram {
-    fn count(&self) -> usize {
-        self.tape.outputs()
+    fn counts(&self) -> [usize; 2] {
+        [self.divisors, self.tape.outputs() - self.divisors]
     }
 
     fn at(&self, t: f64, y: &[f64], out: &mut [f64]) {

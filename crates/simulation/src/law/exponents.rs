@@ -30,6 +30,8 @@ const SHORTER: f64 = 0.7;
 pub struct Expandable {
     pub recurrence: Recurrence,
     pub exponents: Option<Exponents>,
+    /// Whether roots or angles of the state stand in it.
+    pub has_branches: bool,
 }
 
 /// The arguments u of exponentials.
@@ -56,9 +58,10 @@ impl Expandable {
     /// [`Untapeable`] where an expression has no series.
     pub fn record(equations: &Equations<'_>) -> Result<Self, Untapeable> {
         let solved = equations.solve.map(|solve| solve.expressions()).unwrap_or_default();
-        let found = exponents_of(&[equations.rates, &solved].concat());
+        let all = [equations.rates, &solved].concat();
+        let (found, has_branches) = (exponents_of(&all), has_branches(&all));
         if found.is_empty() {
-            return Ok(Expandable { recurrence: Recurrence::record(equations)?, exponents: None });
+            return Ok(Expandable { recurrence: Recurrence::record(equations)?, exponents: None, has_branches });
         }
         let (arguments, both_sides): (Vec<Sym>, Vec<bool>) = found.into_iter().unzip();
         let moved = equations.state.iter().copied().zip(equations.rates.iter().copied());
@@ -71,7 +74,7 @@ impl Expandable {
         let inputs = equations.state.iter().chain(&equations.time).chain(equations.parameters);
         let values = Tape::record(&inputs.copied().collect::<Vec<Sym>>(), &arguments)?;
         let knows_time = equations.time.is_some();
-        Ok(Expandable { recurrence, exponents: Some(Exponents { values, knows_time, both_sides }) })
+        Ok(Expandable { recurrence, exponents: Some(Exponents { values, knows_time, both_sides }), has_branches })
     }
 
     /// The number of states of the law.
@@ -122,6 +125,19 @@ impl Exponents {
         }
         longest
     }
+}
+
+/// Whether a root or an angle of letters stands in expressions.
+fn has_branches(roots: &[Sym]) -> bool {
+    let (mut open, mut seen) = (roots.to_vec(), HashSet::new());
+    while let Some(each) = open.pop() {
+        let is_branched = matches!(each.node(), Node::Root(_) | Node::Elementary(Elementary::Atan2, ..));
+        if is_branched && !each.symbols_of().is_empty() {
+            return true;
+        }
+        open.extend(each.node().children().filter(|child| seen.insert(*child)));
+    }
+    false
 }
 
 /// The arguments of exponentials, and twice those of tanh with a sign that it has both sides.

@@ -151,6 +151,10 @@ impl<S: Fused, const W: usize, const N: usize> TaylorSeries<S> for Series<'_, S,
         let term = |place: usize, k: usize| expansion.coefficients(k)[first + place].rounded();
         exponents.longest(&self.exponents.values, expansion.order(), S::FINER, term)
     }
+
+    fn has_branches(&self) -> bool {
+        self.law.has_branches
+    }
 }
 
 /// A series whose room goes from run to run.
@@ -183,6 +187,10 @@ impl<S: Fused, const W: usize> TaylorSeries<S> for Kept<'_, S, W> {
 
     fn shown(&self) -> f64 {
         self.series.shown()
+    }
+
+    fn has_branches(&self) -> bool {
+        self.series.has_branches()
     }
 }
 

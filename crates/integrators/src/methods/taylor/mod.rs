@@ -140,11 +140,51 @@ pub(crate) struct TaylorStepper<S, T> {
     expanded_at: Option<S>,
     reach: f64,
     direction: S,
+    /// The state within a step, the rates of the law there, and those of the series.
+    within: [Vec<S>; 3],
 }
 
 impl<S: Real, T: TaylorSeries<S>> TaylorStepper<S, T> {
     pub fn new(source: T, tolerance: &Tolerance) -> Self {
-        TaylorStepper { method: Taylor::new(source, tolerance), expanded_at: None, reach: 0.0, direction: S::one() }
+        TaylorStepper {
+            method: Taylor::new(source, tolerance),
+            expanded_at: None,
+            reach: 0.0,
+            direction: S::one(),
+            within: Default::default(),
+        }
+    }
+}
+
+/// Rates of a series that miss those of the law over a step by so many times what is allowed belong to another branch of it.
+const OFF: f64 = 1e3;
+
+impl<S: Real, T: TaylorSeries<S>> TaylorStepper<S, T> {
+    /// Whether the rates of the series are those of the law, in the middle of a step and at its end.
+    fn follows(&mut self, (tau, step): (S, S), meter: &BudgetedRhs<S>) -> bool {
+        let TaylorStepper { method, direction, within: [state, rates, own], .. } = self;
+        let states = method.source.coefficients(0).len();
+        for room in [&mut *state, rates, own] {
+            room.resize(states, S::zero());
+        }
+        [step.half(), step].into_iter().all(|passed| {
+            let h = passed * *direction;
+            method.source.sum(h, state);
+            meter.rates(tau + passed, state, rates);
+            own.fill(S::zero());
+            for k in (1..=method.order).rev() {
+                let terms = method.source.coefficients(k);
+                let times = S::int(k as i64);
+                own.iter_mut().zip(terms).for_each(|(sum, term)| *sum = *sum * h + *term * times);
+            }
+            (0..states).all(|i| {
+                let apart = (own[i] * *direction - rates[i]).magnitude().approx() * step.approx();
+                let value = state[i].approx().abs();
+                let allowed = method.tolerance.absolute(i) + method.tolerance.relative * value;
+                let rounding = S::EPSILON * (value + rates[i].approx().abs() * step.approx());
+                apart <= OFF * (allowed + rounding)
+            })
+        })
     }
 }
 
@@ -161,6 +201,11 @@ impl<S: Real, T: TaylorSeries<S>> Stepper<S> for TaylorStepper<S, T> {
     fn attempt(&mut self, tau: S, before: &[S], step: S, after: &mut [S], meter: &BudgetedRhs<S>) -> Attempt {
         if self.reach(tau, before, meter).is_none() {
             return Attempt::Rejected { next: step.approx() / 4.0, cause: self.method.beyond() };
+        }
+        if self.method.source.has_branches() && !self.follows((tau, step), meter) {
+            // the same series is tried over a shorter step
+            self.reach = step.approx() / 4.0;
+            return Attempt::Rejected { next: self.reach, cause: Cause::Error };
         }
         self.method.source.sum(step * self.direction, after);
         Attempt::Accepted { next: self.reach }

@@ -57,9 +57,9 @@ impl Program {
         Some(Program { code, ..Program::without_code(tape) })
     }
 
-    /// What it divides by, as a tape; none where it divides by constants only.
-    pub(super) fn divisors(&self) -> Option<Tape> {
-        self.tape.divisors()
+    /// What it divides by and takes roots of, as [`Tape::divisors_and_radicands`].
+    pub(super) fn divisors_and_radicands(&self) -> Option<(Tape, usize)> {
+        self.tape.divisors_and_radicands()
     }
 
     /// The program of a tape whose operations are followed one by one.
