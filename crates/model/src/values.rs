@@ -12,6 +12,8 @@ impl Model {
             let (name, value) = (name.as_ref(), *value);
             if let Some(parameter) = self.parameters.iter_mut().find(|parameter| parameter.name == name) {
                 parameter.value = Some(value);
+                let unit = if parameter.unit == "1" { String::new() } else { format!(" {}", parameter.unit) };
+                parameter.written = format!("{value}{unit}");
                 continue;
             }
             let own = self.coordinates.len();

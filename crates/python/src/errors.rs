@@ -42,8 +42,7 @@ fn described<'py>(py: Python<'py>, error: &SceneError, issue: &Issue) -> PyResul
 
 /// A text that is wrong, as an exception.
 pub fn scene_error(py: Python<'_>, error: &SceneError) -> PyErr {
-    // errors begin on a line of their own below the exception's name
-    let exception = ModelError::new_err(format!("\n{error}"));
+    let exception = ModelError::new_err(error.to_string());
     let described = || -> PyResult<()> {
         let value = exception.value(py);
         let all: Vec<_> = error.issues.iter().map(|issue| described(py, error, issue)).collect::<PyResult<_>>()?;

@@ -16,17 +16,10 @@ pub struct LinearEquations {
 
 impl LinearEquations {
     /// Linearises the system of a text with values of parameters and the start.
-    pub fn of(
-        py: Python<'_>,
-        text: &SystemText,
-        equilibrium: bool,
-        inputs: &[String],
-        values: &[(String, f64)],
-    ) -> PyResult<Self> {
+    pub fn of(py: Python<'_>, text: &SystemText, equilibrium: bool, inputs: &[String]) -> PyResult<Self> {
         let mut model = text.model(Task::Vary).map_err(|error| crate::errors::scene_error(py, &error))?;
         let place = |found: dalembert::reader::Issue| issue(py, (&text.name, &text.text), found);
         model.close_inputs();
-        model.set_values(values).map_err(|why| refused(py, &text.name, why))?;
         let inputs = inputs_of(&mut model, inputs).map_err(|why| refused(py, &text.name, why))?;
         let ((time, state), choice) = py.detach(|| point_of(&mut model, equilibrium)).map_err(place)?;
         if let Some(choice) = choice {

@@ -6,6 +6,7 @@ use crate::errors::{refused, scene_error};
 use crate::judgement::Judgement;
 use crate::linear::LinearEquations;
 use crate::trajectory::{Beside, NativeTrajectory};
+use dalembert::integrators::Method;
 use dalembert::model::{self, Trace, judgements};
 use dalembert::scenes::{Given, ModelScene, SystemText, Task};
 use dalembert::simulation::models::Modelled;
@@ -22,8 +23,6 @@ use std::time::{Duration, Instant};
 #[pyclass(frozen, module = "dalembert._native")]
 pub struct NativeModel {
     text: SystemText,
-    /// In SI units.
-    values: Vec<(String, f64)>,
     model: Arc<model::Model>,
     #[pyo3(get)]
     title: String,
@@ -36,27 +35,21 @@ const LOOK: Duration = Duration::from_millis(50);
 
 /// The run of a text that says nothing of its own.
 fn usual() -> Run {
-    Run {
-        span: 10.0,
-        samples: 200,
-        tolerance: 1e-8,
-        method: dalembert::integrators::Method::DormandPrince8,
-        outputs: Vec::new(),
-    }
+    Run { span: 10.0, samples: 200, tolerance: 1e-8, method: Method::DormandPrince8, outputs: Vec::new() }
 }
 
 impl NativeModel {
-    fn read(py: Python<'_>, text: SystemText, values: Vec<(String, f64)>) -> PyResult<Self> {
+    fn read(py: Python<'_>, text: SystemText) -> PyResult<Self> {
         let read = py.detach(|| dalembert::scenes::parse_titled(&text.name, &text.text, Task::Run));
         let (title, model) = read.map_err(|error| scene_error(py, &error))?;
-        Ok(NativeModel { text, values, model: Arc::new(model), title, scene: OnceLock::new() })
+        Ok(NativeModel { text, model: Arc::new(model), title, scene: OnceLock::new() })
     }
 
     fn scene(&self, py: Python<'_>) -> PyResult<&Arc<dyn Modelled>> {
         if let Some(scene) = self.scene.get() {
             return Ok(scene);
         }
-        let given = Given { run: Some(usual()), values: self.values.clone() };
+        let given = Given { run: Some(usual()), values: self.text.values.clone() };
         let made = py.detach(|| ModelScene::parse_with(&self.text.name, &self.text.text, given));
         let made = made.map_err(|error| scene_error(py, &error))?;
         Ok(self.scene.get_or_init(|| Arc::new(made)))
@@ -79,13 +72,13 @@ impl NativeModel {
 impl NativeModel {
     #[staticmethod]
     fn from_text(py: Python<'_>, text: String, name: String) -> PyResult<Self> {
-        NativeModel::read(py, SystemText { name, text }, Vec::new())
+        NativeModel::read(py, SystemText { name, text, values: Vec::new() })
     }
 
     #[staticmethod]
     fn from_file(py: Python<'_>, path: PathBuf) -> PyResult<Self> {
         let text = SystemText::read(&path).map_err(|error| scene_error(py, &error))?;
-        NativeModel::read(py, text, Vec::new())
+        NativeModel::read(py, text)
     }
 
     #[getter]
@@ -98,10 +91,17 @@ impl NativeModel {
         &self.text.name
     }
 
+    /// Values in the place of those of the text.
+    #[getter]
+    fn values(&self) -> Vec<(String, f64)> {
+        self.text.values.clone()
+    }
+
     /// Parameters: name, value in SI units, unit.
     #[getter]
     fn parameters(&self) -> Vec<(String, Option<f64>, String)> {
-        let value = |name: &str| self.values.iter().rev().find(|(known, _)| known == name).map(|(_, value)| *value);
+        let value =
+            |name: &str| self.text.values.iter().rev().find(|(known, _)| known == name).map(|(_, value)| *value);
         let datum = |one: &model::Parameter| (one.name.clone(), value(&one.name).or(one.value), one.unit.clone());
         self.model.parameters.iter().map(datum).collect()
     }
@@ -138,9 +138,10 @@ impl NativeModel {
                 return Err(refused(py, &self.text.name, format!("`{name}` is {value}; a finite number is accepted")));
             }
         }
-        let (text, model, title) = (self.text.clone(), Arc::clone(&self.model), self.title.clone());
-        let values = [self.values.clone(), values].concat();
-        Ok(NativeModel { text, values, model, title, scene: OnceLock::new() })
+        let (model, title) = (Arc::clone(&self.model), self.title.clone());
+        let values = [self.text.values.clone(), values].concat();
+        let text = SystemText { values, ..self.text.clone() };
+        Ok(NativeModel { text, model, title, scene: OnceLock::new() })
     }
 
     fn derive(&self, py: Python<'_>, principle: Option<&str>) -> PyResult<Equations> {
@@ -154,7 +155,7 @@ impl NativeModel {
     }
 
     fn linearise(&self, py: Python<'_>, equilibrium: bool, inputs: Vec<String>) -> PyResult<LinearEquations> {
-        LinearEquations::of(py, &self.text, equilibrium, &inputs, &self.values)
+        LinearEquations::of(py, &self.text, equilibrium, &inputs)
     }
 
     fn rhs(&self, py: Python<'_>) -> PyResult<RightHandSide> {
@@ -190,6 +191,11 @@ impl NativeModel {
             None => own.method,
             Some(name) => methods::method(name).map_err(|(why, accepted)| wrong(format!("{why}: {accepted}")))?,
         };
+        if matches!(method, Method::Split { .. }) {
+            return Err(wrong(
+                "splittings are for gyrostats and motors with pieces; other methods are accepted".to_owned(),
+            ));
+        }
         let tolerance = tolerance.unwrap_or(own.tolerance);
         run::check_tolerance(tolerance)
             .map_err(|why| wrong(format!("`tolerance`: {why}; from 1e-14 to below 1 is accepted")))?;
@@ -203,7 +209,7 @@ impl NativeModel {
         let allowed = Duration::try_from_secs_f64(seconds).map_err(|why| wrong(format!("`seconds`: {why}")))?;
         let choice = Choice { method, tolerance, axes: Axes::First, samples, allowed };
         let (mut looked, mut interrupted) = (Instant::now(), None);
-        let (trajectory, told) = py.detach(|| {
+        let (trajectory, told, steps) = py.detach(|| {
             let trajectory = problem.simulate_while(&choice, |_| {
                 if looked.elapsed() > LOOK {
                     looked = Instant::now();
@@ -212,14 +218,21 @@ impl NativeModel {
                 if interrupted.is_some() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
             });
             let told = scene.told(&choice, &trajectory);
-            (trajectory, told)
+            let steps = problem.beside(&choice, &trajectory, || match Python::attach(|py| py.check_signals()) {
+                Ok(()) => ControlFlow::Continue(()),
+                Err(error) => {
+                    interrupted = Some(error);
+                    ControlFlow::Break(())
+                }
+            });
+            (trajectory, told, steps)
         });
         if let Some(interrupted) = interrupted {
             return Err(interrupted);
         }
         let units = trajectory.names.iter().map(|name| scene.unit(name).into_owned()).collect();
         let states = problem.state.len() - problem.metered;
-        let beside = Beside { units, method: method.to_string(), tolerance, states, told };
+        let beside = Beside { units, method: method.to_string(), tolerance, states, told, steps };
         NativeTrajectory::of(py, trajectory, beside)
     }
 }

@@ -1,6 +1,6 @@
 //! A run, handed over to Python.
 
-use dalembert::integrators::Lost;
+use dalembert::integrators::{Beside as StepHalving, Lost};
 use dalembert::simulation::events::Passage;
 use dalembert::simulation::{RunNotes, Trajectory};
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
@@ -28,6 +28,7 @@ pub struct NativeTrajectory {
     states: usize,
     trajectory: Trajectory,
     told: RunNotes,
+    beside: Option<StepHalving>,
 }
 
 /// What stands beside the trajectory itself.
@@ -37,12 +38,14 @@ pub struct Beside {
     pub tolerance: f64,
     pub states: usize,
     pub told: RunNotes,
+    /// Of constant steps: what shorter ones say.
+    pub steps: Option<StepHalving>,
 }
 
 impl NativeTrajectory {
     /// Takes a trajectory over: its rows become one array.
     pub fn of(py: Python<'_>, mut trajectory: Trajectory, beside: Beside) -> PyResult<Self> {
-        let Beside { units, method, tolerance, states, told } = beside;
+        let Beside { units, method, tolerance, states, told, steps } = beside;
         let columns = trajectory.names.len();
         let mut rows = std::mem::take(&mut trajectory.rows);
         let mut times = std::mem::take(&mut trajectory.times);
@@ -63,6 +66,7 @@ impl NativeTrajectory {
             states,
             trajectory,
             told,
+            beside: steps,
         })
     }
 }
@@ -91,6 +95,23 @@ impl NativeTrajectory {
     #[getter]
     fn lost(&self) -> Option<(String, f64, f64)> {
         self.trajectory.lost().map(|(own, Lost { at, size })| (own.name.clone(), at, size))
+    }
+
+    /// Of constant steps: what shorter ones say of them, and whether they follow the motion.
+    #[getter]
+    fn steps(&self) -> Option<(String, bool)> {
+        self.beside.as_ref().map(|beside| (beside.to_string(), beside.parting.serves()))
+    }
+
+    /// What should stay zero, by names, with a value for each sample.
+    #[getter]
+    fn checks<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let all = PyDict::new(py);
+        for (place, name) in self.trajectory.checks.iter().enumerate() {
+            let values = self.trajectory.checked.iter().map(|row| row[place]).collect();
+            all.set_item(name, PyArray1::from_vec(py, values))?;
+        }
+        Ok(all)
     }
 
     /// Columns that have no value at the end.

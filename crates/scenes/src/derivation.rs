@@ -164,9 +164,8 @@ pub fn derived<R: Send>(
         if !has_own || quasi == QuasiPrinciple::Shulgin {
             if model.constraints.is_empty() {
                 return Err(refused(format!(
-                    "{}: {} does not apply: without constraints its equations are those of lagrange; accepted is lagrange, or a system \
-                     with constraints",
-                    text.name,
+                    "{} does not apply: without constraints its equations are those of lagrange; accepted is lagrange, or a system with \
+                     constraints",
                     quasi.name()
                 )));
             }

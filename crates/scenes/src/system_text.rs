@@ -1,5 +1,6 @@
 //! A text with a system, as commands and programs that are handed a text ask for it.
 
+use crate::admissible::impossible;
 use crate::branch::{on_branch, without_implied};
 use crate::known_as::known;
 use crate::quoted_keys::with_quoted_primes;
@@ -13,10 +14,12 @@ use simulation::models::holds_model;
 use std::path::Path;
 
 /// A text with `[coordinates]`, and what messages call it.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct SystemText {
     pub name: String,
     pub text: String,
+    /// Values of parameters, and of coordinates and speeds at the start, in SI units, in the place of those of the text.
+    pub values: Vec<(String, f64)>,
 }
 
 impl SystemText {
@@ -25,7 +28,7 @@ impl SystemText {
     /// # Errors
     /// It cannot be read.
     pub fn read(path: &Path) -> Result<Self, SceneError> {
-        Ok(SystemText { name: path.display().to_string(), text: read_text(path)? })
+        Ok(SystemText { name: path.display().to_string(), text: read_text(path)?, values: Vec::new() })
     }
 
     /// Its system, without its run.
@@ -33,7 +36,12 @@ impl SystemText {
     /// # Errors
     /// All that is wrong with the system, each at its place.
     pub fn model(&self, task: Task) -> Result<Model, SceneError> {
-        parse_titled(&self.name, &self.text, task).map(|(_, model)| model)
+        let (_, mut model) = parse_titled(&self.name, &self.text, task)?;
+        let unknown = |why: String| {
+            SceneError::whole(&self.name, why, "names of parameters, coordinates and speeds are accepted")
+        };
+        model.set_values(&self.values).map_err(unknown)?;
+        Ok(model)
     }
 
     /// Its system as equations are written of it: without the equations of constraints that follow from others.
@@ -95,7 +103,10 @@ pub fn parse_titled(name: &str, text: &str, task: Task) -> Result<(String, Model
         let (model, _) = model(top, issues)?;
         let large = too_large(&model, task);
         issues.extend(large.clone());
-        large.is_none().then_some((title.split_whitespace().collect::<Vec<_>>().join(" "), model))
+        let bodies = impossible(&model);
+        let exist = bodies.is_empty();
+        issues.extend(bodies);
+        (exist && large.is_none()).then_some((title.split_whitespace().collect::<Vec<_>>().join(" "), model))
     });
     let (title, model) = read.map_err(with_quoted_primes)?;
     warn_of(name, text, &model.warnings);

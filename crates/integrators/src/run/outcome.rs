@@ -44,7 +44,7 @@ pub struct Deviation {
     pub largest: f64,
     /// Where it was reached.
     pub at: f64,
-    /// From where on it was larger than [`LOST`] of the size of the quantity, where that is known.
+    /// Where it first was larger than [`LOST`] of the size of the quantity up to there, where that is known and it is larger in the end too.
     pub lost: Option<Lost>,
 }
 
@@ -56,7 +56,7 @@ pub const LOST: f64 = 0.01;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lost {
     pub at: f64,
-    /// The largest size of the quantity up to there.
+    /// The largest size of the quantity.
     pub size: f64,
 }
 

@@ -211,7 +211,13 @@ impl<'a, 'm, S: Real> Watch<'a, 'm, S> {
         let time = self.time();
         let mut work = meter.work();
         (work.steps, work.rejected, work.outputs) = (self.steps, self.rejected, self.within.steps);
-        let deviations = self.deviations.into_iter().map(|(_, deviation, _)| deviation).collect();
+        // what is small beside the whole motion is not lost, as at the beginning of one from rest
+        let judged = |(_, deviation, largest): (S, Deviation, f64)| {
+            let is_lost = deviation.largest > LOST * largest;
+            let lost = deviation.lost.filter(|_| is_lost).map(|lost| Lost { size: largest, ..lost });
+            Deviation { lost, ..deviation }
+        };
+        let deviations = self.deviations.into_iter().map(judged).collect();
         Outcome { end, time, state: self.state, work, deviations }
     }
 

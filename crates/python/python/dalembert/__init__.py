@@ -22,7 +22,7 @@
     >>> model.prove()                            # do all principles agree?
     >>> solve_ivp(model.rhs(), (0, 10), model.start, jac=model.jacobian(), method="Radau")
 
-The language of the texts stands in the book of the project (book/src/models.md). All numbers are in SI units unless a text says
+The language of the texts stands in the book of the project, in the chapter "Your own system, as text". All numbers are in SI units unless a text says
 otherwise. What is wrong with a model raises ModelError with file, line, column and what is accepted there.
 """
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from numbers import Integral
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -29,12 +30,23 @@ def _value(value: Any) -> str:
         return "{ " + ", ".join(f"{_key(str(name))} = {_value(one)}" for name, one in value.items()) + " }"
     if isinstance(value, (list, tuple)):
         return "[" + ", ".join(map(_value, value)) + "]"
-    if isinstance(value, (int, float)):
-        return repr(value)
+    # the numbers of NumPy too, whose own form is none of TOML
     try:
+        if hasattr(value, "item"):
+            return _value(value.item())
+        if isinstance(value, Integral):
+            return repr(int(value))
         return repr(float(value))
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         raise TypeError(f"{value!r} is no value of a model: texts, numbers, truth values, lists and dictionaries are accepted") from None
+
+
+def _plain(name: str) -> str:
+    return name[:-1] if name.endswith("_") and len(name) > 1 else name
+
+
+# tables that may stand more than once
+_LISTS = {"force", "torque", "constraint", "contact", "drive", "event", "diode", "freewheel", "drive.winding", "ensemble.vary"}
 
 
 class ModelBuilder:
@@ -58,17 +70,28 @@ class ModelBuilder:
     """
 
     def __init__(self, title: str) -> None:
+        if not isinstance(title, str):
+            raise TypeError(f"a title is a text, and not {title!r}")
         self._title = title
         self._top: dict[str, Any] = {}
         self._tables: dict[str, dict[str, Any]] = {}
         self._lists: list[tuple[str, dict[str, Any]]] = []
 
     def _set(self, table: str, values: dict[str, Any] | None, more: dict[str, Any]) -> ModelBuilder:
-        self._tables.setdefault(table, {}).update({**(values or {}), **more})
+        known = self._tables.setdefault(table, {})
+        for name, value in {**(values or {}), **{_plain(name): value for name, value in more.items()}}.items():
+            if name in known:
+                raise ValueError(f"[{table}] has `{name}` already: {known[name]!r}")
+            known[name] = value
         return self
 
     def _add(self, table: str, keys: dict[str, Any]) -> ModelBuilder:
-        self._lists.append((table, {name.rstrip("_"): value for name, value in keys.items()}))
+        self._lists.append((table, {_plain(name): value for name, value in keys.items()}))
+        return self
+
+    def description(self, text: str) -> ModelBuilder:
+        """What happens in the model, and why it is of interest."""
+        self._top["description"] = text
         return self
 
     def parameters(self, values: dict[str, Any] | None = None, **more: Any) -> ModelBuilder:
@@ -145,8 +168,14 @@ class ModelBuilder:
         return self._set("run", keys, {})
 
     def table(self, table: str, values: dict[str, Any]) -> ModelBuilder:
-        """A table of any name; of a table with dots, such as "drive.winding", one more of its list."""
-        return self._add(table, values) if "." in table else self._set(table, values, {})
+        """A table that has no call of its own: .table("diode", {...}), .table("drive.machine", {...}) of the last drive."""
+        if table in _LISTS:
+            return self._add(table, values)
+        if table.startswith("drive."):
+            # a table of the drive that was added last
+            self._lists.append((table, dict(values)))
+            return self
+        return self._set(table, values, {})
 
     @property
     def text(self) -> str:
@@ -155,7 +184,7 @@ class ModelBuilder:
         for table, values in self._tables.items():
             lines += ["", f"[{table}]"] + [f"{_key(name)} = {_value(value)}" for name, value in values.items()]
         for table, values in self._lists:
-            lines += ["", f"[[{table}]]"] + [f"{_key(name)} = {_value(value)}" for name, value in values.items()]
+            lines += ["", f"[[{table}]]" if table in _LISTS else f"[{table}]"] + [f"{_key(name)} = {_value(value)}" for name, value in values.items()]
         return "\n".join(lines) + "\n"
 
     def build(self) -> Model:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable
+from typing import Literal
 
 import numpy
 
@@ -13,6 +14,22 @@ from ._proofs import Judgements
 from ._trajectory import Trajectory
 
 __all__ = ["Model"]
+
+
+# seconds, of a run without a limit
+_LONGEST = 1e9
+
+
+def _number(name: str, value: float) -> float:
+    try:
+        return float(value)
+    except (TypeError, ValueError, OverflowError):
+        raise TypeError(f"`{name}` is {value!r}; a number in SI units is accepted") from None
+
+
+def _restored(text: str, name: str, values: list[tuple[str, float]]) -> Model:
+    native = NativeModel.from_text(text, name)
+    return Model(native.with_values(values) if values else native)
 
 
 class Model:
@@ -31,6 +48,8 @@ class Model:
     @classmethod
     def from_text(cls, text: str, name: str = "<text>") -> Model:
         """Reads a model from a text in TOML; messages call it by `name`."""
+        if "\n" not in text and text.strip().endswith(".toml"):
+            raise ValueError(f"{text!r} is the name of a file and no text of a model; Model.from_file reads files")
         return cls(NativeModel.from_text(text, name))
 
     @classmethod
@@ -50,7 +69,7 @@ class Model:
 
     @property
     def text(self) -> str:
-        """The text itself."""
+        """The text as it was read, whatever values `with_values` has put in the place of its own."""
         return self._native.text
 
     @property
@@ -80,12 +99,12 @@ class Model:
         model.with_values(m=2.0, x=0.1), and for names that are none in Python model.with_values({"x'": 1.0}).
         """
         given = {**(values or {}), **more}
-        return Model(self._native.with_values([(name, float(value)) for name, value in given.items()]))
+        return Model(self._native.with_values([(name, _number(name, value)) for name, value in given.items()]))
 
     def derive(self, principle: str | None = None) -> Equations:
-        """Equations of motion by a principle of dalembert.PRINCIPLES; without one by the first that applies.
+        """Equations of motion by a principle of dalembert.PRINCIPLES.
 
-        A notebook shows them typeset; .text, .latex, .sympy and .code("python") have them in other notations.
+        Without one by virtual power; of a model with an energy in [energies] by Lagrange's, with [speeds] by Hamel's. A notebook shows them typeset; .text, .latex, .sympy and .code("python") have them in other notations.
         """
         return self._native.derive(principle)
 
@@ -100,17 +119,22 @@ class Model:
         method: str | None = None,
         tolerance: float | None = None,
         samples: int | None = None,
-        seconds: float = 300.0,
+        seconds: float | None = 300.0,
     ) -> Trajectory:
         """Runs the model from its start over `span` seconds.
 
         What is left out, the table [run] of the text says; without one 10 s, dormand_prince_8, tolerance 1e-8, 200 samples.
         method: one of dalembert.METHODS, such as "taylor", "radau_5" or "implicit_midpoint:1000" with its number of steps.
-        seconds: after so long the run is stopped, and what there is is kept. Ctrl-C breaks it off.
+        seconds: after so long the run is stopped, and what there is is kept; None for no limit. Ctrl-C breaks it off.
         """
-        return Trajectory(self._native.run(span, method, tolerance, samples, seconds), self.title)
+        if samples is not None and (isinstance(samples, bool) or int(samples) != samples or samples < 1):
+            raise ValueError(f"`samples` is {samples!r}; a whole number from 1 on is accepted")
+        span = None if span is None else _number("span", span)
+        tolerance = None if tolerance is None else _number("tolerance", tolerance)
+        limit = _LONGEST if seconds is None else min(_number("seconds", seconds), _LONGEST)
+        return Trajectory(self._native.run(span, method, tolerance, samples and int(samples), limit), self.title)
 
-    def linearise(self, about: str = "start", inputs: Iterable[str] = ()) -> LinearEquations:
+    def linearise(self, about: Literal["start", "equilibrium"] = "start", inputs: Iterable[str] = ()) -> LinearEquations:
         """Linear equations x' = A x + B w about the start, or about an equilibrium near it (about="equilibrium").
 
         inputs: parameters that are inputs w, beside the table [inputs] of the text.
@@ -127,6 +151,9 @@ class Model:
     def jacobian(self) -> JacobianMatrix:
         """The derivatives of the right-hand side by the state, J(t, y), exact: for the `jac` of solve_ivp."""
         return self._native.jacobian()
+
+    def __reduce__(self):
+        return _restored, (self._native.text, self._native.name, self._native.values)
 
     def __repr__(self) -> str:
         return f"<Model {self.title or self._native.name!r}: {', '.join(self.states)}>"

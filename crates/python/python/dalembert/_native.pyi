@@ -98,6 +98,7 @@ class NativeModel:
     parameters: list[tuple[str, float | None, str]]
     states: list[tuple[str, str]]
     positions: int
+    values: list[tuple[str, float]]
     def start(self) -> list[float]: ...
     def with_values(self, values: list[tuple[str, float]]) -> NativeModel: ...
     def derive(self, principle: str | None) -> Equations: ...
@@ -130,3 +131,5 @@ class NativeTrajectory:
     invariants: dict[str, tuple[float, float]]
     events: list[tuple[float, str, str | None]]
     work: dict[str, int]
+    steps: tuple[str, bool] | None
+    checks: dict[str, NDArray[numpy.float64]]

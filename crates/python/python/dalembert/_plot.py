@@ -23,8 +23,12 @@ def plot(run, names, figure=None):
     units: dict[str, list[str]] = {}
     for name in names:
         units.setdefault(run.units[name], []).append(name)
-    figure = figure or pyplot.figure(figsize=(7, 2.2 * len(units) + 0.6), layout="constrained")
-    axes = figure.subplots(len(units), 1, sharex=True, squeeze=False)[:, 0]
+    if figure is None:
+        figure = pyplot.figure(figsize=(7, 2.2 * len(units) + 0.6), layout="constrained")
+    # a figure with as many pictures takes another run over the first
+    axes = figure.axes
+    if len(axes) != len(units):
+        axes = figure.subplots(len(units), 1, sharex=True, squeeze=False)[:, 0]
     for own, (unit, columns) in zip(axes, units.items()):
         for name in columns:
             own.plot(run.time, run[name], label=name, linewidth=1.2)

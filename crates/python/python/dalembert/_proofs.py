@@ -11,7 +11,7 @@ __all__ = ["Judgements"]
 _COLOURS = {"proved": "#1a7f37", "identified": "#1a7f37", "tested": "#9a6700", "refuted": "#cf222e"}
 
 
-class Judgements(list):
+class Judgements(list[Judgement]):
     """A list of Judgement."""
 
     @property

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
 from html import escape
+from typing import Any
 
 import numpy
 
@@ -23,6 +25,8 @@ class Trajectory:
 
     def __init__(self, native: NativeTrajectory, title: str) -> None:
         self._native = native
+        native.time.setflags(write=False)
+        native.rows.setflags(write=False)
         self._places = {name: place for place, name in enumerate(native.names)}
         self.title = title
 
@@ -54,12 +58,19 @@ class Trajectory:
     def __contains__(self, name: str) -> bool:
         return name in self._places
 
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.names)
+
+    def items(self) -> list[tuple[str, numpy.ndarray]]:
+        """Names and columns."""
+        return [(name, self[name]) for name in self.names]
+
     def keys(self) -> list[str]:
         """Names of the columns: dict(run) has them all."""
         return self.names
 
     def __len__(self) -> int:
-        return len(self.time)
+        return len(self.names)
 
     @property
     def states(self) -> list[str]:
@@ -73,8 +84,12 @@ class Trajectory:
 
     @property
     def ok(self) -> bool:
-        """Whether the run reached its end, and its numbers are the motion."""
-        return self.stopped is None and self.lost is None and not self.undefined
+        """Whether the run reached its end, and nothing says that its numbers are not the motion.
+
+        What says so: the energy is lost (`lost`), shorter steps of a constant length go elsewhere (`steps`), a state has no value.
+        """
+        follows = self._native.steps is None or self._native.steps[1]
+        return self.stopped is None and self.lost is None and follows and not self._native.undefined
 
     @property
     def stopped(self) -> str | None:
@@ -90,9 +105,20 @@ class Trajectory:
         return f"{name} is lost at t = {at:.9g} s, where its change passed a hundredth of {size:.2g}; numbers from there on are no motion"
 
     @property
+    def steps(self) -> str | None:
+        """Of a method with constant steps: what shorter steps say of the run."""
+        return None if self._native.steps is None else self._native.steps[0]
+
+    @property
     def undefined(self) -> list[str]:
-        """Columns without a value at the end."""
-        return self._native.undefined
+        """Columns without a value at some time, such as an output that divides by zero there."""
+        missing = [name for name in self.names if not numpy.isfinite(self[name]).all()]
+        return missing + [name for name in self._native.undefined if name not in missing]
+
+    @property
+    def checks(self) -> dict[str, numpy.ndarray]:
+        """What should stay zero: the change of what is kept, and the largest residual of the constraints, at each sample."""
+        return self._native.checks
 
     @property
     def invariants(self) -> dict[str, tuple[float, float]]:
@@ -119,19 +145,20 @@ class Trajectory:
         """Counts of evaluations, Jacobians, factorisations, steps."""
         return self._native.work
 
-    def to_dataframe(self):
+    def to_dataframe(self) -> Any:
         """A pandas DataFrame, indexed by time; pandas must be installed."""
         import pandas
 
         return pandas.DataFrame(self.array, index=pandas.Index(self.time, name="time"), columns=self.names)
 
-    def plot(self, *names: str, figure=None):
+    def plot(self, *names: str | Iterable[str], figure: Any = None) -> Any:
         """Draws columns over time, one picture for each unit; without names all of them. Gives the figure of matplotlib."""
         from ._plot import plot
 
-        return plot(self, names or self._usual(), figure)
+        flat = [one for name in names for one in ([name] if isinstance(name, str) else name)]
+        return plot(self, flat or self._usual(), figure)
 
-    def phase(self, abscissa: str, ordinate: str, axes=None):
+    def phase(self, abscissa: str, ordinate: str, axes: Any = None) -> Any:
         """Draws one column over another: run.phase("theta", "theta'"). Gives the axes of matplotlib."""
         from ._plot import phase
 
@@ -154,6 +181,9 @@ class Trajectory:
                 facts.append(("diagnosis", self.diagnosis))
         if self.lost is not None:
             facts.append(("lost", self.lost))
+        if self.steps is not None:
+            facts.append(("steps", self.steps))
+        facts += [(name, f"at most {numpy.abs(values).max():.1e}") for name, values in self.checks.items() if name.startswith("residual") and len(values)]
         if self.undefined:
             facts.append(("undefined", ", ".join(self.undefined)))
         facts += [(name, f"{first:.9g}, kept to {change:.1e}") for name, (first, change) in self.invariants.items()]
