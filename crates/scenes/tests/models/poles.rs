@@ -80,6 +80,47 @@ fn a_place_without_inertia_that_is_touched_is_passed_truly_or_told() {
     assert!(passed > 0);
 }
 
+/// x'' = -100 (|x| - 1/2) sgn x: half swings of a spring on either side of its anchor, where the direction of the force jumps.
+#[test]
+fn a_spring_through_its_anchor_is_followed_or_told() {
+    let text = "title = \"a spring\"\n[coordinates]\nx = \"m\"\n[points]\nP = \"O + x*N.x\"\n[bodies.a]\ncentre = \"P\"\nmass = \"(1 kg)\"\n\
+                [[force]]\nbetween = [\"ground at O\", \"a\"]\nis = \"-(100 N/m)*(distance(O, P) - (0.5 m))\"\n[start]\nx = \"0.7 m\"\n\
+                \"x'\" = \"-6 m/s\"\n[run]\nspan = \"2 s\"\n";
+    // u = x - 1/2 is A cos(10 t + phase) on the right, so that speeds at the anchor and the time beyond it are elementary
+    let (amplitude, phase) = (0.4_f64.hypot(1.2) / 2.0, (3.0_f64).atan());
+    let swing = |u: f64| (u / amplitude).acos();
+    let (first, whole) = ((swing(-0.5) - phase) / 10.0, 2.0 * swing(-0.5) / 10.0);
+    let passed = ((2.0 - first) / whole).floor();
+    let inside = (2.0 - first - passed * whole) * 10.0 - swing(-0.5);
+    let side = if passed % 2.0 == 0.0 { -1.0 } else { 1.0 };
+    let expected = side * (0.5 + amplitude * inside.cos());
+    let mut followed = 0;
+    for method in METHODS {
+        let trajectory = run(text, method, 1e-11);
+        if serves(&trajectory) {
+            let off = (trajectory.last[0] - expected).abs();
+            assert!(off < 1e-7, "{method}: {off:e}");
+            followed += 1;
+        }
+    }
+    assert!(followed >= 6, "{followed}");
+}
+
+/// Up against gravity g and drag c v |v|, then down: |v| has a corner at the top.
+#[test]
+fn drag_changes_its_sense_at_the_top_by_every_method() {
+    let text = "title = \"thrown up\"\ngravity = \"-(10 m/s^2)*N.y\"\n[coordinates]\ny = \"m\"\n[bodies.b]\ncentre = \"O + y*N.y\"\n\
+                mass = \"(1 kg)\"\n[[force]]\non = \"b\"\nis = \"-(0.1 kg/m)*norm(velocity(b))*velocity(b)\"\n[start]\n\"y'\" = \"20 m/s\"\n\
+                [run]\nspan = \"5 s\"\n";
+    // v = -10 tanh(t - t0) on the way down, from the top at t0 = atan 2
+    let expected = -10.0 * (5.0 - 2.0_f64.atan()).tanh();
+    for method in METHODS {
+        let trajectory = run(text, method, 1e-11);
+        let off = (trajectory.last[1] - expected).abs();
+        assert!(serves(&trajectory) && off < 1e-8, "{method}: {off:e}, {:?}", trajectory.stopped());
+    }
+}
+
 #[test]
 fn an_energy_that_begins_at_zero_is_not_lost_where_the_motion_returns() {
     let text = pushed("(-1 N/m)*(x - (1 m))", "0 m", "600 s");
