@@ -128,6 +128,13 @@ fn follow(scene: &dyn IvpScene, asked: &Asked, form: Option<Axes>) -> Result<Exi
         )));
     }
     let problem = scene.metered(choice.axes);
+    if let Some(why) = problem.outside(0.0, &problem.state) {
+        let accepted = "a start from which its law holds is accepted";
+        return Err(Exit::refused(format!(
+            "{}: the law does not hold at the start: {why}; {accepted}",
+            asked.scene.display()
+        )));
+    }
     let headed = |names: &[String]| names.iter().map(|name| csv::headed(name, &scene.unit(name))).collect::<Vec<_>>();
     let writes = writes(asked);
     let table = csv::Table::at(&writes, asked.out.as_deref(), &headed(&problem.columns))?;

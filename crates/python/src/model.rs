@@ -200,6 +200,11 @@ impl NativeModel {
         run::check_tolerance(tolerance)
             .map_err(|why| wrong(format!("`tolerance`: {why}; from 1e-14 to below 1 is accepted")))?;
         let mut problem = py.detach(|| scene.metered(Axes::First));
+        if let Some(why) = problem.outside(0.0, &problem.state) {
+            return Err(wrong(format!(
+                "the law does not hold at the start: {why}; a start from which it holds is accepted"
+            )));
+        }
         problem.span = span;
         let most = most_samples(problem.columns.len());
         let samples = samples.unwrap_or(own.samples);

@@ -272,6 +272,18 @@ fn a_blow_up_is_said_by_name_beside_the_time_of_the_closed_form() {
     assert_eq!((&run["model"], &run["form"]), (&Value::from("as written in its file"), &Value::Null));
 }
 
+#[test]
+fn a_start_beyond_the_end_of_the_law_is_refused() {
+    let text = std::fs::read_to_string(super::root().join("scenes/governors/between_discs.toml")).expect("it is there");
+    let path = temporary("beyond.toml");
+    std::fs::write(&path, text.replace("rho = \"300 mm\"", "rho = \"900 mm\"")).expect("it can be written");
+    let output = run(&["run", &path.to_string_lossy()]);
+    std::fs::remove_file(&path).expect("it is there");
+    let message = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    assert!(message.contains("the law does not hold at the start") && message.contains("second disc"), "{message}");
+}
+
 /// Behind a pole of the law, and on a motion that it follows.
 #[test]
 fn constant_steps_say_whether_shorter_ones_come_nearer() {
