@@ -9,6 +9,7 @@ mod model;
 mod trajectory;
 
 // they bring motors and knowledge, by being linked
+use dalembert::scenes::derivation::NamedPrinciple;
 use dalembert_machines as _;
 use dalembert_studies as _;
 use pyo3::prelude::*;
@@ -38,6 +39,7 @@ fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<callables::JacobianMatrix>()?;
     errors::add(module)?;
     module.add("METHODS", dalembert::simulation::methods::list().map(|(name, _)| name).collect::<Vec<_>>())?;
-    module.add("PRINCIPLES", dalembert::scenes::derivation::NamedPrinciple::ALL.map(|principle| principle.name()))?;
+    let principles = NamedPrinciple::all().into_iter().map(NamedPrinciple::name);
+    module.add("PRINCIPLES", principles.collect::<Vec<_>>())?;
     module.add("VERSION", env!("CARGO_PKG_VERSION"))
 }

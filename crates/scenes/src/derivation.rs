@@ -12,44 +12,24 @@ use units::nearest;
 /// A principle by its name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NamedPrinciple {
-    /// Of the second kind; with multipliers of constraints.
-    Lagrange,
-    VirtualPower,
-    Appell,
-    Gauss,
-    NewtonEuler,
-    Hamel,
-    Hamilton,
-    Maggi,
-    Shulgin,
+    /// In the rates of all coordinates; some along the quasi-velocities of a text that has them.
+    InRates(Principle),
+    /// Along quasi-velocities alone: those of the text, or independent rates.
+    AlongQuasiVelocities(QuasiPrinciple),
 }
 
 impl NamedPrinciple {
     /// All of them.
-    pub const ALL: [NamedPrinciple; 9] = [
-        NamedPrinciple::Lagrange,
-        NamedPrinciple::VirtualPower,
-        NamedPrinciple::Appell,
-        NamedPrinciple::Gauss,
-        NamedPrinciple::NewtonEuler,
-        NamedPrinciple::Hamel,
-        NamedPrinciple::Hamilton,
-        NamedPrinciple::Maggi,
-        NamedPrinciple::Shulgin,
-    ];
+    pub fn all() -> Vec<Self> {
+        let along = [QuasiPrinciple::Maggi, QuasiPrinciple::Shulgin].map(Self::AlongQuasiVelocities);
+        Principle::ALL.map(Self::InRates).into_iter().chain(along).collect()
+    }
 
     /// As commands call it.
     pub fn name(self) -> &'static str {
         match self {
-            Self::Maggi => QuasiPrinciple::Maggi.name(),
-            Self::Shulgin => QuasiPrinciple::Shulgin.name(),
-            Self::Lagrange => Principle::Lagrange.name(),
-            Self::VirtualPower => Principle::VirtualPower.name(),
-            Self::Appell => Principle::Appell.name(),
-            Self::Gauss => Principle::Gauss.name(),
-            Self::NewtonEuler => Principle::NewtonEuler.name(),
-            Self::Hamel => Principle::Hamel.name(),
-            Self::Hamilton => Principle::Hamilton.name(),
+            Self::InRates(principle) => principle.name(),
+            Self::AlongQuasiVelocities(principle) => principle.name(),
         }
     }
 
@@ -60,49 +40,35 @@ impl NamedPrinciple {
     pub fn of_name(name: &str) -> Result<Self, String> {
         let plain = name.to_lowercase().replace(['_', ' '], "-");
         if matches!(plain.as_str(), "kane" | "jourdain") {
-            return Ok(Self::VirtualPower);
+            return Ok(Self::InRates(Principle::VirtualPower));
         }
-        let names = Self::ALL.map(Self::name);
-        Self::ALL.into_iter().find(|known| known.name() == plain).ok_or_else(|| {
-            let meant = nearest(&plain, names).map_or_else(String::new, |nearest| format!(" is `{nearest}` meant?"));
+        let names: Vec<&str> = Self::all().into_iter().map(Self::name).collect();
+        Self::all().into_iter().find(|known| known.name() == plain).ok_or_else(|| {
+            let near = nearest(&plain, names.iter().copied());
+            let meant = near.map_or_else(String::new, |nearest| format!(" is `{nearest}` meant?"));
             format!("no principle is called `{name}`;{meant} accepted are {}", names.join(", "))
-        })
-    }
-
-    /// The principle in rates of all coordinates; none where it needs quasi-velocities.
-    fn in_rates(self) -> Option<Principle> {
-        Some(match self {
-            Self::Lagrange => Principle::Lagrange,
-            Self::VirtualPower => Principle::VirtualPower,
-            Self::Appell => Principle::Appell,
-            Self::Gauss => Principle::Gauss,
-            Self::NewtonEuler => Principle::NewtonEuler,
-            Self::Hamel => Principle::Hamel,
-            Self::Hamilton => Principle::Hamilton,
-            Self::Maggi | Self::Shulgin => return None,
         })
     }
 
     /// The principle along the quasi-velocities of a file, where it has such equations.
     fn in_quasi_velocities(self) -> Option<QuasiPrinciple> {
-        Some(match self {
-            Self::Maggi => QuasiPrinciple::Maggi,
-            Self::Shulgin => QuasiPrinciple::Shulgin,
-            Self::VirtualPower => QuasiPrinciple::VirtualPower,
-            Self::Appell => QuasiPrinciple::Appell,
-            Self::Hamel => QuasiPrinciple::Hamel,
-            Self::Lagrange | Self::Gauss | Self::NewtonEuler | Self::Hamilton => return None,
-        })
+        match self {
+            Self::AlongQuasiVelocities(principle) => Some(principle),
+            Self::InRates(Principle::VirtualPower) => Some(QuasiPrinciple::VirtualPower),
+            Self::InRates(Principle::Appell) => Some(QuasiPrinciple::Appell),
+            Self::InRates(Principle::Hamel) => Some(QuasiPrinciple::Hamel),
+            Self::InRates(_) => None,
+        }
     }
 
     /// The first that applies to a model.
     fn usual(model: &Model) -> Self {
         let has_energy = model.energies.kinetic.is_some();
-        match model.quasi_velocities.is_empty() {
-            false if has_energy || model.energies.coenergy.is_some() => Self::Hamel,
-            true if has_energy => Self::Lagrange,
-            _ => Self::VirtualPower,
-        }
+        Self::InRates(match model.quasi_velocities.is_empty() {
+            false if has_energy || model.energies.coenergy.is_some() => Principle::Hamel,
+            true if has_energy => Principle::Lagrange,
+            _ => Principle::VirtualPower,
+        })
     }
 }
 
@@ -159,7 +125,10 @@ pub fn derived<R: Send>(
     let mut model = text.for_equations()?;
     let principle = principle.unwrap_or_else(|| NamedPrinciple::usual(&model));
     let has_own = !model.quasi_velocities.is_empty();
-    let quasi = principle.in_quasi_velocities().filter(|_| has_own || principle.in_rates().is_none());
+    let quasi = match principle {
+        NamedPrinciple::AlongQuasiVelocities(quasi) => Some(quasi),
+        NamedPrinciple::InRates(_) => principle.in_quasi_velocities().filter(|_| has_own),
+    };
     if let Some(quasi) = quasi {
         if !has_own || quasi == QuasiPrinciple::Shulgin {
             if model.constraints.is_empty() {
@@ -177,7 +146,9 @@ pub fn derived<R: Send>(
         }
         return in_quasi_velocities((&model, text), (principle, quasi), code, show);
     }
-    let Some(in_rates) = principle.in_rates() else { return Err(refused("this principle needs quasi-velocities")) };
+    let NamedPrinciple::InRates(in_rates) = principle else {
+        return Err(refused("this principle needs quasi-velocities"));
+    };
     // what is written there means nothing outside of its graph
     symbolic::apart(|| {
         let trace = Trace::of(&model);

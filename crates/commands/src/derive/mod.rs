@@ -152,22 +152,11 @@ fn mathml(derived: &Derived<'_, '_>) -> Result<String, String> {
 
 /// The principle of a system that is written in its file.
 fn in_file(name: PrincipleName) -> Result<NamedPrinciple, Exit> {
-    Ok(match name {
-        PrincipleName::Lagrange => NamedPrinciple::Lagrange,
-        PrincipleName::VirtualPower => NamedPrinciple::VirtualPower,
-        PrincipleName::Appell => NamedPrinciple::Appell,
-        PrincipleName::Gauss => NamedPrinciple::Gauss,
-        PrincipleName::NewtonEuler => NamedPrinciple::NewtonEuler,
-        PrincipleName::Hamel => NamedPrinciple::Hamel,
-        PrincipleName::Hamilton => NamedPrinciple::Hamilton,
-        PrincipleName::Maggi => NamedPrinciple::Maggi,
-        PrincipleName::Shulgin => NamedPrinciple::Shulgin,
-        PrincipleName::Momentum | PrincipleName::Maxwell => {
-            return Err(Exit::refused(
-                "for a system that is written in its file the principle may be: virtual-power, lagrange, appell, gauss, newton-euler, \
-                 hamel, hamilton, maggi, shulgin",
-            ));
-        }
+    let named = name.to_possible_value().and_then(|value| NamedPrinciple::of_name(value.get_name()).ok());
+    // of those that are none of a file
+    named.ok_or_else(|| {
+        let names: Vec<&str> = NamedPrinciple::all().into_iter().map(NamedPrinciple::name).collect();
+        Exit::refused(format!("for a system that is written in its file the principle may be: {}", names.join(", ")))
     })
 }
 
