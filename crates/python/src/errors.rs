@@ -64,7 +64,7 @@ pub fn issue(py: Python<'_>, (name, text): (&str, &str), issue: Issue) -> PyErr 
     scene_error(py, &SceneError { path: name.to_owned(), text: text.to_owned(), issues: vec![issue] })
 }
 
-/// What cannot be done, without a place.
+/// A refusal without a place.
 pub fn refused(py: Python<'_>, name: &str, why: impl Into<String>) -> PyErr {
     let issue = Issue { span: None, title: why.into(), label: String::new(), help: None };
     scene_error(py, &SceneError { path: name.to_owned(), text: String::new(), issues: vec![issue] })

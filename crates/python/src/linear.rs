@@ -82,7 +82,7 @@ impl LinearEquations {
         PyArray1::from_vec(py, values)
     }
 
-    /// What the eigenvalues say, in a sentence.
+    /// The verdict of the eigenvalues, in a sentence.
     #[getter]
     fn stability(&self) -> String {
         self.found.stability.to_string()

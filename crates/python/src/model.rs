@@ -30,7 +30,7 @@ pub struct NativeModel {
     scene: OnceLock<Arc<dyn Modelled>>,
 }
 
-/// So often Python looks whether Ctrl-C was pressed.
+/// Python looks after this time whether Ctrl-C was pressed.
 const LOOK: Duration = Duration::from_millis(50);
 
 /// The run of a text that says nothing of its own.

@@ -23,7 +23,7 @@ pub struct NativeTrajectory {
     method: String,
     #[pyo3(get)]
     tolerance: f64,
-    /// Of the columns, those of the state.
+    /// The number of columns that are the state.
     #[pyo3(get)]
     states: usize,
     trajectory: Trajectory,
@@ -31,14 +31,14 @@ pub struct NativeTrajectory {
     beside: Option<StepHalving>,
 }
 
-/// What stands beside the trajectory itself.
+/// Facts of a run beside its trajectory.
 pub struct Beside {
     pub units: Vec<String>,
     pub method: String,
     pub tolerance: f64,
     pub states: usize,
     pub told: RunNotes,
-    /// Of constant steps: what shorter ones say.
+    /// The verdict of shorter steps on constant ones.
     pub steps: Option<StepHalving>,
 }
 
@@ -79,13 +79,13 @@ impl NativeTrajectory {
         self.trajectory.stopped()
     }
 
-    /// What theory says of the run, sentence by sentence.
+    /// Sentences of theory on the run.
     #[getter]
     fn theory(&self) -> Vec<String> {
         self.told.theory.clone()
     }
 
-    /// What a run that ended early has come to, where it is known.
+    /// The end that a run came to early, where it is known.
     #[getter]
     fn diagnosis(&self) -> Option<String> {
         self.told.diagnosis.clone()
@@ -97,13 +97,13 @@ impl NativeTrajectory {
         self.trajectory.lost().map(|(own, Lost { at, size })| (own.name.clone(), at, size))
     }
 
-    /// Of constant steps: what shorter ones say of them, and whether they follow the motion.
+    /// The verdict of shorter steps on constant ones, and whether these follow the motion.
     #[getter]
     fn steps(&self) -> Option<(String, bool)> {
         self.beside.as_ref().map(|beside| (beside.to_string(), beside.parting.serves()))
     }
 
-    /// What should stay zero, by names, with a value for each sample.
+    /// Quantities that should stay zero, by names, with a value for each sample.
     #[getter]
     fn checks<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let all = PyDict::new(py);
@@ -120,7 +120,7 @@ impl NativeTrajectory {
         self.trajectory.undefined().into_iter().map(str::to_owned).collect()
     }
 
-    /// What is kept along the run: first value, and largest change.
+    /// Quantities that are kept along the run: first value, and largest change.
     #[getter]
     fn invariants<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let all = PyDict::new(py);

@@ -53,7 +53,7 @@ pub struct ModelScene {
     pub(crate) knowledge: Option<&'static Knowledge>,
 }
 
-/// What a program gives beside a text.
+/// Data that a program gives beside a text.
 #[derive(Clone, Debug, Default)]
 pub struct Given {
     /// The run of a text that says nothing of its own; with one a text needs no title.

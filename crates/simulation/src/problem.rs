@@ -15,7 +15,7 @@ pub struct Problem {
     /// s, from time zero.
     pub span: f64,
     pub invariants: Vec<Invariant>,
-    /// How far a state is from the constraints that hold along the motion, where there are some.
+    /// The distance of a state from the constraints that hold along the motion, where there are some.
     pub residual: Option<Box<Function>>,
     /// The names of a row.
     pub columns: Vec<String>,

@@ -31,7 +31,7 @@ pub struct Trajectory {
     pub rows: Vec<Vec<f64>>,
     /// The states of the law at these times, for methods with a constant step.
     pub states: Vec<Vec<f64>>,
-    /// What should stay zero, by names: the change of each invariant, and the largest residual of the constraints.
+    /// Quantities that should stay zero, by names: the change of each invariant, and the largest residual of the constraints.
     pub checks: Vec<String>,
     /// Their values, one list for each time.
     pub checked: Vec<Vec<f64>>,

@@ -90,7 +90,7 @@ class ModelBuilder:
         return self
 
     def description(self, text: str) -> ModelBuilder:
-        """What happens in the model, and why it is of interest."""
+        """A sentence on what happens in the model, and why it is of interest."""
         self._top["description"] = text
         return self
 
@@ -164,7 +164,7 @@ class ModelBuilder:
         return self._set("start", values, more)
 
     def run(self, **keys: Any) -> ModelBuilder:
-        """How the model runs where a call of `run` says nothing: span, method, tolerance, samples."""
+        """The run of the model where a call of `run` says nothing: span, method, tolerance, samples."""
         return self._set("run", keys, {})
 
     def table(self, table: str, values: dict[str, Any]) -> ModelBuilder:

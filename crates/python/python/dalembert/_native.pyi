@@ -1,4 +1,4 @@
-"""What the package is made of; use the names of `dalembert`."""
+"""Parts of the package; use the names of `dalembert`."""
 
 from os import PathLike
 from typing import Any

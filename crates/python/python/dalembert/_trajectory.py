@@ -86,7 +86,7 @@ class Trajectory:
     def ok(self) -> bool:
         """Whether the run reached its end, and nothing says that its numbers are not the motion.
 
-        What says so: the energy is lost (`lost`), shorter steps of a constant length go elsewhere (`steps`), a state has no value.
+        Signs against it: the energy is lost (`lost`), shorter steps of a constant length go elsewhere (`steps`), a state has no value.
         """
         follows = self._native.steps is None or self._native.steps[1]
         return self.stopped is None and self.lost is None and follows and not self._native.undefined
@@ -98,7 +98,7 @@ class Trajectory:
 
     @property
     def lost(self) -> str | None:
-        """What the motion keeps and the run has lost, such as the energy behind a singular place; None where nothing is."""
+        """The quantity that the motion keeps and the run has lost, such as the energy behind a singular place; None where nothing is."""
         if self._native.lost is None:
             return None
         name, at, size = self._native.lost
@@ -106,7 +106,7 @@ class Trajectory:
 
     @property
     def steps(self) -> str | None:
-        """Of a method with constant steps: what shorter steps say of the run."""
+        """The verdict of shorter steps on a run with constant ones."""
         return None if self._native.steps is None else self._native.steps[0]
 
     @property
@@ -117,12 +117,12 @@ class Trajectory:
 
     @property
     def checks(self) -> dict[str, numpy.ndarray]:
-        """What should stay zero: the change of what is kept, and the largest residual of the constraints, at each sample."""
+        """Quantities that should stay zero: the change of what is kept, and the largest residual of the constraints, at each sample."""
         return self._native.checks
 
     @property
     def invariants(self) -> dict[str, tuple[float, float]]:
-        """What is kept along the run: first value, and largest change."""
+        """Quantities that are kept along the run: first value, and largest change."""
         return self._native.invariants
 
     @property
@@ -132,12 +132,12 @@ class Trajectory:
 
     @property
     def theory(self) -> list[str]:
-        """What theory says of the run."""
+        """Sentences of theory on the run."""
         return self._native.theory
 
     @property
     def diagnosis(self) -> str | None:
-        """What a run that ended early has come to, where it is known."""
+        """The end that a run came to early, where it is known."""
         return self._native.diagnosis
 
     @property

@@ -17,7 +17,7 @@ pub struct Names {
 }
 
 impl Names {
-    /// Of a model with its varied equations.
+    /// The names of a model with its varied equations.
     pub fn of(model: &Model, equations: &VariedEquations) -> Self {
         let mut coordinates: Vec<String> = model.state_names().into_iter().map(|(name, _)| name).collect();
         let speeds = coordinates.split_off(model.positions());

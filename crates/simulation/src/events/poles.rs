@@ -71,7 +71,7 @@ pub(super) struct PoleWatch<'a> {
 }
 
 impl<'a> PoleWatch<'a> {
-    /// Of a run that begins at a time and a state.
+    /// The watch of a run that begins at a time and a state.
     pub fn new(
         (law, tolerance): (&'a dyn System, &'a Tolerance),
         (time, state): (f64, &[f64]),
@@ -109,7 +109,7 @@ impl<'a> PoleWatch<'a> {
         }
     }
 
-    /// What lies between the last state and another.
+    /// The reason why no motion leads from the last state to another, where there is one.
     fn passed(&mut self, time: f64, state: &[f64]) -> Option<&'static str> {
         let divisors = self.divisors?;
         let [before, after] = &mut self.values;

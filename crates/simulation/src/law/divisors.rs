@@ -1,4 +1,4 @@
-//! What a law divides by, and takes roots of, as a program.
+//! Divisors and radicands of a law, as a program.
 
 use crate::law::program::Program;
 use integrators::Divisors;

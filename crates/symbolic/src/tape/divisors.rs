@@ -1,4 +1,4 @@
-//! Where a program may have no value, or jump: what it divides by, and what it takes the root of.
+//! Places at which a program may have no value, or jump: zeros of its divisors and of its radicands.
 
 use super::{Operation, Register, Tape};
 

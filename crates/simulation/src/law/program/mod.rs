@@ -57,7 +57,7 @@ impl Program {
         Some(Program { code, ..Program::without_code(tape) })
     }
 
-    /// What it divides by and takes roots of, as [`Tape::divisors_and_radicands`].
+    /// Its divisors and radicands, as [`Tape::divisors_and_radicands`].
     pub(super) fn divisors_and_radicands(&self) -> Option<(Tape, usize)> {
         self.tape.divisors_and_radicands()
     }
