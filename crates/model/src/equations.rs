@@ -17,6 +17,7 @@ pub(crate) use characteristics::solved_in_short;
 pub use characteristics::{Characteristics, SolvedMotion};
 pub(crate) use constraints::held_of;
 pub use constraints::{Equation, Level, equations as constraints_of};
+pub(crate) use elimination::solve_sparse;
 pub use elimination::{Pushes, Singular};
 pub(crate) use generic_point::{
     Dependence, circuits as generic_circuits, courses, depends, generic_rank, pivots as generic_pivots,
@@ -26,6 +27,7 @@ pub use integrability::{Integrability, Undecided};
 pub use zero_test::vanishes;
 
 use crate::Trace;
+use crate::articulated_bodies;
 use crate::principles::{NotApplicable, Principle};
 use symbolic::{Sym, substitute_all};
 
@@ -35,6 +37,35 @@ pub fn dependent_everywhere(trace: &Trace<'_>, among: &[[usize; 2]]) -> Vec<[usi
         constraints_of(trace).into_iter().partition(|one| among.contains(&one.of));
     let others: Vec<Vec<Sym>> = others.into_iter().map(|one| one.row).collect();
     these.into_iter().filter(|one| depends(&one.row, &others)).map(|one| one.of).collect()
+}
+
+/// Systems with more speeds are not eliminated from their mass matrix where their bodies form a tree: it would be longer.
+pub const MOST_COMPARED: usize = 8;
+
+/// Accelerations and multipliers: over the tree of bodies, or from the mass matrix where that is shorter or there is no tree.
+///
+/// # Errors
+/// The first coordinate, or constraint, without a pivot that is not zero as it stands.
+pub fn solved(trace: &Trace<'_>) -> Result<(Vec<Sym>, Vec<Sym>), Singular> {
+    let by_matrix = || Equations::of(trace).solved();
+    let Some(Ok(over_tree)) = solved_over_tree(trace) else { return by_matrix() };
+    if trace.speeds.len() > MOST_COMPARED {
+        return Ok(over_tree);
+    }
+    let length = |(accelerations, multipliers): &(Vec<Sym>, Vec<Sym>)| {
+        Sym::operations_of(&[&accelerations[..], multipliers].concat())
+    };
+    Ok(by_matrix().ok().filter(|other| length(other) <= length(&over_tree)).unwrap_or(over_tree))
+}
+
+/// Accelerations and multipliers over the tree of bodies; none where there is no tree.
+pub fn solved_over_tree(trace: &Trace<'_>) -> Option<Result<(Vec<Sym>, Vec<Sym>), Singular>> {
+    articulated_bodies::solved(trace)
+}
+
+/// Whether the accelerations of a model are found over a tree of bodies.
+pub fn has_tree(trace: &Trace<'_>) -> bool {
+    articulated_bodies::are_of(trace)
 }
 
 /// The equations of motion of a model, over the symbols of a trace.

@@ -24,6 +24,7 @@
 
 mod agreement;
 mod arena;
+mod articulated_bodies;
 mod closed_loop;
 mod conformity;
 mod constraint_gains;

@@ -6,16 +6,17 @@ pub use outputs::ENERGIES;
 pub(crate) use outputs::{determined, outputs, outputs_of_solved};
 
 use crate::conservation::conserves;
+use crate::elimination::{Elimination, LEAST_MOVING, LEAST_SOLVED, MOST_DERIVED, is_tree};
 use crate::implicit::{Implicit, ImplicitLaw, SolvedSlopes, recurrence};
 use crate::letters::Letters;
 use crate::modes::{Mode, ModeMotion};
 use crate::program::recorded;
 use field::DoubleDouble;
-use integrators::{Dual8, Ode, Real};
-use model::equations::constraints_of;
+use integrators::{Dual8, JacobianFn, Ode, Real};
+use model::equations::{MOST_COMPARED, constraints_of};
 use model::{Event, Model, ScalarId, Trace};
 use outputs::of_motion;
-use simulation::{CompiledLaw, Law, LawSeries, Program, SymbolicLaw};
+use simulation::{CompiledLaw, Differentiable, Law, LawSeries, Program, SymbolicLaw};
 use std::fmt;
 use std::ops::Range;
 use std::sync::Arc;
@@ -84,6 +85,8 @@ pub struct CompiledSystem {
     without_value: Vec<usize>,
     /// Whether kinetic and potential energy together stay what they are.
     pub keeps_energy: bool,
+    /// Whether accelerations are written down over a tree of many bodies: their series and derivatives then grow as the bodies too.
+    is_tree: bool,
 }
 
 /// The way to the rates.
@@ -93,40 +96,6 @@ enum Rates {
     Written(Box<Program>),
     /// Accelerations are solved for at each evaluation.
     Solved(Arc<ImplicitLaw>),
-}
-
-/// The way in which accelerations are found.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Elimination {
-    /// By an elimination that is written down.
-    Written,
-    /// By a solve at each evaluation.
-    Solved,
-}
-
-/// Systems with more unknowns, accelerations and multipliers together, are solved at each evaluation: the elimination grows with
-/// their third power.
-const MOST_WRITTEN: usize = 40;
-
-/// Series of systems with at least so many unknowns solve for them. Measured at order 20 on chains of links, with a solve and written
-/// down: 3 links 22 and 26 us, 6 links 76 and 114, 10 links 217 and 346, 20 links 1.7 and 2.7 ms.
-const LEAST_SOLVED: usize = 5;
-
-/// But not where the coefficients of fewer unknowns move: an elimination that is written down has constants in the place of the others.
-/// The electromechanical drive has three of seven that move, and a step with a solve took 1.14 times as long; an induction machine has
-/// four of five, and a step without one took 1.45 times as long.
-pub(crate) const LEAST_MOVING: usize = 4;
-
-/// Of systems with more unknowns the derivatives of the elimination are not written down for the Jacobian. Until its first step, by Radau's
-/// method, a chain of 16 links took 0.8 s with them, and 0.06 s with solves; one of 10 links took the same time for 58,000 evaluations.
-const MOST_DERIVED: usize = 11;
-
-impl Elimination {
-    /// The way of a model; one with conditions or events has its elimination written down.
-    pub fn of(model: &Model) -> Self {
-        let unknowns = model.speeds() + model.constraints.len();
-        if !is_watched(model) && unknowns > MOST_WRITTEN { Elimination::Solved } else { Elimination::Written }
-    }
 }
 
 impl CompiledSystem {
@@ -181,6 +150,7 @@ impl CompiledSystem {
             outputs: outputs?,
             without_value: Vec::new(),
             keeps_energy,
+            is_tree: false,
         })
     }
 
@@ -205,6 +175,7 @@ impl CompiledSystem {
             outputs,
             without_value: Vec::new(),
             keeps_energy,
+            is_tree: model.speeds() > MOST_COMPARED && is_tree(model),
         })
     }
 
@@ -226,6 +197,8 @@ impl CompiledSystem {
                 }
                 if self.has_solved_slopes() {
                     law = law.with_jacobian(Arc::new(SolvedSlopes::new(&self.model)));
+                } else if self.has_long_slopes() {
+                    law = law.with_jacobian(Arc::new(OverDualNumbers));
                 }
                 Arc::new(law)
             }
@@ -243,12 +216,17 @@ impl CompiledSystem {
 
     /// Whether its Jacobian is found by solves, where rates have accelerations written down.
     pub(crate) fn has_solved_slopes(&self) -> bool {
-        !changes(&self.model) && self.model.speeds() + self.model.constraints.len() > MOST_DERIVED
+        !self.is_tree && !changes(&self.model) && self.model.speeds() + self.model.constraints.len() > MOST_DERIVED
+    }
+
+    /// Whether its Jacobian is found over dual numbers: written down it would be much longer than the law.
+    pub(crate) fn has_long_slopes(&self) -> bool {
+        self.is_tree && self.model.speeds() + self.model.constraints.len() > MOST_DERIVED
     }
 
     /// Whether a series solves for its accelerations, where rates have them written down: it has fewer products from there on.
     pub(crate) fn has_solved_series(&self) -> bool {
-        !changes(&self.model) && self.model.speeds() + self.model.constraints.len() >= LEAST_SOLVED
+        !self.is_tree && !changes(&self.model) && self.model.speeds() + self.model.constraints.len() >= LEAST_SOLVED
     }
 
     /// Sets the algebraic speeds of a state to what they are in this mode: the rates of their coordinates.
@@ -275,6 +253,15 @@ impl CompiledSystem {
         };
         self.without_value.iter().for_each(|&output| values[output] = f64::NAN);
         values
+    }
+}
+
+/// The Jacobian of a law whose derivatives are too long to be written down.
+pub(crate) struct OverDualNumbers;
+
+impl Differentiable for OverDualNumbers {
+    fn jacobian_fn(&self) -> Option<Box<dyn JacobianFn + '_>> {
+        None
     }
 }
 

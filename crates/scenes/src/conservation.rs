@@ -1,7 +1,7 @@
 //! Whether a model keeps its energy.
 
 use crate::compiled_system::changes;
-use model::equations::{Equation, Equations, Level, vanishes};
+use model::equations::{Equation, Level, constraints_of, vanishes};
 use model::{Model, Trace};
 use symbolic::Sym;
 
@@ -17,11 +17,13 @@ pub(crate) fn conserves(model: &Model) -> bool {
         return false;
     }
     let trace = Trace::of(model);
-    let equations = Equations::of(&trace);
+    let constraints = constraints_of(&trace);
+    // every body has its mass
+    let kinetic = trace.kinetic_energy();
     if !trace.solid().is_empty() {
         return false;
     }
-    let held = equations.constraints.iter();
+    let held = constraints.iter();
     let knows_time = |scalar: &Sym| scalar.symbols_of().contains(&trace.time);
     // reactions do no work where every constraint is homogeneous in the speeds
     let at_rest: Vec<(Sym, Sym)> = trace.speeds.iter().map(|&speed| (speed, Sym::ZERO)).collect();
@@ -31,12 +33,9 @@ pub(crate) fn conserves(model: &Model) -> bool {
     };
     let do_no_work = held.clone().all(|one| one.gains.is_none() && !knows_time(&one.zero) && is_linear(one));
     // a system that is driven at a speed of its own moves where its coordinates rest
-    let driven = trace.kinetic_energy().substitute(&at_rest);
+    let driven = kinetic.substitute(&at_rest);
     let is_driven = driven != Sym::ZERO && !vanishes(driven);
     // a given energy may be linear in the speeds too: then T + V is not the energy that is kept
     let is_quadratic = model.energies.kinetic.is_none() || trace.has_quadratic_kinetic_energy();
-    do_no_work
-        && !is_driven
-        && is_quadratic
-        && ![trace.kinetic_energy(), trace.potential_energy()].iter().any(knows_time)
+    do_no_work && !is_driven && is_quadratic && ![kinetic, trace.potential_energy()].iter().any(knows_time)
 }

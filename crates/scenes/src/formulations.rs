@@ -5,7 +5,8 @@
 //!
 //!   q' = T (u + M^-1 J_g^T mu),   M u' + h = J^T lambda,   0 = f(q, t),   0 = df/dt, 0 = phi(q, u, t) .
 
-use crate::compiled_system::{self, CompiledSystem, changes};
+use crate::compiled_system::{CompiledSystem, changes};
+use crate::elimination::MOST_WRITTEN;
 use crate::letters::Letters;
 use crate::modes::Mode;
 use integrators::Index2Dae;
@@ -70,7 +71,7 @@ struct HeldModel {
 impl HeldModel {
     /// None where the accelerations are no functions of the multipliers, or too long to be written down.
     fn of(model: &Arc<Model>) -> Option<Self> {
-        if compiled_system::Elimination::of(model) == compiled_system::Elimination::Solved {
+        if model.speeds() + model.constraints.len() > MOST_WRITTEN {
             return None;
         }
         apart(|| {

@@ -14,6 +14,7 @@ mod compiled_system;
 pub mod conformance;
 mod conservation;
 pub mod derivation;
+mod elimination;
 mod ensemble;
 mod equilibrium;
 mod first_motion;

@@ -1,7 +1,8 @@
 //! The equations of motion of a model with every parameter as an input: one law for all members of an ensemble.
 
-use crate::compiled_system::{Elimination, NotCompiled, outputs, outputs_of_solved, rates};
+use crate::compiled_system::{NotCompiled, outputs, outputs_of_solved, rates};
 use crate::conservation::conserves;
+use crate::elimination::Elimination;
 use crate::implicit::{linear_equations, recurrence_of};
 use crate::letters::Inputs;
 use crate::modes::Mode;

@@ -1,16 +1,17 @@
 //! The run of a model with the work that is done on it: its energy less this work keeps its first value, or the run has made up the rest.
 
 use crate::compiled_system::determined;
-use crate::compiled_system::{CompiledSystem, Elimination, LEAST_MOVING, is_watched};
+use crate::compiled_system::{CompiledSystem, OverDualNumbers, is_watched};
+use crate::elimination::{Elimination, LEAST_MOVING};
 use crate::implicit::recurrence_with;
 use crate::letters::Letters;
 use crate::program::recorded;
 use crate::row_units::WORK;
-use integrators::{JacobianFn, Ode};
+use integrators::Ode;
 use model::{PowerBalance, Trace};
 use simulation::events::of_leading;
 use simulation::problem::{Function, Invariant};
-use simulation::{CompiledLaw, Differentiable, LawSeries, Problem, SymbolicLaw};
+use simulation::{CompiledLaw, LawSeries, Problem, SymbolicLaw};
 use std::sync::Arc;
 use symbolic::{Sym, apart};
 
@@ -49,7 +50,7 @@ pub(crate) fn metered(system: &Arc<CompiledSystem>, plain: Problem) -> Problem {
             solved.or_else(|| LawSeries::written(&Metered(Arc::clone(&system))))
         }));
     }
-    if system.has_solved_slopes() {
+    if system.has_solved_slopes() || system.has_long_slopes() {
         law = law.with_jacobian(Arc::new(OverDualNumbers));
     }
     let Problem { mut state, span, mut columns, row, margins, residual, .. } = plain;
@@ -110,14 +111,5 @@ impl Ode<Sym> for Metered {
             let power = determined(&trace, &self.0.mode, vec![PowerBalance::of(&trace).power]);
             *work = Letters::with_data(t, y).put_into(&trace, &power)[0];
         }
-    }
-}
-
-/// The Jacobian of a law whose derivatives are too long to be written down.
-struct OverDualNumbers;
-
-impl Differentiable for OverDualNumbers {
-    fn jacobian_fn(&self) -> Option<Box<dyn JacobianFn + '_>> {
-        None
     }
 }

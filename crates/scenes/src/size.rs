@@ -3,6 +3,7 @@
 //! Equations of motion are sums over bodies for each pair of speeds, so that their work and memory grow as the square of the speeds
 //! times the bodies: measured on chains of links in a plane, whose speeds and bodies are as many.
 
+use crate::elimination::is_tree;
 use model::Model;
 use reader::Issue;
 
@@ -28,9 +29,15 @@ impl Task {
     }
 }
 
+/// The most speeds of bodies in a tree, whose equations grow as the bodies.
+const MOST_IN_TREE: usize = 1_000;
+
 /// The refusal of a system that is too large.
 pub fn too_large(model: &Model, task: Task) -> Option<Issue> {
     let (speeds, bodies) = (model.speeds(), model.bodies.len().max(1));
+    if task == Task::Run && speeds <= MOST_IN_TREE && is_tree(model) {
+        return None;
+    }
     let size = speeds.saturating_mul(speeds).saturating_mul(bodies);
     if size <= task.most() {
         return None;

@@ -1,4 +1,7 @@
 //! The Jacobian of a law: its own code, or forward differentiation with eight columns an evaluation. Buffers made once.
+//!
+//! The rules of differentiation give 0/0 where a root vanishes: of the drag -c |v| v at rest, whose derivatives are zero there. The
+//! Jacobian is then the one beside that state, a little further along the motion.
 
 use num_dual::Derivative;
 
@@ -10,22 +13,62 @@ pub struct Jacobian<'a> {
     y: Vec<Dual8>,
     dy: Vec<Dual8>,
     code: Option<Box<dyn JacobianFn + 'a>>,
+    /// Whose rates lead further along the motion.
+    system: Option<&'a dyn System>,
 }
+
+/// How far along the motion a Jacobian is taken where there is none, s; no component of the state moves by more than [`NEAR`] of the largest.
+const FURTHER: f64 = 1e-10;
+
+const NEAR: f64 = 1e-8;
 
 impl<'a> Jacobian<'a> {
     /// By forward differentiation.
     pub fn new(law: &'a dyn Ode<Dual8>) -> Self {
         let zeros = vec![Dual8::from_re(0.0); law.dimension()];
-        Jacobian { law, y: zeros.clone(), dy: zeros, code: None }
+        Jacobian { law, y: zeros.clone(), dy: zeros, code: None, system: None }
     }
 
     /// By the system's own code where it has any.
     pub fn of(system: &'a dyn System) -> Self {
-        Jacobian { code: system.jacobian_fn(), ..Jacobian::new(system) }
+        Jacobian { code: system.jacobian_fn(), system: Some(system), ..Jacobian::new(system) }
     }
 
     /// `matrix[i * n + j]` = df_i / dy_j at (t, y).
     pub fn matrix(&mut self, t: f64, y: &[f64], matrix: &mut [f64]) {
+        self.matrix_at(t, y, matrix);
+        self.or_beside((t, y), matrix, Self::matrix_at);
+    }
+
+    /// `slopes[i]` = df_i / dt at (t, y).
+    pub fn time_slopes(&mut self, t: f64, y: &[f64], slopes: &mut [f64]) {
+        self.time_slopes_at(t, y, slopes);
+        self.or_beside((t, y), slopes, Self::time_slopes_at);
+    }
+
+    /// Where derivatives are no numbers, and rates are, those a little further along the motion.
+    fn or_beside(
+        &mut self,
+        (t, y): (f64, &[f64]),
+        derivatives: &mut [f64],
+        of: impl Fn(&mut Self, f64, &[f64], &mut [f64]),
+    ) {
+        if derivatives.iter().all(|one| one.is_finite()) {
+            return;
+        }
+        let Some(system) = self.system else { return };
+        let mut rates = vec![f64::NAN; y.len()];
+        system.rates(t, y, &mut rates);
+        let largest = |all: &[f64]| all.iter().fold(0.0, |largest: f64, one| largest.max(one.abs()));
+        let (size, fastest) = (largest(y), largest(&rates));
+        if rates.iter().all(|rate| rate.is_finite()) && fastest > 0.0 {
+            let further = if size > 0.0 { FURTHER.min(NEAR * size / fastest) } else { FURTHER };
+            let state: Vec<f64> = y.iter().zip(&rates).map(|(y, rate)| y + further * rate).collect();
+            of(self, t, &state, derivatives);
+        }
+    }
+
+    fn matrix_at(&mut self, t: f64, y: &[f64], matrix: &mut [f64]) {
         if let Some(code) = &mut self.code {
             return code.matrix(t, y, matrix);
         }
@@ -48,8 +91,7 @@ impl<'a> Jacobian<'a> {
         }
     }
 
-    /// `slopes[i]` = df_i / dt at (t, y).
-    pub fn time_slopes(&mut self, t: f64, y: &[f64], slopes: &mut [f64]) {
+    fn time_slopes_at(&mut self, t: f64, y: &[f64], slopes: &mut [f64]) {
         if let Some(code) = &mut self.code {
             return code.by_time(t, y, slopes);
         }

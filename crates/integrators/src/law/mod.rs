@@ -64,7 +64,7 @@ pub trait System: Ode<f64> + Ode<Dual8> + Ode<DoubleDouble> {
         None
     }
 
-    /// The divisors and radicands of its rates, where they are known.
+    /// The divisors, radicands and angles of its rates, where they are known.
     fn divisors(&self) -> Option<&dyn Divisors> {
         None
     }
@@ -86,12 +86,13 @@ pub trait System: Ode<f64> + Ode<Dual8> + Ode<DoubleDouble> {
 }
 
 /// Functions of time and state at whose zeros a law may have no value, or jump: divisors, which are those of its expressions, the pivots of
-/// an elimination, a determinant; and radicands, at whose zeros roots have a corner, such as a distance.
+/// an elimination, a determinant; radicands, at whose zeros roots have a corner, such as a distance; and angles atan2(y, x), which jump from
+/// pi to -pi.
 pub trait Divisors {
-    /// The number of divisors, which stand first, and of radicands.
-    fn counts(&self) -> [usize; 2];
+    /// The number of divisors, which stand first, of radicands, and of angles.
+    fn counts(&self) -> [usize; 3];
 
-    /// All of them at (t, y); `out` has both counts. Must not allocate.
+    /// All of them at (t, y); `out` has all counts. Must not allocate.
     fn at(&self, t: f64, y: &[f64], out: &mut [f64]);
 }
 

@@ -4,6 +4,7 @@
 //! that are the constant zero cost nothing.
 
 use super::{Equations, vanishes};
+use std::collections::BTreeSet;
 use std::fmt;
 use symbolic::Sym;
 
@@ -67,6 +68,37 @@ impl Factors {
         }
         x
     }
+}
+
+/// The solution of symmetric equations in an order that keeps their factors sparse: the row with the fewest entries beside it comes first.
+pub(crate) fn solve_sparse(matrix: &[Vec<Sym>], right: &[Sym]) -> Result<Vec<Sym>, usize> {
+    let order = order(matrix);
+    let arranged: Vec<Vec<Sym>> = order.iter().map(|&i| order.iter().map(|&j| matrix[i][j]).collect()).collect();
+    let factors = Factors::of(&arranged).map_err(|place| order[place])?;
+    let found = factors.solve(&order.iter().map(|&i| right[i]).collect::<Vec<Sym>>());
+    let mut values = vec![Sym::ZERO; right.len()];
+    order.iter().zip(found).for_each(|(&place, value)| values[place] = value);
+    Ok(values)
+}
+
+/// By the smallest number of neighbours (Tinney and Walker 1967); what is eliminated joins its neighbours.
+fn order(matrix: &[Vec<Sym>]) -> Vec<usize> {
+    let entries =
+        |row: usize| (0..matrix.len()).filter(move |&column| column != row && matrix[row][column] != Sym::ZERO);
+    let mut neighbours: Vec<BTreeSet<usize>> = (0..matrix.len()).map(|row| entries(row).collect()).collect();
+    let mut left: BTreeSet<usize> = (0..matrix.len()).collect();
+    let mut order = Vec::with_capacity(matrix.len());
+    while let Some(&next) = left.iter().min_by_key(|&&row| neighbours[row].len()) {
+        left.remove(&next);
+        order.push(next);
+        let joined = std::mem::take(&mut neighbours[next]);
+        for &row in &joined {
+            neighbours[row].extend(&joined);
+            neighbours[row].remove(&row);
+            neighbours[row].remove(&next);
+        }
+    }
+    order
 }
 
 /// M + J^T J and h + J^T c of all constraints that hold a coordinate without inertia: one of them alone may let go of it in a position.

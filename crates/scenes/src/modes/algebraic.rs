@@ -10,7 +10,7 @@ use super::contacts::letters as reactions;
 use super::mode::{Mode, Phase};
 use super::multiples::{letters as letters_of, mirrored};
 use crate::compiled_system::NotCompiled;
-use model::equations::{Equation, Equations, Singular, vanishes};
+use model::equations::{Equation, Equations, Singular, solved, vanishes};
 use model::{Model, Trace};
 use symbolic::{Derivation, Sym, substitute_all};
 
@@ -50,6 +50,9 @@ impl Direct {
 impl Parted {
     pub fn of(trace: &Trace<'_>) -> Result<Self, NotCompiled> {
         let model = trace.model;
+        if model.algebraic_speeds.is_empty() {
+            return Parted::without_algebraic_speeds(trace);
+        }
         let Equations { mass, bias, constraints } = Equations::of(trace);
         let algebraic = &model.algebraic_speeds;
         let inertial: Vec<usize> = (0..bias.len()).filter(|place| !algebraic.contains(place)).collect();
@@ -80,6 +83,15 @@ impl Parted {
         let laws = algebraic.iter().map(|&place| acting(place));
         let zeros = laws.chain(open.iter().map(|&k| constraints[k].rate)).collect();
         Ok(Parted { accelerations, multipliers, letters, zeros, is_direct: Direct::of(trace) })
+    }
+
+    fn without_algebraic_speeds(trace: &Trace<'_>) -> Result<Self, NotCompiled> {
+        let (accelerations, multipliers) = solved(trace).map_err(|singular| match singular {
+            Singular::Massless { coordinate } => massless(trace.model, coordinate),
+            Singular::Redundant { constraint } => NotCompiled::Redundant { constraint },
+        })?;
+        let is_direct = Direct::of(trace);
+        Ok(Parted { accelerations, multipliers, letters: Vec::new(), zeros: Vec::new(), is_direct })
     }
 
     /// Letters by what stands for them in a mode: algebraic speeds, multipliers, voltages of diodes and switches that follow at once, and

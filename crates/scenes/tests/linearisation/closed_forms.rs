@@ -29,7 +29,7 @@ fn a_cart_with_a_pole_has_its_closed_form() {
 
 #[test]
 fn a_hanging_double_pendulum_has_its_two_frequencies() {
-    let text = std::fs::read_to_string(stored("double_pendulum")).expect("it is there");
+    let text = std::fs::read_to_string(stored("models/double_pendulum")).expect("it is there");
     let hanging = text.replace("a = \"120 deg\"", "a = \"0.1 rad\"").replace("b = \"90 deg\"", "b = \"-0.2 rad\"");
     let scene = scene(&hanging);
     let state = equilibrium_of(&scene.model).unwrap_or_else(|why| panic!("{}", why.title)).state;
@@ -46,7 +46,7 @@ fn a_hanging_double_pendulum_has_its_two_frequencies() {
 
 /// The bicycle upright at a speed, with torques along lean and steer as inputs: M, v C1 and g K0 + v^2 K2 of lean and steer.
 fn bicycle(speed: f64) -> [DMatrix<f64>; 3] {
-    let text = std::fs::read_to_string(stored("bicycle")).expect("it is there");
+    let text = std::fs::read_to_string(stored("foreign/bicycle")).expect("it is there");
     let text = text
         .replace("lean = \"0.05 rad\"", "lean = \"0 rad\"")
         .replace("\"-16.6 rad/s\"", &format!("\"{} rad/s\"", -speed / 0.3))
@@ -102,7 +102,7 @@ fn whipples_bicycle_has_the_published_matrices_and_critical_speeds() {
 /// Figures of Meijaard et al. at 5 m/s, checked at forty digits: weave and capsize of the nonlinear text, linearised.
 #[test]
 fn whipples_bicycle_has_the_published_eigenvalues() {
-    let text = std::fs::read_to_string(stored("bicycle")).expect("it is there");
+    let text = std::fs::read_to_string(stored("foreign/bicycle")).expect("it is there");
     let upright = text.replace("lean = \"0.05 rad\"", "lean = \"0 rad\"");
     let scene = scene(&upright.replace("\"-16.6 rad/s\"", "\"-16.666666666666668 rad/s\""));
     let (equations, found) = linear(&scene.model, &scene.start, &[]);

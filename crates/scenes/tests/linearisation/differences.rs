@@ -10,7 +10,7 @@ use simulation::{Axes, IvpScene};
 #[test]
 fn a_moving_point_has_the_jacobian_of_the_law_that_runs() {
     let moving = CART.replace("[run]", "[start]\na = \"0.4 rad\"\n\"a'\" = \"1.7 rad/s\"\n\"x'\" = \"0.3 m/s\"\n[run]");
-    for text in [moving, std::fs::read_to_string(stored("double_pendulum")).expect("it is there")] {
+    for text in [moving, std::fs::read_to_string(stored("models/double_pendulum")).expect("it is there")] {
         let scene = scene(&text);
         let (equations, found) = linear(&scene.model, &scene.start, &[]);
         let law = scene.problem(Axes::First).law;
@@ -52,9 +52,9 @@ fn completed(equations: &VariedEquations, about: &Linearisation, independent: &D
 /// With constraints A is what the equations make of two states on the constraints, closer and closer: loops, rolling.
 #[test]
 fn constrained_systems_have_the_linear_equations_of_states_on_their_constraints() {
-    let crank = std::fs::read_to_string(stored("slider_crank")).expect("it is there");
+    let crank = std::fs::read_to_string(stored("models/slider_crank")).expect("it is there");
     let turned = crank.replace("s = \"0.4 m\"", "theta = \"0.5 rad\"\n\"theta'\" = \"2 rad/s\"\ns = \"guess 0.35 m\"");
-    let rolling = std::fs::read_to_string(stored("rolling_disc")).expect("it is there");
+    let rolling = std::fs::read_to_string(stored("models/rolling_disc")).expect("it is there");
     for (text, sizes) in [(turned, [1, 1]), (rolling, [5, 3])] {
         let scene = scene(&text);
         let (equations, found) = linear(&scene.model, &scene.start, &[]);

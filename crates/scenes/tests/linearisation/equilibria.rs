@@ -11,7 +11,7 @@ const SPRING: &str = "title = \"A mass on a spring\"\ngravity = \"-g*N.y\"\n[par
 
 #[test]
 fn an_equilibrium_is_found_from_a_guess_at_which_a_force_is_stationary() {
-    let text = std::fs::read_to_string(stored("double_pendulum")).expect("it is there");
+    let text = std::fs::read_to_string(stored("models/double_pendulum")).expect("it is there");
     let level = text.replace("a = \"120 deg\"", "a = \"90 deg\"");
     let state = equilibrium_of(&scene(&level).model).unwrap_or_else(|why| panic!("{}", why.title)).state;
     assert!(state.iter().all(|value| value.sin().abs() < 1e-12), "{state:?}");
@@ -39,7 +39,7 @@ fn an_equilibrium_is_found_near_a_guess_or_refused_with_what_is_left() {
 /// A crank on a slider that rests on its guide under its own weight: the reaction and the torque of the spring balance.
 #[test]
 fn an_equilibrium_keeps_constraints_and_given_coordinates() {
-    let text = std::fs::read_to_string(stored("slider_crank")).expect("it is there");
+    let text = std::fs::read_to_string(stored("models/slider_crank")).expect("it is there");
     let text = text
         .replace("is = \"T*N.z\"", "is = \"(T - K*theta)*N.z\"")
         .replace("g = \"9.81 m/s^2\"", "g = \"9.81 m/s^2\"\nK = \"1 N m\"");

@@ -7,7 +7,7 @@ use dalembert_scenes::read_prescribed;
 
 #[test]
 fn inverse_dynamics_gives_the_torque_that_runs_the_motion() {
-    let path = stored("slider_crank");
+    let path = stored("models/slider_crank");
     let motion = [("theta".to_owned(), "0.4 + 0.3*sin(t*(5 rad/s))".to_owned())];
     let (model, prescribed) = read_prescribed(&path, &motion).unwrap_or_else(|error| panic!("{error}"));
     let place = model.parameters.iter().position(|parameter| parameter.name == "T").expect("it is there");
@@ -162,7 +162,7 @@ fn a_free_frame_that_turns_about_one_axis_needs_the_torque_of_its_moment() {
 
 #[test]
 fn a_motion_of_a_free_frame_that_is_no_turn_is_refused() {
-    let path = stored("tumbling_body");
+    let path = stored("models/tumbling_body");
     let refused = |motion: &[(&str, &str)]| {
         let motion: Vec<_> = motion.iter().map(|&(name, is)| (name.to_owned(), is.to_owned())).collect();
         match read_prescribed(&path, &motion) {

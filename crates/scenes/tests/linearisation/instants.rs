@@ -12,7 +12,7 @@ fn at(text: &str, time: f64) -> Result<Vec<f64>, NoInstance> {
 }
 
 fn text(name: &str) -> String {
-    std::fs::read_to_string(stored(name)).unwrap_or_else(|error| panic!("{error}"))
+    std::fs::read_to_string(stored(&format!("models/{name}"))).unwrap_or_else(|error| panic!("{error}"))
 }
 
 #[test]

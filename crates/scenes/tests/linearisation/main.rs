@@ -22,7 +22,7 @@ fn scene(text: &str) -> ModelScene {
 }
 
 fn stored(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes/models").join(name).with_extension("toml")
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes").join(name).with_extension("toml")
 }
 
 fn linear(model: &Model, state: &[f64], inputs: &[usize]) -> (VariedEquations, Linearisation) {

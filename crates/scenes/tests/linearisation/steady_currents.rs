@@ -80,7 +80,7 @@ fn currents_of_a_node_are_steady_whether_its_law_holds_charges_or_currents() {
 /// A machine with magnets, fed with a direct voltage, turns until the torque of its currents along and across its rotor carries the load.
 #[test]
 fn a_synchronous_machine_at_standstill_has_steady_currents() {
-    let text = std::fs::read_to_string(super::stored("interior_magnet")).expect("it is there");
+    let text = std::fs::read_to_string(super::stored("models/interior_magnet")).expect("it is there");
     let mut text =
         text.replace("U*cos(w*t)", "U/50").replace("U*sin(w*t)", "0*U").replace("if(t < (0.5 s), 0, T)", "T/10");
     for (from, to) in [

@@ -47,7 +47,7 @@ fn the_voltage_of_a_motor_for_a_motion_has_its_closed_form() {
 
 /// A stored system with other texts in the place of some.
 fn changed(name: &str, changes: &[(&str, &str)]) -> String {
-    let text = std::fs::read_to_string(super::stored(name)).expect("it is there");
+    let text = std::fs::read_to_string(super::stored(&format!("models/{name}"))).expect("it is there");
     changes.iter().fold(text, |text, (from, to)| {
         assert!(text.contains(from), "{from}");
         text.replace(from, to)

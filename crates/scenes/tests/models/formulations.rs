@@ -1,6 +1,6 @@
 //! Every treatment of the constraints of a model, beside its own motion.
 
-use super::{open, path};
+use super::open;
 use dalembert_scenes::ModelScene;
 use integrators::{Holding, Method, Record, Span, Tolerance, hold, integrate, integrate_projected};
 use simulation::work_precision::{Formulation, Treated};
@@ -34,7 +34,8 @@ fn end(law: &Treated, span: &Span<'_, f64>) -> Vec<f64> {
 
 #[test]
 fn every_formulation_of_a_model_tends_to_one_motion() {
-    let shown = ["rolling_disc", "chaplygin_sleigh", "slider_crank", "andrews_mechanism"].map(|name| open(&path(name)));
+    let shown = ["models/rolling_disc", "models/chaplygin_sleigh", "models/slider_crank", "foreign/andrews_mechanism"]
+        .map(|name| open(&super::folder().join(name).with_extension("toml")));
     for scene in shown.into_iter().chain([parsed(HELD_AT_A_POINT)]) {
         let problem = scene.problem(Axes::First);
         let span = Span::new(0.0, problem.span.min(1.0), &problem.state);

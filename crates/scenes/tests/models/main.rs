@@ -2,6 +2,7 @@
 
 mod bodies;
 mod conformity;
+mod foreign;
 mod formulations;
 mod knowledge;
 mod outputs;
@@ -10,6 +11,7 @@ mod power_balance;
 mod quasi_velocities;
 mod redundant;
 mod singular;
+mod trees;
 
 // the motors that scenes name
 use dalembert_scenes::{ModelScene, Task, read_model};
@@ -104,9 +106,13 @@ fn every_principle_gives_every_model_the_same_equations() {
     }
 }
 
+/// Motions on which methods agree for a while alone: near motions part from each other by a factor of e every second or so.
+const CHAOTIC: [&str; 2] = ["double_pendulum.toml", "five_links.toml"];
+
 #[test]
 fn methods_of_different_families_come_to_the_same_end_and_invariants_stay() {
-    for path in going_on().into_iter().filter(|path| !path.ends_with("double_pendulum.toml")) {
+    let is_chaotic = |path: &PathBuf| CHAOTIC.iter().any(|name| path.ends_with(name));
+    for path in going_on().into_iter().filter(|path| !is_chaotic(path)) {
         let scene = open(&path);
         let (explicit, kept) = end(&scene, Method::DormandPrince8, 1e-11);
         assert!(kept.iter().all(|moved| moved.abs() < 1e-8), "{}: {kept:?}", path.display());
@@ -277,29 +283,4 @@ fn loads_of_joints_and_reactions_are_outputs_of_a_run() {
     assert!((of("rod") - carried).abs() < 1e-12 * carried && of("across").abs() < 1e-12, "{carried} {row:?}");
     assert!((of("hoop") + carried).abs() < 1e-8 * carried, "{carried} {}", of("hoop"));
     assert!(of("free").abs() < 1e-12, "{}", of("free"));
-}
-
-/// The published solution at 0.03 s holds ten digits in the angles; the energy, with that of the spring and of the torque, is known.
-#[test]
-fn andrews_mechanism_has_the_published_solution() {
-    let scene = open(&path("andrews_mechanism"));
-    let choice = Choice { method: Method::DormandPrince8, tolerance: 1e-13, ..scene.run().choice() };
-    let run = scene.problem(Axes::First).simulate(&choice, |_| {});
-    assert_eq!(run.stopped(), None);
-    let at = |name: &str| run.last[run.column(name).unwrap_or_else(|| panic!("{name}"))];
-    let published = [
-        ("beta", 15.810771195154),
-        ("Theta", -15.756371058412),
-        ("gamma", 0.040822240119656),
-        ("Phi", -0.53473011634206),
-        ("delta", 0.52440996587996),
-        ("Omega", 0.53473011634206),
-        ("epsilon", 1.0480807410419),
-        ("beta'", 1139.9203022591),
-    ];
-    for (name, known) in published {
-        assert!((at(name) - known).abs() < 2e-10 * (1.0 + known.abs()), "{name}: {} {known}", at(name));
-    }
-    let energy = at("energy") + at("kinetic_energy");
-    assert!((energy - 1.43783295753214).abs() < 1e-10, "{energy}");
 }

@@ -106,18 +106,63 @@ fn a_spring_through_its_anchor_is_followed_or_told() {
     assert!(followed >= 6, "{followed}");
 }
 
-/// Up against gravity g and drag c v |v|, then down: |v| has a corner at the top.
+/// A mass goes around the anchor of a spring, with a force along x that grows with its angle and jumps where the angle does.
+#[test]
+fn an_angle_that_passes_half_a_turn_is_followed_or_told() {
+    let text = "title = \"around\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n[bodies.b]\ncentre = \"O + x*N.x + y*N.y\"\nmass = \"(1 kg)\"\n\
+                [[force]]\non = \"b\"\nis = \"-(1 N/m)*(x*N.x + y*N.y) - (0.2 N)*atan2(y, x)*N.x\"\n[start]\nx = \"1 m\"\n\
+                \"y'\" = \"1 m/s\"\n[run]\nspan = \"4 s\"\n";
+    let reference = run(text, Method::DormandPrince8, 1e-13);
+    assert!(serves(&reference), "{:?}", reference.stopped());
+    let mut told = 0;
+    for method in METHODS.into_iter().chain([Method::Gauss { stages: 4 }]) {
+        let trajectory = run(text, method, 1e-9);
+        if serves(&trajectory) {
+            let off = (trajectory.last[0] - reference.last[0]).abs();
+            assert!(off < 1e-6, "{method}: {off:e}");
+        } else {
+            told += 1;
+        }
+    }
+    assert!(told < 5, "{told}");
+}
+
+/// A unit mass with gravity g and drag c v |v|, thrown up with a speed.
+fn thrown(speed: f64) -> String {
+    format!(
+        "title = \"thrown up\"\ngravity = \"-(10 m/s^2)*N.y\"\n[coordinates]\ny = \"m\"\n[bodies.b]\ncentre = \"O + y*N.y\"\n\
+         mass = \"(1 kg)\"\n[[force]]\non = \"b\"\nis = \"-(0.1 kg/m)*norm(velocity(b))*velocity(b)\"\n[start]\n\"y'\" = \"{speed} m/s\"\n\
+         [run]\nspan = \"5 s\"\n"
+    )
+}
+
+/// |v| has a corner at the top.
 #[test]
 fn drag_changes_its_sense_at_the_top_by_every_method() {
-    let text = "title = \"thrown up\"\ngravity = \"-(10 m/s^2)*N.y\"\n[coordinates]\ny = \"m\"\n[bodies.b]\ncentre = \"O + y*N.y\"\n\
-                mass = \"(1 kg)\"\n[[force]]\non = \"b\"\nis = \"-(0.1 kg/m)*norm(velocity(b))*velocity(b)\"\n[start]\n\"y'\" = \"20 m/s\"\n\
-                [run]\nspan = \"5 s\"\n";
     // v = -10 tanh(t - t0) on the way down, from the top at t0 = atan 2
     let expected = -10.0 * (5.0 - 2.0_f64.atan()).tanh();
     for method in METHODS {
-        let trajectory = run(text, method, 1e-11);
+        let trajectory = run(&thrown(20.0), method, 1e-11);
         let off = (trajectory.last[1] - expected).abs();
         assert!(serves(&trajectory) && off < 1e-8, "{method}: {off:e}, {:?}", trajectory.stopped());
+    }
+}
+
+/// |v| has neither derivatives nor a series at rest.
+#[test]
+fn a_body_with_drag_falls_from_rest_by_every_method() {
+    let expected = -10.0 * 5.0_f64.tanh();
+    let collocation = [Method::Gauss { stages: 4 }, Method::RadauIIA { stages: 5 }];
+    for method in METHODS.into_iter().chain(collocation) {
+        for tolerance in [1e-3, 1e-11] {
+            let trajectory = run(&thrown(0.0), method, tolerance);
+            let off = (trajectory.last[1] - expected).abs();
+            assert!(
+                serves(&trajectory) && off < 30.0 * tolerance,
+                "{method} {tolerance}: {off:e}, {:?}",
+                trajectory.stopped()
+            );
+        }
     }
 }
 

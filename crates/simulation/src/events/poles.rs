@@ -7,9 +7,11 @@
 //!
 //! A root has a corner where its radicand vanishes, and a direction jumps there: the distance of two points along one line. A method of
 //! finite order passes a jump by short steps, or steps over it and does not see it. So a step over which a radicand comes down to zero is
-//! looked at too: the jump of the rates there, times the step, must be of the size of the tolerance.
+//! looked at too: the jump of the rates there, times the step, must be of the size of the tolerance. So is a step over which an angle
+//! atan2(y, x) goes from pi to -pi.
 
 use integrators::{Divisors, Observer, Outcome, System, Tolerance};
+use std::f64::consts::PI;
 
 /// Rates near a zero that are larger than at the ends of the step by this factor are those of a pole.
 const LARGE: f64 = 1e3;
@@ -36,10 +38,14 @@ pub(super) fn up_to(outcome: Outcome<f64>, (time, state): (f64, Vec<f64>)) -> Ou
 const JUMP: &str = "in the next step the argument of a root, such as a distance or a speed, passes through zero, where the rates jump: \
      this step is too long to follow them; dormand_prince_8 and taylor pass such places by short steps";
 
+/// The same, of an angle.
+const TURN: &str = "in the next step an angle atan2(y, x) goes over from pi to -pi, where the rates jump: this step is too long to follow \
+     them; dormand_prince_8 and taylor pass such places by short steps. An angle that is counted on is a coordinate of its own";
+
 /// A radicand that is smaller than at the ends of a step by this factor comes down to zero.
 const SMALL: f64 = 1e-3;
 
-/// The distance from the zero of a radicand at which rates are compared, of the shorter part of the step.
+/// The distance from a jump at which rates are compared, of the shorter part of the step.
 const BESIDE: f64 = 1e-3;
 
 /// The part of the rates that is a jump, where they change by it over that distance.
@@ -115,13 +121,17 @@ impl<'a> PoleWatch<'a> {
         let [before, after] = &mut self.values;
         divisors.at(time, state, after);
         let changed = |(one, other): (&f64, &f64)| one * other < 0.0;
-        let [signed, radicands] = divisors.counts();
+        let [signed, radicands, angles] = divisors.counts();
         let candidates = before[..signed].iter().zip(&*after).map(changed).enumerate();
         let candidates: Vec<usize> = candidates.filter_map(|(place, has)| has.then_some(place)).collect();
         if candidates.into_iter().any(|place| self.is_pole(divisors, place, (time, state))) {
             return Some(POLE);
         }
-        (radicands > 0 && self.has_jumped(divisors, (time, state))).then_some(JUMP)
+        let end = (time, state);
+        if radicands > 0 && self.corners(divisors, end).into_iter().any(|at| self.jumps(at, end)) {
+            return Some(JUMP);
+        }
+        (angles > 0 && self.half_turns(divisors, end).into_iter().any(|at| self.jumps(at, end))).then_some(TURN)
     }
 
     /// A time and a state on the chord from the last state to another.
@@ -138,38 +148,50 @@ impl<'a> PoleWatch<'a> {
         rates
     }
 
-    /// Whether a radicand comes down to zero between the last state and another, with a jump of the rates that the step does not see.
-    fn has_jumped(&self, divisors: &dyn Divisors, (time, state): (f64, &[f64])) -> bool {
-        let [signed, radicands] = divisors.counts();
-        let mut middle = vec![f64::NAN; signed + radicands];
-        let (time_between, between) = self.chord((time, state), 0.5);
+    /// The parts of the step at which a radicand comes down to zero.
+    fn corners(&self, divisors: &dyn Divisors, end: (f64, &[f64])) -> Vec<f64> {
+        let [signed, radicands, _] = divisors.counts();
+        let mut middle = vec![f64::NAN; self.values[0].len()];
+        let (time_between, between) = self.chord(end, 0.5);
         divisors.at(time_between, &between, &mut middle);
         let [before, after] = &self.values;
-        (signed..signed + radicands).any(|place| {
+        let lowest = |place: usize| {
             let [from, at, to] = [before[place], middle[place], after[place]];
             // the parabola through the three
             let (slope, bend) = (4.0 * at - 3.0 * from - to, 2.0 * (from + to - 2.0 * at));
             let lowest = -slope / (2.0 * bend);
             let least = from + lowest * (slope + lowest * bend);
-            if !(lowest > 0.0 && lowest < 1.0 && least <= SMALL * from.min(to)) {
-                return false;
-            }
-            let part = lowest.min(1.0 - lowest);
-            let [first, last, below, above] =
-                [0.0, 1.0, lowest - BESIDE * part, lowest + BESIDE * part].map(|at| self.rates((time, state), at));
-            let step = part * (time - self.before.time).abs();
-            (0..first.len()).any(|i| {
-                let jump = (above[i] - below[i]).abs();
-                let usual = first[i].abs().max(last[i].abs());
-                let allowed = self.tolerance.absolute(i) + self.tolerance.relative * state[i].abs();
-                jump > JUMPS * usual && jump * step > UNSEEN * allowed
-            })
+            (lowest > 0.0 && lowest < 1.0 && least <= SMALL * from.min(to)).then_some(lowest)
+        };
+        (signed..signed + radicands).filter_map(lowest).collect()
+    }
+
+    /// The parts of the step at which an angle goes over from pi to -pi, or back.
+    fn half_turns(&self, divisors: &dyn Divisors, end: (f64, &[f64])) -> Vec<f64> {
+        let [signed, radicands, angles] = divisors.counts();
+        let [before, after] = &self.values;
+        let places = signed + radicands..signed + radicands + angles;
+        let turned = places.filter(|&place| (after[place] - before[place]).abs() > PI);
+        turned.map(|place| self.change_of_sign(divisors, place, end).0).collect()
+    }
+
+    /// Whether the rates jump at a part of the step, by more than the step sees.
+    fn jumps(&self, at: f64, (time, state): (f64, &[f64])) -> bool {
+        let part = at.min(1.0 - at);
+        let [first, last, below, above] =
+            [0.0, 1.0, at - BESIDE * part, at + BESIDE * part].map(|at| self.rates((time, state), at));
+        let step = part * (time - self.before.time).abs();
+        (0..first.len()).any(|i| {
+            let jump = (above[i] - below[i]).abs();
+            let usual = first[i].abs().max(last[i].abs());
+            let allowed = self.tolerance.absolute(i) + self.tolerance.relative * state[i].abs();
+            jump > JUMPS * usual && jump * step > UNSEEN * allowed
         })
     }
 
-    /// Whether the rates are large where a divisor vanishes between the last state and another.
-    fn is_pole(&self, divisors: &dyn Divisors, place: usize, end: (f64, &[f64])) -> bool {
-        let mut values = vec![f64::NAN; divisors.counts().iter().sum()];
+    /// The parts of the step, next to one another, between which one of the values changes its sign.
+    fn change_of_sign(&self, divisors: &dyn Divisors, place: usize, end: (f64, &[f64])) -> (f64, f64) {
+        let mut values = vec![f64::NAN; self.values[0].len()];
         let mut value = |part: f64| {
             let (time, state) = self.chord(end, part);
             divisors.at(time, &state, &mut values);
@@ -181,6 +203,12 @@ impl<'a> PoleWatch<'a> {
             let middle = f64::midpoint(from, to);
             if value(middle).signum() == sign { from = middle } else { to = middle }
         }
+        (from, to)
+    }
+
+    /// Whether the rates are large where a divisor vanishes between the last state and another.
+    fn is_pole(&self, divisors: &dyn Divisors, place: usize, end: (f64, &[f64])) -> bool {
+        let (from, to) = self.change_of_sign(divisors, place, end);
         let apart = NEAR * from.min(1.0 - to);
         let rates = |part: f64| self.rates(end, part);
         let [first, last, below, above] = [0.0, 1.0, from - apart, to + apart].map(rates);

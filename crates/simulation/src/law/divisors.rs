@@ -1,4 +1,4 @@
-//! Divisors and radicands of a law, as a program.
+//! Divisors, radicands and angles of a law, as a program.
 
 use crate::law::program::Program;
 use integrators::Divisors;
@@ -9,24 +9,24 @@ use symbolic::Tape;
 /// Machine code takes as long to write as some hundreds of evaluations without it: a run with fewer steps has none.
 const WRITTEN_AFTER: u32 = 500;
 
-/// The divisors and radicands of a program, followed operation by operation until a run is long.
+/// The divisors, radicands and angles of a program, followed operation by operation until a run is long.
 #[derive(Debug)]
 pub(super) struct DivisorProgram {
     tape: Tape,
-    divisors: usize,
+    counts: [usize; 3],
     followed: Program,
     written: OnceLock<Option<Program>>,
     evaluations: AtomicU32,
 }
 
 impl DivisorProgram {
-    /// None of a program that divides by constants only and has no roots.
+    /// None of a program that divides by constants only and has neither roots nor angles.
     pub fn of(program: &Program) -> Option<Self> {
-        let (tape, divisors) = program.divisors_and_radicands()?;
+        let (tape, counts) = program.singular_places()?;
         Some(DivisorProgram {
             followed: Program::without_code(tape.clone()),
             tape,
-            divisors,
+            counts,
             written: OnceLock::new(),
             evaluations: AtomicU32::new(0),
         })
@@ -42,8 +42,8 @@ impl DivisorProgram {
 }
 
 impl Divisors for DivisorProgram {
-    fn counts(&self) -> [usize; 2] {
-        [self.divisors, self.tape.outputs() - self.divisors]
+    fn counts(&self) -> [usize; 3] {
+        self.counts
     }
 
     fn at(&self, t: f64, y: &[f64], out: &mut [f64]) {

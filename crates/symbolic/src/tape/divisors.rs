@@ -1,25 +1,31 @@
-//! Places at which a program may have no value, or jump: zeros of its divisors and of its radicands.
+//! Places at which a program may have no value, or jump: zeros of its divisors and of its radicands, and half turns of its angles.
 
 use super::{Operation, Register, Tape};
+use field::Elementary;
 
 impl Tape {
-    /// The program of its divisors, each once, then of what it takes roots of, with the number of the divisors; none where it divides by
-    /// constants only and has no roots.
-    pub fn divisors_and_radicands(&self) -> Option<(Tape, usize)> {
-        let mut lists: [Vec<Register>; 2] = [Vec::new(), Vec::new()];
+    /// The program of its divisors, each once, then of what it takes roots of, then of its angles atan2(y, x), with the number of each; none
+    /// where it divides by constants only and has neither roots nor angles.
+    pub fn singular_places(&self) -> Option<(Tape, [usize; 3])> {
+        let mut lists: [Vec<Register>; 3] = [const { Vec::new() }; 3];
+        let mut result = (self.inputs + self.constants.len()) as Register;
         for operation in &self.operations {
-            let (list, register) = match *operation {
-                Operation::Quotient(_, divisor) => (0, divisor),
-                Operation::Root(radicand) => (1, radicand),
-                _ => continue,
+            let found = match *operation {
+                Operation::Quotient(_, divisor) => Some((0, divisor)),
+                Operation::Root(radicand) => Some((1, radicand)),
+                Operation::Elementary(Elementary::Atan2, ..) => Some((2, result)),
+                _ => None,
             };
-            if !lists[list].contains(&register) {
+            result += operation.results() as Register;
+            if let Some((list, register)) = found
+                && !lists[list].contains(&register)
+            {
                 lists[list].push(register);
             }
         }
-        let divisors = lists[0].len();
+        let counts = lists.each_ref().map(Vec::len);
         let needed = Tape { outputs: lists.concat(), ..self.clone() };
-        (!needed.outputs.is_empty()).then(|| (needed.by_factors(), divisors))
+        (!needed.outputs.is_empty()).then(|| (needed.by_factors(), counts))
     }
 }
 
@@ -27,19 +33,27 @@ impl Tape {
 mod tests {
     use super::super::Tape;
     use crate::Sym;
-    use field::{Analytic, Scalar};
+    use field::{Analytic, Elementary, Scalar};
 
     #[test]
-    fn each_divisor_and_each_radicand_is_computed_once_and_nothing_beside() {
+    fn each_divisor_radicand_and_angle_is_computed_once_and_nothing_beside() {
         let [a, b, c] = ["a", "b", "c"].map(Sym::symbol);
-        let outputs = [a / (b - c), c / (b - c), a * c * c / Sym::int(3), a / b, (a + c).sqrt(), b * (a + c).sqrt()];
+        let outputs = [
+            a / (b - c),
+            c / (b - c),
+            a * c * c / Sym::int(3),
+            a / b,
+            (a + c).sqrt(),
+            b * (a + c).sqrt(),
+            b.elementary(Elementary::Atan2, c) * a,
+        ];
         let tape = Tape::record(&[a, b, c], &outputs).expect("it has values");
-        let (watched, divisors) = tape.divisors_and_radicands().expect("it divides");
-        assert_eq!((watched.outputs(), divisors, watched.operations()), (3, 2, 2));
-        let mut values = [0.0; 3];
+        let (watched, counts) = tape.singular_places().expect("it divides");
+        assert_eq!((counts, watched.operations()), ([2, 1, 1], 3));
+        let mut values = [0.0; 4];
         watched.over::<f64>().evaluate(&[1.0, 5.0, 3.0], &mut values);
         values[..2].sort_by(f64::total_cmp);
-        assert_eq!(values, [2.0, 5.0, 4.0]);
-        assert_eq!(Tape::record(&[a], &[a / Sym::int(2)]).expect("it has values").divisors_and_radicands(), None);
+        assert_eq!(values, [2.0, 5.0, 4.0, 5.0_f64.atan2(3.0)]);
+        assert_eq!(Tape::record(&[a], &[a / Sym::int(2)]).expect("it has values").singular_places(), None);
     }
 }

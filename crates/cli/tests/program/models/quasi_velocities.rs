@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 /// A scene of the folder with other tables.
 fn edited(name: &str, scene: &str, from: &str, to: &str) -> PathBuf {
-    let text = std::fs::read_to_string(root().join("scenes/models").join(scene)).expect("it is there");
+    let text = std::fs::read_to_string(root().join("scenes").join(scene)).expect("it is there");
     assert_eq!(text.matches(from).count(), 1, "`{from}` must stand once");
     let path = temporary(name);
     std::fs::write(&path, text.replace(from, to)).expect("it is written");
@@ -15,7 +15,7 @@ fn edited(name: &str, scene: &str, from: &str, to: &str) -> PathBuf {
 
 fn sleigh(name: &str) -> PathBuf {
     let speeds = "[speeds]\nv = \"velocity(P) . B.x\"\nw = \"psi'\"\n\n[frames]";
-    edited(name, "chaplygin_sleigh.toml", "[frames]", speeds)
+    edited(name, "models/chaplygin_sleigh.toml", "[frames]", speeds)
 }
 
 #[test]
@@ -104,7 +104,7 @@ fn a_proof_compares_the_principles_in_quasi_velocities() {
 #[test]
 fn code_leaves_out_what_follows_from_other_constraints() {
     let twice = "[[constraint]]\nname = \"again\"\nzero = \"(3 1/m)*(velocity(sleigh at P) . B.y)\"\n\n[outputs]";
-    let path = edited("twice.toml", "chaplygin_sleigh.toml", "[outputs]", twice);
+    let path = edited("twice.toml", "models/chaplygin_sleigh.toml", "[outputs]", twice);
     let file = path.to_str().expect("a path in UTF-8");
     let code = printed(&["derive", file, "--format", "python"]);
     assert!(code.contains("# constraint 2 `again` follows from the others and is left out."), "{code}");
@@ -129,7 +129,7 @@ fn code_leaves_out_what_follows_from_other_constraints() {
 #[test]
 fn of_constraints_that_contradict_each_other_nothing_is_derived_or_proved() {
     let against = "[[constraint]]\nname = \"against\"\nzero = \"velocity(sleigh at P) . B.y - (1 m/s)\"\n\n[outputs]";
-    let path = edited("against.toml", "chaplygin_sleigh.toml", "[outputs]", against);
+    let path = edited("against.toml", "models/chaplygin_sleigh.toml", "[outputs]", against);
     let file = path.to_str().expect("a path in UTF-8");
     for command in [&["derive", file][..], &["derive", file, "--format", "c"], &["prove", file], &["run", file]] {
         refused(command, "constraint 2 `against` contradicts constraint 1 `edge`");
@@ -137,7 +137,7 @@ fn of_constraints_that_contradict_each_other_nothing_is_derived_or_proved() {
     std::fs::remove_file(path).expect("it is there");
     // a start that is not met is no fault of the equations
     let start = "\"y'\" = \"7 m/s\"\n\n[run]";
-    let path = edited("unmet.toml", "chaplygin_sleigh.toml", "[run]", start);
+    let path = edited("unmet.toml", "models/chaplygin_sleigh.toml", "[run]", start);
     let file = path.to_str().expect("a path in UTF-8");
     refused(&["run", file], "does not hold at the start");
     assert!(printed(&["derive", file]).contains("M q'' + h"));
@@ -164,7 +164,7 @@ fn machines_of_many_poles_have_short_equations() {
 #[test]
 fn equations_that_nobody_reads_are_code_alone() {
     let speeds = "[speeds]\nu4 = \"lean'\"\nu6 = \"rear'\"\nu7 = \"steer'\"\n\n[frames]";
-    let path = edited("bicycle.toml", "bicycle.toml", "[frames]", speeds);
+    let path = edited("bicycle.toml", "foreign/bicycle.toml", "[frames]", speeds);
     let file = path.to_str().expect("a path in UTF-8");
     for format in ["text", "latex", "mathml", "sympy"] {
         refused(

@@ -4,6 +4,7 @@
 //! the last two terms just as large as the tolerance allows (Jorba and Zou 2005). The polynomial is the dense output: an
 //! output costs one Horner scheme and no step.
 
+mod departure;
 mod rounding;
 mod step;
 mod transition;
@@ -11,6 +12,7 @@ mod transition;
 use crate::run::budgeted_rhs::BudgetedRhs;
 use crate::run::stepping::{Attempt, Cause, Stepper};
 use crate::{Absolute, Failure, Real, Refusal, TaylorSeries, Tolerance};
+use departure::Departure;
 use rounding::Rounding;
 pub(crate) use step::reach;
 pub use step::taylor_order;
@@ -142,6 +144,9 @@ pub(crate) struct TaylorStepper<S, T> {
     direction: S,
     /// The state within a step, the rates of the law there, and those of the series.
     within: [Vec<S>; 3],
+    /// The step from a point without a series, where the run has come to one; whether it was the last step.
+    departure: Option<Departure<S>>,
+    departed: bool,
 }
 
 impl<S: Real, T: TaylorSeries<S>> TaylorStepper<S, T> {
@@ -152,6 +157,8 @@ impl<S: Real, T: TaylorSeries<S>> TaylorStepper<S, T> {
             reach: 0.0,
             direction: S::one(),
             within: Default::default(),
+            departure: None,
+            departed: false,
         }
     }
 }
@@ -200,8 +207,16 @@ impl<S: Real, T: TaylorSeries<S>> Stepper<S> for TaylorStepper<S, T> {
 
     fn attempt(&mut self, tau: S, before: &[S], step: S, after: &mut [S], meter: &BudgetedRhs<S>) -> Attempt {
         if self.reach(tau, before, meter).is_none() {
-            return Attempt::Rejected { next: step.approx() / 4.0, cause: self.method.beyond() };
+            let cause = self.method.beyond();
+            if cause == Cause::Error && self.method.source.has_branches() {
+                let departure =
+                    self.departure.get_or_insert_with(|| Departure::new(&self.method.tolerance, before.len()));
+                self.departed = true;
+                return departure.attempt(tau, before, step, after, meter);
+            }
+            return Attempt::Rejected { next: step.approx() / 4.0, cause };
         }
+        self.departed = false;
         if self.method.source.has_branches() && !self.follows((tau, step), meter) {
             // the same series is tried over a shorter step
             self.reach = step.approx() / 4.0;
@@ -216,6 +231,9 @@ impl<S: Real, T: TaylorSeries<S>> Stepper<S> for TaylorStepper<S, T> {
     }
 
     fn between(&self, passed: S, state: &mut [S]) {
-        self.method.source.sum(passed * self.direction, state);
+        match &self.departure {
+            Some(departure) if self.departed => departure.between(passed, state),
+            _ => self.method.source.sum(passed * self.direction, state),
+        }
     }
 }

@@ -57,9 +57,9 @@ impl Program {
         Some(Program { code, ..Program::without_code(tape) })
     }
 
-    /// Its divisors and radicands, as [`Tape::divisors_and_radicands`].
-    pub(super) fn divisors_and_radicands(&self) -> Option<(Tape, usize)> {
-        self.tape.divisors_and_radicands()
+    /// Its divisors, radicands and angles, as [`Tape::singular_places`].
+    pub(super) fn singular_places(&self) -> Option<(Tape, [usize; 3])> {
+        self.tape.singular_places()
     }
 
     /// The program of a tape whose operations are followed one by one.
