@@ -16,13 +16,13 @@ PYTHON = ["numpy", "heyoka", "scipy", "scikit-sundae", "jax", "diffrax", "casadi
 DEBIAN = {"gsl/gsl_odeiv2.h": "libgsl-dev", "boost/numeric/odeint.hpp": "libboost-dev"}
 
 
-def environment(folder):
+def environment(folder, names=PYTHON):
     """The interpreter of the virtual environment with all that pip finds, and what it does not."""
     python, missing = folder / "venv" / "bin" / "python", {}
     if not python.exists():
         venv.create(folder / "venv", with_pip=True)
     have = subprocess.run([python, "-m", "pip", "list", "--format", "freeze"], capture_output=True, text=True).stdout.lower()
-    for name in PYTHON:
+    for name in names:
         if not re.search(rf"^{re.escape(name)}==", have, re.MULTILINE):
             print(f"pip: {name}", file=sys.stderr, flush=True)
             done = subprocess.run([python, "-m", "pip", "install", "--quiet", name], capture_output=True, text=True)

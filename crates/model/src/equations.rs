@@ -39,6 +39,9 @@ pub fn dependent_everywhere(trace: &Trace<'_>, among: &[[usize; 2]]) -> Vec<[usi
     these.into_iter().filter(|one| depends(&one.row, &others)).map(|one| one.of).collect()
 }
 
+/// Accelerations u' and multipliers lambda, or the first coordinate, or constraint, without a pivot that is not zero as it stands.
+pub type Solved = Result<(Vec<Sym>, Vec<Sym>), Singular>;
+
 /// Systems with more speeds are not eliminated from their mass matrix where their bodies form a tree: it would be longer.
 pub const MOST_COMPARED: usize = 8;
 
@@ -46,7 +49,7 @@ pub const MOST_COMPARED: usize = 8;
 ///
 /// # Errors
 /// The first coordinate, or constraint, without a pivot that is not zero as it stands.
-pub fn solved(trace: &Trace<'_>) -> Result<(Vec<Sym>, Vec<Sym>), Singular> {
+pub fn solved(trace: &Trace<'_>) -> Solved {
     let by_matrix = || Equations::of(trace).solved();
     let Some(Ok(over_tree)) = solved_over_tree(trace) else { return by_matrix() };
     if trace.speeds.len() > MOST_COMPARED {
@@ -59,7 +62,7 @@ pub fn solved(trace: &Trace<'_>) -> Result<(Vec<Sym>, Vec<Sym>), Singular> {
 }
 
 /// Accelerations and multipliers over the tree of bodies; none where there is no tree.
-pub fn solved_over_tree(trace: &Trace<'_>) -> Option<Result<(Vec<Sym>, Vec<Sym>), Singular>> {
+pub fn solved_over_tree(trace: &Trace<'_>) -> Option<Solved> {
     articulated_bodies::solved(trace)
 }
 
@@ -112,7 +115,7 @@ impl Equations {
     ///
     /// # Errors
     /// The first coordinate, or constraint, without a pivot that is not zero as it stands.
-    pub fn solved(&self) -> Result<(Vec<Sym>, Vec<Sym>), Singular> {
+    pub fn solved(&self) -> Solved {
         elimination::solved(self)
     }
 

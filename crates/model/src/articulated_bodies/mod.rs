@@ -14,7 +14,7 @@ mod links;
 mod places;
 
 use crate::Material;
-use crate::equations::{Equation, Singular, constraints_of, solve_sparse};
+use crate::equations::{Equation, Singular, Solved, constraints_of, solve_sparse};
 use crate::principles::loads::{by_energies, forces, torques};
 use crate::trace::{Trace, Vector};
 use inertia::{Inertia, Pair};
@@ -39,7 +39,7 @@ struct ArticulatedBodies<'t, 'm> {
 }
 
 /// Accelerations and multipliers of a model whose bodies form a tree, each speed moving one joint; none of other models.
-pub(crate) fn solved(trace: &Trace<'_>) -> Option<Result<(Vec<Sym>, Vec<Sym>), Singular>> {
+pub(crate) fn solved(trace: &Trace<'_>) -> Option<Solved> {
     let bodies = ArticulatedBodies::of(trace)?;
     if !trace.solid().is_empty() {
         return None;
@@ -212,7 +212,7 @@ impl<'t, 'm> ArticulatedBodies<'t, 'm> {
     }
 
     /// Accelerations and multipliers from the accelerations without constraints.
-    fn with_constraints(&self, free: Vec<Sym>, constraints: &[Equation]) -> Result<(Vec<Sym>, Vec<Sym>), Singular> {
+    fn with_constraints(&self, free: Vec<Sym>, constraints: &[Equation]) -> Solved {
         if constraints.is_empty() {
             return Ok((free, Vec::new()));
         }

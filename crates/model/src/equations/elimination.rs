@@ -3,7 +3,7 @@
 //! Pivots are taken in order. M is positive definite where the system is regular, so that every pivot is positive there; entries
 //! that are the constant zero cost nothing.
 
-use super::{Equations, vanishes};
+use super::{Equations, Solved, vanishes};
 use std::collections::BTreeSet;
 use std::fmt;
 use symbolic::Sym;
@@ -153,7 +153,7 @@ pub(super) fn pushes(equations: &Equations) -> Result<Pushes, Singular> {
     Ok(Pushes { free, columns })
 }
 
-pub(super) fn solved(equations: &Equations) -> Result<(Vec<Sym>, Vec<Sym>), Singular> {
+pub(super) fn solved(equations: &Equations) -> Solved {
     let constraints = &equations.constraints;
     let Pushes { free, columns: moved } = pushes(equations)?;
     if constraints.is_empty() {
