@@ -5,6 +5,7 @@
 //! with h = inertia that depends on speeds less all forces. A constraint of positions counts twice differentiated, one of speeds
 //! once.
 
+mod articulated_bodies;
 mod characteristics;
 mod constraints;
 mod elimination;
@@ -27,7 +28,7 @@ pub use integrability::{Integrability, Undecided};
 pub use zero_test::vanishes;
 
 use crate::Trace;
-use crate::articulated_bodies;
+
 use crate::principles::{NotApplicable, Principle};
 use symbolic::{Sym, substitute_all};
 

@@ -24,7 +24,6 @@
 
 mod agreement;
 mod arena;
-mod articulated_bodies;
 mod closed_loop;
 mod conformity;
 mod constraint_gains;
