@@ -5,6 +5,7 @@ mod outputs;
 pub use outputs::ENERGIES;
 pub(crate) use outputs::{determined, outputs, outputs_of_solved};
 
+use crate::changing_laws::{changes, is_watched};
 use crate::conservation::conserves;
 use crate::elimination::{Elimination, LEAST_MOVING, LEAST_SOLVED, MOST_DERIVED, is_tree};
 use crate::implicit::{Implicit, ImplicitLaw, SolvedSlopes, recurrence};
@@ -14,7 +15,7 @@ use crate::program::recorded;
 use field::DoubleDouble;
 use integrators::{Dual8, JacobianFn, Ode, Real};
 use model::equations::{MOST_COMPARED, constraints_of};
-use model::{Event, Model, ScalarId, Trace};
+use model::{Model, ScalarId, Trace};
 use outputs::of_motion;
 use simulation::{CompiledLaw, Differentiable, Law, LawSeries, Program, SymbolicLaw};
 use std::fmt;
@@ -271,18 +272,6 @@ pub(crate) fn speed_name(model: &Model, speed: usize) -> String {
         Some(coordinate) => coordinate.name.clone(),
         None => model.state_names()[model.positions() + speed].0.clone(),
     }
-}
-
-/// Whether the law of a model, or its state, changes at conditions, at events or with its contacts. An event that ends the run, and sets
-/// nothing, changes neither.
-pub(crate) fn changes(model: &Model) -> bool {
-    let is_end = |event: &Event| event.ends && event.set.is_empty();
-    !(model.switches.is_empty() && model.contacts.is_empty() && model.events.iter().all(is_end))
-}
-
-/// Whether a run watches for events, be it for its end alone.
-pub(crate) fn is_watched(model: &Model) -> bool {
-    changes(model) || !model.events.is_empty()
 }
 
 /// The first condition or event that depends on accelerations or reactions.

@@ -1,6 +1,6 @@
 //! Whether a model keeps its energy.
 
-use crate::compiled_system::changes;
+use crate::changing_laws::changes;
 use model::equations::{Equation, Level, constraints_of, vanishes};
 use model::{Model, Trace};
 use symbolic::Sym;

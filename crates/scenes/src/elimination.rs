@@ -1,6 +1,6 @@
 //! The way in which accelerations are found: by an elimination that is written down, or by a solve at each evaluation.
 
-use crate::compiled_system::is_watched;
+use crate::changing_laws::is_watched;
 use model::equations::has_tree;
 use model::{Model, Trace};
 use symbolic::apart;

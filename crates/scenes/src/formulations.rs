@@ -5,7 +5,8 @@
 //!
 //!   q' = T (u + M^-1 J_g^T mu),   M u' + h = J^T lambda,   0 = f(q, t),   0 = df/dt, 0 = phi(q, u, t) .
 
-use crate::compiled_system::{CompiledSystem, changes};
+use crate::changing_laws::changes;
+use crate::compiled_system::CompiledSystem;
 use crate::elimination::MOST_WRITTEN;
 use crate::letters::Letters;
 use crate::modes::Mode;

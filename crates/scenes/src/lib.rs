@@ -10,6 +10,7 @@
 
 mod admissible;
 mod branch;
+mod changing_laws;
 mod compiled_system;
 pub mod conformance;
 mod conservation;

@@ -1,7 +1,8 @@
 //! The run of a model with the work that is done on it: its energy less this work keeps its first value, or the run has made up the rest.
 
+use crate::changing_laws::is_watched;
 use crate::compiled_system::determined;
-use crate::compiled_system::{CompiledSystem, OverDualNumbers, is_watched};
+use crate::compiled_system::{CompiledSystem, OverDualNumbers};
 use crate::elimination::{Elimination, LEAST_MOVING};
 use crate::implicit::recurrence_with;
 use crate::letters::Letters;

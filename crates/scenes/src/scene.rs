@@ -2,7 +2,8 @@
 
 use crate::admissible::impossible;
 use crate::branch::settled;
-use crate::compiled_system::{CompiledSystem, ENERGIES, changes, is_watched};
+use crate::changing_laws::{changes, is_watched};
+use crate::compiled_system::{CompiledSystem, ENERGIES};
 use crate::ensemble::parse_ensemble;
 use crate::formulations::formulations;
 use crate::inductances::impossible_inductances;

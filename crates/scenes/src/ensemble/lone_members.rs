@@ -1,7 +1,7 @@
 //! Members whose law changes at conditions, at events or with contacts: each runs by itself, with laws of its own numbers.
 
 use super::ModelEnsemble;
-use crate::compiled_system::is_watched;
+use crate::changing_laws::is_watched;
 use crate::modes::{Modes, Refused, described};
 use model::Model;
 use simulation::ensemble::{Drawn, Ended, Last, RunsAlone, Stopped};

@@ -38,7 +38,8 @@ pub use course::RunTable;
 pub use mode::{Case, Face, Mode, Phase};
 pub(crate) use motion::ModeMotion;
 
-use crate::compiled_system::{CompiledSystem, NotCompiled, is_watched};
+use crate::changing_laws::is_watched;
+use crate::compiled_system::{CompiledSystem, NotCompiled};
 use crate::start::KeptConstraints;
 use course::{Crossing, Leg, Sets};
 use expansion::{Expansions, Instant};

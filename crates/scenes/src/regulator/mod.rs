@@ -16,7 +16,7 @@ pub use controllability::Controllability;
 pub use riccati::Stage;
 pub use states::States;
 
-use crate::compiled_system::is_watched;
+use crate::changing_laws::is_watched;
 use crate::linearisation::{Linearisation, Standing, VariedEquations, eigenvalues, points};
 use crate::readiness::{unmet_at, without_law};
 use crate::scene::ModelScene;
