@@ -6,18 +6,18 @@
 //! `setup`, `rates`, `jacobian`, `num-dual` by nanoseconds, `operations` by the sums and products of the right-hand side and of its
 //! Jacobian, circle points apart, `peak` by the most of them that this processor can in a nanosecond.
 
-use dalembert_derivations::studies::scene::Scene;
+use dalembert_derivations::studies::AnyScene;
 use field::{DoubleDouble, Over};
 use integrators::{Dual8, Jacobian, Ode, Outcome, Real, Span, System, Tolerance, integrate, integrate_in, reference};
 use reader::Family;
-use simulation::{Axes, methods};
+use simulation::{Axes, Problem, TracedOde, methods, traced};
 use std::error::Error;
 use std::fs;
 use std::hint::black_box;
 use std::io::{self, BufRead, Write};
 use std::path::Path;
 use std::time::{Duration, Instant};
-use symbolic::Language;
+use symbolic::{Language, Sym, Tape};
 
 #[path = "../peak/mod.rs"]
 mod peak;
@@ -35,27 +35,33 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("a scene is needed: cargo bench --bench peers -- benches/peers/six_bars.toml");
         return Ok(());
     };
-    let mut scene = Scene::open(Path::new(path)).map_err(|error| error.render(false))?;
-    if let Some(model) = after("--model") {
-        scene = scene.with_model(model).map_err(|error| error.to_string())?;
+    scenes::register(|_| ());
+    let mut scene = AnyScene::open(Path::new(path)).map_err(|error| error.render(false))?;
+    if let (Some(model), AnyScene::Driven(driven)) = (after("--model"), &mut scene) {
+        **driven = driven.clone().with_model(model).map_err(|error| error.to_string())?;
     }
+    let code = Exported::of(&scene)?;
     if let Some(folder) = after("--code") {
-        write_code(&scene, Path::new(folder))?;
+        code.write(Path::new(folder))?;
     }
     let begin = Instant::now();
-    let problem = scene.problem(AXES);
+    let problem = problem(&scene);
     let law: &dyn System = &*problem.law;
     black_box(law.jacobian_fn().is_some());
     let setup = begin.elapsed().as_nanos();
-    let span = Span::new(0.0, scene.run.span, &problem.state);
+    let span = Span::new(0.0, problem.span, &problem.state);
     let exact = reference(law, &span)?;
     let lifted: Vec<DoubleDouble> = problem.state.iter().map(|y| DoubleDouble::lift(*y)).collect();
-    let finer = Span::new(0.0, scene.run.span, &lifted);
-    let row = |state: &mut dyn Iterator<Item = f64>| state.map(|y| format!("{y:?}")).collect::<Vec<_>>().join(" ");
+    let finer = Span::new(0.0, problem.span, &lifted);
+    // to the others the time is a state
+    let row = |state: &mut dyn Iterator<Item = f64>, time: f64| {
+        let time = code.knows_time.then_some(time);
+        state.chain(time).map(|y| format!("{y:?}")).collect::<Vec<_>>().join(" ")
+    };
     println!("{:.1} {:?}", exact.digits, span.end);
-    println!("{}", row(&mut exact.states.iter().flatten().map(|y| y.hi())));
-    println!("{}", row(&mut exact.sizes.iter().copied()));
-    println!("{}", row(&mut problem.state.iter().copied()));
+    println!("{}", row(&mut exact.states.iter().flatten().map(|y| y.hi()), span.end));
+    println!("{}", row(&mut exact.sizes.iter().copied(), span.end));
+    println!("{}", row(&mut problem.state.iter().copied(), 0.0));
     for line in io::stdin().lock().lines() {
         let line = line?;
         match line.rsplit_once(' ') {
@@ -69,11 +75,11 @@ fn main() -> Result<(), Box<dyn Error>> {
                 } else {
                     repeated(|| integrate(law, method, &tolerance, &span, &mut ()))
                 };
-                println!("{took} {}", row(&mut state.into_iter()));
+                println!("{took} {}", row(&mut state.into_iter(), span.end));
             }
             None if line == "setup" => println!("{setup}"),
             None if line == "operations" => {
-                println!("{} {}", scene.tape(AXES)?.flops(), scene.jacobian_tape(AXES)?.flops());
+                println!("{} {}", code.rates.flops(), code.jacobian.flops());
             }
             None if line == "peak" => println!("{}", peak::flops_per_nanosecond()),
             None => println!("{}", evaluations(law, &problem.state, &line)?),
@@ -101,15 +107,54 @@ fn repeated<S: Real>(run: impl Fn() -> Outcome<S>) -> (u128, Vec<f64>) {
     (times[times.len() / 2], state)
 }
 
-/// The right-hand side and its Jacobian, for the others; and what its constants lose when they are rounded.
-fn write_code(scene: &Scene, folder: &Path) -> Result<(), Box<dyn Error>> {
-    let (rates, jacobian) = (scene.tape(AXES)?, scene.jacobian_tape(AXES)?);
-    let both = |language| format!("{}\n{}", rates.source(language, "rates"), jacobian.source(language, "jacobian"));
-    fs::write(folder.join("rates.h"), format!("#include <math.h>\n\n{}", both(Language::C)))?;
-    fs::write(folder.join("exported.py"), format!("from math import cos, sin, sqrt\n\n\n{}", both(Language::Python)))?;
-    let lost = rates.constants::<DoubleDouble>().into_iter().map(|c| format!("{:?} {:?}\n", c.hi(), c.lo()));
-    fs::write(folder.join("lost.txt"), lost.collect::<String>())?;
-    Ok(())
+/// A gyrostat in the axes in which its law is shortest; a system that is written in its file.
+fn problem(scene: &AnyScene) -> Problem {
+    match scene {
+        AnyScene::Driven(driven) => driven.problem(AXES),
+        AnyScene::Model(model) => model.problem(Axes::First),
+    }
+}
+
+/// The right-hand side and its Jacobian, for the others.
+struct Exported {
+    rates: Tape,
+    jacobian: Tape,
+    /// Whether the law knows the time, which is then the last state.
+    knows_time: bool,
+}
+
+impl Exported {
+    fn of(scene: &AnyScene) -> Result<Self, Box<dyn Error>> {
+        Ok(match scene {
+            AnyScene::Driven(driven) => {
+                let (rates, jacobian) = (driven.tape(AXES)?, driven.jacobian_tape(AXES)?);
+                Exported { rates, jacobian, knows_time: false }
+            }
+            AnyScene::Model(model) => traced(&*model.symbolic_law(), |TracedOde { state, time, rates }| {
+                let knows_time = rates.iter().any(|rate| rate.symbols_of().contains(time));
+                let clock = |one: Sym| knows_time.then_some(one);
+                let state: Vec<Sym> = state.iter().copied().chain(clock(*time)).collect();
+                let rates: Vec<Sym> = rates.iter().copied().chain(clock(Sym::ONE)).collect();
+                let slopes: Vec<Sym> = rates.iter().flat_map(|rate| state.iter().map(|&by| rate.diff(by))).collect();
+                let (rates, jacobian) = (Tape::record(&state, &rates)?, Tape::record(&state, &slopes)?);
+                Ok::<_, symbolic::Untapeable>(Exported { rates, jacobian, knows_time })
+            })?,
+        })
+    }
+
+    /// And what its constants lose when they are rounded.
+    fn write(&self, folder: &Path) -> Result<(), Box<dyn Error>> {
+        let Exported { rates, jacobian, .. } = self;
+        let both = |language| format!("{}\n{}", rates.source(language, "rates"), jacobian.source(language, "jacobian"));
+        fs::write(folder.join("rates.h"), format!("#include <math.h>\n\n{}", both(Language::C)))?;
+        fs::write(
+            folder.join("exported.py"),
+            format!("from math import cos, sin, sqrt\n\n\n{}", both(Language::Python)),
+        )?;
+        let lost = rates.constants::<DoubleDouble>().into_iter().map(|c| format!("{:?} {:?}\n", c.hi(), c.lo()));
+        fs::write(folder.join("lost.txt"), lost.collect::<String>())?;
+        Ok(())
+    }
 }
 
 /// Nanoseconds of one evaluation; each depends on the one before.

@@ -41,6 +41,9 @@ ROOT = HERE.parent.parent
 FOLDER = ROOT / "target" / "peers"
 TABLES = [HERE / f"{name}.toml" for name in ("synchronous", "six_bars", "six_bars_stiff")]
 SMOOTH = sorted((ROOT / "scenes").glob("*.toml"))
+# problems of others that are smooth: of constraints twice differentiated, which all tools run
+FOREIGN = [ROOT / "scenes" / "foreign" / f"{name}.toml" for name in (
+    "andrews_mechanism", "bicycle", "car_axis", "cartesian_pendulum", "flexible_slider_crank", "pleiades", "pushed_cart_pole", "triple_pendulum")]
 REDUCED = "equivalent_windings"
 # the scans: of double precision, and of what has more digits
 TOLERANCES = [10.0 ** (-k / 2) for k in range(6, 31)]
@@ -151,7 +154,7 @@ def main():
     if asked.scenes:
         plan = [(path.resolve(), REDUCED if asked.reduced else None) for path in asked.scenes]
     else:
-        plan = [(path, None) for path in TABLES + SMOOTH] + [(path, REDUCED) for path in SMOOTH if has_reduced(path)]
+        plan = [(path, None) for path in TABLES + SMOOTH + FOREIGN] + [(path, REDUCED) for path in SMOOTH if has_reduced(path)]
     stored = HERE / "results.json"
     results = json.loads(stored.read_text()) if stored.exists() else {}
     for path, model in plan:

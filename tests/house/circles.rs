@@ -10,7 +10,7 @@ const KNOWN: &[(&str, usize)] = &[
     ("crates/model/src", 11),
     ("crates/motor/src", 2),
     ("crates/native/src", 2),
-    ("crates/scenes/src", 13),
+    ("crates/scenes/src", 12),
     ("crates/series/src", 10),
 ];
 

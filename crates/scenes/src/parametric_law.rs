@@ -2,7 +2,7 @@
 
 use crate::compiled_system::{NotCompiled, outputs, outputs_of_solved, rates};
 use crate::conservation::conserves;
-use crate::elimination::Elimination;
+use crate::elimination::{Elimination, is_tree};
 use crate::implicit::{linear_equations, recurrence_of};
 use crate::letters::Inputs;
 use crate::modes::Mode;
@@ -54,7 +54,8 @@ impl ParametricLaw {
         apart(|| {
             let inputs = Inputs::of(model);
             let rates = rates(model, &Mode::default(), inputs.letters())?;
-            let law = match model.speeds() + model.constraints.len() >= LEAST_SOLVED {
+            let is_long = model.speeds() + model.constraints.len() >= LEAST_SOLVED && !is_tree(model);
+            let law = match is_long {
                 true => recurrence_of(&Trace::of(model), &inputs, inputs.letters(), &inputs.parameters),
                 false => {
                     let moves = rates.iter().any(|rate| rate.symbols_of().contains(&inputs.time));

@@ -1,7 +1,8 @@
 //! The sizes of systems that commands take, told before their equations are formed.
 //!
-//! Equations of motion are sums over bodies for each pair of speeds, so that their work and memory grow as the square of the speeds
-//! times the bodies: measured on chains of links in a plane, whose speeds and bodies are as many.
+//! Equations of motion with a mass matrix are sums over bodies for each pair of speeds, so that their work and memory grow as the square of
+//! the speeds times the bodies: measured on chains of links in a plane, whose speeds and bodies are as many. Runs of bodies in a tree
+//! need no mass matrix.
 
 use crate::elimination::is_tree;
 use model::Model;
@@ -10,7 +11,7 @@ use reader::Issue;
 /// The use of a system.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Task {
-    /// Runs: a chain of 80 links begins after 4 s.
+    /// Runs with a mass matrix: a chain of 80 links begins after 4 s.
     Run,
     /// Equations written down and compared: 64 links take 2 s and 0.8 GB.
     Write,

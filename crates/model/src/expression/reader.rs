@@ -21,6 +21,9 @@ pub fn read(text: &str) -> Result<Expression, NotExpression> {
         depth: 0,
         expression: Expression { parts: Vec::new(), spans: Vec::new() },
     };
+    if reader.whole_quantity() {
+        return Ok(reader.expression);
+    }
     reader.comparison()?;
     match reader.peek() {
         None => Ok(reader.expression),
@@ -219,6 +222,18 @@ impl<'a> Reader<'a> {
             }
             Token::Sign(_) | Token::Dot | Token::Part => Err(self.wrong(Reason::Operand)),
         }
+    }
+
+    /// `20 mm` and nothing else: there alone it needs no parentheses.
+    fn whole_quantity(&mut self) -> bool {
+        let Some((number, unit)) = self.text.trim().split_once(char::is_whitespace) else { return false };
+        if number.parse::<f64>().is_err() || units::quantity::parse_any(self.text.trim()).is_err() {
+            return false;
+        }
+        let form = Form::Quantity { number: number.to_owned(), unit: unit.trim().to_owned() };
+        self.at = self.tokens.len();
+        self.push(form, 0);
+        true
     }
 
     /// `(20 mm)`, `(-9.81 m/s^2)`: a number that a name follows without a sign between them.

@@ -26,6 +26,8 @@ The language of the texts stands in the book of the project, in the chapter "You
 otherwise. What is wrong with a model raises ModelError with file, line, column and what is accepted there.
 """
 
+from inspect import Parameter, Signature
+
 from ._model import Model
 from ._builder import ModelBuilder
 from ._native import METHODS, PRINCIPLES, VERSION, Equations, Judgement, LinearEquations, ModelError, JacobianMatrix, RightHandSide
@@ -33,6 +35,10 @@ from ._proofs import Judgements
 from ._trajectory import Trajectory
 
 __version__ = VERSION
+
+# what is compiled shows no signature by itself
+for _callable in (RightHandSide, JacobianMatrix):
+    _callable.__signature__ = Signature([Parameter(name, Parameter.POSITIONAL_OR_KEYWORD) for name in ("t", "y")])
 
 __all__ = [
     "METHODS",

@@ -1,6 +1,7 @@
 //! Expressions and definitions.
 
 use super::{messages, one};
+use dalembert_scenes::ModelScene;
 
 #[test]
 fn unknown_letters_are_named_with_what_was_probably_meant() {
@@ -40,6 +41,16 @@ fn a_circle_of_definitions_is_told_once() {
     let circle = [("reach = \"l*sin(theta)\"", "reach = \"2*other\"\nother = \"reach/2\"")];
     one(&circle, &["`reach` is defined by itself", "reach needs other needs reach"]);
     one(&[("P = \"O - l*A.y\"", "P = \"P - l*A.y\"")], &["`P` is defined by itself"]);
+}
+
+/// A number with a unit alone needs no parentheses; within an expression it does.
+#[test]
+fn a_quantity_that_is_the_whole_expression_stands_as_it_is() {
+    let text = "title = \"t\"\n[coordinates]\nx = \"m\"\n[bodies.b]\ncentre = \"O + x*N.x\"\nmass = \"2 kg\"\n\
+                [outputs]\nlength = \"-1.5e3 mm\"\n[run]\nspan = \"1 s\"\n";
+    let scene = ModelScene::parse("scene.toml", text).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(scene.system.outputs(0.0, &[0.0, 1.0])[..2], [-1.5, 1.0]);
+    one(&[("\"l*sin(theta)\"", "\"2 l\"")], &["`2*l` is a product", "`(2 l)` a number with a unit"]);
 }
 
 #[test]

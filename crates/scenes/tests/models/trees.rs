@@ -1,8 +1,9 @@
 //! Accelerations over a tree of bodies beside those of the mass matrix.
 
-use super::{all, open, parsed};
+use super::{all, end, open, parsed};
 use dalembert_scenes::ModelScene;
 use field::{DoubleDouble, Scalar};
+use integrators::Method;
 use model::Trace;
 use model::equations::{Equations, has_tree, solved_over_tree, vanishes};
 use symbolic::{Sym, apart, substitute_all};
@@ -80,6 +81,54 @@ const JOINTS: &str = "title = \"joints\"\ngravity = \"-g*N.y\"\n[parameters]\nm 
 #[test]
 fn joints_of_every_kind_stand_in_one_tree() {
     assert_eq!(agree(&parsed(JOINTS)), Some(true));
+}
+
+/// Hinges about z and x in turn.
+fn chain(links: usize) -> String {
+    let [mut coordinates, mut frames, mut points, mut bodies] = [const { String::new() }; 4];
+    let (mut frame, mut point) = ("N".to_owned(), "O".to_owned());
+    for k in 1..=links {
+        let axis = if k % 2 == 1 { "z" } else { "x" };
+        coordinates += &format!("q{k} = \"rad\"\n");
+        frames += &format!("F{k} = \"{frame} turned q{k} about {axis}\"\n");
+        points += &format!("P{k} = \"{point} - (0.2 m)*F{k}.y\"\n");
+        bodies += &format!(
+            "b{k} = {{ frame = \"F{k}\", centre = \"{point} - (0.1 m)*F{k}.y\", mass = \"(1 kg)\", \
+             inertia = {{ principal = [\"(0.01 kg m^2)\", \"(0.002 kg m^2)\", \"(0.01 kg m^2)\"] }} }}\n"
+        );
+        (frame, point) = (format!("F{k}"), format!("P{k}"));
+    }
+    format!(
+        "title = \"chain\"\ngravity = \"-(9.81 m/s^2)*N.y\"\n[coordinates]\n{coordinates}[frames]\n{frames}[points]\n{points}\
+         [bodies]\n{bodies}[start]\nq1 = \"0.3 rad\"\n[run]\nspan = \"0.1 s\"\n"
+    )
+}
+
+/// So many operations more for each body of a longer chain.
+#[test]
+fn the_length_of_accelerations_grows_as_the_bodies() {
+    let length = |links: usize| {
+        let scene = parsed(&chain(links));
+        apart(|| {
+            let (accelerations, _) =
+                solved_over_tree(&Trace::of(&scene.model)).expect("it is a tree").expect("it is regular");
+            Sym::operations_of(&accelerations)
+        })
+    };
+    let [ten, twenty, forty] = [10, 20, 40].map(length);
+    assert_eq!(forty - twenty, 2 * (twenty - ten), "{ten}, {twenty}, {forty}");
+    assert!(forty < 25_000, "{forty}");
+}
+
+/// Ten times as many hinges as a mass matrix would be eliminated for, by four kinds of methods.
+#[test]
+fn a_chain_of_hundred_hinges_runs_by_every_kind_of_method() {
+    let scene = parsed(&chain(100));
+    let [explicit, others @ ..] =
+        [Method::DormandPrince8, Method::Taylor, Method::GraggBulirschStoer].map(|method| end(&scene, method, 1e-10).0);
+    for other in others {
+        assert!(explicit.iter().zip(&other).all(|(a, b)| (a - b).abs() < 1e-6 * (1.0 + a.abs())));
+    }
 }
 
 /// An angle that moves two joints, and a ball on a plane without any: their accelerations come from the mass matrix.
