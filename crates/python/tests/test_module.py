@@ -1,5 +1,6 @@
 """The module as its users meet it: numbers against closed forms and SciPy, messages, ownership of arrays, Ctrl-C."""
 
+import inspect
 import os
 import pickle
 import signal
@@ -112,6 +113,31 @@ def test_the_callables_serve_scipy():
     for method, more in [("DOP853", {}), ("Radau", {"jac": jacobian})]:
         found = solve_ivp(f, (0, 2), start, method=method, t_eval=ours.time, rtol=1e-9, atol=1e-11, **more)
         assert np.abs(found.y.T - ours.array[:, : len(start)]).max() < 1e-5
+
+
+def test_callables_show_their_arguments():
+    model = oscillator()
+    assert [str(inspect.signature(one)) for one in (model.rhs(), model.jacobian())] == ["(t, y)", "(t, y)"]
+
+
+def test_a_jacobian_at_rest_has_the_derivatives_of_drag():
+    model = dalembert.Model.from_text(
+        """
+        gravity = "-(10 m/s^2)*N.y"
+        [coordinates]
+        y = "m"
+        [bodies.b]
+        centre = "O + y*N.y"
+        mass = "1 kg"
+        [[force]]
+        on = "b"
+        is = "-(0.1 kg/m)*norm(velocity(b))*velocity(b)"
+        """
+    )
+    assert np.allclose(model.jacobian()(0.0, [0.0, 0.0]), [[0.0, 1.0], [0.0, 0.0]], atol=1e-8)
+    run = solve_ivp(model.rhs(), (0, 5), model.start, jac=model.jacobian(), method="Radau", rtol=1e-9, atol=1e-9)
+    assert abs(run.y[1, -1] + 10 * np.tanh(5)) < 1e-6
+
 
 
 def test_states_of_any_kind_are_taken_and_others_refused():

@@ -69,11 +69,11 @@ pub fn write(asked: &Asked, files: &[PathBuf]) -> Result<Exit, Exit> {
     Ok(if whole { Exit::Done } else { Exit::Stopped })
 }
 
-/// The folder, among scenes, of examples of the language of systems.
-const EXAMPLES: &str = "models";
+/// The folders, among scenes, of examples of the language of systems and of problems of others.
+const EXAMPLES: [&str; 2] = ["models", crate::studies::FOLDER];
 
 fn is_example(file: &Path, scenes: &Path) -> bool {
-    file.strip_prefix(scenes).is_ok_and(|inner| inner.starts_with(EXAMPLES))
+    file.strip_prefix(scenes).is_ok_and(|inner| EXAMPLES.iter().any(|folder| inner.starts_with(folder)))
 }
 
 /// The commands that write pages: the main job, which has no name, and the charts of one scene.

@@ -7,7 +7,9 @@ use crate::ledger;
 use crate::pictures;
 use crate::speed;
 use crate::sphere::Stationary;
-use crate::studies::{Drive, Endurance, Failures, Gains, NumericalStability, Synchronism, atlas, peers};
+use crate::studies::{
+    Drive, Endurance, Failures, ForeignProblems, Gains, NumericalStability, Synchronism, atlas, peers,
+};
 use crate::timings;
 use charts::{Areas, PaperSection, Report, SceneSection, Verdict};
 use claims::catalogue::papers;
@@ -32,6 +34,7 @@ pub struct Parts {
     numerical_stability: NumericalStability,
     synchronism: Synchronism,
     failures: Failures,
+    foreign: ForeignProblems,
 }
 
 impl Parts {
@@ -50,6 +53,7 @@ impl Parts {
             numerical_stability: NumericalStability::default(),
             synchronism: Synchronism::default(),
             failures: Failures::of(folder),
+            foreign: ForeignProblems::of(folder),
         }
     }
 
@@ -73,6 +77,7 @@ impl Parts {
         });
         self.synchronism.enlist(driven(scenes), &mut crew);
         self.failures.enlist(&mut crew, folder);
+        self.foreign.enlist(&mut crew);
         crew.add(1.5, &mut self.stability, || governors::stability().into_iter().map(pictures::stability).collect());
         crew.add(0.1, &mut self.approximations, || pictures::series_errors(&governors::series_errors()));
         crew.add(0.1, &mut self.friction, || regimes::maps::maps().into_iter().map(pictures::areas).collect());
@@ -148,6 +153,7 @@ impl Parts {
             self.numerical_stability.study(),
         ]);
         report.studies.extend(self.failures.study());
+        report.studies.extend(self.foreign.study());
         report.studies.push(peers::study(folder));
         match timings::read(folder) {
             Ok(timings) => report.timings = vec![timings],

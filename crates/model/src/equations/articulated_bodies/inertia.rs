@@ -60,7 +60,7 @@ impl Inertia {
             let mass = trace.solidified(mass);
             let across = cross_matrix(trace.express(arm, frame));
             let scaled = |matrix: &Matrix| matrix.map(|row| row.map(|entry| mass * entry));
-            all.mass = std::array::from_fn(|i| std::array::from_fn(|j| if i == j { mass } else { Sym::ZERO }));
+            all.mass = multiple_of_one(mass);
             all.coupling = scaled(&across);
             all.turning = difference(&all.turning, &scaled(&product(&across, &across)));
         }
@@ -108,7 +108,8 @@ impl Inertia {
                 &transposed(&rows).map(|row| trace.express(Vector { frame: self.frame, components: row }, frame)),
             )
         };
-        let mass = symmetric(&turned(&self.mass));
+        let is_of_one_mass = self.mass == multiple_of_one(self.mass[0][0]);
+        let mass = if is_of_one_mass { self.mass } else { symmetric(&turned(&self.mass)) };
         let across = cross_matrix(trace.express(arm, frame));
         let by_mass = product(&across, &mass);
         // [r] C [r], symmetric
@@ -124,6 +125,10 @@ impl Inertia {
         let coupling = std::array::from_fn(|i| std::array::from_fn(|j| coupling[i][j] + by_mass[i][j]));
         Inertia { frame, turning: symmetric(&turning), coupling, mass }
     }
+}
+
+fn multiple_of_one(factor: Sym) -> Matrix {
+    std::array::from_fn(|i| std::array::from_fn(|j| if i == j { factor } else { Sym::ZERO }))
 }
 
 /// The lower half as it is above: one expression for both.

@@ -53,7 +53,9 @@ pub(crate) fn solved(trace: &Trace<'_>) -> Option<Solved> {
     let flat = substitute_all(&flat, &at_rest.iter().copied().chain(none).collect::<Vec<_>>());
     let (wrenches, pushes) = flat.split_at(6 * wrenches.len());
     let pair = |six: &[Sym]| Pair([[six[0], six[1], six[2]], [six[3], six[4], six[5]]]);
-    let free = bodies.solve(pushes, wrenches.chunks_exact(6).map(pair).collect());
+    // weights are felt by bodies whose ground is accelerated upwards
+    let ground = trace.model.gravity.map_or(Vector::ZERO, |gravity| trace.vector(gravity).map(|part| -part));
+    let free = bodies.solve(pushes, wrenches.chunks_exact(6).map(pair).collect(), ground);
     Some(bodies.with_constraints(free, &constraints))
 }
 
@@ -110,7 +112,7 @@ impl<'t, 'm> ArticulatedBodies<'t, 'm> {
         let trace = self.trace;
         let mut wrenches: Vec<Pair> = self.links.all.iter().map(|link| self.inertial(link)).collect();
         let mut pushes = vec![Sym::ZERO; trace.speeds.len()];
-        for force in forces(trace, true) {
+        for force in forces(trace, false) {
             match self.bearer(force.at) {
                 Some(place) => {
                     let arm = self.links.arm_to(&self.links.all[place], force.at.point);
@@ -173,8 +175,11 @@ impl<'t, 'm> ArticulatedBodies<'t, 'm> {
     }
 
     /// The twist of a link that only follows its parent.
-    fn up(&self, link: &Link, parent: usize, Pair([turning, velocity]): &Pair) -> Pair {
-        let trace = self.trace;
+    fn up(&self, link: &Link, parent: usize, twist: &Pair) -> Pair {
+        let (trace, Pair([turning, velocity])) = (self.trace, twist);
+        if twist.is_zero() {
+            return Pair::ZERO;
+        }
         let frame = self.links.all[parent].frame;
         let [turning, velocity] = [turning, velocity].map(|all| Vector { frame, components: *all });
         let velocity = trace.sum(velocity, trace.cross(turning, self.links.arm(link, parent)));
@@ -182,8 +187,8 @@ impl<'t, 'm> ArticulatedBodies<'t, 'm> {
         Pair([turning, velocity].map(|vector| trace.express(vector, link.frame)))
     }
 
-    /// M^-1 (pushes - the power of the wrenches).
-    fn solve(&self, pushes: &[Sym], mut wrenches: Vec<Pair>) -> Vec<Sym> {
+    /// M^-1 (pushes - the power of the wrenches), on a ground that is accelerated.
+    fn solve(&self, pushes: &[Sym], mut wrenches: Vec<Pair>, ground: Vector) -> Vec<Sym> {
         let links = &self.links.all;
         let mut found = pushes.to_vec();
         for (place, link) in links.iter().enumerate().rev() {
@@ -199,8 +204,10 @@ impl<'t, 'm> ArticulatedBodies<'t, 'm> {
         }
         let mut twists: Vec<Pair> = Vec::with_capacity(links.len());
         for (place, link) in links.iter().enumerate() {
-            let carried = link.parent.filter(|&parent| !twists[parent].is_zero());
-            let mut twist = carried.map_or(Pair::ZERO, |parent| self.up(link, parent, &twists[parent]));
+            let mut twist = match link.parent {
+                Some(parent) => self.up(link, parent, &twists[parent]),
+                None => Pair([Vector::ZERO, ground].map(|vector| self.trace.express(vector, link.frame))),
+            };
             for speed in self.speeds[place].iter().rev() {
                 let value = found[speed.place] - speed.taken.dot(&twist) * speed.inverse;
                 found[speed.place] = value;
@@ -217,7 +224,8 @@ impl<'t, 'm> ArticulatedBodies<'t, 'm> {
             return Ok((free, Vec::new()));
         }
         let nothing = || vec![Pair::ZERO; self.links.all.len()];
-        let moved: Vec<Vec<Sym>> = constraints.iter().map(|one| self.solve(&one.row, nothing())).collect();
+        let moved: Vec<Vec<Sym>> =
+            constraints.iter().map(|one| self.solve(&one.row, nothing(), Vector::ZERO)).collect();
         let dot = |a: &[Sym], b: &[Sym]| a.iter().zip(b).fold(Sym::ZERO, |sum, (&a, &b)| sum + a * b);
         let matrix: Vec<Vec<Sym>> =
             constraints.iter().map(|one| moved.iter().map(|column| dot(&one.row, column)).collect()).collect();

@@ -1,0 +1,81 @@
+//! Problems of public collections: each run as its file asks, beside a reference of its own.
+
+use crate::job_pool::JobPool;
+use charts::{Study, Table};
+use reader::Family;
+use simulation::{Axes, Stored};
+use std::path::{Path, PathBuf};
+use studies::AnyScene;
+
+/// The folder, among scenes.
+pub const FOLDER: &str = "foreign";
+
+/// The problems with their rows.
+#[derive(Default)]
+pub struct ForeignProblems(Vec<(PathBuf, Option<Vec<String>>)>);
+
+impl ForeignProblems {
+    /// Those of a folder of scenes.
+    pub fn of(scenes: &Path) -> Self {
+        let entries = std::fs::read_dir(scenes.join(FOLDER)).into_iter().flatten().flatten();
+        let is_scene = |path: &PathBuf| path.extension().is_some_and(|end| end == "toml");
+        let mut paths: Vec<PathBuf> = entries.map(|entry| entry.path()).filter(is_scene).collect();
+        paths.sort();
+        ForeignProblems(paths.into_iter().map(|path| (path, None)).collect())
+    }
+
+    pub fn enlist<'a>(&'a mut self, crew: &mut JobPool<'a>) {
+        for (path, row) in &mut self.0 {
+            let path = &*path;
+            crew.add(0.2, row, move || row_of(path));
+        }
+    }
+
+    /// The table; none where the folder is not there.
+    pub fn study(self) -> Option<Study> {
+        let rows: Vec<Vec<String>> =
+            self.0.into_iter().filter_map(|(_, row)| row.filter(|row| !row.is_empty())).collect();
+        let head =
+            ["problem", "states", "method", "tolerance", "evaluations", "error at the end", "digits of the reference"];
+        (!rows.is_empty()).then(|| Study {
+            id: "foreign".into(),
+            title: "Problems of others".into(),
+            lead: "Problems of public collections and reports, each run as its file asks. The file names the source and its figures, \
+                   which the tests compare; errors are relative to the size of each component, against a reference that two methods \
+                   confirm."
+                .into(),
+            tables: vec![Table { caption: String::new(), head: head.map(str::to_owned).to_vec(), rows }],
+            ..Study::default()
+        })
+    }
+}
+
+/// Empty of a file that cannot be read: the tests tell why.
+fn row_of(path: &Path) -> Vec<String> {
+    let Ok(opened) = AnyScene::open(path) else {
+        return Vec::new();
+    };
+    let scene = opened.smooth();
+    let choice = scene.run().choice();
+    let mut problem = scene.problem(Axes::First);
+    let kept = Stored::beside(path);
+    if let Some(until) = kept.as_ref().and_then(|kept| kept.reference.times.last()) {
+        problem.span = *until;
+    }
+    let run = problem.simulate(&choice, |_| ());
+    let reached = run.stopped().is_none();
+    let error = kept.as_ref().filter(|_| reached).and_then(|kept| {
+        let exact = kept.reference.states.last()?.iter().zip(&kept.reference.sizes);
+        let off = run.outcome.state.iter().zip(exact).map(|(own, (exact, size))| (own - exact.hi()).abs() / size);
+        Some(format!("{:.1e}", off.fold(0.0, f64::max)))
+    });
+    vec![
+        scene.title().to_owned(),
+        problem.state.len().to_string(),
+        choice.method.to_string(),
+        format!("{:.0e}", choice.tolerance),
+        run.outcome.work.rates.to_string(),
+        error.unwrap_or_else(|| "-".to_owned()),
+        kept.map_or_else(|| "-".to_owned(), |kept| format!("{:.0}", kept.reference.digits.floor())),
+    ]
+}
