@@ -10,7 +10,7 @@ Each link is a rigid body of 1 kg, 0.2 m long, hinged to the one before it: abou
 All tools are asked for the accelerations of the same states in turn, and agree to 1e-9. Times are microseconds of one call from Python, the smallest of
 several rounds, less that of a call on a system of one link or of none, which is a line of its own: it is the way into the tool. SymPy and
 CasADi write Lagrange's equations of the same chain and solve for the accelerations, as their manuals show; they are left out where writing
-them takes more than two minutes.
+them would take more than half a minute.
 """
 
 import math
@@ -35,7 +35,7 @@ import numpy as np
 LINKS = (2, 5, 10, 20, 50, 100, 200)
 MASS, LENGTH, ACROSS, ALONG, GRAVITY = 1.0, 0.2, 0.01, 0.002, 9.81
 # seconds that writing equations may take
-WRITING = 120
+WRITING = 30
 ROUNDS, CALLS = 7, 0.02
 
 
@@ -158,7 +158,8 @@ def casadi(kind, links):
         return held
 
     def timed(q, v):
-        held = prepared(q, v)
+        # what the call reads and writes lives as long as the call
+        held = prepared(q, v), buffer
         return lambda: (evaluate(), held)[0]
 
     return ready, timed, lambda q, v: (prepared(q, v), found.copy())[1]
@@ -219,9 +220,9 @@ def compare(kind):
                 continue
             answers[name], calls[name] = ask(q, v), timed(q, v)
             found[name][links] = [ready, math.inf]
-            # the next chain takes at least four times as long
-            if ready * 4 > WRITING:
-                given_up[name] = f"longer chains take more than {WRITING} s to write"
+            # the next chain takes some eight times as long
+            if ready * 8 > WRITING:
+                given_up[name] = f"longer chains would take more than {WRITING} s to write"
         for name, answer in answers.items():
             off = np.abs(answer - answers["dalembert"]).max() / np.abs(answers["dalembert"]).max()
             if off > 1e-9 and name not in said:
