@@ -141,6 +141,7 @@ impl NativeModel {
         let (model, title) = (Arc::clone(&self.model), self.title.clone());
         let values = [self.text.values.clone(), values].concat();
         let text = SystemText { values, ..self.text.clone() };
+        text.with_its_values((*model).clone()).map_err(|error| scene_error(py, &error))?;
         Ok(NativeModel { text, model, title, scene: OnceLock::new() })
     }
 

@@ -269,3 +269,25 @@ def test_pictures_are_drawn():
     matplotlib.use("Agg")
     run = oscillator().run(span=2)
     assert len(run.plot().axes) >= 2 and run.phase("x", "x'").get_xlabel() == "x [m]"
+
+
+def test_a_run_is_pickled_with_all_that_it_knows():
+    run = oscillator().run(span=2, samples=5)
+    again = pickle.loads(pickle.dumps(run))
+    assert np.array_equal(again.array, run.array) and repr(again) == repr(run) and again.ok
+    assert np.array_equal(run[["x", "x'"]], run.array[:, :2]) and run["time"] is run.time
+
+
+def test_values_with_which_no_body_can_exist_are_refused_at_once():
+    with pytest.raises(dalembert.ModelError, match="mass"):
+        oscillator().with_values(m=-1.0)
+
+
+def test_arguments_of_another_kind_are_told():
+    for call in (
+        lambda: dalembert.Model.from_text(None),
+        lambda: oscillator().run(1, method=3),
+        lambda: oscillator().run(1, tolerance="1e-8"),
+    ):
+        with pytest.raises(TypeError, match="is"):
+            call()

@@ -36,12 +36,31 @@ impl SystemText {
     /// # Errors
     /// All that is wrong with the system, each at its place.
     pub fn model(&self, task: Task) -> Result<Model, SceneError> {
-        let (_, mut model) = parse_titled(&self.name, &self.text, task)?;
+        let (_, model) = parse_titled(&self.name, &self.text, task)?;
+        self.with_its_values(model)
+    }
+
+    /// A model with the values that stand in the place of those of the text.
+    ///
+    /// # Errors
+    /// A name that it does not know, and bodies that cannot exist with these values.
+    pub fn with_its_values(&self, mut model: Model) -> Result<Model, SceneError> {
+        if self.values.is_empty() {
+            return Ok(model);
+        }
         let unknown = |why: String| {
-            SceneError::whole(&self.name, why, "names of parameters, coordinates and speeds are accepted")
+            SceneError::whole(
+                &self.name,
+                why,
+                "names of parameters, and of coordinates and speeds whose starts are single numbers, are accepted",
+            )
         };
         model.set_values(&self.values).map_err(unknown)?;
-        Ok(model)
+        let issues = impossible(&model);
+        if issues.is_empty() {
+            return Ok(model);
+        }
+        Err(SceneError { path: self.name.clone(), text: self.text.clone(), issues })
     }
 
     /// Its system as equations are written of it: without the equations of constraints that follow from others.

@@ -10,6 +10,7 @@ mod rates;
 mod reactions;
 mod statements;
 mod systems;
+mod trees;
 mod variations;
 mod verdicts;
 

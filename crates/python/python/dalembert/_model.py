@@ -22,6 +22,8 @@ _LONGEST = 1e9
 
 def _number(name: str, value: float) -> float:
     try:
+        if isinstance(value, (str, bytes)):
+            raise TypeError
         return float(value)
     except (TypeError, ValueError, OverflowError):
         raise TypeError(f"`{name}` is {value!r}; a number in SI units is accepted") from None
@@ -48,6 +50,8 @@ class Model:
     @classmethod
     def from_text(cls, text: str, name: str = "<text>") -> Model:
         """Reads a model from a text in TOML; messages call it by `name`."""
+        if not isinstance(text, str):
+            raise TypeError(f"a text is a str; this is {type(text).__name__}")
         if "\n" not in text and text.strip().endswith(".toml"):
             raise ValueError(f"{text!r} is the name of a file and no text of a model; Model.from_file reads files")
         return cls(NativeModel.from_text(text, name))
@@ -131,6 +135,8 @@ class Model:
             raise ValueError(f"`samples` is {samples!r}; a whole number from 1 on is accepted")
         span = None if span is None else _number("span", span)
         tolerance = None if tolerance is None else _number("tolerance", tolerance)
+        if method is not None and not isinstance(method, str):
+            raise TypeError(f"`method` is {method!r}; a name of dalembert.METHODS is accepted")
         limit = _LONGEST if seconds is None else min(_number("seconds", seconds), _LONGEST)
         return Trajectory(self._native.run(span, method, tolerance, samples and int(samples), limit), self.title)
 

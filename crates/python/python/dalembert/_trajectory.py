@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from html import escape
+from types import SimpleNamespace
 from typing import Any
 
 import numpy
@@ -13,17 +14,25 @@ from ._native import NativeTrajectory
 __all__ = ["Trajectory"]
 
 
+# all that a run knows, as plain data
+_KEPT = ("time", "rows", "names", "units", "method", "tolerance", "states", "stopped", "theory", "diagnosis", "lost", "undefined", "invariants", "events", "work", "steps", "checks")
+
+
+def _restored(kept: dict[str, Any], title: str) -> Trajectory:
+    return Trajectory(SimpleNamespace(**kept), title)
+
+
 class Trajectory:
     """A run of a model.
 
-    run["x"] is a column, run.time the times; run.array has a row for each time, its columns as in run.names.
-    `run.ok` says whether the run reached its end and its numbers are the motion of the model; `run.stopped`, `run.lost` and
+    run["x"] is a column, run["time"] or run.time the times, run[["x", "y"]] some columns side by side; run.array has a row for each time,
+    its columns as in run.names. `run.ok` says whether the run reached its end and nothing was found wrong with its numbers; `run.stopped`, `run.lost` and
     `run.undefined` say why not.
     """
 
     __slots__ = ("_native", "_places", "title")
 
-    def __init__(self, native: NativeTrajectory, title: str) -> None:
+    def __init__(self, native: NativeTrajectory | SimpleNamespace, title: str) -> None:
         self._native = native
         native.time.setflags(write=False)
         native.rows.setflags(write=False)
@@ -50,13 +59,17 @@ class Trajectory:
         """Units of the columns."""
         return dict(zip(self._native.names, self._native.units))
 
-    def __getitem__(self, name: str) -> numpy.ndarray:
+    def __getitem__(self, name: str | list[str]) -> numpy.ndarray:
+        if isinstance(name, list):
+            return numpy.column_stack([self[one] for one in name])
+        if name == "time" and name not in self._places:
+            return self.time
         if name not in self._places:
             raise KeyError(f"no column is called {name!r}; there are {', '.join(self.names)}")
         return self.array[:, self._places[name]]
 
     def __contains__(self, name: str) -> bool:
-        return name in self._places
+        return name == "time" or name in self._places
 
     def __iter__(self) -> Iterator[str]:
         return iter(self.names)
@@ -188,6 +201,9 @@ class Trajectory:
             facts.append(("undefined", ", ".join(self.undefined)))
         facts += [(name, f"{first:.9g}, kept to {change:.1e}") for name, (first, change) in self.invariants.items()]
         return facts
+
+    def __reduce__(self):
+        return _restored, ({name: getattr(self._native, name) for name in _KEPT}, self.title)
 
     def __repr__(self) -> str:
         lines = [self.title or "a run"] + [f"  {name:<18} {value}" for name, value in self._facts()]

@@ -118,12 +118,12 @@ impl<'t, 'm> Links<'t, 'm> {
             }
             let Some(step) = self.places.step(at) else { return (None, velocity) };
             velocity = self.trace.sum(velocity, self.velocity(step));
-            let (own, holders) = (step.way.frame, self.holders.get(&step.from));
-            if own == FrameId::GROUND && holders.is_none() {
+            let (own, holders) = (step.way.frame, self.holders_of(step.from));
+            if own == FrameId::GROUND && holders.is_empty() {
                 at = step.from;
                 continue;
             }
-            let holder = holders.into_iter().flatten().copied().find(|&known| self.all[known].frame == own);
+            let holder = holders.into_iter().find(|&known| self.all[known].frame == own);
             return (Some(holder.unwrap_or_else(|| self.join(None, own, step.from))), velocity);
         }
     }
@@ -141,10 +141,21 @@ impl<'t, 'm> Links<'t, 'm> {
 
     /// Of the links that a place belongs to the one whose frame is the nearest above a frame.
     fn holder_of(&self, place: Place, frame: FrameId) -> Option<usize> {
-        let holders = self.holders.get(&place)?;
         let above: Vec<FrameId> = std::iter::successors(Some(frame), |&frame| self.above(frame)).collect();
         let distance = |&place: &usize| above.iter().position(|above| *above == self.all[place].frame);
-        holders.iter().copied().min_by_key(|place| distance(place).unwrap_or(usize::MAX))
+        self.holders_of(place).into_iter().min_by_key(|place| distance(place).unwrap_or(usize::MAX))
+    }
+
+    /// The links that a place belongs to: those that reach to it, and the one in whose frame its step rests.
+    fn holders_of(&self, place: Place) -> Vec<usize> {
+        let mut all = self.holders.get(&place).cloned().unwrap_or_default();
+        if let Some(step) =
+            self.places.step(place).filter(|step| step.way.frame != FrameId::GROUND && !self.moves(*step))
+        {
+            let own = |&link: &usize| self.all[link].frame == step.way.frame;
+            all.extend(self.holders_of(step.from).into_iter().filter(own));
+        }
+        all
     }
 
     /// The own turning of a frame beside a link, and whether it is carried by that.
