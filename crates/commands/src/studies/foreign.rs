@@ -1,4 +1,4 @@
-//! Problems of public collections: each run as its file asks, beside a reference of its own.
+//! Problems of public collections: each by the method of its file, beside a reference of its own.
 
 use crate::job_pool::JobPool;
 use charts::{Study, Table};
@@ -40,9 +40,9 @@ impl ForeignProblems {
         (!rows.is_empty()).then(|| Study {
             id: "foreign".into(),
             title: "Problems of others".into(),
-            lead: "Problems of public collections and reports, each run as its file asks. The file names the source and its figures, \
-                   which the tests compare; errors are relative to the size of each component, against a reference that two methods \
-                   confirm."
+            lead: "Problems of public collections and reports, each by the method and the tolerance of its file, up to the end of its \
+                   reference, which two methods confirm. The file names the source and its figures, which the tests compare; errors are \
+                   relative to the size of each component."
                 .into(),
             tables: vec![Table { caption: String::new(), head: head.map(str::to_owned).to_vec(), rows }],
             ..Study::default()
