@@ -63,6 +63,10 @@ pub struct Given {
     pub values: Vec<(String, f64)>,
 }
 
+/// The names that other values may be given to.
+pub(crate) const VALUES: &str =
+    "names of parameters, and of coordinates and speeds whose starts are single numbers, are accepted";
+
 /// Makes every command read files with `[coordinates]`; `warn` is told what is accepted in them and perhaps means something else.
 pub fn register(warn: Warn) {
     warn_by(warn);
@@ -140,8 +144,7 @@ impl ModelScene {
         if let Some(model) = &mut model
             && let Err(why) = Arc::make_mut(model).set_values(&given.values)
         {
-            let accepted = "names of parameters, coordinates and speeds are accepted";
-            issues.push(Issue { span: None, title: why, label: String::new(), help: Some(accepted.to_owned()) });
+            issues.push(Issue { span: None, title: why, label: String::new(), help: Some(VALUES.to_owned()) });
         }
         let names = model.as_deref().map(columns);
         let run = match top.has("run") {

@@ -5,7 +5,7 @@ use crate::branch::{on_branch, without_implied};
 use crate::known_as::known;
 use crate::quoted_keys::with_quoted_primes;
 use crate::readiness::{start_of, starting};
-use crate::scene::{KNOWN_AS, TITLE, model, written};
+use crate::scene::{KNOWN_AS, TITLE, VALUES, model, written};
 use crate::size::{Task, too_large};
 use crate::warnings::warn_of;
 use model::Model;
@@ -48,14 +48,7 @@ impl SystemText {
         if self.values.is_empty() {
             return Ok(model);
         }
-        let unknown = |why: String| {
-            SceneError::whole(
-                &self.name,
-                why,
-                "names of parameters, and of coordinates and speeds whose starts are single numbers, are accepted",
-            )
-        };
-        model.set_values(&self.values).map_err(unknown)?;
+        model.set_values(&self.values).map_err(|why| SceneError::whole(&self.name, why, VALUES))?;
         let issues = impossible(&model);
         if issues.is_empty() {
             return Ok(model);

@@ -17,7 +17,8 @@ pub struct Jacobian<'a> {
     system: Option<&'a dyn System>,
 }
 
-/// How far along the motion a Jacobian is taken where there is none, s; no component of the state moves by more than [`NEAR`] of the largest.
+/// The time along the motion after which a Jacobian is taken where there is none, s; no component of the state moves by more than
+/// [`NEAR`] of the largest.
 const FURTHER: f64 = 1e-10;
 
 const NEAR: f64 = 1e-8;

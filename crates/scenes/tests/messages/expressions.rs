@@ -50,6 +50,8 @@ fn a_quantity_that_is_the_whole_expression_stands_as_it_is() {
                 [outputs]\nlength = \"-1.5e3 mm\"\n[run]\nspan = \"1 s\"\n";
     let scene = ModelScene::parse("scene.toml", text).unwrap_or_else(|error| panic!("{error}"));
     assert_eq!(scene.system.outputs(0.0, &[0.0, 1.0])[..2], [-1.5, 1.0]);
+    let nan = text.replace("2 kg", "nan kg");
+    assert!(ModelScene::parse("scene.toml", &nan).is_err());
     one(&[("\"l*sin(theta)\"", "\"2 l\"")], &["`2*l` is a product", "`(2 l)` a number with a unit"]);
 }
 

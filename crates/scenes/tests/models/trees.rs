@@ -104,7 +104,7 @@ fn chain(links: usize) -> String {
     )
 }
 
-/// So many operations more for each body of a longer chain.
+/// Each body of a longer chain adds the same number of operations.
 #[test]
 fn the_length_of_accelerations_grows_as_the_bodies() {
     let length = |links: usize| {

@@ -22,7 +22,7 @@ pub(super) struct Departure<S> {
 }
 
 impl<S: Real> Departure<S> {
-    /// Of a law with so many states; it has not been tried from anywhere.
+    /// The step of a law with so many states, not tried from anywhere yet.
     pub fn new(tolerance: &Tolerance, states: usize) -> Self {
         let zeros = || [vec![S::zero(); states], vec![S::zero(); states]];
         let nowhere = S::zero() / S::zero();

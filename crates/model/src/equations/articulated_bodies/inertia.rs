@@ -46,7 +46,7 @@ impl Inertia {
         Inertia { frame, turning: NONE, coupling: NONE, mass: NONE }
     }
 
-    /// Of a body about a point of it, from which its centre has an arm.
+    /// The inertia of a body about a point of it, from which its centre has an arm.
     pub fn of(trace: &Trace<'_>, body: &Body, frame: FrameId, arm: Vector) -> Self {
         let mut all = Inertia::none(frame);
         if let Some(inertia) = body.inertia.as_ref().filter(|_| body.frame.is_some()) {
@@ -67,7 +67,7 @@ impl Inertia {
         all
     }
 
-    /// What a twist meets.
+    /// The wrench that a twist meets.
     pub fn times(&self, Pair([turning, velocity]): &Pair) -> Pair {
         let by = |matrix: &Matrix, vector: &[Sym; 3]| matrix.map(|row| dot(&row, vector));
         let sum = |a: [Sym; 3], b: [Sym; 3]| std::array::from_fn(|k| a[k] + b[k]);

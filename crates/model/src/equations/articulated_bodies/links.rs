@@ -139,7 +139,7 @@ impl<'t, 'm> Links<'t, 'm> {
         self.holder_of(self.places.of_point(point), FrameId::GROUND)
     }
 
-    /// Of the links that a place belongs to the one whose frame is the nearest above a frame.
+    /// The link that a place belongs to; of several the one whose frame is the nearest above a frame.
     fn holder_of(&self, place: Place, frame: FrameId) -> Option<usize> {
         let above: Vec<FrameId> = std::iter::successors(Some(frame), |&frame| self.above(frame)).collect();
         let distance = |&place: &usize| above.iter().position(|above| *above == self.all[place].frame);
