@@ -16,8 +16,8 @@ mod zero_test;
 
 pub(crate) use characteristics::solved_in_short;
 pub use characteristics::{Characteristics, SolvedMotion};
-pub(crate) use constraints::held_of;
 pub use constraints::{Equation, Level, equations as constraints_of};
+pub(crate) use constraints::{held_of, independent};
 pub(crate) use elimination::solve_sparse;
 pub use elimination::{Pushes, Singular};
 pub(crate) use generic_point::{

@@ -1,7 +1,9 @@
 //! The equations of motion of a model, ready to run: one trace, in every form that a method asks for.
 
+mod implicit_speeds;
 mod outputs;
 
+pub(crate) use implicit_speeds::ImplicitSpeeds;
 pub use outputs::ENERGIES;
 pub(crate) use outputs::{determined, outputs, outputs_of_solved};
 
@@ -17,7 +19,7 @@ use integrators::{Dual8, JacobianFn, Ode, Real};
 use model::equations::{MOST_COMPARED, constraints_of};
 use model::{Model, ScalarId, Trace};
 use outputs::of_motion;
-use simulation::{CompiledLaw, Differentiable, Law, LawSeries, Program, SymbolicLaw};
+use simulation::{CompiledLaw, Differentiable, Law, LawSeries, Program, Running, SymbolicLaw};
 use std::fmt;
 use std::ops::Range;
 use std::sync::Arc;
@@ -80,6 +82,8 @@ pub struct CompiledSystem {
     /// The mode in which the law holds.
     pub mode: Mode,
     rates: Rates,
+    /// Algebraic speeds of this mode for which no expression stands.
+    implicit: Option<ImplicitSpeeds>,
     /// Scalars that a run shows beside the state, from the state, and from accelerations and multipliers where these are solved for.
     outputs: Program,
     /// The outputs that depend on the motion, where there is none: they have no value.
@@ -147,6 +151,7 @@ impl CompiledSystem {
         Ok(CompiledSystem {
             model: Arc::clone(model),
             mode: Mode::default(),
+            implicit: None,
             rates: Rates::Solved(Arc::new(ImplicitLaw::new(implicit))),
             outputs: outputs?,
             without_value: Vec::new(),
@@ -173,6 +178,7 @@ impl CompiledSystem {
             model: Arc::clone(model),
             mode: mode.clone(),
             rates: Rates::Written(Box::new(rates?)),
+            implicit: if model.algebraic_speeds.is_empty() { None } else { ImplicitSpeeds::of(model, mode)? },
             outputs,
             without_value: Vec::new(),
             keeps_energy,
@@ -231,12 +237,15 @@ impl CompiledSystem {
     }
 
     /// Sets the algebraic speeds of a state to what they are in this mode: the rates of their coordinates.
-    pub(crate) fn set_algebraic_speeds<S: Real>(&self, time: S, state: &mut [S])
+    pub(crate) fn set_algebraic_speeds<S: Real + Running>(&self, time: S, state: &mut [S])
     where
         Self: Ode<S>,
     {
         if self.model.algebraic_speeds.is_empty() {
             return;
+        }
+        if let Some(implicit) = &self.implicit {
+            implicit.set(time, (self.model.positions(), state));
         }
         let mut rates = vec![S::zero(); state.len()];
         self.rates(time, state, &mut rates);

@@ -159,7 +159,6 @@ impl Elaborator<'_> {
                 self.rate(span, &found[0])
             }
             "reaction" => {
-                self.must_be_output(span, function)?;
                 let arguments: Vec<Meaning> = found.iter().map(|found| found.meaning).collect();
                 self.reaction(text, span, &arguments)
             }

@@ -28,6 +28,7 @@ mod orders;
 mod orientation;
 mod output_switches;
 mod oversights;
+mod parts;
 mod quasi_velocities;
 mod rates;
 mod reactions;
@@ -52,6 +53,7 @@ use drives::Drive;
 use names::{defined_twice, once_for_each_name, unknown};
 use one_sided_loads::Load;
 use orders::Orders;
+use reactions::ReactionLetter;
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::ops::Range;
 use symbolic::Dimension;
@@ -87,46 +89,43 @@ pub(crate) fn elaborate(source: &Source) -> Result<Model, Vec<Fault>> {
     Ok(model)
 }
 
-/// The same, its guides as they are.
+/// The same, its guides as they are. Where loads or events hold reactions, the system is read again with what gives these.
 fn elaborated(source: &Source) -> Result<Model, Vec<Fault>> {
-    let mut elaborator = Elaborator::new(source);
-    elaborator.letters();
-    elaborator.charges();
-    for kind in order::ordered(source, &mut elaborator.faults, &mut elaborator.broken) {
-        elaborator.define(kind);
+    let first = Elaborator::new(source, Vec::new()).resolved()?;
+    if first.reaction_letters.is_empty() {
+        return settled(source, first);
     }
-    elaborator.bodies();
-    elaborator.loads();
-    elaborator.rates();
-    elaborator.events();
-    elaborator.quasi_velocities();
-    elaborator.start();
-    elaborator.regulator();
-    elaborator.model.equilibrium.clone_from(&source.equilibrium);
-    let Elaborator { mut model, mut faults, headless, loads, .. } = elaborator;
-    model.warnings.sort_by_key(|warning| warning.span.start);
-    // what stands under a wrong heading is missing elsewhere: these faults explain others
-    if !headless.is_empty() {
-        faults = headless.into_iter().map(|(_, fault)| fault).collect();
-    }
-    faults.sort_by_key(|fault| fault.span.start);
-    once_for_each_name(&mut faults);
-    if faults.is_empty() {
-        output_switches::stepped(&mut model);
-        faults = axial::tilted(&model);
-        faults.extend(turning_inertias::turning(&model));
-    }
+    let letters = first.reaction_letters.clone();
+    let open = settled(source, first)?;
+    let mut second = Elaborator::new(source, letters.clone()).resolved()?;
+    reactions::with_laws(&mut second.model, &open, &letters)?;
+    settled(source, second)
+}
+
+/// A model whose names are resolved, with the laws of its coordinates without inertia, and its warnings.
+fn settled(source: &Source, Resolved { mut model, loads, .. }: Resolved) -> Result<Model, Vec<Fault>> {
+    output_switches::stepped(&mut model);
+    let mut faults = axial::tilted(&model);
+    faults.extend(turning_inertias::turning(&model));
     if faults.is_empty() {
         faults = inertialess::settle(&mut model);
     }
     oversights::name_bare_parameters(source, &mut faults);
-    if faults.is_empty() {
-        model.warnings.extend(one_sided_loads::one_sided(&model, &loads));
-        model.warnings.extend(unheld_axes::unheld_axes(source, &model));
-        model.warnings.extend(oversights::unused(source));
-        model.warnings.sort_by_key(|warning| warning.span.start);
+    if !faults.is_empty() {
+        return Err(faults);
     }
-    if faults.is_empty() { Ok(model) } else { Err(faults) }
+    model.warnings.extend(one_sided_loads::one_sided(&model, &loads));
+    model.warnings.extend(unheld_axes::unheld_axes(source, &model));
+    model.warnings.extend(oversights::unused(source));
+    model.warnings.sort_by_key(|warning| warning.span.start);
+    Ok(model)
+}
+
+/// A system whose names are resolved.
+struct Resolved {
+    model: Model,
+    loads: Vec<(Load, Range<usize>)>,
+    reaction_letters: Vec<ReactionLetter>,
 }
 
 /// The meaning of a name of the system.
@@ -169,10 +168,13 @@ struct Elaborator<'s> {
     driving: (Vec<DrivingTorque>, Vec<GeneralisedForce>),
     /// Tables with keys of another one, whose heading is missing.
     headless: Vec<(String, Fault)>,
+    /// Reactions that loads and events hold.
+    reaction_letters: Vec<ReactionLetter>,
 }
 
 impl<'s> Elaborator<'s> {
-    fn new(source: &'s Source) -> Self {
+    /// Resolves the names of a system; the letters of reactions that its loads hold, where these are known, are rates of coordinates.
+    fn new(source: &'s Source, reaction_letters: Vec<ReactionLetter>) -> Self {
         let mut model = Model::default();
         model.frames.push(Frame { name: "N".to_owned(), parent: None });
         model.points.push(Point { name: "O".to_owned(), base: None });
@@ -192,6 +194,7 @@ impl<'s> Elaborator<'s> {
             loads: Vec::new(),
             driving: (Vec::new(), Vec::new()),
             headless: Vec::new(),
+            reaction_letters,
         };
         let time = made.scalar(Scalar::Time, Some(Dimension::time()));
         made.names.insert("t".to_owned(), Named::Value(Value::Scalar(time)));
@@ -202,6 +205,41 @@ impl<'s> Elaborator<'s> {
         }
         made.names.insert("O".to_owned(), Named::Value(Value::Point { base: PointId::ORIGIN, way: None }));
         made
+    }
+
+    fn resolved(mut self) -> Result<Resolved, Vec<Fault>> {
+        let reads_again = self.reaction_letters.is_empty();
+        self.letters();
+        self.charges();
+        self.impulses();
+        for kind in order::ordered(self.source, &mut self.faults, &mut self.broken) {
+            self.define(kind);
+        }
+        self.bodies();
+        self.loads();
+        self.rates();
+        self.events();
+        self.quasi_velocities();
+        // the impulses of reactions, which may start somewhere, are known when they are read again
+        if !reads_again || self.reaction_letters.is_empty() {
+            self.start();
+        }
+        self.regulator();
+        self.confine_reactions();
+        self.model.equilibrium.clone_from(&self.source.equilibrium);
+        let Elaborator { source, mut model, mut faults, headless, loads, reaction_letters, .. } = self;
+        model.warnings.sort_by_key(|warning| warning.span.start);
+        // what stands under a wrong heading is missing elsewhere: these faults explain others
+        if !headless.is_empty() {
+            faults = headless.into_iter().map(|(_, fault)| fault).collect();
+        }
+        faults.sort_by_key(|fault| fault.span.start);
+        once_for_each_name(&mut faults);
+        if faults.is_empty() {
+            return Ok(Resolved { model, loads, reaction_letters });
+        }
+        oversights::name_bare_parameters(source, &mut faults);
+        Err(faults)
     }
 
     fn arena(&mut self) -> &mut Arena {

@@ -1,12 +1,11 @@
 //! Operations of scalars, vectors and points: sums, products, powers, with the dimensions of their results.
 
-use super::expressions::not_yet;
 use super::value::Value;
 use super::{Elaborator, Sound};
 use crate::arena::{Number, Scalar, Vector};
 use crate::expression::Exponent;
 use crate::{Fault, PointId, VectorId};
-use field::Rational;
+use field::{Elementary, Rational};
 use std::ops::Range;
 use symbolic::Dimension;
 
@@ -144,13 +143,19 @@ impl Elaborator<'_> {
         let Value::Scalar(a) = a else {
             return Err(no_operation(span, "raised to a power", &[a]));
         };
-        if !matches!(exponent.denominator, 1 | 2) {
-            let accepted = "whole exponents and halves, x^(3/2); of a positive number x also exp(ln(x)/3)";
-            return Err(not_yet(span, "an exponent that is no multiple of 1/2", accepted));
-        }
         let share = Rational::new(exponent.numerator.into(), exponent.denominator.into());
         let dimension = self.dimension_of(a.0).map(|dimension| dimension.power(share));
-        Ok(Value::Scalar(self.bounded(span, Scalar::Power(a, exponent), dimension)?))
+        if matches!(exponent.denominator, 1 | 2) {
+            return Ok(Value::Scalar(self.bounded(span, Scalar::Power(a, exponent), dimension)?));
+        }
+        // of a positive number, in SI units: exp(ln(a) n/d)
+        let number = |value: i32| Scalar::Number(Number { value: f64::from(value), times: 1.0, per: 1.0 });
+        let none = Some(Dimension::none());
+        let logarithm = self.bounded(span, Scalar::Elementary(Elementary::Ln, a, a), none)?;
+        let [above, below] = [exponent.numerator, exponent.denominator].map(|value| self.scalar(number(value), none));
+        let share = self.scalar(Scalar::Quotient(above, below), none);
+        let times = self.bounded(span, Scalar::Product(share, logarithm), none)?;
+        Ok(Value::Scalar(self.bounded(span, Scalar::Elementary(Elementary::Exp, times, times), dimension)?))
     }
 }
 

@@ -57,7 +57,9 @@ pub(super) fn ordered(source: &Source, faults: &mut Vec<Fault>, broken: &mut FxH
         .iter()
         .map(|(_, _, texts)| {
             let names = texts.iter().flat_map(|text| names_in(&text.text));
-            let mut needs: Vec<usize> = names.filter_map(|name| place(&name)).collect();
+            let held = texts.iter().flat_map(|text| super::reactions::constraints_in(source, &text.text));
+            let of_constraints = held.flat_map(|constraint| &constraint.zero).flat_map(|zero| names_in(&zero.text));
+            let mut needs: Vec<usize> = names.chain(of_constraints).filter_map(|name| place(&name)).collect();
             needs.sort_unstable();
             needs.dedup();
             needs

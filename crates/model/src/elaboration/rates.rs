@@ -32,7 +32,7 @@ fn highest(orders: &Orders, ids: &[ScalarId]) -> Option<usize> {
 }
 
 /// Moments and products of inertia.
-fn moments(body: &crate::Body) -> Vec<ScalarId> {
+pub(super) fn moments(body: &crate::Body) -> Vec<ScalarId> {
     match &body.inertia {
         None => Vec::new(),
         Some(Inertia::Axial(moment) | Inertia::OfShaft { moment, .. }) => vec![*moment],

@@ -53,6 +53,8 @@ pub(crate) struct ScalarConstraint {
     pub zero: Sym,
     /// The axis along which it is a component, of a vector.
     pub axis: Option<Vector>,
+    /// The frame and the number of that axis.
+    pub place: Option<(FrameId, usize)>,
     /// Its place among the components of a vector that do not vanish.
     pub component: usize,
 }
@@ -61,7 +63,9 @@ pub(crate) struct ScalarConstraint {
 /// follows from others.
 pub(crate) fn held_of(trace: &Trace<'_>, place: usize) -> Vec<ScalarConstraint> {
     let mut held = match trace.model.constraints[place].zero {
-        Zero::Scalar(zero) => vec![ScalarConstraint { zero: trace.scalar(zero), axis: None, component: 0 }],
+        Zero::Scalar(zero) => {
+            vec![ScalarConstraint { zero: trace.scalar(zero), axis: None, place: None, component: 0 }]
+        }
         Zero::Vector(zero) => independent(trace, trace.vector(zero)),
     };
     held.retain(|held| !trace.model.is_implied([place, held.component]));
@@ -81,7 +85,7 @@ pub fn equations(trace: &Trace<'_>) -> Vec<Equation> {
 
 /// The components of a vector that do not vanish, in the axes in which the most of them do: those of its frame, or of one that this
 /// turns in. A vector along a line has one there, and two that depend on each other in axes that turn.
-fn independent(trace: &Trace<'_>, vector: Vector) -> Vec<ScalarConstraint> {
+pub(crate) fn independent(trace: &Trace<'_>, vector: Vector) -> Vec<ScalarConstraint> {
     let above = |frame: &FrameId| trace.model.frames[frame.0].parent.map(|(parent, _)| parent);
     let frames = std::iter::successors(Some(vector.frame), above);
     let held = frames.map(|frame| {
@@ -90,6 +94,7 @@ fn independent(trace: &Trace<'_>, vector: Vector) -> Vec<ScalarConstraint> {
         let held = held.map(|(component, (axis, zero))| ScalarConstraint {
             zero,
             axis: Some(Vector::axis(frame, axis)),
+            place: Some((frame, axis)),
             component,
         });
         held.collect::<Vec<_>>()

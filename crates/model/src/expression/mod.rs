@@ -134,7 +134,7 @@ pub enum Reason {
     Dot,
     /// A parenthesis without its partner.
     Parenthesis,
-    /// An exponent that is no fraction of whole numbers from -64 to 64.
+    /// An exponent that is no number from -64 to 64 with three decimals, and no fraction of two.
     Exponent,
     /// Parentheses deeper than so many.
     Depth { most: usize },
@@ -177,7 +177,7 @@ impl fmt::Display for Reason {
             Self::Dot => write!(f, "a scalar product is written with a space on both sides: `a . b`"),
             Self::Parenthesis => write!(f, "a parenthesis without its partner"),
             Self::Exponent => {
-                write!(f, "an exponent is a whole number from -64 to 64, or a fraction of two in parentheses: x^(1/2)")
+                write!(f, "an exponent is a number from -64 to 64, x^2 or x^1.5, or a fraction in parentheses: x^(1/3)")
             }
             Self::Depth { most } => write!(f, "parentheses deeper than {most}"),
             Self::Long { most } => {

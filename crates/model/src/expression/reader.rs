@@ -10,6 +10,8 @@ use std::ops::Range;
 const DEEPEST: usize = 100;
 /// The largest number in an exponent.
 const LARGEST: i32 = 64;
+/// The largest number of decimals of one.
+const MOST_DECIMALS: usize = 3;
 
 /// Reads an expression.
 ///
@@ -164,10 +166,10 @@ impl<'a> Reader<'a> {
         let begin = self.span();
         let closed = self.takes('(');
         let negative = self.takes('-');
-        let mut numerator = self.small()?;
-        let mut denominator = 1;
+        let (mut numerator, mut denominator) = self.share()?;
         if closed && self.takes('/') {
-            denominator = self.small()?;
+            let (below, per) = self.share()?;
+            (numerator, denominator) = (numerator * per, denominator * below);
         }
         if denominator == 0 {
             return Err(NotExpression { span: begin.start..self.end(), reason: Reason::Exponent });
@@ -177,15 +179,25 @@ impl<'a> Reader<'a> {
         }
         let divisor = common_divisor(numerator, denominator);
         (numerator, denominator) = (numerator / divisor, denominator / divisor);
+        if numerator > LARGEST * denominator {
+            return Err(NotExpression { span: begin.start..self.end(), reason: Reason::Exponent });
+        }
         Ok(Exponent { numerator: if negative { -numerator } else { numerator }, denominator })
     }
 
-    fn small(&mut self) -> Result<i32, NotExpression> {
+    /// A number of an exponent, whole or with decimals, as a fraction.
+    fn share(&mut self) -> Result<(i32, i32), NotExpression> {
         let Some(Token::Number(digits)) = self.peek() else { return Err(self.wrong(Reason::Exponent)) };
-        let size = digits.parse().ok().filter(|size| (0..=LARGEST).contains(size));
-        let size = size.ok_or_else(|| self.wrong(Reason::Exponent))?;
+        let (whole, decimals) = digits.split_once('.').unwrap_or((digits, ""));
+        let read = || {
+            let per = (decimals.len() <= MOST_DECIMALS).then(|| 10_i32.pow(decimals.len() as u32))?;
+            let part = if decimals.is_empty() { 0 } else { decimals.parse::<i32>().ok()? };
+            let whole = whole.parse::<i32>().ok().filter(|whole| (0..=LARGEST).contains(whole))?;
+            Some((whole * per + part, per))
+        };
+        let share = read().ok_or_else(|| self.wrong(Reason::Exponent))?;
         self.at += 1;
-        Ok(size)
+        Ok(share)
     }
 
     fn atom(&mut self) -> Result<Part, NotExpression> {
@@ -340,6 +352,9 @@ mod tests {
         assert_eq!(shown("k*(x - (20 mm))*(-9.81 m/s^2)"), "((k * (x - [20 mm])) * [-9.81 m/s^2])");
         assert_eq!(shown("(2 1/s)*x"), "([2 1/s] * x)");
         assert_eq!(shown("(x^2 + y^2)^(2/4)"), "(x^(2/1) + y^(2/1))^(1/2)");
+        assert_eq!(shown("x^1.5"), "x^(3/2)");
+        assert_eq!(shown("x^(-0.8)"), "x^(-4/5)");
+        assert_eq!(shown("x^(1/3)"), "x^(1/3)");
         assert_eq!(shown("rate(velocity(P in B) in N)"), "rate(velocity(P In B) In N)");
     }
 
@@ -356,6 +371,8 @@ mod tests {
         assert_eq!(wrong("a)"), (1..2, Reason::Parenthesis));
         assert_eq!(wrong("x^y"), (2..3, Reason::Exponent));
         assert_eq!(wrong("x^(1/0)"), (2..6, Reason::Exponent));
+        assert_eq!(wrong("x^1e3"), (2..5, Reason::Exponent));
+        assert_eq!(wrong("x^65"), (2..4, Reason::Exponent));
         assert_eq!(wrong("a # b"), (2..3, Reason::Letter('#')));
         assert_eq!(wrong("velocity(P in)"), (13..14, Reason::Preposition));
         assert_eq!(wrong("a = b"), (2..3, Reason::Equation));

@@ -224,6 +224,8 @@ pub struct Model {
     pub(crate) changing_laws: Vec<Combination>,
     /// The first of them whose law cannot be solved for its speed.
     pub unsolved_law: Option<(usize, UnsolvedLaw)>,
+    /// Impulses of reactions that loads and events hold: coordinates whose rates are these reactions.
+    pub impulses: Vec<usize>,
     pub contacts: Vec<Contact>,
     /// The system with one coordinate more for each guide that its coordinates satisfy: its reaction is the force along that one.
     pub released: Option<Box<Model>>,
@@ -345,13 +347,14 @@ impl Model {
     /// The names of coordinates and speeds with their units, in the order of a state.
     pub fn state_names(&self) -> Vec<(String, String)> {
         let own = |rate: &str, per: &str| -> Vec<(String, String)> {
-            let unit = |of: &str| match (of, per) {
+            let unit = |place: usize, of: &str| match (of, per) {
                 // a current
                 ("C", "/s") => "A".to_owned(),
+                (_, "/s") if self.impulses.contains(&place) => self.unit_of_rate(place),
                 _ => format!("{of}{per}"),
             };
-            let named = |of: &Coordinate| (format!("{}{rate}", of.name), unit(&of.unit));
-            self.coordinates.iter().map(named).collect()
+            let named = |(place, of): (usize, &Coordinate)| (format!("{}{rate}", of.name), unit(place, &of.unit));
+            self.coordinates.iter().enumerate().map(named).collect()
         };
         let free = |parts: &[&str], unit: &str| -> Vec<(String, String)> {
             let frames = self.free.iter().map(|frame| &self.frames[frame.0].name);
@@ -363,12 +366,22 @@ impl Model {
         [own("", ""), free(&QUATERNION, "1"), own("'", "/s"), free(&TURNING, "rad/s")].concat()
     }
 
-    /// The state at time zero: coordinates, then speeds; zero where nothing is said, free frames as their parents.
+    /// The coherent unit of the rate of a coordinate.
+    fn unit_of_rate(&self, coordinate: usize) -> String {
+        let of_rate = (self.coordinates[coordinate].dimension / Dimension::time()).to_string();
+        units::Dimension::of(&of_rate).coherent()
+    }
+
+    /// The state at time zero: coordinates, then speeds; zero where nothing is said, free frames as their parents. A reaction that is not
+    /// given is one unit, since a length such as |R| has no slope at zero; it is found from there.
     pub fn start_state(&self) -> Vec<f64> {
         let positions = self.positions();
         let mut state = vec![0.0; positions + self.speeds()];
         for number in 0..self.free.len() {
             state[self.free_position(number)] = 1.0;
+        }
+        for &impulse in &self.impulses {
+            state[positions + impulse] = 1.0;
         }
         for StartValue { coordinate, order, value, .. } in &self.start {
             state[order * positions + coordinate] = *value;

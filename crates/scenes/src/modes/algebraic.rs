@@ -7,12 +7,15 @@
 //! ideal diode. It is a hidden constraint of positions or of speeds with inertia, and its rate takes its place.
 
 use super::contacts::letters as reactions;
+use super::held::is_linear;
+use super::held_forces::{held_forces, multiplies};
 use super::mode::{Mode, Phase};
 use super::multiples::{letters as letters_of, mirrored};
+use super::unknown_speeds::Elimination;
 use crate::compiled_system::NotCompiled;
-use model::equations::{Equation, Equations, Singular, solved, vanishes};
+use model::equations::{Equation, Equations, Singular, solved};
 use model::{Model, Trace};
-use symbolic::{Derivation, Sym, substitute_all};
+use symbolic::{Sym, substitute_all};
 
 /// Equations of motion in which algebraic speeds are letters.
 pub(crate) struct Parted {
@@ -96,16 +99,17 @@ impl Parted {
 
     /// Letters by what stands for them in a mode: algebraic speeds, multipliers, voltages of diodes and switches that follow at once, and
     /// switches that the mode fixes. None of a system without such speeds. Reactions and switches that hang on accelerations stay letters.
-    pub(super) fn settled(&self, trace: &Trace<'_>, mode: &Mode) -> Result<Vec<(Sym, Sym)>, NotCompiled> {
+    pub(super) fn settled(&self, trace: &Trace<'_>, mode: &Mode) -> Result<Settled, NotCompiled> {
         if self.letters.is_empty() {
-            return Ok(Vec::new());
+            return Ok(Settled::default());
         }
         let model = trace.model;
         let mirrored = mirrored(trace);
         let others = letters_of(trace, &mirrored);
         let own = (0..mode.cases.len()).filter(|&switch| mirrored[switch].is_none());
         let (resting, fixed): (Vec<usize>, Vec<usize>) = own.partition(|&switch| mode.cases[switch].rests());
-        let held: Vec<usize> = resting.into_iter().filter(|&switch| self.is_direct.conditions[switch]).collect();
+        let (held, moved): (Vec<usize>, Vec<usize>) =
+            resting.into_iter().partition(|&switch| self.is_direct.conditions[switch]);
         let diodes = (0..model.contacts.len()).filter(|&contact| self.is_direct.contacts[contact]);
         let conducts = |contact: &usize| matches!(mode.phases[*contact], Phase::Apart | Phase::Carried);
         let (conducting, blocking): (Vec<usize>, Vec<usize>) = diodes.partition(conducts);
@@ -120,127 +124,55 @@ impl Parted {
         let gaps = blocking.iter().map(|&contact| trace.scalar(model.contacts[contact].gap));
         let conditions = held.iter().map(|&switch| trace.scalar(model.switches[switch]));
         let zeros: Vec<Sym> = self.zeros.iter().copied().chain(gaps).chain(conditions).collect();
-        let not_solved = || match held.first() {
+        let zeros = in_mode(&zeros);
+        let not_solved = |held: &[usize]| match held.first() {
             Some(&switch) => NotCompiled::NotHeld { switch },
             None => massless(model, model.algebraic_speeds[0]),
         };
-        let rate = |hidden: Sym| {
-            let own = trace.accelerations.iter().copied().zip(self.accelerations.iter().copied());
-            in_mode(&[trace.rate_of(hidden).substitute(&own.collect::<Vec<_>>())])[0]
-        };
+        let motion: Vec<(Sym, Sym)> =
+            trace.accelerations.iter().copied().zip(self.accelerations.iter().copied()).collect();
+        let rate = |hidden: Sym| in_mode(&[trace.rate_of(hidden).substitute(&motion)])[0];
         let moving: Vec<Sym> = trace.switches.iter().copied().chain(reactions(trace)).collect();
         let stays = |hidden: Sym| !hidden.symbols_of().iter().any(|letter| moving.contains(letter));
-        let rate = |hidden: Sym| stays(hidden).then(|| rate(hidden));
-        let found = Elimination::of(&unknowns).solved(&in_mode(&zeros), rate).ok_or_else(not_solved)?;
-        Ok(given.into_iter().chain(unknowns.into_iter().zip(found)).collect())
+        let hidden_rate = |hidden: Sym| stays(hidden).then(|| rate(hidden));
+        // friction in proportion to an unknown, where it sticks
+        let letters: Vec<(usize, Sym)> = moved.iter().map(|&switch| (switch, trace.switches[switch])).collect();
+        let sticking: Vec<(usize, Sym)> =
+            letters.into_iter().filter(|(_, letter)| multiplies(*letter, &zeros, &unknowns)).collect();
+        if !sticking.is_empty() {
+            let of =
+                |&(switch, letter): &(usize, Sym)| (letter, rate(in_mode(&[trace.scalar(model.switches[switch])])[0]));
+            let held: Vec<(Sym, Sym)> = sticking.iter().map(of).collect();
+            let switches: Vec<usize> = sticking.iter().map(|(switch, _)| *switch).collect();
+            let found = held_forces(&unknowns, &held, &zeros).ok_or_else(|| not_solved(&switches))?;
+            let values = given.into_iter().chain(found).collect();
+            return Ok(Settled { values, implicit: Vec::new(), switches });
+        }
+        match Elimination::of(&unknowns).solved(&zeros, hidden_rate) {
+            Some(found) => {
+                let values = given.into_iter().chain(unknowns.into_iter().zip(found)).collect();
+                Ok(Settled { values, implicit: Vec::new(), switches: Vec::new() })
+            }
+            None if unknowns.iter().all(|letter| trace.speeds.contains(letter)) && !is_linear(&zeros, &unknowns) => {
+                let implicit = unknowns.into_iter().zip(zeros).collect();
+                Ok(Settled { values: given, implicit, switches: Vec::new() })
+            }
+            None => Err(not_solved(&held)),
+        }
     }
+}
+
+/// Letters that follow at once in a mode.
+#[derive(Default)]
+pub(super) struct Settled {
+    /// Letters by what stands for them.
+    pub values: Vec<(Sym, Sym)>,
+    /// Algebraic speeds with sums that these keep at zero, where no expression stands for them: the run keeps them by their rates.
+    pub implicit: Vec<(Sym, Sym)>,
+    /// Switches of conditions that rest, among these letters.
+    pub switches: Vec<usize>,
 }
 
 fn massless(model: &Model, speed: usize) -> NotCompiled {
     NotCompiled::Massless { coordinate: crate::compiled_system::speed_name(model, speed) }
-}
-
-/// An equation, slopes times unknowns = right, after those before it have been taken from it.
-struct Row {
-    slopes: Vec<Sym>,
-    right: Sym,
-    /// Whether it is the rate of a hidden constraint.
-    is_rate: bool,
-}
-
-/// Gauss's elimination over expressions: entries that are numbers are pivots first, since other entries may vanish.
-struct Elimination<'a> {
-    unknowns: &'a [Sym],
-    /// Row and column of each pivot, in their order.
-    pivots: Vec<(usize, usize)>,
-    rows: Vec<Row>,
-}
-
-impl<'a> Elimination<'a> {
-    fn of(unknowns: &'a [Sym]) -> Self {
-        Elimination { unknowns, pivots: Vec::new(), rows: Vec::new() }
-    }
-
-    /// The unknowns that take sums to zero; `rate` gives the rate of a hidden constraint. None where they are not determined, or the sums
-    /// are not linear in them.
-    fn solved(mut self, zeros: &[Sym], rate: impl Fn(Sym) -> Option<Sym>) -> Option<Vec<Sym>> {
-        for zero in zeros {
-            let row = self.row(*zero, false)?;
-            self.rows.push(row);
-        }
-        while self.pivots.len() < self.unknowns.len() {
-            if let Some((row, column)) = self.pivot() {
-                self.pivots.push((row, column));
-                for below in self.open() {
-                    self.reduce(below, (row, column));
-                }
-                continue;
-            }
-            let hidden = self.open();
-            if hidden.iter().any(|&row| self.rows[row].is_rate) {
-                return None;
-            }
-            for place in hidden {
-                self.rows[place] = self.row(rate(-self.rows[place].right)?, true)?;
-                for pivot in self.pivots.clone() {
-                    self.reduce(place, pivot);
-                }
-            }
-        }
-        let mut values = vec![Sym::ZERO; self.unknowns.len()];
-        for &(row, column) in self.pivots.iter().rev() {
-            let Row { slopes, right, .. } = &self.rows[row];
-            let others = slopes.iter().zip(&values).enumerate().filter(|(place, _)| *place != column);
-            let rest = others.fold(*right, |rest, (_, (slope, value))| rest - *slope * *value);
-            values[column] = rest / slopes[column];
-        }
-        Some(values)
-    }
-
-    /// A sum as an equation; none where it is not linear.
-    fn row(&self, zero: Sym, is_rate: bool) -> Option<Row> {
-        let slopes: Vec<Sym> =
-            self.unknowns.iter().map(|&letter| Derivation::new([(letter, Sym::ONE)]).of(zero)).collect();
-        let bends = |slope: &Sym| slope.symbols_of().iter().any(|letter| self.unknowns.contains(letter));
-        if slopes.iter().any(bends) {
-            return None;
-        }
-        let none: Vec<(Sym, Sym)> = self.unknowns.iter().map(|&letter| (letter, Sym::ZERO)).collect();
-        Some(Row { slopes, right: -zero.substitute(&none), is_rate })
-    }
-
-    /// Rows without a pivot.
-    fn open(&self) -> Vec<usize> {
-        (0..self.rows.len()).filter(|row| self.pivots.iter().all(|(own, _)| own != row)).collect()
-    }
-
-    /// The entry that becomes the next pivot: in the shortest row that has one.
-    fn pivot(&self) -> Option<(usize, usize)> {
-        let length = |row: usize| self.rows[row].slopes.iter().filter(|slope| **slope != Sym::ZERO).count();
-        let mut open = self.open();
-        open.sort_by_key(|&row| length(row));
-        let is_free = |column: usize| self.pivots.iter().all(|(_, own)| *own != column);
-        let entries: Vec<(usize, usize)> = open
-            .into_iter()
-            .flat_map(|row| (0..self.unknowns.len()).map(move |column| (row, column)))
-            .filter(|&(row, column)| is_free(column) && self.rows[row].slopes[column] != Sym::ZERO)
-            .collect();
-        let slope = |(row, column): (usize, usize)| self.rows[row].slopes[column];
-        let number = entries.iter().copied().find(|&entry| slope(entry).as_constant().is_some());
-        number.or_else(|| entries.iter().copied().find(|&entry| !vanishes(slope(entry))))
-    }
-
-    /// Takes a pivot's row from another one.
-    fn reduce(&mut self, place: usize, (pivot, column): (usize, usize)) {
-        let factor = self.rows[place].slopes[column] / self.rows[pivot].slopes[column];
-        if factor == Sym::ZERO {
-            return;
-        }
-        let slopes = self.rows[pivot].slopes.clone();
-        let right = self.rows[pivot].right;
-        let own = &mut self.rows[place];
-        own.slopes.iter_mut().zip(slopes).for_each(|(entry, above)| *entry -= factor * above);
-        own.slopes[column] = Sym::ZERO;
-        own.right -= factor * right;
-    }
 }

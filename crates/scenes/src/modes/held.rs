@@ -3,7 +3,7 @@
 //! Along the motion g' = a + b s with the switch s, which the law holds linearly: s = -a/b. Dry friction is such a law: while it
 //! sticks, s takes the value of the force that is needed.
 
-use super::algebraic::Parted;
+use super::algebraic::{Parted, Settled};
 use super::contacts::{Closed, PARTS, closed, letters as reactions_of};
 use super::mode::{Case, Mode};
 use super::motion::ModeMotion;
@@ -14,8 +14,9 @@ use symbolic::{Derivation, Sym, substitute_all};
 
 /// The motion in a mode, with every switch and every reaction replaced.
 pub(crate) fn held(trace: &Trace<'_>, mode: &Mode, parted: Parted) -> Result<ModeMotion, NotCompiled> {
-    let settled = parted.settled(trace, mode)?;
-    let Parted { accelerations, multipliers, is_direct, letters, .. } = parted;
+    let Settled { values: settled, implicit, switches: found_switches } = parted.settled(trace, mode)?;
+    let Parted { accelerations, multipliers, mut is_direct, letters, .. } = parted;
+    found_switches.into_iter().for_each(|switch| is_direct.conditions[switch] = true);
     let [accelerations, multipliers] = [accelerations, multipliers].map(|all| substitute_all(&all, &settled));
     let speeds = accelerations.len();
     let (Closed { found: of_contacts, determinant }, mut accelerations) = match mode.phases.is_empty() {
@@ -107,12 +108,41 @@ pub(crate) fn held(trace: &Trace<'_>, mode: &Mode, parted: Parted) -> Result<Mod
     let speeds: Vec<(Sym, Sym)> =
         own_speeds.map(|letter| (letter, letter.substitute(&settled).substitute(&of_own))).collect();
     let motion: Vec<(Sym, Sym)> = trace.accelerations.iter().copied().zip(accelerations.iter().copied()).collect();
-    for &(letter, is) in &speeds {
-        let rate = trace.rate_of(is).substitute(&motion).substitute(&speeds);
+    let implicit_speeds: Vec<Sym> = implicit.iter().map(|(letter, _)| *letter).collect();
+    let speeds: Vec<(Sym, Sym)> = speeds.into_iter().filter(|(letter, _)| !implicit_speeds.contains(letter)).collect();
+    let mut rates: Vec<(Sym, Sym)> = speeds
+        .iter()
+        .map(|&(letter, is)| (letter, trace.rate_of(is).substitute(&motion).substitute(&speeds)))
+        .collect();
+    let zeros: Vec<Sym> = implicit.iter().map(|(_, zero)| zero.substitute(&of_own)).collect();
+    rates.extend(implicit_speeds.iter().copied().zip(implicit_rates(trace, &implicit_speeds, &zeros, &motion)?));
+    for (letter, rate) in rates {
         let place = trace.speeds.iter().position(|speed| *speed == letter);
         place.into_iter().for_each(|place| accelerations[place] = rate);
     }
-    Ok(ModeMotion { switches, parts, accelerations, multipliers, reactions, determinant, speeds })
+    let implicit = implicit_speeds.into_iter().zip(zeros).collect();
+    Ok(ModeMotion { switches, parts, accelerations, multipliers, reactions, determinant, speeds, implicit })
+}
+
+/// The rates of speeds that sums keep at zero: those that keep the rates of the sums at zero.
+fn implicit_rates(
+    trace: &Trace<'_>,
+    speeds: &[Sym],
+    zeros: &[Sym],
+    motion: &[(Sym, Sym)],
+) -> Result<Vec<Sym>, NotCompiled> {
+    let own: Vec<Sym> = speeds
+        .iter()
+        .filter_map(|speed| trace.speeds.iter().position(|known| known == speed))
+        .map(|place| trace.accelerations[place])
+        .collect();
+    let rests: Vec<(Sym, Sym)> = own.iter().map(|&letter| (letter, Sym::ZERO)).collect();
+    let others: Vec<(Sym, Sym)> = motion.iter().copied().filter(|(letter, _)| !own.contains(letter)).collect();
+    let rows = zeros.iter().map(|&zero| speeds.iter().map(|&speed| by(zero, speed)).collect()).collect();
+    let right = zeros.iter().map(|&zero| -trace.rate_of(zero).substitute(&rests).substitute(&others)).collect();
+    let first = || trace.speeds.iter().position(|known| speeds.first() == Some(known)).unwrap_or_default();
+    solved(rows, right)
+        .map_err(|_| NotCompiled::Massless { coordinate: crate::compiled_system::speed_name(trace.model, first()) })
 }
 
 /// The values of letters, with the reactions of contacts in them.
@@ -127,7 +157,7 @@ fn by(expression: Sym, letter: Sym) -> Sym {
 }
 
 /// Whether expressions are linear in letters together.
-fn is_linear(expressions: &[Sym], letters: &[Sym]) -> bool {
+pub(super) fn is_linear(expressions: &[Sym], letters: &[Sym]) -> bool {
     let mut slopes =
         expressions.iter().flat_map(|&expression| letters.iter().map(move |&letter| by(expression, letter)));
     slopes.all(|slope| letters.iter().all(|letter| !slope.symbols_of().contains(letter)))
@@ -158,7 +188,7 @@ fn solved(rows: Vec<Vec<Sym>>, right: Vec<Sym>) -> Result<Vec<Sym>, usize> {
 }
 
 /// Gauss's elimination in order, with the determinant; the first row without a pivot where there is one.
-pub(super) fn eliminated(mut rows: Vec<Vec<Sym>>, mut right: Vec<Sym>) -> Result<(Vec<Sym>, Sym), usize> {
+pub(crate) fn eliminated(mut rows: Vec<Vec<Sym>>, mut right: Vec<Sym>) -> Result<(Vec<Sym>, Sym), usize> {
     let (n, mut determinant) = (right.len(), Sym::ONE);
     for pivot in 0..n {
         let Some(row) = (pivot..n).find(|&row| rows[row][pivot] != Sym::ZERO) else { return Err(pivot) };

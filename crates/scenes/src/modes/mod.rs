@@ -14,6 +14,7 @@ mod expansion;
 mod glides;
 mod headings;
 mod held;
+mod held_forces;
 mod jet;
 mod mode;
 mod motion;
@@ -31,10 +32,13 @@ mod slowed;
 mod touch;
 mod touches;
 mod unfit;
+mod unknown_speeds;
 mod words;
 
+pub(crate) use algebraic::Parted;
 pub(crate) use contacts::letters as reactions_of;
 pub use course::RunTable;
+pub(crate) use held::eliminated;
 pub use mode::{Case, Face, Mode, Phase};
 pub(crate) use motion::ModeMotion;
 

@@ -22,6 +22,8 @@ pub(crate) struct ModeMotion {
     pub parts: Vec<Sym>,
     /// Letters of algebraic speeds, with what stands for them.
     pub speeds: Vec<(Sym, Sym)>,
+    /// Letters of algebraic speeds for which no expression stands, with sums that these keep at zero.
+    pub implicit: Vec<(Sym, Sym)>,
 }
 
 impl ModeMotion {

@@ -1,7 +1,7 @@
 //! Algebraic speeds at the start: what the laws of its mode give.
 
 use super::given;
-use crate::compiled_system::CompiledSystem;
+use crate::compiled_system::{CompiledSystem, ImplicitSpeeds};
 use crate::modes::Modes;
 use crate::row_units::measured;
 use model::Model;
@@ -15,6 +15,9 @@ const MET: f64 = 1e-9;
 pub(crate) fn complete_algebraic_speeds(model: &Model, state: &mut [f64]) {
     if model.algebraic_speeds.is_empty() || model.unsolved_law.is_some() {
         return;
+    }
+    if let Some(reactions) = ImplicitSpeeds::in_the_middle(model) {
+        reactions.set(0.0, (model.positions(), &mut *state));
     }
     let Ok(system) = Modes::of(&Arc::new(model.clone()), &[], &[]).first(state) else { return };
     let (mut all, given) = (state.to_vec(), given(model));

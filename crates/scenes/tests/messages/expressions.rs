@@ -75,7 +75,6 @@ fn slips_of_the_pen_in_expressions_are_told_with_the_way_out() {
     told("l*A", &["a scalar and a frame cannot be multiplied", "A.x, A.y, A.z"]);
     told("P + P", &["a point and a point cannot be added", "point + vector"]);
     told("velocity(bob)/velocity(bob)", &["cannot be divided", "scalar/scalar, vector/scalar"]);
-    told("theta^(1/3)", &["no multiple of 1/2 is not there yet", "exp(ln(x)/3)"]);
     one(&[("\"reach\"", "\"velocity(bob)\"")], &["the output `width` is a scalar", "v . N.x, or norm(v)"]);
     one(&[("theta = \"0.3 rad\"", "theta' = \"0.3 rad/s\"")], &["a key with a prime stands in quotes: \"theta'\""]);
     let event = "[[event]]\nwhen = \"theta < 1\"\nend = true\n\n[outputs]";

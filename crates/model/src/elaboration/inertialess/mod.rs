@@ -105,12 +105,28 @@ struct Laws {
 
 impl Laws {
     fn of(trace: &Trace<'_>, open: &[usize]) -> Self {
-        let rows = constraints_of(trace).into_iter();
-        let rows = rows.map(|one| open.iter().map(|&place| one.row[place].as_constant()).collect());
-        let Some(rows) = rows.collect::<Option<Vec<Vec<Rational>>>>() else { return Laws::default() };
+        // no constraint holds a reaction
+        let (impulses, others): (Vec<usize>, Vec<usize>) =
+            open.iter().copied().partition(|place| trace.model.impulses.contains(place));
+        let mut laws = Laws::among(trace, &impulses, &[]);
+        let rows = if others.is_empty() { Vec::new() } else { constraints_of(trace) };
+        let rows = rows.into_iter().map(|one| others.iter().map(|&place| one.row[place].as_constant()).collect());
+        if let Some(rows) = rows.collect::<Option<Vec<Vec<Rational>>>>() {
+            let of_others = Laws::among(trace, &others, &rows);
+            laws.found.extend(of_others.found);
+            laws.changing.extend(of_others.changing);
+            laws.algebraic.extend(of_others.algebraic);
+            laws.algebraic.sort_unstable();
+            laws.unsolved = laws.unsolved.or(of_others.unsolved);
+        }
+        laws
+    }
+
+    /// The laws of some coordinates, on whose speeds constraints have these rows.
+    fn among(trace: &Trace<'_>, open: &[usize], rows: &[Vec<Rational>]) -> Self {
         let own: Vec<Sym> = open.iter().map(|&place| trace.law(&[(place, 1)])).collect();
-        let directions = basis(&rows, &speed_free(trace, &own, open), open.len());
-        let groups = groups(trace, &own, open, &rows);
+        let directions = basis(rows, &speed_free(trace, &own, open), open.len());
+        let groups = groups(trace, &own, open, rows);
         let mut laws = Laws::default();
         let mut changing: Vec<usize> = Vec::new();
         let (mut all, mut piecewise): (Vec<(usize, Combination, Kind)>, Vec<Combination>) = Default::default();
@@ -191,7 +207,9 @@ fn unsolved(trace: &Trace<'_>, algebraic: &[usize], piecewise: &[Combination]) -
     let constraints = if algebraic.is_empty() { Vec::new() } else { constraints_of(trace) };
     let own = algebraic.iter().find_map(|&place| {
         let law = trace.law(&[(place, 1)]);
-        let bends = |&other: &usize| knows(trace.by_speed(law, other), &speeds);
+        // a reaction is found by Newton's method
+        let is_reaction = model.impulses.contains(&place);
+        let bends = |&other: &usize| !is_reaction && knows(trace.by_speed(law, other), &speeds);
         if model.contacts.iter().any(|contact| touches(contact, &[trace.speeds[place]])) {
             Some((place, UnsolvedLaw::Contact))
         } else if constraints.iter().any(|one| one.gains.is_some() && one.row[place] != Sym::ZERO) {

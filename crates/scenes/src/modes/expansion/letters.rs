@@ -3,7 +3,7 @@
 use super::super::contacts::{PARTS, unknown};
 use super::super::jet::Jet;
 use super::super::mode::{Case, Heading, Mode, Phase};
-use super::{Expansions, ROUNDS, Slope};
+use super::{Expansions, MOST_ROUNDS, ROUNDS, Slope};
 use field::{Analytic, Scalar};
 use num_traits::Zero;
 use std::ops::Range;
@@ -55,7 +55,11 @@ impl Expansions {
         let changes = |slope: &Slope| {
             unknown.contains(&slope.row) && slope.changed_by.iter().any(|letter| unknown.contains(letter))
         };
-        if self.slopes.iter().any(changes) { ROUNDS } else { 1 }
+        match self.slopes.iter().any(changes) {
+            true if self.has_algebraic() => MOST_ROUNDS,
+            true => ROUNDS,
+            false => 1,
+        }
     }
 
     /// Conditions of their own that a mode holds.

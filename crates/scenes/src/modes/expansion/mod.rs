@@ -42,8 +42,11 @@ const DIGITS: f64 = 1e-12;
 /// A switch, which lies between 0 and 1, is known to so much, whatever the bound of its error.
 const KNOWN: f64 = 1e-9;
 
-/// Newton's method from laws that are linear but for rounding.
+/// Steps of Newton's method for laws that are linear but for rounding.
 const ROUNDS: usize = 3;
+
+/// Steps of Newton's method for laws that hold products of unknowns.
+const MOST_ROUNDS: usize = 20;
 
 /// A model as a function of the time, the state and the switches.
 #[derive(Debug)]
@@ -232,17 +235,17 @@ impl Expansions {
         let cases = mode.cases.len();
         let mut letters: Vec<Jet<N>> = mode.cases.iter().map(value).collect();
         letters.resize(self.letters(), Jet::zero());
-        if unknown.is_empty() {
-            for (letter, speed) in self.algebraic().zip(&self.algebraic_speeds) {
-                letters[letter] = state[self.positions + speed];
-            }
+        // where they are unknown they are sought from their last values on, at which friction in proportion to them has a bound
+        for (letter, speed) in self.algebraic().zip(&self.algebraic_speeds) {
+            let last = state[self.positions + speed];
+            letters[letter] = if unknown.is_empty() { last } else { Jet::constant(last.terms[0], 0.0) };
         }
         let mut hidden = Vec::new();
         let mut values = self.values(time, state, &letters, confirmed);
         let tied = self.tied(mode, &values);
         if !unknown.is_empty() {
             let first = self.states + cases;
-            for _ in 0..self.rounds(unknown) {
+            for round in 1..=self.rounds(unknown) {
                 let row_of = |letter: usize| -values[first + letter];
                 let right = |row: usize| {
                     let rate =
@@ -251,6 +254,7 @@ impl Expansions {
                 };
                 let (changes, left) = self.solved_for((&values, &tied), unknown, right)?;
                 hidden = left;
+                let is_found = unknown.iter().zip(&changes).all(|(&letter, change)| change.is_beside(&letters[letter]));
                 for (&letter, change) in unknown.iter().zip(changes) {
                     letters[letter] += change;
                 }
@@ -260,6 +264,9 @@ impl Expansions {
                     }
                 }
                 values = self.values(time, state, &letters, confirmed);
+                if round >= ROUNDS && is_found {
+                    break;
+                }
             }
         }
         self.distribute(mode, (&values, &tied), unknown, &mut letters);

@@ -39,6 +39,12 @@ impl<const N: usize> Jet<N> {
         self.doubts[order + 1] = rate.doubts[order] * per + ROUNDING * self.terms[order + 1].abs();
     }
 
+    /// Whether every term is rounding beside those of another quantity.
+    pub fn is_beside(&self, other: &Self) -> bool {
+        let own = self.terms.iter().zip(&self.doubts).zip(&other.terms);
+        own.into_iter().all(|((term, doubt), other)| term.abs() <= doubt.max(4.0 * ROUNDING * other.abs()))
+    }
+
     fn rate(&self) -> Self {
         let mut rate = Jet::zero();
         for order in 1..N {

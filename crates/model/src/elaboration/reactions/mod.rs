@@ -1,17 +1,79 @@
-//! Reactions of constraints and loads of joints, in outputs.
+//! Reactions of constraints, and loads of joints, which outputs alone show.
+
+mod confinement;
+mod letters;
+mod transcription;
+
+pub(super) use letters::{ReactionLetter, with_laws};
 
 use super::expressions::Meaning;
 use super::loads::joule;
 use super::{Elaborator, Sound, unknown};
 use crate::arena::{Scalar, Vector};
 use crate::equations::Level;
-use crate::{BodyId, Constraint, Fault, Text, Trace, Zero};
+use crate::expression::{Form, read};
+use crate::{BodyId, Constraint, ConstraintSource, Fault, Source, Text, Trace, Zero};
 use std::ops::Range;
 use symbolic::{Dimension, apart};
 
 /// A fault at the place of a call.
 fn refused(span: &Range<usize>, title: String, label: &str, accepted: &str) -> Box<Fault> {
     Box::new(Fault::at(span.clone(), title, label, accepted))
+}
+
+const ACCEPTED: &str = "reaction(name) of a named [[constraint]]; reaction(name, 2) where its `zero` is a list";
+
+/// The name of a constraint, and the place in its list where one is given.
+fn named(text: &Text, span: &Range<usize>, arguments: &[Meaning]) -> Sound<(String, Option<Option<usize>>)> {
+    let written: Vec<&str> = arguments
+        .iter()
+        .filter_map(|argument| match argument {
+            Meaning::Literal { start, end } => Some(text.text[*start..*end].trim_matches('"')),
+            _ => None,
+        })
+        .collect();
+    match written.as_slice() {
+        [name] if arguments.len() == 1 => Ok(((*name).to_owned(), None)),
+        [name, place] if arguments.len() == 2 => Ok(((*name).to_owned(), Some(place.parse().ok()))),
+        _ => Err(refused(span, "`reaction` has the name of a constraint".to_owned(), "here", ACCEPTED)),
+    }
+}
+
+/// The place of an equation among so many of a name.
+fn entry_of(span: &Range<usize>, name: &str, place: Option<Option<usize>>, count: usize) -> Sound<usize> {
+    match (place, count) {
+        (None, 1) => Ok(0),
+        (Some(Some(place)), _) if (1..=count).contains(&place) => Ok(place - 1),
+        _ => {
+            let title = format!("`{name}` holds {count} {}", if count == 1 { "equation" } else { "equations" });
+            Err(refused(span, title, "which one is meant?", ACCEPTED))
+        }
+    }
+}
+
+/// The constraints whose reactions stand in a text.
+pub(super) fn constraints_in<'s>(source: &'s Source, text: &str) -> Vec<&'s ConstraintSource> {
+    let Ok(expression) = read(text) else { return Vec::new() };
+    let argument = |form: &Form| match form {
+        Form::Call { function, arguments } if function == "reaction" => Some(arguments.first()?.value),
+        _ => None,
+    };
+    let names: Vec<&str> = expression
+        .parts
+        .iter()
+        .filter_map(argument)
+        .map(|part| text[expression.spans[part].clone()].trim_matches('"'))
+        .collect();
+    let held = |one: &&ConstraintSource| one.name.as_ref().is_some_and(|name| names.contains(&name.text.as_str()));
+    source.constraints.iter().filter(held).collect()
+}
+
+/// Power per rate of a constraint: of f' where f holds positions, of f itself where it holds speeds.
+fn of_multiplier(level: Level, of_zero: Dimension) -> Dimension {
+    match level {
+        Level::Position => joule() / of_zero,
+        Level::Speed => joule() / Dimension::time() / of_zero,
+    }
 }
 
 impl Elaborator<'_> {
@@ -30,19 +92,11 @@ impl Elaborator<'_> {
 
     /// `reaction(pin)`, `reaction(rolling, 2)`: the multiplier of a scalar constraint, the vector of those of a vector.
     pub(super) fn reaction(&mut self, text: &Text, span: &Range<usize>, arguments: &[Meaning]) -> Sound<super::Value> {
-        let accepted = "reaction(name) of a named [[constraint]]; reaction(name, 2) where its `zero` is a list";
-        let written: Vec<&str> = arguments
-            .iter()
-            .filter_map(|argument| match argument {
-                Meaning::Literal { start, end } => Some(text.text[*start..*end].trim_matches('"')),
-                _ => None,
-            })
-            .collect();
-        let (name, place) = match written.as_slice() {
-            [name] if arguments.len() == 1 => (*name, None),
-            [name, place] if arguments.len() == 2 => (*name, place.parse::<usize>().ok()),
-            _ => return Err(refused(span, "`reaction` has the name of a constraint".to_owned(), "here", accepted)),
-        };
+        if !self.shows_loads {
+            return self.held_reaction(text, span, arguments);
+        }
+        let (name, place) = named(text, span, arguments)?;
+        let name = name.as_str();
         let contact = self.model.contacts.iter().position(|contact| contact.name == name && place.is_none());
         if let Some(contact) = contact.filter(|_| !name.is_empty()) {
             let crate::Contact { reactions, drop, .. } = &self.model.contacts[contact];
@@ -58,26 +112,10 @@ impl Elaborator<'_> {
         };
         let constraints = &self.model.constraints;
         let all: Vec<usize> = (0..constraints.len()).filter(|&place| named(&constraints[place])).collect();
-        let constraint = match (all.as_slice(), place, written.len()) {
-            ([], ..) => {
-                let contacts = self.source.contacts.iter().map(|one| &one.name);
-                let contacts = contacts.chain(self.source.one_ways.iter().map(|one| &one.name)).flatten();
-                let names = self.source.constraints.iter().filter_map(|one| one.name.as_ref()).chain(contacts);
-                let names = names.map(|name| name.text.as_str());
-                // it is there, and what is wrong with it is told
-                if names.clone().any(|known| known == name) {
-                    return Err(Box::new(Fault::consequence(span.clone())));
-                }
-                return Err(Box::new(unknown(&self.broken, span.clone(), name, "constraint", names)));
-            }
-            ([only], None, 1) => *only,
-            (some, Some(place), _) if (1..=some.len()).contains(&place) => some[place - 1],
-            (some, ..) => {
-                let count = some.len();
-                let title = format!("`{name}` holds {count} {}", if count == 1 { "equation" } else { "equations" });
-                return Err(refused(span, title, "which one is meant?", accepted));
-            }
-        };
+        if all.is_empty() {
+            return Err(self.unknown_constraint(span, name, false));
+        }
+        let constraint = all[entry_of(span, name, place, all.len())?];
         Ok(match self.model.constraints[constraint].zero {
             Zero::Scalar(zero) => {
                 let dimension = self.multiplier_dimension(constraint, zero.0);
@@ -88,6 +126,25 @@ impl Elaborator<'_> {
                 super::Value::Vector(self.vector(Vector::Reaction { constraint }, dimension))
             }
         })
+    }
+
+    /// The fault of a name that no constraint has. In a load a contact has no reaction.
+    fn unknown_constraint(&self, span: &Range<usize>, name: &str, in_load: bool) -> Box<Fault> {
+        let contacts = self.source.contacts.iter().map(|one| &one.name);
+        let contacts = contacts.chain(self.source.one_ways.iter().map(|one| &one.name)).flatten();
+        let contacts: Vec<&str> = contacts.map(|name| name.text.as_str()).collect();
+        if in_load && contacts.contains(&name) {
+            let title = format!("the reaction of the contact `{name}` stands in [outputs] only");
+            let accepted = "a reaction of a [[constraint]] here; friction of a contact is its key `friction`";
+            return refused(span, title, "a contact", accepted);
+        }
+        let own = self.source.constraints.iter().filter_map(|one| one.name.as_ref()).map(|name| name.text.as_str());
+        let names: Vec<&str> = if in_load { own.collect() } else { own.chain(contacts).collect() };
+        // it is there, and what is wrong with it is told
+        if names.contains(&name) {
+            return Box::new(Fault::consequence(span.clone()));
+        }
+        Box::new(unknown(&self.broken, span.clone(), name, "constraint", names.into_iter()))
     }
 
     /// `friction(floor)`, `gap(floor)`, `sliding(floor)`: the tangential reaction of a contact, its gap, its sliding velocity; where it
@@ -142,10 +199,7 @@ impl Elaborator<'_> {
             let held = crate::equations::held_of(&trace, constraint);
             held.first().map_or(Level::Position, |held| trace.level_of(held.zero))
         });
-        Some(match level {
-            Level::Position => joule() / of_zero,
-            Level::Speed => joule() / Dimension::time() / of_zero,
-        })
+        Some(of_multiplier(level, of_zero))
     }
 
     /// `joint_force(disc)`, `joint_torque(disc)`: from the body, or the ground, that a body is joined to.

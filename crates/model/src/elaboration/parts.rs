@@ -1,0 +1,48 @@
+//! The parts that expressions of a model are made of.
+
+use crate::arena::{Part, Scalar, Vector};
+use crate::{Model, VectorId};
+
+/// For each part of a model's expressions whether it is one of some parts or stands in one.
+pub(super) fn reached(model: &Model, mut open: Vec<usize>) -> Vec<bool> {
+    let mut reached = vec![false; model.arena.parts.len()];
+    while let Some(part) = open.pop() {
+        if !std::mem::replace(&mut reached[part], true) {
+            match &model.arena.parts[part] {
+                Part::Scalar(scalar) => of_scalar(model, scalar, &mut open),
+                Part::Vector(vector) => of_vector(vector, &mut open),
+            }
+        }
+    }
+    reached
+}
+
+/// The parts that a scalar is made of.
+fn of_scalar(model: &Model, scalar: &Scalar, open: &mut Vec<usize>) {
+    match scalar {
+        Scalar::Switch(switch) => open.push(model.switches[*switch].0),
+        Scalar::Input(input) => open.extend(model.inputs[*input].value.map(|value| value.0)),
+        Scalar::Negation(a) | Scalar::Power(a, _) | Scalar::Function(_, a) | Scalar::RateOf(a) | Scalar::Step(a) => {
+            open.push(a.0);
+        }
+        Scalar::Sum(a, b)
+        | Scalar::Difference(a, b)
+        | Scalar::Product(a, b)
+        | Scalar::Quotient(a, b)
+        | Scalar::Elementary(_, a, b) => open.extend([a.0, b.0]),
+        Scalar::Dot(a, b) => open.extend([a.0, b.0]),
+        Scalar::Norm(a) => open.push(a.0),
+        _ => {}
+    }
+}
+
+/// The parts that a vector is made of; the points and frames that it stands on are there already.
+fn of_vector(vector: &Vector, open: &mut Vec<usize>) {
+    let of = |id: &VectorId| id.0;
+    match vector {
+        Vector::Negation(a) | Vector::RateOf { of: a, .. } => open.push(of(a)),
+        Vector::Sum(a, b) | Vector::Difference(a, b) | Vector::Cross(a, b) => open.extend([of(a), of(b)]),
+        Vector::Scaled(a, b) => open.extend([a.0, of(b)]),
+        _ => {}
+    }
+}
