@@ -170,6 +170,8 @@ struct Elaborator<'s> {
     headless: Vec<(String, Fault)>,
     /// Reactions that loads and events hold.
     reaction_letters: Vec<ReactionLetter>,
+    /// Names of constraints that are read for their reactions.
+    constraints_read: Vec<String>,
 }
 
 impl<'s> Elaborator<'s> {
@@ -195,6 +197,7 @@ impl<'s> Elaborator<'s> {
             driving: (Vec::new(), Vec::new()),
             headless: Vec::new(),
             reaction_letters,
+            constraints_read: Vec::new(),
         };
         let time = made.scalar(Scalar::Time, Some(Dimension::time()));
         made.names.insert("t".to_owned(), Named::Value(Value::Scalar(time)));

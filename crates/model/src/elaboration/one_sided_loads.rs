@@ -68,16 +68,18 @@ fn power(trace: &Trace<'_>, load: Load) -> Option<Sym> {
     })
 }
 
-/// Whether a power is a sum of powers of the speeds, with an odd one beyond the first. Currents are no speeds here, and an `abs` or a `sign`
+/// Whether a power is a sum of powers of the speeds, with an odd one beyond the first. Currents and reactions are no speeds here, and an `abs` or a `sign`
 /// knows the direction.
 fn changes_sign(trace: &Trace<'_>, power: Sym) -> bool {
     if power.symbols_of().iter().any(|symbol| trace.switches.contains(symbol)) {
         return false;
     }
     let charge = Dimension::current() * Dimension::time();
-    let is_current = |place: usize| trace.model.coordinates.get(place).is_some_and(|one| one.dimension == charge);
+    let model = trace.model;
+    let is_charge = |place: usize| model.coordinates.get(place).is_some_and(|one| one.dimension == charge);
+    let is_letter = |place: usize| is_charge(place) || model.impulses.contains(&place);
     let factor = Sym::symbol("[factor of speeds]");
-    let speeds = trace.speeds.iter().enumerate().filter(|(place, _)| !is_current(*place));
+    let speeds = trace.speeds.iter().enumerate().filter(|(place, _)| !is_letter(*place));
     let scaled: Vec<(Sym, Sym)> = speeds.map(|(_, &speed)| (speed, factor * speed)).collect();
     let mut derivative = power.substitute(&scaled);
     let mut is_odd = false;

@@ -4,6 +4,13 @@ use super::ReactionLetter;
 use crate::elaboration::Elaborator;
 use crate::elaboration::parts::reached;
 use crate::{Fault, Zero};
+use std::ops::Range;
+
+/// The fault of something that holds a reaction.
+pub(super) fn fault(what: &str, at: Range<usize>) -> Fault {
+    let accepted = "reactions in [[force]], [[torque]], [definitions] for these, [outputs], and `when` of [[event]]";
+    Fault::at(at, format!("{what} holds a reaction"), "here", accepted)
+}
 
 impl Elaborator<'_> {
     /// Refuses reactions in what the motion, and with it the reactions, follows from.
@@ -44,12 +51,8 @@ impl Elaborator<'_> {
             let held = reached(model, vec![part]);
             letters.iter().any(|&letter| held[letter])
         };
-        let fault = |(what, part, at): (&str, usize, std::ops::Range<usize>)| {
-            let accepted =
-                "reactions in [[force]], [[torque]], [definitions] for these, [outputs], and `when` of [[event]]";
-            holds(part).then(|| Fault::at(at, format!("{what} holds a reaction"), "here", accepted))
-        };
-        let faults: Vec<Fault> = all.filter_map(fault).collect();
+        let wrong = |(what, part, at): (&str, usize, Range<usize>)| holds(part).then(|| fault(what, at));
+        let faults: Vec<Fault> = all.filter_map(wrong).collect();
         self.faults.extend(faults);
     }
 }

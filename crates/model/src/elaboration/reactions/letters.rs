@@ -82,8 +82,18 @@ impl Elaborator<'_> {
         zero: &Text,
         span: &Range<usize>,
     ) -> Sound<()> {
+        if self.constraints_read.iter().any(|known| known == name) {
+            let fault = super::confinement::fault("a constraint", span.clone());
+            if !self.faults.contains(&fault) {
+                self.faults.push(fault);
+            }
+            return Err(Box::new(Fault::consequence(span.clone())));
+        }
+        self.constraints_read.push(name.to_owned());
+        let value = self.value(zero);
+        self.constraints_read.pop();
         // a wrong constraint is told where it stands
-        let value = self.value(zero).map_err(|_| Box::new(Fault::consequence(span.clone())))?;
+        let value = value.map_err(|_| Box::new(Fault::consequence(span.clone())))?;
         let (Value::Scalar(ScalarId(part)) | Value::Vector(crate::VectorId(part))) = value else {
             return Err(Box::new(Fault::consequence(span.clone())));
         };

@@ -1,0 +1,45 @@
+//! Friction in proportion to a reaction, across slips and rests.
+
+use super::{bead, close, last, runs, scene};
+use simulation::IvpScene;
+
+/// It rests where the slope of the wire is below the coefficient of friction.
+#[test]
+fn a_bead_on_a_rough_wire_comes_to_rest_on_a_slope_that_friction_holds() {
+    let text = bead(
+        "n = \"unit(N.y - 2*a*x*N.x)\"\nN0 = \"reaction(wire)*sqrt(1 + 4*a^2*x^2)\"",
+        "-mu*abs(N0)*sign(x')*cross(n, N.z)",
+        "",
+    );
+    let found = runs(&text.replace("span = \"2 s\"", "span = \"6 s\""));
+    close(last(&found, "x'"), 0.0, 1e-10);
+    let slope = 4.0 * last(&found, "x");
+    assert!(slope.abs() > 0.1 && slope.abs() < 0.2, "{slope}");
+    // the wire carries what is across it, friction the rest: reaction times the gradient, with g cos^2 of the slope
+    close(last(&found, "wire.impulse'"), 0.3 * 9.81 / (1.0 + slope * slope), 1e-9);
+}
+
+/// J1 a'' = M - F, J2 b'' = n F - L sgn b' - mu n |F| sgn b', a = n b: with F > 0 while it is driven, F < 0 while it runs out.
+#[test]
+fn a_gear_whose_loss_grows_with_its_torque_has_its_closed_form() {
+    let text = "title = \"gear\"\n[parameters]\nJ1 = \"0.01 kg m^2\"\nJ2 = \"0.5 kg m^2\"\nn = \"5\"\nmu = \"0.1\"\nM = \"2 N m\"\nL = \"4 N m\"\n\
+                [coordinates]\na = \"rad\"\nb = \"rad\"\n[bodies]\nmotor = { turns = \"a\", inertia = \"J1\" }\nload = { turns = \"b\", inertia = \"J2\" }\n\
+                [[constraint]]\nname = \"gear\"\nzero = \"a - n*b\"\n\
+                [[torque]]\nbetween = [\"ground\", \"motor\"]\nis = \"if(t < (1 s), M, 0)*N.z\"\n\
+                [[torque]]\nbetween = [\"ground\", \"load\"]\nis = \"-(L + mu*n*abs(reaction(gear)))*sign(b')*N.z\"\n\
+                [start]\n\"b'\" = \"0.1 rad/s\"\n[run]\nspan = \"4 s\"\n";
+    let (j1, j2, n, mu, m, l, w0) = (0.01, 0.5, 5.0, 0.1, 2.0, 4.0, 0.1);
+    let driven = (n * (1.0 - mu) * m - l) / (j2 + n * n * (1.0 - mu) * j1);
+    let top = w0 + driven;
+    let force = -j1 * n * (-l / (j2 + n * n * (1.0 + mu) * j1));
+    // running out, the motor drives the load through the gear, which takes its part
+    let signed = if force < 0.0 { 1.0 + mu } else { 1.0 - mu };
+    let slowed = -l / (j2 + n * n * signed * j1);
+    let turned = w0 + driven / 2.0 + top * top / (2.0 * -slowed);
+    let found = runs(text);
+    close(last(&found, "b"), turned, 1e-9);
+    close(last(&found, "b'"), 0.0, 1e-12);
+    close(last(&found, "gear.impulse'"), 0.0, 1e-12);
+    let passages = scene(text).problem(scene(text).run().choice().axes).simulate(&scene(text).run().choice(), |_| {});
+    assert_eq!(passages.stopped(), None);
+}
