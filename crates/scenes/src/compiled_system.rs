@@ -236,6 +236,11 @@ impl CompiledSystem {
         !self.is_tree && !changes(&self.model) && self.model.speeds() + self.model.constraints.len() >= LEAST_SOLVED
     }
 
+    /// Whether some algebraic speeds have no expression in this mode, so that a run follows them by their rates.
+    pub(crate) fn has_implicit_speeds(&self) -> bool {
+        self.implicit.is_some()
+    }
+
     /// Sets the algebraic speeds of a state to what they are in this mode: the rates of their coordinates.
     pub(crate) fn set_algebraic_speeds<S: Real + Running>(&self, time: S, state: &mut [S])
     where
