@@ -313,7 +313,10 @@ impl Switches for Current {
                 Fall::Jams => (self.determinant.signum(), 0.0),
                 Fall::Event { event } => (self.sides[event].sign, self.near_events[event]),
             };
-            *signal = Signal { value: side * value + near, rate: side * rate, ..Signal::default() };
+            // bounds of errors are wide where reactions are followed by their rates: they count until the signal has risen beyond them
+            let until_risen = matches!(fall, Fall::Passes { .. }) && self.moded.system.has_implicit_speeds();
+            let [shift, noise] = if until_risen { [0.0, near] } else { [near, 0.0] };
+            *signal = Signal { value: side * value + shift, rate: side * rate, noise, ..Signal::default() };
         }
     }
 }

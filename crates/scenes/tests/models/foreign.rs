@@ -162,3 +162,28 @@ fn five_links_go_on_for_half_a_minute_with_their_energy() {
         assert!((energy(&run.last) - energy(&run.rows[0])).abs() < 1e-6, "{method}: {}", energy(&run.last));
     }
 }
+
+/// The published equations, written down apart and integrated by SciPy with the normal forces solved for at each instant, at 0.2 s; across
+/// two ends of saturated creep.
+#[test]
+fn the_wheelset_moves_as_the_published_equations_say() {
+    let text = std::fs::read_to_string(folder().join("foreign/wheelset.toml")).expect("it is there");
+    let text = text.replace("span = \"10 s\"", "span = \"0.2 s\"");
+    let scene = ModelScene::parse("wheelset.toml", &text).unwrap_or_else(|error| panic!("{error}"));
+    let choice = Choice { method: Method::DormandPrince8, tolerance: 1e-11, ..scene.run().choice() };
+    let run = scene.problem(Axes::First).simulate(&choice, |_| {});
+    assert_eq!(run.stopped(), None);
+    let figures = [
+        ("x", 0.000_900_116_303_501_5),
+        ("theta", -0.002_981_205_129_966_9),
+        ("phi", 0.000_159_403_593_180_1),
+        ("x'", -0.073_931_459_662_899),
+        ("theta'", -0.045_375_275_449_907),
+        ("phi'", -0.013_092_686_056_098),
+        ("beta'", 0.000_339_937_692_005),
+    ];
+    for (column, known) in figures {
+        let value = run.last[run.column(column).unwrap_or_else(|| panic!("{column}"))];
+        assert!((value - known).abs() < 1e-9 * known.abs(), "{column} = {value}, known {known}");
+    }
+}
