@@ -58,8 +58,8 @@ pub use fraction::Fraction;
 pub use graph::{Node, Sym, apart};
 pub use parse::{NotExpression, Reason, Vocabulary, parse, parse_in};
 pub use prove::{
-    Decision, Hypotheses, Identity, NormalForm, NotNormal, Proof, Refused, Witness, decide, decide_modulo, identified,
-    normal,
+    Decision, Hypotheses, Identity, IdentityTest, NormalForm, NotNormal, Proof, Refused, Witness, decide,
+    decide_modulo, identified, normal,
 };
 pub use sym::symbols;
 pub use tape::{Algebraic, Language, Operation, Program, Register, Source, Statements, Tape, Untapeable};

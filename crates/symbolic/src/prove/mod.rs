@@ -15,6 +15,6 @@ mod witness;
 
 pub use decide::{Decision, Proof, decide, decide_modulo};
 pub use hypotheses::{Hypotheses, Refused};
-pub use identity::{Identity, identified};
+pub use identity::{Identity, IdentityTest, identified};
 pub use normal::{NormalForm, NotNormal, normal};
 pub use witness::Witness;

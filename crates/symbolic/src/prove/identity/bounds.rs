@@ -1,11 +1,11 @@
 //! Bounds of degrees and coefficients, operation by operation.
 
-use crate::Sym;
+use super::program::{Part, Program};
 use crate::graph::Node;
 use dashu_int::UBig;
 use dashu_int::ops::{BitTest, UnsignedAbs};
 use field::Rational;
-use rustc_hash::{FxHashMap, FxHashSet};
+use rustc_hash::FxHashSet;
 
 /// Bounds of the numerator over the common denominator, in the random numbers.
 pub(super) struct Bounds {
@@ -50,50 +50,52 @@ impl Polynomial {
     }
 }
 
-pub(super) fn bounds(nodes: &[Sym], expressions: &[Sym]) -> Bounds {
-    let mut known: FxHashMap<Sym, Quotient> = FxHashMap::default();
+pub(super) fn bounds(program: &Program) -> Bounds {
+    let mut known: Vec<Quotient> = Vec::with_capacity(program.parts.len());
     let (mut angles, mut arguments) = (FxHashSet::default(), FxHashSet::default());
     let constant = |bits: f64| Polynomial { degree: 0.0, bits };
     let generator = Quotient { above: Polynomial { degree: 1.0, bits: 0.0 }, below: constant(0.0) };
-    for &each in nodes {
-        let of = |a: &Sym| known[a];
-        if matches!(each.node(), Node::Root(_) | Node::Elementary(..) | Node::Function(..)) {
-            arguments.extend(each.node().children());
+    for &Part { is, node, arguments: [a, b] } in &program.parts {
+        let of = |place: usize| known[place];
+        match node {
+            Node::Elementary(..) => arguments.extend([a, b]),
+            Node::Root(_) | Node::Function(..) => arguments.extend([a]),
+            _ => {}
         }
-        let value = match each.node() {
+        let value = match node {
             Node::Constant(_) => {
                 let bits = |n: &UBig| constant(n.bit_len() as f64);
-                let big = each.as_constant().and_then(Rational::to_big);
+                let big = is.as_constant().and_then(Rational::to_big);
                 let sizes = big.map(|big| (bits(&big.numerator().unsigned_abs()), bits(big.denominator())));
                 let (above, below) = sizes.unwrap_or((constant(f64::INFINITY), constant(0.0)));
                 Quotient { above, below }
             }
             Node::Symbol(_) | Node::Elementary(..) | Node::Function(..) => generator,
             // no larger than its square
-            Node::Root(a) => {
-                let Quotient { above, below } = of(&a);
+            Node::Root(_) => {
+                let Quotient { above, below } = of(a);
                 Quotient { above: above.times(generator.above), below }
             }
-            Node::Cos(a) | Node::Sin(a) => {
+            Node::Cos(_) | Node::Sin(_) => {
                 angles.insert(a);
                 generator
             }
-            Node::Sum(a, b) | Node::Difference(a, b) => {
-                let (a, b) = (of(&a), of(&b));
+            Node::Sum(..) | Node::Difference(..) => {
+                let (a, b) = (of(a), of(b));
                 Quotient { above: a.above.times(b.below).plus(b.above.times(a.below)), below: a.below.times(b.below) }
             }
-            Node::Product(a, b) => {
-                Quotient { above: of(&a).above.times(of(&b).above), below: of(&a).below.times(of(&b).below) }
+            Node::Product(..) => {
+                Quotient { above: of(a).above.times(of(b).above), below: of(a).below.times(of(b).below) }
             }
-            Node::Quotient(a, b) => {
-                Quotient { above: of(&a).above.times(of(&b).below), below: of(&a).below.times(of(&b).above) }
+            Node::Quotient(..) => {
+                Quotient { above: of(a).above.times(of(b).below), below: of(a).below.times(of(b).above) }
             }
-            Node::Negation(a) => of(&a),
-            Node::Power(a, n) => Quotient { above: of(&a).above.power(n), below: of(&a).below.power(n) },
+            Node::Negation(_) => of(a),
+            Node::Power(_, n) => Quotient { above: of(a).above.power(n), below: of(a).below.power(n) },
         };
-        known.insert(each, value);
+        known.push(value);
     }
-    let all = || expressions.iter().map(|each| known[each]);
+    let all = || program.results.iter().map(|&place| known[place]);
     let degree = all().map(|each| each.above.degree.max(each.below.degree)).fold(1.0, f64::max);
     let bits = all().map(|each| each.above.bits.max(each.below.bits)).fold(1.0, f64::max);
     // a cosine is (1 - t^2)/(1 + t^2): each angle brings its denominator to a power of at most the degree
@@ -103,7 +105,7 @@ pub(super) fn bounds(nodes: &[Sym], expressions: &[Sym]) -> Bounds {
     };
     arguments.extend(&angles);
     let most = |size: fn(Polynomial) -> f64| {
-        let sizes = arguments.iter().map(|argument| known[argument]);
+        let sizes = arguments.iter().map(|&argument| known[argument]);
         sizes.map(|each| size(each.above).max(size(each.below))).fold(1.0, f64::max)
     };
     let pairs = arguments.len() as f64 * (arguments.len() as f64 - 1.0) / 2.0;

@@ -17,12 +17,14 @@
 mod bounds;
 mod point;
 mod prime_field;
+mod program;
 
 use crate::Sym;
 use crate::graph::Node;
 use bounds::{Bounded, Bounds, bounds};
 use point::{angles_are_independent, values};
 use prime_field::{Field, Random};
+use program::{Part, Program};
 
 /// Primes lie between 2^60 and 2^61: more than 2^54 of them (their density is one in 42).
 const BITS: f64 = 60.0;
@@ -53,68 +55,105 @@ pub enum Identity {
 
 /// Tests whether expressions vanish, all at the same points.
 pub fn identified(expressions: &[Sym]) -> Identity {
-    let nodes = Sym::ascending(expressions);
-    let roots = nodes.iter().filter(|each| matches!(each.node(), Node::Root(_))).count();
-    let taken = if roots <= MOST_ROOTS { roots } else { 0 };
-    let is_opaque = |each: &Sym| match each.node() {
-        Node::Elementary(..) | Node::Function(..) => true,
-        Node::Root(_) => taken == 0,
-        _ => false,
-    };
-    let opaque = nodes.iter().any(is_opaque);
-    if nodes.contains(&Sym::UNDEFINED) {
-        return Identity::Untested("a denominator is the constant zero");
+    IdentityTest::of(expressions).outcome()
+}
+
+/// A test that is planned: its work is known before it begins.
+pub struct IdentityTest {
+    program: Program,
+    /// Roots that are taken in the field.
+    taken: usize,
+    degree: f64,
+    /// The probability of error at one point, as a power of two.
+    each: f64,
+    points: Option<usize>,
+}
+
+impl IdentityTest {
+    /// Counts operations and bounds degrees.
+    pub fn of(expressions: &[Sym]) -> Self {
+        let program = Program::of(expressions);
+        let roots = program.parts.iter().filter(|part| matches!(part.node, Node::Root(_))).count();
+        let taken = if roots <= MOST_ROOTS { roots } else { 0 };
+        let Bounds { degree, bits, mistaken } = bounds(&program);
+        let chance = |degree: f64, bits: f64| (degree.log2() - BITS).exp2() + (bits / BITS) * (-PRIMES).exp2();
+        let each = (chance(degree, bits)
+            + mistaken.map_or(0.0, |Bounded { degree, bits, pairs }| pairs * chance(degree, bits)))
+        .log2();
+        // conjugates, and the points at which all roots are in the field
+        let each = each + 2.0 * taken as f64 + if taken > 0 { 1.0 } else { 0.0 };
+        let points = if each < 0.0 { (ALLOWED / each).ceil() } else { f64::INFINITY };
+        let points = (1.0..=MOST_POINTS as f64).contains(&points).then_some(points as usize);
+        IdentityTest { program, taken, degree, each, points }
     }
-    let Bounds { degree, bits, mistaken } = bounds(&nodes, expressions);
-    let chance = |degree: f64, bits: f64| (degree.log2() - BITS).exp2() + (bits / BITS) * (-PRIMES).exp2();
-    let each = (chance(degree, bits)
-        + mistaken.map_or(0.0, |Bounded { degree, bits, pairs }| pairs * chance(degree, bits)))
-    .log2();
-    // conjugates, and the points at which all roots are in the field
-    let each = each + 2.0 * taken as f64 + if taken > 0 { 1.0 } else { 0.0 };
-    let points = if each < 0.0 { (ALLOWED / each).ceil() } else { f64::INFINITY };
-    if !(1.0..=MOST_POINTS as f64).contains(&points) {
-        return Identity::Untested("the degree is too high for these fields");
+
+    /// The number of different parts of all expressions.
+    pub fn operations(&self) -> usize {
+        self.program.parts.len()
     }
-    let points = points as usize;
-    let (mut random, mut in_vain, mut done) = (Random(0x9e37_79b9_7f4a_7c15), 0, 0);
-    // for each choice of signs of the roots
-    let mut vanishes = vec![true; 1 << taken];
-    while done < points && vanishes.contains(&true) {
-        let field = Field(random.prime(taken > 0));
-        let drawn = random.0;
-        let of_signs = |signs: u32| {
-            let mut random = Random(drawn);
-            let values = values(&nodes, &field, &mut random, (taken > 0).then_some(signs))?;
-            Some((expressions.iter().all(|each| values[each] == 0), random.0))
+
+    /// The bound of the degree of the numerator over the common denominator.
+    pub fn degree(&self) -> f64 {
+        self.degree
+    }
+
+    /// The points of prime fields that are needed; none where the degree is too high for these fields.
+    pub fn points(&self) -> Option<usize> {
+        self.points
+    }
+
+    /// Evaluates at random points, until one shows that an expression does not vanish.
+    pub fn outcome(&self) -> Identity {
+        let IdentityTest { ref program, taken, degree, each, points } = *self;
+        let is_opaque = |part: &Part| match part.node {
+            Node::Elementary(..) | Node::Function(..) => true,
+            Node::Root(_) => taken == 0,
+            _ => false,
         };
-        let all: Option<Vec<(bool, u64)>> = (0..1 << taken).map(of_signs).collect();
-        match all {
-            None if in_vain == MOST_IN_VAIN << (2 * taken) => {
-                return Identity::Untested("a denominator vanishes at every point that was tried");
-            }
-            None => {
-                in_vain += 1;
-                random.next();
-            }
-            Some(all) => {
-                done += 1;
-                vanishes.iter_mut().zip(&all).for_each(|(vanishes, (here, _))| *vanishes &= here);
-                random.0 = all[0].1;
-                if taken == 0 && !vanishes[0] {
-                    break;
+        let opaque = program.parts.iter().any(is_opaque);
+        if program.parts.iter().any(|part| part.is == Sym::UNDEFINED) {
+            return Identity::Untested("a denominator is the constant zero");
+        }
+        let Some(points) = points else { return Identity::Untested("the degree is too high for these fields") };
+        let (mut random, mut in_vain, mut done) = (Random(0x9e37_79b9_7f4a_7c15), 0, 0);
+        // for each choice of signs of the roots
+        let mut vanishes = vec![true; 1 << taken];
+        while done < points && vanishes.contains(&true) {
+            let field = Field(random.prime(taken > 0));
+            let drawn = random.0;
+            let of_signs = |signs: u32| {
+                let mut random = Random(drawn);
+                let values = values(program, &field, &mut random, (taken > 0).then_some(signs))?;
+                Some((program.results.iter().all(|&place| values[place] == 0), random.0))
+            };
+            let all: Option<Vec<(bool, u64)>> = (0..1 << taken).map(of_signs).collect();
+            match all {
+                None if in_vain == MOST_IN_VAIN << (2 * taken) => {
+                    return Identity::Untested("a denominator vanishes at every point that was tried");
+                }
+                None => {
+                    in_vain += 1;
+                    random.next();
+                }
+                Some(all) => {
+                    done += 1;
+                    vanishes.iter_mut().zip(&all).for_each(|(vanishes, (here, _))| *vanishes &= here);
+                    random.0 = all[0].1;
+                    if taken == 0 && !vanishes[0] {
+                        break;
+                    }
                 }
             }
         }
-    }
-    match (vanishes.iter().all(|all| *all), vanishes.contains(&true), opaque) {
-        (true, ..) => Identity::Identified { degree, points, error: each * points as f64 },
-        (false, true, _) => Identity::Untested("it vanishes for some signs of its roots alone"),
-        (false, false, true) => Identity::Untested("it does not vanish for functions that are independent"),
-        (false, false, false) if !angles_are_independent(&nodes, &mut random) => {
-            Identity::Untested("it does not vanish for angles that are independent")
+        match (vanishes.iter().all(|all| *all), vanishes.contains(&true), opaque) {
+            (true, ..) => Identity::Identified { degree, points, error: each * points as f64 },
+            (false, true, _) => Identity::Untested("it vanishes for some signs of its roots alone"),
+            (false, false, true) => Identity::Untested("it does not vanish for functions that are independent"),
+            (false, false, false) if !angles_are_independent(program, &mut random) => {
+                Identity::Untested("it does not vanish for angles that are independent")
+            }
+            (false, false, false) => Identity::NotZero,
         }
-        (false, false, false) => Identity::NotZero,
     }
 }
 
