@@ -20,6 +20,7 @@ import sys
 import time
 
 import install
+from chain_text import ACROSS, ALONG, GRAVITY, LENGTH, MASS, axis, text
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
@@ -33,29 +34,9 @@ if __name__ == "__main__" and pathlib.Path(sys.prefix) != FOLDER / "venv":
 import numpy as np
 
 LINKS = (2, 5, 10, 20, 50, 100, 200)
-MASS, LENGTH, ACROSS, ALONG, GRAVITY = 1.0, 0.2, 0.01, 0.002, 9.81
 # seconds that writing equations may take
 WRITING = 30
 ROUNDS, CALLS = 7, 0.02
-
-
-def axis(kind, link):
-    return "z" if kind == "plane" or link % 2 == 0 else "x"
-
-
-def text(kind, links):
-    """The chain as a file of ours."""
-    one = f"inertia = {{ principal = [\"{ACROSS} kg m^2\", \"{ALONG} kg m^2\", \"{ACROSS} kg m^2\"] }}" if kind == "space" else f'inertia = "{ACROSS} kg m^2"'
-    names = range(1, links + 1)
-    frame = lambda k: f"F{k}" if k else "N"
-    point = lambda k: f"P{k}" if k else "O"
-    lines = [f'title = "A chain of {links} links"', 'gravity = "-(9.81 m/s^2)*N.y"', "[coordinates]"]
-    lines += [f'q{k} = "rad"' for k in names]
-    lines += ["[frames]"] + [f'F{k} = "{frame(k - 1)} turned q{k} about {axis(kind, k - 1)}"' for k in names]
-    lines += ["[points]"] + [f'P{k} = "{point(k - 1)} - (0.2 m)*F{k}.y"' for k in names]
-    lines += ["[bodies]"]
-    lines += [f'b{k} = {{ frame = "F{k}", centre = "{point(k - 1)} - (0.1 m)*F{k}.y", mass = "1 kg", {one} }}' for k in names]
-    return "\n".join([*lines, "[run]", 'span = "1 s"', ""])
 
 
 def ours(kind, links):

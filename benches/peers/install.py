@@ -11,9 +11,12 @@ import subprocess
 import sys
 import venv
 
-PYTHON = ["numpy", "heyoka", "scipy", "scikit-sundae", "jax", "diffrax", "casadi"]
+PYTHON = ["numpy", "heyoka", "scipy", "jax", "diffrax", "casadi"]
 # a header that is needed, and the package that brings it
-DEBIAN = {"gsl/gsl_odeiv2.h": "libgsl-dev", "boost/numeric/odeint.hpp": "libboost-dev"}
+DEBIAN = {"gsl/gsl_odeiv2.h": "libgsl-dev", "boost/numeric/odeint.hpp": "libboost-dev", "ida/ida.h": "libsundials-dev"}
+# RADAU5 of Hairer and Wanner stands compiled in a library for R, which it needs for printing alone
+RADAU5 = "usr/lib/R/site-library/deSolve/libs/deSolve.so"
+RADAU5_PACKAGES = ["r-cran-desolve", "libblas3", "libgfortran5", "libquadmath0"]
 
 
 def environment(folder, names=PYTHON):
@@ -69,10 +72,26 @@ def debian(folder):
     return flags, [header for header in DEBIAN if has(header, flags)], missing
 
 
+def radau5(folder):
+    """Flags that link RADAU5, and why there is none."""
+    root = folder / "debian"
+    library = root / RADAU5
+    if not library.exists():
+        for package in RADAU5_PACKAGES:
+            unpack(package, root)
+    if not library.exists():
+        return [], {"RADAU5": f"apt-get cannot download {RADAU5_PACKAGES[0]}"}
+    # an empty library in the place of R
+    stand_in = root / "libR.so"
+    subprocess.run(["gcc", "-shared", "-x", "c", "/dev/null", "-o", stand_in], check=True)
+    places = [root, *root.glob("usr/lib/*-linux-gnu"), *root.glob("usr/lib/*-linux-gnu/blas")]
+    return [str(library), "-Wl,--allow-shlib-undefined", *(f"-Wl,-rpath,{place},--disable-new-dtags" for place in places)], {}
+
+
 def unpack(package, root):
     """Unpacks a Debian package, and those of its own source that it depends on."""
     root.mkdir(parents=True, exist_ok=True)
-    family = re.match(r"lib[a-z]+", package).group().removesuffix("dev")
+    family = re.match(r"[a-z-]+", package).group().removesuffix("-dev")
     waiting, seen = [package], set()
     while waiting:
         name = waiting.pop()

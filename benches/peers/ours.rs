@@ -10,6 +10,7 @@ use dalembert_derivations::studies::AnyScene;
 use field::{DoubleDouble, Over};
 use integrators::{Dual8, Jacobian, Ode, Outcome, Real, Span, System, Tolerance, integrate, integrate_in, reference};
 use reader::Family;
+use scenes::ModelScene;
 use simulation::{Axes, Problem, TracedOde, methods, traced};
 use std::error::Error;
 use std::fs;
@@ -21,6 +22,7 @@ use symbolic::{Language, Sym, Tape};
 
 #[path = "../peak/mod.rs"]
 mod peak;
+mod residual;
 
 const AXES: Axes = Axes::Second;
 const CALLS: u32 = 20_000;
@@ -43,6 +45,12 @@ fn main() -> Result<(), Box<dyn Error>> {
     let code = Exported::of(&scene)?;
     if let Some(folder) = after("--code") {
         code.write(Path::new(folder))?;
+        if let AnyScene::Model(_) = &scene
+            && let Ok(read) = ModelScene::parse(path, &fs::read_to_string(path)?)
+            && let Some(text) = residual::header(&read.model)
+        {
+            fs::write(Path::new(folder).join("dae.h"), format!("#include <math.h>\n\n{text}"))?;
+        }
     }
     let begin = Instant::now();
     let problem = problem(&scene);

@@ -4,7 +4,7 @@
     python3 benches/peers/run.py [--rounds 3] [--install] [--reduced] [SCENE.toml ...]
 
 needs cargo, Python 3.10, and the network once: the peers go into target/peers (install.py). Without scenes all are run: the
-three here against all peers, those of scenes/ against heyoka, and these with the reduced model where they have one. With
+three here and problems of others against all peers, those of scenes/ against heyoka, and these with the reduced model where they have one. With
 scenes only these, with --reduced their reduced model; the others' last figures are kept. `--install` installs, compiles, and
 runs nothing. Writes results.json and results.md; ends with 1 where a tool does not agree with the reference.
 
@@ -18,8 +18,10 @@ What is compared, and how:
 * Below what double precision rounds we go on in double-double, and heyoka in long double, in a scan of its own of each round.
 * The tools take turns at each tolerance, several rounds; figures are medians. Each clock runs inside the tool's own process.
   Setting up (recording, compiling, tracing) is counted apart; heyoka compiles for each tolerance, and it is that of one.
-  SciPy and SUNDIALS call the compiled C through ctypes: that and their own Python are in their times, as in any use of
-  them from Python.
+  SciPy calls the compiled C through ctypes: that and its own Python are in its times, as in any use of it from Python.
+* CVODE, IDA and RADAU5 run in one compiled program on the same C (dae.cpp). CVODE and RADAU5 take the ordinary differential
+  equations; IDA and RADAU5 take the residual with multipliers too, in index 1 and, after Gear, Gupta and Leimkuhler, in
+  index 2 (residual.rs). Errors count positions and speeds; heyoka is left out where it is not compiled in a minute.
 * The reduced model has two windings in the place of all damper bars: the same motion, proved. It is compared with itself,
   and ours with heyoka's full one.
 """
@@ -44,6 +46,12 @@ SMOOTH = sorted((ROOT / "scenes").glob("*.toml"))
 # problems of others that are smooth: of constraints twice differentiated, which all tools run
 FOREIGN = [ROOT / "scenes" / "foreign" / f"{name}.toml" for name in (
     "andrews_mechanism", "bicycle", "car_axis", "cartesian_pendulum", "flexible_slider_crank", "pleiades", "pushed_cart_pole", "triple_pendulum")]
+# a drive whose diodes conduct backwards, with a constraint that is led to zero
+FOREIGN += [ROOT / "scenes" / "drive" / "stiff_diode.toml"]
+# all methods of ours that are ahead at some tolerance of some of them
+OURS_OF_OTHERS = ["taylor", "dormand_prince_8", "verner_9", "gragg_bulirsch_stoer", "bader_deuflhard", "rodas_4", "radau_iia:5", "radau_iia:7"]
+# one tolerance of one setting takes longer to compile
+NO_HEYOKA = {"andrews_mechanism", "bicycle", "flexible_slider_crank", "stiff_diode"}
 REDUCED = "equivalent_windings"
 # the scans: of double precision, and of what has more digits
 TOLERANCES = [10.0 ** (-k / 2) for k in range(6, 31)]
@@ -72,20 +80,22 @@ def optional(name, missing, setup, make):
     return {}
 
 
-def compare(path, model, rounds, cpp, missing):
+def compare(path, model, rounds, cpp, radau5, missing):
     """One scene: times by tolerance, evaluations, set-up times."""
     from scene import Library, Scene
-    from sides import casadi_side, compiled_side, diffrax_side, heyoka_side, scipy_side, sundials_side
+    from sides import casadi_side, compiled_side, dae_side, diffrax_side, heyoka_side, scipy_side
     from turns import measure
 
     with tempfile.TemporaryDirectory() as folder:
         scene = Scene(path, folder, model)
         setup, ask = {"dalembert": scene.ours.ask("setup")[0] / 1e9}, {}
-        runs = {f"dalembert {name}": scene.ours.run(name) for name in OURS[scene.stiff]}
-        runs |= optional("heyoka", missing, setup, lambda: heyoka_side.runs(scene, TOLERANCES))
+        with_heyoka = path.stem not in NO_HEYOKA
+        runs = {f"dalembert {name}": scene.ours.run(name) for name in (OURS_OF_OTHERS if path in FOREIGN else OURS[scene.stiff])}
+        if with_heyoka:
+            runs |= optional("heyoka", missing, setup, lambda: heyoka_side.runs(scene, TOLERANCES))
         if "heyoka" in setup:
             setup["heyoka"] /= len(TOLERANCES) * len(heyoka_side.SETTINGS)
-        if path in TABLES:
+        if path in TABLES + FOREIGN:
             casadi = optional("CasADi", missing, setup, lambda: casadi_side.compiled(scene))
             ask = {"our rates": (scene.ours, "rates"), "our Jacobian": (scene.ours, "jacobian"), "num-dual Jacobian": (scene.ours, "num-dual")}
             found = optional("C++", missing, setup, lambda: compiled_side.server(scene, *cpp, casadi)) or (None, {})
@@ -94,13 +104,16 @@ def compare(path, model, rounds, cpp, missing):
             if found[0] and casadi:
                 ask["CasADi's C, Jacobian"] = (found[0], "casadi")
             library = Library(scene)
+            scipy = ["DOP853", "Radau"] if path in FOREIGN else ["Radau", "BDF"] if scene.stiff else ["DOP853"]
             runs |= found[1]
-            runs |= optional("SciPy", missing, setup, lambda: scipy_side.runs(scene, library))
-            runs |= optional("SUNDIALS", missing, setup, lambda: sundials_side.runs(scene, library))
+            runs |= optional("SciPy", missing, setup, lambda: scipy_side.runs(scene, library, scipy))
+            runs |= optional("SUNDIALS and RADAU5", missing, setup, lambda: dae_side.runs(scene, cpp[0], radau5))
+        if path in TABLES:
             runs |= optional("diffrax", missing, setup, lambda: diffrax_side.runs(scene))
         finest = FINEST[scene.stiff]
         finer = {f"dalembert {finest}": scene.ours.run(finest)}
-        finer |= optional("heyoka, long double", missing, setup, lambda: heyoka_side.finer(scene, FINER))
+        if with_heyoka:
+            finer |= optional("heyoka, long double", missing, setup, lambda: heyoka_side.finer(scene, FINER))
         if "heyoka, long double" in setup:
             setup["heyoka, long double"] /= len(FINER)
         points, failed = measure(scene, [(runs, TOLERANCES), (finer, FINER)], rounds)
@@ -146,7 +159,8 @@ def main():
     if pathlib.Path(sys.prefix) != FOLDER / "venv":
         return subprocess.run([python, __file__, *sys.argv[1:]]).returncode
     flags, headers, without = install.debian(FOLDER)
-    missing |= without
+    radau5, without_radau5 = install.radau5(FOLDER)
+    missing |= without | without_radau5
     subprocess.run(["cargo", "bench", "--quiet", "--bench", "peers", "--no-run"], cwd=ROOT, check=True)
     if asked.install:
         print("\n".join(f"{name}: {reason}" for name, reason in missing.items()) or "all peers are there")
@@ -160,7 +174,7 @@ def main():
     for path, model in plan:
         key = path.stem + (", reduced" if model else "")
         print(key, file=sys.stderr, flush=True)
-        results[key] = compare(path, model, asked.rounds, (flags, headers), missing)
+        results[key] = compare(path, model, asked.rounds, (flags, headers), radau5, missing)
         results["machine"] = {"processor": install.processor(), "python": platform.python_version(), "missing": missing}
         write(results)
     disagree = [f"{key}: {name}" for key, result in results.items() if key not in ("machine", "summary") for name in result["disagree"]]

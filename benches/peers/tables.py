@@ -3,6 +3,8 @@
 from turns import at_error
 
 ERRORS = [1e-6, 1e-9, 1e-12]
+# of the tables of all tools
+COLUMNS = [1e-4, 1e-6, 1e-8, 1e-10, 1e-12]
 FINE = [1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15]
 # what has more digits than double precision
 FINER = ("double-double", "long double")
@@ -68,7 +70,7 @@ def beside(own, other):
     """A row a scene: our best beside heyoka's."""
     lines = ["| scene | states | " + " | ".join(f"{error:.0e}" for error in FINE) + " | least error |", "|---|---|" + "---|" * (len(FINE) + 1)]
     for key, result in own.items():
-        if not other[key]:
+        if not other[key] or not rows(other[key], False):
             continue
         ours, theirs = rows(result, True), rows(other[key], False)
         cells = [pair(*(best(side, error) for side in (ours, theirs)), *(best(side, error, True) for side in (ours, theirs))) for error in FINE]
@@ -90,14 +92,14 @@ def pair(ours, theirs, our_finer=None, their_finer=None):
 def table(key, result):
     """One scene, all tools."""
     plain = {name: points for name, points in result["points"].items() if not name.endswith(FINER)}
-    milliseconds = {name: [at_error(points, error) for error in ERRORS] for name, points in plain.items()}
+    milliseconds = {name: [at_error(points, error) for error in COLUMNS] for name, points in plain.items()}
     own = [row for name, row in milliseconds.items() if name.startswith("dalembert")]
-    least = [min((row[k] for row in own if row[k]), default=None) for k in range(len(ERRORS))]
+    least = [min((row[k] for row in own if row[k]), default=None) for k in range(len(COLUMNS))]
     cell = lambda value, ours: "-" if value is None else f"{value:.3f} ({value / ours:.2f})" if ours else f"{value:.3f}"
     lines = [f"## {key}, {result['states']} states", "", "Milliseconds to reach the error, and in brackets the ratio to our best.", "",
-             "| tool | " + " | ".join(f"{error:.0e}" for error in ERRORS) + " |", "|---|" + "---|" * len(ERRORS)]
+             "| tool | " + " | ".join(f"{error:.0e}" for error in COLUMNS) + " |", "|---|" + "---|" * len(COLUMNS)]
     for name, row in milliseconds.items():
-        shown = ["does not agree with the reference"] * len(ERRORS) if name in result["disagree"] else map(cell, row, least)
+        shown = ["does not agree with the reference"] * len(COLUMNS) if name in result["disagree"] else map(cell, row, least)
         lines.append(f"| {name} | " + " | ".join(shown) + " |")
     rates = result["nanoseconds"]["our rates"]
     lines += ["", "| evaluation | ns | in our rates | sums and products | of the processor's most |", "|---|---|---|---|---|"]

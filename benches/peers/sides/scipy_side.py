@@ -3,7 +3,7 @@
 from turns import clocked, repeated
 
 
-def runs(scene, library):
+def runs(scene, library, methods):
     from scipy.integrate import solve_ivp
 
     def by(method):
@@ -19,4 +19,4 @@ def runs(scene, library):
 
         return lambda tolerance: repeated(lambda: once(tolerance))
 
-    return {f"SciPy {method}": by(method) for method in (["Radau", "BDF"] if scene.stiff else ["DOP853"])}
+    return {f"SciPy {method}": by(method) for method in methods}

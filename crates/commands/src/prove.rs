@@ -1,10 +1,10 @@
 //! `dalembert prove`: whether every principle gives a system the same equations of motion, and whether these keep what they should.
 
 use crate::arguments::Format;
-use crate::exit::{Exit, print};
+use crate::exit::{Exit, is_quiet, print, warn};
 use ::scenes::SystemText;
 use clap::{Args, ValueEnum};
-use model::{Agreement, Judgement, Mistake, Subject, Trace, judged_mistake, judgements};
+use model::{Agreement, Judgement, Mistake, Model, Subject, Trace, Work, forming, judged_mistake, judgements};
 use serde_json::json;
 use std::path::PathBuf;
 
@@ -43,8 +43,9 @@ impl From<MistakeName> for Mistake {
 pub fn prove(asked: &Asked) -> Result<Exit, Exit> {
     let model = SystemText::read(&asked.scene)?.for_judgement()?;
     let mistake = asked.mistake.map(Mistake::from);
+    tell_of_forming(&model);
     let rows: Vec<Judgement> = symbolic::apart(|| {
-        let trace = Trace::of(&model);
+        let trace = Trace::of(&model).heard_by(tell);
         match mistake {
             Some(mistake) => vec![judged_mistake(&trace, mistake)],
             None => judgements(&trace),
@@ -59,6 +60,24 @@ pub fn prove(asked: &Asked) -> Result<Exit, Exit> {
     })?;
     let fails = |row: &Judgement| row.fails() || mistake.is_some() && row.agreement.is_err();
     Ok(if rows.iter().any(fails) { Exit::Stopped } else { Exit::Done })
+}
+
+/// Seconds of a comparison below which nobody wants to hear of it.
+const SHORT: f64 = 0.1;
+
+/// Tells of equations that are long to form.
+fn tell_of_forming(model: &Model) {
+    let (seconds, bytes) = forming(model);
+    if seconds > SHORT && !is_quiet() {
+        warn(&format!("equations by every principle: about {seconds:.1} s and {:.0} MB", bytes / 1e6));
+    }
+}
+
+/// Tells of a long comparison before it begins.
+fn tell(work: &Work) {
+    if work.seconds() > SHORT && !is_quiet() {
+        warn(&work.to_string());
+    }
 }
 
 /// Characters of a list of divisors that is written in each line; a longer one in the first line that has it.

@@ -1,13 +1,13 @@
 //! Whether two principles give the same equations: residuals are compared as they stand, linear in the accelerations, never solved.
 
-use crate::Trace;
 use crate::divisors::named;
-use crate::equations::{Characteristics, constraints_of};
+use crate::equations::constraints_of;
 use crate::principles::{NotApplicable, Principle, Projection, linear};
 use crate::real_points::{equal_digits, value_at_start};
 use crate::theorem;
+use crate::{Trace, Work};
 use std::fmt;
-use symbolic::{Decision, Hypotheses, Identity, Sym, decide, identified};
+use symbolic::{Decision, Hypotheses, Identity, IdentityTest, Sym, decide, identified};
 
 /// The degree to which two principles are known to agree.
 #[derive(Clone, Debug, PartialEq)]
@@ -114,14 +114,23 @@ const MOST_OF_QUOTIENTS: usize = 300;
 pub fn agreement(trace: &Trace<'_>, one: Principle, other: Principle) -> Result<Agreement, NotApplicable> {
     let (of_one, of_other) = (one.residual(trace)?, other.residual(trace)?);
     let pairs: Vec<(Sym, Sym)> = of_one.into_iter().zip(of_other).collect();
-    Ok(with_theorem(trace, &pairs, MOST_BESIDE_THEOREM, || theorem::holds(trace, one) && theorem::holds(trace, other)))
+    let subject = format!("{} = {}", one.name(), other.name());
+    let holds = || theorem::holds(trace, one) && theorem::holds(trace, other);
+    Ok(with_theorem(trace, &subject, &pairs, MOST_BESIDE_THEOREM, holds))
 }
 
 /// The same where a theorem says that both sides are equal, if it does: then long ones need no normal form.
-fn with_theorem(trace: &Trace<'_>, pairs: &[(Sym, Sym)], most: usize, holds: impl Fn() -> bool) -> Agreement {
+fn with_theorem(
+    trace: &Trace<'_>,
+    subject: &str,
+    pairs: &[(Sym, Sym)],
+    most: usize,
+    holds: impl Fn() -> bool,
+) -> Agreement {
     let differences: Vec<Sym> = pairs.iter().map(|&(one, other)| one - other).collect();
     let is_long = Sym::operations_of(&differences) > most;
-    match if is_long && holds() { up_to(trace, pairs, most) } else { decided(trace, pairs) } {
+    let most = if is_long && holds() { most } else { MOST_EXPANDED };
+    match up_to(trace, subject, pairs, most) {
         Agreement::Identified { points, error } if holds() => Agreement::Theorem { points, error },
         decided => decided,
     }
@@ -144,19 +153,20 @@ pub fn projected_agreement(trace: &Trace<'_>, projection: Projection) -> Result<
     if constraints.is_empty() {
         return Err(NotApplicable("without constraints its equations are those of lagrange".to_owned()));
     }
-    let characteristics = Characteristics::of(trace, &constraints);
+    let characteristics = trace.characteristics();
     let named = |places: &mut dyn Iterator<Item = usize>| {
         places.map(|place| trace.speeds[place].to_string()).collect::<Vec<_>>().join(", ")
     };
     let dependent = named(&mut characteristics.dependent.iter().map(|&(place, _)| place));
     let independent = named(&mut characteristics.independent.iter().copied());
+    let subject = format!("{} = {}", Principle::Lagrange.name(), projection.name());
     match projection {
         Projection::Maggi => {
             // letters in the place of inertia less forces: what follows holds for any
             let any: Vec<Sym> = (0..trace.speeds.len()).map(|i| Sym::symbol(&format!("residual {}", i + 1))).collect();
             let (by_maggi, by_multipliers) = (characteristics.along(&any), characteristics.without_reactions(&any));
             let pairs: Vec<(Sym, Sym)> = by_multipliers.into_iter().zip(by_maggi).collect();
-            let agreement = with_theorem(trace, &pairs, MOST_OF_QUOTIENTS, theorem::holds_for_any_rows);
+            let agreement = with_theorem(trace, &subject, &pairs, MOST_OF_QUOTIENTS, theorem::holds_for_any_rows);
             let points = format!(
                 "for any inertia and any forces: multipliers drop out along du/dw, with {dependent} by {}",
                 or_nothing(&independent)
@@ -164,14 +174,15 @@ pub fn projected_agreement(trace: &Trace<'_>, projection: Projection) -> Result<
             Ok(Projected { agreement, points })
         }
         Projection::Shulgin => {
-            let by_shulgin = projection.residual(trace, &constraints, &characteristics)?;
+            let by_shulgin = projection.residual(trace, &constraints, characteristics)?;
             let by_multipliers = characteristics.without_reactions(&Principle::Lagrange.residual(trace)?);
             let motion = linear(&constraints, characteristics.motion(trace, &constraints))?;
             let by_multipliers = motion.on_constraints(&by_multipliers);
             // a mass may depend on dependent speeds
             let by_shulgin = motion.on_constraints(&trace.with_masses(&by_shulgin));
             let pairs: Vec<(Sym, Sym)> = by_multipliers.into_iter().zip(by_shulgin).collect();
-            let agreement = with_theorem(trace, &pairs, MOST_BESIDE_THEOREM, || theorem::holds_on_constraints(trace));
+            let agreement =
+                with_theorem(trace, &subject, &pairs, MOST_BESIDE_THEOREM, || theorem::holds_on_constraints(trace));
             let points = format!(
                 "at points on the constraints: all letters and {} are free, {dependent} and their rates follow",
                 or_nothing(&independent)
@@ -186,16 +197,21 @@ fn or_nothing(names: &str) -> &str {
 }
 
 /// Whether the two sides of every pair are equal, masses that vary by their values: on the highest rung that is reached.
-pub(crate) fn decided(trace: &Trace<'_>, pairs: &[(Sym, Sym)]) -> Agreement {
-    up_to(trace, pairs, MOST_EXPANDED)
+pub(crate) fn decided(trace: &Trace<'_>, subject: &str, pairs: &[(Sym, Sym)]) -> Agreement {
+    up_to(trace, subject, pairs, MOST_EXPANDED)
 }
 
 /// The same, with normal forms of differences up to so many operations.
-fn up_to(trace: &Trace<'_>, pairs: &[(Sym, Sym)], most: usize) -> Agreement {
+fn up_to(trace: &Trace<'_>, subject: &str, pairs: &[(Sym, Sym)], most: usize) -> Agreement {
     let (ones, others): (Vec<Sym>, Vec<Sym>) = pairs.iter().copied().unzip();
     let (ones, others) = (trace.with_masses(&ones), trace.with_masses(&others));
     let pairs: Vec<(Sym, Sym)> = ones.into_iter().zip(others).collect();
-    compared(&pairs, most, |divisor| value_at_start(trace, divisor), |divisor| named(trace, divisor))
+    let announce = |test: &IdentityTest| {
+        let (operations, points, degree) = (test.operations(), test.points(), test.degree());
+        let by_normal_form = points.is_none() || operations <= most;
+        trace.announce(&Work { subject: subject.to_owned(), operations, points, degree, by_normal_form });
+    };
+    compared(&pairs, most, announce, |divisor| value_at_start(trace, divisor), |divisor| named(trace, divisor))
 }
 
 /// Divisors below this are taken for zero at a start.
@@ -205,12 +221,15 @@ const VANISHES: f64 = 1e-12;
 fn compared(
     pairs: &[(Sym, Sym)],
     most: usize,
+    announce: impl Fn(&IdentityTest),
     value_at_start: impl Fn(Sym) -> Option<f64>,
     named: impl Fn(Sym) -> Option<String>,
 ) -> Agreement {
     let differences: Vec<Sym> = pairs.iter().map(|&(one, other)| one - other).collect();
-    let identity = identified(&differences);
-    if let (Identity::Identified { points, error, .. }, true) = (&identity, Sym::operations_of(&differences) > most) {
+    let test = IdentityTest::of(&differences);
+    announce(&test);
+    let identity = test.outcome();
+    if let (Identity::Identified { points, error, .. }, true) = (&identity, test.operations() > most) {
         return Agreement::Identified { points: *points, error: *error };
     }
     if identity == Identity::NotZero {
@@ -280,8 +299,9 @@ mod tests {
         apart(|| {
             let [x, y] = symbols(["x", "y"]);
             let root = (x * x + y * y).sqrt();
-            let compared =
-                |pairs: &[(Sym, Sym)]| compared(pairs, MOST_EXPANDED, |_| None, |divisor| Some(divisor.to_string()));
+            let compared = |pairs: &[(Sym, Sym)]| {
+                compared(pairs, MOST_EXPANDED, |_| (), |_| None, |divisor| Some(divisor.to_string()))
+            };
             assert!(matches!(compared(&[(root * root, x * x + y * y)]), Agreement::Proved { .. }));
             assert!(matches!(compared(&[(root, x + y)]), Agreement::Refuted { .. }));
         });
@@ -295,9 +315,10 @@ mod tests {
             let at = |x: f64, y: f64| {
                 let value =
                     |divisor: Sym| divisor.evaluate_analytic(&|name: &str| Some(if name == "x" { x } else { y })).ok();
-                compared(&pairs, MOST_EXPANDED, value, |divisor| Some(divisor.to_string())).to_string()
+                compared(&pairs, MOST_EXPANDED, |_| (), value, |divisor| Some(divisor.to_string())).to_string()
             };
-            let none = compared(&pairs, MOST_EXPANDED, |_| None, |divisor| Some(divisor.to_string())).to_string();
+            let none =
+                compared(&pairs, MOST_EXPANDED, |_| (), |_| None, |divisor| Some(divisor.to_string())).to_string();
             assert!(none.starts_with("proved") && !none.contains("at the start"), "{none}");
             assert!(at(2.0, 3.0).ends_with(" (at the start none of them does)"), "{}", at(2.0, 3.0));
             assert!(at(0.0, 3.0).ends_with(" (at the start x vanishes)"), "{}", at(0.0, 3.0));
@@ -309,7 +330,7 @@ mod tests {
         apart(|| {
             let [x, y] = symbols(["x", "y"]);
             let long = (0..2_500).fold(x, |sum, k| sum * y + Sym::int(k));
-            let found = compared(&[(x, x), (long, long * Sym::int(2))], MOST_EXPANDED, |_| None, |_| None);
+            let found = compared(&[(x, x), (long, long * Sym::int(2))], MOST_EXPANDED, |_| (), |_| None, |_| None);
             let Agreement::Refuted { equation: 1, point } = found else { panic!("{found}") };
             assert_eq!(point, "not zero at a random point of a prime field");
         });

@@ -45,6 +45,7 @@ mod theorem;
 mod trace;
 mod values;
 mod variations;
+mod work;
 
 pub use agreement::{Agreement, Projected, agreement, projected_agreement};
 pub use arena::{Function, Number, ScalarId, VectorId};
@@ -71,3 +72,4 @@ pub use source::{
 pub use statements::{Mistake, Mistaken, PowerBalance, Statement, mistaken, statements};
 pub use trace::{Trace, Vector, quaternion_rates, turned_further};
 pub use variations::{Variations, Varied};
+pub use work::{Work, forming};

@@ -71,6 +71,7 @@ pub fn quasi_agreement(
     one: QuasiPrinciple,
     other: QuasiPrinciple,
 ) -> Result<Agreement, NotApplicable> {
+    let subject = format!("{} = {} in quasi-velocities", one.name(), other.name());
     let (one, other) = (one.residual(quasi)?, other.residual(quasi)?);
-    Ok(decided(quasi.trace, &one.into_iter().zip(other).collect::<Vec<_>>()))
+    Ok(decided(quasi.trace, &subject, &one.into_iter().zip(other).collect::<Vec<_>>()))
 }

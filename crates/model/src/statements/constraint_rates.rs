@@ -35,7 +35,8 @@ fn statement(trace: &Trace<'_>, place: usize, constraint: &Equation, relative: &
         let others = constraints_of(trace).into_iter().filter(|other| other.law.is_none());
         pairs.extend(others.map(|other| (combined(&|speed| other.row[speed]), Sym::ZERO)));
     }
-    let agreement = decided(trace, &pairs);
+    let subject = constraint.title(place);
+    let agreement = decided(trace, &subject, &pairs);
     let written = || power.written(trace, place).unwrap_or_else(|| format!("{} J u", multiplier(trace, place)));
     let work = match power.is_zero() {
         true if constraint.law.is_some() => {
@@ -49,7 +50,7 @@ fn statement(trace: &Trace<'_>, place: usize, constraint: &Equation, relative: &
     let chooses = constraint.zero.symbols_of().iter().any(|symbol| trace.switches.contains(symbol));
     let says = if chooses { piecewise(trace, &says) } else { says };
     let says = while_inputs_rest(trace, &[constraint.zero], says);
-    Statement { subject: constraint.title(place), says, agreement }
+    Statement { subject, says, agreement }
 }
 
 /// The combination of the rates of a constraint that its equation keeps at zero, and its name.

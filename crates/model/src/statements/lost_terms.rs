@@ -6,7 +6,7 @@
 
 use crate::Trace;
 use crate::agreement::{Agreement, decided};
-use crate::equations::{Characteristics, Level, constraints_of, vanishes};
+use crate::equations::{Level, constraints_of, vanishes};
 use crate::principles::hamilton::momenta;
 use crate::principles::lagrange::inertia;
 use crate::principles::{NotApplicable, linear, operator};
@@ -75,12 +75,16 @@ fn constraints_in_energy(trace: &Trace<'_>) -> Result<(Mistaken, &'static str), 
     if constraints.iter().all(|constraint| constraint.level == Level::Position) {
         return Err(NotApplicable("no constraint of the system speaks of speeds".to_owned()));
     }
-    let characteristics = Characteristics::of(trace, &constraints);
+    let characteristics = trace.characteristics();
     let motion = linear(&constraints, characteristics.motion(trace, &constraints))?;
     let inertia: Vec<Sym> = (0..trace.speeds.len()).map(|i| inertia(trace, i)).collect();
     let right = motion.on_constraints(&characteristics.along(&inertia));
-    let naive = operator(trace, &characteristics, &motion);
-    let agreement = decided(trace, &naive.energy.iter().copied().zip(right).collect::<Vec<_>>());
+    let naive = operator(trace, characteristics, &motion);
+    let agreement = decided(
+        trace,
+        Mistake::ConstraintsInEnergy.name(),
+        &naive.energy.iter().copied().zip(right).collect::<Vec<_>>(),
+    );
     let is_integrable =
         trace.model.free.is_empty() && naive.brackets.iter().flatten().all(|&bracket| vanishes(bracket));
     let reason = if is_integrable { "its constraints of speeds are integrable" } else { "the lost terms cancel" };
@@ -97,7 +101,11 @@ fn accelerations_in_energy(trace: &Trace<'_>) -> Mistaken {
     let n = trace.speeds.len();
     let naive = substitute_all(&momenta(trace), &primed);
     let right: Vec<Sym> = (0..n).map(|i| inertia(trace, i)).collect();
-    let agreement = decided(trace, &naive.iter().copied().zip(right.iter().copied()).collect::<Vec<_>>());
+    let agreement = decided(
+        trace,
+        Mistake::AccelerationsInEnergy.name(),
+        &naive.iter().copied().zip(right.iter().copied()).collect::<Vec<_>>(),
+    );
     let names = (0..n).map(|i| trace.direction(i));
     let lost: Vec<Sym> = right.into_iter().zip(naive).map(|(right, naive)| right - naive).collect();
     let says = Mistake::AccelerationsInEnergy.says().to_owned();

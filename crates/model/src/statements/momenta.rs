@@ -27,8 +27,8 @@ pub(super) fn statements(trace: &Trace<'_>) -> Vec<Statement> {
     let of = |i: usize| {
         let idle = constraints.iter().map(|constraint| (constraint.row[i], Sym::ZERO));
         let kept = [(trace.rate_of(momenta[i]), residual[i])];
-        let agreement = decided(trace, &kept.into_iter().chain(idle).collect::<Vec<_>>());
         let subject = format!("momentum of {}", trace.direction(i));
+        let agreement = decided(trace, &subject, &kept.into_iter().chain(idle).collect::<Vec<_>>());
         let kinetic = if trace.model.energies.coenergy.is_some() { "d(T + W')" } else { "dT" };
         let says = piecewise(trace, &format!("({kinetic}/d{})' is zero", trace.speeds[i]));
         Statement { subject, says: while_inputs_rest(trace, &[lagrangian], says), agreement }

@@ -92,10 +92,11 @@ pub(super) fn statement(trace: &Trace<'_>) -> Statement {
     let equations = residual(trace).iter().enumerate().map(of_speed).fold(Sym::ZERO, |sum, each| sum + each);
     let rate = trace.rate_of(energy.is) + by_masses;
     let stated = by_forces.is + of_reactions(|power| power.working) + energy.by_time + by_masses;
-    let agreement = decided(trace, &[(rate, stated + equations + of_reactions(|power| power.idle))]);
+    let subject = "energy".to_owned();
+    let agreement = decided(trace, &subject, &[(rate, stated + equations + of_reactions(|power| power.idle))]);
     let says = piecewise(trace, &says(trace, &energy, &by_forces, &powers));
     let known: Vec<Sym> = constraints.iter().map(|one| one.zero).chain([energy.is]).collect();
-    Statement { subject: "energy".to_owned(), says: while_inputs_rest(trace, &known, says), agreement }
+    Statement { subject, says: while_inputs_rest(trace, &known, says), agreement }
 }
 
 /// The balance in words.
