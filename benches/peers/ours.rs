@@ -83,7 +83,8 @@ fn main() -> Result<(), Box<dyn Error>> {
                 } else {
                     repeated(|| integrate(law, method, &tolerance, &span, &mut ()))
                 };
-                println!("{took} {}", row(&mut state.into_iter(), span.end));
+                let ended = if state.is_empty() { String::new() } else { row(&mut state.into_iter(), span.end) };
+                println!("{took} {ended}");
             }
             None if line == "setup" => println!("{setup}"),
             None if line == "operations" => {

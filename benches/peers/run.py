@@ -49,7 +49,7 @@ FOREIGN = [ROOT / "scenes" / "foreign" / f"{name}.toml" for name in (
 # a drive whose diodes conduct backwards, with a constraint that is led to zero
 FOREIGN += [ROOT / "scenes" / "drive" / "stiff_diode.toml"]
 # all methods of ours that are ahead at some tolerance of some of them
-OURS_OF_OTHERS = ["taylor", "dormand_prince_8", "verner_9", "gragg_bulirsch_stoer", "bader_deuflhard", "rodas_4", "radau_iia:5", "radau_iia:7"]
+OURS_OF_OTHERS = ["taylor", "dormand_prince_8", "verner_9", "gragg_bulirsch_stoer", "bader_deuflhard", "rodas_4", "radau_iia:3", "radau_iia:5", "radau_iia:7"]
 # one tolerance of one setting takes longer to compile
 NO_HEYOKA = {"andrews_mechanism", "bicycle", "flexible_slider_crank", "stiff_diode"}
 REDUCED = "equivalent_windings"
@@ -58,7 +58,7 @@ TOLERANCES = [10.0 ** (-k / 2) for k in range(6, 31)]
 FINER = [10.0 ** (-k / 4) for k in range(54, 73)]
 OURS = {
     False: ["taylor", "dormand_prince_8", "gragg_bulirsch_stoer"],
-    True: ["taylor", "bader_deuflhard", "rodas_4", "radau_iia:5", "radau_iia:7"],
+    True: ["taylor", "bader_deuflhard", "rodas_4", "radau_iia:3", "radau_iia:5", "radau_iia:7"],
 }
 FINEST = {False: "taylor in double-double", True: "radau_iia:7 in double-double"}
 # who never comes nearer to the reference does not agree with it
