@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Chains of n links: dalembert beside Pinocchio, MuJoCo, CasADi and SymPy, in one run.
+"""Chains of n links: dalembert beside Pinocchio, MuJoCo, Drake, CasADi and SymPy, in one run.
 
     python3 benches/peers/chains.py
 
 The peers come into target/peers by name (install.py), and so does our own module (`pip install .`, some minutes). What cannot be had is
-said. Writes chains.md beside itself.
+said. Writes chains.md beside itself and draws book/src/chains.svg (growth.py).
 
 Each link is a rigid body of 1 kg, 0.2 m long, hinged to the one before it: about z alone in a plane, about z and x in turn in space.
 All tools are asked for the accelerations of the same states in turn, and agree to 1e-9. Times are microseconds of one call from Python, the smallest of
@@ -19,13 +19,14 @@ import subprocess
 import sys
 import time
 
+import growth
 import install
 from chain_text import ACROSS, ALONG, GRAVITY, LENGTH, MASS, axis, text
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 FOLDER = ROOT / "target" / "peers"
-PEERS = ["pin", "mujoco", "casadi", "sympy"]
+PEERS = ["pin", "mujoco", "drake", "casadi", "sympy"]
 if __name__ == "__main__" and pathlib.Path(sys.prefix) != FOLDER / "venv":
     python = install.environment(FOLDER, PEERS)[0]
     subprocess.run([python, "-m", "pip", "install", "--quiet", ROOT], check=True)
@@ -93,6 +94,47 @@ def mujoco(kind, links):
         return data.qacc.copy()
 
     return ready, lambda q, v: (ask(q, v), lambda: mujoco.mj_forward(model, data))[1], ask
+
+
+def drake(kind, links):
+    from pydrake.math import RigidTransform
+    from pydrake.multibody.plant import MultibodyPlant
+    from pydrake.multibody.tree import RevoluteJoint, SpatialInertia, UnitInertia
+
+    begin = time.perf_counter()
+    plant = MultibodyPlant(0.0)
+    plant.mutable_gravity_field().set_gravity_vector([0.0, -GRAVITY, 0.0])
+    # about the joint, per unit of mass: Steiner's part is added to the moments about the centre
+    about = UnitInertia(ACROSS / MASS + (LENGTH / 2) ** 2, ALONG / MASS, ACROSS / MASS + (LENGTH / 2) ** 2)
+    inertia, parent = SpatialInertia(MASS, [0.0, -LENGTH / 2, 0.0], about), plant.world_body()
+    for link in range(links):
+        body = plant.AddRigidBody(f"b{link}", inertia)
+        place = RigidTransform([0.0, -LENGTH if link else 0.0, 0.0])
+        about_axis = [0.0, 0.0, 1.0] if axis(kind, link) == "z" else [1.0, 0.0, 0.0]
+        plant.AddJoint(RevoluteJoint(f"q{link}", plant.AddFrame(fixed(place, parent)), body.body_frame(), about_axis))
+        parent = body
+    plant.Finalize()
+    context = plant.CreateDefaultContext()
+    rates = plant.AllocateTimeDerivatives()
+    ready = time.perf_counter() - begin
+
+    def ask(q, v):
+        plant.SetPositionsAndVelocities(context, np.concatenate([q, v]))
+        plant.CalcTimeDerivatives(context, rates)
+        return rates.CopyToVector()[links:]
+
+    def timed(q, v):
+        state = np.concatenate([q, v])
+        # what is known of a state is kept until another is set
+        return lambda: (plant.SetPositionsAndVelocities(context, state), plant.CalcTimeDerivatives(context, rates))
+
+    return ready, timed, ask
+
+
+def fixed(place, parent):
+    from pydrake.multibody.tree import FixedOffsetFrame
+
+    return FixedOffsetFrame(f"at {parent.name()}", parent.body_frame(), place)
 
 
 def energies(kind, links, q, v, cos, sin):
@@ -169,7 +211,7 @@ def sympy(kind, links):
     return ready, lambda q, v: lambda: ask(q, v), ask
 
 
-SIDES = {"dalembert": ours, "Pinocchio aba": pinocchio, "MuJoCo mj_forward": mujoco, "CasADi": casadi, "SymPy": sympy}
+SIDES = {"dalembert": ours, "Pinocchio aba": pinocchio, "MuJoCo mj_forward": mujoco, "Drake": drake, "CasADi": casadi, "SymPy": sympy}
 
 
 def call_time(call):
@@ -238,4 +280,5 @@ def page(results):
 
 if __name__ == "__main__":
     (HERE / "chains.md").write_text(page({kind: compare(kind) for kind in ("plane", "space")}))
+    growth.draw()
     print((HERE / "chains.md").read_text())
