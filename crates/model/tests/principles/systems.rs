@@ -216,3 +216,20 @@ pub fn chain(links: usize) -> Source {
         ..Source::default()
     }
 }
+
+/// The same in space: hinges about z and x in turn.
+pub fn spatial_chain(links: usize) -> Source {
+    let mut source = chain(links);
+    let frame = |k: usize| {
+        let before = if k == 1 { "N".to_owned() } else { format!("A{}", k - 1) };
+        (format!("A{k}"), format!("{before} turned q{k} about {}", if k % 2 == 1 { "z" } else { "x" }))
+    };
+    let frames = (1..=links).map(frame);
+    source.frames = frames.map(|(name, turned)| (name.as_str(), turned.as_str()).into()).collect();
+    for body in &mut source.bodies {
+        let about = ["m*l^2/12", "m*l^2/100", "m*l^2/12"].map(some);
+        let [xx, yy, zz] = about;
+        body.inertia = Some(InertiaSource::Tensor { axes: None, entries: Box::new([xx, yy, zz, None, None, None]) });
+    }
+    source
+}
