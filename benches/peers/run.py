@@ -22,6 +22,7 @@ What is compared, and how:
 * CVODE, IDA and RADAU5 run in one compiled program on the same C (dae.cpp). CVODE and RADAU5 take the ordinary differential
   equations; IDA and RADAU5 take the residual with multipliers too, in index 1 and, after Gear, Gupta and Leimkuhler, in
   index 2 (residual.rs). Errors count positions and speeds; heyoka is left out where it is not compiled in a minute.
+* MuJoCo, Drake and EXUDYN state two of the problems by models of their own, and their results are taken to our coordinates.
 * The reduced model has two windings in the place of all damper bars: the same motion, proved. It is compared with itself,
   and ours with heyoka's full one.
 """
@@ -83,7 +84,7 @@ def optional(name, missing, setup, make):
 def compare(path, model, rounds, cpp, radau5, missing):
     """One scene: times by tolerance, evaluations, set-up times."""
     from scene import Library, Scene
-    from sides import casadi_side, compiled_side, dae_side, diffrax_side, heyoka_side, scipy_side
+    from sides import casadi_side, compiled_side, dae_side, diffrax_side, heyoka_side, multibody_side, scipy_side
     from turns import measure
 
     with tempfile.TemporaryDirectory() as folder:
@@ -108,6 +109,9 @@ def compare(path, model, rounds, cpp, radau5, missing):
             runs |= found[1]
             runs |= optional("SciPy", missing, setup, lambda: scipy_side.runs(scene, library, scipy))
             runs |= optional("SUNDIALS and RADAU5", missing, setup, lambda: dae_side.runs(scene, cpp[0], radau5))
+        if path.stem in multibody_side.SCENES:
+            for name, side in multibody_side.TOOLS.items():
+                runs |= optional(name, missing, setup, lambda side=side: side(scene))
         if path in TABLES:
             runs |= optional("diffrax", missing, setup, lambda: diffrax_side.runs(scene))
         finest = FINEST[scene.stiff]
