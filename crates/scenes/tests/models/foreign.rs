@@ -167,9 +167,7 @@ fn five_links_go_on_for_half_a_minute_with_their_energy() {
 /// two ends of saturated creep.
 #[test]
 fn the_wheelset_moves_as_the_published_equations_say() {
-    let text = std::fs::read_to_string(folder().join("foreign/wheelset.toml")).expect("it is there");
-    let text = text.replace("span = \"10 s\"", "span = \"0.2 s\"");
-    let scene = ModelScene::parse("wheelset.toml", &text).unwrap_or_else(|error| panic!("{error}"));
+    let scene = scene("wheelset");
     let choice = Choice { method: Method::DormandPrince8, tolerance: 1e-11, ..scene.run().choice() };
     let run = scene.problem(Axes::First).simulate(&choice, |_| {});
     assert_eq!(run.stopped(), None);
