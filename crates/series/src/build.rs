@@ -17,7 +17,8 @@ pub(super) enum Definition {
     /// A sum of a constant and multiples of quantities.
     Sum(Form),
     Product(Atom, Atom),
-    Reciprocal(Atom),
+    /// A quantity, or one, by another.
+    Quotient(Option<Atom>, Atom),
     Root(Atom),
     /// An unknown of the linear equations.
     Unknown,
@@ -53,6 +54,8 @@ pub(super) struct Builder<'a> {
     known: FxHashMap<(u8, Atom, Atom), Atom>,
     /// The coordinates of circle points and the elementary functions among the states, as expressions.
     pub points: Vec<Sym>,
+    /// The cosines among the states; the sine of each is the next one.
+    pub circles: Vec<Atom>,
     pub reduction: Option<Reduction<'a>>,
     /// Products of sums with at most so many terms are multiplied out.
     multiplied_out: usize,
@@ -68,6 +71,7 @@ impl<'a> Builder<'a> {
         counting.build()?;
         let mut builder = Builder::new(equations, multiplied_out, counting.uses, true);
         builder.build()?;
+        builder.merge_quotients();
         Ok(builder)
     }
 
@@ -89,6 +93,7 @@ impl<'a> Builder<'a> {
             known_sums: FxHashMap::default(),
             known: FxHashMap::default(),
             points: Vec::new(),
+            circles: Vec::new(),
             reduction: None,
             multiplied_out,
             uses,
@@ -142,6 +147,7 @@ impl<'a> Builder<'a> {
         for each in order {
             if !self.forms.contains_key(&each) {
                 let form = self.form(each)?;
+                let form = self.on_circles(form);
                 let form = if self.gathers && whole.contains(&each) { self.gathered(form) } else { form };
                 self.forms.insert(each, form);
             }
@@ -175,7 +181,7 @@ impl<'a> Builder<'a> {
                     Some(constant) => above.times(Sym::ONE / constant),
                     None => {
                         let divisor = self.quantity(below);
-                        let reciprocal = self.intern(1, divisor, divisor, Definition::Reciprocal(divisor));
+                        let reciprocal = self.intern(1, divisor, divisor, Definition::Quotient(None, divisor));
                         self.product(above, Form::atom(reciprocal))
                     }
                 }
@@ -281,7 +287,7 @@ impl<'a> Builder<'a> {
             Definition::State => 0,
             Definition::Sum(form) => 4 + form.terms(),
             Definition::Product(..) => 8,
-            Definition::Reciprocal(_) | Definition::Root(_) => 24,
+            Definition::Quotient(..) | Definition::Root(_) => 24,
             // the same however the rest is written
             Definition::Unknown => 0,
         };
@@ -307,7 +313,8 @@ impl<'a> Builder<'a> {
                 _ if !used[atom] => {}
                 Definition::Sum(form) => form.linear.keys().for_each(|&part| used[part] = true),
                 Definition::Product(a, b) => (used[*a], used[*b]) = (true, true),
-                Definition::Reciprocal(a) | Definition::Root(a) => used[*a] = true,
+                Definition::Quotient(above, below) => above.iter().chain([below]).for_each(|&part| used[part] = true),
+                Definition::Root(a) => used[*a] = true,
             }
         }
         used

@@ -3,7 +3,7 @@
 use super::fused::Fused;
 use super::linear_equations::{Checked, LinearSeries};
 use super::pick::Selection;
-use super::plan::{Plan, Product, Slot, Sums};
+use super::plan::{Plan, Product, Quotient, Slot, Sums};
 use algebra::linear::Magnitude;
 use field::Scalar;
 
@@ -36,7 +36,7 @@ pub(super) struct Layout<S, const W: usize> {
 pub(super) struct Laid<S, const W: usize> {
     pub sums: Rows<S, W>,
     pub groups: Vec<Group<S, W>>,
-    pub reciprocals: Vec<Implicit<S>>,
+    pub quotients: Vec<Implicit<S>>,
     pub roots: Vec<Implicit<S>>,
     /// Whether there is one of them.
     pub has_implicit: bool,
@@ -56,14 +56,24 @@ pub(super) struct Group<S, const W: usize> {
     pub right: Vec<Packed<S, W>>,
 }
 
-/// A reciprocal or a root.
+/// A quotient or a root.
 #[derive(Clone, Debug)]
 pub(super) struct Implicit<S> {
     pub column: usize,
-    /// The column of what it is the reciprocal or root of.
+    /// The column of what it is the root of, or of what stands below.
     pub of: usize,
+    /// The column of what stands above, if not one.
+    pub above: Option<usize>,
     /// Its series, and that of the other.
     pub series: Vec<[S; 2]>,
+    /// One by the first coefficient of what stands below.
+    pub inverse: S,
+}
+
+impl<S: Scalar> Implicit<S> {
+    pub fn new(column: usize, of: usize, above: Option<usize>, order: usize) -> Self {
+        Implicit { column, of, above, series: vec![[S::zero(); 2]; order + 1], inverse: S::zero() }
+    }
 }
 
 /// W sums at a time: by columns, each with one coefficient for every sum.
@@ -106,23 +116,22 @@ impl<S: Scalar + Magnitude, const W: usize> Layout<S, W> {
                 Group { factors, first: first + number * W, left: room.clone(), right: room }
             };
             let groups = stage.products.chunks(W).enumerate().map(group).collect();
-            let mut implicit = |pairs: &[(Slot, Slot)]| -> Vec<Implicit<S>> {
-                let series = vec![[S::zero(); 2]; order + 1];
-                let one = |&(place, of): &(Slot, Slot)| {
-                    let column = columns.take::<1>([place]);
-                    Implicit { column, of: columns.of(of).into(), series: series.clone() }
-                };
-                pairs.iter().map(one).collect()
+            let mut implicit = |place: Slot, of: Slot, above: Option<Slot>| {
+                let column = columns.take::<1>([place]);
+                let [of, above] = [Some(of), above].map(|slot| slot.map(|slot| columns.of(slot).into()));
+                Implicit::new(column, of.unwrap_or(column), above, order)
             };
-            let (reciprocals, roots) = (implicit(&stage.reciprocals), implicit(&stage.roots));
-            let has_implicit = !(reciprocals.is_empty() && roots.is_empty());
+            let quotient = |&Quotient { place, above, below }: &Quotient| implicit(place, below, above);
+            let quotients: Vec<_> = stage.quotients.iter().map(quotient).collect();
+            let roots: Vec<_> = stage.roots.iter().map(|&(place, of)| implicit(place, of, None)).collect();
+            let has_implicit = !(quotients.is_empty() && roots.is_empty());
             columns.next = columns.next.next_multiple_of(W);
             let linear = stage.linear.as_ref().map(|linear| {
                 columns.take::<W>(linear.unknowns.iter().copied());
                 let factors = Checked::new(&linear.pattern);
                 Box::new(LinearSeries::new(linear, order, factors, |place| columns.of(place).into()))
             });
-            stages.push(Laid { sums, groups, reciprocals, roots, has_implicit, linear });
+            stages.push(Laid { sums, groups, quotients, roots, has_implicit, linear });
         }
         Layout { stages, rates: Rows::new(&plan.rates, 0, &columns) }
     }
@@ -152,8 +161,9 @@ impl<const W: usize> Layout<f64, W> {
             if let (Some(own), Some(finer)) = (&mut own.linear, &finer.linear) {
                 own.take(finer, up_to, S::rounded);
             }
-            let implicit = own.reciprocals.iter_mut().chain(&mut own.roots);
-            for (own, finer) in implicit.zip(finer.reciprocals.iter().chain(&finer.roots)) {
+            let implicit = own.quotients.iter_mut().chain(&mut own.roots);
+            for (own, finer) in implicit.zip(finer.quotients.iter().chain(&finer.roots)) {
+                own.inverse = finer.inverse.rounded();
                 let known = own.series[..up_to].iter_mut().zip(&finer.series);
                 known.for_each(|(own, finer)| *own = finer.map(S::rounded));
             }
@@ -164,7 +174,7 @@ impl<const W: usize> Layout<f64, W> {
 /// How many columns a plan takes with groups of W.
 pub(super) fn width(plan: &Plan, lanes: usize) -> usize {
     let stage = |stage: &super::plan::Stage| {
-        let single = (stage.reciprocals.len() + stage.roots.len()).next_multiple_of(lanes);
+        let single = (stage.quotients.len() + stage.roots.len()).next_multiple_of(lanes);
         let unknowns = stage.linear.as_ref().map_or(0, |linear| linear.unknowns.len()).next_multiple_of(lanes);
         let groups = stage.sum_places.len().next_multiple_of(lanes) + stage.products.len().next_multiple_of(lanes);
         groups + single + unknowns

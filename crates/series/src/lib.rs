@@ -2,7 +2,7 @@
 //!
 //! Of a sum with constant coefficients the series is the sum of the series, of a product it is Cauchy's:
 //! (a b)_k = sum_j a_j b_(k-j). Everything else is brought to these two. Cosine and sine of an angle become states with
-//! c' = -a' s, s' = a' c; a reciprocal solves (r b)_k = 0, a root (r r)_k = a_k, each a product solved for its last term.
+//! c' = -a' s, s' = a' c; a quotient solves (q b)_k = a_k, a root (r r)_k = a_k, each a product solved for its last term.
 //!
 //! Unknowns of linear equations are found order by order with one factorisation of the matrix: see [`algebra::linear`].
 //!
@@ -35,6 +35,7 @@ mod collect;
 mod expand;
 mod form;
 mod fused;
+mod identities;
 mod layout;
 mod linear_equations;
 mod order;

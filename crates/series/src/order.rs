@@ -1,4 +1,4 @@
-//! One order: sums, products, reciprocals and roots from what is known.
+//! One order: sums, products, quotients and roots from what is known.
 
 use super::fused::Fused;
 use super::layout::{Block, CHAINS, Group, Implicit, Laid, Packed};
@@ -77,20 +77,24 @@ impl<S: Analytic, const W: usize> Laid<S, W> {
     /// Rare, and kept out of the loop over the orders, which is short without it.
     #[inline(never)]
     pub fn implicit(&mut self, k: usize, now: &mut [S]) {
-        self.reciprocals.iter_mut().for_each(|each| now[each.column] = each.reciprocal(k, now[each.of]));
+        for each in &mut self.quotients {
+            now[each.column] = each.quotient(k, each.above.map(|above| now[above]), now[each.of]);
+        }
         self.roots.iter_mut().for_each(|each| now[each.column] = each.root(k, now[each.of]));
     }
 }
 
 impl<S: Analytic> Implicit<S> {
-    /// r_k from (r b)_k = 0, and r_0 = 1 / b_0.
-    pub fn reciprocal(&mut self, k: usize, newest: S) -> S {
-        self.series[k][1] = newest;
+    /// q_k from (q b)_k = a_k, and q_0 = a_0 / b_0; the reciprocal where nothing stands above.
+    pub fn quotient(&mut self, k: usize, above: Option<S>, below: S) -> S {
+        self.series[k][1] = below;
         let result = if k == 0 {
-            S::one() / newest
+            self.inverse = S::one() / below;
+            above.map_or(self.inverse, |above| above / below)
         } else {
             let pairs = self.series[..k].iter().zip(self.series[1..=k].iter().rev());
-            -pairs.fold(S::zero(), |sum, (r, b)| sum + r[0] * b[1]) * self.series[0][0]
+            let known = pairs.fold(S::zero(), |sum, (q, b)| sum + q[0] * b[1]);
+            above.map_or(-known, |above| above - known) * self.inverse
         };
         self.series[k][0] = result;
         result

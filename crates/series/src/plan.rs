@@ -31,7 +31,7 @@ pub(super) struct Stage {
     /// The places of the sums, by row.
     pub sum_places: Vec<Slot>,
     pub products: Vec<Product>,
-    pub reciprocals: Vec<(Slot, Slot)>,
+    pub quotients: Vec<Quotient>,
     pub roots: Vec<(Slot, Slot)>,
     pub linear: Option<LinearEquations>,
 }
@@ -59,6 +59,14 @@ pub(super) struct Product {
     pub place: Slot,
     pub a: Slot,
     pub b: Slot,
+}
+
+/// place = above / below; without a numerator the reciprocal
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Quotient {
+    pub place: Slot,
+    pub above: Option<Slot>,
+    pub below: Slot,
 }
 
 /// Row by row, constants and multiples of places; coefficients by their number.
@@ -111,7 +119,8 @@ impl Stage {
     /// The quantities that it brings.
     pub fn places(&self) -> impl Iterator<Item = Slot> {
         let products = self.products.iter().map(|product| product.place);
-        let implicit = self.reciprocals.iter().chain(&self.roots).map(|(place, _)| *place);
+        let quotients = self.quotients.iter().map(|quotient| quotient.place);
+        let implicit = quotients.chain(self.roots.iter().map(|(place, _)| *place));
         let unknowns = self.linear.iter().flat_map(|linear| linear.unknowns.iter().copied());
         self.sum_places.iter().copied().chain(products).chain(implicit).chain(unknowns)
     }
@@ -151,7 +160,8 @@ impl Plan {
                 Definition::State => continue,
                 Definition::Sum(form) => form.linear.keys().map(|&part| ready[part]).max().unwrap_or(0),
                 Definition::Product(a, b) => after(&[*a, *b]),
-                Definition::Reciprocal(a) | Definition::Root(a) => after(&[*a]),
+                Definition::Quotient(None, a) | Definition::Root(a) => after(&[*a]),
+                Definition::Quotient(Some(a), b) => after(&[*a, *b]),
                 Definition::Unknown => builder.reduction.as_ref().map_or(0, parts),
             };
             if stage >= stages.len() {
@@ -167,7 +177,10 @@ impl Plan {
                 Definition::Product(a, b) => {
                     here.products.push(Product { place, a: *a as Slot, b: *b as Slot });
                 }
-                Definition::Reciprocal(a) => here.reciprocals.push((place, *a as Slot)),
+                Definition::Quotient(above, below) => {
+                    let above = above.map(|above| above as Slot);
+                    here.quotients.push(Quotient { place, above, below: *below as Slot });
+                }
                 Definition::Root(a) => here.roots.push((place, *a as Slot)),
                 // the first brings all of them
                 Definition::Unknown => {
@@ -194,7 +207,7 @@ impl Plan {
 
     /// How many products of two series there are.
     pub fn products(&self) -> usize {
-        self.stages.iter().map(|stage| stage.products.len() + stage.reciprocals.len() + stage.roots.len()).sum()
+        self.stages.iter().map(|stage| stage.products.len() + stage.quotients.len() + stage.roots.len()).sum()
     }
 
     /// How many terms all sums have.

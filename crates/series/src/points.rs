@@ -21,6 +21,7 @@ impl Builder<'_> {
                     Node::Cos(angle) | Node::Sin(angle) => {
                         let [cos, sin] = [Node::Cos(angle), Node::Sin(angle)].map(Sym::from_node);
                         let rate = self.rate(angle);
+                        self.circles.push(self.definitions.len());
                         self.admit(cos, -(sin * rate), rates);
                         self.admit(sin, cos * rate, rates);
                     }

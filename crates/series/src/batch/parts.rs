@@ -4,7 +4,7 @@ use super::products::{Factor, Fan, paired};
 use super::sums::Rows;
 use crate::layout::Implicit;
 use crate::linear_equations::{LinearSeries, SideBySide};
-use crate::plan::{Product, Slot, Stage};
+use crate::plan::{Product, Quotient, Slot, Stage};
 use field::Batch;
 
 /// Sums, then products, then what is solved for.
@@ -13,7 +13,7 @@ pub(super) struct Side<const L: usize> {
     pub sums: Rows<L>,
     pub pairs: Vec<Fan<L, 2>>,
     pub alone: Vec<Fan<L, 1>>,
-    pub reciprocals: Vec<Implicit<Batch<L>>>,
+    pub quotients: Vec<Implicit<Batch<L>>>,
     pub roots: Vec<Implicit<Batch<L>>>,
     pub linear: Option<Box<LinearSeries<Batch<L>, SideBySide<L>>>>,
 }
@@ -53,20 +53,16 @@ impl Slots {
 impl<const L: usize> Side<L> {
     pub fn new(stage: &Stage, order: usize, slots: &mut Slots) -> Self {
         let (pairs, alone) = paired(&stage.products);
-        let implicit = |pairs: &[(Slot, Slot)]| {
-            let one = |&(place, of): &(Slot, Slot)| Implicit {
-                column: place as usize,
-                of: of as usize,
-                series: vec![[Batch::all(0.0); 2]; order + 1],
-            };
-            pairs.iter().map(one).collect()
+        let implicit = |place: Slot, of: Slot, above: Option<Slot>| {
+            Implicit::new(place as usize, of as usize, above.map(|above| above as usize), order)
         };
+        let quotient = |&Quotient { place, above, below }: &Quotient| implicit(place, below, above);
         Side {
             sums: Rows::new(&stage.sums, &stage.sum_places),
             pairs: pairs.into_iter().map(|pair| slots.fan(pair)).collect(),
             alone: alone.into_iter().map(|product| slots.fan([product])).collect(),
-            reciprocals: implicit(&stage.reciprocals),
-            roots: implicit(&stage.roots),
+            quotients: stage.quotients.iter().map(quotient).collect(),
+            roots: stage.roots.iter().map(|&(place, of)| implicit(place, of, None)).collect(),
             linear: stage.linear.as_ref().map(|linear| {
                 let factors = SideBySide::new(&linear.pattern);
                 Box::new(LinearSeries::new(linear, order, factors, |place| place as usize))

@@ -117,8 +117,9 @@ impl<const L: usize, const N: usize> Abreast<'_, L, N> {
             }
             finish::<L, 2, N, FIRST, I>(&stage.pairs, quantities);
             finish::<L, 1, N, FIRST, I>(&stage.alone, quantities);
-            for each in &mut stage.reciprocals {
-                quantities[each.column % N].newest[I] = each.reciprocal(k, quantities[each.of % N].newest[I]);
+            for each in &mut stage.quotients {
+                let above = each.above.map(|above| quantities[above % N].newest[I]);
+                quantities[each.column % N].newest[I] = each.quotient(k, above, quantities[each.of % N].newest[I]);
             }
             for each in &mut stage.roots {
                 quantities[each.column % N].newest[I] = each.root(k, quantities[each.of % N].newest[I]);

@@ -33,8 +33,8 @@ pub(crate) struct Sums {
 pub(crate) enum Solved {
     /// constant + sum c x + sum c a b; coefficients by number, quantities and products with theirs.
     Sum { constant: Option<u32>, linear: Vec<(usize, u32)>, products: Vec<(usize, u32)> },
-    /// r of = 1, which is a product with its number.
-    Reciprocal { of: usize, product: usize },
+    /// q of = above, or one, which is a product with its number.
+    Quotient { above: Option<usize>, of: usize, product: usize },
     /// r r = of, not negative.
     Root { of: usize, product: usize },
 }

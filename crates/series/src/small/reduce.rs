@@ -69,8 +69,8 @@ impl<'a> Making<'a> {
                 let factors = [self.factor(*a), self.factor(*b)];
                 Some(self.product(factors))
             }
-            Definition::Reciprocal(of) => self.implicit(*of, true),
-            Definition::Root(of) => self.implicit(*of, false),
+            Definition::Quotient(above, below) => self.quotient(*above, *below),
+            Definition::Root(of) => self.root(*of),
         }
     }
 
@@ -112,17 +112,32 @@ impl<'a> Making<'a> {
         }
     }
 
-    /// A reciprocal or a root, with the product that it solves.
-    fn implicit(&mut self, of: Atom, reciprocal: bool) -> Option<Role> {
-        let (of, own, product) = (self.factor(of), Role::Solved(self.solved.len()), self.products.len());
-        self.product([own, if reciprocal { of } else { own }]);
-        // beyond all that moves, whose number is not known yet
-        let of = match of {
-            Role::Moving(number) => number,
-            Role::Solved(number) => MOST_QUANTITIES + number,
-            _ => return None,
+    /// A quotient, with the product that it solves.
+    fn quotient(&mut self, above: Option<Atom>, below: Atom) -> Option<Role> {
+        let (above, below) = (above.map(|above| self.factor(above)), self.factor(below));
+        let product = self.products.len();
+        self.product([Role::Solved(self.solved.len()), below]);
+        let above = match above {
+            Some(above) => Some(Self::number(above)?),
+            None => None,
         };
-        Some(self.solve(if reciprocal { Solved::Reciprocal { of, product } } else { Solved::Root { of, product } }))
+        Some(self.solve(Solved::Quotient { above, of: Self::number(below)?, product }))
+    }
+
+    /// A root, with the product that it solves.
+    fn root(&mut self, of: Atom) -> Option<Role> {
+        let (of, own, product) = (self.factor(of), Role::Solved(self.solved.len()), self.products.len());
+        self.product([own, own]);
+        Some(self.solve(Solved::Root { of: Self::number(of)?, product }))
+    }
+
+    /// The number of a factor; what is solved for stands beyond all that moves, whose number is not known yet.
+    fn number(factor: Role) -> Option<usize> {
+        match factor {
+            Role::Moving(number) => Some(number),
+            Role::Solved(number) => Some(MOST_QUANTITIES + number),
+            Role::Unused | Role::Product(_) => None,
+        }
     }
 
     /// The final number of a quantity.
@@ -165,10 +180,13 @@ impl<'a> Making<'a> {
         }
         law.solved = std::mem::take(&mut self.solved);
         for each in &mut law.solved {
-            if let Solved::Reciprocal { of, .. } | Solved::Root { of, .. } = each
-                && *of >= MOST_QUANTITIES
-            {
-                *of = *of - MOST_QUANTITIES + moving;
+            let parts = match each {
+                Solved::Sum { .. } => [None, None],
+                Solved::Quotient { above, of, .. } => [above.as_mut(), Some(of)],
+                Solved::Root { of, .. } => [None, Some(of)],
+            };
+            for part in parts.into_iter().flatten().filter(|part| **part >= MOST_QUANTITIES) {
+                *part = *part - MOST_QUANTITIES + moving;
             }
         }
         law.coefficients = self.coefficients.all.len();

@@ -339,3 +339,29 @@ fn long_sums_abreast_are_each_their_own_whether_one_stands_alone_or_five_are_ali
         }
     }
 }
+
+#[test]
+fn the_squares_of_a_circle_point_come_to_one_where_they_count_alike() {
+    let [angle, speed, length] = symbols(["angle", "speed", "length"]);
+    let point = angle.circle();
+    let squares = |other: Sym| point.cos * point.cos * length + point.sin * point.sin * other;
+    let products = |other: Sym| {
+        let rates = [speed, -point.sin / (Sym::ONE + squares(other))];
+        record(&[angle, speed], None, &[length], &rates).unwrap().size().0
+    };
+    // those of the circle point itself are two; others are two squares and the quotient
+    assert_eq!([products(length), products(Sym::int(3))], [2, 5]);
+}
+
+#[test]
+fn a_quotient_is_one_product_and_two_with_one_divisor_are_three() {
+    let [x, y] = symbols(["x", "y"]);
+    let products = |rates: [Sym; 2]| record(&[x, y], None, &[], &rates).unwrap().size().0;
+    let divisor = x + y * Sym::int(2);
+    assert_eq!(products([x, y / divisor]), 1);
+    assert_eq!(products([x / divisor, y / divisor]), 3);
+    let quotient = solution(|y, t| (Sym::ONE + t) / (y * Sym::int(2)), 1.0, 0.0, 4);
+    // y = (1 + t + t^2/2)^(1/2)
+    let known = [1.0, 0.5, 0.125, -1.0 / 16.0, 3.0 / 128.0];
+    assert!(quotient.iter().zip(known).all(|(a, b)| (a - b).abs() < 1e-15), "{quotient:?}");
+}

@@ -16,7 +16,10 @@ pub(in crate::small) fn solved_by(law: &Law) -> Vec<(Set, Set)> {
                 let products = products.iter().map(|&(product, _)| (0, 1 << product));
                 linear.iter().map(|&(of, _)| quantity(of)).chain(factors).chain(products).collect()
             }
-            Solved::Reciprocal { of, product } | Solved::Root { of, product } => vec![quantity(*of), (0, 1 << product)],
+            Solved::Quotient { above, of, product } => {
+                above.iter().chain([of]).map(|&part| quantity(part)).chain([(0, 1 << product)]).collect()
+            }
+            Solved::Root { of, product } => vec![quantity(*of), (0, 1 << product)],
         };
         let own: Vec<(Set, Set)> = own;
         by.push(own.into_iter().fold((0, 0), |(a, b), (moving, products)| (a | moving, b | products)));

@@ -65,7 +65,7 @@ impl<S: Fused, const B: usize, const G: usize> Solving<S, B, G> {
                         sum + self.coefficient(number) * at(a) * at(b)
                     })
                 }
-                Solved::Reciprocal { of, .. } => S::one() / at(*of),
+                Solved::Quotient { above, of, .. } => above.map_or(S::one(), at) / at(*of),
                 Solved::Root { of, .. } => at(*of).sqrt(),
             };
             all[quantity / 8 % B].set(quantity % 8, value);

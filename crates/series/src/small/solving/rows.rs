@@ -4,7 +4,8 @@
 //!
 //!   x_k = A y_k + C m_k
 //!
-//! with rows A and C that the order 0 gives: of a reciprocal, r_k = -r_0 (r_0 b_k + m_k), of a root, r_k = (a_k - m_k) / 2 r_0.
+//! with rows A and C that the order 0 gives: of a quotient, q_k = (a_k - q_0 b_k - m_k) / b_0,
+//! of a root, r_k = (a_k - m_k) / 2 r_0.
 
 use super::{Set, Solving, lane, members};
 use crate::fused::Fused;
@@ -93,10 +94,13 @@ impl<S: Fused, const B: usize, const G: usize> Solving<S, B, G> {
                         *at(&mut row.products, product) += times;
                     }
                 }
-                Solved::Reciprocal { of, product } => {
-                    let own = value(moving + number);
-                    row.take(known, *of, moving, -own * own);
-                    *at(&mut row.products, *product) -= own;
+                Solved::Quotient { above, of, product } => {
+                    let (own, inverse) = (value(moving + number), S::one() / value(*of));
+                    if let Some(above) = above {
+                        row.take(known, *above, moving, inverse);
+                    }
+                    row.take(known, *of, moving, -own * inverse);
+                    *at(&mut row.products, *product) -= inverse;
                 }
                 Solved::Root { of, product } => {
                     let half = S::ratio(1, 2) / value(moving + number);

@@ -1,0 +1,60 @@
+//! Identities that make a recurrence shorter: squares of a circle point that come to one, a reciprocal within one product.
+
+use super::build::{Builder, Definition, Part};
+use super::form::{Atom, Form};
+
+impl Builder<'_> {
+    /// The same with c^2 + s^2 = 1 wherever the squares of a circle point count alike: kinetic energies are full of them, and a divisor
+    /// that is left without a quantity is none.
+    pub fn on_circles(&self, mut form: Form) -> Form {
+        for &cos in &self.circles {
+            let squares = [cos, cos + 1].map(|point| (point, point));
+            let [Some(&count), Some(other)] = squares.map(|square| form.products.get(&square)) else { continue };
+            if count == *other {
+                form.products.retain(|pair, _| !squares.contains(pair));
+                form.constant.0 += count.0;
+            }
+        }
+        form
+    }
+
+    /// Makes one quotient of each reciprocal that one product alone reads, and of that product: two products of series become one.
+    pub fn merge_quotients(&mut self) {
+        let readers = self.readers();
+        for atom in 0..self.definitions.len() {
+            let Definition::Product(a, b) = self.definitions[atom] else { continue };
+            let divisor = |part: Atom| match self.definitions[part] {
+                Definition::Quotient(None, below) if readers[part] == 1 => Some(below),
+                _ => None,
+            };
+            let merged = [(a, b), (b, a)].into_iter().find_map(|(above, part)| Some((above, divisor(part)?)));
+            if let Some((above, below)) = merged.filter(|_| readers[atom] > 0) {
+                self.definitions[atom] = Definition::Quotient(Some(above), below);
+            }
+        }
+    }
+
+    /// How often each quantity is read by what a rate needs; a square reads its factor twice.
+    fn readers(&self) -> Vec<usize> {
+        let mut readers = vec![0; self.definitions.len()];
+        let forms = self.rates.iter().flat_map(|rate| rate.linear.keys().copied());
+        let solved = self.reduction.iter().flat_map(|reduction| reduction.entries.iter().chain(&reduction.right));
+        let solved = solved.filter_map(|part| match part {
+            Part::Moving(atom) => Some(*atom),
+            Part::Fixed(_) => None,
+        });
+        forms.chain(solved).for_each(|atom| readers[atom] += 1);
+        for (definition, used) in self.definitions.iter().zip(self.used()) {
+            let mut read = |atom: Atom| readers[atom] += 1;
+            match definition {
+                _ if !used => {}
+                Definition::State | Definition::Unknown => {}
+                Definition::Sum(form) => form.linear.keys().copied().for_each(read),
+                Definition::Product(a, b) => [*a, *b].into_iter().for_each(read),
+                Definition::Quotient(above, below) => above.iter().chain([below]).copied().for_each(read),
+                Definition::Root(of) => read(*of),
+            }
+        }
+        readers
+    }
+}
