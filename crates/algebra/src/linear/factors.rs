@@ -271,10 +271,14 @@ impl<S: Magnitude> Factors<S> {
     }
 }
 
-/// One over the root of a size, as a power of two.
+/// One over the root of a size, as a power of two: by the exponent of the size, whose logarithm would cost as much as the elimination of few
+/// unknowns.
 #[inline(always)]
 fn measure(largest: f64) -> f64 {
-    if largest > 0.0 && largest < f64::INFINITY { (-(largest.log2() / 2.0).round()).exp2() } else { 1.0 }
+    const BIAS: i64 = 1023;
+    let exponent = (largest.to_bits() >> 52) as i64 - BIAS;
+    let half = (exponent + 1).div_euclid(2);
+    if largest > 0.0 && largest < f64::INFINITY { f64::from_bits(((BIAS - half) as u64) << 52) } else { 1.0 }
 }
 
 #[cfg(test)]
