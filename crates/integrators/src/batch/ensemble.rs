@@ -82,6 +82,16 @@ pub trait Members {
         None
     }
 
+    /// Whether motions are brought back onto what they keep.
+    fn projects(&self) -> bool {
+        false
+    }
+
+    /// Brings the state of a member at a time back, where it is off by more than rounding; whether it has been moved.
+    fn project(&mut self, _number: u64, _time: f64, _state: &mut [f64]) -> bool {
+        false
+    }
+
     /// A member has arrived, has left its law, or failed: its last good state with its time, and how many steps it took.
     fn ended(&mut self, number: u64, state: &[f64], steps: u64, at: f64, failure: Option<Failure>);
 }
@@ -166,7 +176,10 @@ impl<T: LaneSeries<L>, const L: usize> Ensemble<T, L> {
         }
         self.source.sum(steps, &mut self.after);
         std::mem::swap(&mut self.states, &mut self.after);
-        let ends = if members.watches() { self.leave(nexts, members) } else { std::array::from_fn(|_| None) };
+        let mut ends = if members.watches() { self.leave(nexts, members) } else { std::array::from_fn(|_| None) };
+        if members.projects() {
+            self.project(nexts, members);
+        }
         for (lane, next) in nexts.into_iter().enumerate() {
             let Some(number) = self.numbers[lane] else { continue };
             let lost = || self.states.iter().any(|y| !y.0[lane].is_finite());
@@ -178,7 +191,8 @@ impl<T: LaneSeries<L>, const L: usize> Ensemble<T, L> {
                 }
                 Err(failure) => Some(failure),
             };
-            if let (Some((end, state)), None) = (&ends[lane], failure) {
+            if let (Some((end, state)), None) = (&mut ends[lane], failure) {
+                members.project(number, *end, state);
                 members.ended(number, state, self.steps[lane], *end, None);
                 self.admit(lane, members);
                 continue;
@@ -189,6 +203,17 @@ impl<T: LaneSeries<L>, const L: usize> Ensemble<T, L> {
                 self.state.iter_mut().zip(states).for_each(|(y, lanes)| *y = lanes.0[lane]);
                 members.ended(number, &self.state, self.steps[lane], self.times.0[lane], failure);
                 self.admit(lane, members);
+            }
+        }
+    }
+
+    /// Brings the states after this step back onto what the motions keep.
+    fn project(&mut self, nexts: [Result<f64, Failure>; L], members: &mut impl Members) {
+        for (lane, next) in nexts.into_iter().enumerate() {
+            let (Some(number), Ok(next)) = (self.numbers[lane], next) else { continue };
+            self.state.iter_mut().zip(&self.states).for_each(|(y, lanes)| *y = lanes.0[lane]);
+            if members.project(number, next, &mut self.state) {
+                self.states.iter_mut().zip(&self.state).for_each(|(lanes, y)| lanes.0[lane] = *y);
             }
         }
     }

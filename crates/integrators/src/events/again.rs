@@ -49,6 +49,9 @@ impl Again<'_> {
             }
             let mut state = from.state.clone();
             series.sum(time - step.time, &mut state);
+            if let Some(projection) = self.system.projection() {
+                projection.project(time, &mut state);
+            }
             instant.move_to(self.switches, time, &state);
             return Some(instant);
         }

@@ -5,7 +5,8 @@
 //! * its Jacobian: code of its own ([`JacobianFn`]) or forward differentiation ([`Jacobian`]);
 //! * its Taylor coefficients ([`TaylorSeries`]);
 //! * the flows of its pieces ([`Pieces`]), in the order of a [`Splitting`];
-//! * a law that multipliers hold to constraints ([`Index2Dae`]).
+//! * a law that multipliers hold to constraints ([`Index2Dae`]);
+//! * the way back onto equations that its motions keep ([`Projection`]).
 
 #[cfg(test)]
 pub(crate) mod bell;
@@ -13,6 +14,7 @@ mod composition;
 mod index2_dae;
 pub(crate) mod jacobian;
 mod pieces;
+mod projection;
 mod real;
 mod series;
 
@@ -20,6 +22,7 @@ pub use composition::Splitting;
 pub use index2_dae::{Index2Dae, Index2DaeSystem};
 pub use jacobian::{Jacobian, slope, variable};
 pub use pieces::{Composed, Pieces};
+pub use projection::Projection;
 pub use real::Real;
 pub use series::TaylorSeries;
 
@@ -66,6 +69,11 @@ pub trait System: Ode<f64> + Ode<Dual8> + Ode<DoubleDouble> {
 
     /// The divisors, radicands and angles of its rates, where they are known.
     fn divisors(&self) -> Option<&dyn Divisors> {
+        None
+    }
+
+    /// The way back onto equations that its motions keep, where each accepted step is to end on them.
+    fn projection(&self) -> Option<&dyn Projection<f64>> {
         None
     }
 
@@ -118,6 +126,9 @@ pub trait Working: Real {
     /// The system's source of Taylor coefficients in this field.
     fn series(system: &dyn System) -> Option<Box<dyn TaylorSeries<Self> + '_>>;
 
+    /// The way back onto what the system's motions keep, where steps in this field end on it: references do without.
+    fn projection(system: &dyn System) -> Option<&dyn Projection<Self>>;
+
     /// The system's pieces composed in this field.
     fn composed(system: &dyn System, splitting: Splitting) -> Option<Box<dyn Composed<Self> + '_>>;
 }
@@ -133,6 +144,10 @@ impl Working for f64 {
 
     fn series(system: &dyn System) -> Option<Box<dyn TaylorSeries<f64> + '_>> {
         system.taylor()
+    }
+
+    fn projection(system: &dyn System) -> Option<&dyn Projection<f64>> {
+        system.projection()
     }
 
     fn composed(system: &dyn System, splitting: Splitting) -> Option<Box<dyn Composed<f64> + '_>> {
@@ -151,6 +166,10 @@ impl Working for DoubleDouble {
 
     fn series(system: &dyn System) -> Option<Box<dyn TaylorSeries<DoubleDouble> + '_>> {
         system.taylor_exact()
+    }
+
+    fn projection(_system: &dyn System) -> Option<&dyn Projection<DoubleDouble>> {
+        None
     }
 
     fn composed(system: &dyn System, splitting: Splitting) -> Option<Box<dyn Composed<DoubleDouble> + '_>> {

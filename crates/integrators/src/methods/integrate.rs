@@ -116,7 +116,8 @@ fn prepared<S: Working>(
     if let Some(component) = rates.iter().position(|rate| !rate.finite()) {
         return refused(span, Refusal::RatesNotFinite { component });
     }
-    run(&BudgetedRhs::new(law, span), Watch::new(span, observer, Within::new(again, followed)))
+    let watch = Watch::new(span, observer, Within::new(again, followed)).projected(S::projection(system));
+    run(&BudgetedRhs::new(law, span), watch)
 }
 
 /// A run that did not begin.

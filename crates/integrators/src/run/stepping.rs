@@ -114,7 +114,7 @@ pub(crate) fn drive<S: Real>(
                     && output < end
                 {
                     stepper.between(output - tau, &mut between);
-                    watch.sample(&between);
+                    watch.sample(&mut between);
                 }
                 if stepper.reads_between() {
                     watch.look_between(end, |passed, state| stepper.between(passed, state));

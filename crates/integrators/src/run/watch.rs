@@ -3,7 +3,7 @@
 use crate::run::budgeted_rhs::BudgetedRhs;
 use crate::run::outcome::{LOST, Lost};
 use crate::run::within::{StepEnd, Within};
-use crate::{Deviation, End, Failure, Observer, Outcome, Real, Span};
+use crate::{Deviation, End, Failure, Observer, Outcome, Projection, Real, Span};
 
 /// After so many steps the sizes of monitored quantities are looked at, whether these have moved or not.
 const SIZED: u64 = 64;
@@ -13,6 +13,7 @@ pub(crate) struct Watch<'a, 'm, S> {
     span: &'a Span<'m, S>,
     observer: &'a mut dyn Observer<S>,
     within: Within<'a, S>,
+    projection: Option<&'a dyn Projection<S>>,
     length: S,
     next_output: usize,
     tau: S,
@@ -45,9 +46,20 @@ impl<'a, 'm, S: Real> Watch<'a, 'm, S> {
             span,
             observer,
             within,
+            projection: None,
         };
         watch.sample_if_at(S::zero());
         watch
+    }
+
+    /// The same, every state after the start brought onto the equations that the motion keeps.
+    pub fn projected(self, projection: Option<&'a dyn Projection<S>>) -> Self {
+        Watch { projection, ..self }
+    }
+
+    /// Whether states are brought onto such equations.
+    pub fn projects(&self) -> bool {
+        self.projection.is_some()
     }
 
     /// The run's time of the last good state.
@@ -98,8 +110,9 @@ impl<'a, 'm, S: Real> Watch<'a, 'm, S> {
     }
 
     /// Shows the next output with a state that the method read between its steps.
-    pub fn sample(&mut self, state: &[S]) {
+    pub fn sample(&mut self, state: &mut [S]) {
         if let Some(time) = self.output() {
+            self.project(S::lift(time), state);
             self.observer.sample(time, state);
             self.next_output += 1;
         }
@@ -110,7 +123,17 @@ impl<'a, 'm, S: Real> Watch<'a, 'm, S> {
         let (begin, end) = (self.time(), self.time_of(tau));
         let begun = self.tau;
         let span = self.span;
-        self.observer.between(begin, end, &|time, state| state_after(span.since_start(time) - begun, state));
+        let projection = self.projection;
+        self.observer.between(begin, end, &|time, state| {
+            state_after(span.since_start(time) - begun, state);
+            if let Some(projection) = projection {
+                projection.project(S::lift(time), state);
+            }
+        });
+    }
+
+    fn project(&self, time: S, state: &mut [S]) -> bool {
+        self.projection.is_some_and(|projection| projection.project(time, state))
     }
 
     /// Takes the state after an accepted step; shows the outputs up to here.
@@ -120,11 +143,14 @@ impl<'a, 'm, S: Real> Watch<'a, 'm, S> {
         self.accepted(tau);
     }
 
-    /// The same, leaving the state before in its place: nothing is copied.
-    pub fn take(&mut self, tau: S, state: &mut Vec<S>) {
+    /// The same of a state that may be brought onto what the motion keeps, leaving the state before in its place: nothing is copied. Whether
+    /// it has been moved.
+    pub fn take(&mut self, tau: S, state: &mut Vec<S>) -> bool {
+        let moved = self.project(self.clock(tau), state);
         self.show_within(tau, state);
         std::mem::swap(&mut self.state, state);
         self.accepted(tau);
+        moved
     }
 
     /// Shows the outputs between the last good state and that at tau.
@@ -151,7 +177,7 @@ impl<'a, 'm, S: Real> Watch<'a, 'm, S> {
                 None => self.within.state(self.span, StepEnd { time: self.time(), state: &self.state }, time),
             };
             match state {
-                Ok(state) => self.sample(&state),
+                Ok(mut state) => self.sample(&mut state),
                 Err(failure) => {
                     self.failed = Some(failure);
                     return;
@@ -201,10 +227,14 @@ impl<'a, 'm, S: Real> Watch<'a, 'm, S> {
     }
 
     fn time_of(&self, tau: S) -> f64 {
+        self.clock(tau).approx()
+    }
+
+    fn clock(&self, tau: S) -> S {
         if tau == self.length {
-            return self.span.end;
+            return S::lift(self.span.end);
         }
-        (S::lift(self.span.start) + S::lift(self.span.direction()) * tau).approx()
+        S::lift(self.span.start) + S::lift(self.span.direction()) * tau
     }
 
     pub fn finish(self, end: End, meter: &BudgetedRhs<S>) -> Outcome<S> {

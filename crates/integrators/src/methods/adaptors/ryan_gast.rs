@@ -10,6 +10,9 @@
 //!
 //! Newton's iteration ends at a size of its corrections that rounding may not allow. Where steps are rejected one after another,
 //! or nearly every second one, that size is taken [ten times](LOOSER) as large, up to what the tolerance allows a step.
+//!
+//! The crate's methods hold their state and show it only. Where states are brought onto what the motion keeps, the method goes on from its
+//! own state, and the law is evaluated at the [shifted](Shift) one: z' = f(t, z + c), with c what the last state was moved in all.
 
 use std::cell::RefCell;
 
@@ -77,19 +80,64 @@ pub(crate) fn run(
 struct Law<'l> {
     meter: &'l BudgetedRhs<'l, f64>,
     jacobian: RefCell<(Jacobian<'l>, Vec<f64>)>,
+    /// None where no state is moved.
+    shift: Option<RefCell<Shift>>,
+}
+
+/// The way from the state of a method to that of the law.
+struct Shift {
+    by: Vec<f64>,
+    /// The state of the law.
+    state: Vec<f64>,
+}
+
+impl Shift {
+    fn none(n: usize) -> Self {
+        Shift { by: vec![0.0; n], state: vec![0.0; n] }
+    }
+
+    /// The state of the law where that of the method is z.
+    fn of(&mut self, z: &[f64]) -> &mut Vec<f64> {
+        self.state.iter_mut().zip(z).zip(&self.by).for_each(|((state, z), by)| *state = z + by);
+        &mut self.state
+    }
+
+    /// From a state of the method to one of the law.
+    fn between(&mut self, z: &[f64], state: &[f64]) {
+        self.by.iter_mut().zip(state).zip(z).for_each(|((by, state), z)| *by = state - z);
+    }
+}
+
+impl Law<'_> {
+    /// Shows the state of the law where that of the method is z.
+    fn at<R>(&self, z: &[f64], show: impl FnOnce(&[f64]) -> R) -> R {
+        match &self.shift {
+            Some(shift) => show(shift.borrow_mut().of(z)),
+            None => show(z),
+        }
+    }
+
+    /// Takes the state of the method after an accepted step.
+    fn accept(&self, watch: &mut Watch<'_, '_, f64>, tau: f64, z: &[f64]) {
+        let Some(shift) = &self.shift else { return watch.accept(tau, z) };
+        let mut shift = shift.borrow_mut();
+        if watch.take(tau, shift.of(z)) {
+            shift.between(z, watch.state());
+        }
+    }
 }
 
 impl<Y: Components> ODE<f64, Y> for Law<'_> {
     fn diff(&self, tau: f64, y: &Y, dy: &mut Y) {
         let (rates, at_rest) = dy.values_mut().split_at_mut(self.meter.dimension());
-        self.meter.rates(tau, &y.values()[..rates.len()], rates);
+        self.at(&y.values()[..rates.len()], |y| self.meter.rates(tau, y, rates));
         at_rest.fill(0.0);
     }
 
     fn jacobian(&self, tau: f64, y: &Y, matrix: &mut Matrix<f64>) {
         let n = self.meter.dimension();
         let (jacobian, buffer) = &mut *self.jacobian.borrow_mut();
-        jacobian.matrix(self.meter.time(tau), &y.values()[..n], buffer);
+        self.at(&y.values()[..n], |y| jacobian.matrix(self.meter.time(tau), y, buffer));
         self.meter.count_jacobian();
         for (i, row) in buffer.chunks_exact(n).enumerate() {
             for (j, slope) in row.iter().enumerate() {
@@ -107,7 +155,8 @@ fn in_form<Y: Components>(
     mut watch: Watch<'_, '_, f64>,
 ) -> Outcome<f64> {
     let n = meter.dimension();
-    let law = Law { meter, jacobian: RefCell::new((Jacobian::of(system), vec![0.0; n * n])) };
+    let jacobian = RefCell::new((Jacobian::of(system), vec![0.0; n * n]));
+    let law = Law { meter, jacobian, shift: watch.projects().then(|| RefCell::new(Shift::none(n))) };
     Vector::set_length(n);
     let padded = Y::of(watch.state()).len();
     let relative = vec![tolerance.relative; padded];
@@ -215,6 +264,10 @@ fn stretch<Y: Components, M: OrdinaryNumericalMethod<f64, Y>>(
     watch: &mut Watch<'_, '_, f64>,
 ) -> Result<Next, Failure> {
     let (meter, n, stop) = (law.meter, law.meter.dimension(), watch.landing());
+    // the method begins with the state of the law
+    if let Some(shift) = &law.shift {
+        shift.borrow_mut().by.fill(0.0);
+    }
     let y = Y::of(watch.state());
     let started = method.init(law, watch.tau(), stop, &y);
     started.map_err(|error| name(&error, meter, watch.time(), method.h()))?;
@@ -270,7 +323,7 @@ fn stretch<Y: Components, M: OrdinaryNumericalMethod<f64, Y>>(
         }
         meter.was_undefined();
         rejections = 0;
-        watch.accept(if lands { stop } else { method.t() }, &method.y().values()[..n]);
+        law.accept(watch, if lands { stop } else { method.t() }, &method.y().values()[..n]);
         if is_stale(method.h()) || left.outgrown(&method.y().values()[..n]) {
             break;
         }
