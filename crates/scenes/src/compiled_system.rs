@@ -9,6 +9,7 @@ pub(crate) use outputs::{determined, outputs, outputs_of_solved};
 
 use crate::changing_laws::{changes, is_watched};
 use crate::conservation::conserves;
+use crate::constraint_projection::ConstraintProjection;
 use crate::elimination::{Elimination, LEAST_MOVING, LEAST_SOLVED, MOST_DERIVED, is_tree};
 use crate::implicit::{Implicit, ImplicitLaw, SolvedSlopes, recurrence};
 use crate::letters::Letters;
@@ -22,7 +23,7 @@ use outputs::of_motion;
 use simulation::{CompiledLaw, Differentiable, Law, LawSeries, Program, Running, SymbolicLaw};
 use std::fmt;
 use std::ops::Range;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 use symbolic::{Sym, apart, substitute_all};
 
 /// Why a model has no law that runs.
@@ -90,6 +91,8 @@ pub struct CompiledSystem {
     without_value: Vec<usize>,
     /// Whether kinetic and potential energy together stay what they are.
     pub keeps_energy: bool,
+    /// The way back onto its constraints, made when a run first asks for it; none where no constraint is kept so.
+    projection: OnceLock<Option<Arc<ConstraintProjection>>>,
     /// Whether accelerations are written down over a tree of many bodies: their series and derivatives then grow as the bodies too.
     is_tree: bool,
 }
@@ -156,6 +159,7 @@ impl CompiledSystem {
             outputs: outputs?,
             without_value: Vec::new(),
             keeps_energy,
+            projection: OnceLock::new(),
             is_tree: false,
         })
     }
@@ -182,6 +186,7 @@ impl CompiledSystem {
             outputs,
             without_value: Vec::new(),
             keeps_energy,
+            projection: OnceLock::new(),
             is_tree: model.speeds() > MOST_COMPARED && is_tree(model),
         })
     }
@@ -190,7 +195,7 @@ impl CompiledSystem {
         &self.model
     }
 
-    /// As every method runs it: with series and derivatives where it asks for them.
+    /// As every method takes it, with series and derivatives where it asks for them; constraints are kept differentiated alone.
     pub fn law(self: &Arc<Self>) -> Arc<dyn Law> {
         match &self.rates {
             Rates::Written(rates) => {
@@ -211,6 +216,12 @@ impl CompiledSystem {
             }
             Rates::Solved(law) => Arc::clone(law) as Arc<dyn Law>,
         }
+    }
+
+    /// A law of the motion, its state perhaps with more behind it, as it runs: each accepted step ends on the constraints.
+    pub(crate) fn projected(&self, law: Arc<dyn Law>) -> Arc<dyn Law> {
+        let made = self.projection.get_or_init(|| ConstraintProjection::of(&self.model).map(Arc::new));
+        ConstraintProjection::onto(made.as_ref(), law)
     }
 
     /// Whether its rates run as machine code; else their operations are followed one by one.

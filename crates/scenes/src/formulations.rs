@@ -1,4 +1,4 @@
-//! Formulations of a model with constraints: led to zero, projected, or held with a multiplier for each level.
+//! Formulations of a model with constraints: projected, kept differentiated alone, led to zero, or held with a multiplier for each level.
 //!
 //! Held after Gear, Gupta and Leimkuhler, with the speeds u, the rates q' = T(q) u of the coordinates, and J_g the rows of constraints of
 //! positions,
@@ -14,7 +14,7 @@ use integrators::Index2Dae;
 use model::equations::{Equation, Equations, Level, Pushes, constraints_of};
 use model::{Model, Trace};
 use simulation::work_precision::{Configuration, Formulation, HeldLaw, Standing, Treated};
-use simulation::{CompiledDae, Law, Problem};
+use simulation::{CompiledDae, Problem};
 use std::sync::Arc;
 use symbolic::{Sym, apart, substitute_all};
 
@@ -30,7 +30,7 @@ pub(crate) fn formulations(
     let own = match led {
         _ if constraints.is_empty() => Formulation::Minimal,
         led if led == constraints.len() => Formulation::Given,
-        _ => Formulation::IndexReduced,
+        _ => Formulation::Projected,
     };
     let mut ways = vec![Configuration::of(own, "", Standing::Own, problem())];
     if constraints.is_empty() || changes(model) {
@@ -41,20 +41,18 @@ pub(crate) fn formulations(
     if led > 0 && !meets(&reduced) {
         return ways;
     }
-    let law = |model: &Arc<Model>| -> Option<Arc<dyn Law>> {
-        Some(Arc::new(CompiledSystem::of(model, &Mode::off(model)).ok()?).law())
-    };
+    let compiled = |model: &Arc<Model>| CompiledSystem::of(model, &Mode::off(model)).ok().map(Arc::new);
     let (led_at_a_rate, held) = (Arc::new(model.led_at(Some(Formulation::RATE))), HeldModel::of(&reduced));
     let held = held.map(|held| Arc::new(CompiledDae::new(held)) as Arc<dyn HeldLaw>);
-    let (reduced, led_at_a_rate) = (law(&reduced), law(&led_at_a_rate));
-    let projected = reduced.clone().zip(held.clone()).map(|(law, held)| Treated::Projected(law, held));
+    let (reduced, led_at_a_rate) = (compiled(&reduced), compiled(&led_at_a_rate));
     let others = [
-        (Formulation::IndexReduced, reduced.filter(|_| led > 0).map(Treated::Free)),
-        (Formulation::Led, led_at_a_rate.map(Treated::Free)),
-        (Formulation::Projected, projected),
-        (Formulation::Held, held.map(Treated::Held)),
+        (Formulation::Projected, reduced.as_ref().filter(|_| led > 0).map(|system| system.projected(system.law()))),
+        (Formulation::IndexReduced, reduced.map(|system| system.law())),
+        (Formulation::Led, led_at_a_rate.map(|system| system.law())),
     ];
-    let others = others.into_iter().filter_map(|(formulation, law)| Some((formulation, law?)));
+    let others = others.map(|(formulation, law)| (formulation, law.map(Treated::Free)));
+    let others = others.into_iter().chain([(Formulation::Held, held.map(Treated::Held))]);
+    let others = others.filter_map(|(formulation, law)| Some((formulation, law?)));
     ways.extend(others.map(|(formulation, law)| Configuration {
         law,
         ..Configuration::of(formulation, "", Standing::Exact, problem())

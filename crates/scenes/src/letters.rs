@@ -22,7 +22,7 @@ impl Inputs {
 
     /// The letters of the model by these inputs.
     pub fn letters(&self) -> Letters<'_> {
-        Letters { time: self.time, state: &self.state, parameters: Some(&self.parameters) }
+        Letters::with_parameters(self.time, &self.state, &self.parameters)
     }
 
     /// All of them.
@@ -45,6 +45,11 @@ impl<'a> Letters<'a> {
     /// Time and state as inputs, the data folded in: for runs.
     pub fn with_data(time: Sym, state: &'a [Sym]) -> Self {
         Letters { time, state, parameters: None }
+    }
+
+    /// Time, state and parameters as inputs.
+    pub fn with_parameters(time: Sym, state: &'a [Sym], parameters: &'a [Sym]) -> Self {
+        Letters { time, state, parameters: Some(parameters) }
     }
 
     /// Expressions of a trace over these letters.

@@ -14,6 +14,7 @@ mod changing_laws;
 mod compiled_system;
 pub mod conformance;
 mod conservation;
+mod constraint_projection;
 pub mod derivation;
 mod elimination;
 mod ensemble;

@@ -69,7 +69,7 @@ pub(crate) fn metered(system: &Arc<CompiledSystem>, plain: Problem) -> Problem {
         row
     };
     Problem {
-        law: Arc::new(law),
+        law: system.projected(Arc::new(law)),
         state,
         metered: 1,
         span,

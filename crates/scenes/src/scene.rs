@@ -246,8 +246,10 @@ impl ModelScene {
             };
             invariants.push(Invariant { name: "energy", value: Box::new(energy), size: Some(Box::new(size)) });
         }
+        let law = self.system.law();
+        let law = if watched { law } else { self.system.projected(law) };
         let problem = Problem {
-            law: self.system.law(),
+            law,
             state: self.start.clone(),
             metered: 0,
             span: self.run.span,

@@ -103,7 +103,7 @@ pub fn model(way: &Configuration) -> String {
 /// A method's name without its number of steps.
 pub fn family(means: Means) -> String {
     match means {
-        Means::Integrated(method) | Means::Projected(method) => of_method(method),
+        Means::Integrated(method) => of_method(method),
         Means::Held(Holding::HalfExplicitEuler { .. }) => "half-explicit Euler".to_owned(),
         Means::Held(Holding::HalfExplicitRungeKutta4 { .. }) => "half-explicit Runge-Kutta 4".to_owned(),
         Means::Held(Holding::RadauIIA { stages, .. }) => format!("Radau IIA, {stages} stages, constant step"),

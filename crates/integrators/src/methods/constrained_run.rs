@@ -1,7 +1,7 @@
 //! A law and a method for it, whatever keeps the law's constraints.
 
 use crate::{Holding, Index2DaeSystem, Method, Observer, Outcome, Span, System, Tolerance};
-use crate::{hold, integrate, integrate_projected};
+use crate::{hold, integrate};
 use std::fmt;
 
 /// A law with what runs it.
@@ -9,8 +9,6 @@ use std::fmt;
 pub enum Attempt<'a> {
     /// y' = f(t, y).
     Integrated(&'a dyn System, Method),
-    /// The same, brought onto the constraints of a held law after each step.
-    Projected(&'a dyn System, &'a dyn Index2DaeSystem, Method),
     /// Held to its constraints by multipliers.
     Held(&'a dyn Index2DaeSystem, Holding),
     /// Law after law, across events.
@@ -41,7 +39,6 @@ pub trait Across {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Means {
     Integrated(Method),
-    Projected(Method),
     Held(Holding),
 }
 
@@ -49,7 +46,6 @@ impl Attempt<'_> {
     pub fn means(&self) -> Means {
         match *self {
             Attempt::Integrated(_, method) | Attempt::Across(_, method) => Means::Integrated(method),
-            Attempt::Projected(_, _, method) => Means::Projected(method),
             Attempt::Held(_, holding) => Means::Held(holding),
         }
     }
@@ -58,7 +54,6 @@ impl Attempt<'_> {
     pub fn run(&self, tolerance: &Tolerance, span: &Span<'_, f64>, observer: &mut dyn Observer<f64>) -> Outcome<f64> {
         match *self {
             Attempt::Integrated(system, method) => integrate(system, method, tolerance, span, observer),
-            Attempt::Projected(system, held, method) => integrate_projected(system, held, method, span, observer),
             Attempt::Held(held, holding) => hold(held, holding, span, observer),
             Attempt::Across(motion, method) => motion.run(method, tolerance, span, observer),
         }
@@ -68,7 +63,7 @@ impl Attempt<'_> {
     /// as one.
     pub fn evaluations(&self, work: &crate::Work) -> u64 {
         let columns = match *self {
-            Attempt::Integrated(system, _) | Attempt::Projected(system, ..) => crate::Ode::<f64>::dimension(system),
+            Attempt::Integrated(system, _) => crate::Ode::<f64>::dimension(system),
             Attempt::Across(motion, _) => motion.dimension(),
             Attempt::Held(held, _) => {
                 let (states, multipliers) = crate::Index2Dae::<f64>::sizes(held);
@@ -83,7 +78,7 @@ impl Means {
     /// How many equal steps it makes; none where it follows a tolerance.
     pub fn steps(self) -> Option<u32> {
         match self {
-            Means::Integrated(method) | Means::Projected(method) => method.steps(),
+            Means::Integrated(method) => method.steps(),
             Means::Held(holding) => Some(holding.steps()),
         }
     }
@@ -92,7 +87,7 @@ impl Means {
 impl fmt::Display for Means {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Means::Integrated(method) | Means::Projected(method) => method.fmt(f),
+            Means::Integrated(method) => method.fmt(f),
             Means::Held(holding) => holding.fmt(f),
         }
     }

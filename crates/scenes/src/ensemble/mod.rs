@@ -6,12 +6,13 @@ mod lone_members;
 
 use crate::admissible::BodyNumbers;
 use crate::compiled_system::{ENERGIES, NotCompiled};
+use crate::constraint_projection::{ConstraintProjection, OfMember};
 use crate::parametric_law::ParametricLaw;
 use crate::readiness::{changes, refused, unmet_at};
 use crate::scene::{ModelScene, columns};
 use crate::start::{Completed, SingularPositions, StartSolver, Unmet, given, in_touch, start_speeds};
 use crate::warnings::warn_of;
-use integrators::LaneSeries;
+use integrators::{LaneSeries, Projection};
 use lone_members::laws_of;
 use model::{Fault, Model, bare_angle, turned_further};
 use reader::{SceneError, tables};
@@ -29,6 +30,8 @@ use std::sync::Arc;
 struct ModelEnsemble {
     scene: ModelScene,
     law: Law,
+    /// The way back onto the constraints of members that run side by side.
+    projection: Option<ConstraintProjection>,
     start: StartSolver,
     /// None of a system without closed loops.
     singular: Option<SingularPositions>,
@@ -175,11 +178,15 @@ impl ModelEnsemble {
             Some(laws) => Law::Alone(laws),
             None => Law::SideBySide(Box::new(ParametricLaw::of(model).map_err(Unmet::NotCompiled)?)),
         };
+        let projection = match &law {
+            Law::SideBySide(_) => ConstraintProjection::of_members(model),
+            Law::Alone(_) => None,
+        };
         // members may start where other constraints follow from others
         let start = StartSolver::of(&in_touch(&model.whole()))?;
         let bodies = BodyNumbers::of(model).map_err(Unmet::NotCompiled)?;
         let singular = SingularPositions::of(model, &scene.start);
-        Ok(ModelEnsemble { scene, law, start, singular, bodies, targets })
+        Ok(ModelEnsemble { scene, law, projection, start, singular, bodies, targets })
     }
 
     /// The end of a member as a row shows it.
@@ -290,7 +297,10 @@ impl ParametricSystem for ModelEnsemble {
         let margins = singular.map(|singular| -> Box<Margins> {
             Box::new(move |time, state, rates| vec![singular.margin(time, state, rates)])
         });
-        Ok(Member { parameters, state: start, end, margins })
+        let projection = self.projection.as_ref().map(|projection| -> Box<dyn Projection<f64> + Send + '_> {
+            Box::new(OfMember::new(projection, &start, &parameters))
+        });
+        Ok(Member { parameters, state: start, end, margins, projection })
     }
 
     fn columns(&self) -> Vec<Column> {
@@ -306,6 +316,9 @@ impl ParametricSystem for ModelEnsemble {
         match law {
             Law::SideBySide(law) => write!(out, "{law:?}")?,
             Law::Alone(laws) => write!(out, "{laws} {:?}", self.scene.run.method)?,
+        }
+        if ConstraintProjection::is_of(model) {
+            write!(out, " each step ends on the constraints")?;
         }
         write!(out, " {values:?} {:?} {:?} ", model.start, model.start_speeds)?;
         self.start.write(out)

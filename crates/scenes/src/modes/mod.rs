@@ -44,6 +44,7 @@ pub(crate) use motion::ModeMotion;
 
 use crate::changing_laws::is_watched;
 use crate::compiled_system::{CompiledSystem, NotCompiled};
+use crate::constraint_projection::ConstraintProjection;
 use crate::start::KeptConstraints;
 use course::{Crossing, Leg, Sets};
 use expansion::{Expansions, Instant};
@@ -159,6 +160,7 @@ impl Laws {
             let system = Arc::new(CompiledSystem::of(&self.model, mode)?);
             let signals = Signals::of(&self.model, mode)?;
             let (law, followed) = signal_integrals::followed(&self.model, &system);
+            let law = ConstraintProjection::onto(ConstraintProjection::in_mode(&self.model, mode).as_ref(), law);
             Ok(Arc::new(Moded { law, followed, system, signals }))
         });
         made.clone()

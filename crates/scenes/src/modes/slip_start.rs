@@ -5,7 +5,7 @@
 
 use super::Current;
 use field::DoubleDouble;
-use integrators::{Divisors, Dual8, JacobianFn, Ode, System};
+use integrators::{Divisors, Dual8, JacobianFn, Ode, Projection, System};
 use simulation::Law;
 use std::sync::Arc;
 
@@ -46,5 +46,9 @@ impl System for WithoutSeries {
 
     fn jacobian_fn(&self) -> Option<Box<dyn JacobianFn + '_>> {
         self.0.jacobian_fn()
+    }
+
+    fn projection(&self) -> Option<&dyn Projection<f64>> {
+        self.0.projection()
     }
 }

@@ -5,7 +5,7 @@ mod free_frames;
 mod lone_members;
 
 use dalembert_scenes::{ModelScene, parse_ensemble};
-use integrators::{Taylor, Tolerance, lanes_order};
+use integrators::{Projection, Taylor, TaylorSeries, Tolerance, lanes_order};
 use simulation::ensemble::{EnsembleScene, Row};
 use simulation::{Axes, IvpScene};
 use std::ops::ControlFlow;
@@ -38,12 +38,42 @@ fn with(text: &str, from: &str, to: &str) -> String {
     text.replace(from, to)
 }
 
+/// A series whose steps end on the constraints.
+struct OnConstraints<'a> {
+    series: Box<dyn TaylorSeries<f64> + 'a>,
+    projection: Option<&'a dyn Projection<f64>>,
+    at: f64,
+}
+
+impl TaylorSeries<f64> for OnConstraints<'_> {
+    fn expand(&mut self, t: f64, y: &[f64], order: usize) {
+        self.at = t;
+        self.series.expand(t, y, order);
+    }
+
+    fn coefficients(&self, k: usize) -> &[f64] {
+        self.series.coefficients(k)
+    }
+
+    fn sum(&self, h: f64, out: &mut [f64]) {
+        self.series.sum(h, out);
+        if let Some(projection) = self.projection {
+            projection.project(self.at + h, out);
+        }
+    }
+
+    fn shown(&self) -> f64 {
+        self.series.shown()
+    }
+}
+
 /// The end of the run of one file, by the steps of an ensemble.
 fn single(text: &str) -> (u64, Vec<f64>) {
     let scene = ModelScene::parse("scene.toml", text).unwrap_or_else(|error| panic!("{error}"));
     let problem = scene.problem(Axes::First);
     let tolerance = scene.run.tolerance;
     let series = problem.law.taylor().expect("its law is recorded");
+    let series = OnConstraints { series, projection: problem.law.projection(), at: 0.0 };
     let mut taylor = Taylor::new(series, &Tolerance::both(tolerance)).with_order(lanes_order(tolerance));
     let mut state = problem.state.clone();
     let steps = taylor.propagate(0.0, scene.run.span, &mut state).expect("it arrives");

@@ -4,7 +4,7 @@ use super::run::Last;
 use super::stop_reason::Stopped;
 use crate::Run;
 use crate::events::Margins;
-use integrators::LaneSeries;
+use integrators::{LaneSeries, Projection};
 use std::borrow::Cow;
 use std::fmt;
 
@@ -92,6 +92,8 @@ pub struct Member<'a> {
     pub end: Box<EndOf<'a>>,
     /// The distance of a state from where the law ends; none for a law that holds everywhere.
     pub margins: Option<Box<Margins>>,
+    /// The way back onto what its motion keeps, where each step is to end on it.
+    pub projection: Option<Box<dyn Projection<f64> + Send + 'a>>,
 }
 
 /// The numbers of a variable for one member, in SI units.

@@ -194,6 +194,16 @@ impl Members for Worker<'_> {
         left.map(|(time, _)| time)
     }
 
+    fn projects(&self) -> bool {
+        self.aboard.iter().any(|aboard| aboard.member.projection.is_some())
+    }
+
+    fn project(&mut self, number: u64, time: f64, state: &mut [f64]) -> bool {
+        let aboard = self.aboard.iter().find(|aboard| aboard.number == number);
+        let projection = aboard.and_then(|aboard| aboard.member.projection.as_ref());
+        projection.is_some_and(|projection| projection.project(time, state))
+    }
+
     fn ended(&mut self, number: u64, state: &[f64], steps: u64, at: f64, failure: Option<Failure>) {
         let Some(place) = self.aboard.iter().position(|aboard| aboard.number == number) else { return };
         let Aboard { member, left, .. } = self.aboard.swap_remove(place);

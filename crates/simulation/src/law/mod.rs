@@ -6,6 +6,7 @@ mod divisors;
 mod exponents;
 mod jacobian;
 mod program;
+mod projected_law;
 mod series;
 mod trace;
 
@@ -14,5 +15,6 @@ pub use compiled_law::{CompiledLaw, Differentiable, Law, Splittable, SymbolicLaw
 pub use exponents::{Expandable, Exponents, Room};
 pub use jacobian::JacobianProgram;
 pub use program::{Program, Running};
+pub use projected_law::ProjectedLaw;
 pub use series::LawSeries;
 pub use trace::{TracedOde, traced};

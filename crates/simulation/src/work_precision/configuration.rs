@@ -98,8 +98,6 @@ pub enum Standing {
 #[derive(Clone)]
 pub enum Treated {
     Free(Arc<dyn Law>),
-    /// The second gives the constraints onto which the first is brought.
-    Projected(Arc<dyn Law>, Arc<dyn HeldLaw>),
     Held(Arc<dyn HeldLaw>),
     /// Law after law.
     Across(Arc<dyn SharedAcross>),
@@ -163,13 +161,6 @@ impl Configuration {
                 let steps = |method: &&Method| split(method) && (**method != Method::Taylor || motion.has_series());
                 trials.methods.iter().filter(steps).map(|method| Attempt::Across(&**motion, *method)).collect()
             }
-            Treated::Projected(law, held) => trials
-                .methods
-                .iter()
-                .filter(split)
-                .filter(|method| method.steps().is_some())
-                .map(|method| Attempt::Projected(&**law, &**held, *method))
-                .collect(),
             Treated::Held(law) => Trials::STEPS
                 .into_iter()
                 .flat_map(|steps| {

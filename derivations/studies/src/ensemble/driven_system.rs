@@ -96,7 +96,13 @@ impl ParametricSystem for DrivenSystem {
         state.extend(rotor_state(&machine, &data.start));
         let shown =
             Shown { system: self, start: state.clone(), parameters: parameters.clone(), frame, frame_speed, conserved };
-        Ok(Member { parameters, state, end: Box::new(move |time, state| shown.end(time, state)), margins: None })
+        Ok(Member {
+            parameters,
+            state,
+            end: Box::new(move |time, state| shown.end(time, state)),
+            margins: None,
+            projection: None,
+        })
     }
 
     fn columns(&self) -> Vec<Column> {

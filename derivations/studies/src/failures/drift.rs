@@ -140,7 +140,6 @@ fn tried(mechanism: &CrankSlider<f64>, way: &Configuration, span: f64) -> Vec<Tr
         Treated::Free(law) => {
             [constant, Method::DormandPrince8].map(|method| Attempt::Integrated(&**law, method)).to_vec()
         }
-        Treated::Projected(law, held) => vec![Attempt::Projected(&**law, &**held, constant)],
         // what has contacts is no mechanism held to constraints alone
         Treated::Across(_) => Vec::new(),
         Treated::Held(law) => vec![
