@@ -110,11 +110,11 @@ fn loads_that_are_not_known_are_refused_by_name() {
     };
     let force = dalembert_model::LoadSource {
         on: Some("sleigh".into()),
-        is: "reaction(edge)*B.y".into(),
+        is: "dot(joint_force(sleigh), B.y)*B.y".into(),
         ..Default::default()
     };
     let early = told(Source { forces: vec![force], ..sleigh() });
-    assert!(early.contains("`reaction` stands in [outputs] only"), "{early}");
+    assert!(early.contains("`joint_force` stands in [outputs] only"), "{early}");
     let unknown = told(with_outputs(sleigh(), &["reaction(edgy)"]));
     assert!(unknown.contains("no constraint is called `edgy`") && unknown.contains("`edge`"), "{unknown}");
     let two = told(with_outputs(rolling_disc(), &["reaction(rolling)"]));
