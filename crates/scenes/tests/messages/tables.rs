@@ -104,8 +104,8 @@ fn reactions_and_conditions_are_refused_where_they_cannot_be() {
     assert_eq!(messages(&[("[outputs]", &output("abs(reaction(rod))"))]), Vec::<String>::new());
     told("joint_force(bob)", &["the output `load` is a scalar", "this is a vector"]);
     told("joint_force(P) . N.x", &["a body has a joint"]);
-    let force = rod("[[force]]\non = \"bob\"\nis = \"reaction(rod)*N.x/l\"\n\n[outputs]");
-    one(&[("[outputs]", &force)], &["`reaction` stands in [outputs] only"]);
+    let force = rod("[[force]]\non = \"bob\"\nis = \"(joint_force(bob) . N.x)*N.x\"\n\n[outputs]");
+    one(&[("[outputs]", &force)], &["`joint_force` stands in [outputs] only"]);
     let event = "[[event]]\nwhen = \"theta'' - (1 rad/s^2)\"\nend = true\n\n[outputs]";
     one(&[("[outputs]", event)], &["depends on accelerations or reactions is not there yet", "^^^"]);
     let piecewise = "[[constraint]]\nzero = \"if(t < (1 s), theta - 0.3, theta)\"\n\n[outputs]";
