@@ -48,6 +48,8 @@ impl Expressions {
 pub(super) struct States {
     start: Vec<f64>,
     positions: usize,
+    /// Places of reactions and of their impulses, which no state chooses: they rest.
+    resting: Vec<usize>,
     drawn: Draw,
     count: usize,
 }
@@ -56,7 +58,9 @@ impl States {
     pub fn about_start(trace: &Trace<'_>) -> Self {
         let model = trace.model;
         let start = start_of(model).unwrap_or_else(|_| model.start_state());
-        States { start, positions: model.positions(), drawn: Draw::new(1, 1, "states"), count: 0 }
+        let positions = model.positions();
+        let resting = model.impulses.iter().flat_map(|&impulse| [impulse, positions + impulse]).collect();
+        States { start, positions, resting, drawn: Draw::new(1, 1, "states"), count: 0 }
     }
 
     /// A number between -1 and 1.
@@ -73,6 +77,7 @@ impl States {
             let number = self.number();
             *value = if place < self.positions { *value + part * (1.0 + value.abs()) * number } else { size * number };
         }
+        self.resting.iter().for_each(|&place| state[place] = 0.0);
         (self.number().abs(), state)
     }
 }

@@ -190,9 +190,13 @@ fn components_of_a_constraint_that_vanish_identically_drop_out() {
 }
 
 /// Models whose references have fewer digits: swings after a load has come and a wheel that spins up in milliseconds lose two, and the co-energy of saturated iron, a logarithm of sums of
-/// exponentials, loses so many that there is none.
-const FEWER: [(&str, Option<f64>); 3] =
-    [("interior_magnet", Some(23.0)), ("reaction_wheel", Some(23.0)), ("switched_reluctance", None)];
+/// exponentials, loses so many that there is none. The creep forces of the wheelset change their law at saturation too often for one.
+const FEWER: [(&str, Option<f64>); 4] = [
+    ("interior_magnet", Some(23.0)),
+    ("reaction_wheel", Some(23.0)),
+    ("switched_reluctance", None),
+    ("wheelset", None),
+];
 
 #[test]
 fn every_model_has_a_reference_of_25_digits_that_is_its_own() {
