@@ -137,7 +137,7 @@ def andrews():
     return system
 
 
-SYSTEMS = {"bicycle": bicycle, "andrews_mechanism": andrews, "chain 5": lambda: chain(5), "chain 50": lambda: chain(50)}
+SYSTEMS = {"bicycle": bicycle, "andrews_mechanism": andrews} | {f"chain {links}": lambda links=links: chain(links) for links in (5, 20, 50)}
 
 if __name__ == "__main__":
     begin = time.perf_counter()

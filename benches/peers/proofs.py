@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """Builds and proves the same statements with dalembert, SymPy and FLINT, side by side in one run.
 
-    python3 benches/peers/proofs.py
+    python3 benches/peers/proofs.py [--systems]
 
-needs cargo, Python 3.10 with venv, and the network once, for pip: SymPy and python-flint go into a virtual environment
-in a temporary directory that is removed at the end. Prints a table and writes benches/peers/proofs.json.
+With `--systems` whole systems alone are measured, and the other figures are kept. It needs cargo, Python 3.10 with venv, and the
+network once, for pip: SymPy and python-flint go into a virtual environment in a temporary directory that is removed at the end. Prints
+a table and writes benches/peers/proofs.json.
 
 What is compared, and how:
 
@@ -18,6 +19,8 @@ What is compared, and how:
   than expand. The Lagrangian is doubled, so that all coefficients are integers. The angular velocity in Euler's angles
   and its rate are given to SymPy; dalembert finds them by differentiating the rotation matrix.
 * FLINT has polynomials alone: it takes part where the statement is one. Lagrange's equations it takes from SymPy.
+* Of whole systems (p) ours is `dalembert prove` from its start to its end: seven principles, those along constraints, what each keeps. SymPy
+  forms two principles without constraints and compares numbers (principles.py), for a minute at most.
 """
 
 import json
@@ -33,19 +36,21 @@ import time
 import venv
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-INSIDE = "--inside"
+INSIDE, ONLY_SYSTEMS = "--inside", "--systems"
 
 if __name__ == "__main__" and INSIDE not in sys.argv:
     with tempfile.TemporaryDirectory() as place:
         venv.create(place, with_pip=True)
         python = str(pathlib.Path(place) / ("Scripts" if os.name == "nt" else "bin") / "python")
         subprocess.run([python, "-m", "pip", "install", "--quiet", "sympy", "python-flint"], check=True)
-        sys.exit(subprocess.run([python, __file__, INSIDE]).returncode)
+        sys.exit(subprocess.run([python, __file__, INSIDE, *sys.argv[1:]]).returncode)
 
 import flint
 import sympy
 from flint import Ordering, fmpz_mpoly_ctx
 from sympy.physics.mechanics import LagrangesMethod, dynamicsymbols
+
+from systems import systems
 
 
 class Expressions:
@@ -448,17 +453,23 @@ def main():
     }
     print(", ".join(f"{name} {version}" for name, version in versions.items()))
     print("\n| milliseconds | dalembert | SymPy, its best | | FLINT | |\n|---|---|---|---|---|---|", flush=True)
-    ours = Ours()
+    stored = ROOT / "benches" / "peers" / "proofs.json"
     tasks = []
-    for task, seconds, sympys, flints in rows(ours):
+    if ONLY_SYSTEMS in sys.argv:
+        tasks = [task for task in json.loads(stored.read_text())["tasks"] if not task["task"].startswith("p: ")]
+    for task, seconds, sympys, flints in [] if tasks else rows(Ours()):
         how, best = min(sympys.items(), key=lambda item: item[1])
         beside = [f"{shown(best)} ({how})", f"{best / seconds:.0f}x"]
         numeric = not isinstance(flints, str)
         beside += [shown(flints), f"{flints / seconds:.1f}x"] if numeric else ["none", ""]
         print(f"| {task} | {shown(seconds)} | " + " | ".join(beside) + " |", flush=True)
         tasks.append({"task": task, "dalembert": seconds, "sympy": best, "sympy_by": sympys, "flint": flints})
+    for task, seconds, theirs in systems(ROUNDS):
+        beside = [theirs, ""] if isinstance(theirs, str) else [shown(theirs), f"{theirs / seconds:.0f}x"]
+        print(f"| {task} | {shown(seconds)} | " + " | ".join(beside) + " | none | |", flush=True)
+        tasks.append({"task": task, "dalembert": seconds, "sympy": theirs, "flint": NO_DERIVATION})
     report = {"unit": "seconds, medians", "versions": versions, "tasks": tasks}
-    (ROOT / "benches" / "peers" / "proofs.json").write_text(json.dumps(report, indent=2) + "\n")
+    stored.write_text(json.dumps(report, indent=2) + "\n")
 
 
 if __name__ == "__main__":

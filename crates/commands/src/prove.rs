@@ -63,7 +63,7 @@ pub fn prove(asked: &Asked) -> Result<Exit, Exit> {
 }
 
 /// Seconds of a comparison below which nobody wants to hear of it.
-const SHORT: f64 = 0.1;
+const SHORT: f64 = 0.2;
 
 /// Tells of equations that are long to form.
 fn tell_of_forming(model: &Model) {

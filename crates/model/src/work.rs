@@ -25,6 +25,7 @@ const BYTES: f64 = 150.0;
 
 /// Seconds of the square of the operations of a normal form: the longest of the foreign problems and of chains.
 const SECONDS_OF_NORMAL_FORM: f64 = 1.0e-7;
+const BYTES_OF_NORMAL_FORM: f64 = 2.5e4;
 
 impl Work {
     /// Seconds that it takes on a processor of today, at most for points and about so for normal forms.
@@ -34,9 +35,9 @@ impl Work {
         at_points + if self.by_normal_form { SECONDS_OF_NORMAL_FORM * operations * operations } else { 0.0 }
     }
 
-    /// Bytes of the expressions and of their values.
+    /// Bytes of the expressions with their values, or with their normal forms.
     pub fn bytes(&self) -> f64 {
-        BYTES * self.operations as f64
+        self.operations as f64 * if self.by_normal_form { BYTES_OF_NORMAL_FORM } else { BYTES }
     }
 }
 

@@ -56,6 +56,16 @@ fn verdicts_of_a_proof_are_read_by_programs() {
     assert_eq!(energy["says"], "(T + V)' is zero");
 }
 
+/// Standard error tells what takes long before it begins, unless nothing but results is wanted.
+#[test]
+fn long_judgements_are_told_before_they_begin() {
+    let told = |arguments: &[&str]| String::from_utf8_lossy(&run(arguments).stderr).into_owned();
+    let bicycle = told(&["prove", "scenes/foreign/bicycle.toml"]);
+    assert!(bicycle.starts_with("energy: normal forms of 2278 operations; about "), "{bicycle}");
+    assert_eq!(told(&["prove", "scenes/foreign/bicycle.toml", "--quiet"]), "");
+    assert_eq!(told(&["prove", MODEL]), "");
+}
+
 /// A rolling disc: every line has a verdict, and the mistake that is usual with the disc is refuted.
 #[test]
 fn a_proof_says_what_it_rests_on_and_what_a_mistake_loses() {
