@@ -37,7 +37,7 @@ static double nanoseconds(Clock::time_point begin) {
     return std::chrono::duration<double, std::nano>(Clock::now() - begin).count();
 }
 
-// What SUNDIALS needs for one run.
+// One run of SUNDIALS: its vectors, matrix and solver.
 struct Room {
     SUNContext context;
     N_Vector y, dy, id, bounds;
