@@ -49,8 +49,8 @@ pub fn forming(model: &Model) -> (f64, f64) {
     (SECONDS_TO_FORM * size, BYTES_TO_FORM * size)
 }
 
-const SECONDS_TO_FORM: f64 = 4.5e-5;
-const BYTES_TO_FORM: f64 = 4.8e3;
+const SECONDS_TO_FORM: f64 = 3.0e-5;
+const BYTES_TO_FORM: f64 = 4.0e3;
 
 impl fmt::Display for Work {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
