@@ -4,8 +4,8 @@
 //!
 //!   x_k = A y_k + C m_k
 //!
-//! with rows A and C that the order 0 gives: of a quotient, q_k = (a_k - q_0 b_k - m_k) / b_0,
-//! of a root, r_k = (a_k - m_k) / 2 r_0.
+//! with rows A and C that the order 0 gives: a quotient has q_k = (a_k - q_0 b_k - m_k) / b_0, a root
+//! r_k = (a_k - m_k) / 2 r_0.
 
 use super::{Set, Solving, lane, members};
 use crate::fused::Fused;
