@@ -17,11 +17,9 @@ pub(crate) use member::OfMember;
 
 use crate::layout::Layout;
 use crate::letters::Letters;
-use crate::modes::{Mode, Phase};
-use crate::program::recorded;
 use algebra::linear::{Factors, Pattern};
 use integrators::Projection;
-use model::{Constraint, Model, Trace, Zero};
+use model::{Model, Trace};
 use residuals::Kept;
 use simulation::{Law, Program, ProjectedLaw};
 use std::ops::Range;
@@ -85,22 +83,9 @@ impl ConstraintProjection {
         ConstraintProjection::over(model, states, |time, state| Letters::with_data(time, state))
     }
 
-    /// The same in a mode, in which contacts that stay in touch, and those that stick, hold as constraints do. None of a model whose
-    /// constraints hold speeds alone: residuals of these do not grow from themselves.
-    pub fn in_mode(model: &Model, mode: &Mode) -> Option<Arc<Self>> {
-        if !ConstraintProjection::is_of(model) || !symbolic::apart(|| Kept::of(&Trace::of(model)).hold_positions()) {
-            return None;
-        }
-        let mut with = model.clone();
-        for (contact, phase) in model.contacts.iter().zip(&mode.phases) {
-            if *phase == Phase::Apart || contact.guide.is_some() {
-                continue;
-            }
-            let slides = if phase.sticking().is_some() { &contact.slides[..] } else { &[] };
-            let slides = slides.iter().map(|&slide| Constraint { zero: Zero::Scalar(slide), ..contact.closed() });
-            with.constraints.extend(slides.chain([contact.closed()]));
-        }
-        ConstraintProjection::of(&with).map(Arc::new)
+    /// Whether constraints of a model hold positions: residuals of others do not grow from themselves.
+    pub fn keeps_positions(model: &Model) -> bool {
+        ConstraintProjection::is_of(model) && symbolic::apart(|| Kept::of(&Trace::of(model)).hold_positions())
     }
 
     /// Of a state with the parameters behind it.
@@ -117,12 +102,12 @@ impl ConstraintProjection {
             return None;
         }
         let speeds = model.speeds();
-        let residuals = recorded(inputs, |time, inputs| {
+        let residuals = Program::of(inputs, |time, inputs| {
             let trace = Trace::of(model);
             letters(time, inputs).put_into(&trace, &Kept::of(&trace).residuals())
         });
         let (mut positions, mut rates, mut entries) = (Vec::new(), 0, Vec::new());
-        let all = recorded(inputs, |time, inputs| {
+        let all = Program::of(inputs, |time, inputs| {
             let trace = Trace::of(model);
             let kept = Kept::of(&trace);
             (positions, rates) = (kept.places_of_positions(), kept.count());
@@ -136,7 +121,7 @@ impl ConstraintProjection {
             let on: Vec<(Sym, Sym)> = trace.switches.iter().map(|&switch| (switch, Sym::ONE)).collect();
             letters(time, inputs).put_into(&trace, &substitute_all(&all, &on))
         });
-        let (residuals, all) = (residuals.ok()?, all.ok()?);
+        let (residuals, all) = (residuals?, all?);
         let touches = |row: usize, column: usize| entries.binary_search(&(row, column)).is_ok();
         let meet = |(row, other): &(usize, usize)| (0..speeds).any(|k| touches(*row, k) && touches(*other, k));
         let places = (0..rates).flat_map(|row| (0..rates).map(move |other| (row, other))).filter(meet).collect();

@@ -160,7 +160,10 @@ impl Laws {
             let system = Arc::new(CompiledSystem::of(&self.model, mode)?);
             let signals = Signals::of(&self.model, mode)?;
             let (law, followed) = signal_integrals::followed(&self.model, &system);
-            let law = ConstraintProjection::onto(ConstraintProjection::in_mode(&self.model, mode).as_ref(), law);
+            let keeps_positions = ConstraintProjection::keeps_positions(&self.model);
+            let in_touch = keeps_positions.then(|| mode.with_closed_contacts(&self.model));
+            let projection = in_touch.and_then(|model| ConstraintProjection::of(&model)).map(Arc::new);
+            let law = ConstraintProjection::onto(projection.as_ref(), law);
             Ok(Arc::new(Moded { law, followed, system, signals }))
         });
         made.clone()

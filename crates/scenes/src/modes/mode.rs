@@ -1,6 +1,6 @@
 //! The mode of a law: the case of each condition, and the phase of each contact.
 
-use model::{Model, Sides};
+use model::{Constraint, Model, Sides, Zero};
 
 /// The case of a condition.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -179,6 +179,20 @@ impl Mode {
             }
         }
         self
+    }
+
+    /// The model with contacts that stay in touch, and the sliding velocities of those that stick, among its constraints.
+    pub fn with_closed_contacts(&self, model: &Model) -> Model {
+        let mut with = model.clone();
+        for (contact, phase) in model.contacts.iter().zip(&self.phases) {
+            if *phase == Phase::Apart || contact.guide.is_some() {
+                continue;
+            }
+            let slides = if phase.sticking().is_some() { &contact.slides[..] } else { &[] };
+            let slides = slides.iter().map(|&slide| Constraint { zero: Zero::Scalar(slide), ..contact.closed() });
+            with.constraints.extend(slides.chain([contact.closed()]));
+        }
+        with
     }
 
     /// Whether nothing is chosen.
