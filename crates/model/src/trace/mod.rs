@@ -8,6 +8,7 @@ mod angle;
 mod bodies;
 mod contacts;
 mod free_frame;
+mod judging;
 mod motion;
 mod rotation;
 mod vector;
@@ -21,20 +22,18 @@ pub(crate) use vector::Frames;
 pub use vector::Vector;
 
 use crate::arena::{Function, Number, Part, Scalar};
-use crate::equations::{Characteristics, constraints_of, held_of};
+use crate::equations::held_of;
 use crate::expression::Exponent;
 use crate::joints::Joints;
 use crate::presentation::FreeTurn;
 use crate::principles::lagrange::inertia;
 use crate::principles::loads::generalised;
-use crate::{FrameId, Input, Model, ScalarId, Turn, VectorId, Work};
+use crate::{FrameId, Input, Model, ScalarId, Turn, VectorId};
 use field::{Analytic, Elementary, Over, Rational, Scalar as _};
-use std::cell::{OnceCell, RefCell};
+use judging::Judging;
+use std::cell::RefCell;
 use std::f64::consts::{PI, TAU};
 use symbolic::{Derivation, Sym};
-
-/// A hearer of work that is about to begin.
-type Listener<'m> = Box<dyn Fn(&Work) + 'm>;
 
 /// A model over symbols.
 pub struct Trace<'m> {
@@ -69,10 +68,7 @@ pub struct Trace<'m> {
     vectors: Vec<Vector>,
     /// Masses and moments of inertia that vary: a letter and the value of each.
     solid: RefCell<Vec<(Sym, Sym)>>,
-    /// The directions that the constraints leave: found once, since every principle along them asks.
-    characteristics: OnceCell<Characteristics>,
-    /// Hears of the work of each comparison before it begins.
-    listener: Option<Listener<'m>>,
+    judging: Judging<'m>,
 }
 
 impl<'m> Trace<'m> {
@@ -127,8 +123,7 @@ impl<'m> Trace<'m> {
             scalars: vec![Sym::ZERO; model.arena.parts.len()],
             vectors: vec![Vector::ZERO; model.arena.parts.len()],
             solid: RefCell::default(),
-            characteristics: OnceCell::new(),
-            listener: None,
+            judging: Judging::default(),
         };
         trace.turn_frames(0);
         for &ahead in &model.ahead {
@@ -147,20 +142,6 @@ impl<'m> Trace<'m> {
             trace.turn_frames(place + 1);
         }
         trace
-    }
-
-    /// Itself, with a listener that hears of the work of each comparison before it begins.
-    pub fn heard_by(self, listener: impl Fn(&Work) + 'm) -> Self {
-        Trace { listener: Some(Box::new(listener)), ..self }
-    }
-
-    /// The directions that its constraints leave.
-    pub(crate) fn characteristics(&self) -> &Characteristics {
-        self.characteristics.get_or_init(|| Characteristics::of(self, &constraints_of(self)))
-    }
-
-    pub(crate) fn announce(&self, work: &Work) {
-        self.listener.iter().for_each(|hears| hears(work));
     }
 
     /// The bracket of Iverson: 1 where the condition holds, else 0.
@@ -203,14 +184,6 @@ impl<'m> Trace<'m> {
         let first = speed - turn % 3;
         let [next, last] = [first + (turn + 1) % 3, first + (turn + 2) % 3];
         self.speeds[next] * momentum(last) - self.speeds[last] * momentum(next)
-    }
-
-    /// The name of what a speed moves: its coordinate, or of a free frame the speed itself.
-    pub fn direction(&self, speed: usize) -> String {
-        match self.model.coordinates.get(speed) {
-            Some(coordinate) => coordinate.name.clone(),
-            None => self.speeds[speed].to_string(),
-        }
     }
 
     /// A scalar expression.

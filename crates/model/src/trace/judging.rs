@@ -1,0 +1,42 @@
+//! The parts of a trace that judgements share: the directions that constraints leave, a listener, and names of directions.
+
+use super::Trace;
+use crate::Work;
+use crate::equations::{Characteristics, constraints_of};
+use std::cell::OnceCell;
+
+/// A hearer of work that is about to begin.
+type Listener<'m> = Box<dyn Fn(&Work) + 'm>;
+
+#[derive(Default)]
+pub(super) struct Judging<'m> {
+    /// The directions that the constraints leave: found once, since every principle along them asks.
+    characteristics: OnceCell<Characteristics>,
+    /// Hears of the work of each comparison before it begins.
+    listener: Option<Listener<'m>>,
+}
+
+impl<'m> Trace<'m> {
+    /// Itself, with a listener that hears of the work of each comparison before it begins.
+    pub fn heard_by(self, listener: impl Fn(&Work) + 'm) -> Self {
+        let judging = Judging { listener: Some(Box::new(listener)), ..self.judging };
+        Trace { judging, ..self }
+    }
+
+    /// The directions that its constraints leave.
+    pub(crate) fn characteristics(&self) -> &Characteristics {
+        self.judging.characteristics.get_or_init(|| Characteristics::of(self, &constraints_of(self)))
+    }
+
+    pub(crate) fn announce(&self, work: &Work) {
+        self.judging.listener.iter().for_each(|hears| hears(work));
+    }
+
+    /// The name of what a speed moves: its coordinate, or of a free frame the speed itself.
+    pub fn direction(&self, speed: usize) -> String {
+        match self.model.coordinates.get(speed) {
+            Some(coordinate) => coordinate.name.clone(),
+            None => self.speeds[speed].to_string(),
+        }
+    }
+}
