@@ -3,8 +3,8 @@
 //!
 //! The point of a body from which others are found, S = O + s N.x, becomes S = (O + s N.x) + guide N.y. All that hangs on S moves along.
 
-use super::elaborated;
 use super::guides::Guide;
+use super::resolution::elaborated;
 use crate::equations::constraints_of;
 use crate::{Entry, Fault, Model, PointId, Source, Trace};
 use symbolic::{Sym, apart};

@@ -2,6 +2,7 @@
 
 mod constraints;
 mod contacts;
+mod coordinates;
 mod events;
 mod laws;
 mod loads;
@@ -9,6 +10,7 @@ mod regulator;
 
 pub use constraints::{Constraint, Implied, Zero};
 pub use contacts::{Contact, OneWay, Restitution, Sides};
+pub use coordinates::{Coordinate, QuasiVelocity};
 pub use events::{Assignment, Direction, Event, StartSpeed, StartValue};
 pub(crate) use laws::Combination;
 pub use laws::UnsolvedLaw;
@@ -60,35 +62,6 @@ pub struct Parameter {
 pub(crate) const QUATERNION: [&str; 4] = ["q0", "q1", "q2", "q3"];
 /// The parts of its angular velocity along its own axes.
 pub(crate) const TURNING: [&str; 3] = ["wx", "wy", "wz"];
-
-/// A coordinate.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Coordinate {
-    pub name: String,
-    pub dimension: Dimension,
-    /// The coherent unit, in which values are.
-    pub unit: String,
-    /// Where its name stands.
-    pub at: Range<usize>,
-}
-
-/// A quasi-velocity: a name for an expression that is linear in the speeds u.
-#[derive(Clone, Debug, PartialEq)]
-pub struct QuasiVelocity {
-    pub name: String,
-    pub is: ScalarId,
-    pub dimension: Dimension,
-    /// Where its name stands.
-    pub at: Range<usize>,
-}
-
-impl QuasiVelocity {
-    /// The coherent unit.
-    pub fn unit(&self) -> String {
-        let written = self.dimension.to_string();
-        units::Unit::parse(&written).map_or(written, |unit| unit.dimension().coherent())
-    }
-}
 
 /// A frame of axes.
 #[derive(Clone, Debug, PartialEq)]
@@ -350,7 +323,7 @@ impl Model {
             let unit = |place: usize, of: &str| match (of, per) {
                 // a current
                 ("C", "/s") => "A".to_owned(),
-                (_, "/s") if self.impulses.contains(&place) => self.unit_of_rate(place),
+                (_, "/s") if self.impulses.contains(&place) => self.coordinates[place].unit_of_rate(),
                 _ => format!("{of}{per}"),
             };
             let named = |(place, of): (usize, &Coordinate)| (format!("{}{rate}", of.name), unit(place, &of.unit));
@@ -364,12 +337,6 @@ impl Model {
             frames.flat_map(named).collect()
         };
         [own("", ""), free(&QUATERNION, "1"), own("'", "/s"), free(&TURNING, "rad/s")].concat()
-    }
-
-    /// The coherent unit of the rate of a coordinate.
-    fn unit_of_rate(&self, coordinate: usize) -> String {
-        let of_rate = (self.coordinates[coordinate].dimension / Dimension::time()).to_string();
-        units::Dimension::of(&of_rate).coherent()
     }
 
     /// The state at time zero: coordinates, then speeds; zero where nothing is said, free frames as their parents. A reaction that is not

@@ -88,7 +88,7 @@ impl ConstraintProjection {
         ConstraintProjection::is_of(model) && symbolic::apart(|| Kept::of(&Trace::of(model)).hold_positions())
     }
 
-    /// Of a state with the parameters behind it.
+    /// The projection of a state with the parameters behind it.
     pub fn of_members(model: &Model) -> Option<Self> {
         let states = model.positions() + model.speeds();
         ConstraintProjection::over(model, states + model.parameters.len(), |time, inputs| {

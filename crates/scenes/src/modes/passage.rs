@@ -342,9 +342,8 @@ impl Modes {
             let beyond = beyond(condition.terms[0], mode.cases[switch]);
             let rounding = (slack * condition.doubts[0]).max(condition.hidden(slack));
             let near = (2.0 * beyond).max(rounding);
-            // one that follows at once is open wherever it is, and near to zero only here
-            let is_near = condition.terms[0].abs() <= near;
-            if is_near && open.switches.contains(&switch) { near } else { 0.0 }
+            // one that follows at once is open wherever it is
+            if condition.terms[0].abs() <= near && open.switches.contains(&switch) { near } else { 0.0 }
         };
         // what follows at once may leave zero more slowly than the terms of which it is the sum
         let left =

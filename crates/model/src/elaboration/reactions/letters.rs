@@ -26,7 +26,7 @@ pub(in crate::elaboration) struct ReactionLetter {
     component: usize,
     /// The name of its impulse.
     impulse: String,
-    /// Of the reaction.
+    /// The dimension of the reaction.
     dimension: Dimension,
     /// Where it stands first.
     pub(super) at: Range<usize>,

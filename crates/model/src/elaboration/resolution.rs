@@ -1,0 +1,96 @@
+//! A system as it was written, read once, or twice where its loads hold reactions.
+
+use super::one_sided_loads::{Load, one_sided};
+use super::reactions::{ReactionLetter, with_laws};
+use super::{
+    Elaborator, axial, contact_checks, inertialess, names, order, output_switches, oversights, released,
+    turning_inertias, unheld_axes,
+};
+use crate::{Fault, Model, Source};
+use std::ops::Range;
+
+/// Resolves a system.
+pub(crate) fn elaborate(source: &Source) -> Result<Model, Vec<Fault>> {
+    let mut model = elaborated(source)?;
+    if !model.contacts.is_empty() {
+        contact_checks::checked(&model)?;
+        released::release(source, &mut model)?;
+    }
+    Ok(model)
+}
+
+/// The same, its guides as they are. Where loads or events hold reactions, the system is read again with what gives these.
+pub(super) fn elaborated(source: &Source) -> Result<Model, Vec<Fault>> {
+    let first = Elaborator::new(source, Vec::new()).resolved()?;
+    if first.reaction_letters.is_empty() {
+        return settled(source, first);
+    }
+    let letters = first.reaction_letters.clone();
+    let open = settled(source, first)?;
+    let mut second = Elaborator::new(source, letters.clone()).resolved()?;
+    with_laws(&mut second.model, &open, &letters)?;
+    settled(source, second)
+}
+
+/// A model whose names are resolved, with the laws of its coordinates without inertia, and its warnings.
+fn settled(source: &Source, Resolved { mut model, loads, .. }: Resolved) -> Result<Model, Vec<Fault>> {
+    output_switches::stepped(&mut model);
+    let mut faults = axial::tilted(&model);
+    faults.extend(turning_inertias::turning(&model));
+    if faults.is_empty() {
+        faults = inertialess::settle(&mut model);
+    }
+    oversights::name_bare_parameters(source, &mut faults);
+    if !faults.is_empty() {
+        return Err(faults);
+    }
+    model.warnings.extend(one_sided(&model, &loads));
+    model.warnings.extend(unheld_axes::unheld_axes(source, &model));
+    model.warnings.extend(oversights::unused(source));
+    model.warnings.sort_by_key(|warning| warning.span.start);
+    Ok(model)
+}
+
+/// A system whose names are resolved.
+struct Resolved {
+    model: Model,
+    loads: Vec<(Load, Range<usize>)>,
+    reaction_letters: Vec<ReactionLetter>,
+}
+
+impl Elaborator<'_> {
+    fn resolved(mut self) -> Result<Resolved, Vec<Fault>> {
+        let reads_again = self.reaction_letters.is_empty();
+        self.letters();
+        self.charges();
+        self.impulses();
+        for kind in order::ordered(self.source, &mut self.faults, &mut self.broken) {
+            self.define(kind);
+        }
+        self.bodies();
+        self.loads();
+        self.rates();
+        self.events();
+        self.quasi_velocities();
+        // the impulses of reactions, which may start somewhere, are known when they are read again
+        if !reads_again || self.reaction_letters.is_empty() {
+            self.start();
+        }
+        self.regulator();
+        self.confine_reactions();
+        self.model.equilibrium.clone_from(&self.source.equilibrium);
+        let Elaborator { source, mut model, mut faults, headless, loads, reaction_letters, .. } = self;
+        model.warnings.sort_by_key(|warning| warning.span.start);
+        // what stands under a wrong heading is missing elsewhere: these faults explain others
+        if !headless.is_empty() {
+            faults = headless.into_iter().map(|(_, fault)| fault).collect();
+        }
+        faults.sort_by_key(|fault| fault.span.start);
+        names::once_for_each_name(&mut faults);
+        if faults.is_empty() {
+            return Ok(Resolved { model, loads, reaction_letters });
+        }
+        oversights::name_bare_parameters(source, &mut faults);
+        Err(faults)
+    }
+}
