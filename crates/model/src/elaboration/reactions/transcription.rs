@@ -90,7 +90,7 @@ fn whole(arena: &mut Arena, written: &str) -> ScalarId {
     let first = (digits.len() - 1) % DIGITS + 1;
     let value = |group: &str| group.parse().unwrap_or(0.0);
     let mut sum = number(arena, value(&digits[..first]));
-    for group in digits[first..].as_bytes().chunks(DIGITS) {
+    for group in digits.as_bytes()[first..].chunks(DIGITS) {
         let base = number(arena, 1e15);
         let shifted = arena.scalar(Scalar::Product(sum, base), None);
         let group = group.iter().fold(0.0, |sum, digit| 10.0 * sum + f64::from(digit - b'0'));
