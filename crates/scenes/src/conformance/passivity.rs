@@ -26,7 +26,9 @@ pub(super) fn verdict(model: &Model) -> PropertyVerdict {
     }
     apart(|| {
         let trace = Trace::of(model);
-        let forces = forces_without_potential(&trace);
+        let mut forces = forces_without_potential(&trace);
+        // the law of a reaction is no force
+        model.impulses.iter().for_each(|&impulse| forces[impulse] = Sym::ZERO);
         let held: Vec<Sym> = forces.iter().flat_map(|force| force.symbols_of()).collect();
         let chooses = trace.switches.iter().any(|switch| held.contains(switch));
         if !chooses && !trace.speeds.iter().any(|speed| held.contains(speed)) {

@@ -48,7 +48,7 @@ impl Expressions {
 pub(super) struct States {
     start: Vec<f64>,
     positions: usize,
-    /// Places of reactions and of their impulses, which no state chooses: they rest.
+    /// Places of reactions and of their impulses, which no state chooses: they are those of the start.
     resting: Vec<usize>,
     drawn: Draw,
     count: usize,
@@ -77,7 +77,7 @@ impl States {
             let number = self.number();
             *value = if place < self.positions { *value + part * (1.0 + value.abs()) * number } else { size * number };
         }
-        self.resting.iter().for_each(|&place| state[place] = 0.0);
+        self.resting.iter().for_each(|&place| state[place] = self.start[place]);
         (self.number().abs(), state)
     }
 }
