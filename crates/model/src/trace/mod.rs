@@ -8,7 +8,7 @@ mod angle;
 mod bodies;
 mod contacts;
 mod free_frame;
-mod judging;
+mod judgement;
 mod motion;
 mod rotation;
 mod vector;
@@ -30,7 +30,7 @@ use crate::principles::lagrange::inertia;
 use crate::principles::loads::generalised;
 use crate::{FrameId, Input, Model, ScalarId, Turn, VectorId};
 use field::{Analytic, Elementary, Over, Rational, Scalar as _};
-use judging::Judging;
+use judgement::Judgement;
 use std::cell::RefCell;
 use std::f64::consts::{PI, TAU};
 use symbolic::{Derivation, Sym};
@@ -68,7 +68,7 @@ pub struct Trace<'m> {
     vectors: Vec<Vector>,
     /// Masses and moments of inertia that vary: a letter and the value of each.
     solid: RefCell<Vec<(Sym, Sym)>>,
-    judging: Judging<'m>,
+    judgement: Judgement<'m>,
 }
 
 impl<'m> Trace<'m> {
@@ -123,7 +123,7 @@ impl<'m> Trace<'m> {
             scalars: vec![Sym::ZERO; model.arena.parts.len()],
             vectors: vec![Vector::ZERO; model.arena.parts.len()],
             solid: RefCell::default(),
-            judging: Judging::default(),
+            judgement: Judgement::default(),
         };
         trace.turn_frames(0);
         for &ahead in &model.ahead {

@@ -1,8 +1,8 @@
 //! Reactions of constraints in loads and events: beside the same motions in coordinates without constraints, and closed forms.
 
 mod beside;
+mod dry_friction;
 mod refusals;
-mod sticking;
 
 use ::machines as _;
 use dalembert_scenes::ModelScene;

@@ -9,7 +9,7 @@ use std::cell::OnceCell;
 type Listener<'m> = Box<dyn Fn(&Work) + 'm>;
 
 #[derive(Default)]
-pub(super) struct Judging<'m> {
+pub(super) struct Judgement<'m> {
     /// The directions that the constraints leave: found once, since every principle along them asks.
     characteristics: OnceCell<Characteristics>,
     /// Hears of the work of each comparison before it begins.
@@ -19,17 +19,17 @@ pub(super) struct Judging<'m> {
 impl<'m> Trace<'m> {
     /// Itself, with a listener that hears of the work of each comparison before it begins.
     pub fn heard_by(self, listener: impl Fn(&Work) + 'm) -> Self {
-        let judging = Judging { listener: Some(Box::new(listener)), ..self.judging };
-        Trace { judging, ..self }
+        let judgement = Judgement { listener: Some(Box::new(listener)), ..self.judgement };
+        Trace { judgement, ..self }
     }
 
     /// The directions that its constraints leave.
     pub(crate) fn characteristics(&self) -> &Characteristics {
-        self.judging.characteristics.get_or_init(|| Characteristics::of(self, &constraints_of(self)))
+        self.judgement.characteristics.get_or_init(|| Characteristics::of(self, &constraints_of(self)))
     }
 
     pub(crate) fn announce(&self, work: &Work) {
-        self.judging.listener.iter().for_each(|hears| hears(work));
+        self.judgement.listener.iter().for_each(|hears| hears(work));
     }
 
     /// The name of what a speed moves: its coordinate, or of a free frame the speed itself.
