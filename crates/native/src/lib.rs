@@ -81,6 +81,11 @@ impl Code {
         Some(Code { entries, inputs, outputs: tape.outputs(), constants, room: pieces.room, pages })
     }
 
+    /// Bytes of its instructions and its constants.
+    pub fn size(&self) -> usize {
+        self.pages.len() + size_of_val(&*self.constants)
+    }
+
     /// The values at a state and a time; none, and nothing written, where their numbers are not those of the tape.
     #[inline]
     pub fn run(&self, state: &[f64], time: f64, values: &mut [f64]) -> Option<()> {

@@ -67,6 +67,18 @@ fn another_number_of_inputs_or_too_little_room_is_refused() {
 }
 
 #[test]
+fn the_size_of_code_grows_with_its_operations_and_constants() {
+    let [x, t] = ["x", "t"].map(Sym::symbol);
+    let size =
+        |output: Sym| Code::of(&Tape::record(&[x, t], &[output]).expect("it has values")).map(|code| code.size());
+    let Some(one) = size(x + t) else { return };
+    let shifted = size(x + t + Sym::ratio(1, 3)).expect("as the first");
+    let long = size((0..100).fold(x, |y, _| y * y + t)).expect("as the first");
+    // a constant has eight bytes; two hundred operations have at least four bytes each
+    assert!(shifted >= one + 8 && long >= one + 800, "{one}, {shifted}, {long} bytes");
+}
+
+#[test]
 fn where_a_law_has_no_value_code_has_none() {
     let x = Sym::symbol("x");
     let tape = Tape::record(&[x, Sym::symbol("t")], &[Sym::ONE / x, x.sqrt()]).expect("it has values");

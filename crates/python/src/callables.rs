@@ -56,6 +56,14 @@ impl RightHandSide {
         self.0.states.clone()
     }
 
+    /// Bytes of its machine code and of the constants in it; None where it is not machine code.
+    ///
+    /// Where accelerations are solved for at each call, the bytes are those of the linear equations, without the solve.
+    #[getter]
+    fn code_size(&self) -> Option<usize> {
+        self.0.law.code_size()
+    }
+
     /// The rates of the state y at the time t in seconds.
     fn __call__<'py>(&self, py: Python<'py>, t: f64, y: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyArray1<f64>>> {
         let y = self.0.state(y)?;
@@ -79,6 +87,12 @@ impl JacobianMatrix {
     #[getter]
     fn states(&self) -> Vec<String> {
         self.0.states.clone()
+    }
+
+    /// Bytes of its machine code and of the constants in it; None where the right-hand side is differentiated in numbers instead.
+    #[getter]
+    fn code_size(&self) -> Option<usize> {
+        Jacobian::of(&*self.0.law).code_size()
     }
 
     /// The matrix of the derivatives df_i/dy_j at the time t in seconds and the state y.

@@ -115,6 +115,11 @@ def test_the_callables_serve_scipy():
         assert np.abs(found.y.T - ours.array[:, : len(start)]).max() < 1e-5
 
 
+def test_callables_tell_the_size_of_their_code():
+    model = dalembert.Model.from_file(SCENES / "models" / "double_pendulum.toml")
+    assert 0 < oscillator().rhs().code_size < model.rhs().code_size < model.jacobian().code_size < 100_000
+
+
 def test_callables_show_their_arguments():
     model = oscillator()
     assert [str(inspect.signature(one)) for one in (model.rhs(), model.jacobian())] == ["(t, y)", "(t, y)"]

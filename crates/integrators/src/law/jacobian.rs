@@ -35,6 +35,11 @@ impl<'a> Jacobian<'a> {
         Jacobian { code: system.jacobian_fn(), system: Some(system), ..Jacobian::new(system) }
     }
 
+    /// Bytes of the machine code of [`Self::matrix`]; none where the law is differentiated over dual numbers.
+    pub fn code_size(&self) -> Option<usize> {
+        self.code.as_ref()?.code_size()
+    }
+
     /// `matrix[i * n + j]` = df_i / dy_j at (t, y).
     pub fn matrix(&mut self, t: f64, y: &[f64], matrix: &mut [f64]) {
         self.matrix_at(t, y, matrix);

@@ -72,6 +72,12 @@ pub trait System: Ode<f64> + Ode<Dual8> + Ode<DoubleDouble> {
         None
     }
 
+    /// Bytes of the machine code of its rates in `f64`, with the constants in it, where such code is made at run time. Of a law that
+    /// solves linear equations at each evaluation these are the equations, without the solve.
+    fn code_size(&self) -> Option<usize> {
+        None
+    }
+
     /// The way back onto equations that its motions keep, where each accepted step is to end on them.
     fn projection(&self) -> Option<&dyn Projection<f64>> {
         None
@@ -112,6 +118,11 @@ pub trait JacobianFn {
     /// `slopes[i]` = df_i / dt at (t, y): none of a law that does not depend on time.
     fn by_time(&mut self, _t: f64, _y: &[f64], slopes: &mut [f64]) {
         slopes.fill(0.0);
+    }
+
+    /// Bytes of the machine code of the matrix, with the constants in it, where such code is made at run time.
+    fn code_size(&self) -> Option<usize> {
+        None
     }
 }
 

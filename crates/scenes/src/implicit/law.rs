@@ -36,6 +36,10 @@ where
 }
 
 impl System for ImplicitLaw {
+    fn code_size(&self) -> Option<usize> {
+        self.equations.terms.code_size()
+    }
+
     fn taylor(&self) -> Option<Box<dyn TaylorSeries<f64> + '_>> {
         self.series.plain()
     }

@@ -120,6 +120,10 @@ impl Ode<Sym> for CompiledLaw {
 }
 
 impl System for CompiledLaw {
+    fn code_size(&self) -> Option<usize> {
+        self.program()?.code_size()
+    }
+
     fn divisors(&self) -> Option<&dyn Divisors> {
         let made = self.divisors.get_or_init(|| self.program().and_then(DivisorProgram::of));
         made.as_ref().map(|program| program as &dyn Divisors)

@@ -62,6 +62,13 @@ struct Lines<'a> {
 }
 
 impl JacobianFn for Lines<'_> {
+    fn code_size(&self) -> Option<usize> {
+        match self.by_state {
+            Running::Code(code) => Some(code.size()),
+            Running::Followed(..) => None,
+        }
+    }
+
     fn matrix(&mut self, t: f64, y: &[f64], matrix: &mut [f64]) {
         self.by_state.run(t, y, matrix);
     }

@@ -36,6 +36,10 @@ macro_rules! runs {
 runs!(f64, Dual8, DoubleDouble);
 
 impl System for ProjectedLaw {
+    fn code_size(&self) -> Option<usize> {
+        self.law.code_size()
+    }
+
     fn projection(&self) -> Option<&dyn Projection<f64>> {
         Some(&*self.projection)
     }

@@ -73,6 +73,11 @@ impl Program {
         self.code.is_some()
     }
 
+    /// Bytes of its machine code and of the constants in it.
+    pub fn code_size(&self) -> Option<usize> {
+        self.code.as_ref().map(|code| code.size())
+    }
+
     /// The values at a time and a state; none where the state is not as long as what was recorded, or where there is no room for
     /// all values.
     #[inline]
