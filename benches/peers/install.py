@@ -11,7 +11,7 @@ import subprocess
 import sys
 import venv
 
-PYTHON = ["numpy", "heyoka", "scipy", "jax", "diffrax", "casadi", "mujoco", "drake", "exudyn"]
+PYTHON = ["numpy", "heyoka", "scipy", "jax", "diffrax", "casadi", "mujoco", "drake", "exudyn", "sympy", "symjit"]
 # a header that is needed, and the package that brings it
 DEBIAN = {"gsl/gsl_odeiv2.h": "libgsl-dev", "boost/numeric/odeint.hpp": "libboost-dev", "ida/ida.h": "libsundials-dev"}
 # RADAU5 of Hairer and Wanner stands compiled in a library for R, which it needs for printing alone

@@ -10,8 +10,8 @@ runs nothing. Writes results.json and results.md; ends with 1 where a tool does 
 
 What is compared, and how:
 
-* The model is written once: ours.rs exports the right-hand side and its exact Jacobian from the recorded laws. heyoka, JAX
-  and CasADi trace the Python, the others call the C (-O3 -march=native).
+* The model is written once: ours.rs exports the right-hand side and its exact Jacobian from the recorded laws. heyoka, JAX,
+  CasADi and SymPy trace the Python, the others call the C (-O3 -march=native).
 * Every tool runs over a scan of tolerances. Errors are those achieved at the end, relative to the largest size of each
   component, against a reference in double-double that two methods of ours confirm. Times are interpolated between the two
   runs around an error, logarithmically; a tool that is better than asked at its loosest tolerance counts with that run.
@@ -19,6 +19,8 @@ What is compared, and how:
 * The tools take turns at each tolerance, several rounds; figures are medians. Each clock runs inside the tool's own process.
   Setting up (recording, compiling, tracing) is counted apart; heyoka compiles for each tolerance, and it is that of one.
   SciPy calls the compiled C through ctypes: that and its own Python are in its times, as in any use of it from Python.
+* symjit compiles the right-hand side from SymPy's expressions, for SciPy's DOP853: its calls are in its times too. It takes trees, so that
+  what expressions share is written out, and it is left out where that is too long.
 * CVODE, IDA and RADAU5 run in one compiled program on the same C (dae.cpp). CVODE and RADAU5 take the ordinary differential
   equations; IDA and RADAU5 take the residual with multipliers too, in index 1 and, after Gear, Gupta and Leimkuhler, in
   index 2 (residual.rs). Errors count positions and speeds; heyoka is left out where it is not compiled in a minute.
@@ -66,15 +68,15 @@ FINEST = {False: "taylor in double-double", True: "radau_iia:7 in double-double"
 AGREES = 1e-5
 
 
-def optional(name, missing, setup, make):
-    """A tool's runs by name; nothing where it is not installed or does not work here."""
+def optional(scene, name, missing, setup, make):
+    """A tool's runs by name; nothing where it is not installed or fails on the scene."""
     begin = time.perf_counter()
     try:
         runs = make()
     except ImportError as error:
         missing[name] = f"not installed: {error}"
     except Exception as error:
-        missing[name] = f"failed: {type(error).__name__}: {error}"
+        missing[f"{name}, {scene.name}"] = f"failed: {type(error).__name__}: {error}"
     else:
         setup[name] = time.perf_counter() - begin
         return runs
@@ -84,7 +86,7 @@ def optional(name, missing, setup, make):
 def compare(path, model, rounds, cpp, radau5, missing):
     """One scene: times by tolerance, evaluations, set-up times."""
     from scene import Library, Scene
-    from sides import casadi_side, compiled_side, dae_side, diffrax_side, heyoka_side, multibody_side, scipy_side
+    from sides import casadi_side, compiled_side, dae_side, diffrax_side, heyoka_side, multibody_side, scipy_side, symjit_side
     from turns import measure
 
     with tempfile.TemporaryDirectory() as folder:
@@ -93,13 +95,13 @@ def compare(path, model, rounds, cpp, radau5, missing):
         with_heyoka = path.stem not in NO_HEYOKA
         runs = {f"dalembert {name}": scene.ours.run(name) for name in (OURS_OF_OTHERS if path in FOREIGN else OURS[scene.stiff])}
         if with_heyoka:
-            runs |= optional("heyoka", missing, setup, lambda: heyoka_side.runs(scene, TOLERANCES))
+            runs |= optional(scene, "heyoka", missing, setup, lambda: heyoka_side.runs(scene, TOLERANCES))
         if "heyoka" in setup:
             setup["heyoka"] /= len(TOLERANCES) * len(heyoka_side.SETTINGS)
         if path in TABLES + FOREIGN:
-            casadi = optional("CasADi", missing, setup, lambda: casadi_side.compiled(scene))
+            casadi = optional(scene, "CasADi", missing, setup, lambda: casadi_side.compiled(scene))
             ask = {"our rates": (scene.ours, "rates"), "our Jacobian": (scene.ours, "jacobian"), "num-dual Jacobian": (scene.ours, "num-dual")}
-            found = optional("C++", missing, setup, lambda: compiled_side.server(scene, *cpp, casadi)) or (None, {})
+            found = optional(scene, "C++", missing, setup, lambda: compiled_side.server(scene, *cpp, casadi)) or (None, {})
             if found[0]:
                 ask |= {"exported C, rates": (found[0], "rates"), "exported C, Jacobian": (found[0], "jacobian")}
             if found[0] and casadi:
@@ -107,17 +109,19 @@ def compare(path, model, rounds, cpp, radau5, missing):
             library = Library(scene)
             scipy = ["DOP853", "Radau"] if path in FOREIGN else ["Radau", "BDF"] if scene.stiff else ["DOP853"]
             runs |= found[1]
-            runs |= optional("SciPy", missing, setup, lambda: scipy_side.runs(scene, library, scipy))
-            runs |= optional("SUNDIALS and RADAU5", missing, setup, lambda: dae_side.runs(scene, cpp[0], radau5))
+            runs |= optional(scene, "SciPy", missing, setup, lambda: scipy_side.runs(scene, library, scipy))
+            if "DOP853" in scipy:
+                runs |= optional(scene, "symjit", missing, setup, lambda: symjit_side.runs(scene))
+            runs |= optional(scene, "SUNDIALS and RADAU5", missing, setup, lambda: dae_side.runs(scene, cpp[0], radau5))
         if path.stem in multibody_side.SCENES:
             for name, side in multibody_side.TOOLS.items():
-                runs |= optional(name, missing, setup, lambda side=side: side(scene))
+                runs |= optional(scene, name, missing, setup, lambda side=side: side(scene))
         if path in TABLES:
-            runs |= optional("diffrax", missing, setup, lambda: diffrax_side.runs(scene))
+            runs |= optional(scene, "diffrax", missing, setup, lambda: diffrax_side.runs(scene))
         finest = FINEST[scene.stiff]
         finer = {f"dalembert {finest}": scene.ours.run(finest)}
         if with_heyoka:
-            finer |= optional("heyoka, long double", missing, setup, lambda: heyoka_side.finer(scene, FINER))
+            finer |= optional(scene, "heyoka, long double", missing, setup, lambda: heyoka_side.finer(scene, FINER))
         if "heyoka, long double" in setup:
             setup["heyoka, long double"] /= len(FINER)
         points, failed = measure(scene, [(runs, TOLERANCES), (finer, FINER)], rounds)

@@ -1,9 +1,9 @@
-"""SciPy's own integrators, with the compiled C as the right-hand side and its Jacobian."""
+"""SciPy's own integrators, with a compiled right-hand side and its Jacobian."""
 
 from turns import clocked, repeated
 
 
-def runs(scene, library, methods):
+def runs(scene, library, methods, called="SciPy {}"):
     from scipy.integrate import solve_ivp
 
     def by(method):
@@ -19,4 +19,4 @@ def runs(scene, library, methods):
 
         return lambda tolerance: repeated(lambda: once(tolerance))
 
-    return {f"SciPy {method}": by(method) for method in methods}
+    return {called.format(method): by(method) for method in methods}
