@@ -1,16 +1,25 @@
 #!/usr/bin/env python3
 """Chains of n links: dalembert beside Pinocchio, MuJoCo, Drake, CasADi and SymPy, in one run.
 
-    python3 benches/peers/chains.py
+    python3 benches/peers/chains.py [plane] [space]
 
 The peers come into target/peers by name (install.py), and so does our own module (`pip install .`, some minutes). What cannot be had is
-said. Writes chains.md beside itself and draws book/src/chains.svg (growth.py).
+said. Writes chains.md beside itself and draws book/src/chains.svg (growth.py). With one kind of chain named, the tables of the other stay.
 
 Each link is a rigid body of 1 kg, 0.2 m long, hinged to the one before it: about z alone in a plane, about z and x in turn in space.
-All tools are asked for the accelerations of the same states in turn, and agree to 1e-9. Times are microseconds of one call from Python, the smallest of
-several rounds, less that of a call on a system of one link or of none, which is a line of its own: it is the way into the tool. SymPy and
-CasADi write Lagrange's equations of the same chain and solve for the accelerations, as their manuals show; they are left out where writing
-them would take more than half a minute.
+
+* All tools are asked for the accelerations of the same state in turn, then for their derivatives by positions and speeds. Before that they
+  are compared with ours: who is off by more than 1e-8 of the largest is named with the difference.
+* Times are of one call from Python, the smallest of several rounds: with few links most of it is the way into the tool.
+* Pinocchio is asked by aba and computeABADerivatives, MuJoCo by mj_forward, Drake by CalcTimeDerivatives, over AutoDiffXd for derivatives.
+  MuJoCo's derivatives are finite differences of a step, and are left out.
+* Our derivatives are machine code for up to eleven links; those of longer chains are found over dual numbers.
+* SymPy and CasADi write Lagrange's equations of the same chain and solve for the accelerations, as their manuals show. They are left out
+  where writing them, or their derivatives, would take more than half a minute.
+* The time to the first answer begins with the text, or with the calls that build the chain; each tool was loaded before; it is the
+  smallest of five where one takes less than a second.
+* Code is counted in bytes of instructions and constants, cosines and sines and SymPy's solve apart. Ours is written at run time; that of
+  CasADi and SymPy is their C, by gcc -O3 -march=native, where it takes gcc no more than half a minute. The others write none.
 """
 
 import math
@@ -21,7 +30,6 @@ import time
 
 import growth
 import install
-from chain_text import ACROSS, ALONG, GRAVITY, LENGTH, MASS, axis, text
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
@@ -30,192 +38,28 @@ PEERS = ["pin", "mujoco", "drake", "casadi", "sympy"]
 if __name__ == "__main__" and pathlib.Path(sys.prefix) != FOLDER / "venv":
     python = install.environment(FOLDER, PEERS)[0]
     subprocess.run([python, "-m", "pip", "install", "--quiet", ROOT], check=True)
-    sys.exit(subprocess.run([python, __file__]).returncode)
+    sys.exit(subprocess.run([python, __file__, *sys.argv[1:]]).returncode)
 
 import numpy as np
+from chain_tools import TOOLS, WRITING
 
-LINKS = (2, 5, 10, 20, 50, 100, 200)
-# seconds that writing equations may take
-WRITING = 30
-ROUNDS, CALLS = 7, 0.02
-
-
-def ours(kind, links):
-    import dalembert
-
-    begin = time.perf_counter()
-    model = dalembert.Model.from_text(text(kind, links))
-    rates = model.rhs()
-    rates(0.0, np.zeros(2 * links))
-    ready = time.perf_counter() - begin
-    state = np.zeros(2 * links)
-
-    def ask(q, v):
-        state[:links], state[links:] = q, v
-        return rates(0.0, state)[links:]
-
-    return ready, lambda q, v: (lambda: rates(0.0, state)) if ask(q, v) is not None else None, ask
-
-
-def pinocchio(kind, links):
-    import pinocchio as pin
-
-    begin = time.perf_counter()
-    model, parent = pin.Model(), 0
-    model.gravity.linear = np.array([0.0, -GRAVITY, 0.0])
-    inertia = pin.Inertia(MASS, np.array([0.0, -LENGTH / 2, 0.0]), np.diag([ACROSS, ALONG, ACROSS]))
-    for link in range(links):
-        joint = pin.JointModelRZ() if axis(kind, link) == "z" else pin.JointModelRX()
-        place = pin.SE3(np.eye(3), np.array([0.0, -LENGTH if link else 0.0, 0.0]))
-        parent = model.addJoint(parent, joint, place, f"q{link + 1}")
-        model.appendBodyToJoint(parent, inertia, pin.SE3.Identity())
-    data, load = model.createData(), np.zeros(links)
-    ready = time.perf_counter() - begin
-    return ready, lambda q, v: lambda: pin.aba(model, data, q, v, load), lambda q, v: np.array(pin.aba(model, data, q, v, load))
-
-
-def mujoco(kind, links):
-    import mujoco
-
-    begin = time.perf_counter()
-    opened = "".join(
-        f'<body pos="0 {-LENGTH if link else 0} 0"><joint type="hinge" axis="{"0 0 1" if axis(kind, link) == "z" else "1 0 0"}"/>'
-        f'<inertial pos="0 {-LENGTH / 2} 0" mass="{MASS}" diaginertia="{ACROSS} {ALONG} {ACROSS}"/>'
-        for link in range(links)
-    )
-    xml = f'<mujoco><option gravity="0 {-GRAVITY} 0"/><worldbody>{opened}{"</body>" * links}</worldbody></mujoco>'
-    model = mujoco.MjModel.from_xml_string(xml)
-    data = mujoco.MjData(model)
-    ready = time.perf_counter() - begin
-
-    def ask(q, v):
-        data.qpos[:], data.qvel[:] = q, v
-        mujoco.mj_forward(model, data)
-        return data.qacc.copy()
-
-    return ready, lambda q, v: (ask(q, v), lambda: mujoco.mj_forward(model, data))[1], ask
-
-
-def drake(kind, links):
-    from pydrake.math import RigidTransform
-    from pydrake.multibody.plant import MultibodyPlant
-    from pydrake.multibody.tree import RevoluteJoint, SpatialInertia, UnitInertia
-
-    begin = time.perf_counter()
-    plant = MultibodyPlant(0.0)
-    plant.mutable_gravity_field().set_gravity_vector([0.0, -GRAVITY, 0.0])
-    # about the joint, per unit of mass: Steiner's part is added to the moments about the centre
-    about = UnitInertia(ACROSS / MASS + (LENGTH / 2) ** 2, ALONG / MASS, ACROSS / MASS + (LENGTH / 2) ** 2)
-    inertia, parent = SpatialInertia(MASS, [0.0, -LENGTH / 2, 0.0], about), plant.world_body()
-    for link in range(links):
-        body = plant.AddRigidBody(f"b{link}", inertia)
-        place = RigidTransform([0.0, -LENGTH if link else 0.0, 0.0])
-        about_axis = [0.0, 0.0, 1.0] if axis(kind, link) == "z" else [1.0, 0.0, 0.0]
-        plant.AddJoint(RevoluteJoint(f"q{link}", plant.AddFrame(fixed(place, parent)), body.body_frame(), about_axis))
-        parent = body
-    plant.Finalize()
-    context = plant.CreateDefaultContext()
-    rates = plant.AllocateTimeDerivatives()
-    ready = time.perf_counter() - begin
-
-    def ask(q, v):
-        plant.SetPositionsAndVelocities(context, np.concatenate([q, v]))
-        plant.CalcTimeDerivatives(context, rates)
-        return rates.CopyToVector()[links:]
-
-    def timed(q, v):
-        state = np.concatenate([q, v])
-        # what is known of a state is kept until another is set
-        return lambda: (plant.SetPositionsAndVelocities(context, state), plant.CalcTimeDerivatives(context, rates))
-
-    return ready, timed, ask
-
-
-def fixed(place, parent):
-    from pydrake.multibody.tree import FixedOffsetFrame
-
-    return FixedOffsetFrame(f"at {parent.name()}", parent.body_frame(), place)
-
-
-def energies(kind, links, q, v, cos, sin):
-    """Kinetic and potential energy of the chain, over the numbers of any tool."""
-    turn, spin, velocity, height = np.eye(3), np.zeros(3), np.zeros(3), 0
-    kinetic = potential = 0
-    for link in range(links):
-        c, s = cos(q[link]), sin(q[link])
-        own = [[c, -s, 0], [s, c, 0], [0, 0, 1]] if axis(kind, link) == "z" else [[1, 0, 0], [0, c, -s], [0, s, c]]
-        product = lambda a, b: [[sum(a[i][k] * b[k][j] for k in range(3)) for j in range(3)] for i in range(3)]
-        into = lambda vector: [sum(own[k][i] * vector[k] for k in range(3)) for i in range(3)]
-        turn = product(turn, own)
-        # in the axes of the link
-        spin, velocity = into(spin), into(velocity)
-        spin[2 if axis(kind, link) == "z" else 0] += v[link]
-        moved = lambda length: [velocity[0] + spin[2] * length, velocity[1], velocity[2] - spin[0] * length]
-        centre = moved(LENGTH / 2)
-        kinetic += MASS / 2 * sum(one * one for one in centre)
-        kinetic += (ACROSS * spin[0] * spin[0] + ALONG * spin[1] * spin[1] + ACROSS * spin[2] * spin[2]) / 2
-        potential += MASS * GRAVITY * (height - LENGTH / 2 * turn[1][1])
-        velocity, height = moved(LENGTH), height - LENGTH * turn[1][1]
-    return kinetic, potential
-
-
-def casadi(kind, links):
-    import casadi as ca
-
-    begin = time.perf_counter()
-    q, v = ca.SX.sym("q", links), ca.SX.sym("v", links)
-    kinetic, potential = energies(kind, links, ca.vertsplit(q), ca.vertsplit(v), ca.cos, ca.sin)
-    momentum = ca.gradient(kinetic, v)
-    right = ca.gradient(kinetic - potential, q) - ca.jtimes(momentum, q, v)
-    rates = ca.Function("rates", [q, v], [ca.solve(ca.jacobian(momentum, v), right)])
-    ready = time.perf_counter() - begin
-    buffer, evaluate = rates.buffer()
-    found = np.zeros(links)
-
-    def prepared(q, v):
-        held = [np.array(q), np.array(v)]
-        buffer.set_arg(0, memoryview(held[0]))
-        buffer.set_arg(1, memoryview(held[1]))
-        buffer.set_res(0, memoryview(found))
-        evaluate()
-        return held
-
-    def timed(q, v):
-        # what the call reads and writes lives as long as the call
-        held = prepared(q, v), buffer
-        return lambda: (evaluate(), held)[0]
-
-    return ready, timed, lambda q, v: (prepared(q, v), found.copy())[1]
-
-
-def sympy(kind, links):
-    import sympy as sp
-    from sympy.physics.mechanics import LagrangesMethod, dynamicsymbols
-
-    begin = time.perf_counter()
-    q = dynamicsymbols(f"q:{links}")
-    v = [one.diff() for one in q]
-    kinetic, potential = energies(kind, links, q, v, sp.cos, sp.sin)
-    method = LagrangesMethod(kinetic - potential, q)
-    method.form_lagranges_equations()
-    letters = sp.symbols(f"a:{links} b:{links}")
-    given = dict(zip([*v, *q], [*letters[links:], *letters[:links]]))
-    mass, forcing = (method.mass_matrix.subs(given), method.forcing.subs(given))
-    terms = sp.lambdify(letters, [mass, forcing], modules="numpy", cse=True)
-
-    def ask(q, v):
-        mass, forcing = terms(*q, *v)
-        return np.linalg.solve(np.array(mass, float), np.array(forcing, float)[:, 0])
-
-    ready = time.perf_counter() - begin
-    return ready, lambda q, v: lambda: ask(q, v), ask
-
-
-SIDES = {"dalembert": ours, "Pinocchio aba": pinocchio, "MuJoCo mj_forward": mujoco, "Drake": drake, "CasADi": casadi, "SymPy": sympy}
+# relative differences: from the first on they are told, from the second on a tool is left out
+AGREES, WRONG = 1e-8, 1e-3
+LINKS = (1, 2, 5, 10, 20, 50, 100, 200)
+ROUNDS, CALLS, BUILDS = 7, 0.02, 5
+# powers of the number of links with which expressions grow
+GROWTH = {"accelerations": 3, "derivatives": 4}
+HEADS = {"plane": "In a plane, hinges about z", "space": "In space, hinges about z and x in turn"}
+CAPTIONS = {
+    "accelerations": "Microseconds of the accelerations, by links.",
+    "derivatives": "Microseconds of their derivatives by positions and speeds, by links.",
+    "first": "Milliseconds from the text, or the calls that build the chain, to the first answer.",
+    "code": "Kilobytes of code and constants, by links.",
+}
 
 
 def call_time(call):
-    """Seconds of one call: the smallest of some rounds."""
+    """Seconds of one call: the mean of as many as take some time."""
     count, spent = 1, 0.0
     while spent < CALLS:
         count *= 2
@@ -226,59 +70,142 @@ def call_time(call):
     return spent / count
 
 
-def compare(kind):
-    """Rows by tool: seconds until the first answer and microseconds of a call, by links; and the way into each tool."""
-    found, given_up, said = {name: {} for name in SIDES}, {}, set()
-    for links in (1, *LINKS):
-        rng = np.random.default_rng(links)
-        q, v = rng.uniform(-1, 1, links), rng.uniform(-1, 1, links)
-        calls, answers = {}, {}
-        for name, side in SIDES.items():
-            if name in given_up:
-                continue
+def least_times(calls):
+    """Microseconds of a call by tool, the smallest of rounds in which the tools take turns."""
+    least = dict.fromkeys(calls, math.inf)
+    for _ in range(ROUNDS):
+        for name, call in calls.items():
+            least[name] = min(least[name], call_time(call) * 1e6)
+    return least
+
+
+class Comparison:
+    """One kind of chain: by table and row the figures by links, and why rows end."""
+
+    def __init__(self, kind):
+        self.kind, self.reasons, self.tables = kind, [], {what: {} for what in CAPTIONS}
+        self.ended, self.off = set(), {}
+        for name, tool in TOOLS.items():
             try:
-                ready, timed, ask = side(kind, links)
+                # what a tool loads when it is first used
+                self.first(tool, 1)
             except ImportError as error:
-                given_up[name] = f"not installed: {error}"
+                self.end(name, "accelerations", f"not installed, {error}")
+        for links, longer in zip(LINKS, [*LINKS[1:], None]):
+            self.measure(links, longer)
+
+    def end(self, name, what, reason):
+        self.ended |= {(name, what)}
+        self.reasons += [f"{name}: {reason}."]
+
+    def first(self, tool, links):
+        """A chain in a random state that is the same for all tools, after the first answer."""
+        rng = np.random.default_rng(links)
+        chain = tool(self.kind, links)
+        chain.at(rng.uniform(-1, 1, links), rng.uniform(-1, 1, links))
+        chain.accelerations()
+        return chain
+
+    def put(self, what, row, links, value):
+        self.tables[what].setdefault(row, {})[links] = value
+
+    def limit(self, name, what, took, links, longer):
+        """Ends a tool's row where the next chain would take too long."""
+        if longer and took * (longer / links) ** GROWTH[what] > WRITING:
+            self.end(name, what, f"the {what} of more than {links} links would take longer than {WRITING} s to write")
+
+    def measure(self, links, longer):
+        chains, with_slopes = {}, {}
+        for name, tool in TOOLS.items():
+            if (name, "accelerations") in self.ended:
                 continue
-            answers[name], calls[name] = ask(q, v), timed(q, v)
-            found[name][links] = [ready, math.inf]
-            # the next chain takes some eight times as long
-            if ready * 8 > WRITING:
-                given_up[name] = f"longer chains would take more than {WRITING} s to write"
+            took = math.inf
+            for _ in range(BUILDS):
+                begin = time.perf_counter()
+                chains[name] = self.first(tool, links)
+                took = min(took, time.perf_counter() - begin)
+                if took > 1:
+                    break
+            self.put("first", name, links, took * 1e3)
+            self.limit(name, "accelerations", took, links, longer)
+        for name, chain in chains.items():
+            if chain.differentiate and (name, "derivatives") not in self.ended:
+                begin = time.perf_counter()
+                chain.differentiate()
+                chain.slopes()
+                self.limit(name, "derivatives", time.perf_counter() - begin, links, longer)
+                with_slopes[name] = chain
+        right = self.agreeing(links, "accelerations", {name: chain.accelerations() for name, chain in chains.items()})
+        self.time(links, "accelerations", {name: chains[name].rates for name in right})
+        right = self.agreeing(links, "derivatives", {name: chain.slopes() for name, chain in with_slopes.items()})
+        self.time(links, "derivatives", {name: with_slopes[name].jacobian for name in right})
+        for name, chain in chains.items():
+            for part, size in chain.code().items():
+                self.count(name + part, size, links)
+
+    def time(self, links, what, calls):
+        for name, micros in least_times(calls).items():
+            self.put(what, name, links, micros)
+
+    def count(self, row, size, links):
+        if (row, "code") in self.ended:
+            return
+        counted = size()
+        if counted is not None:
+            self.put("code", row, links, counted / 1e3)
+        elif row.startswith("dalembert"):
+            self.end(row, "code", f"those of {links} links and more are found over dual numbers, without code")
+        else:
+            self.end(row, "code", f"gcc takes longer than {WRITING} s for the code of {links} links and more")
+
+    def agreeing(self, links, what, answers):
+        """Whose answers are ours; the others are told, and left out from here on."""
+        exact, right = answers["dalembert"], []
         for name, answer in answers.items():
-            off = np.abs(answer - answers["dalembert"]).max() / np.abs(answers["dalembert"]).max()
-            if off > 1e-9 and name not in said:
-                said.add(name)
-                print(f"{kind}, {links} links: {name} is off by {off:.1e}", file=sys.stderr)
-        for _ in range(ROUNDS):
-            for name, call in calls.items():
-                found[name][links][1] = min(found[name][links][1], call_time(call) * 1e6)
-    return found, given_up
+            off = np.abs(answer - exact).max() / np.abs(exact).max()
+            if not off < WRONG:
+                self.end(name, what, f"the {what} of {links} links are off by {off:.0e} of the largest")
+                continue
+            right.append(name)
+            if off > AGREES:
+                self.off.setdefault((name, what), []).append(f"{off:.0e} with {links} links")
+        return right
+
+    def remarks(self):
+        off = [f"{name}: the {what} are off by {', '.join(off)}, of the largest." for (name, what), off in self.off.items()]
+        return [*self.reasons, *off]
 
 
-def table(head, rows):
-    lines = [head, ["---"] * len(head), *rows]
+def number(value):
+    """Three digits."""
+    return np.format_float_positional(value, precision=3, fractional=False, trim="-")
+
+
+def table(rows):
+    lines = [["tool", *map(str, LINKS)], ["---"] * (len(LINKS) + 1)]
+    lines += [[name, *(number(own[n]) if n in own else "-" for n in LINKS)] for name, own in rows.items()]
     return "\n".join("| " + " | ".join(row) + " |" for row in lines)
 
 
-def page(results):
-    head = ["tool", *(str(links) for links in LINKS)]
-    parts = ["# Chains of links beside other tools", f"{install.processor()}, Python {sys.version.split()[0]}, by `python3 benches/peers/chains.py`."]
-    for kind, (found, given_up) in results.items():
-        shown = {name: own for name, own in found.items() if own}
-        ways = {name: own[1][1] for name, own in shown.items()}
-        times = [[name, *(f"{max(own[n][1] - ways[name], 0):.2f}" if n in own else "-" for n in LINKS)] for name, own in shown.items()]
-        ready = [[name, *(f"{own[n][0]:.3f}" if n in own else "-" for n in LINKS)] for name, own in shown.items()]
-        parts += [f"## In {'a plane' if kind == 'plane' else 'space'}, hinges {'about z' if kind == 'plane' else 'about z and x in turn'}"]
-        parts += ["Microseconds of the accelerations, by links; less the call on one link.", table(head, times)]
-        parts += ["Seconds from the text, or the calls that build the chain, to the first answer.", table(head, ready)]
-        parts += ["The call on one link, us: " + ", ".join(f"{name} {way:.2f}" for name, way in ways.items()) + "."]
-        parts += [f"{name}: {reason}." for name, reason in given_up.items()]
-    return "\n\n".join(parts) + "\n"
+def section(comparison):
+    parts = [part for what, caption in CAPTIONS.items() for part in (caption, table(comparison.tables[what]))]
+    return "\n\n".join([f"## {HEADS[comparison.kind]}", *parts, *comparison.remarks()])
+
+
+def page(sections):
+    head = ["# Chains of links beside other tools", f"{install.processor()}, Python {sys.version.split()[0]}, by `python3 benches/peers/chains.py`."]
+    return "\n\n".join([*head, *sections]) + "\n"
+
+
+def main():
+    target = HERE / "chains.md"
+    kept = {part.split("\n")[0]: "## " + part.strip() for part in target.read_text().split("\n## ")[1:]} if target.exists() else {}
+    for kind in sys.argv[1:] or HEADS:
+        kept[HEADS[kind]] = section(Comparison(kind))
+        target.write_text(page([kept[head] for head in HEADS.values() if head in kept]))
+    growth.draw()
+    print(target.read_text())
 
 
 if __name__ == "__main__":
-    (HERE / "chains.md").write_text(page({kind: compare(kind) for kind in ("plane", "space")}))
-    growth.draw()
-    print((HERE / "chains.md").read_text())
+    main()

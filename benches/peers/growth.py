@@ -3,7 +3,8 @@
 
     python3 benches/peers/growth.py
 
-writes book/src/chains.svg; chains.py calls it. A tool has one colour in all panels and stops where its table does.
+writes book/src/chains.svg; chains.py calls it. A tool has one colour in all panels and stops where its table does. Rows of derivatives
+beside others of the same tool are dashed.
 """
 
 import math
@@ -15,11 +16,13 @@ PICTURE = HERE.parent.parent / "book" / "src" / "chains.svg"
 # distinct for most readers with weak colour vision (Okabe and Ito)
 COLOURS = ["#000000", "#d55e00", "#0072b2", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"]
 WIDTH, HEIGHT, LEFT, TOP, GAP, ROW = 390, 250, 64, 78, 110, 318
+# links at the left and at the right edge
+LEAST, MOST = 0.9, 220
 STYLE = "text { font: 13px sans-serif; fill: #222 } .small { font-size: 11px; fill: #555 }"
 
 
 def tables(text):
-    """Of each table of times by links: where it stands, its caption, and by tool its points."""
+    """Of each table by links: where it stands, its caption, and by row its points."""
     kind, caption, found, rows = "", "", [], []
     for line in [*text.splitlines(), ""]:
         if line.startswith("## "):
@@ -28,8 +31,8 @@ def tables(text):
             rows.append([cell.strip() for cell in line.strip("|").split("|")])
         elif rows:
             links = [int(cell) for cell in rows[0][1:]]
-            points = {row[0]: [(n, float(cell)) for n, cell in zip(links, row[1:]) if cell != "-" and float(cell) > 0] for row in rows[2:]}
-            found.append((kind, caption.split(";")[0].rstrip("."), points))
+            points = {row[0]: [(n, float(cell)) for n, cell in zip(links, row[1:]) if cell != "-"] for row in rows[2:]}
+            found.append((kind, caption.rstrip("."), points))
             rows = []
         elif line:
             caption = line
@@ -41,27 +44,38 @@ def decades(values):
     return range(low, max(high, low + 1) + 1)
 
 
+def tool(row):
+    return row.split(",")[0]
+
+
+def is_dashed(row):
+    return row.endswith(", derivatives")
+
+
 def panel(left, top, title, axis, points, colours):
-    across = lambda n: left + WIDTH * math.log(n / 1.8) / math.log(220 / 1.8)
+    across = lambda n: left + WIDTH * math.log(n / LEAST) / math.log(MOST / LEAST)
     marks = decades([value for own in points.values() for _, value in own])
     up = lambda value: top + HEIGHT * (1 - (math.log10(value) - marks[0]) / (marks[-1] - marks[0]))
+    if any(is_dashed(name) for name in points):
+        axis += "; dashed: of derivatives"
     parts = [f'<text x="{left}" y="{top - 26}" font-weight="bold">{escape(title)}</text>', f'<text class="small" x="{left}" y="{top - 9}">{escape(axis)}</text>']
     for mark in marks:
         y = up(10.0**mark)
         label = f"{10.0**mark:g}"
         parts.append(f'<line x1="{left}" x2="{left + WIDTH}" y1="{y:.1f}" y2="{y:.1f}" stroke="#ddd"/>')
         parts.append(f'<text class="small" x="{left - 6}" y="{y + 4:.1f}" text-anchor="end">{label}</text>')
-    for n in (2, 5, 10, 20, 50, 100, 200):
+    for n in (1, 2, 5, 10, 20, 50, 100, 200):
         parts.append(f'<text class="small" x="{across(n):.1f}" y="{top + HEIGHT + 17}" text-anchor="middle">{n}</text>')
     for name, own in points.items():
         line = " ".join(f"{across(n):.1f},{up(value):.1f}" for n, value in own)
-        parts.append(f'<polyline points="{line}" fill="none" stroke="{colours[name]}" stroke-width="2"/>')
-        parts += [f'<circle cx="{across(n):.1f}" cy="{up(value):.1f}" r="2.6" fill="{colours[name]}"/>' for n, value in own]
+        colour, dashes = colours[tool(name)], ' stroke-dasharray="5 4"' if is_dashed(name) else ""
+        parts.append(f'<polyline points="{line}" fill="none" stroke="{colour}" stroke-width="2"{dashes}/>')
+        parts += [f'<circle cx="{across(n):.1f}" cy="{up(value):.1f}" r="2.6" fill="{colour}"/>' for n, value in own]
     return parts
 
 
 def picture(found):
-    names = list(dict.fromkeys(name for _, _, points in found for name in points))
+    names = list(dict.fromkeys(tool(name) for _, _, points in found for name in points))
     colours = dict(zip(names, COLOURS))
     kinds = list(dict.fromkeys(kind for kind, _, _ in found))
     captions = list(dict.fromkeys(caption for _, caption, _ in found))
