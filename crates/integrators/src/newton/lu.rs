@@ -154,7 +154,7 @@ impl WithSimd for Substitute<'_> {
 }
 
 /// After Markowitz: what is coupled with fewest others first.
-fn by_couplings(rows: &[f64], n: usize) -> Vec<usize> {
+pub(super) fn by_couplings(rows: &[f64], n: usize) -> Vec<usize> {
     let couplings = |i: usize| {
         let row = rows[i * n..][..n].iter().filter(|entry| **entry != 0.0).count();
         let column = rows.iter().skip(i).step_by(n).filter(|entry| **entry != 0.0).count();

@@ -1,18 +1,17 @@
-//! The steps of the collocation methods: Newton with stage Jacobians in `f64`, residuals in the field of the run.
+//! The steps of the collocation methods: Newton's iteration with a matrix in `f64`, residuals in the field of the run.
 //!
-//! The unknowns are Z_i = Y_i - y_0. Newton's matrix I - h A (x) J_j holds the Jacobian of every stage, so the first
-//! corrections converge almost quadratically; kept over the later ones it gains its own digits with each. Its
-//! accuracy decides how fast the iteration converges, never where to: the residuals are those of the run's field.
+//! The unknowns are Z_i = Y_i - y_0. Newton's matrix ([`StageMatrix`]) decides how fast the iteration converges, never where
+//! to: the residuals are those of the run's field. In double precision its Jacobian is kept over steps while the iteration
+//! converges fast, and its factors while the step hardly changes, as in Hairer and Wanner's RADAU5; in a finer field it holds the
+//! Jacobians of all stages, renewed where that pays.
 //!
-//! The error follows from the defect of the collocation polynomial u, d = u' - f(u), at the end of the step for Gauss, at its
-//! start for Radau IIA, whose end is a node. Over the step it spreads as the nodal polynomial M. By Alekseev and Groebner the end is wrong by h int M Phi d, and M is orthogonal to
-//! all polynomials below degree m (s for Gauss, s - 1 for Radau IIA): only the m-th Legendre coefficient of Phi d counts.
-//! Its share is at most 1 (stiff: the order falls to that of the stages) and is estimated from the spectral radius of h J
-//! and from the smoothness of the solution itself. As in Hairer and Wanner's RADAU5 the defect passes (I - h g J)^-1.
+//! The error is estimated from the defect of the collocation polynomial ([`DefectSpread`]); how the defect varies over the step adds a part by
+//! the smoothness of the solution itself.
 
 use crate::law::jacobian::Jacobian;
 use crate::methods::implicit::collocation::{Collocation, Family};
-use crate::newton::Lu;
+use crate::methods::implicit::defect_spread::DefectSpread;
+use crate::methods::implicit::stage_matrix::StageMatrix;
 use crate::newton::SpectralRadius;
 use crate::run::budgeted_rhs::BudgetedRhs;
 use crate::run::stepping::{Attempt, Cause, Stepper};
@@ -20,62 +19,94 @@ use crate::{Real, Tolerance};
 
 /// Iterations after which a step is shortened.
 const MOST_ITERATIONS: usize = 30;
+/// The same with a kept Jacobian, and two more for each stage.
+const MOST_KEPT: usize = 6;
 /// Iterations still to come that make fresh Jacobians pay.
 const PATIENCE: f64 = 8.0;
 /// What Newton may leave of the tolerance.
 const LEFT_BY_NEWTON: f64 = 0.01;
+/// What a correction may leave of the one before it for the Jacobian to be kept over the step.
+const KEEPS_JACOBIAN: f64 = 0.01;
+/// The same after a step that was too long for it.
+const RATE_AIMED_AT: f64 = 0.2;
+/// Of a first correction nothing is known but that the predictor is near.
+const FIRST_RATE: f64 = 0.5;
+/// What corrections may leave in the step that follows.
+const HIGHEST_RATE: f64 = 0.4;
+/// How much longer the next step could be and is not, so that the factors are kept.
+const KEEPS_FACTORS: f64 = 1.2;
 
 pub(crate) struct Implicit<'a, S> {
     method: Collocation<S>,
     tolerance: Tolerance,
     jacobian: Jacobian<'a>,
     n: usize,
-    /// Z_i of the last step that was computed, and its length: the predictor of the next.
     z: Vec<S>,
-    z_step: Option<f64>,
+    /// Z_i of the last step whose iteration converged, and its length: the predictor of the next.
+    known: Vec<f64>,
+    known_step: Option<f64>,
     stage: Vec<S>,
     slopes: Vec<S>,
     /// The slope where the defect is looked at.
     probe_slope: Vec<S>,
     correction: Vec<f64>,
     predicted: Vec<f64>,
-    /// J_j of the stages, by rows.
-    jacobians: Vec<f64>,
-    newton: Lu,
-    filter: Lu,
+    matrix: StageMatrix,
+    /// Where the one Jacobian of all stages was taken, and whether the next step takes another.
+    linearised_at: Option<S>,
+    stale: bool,
+    /// What the last correction left of the one before it.
+    rate: f64,
+    /// The step whose factors are there.
+    factorised: Option<f64>,
+    spread: DefectSpread,
+    /// g
+    pole: f64,
     defect: Vec<f64>,
     plain: Vec<f64>,
     spectrum: SpectralRadius,
-    /// The spectral radius at the last step whose error was looked at.
+    /// The spectral radius of the last Jacobian, in a field finer than `f64`.
     radius: f64,
     accepted: bool,
-    /// The integral of the spectral radius over the accepted steps: how much there was to follow.
+    /// Whether the last attempt was accepted.
+    accepted_before: bool,
+    /// The integral of the spectral radius over the accepted steps, in a field finer than `f64`: how much there was to follow.
     pub turns: f64,
 }
 
 impl<'a, S: Real> Implicit<'a, S> {
     pub fn new(family: Family, stages: usize, jacobian: Jacobian<'a>, tolerance: &Tolerance, dimension: usize) -> Self {
         let (n, all) = (dimension, stages * dimension);
+        let method = Collocation::<S>::new(family, stages);
+        let matrix = method.matrix.iter().map(|row| row.iter().map(|a| a.approx()).collect()).collect();
+        let matrix = StageMatrix::new(matrix, n, S::EPSILON < f64::EPSILON);
+        let pole = matrix.pole();
         Implicit {
-            method: Collocation::new(family, stages),
+            method,
             tolerance: tolerance.clone(),
             jacobian,
             n,
             z: vec![S::zero(); all],
-            z_step: None,
+            known: vec![0.0; all],
+            known_step: None,
             stage: vec![S::zero(); n],
             slopes: vec![S::zero(); all],
             probe_slope: vec![S::zero(); n],
             correction: vec![0.0; all],
             predicted: vec![0.0; all],
-            jacobians: vec![0.0; stages * n * n],
-            newton: Lu::new(all),
-            filter: Lu::new(n),
+            matrix,
+            spread: DefectSpread::new(family, stages, pole),
+            pole,
+            linearised_at: None,
+            stale: true,
+            rate: 0.0,
+            factorised: None,
             defect: vec![0.0; n],
             plain: vec![0.0; n],
             spectrum: SpectralRadius::new(n),
             radius: 0.0,
             accepted: false,
+            accepted_before: false,
             turns: 0.0,
         }
     }
@@ -83,7 +114,7 @@ impl<'a, S: Real> Implicit<'a, S> {
     /// Starts Newton from the last step's polynomial, extrapolated; from rest in the first step.
     fn predict(&mut self, step: f64) {
         let n = self.n;
-        let Some(last) = self.z_step else {
+        let Some(last) = self.known_step else {
             self.z.fill(S::zero());
             return;
         };
@@ -99,13 +130,13 @@ impl<'a, S: Real> Implicit<'a, S> {
                 let others = (0..nodes.len()).filter(|k| *k != j);
                 let weight = others.fold(at / node(j), |w, k| w * (at - node(k)) / (node(j) - node(k)));
                 for c in 0..n {
-                    self.predicted[i * n + c] += weight * self.z[j * n + c].approx();
+                    self.predicted[i * n + c] += weight * self.known[j * n + c];
                 }
             }
         }
         for c in 0..n {
             let ends = self.method.ends.iter().enumerate();
-            let moved = ends.fold(0.0, |sum, (j, d)| sum + d.approx() * self.z[j * n + c].approx());
+            let moved = ends.fold(0.0, |sum, (j, d)| sum + d.approx() * self.known[j * n + c]);
             for i in 0..nodes.len() {
                 self.predicted[i * n + c] -= begin * moved;
             }
@@ -113,31 +144,45 @@ impl<'a, S: Real> Implicit<'a, S> {
         self.z.iter_mut().zip(&self.predicted).for_each(|(z, predicted)| *z = S::lift(*predicted));
     }
 
-    /// J_j at every stage, and the factors of Newton's matrix.
+    /// J_j at every stage, or the one J of a step at its start, and the factors of Newton's matrix.
     fn linearise(&mut self, tau: S, y: &[S], step: S, meter: &BudgetedRhs<S>) -> Result<(), Cause> {
         let (n, direction) = (self.n, meter.direction.approx());
-        for (j, matrix) in self.jacobians.chunks_mut(n * n).enumerate() {
+        let one = self.matrix.is_uncoupled();
+        for (j, matrix) in self.matrix.jacobians().enumerate() {
             for ((plain, y), z) in self.plain.iter_mut().zip(y).zip(&self.z[j * n..]) {
-                *plain = (*y + *z).approx();
+                *plain = if one { y.approx() } else { (*y + *z).approx() };
             }
-            let t = meter.time(tau + step * self.method.nodes[j]).approx();
-            self.jacobian.matrix(t, &self.plain, matrix);
+            let at = if one { tau } else { tau + step * self.method.nodes[j] };
+            self.jacobian.matrix(meter.time(at).approx(), &self.plain, matrix);
             matrix.iter_mut().for_each(|entry| *entry *= direction);
             meter.count_jacobian();
         }
-        for (row, entries) in self.newton.rows().enumerate() {
-            let (i, c) = (row / n, row % n);
-            for (j, (part, jacobian)) in entries.chunks_mut(n).zip(self.jacobians.chunks(n * n)).enumerate() {
-                let factor = -(step * self.method.matrix[i][j]).approx();
-                part.iter_mut().zip(&jacobian[c * n..]).for_each(|(entry, slope)| *entry = factor * slope);
-            }
-            entries[row] += 1.0;
-        }
-        if !self.jacobians.iter().all(|slope| slope.is_finite()) {
+        if !self.matrix.is_finite() {
             return Err(Cause::Undefined);
         }
+        if !one {
+            self.radius = self.spectrum.radius(self.matrix.jacobian());
+        }
+        (self.linearised_at, self.stale) = (Some(tau), false);
+        self.factorise(step, meter)
+    }
+
+    fn factorise(&mut self, step: S, meter: &BudgetedRhs<S>) -> Result<(), Cause> {
+        self.factorised = Some(step.approx());
         meter.count_factorisation();
-        if self.newton.factorise() { Ok(()) } else { Err(Cause::Singular) }
+        if self.matrix.factorise(step.approx()) { Ok(()) } else { Err(Cause::Singular) }
+    }
+
+    /// Newton's matrix for a step, made only where the one at hand does not serve.
+    fn prepare(&mut self, tau: S, y: &[S], step: S, meter: &BudgetedRhs<S>) -> Result<(), Cause> {
+        let fresh = self.linearised_at == Some(tau);
+        if !self.matrix.is_uncoupled() || self.linearised_at.is_none() || self.stale && !fresh {
+            self.linearise(tau, y, step, meter)
+        } else if self.factorised != Some(step.approx()) {
+            self.factorise(step, meter)
+        } else {
+            Ok(())
+        }
     }
 
     /// One correction of Z; its size in units of the tolerance.
@@ -157,7 +202,7 @@ impl<'a, S: Real> Implicit<'a, S> {
                 self.correction[i * n + c] = sum.approx();
             }
         }
-        self.newton.solve(&mut self.correction);
+        self.matrix.solve(&mut self.correction);
         let mut size = 0.0_f64;
         for (z, correction) in self.z.chunks_mut(n).zip(self.correction.chunks(n)) {
             for c in 0..n {
@@ -169,27 +214,47 @@ impl<'a, S: Real> Implicit<'a, S> {
         size
     }
 
+    /// Newton's iteration from the predicted stages; once more with a Jacobian of this step where a kept one does not lead to an end.
+    fn solve(&mut self, tau: S, y: &[S], step: S, meter: &BudgetedRhs<S>) -> Result<(), Cause> {
+        self.predict(step.approx());
+        self.prepare(tau, y, step, meter)?;
+        let solved = self.iterate(tau, y, step, meter);
+        if solved.is_ok() || !self.matrix.is_uncoupled() || self.linearised_at == Some(tau) {
+            return solved;
+        }
+        self.predict(step.approx());
+        self.linearise(tau, y, step, meter)?;
+        self.iterate(tau, y, step, meter)
+    }
+
     /// Newton's iteration to a small part of the tolerance.
     fn iterate(&mut self, tau: S, y: &[S], step: S, meter: &BudgetedRhs<S>) -> Result<(), Cause> {
-        self.linearise(tau, y, step, meter)?;
+        let kept = self.matrix.is_uncoupled();
+        let most = if kept { MOST_KEPT + 2 * self.method.stages() } else { MOST_ITERATIONS };
         let mut last = f64::INFINITY;
-        let mut rate = 0.5;
-        for iteration in 0..MOST_ITERATIONS {
+        self.rate = 0.0;
+        for iteration in 0..most {
             let size = self.correct(tau, y, step, meter);
             if !size.is_finite() {
                 return Err(Cause::Undefined);
             }
             if iteration > 0 {
-                rate = size / last;
+                self.rate = size / last;
             }
+            let rate = if iteration > 0 { self.rate } else { FIRST_RATE };
             if size * (rate / (1.0 - rate).max(0.1)).min(1.0) <= LEFT_BY_NEWTON || (rate > 0.5 && size < 0.1) {
+                self.stale = rate > KEEPS_JACOBIAN && iteration > 0;
                 return Ok(());
+            }
+            let to_come = (LEFT_BY_NEWTON / size).ln() / rate.ln();
+            let in_time = |left: f64| (0.0..left).contains(&to_come);
+            if kept && iteration > 0 && !in_time((most - iteration) as f64) {
+                return Err(Cause::Newton);
             }
             if rate >= 2.0 || (iteration > 2 && rate >= 0.95) {
                 return Err(Cause::Newton);
             }
-            let to_come = (LEFT_BY_NEWTON / size).ln() / rate.ln();
-            if iteration > 0 && !(0.0..PATIENCE).contains(&to_come) {
+            if !kept && iteration > 0 && !in_time(PATIENCE) {
                 self.linearise(tau, y, step, meter)?;
             }
             last = size;
@@ -207,36 +272,38 @@ impl<'a, S: Real> Implicit<'a, S> {
         }
         let plain = self.tolerance.norm(y, after, |c| self.defect[c]);
         let motion = self.z.chunks(n).map(|z| self.tolerance.norm(y, after, |c| z[c].approx())).fold(0.0, f64::max);
-        let gentle = step.approx() / s as f64;
-        for (i, row) in self.filter.rows().enumerate() {
-            let slopes = &self.jacobians[i * n..][..n];
-            row.iter_mut().zip(slopes).for_each(|(entry, slope)| *entry = -gentle * slope);
-            row[i] += 1.0;
-        }
-        if self.filter.factorise() {
-            self.filter.solve(&mut self.defect);
-        }
-        let filtered = self.tolerance.norm(y, after, |c| self.defect[c]).min(plain);
-        let (degree, norm) = match self.method.family {
-            Family::Gauss => (s, 2 * s + 1),
-            Family::RadauIIA => (s - 1, 2 * (2 * s - 1)),
-        };
-        self.radius = self.spectrum.radius(&self.jacobians[..n * n]);
-        let half_turn = 0.5 * step.approx() * self.radius;
-        let rough = (1..=degree).fold(1.0, |share, k| share * half_turn / (2 * k - 1) as f64);
-        let share = (rough + plain / motion.max(f64::MIN_POSITIVE)).min(1.0);
-        let power = if share > 0.5 { s + 1 } else { s + 1 + degree };
-        (filtered * share / norm as f64, power as f64)
+        let DefectSpread { degree, filters, small, large, plain: part } = self.spread;
+        self.matrix.filter(&mut self.defect);
+        let filtered = part * self.tolerance.norm(y, after, |c| self.defect[c]).min(plain);
+        (1..filters).for_each(|_| self.matrix.filter(&mut self.defect));
+        (0..=degree).for_each(|_| self.through_modes());
+        self.defect.iter_mut().zip(&self.plain).for_each(|(defect, before)| *defect = small * before - large * *defect);
+        let of_modes = self.tolerance.norm(y, after, |c| self.defect[c]);
+        let error = of_modes + filtered * (plain / motion.max(f64::MIN_POSITIVE)).min(1.0);
+        let power = if error > 0.5 * filtered { s + 1 } else { s + 1 + degree };
+        (error, power as f64)
+    }
+
+    /// Multiplies the defect by w = ((1 - g z)^-1 - 1) / g, and keeps what it was.
+    fn through_modes(&mut self) {
+        let pole = self.pole;
+        self.plain.copy_from_slice(&self.defect);
+        self.matrix.filter(&mut self.defect);
+        self.defect.iter_mut().zip(&self.plain).for_each(|(defect, before)| *defect = (*defect - before) / pole);
     }
 }
 
 impl<S: Real> Stepper<S> for Implicit<'_, S> {
     fn attempt(&mut self, tau: S, before: &[S], step: S, after: &mut [S], meter: &BudgetedRhs<S>) -> Attempt {
         let length = step.approx();
-        self.predict(length);
-        if let Err(cause) = self.iterate(tau, before, step, meter) {
-            (self.z_step, self.accepted) = (None, false);
-            let factor = if cause == Cause::Undefined { 0.25 } else { 0.5 };
+        if let Err(cause) = self.solve(tau, before, step, meter) {
+            let factor = match cause {
+                Cause::Undefined => 0.25,
+                // the Jacobian changes as the step does, and what its change leaves of a correction as the square
+                Cause::Newton if self.matrix.is_uncoupled() => (RATE_AIMED_AT / self.rate).sqrt().clamp(0.1, 0.5),
+                _ => 0.5,
+            };
+            self.accepted_before = false;
             return Attempt::Rejected { next: factor * length, cause };
         }
         for (c, (after, before)) in after.iter_mut().zip(before).enumerate() {
@@ -248,10 +315,18 @@ impl<S: Real> Stepper<S> for Implicit<'_, S> {
             Family::RadauIIA => meter.rates(tau, before, &mut self.probe_slope),
         }
         let (error, power) = self.error(before, after, step);
-        let most = if self.accepted || self.z_step.is_none() { 5.0 } else { 1.0 };
-        self.z_step = Some(length);
+        let most = match self.matrix.is_uncoupled() {
+            true => (HIGHEST_RATE / self.rate).powf(0.7).clamp(1.0, 5.0),
+            false => 5.0,
+        };
+        let most = if self.accepted_before || self.known_step.is_none() { most } else { 1.0 };
+        self.known.iter_mut().zip(&self.z).for_each(|(known, z)| *known = z.approx());
+        self.known_step = Some(length);
         self.accepted = error <= 1.0;
-        let next = length * (0.9 * error.max(1e-300).powf(-1.0 / power)).clamp(0.2, most);
+        self.accepted_before = self.accepted;
+        let factor = (0.9 * error.max(1e-300).powf(-1.0 / power)).clamp(0.2, most);
+        let kept = self.matrix.is_uncoupled() && !self.stale && (1.0..KEEPS_FACTORS).contains(&factor);
+        let next = if kept { length } else { factor * length };
         if self.accepted {
             self.turns += length * self.radius;
             Attempt::Accepted { next }

@@ -1,0 +1,84 @@
+//! The error at the end of a step that follows from the defect of the collocation polynomial.
+//!
+//! The defect d = u' - f(u) of the polynomial u is looked at where it is not zero: at the end of the step for Gauss, at its start for Radau
+//! IIA, whose end is a node. Over the step it spreads as the nodal polynomial M. By Alekseev and Groebner the end is then wrong by
+//! h int M(t) exp(z (1 - t)) dt d with z = h J and M scaled to 1 where d is seen. M is orthogonal to all polynomials below degree m (s for
+//! Gauss, s - 1 for Radau IIA), so that the integral is a z^m where z is small, with a = c / prod_{k <= m} 2 (2 k - 1) and c = 1 / (2 s + 1)
+//! for Gauss, 1 / (2 (2 s - 1)) for Radau. Where z is large it falls as 1 / z for Gauss, and as s / z^2 for Radau, whose M is zero at the
+//! end. With w = z / (1 - g z) and the pole 1 / g of the factors that are there,
+//!
+//! w^m (a - b w) / (1 - g z)^p,  p = 1 or 2,
+//!
+//! has both limits. Modes that decay fast then do not hide the order of those which do not.
+
+use crate::methods::implicit::collocation::Family;
+
+/// The coefficients of the rational function.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct DefectSpread {
+    /// m
+    pub degree: usize,
+    /// p
+    pub filters: usize,
+    /// a
+    pub small: f64,
+    /// b
+    pub large: f64,
+    /// c: what is left of a defect that varies over the step as M does.
+    pub plain: f64,
+}
+
+impl DefectSpread {
+    /// By the pole 1 / g.
+    pub fn new(family: Family, stages: usize, pole: f64) -> Self {
+        let (degree, filters, plain, limit) = match family {
+            Family::Gauss => (stages, 1, 1.0 / (2 * stages + 1) as f64, 1.0),
+            Family::RadauIIA => (stages - 1, 2, 1.0 / (2 * (2 * stages - 1)) as f64, stages as f64),
+        };
+        let small = (1..=degree).fold(plain, |small, k| small / (2 * (2 * k - 1)) as f64);
+        let large = (limit * pole.powi((degree + filters) as i32) - small).max(0.0) * pole;
+        DefectSpread { degree, filters, small, large, plain }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::methods::implicit::collocation::{Collocation, nodal};
+    use crate::methods::implicit::stage_matrix::StageMatrix;
+
+    /// int M(t) exp(z (1 - t)) dt over (0, 1), M = 1 where the defect is seen, by Simpson's rule.
+    fn exact(family: Family, stages: usize, z: f64) -> f64 {
+        let seen = if family == Family::Gauss { 1.0 } else { 0.0 };
+        let value = |t: f64| nodal(family, stages, t) / nodal(family, stages, seen) * (z * (1.0 - t)).exp();
+        let parts = 20_000;
+        let weight = |k: usize| {
+            if k == 0 || k == parts {
+                1.0
+            } else if k % 2 == 1 {
+                4.0
+            } else {
+                2.0
+            }
+        };
+        (0..=parts).map(|k| weight(k) * value(k as f64 / parts as f64)).sum::<f64>() / (3 * parts) as f64
+    }
+
+    #[test]
+    fn the_rational_function_is_near_the_integral_at_every_stiffness() {
+        for family in [Family::Gauss, Family::RadauIIA] {
+            for stages in 1..=5 {
+                let matrix = Collocation::<f64>::new(family, stages).matrix;
+                let pole = StageMatrix::new(matrix, 1, false).pole();
+                let spread = DefectSpread::new(family, stages, pole);
+                for z in [-0.3, -1.0, -3.0, -10.0, -30.0, -100.0, -1e3] {
+                    let w = z / (1.0 - pole * z);
+                    let found = w.powi(spread.degree as i32) * (spread.small - spread.large * w)
+                        / (1.0 - pole * z).powi(spread.filters as i32);
+                    let ratio = (found / exact(family, stages, z)).abs();
+                    assert!((0.5..2.5).contains(&ratio), "{family:?}, {stages} stages, z = {z}: {ratio}");
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,172 @@
+//! The matrix of Newton's corrections to the stages, I - h A (x) J, and its factors.
+//!
+//! In double precision evaluations are cheap and elimination is dear: one Jacobian serves all stages and some steps, and the
+//! matrix falls into one for each eigenvalue of A ([`stage_modes`]). With s stages and n states elimination then costs n^3 and 4 n^3
+//! for each complex pair in the place of (s n)^3. In a finer field an evaluation costs more than the elimination, which goes on in
+//! double precision: there every stage has its own Jacobian, and few corrections are left to make.
+
+use super::stage_modes::{StageMode, stage_modes};
+use crate::newton::{ComplexLu, Lu};
+
+/// The factors of (lambda / h) I - J.
+enum Factors {
+    Real(Lu),
+    Complex(ComplexLu),
+}
+
+/// The matrices of a method by its eigenvalues, and the buffers of a solution.
+struct Uncoupled {
+    modes: Vec<(StageMode, Factors)>,
+    real: Vec<f64>,
+    imaginary: Vec<f64>,
+    sum: Vec<f64>,
+}
+
+pub(crate) struct StageMatrix {
+    n: usize,
+    matrix: Vec<Vec<f64>>,
+    step: f64,
+    /// J of the step, or J_j of every stage, by rows.
+    jacobians: Vec<f64>,
+    uncoupled: Option<Uncoupled>,
+    /// The whole matrix, where every stage has its own Jacobian.
+    whole: Option<Lu>,
+    /// I - h J / s, where no eigenvalue is real.
+    filter: Option<Lu>,
+}
+
+impl StageMatrix {
+    /// For a law with n states; `fine` where evaluations cost more than elimination.
+    pub fn new(matrix: Vec<Vec<f64>>, n: usize, fine: bool) -> Self {
+        let stages = matrix.len();
+        let modes = if fine { None } else { stage_modes(&matrix) };
+        let one_real = modes.iter().flatten().any(StageMode::is_real);
+        let uncoupled = modes.map(|modes| {
+            let factors = |mode: StageMode| {
+                let real = mode.is_real();
+                (mode, if real { Factors::Real(Lu::new(n)) } else { Factors::Complex(ComplexLu::new(n)) })
+            };
+            Uncoupled {
+                modes: modes.into_iter().map(factors).collect(),
+                real: vec![0.0; n],
+                imaginary: vec![0.0; n],
+                sum: vec![0.0; stages * n],
+            }
+        });
+        StageMatrix {
+            n,
+            step: 0.0,
+            jacobians: vec![0.0; if uncoupled.is_some() { n * n } else { stages * n * n }],
+            whole: if uncoupled.is_some() { None } else { Some(Lu::new(stages * n)) },
+            filter: if one_real { None } else { Some(Lu::new(n)) },
+            matrix,
+            uncoupled,
+        }
+    }
+
+    /// Whether one Jacobian serves all stages.
+    pub fn is_uncoupled(&self) -> bool {
+        self.uncoupled.is_some()
+    }
+
+    /// The Jacobians to be filled, by rows: one, or one for each stage.
+    pub fn jacobians(&mut self) -> std::slice::ChunksMut<'_, f64> {
+        self.jacobians.chunks_mut(self.n * self.n)
+    }
+
+    /// J, or that of the first stage.
+    pub fn jacobian(&self) -> &[f64] {
+        &self.jacobians[..self.n * self.n]
+    }
+
+    pub fn is_finite(&self) -> bool {
+        self.jacobians.iter().all(|slope| slope.is_finite())
+    }
+
+    /// Makes the factors for a step; false if a matrix is singular.
+    pub fn factorise(&mut self, step: f64) -> bool {
+        self.step = step;
+        let n = self.n;
+        let whole = self.whole.as_mut().is_none_or(|whole| {
+            for (row, entries) in whole.rows().enumerate() {
+                let (i, c) = (row / n, row % n);
+                for (j, (part, jacobian)) in entries.chunks_mut(n).zip(self.jacobians.chunks(n * n)).enumerate() {
+                    let factor = -step * self.matrix[i][j];
+                    part.iter_mut().zip(&jacobian[c * n..]).for_each(|(entry, slope)| *entry = factor * slope);
+                }
+                entries[row] += 1.0;
+            }
+            whole.factorise()
+        });
+        let jacobian = &self.jacobians[..n * n];
+        let modes = self.uncoupled.as_mut().is_none_or(|uncoupled| {
+            uncoupled.modes.iter_mut().all(|(mode, factors)| {
+                let shift = mode.eigenvalue / step;
+                match factors {
+                    Factors::Real(lu) => shifted(lu, (1.0, shift.re), jacobian),
+                    Factors::Complex(lu) => lu.factorise((shift.re, shift.im), jacobian),
+                }
+            })
+        });
+        let gentle = step / self.matrix.len() as f64;
+        let filter = self.filter.as_mut().is_none_or(|lu| shifted(lu, (gentle, 1.0), jacobian));
+        whole && modes && filter
+    }
+
+    /// Replaces a residual of the stages by the correction.
+    pub fn solve(&mut self, residual: &mut [f64]) {
+        if let Some(whole) = &mut self.whole {
+            whole.solve(residual);
+        }
+        let n = self.n;
+        let Some(Uncoupled { modes, real, imaginary, sum }) = &mut self.uncoupled else { return };
+        sum.fill(0.0);
+        for (mode, factors) in modes {
+            let shift = mode.eigenvalue / self.step;
+            real.fill(0.0);
+            imaginary.fill(0.0);
+            for (part, residual) in mode.part.iter().zip(residual.chunks_exact(n)) {
+                let part = part * shift;
+                real.iter_mut().zip(residual).for_each(|(sum, residual)| *sum += part.re * residual);
+                imaginary.iter_mut().zip(residual).for_each(|(sum, residual)| *sum += part.im * residual);
+            }
+            match factors {
+                Factors::Real(lu) => lu.solve(real),
+                Factors::Complex(lu) => lu.solve(real, imaginary),
+            }
+            for (shape, sum) in mode.shape.iter().zip(sum.chunks_exact_mut(n)) {
+                let parts = real.iter().zip(imaginary.iter());
+                sum.iter_mut().zip(parts).for_each(|(sum, (re, im))| *sum += shape.re * re - shape.im * im);
+            }
+        }
+        residual.copy_from_slice(sum);
+    }
+
+    /// g of [`Self::filter`].
+    pub fn pole(&self) -> f64 {
+        let real = self.uncoupled.iter().flat_map(|uncoupled| &uncoupled.modes).find(|(mode, _)| mode.is_real());
+        real.map_or(1.0 / self.matrix.len() as f64, |(mode, _)| mode.eigenvalue.re.recip())
+    }
+
+    /// Replaces a defect d by (I - h g J)^-1 d, g the reciprocal of the real eigenvalue or of the number of stages.
+    pub fn filter(&mut self, defect: &mut [f64]) {
+        if let Some(filter) = &mut self.filter {
+            return filter.solve(defect);
+        }
+        for (mode, factors) in self.uncoupled.iter_mut().flat_map(|uncoupled| &mut uncoupled.modes) {
+            if let Factors::Real(lu) = factors {
+                defect.iter_mut().for_each(|entry| *entry *= mode.eigenvalue.re / self.step);
+                return lu.solve(defect);
+            }
+        }
+    }
+}
+
+/// Factorises b I - a J.
+fn shifted(lu: &mut Lu, (a, b): (f64, f64), jacobian: &[f64]) -> bool {
+    for (i, (row, slopes)) in lu.rows().zip(jacobian.chunks(jacobian.len().isqrt().max(1))).enumerate() {
+        row.iter_mut().zip(slopes).for_each(|(entry, slope)| *entry = -a * slope);
+        row[i] += b;
+    }
+    lu.factorise()
+}
