@@ -284,7 +284,7 @@ impl<'a, S: Real> Implicit<'a, S> {
             let pairs = self.defect.iter_mut().zip(&self.plain);
             pairs.for_each(|(defect, before)| *defect = small * before - large * *defect);
             // how much the Jacobian varies is seen by what it leaves of a correction
-            self.tolerance.norm(y, after, |c| self.defect[c]) + filtered * (varies + self.rate).min(1.0)
+            self.tolerance.norm(y, after, |c| self.defect[c]) + filtered * (varies + 3.0 * self.rate).min(1.0)
         } else {
             let half_turn = 0.5 * step.approx() * self.radius;
             let rough = (1..=degree).fold(1.0, |share, k| share * half_turn / (2 * k - 1) as f64);
