@@ -2,7 +2,7 @@
 
 use dalembert_symbolic::{Decision, Hypotheses, Sym, Tape, decide, normal, symbols};
 use field::laws::{circle_laws, field_laws};
-use field::{Analytic, Circle, Scalar, Tangent};
+use field::{Analytic, Circle, DoubleDouble, Scalar, Tangent};
 use num_dual::Dual;
 use proptest::prelude::*;
 
@@ -66,9 +66,11 @@ fn variables() -> [Sym; 3] {
     symbols(["x", "y", "z"])
 }
 
+/// With twice the digits: a normal form may have terms of 1e12 whose sum is below 1.
 fn at(expression: Sym, point: [f64; 3]) -> f64 {
-    let value = |name: &str| ["x", "y", "z"].iter().position(|known| *known == name).map(|place| point[place]);
-    expression.evaluate_analytic(&value).unwrap()
+    let of = |place: usize| DoubleDouble::from(point[place]);
+    let value = |name: &str| ["x", "y", "z"].iter().position(|known| *known == name).map(of);
+    expression.evaluate_analytic(&value).unwrap().hi()
 }
 
 fn close(a: f64, b: f64) -> bool {
