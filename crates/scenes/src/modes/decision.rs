@@ -363,7 +363,7 @@ fn of_contacts(expansion: &Expansion<TERMS>, mode: &Mode, open: Open<'_>, slack:
 }
 
 /// The same of one condition.
-fn alone(expansion: &Expansion<TERMS>, case: Case, switch: usize, slack: f64) -> Option<Standing> {
+pub(super) fn alone(expansion: &Expansion<TERMS>, case: Case, switch: usize, slack: f64) -> Option<Standing> {
     let condition = &expansion.conditions[switch];
     // one that has moved off zero while it was held must come back through it
     let band = || (slack * condition.doubts[0]).max(4.0 * beyond(condition.terms[0], case));

@@ -16,7 +16,8 @@ const LOCATED: f64 = 64.0;
 
 /// The error of the time of a fall, by what is left of its signal.
 pub(super) fn late(before: &Current, known: &Expansion<TERMS>, event: &Event) -> f64 {
-    let (signal, near) = match before.moded.signals.falls[event.signal] {
+    let fall = before.moded.signals.falls[event.signal];
+    let (signal, near) = match fall {
         Fall::Passes { switch } => {
             let side = if before.moded.system.mode.cases[switch] == Case::On { 1.0 } else { -1.0 };
             (known.conditions[switch], side * before.near[switch])
@@ -46,6 +47,7 @@ pub(super) fn late(before: &Current, known: &Expansion<TERMS>, event: &Event) ->
         }
         Fall::Event { event } => (known.events[event], before.sides[event].sign * before.near_events[event]),
     };
+    let near = if before.passes_at_zero(fall) { 0.0 } else { near };
     let is_passed = event.what == Happening::Falls && signal.sign_of(1, SLACK).abs() == 1.0;
     let late = if is_passed { 2.0 * ((signal.terms[0] + near) / signal.terms[1]).abs() } else { 0.0 };
     let system = &before.moded.system;

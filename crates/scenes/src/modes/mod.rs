@@ -19,6 +19,7 @@ mod jet;
 mod mode;
 mod motion;
 mod multiples;
+mod own_event;
 mod passage;
 mod pivots;
 mod reasons;

@@ -1,20 +1,19 @@
 //! The mode in which a run begins, and the one that follows an event.
 
 use super::course::Sets;
-use super::decision::{Decided, Open, SLACKS, TERMS, beyond, decided};
+use super::decision::{Decided, Open, SLACKS, Standing, TERMS, alone, beyond, decided};
 use super::event_error::late;
 use super::expansion::{Expansion, Instant, Kind, Touching};
 use super::glides::Glide;
 use super::jet::Jet;
 use super::mode::{Case, Mode, Phase};
-use super::reasons::{BROKEN, CONTINUUM, JAMS, NO_LAW, NONE, NONE_AT_ONCE, SEVERAL, TOGETHER, TOO_MANY, refused};
+use super::reasons::{CONTINUUM, JAMS, NO_LAW, NONE, NONE_AT_ONCE, SEVERAL, TOGETHER, TOO_MANY, refused};
 use super::sides::{Past, Side, side};
 use super::signals::Fall;
 use super::touch::{Touch, margins};
 use super::touches::NEGATIVE;
 use super::{Current, Modes};
 use integrators::{Event, Happening};
-use model::Direction;
 
 /// A determinant is zero where it has fallen to this part of what it was.
 const JAMMED: f64 = 1e-6;
@@ -48,7 +47,7 @@ impl Modes {
     }
 
     /// The mode at a state; conditions that were held, and may be so still, are open.
-    fn at(
+    pub(super) fn at(
         &self,
         instant: &Instant<'_>,
         (held, touches): (&[usize], &[Touch]),
@@ -137,6 +136,15 @@ impl Modes {
             // a long step may end beyond
             return Err(if self.jams(before, event.time, state) { JAMS } else { NO_LAW });
         };
+        // the law in which a condition touches zero goes on where it leads away from zero
+        if let (Fall::Passes { switch }, Happening::Touches) = (fall, event.what)
+            && alone(&known, mode.cases[switch], switch, SLACK) == Some(Standing::Moves)
+        {
+            let condition = &known.conditions[switch];
+            let mut current = before.clone();
+            current.near[switch] = (SLACK * condition.doubts[0]).max(condition.hidden(SLACK));
+            return Ok(After::Unchanged(current));
+        }
         let late = if over.is_some() { 0.0 } else { late(before, &known, event) };
         fall = over.map_or(fall, |contact| Fall::Stops { contact });
         let rates: Vec<f64> = match expansions.has_algebraic() {
@@ -161,6 +169,8 @@ impl Modes {
             Fall::Event { event: number } => {
                 return self.after_own(before, (number, late), event, state, (&known, &held));
             }
+            // what touches zero has not passed it
+            Fall::Passes { switch } if event.what == Happening::Touches => Some(switch),
             Fall::Passes { switch } => {
                 mode.cases[switch] = if mode.cases[switch] == Case::On { Case::Off } else { Case::On };
                 Some(switch)
@@ -195,7 +205,9 @@ impl Modes {
             _ => late,
         };
         let jumped = match fall {
-            Fall::Passes { switch } => self.jumped(&Instant::at(event.time, state), &mut mode, &known, switch)?,
+            Fall::Passes { switch } if event.what != Happening::Touches => {
+                self.jumped(&Instant::at(event.time, state), &mut mode, &known, switch)?
+            }
             _ => Vec::new(),
         };
         held.retain(|switch| !jumped.contains(switch));
@@ -214,6 +226,11 @@ impl Modes {
             Err(NONE | NONE_AT_ONCE | SEVERAL) if self.jams(before, event.time, state) => return Err(JAMS),
             Err(why) => return Err(why),
         };
+        // one that has touched zero goes on as before
+        if matches!(fall, Fall::Passes { .. }) && current.moded.system.mode == before.moded.system.mode {
+            current.moded.system.set_algebraic_speeds(event.time, state);
+            return Ok(After::Unchanged(current));
+        }
         // what sticks now does so at zero
         expansions.return_to_zero(event.time, state, &current.moded.system.mode, 0.0);
         current.moded.system.set_algebraic_speeds(event.time, state);
@@ -234,83 +251,6 @@ impl Modes {
                 expansions.determinant(&instant, mode) * current.determinant.signum()
                     < JAMMED * current.determinant.abs()
             })
-    }
-
-    /// The same after an event of the model.
-    fn after_own(
-        &self,
-        before: &Current,
-        (number, late): (usize, f64),
-        event: &Event,
-        state: &mut [f64],
-        (known, held): (&Expansion<TERMS>, &[usize]),
-    ) -> Result<After, &'static str> {
-        let Side { sign: from, is_open } = before.sides[number];
-        let with_side = |side: Side| {
-            let mut current = before.clone();
-            (current.sides[number], current.near_events[number]) = (side, 0.0);
-            Ok(After::Unchanged(current))
-        };
-        if is_open && event.what == Happening::StartsBelow {
-            return with_side(Side { sign: -from, is_open: false });
-        }
-        // one that has not left zero since it was set there does not come back to it
-        let rate = before.moded.signals.event_rate(number, event.time, state, &before.glide_letters());
-        let has_jumped = event.what == Happening::StartsBelow && known.events[number].sign_of(0, SLACK) == -from;
-        if rate * from > 0.0 && !has_jumped {
-            return Ok(After::Unchanged(before.clone()));
-        }
-        let counts = match self.laws.model.events[number].direction {
-            Direction::Down => from > 0.0,
-            Direction::Up => from < 0.0,
-            Direction::Both => true,
-        };
-        if !counts && has_jumped {
-            return with_side(Side { sign: -from, is_open: false });
-        }
-        if !counts {
-            return with_side(side(&known.events[number], Past::Passed(from), SLACK));
-        }
-        let mut set = before.moded.signals.set_by(number, event.time, state, &before.glide_letters());
-        if self.laws.model.events[number].ends {
-            state.copy_from_slice(&set);
-            return Ok(After::Ended);
-        }
-        let kept = self.laws.kept();
-        kept.follow(event.time, &mut set);
-        // the state before the event stays the last good one
-        if let Some(broken) = kept.broken(event.time, &set) {
-            let name = self.laws.words.fall(Fall::Event { event: number });
-            let what = format!("after {name} {broken}, which must be zero");
-            self.tell(event.time, state, what, (&before.moded.system, false));
-            return Err(BROKEN);
-        }
-        state.copy_from_slice(&set);
-        let expansions = self.laws.expansions().map_err(refused)?;
-        let instant = Instant { late, ..Instant::at(event.time, state) };
-        // what was held, and is where it was, may be held still
-        let now = expansions.as_given(&instant, &Mode::off(&self.laws.model));
-        let stays = |switch: &usize| {
-            now.as_ref().is_some_and(|now| {
-                let (now, before) = (&now.conditions[*switch], &known.conditions[*switch]);
-                (now.terms[0] - before.terms[0]).abs() <= SLACK * (now.doubts[0] + before.doubts[0])
-            })
-        };
-        let held: Vec<usize> = held.iter().copied().filter(stays).collect();
-        let past = |other: usize| match before.sides[other] {
-            Side { sign: from, .. } if other == number => Past::Set { from, near: before.near_events[other] },
-            Side { sign: from, is_open: false } if known.events[other].sign_of(0, SLACK) == 0.0 => {
-                Past::Side { from, near: before.near_events[other] }
-            }
-            _ => Past::None,
-        };
-        let phases = &before.moded.system.mode.phases;
-        let cases = self.cases_at(&instant, &held)?.0.cases;
-        let now = Mode { cases, phases: phases.clone() };
-        let touches = self.touches_set(&now, &known.contacts, event.time, state)?;
-        let current = self.at(&instant, (&held, &touches), past)?;
-        current.moded.system.set_algebraic_speeds(event.time, state);
-        Ok(After::Changed(current, Sets::Event(number)))
     }
 
     /// The one mode with these cases whose open conditions move as it says.

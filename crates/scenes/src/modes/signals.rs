@@ -285,6 +285,14 @@ fn of_contact(
     watched
 }
 
+impl Current {
+    /// Whether a signal that began at zero falls at zero once it has risen beyond its bound, and not at this bound on the other side: bounds
+    /// of errors are wide where reactions are followed by their rates.
+    pub(super) fn passes_at_zero(&self, fall: Fall) -> bool {
+        matches!(fall, Fall::Passes { .. }) && self.moded.system.has_implicit_speeds()
+    }
+}
+
 impl Switches for Current {
     fn count(&self) -> usize {
         self.moded.signals.falls.len()
@@ -313,9 +321,8 @@ impl Switches for Current {
                 Fall::Jams => (self.determinant.signum(), 0.0),
                 Fall::Event { event } => (self.sides[event].sign, self.near_events[event]),
             };
-            // bounds of errors are wide where reactions are followed by their rates: they count until the signal has risen beyond them
-            let until_risen = matches!(fall, Fall::Passes { .. }) && self.moded.system.has_implicit_speeds();
-            let [shift, noise] = if until_risen { [0.0, near] } else { [near, 0.0] };
+            // one that has been decided to rise beyond its bound is seen to do so: a rise of twice the noise is
+            let [shift, noise] = if self.passes_at_zero(*fall) { [0.0, 0.5 * near] } else { [near, 0.0] };
             *signal = Signal { value: side * value + shift, rate: side * rate, noise, ..Signal::default() };
         }
     }

@@ -81,8 +81,15 @@ pub(super) fn expansions(model: &Model) -> Result<Expansions, NotCompiled> {
         direct_conditions: parted.is_direct.conditions,
         algebraic: parted.letters.len(),
         algebraic_speeds: model.algebraic_speeds.clone(),
+        summed: summed(model),
         events: model.events.len(),
     })
+}
+
+fn summed(model: &Model) -> Vec<usize> {
+    let positions = (0..model.positions()).filter(|place| !model.impulses.contains(place));
+    let speeds = (0..model.speeds()).filter(|speed| !model.algebraic_speeds.contains(speed));
+    positions.chain(speeds.map(|speed| model.positions() + speed)).collect()
 }
 
 fn gaps<'a>(trace: &'a Trace<'_>) -> impl Iterator<Item = Sym> + 'a {

@@ -64,6 +64,8 @@ pub(super) struct Expansions {
     /// The number of algebraic speeds, with the multipliers of their constraints; the speeds, which stand first.
     algebraic: usize,
     algebraic_speeds: Vec<usize>,
+    /// States in which errors of rates add up: neither algebraic speeds, which follow at once, nor impulses, on which nothing depends.
+    summed: Vec<usize>,
     events: usize,
 }
 
@@ -186,21 +188,43 @@ impl Expansions {
         let mut letters: Vec<f64> = mode.cases.iter().map(value).collect();
         letters.resize(self.letters(), 0.0);
         let confirmed = self.confirmed(time, state, &letters);
-        let first = self.run((clock, &moved), mode, &confirmed, unknown)?;
+        let first = self.shorter::<1, N>((clock, &moved), mode, &confirmed, unknown)?;
         // errors of rates add up from the start on; a run whose digits are fewer than these is not decided by its roundings
-        let known = DIGITS * first.rates.iter().map(|rate| rate.terms[0].abs()).fold(0.0, f64::max);
+        let sizes = self.summed.iter().map(|&place| first[place].terms[0].abs());
+        let known = DIGITS * sizes.fold(0.0, f64::max);
         let before = before.iter().copied().chain(std::iter::repeat(0.0));
-        for ((part, rate), before) in moved.iter_mut().zip(&first.rates).zip(before) {
+        for ((part, rate), before) in moved.iter_mut().zip(&first).zip(before) {
             let own = (rate.doubts[0] + ROUNDINGS * ROUNDING * rate.terms[0].abs()).min(known);
             let moved = time.abs() * own + late * rate.terms[0].abs().max(before.abs());
             // in a case that does not hold an exponential may be beyond all numbers
             part.doubts[0] += if moved.is_finite() { moved } else { 0.0 };
         }
         for order in 0..N - 1 {
-            let found = self.run((clock, &moved), mode, &confirmed, unknown)?;
-            moved.iter_mut().zip(&found.rates).for_each(|(part, rate)| part.follow(rate, order));
+            let at = (clock, &*moved);
+            // terms beyond this order are not known yet
+            let rates = match order {
+                0 => self.shorter::<1, N>(at, mode, &confirmed, unknown),
+                1 => self.shorter::<2, N>(at, mode, &confirmed, unknown),
+                2 => self.shorter::<3, N>(at, mode, &confirmed, unknown),
+                3 => self.shorter::<4, N>(at, mode, &confirmed, unknown),
+                _ => self.shorter::<N, N>(at, mode, &confirmed, unknown),
+            }?;
+            moved.iter_mut().zip(&rates).for_each(|(part, rate)| part.follow(rate, order));
         }
         self.run((clock, &moved), mode, &confirmed, unknown)
+    }
+
+    /// Rates by the first terms alone.
+    fn shorter<const K: usize, const N: usize>(
+        &self,
+        (time, state): (Jet<N>, &[Jet<N>]),
+        mode: &Mode,
+        confirmed: &[f64],
+        unknown: &[usize],
+    ) -> Option<Vec<Jet<N>>> {
+        let state: Vec<Jet<K>> = state.iter().map(Jet::resized).collect();
+        let found = self.run((time.resized(), &state), mode, confirmed, unknown)?;
+        Some(found.rates.iter().map(Jet::resized).collect())
     }
 
     /// Gives mirrored conditions the cases that follow from those of others.
@@ -245,7 +269,8 @@ impl Expansions {
         let tied = self.tied(mode, &values);
         if !unknown.is_empty() {
             let first = self.states + cases;
-            for round in 1..=self.rounds(unknown) {
+            let rounds = self.rounds(unknown);
+            for round in 1..=rounds {
                 let row_of = |letter: usize| -values[first + letter];
                 let right = |row: usize| {
                     let rate =
@@ -255,8 +280,11 @@ impl Expansions {
                 let (changes, left) = self.solved_for((&values, &tied), unknown, right)?;
                 hidden = left;
                 let is_found = unknown.iter().zip(&changes).all(|(&letter, change)| change.is_beside(&letters[letter]));
+                let is_last = round >= ROUNDS && is_found || round == rounds;
                 for (&letter, change) in unknown.iter().zip(changes) {
-                    letters[letter] += change;
+                    // the step begins at a number that is known exactly, and ends at one that errs as the step does
+                    let found = letters[letter].exact() + change;
+                    letters[letter] = if is_last { found } else { found.exact() };
                 }
                 for (contact, factor) in tied.iter().enumerate() {
                     for (factor, part) in factor.iter().flatten().zip(1..) {
@@ -264,7 +292,7 @@ impl Expansions {
                     }
                 }
                 values = self.values(time, state, &letters, confirmed);
-                if round >= ROUNDS && is_found {
+                if is_last {
                     break;
                 }
             }

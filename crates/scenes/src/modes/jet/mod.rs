@@ -32,6 +32,17 @@ impl<const N: usize> Jet<N> {
         Jet { terms, doubts }
     }
 
+    /// The same without doubts.
+    pub fn exact(self) -> Self {
+        Jet { doubts: [0.0; N], ..self }
+    }
+
+    /// The first terms, and zeros behind them.
+    pub fn resized<const K: usize>(&self) -> Jet<K> {
+        let of = |all: &[f64; N]| std::array::from_fn(|order| all.get(order).copied().unwrap_or(0.0));
+        Jet { terms: of(&self.terms), doubts: of(&self.doubts) }
+    }
+
     /// Sets the coefficients after one of a quantity whose rate has that one.
     pub fn follow(&mut self, rate: &Self, order: usize) {
         let per = 1.0 / (order + 1) as f64;
