@@ -3,6 +3,7 @@
 mod beside;
 mod dry_friction;
 mod refusals;
+mod touches;
 
 use ::machines as _;
 use dalembert_scenes::ModelScene;
