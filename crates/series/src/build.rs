@@ -59,10 +59,15 @@ pub(super) struct Builder<'a> {
     pub reduction: Option<Reduction<'a>>,
     /// Products of sums with at most so many terms are multiplied out.
     multiplied_out: usize,
+    /// The terms that multiplying out has written.
+    written: usize,
     /// Where products arise: counted in a first run, used in a second.
     uses: Uses,
     gathers: bool,
 }
+
+/// Beyond so many terms nothing more is multiplied out: a short factor of a long sum makes a longer one, without end.
+const MOST_WRITTEN: usize = 20_000;
 
 impl<'a> Builder<'a> {
     /// Twice: the first run counts where products arise.
@@ -96,6 +101,7 @@ impl<'a> Builder<'a> {
             circles: Vec::new(),
             reduction: None,
             multiplied_out,
+            written: 0,
             uses,
             gathers,
         }
@@ -217,7 +223,10 @@ impl<'a> Builder<'a> {
             return a.times(factor);
         }
         let (a, b) = (self.resolved(a), self.resolved(b));
-        if a.terms() * b.terms() <= self.multiplied_out || a.terms().min(b.terms()) == 1 && self.multiplied_out > 1 {
+        let terms = a.terms() * b.terms();
+        let is_short = terms <= self.multiplied_out || a.terms().min(b.terms()) == 1 && self.multiplied_out > 1;
+        if is_short && self.written + terms <= MOST_WRITTEN {
+            self.written += terms;
             let product = a.multiplied_out(&b);
             if !self.gathers {
                 product.products.keys().for_each(|&pair| *self.uses.entry(pair).or_default() += 1);

@@ -185,3 +185,18 @@ fn the_wheelset_moves_as_the_published_equations_say() {
         assert!((value - known).abs() < 1e-9 * known.abs().max(1e-3), "{column} = {value}, known {known}");
     }
 }
+
+/// The creep of the right wheel falls below its bound for 49 microseconds: its distance from the bound rises with 0.5575 N/s, and bends by
+/// -22612 N/s^2.
+#[test]
+fn the_wheelset_passes_a_bound_for_an_instant_and_comes_back() {
+    let scene = scene("wheelset");
+    let mut problem = scene.problem(Axes::First);
+    problem.span = 0.627;
+    let run = problem.simulate(&scene.run().choice(), |_| {});
+    assert_eq!(run.stopped(), None);
+    let [.., passed, back] = &run.passages[..] else { panic!("it has events") };
+    assert_eq!(passed.what, back.what);
+    let (apart, known) = (back.time - passed.time, 2.0 * 0.5575 / 22612.0);
+    assert!((apart - known).abs() < 1e-2 * known, "{apart} s apart, {known} by the expansion");
+}

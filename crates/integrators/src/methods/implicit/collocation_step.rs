@@ -80,7 +80,9 @@ impl<'a, S: Real> Implicit<'a, S> {
         let (n, all) = (dimension, stages * dimension);
         let method = Collocation::<S>::new(family, stages);
         let matrix = method.matrix.iter().map(|row| row.iter().map(|a| a.approx()).collect()).collect();
-        let matrix = StageMatrix::new(matrix, n, S::EPSILON < f64::EPSILON);
+        let fine = S::EPSILON < f64::EPSILON;
+        let own_pole = if fine { 1.0 / stages as f64 } else { DefectSpread::pole(family, stages) };
+        let matrix = StageMatrix::new(matrix, n, fine, own_pole);
         let pole = matrix.pole();
         Implicit {
             method,
@@ -283,8 +285,9 @@ impl<'a, S: Real> Implicit<'a, S> {
             (0..=degree).for_each(|_| self.through_modes());
             let pairs = self.defect.iter_mut().zip(&self.plain);
             pairs.for_each(|(defect, before)| *defect = small * before - large * *defect);
-            // how much the Jacobian varies is seen by what it leaves of a correction
-            self.tolerance.norm(y, after, |c| self.defect[c]) + filtered * (varies + 3.0 * self.rate).min(1.0)
+            // how much the Jacobian varies is seen by what it leaves of a correction; a change in proportion to the time is hidden from M,
+            // its square is not
+            self.tolerance.norm(y, after, |c| self.defect[c]) + filtered * (varies + (2.0 * self.rate).powi(2)).min(1.0)
         } else {
             let half_turn = 0.5 * step.approx() * self.radius;
             let rough = (1..=degree).fold(1.0, |share, k| share * half_turn / (2 * k - 1) as f64);

@@ -31,13 +31,15 @@ pub(crate) struct StageMatrix {
     uncoupled: Option<Uncoupled>,
     /// The whole matrix, where every stage has its own Jacobian.
     whole: Option<Lu>,
-    /// I - h J / s, where no eigenvalue is real.
+    /// I - h g J with a g of its own, where no eigenvalue is real.
     filter: Option<Lu>,
+    own_pole: f64,
 }
 
 impl StageMatrix {
-    /// For a law with n states; `fine` where evaluations cost more than elimination.
-    pub fn new(matrix: Vec<Vec<f64>>, n: usize, fine: bool) -> Self {
+    /// For a law with n states; `fine` where evaluations cost more than elimination. A defect is filtered with the pole 1 / g of a real
+    /// eigenvalue, or else with its own.
+    pub fn new(matrix: Vec<Vec<f64>>, n: usize, fine: bool, own_pole: f64) -> Self {
         let stages = matrix.len();
         let modes = if fine { None } else { stage_modes(&matrix) };
         let one_real = modes.iter().flatten().any(StageMode::is_real);
@@ -59,6 +61,7 @@ impl StageMatrix {
             jacobians: vec![0.0; if uncoupled.is_some() { n * n } else { stages * n * n }],
             whole: if uncoupled.is_some() { None } else { Some(Lu::new(stages * n)) },
             filter: if one_real { None } else { Some(Lu::new(n)) },
+            own_pole,
             matrix,
             uncoupled,
         }
@@ -108,8 +111,7 @@ impl StageMatrix {
                 }
             })
         });
-        let gentle = step / self.matrix.len() as f64;
-        let filter = self.filter.as_mut().is_none_or(|lu| shifted(lu, (gentle, 1.0), jacobian));
+        let filter = self.filter.as_mut().is_none_or(|lu| shifted(lu, (step * self.own_pole, 1.0), jacobian));
         whole && modes && filter
     }
 
@@ -145,10 +147,10 @@ impl StageMatrix {
     /// g of [`Self::filter`].
     pub fn pole(&self) -> f64 {
         let real = self.uncoupled.iter().flat_map(|uncoupled| &uncoupled.modes).find(|(mode, _)| mode.is_real());
-        real.map_or(1.0 / self.matrix.len() as f64, |(mode, _)| mode.eigenvalue.re.recip())
+        real.map_or(self.own_pole, |(mode, _)| mode.eigenvalue.re.recip())
     }
 
-    /// Replaces a defect d by (I - h g J)^-1 d, g the reciprocal of the real eigenvalue or of the number of stages.
+    /// Replaces a defect d by (I - h g J)^-1 d.
     pub fn filter(&mut self, defect: &mut [f64]) {
         if let Some(filter) = &mut self.filter {
             return filter.solve(defect);
