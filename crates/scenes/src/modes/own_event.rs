@@ -1,4 +1,4 @@
-//! What follows an event that the model declares.
+//! The motion after an event that the model declares.
 
 use super::course::Sets;
 use super::decision::TERMS;

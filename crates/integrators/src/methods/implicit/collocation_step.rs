@@ -5,9 +5,9 @@
 //! converges fast, and its factors while the step hardly changes, as in Hairer and Wanner's RADAU5; in a finer field it holds the
 //! Jacobians of all stages, renewed where that pays.
 //!
-//! The error is estimated from the defect of the collocation polynomial ([`DefectSpread`]). That the defect and the Jacobian vary over the step
-//! adds parts by the smoothness of the solution and by the convergence of Newton's iteration. In a finer field this is no measure; there the
-//! spectral radius of h J stands for its modes, which costs digits where a fast one decays.
+//! The error is estimated from the defect of the collocation polynomial ([`DefectSpread`]). The variation of the defect and of the Jacobian over
+//! the step adds a part, measured by the smoothness of the solution and by the convergence of Newton's iteration. In a finer field every stage
+//! has its own Jacobian, and convergence measures nothing; there the spectral radius of h J bounds the error, more widely.
 
 use crate::law::jacobian::Jacobian;
 use crate::methods::implicit::collocation::{Collocation, Family};
@@ -26,15 +26,15 @@ const MOST_KEPT: usize = 6;
 const PATIENCE: f64 = 8.0;
 /// What Newton may leave of the tolerance.
 const LEFT_BY_NEWTON: f64 = 0.01;
-/// What a correction may leave of the one before it for the Jacobian to be kept over the step.
+/// The Jacobian is kept for the next step if the last correction is at most this part of the one before it.
 const KEEPS_JACOBIAN: f64 = 0.01;
-/// The same after a step that was too long for it.
+/// The ratio of two corrections at which a step aims that follows one whose iteration failed.
 const RATE_AIMED_AT: f64 = 0.2;
-/// Of a first correction nothing is known but that the predictor is near.
+/// The ratio assumed at the first correction, before there is one.
 const FIRST_RATE: f64 = 0.5;
-/// What corrections may leave in the step that follows.
+/// The largest ratio that the next step may be expected to have.
 const HIGHEST_RATE: f64 = 0.4;
-/// How much longer the next step could be and is not, so that the factors are kept.
+/// The factors are kept, and the step with them, while the next step could be at most so many times as long.
 const KEEPS_FACTORS: f64 = 1.2;
 
 pub(crate) struct Implicit<'a, S> {
@@ -56,7 +56,7 @@ pub(crate) struct Implicit<'a, S> {
     /// Where the one Jacobian of all stages was taken, and whether the next step takes another.
     linearised_at: Option<S>,
     stale: bool,
-    /// What the last correction left of the one before it.
+    /// The ratio of the last correction to the one before it.
     rate: f64,
     /// The step whose factors are there.
     factorised: Option<f64>,

@@ -25,7 +25,7 @@ impl StageMode {
 /// Steps of inverse iteration, each of which gains all the digits that rounding lets it.
 const SHARPENINGS: usize = 3;
 
-/// Of the entries of A put together again from its modes, and of the identity: Newton's corrections gain no digits beyond it.
+/// The largest error allowed in A and in the identity, put together again from the modes: Newton's corrections gain no digits beyond it.
 const LARGEST_ERROR: f64 = 1e-6;
 
 /// The modes of a method by its matrix A; nothing where rounding leaves no independent eigenvectors, from about 14 stages on.
