@@ -13,7 +13,8 @@ Each link is a rigid body of 1 kg, 0.2 m long, hinged to the one before it: abou
 * Times are of one call from Python, the smallest of several rounds: with few links most of it is the way into the tool.
 * Pinocchio is asked by aba and computeABADerivatives, MuJoCo by mj_forward, Drake by CalcTimeDerivatives, over AutoDiffXd for derivatives.
   MuJoCo's derivatives are finite differences of a step, and are left out.
-* Our derivatives are machine code for up to eleven links; those of longer chains are found over dual numbers.
+* Our derivatives are machine code for short chains. Of longer ones the partial derivatives of each operation are, and the chain rule goes
+  through them for sixteen directions at a time.
 * SymPy and CasADi write Lagrange's equations of the same chain and solve for the accelerations, as their manuals show. They are left out
   where writing them, or their derivatives, would take more than half a minute.
 * The time to the first answer begins with the text, or with the calls that build the chain; each tool was loaded before; it is the
@@ -153,8 +154,6 @@ class Comparison:
         counted = size()
         if counted is not None:
             self.put("code", row, links, counted / 1e3)
-        elif row.startswith("dalembert"):
-            self.end(row, "code", f"those of {links} links and more are found over dual numbers, without code")
         else:
             self.end(row, "code", f"gcc takes longer than {WRITING} s for the code of {links} links and more")
 

@@ -12,6 +12,7 @@ mod elimination;
 mod generic_point;
 mod guides;
 mod integrability;
+mod residuals;
 mod zero_test;
 
 pub(crate) use characteristics::solved_in_short;
@@ -25,6 +26,7 @@ pub(crate) use generic_point::{
 };
 pub use guides::balances;
 pub use integrability::{Integrability, Undecided};
+pub use residuals::Residuals;
 pub use zero_test::vanishes;
 
 use crate::Trace;

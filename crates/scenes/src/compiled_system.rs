@@ -10,17 +10,18 @@ pub(crate) use outputs::{determined, outputs, outputs_of_solved};
 use crate::changing_laws::{changes, is_watched};
 use crate::conservation::conserves;
 use crate::constraint_projection::ConstraintProjection;
-use crate::elimination::{Elimination, LEAST_MOVING, LEAST_SOLVED, MOST_DERIVED, is_tree};
-use crate::implicit::{Implicit, ImplicitLaw, SolvedSlopes, recurrence};
+use crate::elimination::{Elimination, LEAST_MOVING, LEAST_SOLVED, is_tree};
+use crate::implicit::{Implicit, ImplicitLaw, recurrence};
 use crate::letters::Letters;
 use crate::modes::{Mode, ModeMotion};
 use crate::program::recorded;
+use crate::residual_differential::residual_differential;
 use field::DoubleDouble;
-use integrators::{Dual8, JacobianFn, Ode, Real};
+use integrators::{Dual8, Ode, Real};
 use model::equations::{MOST_COMPARED, constraints_of};
 use model::{Model, ScalarId, Trace};
 use outputs::of_motion;
-use simulation::{CompiledLaw, Differentiable, Law, LawSeries, Program, Running, SymbolicLaw};
+use simulation::{CompiledLaw, JacobianProgram, Law, LawSeries, Program, Running, SymbolicLaw};
 use std::fmt;
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
@@ -207,12 +208,9 @@ impl CompiledSystem {
                         recurrence(&system.model, LEAST_MOVING).or_else(|| LawSeries::written(&*system))
                     }));
                 }
-                if self.has_solved_slopes() {
-                    law = law.with_jacobian(Arc::new(SolvedSlopes::new(&self.model)));
-                } else if self.has_long_slopes() {
-                    law = law.with_jacobian(Arc::new(OverDualNumbers));
-                }
-                Arc::new(law)
+                let rates = || Arc::clone(self) as Arc<dyn SymbolicLaw>;
+                let differential = residual_differential(&self.model, rates());
+                Arc::new(law.with_jacobian(Arc::new(JacobianProgram::of(rates()).with_differential(differential))))
             }
             Rates::Solved(law) => Arc::clone(law) as Arc<dyn Law>,
         }
@@ -230,16 +228,6 @@ impl CompiledSystem {
             Rates::Written(program) => program.is_code(),
             Rates::Solved(law) => law.equations.is_code(),
         }
-    }
-
-    /// Whether its Jacobian is found by solves, where rates have accelerations written down.
-    pub(crate) fn has_solved_slopes(&self) -> bool {
-        !self.is_tree && !changes(&self.model) && self.model.speeds() + self.model.constraints.len() > MOST_DERIVED
-    }
-
-    /// Whether its Jacobian is found over dual numbers: written down it would be much longer than the law.
-    pub(crate) fn has_long_slopes(&self) -> bool {
-        self.is_tree && self.model.speeds() + self.model.constraints.len() > MOST_DERIVED
     }
 
     /// Whether a series solves for its accelerations, where rates have them written down: it has fewer products from there on.
@@ -279,15 +267,6 @@ impl CompiledSystem {
         };
         self.without_value.iter().for_each(|&output| values[output] = f64::NAN);
         values
-    }
-}
-
-/// The Jacobian of a law whose derivatives are too long to be written down.
-pub(crate) struct OverDualNumbers;
-
-impl Differentiable for OverDualNumbers {
-    fn jacobian_fn(&self) -> Option<Box<dyn JacobianFn + '_>> {
-        None
     }
 }
 

@@ -27,10 +27,6 @@ pub(crate) const LEAST_SOLVED: usize = 5;
 /// four of five, and a step without one took 1.45 times as long.
 pub(crate) const LEAST_MOVING: usize = 4;
 
-/// The derivatives of the elimination are not written down for the Jacobian of systems with more unknowns. Until its first step, by Radau's
-/// method, a chain of 16 links took 0.8 s with them, and 0.06 s with solves; one of 10 links took the same time for 58,000 evaluations.
-pub(crate) const MOST_DERIVED: usize = 11;
-
 /// Bodies in a tree with more constraints than these are solved for at each evaluation: closed loops are no tree.
 const MOST_LOOPS: usize = 200;
 

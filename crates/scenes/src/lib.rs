@@ -43,6 +43,7 @@ mod readiness;
 mod refused_start;
 mod regimes;
 pub mod regulator;
+mod residual_differential;
 mod row_units;
 mod scene;
 mod size;

@@ -1,8 +1,8 @@
 //! The run of a model with the work that is done on it: its energy less this work keeps its first value, or the run has made up the rest.
 
 use crate::changing_laws::is_watched;
+use crate::compiled_system::CompiledSystem;
 use crate::compiled_system::determined;
-use crate::compiled_system::{CompiledSystem, OverDualNumbers};
 use crate::elimination::{Elimination, LEAST_MOVING};
 use crate::implicit::recurrence_with;
 use crate::letters::Letters;
@@ -50,9 +50,6 @@ pub(crate) fn metered(system: &Arc<CompiledSystem>, plain: Problem) -> Problem {
             let solved = recurrence_with(system.model(), LEAST_MOVING, |trace| PowerBalance::of(trace).power);
             solved.or_else(|| LawSeries::written(&Metered(Arc::clone(&system))))
         }));
-    }
-    if system.has_solved_slopes() || system.has_long_slopes() {
-        law = law.with_jacobian(Arc::new(OverDualNumbers));
     }
     let Problem { mut state, span, mut columns, row, margins, residual, .. } = plain;
     columns.push(WORK.to_owned());

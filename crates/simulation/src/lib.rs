@@ -55,8 +55,8 @@ pub use axes::Axes;
 pub use events::Margin;
 pub use ivp_scene::{IvpScene, RunNotes};
 pub use law::{
-    CompiledDae, CompiledLaw, Differentiable, Expandable, Exponents, JacobianProgram, Law, LawSeries, Program,
-    ProjectedLaw, Room, Running, Splittable, SymbolicDae, SymbolicLaw, TracedOde, traced,
+    CompiledDae, CompiledLaw, Differentiable, DirectionalProgram, Expandable, Exponents, JacobianProgram, Law,
+    LawSeries, Program, ProjectedLaw, Room, Running, Splittable, SymbolicDae, SymbolicLaw, TracedOde, traced,
 };
 pub use problem::{Invariant, Problem};
 pub use references::Stored;

@@ -89,14 +89,13 @@ impl Sym {
 
 /// [`Sym::substitute`] in several expressions that share parts.
 pub fn substitute_all(expressions: &[Sym], replacements: &[(Sym, Sym)]) -> Vec<Sym> {
-    let mut new: FxHashMap<Sym, Sym> = FxHashMap::default();
+    // of two for the same one the first holds
+    let mut new: FxHashMap<Sym, Sym> = replacements.iter().rev().copied().collect();
     for each in Sym::ascending(expressions) {
-        let of = |a: &Sym| new[a];
-        let value = match replacements.iter().find(|(old, _)| *old == each) {
-            Some((_, replacement)) => *replacement,
-            None => each.node().rebuild(each, of),
-        };
-        new.insert(each, value);
+        if !new.contains_key(&each) {
+            let value = each.node().rebuild(each, |a| new[a]);
+            new.insert(each, value);
+        }
     }
     expressions.iter().map(|each| new[each]).collect()
 }

@@ -34,6 +34,7 @@
 mod analytic;
 mod calculus;
 mod coefficients;
+mod differential;
 mod dimension;
 mod evaluate;
 mod exact_turns;
@@ -51,6 +52,7 @@ mod tape;
 pub use analytic::HIGHEST_MULTIPLE;
 pub use calculus::{Derivation, substitute_all};
 pub use coefficients::{NotPolynomial, coefficients, degree, univariate};
+pub use differential::{Differential, Weighted};
 pub use dimension::{Dimension, Mismatch, dimension};
 pub use evaluate::Unbound;
 pub use formulas::Formulas;

@@ -4,9 +4,8 @@ use super::slopes::ImplicitSlopes;
 use super::{Implicit, recurrence};
 use field::{DoubleDouble, Scalar};
 use integrators::{JacobianFn, Ode, System, TaylorSeries, Variations};
-use model::Model;
-use simulation::{Differentiable, LawSeries};
-use std::sync::{Arc, OnceLock};
+use simulation::LawSeries;
+use std::sync::Arc;
 
 /// The law of a system whose accelerations are solved for.
 #[derive(Debug)]
@@ -54,25 +53,5 @@ impl System for ImplicitLaw {
 
     fn jacobian_fn(&self) -> Option<Box<dyn JacobianFn + '_>> {
         Some(Box::new(ImplicitSlopes::new(&self.equations)))
-    }
-}
-
-/// The Jacobian by solves of a law whose accelerations are written down.
-pub(crate) struct SolvedSlopes {
-    model: Arc<Model>,
-    /// Made when a method first asks for it; none where it cannot be.
-    equations: OnceLock<Option<Implicit>>,
-}
-
-impl SolvedSlopes {
-    pub fn new(model: &Arc<Model>) -> Self {
-        SolvedSlopes { model: Arc::clone(model), equations: OnceLock::new() }
-    }
-}
-
-impl Differentiable for SolvedSlopes {
-    fn jacobian_fn(&self) -> Option<Box<dyn JacobianFn + '_>> {
-        let equations = self.equations.get_or_init(|| Implicit::of(&self.model).ok()).as_ref()?;
-        Some(Box::new(ImplicitSlopes::new(equations)))
     }
 }

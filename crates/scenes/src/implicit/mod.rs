@@ -13,7 +13,7 @@ mod slopes;
 
 pub(crate) use self::series::{recurrence, recurrence_of, recurrence_with};
 pub(crate) use equations::{linear_equations, unknown_letters};
-pub(crate) use law::{ImplicitLaw, SolvedSlopes};
+pub(crate) use law::ImplicitLaw;
 
 use crate::compiled_system::NotCompiled;
 use crate::letters::Letters;

@@ -2,6 +2,7 @@
 
 mod compiled_dae;
 mod compiled_law;
+mod directions;
 mod divisors;
 mod exponents;
 mod jacobian;
@@ -12,6 +13,7 @@ mod trace;
 
 pub use compiled_dae::{CompiledDae, SymbolicDae};
 pub use compiled_law::{CompiledLaw, Differentiable, Law, Splittable, SymbolicLaw};
+pub use directions::DirectionalProgram;
 pub use exponents::{Expandable, Exponents, Room};
 pub use jacobian::JacobianProgram;
 pub use program::{Program, Running};

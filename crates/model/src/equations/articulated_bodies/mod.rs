@@ -12,6 +12,9 @@
 mod inertia;
 mod links;
 mod places;
+mod residuals;
+
+pub(crate) use residuals::{answers, residuals};
 
 use crate::Material;
 use crate::equations::{Equation, Singular, Solved, constraints_of, solve_sparse};
