@@ -7,6 +7,7 @@
 //! * [`multivariate`]: sparse polynomials with integer coefficients, on which proofs rest;
 //! * [`real`]: real roots of polynomials, exactly; enclosures, Taylor models, fixed points;
 //! * [`complex`]: zeros in the complex plane, each in a rectangle that holds it and no other;
+//! * [`boxes`]: all zeros of nonlinear equations in a box, none missing;
 //! * [`linear`]: determinants, and elimination with pivots over any field, enclosures too.
 //!
 //! ```
@@ -19,6 +20,7 @@
 //! assert_eq!(roots[2].enclosure(60).to_f64(), 2f64.sqrt());
 //! ```
 
+pub mod boxes;
 pub mod complex;
 pub mod linear;
 pub mod multivariate;

@@ -48,6 +48,7 @@ mod row_units;
 mod scene;
 mod size;
 mod start;
+pub mod steady_motions;
 mod system_text;
 pub mod text;
 mod warnings;

@@ -64,4 +64,4 @@ pub use prove::{
     decide_modulo, identified, normal,
 };
 pub use sym::symbols;
-pub use tape::{Algebraic, Language, Operation, Program, Register, Source, Statements, Tape, Untapeable};
+pub use tape::{Algebraic, Language, Operation, Program, Propagation, Register, Source, Statements, Tape, Untapeable};

@@ -1,8 +1,9 @@
 //! `dalembert stationary`: all stationary motions of a scene, with the certificate that none is missing, and whether each is
-//! stable.
+//! stable: of gyrostats with their motors, and of any system that is written in its file.
 
 mod json;
 mod map;
+mod model;
 mod motor;
 mod text;
 
@@ -10,9 +11,11 @@ use crate::arguments::{Format, finite};
 use crate::clock;
 use crate::exit::{Exit, print};
 use crate::run::with_model;
+use ::scenes::steady_motions::Range;
 use clap::Args;
 use mechanics::steady_rotations::Undecided;
-use reader::Family;
+use reader::{Family, read_text};
+use simulation::models::holds_model;
 use std::path::PathBuf;
 use studies::scene::Scene;
 use studies::stationary::motions::{NoAnswer, Stationary};
@@ -48,6 +51,13 @@ pub struct Asked {
     /// Replaces the file of --out even where `stationary` did not write what stands there
     #[arg(long, requires = "out")]
     pub force: bool,
+    /// Of a system that is written in its file: the range of a coordinate in SI units, or its value; the same of the constant speed of a
+    /// coordinate that occurs nowhere. Angles are sought on the whole circle without it
+    #[arg(long, value_name = "NAME=FROM..TO", value_parser = model::named_range, num_args = 1)]
+    pub range: Vec<(String, Range)>,
+    /// Of a system that is written in its file: boxes that are looked at, at most
+    #[arg(long, value_name = "N", default_value_t = 200_000)]
+    pub boxes: usize,
     /// Another machine, made of the scene's data
     #[arg(long)]
     pub model: Option<String>,
@@ -76,6 +86,15 @@ fn ranged(text: &str) -> Result<Ranged, String> {
 
 /// Prints them.
 pub fn show(asked: &Asked) -> Result<Exit, Exit> {
+    if read_text(&asked.scene).is_ok_and(|text| holds_model(&text)) {
+        refuse_others(asked)?;
+        return model::show(asked);
+    }
+    if let Some((name, _)) = asked.range.first() {
+        return Err(Exit::refused(format!(
+            "--range {name} is about a system that is written in its file; --omega0, --momentum and --map say which motions of this one"
+        )));
+    }
     let scene = with_model(Scene::open(&asked.scene)?, asked.model.as_deref(), &asked.scene)?;
     if !asked.map.is_empty() {
         return map::show(asked, &scene);
@@ -106,6 +125,23 @@ pub fn show(asked: &Asked) -> Result<Exit, Exit> {
     })?;
     let complete = answers.iter().all(|answer| answer.certificate.is_complete());
     Ok(if complete { Exit::Done } else { Exit::Stopped })
+}
+
+/// Options of gyrostats are refused for a system that is written in its file.
+fn refuse_others(asked: &Asked) -> Result<(), Exit> {
+    let given = [
+        ("--omega0", asked.omega0.is_some()),
+        ("--momentum", asked.momentum.is_some()),
+        ("--cone", asked.cone),
+        ("--map", !asked.map.is_empty()),
+        ("--model", asked.model.is_some()),
+    ];
+    match given.iter().find(|(_, is_given)| *is_given) {
+        None => Ok(()),
+        Some((option, _)) => Err(Exit::refused(format!(
+            "{option} is about the built-in gyrostats; of a system that is written in its file --range NAME=FROM..TO says where motions are sought"
+        ))),
+    }
 }
 
 /// What all motions have in common.

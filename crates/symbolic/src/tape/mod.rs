@@ -5,11 +5,13 @@ mod arranged;
 mod divisors;
 mod factors;
 mod fused;
+mod propagation;
 mod record;
 mod run;
 mod source;
 
 pub use algebraic::Algebraic;
+pub use propagation::Propagation;
 pub use record::Untapeable;
 pub use run::Program;
 pub use source::{Language, Source, Statements};

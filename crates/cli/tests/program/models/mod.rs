@@ -6,6 +6,7 @@ mod proofs;
 mod quasi_velocities;
 mod refusals;
 mod runs;
+mod steady_motions;
 
 use crate::run;
 

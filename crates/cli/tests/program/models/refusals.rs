@@ -5,7 +5,7 @@ use crate::{run, temporary};
 
 #[test]
 fn what_does_not_read_such_a_file_says_so() {
-    for command in ["bodies", "stationary", "motor"] {
+    for command in ["bodies", "motor"] {
         let output = run(&[command, MODEL]);
         let message = String::from_utf8_lossy(&output.stderr).into_owned();
         assert_eq!(output.status.code(), Some(2), "{command}: {message}");

@@ -1,0 +1,44 @@
+//! All zeros of nonlinear equations in a box, none missing: branch and prune with Newton's method over intervals.
+//!
+//! A box in which an equation has no zero is left out, by propagation through each equation alone where there is one. Of the others Newton's method over intervals (Hansen and Sengupta 1981) keeps the
+//! part where zeros may be; Krawczyk's operator K shows that there is one and no other,
+//!
+//!   K(X) = m - C f(m) + (1 - C f'(X)) (X - m) inside X ,    C about f'(m)^-1 .
+//!
+//! What can neither be left out nor shown is divided, down to boxes that are told as undecided.
+
+mod existence;
+mod narrowing;
+mod partly;
+mod search;
+
+pub use search::{Found, Limits, Zero, zeros};
+
+use field::Interval;
+
+/// Equations over intervals, as many as unknowns.
+pub trait Equations {
+    /// How many unknowns are divided; they stand first.
+    fn divided(&self) -> usize;
+
+    /// How many unknowns the others determine.
+    fn determined(&self) -> usize {
+        0
+    }
+
+    /// Narrows a box of all unknowns to where zeros may be, the determined ones from everything; false where there are none.
+    fn narrow(&mut self, _at: &mut [Interval]) -> bool {
+        true
+    }
+
+    /// Bounds for the determined unknowns of a box, which stand behind the others; false where these do not bound them.
+    fn bound(&mut self, _at: &mut [Interval]) -> bool {
+        true
+    }
+
+    /// The ranges of all equations over a box.
+    fn values(&mut self, at: &[Interval], values: &mut [Interval]);
+
+    /// The ranges of their derivatives, row after row.
+    fn slopes(&mut self, at: &[Interval], slopes: &mut [Interval]);
+}

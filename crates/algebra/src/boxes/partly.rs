@@ -1,0 +1,60 @@
+//! A box in which some unknowns have no bounds yet: equations without them narrow the others, as many as there are such equations.
+
+use super::Equations;
+use super::narrowing::Local;
+use field::Interval;
+use nalgebra::DMatrix;
+
+/// What may hold zeros of a box whose unknowns from `bounded` on may be anything; none where none of it does.
+pub(super) fn narrowed(equations: &mut dyn Equations, at: &[Interval], bounded: usize) -> Option<Vec<Interval>> {
+    let n = at.len();
+    let mut slopes = vec![Interval::EVERYTHING; n * n];
+    equations.slopes(at, &mut slopes);
+    let zero = Interval::point(0.0);
+    let is_bounded = |row: &usize| {
+        let (own, others) = slopes[row * n..(row + 1) * n].split_at(bounded);
+        own.iter().all(|slope| slope.size().is_finite()) && others.iter().all(|slope| *slope == zero)
+    };
+    let rows: Vec<usize> = (0..n).filter(is_bounded).collect();
+    let Some(columns) = pivots(&rows, bounded, |row, column| slopes[row * n + column].middle()) else {
+        return Some(at.to_vec());
+    };
+    // the other unknowns keep their ranges, those without bounds play no part
+    let mut about = at.to_vec();
+    columns.iter().for_each(|&column| about[column] = Interval::point(at[column].middle()));
+    let mut values = vec![Interval::EVERYTHING; n];
+    equations.values(&about, &mut values);
+    let part = |row: usize, column: usize| slopes[rows[row] * n + columns[column]];
+    let values: Vec<Interval> = rows.iter().map(|&row| values[row]).collect();
+    let own: Vec<Interval> = columns.iter().map(|&column| at[column]).collect();
+    let Some(local) = Local::new(&own, &values, part) else { return Some(at.to_vec()) };
+    let left = local.narrowed(&own)?;
+    let mut all = at.to_vec();
+    columns.iter().zip(left).for_each(|(&column, left)| all[column] = left);
+    Some(all)
+}
+
+/// A column for each row, with the largest pivot that is left; none where one is zero.
+fn pivots(rows: &[usize], columns: usize, entry: impl Fn(usize, usize) -> f64) -> Option<Vec<usize>> {
+    let m = rows.len();
+    if m == 0 || m > columns {
+        return None;
+    }
+    let mut left = DMatrix::from_fn(m, columns, |row, column| entry(rows[row], column));
+    let mut chosen = Vec::new();
+    for row in 0..m {
+        let size = |column: &usize| left[(row, *column)].abs();
+        let free = (0..columns).filter(|column| !chosen.contains(column));
+        let pivot = free.max_by(|a, b| size(a).total_cmp(&size(b)))?;
+        let value = left[(row, pivot)];
+        if value == 0.0 || !value.is_finite() {
+            return None;
+        }
+        for below in row + 1..m {
+            let factor = left[(below, pivot)] / value;
+            (0..columns).for_each(|column| left[(below, column)] -= factor * left[(row, column)]);
+        }
+        chosen.push(pivot);
+    }
+    Some(chosen)
+}

@@ -1,0 +1,220 @@
+//! The search: boxes one after the other, the largest first.
+
+use super::existence::shown;
+use super::narrowing::Local;
+use super::{Equations, partly};
+use field::Interval;
+use std::collections::VecDeque;
+
+/// A zero: the only one in a box.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Zero {
+    /// As narrow as rounding allows.
+    pub enclosure: Vec<Interval>,
+    /// A box with no other zero.
+    pub alone: Vec<Interval>,
+}
+
+/// Where a search ends.
+#[derive(Clone, Copy, Debug)]
+pub struct Limits {
+    /// Boxes that are looked at.
+    pub boxes: usize,
+    /// Part of the first box, along each unknown, below which a box is not divided.
+    pub smallest: f64,
+}
+
+/// What a search has found: every zero of the box is one of these, or in one of the undecided boxes.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Found {
+    /// Some may lie beyond the box, near its sides.
+    pub zeros: Vec<Zero>,
+    /// Of the divided unknowns.
+    pub undecided: Vec<Vec<Interval>>,
+    /// Boxes that were looked at.
+    pub examined: usize,
+}
+
+/// A box that Newton's method leaves narrower than this part is narrowed again instead of being divided.
+const WORTH: f64 = 0.75;
+
+/// All zeros in a box of the divided unknowns; `goes_on` is asked now and then.
+pub fn zeros(
+    equations: &mut dyn Equations,
+    domain: &[Interval],
+    limits: Limits,
+    mut goes_on: impl FnMut() -> bool,
+) -> Found {
+    let mut found = Found::default();
+    let mut open = VecDeque::from([domain.to_vec()]);
+    while let Some(next) = open.pop_front() {
+        if found.examined >= limits.boxes || found.examined.is_multiple_of(256) && !goes_on() {
+            found.undecided.push(next);
+            found.undecided.extend(open);
+            break;
+        }
+        found.examined += 1;
+        match examined(equations, next, &mut found.zeros) {
+            None => {}
+            Some(left) => match divided(&left, domain, limits.smallest) {
+                Some(halves) => open.extend(halves),
+                None => found.undecided.push(left),
+            },
+        }
+    }
+    found
+}
+
+/// What of a box is still open; none where all of it is decided.
+fn examined(equations: &mut dyn Equations, mut at: Vec<Interval>, zeros: &mut Vec<Zero>) -> Option<Vec<Interval>> {
+    let (n, all) = (equations.divided(), equations.divided() + equations.determined());
+    let mut values = vec![Interval::EVERYTHING; all];
+    loop {
+        let before = at.clone();
+        at.resize(all, Interval::EVERYTHING);
+        if !equations.narrow(&mut at) {
+            return None;
+        }
+        let is_narrower =
+            |at: &[Interval]| at.iter().zip(&before).any(|(left, before)| left.width() < WORTH * before.width());
+        if !equations.bound(&mut at) {
+            at = partly::narrowed(equations, &at, n)?;
+            at.truncate(n);
+            if is_narrower(&at) {
+                continue;
+            }
+            return Some(at);
+        }
+        let is_part = |zero: &Zero| at.iter().zip(&zero.alone).all(|(at, alone)| at.is_part_of(*alone));
+        if zeros.iter().any(is_part) {
+            return None;
+        }
+        equations.values(&at, &mut values);
+        if values.iter().any(|value| !value.contains(0.0)) {
+            return None;
+        }
+        let Some(local) = Local::of(equations, &at) else {
+            at.truncate(n);
+            return Some(at);
+        };
+        at = local.narrowed(&at)?;
+        if let Some(zero) = shown(equations, &at) {
+            let is_covered = at.iter().zip(&zero.alone).all(|(left, alone)| left.is_part_of(*alone));
+            if zeros.iter().all(|known| !is_same(known, &zero)) {
+                zeros.push(zero);
+            }
+            if is_covered {
+                return None;
+            }
+        }
+        at.truncate(n);
+        if !is_narrower(&at) {
+            return Some(at);
+        }
+    }
+}
+
+/// Whether two zeros are one: the enclosure of one lies where the other is alone, and both meet.
+fn is_same(known: &Zero, other: &Zero) -> bool {
+    let meets = known.enclosure.iter().zip(&other.enclosure).all(|(a, b)| a.and(*b).is_some());
+    let within = |a: &[Interval], b: &[Interval]| a.iter().zip(b).all(|(a, b)| a.is_part_of(*b));
+    meets && (within(&other.enclosure, &known.alone) || within(&known.enclosure, &other.alone))
+}
+
+/// The halves of a box across its longest side, beside the first box; none where it is small along all.
+fn divided(at: &[Interval], domain: &[Interval], smallest: f64) -> Option<[Vec<Interval>; 2]> {
+    let part = |k: usize| match domain[k].width() {
+        0.0 => 0.0,
+        whole => at[k].width() / whole,
+    };
+    let widest = (0..at.len()).max_by(|&a, &b| part(a).total_cmp(&part(b)))?;
+    let (whole, middle) = (at[widest], at[widest].middle());
+    if part(widest) < smallest || !(whole.low() < middle && middle < whole.high()) {
+        return None;
+    }
+    let with = |half: Interval| {
+        let mut all = at.to_vec();
+        all[widest] = half;
+        all
+    };
+    Some([with(Interval::new(whole.low(), middle)), with(Interval::new(middle, whole.high()))])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Equations by functions of intervals.
+    struct Given<const N: usize> {
+        values: fn([Interval; N]) -> [Interval; N],
+        slopes: fn([Interval; N]) -> [[Interval; N]; N],
+    }
+
+    fn all<const N: usize>(at: &[Interval]) -> [Interval; N] {
+        std::array::from_fn(|k| at[k])
+    }
+
+    impl<const N: usize> Equations for Given<N> {
+        fn divided(&self) -> usize {
+            N
+        }
+
+        fn values(&mut self, at: &[Interval], values: &mut [Interval]) {
+            values.copy_from_slice(&(self.values)(all(at)));
+        }
+
+        fn slopes(&mut self, at: &[Interval], slopes: &mut [Interval]) {
+            slopes.copy_from_slice((self.slopes)(all(at)).as_flattened());
+        }
+    }
+
+    const LIMITS: Limits = Limits { boxes: 20_000, smallest: 1e-6 };
+
+    fn number(value: f64) -> Interval {
+        Interval::point(value)
+    }
+
+    fn square(side: f64) -> Vec<Interval> {
+        vec![Interval::new(-side, side); 2]
+    }
+
+    #[test]
+    fn a_circle_and_a_parabola_meet_where_they_do() {
+        // x^2 + y^2 = 4, y = x^2 - 1
+        let mut given = Given::<2> {
+            values: |[x, y]| [x * x + y * y - number(4.0), x * x - number(1.0) - y],
+            slopes: |[x, y]| [[number(2.0) * x, number(2.0) * y], [number(2.0) * x, number(-1.0)]],
+        };
+        let found = zeros(&mut given, &square(3.0), LIMITS, || true);
+        assert_eq!((found.zeros.len(), found.undecided.len()), (2, 0), "{found:?}");
+        let y = 0.5 * (13f64.sqrt() - 1.0);
+        for zero in &found.zeros {
+            assert!(zero.enclosure[1].contains(y) || (zero.enclosure[1].middle() - y).abs() < 1e-14);
+            assert!(zero.enclosure.iter().all(|part| part.width() < 1e-13));
+        }
+    }
+
+    #[test]
+    fn zeros_on_the_sides_of_halves_are_found_once() {
+        // at -1, 0 and 1: the middle of the box is one of them
+        let mut given =
+            Given::<1> { values: |[x]| [x * x * x - x], slopes: |[x]| [[number(3.0) * x * x - number(1.0)]] };
+        let found = zeros(&mut given, &[Interval::new(-2.0, 2.0)], LIMITS, || true);
+        assert_eq!((found.zeros.len(), found.undecided.len()), (3, 0), "{found:?}");
+    }
+
+    #[test]
+    fn a_double_zero_is_left_undecided_in_small_boxes() {
+        let mut given = Given::<1> { values: |[x]| [x * x], slopes: |[x]| [[number(2.0) * x]] };
+        let found = zeros(&mut given, &[Interval::new(-1.0, 2.0)], LIMITS, || true);
+        assert!(found.zeros.is_empty() && !found.undecided.is_empty());
+        assert!(found.undecided.iter().all(|at| at[0].size() < 1e-2), "{found:?}");
+    }
+
+    #[test]
+    fn a_search_without_time_tells_what_it_left() {
+        let mut given = Given::<1> { values: |[x]| [x], slopes: |_| [[number(1.0)]] };
+        let found = zeros(&mut given, &[Interval::new(-1.0, 2.0)], LIMITS, || false);
+        assert_eq!(found.undecided, [[Interval::new(-1.0, 2.0)]]);
+    }
+}

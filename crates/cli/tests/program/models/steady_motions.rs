@@ -1,0 +1,54 @@
+//! All steady motions of a system that is written in its file.
+
+use super::{MODEL, PENDULUM, printed, refused};
+use crate::{run, temporary};
+use serde_json::Value;
+
+#[test]
+fn all_equilibria_of_a_double_pendulum_are_told_with_their_stability() {
+    let told = printed(&["stationary", MODEL]);
+    assert!(told.contains("4 steady motions, each alone in a box, and no other"), "{told}");
+    assert!(
+        told.contains("1  a = 0 rad, b = 0 rad\n     stable, proved: the potential energy has a strict minimum"),
+        "{told}"
+    );
+    assert!(told.contains("unstable, proved: the potential energy falls in 2 directions"), "{told}");
+    let object: Value = serde_json::from_str(&printed(&["stationary", MODEL, "--format", "json"])).expect("it is JSON");
+    assert_eq!(object["complete"], true);
+    assert_eq!(object["motions"].as_array().map(Vec::len), Some(4));
+    assert_eq!((&object["motions"][0]["stability"], &object["motions"][0]["proved"]), (&"stable".into(), &true.into()));
+}
+
+#[test]
+fn a_family_is_told_with_the_exit_code_of_what_is_not_decided() {
+    let hat = temporary("hat.toml");
+    let text = "title = \"A hat\"\n[parameters]\nm = \"1 kg\"\nk = \"1 J\"\na = \"1 m\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n\
+        [energies]\nkinetic = \"m/2*(x'^2 + y'^2)\"\npotential = \"k*((x^2 + y^2)/a^2 - 1)^2\"\n[run]\nspan = \"1 s\"\n";
+    std::fs::write(&hat, text).expect("it can be written");
+    let path = hat.to_string_lossy().into_owned();
+    refused(&["stationary", &path], "`x`, `y` are no angle of a circle alone: ranges in SI units are needed");
+    let output = run(&["stationary", &path, "--range", "x=-2..2", "--range", "y=-2..2", "--boxes", "4000"]);
+    let told = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert_eq!(output.status.code(), Some(1), "{told}");
+    assert!(told.contains("a family: others stand beside it in one direction"), "{told}");
+    assert!(String::from_utf8_lossy(&output.stderr).contains("boxes are undecided"));
+    std::fs::remove_file(&hat).expect("it is there");
+}
+
+#[test]
+fn what_is_asked_of_another_kind_of_scene_is_refused() {
+    refused(&["stationary", MODEL, "--omega0", "3"], "--omega0 is about the built-in gyrostats");
+    refused(
+        &["stationary", "scenes/spin_up.toml", "--range", "x=1"],
+        "--range x is about a system that is written in its file",
+    );
+    refused(&["stationary", MODEL, "--range", "c=0..1"], "nothing that is sought is called `c`");
+    refused(&["stationary", MODEL, "--range", "a=1..0"], "1 is not below 0");
+    refused(&["stationary", MODEL, "--range", "a"], "such as x=-0.1..0.1");
+    let pendulum = temporary("watched_pendulum.toml");
+    std::fs::write(&pendulum, PENDULUM.replace("end = true", "set = { \"theta'\" = \"-theta'\" }"))
+        .expect("it can be written");
+    let path = pendulum.to_string_lossy().into_owned();
+    refused(&["stationary", &path], "its law changes at conditions, contacts or events");
+    std::fs::remove_file(&pendulum).expect("it is there");
+}

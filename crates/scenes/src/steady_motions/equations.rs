@@ -1,0 +1,204 @@
+//! The equations of steady motions of a model: residuals of its equations of motion without accelerations, with all speeds zero but those of
+//! cyclic coordinates, and its constraints,
+//!
+//!   J^T lambda - h(q, w) = 0 ,    f(q) = 0 .
+
+use super::circles::is_periodic;
+use super::{Asked, NoSteadyMotions, Range};
+use crate::changing_laws::changes;
+use crate::compiled_system::has_values;
+use crate::letters::Letters;
+use model::equations::{Equation, Level, Residuals, constraints_of, vanishes};
+use model::{Model, Trace};
+use std::collections::BTreeSet;
+use symbolic::{Sym, Tape, substitute_all};
+
+/// An unknown of the search: a coordinate, or the constant speed of a cyclic one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Unknown {
+    /// As states call it: theta, or phi'.
+    pub name: String,
+    /// Its place in the state.
+    pub place: usize,
+    /// Whether it goes around a circle: its range is a whole turn.
+    pub is_circle: bool,
+    pub range: Range,
+}
+
+/// A system that is ready for the search.
+#[derive(Debug)]
+pub(super) struct SteadyEquations {
+    pub unknowns: Vec<Unknown>,
+    /// Numbers in the state that are no unknowns: what is fixed, and speeds of cyclic coordinates.
+    pub given: Vec<(String, f64)>,
+    /// Coordinates that occur nowhere.
+    pub cyclic: Vec<String>,
+    /// The state with the numbers that are given.
+    pub state: Vec<f64>,
+    /// How many reactions the positions determine.
+    pub reactions: usize,
+    /// Whether an equation has no unknowns, and is not met.
+    pub is_unbalanced: bool,
+    /// Coordinates that are unknowns.
+    pub coordinates: usize,
+    /// Residuals by unknowns, then multipliers.
+    pub values: Tape,
+    /// Their derivatives, row after row.
+    pub slopes: Tape,
+    /// J^T, row after row, then -h, by unknowns alone.
+    pub loads: Tape,
+    /// Of cyclic coordinates: derivatives of their momenta by the unknowns, row after row, then by their speeds; none where these depend on
+    /// anything else.
+    pub momenta: Option<Tape>,
+}
+
+/// Residuals over letters of the model, with what is known put in.
+struct Rows {
+    residuals: Vec<Sym>,
+    constraints: Vec<Equation>,
+    zeros: Vec<Sym>,
+}
+
+impl SteadyEquations {
+    pub fn of(model: &Model, asked: &Asked) -> Result<Self, NoSteadyMotions> {
+        has_values(model).map_err(NoSteadyMotions::NotCompiled)?;
+        if changes(model) || !model.algebraic_speeds.is_empty() {
+            return Err(NoSteadyMotions::Changes);
+        }
+        if model.positions() != model.speeds() {
+            return Err(NoSteadyMotions::FreeFrame);
+        }
+        symbolic::apart(|| Self::written(model, asked))
+    }
+
+    fn written(model: &Model, asked: &Asked) -> Result<Self, NoSteadyMotions> {
+        let trace = Trace::of(model);
+        let n = trace.speeds.len();
+        let names: Vec<String> = model.state_names().into_iter().map(|(name, _)| name).collect();
+        let rows = Rows::of(model, &trace)?;
+        let all = [&rows.residuals[..], &rows.zeros].concat();
+        if all.iter().any(|row| row.symbols_of().contains(&trace.time)) {
+            return Err(NoSteadyMotions::OfTime);
+        }
+        let occurring: BTreeSet<Sym> = all.iter().flat_map(|row| row.symbols_of()).collect();
+        let is_cyclic: Vec<bool> = trace.coordinates.iter().map(|symbol| !occurring.contains(symbol)).collect();
+        asked.checked(&names, &is_cyclic)?;
+        let at_rest: Vec<(Sym, Sym)> =
+            (0..n).filter(|&k| !is_cyclic[k]).map(|k| (trace.speeds[k], Sym::ZERO)).collect();
+        let plain = |row: Sym| if vanishes(row) { Sym::ZERO } else { row };
+        let residuals: Vec<Sym> = substitute_all(&rows.residuals, &at_rest).into_iter().map(plain).collect();
+        // the speed of a cyclic coordinate is sought where its own equation asks for it, else it is what the start, or somebody, says
+        let mut state = model.start_state();
+        state[..n].iter_mut().zip(&is_cyclic).filter(|(_, cyclic)| **cyclic).for_each(|(value, _)| *value = 0.0);
+        let (mut unknowns, mut given, mut known) = (Vec::new(), Vec::new(), Vec::new());
+        let mut without_range = Vec::new();
+        for k in 0..n {
+            let (symbol, place, is_sought) = match is_cyclic[k] {
+                false => (trace.coordinates[k], k, true),
+                true => {
+                    let asks = residuals[k].symbols_of().iter().any(|symbol| trace.speeds.contains(symbol));
+                    (trace.speeds[k], n + k, asks && asked.speed(&names[n + k]).is_none())
+                }
+            };
+            let name = names[place].clone();
+            if is_cyclic[k] {
+                state[place] = asked.speed(&name).unwrap_or(state[place]);
+            } else {
+                state[n + k] = 0.0;
+            }
+            let is_circle = !is_cyclic[k] && all.iter().all(|row| is_periodic(*row, symbol));
+            match asked.range(&name) {
+                Some(range) if range.is_point() => {
+                    state[place] = range.from;
+                    known.push((symbol, Sym::constant(field::Rational::exactly(range.from))));
+                    given.push((name, range.from));
+                }
+                Some(_) if !is_sought => return Err(NoSteadyMotions::AnyValue { name }),
+                Some(range) => unknowns.push((symbol, Unknown { name, place, is_circle: false, range })),
+                None if is_sought && is_circle => {
+                    unknowns.push((symbol, Unknown { name, place, is_circle, range: Range::TURN }));
+                }
+                None if is_sought => without_range.push(name),
+                _ => {
+                    known.push((symbol, Sym::constant(field::Rational::exactly(state[place]))));
+                    given.push((name, state[place]));
+                }
+            }
+        }
+        if !without_range.is_empty() {
+            return Err(NoSteadyMotions::WithoutRange { names: without_range });
+        }
+        let (letters, unknowns): (Vec<Sym>, Vec<Unknown>) = unknowns.into_iter().unzip();
+        let multipliers: Vec<Sym> = rows.constraints.iter().map(|one| one.multiplier).collect();
+        let (residuals, zeros) = (substitute_all(&residuals, &known), substitute_all(&rows.zeros, &known));
+        let asking: Vec<usize> = (0..n).filter(|&k| residuals[k] != Sym::ZERO).collect();
+        let zeros: Vec<Sym> = zeros.into_iter().filter(|zero| *zero != Sym::ZERO).collect();
+        // a load that nothing balances
+        let is_unbalanced = residuals.iter().any(|row| *row != Sym::ZERO && row.as_constant().is_some());
+        let equations = asking.len() + zeros.len();
+        if equations != unknowns.len() + multipliers.len() && !is_unbalanced {
+            let idle =
+                (0..n).filter(|&k| !is_cyclic[k] && residuals[k] == Sym::ZERO).map(|k| names[k].clone()).collect();
+            let counts = [equations, unknowns.len() + multipliers.len()];
+            return Err(NoSteadyMotions::Unequal { counts, idle });
+        }
+        let residuals: Vec<Sym> = asking.into_iter().map(|k| residuals[k]).collect();
+        let without: Vec<(Sym, Sym)> = multipliers.iter().map(|letter| (*letter, Sym::ZERO)).collect();
+        let reactions = residuals.iter().flat_map(|row| multipliers.iter().map(|&by| row.diff(by)));
+        let loads: Vec<Sym> = reactions.chain(substitute_all(&residuals, &without)).collect();
+        let values = [residuals, zeros].concat();
+        let inputs = [&letters[..], &multipliers].concat();
+        let slopes: Vec<Sym> = values.iter().flat_map(|row| inputs.iter().map(|&by| row.diff(by))).collect();
+        let recorded = |inputs: &[Sym], outputs: &[Sym]| {
+            Tape::record(inputs, outputs).map_err(|why| NoSteadyMotions::Undefined { why: why.to_string() })
+        };
+        let momenta = momenta(&trace, &is_cyclic, (&letters, &known));
+        let cyclic = (0..n).filter(|&k| is_cyclic[k]).map(|k| names[k].clone()).collect();
+        Ok(SteadyEquations {
+            coordinates: unknowns.iter().filter(|unknown| unknown.place < n).count(),
+            unknowns,
+            given,
+            cyclic,
+            state,
+            reactions: multipliers.len(),
+            is_unbalanced,
+            values: recorded(&inputs, &values)?,
+            slopes: recorded(&inputs, &slopes)?,
+            loads: recorded(&letters, &loads)?,
+            momenta: Tape::record(&letters, &momenta).ok(),
+        })
+    }
+}
+
+/// Derivatives of the momenta of cyclic coordinates, all other speeds being zero: by letters, then by their speeds.
+fn momenta(trace: &Trace<'_>, is_cyclic: &[bool], (letters, known): (&[Sym], &[(Sym, Sym)])) -> Vec<Sym> {
+    let speeds: Vec<Sym> =
+        trace.speeds.iter().zip(is_cyclic).filter(|(_, cyclic)| **cyclic).map(|(speed, _)| *speed).collect();
+    let others =
+        trace.speeds.iter().zip(is_cyclic).filter(|(_, cyclic)| !**cyclic).map(|(speed, _)| (*speed, Sym::ZERO));
+    let state = [&trace.coordinates[..], &trace.speeds].concat();
+    let energy = trace.kinetic_energy().substitute(&others.collect::<Vec<_>>());
+    let energy = Letters::with_data(trace.time, &state).put_into(trace, &[energy])[0];
+    let by = |all: &[Sym]| -> Vec<Sym> {
+        speeds.iter().flat_map(|&speed| all.iter().map(move |&by| energy.diff(speed).diff(by))).collect()
+    };
+    substitute_all(&[by(letters), by(&speeds)].concat(), known)
+}
+
+impl Rows {
+    fn of(model: &Model, trace: &Trace<'_>) -> Result<Self, NoSteadyMotions> {
+        let constraints = constraints_of(trace);
+        if let Some(one) = constraints.iter().find(|one| one.level != Level::Position || one.gains.is_some()) {
+            return Err(NoSteadyMotions::OfSpeeds { at: one.at.clone() });
+        }
+        let equations = Residuals::of(trace).into_iter().next().ok_or(NoSteadyMotions::Singular)?;
+        let still: Vec<(Sym, Sym)> = trace.accelerations.iter().map(|symbol| (*symbol, Sym::ZERO)).collect();
+        // with the data of the file, and letters for everything that moves
+        let state = [&trace.coordinates[..], &trace.speeds].concat();
+        let letters = Letters::with_data(trace.time, &state);
+        let put = |all: &[Sym]| letters.put_into(trace, &substitute_all(all, &still));
+        let zeros: Vec<Sym> = constraints.iter().map(|one| one.zero).collect();
+        let residuals = put(&equations.residuals[..model.speeds()]);
+        Ok(Rows { residuals, zeros: put(&zeros), constraints })
+    }
+}

@@ -1,0 +1,249 @@
+//! All steady motions of a model in a box: equilibria, and motions along which cyclic coordinates alone move, each at its own constant
+//! speed. None is missing: [`algebra::boxes`] leaves out boxes in which an equation has no zero, shows zeros, and tells the rest.
+
+mod circles;
+mod definiteness;
+mod equations;
+mod search;
+mod stability;
+mod undecided;
+
+pub use equations::Unknown;
+pub use stability::SteadyStability;
+pub use undecided::{Near, Region};
+
+use crate::compiled_system::NotCompiled;
+use algebra::boxes::{Found, Limits, Zero, zeros};
+use equations::SteadyEquations;
+use field::Interval;
+use model::Model;
+use search::Boxes;
+use stability::judged;
+use std::f64::consts::PI;
+use std::ops;
+use units::nearest;
+
+/// A range of an unknown, in SI units; one number where both ends are the same.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Range {
+    pub from: f64,
+    pub to: f64,
+}
+
+impl Range {
+    /// A whole turn, whose ends are no angles at which symmetric systems rest.
+    const TURN: Range = Range { from: -PI - 0.617, to: PI - 0.6169 };
+
+    fn is_point(self) -> bool {
+        self.from == self.to
+    }
+
+    fn interval(self) -> Interval {
+        Interval::new(self.from, self.to)
+    }
+}
+
+/// Which steady motions are asked for.
+#[derive(Clone, Debug, Default)]
+pub struct Asked {
+    /// Ranges of coordinates, and of speeds of cyclic ones, by their names.
+    pub ranges: Vec<(String, Range)>,
+    /// Boxes that are looked at, at most.
+    pub boxes: usize,
+}
+
+impl Asked {
+    fn range(&self, name: &str) -> Option<Range> {
+        self.ranges.iter().rev().find(|(own, _)| own == name).map(|(_, range)| *range)
+    }
+
+    /// The speed of a cyclic coordinate that is given as one number.
+    fn speed(&self, name: &str) -> Option<f64> {
+        self.range(name).filter(|range| range.is_point()).map(|range| range.from)
+    }
+
+    /// Whether each name is a coordinate that occurs, or the speed of a cyclic one.
+    fn checked(&self, names: &[String], is_cyclic: &[bool]) -> Result<(), NoSteadyMotions> {
+        let n = is_cyclic.len();
+        let accepted: Vec<&str> = (0..n).map(|k| names[if is_cyclic[k] { n + k } else { k }].as_str()).collect();
+        match self.ranges.iter().find(|(name, _)| !accepted.contains(&name.as_str())) {
+            None => Ok(()),
+            Some((name, _)) => Err(NoSteadyMotions::Unknown {
+                name: name.clone(),
+                nearest: nearest(name, accepted.iter().copied()).map(str::to_owned),
+                accepted: accepted.into_iter().map(str::to_owned).collect(),
+            }),
+        }
+    }
+}
+
+/// Why steady motions of a model are not sought.
+#[derive(Clone, Debug, PartialEq)]
+pub enum NoSteadyMotions {
+    NotCompiled(NotCompiled),
+    /// The law changes at conditions, contacts or events.
+    Changes,
+    /// A frame turns freely.
+    FreeFrame,
+    /// The law depends on time.
+    OfTime,
+    /// A constraint of speeds, or one that is led to zero.
+    OfSpeeds {
+        at: ops::Range<usize>,
+    },
+    /// No inertia resists a coordinate.
+    Singular,
+    /// No name of a coordinate that occurs, nor of the speed of a cyclic one.
+    Unknown {
+        name: String,
+        nearest: Option<String>,
+        accepted: Vec<String>,
+    },
+    /// The equations hold for every value of this speed: one value is asked for, and no range.
+    AnyValue {
+        name: String,
+    },
+    /// Unknowns that are no angles of a circle, and have no range.
+    WithoutRange {
+        names: Vec<String>,
+    },
+    /// Not as many equations as unknowns, and coordinates along which no force acts.
+    Unequal {
+        counts: [usize; 2],
+        idle: Vec<String>,
+    },
+    /// An expression has no values.
+    Undefined {
+        why: String,
+    },
+}
+
+/// A steady motion: the only one in a box about it.
+#[derive(Clone, Debug)]
+pub struct SteadyMotion {
+    /// Unknowns, as narrowly as rounding allows.
+    pub enclosure: Vec<[f64; 2]>,
+    /// The whole state.
+    pub state: Vec<f64>,
+    pub stability: SteadyStability,
+}
+
+/// All of them.
+#[derive(Clone, Debug)]
+pub struct SteadyMotions {
+    pub unknowns: Vec<Unknown>,
+    /// Coordinates and speeds with given values.
+    pub given: Vec<(String, f64)>,
+    /// Coordinates that occur nowhere.
+    pub cyclic: Vec<String>,
+    pub motions: Vec<SteadyMotion>,
+    /// Boxes in which there may be others.
+    pub undecided: Vec<Vec<[f64; 2]>>,
+    /// These by regions.
+    pub regions: Vec<Region>,
+    /// The part of the whole box that they take.
+    pub undecided_part: f64,
+    /// Boxes that were looked at.
+    pub examined: usize,
+}
+
+/// Along each unknown, a part of its range below which a box is not divided.
+const SMALLEST: f64 = 1e-7;
+
+impl SteadyMotions {
+    /// All in a box; `goes_on` is asked now and then.
+    ///
+    /// # Errors
+    /// Why none are sought.
+    pub fn of(model: &Model, asked: &Asked, goes_on: impl FnMut() -> bool) -> Result<Self, NoSteadyMotions> {
+        let equations = SteadyEquations::of(model, asked)?;
+        let domain: Vec<Interval> = equations.unknowns.iter().map(|unknown| unknown.range.interval()).collect();
+        let limits = Limits { boxes: asked.boxes, smallest: SMALLEST };
+        let mut boxes = Boxes::of(&equations);
+        let found = match equations.is_unbalanced {
+            true => Found::default(),
+            false => zeros(&mut boxes, &domain, limits, goes_on),
+        };
+        let volume =
+            |at: &[Interval]| at.iter().zip(&domain).map(|(at, whole)| at.width() / whole.width()).product::<f64>();
+        let undecided_part = found.undecided.iter().map(|at| volume(at)).sum::<f64>().clamp(0.0, 1.0);
+        let mut inside: Vec<Zero> = Vec::new();
+        for zero in found.zeros {
+            if is_in_range(&equations.unknowns, &zero)
+                && inside.iter().all(|known| !is_same(&equations.unknowns, known, &zero))
+            {
+                inside.push(zero);
+            }
+        }
+        let mut motions: Vec<SteadyMotion> = inside
+            .into_iter()
+            .map(|zero| {
+                let mut state = equations.state.clone();
+                let mut enclosure = Vec::new();
+                for (unknown, at) in equations.unknowns.iter().zip(&zero.enclosure) {
+                    let turns = if unknown.is_circle { turns_to_zero(at.middle()) } else { 0.0 };
+                    enclosure.push([at.low() + turns, at.high() + turns]);
+                    state[unknown.place] = at.middle() + turns;
+                }
+                let stability = judged(model, &equations, &mut boxes, (&zero.enclosure, &state));
+                SteadyMotion { enclosure, state, stability }
+            })
+            .collect();
+        motions.sort_by(|a, b| {
+            a.state
+                .iter()
+                .zip(&b.state)
+                .map(|(a, b)| rounded(*a).total_cmp(&rounded(*b)))
+                .find(|order| order.is_ne())
+                .unwrap_or(std::cmp::Ordering::Equal)
+        });
+        let regions = undecided::regions(&equations, &found.undecided);
+        let ends = |at: Vec<Interval>| at.into_iter().map(|at| [at.low(), at.high()]).collect();
+        let SteadyEquations { unknowns, given, cyclic, .. } = equations;
+        Ok(SteadyMotions {
+            unknowns,
+            given,
+            cyclic,
+            motions,
+            undecided: found.undecided.into_iter().map(ends).collect(),
+            regions,
+            undecided_part,
+            examined: found.examined,
+        })
+    }
+
+    /// Whether every steady motion of the box is among them.
+    pub fn is_complete(&self) -> bool {
+        self.undecided.is_empty()
+    }
+}
+
+/// What differs by rounding alone sorts as one.
+fn rounded(value: f64) -> f64 {
+    (value * 1e9).round() + 0.0
+}
+
+/// The turns, as an angle, that bring an angle to the one between minus half a turn and half a turn.
+fn turns_to_zero(angle: f64) -> f64 {
+    let turns = (angle / (2.0 * PI)).round() * -2.0 * PI;
+    // minus half a turn is half a turn
+    if angle + turns < -PI + 1e-9 { turns + 2.0 * PI } else { turns }
+}
+
+/// Whether a zero may lie in the ranges that are asked for.
+fn is_in_range(unknowns: &[Unknown], zero: &Zero) -> bool {
+    let meets = |(unknown, at): (&Unknown, &Interval)| unknown.is_circle || at.and(unknown.range.interval()).is_some();
+    unknowns.iter().zip(&zero.enclosure).all(meets)
+}
+
+/// Whether two zeros differ by whole turns of angles: then one lies, turned, where the other is alone.
+fn is_same(unknowns: &[Unknown], known: &Zero, other: &Zero) -> bool {
+    let is_same = |(k, (at, alone)): (usize, (&Interval, &Interval))| {
+        let turns = match unknowns.get(k) {
+            Some(unknown) if unknown.is_circle => ((alone.middle() - at.middle()) / (2.0 * PI)).round() * 2.0 * PI,
+            _ => 0.0,
+        };
+        (*at + Interval::new(turns.next_down(), turns.next_up())).is_part_of(*alone)
+    };
+    other.enclosure.iter().zip(&known.alone).enumerate().all(is_same)
+}

@@ -1,0 +1,128 @@
+//! The search over boxes of unknowns: reactions are determined by positions, where these let them be.
+
+use super::SteadyEquations;
+use algebra::boxes::Equations;
+use field::Interval;
+use nalgebra::DMatrix;
+use symbolic::{Program, Propagation};
+
+/// Programs over intervals.
+pub(super) struct Boxes<'a> {
+    divided: usize,
+    reactions: usize,
+    values: Program<'a, Interval>,
+    through: Propagation<'a>,
+    slopes: Program<'a, Interval>,
+    loads: Program<'a, Interval>,
+    /// J^T and -h.
+    load: Vec<Interval>,
+}
+
+impl<'a> Boxes<'a> {
+    pub fn of(equations: &'a SteadyEquations) -> Self {
+        let SteadyEquations { values, slopes, loads, reactions, unknowns, .. } = equations;
+        Boxes {
+            divided: unknowns.len(),
+            reactions: *reactions,
+            values: values.over(),
+            through: Propagation::of(values),
+            slopes: slopes.over(),
+            loads: loads.over(),
+            load: vec![Interval::EVERYTHING; loads.outputs()],
+        }
+    }
+}
+
+impl Equations for Boxes<'_> {
+    fn divided(&self) -> usize {
+        self.divided
+    }
+
+    fn determined(&self) -> usize {
+        self.reactions
+    }
+
+    fn narrow(&mut self, at: &mut [Interval]) -> bool {
+        self.through.narrow(at)
+    }
+
+    /// J^T lambda = h has as many rows as coordinates: as many of them as reactions, independent about the middle of the box, bound these.
+    fn bound(&mut self, at: &mut [Interval]) -> bool {
+        let m = self.reactions;
+        let (positions, multipliers) = at.split_at_mut(self.divided);
+        if m == 0 {
+            return true;
+        }
+        let is_bounded = |multipliers: &[Interval]| multipliers.iter().all(|one| one.size().is_finite());
+        self.loads.evaluate(positions, &mut self.load);
+        let rows = self.load.len() / (m + 1);
+        let (matrix, forces) = self.load.split_at(rows * m);
+        let entry = |row: usize, column: usize| matrix[row * m + column];
+        let Some(chosen) = independent(rows, m, |row, column| entry(row, column).middle()) else {
+            return is_bounded(multipliers);
+        };
+        let middle = DMatrix::from_fn(m, m, |k, column| entry(chosen[k], column).middle());
+        let Some(inverse) = middle.try_inverse() else { return is_bounded(multipliers) };
+        let point = |value: f64| Interval::point(value);
+        let product = |row: usize, of: &dyn Fn(usize) -> Interval| {
+            (0..m).fold(point(0.0), |sum, k| sum + point(inverse[(row, k)]) * of(k))
+        };
+        // lambda = mid + e, |e| <= |C (h - J mid)| / (1 - |1 - C J|) in the largest norm
+        let guess: Vec<f64> = (0..m).map(|row| product(row, &|k| -forces[chosen[k]]).middle()).collect();
+        let left: Vec<Interval> = (0..m)
+            .map(|row| {
+                product(row, &|k| (0..m).fold(-forces[chosen[k]], |sum, j| sum - entry(chosen[k], j) * point(guess[j])))
+            })
+            .collect();
+        let defect = (0..m).map(|row| {
+            let entries = (0..m).map(|column| {
+                let one = if row == column { point(1.0) } else { point(0.0) };
+                one - product(row, &|k| entry(chosen[k], column))
+            });
+            entries.fold(point(0.0), |sum, each| sum + point(each.size())).high()
+        });
+        let defect = defect.fold(0.0, f64::max);
+        let size = left.iter().fold(0.0, |most: f64, each| most.max(each.size()));
+        let bound = (point(size) / (point(1.0) - point(defect))).high();
+        if !(defect < 1.0 && bound.is_finite()) {
+            return is_bounded(multipliers);
+        }
+        for (one, guess) in multipliers.iter_mut().zip(&guess) {
+            let found = point(*guess) + Interval::new(-bound, bound);
+            // both hold every zero; where they have nothing in common there is none, which the equations show
+            *one = one.and(found).unwrap_or(found);
+        }
+        true
+    }
+
+    fn values(&mut self, at: &[Interval], values: &mut [Interval]) {
+        self.values.evaluate(at, values);
+    }
+
+    fn slopes(&mut self, at: &[Interval], slopes: &mut [Interval]) {
+        self.slopes.evaluate(at, slopes);
+    }
+}
+
+/// As many rows of a matrix as it has columns, each with the largest pivot that is left.
+fn independent(rows: usize, columns: usize, entry: impl Fn(usize, usize) -> f64) -> Option<Vec<usize>> {
+    let mut left = DMatrix::from_fn(rows, columns, entry);
+    let mut chosen = Vec::new();
+    for column in 0..columns {
+        let pivot = (0..rows)
+            .filter(|row| !chosen.contains(row))
+            .max_by(|&a, &b| left[(a, column)].abs().total_cmp(&left[(b, column)].abs()))?;
+        let value = left[(pivot, column)];
+        if value == 0.0 || !value.is_finite() {
+            return None;
+        }
+        for row in (0..rows).filter(|row| *row != pivot && !chosen.contains(row)) {
+            let factor = left[(row, column)] / value;
+            for other in column..columns {
+                left[(row, other)] -= factor * left[(pivot, other)];
+            }
+        }
+        chosen.push(pivot);
+    }
+    Some(chosen)
+}

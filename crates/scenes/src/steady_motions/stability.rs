@@ -1,0 +1,87 @@
+//! Whether a steady motion is stable: by the energy where that is kept and everything rests, else by the linear equations.
+
+use super::definiteness::signs;
+use super::equations::SteadyEquations;
+use super::search::Boxes;
+use crate::conservation::conserves;
+use crate::linearisation::{Linear, VariedEquations};
+use algebra::boxes::Equations;
+use field::Interval;
+use model::Model;
+
+/// What is known of the stability of a steady motion.
+#[derive(Clone, Debug)]
+pub enum SteadyStability {
+    /// The potential energy, amended by the kinetic energy of cyclic coordinates at the momenta that they have there, has a strict minimum in
+    /// every direction that constraints leave: stable in all but cyclic coordinates (Lagrange and Dirichlet, Routh).
+    Minimum,
+    /// At rest, and the potential energy falls in so many directions: unstable, since frequencies there are imaginary.
+    Falls(usize),
+    /// The amended potential energy falls in an odd number of directions: unstable, whatever gyroscopic forces there are (Thomson and Tait).
+    FallsOdd(usize),
+    /// By eigenvalues of the linear equations.
+    Linear(Box<Linear>),
+    /// There are no linear equations.
+    Unknown(String),
+}
+
+/// At an enclosure of unknowns and reactions, and the state about it.
+pub(super) fn judged(
+    model: &Model,
+    equations: &SteadyEquations,
+    boxes: &mut Boxes<'_>,
+    (enclosure, state): (&[Interval], &[f64]),
+) -> SteadyStability {
+    let n = model.speeds();
+    // what is held fixed by hand might move
+    let is_whole =
+        equations.coordinates == equations.unknowns.len() && equations.coordinates + equations.cyclic.len() == n;
+    if is_whole && symbolic::apart(|| conserves(model)) {
+        let rests = state[n..].iter().all(|speed| *speed == 0.0);
+        match falls(equations, boxes, enclosure) {
+            Some(0) => return SteadyStability::Minimum,
+            Some(falls) if rests => return SteadyStability::Falls(falls),
+            Some(falls) if falls % 2 == 1 => return SteadyStability::FallsOdd(falls),
+            _ => {}
+        }
+    }
+    match VariedEquations::of(model, &[])
+        .map_err(|why| why.to_string())
+        .and_then(|varied| varied.about(0.0, state).map_err(|why| why.to_string()))
+    {
+        Ok(linear) => SteadyStability::Linear(Box::new(linear)),
+        Err(why) => SteadyStability::Unknown(why),
+    }
+}
+
+/// In how many directions the amended potential energy falls; none where that is not decided. The matrix
+///
+///   | V'' - lambda f'' - T''   f'^T   p'^T |
+///   | f'                        0     0    |
+///   | p'                        0    -M_c  |
+///
+/// with the momenta p of cyclic coordinates and their masses M_c has as many positive eigenvalues as there are constraints and directions in
+/// which that energy rises, and as many negative ones as there are constraints, cyclic coordinates and directions in which it falls.
+fn falls(equations: &SteadyEquations, boxes: &mut Boxes<'_>, enclosure: &[Interval]) -> Option<usize> {
+    let (own, positions, cyclic) = (enclosure.len(), equations.unknowns.len(), equations.cyclic.len());
+    let mut slopes = vec![Interval::EVERYTHING; own * own];
+    boxes.slopes(enclosure, &mut slopes);
+    let tape = equations.momenta.as_ref()?;
+    let mut momenta = vec![Interval::EVERYTHING; tape.outputs()];
+    tape.over::<Interval>().evaluate(&enclosure[..positions], &mut momenta);
+    let (by_unknowns, masses) = momenta.split_at(cyclic * positions);
+    let size = own + cyclic;
+    let zero = Interval::point(0.0);
+    let entry = |row: usize, column: usize| match (row < own, column < own) {
+        // residuals are forces: less the derivatives of the energy
+        (true, true) if row < positions && column < positions => -slopes[row * own + column],
+        (true, true) => slopes[row * own + column],
+        (true, false) if row < positions => by_unknowns[(column - own) * positions + row],
+        (false, true) if column < positions => by_unknowns[(row - own) * positions + column],
+        (false, false) => -masses[(row - own) * cyclic + column - own],
+        _ => zero,
+    };
+    let matrix: Vec<Interval> = (0..size * size).map(|at| entry(at / size, at % size)).collect();
+    let [negative, _] = signs(&matrix, size)?;
+    negative.checked_sub(equations.reactions + cyclic)
+}

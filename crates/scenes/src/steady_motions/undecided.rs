@@ -1,0 +1,146 @@
+//! Regions of boxes that are not decided, and what numbers tell of each: whether motions merge there, or stand side by side.
+
+use super::equations::SteadyEquations;
+use field::Interval;
+use nalgebra::{DMatrix, DVector};
+use std::collections::{BTreeMap, HashMap};
+
+/// Undecided boxes that touch one another.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Region {
+    /// The smallest box around them.
+    pub hull: Vec<[f64; 2]>,
+    pub boxes: usize,
+    pub near: Near,
+}
+
+/// What Newton's method finds in a region, by numbers alone.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Near {
+    /// It comes to no steady motion there.
+    Nothing,
+    /// To one about which the equations are regular: more boxes would show it.
+    Regular,
+    /// To one about which they are singular in so many directions, and none stands beside it along these: motions merge.
+    Merging(usize),
+    /// In so many directions others stand beside it: a curve, a surface.
+    Family(usize),
+}
+
+/// Cells along each unknown to which boxes are assigned, where these are no larger.
+const CELLS: f64 = 48.0;
+
+/// Of more cells one region is made.
+const MOST_CELLS: usize = 4_000;
+
+/// Steps of Newton's method.
+const STEPS: usize = 60;
+
+/// Singular values below this part of the largest are taken for zero.
+const RANK: f64 = 1e-6;
+
+/// The part of a range by which one goes along a singular direction.
+const ASIDE: f64 = 1e-3;
+
+/// The regions of undecided boxes, the largest first.
+pub(super) fn regions(equations: &SteadyEquations, undecided: &[Vec<Interval>]) -> Vec<Region> {
+    let ranges: Vec<Interval> = equations.unknowns.iter().map(|unknown| unknown.range.interval()).collect();
+    let largest = |k: usize| undecided.iter().fold(0.0, |most: f64, at| most.max(at[k].width()));
+    let sizes: Vec<f64> = (0..ranges.len()).map(|k| largest(k).max(ranges[k].width() / CELLS)).collect();
+    let cell = |at: &Vec<Interval>| -> Vec<i64> {
+        (0..sizes.len()).map(|k| ((at[k].middle() - ranges[k].low()) / sizes[k]).floor() as i64).collect()
+    };
+    let mut cells: BTreeMap<Vec<i64>, Vec<&Vec<Interval>>> = BTreeMap::new();
+    undecided.iter().for_each(|at| cells.entry(cell(at)).or_default().push(at));
+    let mut groups: HashMap<usize, Vec<&Vec<Interval>>> = HashMap::new();
+    for (group, boxes) in joined(&cells.keys().collect::<Vec<_>>()).into_iter().zip(cells.into_values()) {
+        groups.entry(group).or_default().extend(boxes);
+    }
+    let mut all: Vec<Region> = groups.into_values().map(|boxes| region(equations, &boxes)).collect();
+    all.sort_by(|a, b| b.boxes.cmp(&a.boxes).then_with(|| a.hull[0][0].total_cmp(&b.hull[0][0])));
+    all
+}
+
+/// A number for each cell, the same for those that touch.
+fn joined(cells: &[&Vec<i64>]) -> Vec<usize> {
+    let mut of: Vec<usize> = (0..cells.len()).collect();
+    if cells.len() > MOST_CELLS {
+        return vec![0; cells.len()];
+    }
+    let touch = |a: &Vec<i64>, b: &Vec<i64>| a.iter().zip(b).all(|(a, b)| (a - b).abs() <= 1);
+    for i in 0..cells.len() {
+        for j in 0..i {
+            let (one, other) = (of[i], of[j]);
+            if one != other && touch(cells[i], cells[j]) {
+                of.iter_mut().filter(|group| **group == one).for_each(|group| *group = other);
+            }
+        }
+    }
+    of
+}
+
+fn region(equations: &SteadyEquations, boxes: &[&Vec<Interval>]) -> Region {
+    let mut hull = boxes[0].clone();
+    for at in boxes {
+        hull.iter_mut().zip(*at).for_each(|(hull, at)| *hull = hull.hull(*at));
+    }
+    let near = near(equations, boxes[boxes.len() / 2], &hull);
+    Region { hull: hull.into_iter().map(|at| [at.low(), at.high()]).collect(), boxes: boxes.len(), near }
+}
+
+fn near(equations: &SteadyEquations, from: &[Interval], hull: &[Interval]) -> Near {
+    let positions = equations.unknowns.len();
+    let mut start = DVector::zeros(positions + equations.reactions);
+    (0..positions).for_each(|k| start[k] = from[k].middle());
+    let Some(found) = zero(equations, start) else { return Near::Nothing };
+    let margin = |k: usize| ASIDE * equations.unknowns[k].range.interval().width();
+    let is_there = |at: &DVector<f64>| {
+        (0..positions).all(|k| at[k] >= hull[k].low() - margin(k) && at[k] <= hull[k].high() + margin(k))
+    };
+    if !is_there(&found) {
+        return Near::Nothing;
+    }
+    let svd = slopes(equations, &found).svd(false, true);
+    let Some(rows) = svd.v_t else { return Near::Nothing };
+    let is_zero = |k: usize| svd.singular_values[k] <= RANK * svd.singular_values[0];
+    let singular: Vec<usize> = (0..svd.singular_values.len()).filter(|&k| is_zero(k)).collect();
+    let stands_beside = |&k: &usize| {
+        let direction = rows.row(k).transpose();
+        let size = (0..positions).map(|i| direction[i].abs() / margin(i)).fold(0.0, f64::max);
+        let beside = zero(equations, &found + &direction / size);
+        beside.is_some_and(|beside| (beside - &found).dot(&direction) > 0.5 / size)
+    };
+    match (singular.len(), singular.iter().filter(|k| stands_beside(k)).count()) {
+        (0, _) => Near::Regular,
+        (merging, 0) => Near::Merging(merging),
+        (_, family) => Near::Family(family),
+    }
+}
+
+/// A zero near a point, by steps of least size.
+fn zero(equations: &SteadyEquations, mut at: DVector<f64>) -> Option<DVector<f64>> {
+    let mut program = equations.values.over::<f64>();
+    let mut values = vec![0.0; at.len()];
+    for _ in 0..STEPS {
+        program.evaluate(at.as_slice(), &mut values);
+        let svd = slopes(equations, &at).svd(true, true);
+        let largest = svd.singular_values.max();
+        let step = svd.solve(&DVector::from_column_slice(&values), RANK * largest).ok()?;
+        at -= &step;
+        if !at.iter().all(|at| at.is_finite()) {
+            return None;
+        }
+        if step.norm() <= 1e-12 * (1.0 + at.norm()) {
+            break;
+        }
+    }
+    program.evaluate(at.as_slice(), &mut values);
+    let size = slopes(equations, &at).norm() * (1.0 + at.norm());
+    values.iter().all(|value| value.abs() <= 1e-9 * size).then_some(at)
+}
+
+fn slopes(equations: &SteadyEquations, at: &DVector<f64>) -> DMatrix<f64> {
+    let mut slopes = vec![0.0; at.len() * at.len()];
+    equations.slopes.over::<f64>().evaluate(at.as_slice(), &mut slopes);
+    DMatrix::from_row_slice(at.len(), at.len(), &slopes)
+}

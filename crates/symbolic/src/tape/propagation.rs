@@ -1,0 +1,171 @@
+//! Ranges of inputs at which all outputs of a tape may be zero: forwards through its operations, and back (Benhamou and others 1999).
+
+use super::{Operation, Tape};
+use field::{Analytic, Circle, Interval, Scalar};
+use std::f64::consts::PI;
+
+/// A tape over intervals, with its registers.
+#[derive(Debug)]
+pub struct Propagation<'a> {
+    tape: &'a Tape,
+    constants: Vec<Interval>,
+    registers: Vec<Interval>,
+}
+
+impl<'a> Propagation<'a> {
+    pub fn of(tape: &'a Tape) -> Self {
+        Propagation { tape, constants: tape.constants(), registers: vec![Interval::EVERYTHING; tape.registers] }
+    }
+
+    /// Narrows a box to where zeros of the outputs may be; false where there are none.
+    pub fn narrow(&mut self, inputs: &mut [Interval]) -> bool {
+        let Tape { inputs: given, operations, outputs, .. } = self.tape;
+        self.registers[..*given].copy_from_slice(&inputs[..*given]);
+        let first = given + self.constants.len();
+        self.registers[*given..first].copy_from_slice(&self.constants);
+        let mut next = first;
+        for &operation in operations {
+            self.forwards(operation, next);
+            next += operation.results();
+        }
+        let zero = Interval::point(0.0);
+        if !outputs.iter().all(|&output| self.meet(output as usize, zero)) {
+            return false;
+        }
+        for &operation in operations.iter().rev() {
+            next -= operation.results();
+            if !self.backwards(operation, next) {
+                return false;
+            }
+        }
+        inputs[..*given].copy_from_slice(&self.registers[..*given]);
+        true
+    }
+
+    fn forwards(&mut self, operation: Operation, result: usize) {
+        let value = |register: u32| self.registers[register as usize];
+        let found = match operation {
+            Operation::Product(a, b) if a == b => value(a).squared(),
+            Operation::Root(a) => value(a).sqrt(),
+            Operation::Elementary(function, a, b) => value(a).elementary(function, value(b)),
+            Operation::Circle(a) => {
+                let Circle { cos, sin } = value(a).circle();
+                self.registers[result + 1] = sin;
+                cos
+            }
+            other => other.of_field(value).unwrap_or(Interval::EVERYTHING),
+        };
+        self.registers[result] = found;
+    }
+
+    /// Keeps of a register what it has in common with a range; false where that is nothing.
+    fn meet(&mut self, register: usize, range: Interval) -> bool {
+        match self.registers[register].and(range) {
+            Some(both) => {
+                self.registers[register] = both;
+                true
+            }
+            None => false,
+        }
+    }
+
+    /// What operands may be, by the result and the others.
+    fn backwards(&mut self, operation: Operation, result: usize) -> bool {
+        let [a, b, _] = operation.operands().map(|register| register as usize);
+        let [x, y, r] = [self.registers[a], self.registers[b], self.registers[result]];
+        match operation {
+            Operation::Sum(..) => self.meet(a, r - y) && self.meet(b, r - x),
+            Operation::Difference(..) => self.meet(a, r + y) && self.meet(b, x - r),
+            Operation::Product(..) if a == b => match r.and(Interval::new(0.0, f64::INFINITY)) {
+                Some(square) => {
+                    let root = square.sqrt();
+                    self.meet(a, root.hull(-root))
+                }
+                None => false,
+            },
+            Operation::Product(..) | Operation::Multiple(..) => self.meet(a, r / y) && self.meet(b, r / x),
+            Operation::Quotient(..) | Operation::Part(..) => self.meet(a, r * y) && self.meet(b, x / r),
+            Operation::Negation(_) => self.meet(a, -r),
+            Operation::Root(_) => match r.and(Interval::new(0.0, f64::INFINITY)) {
+                Some(root) => self.meet(a, root.squared()),
+                None => false,
+            },
+            Operation::Circle(_) => {
+                let point = Circle { cos: r, sin: self.registers[result + 1] };
+                match angles(x, point) {
+                    Some(left) => self.meet(a, left),
+                    None => false,
+                }
+            }
+            Operation::Elementary(..)
+            | Operation::ProductAnd(..)
+            | Operation::ProductLess(..)
+            | Operation::LessProduct(..) => true,
+        }
+    }
+}
+
+/// Arcs of more turns than this are not looked at one by one.
+const MOST_TURNS: f64 = 64.0;
+
+/// The angles of a range whose cosine and sine lie in ranges.
+fn angles(range: Interval, Circle { cos, sin }: Circle<Interval>) -> Option<Interval> {
+    if range.width() > MOST_TURNS {
+        return Some(range);
+    }
+    let left = by_cosine(range, cos)?;
+    let quarter = Interval::point(PI / 2.0) + Interval::new(-1e-15, 1e-15);
+    by_cosine(left - quarter, sin).and_then(|turned| (turned + quarter).and(left))
+}
+
+/// The smallest interval with all angles of a range whose cosine lies in another.
+fn by_cosine(range: Interval, cosine: Interval) -> Option<Interval> {
+    let within = cosine.and(Interval::new(-1.0, 1.0))?;
+    // rounding of arcs and turns
+    let slack = 1e-14 * (1.0 + range.size());
+    let [near, far] = [within.high().acos() - slack, within.low().acos() + slack];
+    let turns = |angle: f64| angle / (2.0 * PI);
+    let (first, last) = ((turns(range.low()) - 1.0).floor() as i64, (turns(range.high()) + 1.0).ceil() as i64);
+    let mut all: Option<Interval> = None;
+    for turn in first..=last {
+        let at = 2.0 * PI * turn as f64;
+        for arc in [Interval::new(at + near, at + far), Interval::new(at - far, at - near)] {
+            if let Some(part) = arc.and(range) {
+                all = Some(all.map_or(part, |all| all.hull(part)));
+            }
+        }
+    }
+    all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Sym, symbols};
+
+    #[test]
+    fn ranges_are_narrowed_to_where_zeros_may_be_and_never_beyond() {
+        let [x, y, a] = symbols(["x", "y", "a"]);
+        // x = 2 cos a, y = x^2 - 1, a between -1 and 1
+        let tape =
+            Tape::record(&[x, y, a], &[x - Sym::int(2) * a.circle().cos, y - x * x + Sym::ONE]).expect("it has values");
+        let mut propagation = Propagation::of(&tape);
+        let mut at = [Interval::new(-9.0, 9.0), Interval::new(-9.0, 9.0), Interval::new(-1.0, 1.0)];
+        assert!(propagation.narrow(&mut at) && propagation.narrow(&mut at));
+        assert!(
+            at[0].low() > 1.08 && at[0].high() < 2.000_001 && at[1].low() > 0.16 && at[1].high() < 3.000_001,
+            "{at:?}"
+        );
+        for step in 0..=20 {
+            let angle = -1.0 + 0.1 * f64::from(step);
+            let x = 2.0 * angle.cos();
+            assert!(at[0].contains(x) && at[1].contains(x * x - 1.0) && at[2].contains(angle));
+        }
+        // from the result to the angle
+        let mut at = [Interval::new(1.9, 2.5), Interval::new(-9.0, 9.0), Interval::new(-3.0, 3.0)];
+        assert!(propagation.narrow(&mut at));
+        assert!(at[2].size() < 0.32 && at[2].contains(0.31), "{at:?}");
+        let mut none = [Interval::new(2.1, 2.5), Interval::new(-9.0, 9.0), Interval::new(-3.0, 3.0)];
+        assert!(!propagation.narrow(&mut none));
+    }
+}
