@@ -141,7 +141,7 @@ fn opening<F: Family>(top: &mut Table<'_>) -> Option<Opening> {
     if let (Some(span), false) = (top.place_of(MODEL), top.has("system")) {
         let title = "this command does not read a system that is written in its file";
         let issue = Issue::at(span, title, "the system's own coordinates");
-        let accepted = "`derive`, `prove`, `conform`, `linearise`, `inverse`, `regulate`, `regimes`, `stationary`, `run`, `ensemble`, `chart`, `choose` and `reference` read it";
+        let accepted = "`derive`, `prove`, `conform`, `linearise`, `inverse`, `regulate`, `regimes`, `stationary`, `numerical-stability`, `run`, `ensemble`, `chart`, `choose` and `reference` read it";
         top.report(issue.accepted(accepted));
         top.known_all();
         return None;

@@ -5,6 +5,11 @@ use model::equations::{Equation, Level, constraints_of, vanishes};
 use model::{Model, Trace};
 use symbolic::Sym;
 
+/// Whether a model keeps its energy, by what acts on it.
+pub fn keeps_energy(model: &Model) -> bool {
+    symbolic::apart(|| conserves(model))
+}
+
 /// Whether nothing but weights and a given potential acts, only positions are held, and nothing knows the time.
 pub(crate) fn conserves(model: &Model) -> bool {
     let acts = !(model.forces.is_empty() && model.torques.is_empty() && model.generalised.is_empty())

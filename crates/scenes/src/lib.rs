@@ -57,6 +57,7 @@ mod warnings;
 pub use inventory::submit;
 
 pub use compiled_system::{CompiledSystem, NotCompiled};
+pub use conservation::keeps_energy;
 pub use ensemble::parse_ensemble;
 pub use equilibrium::{Equilibrium, NoEquilibrium, equilibrium};
 pub use modes::{Case, CriticalFriction, Face, Margin, Mode, Motions, Phase, Regime, Regimes};

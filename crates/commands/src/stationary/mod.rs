@@ -11,7 +11,7 @@ use crate::arguments::{Format, finite};
 use crate::clock;
 use crate::exit::{Exit, print};
 use crate::run::with_model;
-use ::scenes::steady_motions::Range;
+use crate::steady_box::SteadyBox;
 use clap::Args;
 use mechanics::steady_rotations::Undecided;
 use reader::{Family, read_text};
@@ -51,13 +51,8 @@ pub struct Asked {
     /// Replaces the file of --out even where `stationary` did not write what stands there
     #[arg(long, requires = "out")]
     pub force: bool,
-    /// Of a system that is written in its file: the range of a coordinate in SI units, or its value; the same of the constant speed of a
-    /// coordinate that occurs nowhere. Angles are sought on the whole circle without it
-    #[arg(long, value_name = "NAME=FROM..TO", value_parser = model::named_range, num_args = 1)]
-    pub range: Vec<(String, Range)>,
-    /// Of a system that is written in its file: boxes that are looked at, at most
-    #[arg(long, value_name = "N", default_value_t = 200_000)]
-    pub boxes: usize,
+    #[command(flatten)]
+    pub steady: SteadyBox,
     /// Another machine, made of the scene's data
     #[arg(long)]
     pub model: Option<String>,
@@ -90,11 +85,7 @@ pub fn show(asked: &Asked) -> Result<Exit, Exit> {
         refuse_others(asked)?;
         return model::show(asked);
     }
-    if let Some((name, _)) = asked.range.first() {
-        return Err(Exit::refused(format!(
-            "--range {name} is about a system that is written in its file; --omega0, --momentum and --map say which motions of this one"
-        )));
-    }
+    asked.steady.refuse("--omega0, --momentum and --map say which motions of this one")?;
     let scene = with_model(Scene::open(&asked.scene)?, asked.model.as_deref(), &asked.scene)?;
     if !asked.map.is_empty() {
         return map::show(asked, &scene);

@@ -1,144 +1,30 @@
 //! Steady motions of a system that is written in its file.
 
 use super::Asked;
-use crate::arguments::{Format, finite};
-use crate::clock;
-use crate::exit::{Exit, placed, print, warn};
-use crate::progress::Progress;
-use ::scenes::steady_motions::{
-    Asked as Wanted, Near, NoSteadyMotions, Range, SteadyMotion, SteadyMotions, SteadyStability,
-};
-use ::scenes::{Task, independent_start, read_titled, unit_of, without_law};
-use model::Model;
-use reader::Issue;
+use crate::arguments::Format;
+use crate::exit::{Exit, print};
+use crate::steady_box::{Found, number};
+use ::scenes::steady_motions::{Near, SteadyMotion, SteadyStability};
+use ::scenes::unit_of;
 use serde_json::{Value, json};
 use std::fmt::Write;
-use std::ops::ControlFlow;
-use std::time::Duration;
-
-/// A name with its range.
-pub(super) fn named_range(text: &str) -> Result<(String, Range), String> {
-    let accepted = || {
-        "a coordinate with its range in SI units, such as x=-0.1..0.1, or with one value, x=0.1, is accepted".to_owned()
-    };
-    let (name, range) = text.split_once('=').ok_or_else(accepted)?;
-    let (from, to) = match range.split_once("..") {
-        Some((from, to)) => (finite(from)?, finite(to)?),
-        None => (finite(range)?, finite(range)?),
-    };
-    if from > to {
-        return Err(format!("{from} is not below {to}; a range that rises is accepted"));
-    }
-    Ok((name.trim().to_owned(), Range { from, to }))
-}
-
-/// Time that is kept for printing.
-const PRINTING: Duration = Duration::from_millis(400);
 
 /// Undecided regions that are listed; of the others the number is told.
 const MOST_LISTED: usize = 6;
 
 /// Prints all steady motions.
 pub(super) fn show(asked: &Asked) -> Result<Exit, Exit> {
-    let path = &asked.scene;
-    let (title, mut model) = read_titled(path, Task::Vary)?;
-    model.close_inputs();
-    // constraints that follow from others have no reactions of their own; a start that is missing is no obstacle
-    let _ = independent_start(&mut model);
-    let progress = Progress::new("steady motions");
-    let wanted = Wanted { ranges: asked.range.clone(), boxes: asked.boxes };
-    let goes_on = || matches!(clock::goes_on(), ControlFlow::Continue(())) && clock::left() > PRINTING;
-    let found = SteadyMotions::of(&model, &wanted, goes_on).map_err(|why| refused(asked, &model, why))?;
-    drop(progress);
+    let found = asked.steady.find(&asked.scene)?;
     print(&match asked.format {
-        Format::Text => text(&title, &model, &found),
-        Format::Json => format!("{:#}\n", object(&title, &model, &found)),
+        Format::Text => text(&found),
+        Format::Json => format!("{:#}\n", object(&found)),
     })?;
-    if !found.is_complete() {
-        warn(&format!(
-            "warning: {}: {} boxes are undecided; narrower ranges (--range NAME=FROM..TO) or more boxes (--boxes {}) decide more",
-            path.display(),
-            found.undecided.len(),
-            10 * asked.boxes
-        ));
-        return Ok(Exit::Stopped);
-    }
-    Ok(Exit::Done)
+    Ok(asked.steady.ended(&asked.scene, &found.motions))
 }
 
-fn refused(asked: &Asked, model: &Model, why: NoSteadyMotions) -> Exit {
-    let path = &asked.scene;
-    let told = |why: String| Exit::refused(format!("{}: {why}", path.display()));
-    let listed = |names: &[String]| names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
-    match why {
-        NoSteadyMotions::NotCompiled(reason) => {
-            placed(path, without_law(model, &reason, "steady motions cannot be sought"))
-        }
-        NoSteadyMotions::OfSpeeds { at } => {
-            let issue = Issue::at(at, "steady motions are not sought where a constraint holds speeds", "held here");
-            placed(path, issue.accepted("constraints of positions; `linearise --about equilibrium` finds one equilibrium near the start"))
-        }
-        NoSteadyMotions::Changes => told(
-            "its law changes at conditions, contacts or events, where steady motions are not sought; `linearise --about equilibrium` finds one \
-             equilibrium near the start"
-                .to_owned(),
-        ),
-        NoSteadyMotions::FreeFrame => told(
-            "a frame turns freely, where steady motions are not sought yet; a frame with an axis, or with three angles, is accepted".to_owned(),
-        ),
-        NoSteadyMotions::OfTime => {
-            told("its forces or constraints depend on time: no motion is steady; without time in them they are sought".to_owned())
-        }
-        NoSteadyMotions::Singular => told("nothing with a mass or an inertia moves with a coordinate".to_owned()),
-        NoSteadyMotions::Undefined { why } => told(format!("its equations have no values: {why}")),
-        NoSteadyMotions::Unknown { name, nearest: Some(nearest), .. } => {
-            told(format!("--range {name}: nothing that is sought is called `{name}`; is `{nearest}` meant?"))
-        }
-        NoSteadyMotions::Unknown { name, accepted, .. } => {
-            told(format!("--range {name}: nothing that is sought is called `{name}`; there are: {}", accepted.join(", ")))
-        }
-        NoSteadyMotions::AnyValue { name } => told(format!(
-            "--range {name}: the equations hold for every value of `{name}`, which is not sought: one value (--range \"{name}=2\") is accepted"
-        )),
-        NoSteadyMotions::WithoutRange { names } => {
-            let options: Vec<String> =
-                names.iter().map(|name| format!("--range \"{name}=-1..1\"")).collect();
-            told(format!(
-                "{} {} no angle of a circle alone: ranges in SI units are needed, such as {}",
-                listed(&names),
-                if names.len() == 1 { "is" } else { "are" },
-                options.join(" ")
-            ))
-        }
-        NoSteadyMotions::Unequal { counts: [equations, unknowns], idle } => told(format!(
-            "there are {equations} equations for {unknowns} unknowns, so that steady motions form families or are none{}",
-            match idle.is_empty() {
-                true => "; fewer constraints, or coordinates without one value, are accepted".to_owned(),
-                false => format!("; a value for {} (--range NAME=VALUE) chooses among them", listed(&idle)),
-            }
-        )),
-    }
-}
-
-/// Ten digits, without those that say nothing.
-fn number(value: f64) -> String {
-    let value = if value.abs() < 5e-16 { 0.0 } else { value };
-    match value.abs() {
-        size if size == 0.0 || (1e-4..1e7).contains(&size) => {
-            let places = if size == 0.0 { 0 } else { (9 - size.log10().floor() as i32).max(0) as usize };
-            let fixed = format!("{value:.places$}");
-            if fixed.contains('.') { fixed.trim_end_matches('0').trim_end_matches('.').to_owned() } else { fixed }
-        }
-        _ => format!("{value:.9e}"),
-    }
-}
-
-fn text(title: &str, model: &Model, found: &SteadyMotions) -> String {
-    let mut out = format!("{title}\n");
-    let unit = |name: &str| match unit_of(model, name).as_str() {
-        "1" => String::new(),
-        unit => format!(" {unit}"),
-    };
+fn text(all: &Found) -> String {
+    let (found, mut out) = (&all.motions, format!("{}\n", all.title));
+    let unit = |name: &str| all.unit(name);
     // writing to a String cannot fail
     for unknown in &found.unknowns {
         let range = unknown.range;
@@ -170,10 +56,7 @@ fn text(title: &str, model: &Model, found: &SteadyMotions) -> String {
         ),
     };
     for (place, motion) in found.motions.iter().enumerate() {
-        let values = found.unknowns.iter().zip(&motion.enclosure).map(|(unknown, [low, high])| {
-            format!("{} = {}{}", unknown.name, number(0.5 * (low + high)), unit(&unknown.name))
-        });
-        let values = values.collect::<Vec<_>>().join(", ");
+        let values = all.values(&motion.enclosure);
         let _ = writeln!(out, "  {}  {values}", place + 1);
         let _ = writeln!(out, "     {}", stability(motion, &found.cyclic));
     }
@@ -236,7 +119,7 @@ fn stability(motion: &SteadyMotion, cyclic: &[String]) -> String {
     }
 }
 
-fn object(title: &str, model: &Model, found: &SteadyMotions) -> Value {
+fn object(Found { title, model, motions: found }: &Found) -> Value {
     let motion = |motion: &SteadyMotion| {
         let values =
             found.unknowns.iter().zip(&motion.enclosure).map(|(unknown, at)| (unknown.name.clone(), json!(at)));

@@ -3,7 +3,7 @@
 use super::definiteness::signs;
 use super::equations::SteadyEquations;
 use super::search::Boxes;
-use crate::conservation::conserves;
+use crate::conservation::keeps_energy;
 use crate::linearisation::{Linear, VariedEquations};
 use algebra::boxes::Equations;
 use field::Interval;
@@ -36,7 +36,7 @@ pub(super) fn judged(
     // what is held fixed by hand might move
     let is_whole =
         equations.coordinates == equations.unknowns.len() && equations.coordinates + equations.cyclic.len() == n;
-    if is_whole && symbolic::apart(|| conserves(model)) {
+    if is_whole && keeps_energy(model) {
         let rests = state[n..].iter().all(|speed| *speed == 0.0);
         match falls(equations, boxes, enclosure) {
             Some(0) => return SteadyStability::Minimum,

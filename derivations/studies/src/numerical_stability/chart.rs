@@ -23,6 +23,15 @@ pub struct Row {
     pub steps: Option<Steps>,
 }
 
+/// Every method on a motion with these modes.
+pub fn rows(modes: &[Mode]) -> Vec<Row> {
+    let row = |method: &OneStep| {
+        let function = method.function();
+        Row { method: *method, steps: function.and_then(|function| Steps::of(modes, &function).ok()) }
+    };
+    OneStep::ALL.iter().map(row).collect()
+}
+
 /// What is known of a motion near it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ChartedMotion {
@@ -41,15 +50,11 @@ impl Chart {
     /// [`NoMotions`].
     pub fn of(scene: &Scene, w: f64) -> Result<Self, NoMotions> {
         let all = AllStationed::of(scene, w)?;
-        let functions: Vec<_> = OneStep::ALL.iter().map(|method| (*method, method.function())).collect();
-        let row = |spectrum: &Spectrum| {
-            let of_method = |(method, function): &(OneStep, Option<_>)| {
-                let steps = function.as_ref().and_then(|function| Steps::of(&spectrum.modes, function).ok());
-                Row { method: *method, steps }
-            };
-            functions.iter().map(of_method).collect()
-        };
-        let rows = all.motions.iter().map(|one| one.spectrum.as_ref().map_or_else(Vec::new, row)).collect();
+        let rows = all
+            .motions
+            .iter()
+            .map(|one| one.spectrum.as_ref().map_or_else(Vec::new, |spectrum| rows(&spectrum.modes)))
+            .collect();
         Ok(Chart { all, rows })
     }
 

@@ -24,6 +24,7 @@ pub mod linear;
 mod matrices;
 pub mod measured_thresholds;
 pub mod methods;
+pub mod modes;
 pub mod motions;
 mod multipliers;
 pub mod oscillator;

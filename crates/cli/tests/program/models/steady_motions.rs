@@ -1,4 +1,4 @@
-//! All steady motions of a system that is written in its file.
+//! All steady motions of a system that is written in its file, and what steps of methods make of them.
 
 use super::{MODEL, PENDULUM, printed, refused};
 use crate::{run, temporary};
@@ -51,4 +51,24 @@ fn what_is_asked_of_another_kind_of_scene_is_refused() {
     let path = pendulum.to_string_lossy().into_owned();
     refused(&["stationary", &path], "its law changes at conditions, contacts or events");
     std::fs::remove_file(&pendulum).expect("it is there");
+}
+
+#[test]
+fn steps_that_misjudge_a_motion_of_a_file_are_told_for_each_method() {
+    let told = printed(&["numerical-stability", MODEL]);
+    // sqrt(8) over the larger frequency
+    assert!(told.contains("Runge-Kutta 4        never honest; damps what stays for h < 0.4887256673; invents growth for h > 0.4887256673"), "{told}");
+    assert!(told.contains("implicit midpoint    honest at every step"), "{told}");
+    let object: Value =
+        serde_json::from_str(&printed(&["numerical-stability", MODEL, "--format", "json"])).expect("it is JSON");
+    let of_first = object["motions"][0]["methods"].as_array().expect("methods");
+    assert_eq!(of_first.len(), 8);
+    // R(h mu) leaves the circle there
+    let frequency = object["motions"][0]["eigenvalues"][2][1].as_f64().expect("a number").abs();
+    assert!((0.4887256673 * frequency - 8f64.sqrt()).abs() < 1e-8);
+    refused(&["numerical-stability", MODEL, "--omega0", "3"], "--omega0 is about the built-in machines");
+    refused(
+        &["numerical-stability", "scenes/bench.toml", "--range", "x=1"],
+        "--range x is about a system that is written in its file",
+    );
 }

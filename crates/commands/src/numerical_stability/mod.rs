@@ -1,12 +1,16 @@
 //! `dalembert numerical-stability`: for which steps a method's map says of a stationary motion what is true.
 
+mod model;
+
 use crate::arguments::{Format, finite};
 use crate::exit::{Exit, print};
 use crate::run::with_model;
+use crate::steady_box::SteadyBox;
 use clap::Args;
 use integrators::Splitting;
-use reader::Family;
+use reader::{Family, read_text};
 use serde_json::{Value, json};
+use simulation::models::holds_model;
 use std::path::PathBuf;
 use studies::numerical_stability::chart::{Chart, ChartedMotion, Row, said};
 use studies::numerical_stability::motions::Stationed;
@@ -24,6 +28,8 @@ pub struct Asked {
     /// The angular velocity of the motions about the vertical, rad/s; without it 0
     #[arg(long, value_name = "W", value_parser = finite, allow_negative_numbers = true)]
     pub omega0: Option<f64>,
+    #[command(flatten)]
+    pub steady: SteadyBox,
     /// Another machine, made of the scene's data
     #[arg(long)]
     pub model: Option<String>,
@@ -37,6 +43,10 @@ type Courses = [Tested; Splitting::ALL.len()];
 
 /// Prints it.
 pub fn show(asked: &Asked) -> Result<Exit, Exit> {
+    if read_text(&asked.scene).is_ok_and(|text| holds_model(&text)) {
+        return model::show(asked);
+    }
+    asked.steady.refuse("--omega0 says which motions of this one")?;
     let scene = with_model(Scene::open(&asked.scene)?, asked.model.as_deref(), &asked.scene)?;
     if asked.omega0.is_some() && scene.on_bench() {
         return Err(Exit::refused(format!(

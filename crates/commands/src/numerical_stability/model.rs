@@ -1,0 +1,114 @@
+//! Steps of methods on the steady motions of a system that is written in its file.
+
+use super::{Asked, method};
+use crate::arguments::Format;
+use crate::exit::{Exit, print};
+use crate::steady_box::Found;
+use ::scenes::linearisation::VariedEquations;
+use ::scenes::steady_motions::SteadyMotion;
+use mechanics::one_step_stability::Mode;
+use serde_json::{Value, json};
+use std::fmt::Write;
+use studies::numerical_stability::chart::{Row, rows};
+use studies::numerical_stability::modes::modes;
+
+/// A motion with its modes.
+struct Judged<'a> {
+    motion: &'a SteadyMotion,
+    /// Or why there are none.
+    near: Result<Near, String>,
+}
+
+/// The linear motion near it.
+struct Near {
+    /// Real and imaginary parts, 1/s.
+    eigenvalues: Vec<[f64; 2]>,
+    /// How many of them are zero, and are left out.
+    zeros: usize,
+    modes: Vec<Mode>,
+    rows: Vec<Row>,
+}
+
+/// Prints every method on every steady motion.
+pub(super) fn show(asked: &Asked) -> Result<Exit, Exit> {
+    let given = [("--omega0", asked.omega0.is_some()), ("--model", asked.model.is_some())];
+    if let Some((option, _)) = given.iter().find(|(_, is_given)| *is_given) {
+        return Err(Exit::refused(format!(
+            "{option} is about the built-in machines; of a system that is written in its file --range NAME=FROM..TO says where motions are sought"
+        )));
+    }
+    let found = asked.steady.find(&asked.scene)?;
+    let equations = VariedEquations::of(&found.model, &[]).map_err(|why| why.to_string());
+    let keeps_energy = ::scenes::keeps_energy(&found.model);
+    let judged = |motion| Judged {
+        motion,
+        near: equations.as_ref().map_err(Clone::clone).and_then(|equations| near(equations, motion, keeps_energy)),
+    };
+    let all: Vec<Judged<'_>> = found.motions.motions.iter().map(judged).collect();
+    print(&match asked.format {
+        Format::Text => text(&found, &all),
+        Format::Json => format!("{:#}\n", object(&found, &all)),
+    })?;
+    Ok(asked.steady.ended(&asked.scene, &found.motions))
+}
+
+fn near(equations: &VariedEquations, motion: &SteadyMotion, keeps_energy: bool) -> Result<Near, String> {
+    let linear = equations.about(0.0, &motion.state).map_err(|why| why.to_string())?;
+    let eigenvalues = linear.eigenvalues;
+    let (modes, zeros) = modes(&eigenvalues, keeps_energy)?;
+    Ok(Near { rows: rows(&modes), zeros, modes, eigenvalues })
+}
+
+/// What the linear motion does.
+fn does(Near { modes, zeros, .. }: &Near) -> String {
+    let count =
+        |sign: i32| -> usize { modes.iter().filter(|mode| mode.place.sign() == sign).map(|mode| mode.count).sum() };
+    let verdict = match (count(1), count(0)) {
+        (0, 0) => "every eigenvalue has a negative real part".to_owned(),
+        (0, staying) => format!("no eigenvalue has a positive real part, {staying} are imaginary"),
+        (1, _) => "one eigenvalue has a positive real part".to_owned(),
+        (growing, _) => format!("{growing} eigenvalues have positive real parts"),
+    };
+    match zeros {
+        0 => verdict,
+        zeros => format!("{verdict}; {zeros} more are zero, and left out"),
+    }
+}
+
+fn text(found: &Found, all: &[Judged<'_>]) -> String {
+    let mut out = format!("{}\n", found.title);
+    for (place, Judged { motion, near }) in all.iter().enumerate() {
+        // writing to a String cannot fail
+        let _ = writeln!(out, "\n{}  {}", place + 1, found.values(&motion.enclosure));
+        match near {
+            Err(why) => drop(writeln!(out, "   not known: {why}")),
+            Ok(near) => {
+                let _ = writeln!(out, "   {}", does(near));
+                let each = near.modes.iter().map(|mode| match mode.place.point() {
+                    [re, 0.0] => format!("{re:.10}"),
+                    [0.0, im] => format!("±{im:.10}i"),
+                    [re, im] => format!("{re:.10} ± {im:.10}i"),
+                });
+                let _ = writeln!(out, "   eigenvalues, 1/s: {}", each.collect::<Vec<_>>().join(", "));
+                for row in &near.rows {
+                    let _ = writeln!(out, "   {:<20} {}", row.method.to_string(), row.told());
+                }
+            }
+        }
+    }
+    out
+}
+
+fn object(found: &Found, all: &[Judged<'_>]) -> Value {
+    let each = all.iter().map(|Judged { motion, near }| {
+        let values = found.motions.unknowns.iter().zip(&motion.enclosure);
+        let near = near.as_ref();
+        json!({
+            "motion": values.map(|(unknown, at)| (unknown.name.clone(), json!(at))).collect::<serde_json::Map<_, _>>(),
+            "does": near.map(does).unwrap_or_else(|why| format!("not known: {why}")),
+            "eigenvalues": near.ok().map(|near| &near.eigenvalues),
+            "methods": near.map(|near| near.rows.iter().map(method).collect::<Vec<_>>()).unwrap_or_default(),
+        })
+    });
+    json!({ "scene": found.title, "complete": found.motions.is_complete(), "motions": each.collect::<Vec<_>>() })
+}

@@ -1,0 +1,175 @@
+//! Steady motions of a system that is written in its file, as commands ask for them.
+
+use crate::arguments::finite;
+use crate::clock;
+use crate::exit::{Exit, placed, warn};
+use crate::progress::Progress;
+use ::scenes::steady_motions::{Asked, NoSteadyMotions, Range, SteadyMotions};
+use ::scenes::{Task, independent_start, read_titled, unit_of, without_law};
+use clap::Args;
+use model::Model;
+use reader::Issue;
+use std::ops::ControlFlow;
+use std::path::Path;
+use std::time::Duration;
+
+/// Where steady motions are sought.
+#[derive(Args, Debug)]
+pub struct SteadyBox {
+    /// Of a system that is written in its file: the range of a coordinate in SI units, or its value; the same of the constant speed of a
+    /// coordinate that occurs nowhere. Angles are sought on the whole circle without it
+    #[arg(long, value_name = "NAME=FROM..TO", value_parser = named_range, num_args = 1)]
+    pub range: Vec<(String, Range)>,
+    /// Of a system that is written in its file: boxes that are looked at, at most
+    #[arg(long, value_name = "N", default_value_t = 200_000)]
+    pub boxes: usize,
+}
+
+/// A name with its range.
+fn named_range(text: &str) -> Result<(String, Range), String> {
+    let accepted = || {
+        "a coordinate with its range in SI units, such as x=-0.1..0.1, or with one value, x=0.1, is accepted".to_owned()
+    };
+    let (name, range) = text.split_once('=').ok_or_else(accepted)?;
+    let (from, to) = match range.split_once("..") {
+        Some((from, to)) => (finite(from)?, finite(to)?),
+        None => (finite(range)?, finite(range)?),
+    };
+    if from > to {
+        return Err(format!("{from} is not below {to}; a range that rises is accepted"));
+    }
+    Ok((name.trim().to_owned(), Range { from, to }))
+}
+
+/// Time that is kept for printing.
+const PRINTING: Duration = Duration::from_millis(400);
+
+/// A system with its steady motions.
+pub struct Found {
+    pub title: String,
+    pub model: Model,
+    pub motions: SteadyMotions,
+}
+
+impl SteadyBox {
+    /// All steady motions of the system in a file.
+    pub fn find(&self, path: &Path) -> Result<Found, Exit> {
+        let (title, mut model) = read_titled(path, Task::Vary)?;
+        model.close_inputs();
+        // constraints that follow from others have no reactions of their own; a start that is missing is no obstacle
+        let _ = independent_start(&mut model);
+        let _progress = Progress::new("steady motions");
+        let wanted = Asked { ranges: self.range.clone(), boxes: self.boxes };
+        let goes_on = || matches!(clock::goes_on(), ControlFlow::Continue(())) && clock::left() > PRINTING;
+        let motions = SteadyMotions::of(&model, &wanted, goes_on).map_err(|why| refused(path, &model, why))?;
+        Ok(Found { title, model, motions })
+    }
+
+    /// Says what is not decided, and how more would be: the exit.
+    pub fn ended(&self, path: &Path, found: &SteadyMotions) -> Exit {
+        if found.is_complete() {
+            return Exit::Done;
+        }
+        warn(&format!(
+            "warning: {}: {} boxes are undecided; narrower ranges (--range NAME=FROM..TO) or more boxes (--boxes {}) decide more",
+            path.display(),
+            found.undecided.len(),
+            10 * self.boxes
+        ));
+        Exit::Stopped
+    }
+
+    /// Refuses a range for a scene that has no system in its file.
+    pub fn refuse(&self, instead: &str) -> Result<(), Exit> {
+        match self.range.first() {
+            None => Ok(()),
+            Some((name, _)) => {
+                Err(Exit::refused(format!("--range {name} is about a system that is written in its file; {instead}")))
+            }
+        }
+    }
+}
+
+impl Found {
+    /// A motion by the values of its unknowns.
+    pub fn values(&self, enclosure: &[[f64; 2]]) -> String {
+        let values = self.motions.unknowns.iter().zip(enclosure).map(|(unknown, [low, high])| {
+            format!("{} = {}{}", unknown.name, number(0.5 * (low + high)), self.unit(&unknown.name))
+        });
+        values.collect::<Vec<_>>().join(", ")
+    }
+
+    /// The unit of a number of the state, with a space before it.
+    pub fn unit(&self, name: &str) -> String {
+        match unit_of(&self.model, name).as_str() {
+            "1" => String::new(),
+            unit => format!(" {unit}"),
+        }
+    }
+}
+
+fn refused(path: &Path, model: &Model, why: NoSteadyMotions) -> Exit {
+    let told = |why: String| Exit::refused(format!("{}: {why}", path.display()));
+    let listed = |names: &[String]| names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
+    match why {
+        NoSteadyMotions::NotCompiled(reason) => {
+            placed(path, without_law(model, &reason, "steady motions cannot be sought"))
+        }
+        NoSteadyMotions::OfSpeeds { at } => {
+            let issue = Issue::at(at, "steady motions are not sought where a constraint holds speeds", "held here");
+            placed(path, issue.accepted("constraints of positions; `linearise --about equilibrium` finds one equilibrium near the start"))
+        }
+        NoSteadyMotions::Changes => told(
+            "its law changes at conditions, contacts or events, where steady motions are not sought; `linearise --about equilibrium` finds one \
+             equilibrium near the start"
+                .to_owned(),
+        ),
+        NoSteadyMotions::FreeFrame => told(
+            "a frame turns freely, where steady motions are not sought yet; a frame with an axis, or with three angles, is accepted".to_owned(),
+        ),
+        NoSteadyMotions::OfTime => {
+            told("its forces or constraints depend on time: no motion is steady; without time in them they are sought".to_owned())
+        }
+        NoSteadyMotions::Singular => told("nothing with a mass or an inertia moves with a coordinate".to_owned()),
+        NoSteadyMotions::Undefined { why } => told(format!("its equations have no values: {why}")),
+        NoSteadyMotions::Unknown { name, nearest: Some(nearest), .. } => {
+            told(format!("--range {name}: nothing that is sought is called `{name}`; is `{nearest}` meant?"))
+        }
+        NoSteadyMotions::Unknown { name, accepted, .. } => {
+            told(format!("--range {name}: nothing that is sought is called `{name}`; there are: {}", accepted.join(", ")))
+        }
+        NoSteadyMotions::AnyValue { name } => told(format!(
+            "--range {name}: the equations hold for every value of `{name}`, which is not sought: one value (--range \"{name}=2\") is accepted"
+        )),
+        NoSteadyMotions::WithoutRange { names } => {
+            let options: Vec<String> =
+                names.iter().map(|name| format!("--range \"{name}=-1..1\"")).collect();
+            told(format!(
+                "{} {} no angle of a circle alone: ranges in SI units are needed, such as {}",
+                listed(&names),
+                if names.len() == 1 { "is" } else { "are" },
+                options.join(" ")
+            ))
+        }
+        NoSteadyMotions::Unequal { counts: [equations, unknowns], idle } => told(format!(
+            "there are {equations} equations for {unknowns} unknowns, so that steady motions form families or are none{}",
+            match idle.is_empty() {
+                true => "; fewer constraints, or coordinates without one value, are accepted".to_owned(),
+                false => format!("; a value for {} (--range NAME=VALUE) chooses among them", listed(&idle)),
+            }
+        )),
+    }
+}
+
+/// Ten digits, without those that say nothing.
+pub fn number(value: f64) -> String {
+    let value = if value.abs() < 5e-16 { 0.0 } else { value };
+    match value.abs() {
+        size if size == 0.0 || (1e-4..1e7).contains(&size) => {
+            let places = if size == 0.0 { 0 } else { (9 - size.log10().floor() as i32).max(0) as usize };
+            let fixed = format!("{value:.places$}");
+            if fixed.contains('.') { fixed.trim_end_matches('0').trim_end_matches('.').to_owned() } else { fixed }
+        }
+        _ => format!("{value:.9e}"),
+    }
+}

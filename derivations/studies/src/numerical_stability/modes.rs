@@ -1,0 +1,69 @@
+//! Modes by eigenvalues that are numbers: thresholds of steps are exact for these numbers.
+
+use algebra::complex::Rectangle;
+use algebra::real::Enclosure;
+use mechanics::one_step_stability::{HalfPlane, Mode};
+
+/// Bits of the numbers in which thresholds are found.
+const BITS: usize = 128;
+
+/// Eigenvalues, and real parts, below this part of the largest are those of rounding.
+const ROUNDING: f64 = 1e-9;
+
+/// The modes of eigenvalues, real and imaginary parts in 1/s, without those that are zero; and how many these are. Where the energy is kept
+/// there is with an eigenvalue its negative: a real part of rounding is none.
+///
+/// # Errors
+/// A real part that vanishes for no known reason, or a number that is none.
+pub fn modes(eigenvalues: &[[f64; 2]], keeps_energy: bool) -> Result<(Vec<Mode>, usize), String> {
+    let largest = eigenvalues.iter().map(|[re, im]| re.hypot(*im)).fold(0.0, f64::max);
+    let is_zero = |[re, im]: &[f64; 2]| re.hypot(*im) <= ROUNDING * largest;
+    let number = |value: f64| Enclosure::float(value, BITS).ok_or("an eigenvalue is no number".to_owned());
+    let mut modes = Vec::new();
+    // of a pair the one above
+    for [re, im] in eigenvalues.iter().filter(|value| !is_zero(value) && value[1] >= 0.0).copied() {
+        let place = match (im == 0.0, re.abs() <= ROUNDING * largest) {
+            (true, _) => HalfPlane::Real(number(re)?),
+            (false, true) if keeps_energy => HalfPlane::Imaginary(number(im)?),
+            (false, true) => return Err(format!("a real part vanishes for no known reason, beside {im} 1/s")),
+            (false, false) => HalfPlane::Pair(Rectangle { re: number(re)?, im: number(im)? }),
+        };
+        modes.push(Mode { place, count: if im == 0.0 { 1 } else { 2 } });
+    }
+    Ok((modes, eigenvalues.iter().filter(|value| is_zero(value)).count()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::chart::rows;
+    use super::modes;
+    use mechanics::one_step_stability::Judgement;
+
+    /// Steps up to which methods are honest.
+    fn honest(eigenvalues: &[[f64; 2]], keeps_energy: bool) -> Vec<(String, Result<Option<f64>, Judgement>)> {
+        let (modes, _) = modes(eigenvalues, keeps_energy).expect("they have modes");
+        let most =
+            |steps: &mechanics::one_step_stability::Steps| steps.honest().map(|most| most.map(|most| most.to_f64()));
+        rows(&modes)
+            .into_iter()
+            .map(|row| (row.method.to_string(), most(&row.steps.expect("they are apart"))))
+            .collect()
+    }
+
+    #[test]
+    fn thresholds_are_those_of_the_methods_in_closed_form() {
+        // a damped pair that is one number, and an oscillator
+        let fading = honest(&[[-3.0, 0.0], [0.0, 0.0]], false);
+        let of = |all: &[(String, Result<Option<f64>, Judgement>)], name: &str| {
+            all.iter().find(|(own, _)| own == name).map(|(_, most)| *most).expect("it is there")
+        };
+        let Ok(Some(euler)) = of(&fading, "Euler") else { panic!("{fading:?}") };
+        assert!((euler - 2.0 / 3.0).abs() < 1e-15);
+        assert_eq!(of(&fading, "backward Euler"), Ok(None));
+        let oscillating = honest(&[[1e-15, 2.0], [1e-15, -2.0]], true);
+        assert_eq!(of(&oscillating, "Euler"), Err(Judgement::Invents));
+        assert_eq!(of(&oscillating, "backward Euler"), Err(Judgement::Damps));
+        assert_eq!(of(&oscillating, "implicit midpoint"), Ok(None));
+        assert!(modes(&[[1e-15, 2.0], [1e-15, -2.0]], false).is_err());
+    }
+}
