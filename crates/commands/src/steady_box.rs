@@ -4,7 +4,7 @@ use crate::arguments::finite;
 use crate::clock;
 use crate::exit::{Exit, placed, warn};
 use crate::progress::Progress;
-use ::scenes::steady_motions::{Asked, NoSteadyMotions, Range, SteadyMotions};
+use ::scenes::steady_motions::{Along, Asked, NoSteadyMotions, Range, SteadyMotions};
 use ::scenes::{Task, independent_start, read_titled, unit_of, without_law};
 use clap::Args;
 use model::Model;
@@ -12,6 +12,7 @@ use reader::Issue;
 use std::ops::ControlFlow;
 use std::path::Path;
 use std::time::Duration;
+use units::nearest;
 
 /// Where steady motions are sought.
 #[derive(Args, Debug)]
@@ -26,7 +27,7 @@ pub struct SteadyBox {
 }
 
 /// A name with its range.
-fn named_range(text: &str) -> Result<(String, Range), String> {
+pub fn named_range(text: &str) -> Result<(String, Range), String> {
     let accepted = || {
         "a coordinate with its range in SI units, such as x=-0.1..0.1, or with one value, x=0.1, is accepted".to_owned()
     };
@@ -51,18 +52,66 @@ pub struct Found {
     pub motions: SteadyMotions,
 }
 
+/// Steady motions along a parameter.
+pub struct AlongFound {
+    pub title: String,
+    pub name: String,
+    /// Of the parameter, with a space before it.
+    pub unit: String,
+    pub along: Along,
+}
+
+fn read(path: &Path) -> Result<(String, Model), Exit> {
+    let (title, mut model) = read_titled(path, Task::Vary)?;
+    model.close_inputs();
+    // constraints that follow from others have no reactions of their own; a start that is missing is no obstacle
+    let _ = independent_start(&mut model);
+    Ok((title, model))
+}
+
+fn goes_on() -> bool {
+    matches!(clock::goes_on(), ControlFlow::Continue(())) && clock::left() > PRINTING
+}
+
+/// The unit of a number, with a space before it.
+fn unit(model: &Model, name: &str) -> String {
+    match unit_of(model, name).as_str() {
+        "1" => String::new(),
+        unit => format!(" {unit}"),
+    }
+}
+
 impl SteadyBox {
     /// All steady motions of the system in a file.
     pub fn find(&self, path: &Path) -> Result<Found, Exit> {
-        let (title, mut model) = read_titled(path, Task::Vary)?;
-        model.close_inputs();
-        // constraints that follow from others have no reactions of their own; a start that is missing is no obstacle
-        let _ = independent_start(&mut model);
+        let (title, model) = read(path)?;
         let _progress = Progress::new("steady motions");
-        let wanted = Asked { ranges: self.range.clone(), boxes: self.boxes };
-        let goes_on = || matches!(clock::goes_on(), ControlFlow::Continue(())) && clock::left() > PRINTING;
-        let motions = SteadyMotions::of(&model, &wanted, goes_on).map_err(|why| refused(path, &model, why))?;
+        let motions = SteadyMotions::of(&model, &self.wanted(), goes_on).map_err(|why| refused(path, &model, why))?;
         Ok(Found { title, model, motions })
+    }
+
+    /// The same at values of a parameter, or of the speed of a cyclic coordinate.
+    pub fn find_along(&self, path: &Path, (name, range): &(String, Range), values: usize) -> Result<AlongFound, Exit> {
+        let (title, model) = read(path)?;
+        let parameters = model.parameters.iter().map(|parameter| parameter.name.clone());
+        let known: Vec<String> = parameters.chain(model.state_names().into_iter().map(|(name, _)| name)).collect();
+        if !known.contains(name) {
+            let nearest = nearest(name, known.iter().map(String::as_str));
+            return Err(Exit::refused(format!(
+                "--along {name}: {}: no parameter is called so, nor the speed of a coordinate{}",
+                path.display(),
+                nearest.map_or_else(String::new, |nearest| format!("; is `{nearest}` meant?"))
+            )));
+        }
+        let _progress = Progress::new("steady motions");
+        let along = Along::of(&model, &self.wanted(), (name, *range), values, goes_on);
+        let along = along.map_err(|why| refused(path, &model, why))?;
+        let unit = unit(&model, name);
+        Ok(AlongFound { title, name: name.clone(), unit, along })
+    }
+
+    fn wanted(&self) -> Asked {
+        Asked { ranges: self.range.clone(), boxes: self.boxes }
     }
 
     /// Says what is not decided, and how more would be: the exit.
@@ -101,10 +150,7 @@ impl Found {
 
     /// The unit of a number of the state, with a space before it.
     pub fn unit(&self, name: &str) -> String {
-        match unit_of(&self.model, name).as_str() {
-            "1" => String::new(),
-            unit => format!(" {unit}"),
-        }
+        unit(&self.model, name)
     }
 }
 
@@ -116,8 +162,8 @@ fn refused(path: &Path, model: &Model, why: NoSteadyMotions) -> Exit {
             placed(path, without_law(model, &reason, "steady motions cannot be sought"))
         }
         NoSteadyMotions::OfSpeeds { at } => {
-            let issue = Issue::at(at, "steady motions are not sought where a constraint holds speeds", "held here");
-            placed(path, issue.accepted("constraints of positions; `linearise --about equilibrium` finds one equilibrium near the start"))
+            let issue = Issue::at(at, "steady motions are not sought with this constraint", "it holds speeds, or is led to zero");
+            placed(path, issue.accepted("constraints of positions, and up to four that are linear in the speeds; `linearise --about equilibrium` finds one equilibrium near the start"))
         }
         NoSteadyMotions::Changes => told(
             "its law changes at conditions, contacts or events, where steady motions are not sought; `linearise --about equilibrium` finds one \
@@ -152,7 +198,7 @@ fn refused(path: &Path, model: &Model, why: NoSteadyMotions) -> Exit {
             ))
         }
         NoSteadyMotions::Unequal { counts: [equations, unknowns], idle } => told(format!(
-            "there are {equations} equations for {unknowns} unknowns, so that steady motions form families or are none{}",
+            "its equations, {equations}, are not as many as its unknowns, {unknowns}: steady motions form families, or there are none{}",
             match idle.is_empty() {
                 true => "; fewer constraints, or coordinates without one value, are accepted".to_owned(),
                 false => format!("; a value for {} (--range NAME=VALUE) chooses among them", listed(&idle)),

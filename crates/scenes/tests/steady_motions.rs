@@ -1,6 +1,8 @@
 //! Steady motions of models beside what is known of them in closed form; none is missing, and what is not decided is told.
 
-use dalembert_scenes::steady_motions::{Asked, Near, NoSteadyMotions, Range, SteadyMotions, SteadyStability};
+use dalembert_scenes::steady_motions::{
+    Along, Asked, Change, Near, NoSteadyMotions, Range, SteadyMotions, SteadyStability,
+};
 use dalembert_scenes::{Task, parse_titled};
 use model::Model;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -196,6 +198,13 @@ fn a_circle_of_equilibria_is_covered_by_undecided_boxes() {
 }
 
 #[test]
+fn without_positive_masses_no_energy_proves_anything() {
+    let negative = plane("k*(x^2 + y^2)/a^2").replace("m/2*(x'^2 + y'^2)", "m/2*(x'^2 - y'^2)");
+    let found = all(&negative, &SIDES);
+    assert!(matches!(found.motions[0].stability, SteadyStability::Linear(_)), "{:?}", found.motions);
+}
+
+#[test]
 fn what_nothing_balances_has_no_steady_motion() {
     let falling = plane("k*x/a");
     assert!(values(&all(&falling, &[])).is_empty());
@@ -227,4 +236,59 @@ fn a_driven_shaft_has_the_speed_at_which_friction_takes_its_torque() {
     assert!(places.iter().all(|(at, _)| (at[0] - speed).abs() < 1e-9));
     assert!(places.iter().any(|(at, _)| (at[1] - away).abs() < 1e-8), "{places:?}");
     assert!(places.iter().all(|(at, _)| at[1].abs() < 0.2 || at[1].abs() > FRAC_PI_2));
+}
+
+/// A disc that rolls in a circle: 3/2 W s cos(a) - 5/4 W^2 sin(a) cos(a) = g/r sin(a) for a lean a, a heading that turns by W and a spin s.
+#[test]
+fn a_disc_rolls_in_circles_at_every_lean_at_which_it_can() {
+    const DISC: &str = include_str!("../../../scenes/models/rolling_disc.toml");
+    for (turn, spin) in [(0.5, 6.0), (6.0, -3.0), (9.0, 0.0), (0.0, 5.0)] {
+        let found = all(DISC, &[("heading'", turn, turn), ("spin'", spin, spin)]);
+        assert!(found.is_complete() && found.unknowns.len() == 1);
+        let out_of_balance =
+            |a: f64| 1.5 * turn * spin * a.cos() - 1.25 * turn * turn * a.sin() * a.cos() - 9.81 / 0.343 * a.sin();
+        let steps = 10_000;
+        let at = |step: usize| -3.0 + 2.0 * PI * step as f64 / steps as f64;
+        let turns = |step: &usize| (out_of_balance(at(*step)) > 0.0) != (out_of_balance(at(*step + 1)) > 0.0);
+        let count = (0..steps).filter(turns).count();
+        assert_eq!(found.motions.len(), count, "{turn} {spin}");
+        for motion in &found.motions {
+            let lean = motion.state[3];
+            assert!(out_of_balance(lean).abs() < 1e-10, "{lean}");
+            // rolling along the heading, which is x
+            assert!((motion.state[5] - 0.343 * spin).abs() < 1e-9, "{:?}", motion.state);
+        }
+    }
+}
+
+fn along(text: &str, ranges: &[(&str, f64, f64)], (name, from, to): (&str, f64, f64)) -> Along {
+    let found = Along::of(&model(text), &asked(ranges, 200_000), (name, Range { from, to }), 21, || true);
+    found.unwrap_or_else(|why| panic!("{why:?}"))
+}
+
+fn assert_changes(found: &Along, wanted: &[(f64, Change)]) {
+    let told: Vec<(f64, f64, Change)> =
+        found.bifurcations.iter().map(|one| (one.before.value, one.after.value, one.change)).collect();
+    assert_eq!(told.len(), wanted.len(), "{told:?}");
+    for (&(from, to, change), &(at, kind)) in told.iter().zip(wanted) {
+        assert!(from < at && at < to && to - from < 1e-3 && change == kind, "{told:?} for {at}");
+    }
+}
+
+#[test]
+fn a_pendulum_on_a_turning_shaft_leaves_the_axis_at_a_pitchfork() {
+    let critical = (9.81_f64 / 0.5).sqrt();
+    assert_changes(&along(SHAFT, &[], ("phi'", 1.0, 8.03)), &[(critical, Change::Pitchfork)]);
+    // the same by the length at one speed: l = g/w^2
+    let by_length = along(SHAFT, &[("phi'", 5.0, 5.0)], ("l", 0.1, 0.93));
+    assert_changes(&by_length, &[(9.81 / 25.0, Change::Pitchfork)]);
+}
+
+/// A beam that snaps: V = x^4/4 - x^2/2 + p x has three equilibria for |p| < 2/sqrt(27).
+#[test]
+fn a_beam_that_snaps_has_folds_at_the_ends_of_its_two_shapes() {
+    let text =
+        plane("k*(x^4/a^4/4 - x^2/a^2/2 + p*x/a + y^2/a^2/2)").replace("[coordinates]", "p = \"0\"\n[coordinates]");
+    let fold = 2.0 / 27f64.sqrt();
+    assert_changes(&along(&text, &SIDES, ("p", -0.9, 0.87)), &[(-fold, Change::Fold), (fold, Change::Fold)]);
 }

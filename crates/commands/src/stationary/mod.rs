@@ -1,6 +1,7 @@
 //! `dalembert stationary`: all stationary motions of a scene, with the certificate that none is missing, and whether each is
 //! stable: of gyrostats with their motors, and of any system that is written in its file.
 
+mod along;
 mod json;
 mod map;
 mod model;
@@ -11,7 +12,8 @@ use crate::arguments::{Format, finite};
 use crate::clock;
 use crate::exit::{Exit, print};
 use crate::run::with_model;
-use crate::steady_box::SteadyBox;
+use crate::steady_box::{SteadyBox, named_range};
+use ::scenes::steady_motions::Range;
 use clap::Args;
 use mechanics::steady_rotations::Undecided;
 use reader::{Family, read_text};
@@ -53,6 +55,13 @@ pub struct Asked {
     pub force: bool,
     #[command(flatten)]
     pub steady: SteadyBox,
+    /// Of a system that is written in its file: how many there are at values of a parameter in SI units, or of the speed of a coordinate
+    /// that occurs nowhere, and where that changes
+    #[arg(long, value_name = "NAME=FROM..TO", value_parser = named_range, conflicts_with_all = ["omega0", "momentum", "cone", "map"])]
+    pub along: Option<(String, Range)>,
+    /// Values of --along
+    #[arg(long, value_name = "N", default_value_t = 41, value_parser = clap::builder::RangedU64ValueParser::<usize>::new().range(2..=100_000), requires = "along")]
+    pub values: usize,
     /// Another machine, made of the scene's data
     #[arg(long)]
     pub model: Option<String>,
@@ -83,7 +92,15 @@ fn ranged(text: &str) -> Result<Ranged, String> {
 pub fn show(asked: &Asked) -> Result<Exit, Exit> {
     if read_text(&asked.scene).is_ok_and(|text| holds_model(&text)) {
         refuse_others(asked)?;
-        return model::show(asked);
+        return match &asked.along {
+            Some(along) => along::show(asked, along),
+            None => model::show(asked),
+        };
+    }
+    if asked.along.is_some() {
+        return Err(Exit::refused(
+            "--along is about a system that is written in its file; --map goes over data of this one",
+        ));
     }
     asked.steady.refuse("--omega0, --momentum and --map say which motions of this one")?;
     let scene = with_model(Scene::open(&asked.scene)?, asked.model.as_deref(), &asked.scene)?;

@@ -4,7 +4,8 @@ use super::Asked;
 use crate::arguments::Format;
 use crate::exit::{Exit, print};
 use crate::steady_box::{Found, number};
-use ::scenes::steady_motions::{Near, SteadyMotion, SteadyStability};
+use ::scenes::linearisation::Stability;
+use ::scenes::steady_motions::{Near, SteadyMotion, SteadyMotions, SteadyStability};
 use ::scenes::unit_of;
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -38,8 +39,8 @@ fn text(all: &Found) -> String {
     for (name, value) in &found.given {
         let _ = writeln!(out, "given: {name} = {}{}", number(*value), unit(name));
     }
-    for name in &found.cyclic {
-        let _ = writeln!(out, "any: {name}, which occurs nowhere");
+    if !found.cyclic.is_empty() {
+        let _ = writeln!(out, "cyclic, nothing depends on them: {}", found.cyclic.join(", "));
     }
     let boxes = found.examined;
     let count = match found.motions.len() {
@@ -91,7 +92,7 @@ fn near(near: Near) -> String {
     }
 }
 
-fn stability(motion: &SteadyMotion, cyclic: &[String]) -> String {
+pub(super) fn stability(motion: &SteadyMotion, cyclic: &[String]) -> String {
     match &motion.stability {
         SteadyStability::Minimum if cyclic.is_empty() => {
             "stable, proved: the potential energy has a strict minimum (Lagrange, Dirichlet)".to_owned()
@@ -119,33 +120,33 @@ fn stability(motion: &SteadyMotion, cyclic: &[String]) -> String {
     }
 }
 
-fn object(Found { title, model, motions: found }: &Found) -> Value {
-    let motion = |motion: &SteadyMotion| {
-        let values =
-            found.unknowns.iter().zip(&motion.enclosure).map(|(unknown, at)| (unknown.name.clone(), json!(at)));
-        let (verdict, proved, eigenvalues) = match &motion.stability {
-            SteadyStability::Minimum => ("stable", true, None),
-            SteadyStability::Falls(_) | SteadyStability::FallsOdd(_) => ("unstable", true, None),
-            SteadyStability::Linear(linear) => {
-                use ::scenes::linearisation::Stability;
-                let verdict = match linear.stability {
-                    Stability::Unstable(_) => "unstable",
-                    Stability::Asymptotic { .. } => "asymptotically stable",
-                    _ => "not decided",
-                };
-                (verdict, false, Some(&linear.eigenvalues))
-            }
-            SteadyStability::Unknown(_) => ("not known", false, None),
-        };
-        json!({
-            "enclosure": values.collect::<serde_json::Map<_, _>>(),
-            "state": motion.state,
-            "stability": verdict,
-            "proved": proved,
-            "reason": stability(motion, &found.cyclic),
-            "eigenvalues": eigenvalues,
-        })
+/// A motion of those that are found.
+pub(super) fn motion(found: &SteadyMotions, motion: &SteadyMotion) -> Value {
+    let values = found.unknowns.iter().zip(&motion.enclosure).map(|(unknown, at)| (unknown.name.clone(), json!(at)));
+    let (verdict, proved, eigenvalues) = match &motion.stability {
+        SteadyStability::Minimum => ("stable", true, None),
+        SteadyStability::Falls(_) | SteadyStability::FallsOdd(_) => ("unstable", true, None),
+        SteadyStability::Linear(linear) => {
+            let verdict = match linear.stability {
+                Stability::Unstable(_) => "unstable",
+                Stability::Asymptotic { .. } => "asymptotically stable",
+                _ => "not decided",
+            };
+            (verdict, false, Some(&linear.eigenvalues))
+        }
+        SteadyStability::Unknown(_) => ("not known", false, None),
     };
+    json!({
+        "enclosure": values.collect::<serde_json::Map<_, _>>(),
+        "state": motion.state,
+        "stability": verdict,
+        "proved": proved,
+        "reason": stability(motion, &found.cyclic),
+        "eigenvalues": eigenvalues,
+    })
+}
+
+fn object(Found { title, model, motions: found }: &Found) -> Value {
     json!({
         "title": title,
         "sought": found.unknowns.iter().map(|unknown| json!({
@@ -165,6 +166,6 @@ fn object(Found { title, model, motions: found }: &Found) -> Value {
             "near": near(region.near),
         })).collect::<Vec<_>>(),
         "undecided_part": found.undecided_part,
-        "motions": found.motions.iter().map(motion).collect::<Vec<_>>(),
+        "motions": found.motions.iter().map(|one| motion(found, one)).collect::<Vec<_>>(),
     })
 }

@@ -4,13 +4,13 @@
 //!   J^T lambda - h(q, w) = 0 ,    f(q) = 0 .
 
 use super::circles::is_periodic;
+use super::rows::Rows;
 use super::{Asked, NoSteadyMotions, Range};
 use crate::changing_laws::changes;
 use crate::compiled_system::has_values;
 use crate::letters::Letters;
-use model::equations::{Equation, Level, Residuals, constraints_of, vanishes};
+use model::equations::vanishes;
 use model::{Model, Trace};
-use std::collections::BTreeSet;
 use symbolic::{Sym, Tape, substitute_all};
 
 /// An unknown of the search: a coordinate, or the constant speed of a cyclic one.
@@ -48,15 +48,12 @@ pub(super) struct SteadyEquations {
     /// J^T, row after row, then -h, by unknowns alone.
     pub loads: Tape,
     /// Of cyclic coordinates: derivatives of their momenta by the unknowns, row after row, then by their speeds; none where these depend on
-    /// anything else.
+    /// anything else, and where constraints hold speeds.
     pub momenta: Option<Tape>,
-}
-
-/// Residuals over letters of the model, with what is known put in.
-struct Rows {
-    residuals: Vec<Sym>,
-    constraints: Vec<Equation>,
-    zeros: Vec<Sym>,
+    /// The mass matrix, row after row, by the unknowns; none where it depends on anything else.
+    pub masses: Option<Tape>,
+    /// Places in the state of speeds that constraints of speeds determine, and these by the unknowns.
+    pub determined: (Vec<usize>, Tape),
 }
 
 impl SteadyEquations {
@@ -80,19 +77,23 @@ impl SteadyEquations {
         if all.iter().any(|row| row.symbols_of().contains(&trace.time)) {
             return Err(NoSteadyMotions::OfTime);
         }
-        let occurring: BTreeSet<Sym> = all.iter().flat_map(|row| row.symbols_of()).collect();
-        let is_cyclic: Vec<bool> = trace.coordinates.iter().map(|symbol| !occurring.contains(symbol)).collect();
-        asked.checked(&names, &is_cyclic)?;
+        let is_cyclic = &rows.is_cyclic;
+        let is_determined = |k: usize| rows.determined.iter().any(|(place, _)| *place == k);
+        asked.checked(
+            (0..n)
+                .filter(|&k| !(is_cyclic[k] && is_determined(k)))
+                .map(|k| names[if is_cyclic[k] { n + k } else { k }].as_str()),
+        )?;
         let at_rest: Vec<(Sym, Sym)> =
             (0..n).filter(|&k| !is_cyclic[k]).map(|k| (trace.speeds[k], Sym::ZERO)).collect();
         let plain = |row: Sym| if vanishes(row) { Sym::ZERO } else { row };
         let residuals: Vec<Sym> = substitute_all(&rows.residuals, &at_rest).into_iter().map(plain).collect();
         // the speed of a cyclic coordinate is sought where its own equation asks for it, else it is what the start, or somebody, says
         let mut state = model.start_state();
-        state[..n].iter_mut().zip(&is_cyclic).filter(|(_, cyclic)| **cyclic).for_each(|(value, _)| *value = 0.0);
+        state[..n].iter_mut().zip(is_cyclic).filter(|(_, cyclic)| **cyclic).for_each(|(value, _)| *value = 0.0);
         let (mut unknowns, mut given, mut known) = (Vec::new(), Vec::new(), Vec::new());
         let mut without_range = Vec::new();
-        for k in 0..n {
+        for k in (0..n).filter(|&k| !(is_cyclic[k] && is_determined(k))) {
             let (symbol, place, is_sought) = match is_cyclic[k] {
                 false => (trace.coordinates[k], k, true),
                 true => {
@@ -152,7 +153,12 @@ impl SteadyEquations {
         let recorded = |inputs: &[Sym], outputs: &[Sym]| {
             Tape::record(inputs, outputs).map_err(|why| NoSteadyMotions::Undefined { why: why.to_string() })
         };
-        let momenta = momenta(&trace, &is_cyclic, (&letters, &known));
+        let [momenta, masses] = match rows.determined.is_empty() {
+            true => momenta(&trace, is_cyclic, (&letters, &known)).map(|all| Tape::record(&letters, &all).ok()),
+            false => [None, None],
+        };
+        let (places, rates): (Vec<usize>, Vec<Sym>) = rows.determined.iter().copied().unzip();
+        let rates = substitute_all(&substitute_all(&rates, &at_rest), &known);
         let cyclic = (0..n).filter(|&k| is_cyclic[k]).map(|k| names[k].clone()).collect();
         Ok(SteadyEquations {
             coordinates: unknowns.iter().filter(|unknown| unknown.place < n).count(),
@@ -165,40 +171,26 @@ impl SteadyEquations {
             values: recorded(&inputs, &values)?,
             slopes: recorded(&inputs, &slopes)?,
             loads: recorded(&letters, &loads)?,
-            momenta: Tape::record(&letters, &momenta).ok(),
+            momenta,
+            masses,
+            determined: (places.into_iter().map(|k| n + k).collect(), recorded(&letters, &rates)?),
         })
     }
 }
 
-/// Derivatives of the momenta of cyclic coordinates, all other speeds being zero: by letters, then by their speeds.
-fn momenta(trace: &Trace<'_>, is_cyclic: &[bool], (letters, known): (&[Sym], &[(Sym, Sym)])) -> Vec<Sym> {
-    let speeds: Vec<Sym> =
-        trace.speeds.iter().zip(is_cyclic).filter(|(_, cyclic)| **cyclic).map(|(speed, _)| *speed).collect();
-    let others =
-        trace.speeds.iter().zip(is_cyclic).filter(|(_, cyclic)| !**cyclic).map(|(speed, _)| (*speed, Sym::ZERO));
-    let state = [&trace.coordinates[..], &trace.speeds].concat();
-    let energy = trace.kinetic_energy().substitute(&others.collect::<Vec<_>>());
-    let energy = Letters::with_data(trace.time, &state).put_into(trace, &[energy])[0];
-    let by = |all: &[Sym]| -> Vec<Sym> {
-        speeds.iter().flat_map(|&speed| all.iter().map(move |&by| energy.diff(speed).diff(by))).collect()
+/// Derivatives of the momenta of cyclic coordinates, all other speeds being zero: by letters, then by their speeds; and the mass matrix.
+fn momenta(trace: &Trace<'_>, is_cyclic: &[bool], (letters, known): (&[Sym], &[(Sym, Sym)])) -> [Vec<Sym>; 2] {
+    let chosen = |cyclic: bool| -> Vec<Sym> {
+        trace.speeds.iter().zip(is_cyclic).filter(|(_, own)| **own == cyclic).map(|(speed, _)| *speed).collect()
     };
-    substitute_all(&[by(letters), by(&speeds)].concat(), known)
-}
-
-impl Rows {
-    fn of(model: &Model, trace: &Trace<'_>) -> Result<Self, NoSteadyMotions> {
-        let constraints = constraints_of(trace);
-        if let Some(one) = constraints.iter().find(|one| one.level != Level::Position || one.gains.is_some()) {
-            return Err(NoSteadyMotions::OfSpeeds { at: one.at.clone() });
-        }
-        let equations = Residuals::of(trace).into_iter().next().ok_or(NoSteadyMotions::Singular)?;
-        let still: Vec<(Sym, Sym)> = trace.accelerations.iter().map(|symbol| (*symbol, Sym::ZERO)).collect();
-        // with the data of the file, and letters for everything that moves
-        let state = [&trace.coordinates[..], &trace.speeds].concat();
-        let letters = Letters::with_data(trace.time, &state);
-        let put = |all: &[Sym]| letters.put_into(trace, &substitute_all(all, &still));
-        let zeros: Vec<Sym> = constraints.iter().map(|one| one.zero).collect();
-        let residuals = put(&equations.residuals[..model.speeds()]);
-        Ok(Rows { residuals, zeros: put(&zeros), constraints })
-    }
+    let (speeds, others) = (chosen(true), chosen(false));
+    let state = [&trace.coordinates[..], &trace.speeds].concat();
+    let energy = Letters::with_data(trace.time, &state).put_into(trace, &[trace.kinetic_energy()])[0];
+    let by = |energy: Sym, of: &[Sym], all: &[Sym]| -> Vec<Sym> {
+        of.iter().flat_map(|&speed| all.iter().map(move |&by| energy.diff(speed).diff(by))).collect()
+    };
+    let rests: Vec<(Sym, Sym)> = others.iter().map(|speed| (*speed, Sym::ZERO)).collect();
+    let moving = energy.substitute(&rests);
+    let of_cyclic = [by(moving, &speeds, letters), by(moving, &speeds, &speeds)].concat();
+    [of_cyclic, by(energy, &trace.speeds, &trace.speeds)].map(|all| substitute_all(&all, known))
 }

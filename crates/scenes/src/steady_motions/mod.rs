@@ -1,13 +1,16 @@
 //! All steady motions of a model in a box: equilibria, and motions along which cyclic coordinates alone move, each at its own constant
 //! speed. None is missing: [`algebra::boxes`] leaves out boxes in which an equation has no zero, shows zeros, and tells the rest.
 
+mod along;
 mod circles;
 mod definiteness;
 mod equations;
+mod rows;
 mod search;
 mod stability;
 mod undecided;
 
+pub use along::{Along, Bifurcation, Change, Sample};
 pub use equations::Unknown;
 pub use stability::SteadyStability;
 pub use undecided::{Near, Region};
@@ -62,10 +65,9 @@ impl Asked {
         self.range(name).filter(|range| range.is_point()).map(|range| range.from)
     }
 
-    /// Whether each name is a coordinate that occurs, or the speed of a cyclic one.
-    fn checked(&self, names: &[String], is_cyclic: &[bool]) -> Result<(), NoSteadyMotions> {
-        let n = is_cyclic.len();
-        let accepted: Vec<&str> = (0..n).map(|k| names[if is_cyclic[k] { n + k } else { k }].as_str()).collect();
+    /// Whether each name is one of those that may have a range.
+    fn checked<'a>(&self, accepted: impl Iterator<Item = &'a str>) -> Result<(), NoSteadyMotions> {
+        let accepted: Vec<&str> = accepted.collect();
         match self.ranges.iter().find(|(name, _)| !accepted.contains(&name.as_str())) {
             None => Ok(()),
             Some((name, _)) => Err(NoSteadyMotions::Unknown {
@@ -87,7 +89,7 @@ pub enum NoSteadyMotions {
     FreeFrame,
     /// The law depends on time.
     OfTime,
-    /// A constraint of speeds, or one that is led to zero.
+    /// A constraint of speeds that is not solved as it is written, or one that is led to zero.
     OfSpeeds {
         at: ops::Range<usize>,
     },
@@ -185,6 +187,11 @@ impl SteadyMotions {
                     enclosure.push([at.low() + turns, at.high() + turns]);
                     state[unknown.place] = at.middle() + turns;
                 }
+                let (places, rates) = &equations.determined;
+                let unknowns: Vec<f64> = equations.unknowns.iter().map(|unknown| state[unknown.place]).collect();
+                let mut speeds = vec![0.0; places.len()];
+                rates.over::<f64>().evaluate(&unknowns, &mut speeds);
+                places.iter().zip(speeds).for_each(|(&place, speed)| state[place] = speed);
                 let stability = judged(model, &equations, &mut boxes, (&zero.enclosure, &state));
                 SteadyMotion { enclosure, state, stability }
             })

@@ -36,7 +36,7 @@ pub(super) fn judged(
     // what is held fixed by hand might move
     let is_whole =
         equations.coordinates == equations.unknowns.len() && equations.coordinates + equations.cyclic.len() == n;
-    if is_whole && keeps_energy(model) {
+    if is_whole && keeps_energy(model) && has_inertia(equations, &enclosure[..equations.unknowns.len()], n) {
         let rests = state[n..].iter().all(|speed| *speed == 0.0);
         match falls(equations, boxes, enclosure) {
             Some(0) => return SteadyStability::Minimum,
@@ -52,6 +52,14 @@ pub(super) fn judged(
         Ok(linear) => SteadyStability::Linear(Box::new(linear)),
         Err(why) => SteadyStability::Unknown(why),
     }
+}
+
+/// Whether the mass matrix is positive definite, of everything that is enclosed.
+fn has_inertia(equations: &SteadyEquations, unknowns: &[Interval], n: usize) -> bool {
+    let Some(tape) = &equations.masses else { return false };
+    let mut masses = vec![Interval::EVERYTHING; n * n];
+    tape.over::<Interval>().evaluate(unknowns, &mut masses);
+    signs(&masses, n) == Some([0, n])
 }
 
 /// In how many directions the amended potential energy falls; none where that is not decided. The matrix

@@ -72,3 +72,29 @@ fn steps_that_misjudge_a_motion_of_a_file_are_told_for_each_method() {
         "--range x is about a system that is written in its file",
     );
 }
+
+#[test]
+fn values_at_which_motions_change_are_enclosed_along_a_parameter() {
+    let shaft = temporary("shaft.toml");
+    let text = "title = \"A pendulum on a turning shaft\"\ngravity = \"-(9.81 m/s^2)*N.z\"\n[parameters]\nm = \"1 kg\"\nl = \"0.5 m\"\n\
+        [coordinates]\nphi = \"rad\"\ntheta = \"rad\"\n[frames]\nA = \"N turned phi about z\"\nB = \"A turned theta about x\"\n\
+        [bodies]\nbob = { centre = \"O - l*B.z\", mass = \"m\" }\n\
+        shaft = { frame = \"A\", inertia = \"0.2*(1 kg m^2)\" }\n[start]\ntheta = \"0.5 rad\"\n[run]\nspan = \"1 s\"\n";
+    std::fs::write(&shaft, text).expect("it can be written");
+    let path = shaft.to_string_lossy().into_owned();
+    // w^2 = g/l
+    let told = printed(&["stationary", &path, "--along", "phi'=1..8.03"]);
+    assert!(told.contains("at phi' = 4.4294469") && told.contains("two motions leave a third (pitchfork)"), "{told}");
+    assert!(told.contains("phi' from 1 to") && told.contains("rad/s: 2 motions, 1 of them unstable"), "{told}");
+    let by_length =
+        ["stationary", &path, "--range", "phi'=5", "--along", "l=0.1..0.93", "--values", "5", "--format", "json"];
+    let object: Value = serde_json::from_str(&printed(&by_length)).expect("it is JSON");
+    assert_eq!(object["samples"].as_array().map(Vec::len), Some(5));
+    let ends = &object["changes"][0]["between"];
+    let [from, to] = [0, 1].map(|k| ends[k].as_f64().expect("a number"));
+    assert!(from < 9.81 / 25.0 && 9.81 / 25.0 < to && to - from < 1e-5, "{from} {to}");
+    refused(&["stationary", &path, "--along", "n=0..1"], "no parameter is called so");
+    refused(&["stationary", &path, "--along", "m=-1..1"], "at m = -1");
+    refused(&["stationary", &path, "--values", "5"], "--along");
+    std::fs::remove_file(&shaft).expect("it is there");
+}

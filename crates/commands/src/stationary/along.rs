@@ -1,0 +1,114 @@
+//! Steady motions along a parameter.
+
+use super::Asked;
+use super::model::{motion, stability};
+use crate::arguments::Format;
+use crate::exit::{Exit, print, warn};
+use crate::steady_box::{AlongFound, number};
+use ::scenes::steady_motions::{Bifurcation, Change, Range, Sample};
+use serde_json::{Value, json};
+use std::fmt::Write;
+
+/// Prints the number of motions at each value, and where it changes.
+pub(super) fn show(asked: &Asked, along: &(String, Range)) -> Result<Exit, Exit> {
+    let found = asked.steady.find_along(&asked.scene, along, asked.values)?;
+    print(&match asked.format {
+        Format::Text => text(&found),
+        Format::Json => format!("{:#}\n", object(&found)),
+    })?;
+    let open: Vec<String> = found
+        .along
+        .samples
+        .iter()
+        .filter(|sample| !sample.found.is_complete())
+        .map(|sample| number(sample.value))
+        .collect();
+    if open.is_empty() {
+        return Ok(Exit::Done);
+    }
+    warn(&format!(
+        "warning: {}: boxes are undecided at {} = {}: the values beside them are compared",
+        asked.scene.display(),
+        found.name,
+        open.join(", ")
+    ));
+    Ok(Exit::Stopped)
+}
+
+fn named(change: Change) -> &'static str {
+    match change {
+        Change::Fold => "two motions meet and vanish (fold)",
+        Change::Pitchfork => "two motions leave a third (pitchfork)",
+        Change::Pair => "a pair of eigenvalues crosses the imaginary axis (Hopf, or gyroscopic stability ends)",
+        Change::Exchange => "stability is exchanged",
+        Change::Leaves => "a motion leaves the ranges",
+        Change::Several => "several changes at once",
+    }
+}
+
+/// How many are stable, how many not.
+fn counted(sample: &Sample) -> String {
+    let told = sample.found.motions.iter().map(|motion| stability(motion, &sample.found.cyclic));
+    let (unstable, others): (Vec<String>, Vec<String>) = told.partition(|told| told.contains("unstable"));
+    format!("{} motions, {} of them unstable", unstable.len() + others.len(), unstable.len())
+}
+
+fn text(found: &AlongFound) -> String {
+    let AlongFound { title, name, unit, along } = found;
+    let mut out = format!("{title}\n");
+    // writing to a String cannot fail
+    let mut last: Option<(String, f64, f64)> = None;
+    let mut lines: Vec<(String, f64, f64)> = Vec::new();
+    for sample in &along.samples {
+        let told = match sample.found.is_complete() {
+            true => counted(sample),
+            false => format!("{}, and undecided boxes", counted(sample)),
+        };
+        match &mut last {
+            Some((known, _, to)) if *known == told => *to = sample.value,
+            _ => {
+                lines.extend(last.take());
+                last = Some((told, sample.value, sample.value));
+            }
+        }
+    }
+    lines.extend(last);
+    for (told, from, to) in lines {
+        let _ = match from == to {
+            true => writeln!(out, "  {name} = {}{unit}: {told}", number(from)),
+            false => writeln!(out, "  {name} from {} to {}{unit}: {told}", number(from), number(to)),
+        };
+    }
+    for Bifurcation { before, after, change } in &along.bifurcations {
+        let middle = 0.5 * (before.value + after.value);
+        let gap = 0.5 * (after.value - before.value).abs();
+        let _ = writeln!(out, "\nat {name} = {} ± {gap:.1e}{unit}: {}", number(middle), named(*change));
+        let _ = writeln!(out, "  before {}; behind {}", counted(before), counted(after));
+    }
+    if along.bifurcations.is_empty() {
+        let _ = writeln!(out, "\nno change is seen between these values");
+    }
+    out
+}
+
+fn object(AlongFound { title, name, unit, along }: &AlongFound) -> Value {
+    let sample = |sample: &Sample| {
+        json!({
+            "value": sample.value,
+            "complete": sample.found.is_complete(),
+            "motions": sample.found.motions.iter().map(|one| motion(&sample.found, one)).collect::<Vec<_>>(),
+        })
+    };
+    json!({
+        "title": title,
+        "along": name,
+        "unit": unit.trim(),
+        "samples": along.samples.iter().map(sample).collect::<Vec<_>>(),
+        "changes": along.bifurcations.iter().map(|one| json!({
+            "between": [one.before.value, one.after.value],
+            "what": named(one.change),
+            "before": sample(&one.before),
+            "after": sample(&one.after),
+        })).collect::<Vec<_>>(),
+    })
+}

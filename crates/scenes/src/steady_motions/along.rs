@@ -1,0 +1,204 @@
+//! Steady motions along a parameter, or along the speed of a cyclic coordinate: where their number or their stability changes.
+//!
+//! At each value all motions are found. Between two values at which they differ, each search being complete, something happens: the values are
+//! brought together until nothing lies between them that can be told apart.
+
+use super::stability::SteadyStability;
+use super::{Asked, NoSteadyMotions, Range, SteadyMotion, SteadyMotions};
+use crate::admissible::impossible;
+use crate::linearisation::Stability;
+use model::Model;
+
+/// All motions at a value.
+#[derive(Clone, Debug)]
+pub struct Sample {
+    pub value: f64,
+    pub found: SteadyMotions,
+}
+
+/// What happens between two values.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Change {
+    /// Two motions appear or vanish together: a fold, or saddle-node.
+    Fold,
+    /// Two appear or vanish beside a third: a pitchfork.
+    Pitchfork,
+    /// None appears or vanishes; a pair of eigenvalues crosses the imaginary axis: a Hopf bifurcation, or the loss of gyroscopic stability.
+    Pair,
+    /// None appears or vanishes; stability is exchanged otherwise.
+    Exchange,
+    /// A motion leaves the ranges, or enters them.
+    Leaves,
+    /// Several of these at once.
+    Several,
+}
+
+/// Two values between which the motions change.
+#[derive(Clone, Debug)]
+pub struct Bifurcation {
+    /// With the searches there, each complete.
+    pub before: Sample,
+    pub after: Sample,
+    pub change: Change,
+}
+
+/// Motions along a parameter.
+#[derive(Clone, Debug)]
+pub struct Along {
+    pub samples: Vec<Sample>,
+    pub bifurcations: Vec<Bifurcation>,
+}
+
+/// The part of the range to which a change is enclosed.
+const ENCLOSED: f64 = 1e-9;
+
+/// Changes as near to one another, as a part of the range, are one: close to it stability is not decided.
+const ONE: f64 = 1e-6;
+
+/// Where a search between two values is not complete, others are tried: parts of the way.
+const PARTS: [f64; 5] = [0.5, 0.381_966, 0.618_034, 0.236, 0.764];
+
+/// Motions so close together, as a part of the ranges, where two of them merge, are three that merge.
+const TOGETHER: f64 = 1e-2;
+
+impl Along {
+    /// At so many values from one to another, in SI units.
+    ///
+    /// # Errors
+    /// Why steady motions are not sought, at the first value where they are not; or why it is no parameter.
+    pub fn of(
+        model: &Model,
+        asked: &Asked,
+        (name, range): (&str, Range),
+        values: usize,
+        mut goes_on: impl FnMut() -> bool,
+    ) -> Result<Self, NoSteadyMotions> {
+        let is_parameter = model.parameters.iter().any(|parameter| parameter.name == name);
+        let mut at = |value: f64| {
+            let (mut model, mut asked) = (model.clone(), asked.clone());
+            match is_parameter {
+                true => {
+                    model.set_values(&[(name, value)]).map_err(|why| NoSteadyMotions::Undefined { why })?;
+                    if let Some(issue) = impossible(&model).into_iter().next() {
+                        return Err(NoSteadyMotions::Undefined {
+                            why: format!("at {name} = {value}: {}", issue.title),
+                        });
+                    }
+                }
+                false => asked.ranges.push((name.to_owned(), Range { from: value, to: value })),
+            }
+            SteadyMotions::of(&model, &asked, &mut goes_on).map(|found| Sample { value, found })
+        };
+        let last = values.saturating_sub(1).max(1);
+        let value = |k: usize| range.from + (range.to - range.from) * k as f64 / last as f64;
+        let samples = (0..=last).map(|k| at(value(k))).collect::<Result<Vec<Sample>, _>>()?;
+        let complete: Vec<&Sample> = samples.iter().filter(|sample| sample.found.is_complete()).collect();
+        let mut bifurcations = Vec::new();
+        let size = range.to - range.from;
+        for pair in complete.windows(2).filter(|pair| kinds(pair[0]) != kinds(pair[1])) {
+            let found = enclosed([pair[0].clone(), pair[1].clone()], size, &mut at)?;
+            bifurcations.extend(merged(found, ONE * size.abs()));
+        }
+        Ok(Along { samples, bifurcations })
+    }
+}
+
+/// The changes between two values, each enclosed.
+fn enclosed(
+    ends: [Sample; 2],
+    size: f64,
+    at: &mut impl FnMut(f64) -> Result<Sample, NoSteadyMotions>,
+) -> Result<Vec<Bifurcation>, NoSteadyMotions> {
+    let mut open = vec![ends];
+    let mut all = Vec::new();
+    // from the first to the last
+    while let Some([before, after]) = open.pop() {
+        if kinds(&before) == kinds(&after) {
+            continue;
+        }
+        let way = after.value - before.value;
+        let mut between = None;
+        if way.abs() > ENCLOSED * size.abs() {
+            for part in PARTS {
+                let sample = at(before.value + part * way)?;
+                if sample.found.is_complete() {
+                    between = Some(sample);
+                    break;
+                }
+            }
+        }
+        match between {
+            Some(sample) => open.extend([[sample.clone(), after], [before, sample]]),
+            None => all.push(Bifurcation { change: change(&before, &after), before, after }),
+        }
+    }
+    Ok(all)
+}
+
+/// Those closer together than this as one.
+fn merged(all: Vec<Bifurcation>, near: f64) -> Vec<Bifurcation> {
+    let mut merged: Vec<Bifurcation> = Vec::new();
+    for next in all {
+        match merged.last_mut() {
+            Some(last) if (next.before.value - last.after.value).abs() <= near => {
+                last.after = next.after;
+                last.change = change(&last.before, &last.after);
+            }
+            _ => merged.push(next),
+        }
+    }
+    merged.retain(|one| kinds(&one.before) != kinds(&one.after));
+    merged
+}
+
+/// In how many directions each motion is unstable, as far as that is known, in the order of these numbers.
+fn kinds(sample: &Sample) -> Vec<usize> {
+    let mut kinds: Vec<usize> = sample.found.motions.iter().map(unstable).collect();
+    kinds.sort_unstable();
+    kinds
+}
+
+fn unstable(motion: &SteadyMotion) -> usize {
+    match &motion.stability {
+        SteadyStability::Falls(count) | SteadyStability::FallsOdd(count) => *count,
+        SteadyStability::Linear(linear) => match linear.stability {
+            Stability::Unstable(count) => count,
+            _ => 0,
+        },
+        SteadyStability::Minimum | SteadyStability::Unknown(_) => 0,
+    }
+}
+
+fn change(before: &Sample, after: &Sample) -> Change {
+    let (fewer, more) = match before.found.motions.len() <= after.found.motions.len() {
+        true => (before, after),
+        false => (after, before),
+    };
+    match more.found.motions.len() - fewer.found.motions.len() {
+        0 => exchanged(before, after),
+        1 => Change::Leaves,
+        2 if has_three_together(more) => Change::Pitchfork,
+        2 => Change::Fold,
+        _ => Change::Several,
+    }
+}
+
+/// Of as many motions, by how many directions become unstable.
+fn exchanged(before: &Sample, after: &Sample) -> Change {
+    let unstable = |sample: &Sample| -> usize { sample.found.motions.iter().map(unstable).sum() };
+    if unstable(before).abs_diff(unstable(after)) == 2 { Change::Pair } else { Change::Exchange }
+}
+
+/// Whether three motions lie close together.
+fn has_three_together(sample: &Sample) -> bool {
+    let SteadyMotions { unknowns, motions, .. } = &sample.found;
+    let is_near = |a: &SteadyMotion, b: &SteadyMotion| {
+        unknowns.iter().all(|unknown| {
+            let gap = (a.state[unknown.place] - b.state[unknown.place]).abs();
+            let whole = unknown.range.to - unknown.range.from;
+            let around = if unknown.is_circle { (2.0 * std::f64::consts::PI - gap).abs() } else { gap };
+            gap.min(around) < TOGETHER * whole
+        })
+    };
+    motions.iter().any(|own| motions.iter().filter(|other| is_near(own, other)).count() >= 3)
+}
