@@ -96,13 +96,16 @@ fn at_rest(trace: &Trace<'_>, rows: Vec<Sym>, but: &[(Sym, Sym)]) -> Vec<Sym> {
     substitute_all(&rows, &but.iter().copied().chain(rests).collect::<Vec<_>>())
 }
 
+/// Equations, one for each speed, and the speeds that the others determine.
+type Projected = (Vec<Sym>, Vec<(usize, Sym)>);
+
 /// The equations along displacements that constraints of speeds leave, and the speeds that these determine.
 fn projected(
     trace: &Trace<'_>,
     residuals: Vec<Sym>,
     of_speeds: &[Equation],
     put: impl Fn(&[Sym]) -> Vec<Sym>,
-) -> Result<(Vec<Sym>, Vec<(usize, Sym)>), NoSteadyMotions> {
+) -> Result<Projected, NoSteadyMotions> {
     let n = trace.speeds.len();
     let refused = || NoSteadyMotions::OfSpeeds { at: of_speeds[0].at.clone() };
     let rows: Vec<Vec<Sym>> = of_speeds.iter().map(|one| put(&one.row)).collect();
