@@ -7,6 +7,7 @@ use crate::progress::Progress;
 use ::scenes::steady_motions::{Along, Asked, NoSteadyMotions, Range, SteadyMotions};
 use ::scenes::{Task, independent_start, read_titled, unit_of, without_law};
 use clap::Args;
+use clap::builder::RangedU64ValueParser;
 use model::Model;
 use reader::Issue;
 use std::ops::ControlFlow;
@@ -22,7 +23,7 @@ pub struct SteadyBox {
     #[arg(long, value_name = "NAME=FROM..TO", value_parser = named_range, num_args = 1)]
     pub range: Vec<(String, Range)>,
     /// Of a system that is written in its file: boxes that are looked at, at most
-    #[arg(long, value_name = "N", default_value_t = 200_000)]
+    #[arg(long, value_name = "N", default_value_t = 200_000, allow_negative_numbers = true, value_parser = RangedU64ValueParser::<usize>::new().range(1..=1_000_000_000))]
     pub boxes: usize,
 }
 
@@ -32,9 +33,17 @@ pub fn named_range(text: &str) -> Result<(String, Range), String> {
         "a coordinate with its range in SI units, such as x=-0.1..0.1, or with one value, x=0.1, is accepted".to_owned()
     };
     let (name, range) = text.split_once('=').ok_or_else(accepted)?;
+    let number = |text: &str| {
+        finite(text).map_err(|_| {
+            format!(
+                "`{}` is no number; numbers in SI units, without the unit, are accepted: {name}=-0.1..0.1",
+                text.trim()
+            )
+        })
+    };
     let (from, to) = match range.split_once("..") {
-        Some((from, to)) => (finite(from)?, finite(to)?),
-        None => (finite(range)?, finite(range)?),
+        Some((from, to)) => (number(from)?, number(to)?),
+        None => (number(range)?, number(range)?),
     };
     if from > to {
         return Err(format!("{from} is not below {to}; a range that rises is accepted"));
@@ -56,7 +65,7 @@ pub struct Found {
 pub struct AlongFound {
     pub title: String,
     pub name: String,
-    /// Of the parameter, with a space before it.
+    /// The unit of the parameter, with a space before it.
     pub unit: String,
     pub along: Along,
 }
@@ -84,6 +93,7 @@ fn unit(model: &Model, name: &str) -> String {
 impl SteadyBox {
     /// All steady motions of the system in a file.
     pub fn find(&self, path: &Path) -> Result<Found, Exit> {
+        self.checked()?;
         let (title, model) = read(path)?;
         let _progress = Progress::new("steady motions");
         let motions = SteadyMotions::of(&model, &self.wanted(), goes_on).map_err(|why| refused(path, &model, why))?;
@@ -92,11 +102,29 @@ impl SteadyBox {
 
     /// The same at values of a parameter, or of the speed of a cyclic coordinate.
     pub fn find_along(&self, path: &Path, (name, range): &(String, Range), values: usize) -> Result<AlongFound, Exit> {
+        self.checked()?;
+        if self.range.iter().any(|(own, _)| own == name) {
+            return Err(Exit::refused(format!(
+                "--range {name}: --along goes over values of `{name}`; leave one of the two out"
+            )));
+        }
         let (title, model) = read(path)?;
-        let parameters = model.parameters.iter().map(|parameter| parameter.name.clone());
-        let known: Vec<String> = parameters.chain(model.state_names().into_iter().map(|(name, _)| name)).collect();
-        if !known.contains(name) {
-            let nearest = nearest(name, known.iter().map(String::as_str));
+        let states: Vec<String> = model.state_names().into_iter().map(|(name, _)| name).collect();
+        let (coordinates, speeds) = states.split_at(model.positions());
+        if coordinates.contains(name) {
+            return Err(Exit::refused(format!(
+                "--along {name}: {}: `{name}` is a coordinate; a parameter, or the speed of a cyclic coordinate, is accepted",
+                path.display()
+            )));
+        }
+        let known: Vec<&str> = model
+            .parameters
+            .iter()
+            .map(|parameter| parameter.name.as_str())
+            .chain(speeds.iter().map(String::as_str))
+            .collect();
+        if !known.contains(&name.as_str()) {
+            let nearest = nearest(name, known.iter().copied());
             return Err(Exit::refused(format!(
                 "--along {name}: {}: no parameter is called so, nor the speed of a coordinate{}",
                 path.display(),
@@ -110,6 +138,15 @@ impl SteadyBox {
         Ok(AlongFound { title, name: name.clone(), unit, along })
     }
 
+    /// Refuses a name with two ranges.
+    fn checked(&self) -> Result<(), Exit> {
+        let names = self.range.iter().map(|(name, _)| name).enumerate();
+        match names.clone().find(|(place, name)| self.range[..*place].iter().any(|(before, _)| before == *name)) {
+            None => Ok(()),
+            Some((_, name)) => Err(Exit::refused(format!("--range {name} is given twice; one range is accepted"))),
+        }
+    }
+
     fn wanted(&self) -> Asked {
         Asked { ranges: self.range.clone(), boxes: self.boxes }
     }
@@ -119,11 +156,14 @@ impl SteadyBox {
         if found.is_complete() {
             return Exit::Done;
         }
+        let remedy = match goes_on() {
+            true => format!("or more boxes (--boxes {}) decide more", 10 * self.boxes),
+            false => "or more time (--seconds) decide more: the time was over".to_owned(),
+        };
         warn(&format!(
-            "warning: {}: {} boxes are undecided; narrower ranges (--range NAME=FROM..TO) or more boxes (--boxes {}) decide more",
+            "warning: {}: undecided boxes: {}; narrower ranges (--range NAME=FROM..TO) {remedy}",
             path.display(),
-            found.undecided.len(),
-            10 * self.boxes
+            found.undecided.len()
         ));
         Exit::Stopped
     }
@@ -178,6 +218,9 @@ fn refused(path: &Path, model: &Model, why: NoSteadyMotions) -> Exit {
         }
         NoSteadyMotions::Singular => told("nothing with a mass or an inertia moves with a coordinate".to_owned()),
         NoSteadyMotions::Undefined { why } => told(format!("its equations have no values: {why}")),
+        NoSteadyMotions::Unknown { name, accepted, .. } if accepted.contains(&format!("{name}'")) => told(format!(
+            "--range {name}: `{name}` is cyclic: no equation depends on it, so that it may have any value; its speed `{name}'` may have a range"
+        )),
         NoSteadyMotions::Unknown { name, nearest: Some(nearest), .. } => {
             told(format!("--range {name}: nothing that is sought is called `{name}`; is `{nearest}` meant?"))
         }
@@ -200,7 +243,7 @@ fn refused(path: &Path, model: &Model, why: NoSteadyMotions) -> Exit {
         NoSteadyMotions::Unequal { counts: [equations, unknowns], idle } => told(format!(
             "its equations, {equations}, are not as many as its unknowns, {unknowns}: steady motions form families, or there are none{}",
             match idle.is_empty() {
-                true => "; fewer constraints, or coordinates without one value, are accepted".to_owned(),
+                true => "; a coordinate that has one value (--range NAME=VALUE) must not be held by an equation of its own".to_owned(),
                 false => format!("; a value for {} (--range NAME=VALUE) chooses among them", listed(&idle)),
             }
         )),

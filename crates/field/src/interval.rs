@@ -1,6 +1,6 @@
 //! Intervals in `f64`: every operation holds all results of the numbers in its operands, ends rounded outwards.
 //!
-//! What an expression gives over intervals holds its range there: a proof that it does not vanish, or of how steep it is. Narrow intervals
+//! The value of an expression over intervals holds its range there: a proof that it does not vanish, or of how steep it is. Narrow intervals
 //! decide; finer numbers with an interval around them are [`algebra`'s enclosures].
 //!
 //! [`algebra`'s enclosures]: https://docs.rs/dalembert-algebra
@@ -69,7 +69,7 @@ impl Interval {
         other.low <= self.low && self.high <= other.high
     }
 
-    /// What both have in common; none where they are apart.
+    /// The common part of both; none where they are apart.
     pub fn and(self, other: Interval) -> Option<Interval> {
         let [low, high] = [self.low.max(other.low), self.high.min(other.high)];
         (low <= high).then_some(Interval { low, high })

@@ -181,6 +181,13 @@ fn plane(potential: &str) -> String {
 const SIDES: [(&str, f64, f64); 2] = [("x", -2.0, 2.0), ("y", -2.0, 2.0)];
 
 #[test]
+fn a_search_that_ends_early_says_that_there_is_one_motion_at_least() {
+    let found = SteadyMotions::of(&model(SHAFT), &asked(&[("phi'", 6.0, 6.0)], 1), || true).expect("it is sought");
+    assert!(!found.is_complete() && found.motions.len() < 4);
+    assert!(found.regions.iter().any(|region| region.near == Near::Regular), "{:?}", found.regions);
+}
+
+#[test]
 fn a_circle_of_equilibria_is_covered_by_undecided_boxes() {
     let text = plane("k*((x^2 + y^2)/a^2 - 1)^2");
     let found = SteadyMotions::of(&model(&text), &asked(&SIDES, 5_000), || true).expect("it is sought");

@@ -11,7 +11,7 @@ const STEPS: usize = 8;
 /// Sizes of a box about it, each an eighth of the one before.
 const SIZES: i32 = 8;
 
-/// So often an enclosure is narrowed.
+/// Newton's steps by which an enclosure is narrowed at most.
 const NARROWINGS: usize = 20;
 
 /// A zero near a box, from which Newton's method comes to it, in a box about it of up to twice the size.

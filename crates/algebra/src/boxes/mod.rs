@@ -5,7 +5,7 @@
 //!
 //!   K(X) = m - C f(m) + (1 - C f'(X)) (X - m) inside X ,    C about f'(m)^-1 .
 //!
-//! What can neither be left out nor shown is divided, down to boxes that are told as undecided.
+//! A box that can neither be left out nor shown is divided, down to boxes that are told as undecided.
 
 mod existence;
 mod narrowing;
@@ -18,10 +18,10 @@ use field::Interval;
 
 /// Equations over intervals, as many as unknowns.
 pub trait Equations {
-    /// How many unknowns are divided; they stand first.
+    /// The number of unknowns that are divided; they stand first.
     fn divided(&self) -> usize;
 
-    /// How many unknowns the others determine.
+    /// The number of unknowns that the others determine.
     fn determined(&self) -> usize {
         0
     }

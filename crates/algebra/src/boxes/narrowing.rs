@@ -42,7 +42,7 @@ impl Local {
         })
     }
 
-    /// What may hold zeros of a box; none where none of it does.
+    /// The part of a box that may hold zeros; none where there is no such part.
     pub fn narrowed(&self, at: &[Interval]) -> Option<Vec<Interval>> {
         let n = at.len();
         let mut left = at.to_vec();

@@ -5,7 +5,7 @@ use super::narrowing::Local;
 use field::Interval;
 use nalgebra::DMatrix;
 
-/// What may hold zeros of a box whose unknowns from `bounded` on may be anything; none where none of it does.
+/// The part that may hold zeros of a box whose unknowns from `bounded` on may be anything; none where there is no such part.
 pub(super) fn narrowed(equations: &mut dyn Equations, at: &[Interval], bounded: usize) -> Option<Vec<Interval>> {
     let n = at.len();
     let mut slopes = vec![Interval::EVERYTHING; n * n];

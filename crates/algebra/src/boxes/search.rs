@@ -24,12 +24,12 @@ pub struct Limits {
     pub smallest: f64,
 }
 
-/// What a search has found: every zero of the box is one of these, or in one of the undecided boxes.
+/// The result of a search: every zero of the box is one of these, or in one of the undecided boxes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Found {
     /// Some may lie beyond the box, near its sides.
     pub zeros: Vec<Zero>,
-    /// Of the divided unknowns.
+    /// Boxes of the divided unknowns in which there may be others.
     pub undecided: Vec<Vec<Interval>>,
     /// Boxes that were looked at.
     pub examined: usize,
@@ -65,7 +65,7 @@ pub fn zeros(
     found
 }
 
-/// What of a box is still open; none where all of it is decided.
+/// The part of a box that is still open; none where all of it is decided.
 fn examined(equations: &mut dyn Equations, mut at: Vec<Interval>, zeros: &mut Vec<Zero>) -> Option<Vec<Interval>> {
     let (n, all) = (equations.divided(), equations.divided() + equations.determined());
     let mut values = vec![Interval::EVERYTHING; all];

@@ -23,7 +23,7 @@ struct Judged<'a> {
 struct Near {
     /// Real and imaginary parts, 1/s.
     eigenvalues: Vec<[f64; 2]>,
-    /// How many of them are zero, and are left out.
+    /// The number of those that are zero, and are left out.
     zeros: usize,
     modes: Vec<Mode>,
     rows: Vec<Row>,
@@ -59,7 +59,7 @@ fn near(equations: &VariedEquations, motion: &SteadyMotion, keeps_energy: bool) 
     Ok(Near { rows: rows(&modes), zeros, modes, eigenvalues })
 }
 
-/// What the linear motion does.
+/// A sentence on the linear motion.
 fn does(Near { modes, zeros, .. }: &Near) -> String {
     let count =
         |sign: i32| -> usize { modes.iter().filter(|mode| mode.place.sign() == sign).map(|mode| mode.count).sum() };

@@ -1,7 +1,7 @@
 //! Steady motions along a parameter.
 
 use super::Asked;
-use super::model::{motion, stability};
+use super::model::{motion, verdict};
 use crate::arguments::Format;
 use crate::exit::{Exit, print, warn};
 use crate::steady_box::{AlongFound, number};
@@ -37,7 +37,7 @@ pub(super) fn show(asked: &Asked, along: &(String, Range)) -> Result<Exit, Exit>
 
 fn named(change: Change) -> &'static str {
     match change {
-        Change::Fold => "two motions meet and vanish (fold)",
+        Change::Fold => "two motions appear or vanish together (a fold, or constraints that become dependent)",
         Change::Pitchfork => "two motions leave a third (pitchfork)",
         Change::Pair => "a pair of eigenvalues crosses the imaginary axis (Hopf, or gyroscopic stability ends)",
         Change::Exchange => "stability is exchanged",
@@ -46,11 +46,15 @@ fn named(change: Change) -> &'static str {
     }
 }
 
-/// How many are stable, how many not.
+/// The number of motions, by their stability.
 fn counted(sample: &Sample) -> String {
-    let told = sample.found.motions.iter().map(|motion| stability(motion, &sample.found.cyclic));
-    let (unstable, others): (Vec<String>, Vec<String>) = told.partition(|told| told.contains("unstable"));
-    format!("{} motions, {} of them unstable", unstable.len() + others.len(), unstable.len())
+    let told: Vec<&str> = sample.found.motions.iter().map(|motion| verdict(motion, &sample.found.cyclic).0).collect();
+    let count = |words: &[&str]| told.iter().filter(|told| words.contains(told)).count();
+    let (stable, unstable) = (count(&["stable", "asymptotically stable"]), count(&["unstable"]));
+    let open = told.len() - unstable - stable;
+    let motions = if told.len() == 1 { "one motion".to_owned() } else { format!("{} motions", told.len()) };
+    let open = if open == 0 { String::new() } else { format!(", {open} undecided") };
+    format!("{motions}: {stable} stable, {unstable} unstable{open}")
 }
 
 fn text(found: &AlongFound) -> String {

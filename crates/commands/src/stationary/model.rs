@@ -4,7 +4,7 @@ use super::Asked;
 use crate::arguments::Format;
 use crate::exit::{Exit, print};
 use crate::steady_box::{Found, number};
-use ::scenes::linearisation::Stability;
+use ::scenes::linearisation::{Linear, Stability, Standing};
 use ::scenes::steady_motions::{Near, SteadyMotion, SteadyMotions, SteadyStability};
 use ::scenes::unit_of;
 use serde_json::{Value, json};
@@ -42,37 +42,51 @@ fn text(all: &Found) -> String {
     if !found.cyclic.is_empty() {
         let _ = writeln!(out, "cyclic, nothing depends on them: {}", found.cyclic.join(", "));
     }
-    let boxes = found.examined;
     let count = match found.motions.len() {
-        1 => "one steady motion".to_owned(),
-        count => format!("{count} steady motions"),
+        0 => "no steady motion".to_owned(),
+        1 => "one steady motion, alone in a box".to_owned(),
+        count => format!("{count} steady motions, each alone in a box"),
     };
+    let boxes = if found.examined == 1 { "one box".to_owned() } else { format!("{} boxes", found.examined) };
     let _ = match found.is_complete() {
-        true => writeln!(out, "\n{count}, each alone in a box, and no other: every one of {boxes} boxes is decided"),
+        true => writeln!(out, "\n{count}, and no other: the search over {boxes} decides everything"),
         false => writeln!(
             out,
-            "\n{count}, each alone in a box; of {boxes} boxes {} are undecided, {:.1e} of the whole range: there may be others in them",
+            "\n{count}; after a search over {boxes} {} are undecided, {} of the whole range: there may be others in them",
             found.undecided.len(),
-            found.undecided_part
+            part(found.undecided_part)
         ),
     };
     for (place, motion) in found.motions.iter().enumerate() {
         let values = all.values(&motion.enclosure);
+        let values = if values.is_empty() { "as given".to_owned() } else { values };
         let _ = writeln!(out, "  {}  {values}", place + 1);
         let _ = writeln!(out, "     {}", stability(motion, &found.cyclic));
     }
     for region in found.regions.iter().take(MOST_LISTED) {
-        let ranges = found.unknowns.iter().zip(&region.hull).map(|(unknown, [low, high])| {
-            format!("{} from {} to {}{}", unknown.name, short(*low), short(*high), unit(&unknown.name))
+        let ranges = found.unknowns.iter().zip(&region.hull).map(|(unknown, at)| {
+            let [low, high] = ends(*at);
+            format!("{} from {low} to {high}{}", unknown.name, unit(&unknown.name))
         });
         let _ = writeln!(out, "  ?  {}", ranges.collect::<Vec<_>>().join(", "));
-        let _ = writeln!(out, "     {} undecided boxes; by numbers, {}", region.boxes, near(region.near));
+        let _ = writeln!(out, "     undecided boxes: {}; a guess by numbers: {}", region.boxes, near(region.near));
     }
     if found.regions.len() > MOST_LISTED {
         let _ =
             writeln!(out, "  ?  and {} other regions (--format json lists them)", found.regions.len() - MOST_LISTED);
     }
     out
+}
+
+/// A part of the whole; below the range of numbers as such.
+fn part(part: f64) -> String {
+    if part < 1e-300 { "less than 1e-300".to_owned() } else { format!("{part:.1e}") }
+}
+
+/// The ends of a range, in five digits where these tell them apart.
+fn ends([low, high]: [f64; 2]) -> [String; 2] {
+    let few = [low, high].map(short);
+    if few[0] == few[1] { [low, high].map(number) } else { few }
 }
 
 /// Five digits.
@@ -83,12 +97,12 @@ fn short(value: f64) -> String {
 fn near(near: Near) -> String {
     let directions = |count: usize| if count == 1 { "one direction".to_owned() } else { format!("{count} directions") };
     match near {
-        Near::Nothing => "no steady motion is found there".to_owned(),
-        Near::Regular => "one steady motion is there, which more boxes would show".to_owned(),
+        Near::Nothing => "no other steady motion is found there".to_owned(),
+        Near::Regular => "there is one steady motion at least, which more boxes would show".to_owned(),
         Near::Merging(count) => {
             format!("steady motions merge there: the equations are singular in {}", directions(count))
         }
-        Near::Family(count) => format!("a family: others stand beside it in {}", directions(count)),
+        Near::Family(count) => format!("a family: steady motions stand side by side in {}", directions(count)),
     }
 }
 
@@ -109,6 +123,11 @@ pub(super) fn stability(motion: &SteadyMotion, cyclic: &[String]) -> String {
         SteadyStability::FallsOdd(count) => format!(
             "unstable, proved: the amended potential energy falls in an odd number of directions, {count} (Thomson, Tait)"
         ),
+        SteadyStability::Linear(linear) if fades(linear, cyclic.len()) => format!(
+            "every eigenvalue has a negative real part but for zeros, which cyclic coordinates and their momenta have: asymptotically stable but for \
+             {}, by numbers",
+            cyclic.join(", ")
+        ),
         SteadyStability::Linear(linear) => {
             let largest = linear.eigenvalues.iter().map(|value| value[0]).fold(f64::NEG_INFINITY, f64::max);
             match linear.eigenvalues.is_empty() {
@@ -120,21 +139,41 @@ pub(super) fn stability(motion: &SteadyMotion, cyclic: &[String]) -> String {
     }
 }
 
+/// Eigenvalues below this part of the largest are zeros.
+const ROUNDING: f64 = 1e-9;
+
+/// Whether all eigenvalues have negative real parts but for zeros, at most two for each cyclic coordinate.
+fn fades(linear: &Linear, cyclic: usize) -> bool {
+    let size = |[re, im]: &[f64; 2]| re.hypot(*im);
+    let largest = linear.eigenvalues.iter().map(size).fold(0.0, f64::max);
+    let (zeros, others): (Vec<[f64; 2]>, Vec<[f64; 2]>) =
+        linear.eigenvalues.iter().partition(|value| size(value) <= ROUNDING * largest);
+    let negative = others.iter().all(|[re, _]| *re < -ROUNDING * largest);
+    linear.standing != Standing::Moving && !others.is_empty() && negative && (1..=2 * cyclic).contains(&zeros.len())
+}
+
+/// The stability of a motion in a word, and whether it is proved.
+pub(super) fn verdict(motion: &SteadyMotion, cyclic: &[String]) -> (&'static str, bool) {
+    match &motion.stability {
+        SteadyStability::Minimum => ("stable", true),
+        SteadyStability::Falls(_) | SteadyStability::FallsOdd(_) => ("unstable", true),
+        SteadyStability::Linear(linear) => match linear.stability {
+            _ if fades(linear, cyclic.len()) => ("asymptotically stable", false),
+            Stability::Unstable(_) => ("unstable", false),
+            Stability::Asymptotic { .. } => ("asymptotically stable", false),
+            _ => ("not decided", false),
+        },
+        SteadyStability::Unknown(_) => ("not known", false),
+    }
+}
+
 /// A motion of those that are found.
 pub(super) fn motion(found: &SteadyMotions, motion: &SteadyMotion) -> Value {
     let values = found.unknowns.iter().zip(&motion.enclosure).map(|(unknown, at)| (unknown.name.clone(), json!(at)));
-    let (verdict, proved, eigenvalues) = match &motion.stability {
-        SteadyStability::Minimum => ("stable", true, None),
-        SteadyStability::Falls(_) | SteadyStability::FallsOdd(_) => ("unstable", true, None),
-        SteadyStability::Linear(linear) => {
-            let verdict = match linear.stability {
-                Stability::Unstable(_) => "unstable",
-                Stability::Asymptotic { .. } => "asymptotically stable",
-                _ => "not decided",
-            };
-            (verdict, false, Some(&linear.eigenvalues))
-        }
-        SteadyStability::Unknown(_) => ("not known", false, None),
+    let (verdict, proved) = verdict(motion, &found.cyclic);
+    let eigenvalues = match &motion.stability {
+        SteadyStability::Linear(linear) => Some(&linear.eigenvalues),
+        _ => None,
     };
     json!({
         "enclosure": values.collect::<serde_json::Map<_, _>>(),

@@ -16,7 +16,7 @@ pub struct Sample {
     pub found: SteadyMotions,
 }
 
-/// What happens between two values.
+/// A change between two values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Change {
     /// Two motions appear or vanish together: a fold, or saddle-node.
@@ -183,7 +183,7 @@ fn change(before: &Sample, after: &Sample) -> Change {
     }
 }
 
-/// Of as many motions, by how many directions become unstable.
+/// The change where motions are as many, by the directions that become unstable.
 fn exchanged(before: &Sample, after: &Sample) -> Change {
     let unstable = |sample: &Sample| -> usize { sample.found.motions.iter().map(unstable).sum() };
     if unstable(before).abs_diff(unstable(after)) == 2 { Change::Pair } else { Change::Exchange }

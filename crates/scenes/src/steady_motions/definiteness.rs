@@ -3,7 +3,7 @@
 use field::Interval;
 use nalgebra::DMatrix;
 
-/// How many eigenvalues are negative and how many positive, of every symmetric matrix inside; none where this is not decided.
+/// The numbers of negative and of positive eigenvalues of every symmetric matrix inside; none where this is not decided.
 ///
 /// Q^T K Q with columns about eigenvectors is nearly diagonal: its discs (Gershgorin) do not hold zero, and Q is regular, so that signs are
 /// those of K (Sylvester).

@@ -35,7 +35,7 @@ pub(super) struct SteadyEquations {
     pub cyclic: Vec<String>,
     /// The state with the numbers that are given.
     pub state: Vec<f64>,
-    /// How many reactions the positions determine.
+    /// The number of reactions that the positions determine.
     pub reactions: usize,
     /// Whether an equation has no unknowns, and is not met.
     pub is_unbalanced: bool,
@@ -47,7 +47,7 @@ pub(super) struct SteadyEquations {
     pub slopes: Tape,
     /// J^T, row after row, then -h, by unknowns alone.
     pub loads: Tape,
-    /// Of cyclic coordinates: derivatives of their momenta by the unknowns, row after row, then by their speeds; none where these depend on
+    /// Derivatives of the momenta of cyclic coordinates by the unknowns, row after row, then by their speeds; none where these depend on
     /// anything else, and where constraints hold speeds.
     pub momenta: Option<Tape>,
     /// The mass matrix, row after row, by the unknowns; none where it depends on anything else.

@@ -168,7 +168,8 @@ impl SteadyMotions {
         };
         let volume =
             |at: &[Interval]| at.iter().zip(&domain).map(|(at, whole)| at.width() / whole.width()).product::<f64>();
-        let undecided_part = found.undecided.iter().map(|at| volume(at)).sum::<f64>().clamp(0.0, 1.0);
+        let undecided_part = found.undecided.iter().map(|at| volume(at)).sum::<f64>().clamp(0.0, 1.0) + 0.0;
+        let regions = undecided::regions(&equations, &found.zeros, &found.undecided);
         let mut inside: Vec<Zero> = Vec::new();
         for zero in found.zeros {
             if is_in_range(&equations.unknowns, &zero)
@@ -204,7 +205,6 @@ impl SteadyMotions {
                 .find(|order| order.is_ne())
                 .unwrap_or(std::cmp::Ordering::Equal)
         });
-        let regions = undecided::regions(&equations, &found.undecided);
         let ends = |at: Vec<Interval>| at.into_iter().map(|at| [at.low(), at.high()]).collect();
         let SteadyEquations { unknowns, given, cyclic, .. } = equations;
         Ok(SteadyMotions {
@@ -225,7 +225,7 @@ impl SteadyMotions {
     }
 }
 
-/// What differs by rounding alone sorts as one.
+/// Values that differ by rounding alone sort as one.
 fn rounded(value: f64) -> f64 {
     (value * 1e9).round() + 0.0
 }

@@ -28,7 +28,7 @@ pub(super) struct Rows {
     pub is_cyclic: Vec<bool>,
 }
 
-/// Of systems with more coordinates one is cyclic where it is not written.
+/// In systems with more coordinates a coordinate is cyclic where it is not written.
 const MOST_DECIDED: usize = 12;
 
 /// Constraints of speeds that are solved as they are written.

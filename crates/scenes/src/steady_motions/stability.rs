@@ -9,7 +9,7 @@ use algebra::boxes::Equations;
 use field::Interval;
 use model::Model;
 
-/// What is known of the stability of a steady motion.
+/// The stability of a steady motion, as far as it is known.
 #[derive(Clone, Debug)]
 pub enum SteadyStability {
     /// The potential energy, amended by the kinetic energy of cyclic coordinates at the momenta that they have there, has a strict minimum in

@@ -1,6 +1,7 @@
 //! Regions of boxes that are not decided, and what numbers tell of each: whether motions merge there, or stand side by side.
 
 use super::equations::SteadyEquations;
+use algebra::boxes::Zero;
 use field::Interval;
 use nalgebra::{DMatrix, DVector};
 use std::collections::{BTreeMap, HashMap};
@@ -14,12 +15,12 @@ pub struct Region {
     pub near: Near,
 }
 
-/// What Newton's method finds in a region, by numbers alone.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// The result of Newton's method in a region, from some of its boxes: a guess by numbers alone.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Near {
-    /// It comes to no steady motion there.
+    /// It comes to no steady motion there that is not among the others.
     Nothing,
-    /// To one about which the equations are regular: more boxes would show it.
+    /// To one at least about which the equations are regular: more boxes would show it.
     Regular,
     /// To one about which they are singular in so many directions, and none stands beside it along these: motions merge.
     Merging(usize),
@@ -30,20 +31,29 @@ pub enum Near {
 /// Cells along each unknown to which boxes are assigned, where these are no larger.
 const CELLS: f64 = 48.0;
 
-/// Of more cells one region is made.
+/// More cells than these are one region.
 const MOST_CELLS: usize = 4_000;
+
+/// Boxes of a region from which it begins.
+const BEGINNINGS: usize = 48;
 
 /// Steps of Newton's method.
 const STEPS: usize = 60;
 
+/// Numbers that differ by no more are one zero.
+const ROUNDING: f64 = 1e-9;
+
 /// Singular values below this part of the largest are taken for zero.
 const RANK: f64 = 1e-6;
+
+/// The part of a box at which Newton's method begins.
+const ASIDE_OF_MIDDLE: f64 = 0.43;
 
 /// The part of a range by which one goes along a singular direction.
 const ASIDE: f64 = 1e-3;
 
 /// The regions of undecided boxes, the largest first.
-pub(super) fn regions(equations: &SteadyEquations, undecided: &[Vec<Interval>]) -> Vec<Region> {
+pub(super) fn regions(equations: &SteadyEquations, known: &[Zero], undecided: &[Vec<Interval>]) -> Vec<Region> {
     let ranges: Vec<Interval> = equations.unknowns.iter().map(|unknown| unknown.range.interval()).collect();
     let largest = |k: usize| undecided.iter().fold(0.0, |most: f64, at| most.max(at[k].width()));
     let sizes: Vec<f64> = (0..ranges.len()).map(|k| largest(k).max(ranges[k].width() / CELLS)).collect();
@@ -56,7 +66,7 @@ pub(super) fn regions(equations: &SteadyEquations, undecided: &[Vec<Interval>]) 
     for (group, boxes) in joined(&cells.keys().collect::<Vec<_>>()).into_iter().zip(cells.into_values()) {
         groups.entry(group).or_default().extend(boxes);
     }
-    let mut all: Vec<Region> = groups.into_values().map(|boxes| region(equations, &boxes)).collect();
+    let mut all: Vec<Region> = groups.into_values().map(|boxes| region(equations, known, &boxes)).collect();
     all.sort_by(|a, b| b.boxes.cmp(&a.boxes).then_with(|| a.hull[0][0].total_cmp(&b.hull[0][0])));
     all
 }
@@ -79,25 +89,31 @@ fn joined(cells: &[&Vec<i64>]) -> Vec<usize> {
     of
 }
 
-fn region(equations: &SteadyEquations, boxes: &[&Vec<Interval>]) -> Region {
+fn region(equations: &SteadyEquations, known: &[Zero], boxes: &[&Vec<Interval>]) -> Region {
     let mut hull = boxes[0].clone();
     for at in boxes {
         hull.iter_mut().zip(*at).for_each(|(hull, at)| *hull = hull.hull(*at));
     }
-    let near = near(equations, boxes[boxes.len() / 2], &hull);
+    let between = boxes.len().div_ceil(BEGINNINGS);
+    let begun = boxes.iter().skip(boxes.len() / 2 % between).step_by(between);
+    let near = begun.map(|from| near(equations, known, from, &hull)).max().unwrap_or(Near::Nothing);
     Region { hull: hull.into_iter().map(|at| [at.low(), at.high()]).collect(), boxes: boxes.len(), near }
 }
 
-fn near(equations: &SteadyEquations, from: &[Interval], hull: &[Interval]) -> Near {
+fn near(equations: &SteadyEquations, known: &[Zero], from: &[Interval], hull: &[Interval]) -> Near {
     let positions = equations.unknowns.len();
     let mut start = DVector::zeros(positions + equations.reactions);
-    (0..positions).for_each(|k| start[k] = from[k].middle());
+    // aside from the middle, which may be a place of symmetry
+    (0..positions).for_each(|k| start[k] = from[k].low() + ASIDE_OF_MIDDLE * from[k].width());
     let Some(found) = zero(equations, start) else { return Near::Nothing };
     let margin = |k: usize| ASIDE * equations.unknowns[k].range.interval().width();
     let is_there = |at: &DVector<f64>| {
         (0..positions).all(|k| at[k] >= hull[k].low() - margin(k) && at[k] <= hull[k].high() + margin(k))
     };
-    if !is_there(&found) {
+    let is_known = known.iter().any(|zero| {
+        (0..positions).all(|k| (found[k] - zero.enclosure[k].middle()).abs() <= ROUNDING * (1.0 + found[k].abs()))
+    });
+    if is_known || !is_there(&found) {
         return Near::Nothing;
     }
     let svd = slopes(equations, &found).svd(false, true);

@@ -30,8 +30,8 @@ fn a_family_is_told_with_the_exit_code_of_what_is_not_decided() {
     let output = run(&["stationary", &path, "--range", "x=-2..2", "--range", "y=-2..2", "--boxes", "4000"]);
     let told = String::from_utf8_lossy(&output.stdout).into_owned();
     assert_eq!(output.status.code(), Some(1), "{told}");
-    assert!(told.contains("a family: others stand beside it in one direction"), "{told}");
-    assert!(String::from_utf8_lossy(&output.stderr).contains("boxes are undecided"));
+    assert!(told.contains("a family: steady motions stand side by side in one direction"), "{told}");
+    assert!(String::from_utf8_lossy(&output.stderr).contains("undecided boxes"));
     std::fs::remove_file(&hat).expect("it is there");
 }
 
@@ -45,6 +45,9 @@ fn what_is_asked_of_another_kind_of_scene_is_refused() {
     refused(&["stationary", MODEL, "--range", "c=0..1"], "nothing that is sought is called `c`");
     refused(&["stationary", MODEL, "--range", "a=1..0"], "1 is not below 0");
     refused(&["stationary", MODEL, "--range", "a"], "such as x=-0.1..0.1");
+    refused(&["stationary", MODEL, "--range", "a=0..90 deg"], "numbers in SI units, without the unit, are accepted");
+    refused(&["stationary", MODEL, "--range", "a=0..1", "--range", "a=1..2"], "--range a is given twice");
+    refused(&["stationary", MODEL, "--boxes", "0"], "--boxes");
     let pendulum = temporary("watched_pendulum.toml");
     std::fs::write(&pendulum, PENDULUM.replace("end = true", "set = { \"theta'\" = \"-theta'\" }"))
         .expect("it can be written");
@@ -85,7 +88,7 @@ fn values_at_which_motions_change_are_enclosed_along_a_parameter() {
     // w^2 = g/l
     let told = printed(&["stationary", &path, "--along", "phi'=1..8.03"]);
     assert!(told.contains("at phi' = 4.4294469") && told.contains("two motions leave a third (pitchfork)"), "{told}");
-    assert!(told.contains("phi' from 1 to") && told.contains("rad/s: 2 motions, 1 of them unstable"), "{told}");
+    assert!(told.contains("phi' from 1 to") && told.contains("rad/s: 2 motions: 1 stable, 1 unstable"), "{told}");
     let by_length =
         ["stationary", &path, "--range", "phi'=5", "--along", "l=0.1..0.93", "--values", "5", "--format", "json"];
     let object: Value = serde_json::from_str(&printed(&by_length)).expect("it is JSON");
@@ -96,5 +99,8 @@ fn values_at_which_motions_change_are_enclosed_along_a_parameter() {
     refused(&["stationary", &path, "--along", "n=0..1"], "no parameter is called so");
     refused(&["stationary", &path, "--along", "m=-1..1"], "at m = -1");
     refused(&["stationary", &path, "--values", "5"], "--along");
+    refused(&["stationary", &path, "--along", "theta=0..1"], "`theta` is a coordinate");
+    refused(&["stationary", &path, "--along", "phi'=0..1", "--range", "phi'=1"], "leave one of the two out");
+    refused(&["stationary", &path, "--range", "phi=1"], "`phi` is cyclic: no equation depends on it");
     std::fs::remove_file(&shaft).expect("it is there");
 }

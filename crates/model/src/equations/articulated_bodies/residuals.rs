@@ -1,4 +1,4 @@
-//! What is left of the equations of motion over the tree of bodies at any accelerations z, from the last bodies to the ground:
+//! Residuals of the equations of motion over the tree of bodies at any accelerations z, from the last bodies to the ground:
 //!
 //!   r = Q - (M z + h) .
 
@@ -8,7 +8,7 @@ use crate::principles::loads::by_energies;
 use crate::trace::Trace;
 use symbolic::Sym;
 
-/// Of the equations of motion without reactions; none where the bodies form no tree, or masses vary.
+/// Residuals without reactions; none where the bodies form no tree, or masses vary.
 pub(crate) fn residuals(trace: &Trace<'_>) -> Option<Vec<Sym>> {
     ArticulatedBodies::of(trace).filter(|_| trace.solid().is_empty())?.residuals()
 }
