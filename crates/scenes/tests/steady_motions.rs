@@ -299,3 +299,18 @@ fn a_beam_that_snaps_has_folds_at_the_ends_of_its_two_shapes() {
     let fold = 2.0 / 27f64.sqrt();
     assert_changes(&along(&text, &SIDES, ("p", -0.9, 0.87)), &[(-fold, Change::Fold), (fold, Change::Fold)]);
 }
+
+/// Springs that are written as forces have an energy; a follower force and a damper have none.
+#[test]
+fn springs_as_forces_prove_what_an_energy_does() {
+    let with = |load: &str| ANGLES.replace("[run]", &format!("{load}\n[run]"));
+    let spring = with("[[force]]\nbetween = [\"O\", \"Q\"]\nis = \"-(2 N/m)*(distance(O, Q) - (1.5 m))\"");
+    let found = all(&spring, &[("a", -0.3, 0.3), ("b", -0.3, 0.3)]);
+    assert!(found.have_potential && matches!(found.motions[0].stability, SteadyStability::Minimum), "{found:?}");
+    let follower = with("[[force]]\non = \"other\"\nis = \"(2 N)*B.y\"");
+    let damper = with("[[force]]\non = \"other\"\nis = \"-(2 N s/m)*velocity(Q)\"");
+    for text in [follower, damper] {
+        let found = all(&text, &[("a", -0.3, 0.3), ("b", -0.3, 0.3)]);
+        assert!(!found.have_potential && matches!(found.motions[0].stability, SteadyStability::Linear(_)), "{found:?}");
+    }
+}

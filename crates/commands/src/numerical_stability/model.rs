@@ -39,7 +39,7 @@ pub(super) fn show(asked: &Asked) -> Result<Exit, Exit> {
     }
     let found = asked.steady.find(&asked.scene)?;
     let equations = VariedEquations::of(&found.model, &[]).map_err(|why| why.to_string());
-    let keeps_energy = ::scenes::keeps_energy(&found.model);
+    let keeps_energy = found.motions.have_potential || ::scenes::keeps_energy(&found.model);
     let judged = |motion| Judged {
         motion,
         near: equations.as_ref().map_err(Clone::clone).and_then(|equations| near(equations, motion, keeps_energy)),

@@ -37,6 +37,8 @@ pub(super) struct SteadyEquations {
     pub state: Vec<f64>,
     /// The number of reactions that the positions determine.
     pub reactions: usize,
+    /// Whether the loads have a potential energy.
+    pub have_potential: bool,
     /// Whether an equation has no unknowns, and is not met.
     pub is_unbalanced: bool,
     /// Coordinates that are unknowns.
@@ -168,6 +170,7 @@ impl SteadyEquations {
             state,
             reactions: multipliers.len(),
             is_unbalanced,
+            have_potential: rows.have_potential,
             values: recorded(&inputs, &values)?,
             slopes: recorded(&inputs, &slopes)?,
             loads: recorded(&letters, &loads)?,

@@ -5,6 +5,7 @@ mod along;
 mod circles;
 mod definiteness;
 mod equations;
+mod potential;
 mod rows;
 mod search;
 mod stability;
@@ -139,6 +140,8 @@ pub struct SteadyMotions {
     /// Coordinates that occur nowhere.
     pub cyclic: Vec<String>,
     pub motions: Vec<SteadyMotion>,
+    /// Whether the loads have a potential energy, however they are written.
+    pub have_potential: bool,
     /// Boxes in which there may be others.
     pub undecided: Vec<Vec<[f64; 2]>>,
     /// These by regions.
@@ -206,11 +209,12 @@ impl SteadyMotions {
                 .unwrap_or(std::cmp::Ordering::Equal)
         });
         let ends = |at: Vec<Interval>| at.into_iter().map(|at| [at.low(), at.high()]).collect();
-        let SteadyEquations { unknowns, given, cyclic, .. } = equations;
+        let SteadyEquations { unknowns, given, cyclic, have_potential, .. } = equations;
         Ok(SteadyMotions {
             unknowns,
             given,
             cyclic,
+            have_potential,
             motions,
             undecided: found.undecided.into_iter().map(ends).collect(),
             regions,

@@ -9,6 +9,7 @@
 //! rolls in a circle moves steadily.
 
 use super::NoSteadyMotions;
+use super::potential::have_potential;
 use crate::letters::Letters;
 use model::equations::{Equation, Level, Residuals, constraints_of, vanishes};
 use model::{Model, Trace};
@@ -26,6 +27,8 @@ pub(super) struct Rows {
     pub determined: Vec<(usize, Sym)>,
     /// Coordinates on which nothing depends.
     pub is_cyclic: Vec<bool>,
+    /// Whether the loads have a potential energy, and no constraint holds speeds.
+    pub have_potential: bool,
 }
 
 /// In systems with more coordinates a coordinate is cyclic where it is not written.
@@ -49,13 +52,20 @@ impl Rows {
         let put = |all: &[Sym]| letters.put_into(trace, all);
         let residuals = put(&equations.residuals[..model.speeds()]);
         let zeros = put(&constraints.iter().map(|one| one.zero).collect::<Vec<_>>());
+        let energy = put(&[trace.kinetic_energy()])[0];
+        let mut potential = false;
         let (residuals, determined) = match of_speeds.is_empty() {
-            true => (at_rest(trace, residuals, &[]), Vec::new()),
+            true => {
+                let resting = at_rest(trace, residuals, &[]);
+                potential = have_potential(trace, &resting, energy, &constraints);
+                (resting, Vec::new())
+            }
             false => projected(trace, residuals, &of_speeds, put)?,
         };
         let plain = |row: Sym| if vanishes(row) { Sym::ZERO } else { row };
         let residuals = residuals.into_iter().map(plain).collect();
-        let mut rows = Rows { residuals, constraints, zeros, determined, is_cyclic: vec![true; model.speeds()] };
+        let is_cyclic = vec![true; model.speeds()];
+        let mut rows = Rows { residuals, constraints, zeros, determined, is_cyclic, have_potential: potential };
         rows.find_cyclic(trace);
         Ok(rows)
     }

@@ -36,7 +36,8 @@ pub(super) fn judged(
     // what is held fixed by hand might move
     let is_whole =
         equations.coordinates == equations.unknowns.len() && equations.coordinates + equations.cyclic.len() == n;
-    if is_whole && keeps_energy(model) && has_inertia(equations, &enclosure[..equations.unknowns.len()], n) {
+    let keeps_energy = equations.have_potential || keeps_energy(model);
+    if is_whole && keeps_energy && has_inertia(equations, &enclosure[..equations.unknowns.len()], n) {
         let rests = state[n..].iter().all(|speed| *speed == 0.0);
         match falls(equations, boxes, enclosure) {
             Some(0) => return SteadyStability::Minimum,
