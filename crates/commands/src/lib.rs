@@ -58,7 +58,6 @@ mod sphere;
 mod stability;
 mod stability_map;
 mod stationary;
-mod steady_box;
 mod studies;
 mod summary;
 mod timings;

@@ -30,7 +30,7 @@ fn commands(text: &str) -> Vec<Shown> {
                     let (command, remark) = command.split_once(" # ").unwrap_or((command, ""));
                     ours = command.starts_with("dalembert ");
                     if ours {
-                        let words = command.split_whitespace().skip(1).map(str::to_owned).collect();
+                        let words = words(command).into_iter().skip(1).collect();
                         let code =
                             remark.split("exit code ").nth(1).and_then(|rest| rest[..1].parse().ok()).unwrap_or(0);
                         found.push(Shown { words, code, lines: Vec::new() });
@@ -42,6 +42,29 @@ fn commands(text: &str) -> Vec<Shown> {
         }
     }
     found
+}
+
+/// The words of a command; what stands in quotes is one, without them.
+fn words(command: &str) -> Vec<String> {
+    let mut words: Vec<String> = Vec::new();
+    let (mut is_quoted, mut is_inside) = (false, false);
+    for letter in command.chars() {
+        match letter {
+            '"' => is_quoted = !is_quoted,
+            space if space.is_whitespace() && !is_quoted => {
+                is_inside = false;
+                continue;
+            }
+            _ => {}
+        }
+        if !std::mem::replace(&mut is_inside, true) {
+            words.push(String::new());
+        }
+        if letter != '"' {
+            words.last_mut().expect("a word has begun").push(letter);
+        }
+    }
+    words
 }
 
 /// The first shown line that is not printed where it should be.

@@ -5,7 +5,7 @@ mod model;
 use crate::arguments::{Format, finite};
 use crate::exit::{Exit, print};
 use crate::run::with_model;
-use crate::steady_box::SteadyBox;
+use crate::stationary::steady_box::SteadyBox;
 use clap::Args;
 use integrators::Splitting;
 use reader::{Family, read_text};

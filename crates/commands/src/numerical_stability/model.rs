@@ -3,7 +3,7 @@
 use super::{Asked, method};
 use crate::arguments::Format;
 use crate::exit::{Exit, print};
-use crate::steady_box::Found;
+use crate::stationary::steady_box::Found;
 use ::scenes::linearisation::VariedEquations;
 use ::scenes::steady_motions::SteadyMotion;
 use mechanics::one_step_stability::Mode;

@@ -2,9 +2,9 @@
 
 use super::Asked;
 use super::model::{motion, verdict};
+use super::steady_box::{AlongFound, number};
 use crate::arguments::Format;
 use crate::exit::{Exit, print, warn};
-use crate::steady_box::{AlongFound, number};
 use ::scenes::steady_motions::{Bifurcation, Change, Range, Sample};
 use serde_json::{Value, json};
 use std::fmt::Write;

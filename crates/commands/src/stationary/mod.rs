@@ -6,13 +6,14 @@ mod json;
 mod map;
 mod model;
 mod motor;
+pub mod steady_box;
 mod text;
 
+use self::steady_box::{SteadyBox, named_range};
 use crate::arguments::{Format, finite};
 use crate::clock;
 use crate::exit::{Exit, print};
 use crate::run::with_model;
-use crate::steady_box::{SteadyBox, named_range};
 use ::scenes::steady_motions::Range;
 use clap::Args;
 use mechanics::steady_rotations::Undecided;

@@ -1,9 +1,9 @@
 //! Steady motions of a system that is written in its file.
 
 use super::Asked;
+use super::steady_box::{Found, number};
 use crate::arguments::Format;
 use crate::exit::{Exit, print};
-use crate::steady_box::{Found, number};
 use ::scenes::linearisation::{Linear, Stability, Standing};
 use ::scenes::steady_motions::{Near, SteadyMotion, SteadyMotions, SteadyStability};
 use ::scenes::unit_of;
