@@ -314,3 +314,16 @@ fn springs_as_forces_prove_what_an_energy_does() {
         assert!(!found.have_potential && matches!(found.motions[0].stability, SteadyStability::Linear(_)), "{found:?}");
     }
 }
+
+/// A wheel that rolls, driven by a torque and braked along its way: T = c r^2 phi'.
+#[test]
+fn loads_along_determined_speeds_act_through_the_constraint() {
+    let wheel = "title = \"Wheel\"\n[parameters]\nm = \"1 kg\"\nI = \"2 kg m^2\"\nr = \"0.5 m\"\nc = \"4 N s/m\"\nT = \"3 N m\"\n\
+        [coordinates]\nx = \"m\"\nphi = \"rad\"\n[energies]\nkinetic = \"m/2*x'^2 + I/2*phi'^2\"\n\
+        [[force]]\nalong = \"x\"\nis = \"-c*x'\"\n[[force]]\nalong = \"phi\"\nis = \"T\"\n\
+        [[constraint]]\nname = \"rolling\"\nzero = \"x' - r*phi'\"\n[run]\nspan = \"1 s\"\n";
+    let found = all(wheel, &[("phi'", -100.0, 100.0)]);
+    assert_are(&found, &[(&[3.0], None)]);
+    // x' is determined
+    assert!((found.motions[0].state[2] - 1.5).abs() < 1e-12, "{:?}", found.motions);
+}

@@ -127,13 +127,14 @@ mod tests {
 
     const STATES: usize = 2 * LANES + 3;
 
-    /// Each rate by its neighbours, some by the time, one by nothing.
+    /// Each rate by its neighbours, some by the time, one by nothing; products of neighbours have two readers, across the ends of blocks too.
     fn rates(state: &[Sym], time: Sym) -> Vec<Sym> {
-        let next = |i: usize| state[(i + 1) % STATES];
+        let beside = |i: usize| state[(i + 1) % STATES];
+        let shared = |i: usize| (state[i] * beside(i)).circle().sin;
         let rate = |i: usize| match i {
             0 => Sym::int(2),
-            _ if i.is_multiple_of(5) => (state[i] * time).circle().sin + state[i],
-            _ => state[i] * next(i) / (Sym::int(2) + next(i - 1) * next(i - 1)),
+            _ if i.is_multiple_of(6) => (state[i] * time).circle().sin + state[i],
+            _ => shared(i) * shared(i - 1) / (Sym::int(2) + shared(i) * shared(i)),
         };
         (0..STATES).map(rate).collect()
     }
