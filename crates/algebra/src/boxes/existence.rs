@@ -1,7 +1,7 @@
 //! A zero that is shown: one in a box, and no other there.
 
 use super::Equations;
-use super::narrowing::Local;
+use super::newton::Local;
 use super::search::Zero;
 use field::Interval;
 

@@ -8,9 +8,9 @@
 //! A box that can neither be left out nor shown is divided, down to boxes that are told as undecided.
 
 mod existence;
-mod narrowing;
-mod partly;
+mod newton;
 mod search;
+mod subsystem;
 
 pub use search::{Found, Limits, Zero, zeros};
 

@@ -1,8 +1,8 @@
 //! The search: boxes one after the other, the largest first.
 
 use super::existence::shown;
-use super::narrowing::Local;
-use super::{Equations, partly};
+use super::newton::Local;
+use super::{Equations, subsystem};
 use field::Interval;
 use std::collections::VecDeque;
 
@@ -78,7 +78,7 @@ fn examined(equations: &mut dyn Equations, mut at: Vec<Interval>, zeros: &mut Ve
         let is_narrower =
             |at: &[Interval]| at.iter().zip(&before).any(|(left, before)| left.width() < WORTH * before.width());
         if !equations.bound(&mut at) {
-            at = partly::narrowed(equations, &at, n)?;
+            at = subsystem::narrowed(equations, &at, n)?;
             at.truncate(n);
             if is_narrower(&at) {
                 continue;

@@ -56,8 +56,8 @@ pub struct Asked {
     pub force: bool,
     #[command(flatten)]
     pub steady: SteadyBox,
-    /// Of a system that is written in its file: how many there are at values of a parameter in SI units, or of the speed of a coordinate
-    /// that occurs nowhere, and where that changes
+    /// The steady motions at values of a parameter in SI units, or of the speed of a cyclic coordinate, and where they change, in a system
+    /// that is written in its file
     #[arg(long, value_name = "NAME=FROM..TO", value_parser = named_range, conflicts_with_all = ["omega0", "momentum", "cone", "map"])]
     pub along: Option<(String, Range)>,
     /// Values of --along

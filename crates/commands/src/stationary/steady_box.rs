@@ -18,11 +18,11 @@ use units::nearest;
 /// Where steady motions are sought.
 #[derive(Args, Debug)]
 pub struct SteadyBox {
-    /// Of a system that is written in its file: the range of a coordinate in SI units, or its value; the same of the constant speed of a
-    /// coordinate that occurs nowhere. Angles are sought on the whole circle without it
+    /// The range of a coordinate in SI units, or its value, or those of the constant speed of a cyclic coordinate, in a system that is
+    /// written in its file. Angles are sought on the whole circle without it
     #[arg(long, value_name = "NAME=FROM..TO", value_parser = named_range, num_args = 1)]
     pub range: Vec<(String, Range)>,
-    /// Of a system that is written in its file: boxes that are looked at, at most
+    /// Boxes that are looked at, at most, in a system that is written in its file
     #[arg(long, value_name = "N", default_value_t = 200_000, allow_negative_numbers = true, value_parser = RangedU64ValueParser::<usize>::new().range(1..=1_000_000_000))]
     pub boxes: usize,
 }

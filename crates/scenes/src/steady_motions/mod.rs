@@ -6,15 +6,15 @@ mod circles;
 mod definiteness;
 mod equations;
 mod potential;
+mod region;
 mod rows;
 mod search;
 mod stability;
-mod undecided;
 
 pub use along::{Along, Bifurcation, Change, Sample};
 pub use equations::Unknown;
+pub use region::{Near, Region};
 pub use stability::SteadyStability;
-pub use undecided::{Near, Region};
 
 use crate::compiled_system::NotCompiled;
 use algebra::boxes::{Found, Limits, Zero, zeros};
@@ -172,7 +172,7 @@ impl SteadyMotions {
         let volume =
             |at: &[Interval]| at.iter().zip(&domain).map(|(at, whole)| at.width() / whole.width()).product::<f64>();
         let undecided_part = found.undecided.iter().map(|at| volume(at)).sum::<f64>().clamp(0.0, 1.0) + 0.0;
-        let regions = undecided::regions(&equations, &found.zeros, &found.undecided);
+        let regions = region::regions(&equations, &found.zeros, &found.undecided);
         let mut inside: Vec<Zero> = Vec::new();
         for zero in found.zeros {
             if is_in_range(&equations.unknowns, &zero)

@@ -10,7 +10,7 @@ use model::Trace;
 use model::equations::{Equation, vanishes};
 use symbolic::{Sym, substitute_all};
 
-/// Of larger systems this is not asked: the work grows with the square of the speeds.
+/// The largest number of speeds for which this is asked: the work grows with its square.
 const MOST_ASKED: usize = 10;
 
 /// Whether the loads behind residuals without accelerations have a potential energy, T over the same letters.

@@ -65,7 +65,7 @@ impl Graph {
         }
     }
 
-    /// What is left, at places without gaps.
+    /// The sums that are left, at places without gaps.
     fn finish(self) -> Differential {
         let first_output = self.sums.len() - self.outputs;
         let mut places = vec![0; self.sums.len()];

@@ -32,11 +32,11 @@ pub struct Weighted {
 /// ```
 #[derive(Clone, Debug)]
 pub struct Differential {
-    /// How many inputs there are: they stand at the first places.
+    /// The number of inputs, which stand at the first places.
     pub inputs: usize,
     /// The sums at the places after them, each of earlier ones; the outputs are the last.
     pub sums: Vec<Vec<Weighted>>,
-    /// How many outputs there are.
+    /// The number of outputs.
     pub outputs: usize,
 }
 

@@ -7,7 +7,7 @@ use symbolic::Differential;
 /// The sums without their weights.
 #[derive(Debug)]
 pub(super) struct Sums {
-    /// How many inputs there are, at the first places.
+    /// The number of inputs, which stand at the first places.
     pub inputs: usize,
     pub outputs: usize,
     /// Where the terms of each sum begin, and the end of the last.

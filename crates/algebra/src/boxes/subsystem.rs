@@ -1,7 +1,7 @@
 //! A box in which some unknowns have no bounds yet: equations without them narrow the others, as many as there are such equations.
 
 use super::Equations;
-use super::narrowing::Local;
+use super::newton::Local;
 use field::Interval;
 use nalgebra::DMatrix;
 
