@@ -109,19 +109,19 @@ fn near(near: Near) -> String {
 pub(super) fn stability(motion: &SteadyMotion, cyclic: &[String]) -> String {
     match &motion.stability {
         SteadyStability::Minimum if cyclic.is_empty() => {
-            "stable, proved: the potential energy has a strict minimum (Lagrange, Dirichlet)".to_owned()
+            "stable, by enclosures: the potential energy has a strict minimum (Lagrange, Dirichlet)".to_owned()
         }
         SteadyStability::Minimum => format!(
-            "stable but for {}, proved: the potential energy, amended by the kinetic energy at given momenta, has a strict minimum in the others \
+            "stable but for {}, by enclosures: the potential energy, amended by the kinetic energy at given momenta, has a strict minimum in the others \
              (Routh)",
             cyclic.join(", ")
         ),
-        SteadyStability::Falls(1) => "unstable, proved: the potential energy falls in one direction".to_owned(),
+        SteadyStability::Falls(1) => "unstable, by enclosures: the potential energy falls in one direction".to_owned(),
         SteadyStability::Falls(count) => {
-            format!("unstable, proved: the potential energy falls in {count} directions")
+            format!("unstable, by enclosures: the potential energy falls in {count} directions")
         }
         SteadyStability::FallsOdd(count) => format!(
-            "unstable, proved: the amended potential energy falls in an odd number of directions, {count} (Thomson, Tait)"
+            "unstable, by enclosures: the amended potential energy falls in an odd number of directions, {count} (Thomson, Tait)"
         ),
         SteadyStability::Linear(linear) if fades(linear, cyclic.len()) => format!(
             "every eigenvalue has a negative real part but for zeros, which cyclic coordinates and their momenta have: asymptotically stable but for \
@@ -152,7 +152,7 @@ fn fades(linear: &Linear, cyclic: usize) -> bool {
     linear.standing != Standing::Moving && !others.is_empty() && negative && (1..=2 * cyclic).contains(&zeros.len())
 }
 
-/// The stability of a motion in a word, and whether it is proved.
+/// The stability of a motion in a word, and whether enclosures show it.
 pub(super) fn verdict(motion: &SteadyMotion, cyclic: &[String]) -> (&'static str, bool) {
     match &motion.stability {
         SteadyStability::Minimum => ("stable", true),
@@ -170,7 +170,7 @@ pub(super) fn verdict(motion: &SteadyMotion, cyclic: &[String]) -> (&'static str
 /// A motion of those that are found.
 pub(super) fn motion(found: &SteadyMotions, motion: &SteadyMotion) -> Value {
     let values = found.unknowns.iter().zip(&motion.enclosure).map(|(unknown, at)| (unknown.name.clone(), json!(at)));
-    let (verdict, proved) = verdict(motion, &found.cyclic);
+    let (verdict, enclosed) = verdict(motion, &found.cyclic);
     let eigenvalues = match &motion.stability {
         SteadyStability::Linear(linear) => Some(&linear.eigenvalues),
         _ => None,
@@ -179,7 +179,7 @@ pub(super) fn motion(found: &SteadyMotions, motion: &SteadyMotion) -> Value {
         "enclosure": values.collect::<serde_json::Map<_, _>>(),
         "state": motion.state,
         "stability": verdict,
-        "proved": proved,
+        "enclosed": enclosed,
         "reason": stability(motion, &found.cyclic),
         "eigenvalues": eigenvalues,
     })

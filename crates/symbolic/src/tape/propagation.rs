@@ -69,7 +69,7 @@ impl<'a> Propagation<'a> {
         }
     }
 
-    /// What operands may be, by the result and the others.
+    /// Narrows operands by the result and the others.
     fn backwards(&mut self, operation: Operation, result: usize) -> bool {
         let [a, b, _] = operation.operands().map(|register| register as usize);
         let [x, y, r] = [self.registers[a], self.registers[b], self.registers[result]];

@@ -9,14 +9,17 @@ fn all_equilibria_of_a_double_pendulum_are_told_with_their_stability() {
     let told = printed(&["stationary", MODEL]);
     assert!(told.contains("4 steady motions, each alone in a box, and no other"), "{told}");
     assert!(
-        told.contains("1  a = 0 rad, b = 0 rad\n     stable, proved: the potential energy has a strict minimum"),
+        told.contains("1  a = 0 rad, b = 0 rad\n     stable, by enclosures: the potential energy has a strict minimum"),
         "{told}"
     );
-    assert!(told.contains("unstable, proved: the potential energy falls in 2 directions"), "{told}");
+    assert!(told.contains("unstable, by enclosures: the potential energy falls in 2 directions"), "{told}");
     let object: Value = serde_json::from_str(&printed(&["stationary", MODEL, "--format", "json"])).expect("it is JSON");
     assert_eq!(object["complete"], true);
     assert_eq!(object["motions"].as_array().map(Vec::len), Some(4));
-    assert_eq!((&object["motions"][0]["stability"], &object["motions"][0]["proved"]), (&"stable".into(), &true.into()));
+    assert_eq!(
+        (&object["motions"][0]["stability"], &object["motions"][0]["enclosed"]),
+        (&"stable".into(), &true.into())
+    );
 }
 
 #[test]
