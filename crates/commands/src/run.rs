@@ -12,10 +12,13 @@ use clap::Args;
 use integrators::{Beside, Method};
 use motor::{NoModel, catalogue};
 use reader::Family;
+use simulation::models::Modelled;
 use simulation::run::most_samples;
 use simulation::{Axes, Choice, IvpScene, RunNotes, methods};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use studies::AnyScene;
+use studies::model_reduction::{Simplification, SimplifiedScene};
 use studies::scene::Scene;
 
 /// How a scene is to be run; what is left out, the scene says.
@@ -30,7 +33,8 @@ pub struct Asked {
     /// Error allowed in a step, relative, and absolute in SI units
     #[arg(long = "tol", value_name = "T", value_parser = tolerance, allow_negative_numbers = true)]
     pub tolerance: Option<f64>,
-    /// Another machine, made of the scene's data
+    /// Another machine, made of the scene's data; or a smaller model of a system that is written in its file, as `choose` names it:
+    /// "without P", "quasi-steady X", "fixed X", "unfollowed X", with names of parameters P and of states X
     #[arg(long)]
     pub model: Option<String>,
     /// The equations in the axes of A (first) or of A* (second); results are in the axes of the data either way
@@ -85,14 +89,26 @@ pub fn run(asked: &Asked) -> Result<Exit, Exit> {
             follow(&scene, asked, (!scene.on_bench()).then(|| asked.form.unwrap_or_default()))
         }
         AnyScene::Model(scene) => {
-            refuse("a system that is written in its file", asked.model.is_some(), asked.form.is_some(), &asked.scene)?;
+            refuse("a system that is written in its file", false, asked.form.is_some(), &asked.scene)?;
             let choice = choice(scene.run(), asked);
             if matches!(choice.method, Method::Split { .. }) {
                 return Err(no_pieces(&choice, &asked.scene));
             }
-            follow(&*scene, asked, None)
+            match asked.model.as_deref() {
+                None => follow(&*scene, asked, None),
+                Some(_) if asked.transition.is_some() => Err(Exit::refused(
+                    "--transition is about the states of the scene's own model; leave --model out, or --transition",
+                )),
+                Some(name) => follow(&smaller(&scene, name, &asked.scene)?, asked, None),
+            }
         }
     }
+}
+
+/// A scene with a smaller model, by its name.
+fn smaller(scene: &Arc<dyn Modelled>, name: &str, path: &Path) -> Result<SimplifiedScene, Exit> {
+    let found = Simplification::parse(name).and_then(|simplification| SimplifiedScene::of(scene, &simplification));
+    found.map_err(|why| Exit::refused(format!("{}: --model \"{name}\": {why}", path.display())))
 }
 
 /// Machines and forms are for systems with a motor.

@@ -16,6 +16,7 @@ use crate::letters::Letters;
 use crate::modes::{Mode, ModeMotion};
 use crate::program::recorded;
 use crate::residual_differential::residual_differential;
+use crate::scene::columns;
 use field::DoubleDouble;
 use integrators::{Dual8, Ode, Real};
 use model::equations::{MOST_COMPARED, constraints_of};
@@ -220,6 +221,30 @@ impl CompiledSystem {
     pub(crate) fn projected(&self, law: Arc<dyn Law>) -> Arc<dyn Law> {
         let made = self.projection.get_or_init(|| ConstraintProjection::of(&self.model).map(Arc::new));
         ConstraintProjection::onto(made.as_ref(), law)
+    }
+
+    /// Whether its accelerations are written down, so that its law can be rewritten.
+    pub(crate) fn is_written(&self) -> bool {
+        matches!(self.rates, Rates::Written(_))
+    }
+
+    /// Of each state whether one of these columns of a run depends on it: states by their names, then outputs and energies.
+    pub(crate) fn states_behind(&self, wanted: &[String]) -> Vec<bool> {
+        let states = self.model.positions() + self.model.speeds();
+        let columns = columns(&self.model);
+        let is_wanted = |place: usize| wanted.contains(&columns[place]);
+        let mut found: Vec<bool> = (0..states).map(is_wanted).collect();
+        if (states..columns.len()).any(is_wanted) {
+            apart(|| {
+                let state: Vec<Sym> = (0..states).map(|i| Sym::symbol(&format!("y{i}"))).collect();
+                let shown = outputs(&self.model, &self.mode, Letters::with_data(Sym::symbol("t"), &state));
+                for (_, output) in shown.iter().enumerate().filter(|(place, _)| is_wanted(states + place)) {
+                    let used = output.symbols_of();
+                    found.iter_mut().zip(&state).for_each(|(behind, state)| *behind |= used.contains(state));
+                }
+            });
+        }
+        found
     }
 
     /// Whether its rates run as machine code; else their operations are followed one by one.

@@ -1,6 +1,7 @@
 //! A scene with other values of its parameters and of its start.
 
 use crate::admissible::impossible;
+use crate::changing_laws::changes;
 use crate::readiness::{Ready, ready};
 use crate::scene::ModelScene;
 use reader::Issue;
@@ -17,6 +18,14 @@ impl ModelScene {
 impl Modelled for ModelScene {
     fn symbolic_law(&self) -> Arc<dyn SymbolicLaw> {
         Arc::clone(&self.system) as Arc<dyn SymbolicLaw>
+    }
+
+    fn is_written(&self) -> bool {
+        self.system.is_written() && !changes(&self.model)
+    }
+
+    fn states_behind(&self, columns: &[String]) -> Vec<bool> {
+        self.system.states_behind(columns)
     }
 
     fn known_as(&self) -> Option<&'static str> {

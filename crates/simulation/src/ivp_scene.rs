@@ -12,7 +12,7 @@ pub trait IvpScene: Send + Sync {
     /// What happens and why it is hard.
     fn description(&self) -> &str;
     /// The machine, or the mechanism.
-    fn model(&self) -> &'static str;
+    fn model(&self) -> &str;
     fn run(&self) -> &Run;
     /// In the axes of a form, where there are forms.
     fn problem(&self, axes: Axes) -> Problem;

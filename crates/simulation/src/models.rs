@@ -13,6 +13,12 @@ pub trait Modelled: IvpScene + fmt::Debug {
     /// The law over expressions; of one that changes at events, the law of the start.
     fn symbolic_law(&self) -> Arc<dyn SymbolicLaw>;
 
+    /// Whether that law is written down, holds all along a motion, and is short enough to be rewritten.
+    fn is_written(&self) -> bool;
+
+    /// Of each state whether one of these columns of a run depends on it.
+    fn states_behind(&self, columns: &[String]) -> Vec<bool>;
+
     /// The name under which more is known of it, where its file gives one: see [`crate::knowledge`].
     fn known_as(&self) -> Option<&'static str>;
 

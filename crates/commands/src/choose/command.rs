@@ -10,7 +10,7 @@ pub fn of(scene: &Path, model: Option<&str>, place: usize, line: &Line, formed: 
     let plan = &line.choice.as_ref()?.plan;
     let mut words = vec!["run".to_owned(), scene.display().to_string()];
     let mut option = |name: &str, value: &str| words.extend([name.to_owned(), value.to_owned()]);
-    if let Some(model) = if place == 0 { model } else { line.asked_as } {
+    if let Some(model) = if place == 0 { model } else { line.asked_as.as_deref() } {
         option("--model", model);
     }
     option("--method", &methods::written(plan.method));

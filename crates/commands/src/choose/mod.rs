@@ -15,7 +15,7 @@ use simulation::{Axes, Stored, references};
 use std::path::PathBuf;
 use std::time::Duration;
 use studies::AnyScene;
-use studies::model_reduction::{Forms, Hierarchy, Models, Wish, choose};
+use studies::model_reduction::{Forms, Hierarchy, Models, TextModels, Wish, choose};
 use studies::scene::Setup;
 
 /// What is to be met, and in what.
@@ -39,6 +39,10 @@ pub struct Asked {
     /// Replaces the file of --out even where `choose` did not write what stands there
     #[arg(long, requires = "out")]
     pub force: bool,
+    /// Takes times besides, side by side for three seconds, and looks for stretches of the run on which a smaller model of a motor
+    /// serves; what is chosen rests on counted work either way
+    #[arg(long)]
+    pub times: bool,
     /// How to print the receipt; JSON has null where a number is not defined
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
@@ -63,13 +67,13 @@ pub fn show(asked: &Asked) -> Result<Exit, Exit> {
         }
         AnyScene::Model(scene) => {
             refuse("a system that is written in its file", asked.model.is_some(), false, &asked.scene)?;
-            let kept = Stored::beside(&asked.scene);
-            (Box::new(Forms { ladders: vec![Hierarchy::of_model(&**scene)], kept }), scene.run().outputs.clone())
+            (Box::new(TextModels::of(scene, Stored::beside(&asked.scene))), scene.run().outputs.clone())
         }
     };
     let title = scene.title();
     let outputs = outputs(asked, given, models.columns())?;
-    let wish = Wish { tolerance: asked.tolerance, outputs, allowed: MEASURING.min(clock::left() / 8) };
+    let allowed = if asked.times { MEASURING.min(clock::left() / 8) } else { Duration::ZERO };
+    let wish = Wish { tolerance: asked.tolerance, outputs, allowed };
     let kept = references::place(&asked.scene);
     let writes = Writes { command: "choose", force: asked.force, reads: vec![&asked.scene, &kept] };
     let output = writes.optional(asked.out.as_deref(), &[Form::Picture])?;

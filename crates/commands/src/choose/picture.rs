@@ -16,7 +16,8 @@ pub fn of(title: &str, models: &dyn Models, wish: &Wish, first: Receipt) -> Work
     for receipt in &receipts {
         for line in &receipt.lines {
             let Some(choice) = &line.choice else { continue };
-            let point = Point { work: choice.evaluations as f64, error: choice.measured.unwrap_or(choice.promised) };
+            let point =
+                Point { work: choice.work.evaluations as f64, error: choice.measured.unwrap_or(choice.promised) };
             let name = line.name.clone();
             match series.iter_mut().find(|known| known.name == name) {
                 Some(known) => known.points.push(point),

@@ -20,7 +20,9 @@ pub fn text(title: &str, receipt: &Receipt, command: Option<&[String]>) -> Strin
     };
     out += &row(head.map(str::to_owned));
     let unit = receipt.lines.first().and_then(|line| line.choice.as_ref()?.seconds);
-    for (at, line) in receipt.lines.iter().enumerate() {
+    // of what was found and does not serve a sentence says enough
+    let hopeless = |line: &Line| line.verdict == Sufficiency::TooFar && line.asked_as.is_some();
+    for (at, line) in receipt.lines.iter().enumerate().filter(|(_, line)| !hopeless(line)) {
         let choice = line.choice.as_ref();
         let mark = if receipt.taken == Some(at) { " <-" } else { "" };
         let model = line.model.as_ref().ok();
@@ -31,15 +33,22 @@ pub fn text(title: &str, receipt: &Receipt, command: Option<&[String]>) -> Strin
             if exact { "none".to_owned() } else { error(model) },
             if exact { String::new() } else { told(model.map(|model| model.second)) },
             told(model.and_then(|model| model.small)),
-            choice.map_or_else(|| said(line), |choice| choice.evaluations.to_string()),
+            choice.map_or_else(|| said(line), |choice| choice.work.evaluations.to_string()),
             choice.and_then(|choice| Some(format!("{:.2}", choice.seconds? / unit?))).unwrap_or_default(),
             choice.map_or_else(String::new, |choice| format!("{:.1e}", choice.promised)),
             choice.and_then(|choice| choice.measured).map_or_else(String::new, |error| format!("{error:.1e}")),
         ]);
     }
+    let far: Vec<String> = receipt.lines.iter().filter(|line| hopeless(line)).map(beyond).collect();
     // writing to a String cannot fail
-    let _ = writeln!(out, "\nwhat each drops, and why it may");
-    for line in receipt.lines.iter().skip(1) {
+    if !far.is_empty() {
+        let _ = writeln!(out, "\nleft out they change the outputs by more than is allowed: {}", far.join("; "));
+    }
+    let told = receipt.lines.iter().skip(1).filter(|line| !hopeless(line)).collect::<Vec<_>>();
+    if !told.is_empty() {
+        let _ = writeln!(out, "\nwhat each drops, and why it may");
+    }
+    for line in told {
         let why = match line.loss {
             Loss::Own => String::new(),
             Loss::Nothing { claim: Some(claim) } => format!("exact, proved for these data; for all: {claim}"),
@@ -94,6 +103,12 @@ fn promise(receipt: &Receipt) -> String {
     text
 }
 
+/// A model that does not serve, with its error where it is known.
+fn beyond(line: &Line) -> String {
+    let error = line.model.as_ref().ok().filter(|model| model.first > 0.0);
+    error.map_or_else(|| line.name.clone(), |model| format!("{} ({:.0e})", line.name, model.first))
+}
+
 /// What deciding cost, and whether that comes back.
 fn decided(receipt: &Receipt) -> String {
     let worth = receipt
@@ -128,6 +143,8 @@ fn said(line: &Line) -> String {
         Sufficiency::NotBelieved => "no estimate",
         Sufficiency::NotCarried => "not carried",
         Sufficiency::NotRun => "not run",
+        Sufficiency::NotCheaper => "not cheaper",
+        Sufficiency::NotTried => "not tried",
     }
     .to_owned()
 }
@@ -162,7 +179,7 @@ pub fn object(title: &str, receipt: &Receipt, command: Option<&[String]>) -> Val
                 "method": methods::written(choice.plan.method),
                 "form": choice.plan.axes.to_string(),
                 "tolerance": choice.plan.tolerance,
-                "evaluations": choice.evaluations,
+                "evaluations": choice.work.evaluations,
                 "seconds": choice.seconds,
                 "promised": choice.promised,
                 "measured": choice.measured,

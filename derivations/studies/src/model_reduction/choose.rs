@@ -2,19 +2,28 @@
 //!
 //! What is cheap is counted in evaluations of the law, and never timed: the same scene has the same choice on any machine.
 
+use super::Loss;
 use super::outputs::Watched;
-use super::plan::{FINEST, Plan, Runnable, plans};
-use super::receipt::{Choice, Line, Receipt, Sufficiency, Wish, cheapest};
+use super::plan::{FINEST, Plan, Runnable, by_kind, plans};
+use super::receipt::{Choice, Line, Receipt, Sufficiency, Wish, Work, cheapest};
 use super::run_rows::Run;
 use super::sampled_run::instants;
 use integrators::taking_turns;
+use std::cell::RefCell;
 
 /// The method's share of the tolerance, with room for what its pilots do not tell.
-pub(super) const OF_METHOD: f64 = 0.1;
-/// Plans of a reduced model that are run.
-const TRIED: usize = 3;
+pub(super) const OF_METHOD: f64 = 0.3;
 /// A finer run tells the method's error: their tolerances apart.
 const FINER: f64 = 1e-2;
+/// Safety of an error that is told by the slope of those at two coarser tolerances, and the least slope that is believed.
+const SAFETY: f64 = 3.0;
+const LEAST_SLOPE: f64 = 0.5;
+/// Simplifications that are tried by their runs.
+const TRIED: usize = 3;
+/// A simplification that costs more than this share of the scene's own model saves too little.
+const WORTH: f64 = 0.8;
+/// Errors below this are rounding.
+const ROUNDED: f64 = 1e-15;
 /// Evaluations of a run.
 pub(super) const MOST: u64 = 5_000_000;
 
@@ -34,6 +43,22 @@ pub trait Models {
 
     /// A line's model in every form.
     fn forms(&self, line: usize) -> Vec<Runnable<'_>>;
+
+    /// Whether the error of a line's model is told by its run beside that of the scene's own; else the line has an estimate that
+    /// is promised.
+    fn is_compared(&self, _line: usize) -> bool {
+        false
+    }
+
+    /// Bytes of the code of a line's law, where it is known: what an evaluation costs.
+    fn code_size(&self, _line: usize) -> Option<usize> {
+        None
+    }
+
+    /// Whether a line's law asks for an implicit method.
+    fn is_stiff(&self, _line: usize) -> bool {
+        false
+    }
 
     /// The exact motion as rows at the instants, where it is kept.
     fn exact(&self) -> Option<Vec<Vec<f64>>> {
@@ -56,8 +81,8 @@ pub struct Mixed<'a> {
     pub go: Box<Finer<'a>>,
 }
 
-/// Chooses among the models that a run takes by name. What is promised is the model's estimate, first and second order, and
-/// the distance of the run from a finer one, each the largest of the whole run; none of these is a bound.
+/// Chooses among the models that a run takes by name. What is promised is the model's error, estimated to first and second order
+/// or seen beside a run of the scene's own model, and the method's, each the largest of the whole run; none of these is a bound.
 ///
 /// # Errors
 /// Why the scene's own model does not reach its end even coarsely.
@@ -69,7 +94,7 @@ pub fn choose(models: &dyn Models, wish: &Wish) -> Result<Receipt, String> {
     let span = forms.iter().flatten().map(|form| form.span).fold(0.0, f64::max);
     let mut tried: Vec<(usize, Plan)> = Vec::new();
     for (at, line) in lines.iter_mut().enumerate() {
-        if line.verdict != Sufficiency::Suffices {
+        if line.verdict != Sufficiency::Suffices || models.is_compared(at) {
             continue;
         }
         let found = plans(&forms[at], &watched, OF_METHOD * wish.tolerance);
@@ -77,7 +102,7 @@ pub fn choose(models: &dyn Models, wish: &Wish) -> Result<Receipt, String> {
         if found.is_empty() {
             line.verdict = Sufficiency::NotRun;
         }
-        tried.extend(found.into_iter().take(TRIED).map(|plan| (at, plan)));
+        tried.extend(found.into_iter().take(1).map(|plan| (at, plan)));
     }
     let mixed = models.mixed(&watched, &lines, &tried, wish).map(|mixed| {
         tried.push((lines.len(), mixed.plan));
@@ -94,26 +119,26 @@ pub fn choose(models: &dyn Models, wish: &Wish) -> Result<Receipt, String> {
             form.run(plan.method, (plan.tolerance * finer).max(FINEST), MOST, times).0
         }
     };
-    // a pilot may have been the run
-    let mut found = |one: &(usize, Plan), finer: f64, times: Option<&[f64]>| {
-        let known = one.1.known(one.1.tolerance * finer).filter(|_| one.0 != own);
-        known.cloned().or_else(|| go(one, finer, times).inspect(|run| deciding += run.evaluations))
-    };
-    let runs: Vec<Option<(Run, f64)>> = tried
-        .iter()
-        .map(|one| {
-            let run = found(one, 1.0, None)?;
-            let finer = found(one, FINER, Some(&run.times()))?;
-            let apart = run.apart(&finer, &watched)?;
-            Some((run, apart))
-        })
-        .collect();
+    let mut runs: Vec<Option<(Run, f64)>> = Vec::new();
+    for one in &tried {
+        let switches = one.0 == own;
+        let (run, spent) = settled(&one.1, &watched, switches, |finer, times| go(one, finer, times));
+        deciding += spent;
+        runs.push(run);
+    }
+    let compared = compared(models, &mut lines, &forms, &watched, wish, tried.first().zip(runs.first()), &mut deciding);
+    tried.extend(compared.iter().map(|(line, plan, ..)| (*line, plan.clone())));
+    runs.extend(compared.into_iter().map(|(_, _, run, off)| Some((run, off))));
     let times = taking_turns(tried.len(), wish.allowed, |at| runs[at].is_some() && go(&tried[at], 1.0, None).is_some());
     let exact = models.exact();
     for (((line, plan), run), time) in tried.into_iter().zip(runs).zip(times) {
-        let line = &mut lines[line];
-        let (Some((run, method)), Ok(model)) = (run, &line.model) else { continue };
-        let promised = model.promised() + method;
+        let Some((run, method)) = run else { continue };
+        let estimated = match (&lines[line].model, line < own && models.is_compared(line)) {
+            (_, true) => 0.0,
+            (Ok(model), false) => model.promised(),
+            (Err(_), false) => continue,
+        };
+        let promised = estimated + method;
         // what is no number is promised to nobody
         if promised.is_nan() || promised > wish.tolerance {
             continue;
@@ -123,11 +148,122 @@ pub fn choose(models: &dyn Models, wish: &Wish) -> Result<Receipt, String> {
             .as_ref()
             .map(|exact| rows.iter().zip(exact).map(|((_, row), exact)| watched.off(row, exact)).fold(0.0, f64::max));
         let (evaluations, seconds) = (run.evaluations, time.map(|time| time.seconds));
-        if line.choice.as_ref().is_none_or(|known| evaluations < known.evaluations) {
-            line.choice = Some(Choice { plan, evaluations, seconds, promised, measured, rows });
-        }
+        let work = Work { evaluations, code: models.code_size(line) };
+        lines[line].choice = Some(Choice { plan, work, seconds, promised, measured, rows });
     }
     let taken = cheapest(&lines, |line| line.asked_as.is_some());
     let (tolerance, columns) = (wish.tolerance, models.columns().to_vec());
     Ok(Receipt { watched, tolerance, lines, taken, deciding, columns })
+}
+
+/// The run of a plan with the error of its method, and the evaluations that this took. Where both pilots are coarser the error is
+/// told by the slope of theirs; a finer run tells it where that is not believed.
+fn settled(
+    plan: &Plan,
+    watched: &Watched,
+    switches: bool,
+    go: impl Fn(f64, Option<&[f64]>) -> Option<Run>,
+) -> (Option<(Run, f64)>, u64) {
+    let mut spent = 0;
+    let mut made = |finer: f64, times: Option<&[f64]>| go(finer, times).inspect(|run| spent += run.evaluations);
+    if let Some(run) = plan.known(plan.tolerance).filter(|_| !switches) {
+        return (Some((run.clone(), plan.error_at(plan.tolerance).max(ROUNDED))), spent);
+    }
+    let [coarse, fine] = &plan.pilots;
+    let times = fine.run.times();
+    let Some(run) = made(1.0, (!switches).then_some(&times[..])) else { return (None, spent) };
+    let apart = |pilot: &Run| pilot.apart(&run, watched);
+    let by_pilots = match (apart(&coarse.run), apart(&fine.run)) {
+        _ if switches => None,
+        // the finer pilot stands for the exact motion, with its own error
+        (_, Some(off)) if plan.tolerance > fine.tolerance => Some(off + plan.error_at(fine.tolerance)),
+        (Some(of_coarse), Some(of_fine)) => {
+            let slope = (of_coarse / of_fine).ln() / (coarse.tolerance / fine.tolerance).ln();
+            let finer = plan.tolerance / fine.tolerance;
+            (slope >= LEAST_SLOPE).then(|| (SAFETY * of_fine * finer.powf(slope.min(1.0))).max(ROUNDED))
+        }
+        _ => None,
+    };
+    let error = by_pilots.or_else(|| {
+        let finer = made(FINER, Some(&run.times()))?;
+        run.apart(&finer, watched)
+    });
+    (error.map(|error| (run, error)), spent)
+}
+
+/// Simplifications run beside the scene's own model, the most promising first, as long as deciding may cost that: each with its
+/// distance from it and the error of that.
+fn compared(
+    models: &dyn Models,
+    lines: &mut [Line],
+    forms: &[Vec<Runnable<'_>>],
+    watched: &Watched,
+    wish: &Wish,
+    own: Option<(&(usize, Plan), &Option<(Run, f64)>)>,
+    deciding: &mut u64,
+) -> Vec<(usize, Plan, Run, f64)> {
+    let Some(((0, plan), Some((run, error)))) = own else { return Vec::new() };
+    let size = |line: usize| models.code_size(line).map_or(1.0, |bytes| bytes as f64);
+    let share = |line: usize| if models.code_size(line).is_some() { size(line) / size(0) } else { 1.0 };
+    let mut order: Vec<usize> = (0..forms.len())
+        .filter(|&line| models.is_compared(line) && lines[line].verdict == Sufficiency::Suffices)
+        .collect();
+    // exact ones first, then those that leave out the most
+    order.sort_by_key(|&line| (matches!(lines[line].loss, Loss::Small { .. }), lines[line].states));
+    let times = run.times();
+    let mut found: Vec<(usize, Plan, Run, f64)> = Vec::new();
+    let mut left = TRIED;
+    for line in order {
+        let is_exact = !matches!(lines[line].loss, Loss::Small { .. });
+        // what leaves out less than one that serves saves less
+        let served = found.iter().any(|(known, ..)| lines[*known].states <= lines[line].states);
+        let Some(form) = forms[line].first().filter(|_| left > 0 && !served) else {
+            lines[line].verdict = Sufficiency::NotTried;
+            continue;
+        };
+        // where it is as stiff, or as smooth, only a shorter law is cheaper
+        let is_stiff = models.is_stiff(line);
+        if is_stiff == plan.method.traits().implicit && share(line) > WORTH && lines[line].states == lines[0].states {
+            lines[line].verdict = Sufficiency::NotCheaper;
+            continue;
+        }
+        left -= 1;
+        let most = (WORTH * run.evaluations as f64 / share(line)) as u64;
+        let mut tolerance = plan.tolerance.min(finest_of(wish));
+        let mut judged = Sufficiency::NotCheaper;
+        for _ in 0..if is_exact { 2 } else { 1 } {
+            let mut is_too_far = false;
+            let near = run.near(watched, wish.tolerance - error);
+            let ran = by_kind(is_stiff, |method| {
+                let serves = |time: f64, row: &[f64]| {
+                    is_too_far |= !near(time, row);
+                    !is_too_far
+                };
+                let serves = RefCell::new(serves);
+                let (ran, spent) =
+                    form.run_while((method, tolerance, most), &times, &|time, row| (serves.borrow_mut())(time, row));
+                *deciding += (spent as f64 * share(line)).ceil() as u64;
+                (ran, spent)
+            });
+            if let Some((method, ran)) = ran
+                && let Some(off) = run.apart(&ran, watched)
+            {
+                found.push((line, Plan { method, tolerance, ..plan.clone() }, ran, off + error));
+                judged = Sufficiency::Suffices;
+                break;
+            }
+            if !is_too_far {
+                break;
+            }
+            judged = Sufficiency::TooFar;
+            tolerance = (tolerance * FINER).max(FINEST);
+        }
+        lines[line].verdict = judged;
+    }
+    found
+}
+
+/// The tolerance at which a method usually keeps its share of what is allowed.
+fn finest_of(wish: &Wish) -> f64 {
+    (0.1 * OF_METHOD * wish.tolerance).max(FINEST)
 }

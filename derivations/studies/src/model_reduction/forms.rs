@@ -4,7 +4,7 @@ use super::choose::{MOST, Mixed, Models, OF_METHOD};
 use super::estimate::Estimate;
 use super::models::across_events;
 use super::outputs::Watched;
-use super::plan::{FINEST, PILOTS, Plan, Runnable, plans};
+use super::plan::{COARSE, FINEST, Plan, Runnable, plans};
 use super::receipt::{Line, OF_MODEL, Sufficiency, Wish};
 use super::switching::LOOKING;
 use super::{Hierarchy, Loss, ReducedModel};
@@ -43,7 +43,7 @@ impl Models for Forms {
 
     fn lines(&self, watched: &Watched, tolerance: f64) -> (Vec<Line>, u64) {
         let (ladder, mut spent) = (&self.ladders[0], 0);
-        let mut lines = vec![Line::own(ladder.model, ladder.own.state.len(), watched.columns.len())];
+        let mut lines = vec![Line::own(&ladder.model, ladder.own.state.len(), watched.columns.len())];
         for rung in &ladder.rungs {
             let model = ladder.estimate_within(rung, watched, tolerance, HOPELESS * tolerance);
             spent += model.as_ref().map_or(0, |model| model.evaluations);
@@ -55,7 +55,7 @@ impl Models for Forms {
                 states: rung.start.len(),
                 verdict: Sufficiency::of(&model, tolerance),
                 model,
-                asked_as: rung.shows_all(&watched.names).then_some(rung.name),
+                asked_as: rung.shows_all(&watched.names).then(|| rung.name.to_owned()),
                 choice: None,
             });
         }
@@ -64,6 +64,11 @@ impl Models for Forms {
 
     fn forms(&self, line: usize) -> Vec<Runnable<'_>> {
         self.ladders.iter().zip(AXES).map(|(ladder, axes)| runnable(ladder, line, axes)).collect()
+    }
+
+    fn code_size(&self, line: usize) -> Option<usize> {
+        let ladder = self.ladders.first()?;
+        line.checked_sub(1).map_or(ladder.own.law.code_size(), |rung| ladder.rungs.get(rung)?.law.code_size())
     }
 
     fn exact(&self) -> Option<Vec<Vec<f64>>> {
@@ -130,7 +135,7 @@ impl Models for Forms {
 fn cheaper(ladder: &Hierarchy, line: usize, rich: usize) -> bool {
     let work = |line: usize| {
         let states = line.checked_sub(1).map_or(ladder.own.state.len(), |rung| ladder.rungs[rung].start.len());
-        let (run, evaluations) = runnable(ladder, line, Axes::First).run(Method::DormandPrince8, PILOTS[0], MOST, None);
+        let (run, evaluations) = runnable(ladder, line, Axes::First).run(Method::DormandPrince8, COARSE, MOST, None);
         run.map(|_| evaluations as f64 * states as f64)
     };
     matches!((work(line), work(rich)), (Some(low), Some(rich)) if low < CHEAPER * rich)

@@ -55,7 +55,7 @@ fn exponential(x: &DMatrix<f64>) -> DMatrix<f64> {
 }
 
 /// The cubic through states and rates at both ends.
-fn cubic((from, y0, f0): &Knot, (to, y1, f1): &Knot, s: f64) -> Vec<f64> {
+pub(super) fn cubic((from, y0, f0): &Knot, (to, y1, f1): &Knot, s: f64) -> Vec<f64> {
     let h = to - from;
     let (a, b) = ((1.0 + 2.0 * s) * (1.0 - s) * (1.0 - s), s * (1.0 - s) * (1.0 - s) * h);
     let (c, d) = (s * s * (3.0 - 2.0 * s), s * s * (s - 1.0) * h);

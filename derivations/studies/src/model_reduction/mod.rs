@@ -34,9 +34,11 @@ pub mod receipt;
 pub mod reduced_model;
 pub mod run_rows;
 pub mod sampled_run;
+pub mod simplification;
 mod smaller_machines;
 mod steady_currents;
 pub mod switching;
+mod text_models;
 
 pub use choose::{Models, choose};
 pub use estimate::Estimate;
@@ -45,6 +47,8 @@ pub use lumping::{Lumped, Lumping};
 pub use plan::Plan;
 pub use receipt::{Choice, Line, Receipt, Sufficiency, Wish};
 pub use reduced_model::Lower;
+pub use simplification::{Simplification, SimplifiedScene};
+pub use text_models::TextModels;
 
 use simulation::work_precision::{Configuration, Formulation, Standing, Treated};
 use simulation::{Law, Problem, Program, SymbolicLaw};
@@ -86,7 +90,7 @@ pub type Whole = dyn Fn(f64, &[f64]) -> Vec<f64> + Send + Sync;
 /// The models of a scene, from the largest.
 pub struct Hierarchy {
     /// The name of the scene's own model.
-    pub model: &'static str,
+    pub model: String,
     /// The scene's own.
     pub own: Problem,
     /// The law that the reduced models are derived from: the scene's own, or the exact one next to it.

@@ -29,7 +29,7 @@ impl Hierarchy {
         let known = inventory::iter::<Reductions>().filter(|one| scene.known_as() == Some(one.name));
         let rungs = known.flat_map(|one| (one.rungs)(scene)).collect();
         Hierarchy {
-            model: scene.model(),
+            model: scene.model().to_owned(),
             written: scene.symbolic_law(),
             law: Arc::clone(&own.law),
             start: own.state.clone(),
@@ -62,12 +62,12 @@ impl Hierarchy {
 
 /// A problem with its events, as a choice runs it.
 pub(super) fn across_events(axes: Axes, own: &Problem) -> Runnable<'_> {
-    Runnable::new(axes, own.span, |method, tolerance, most, times| {
+    Runnable::new(axes, own.span, |method, tolerance, most, times, serves| {
         let span = Span::new(0.0, own.span, &own.state).with_outputs(times).with_evaluations(most);
-        let mut along = Along::of(|time, state: &[f64]| (own.row)(time, state));
+        let mut along = Along::within(|time, state: &[f64]| (own.row)(time, state), &|_, _| false, serves);
         let (outcome, left) = own.integrate(method, &Tolerance::both(tolerance), &span, &mut along);
         let evaluations = outcome.work.rates + outcome.work.jacobians * own.state.len() as u64;
-        let is_whole = outcome.reached() && left.is_none() && outcome.time == own.span;
+        let is_whole = outcome.reached() && left.is_none() && outcome.time == own.span && !along.left();
         let run: Option<Run> = is_whole.then(|| along.run(evaluations));
         (run, evaluations)
     })

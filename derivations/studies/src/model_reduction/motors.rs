@@ -23,7 +23,7 @@ impl Hierarchy {
             (Some(_), Some(lumped)) => Arc::clone(&lumped.law),
             _ => Arc::clone(&own.law),
         };
-        let model = scene.machine.name();
+        let model = scene.machine.name().to_owned();
         let mut ladder = Hierarchy { model, own, written, law, start, whole, rungs, lumping };
         let known =
             catalogue::entries().into_iter().map(|entry| entry.name).take_while(|name| *name != scene.machine.name());

@@ -1,26 +1,42 @@
 //! The cheapest method and form for a law at an error, by two pilot runs of those that may be.
 //!
-//! The first pilots of all methods go in rounds, each allowed more: who reaches the end in a round needs no more than the
-//! others, which are left out, an implicit method already where an explicit one does. Of these only the cheapest have a second pilot, and are tried in the other form. The error of the coarser pilot is its distance from the finer; errors are taken to go with the tolerance, evaluations with
-//! a power of it (those of Taylor's method grow less, and are then overrated). So the tolerance for an error and the cost
-//! there are told before the run. Both are estimates.
+//! The first pilot is a run by an explicit method; by an implicit one first where the law is stiff at the start, or where the
+//! explicit one does not reach its end. The explicit method is Taylor's where the law has series: it takes the fewest evaluations on
+//! smooth problems that are not stiff; else it is a Runge-Kutta method. The second pilot has the tolerance that usually serves. The
+//! error of the coarser pilot is its distance from the finer one; errors are taken to go with a power of the tolerance below one.
+//! So the tolerance for an error is told before the run, and often a pilot has been it. These are estimates.
 
 use super::outputs::Watched;
-use super::run_rows::{Along, Run};
+use super::run_rows::{Along, Run, Serves};
 use super::sampled_run::instants;
-use integrators::{Method, Span, Tolerance, integrate};
+use integrators::{Jacobian, Method, Span, Tolerance, integrate};
+use nalgebra::DMatrix;
 use simulation::{Axes, Law};
 use std::sync::Arc;
 
-/// What is tried: one of each family that the atlas finds on its fronts.
-const METHODS: [Method; 4] =
-    [Method::DormandPrince8, Method::Taylor, Method::GraggBulirschStoer, Method::RadauIIA { stages: 5 }];
-pub(super) const PILOTS: [f64; 2] = [1e-4, 1e-6];
-/// Evaluations of the first pilots, round by round: so many that what is lost in those before does not matter.
-const ROUNDS: [u64; 4] = [800, 3_200, 12_800, 50_000];
-/// A method whose first pilot costs so much more than the cheapest one's is not the cheapest: an evaluation costs more in
-/// some methods than in others, but not that much.
-const DEARER: f64 = 3.0;
+/// The explicit methods that are tried, one where those before it have refused the law.
+const EXPLICIT: [Method; 2] = [Method::Taylor, Method::DormandPrince8];
+const IMPLICIT: Method = Method::RadauIIA { stages: 5 };
+/// The tolerance of the first pilot.
+pub(super) const COARSE: f64 = 1e-4;
+/// The loosest tolerance of the second one.
+const FINE: f64 = 1e-5;
+/// The tolerance that usually serves for an error, as a share of it.
+const USUAL: f64 = 0.1;
+/// Evaluations of a first pilot, of the method that is tried first and, after both have failed, once more: what is lost in the
+/// first round is little beside what a run beyond it takes.
+const ROUNDS: [u64; 2] = [20_000, 500_000];
+/// The last of them.
+pub(super) const LAST: u64 = ROUNDS[1];
+/// Evaluations that an explicit method needs at the least for a transient that fades so many times in the run.
+const STABLE: f64 = 2.0;
+/// Evaluations of an implicit method for a run of any stiffness.
+const STIFF: f64 = 1_000.0;
+/// The error at a tolerance is at most so many times that at a coarser one times this power of their ratio.
+const SAFETY: f64 = 3.0;
+const POWER: f64 = 0.75;
+/// A tolerance between those of the pilots is worth a run of its own where it saves more than this share.
+const SAVED: f64 = 0.2;
 /// The finest tolerance that double precision leaves room for.
 pub(super) const FINEST: f64 = 1e-13;
 /// Evaluations of a second pilot, over those of the first.
@@ -32,11 +48,13 @@ pub struct Runnable<'a> {
     /// The end of its runs, from time zero.
     pub span: f64,
     go: Box<Go<'a>>,
+    /// A run that was made before, by its method and tolerance.
+    known: Option<(Method, f64, Run)>,
 }
 
 /// A run by a method, at a tolerance, within so many evaluations, with rows at its steps and at these times, the last of which
-/// is its end; and the evaluations that it took. Without rows where it does not reach its end.
-pub type Go<'a> = dyn Fn(Method, f64, u64, &[f64]) -> (Option<Run>, u64) + 'a;
+/// is its end, as long as it serves; and the evaluations that it took. Without rows where it does not reach its end.
+pub type Go<'a> = dyn Fn(Method, f64, u64, &[f64], &Serves<'_>) -> (Option<Run>, u64) + 'a;
 
 /// How to run it.
 #[derive(Clone, Debug, PartialEq)]
@@ -50,22 +68,45 @@ pub struct Plan {
     pub foretold: f64,
     /// Evaluations that the pilots took.
     pub spent: u64,
-    /// Its own pilots.
-    pub pilots: [Run; 2],
+    /// Its own pilots, the coarser one first.
+    pub pilots: [Pilot; 2],
+    /// The distance of the pilots: the error of the coarser one.
+    pub apart: f64,
+}
+
+/// A run that tells what others will need.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pilot {
+    pub tolerance: f64,
+    pub run: Run,
 }
 
 impl Plan {
     /// The run at a tolerance, where a pilot was that.
     pub fn known(&self, tolerance: f64) -> Option<&Run> {
-        let same = |(pilot, _): &(f64, &Run)| (tolerance / pilot - 1.0).abs() < 1e-9;
-        PILOTS.into_iter().zip(&self.pilots).find(same).map(|(_, run)| run)
+        let same = |pilot: &&Pilot| (tolerance / pilot.tolerance - 1.0).abs() < 1e-9;
+        self.pilots.iter().find(same).map(|pilot| &pilot.run)
     }
+
+    /// The error at a tolerance that is not finer than that of the finer pilot, by the distance of the pilots.
+    pub fn error_at(&self, tolerance: f64) -> f64 {
+        error_at(self.apart, tolerance / self.pilots[0].tolerance)
+    }
+}
+
+/// The error at a share of a tolerance at which it is known.
+fn error_at(known: f64, share: f64) -> f64 {
+    if share < 1.0 { (SAFETY * known * share.powf(POWER)).min(known) } else { known }
 }
 
 impl<'a> Runnable<'a> {
     /// What runs by itself.
-    pub fn new(axes: Axes, span: f64, go: impl Fn(Method, f64, u64, &[f64]) -> (Option<Run>, u64) + 'a) -> Self {
-        Runnable { axes, span, go: Box::new(go) }
+    pub fn new(
+        axes: Axes,
+        span: f64,
+        go: impl Fn(Method, f64, u64, &[f64], &Serves<'_>) -> (Option<Run>, u64) + 'a,
+    ) -> Self {
+        Runnable { axes, span, go: Box::new(go), known: None }
     }
 
     /// A law from a state over a span, with what is shown of a state and whether it is outside of the law.
@@ -77,69 +118,133 @@ impl<'a> Runnable<'a> {
         row: impl Fn(f64, &[f64]) -> Vec<f64> + 'a,
         outside: impl Fn(f64, &[f64]) -> bool + 'a,
     ) -> Self {
-        Self::new(axes, span, move |method, tolerance, most, times| {
+        Self::new(axes, span, move |method, tolerance, most, times, serves| {
             let span = Span::new(0.0, span, &start).with_outputs(times).with_evaluations(most);
-            let mut along = Along::within(&row, &outside);
+            let mut along = Along::within(&row, &outside, serves);
             let outcome = integrate(&*law, method, &Tolerance::both(tolerance), &span, &mut along);
             let evaluations = outcome.work.rates + outcome.work.jacobians * start.len() as u64;
             ((outcome.reached() && !along.left()).then(|| along.run(evaluations)), evaluations)
         })
     }
 
-    /// A run, with rows at its steps and at these times or, where there are none, at the instants.
-    pub fn run(&self, method: Method, tolerance: f64, most: u64, times: Option<&[f64]>) -> (Option<Run>, u64) {
-        let instants = || instants(self.span).collect::<Vec<_>>();
-        (self.go)(method, tolerance, most, times.map_or_else(instants, <[f64]>::to_vec).as_slice())
+    /// A run that was made before, and costs nothing now.
+    pub fn knows(&mut self, method: Method, tolerance: f64, run: Run) {
+        self.known = Some((method, tolerance, run));
     }
 
-    /// The first pilot of each method that reaches the end in the first round in which some do.
-    fn first(&self, methods: &[Method], spent: &mut u64) -> Vec<(Method, Run)> {
-        let mut ended = Vec::new();
-        for most in ROUNDS {
-            for &method in methods {
-                // where steps are not kept short by stiffness nobody solves for them
-                if method.traits().implicit && !ended.is_empty() {
-                    continue;
-                }
-                let (run, evaluations) = self.run(method, PILOTS[0], most, None);
-                *spent += evaluations;
-                ended.extend(run.map(|run| (method, run)));
-            }
-            if !ended.is_empty() {
-                break;
-            }
+    /// A run, with rows at its steps and at these times or, where there are none, at the instants.
+    pub fn run(&self, method: Method, tolerance: f64, most: u64, times: Option<&[f64]>) -> (Option<Run>, u64) {
+        if let (Some((by, at, run)), None) = (&self.known, times)
+            && (*by, *at) == (method, tolerance)
+        {
+            return (Some(run.clone()), 0);
         }
-        let least = ended.iter().map(|(_, run)| run.evaluations).min().unwrap_or(0) as f64;
-        ended.retain(|(_, run)| run.evaluations as f64 <= DEARER * least);
-        ended
+        let instants = || instants(self.span).collect::<Vec<_>>();
+        let times = times.map_or_else(instants, <[f64]>::to_vec);
+        (self.go)(method, tolerance, most, &times, &|_, _| true)
+    }
+
+    /// A run with rows at these times, as long as it serves.
+    pub fn run_while(
+        &self,
+        (method, tolerance, most): (Method, f64, u64),
+        times: &[f64],
+        serves: &Serves<'_>,
+    ) -> (Option<Run>, u64) {
+        (self.go)(method, tolerance, most, times, serves)
+    }
+
+    /// The first pilot that reaches the end.
+    fn first(&self, is_stiff: bool, spent: &mut u64) -> Option<(Method, Run)> {
+        if let Some((method, tolerance, run)) = &self.known
+            && *tolerance == COARSE
+        {
+            return Some((*method, run.clone()));
+        }
+        first_of(is_stiff, |method, most| {
+            let (run, evaluations) = self.run(method, COARSE, most, None);
+            *spent += evaluations;
+            (run, evaluations)
+        })
     }
 
     /// The plan for an error by one method; none where the second pilot does not reach its end.
-    fn plan(&self, method: Method, coarse: &Run, watched: &Watched, error: f64, spent: &mut u64) -> Option<Plan> {
+    fn plan(&self, method: Method, coarse: Run, watched: &Watched, error: f64, spent: &mut u64) -> Option<Plan> {
         let times = coarse.times();
-        let (fine, evaluations) = self.run(method, PILOTS[1], PATIENCE * coarse.evaluations.max(1), Some(&times));
+        let finer = two_digits((USUAL * error).clamp(FINEST, FINE)).max(FINEST);
+        let (fine, evaluations) = self.run(method, finer, PATIENCE * coarse.evaluations.max(1), Some(&times));
         *spent += evaluations;
         let fine = fine?;
-        let off = coarse.apart(&fine, watched)?.max(1e-16);
-        let tolerance = two_digits((PILOTS[0] * error / off).clamp(FINEST, PILOTS[0])).max(FINEST);
-        let slope = (fine.evaluations as f64 / coarse.evaluations as f64).ln() / (PILOTS[0] / PILOTS[1]).ln();
-        let foretold = coarse.evaluations as f64 * (PILOTS[0] / tolerance).powf(slope.max(0.0));
-        let error = (off * tolerance / PILOTS[0]).max(1e-15);
-        Some(Plan { axes: self.axes, method, tolerance, error, foretold, spent: 0, pilots: [coarse.clone(), fine] })
+        let apart = coarse.apart(&fine, watched)?.max(1e-16);
+        let slope = (fine.evaluations as f64 / coarse.evaluations as f64).ln() / (COARSE / finer).ln();
+        let foretold = |tolerance: f64| coarse.evaluations as f64 * (COARSE / tolerance).powf(slope.max(0.0));
+        let served = COARSE * (error / (SAFETY * apart)).powf(1.0 / POWER);
+        let tolerance = match served {
+            _ if apart <= error => COARSE,
+            served if served >= finer => {
+                let between = two_digits(served).max(FINEST);
+                if foretold(between) < (1.0 - SAVED) * fine.evaluations as f64 { between } else { finer }
+            }
+            served => two_digits(served.max(FINEST)).max(FINEST),
+        };
+        let foretold = foretold(tolerance);
+        let error = error_at(apart, tolerance / COARSE).max(1e-15);
+        let pilots = [Pilot { tolerance: COARSE, run: coarse }, Pilot { tolerance: finer, run: fine }];
+        Some(Plan { axes: self.axes, method, tolerance, error, foretold, spent: 0, pilots, apart })
     }
 }
 
-/// Plans for an error, the cheapest foretold first.
+/// The method of the first of these runs that reaches its end.
+pub(super) fn first_of<T>(is_stiff: bool, mut run: impl FnMut(Method, u64) -> (Option<T>, u64)) -> Option<(Method, T)> {
+    let rounds = ROUNDS.into_iter().flat_map(|most| [(is_stiff, most), (!is_stiff, most)]);
+    for (implicit, most) in rounds {
+        let found = by_kind(implicit, |method| run(method, most));
+        if found.is_some() {
+            return found;
+        }
+    }
+    None
+}
+
+/// A run by an explicit method, or by the implicit one.
+pub(super) fn by_kind<T>(implicit: bool, mut run: impl FnMut(Method) -> (Option<T>, u64)) -> Option<(Method, T)> {
+    let methods: &[Method] = if implicit { &[IMPLICIT] } else { &EXPLICIT };
+    for &method in methods {
+        let (found, evaluations) = run(method);
+        if let Some(found) = found {
+            return Some((method, found));
+        }
+        // a law without series may be as smooth as any
+        if evaluations > 0 {
+            break;
+        }
+    }
+    None
+}
+
+/// Whether an implicit method is worth trying first: transients at the start fade so fast that explicit steps would be short.
+pub(super) fn is_stiff_at(law: &dyn Law, start: &[f64], span: f64) -> bool {
+    let n = start.len();
+    let mut rows = vec![0.0; n * n];
+    Jacobian::of(law).matrix(0.0, start, &mut rows);
+    if n == 0 || !rows.iter().all(|entry| entry.is_finite()) {
+        return false;
+    }
+    let values = DMatrix::from_row_slice(n, n, &rows).complex_eigenvalues();
+    let fastest = values.iter().map(|value| -value.re).fold(0.0, f64::max);
+    STABLE * fastest * span > STIFF
+}
+
+/// Plans for an error, one for each form, the cheapest foretold first.
 pub fn plans(forms: &[Runnable<'_>], watched: &Watched, error: f64) -> Vec<Plan> {
     let mut spent = 0;
-    let mut methods = METHODS.to_vec();
+    let mut is_stiff = watched.stiff;
     let mut found: Vec<Plan> = Vec::new();
     for form in forms {
-        let ended = form.first(&methods, &mut spent);
-        let plans = ended.iter().filter_map(|(method, run)| form.plan(*method, run, watched, error, &mut spent));
-        found.extend(plans.collect::<Vec<_>>());
-        // what is not worth a second pilot in one form is not in the other
-        methods = ended.into_iter().map(|(method, _)| method).collect();
+        let Some((method, coarse)) = form.first(is_stiff, &mut spent) else { continue };
+        // the best kind of method in one form is so in the other
+        is_stiff = method.traits().implicit;
+        found.extend(form.plan(method, coarse, watched, error, &mut spent));
     }
     found.iter_mut().for_each(|plan| plan.spent = spent);
     found.sort_by(|a, b| a.foretold.total_cmp(&b.foretold));

@@ -34,7 +34,7 @@ pub struct Line {
     /// Why there is none, in words, where it was not carried.
     pub model: Result<Estimate, String>,
     /// The name by which a run is asked for it; none of a model that no run takes by name.
-    pub asked_as: Option<&'static str>,
+    pub asked_as: Option<String>,
     /// Why it is not taken, where it cannot be.
     pub verdict: Sufficiency,
     /// The best run of it.
@@ -43,9 +43,9 @@ pub struct Line {
 
 impl Line {
     /// The scene's own model, by its name.
-    pub fn own(name: &'static str, states: usize, outputs: usize) -> Self {
+    pub fn own(name: &str, states: usize, outputs: usize) -> Self {
         let model = Ok(Estimate::nothing(outputs));
-        let (name, asked_as, dropped) = (name.to_owned(), Some(name), String::new());
+        let (name, asked_as, dropped) = (name.to_owned(), Some(name.to_owned()), String::new());
         Line { name, dropped, loss: Loss::Own, states, model, asked_as, verdict: Sufficiency::Suffices, choice: None }
     }
 }
@@ -75,13 +75,17 @@ pub enum Sufficiency {
     NotCarried,
     /// No method reached the end.
     NotRun,
+    /// It costs as much as the scene's own model.
+    NotCheaper,
+    /// Trying it would have cost more than it may.
+    NotTried,
 }
 
 /// A run.
 #[derive(Clone, Debug)]
 pub struct Choice {
     pub plan: Plan,
-    pub evaluations: u64,
+    pub work: Work,
     /// The median, s; taken side by side with all others.
     pub seconds: Option<f64>,
     /// Model and method: an estimate.
@@ -90,6 +94,25 @@ pub struct Choice {
     pub measured: Option<f64>,
     /// Rows at the instants of the references.
     pub rows: Vec<Row>,
+}
+
+/// The work of a run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Work {
+    pub evaluations: u64,
+    /// Bytes of the code of the law, where it is known: what an evaluation costs.
+    pub code: Option<usize>,
+}
+
+impl Work {
+    /// So many times as much as another: by evaluations and code where both codes are known, else by evaluations.
+    pub fn over(self, other: Work) -> f64 {
+        let evaluations = self.evaluations as f64 / other.evaluations as f64;
+        match (self.code, other.code) {
+            (Some(own), Some(code)) if code > 0 => evaluations * (own as f64 / code as f64),
+            _ => evaluations,
+        }
+    }
 }
 
 /// What was chosen and why.
@@ -115,13 +138,13 @@ impl Receipt {
 
     /// The work of the scene's own model by its best method over that of a line.
     pub fn saved(&self, line: usize) -> Option<f64> {
-        let work = |line: &Line| line.choice.as_ref().map(|choice| choice.evaluations as f64);
-        Some(work(self.lines.first()?)? / work(self.lines.get(line)?)?)
+        let work = |line: &Line| line.choice.as_ref().map(|choice| choice.work);
+        Some(work(self.lines.first()?)?.over(work(self.lines.get(line)?)?))
     }
 
     /// What deciding took in runs of the scene's own model.
     pub fn worth(&self) -> Option<f64> {
-        Some(self.deciding as f64 / self.lines.first()?.choice.as_ref()?.evaluations as f64)
+        Some(self.deciding as f64 / self.lines.first()?.choice.as_ref()?.work.evaluations as f64)
     }
 
     /// The run from which on it has paid to decide; none where nothing is saved.
@@ -134,6 +157,11 @@ impl Receipt {
 /// The line with the least work; of equals the one with fewer states, then the one further down.
 pub(super) fn cheapest(lines: &[Line], is: impl Fn(&Line) -> bool) -> Option<usize> {
     let serving = lines.iter().enumerate().rev().filter(|(_, line)| is(line));
-    let serving = serving.filter_map(|(at, line)| Some((at, (line.choice.as_ref()?.evaluations, line.states))));
-    serving.min_by_key(|(_, cost)| *cost).map(|(at, _)| at)
+    let mut serving = serving.filter_map(|(at, line)| Some((at, line.choice.as_ref()?.work, line.states)));
+    let first = serving.next()?;
+    let best = serving.fold(first, |best, one| {
+        let over = one.1.over(best.1);
+        if over < 1.0 || (over == 1.0 && one.2 < best.2) { one } else { best }
+    });
+    Some(best.0)
 }

@@ -127,3 +127,34 @@ impl Ode<Sym> for Straight {
         dy.copy_from_slice(&(self.rates)(t, y));
     }
 }
+
+/// A smaller model in numbers, beside the motion of a richer one.
+pub struct Lifted<'a> {
+    /// Y(t, z)
+    pub lift: &'a dyn Fn(f64, &[f64]) -> Vec<f64>,
+    /// z' = f(t, z)
+    pub law: &'a dyn Law,
+    /// Where the states that are followed stand in the richer one.
+    pub kept: &'a [usize],
+    pub start: &'a [f64],
+}
+
+impl Lifted<'_> {
+    /// y - Y(t, z)
+    pub fn above(&self, time: f64, y: &[f64], z: &[f64]) -> Vec<f64> {
+        y.iter().zip((self.lift)(time, z)).map(|(y, lifted)| y - lifted).collect()
+    }
+
+    /// d at the states of the richer motion that are followed, z = y; the lift is differentiated along the smaller motion over a
+    /// short time to both sides.
+    pub fn defect(&self, richer: &dyn Law, (time, beside): (f64, f64), y: &[f64]) -> Vec<f64> {
+        let z: Vec<f64> = self.kept.iter().map(|&place| y[place]).collect();
+        let (mut f, mut rates) = (vec![0.0; z.len()], vec![0.0; y.len()]);
+        self.law.rates(time, &z, &mut f);
+        richer.rates(time, &(self.lift)(time, &z), &mut rates);
+        let moved = |by: f64| (self.lift)(time + by, &z.iter().zip(&f).map(|(z, f)| z + by * f).collect::<Vec<_>>());
+        let along =
+            moved(beside).into_iter().zip(moved(-beside)).map(|(after, before)| (after - before) / (2.0 * beside));
+        along.zip(rates).map(|(along, rate)| along - rate).collect()
+    }
+}

@@ -6,9 +6,13 @@
 use super::outputs::Watched;
 use super::sampled_run::instants;
 use integrators::Observer;
+use std::cell::Cell;
 
 /// A time with what is shown there.
 pub type Row = (f64, Vec<f64>);
+
+/// Whether a run serves with a row at a time that was asked for; one that does not ends there.
+pub type Serves<'a> = dyn Fn(f64, &[f64]) -> bool + 'a;
 
 /// Steps of which rows are kept: of more, every second one, every fourth, ...
 const KEPT: usize = 256;
@@ -46,6 +50,17 @@ impl Run {
         self.rows().into_iter().map(off).try_fold(0.0, |largest, off| Some(f64::max(largest, off?)))
     }
 
+    /// Whether rows of another run, in the order of their times, are no further from this one than so much.
+    pub fn near(&self, watched: &Watched, most: f64) -> impl Fn(f64, &[f64]) -> bool {
+        let (rows, next) = (self.rows(), Cell::new(0));
+        move |time, row| {
+            while rows.get(next.get()).is_some_and(|(at, _)| *at < time) {
+                next.set(next.get() + 1);
+            }
+            rows.get(next.get()).is_none_or(|(at, own)| *at > time || watched.off(own, row) <= most)
+        }
+    }
+
     fn rows(&self) -> Vec<&Row> {
         let mut all: Vec<&Row> = self.asked.iter().chain(&self.steps).collect();
         all.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -58,6 +73,7 @@ impl Run {
 pub struct Along<'a, F> {
     row: F,
     outside: &'a dyn Fn(f64, &[f64]) -> bool,
+    serves: &'a Serves<'a>,
     left: bool,
     asked: Vec<Row>,
     steps: Vec<Row>,
@@ -68,15 +84,15 @@ pub struct Along<'a, F> {
 impl<'a, F: Fn(f64, &[f64]) -> Vec<f64>> Along<'a, F> {
     /// Of a run whose states are shown so.
     pub fn of(row: F) -> Self {
-        Self::within(row, &|_, _| false)
+        Self::within(row, &|_, _| false, &|_, _| true)
     }
 
-    /// The same with what is outside of its law.
-    pub fn within(row: F, outside: &'a dyn Fn(f64, &[f64]) -> bool) -> Self {
-        Along { row, outside, left: false, asked: Vec::new(), steps: Vec::new(), stride: 1, seen: 0 }
+    /// The same with what is outside of its law, and the rows asked for with which it serves.
+    pub fn within(row: F, outside: &'a dyn Fn(f64, &[f64]) -> bool, serves: &'a Serves<'a>) -> Self {
+        Along { row, outside, serves, left: false, asked: Vec::new(), steps: Vec::new(), stride: 1, seen: 0 }
     }
 
-    /// Whether it has left its law.
+    /// Whether it has left its law, or does not serve.
     pub fn left(&self) -> bool {
         self.left
     }
@@ -89,7 +105,9 @@ impl<'a, F: Fn(f64, &[f64]) -> Vec<f64>> Along<'a, F> {
 
 impl<F: Fn(f64, &[f64]) -> Vec<f64>> Observer<f64> for Along<'_, F> {
     fn sample(&mut self, time: f64, state: &[f64]) {
-        self.asked.push((time, (self.row)(time, state)));
+        let row = (self.row)(time, state);
+        self.left |= !(self.serves)(time, &row);
+        self.asked.push((time, row));
     }
 
     fn enough(&self) -> bool {

@@ -1,0 +1,39 @@
+//! The values at which equations of fast states balance: rates that are linear in these states, set to zero.
+
+use symbolic::linear::solve;
+use symbolic::{Hypotheses, Sym, substitute_all};
+
+/// Operations up to which a balance is looked for: it is written into every rate.
+const MOST: usize = 4_000;
+
+/// Expressions for unknowns w that make some rates vanish, r(w) = 0; none where these are not linear in w, or do not determine it.
+pub(super) fn balanced(rates: &[Sym], unknowns: &[Sym]) -> Option<Vec<Sym>> {
+    if Sym::operations_of(rates) > MOST {
+        return None;
+    }
+    let matrix: Vec<Vec<Sym>> =
+        rates.iter().map(|rate| unknowns.iter().map(|unknown| rate.diff(*unknown)).collect()).collect();
+    let is_linear = |entry: &Sym| !entry.symbols_of().iter().any(|symbol| unknowns.contains(symbol));
+    if !matrix.iter().flatten().all(is_linear) {
+        return None;
+    }
+    let zeros: Vec<(Sym, Sym)> = unknowns.iter().map(|unknown| (*unknown, Sym::ZERO)).collect();
+    let right: Vec<Sym> = substitute_all(rates, &zeros).into_iter().map(|rest| -rest).collect();
+    Some(solve(&matrix, &right, &Hypotheses::none()).ok()?.values())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::balanced;
+    use symbolic::{Hypotheses, Sym, decide, symbols};
+
+    #[test]
+    fn two_coupled_circuits_balance_and_a_saturated_one_is_refused() {
+        let [i, j, u, r] = symbols(["i", "j", "u", "r"]);
+        let values = balanced(&[u - r * i - j, i - r * j], &[i, j]).expect("linear");
+        let zero = |left: Sym, right: Sym| decide(left - right, &Hypotheses::none()).is_zero();
+        assert!(zero(values[1] * (r * r + Sym::ONE), u));
+        assert!(balanced(&[u - r * i * i], &[i]).is_none());
+        assert!(balanced(&[u - i, u - i], &[i, j]).is_none());
+    }
+}

@@ -1,0 +1,227 @@
+//! Elements that a smaller model may leave out, found in the equations and along a coarse run.
+//!
+//! * A state on which neither an output nor a rate that is followed depends is not followed: exact.
+//! * States whose rates vanish while they stay where they start do stay there: exact.
+//! * A state that relaxes, or a coordinate that swings, many times faster than the run lasts is quasi-steady, the fastest first.
+//! * A state that hardly changes along the run is fixed.
+//!
+//! Whether an approximation suffices is decided by its error: these are only worth trying.
+
+use super::Simplification;
+use field::Over;
+use integrators::Jacobian;
+use simulation::{Law, SymbolicLaw, traced};
+use symbolic::{Hypotheses, Sym, decide, substitute_all};
+
+/// A transient is fast where it fits so many times into the run.
+const FAST: f64 = 20.0;
+/// Fast parts that are left out together.
+const MOST_FAST: usize = 6;
+/// A state hardly changes where its range is below this share of its size.
+const HARDLY: f64 = 1e-2;
+/// States along the run at which rates of transients are looked at.
+const LOOKS: usize = 5;
+/// States up to which equations are searched.
+const MOST: usize = 60;
+/// Operations of one rate up to which it is decided whether it vanishes.
+const DECIDED: usize = 2_000;
+
+/// A system with a coarse run.
+pub struct Facts<'a> {
+    pub written: &'a dyn SymbolicLaw,
+    pub law: &'a dyn Law,
+    /// Of the states, in their order.
+    pub names: &'a [String],
+    /// Times and states.
+    pub along: &'a [(f64, Vec<f64>)],
+    /// Whether an output depends on a state.
+    pub shown: &'a [bool],
+}
+
+/// What the equations say of each state.
+struct Structure {
+    /// Whether the rate i depends on the state j.
+    depends: Vec<Vec<bool>>,
+    /// The speed of a coordinate: the state that is its rate.
+    speeds: Vec<Option<usize>>,
+}
+
+/// A part of the motion with a time scale of its own.
+#[derive(Clone, Copy, Debug)]
+struct Transient {
+    /// The state that is quasi-steady.
+    state: usize,
+    /// 1/s
+    rate: f64,
+}
+
+/// A simplification that may suffice, with what is small where it does.
+#[derive(Clone, Debug)]
+pub struct Candidate {
+    pub simplification: Simplification,
+    pub parameter: &'static str,
+    pub value: Option<f64>,
+}
+
+const OF_TRANSIENTS: &str = "time of the slowest transient over that of the run";
+const OF_RANGES: &str = "range of what is fixed over its size";
+
+/// The exact simplification, which may be none, and approximations beyond it.
+pub fn candidates(facts: &Facts<'_>) -> (Simplification, Vec<Candidate>) {
+    if facts.names.len() > MOST {
+        return (Simplification::default(), Vec::new());
+    }
+    let structure = structure(facts.written);
+    let unfollowed = structure.unfollowed(facts.shown);
+    let fixed = resting(facts, &unfollowed);
+    let named = |places: &[usize]| places.iter().map(|&place| facts.names[place].clone()).collect::<Vec<_>>();
+    let exact = Simplification { unfollowed: named(&unfollowed), fixed: named(&fixed), ..Simplification::default() };
+    let gone: Vec<usize> = unfollowed.iter().chain(&fixed).copied().collect();
+    let mut fast = structure.transients(facts);
+    fast.retain(|one| !gone.contains(&one.state));
+    fast.sort_by(|a, b| b.rate.total_cmp(&a.rate));
+    fast.truncate(MOST_FAST);
+    let quasi_steady = |fast: &[Transient]| {
+        let all: Vec<usize> = fast.iter().map(|one| one.state).collect();
+        // that of a coordinate is the speed's too
+        let is_speed = |state: &usize| all.iter().any(|&other| structure.speeds[other] == Some(*state));
+        let mut places: Vec<usize> = all.iter().copied().filter(|state| !is_speed(state)).collect();
+        places.sort_unstable();
+        Simplification { quasi_steady: named(&places), ..Simplification::default() }
+    };
+    let span = facts.span();
+    // the most first: it saves the most
+    let slaved = (1..=fast.len()).rev().map(|count| Candidate {
+        simplification: exact.and(&quasi_steady(&fast[..count])),
+        parameter: OF_TRANSIENTS,
+        value: Some(1.0 / (fast[count - 1].rate * span)),
+    });
+    let mut found: Vec<Candidate> = slaved.collect();
+    let still: Vec<(usize, f64)> = facts.still().into_iter().filter(|(place, _)| !gone.contains(place)).collect();
+    let fixed = |still: &[(usize, f64)]| {
+        let places: Vec<usize> = still.iter().map(|(place, _)| *place).collect();
+        let fixed = Simplification { fixed: named(&places), ..Simplification::default() };
+        let value = still.iter().map(|(_, range)| *range).fold(0.0, f64::max);
+        Candidate { simplification: exact.and(&fixed), parameter: OF_RANGES, value: Some(value) }
+    };
+    if still.len() > 1 {
+        found.push(fixed(&still));
+    }
+    found.extend(still.iter().map(|one| fixed(&[*one])));
+    (exact, found)
+}
+
+fn structure(written: &dyn SymbolicLaw) -> Structure {
+    traced(written, |traced| {
+        let place = |symbol: &Sym| traced.state.iter().position(|state| state == symbol);
+        let depends = traced.rates.iter().map(|rate| {
+            let used = rate.symbols_of();
+            traced.state.iter().map(|state| used.contains(state)).collect()
+        });
+        Structure { depends: depends.collect(), speeds: traced.rates.iter().map(place).collect() }
+    })
+}
+
+impl Structure {
+    /// States on which nothing depends that is shown, or followed for what is shown.
+    fn unfollowed(&self, shown: &[bool]) -> Vec<usize> {
+        let mut needed = shown.to_vec();
+        loop {
+            let more: Vec<usize> = (0..needed.len())
+                .filter(|&j| !needed[j] && (0..needed.len()).any(|i| needed[i] && self.depends[i][j]))
+                .collect();
+            if more.is_empty() {
+                return (0..needed.len()).filter(|&place| !needed[place]).collect();
+            }
+            more.into_iter().for_each(|place| needed[place] = true);
+        }
+    }
+
+    /// Parts that are fast all along the run.
+    fn transients(&self, facts: &Facts<'_>) -> Vec<Transient> {
+        let n = facts.names.len();
+        let span = facts.span();
+        let mut jacobian = Jacobian::of(facts.law);
+        let looks = facts.along.len().div_ceil(LOOKS).max(1);
+        let matrices: Vec<Vec<f64>> = facts
+            .along
+            .iter()
+            .step_by(looks)
+            .map(|(time, state)| {
+                let mut matrix = vec![0.0; n * n];
+                jacobian.matrix(*time, state, &mut matrix);
+                matrix
+            })
+            .collect();
+        // what it falls back by, at the least along the run
+        let falls = |i: usize, j: usize| matrices.iter().map(|matrix| -matrix[i * n + j]).fold(f64::INFINITY, f64::min);
+        let mut found = Vec::new();
+        for state in 0..n {
+            let Some(speed) = self.speeds[state] else {
+                // a speed that swings back is no transient of its own
+                let swings = |coordinate: usize| {
+                    falls(state, coordinate) > 0.0 && falls(state, state).powi(2) < 4.0 * falls(state, coordinate)
+                };
+                if !(0..n).any(|other| self.speeds[other] == Some(state) && swings(other)) {
+                    found.push(Transient { state, rate: falls(state, state) });
+                }
+                continue;
+            };
+            let (stiffness, damping) = (falls(speed, state), falls(speed, speed).max(0.0));
+            // x'' + c x' + k x: it swings, or creeps back after its speed has
+            let creeps = damping * damping >= 4.0 * stiffness;
+            let rate = if creeps { stiffness / damping } else { stiffness.max(0.0).sqrt() };
+            found.push(Transient { state, rate });
+        }
+        found.retain(|one| one.rate * span > FAST && one.rate.is_finite());
+        found
+    }
+}
+
+impl Facts<'_> {
+    /// s
+    fn span(&self) -> f64 {
+        self.along.last().map_or(0.0, |(time, _)| *time)
+    }
+
+    /// States that hardly change along the run, each with its range over its size.
+    fn still(&self) -> Vec<(usize, f64)> {
+        let range = |place: usize| {
+            let values = || self.along.iter().map(|(_, state)| state[place]);
+            let [least, most] = [values().fold(f64::INFINITY, f64::min), values().fold(f64::NEG_INFINITY, f64::max)];
+            (most - least, least.abs().max(most.abs()))
+        };
+        let relative = |place: usize| {
+            let (range, size) = range(place);
+            (range < HARDLY * size).then_some((place, range / size))
+        };
+        (0..self.names.len()).filter_map(relative).collect()
+    }
+}
+
+/// States that stay where they start, because their rates vanish there whatever the others do.
+fn resting(facts: &Facts<'_>, unfollowed: &[usize]) -> Vec<usize> {
+    let Some((_, start)) = facts.along.first() else { return Vec::new() };
+    let stays = |place: &usize| facts.along.iter().all(|(_, state)| state[*place] == start[*place]);
+    let mut found: Vec<usize> =
+        (0..start.len()).filter(|place| !unfollowed.contains(place)).filter(|place| stays(place)).collect();
+    if found.is_empty() || found.len() + unfollowed.len() == start.len() {
+        return Vec::new();
+    }
+    traced(facts.written, |traced| {
+        loop {
+            let values: Vec<(Sym, Sym)> =
+                found.iter().map(|&place| (traced.state[place], Sym::lift(start[place]))).collect();
+            let rates: Vec<Sym> = found.iter().map(|&place| traced.rates[place]).collect();
+            let rates = substitute_all(&rates, &values);
+            let vanishes =
+                |rate: &Sym| Sym::operations_of(&[*rate]) <= DECIDED && decide(*rate, &Hypotheses::none()).is_zero();
+            let kept: Vec<usize> =
+                found.iter().zip(&rates).filter(|(_, rate)| vanishes(rate)).map(|(&place, _)| place).collect();
+            if kept.len() == found.len() {
+                return kept;
+            }
+            found = kept;
+        }
+    })
+}

@@ -1,0 +1,134 @@
+//! The error that a smaller model makes, to first order, along a run of the richer one.
+//!
+//! With e = y - Y(z) the distance of the richer motion from the lifted smaller one, and the defect of the smaller law at the states
+//! of the richer run, d = dY/dt + Y_z f - F(Y),
+//!
+//!   e' = F_y e - d .
+//!
+//! Over a step h, with the Jacobian J in its middle, e goes on by exp(h J) e - h phi_1(h J) d. These matrices are the same for every
+//! smaller model, for which a step costs one evaluation of its law and one of the richer law.
+
+use crate::model_reduction::loss_weights::{Knot, cubic};
+use crate::model_reduction::reduced_model::Lifted;
+use integrators::{Jacobian, Ode};
+use nalgebra::{DMatrix, DVector};
+use simulation::Law;
+
+/// The time over which a lift is differentiated, as a share of the step.
+const BESIDE: f64 = 1e-4;
+/// Steps here for one of the run: a method of high order has long ones.
+const FINER: usize = 1;
+
+/// A share of the way over which a cubic is differentiated.
+const SLOPE: f64 = 1e-3;
+/// A state is followed where its rate is met to this part of its largest one.
+const MISSED: f64 = 0.1;
+
+/// A run of the richer law with the matrices of its steps.
+pub struct Weights {
+    /// The start, and the state there.
+    start: (f64, Vec<f64>),
+    steps: Vec<Step>,
+}
+
+struct Step {
+    /// Its length, the time in its middle, and the state there.
+    middle: (f64, f64, Vec<f64>),
+    /// Time and state at its end.
+    end: (f64, Vec<f64>),
+    /// exp(h J)
+    whole: DMatrix<f64>,
+    /// h phi_1(h J)
+    integral: DMatrix<f64>,
+}
+
+impl Weights {
+    /// Along times and states of a run, the start first; none where a Jacobian has no value, or where the run is known too
+    /// sparsely to be followed between.
+    pub fn along(law: &dyn Law, run: &[(f64, Vec<f64>)]) -> Option<Self> {
+        let start = run.first()?.clone();
+        let n = start.1.len();
+        let mut jacobian = Jacobian::of(law);
+        let mut rows = vec![0.0; n * n];
+        let knot = |(time, state): &(f64, Vec<f64>)| {
+            let mut rates = vec![0.0; n];
+            law.rates(*time, state, &mut rates);
+            (*time, state.clone(), rates)
+        };
+        let knots: Vec<_> = run.iter().map(knot).collect();
+        let size = |i: usize| knots.iter().map(|(_, _, rates)| rates[i].abs()).fold(0.0, f64::max);
+        let sizes: Vec<f64> = (0..n).map(size).collect();
+        let mut steps = Vec::new();
+        for ends in knots.windows(2).filter(|ends| ends[1].0 > ends[0].0) {
+            let [begin, end] = [&ends[0], &ends[1]];
+            let h = (end.0 - begin.0) / FINER as f64;
+            for part in 0..FINER {
+                let at = |share: f64| {
+                    let share = (part as f64 + share) / FINER as f64;
+                    (begin.0 + share * (end.0 - begin.0), cubic(begin, end, share))
+                };
+                let (time, state) = at(0.5);
+                if !follows(law, [begin, end], (part as f64 + 0.5) / FINER as f64, (time, &state), &sizes) {
+                    return None;
+                }
+                jacobian.matrix(time, &state, &mut rows);
+                // exp of (h J, h; 0, 0) is (exp(h J), h phi_1(h J); 0, 1)
+                let mut both = DMatrix::zeros(2 * n, 2 * n);
+                both.view_mut((0, 0), (n, n)).copy_from(&(DMatrix::from_row_slice(n, n, &rows) * h));
+                both.view_mut((0, n), (n, n)).copy_from(&(DMatrix::identity(n, n) * h));
+                if !both.iter().all(|entry| entry.is_finite()) {
+                    return None;
+                }
+                let both = both.exp();
+                steps.push(Step {
+                    middle: (h, time, state),
+                    end: at(1.0),
+                    whole: both.view((0, 0), (n, n)).into_owned(),
+                    integral: both.view((0, n), (n, n)).into_owned(),
+                });
+            }
+        }
+        Some(Weights { start, steps })
+    }
+
+    /// The evaluations that weights take along so many states, and the errors of so many smaller models.
+    pub fn cost(law: &dyn Law, states: usize, models: usize) -> u64 {
+        let share = match (Jacobian::of(law).code_size(), law.code_size()) {
+            (Some(own), Some(code)) if code > 0 => own as f64 / code as f64,
+            _ => Ode::<f64>::dimension(law) as f64,
+        };
+        // a step: its Jacobian, a look at the state in its middle, the rates at its end; two evaluations for each model
+        ((share + 2.0 + 2.0 * models as f64) * (FINER * states) as f64) as u64
+    }
+
+    /// Evaluations for one smaller model.
+    pub fn each(&self) -> u64 {
+        2 * self.steps.len() as u64
+    }
+
+    /// Times and states of the richer run with e there; none where the defect has no value.
+    pub fn errors(&self, lower: &Lifted<'_>, law: &dyn Law) -> Option<Vec<(f64, &[f64], Vec<f64>)>> {
+        let (time, state) = &self.start;
+        let mut error = DVector::from_vec(lower.above(*time, state, lower.start));
+        let mut found = vec![(*time, &state[..], error.as_slice().to_vec())];
+        for Step { middle: (h, time, state), end, whole, integral } in &self.steps {
+            let defect = DVector::from_vec(lower.defect(law, (*time, BESIDE * h), state));
+            error = whole * error - integral * defect;
+            if !error.iter().all(|value| value.is_finite()) {
+                return None;
+            }
+            found.push((end.0, &end.1, error.as_slice().to_vec()));
+        }
+        Some(found)
+    }
+}
+
+/// Whether the cubic through both ends moves, at a share of the way, as the law says there: else states between are unknown.
+fn follows(law: &dyn Law, [begin, end]: [&Knot; 2], share: f64, (time, state): (f64, &[f64]), sizes: &[f64]) -> bool {
+    let mut rates = vec![0.0; state.len()];
+    law.rates(time, state, &mut rates);
+    let span = end.0 - begin.0;
+    let [after, before] = [share + SLOPE, share - SLOPE].map(|share| cubic(begin, end, share));
+    let slope = |i: usize| (after[i] - before[i]) / (2.0 * SLOPE * span);
+    (0..state.len()).all(|i| (slope(i) - rates[i]).abs() <= MISSED * sizes[i])
+}

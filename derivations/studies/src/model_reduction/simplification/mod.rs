@@ -1,0 +1,134 @@
+//! Smaller models of a system that is written in its file, each named by the elements that it leaves out.
+//!
+//! | in the name | left out | exact where |
+//! |---|---|---|
+//! | `without k` | the element whose parameter is k: k = 0 | the element does nothing along the run |
+//! | `quasi-steady x` | the rate of x: it has the value at which its equation balances | x relaxes at once |
+//! | `fixed x` | the motion of x: it keeps its value at the start | its rate vanishes on the way |
+//! | `unfollowed x` | the equation of x | no output and no other rate depends on x |
+//!
+//! Parts are joined by semicolons, names within one by commas: `quasi-steady i1,i2; unfollowed phi`. A name is all that a run
+//! needs: [`SimplifiedScene`].
+
+mod balance;
+pub(super) mod candidates;
+pub(super) mod linear_error;
+mod reduced_law;
+mod scene;
+
+pub use scene::SimplifiedScene;
+
+use std::fmt;
+
+/// The elements that a smaller model leaves out, by the names of parameters and of states.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Simplification {
+    /// Parameters that are zero.
+    pub without: Vec<String>,
+    /// States whose rates are taken for zero; the speed of a coordinate among them is zero too.
+    pub quasi_steady: Vec<String>,
+    /// States that stay where they start.
+    pub fixed: Vec<String>,
+    /// States that nothing asks for.
+    pub unfollowed: Vec<String>,
+}
+
+/// The words of a name.
+const KINDS: [&str; 4] = ["without", "quasi-steady", "fixed", "unfollowed"];
+
+impl Simplification {
+    /// The one of a name.
+    ///
+    /// # Errors
+    /// The part that is none, and what is accepted.
+    pub fn parse(name: &str) -> Result<Self, String> {
+        let mut found = Simplification::default();
+        for part in name.split(';').map(str::trim) {
+            let (kind, names) = part.split_once(' ').unwrap_or((part, ""));
+            let names: Vec<String> =
+                names.split(',').map(str::trim).filter(|name| !name.is_empty()).map(str::to_owned).collect();
+            let lists = found.lists_mut();
+            let list = match KINDS.iter().position(|known| *known == kind) {
+                Some(place) if !names.is_empty() => &mut *lists[place].1,
+                _ => {
+                    return Err(format!(
+                        "`{part}` names no smaller model; \"without P\" with parameters, \"quasi-steady X\", \"fixed X\" and \
+                         \"unfollowed X\" with states are accepted, several names parted by commas and several parts by semicolons"
+                    ));
+                }
+            };
+            list.extend(names);
+        }
+        Ok(found)
+    }
+
+    /// Whether it is a model of fewer states.
+    pub fn has_fewer_states(&self) -> bool {
+        [&self.quasi_steady, &self.fixed, &self.unfollowed].iter().any(|names| !names.is_empty())
+    }
+
+    /// Both together.
+    #[must_use]
+    pub fn and(&self, other: &Self) -> Self {
+        let mut both = self.clone();
+        for ((_, list), (_, more)) in both.lists_mut().into_iter().zip(other.lists()) {
+            list.extend(more.iter().filter(|name| !list.contains(name)).cloned().collect::<Vec<_>>());
+        }
+        both
+    }
+
+    fn lists(&self) -> [(&'static str, &Vec<String>); 4] {
+        let [without, quasi_steady, fixed, unfollowed] = KINDS;
+        [
+            (without, &self.without),
+            (quasi_steady, &self.quasi_steady),
+            (fixed, &self.fixed),
+            (unfollowed, &self.unfollowed),
+        ]
+    }
+
+    fn lists_mut(&mut self) -> [(&'static str, &mut Vec<String>); 4] {
+        let [without, quasi_steady, fixed, unfollowed] = KINDS;
+        [
+            (without, &mut self.without),
+            (quasi_steady, &mut self.quasi_steady),
+            (fixed, &mut self.fixed),
+            (unfollowed, &mut self.unfollowed),
+        ]
+    }
+
+    /// In words, against the scene's own model.
+    pub fn dropped(&self) -> String {
+        let words = [
+            "the elements of these parameters: ",
+            "transients, each has the value at which its equation balances: ",
+            "motions, each keeps its value at the start: ",
+            "equations that nothing asked for depends on: ",
+        ];
+        let said = words.iter().zip(self.lists()).filter(|(_, (_, names))| !names.is_empty());
+        said.map(|(words, (_, names))| format!("{words}{}", names.join(", "))).collect::<Vec<_>>().join("; ")
+    }
+}
+
+impl fmt::Display for Simplification {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let parts = self.lists().into_iter().filter(|(_, names)| !names.is_empty());
+        let parts: Vec<String> = parts.map(|(kind, names)| format!("{kind} {}", names.join(","))).collect();
+        write!(f, "{}", parts.join("; "))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Simplification;
+
+    #[test]
+    fn a_name_is_read_back_and_what_is_none_is_refused_with_what_is_accepted() {
+        for name in ["without mu", "quasi-steady i1,i2; unfollowed phi", "without a,b; fixed x,x'"] {
+            assert_eq!(Simplification::parse(name).expect("a name").to_string(), name);
+        }
+        for name in ["", "without", "slow x", "quasi-steady ,"] {
+            assert!(Simplification::parse(name).expect_err("none").contains("are accepted"), "{name}");
+        }
+    }
+}

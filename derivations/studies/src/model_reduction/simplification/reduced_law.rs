@@ -1,0 +1,124 @@
+//! The law of the states that a smaller model follows.
+
+use super::Simplification;
+use super::balance::balanced;
+use crate::model_reduction::reduced_model::Lower;
+use field::Over;
+use simulation::SymbolicLaw;
+use std::sync::Arc;
+use symbolic::{Sym, apart, substitute_all};
+
+/// The part that a state has in a smaller model.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Role {
+    Followed,
+    Fixed(f64),
+    /// The speed of a coordinate that is quasi-steady.
+    Resting,
+    /// A state that makes the rate of this one vanish.
+    Balancing(usize),
+}
+
+/// The roles of all states.
+#[derive(Clone, Debug)]
+struct Roles(Vec<Role>);
+
+/// The law of what is followed, with the lift to all states, from names of states in their order and a start.
+///
+/// # Errors
+/// A name that is no state's, or why there is no such law.
+pub(super) fn lower(
+    written: &Arc<dyn SymbolicLaw>,
+    names: &[String],
+    start: &[f64],
+    simplification: &Simplification,
+) -> Result<Lower, String> {
+    let place = |name: &String| {
+        let place = names.iter().position(|known| known == name);
+        place.ok_or_else(|| format!("no state is called `{name}`; known: {}", names.join(", ")))
+    };
+    let mut roles = Roles(vec![Role::Followed; start.len()]);
+    for name in simplification.fixed.iter().chain(&simplification.unfollowed) {
+        let at = place(name)?;
+        roles.0[at] = Role::Fixed(start[at]);
+    }
+    for name in &simplification.quasi_steady {
+        let at = place(name)?;
+        let speed = speed_of(&**written, at);
+        match speed {
+            // of a coordinate: it balances the rate of its speed, which is at rest
+            Some(speed) => {
+                roles.0[at] = Role::Balancing(speed);
+                roles.0[speed] = Role::Resting;
+            }
+            None => roles.0[at] = Role::Balancing(at),
+        }
+    }
+    let has_balance = apart(|| {
+        let time = Sym::symbol("t");
+        let z: Vec<Sym> = (0..roles.followed().count()).map(|i| Sym::symbol(&format!("z{i}"))).collect();
+        roles.lifted(&**written, time, &z).is_some()
+    });
+    if !has_balance {
+        let names = simplification.quasi_steady.join(", ");
+        return Err(format!("the equations of {names} are not linear in them, or do not determine them"));
+    }
+    if roles.followed().next().is_none() {
+        return Err("no state is left to be followed".to_owned());
+    }
+    let (lifting, following) = (roles.clone(), roles.clone());
+    let (of_lift, of_rates) = (Arc::clone(written), Arc::clone(written));
+    let undefined = |states: usize| vec![Sym::UNDEFINED; states];
+    let lift =
+        move |time: Sym, z: &[Sym]| lifting.lifted(&*of_lift, time, z).unwrap_or_else(|| undefined(lifting.0.len()));
+    let rates = move |time: Sym, z: &[Sym]| {
+        let y = following.lifted(&*of_rates, time, z).unwrap_or_else(|| undefined(following.0.len()));
+        let mut all = vec![Sym::ZERO; y.len()];
+        of_rates.rates(time, &y, &mut all);
+        following.followed().map(|place| all[place]).collect()
+    };
+    let kept: Vec<usize> = roles.followed().collect();
+    Ok(Lower { dimension: kept.len(), lift: Arc::new(lift), rates: Arc::new(rates), kept: Some(kept) })
+}
+
+/// The state that is the rate of another one, where its rate is that alone.
+fn speed_of(written: &dyn SymbolicLaw, coordinate: usize) -> Option<usize> {
+    simulation::traced(written, |traced| {
+        let rate = traced.rates[coordinate];
+        traced.state.iter().position(|state| *state == rate)
+    })
+}
+
+impl Roles {
+    fn followed(&self) -> impl Iterator<Item = usize> {
+        self.0.iter().enumerate().filter(|(_, role)| **role == Role::Followed).map(|(place, _)| place)
+    }
+
+    /// All states by those that are followed; none where the equations do not balance.
+    fn lifted(&self, written: &dyn SymbolicLaw, time: Sym, z: &[Sym]) -> Option<Vec<Sym>> {
+        let mut followed = z.iter();
+        let mut y: Vec<Sym> = Vec::with_capacity(self.0.len());
+        let (mut unknowns, mut rows) = (Vec::new(), Vec::new());
+        for role in &self.0 {
+            y.push(match role {
+                Role::Followed => *followed.next()?,
+                Role::Fixed(value) => Sym::lift(*value),
+                Role::Resting => Sym::ZERO,
+                Role::Balancing(row) => {
+                    let unknown = Sym::symbol(&format!("balance{}", unknowns.len()));
+                    unknowns.push(unknown);
+                    rows.push(*row);
+                    unknown
+                }
+            });
+        }
+        if unknowns.is_empty() {
+            return Some(y);
+        }
+        let mut rates = vec![Sym::ZERO; y.len()];
+        written.rates(time, &y, &mut rates);
+        let rates: Vec<Sym> = rows.into_iter().map(|row| rates[row]).collect();
+        let values: Vec<(Sym, Sym)> = unknowns.iter().copied().zip(balanced(&rates, &unknowns)?).collect();
+        Some(substitute_all(&y, &values))
+    }
+}

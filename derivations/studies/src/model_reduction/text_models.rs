@@ -1,0 +1,324 @@
+//! The models of a system that is written in its file: its own, those that are known of it, and simplifications that are found.
+
+use super::choose::{Mixed, Models};
+use super::estimate::Estimate;
+use super::models::across_events;
+use super::outputs::{Watched, largest};
+use super::plan::{COARSE, LAST, Plan, Runnable, first_of, is_stiff_at};
+use super::receipt::{Line, OF_MODEL, Sufficiency, Wish};
+use super::reduced_model::Lifted;
+use super::run_rows::Run;
+use super::sampled_run::instants;
+use super::simplification::candidates::{Candidate, Facts, candidates};
+use super::simplification::linear_error::Weights;
+use super::simplification::{Simplification, SimplifiedScene};
+use super::{Forms, Hierarchy, Loss};
+use integrators::{Method, Observer, Span, Tolerance};
+use simulation::models::Modelled;
+use simulation::{Axes, Problem, Stored};
+use std::cell::{OnceCell, RefCell};
+use std::sync::Arc;
+
+/// Bytes of code of a law up to which each of its parameters is tried at zero.
+const MOST_CODE: usize = 20_000;
+/// Instants of a pilot by Taylor's method: a multiple of those of references.
+const DENSE: usize = 128;
+/// The share of the code of the scene's own law up to which a law is called shorter.
+const SHORTER: f64 = 0.8;
+/// Estimates that cost more than this share of a coarse run are not made.
+const WORTH: f64 = 1.0;
+/// An estimate of first order so many times above what is allowed is beyond doubt.
+const DOUBT: f64 = 10.0;
+const OF_ELEMENT: &str = "the part of this element beside the others";
+const BY_ITS_RUN: &str = "told by its run alone";
+const NO_ESTIMATE: &str = "its equations have no values along the motion";
+
+/// The scene with its models.
+pub struct TextModels {
+    scene: Arc<dyn Modelled>,
+    /// Its own model, and smaller ones that are known by name.
+    known: Forms,
+    /// Simplifications that were found, with the problem of each.
+    found: OnceCell<Vec<Simplified>>,
+    pilot: RefCell<Option<Pilot>>,
+}
+
+/// A simplification with its problem.
+struct Simplified {
+    candidate: Candidate,
+    is_exact: bool,
+    scene: SimplifiedScene,
+    problem: Problem,
+}
+
+/// The first run of the scene's own model.
+struct Pilot {
+    method: Method,
+    run: Run,
+    /// Times and states, the start first.
+    along: Vec<(f64, Vec<f64>)>,
+}
+
+impl TextModels {
+    /// Of a scene with its reference, where one is kept.
+    pub fn of(scene: &Arc<dyn Modelled>, kept: Option<Stored>) -> Self {
+        let known = Forms { ladders: vec![Hierarchy::of_model(&**scene)], kept };
+        TextModels { scene: Arc::clone(scene), known, found: OnceCell::new(), pilot: RefCell::new(None) }
+    }
+
+    fn own(&self) -> &Problem {
+        &self.known.ladders[0].own
+    }
+
+    /// A coarse run that reaches the end, and the evaluations of all that were tried.
+    ///
+    /// # Errors
+    /// Why there is none.
+    fn pilot(&self) -> Result<(Pilot, u64), String> {
+        let own = self.own();
+        let stiff = is_stiff_at(&*own.law, &own.state, own.span);
+        let (mut spent, mut why) = (own.state.len() as u64, None);
+        let found = first_of(stiff, |method, most| {
+            if why.is_some() {
+                return (None, 0);
+            }
+            // a Taylor polynomial has values anywhere for nothing
+            let times: Vec<f64> = match method {
+                Method::Taylor => (1..=DENSE).map(|k| own.span * (k as f64 / DENSE as f64)).collect(),
+                _ => instants(own.span).collect(),
+            };
+            let span = Span::new(0.0, own.span, &own.state).with_outputs(&times).with_evaluations(most);
+            let mut seen = Seen { samples: Vec::new(), steps: Vec::new() };
+            let (outcome, left) = own.integrate(method, &Tolerance::both(COARSE), &span, &mut seen);
+            let evaluations = outcome.work.rates + outcome.work.jacobians * own.state.len() as u64;
+            spent += evaluations;
+            if outcome.reached() && left.is_none() && outcome.time == own.span {
+                return (Some((seen, evaluations)), evaluations);
+            }
+            if outcome.reached() || left.is_some() {
+                why = Some(left.unwrap_or("an event ends the run before its span").to_owned());
+            } else if most >= LAST {
+                why = outcome.failure().map(|failure| failure.to_string());
+            }
+            (None, evaluations)
+        });
+        let Some((method, (seen, evaluations))) = found else {
+            return Err(why.unwrap_or_else(|| "no method reaches its end".to_owned()));
+        };
+        let row = |(time, state): &(f64, Vec<f64>)| (*time, (own.row)(*time, state));
+        let run = Run {
+            asked: seen.samples.iter().map(row).collect(),
+            steps: seen.steps.iter().map(row).collect(),
+            evaluations,
+        };
+        let mut along: Vec<(f64, Vec<f64>)> =
+            std::iter::once((0.0, own.state.clone())).chain(seen.samples).chain(seen.steps).collect();
+        along.sort_by(|a, b| a.0.total_cmp(&b.0));
+        along.dedup_by(|a, b| a.0 == b.0);
+        Ok((Pilot { method, run, along }, spent))
+    }
+
+    /// Simplifications: exact ones first, then those that leave out the most.
+    fn simplified(&self, watched: &Watched) -> Vec<Simplified> {
+        let own = self.own();
+        let mut found: Vec<(Candidate, bool)> = Vec::new();
+        if self.scene.is_written() && own.residual.is_none() {
+            let pilot = self.pilot.borrow();
+            let along = pilot.as_ref().map_or(&[][..], |pilot| &pilot.along);
+            let shown = self.scene.states_behind(&watched.names);
+            let written = self.scene.symbolic_law();
+            let names = &own.columns[..own.state.len()];
+            let facts = Facts { written: &*written, law: &*own.law, names, along, shown: &shown };
+            let (exact, beyond) = candidates(&facts);
+            if exact.has_fewer_states() {
+                found.push((Candidate { simplification: exact, parameter: "", value: None }, true));
+            }
+            found.extend(beyond.into_iter().map(|one| (one, false)));
+        }
+        // each element that is left out compiles a law
+        let may_save = watched.stiff || own.switching.is_some() || self.scene.is_written();
+        if may_save && own.law.code_size().is_none_or(|bytes| bytes <= MOST_CODE) {
+            let elements = self.scene.parameters().into_iter().filter(|one| self.scene.value(&one.name) != Some(0.0));
+            found.extend(elements.map(|one| {
+                let without = vec![one.name.into_owned()];
+                let simplification = Simplification { without, ..Simplification::default() };
+                (Candidate { simplification, parameter: OF_ELEMENT, value: None }, false)
+            }));
+        }
+        let simplified = |(candidate, is_exact): (Candidate, bool)| {
+            let scene = SimplifiedScene::of(&self.scene, &candidate.simplification).ok()?;
+            let problem = scene.whole_problem();
+            let shows = watched.columns.iter().all(|&column| !scene.hides(column));
+            let is_shorter = match (problem.law.code_size(), own.law.code_size()) {
+                (Some(code), Some(own)) => code as f64 <= SHORTER * own as f64,
+                _ => false,
+            };
+            // an element saves by what it makes stiff, by its events, or by its length
+            let is_simpler = match own.switching.is_some() {
+                true => problem.switching.is_none(),
+                false => candidate.simplification.has_fewer_states() || watched.stiff || is_shorter,
+            };
+            (shows && is_simpler).then_some(Simplified { candidate, is_exact, scene, problem })
+        };
+        found.into_iter().filter_map(simplified).collect()
+    }
+
+    /// The error of a simplification, to first order along the first run; none where its law changes at events.
+    fn estimate(&self, weights: &Weights, one: &Simplified, watched: &Watched) -> Option<Estimate> {
+        let own = self.own();
+        let states = own.state.len();
+        let all: Vec<usize> = (0..states).collect();
+        let reduced = one.scene.reduced();
+        let whole =
+            |time: f64, z: &[f64]| reduced.map_or_else(|| z.to_vec(), |reduced| reduced.lifted(time, z, states));
+        let kept = reduced.and_then(|reduced| reduced.lower.kept.as_deref()).unwrap_or(&all);
+        if kept.len() != one.problem.state.len() {
+            return None;
+        }
+        let lower = Lifted { lift: &whole, law: &*one.problem.law, kept, start: &one.problem.state };
+        let errors = weights.errors(&lower, &*own.law)?;
+        let mut found = Estimate::nothing(watched.columns.len());
+        for (time, state, error) in errors {
+            let lifted: Vec<f64> = state.iter().zip(&error).map(|(y, e)| y - e).collect();
+            let (row, other) = ((own.row)(time, state), (own.row)(time, &lifted));
+            for (each, (&column, size)) in found.each.iter_mut().zip(watched.columns.iter().zip(&watched.sizes)) {
+                let off = (row[column] - other[column]).abs() / size;
+                if off.is_nan() {
+                    return None;
+                }
+                *each = each.max(off);
+                if off > found.first {
+                    (found.first, found.at) = (off, time);
+                }
+            }
+        }
+        found.evaluations = weights.each();
+        found.small = one.candidate.value;
+        Some(found)
+    }
+}
+
+impl Models for TextModels {
+    fn columns(&self) -> &[String] {
+        &self.own().columns
+    }
+
+    fn watched(&self, names: &[String]) -> Result<(Watched, u64), String> {
+        let (pilot, spent) = self.pilot()?;
+        let own = self.own();
+        let rows: Vec<Vec<f64>> = std::iter::once((own.row)(0.0, &own.state))
+            .chain(pilot.run.steps.iter().chain(&pilot.run.asked).map(|(_, row)| row.clone()))
+            .collect();
+        let sizes = (0..own.state.len()).map(|i| largest(pilot.along.iter().map(|(_, state)| state[i]))).collect();
+        let watched = Watched::of(&own.columns, names, &rows, sizes);
+        let stiff = pilot.method.traits().implicit;
+        self.pilot.replace(Some(pilot));
+        Ok((Watched { stiff, ..watched }, spent))
+    }
+
+    fn lines(&self, watched: &Watched, tolerance: f64) -> (Vec<Line>, u64) {
+        let (mut lines, mut spent) = self.known.lines(watched, tolerance);
+        let found = self.found.get_or_init(|| self.simplified(watched));
+        let is_smooth = self.own().switching.is_none();
+        let pilot = self.pilot.borrow();
+        let count = found.iter().filter(|one| !one.is_exact).count();
+        // a run that the estimates would cost more than is the better judge
+        let is_worth = |pilot: &&Pilot| {
+            let cost = Weights::cost(&*self.own().law, pilot.along.len(), count);
+            is_smooth && count > 0 && cost as f64 <= WORTH * pilot.run.evaluations as f64
+        };
+        let along = pilot.as_ref().filter(is_worth);
+        let weights = along.and_then(|pilot| Weights::along(&*self.own().law, &pilot.along));
+        spent += weights
+            .as_ref()
+            .map_or(0, |_| Weights::cost(&*self.own().law, along.map_or(0, |pilot| pilot.along.len()), 0));
+        for one in found {
+            let model = match (&weights, one.is_exact) {
+                (_, true) => Ok(Estimate::nothing(watched.columns.len())),
+                (Some(weights), false) => self.estimate(weights, one, watched).ok_or_else(|| NO_ESTIMATE.to_owned()),
+                (None, false) => Err(BY_ITS_RUN.to_owned()),
+            };
+            spent += model.as_ref().map_or(0, |model| model.evaluations);
+            let verdict = match &model {
+                Ok(model) if model.first > DOUBT * OF_MODEL * tolerance => Sufficiency::TooFar,
+                Err(why) if why == NO_ESTIMATE => Sufficiency::NotCarried,
+                _ => Sufficiency::Suffices,
+            };
+            let Candidate { simplification, parameter, .. } = &one.candidate;
+            let name = simplification.to_string();
+            lines.push(Line {
+                asked_as: Some(name.clone()),
+                name,
+                dropped: simplification.dropped(),
+                loss: if one.is_exact { Loss::Nothing { claim: None } } else { Loss::Small { parameter } },
+                states: one.problem.state.len(),
+                model,
+                verdict,
+                choice: None,
+            });
+        }
+        (lines, spent)
+    }
+
+    fn forms(&self, line: usize) -> Vec<Runnable<'_>> {
+        let known = self.known.ladders[0].rungs.len() + 1;
+        match line.checked_sub(known) {
+            None => {
+                let mut forms = self.known.forms(line);
+                let pilot = self.pilot.borrow();
+                if let (0, Some(pilot), Some(form)) = (line, &*pilot, forms.first_mut()) {
+                    form.knows(pilot.method, COARSE, pilot.run.clone());
+                }
+                forms
+            }
+            Some(place) => {
+                let found = self.found.get().and_then(|found| found.get(place));
+                found.map(|one| across_events(Axes::First, &one.problem)).into_iter().collect()
+            }
+        }
+    }
+
+    fn is_compared(&self, line: usize) -> bool {
+        line > self.known.ladders[0].rungs.len()
+    }
+
+    fn is_stiff(&self, line: usize) -> bool {
+        let known = self.known.ladders[0].rungs.len() + 1;
+        let found = line.checked_sub(known).and_then(|place| self.found.get()?.get(place));
+        let problem = found.map_or(self.own(), |one| &one.problem);
+        is_stiff_at(&*problem.law, &problem.state, problem.span)
+    }
+
+    fn code_size(&self, line: usize) -> Option<usize> {
+        let known = self.known.ladders[0].rungs.len() + 1;
+        match line.checked_sub(known) {
+            None => self.known.code_size(line),
+            Some(place) => self.found.get()?.get(place)?.problem.law.code_size(),
+        }
+    }
+
+    fn exact(&self) -> Option<Vec<Vec<f64>>> {
+        self.known.exact()
+    }
+
+    fn mixed(&self, watched: &Watched, lines: &[Line], plans: &[(usize, Plan)], wish: &Wish) -> Option<Mixed<'_>> {
+        let known = self.known.ladders[0].rungs.len() + 1;
+        (lines.len() == known).then(|| self.known.mixed(watched, lines, plans, wish)).flatten()
+    }
+}
+
+/// The states of a run at the times that were asked for, and at its steps.
+struct Seen {
+    samples: Vec<(f64, Vec<f64>)>,
+    steps: Vec<(f64, Vec<f64>)>,
+}
+
+impl Observer<f64> for Seen {
+    fn sample(&mut self, time: f64, state: &[f64]) {
+        self.samples.push((time, state.to_vec()));
+    }
+
+    fn step(&mut self, time: f64, state: &[f64]) {
+        self.steps.push((time, state.to_vec()));
+    }
+}
