@@ -18,7 +18,7 @@ use simulation::{Axes, Choice, IvpScene, RunNotes, methods};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use studies::AnyScene;
-use studies::model_reduction::{Simplification, SimplifiedScene};
+use studies::model_reduction::{Hierarchy, ReducedScene, Simplification, SimplifiedScene};
 use studies::scene::Scene;
 
 /// How a scene is to be run; what is left out, the scene says.
@@ -33,7 +33,7 @@ pub struct Asked {
     /// Error allowed in a step, relative, and absolute in SI units
     #[arg(long = "tol", value_name = "T", value_parser = tolerance, allow_negative_numbers = true)]
     pub tolerance: Option<f64>,
-    /// Another machine, made of the scene's data; or a smaller model of a system that is written in its file, as `choose` names it:
+    /// Another machine, made of the scene's data, or a smaller model, as `choose` names it: of a system that is written in its file
     /// "without P", "quasi-steady X", "fixed X", "unfollowed X", with names of parameters P and of states X
     #[arg(long)]
     pub model: Option<String>,
@@ -84,9 +84,19 @@ pub fn run(asked: &Asked) -> Result<Exit, Exit> {
     }
     match AnyScene::open(&asked.scene)? {
         AnyScene::Driven(scene) => {
-            let scene = with_model(*scene, asked.model.as_deref(), &asked.scene)?;
+            let (machine, smaller) = machine_and_smaller(asked.model.as_deref());
+            let scene = with_model(*scene, machine, &asked.scene)?;
             one_form(&scene, asked.form.is_some(), &asked.scene)?;
-            follow(&scene, asked, (!scene.on_bench()).then(|| asked.form.unwrap_or_default()))
+            let form = (!scene.on_bench()).then(|| asked.form.unwrap_or_default());
+            let Some(name) = smaller else { return follow(&scene, asked, form) };
+            without_transition(asked)?;
+            let axes: &[Axes] = if scene.on_bench() { &[Axes::First] } else { &[Axes::First, Axes::Second] };
+            let ladders = axes.iter().map(|axes| Hierarchy::of_scene(&scene, *axes)).collect();
+            let reduced = ReducedScene::of(&scene, ladders, name).map_err(|known| {
+                let path = asked.scene.display();
+                Exit::refused(format!("{path}: no smaller model is called \"{name}\"; known: {}", known.join(", ")))
+            })?;
+            follow(&reduced, asked, form)
         }
         AnyScene::Model(scene) => {
             refuse("a system that is written in its file", false, asked.form.is_some(), &asked.scene)?;
@@ -96,19 +106,44 @@ pub fn run(asked: &Asked) -> Result<Exit, Exit> {
             }
             match asked.model.as_deref() {
                 None => follow(&*scene, asked, None),
-                Some(_) if asked.transition.is_some() => Err(Exit::refused(
-                    "--transition is about the states of the scene's own model; leave --model out, or --transition",
-                )),
-                Some(name) => follow(&smaller(&scene, name, &asked.scene)?, asked, None),
+                Some(name) => {
+                    without_transition(asked)?;
+                    smaller(&scene, name, asked)
+                }
             }
         }
     }
 }
 
-/// A scene with a smaller model, by its name.
-fn smaller(scene: &Arc<dyn Modelled>, name: &str, path: &Path) -> Result<SimplifiedScene, Exit> {
+/// Runs a system that is written in its file by a smaller model: one that is known of it, or elements that are left out.
+fn smaller(scene: &Arc<dyn Modelled>, name: &str, asked: &Asked) -> Result<Exit, Exit> {
+    if let Ok(known) = ReducedScene::of(&**scene, vec![Hierarchy::of_model(&**scene)], name) {
+        return follow(&known, asked, None);
+    }
     let found = Simplification::parse(name).and_then(|simplification| SimplifiedScene::of(scene, &simplification));
-    found.map_err(|why| Exit::refused(format!("{}: --model \"{name}\": {why}", path.display())))
+    let found = found.map_err(|why| Exit::refused(format!("{}: --model \"{name}\": {why}", asked.scene.display())))?;
+    follow(&found, asked, None)
+}
+
+/// The machine and the smaller model of a name: `multi_current`, `lumped windings`, or both with a semicolon between them.
+fn machine_and_smaller(name: Option<&str>) -> (Option<&str>, Option<&str>) {
+    match name.map(|name| (name, name.split_once(';'))) {
+        None => (None, None),
+        Some((_, Some((machine, smaller)))) => (Some(machine.trim()), Some(smaller.trim())),
+        // names of machines are one word
+        Some((name, None)) if name.trim().contains(' ') => (None, Some(name.trim())),
+        Some((name, None)) => (Some(name), None),
+    }
+}
+
+/// A smaller model has fewer states than a transition matrix is about.
+fn without_transition(asked: &Asked) -> Result<(), Exit> {
+    match asked.transition {
+        None => Ok(()),
+        Some(_) => Err(Exit::refused(
+            "--transition is about the states of the scene's own model; leave the smaller --model out, or --transition",
+        )),
+    }
 }
 
 /// Machines and forms are for systems with a motor.

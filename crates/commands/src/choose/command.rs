@@ -10,8 +10,14 @@ pub fn of(scene: &Path, model: Option<&str>, place: usize, line: &Line, formed: 
     let plan = &line.choice.as_ref()?.plan;
     let mut words = vec!["run".to_owned(), scene.display().to_string()];
     let mut option = |name: &str, value: &str| words.extend([name.to_owned(), value.to_owned()]);
-    if let Some(model) = if place == 0 { model } else { line.asked_as.as_deref() } {
-        option("--model", model);
+    let smaller = line.asked_as.as_deref().filter(|_| place > 0);
+    let both = match (model, smaller) {
+        // another machine replaces the one that was asked for; what leaves something out of that one does not
+        (Some(model), Some(smaller)) if smaller.contains(' ') => Some(format!("{model}; {smaller}")),
+        (model, smaller) => smaller.or(model).map(str::to_owned),
+    };
+    if let Some(model) = both {
+        option("--model", &model);
     }
     option("--method", &methods::written(plan.method));
     option("--tol", &format!("{:e}", plan.tolerance));

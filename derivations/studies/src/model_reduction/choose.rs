@@ -18,8 +18,8 @@ const FINER: f64 = 1e-2;
 /// Safety of an error that is told by the slope of those at two coarser tolerances, and the least slope that is believed.
 const SAFETY: f64 = 3.0;
 const LEAST_SLOPE: f64 = 0.5;
-/// Simplifications that are tried by their runs.
-const TRIED: usize = 3;
+/// Runs of the scene's own model that trying smaller ones may cost: those that are too far off end early.
+const PRICE: f64 = 1.5;
 /// A simplification that costs more than this share of the scene's own model saves too little.
 const WORTH: f64 = 0.8;
 /// Errors below this are rounding.
@@ -104,31 +104,40 @@ pub fn choose(models: &dyn Models, wish: &Wish) -> Result<Receipt, String> {
         }
         tried.extend(found.into_iter().take(1).map(|plan| (at, plan)));
     }
-    let mixed = models.mixed(&watched, &lines, &tried, wish).map(|mixed| {
-        tried.push((lines.len(), mixed.plan));
-        lines.push(mixed.line);
-        mixed.go
-    });
-    let own = forms.len();
-    let go = |(line, plan): &(usize, Plan), finer: f64, times: Option<&[f64]>| match &mixed {
-        Some(mixed) if *line == own => {
-            mixed(finer, times.map_or_else(|| instants(span).collect(), <[f64]>::to_vec).as_slice())
-        }
-        _ => {
-            let form = forms[*line].iter().find(|form| form.axes == plan.axes)?;
-            form.run(plan.method, (plan.tolerance * finer).max(FINEST), MOST, times).0
-        }
+    let run_of = |(line, plan): &(usize, Plan), finer: f64, times: Option<&[f64]>| {
+        let form = forms[*line].iter().find(|form| form.axes == plan.axes)?;
+        form.run(plan.method, (plan.tolerance * finer).max(FINEST), MOST, times).0
     };
     let mut runs: Vec<Option<(Run, f64)>> = Vec::new();
     for one in &tried {
-        let switches = one.0 == own;
-        let (run, spent) = settled(&one.1, &watched, switches, |finer, times| go(one, finer, times));
+        let (run, spent) = settled(&one.1, &watched, |finer, times| run_of(one, finer, times));
         deciding += spent;
         runs.push(run);
     }
     let compared = compared(models, &mut lines, &forms, &watched, wish, tried.first().zip(runs.first()), &mut deciding);
     tried.extend(compared.iter().map(|(line, plan, ..)| (*line, plan.clone())));
     runs.extend(compared.into_iter().map(|(_, _, run, off)| Some((run, off))));
+    let own = forms.len();
+    let mixed = models.mixed(&watched, &lines, &tried, wish).map(|mixed| {
+        tried.push((lines.len(), mixed.plan));
+        lines.push(mixed.line);
+        mixed.go
+    });
+    let go = |one: &(usize, Plan), finer: f64, times: Option<&[f64]>| match &mixed {
+        Some(mixed) if one.0 == own => {
+            mixed(finer, times.map_or_else(|| instants(span).collect(), <[f64]>::to_vec).as_slice())
+        }
+        _ => run_of(one, finer, times),
+    };
+    if mixed.is_some() {
+        let run = tried.last().and_then(|one| {
+            let run = go(one, 1.0, None).inspect(|run| deciding += run.evaluations)?;
+            let finer = go(one, FINER, Some(&run.times())).inspect(|run| deciding += run.evaluations)?;
+            let off = run.apart(&finer, &watched)?;
+            Some((run, off))
+        });
+        runs.push(run);
+    }
     let times = taking_turns(tried.len(), wish.allowed, |at| runs[at].is_some() && go(&tried[at], 1.0, None).is_some());
     let exact = models.exact();
     for (((line, plan), run), time) in tried.into_iter().zip(runs).zip(times) {
@@ -161,20 +170,18 @@ pub fn choose(models: &dyn Models, wish: &Wish) -> Result<Receipt, String> {
 fn settled(
     plan: &Plan,
     watched: &Watched,
-    switches: bool,
     go: impl Fn(f64, Option<&[f64]>) -> Option<Run>,
 ) -> (Option<(Run, f64)>, u64) {
     let mut spent = 0;
     let mut made = |finer: f64, times: Option<&[f64]>| go(finer, times).inspect(|run| spent += run.evaluations);
-    if let Some(run) = plan.known(plan.tolerance).filter(|_| !switches) {
+    if let Some(run) = plan.known(plan.tolerance) {
         return (Some((run.clone(), plan.error_at(plan.tolerance).max(ROUNDED))), spent);
     }
     let [coarse, fine] = &plan.pilots;
     let times = fine.run.times();
-    let Some(run) = made(1.0, (!switches).then_some(&times[..])) else { return (None, spent) };
+    let Some(run) = made(1.0, Some(&times)) else { return (None, spent) };
     let apart = |pilot: &Run| pilot.apart(&run, watched);
     let by_pilots = match (apart(&coarse.run), apart(&fine.run)) {
-        _ if switches => None,
         // the finer pilot stands for the exact motion, with its own error
         (_, Some(off)) if plan.tolerance > fine.tolerance => Some(off + plan.error_at(fine.tolerance)),
         (Some(of_coarse), Some(of_fine)) => {
@@ -212,12 +219,12 @@ fn compared(
     order.sort_by_key(|&line| (matches!(lines[line].loss, Loss::Small { .. }), lines[line].states));
     let times = run.times();
     let mut found: Vec<(usize, Plan, Run, f64)> = Vec::new();
-    let mut left = TRIED;
+    let mut left = PRICE * run.evaluations as f64;
     for line in order {
         let is_exact = !matches!(lines[line].loss, Loss::Small { .. });
         // what leaves out less than one that serves saves less
         let served = found.iter().any(|(known, ..)| lines[*known].states <= lines[line].states);
-        let Some(form) = forms[line].first().filter(|_| left > 0 && !served) else {
+        let Some(form) = forms[line].first().filter(|_| left > 0.0 && !served) else {
             lines[line].verdict = Sufficiency::NotTried;
             continue;
         };
@@ -227,7 +234,6 @@ fn compared(
             lines[line].verdict = Sufficiency::NotCheaper;
             continue;
         }
-        left -= 1;
         let most = (WORTH * run.evaluations as f64 / share(line)) as u64;
         let mut tolerance = plan.tolerance.min(finest_of(wish));
         let mut judged = Sufficiency::NotCheaper;
@@ -242,7 +248,9 @@ fn compared(
                 let serves = RefCell::new(serves);
                 let (ran, spent) =
                     form.run_while((method, tolerance, most), &times, &|time, row| (serves.borrow_mut())(time, row));
-                *deciding += (spent as f64 * share(line)).ceil() as u64;
+                let cost = (spent as f64 * share(line)).ceil();
+                left -= cost;
+                *deciding += cost as u64;
                 (ran, spent)
             });
             if let Some((method, ran)) = ran

@@ -4,7 +4,7 @@ use super::choose::{MOST, Mixed, Models, OF_METHOD};
 use super::estimate::Estimate;
 use super::models::across_events;
 use super::outputs::Watched;
-use super::plan::{COARSE, FINEST, Plan, Runnable, plans};
+use super::plan::{COARSE, FINEST, Plan, Runnable, is_stiff_at, plans};
 use super::receipt::{Line, OF_MODEL, Sufficiency, Wish};
 use super::switching::LOOKING;
 use super::{Hierarchy, Loss, ReducedModel};
@@ -22,8 +22,8 @@ pub struct Forms {
 /// The name of a run of several models.
 pub const SWITCHING: &str = "switching";
 const AXES: [Axes; 2] = [Axes::First, Axes::Second];
-/// A model whose error is so many times what is allowed is not followed further.
-const HOPELESS: f64 = 10.0;
+/// Of a model whose error is seen beside a run of the scene's own.
+pub(super) const BY_ITS_RUN: &str = "told by its run alone";
 /// A smaller model for less than this share of the run is not worth switching to.
 const WORTH_WHILE: f64 = 0.1;
 /// Nor is one whose run over the whole span has more than this share of the richer one's work.
@@ -41,25 +41,36 @@ impl Models for Forms {
         watched.left.map_or(Ok((watched, evaluations)), |why| Err(told(why)))
     }
 
-    fn lines(&self, watched: &Watched, tolerance: f64) -> (Vec<Line>, u64) {
-        let (ladder, mut spent) = (&self.ladders[0], 0);
-        let mut lines = vec![Line::own(&ladder.model, ladder.own.state.len(), watched.columns.len())];
-        for rung in &ladder.rungs {
-            let model = ladder.estimate_within(rung, watched, tolerance, HOPELESS * tolerance);
-            spent += model.as_ref().map_or(0, |model| model.evaluations);
-            let model = model.map_err(|failure| failure.to_string());
-            lines.push(Line {
-                name: rung.name.to_owned(),
-                dropped: rung.dropped.clone(),
-                loss: rung.loss,
-                states: rung.start.len(),
-                verdict: Sufficiency::of(&model, tolerance),
-                model,
-                asked_as: rung.shows_all(&watched.names).then(|| rung.name.to_owned()),
-                choice: None,
-            });
-        }
-        (lines, spent)
+    fn lines(&self, watched: &Watched, _tolerance: f64) -> (Vec<Line>, u64) {
+        let ladder = &self.ladders[0];
+        let own = Line::own(&ladder.model, ladder.own.state.len(), watched.columns.len());
+        let smaller = ladder.rungs.iter().map(|rung| Line {
+            name: rung.name.to_owned(),
+            dropped: rung.dropped.clone(),
+            loss: rung.loss,
+            states: rung.start.len(),
+            model: match rung.is_exact() {
+                true => Ok(Estimate::nothing(watched.columns.len())),
+                false => Err(BY_ITS_RUN.to_owned()),
+            },
+            verdict: Sufficiency::Suffices,
+            asked_as: (rung.shows.is_empty() || rung.shows_all(&watched.names)).then(|| rung.name.to_owned()),
+            choice: None,
+        });
+        (std::iter::once(own).chain(smaller).collect(), 0)
+    }
+
+    fn is_compared(&self, line: usize) -> bool {
+        line > 0
+    }
+
+    fn is_stiff(&self, line: usize) -> bool {
+        let ladder = &self.ladders[0];
+        let (law, start) = match line.checked_sub(1).and_then(|rung| ladder.rungs.get(rung)) {
+            None => (&ladder.own.law, &ladder.own.state),
+            Some(rung) => (&rung.law, &rung.start),
+        };
+        is_stiff_at(&**law, start, ladder.own.span)
     }
 
     fn forms(&self, line: usize) -> Vec<Runnable<'_>> {

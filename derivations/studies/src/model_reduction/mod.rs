@@ -32,6 +32,7 @@ pub mod plan;
 mod quasi_steady;
 pub mod receipt;
 pub mod reduced_model;
+mod reduced_scene;
 pub mod run_rows;
 pub mod sampled_run;
 pub mod simplification;
@@ -47,6 +48,7 @@ pub use lumping::{Lumped, Lumping};
 pub use plan::Plan;
 pub use receipt::{Choice, Line, Receipt, Sufficiency, Wish};
 pub use reduced_model::Lower;
+pub use reduced_scene::ReducedScene;
 pub use simplification::{Simplification, SimplifiedScene};
 pub use text_models::TextModels;
 
@@ -75,7 +77,7 @@ pub struct ReducedModel {
     pub law: Arc<dyn Law>,
     pub start: Vec<f64>,
     /// The outputs that a run of the scene with the machine of this name shows as they are meant here: none of a model that is
-    /// no machine, which a run cannot be asked for.
+    /// no machine, whose run shows all.
     pub shows: Vec<String>,
     /// The value of the small parameter at a state with its rates, where it has one there.
     pub small: Option<Box<Small>>,
@@ -130,7 +132,7 @@ impl ReducedModel {
         y
     }
 
-    /// Whether a run can be asked for it, and shows these outputs.
+    /// Whether it is a machine whose run shows these outputs.
     pub fn shows_all(&self, names: &[String]) -> bool {
         !self.shows.is_empty() && names.iter().all(|name| self.shows.contains(name))
     }

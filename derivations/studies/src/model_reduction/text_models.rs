@@ -2,6 +2,7 @@
 
 use super::choose::{Mixed, Models};
 use super::estimate::Estimate;
+use super::forms::BY_ITS_RUN;
 use super::models::across_events;
 use super::outputs::{Watched, largest};
 use super::plan::{COARSE, LAST, Plan, Runnable, first_of, is_stiff_at};
@@ -30,7 +31,6 @@ const WORTH: f64 = 1.0;
 /// An estimate of first order so many times above what is allowed is beyond doubt.
 const DOUBT: f64 = 10.0;
 const OF_ELEMENT: &str = "the part of this element beside the others";
-const BY_ITS_RUN: &str = "told by its run alone";
 const NO_ESTIMATE: &str = "its equations have no values along the motion";
 
 /// The scene with its models.
@@ -279,14 +279,16 @@ impl Models for TextModels {
     }
 
     fn is_compared(&self, line: usize) -> bool {
-        line > self.known.ladders[0].rungs.len()
+        line > 0
     }
 
     fn is_stiff(&self, line: usize) -> bool {
         let known = self.known.ladders[0].rungs.len() + 1;
         let found = line.checked_sub(known).and_then(|place| self.found.get()?.get(place));
-        let problem = found.map_or(self.own(), |one| &one.problem);
-        is_stiff_at(&*problem.law, &problem.state, problem.span)
+        found.map_or_else(
+            || self.known.is_stiff(line),
+            |one| is_stiff_at(&*one.problem.law, &one.problem.state, one.problem.span),
+        )
     }
 
     fn code_size(&self, line: usize) -> Option<usize> {

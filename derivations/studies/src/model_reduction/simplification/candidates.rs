@@ -98,6 +98,9 @@ pub fn candidates(facts: &Facts<'_>) -> (Simplification, Vec<Candidate>) {
     });
     let mut found: Vec<Candidate> = slaved.collect();
     let still: Vec<(usize, f64)> = facts.still().into_iter().filter(|(place, _)| !gone.contains(place)).collect();
+    // a coordinate stays where it is with its speed alone
+    let moves = |place: usize| structure.speeds[place].is_some_and(|speed| !gone.contains(&speed));
+    let still: Vec<(usize, f64)> = still.into_iter().filter(|(place, _)| !moves(*place)).collect();
     let fixed = |still: &[(usize, f64)]| {
         let places: Vec<usize> = still.iter().map(|(place, _)| *place).collect();
         let fixed = Simplification { fixed: named(&places), ..Simplification::default() };

@@ -4,7 +4,7 @@
 //! |---|---|---|
 //! | `without k` | the element whose parameter is k: k = 0 | the element does nothing along the run |
 //! | `quasi-steady x` | the rate of x: it has the value at which its equation balances | x relaxes at once |
-//! | `fixed x` | the motion of x: it keeps its value at the start | its rate vanishes on the way |
+//! | `fixed x` | the equation of x: it keeps its value at the start, and nothing is added that would hold it there | its rate vanishes |
 //! | `unfollowed x` | the equation of x | no output and no other rate depends on x |
 //!
 //! Parts are joined by semicolons, names within one by commas: `quasi-steady i1,i2; unfollowed phi`. A name is all that a run

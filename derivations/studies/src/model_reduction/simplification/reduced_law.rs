@@ -54,6 +54,12 @@ pub(super) fn lower(
             None => roles.0[at] = Role::Balancing(at),
         }
     }
+    for name in &simplification.fixed {
+        let at = place(name)?;
+        if let Some(speed) = speed_of(&**written, at).filter(|speed| !matches!(roles.0[*speed], Role::Fixed(_))) {
+            return Err(format!("{name} moves at the speed {}: both are fixed, or neither", names[speed]));
+        }
+    }
     let has_balance = apart(|| {
         let time = Sym::symbol("t");
         let z: Vec<Sym> = (0..roles.followed().count()).map(|i| Sym::symbol(&format!("z{i}"))).collect();

@@ -1,0 +1,104 @@
+//! A scene run by one of the smaller models of its hierarchy.
+
+use super::Hierarchy;
+use integrators::Reference;
+use simulation::ivp_scene::Parameter;
+use simulation::work_precision::{Configuration, Observed};
+use simulation::{Axes, IvpScene, Problem, Run};
+use std::borrow::Cow;
+use std::sync::Arc;
+
+/// A scene with one of its smaller models, by its name.
+pub struct ReducedScene<'a> {
+    scene: &'a dyn IvpScene,
+    /// In the axes of each form that the scene has, the first one first.
+    ladders: Vec<Arc<Hierarchy>>,
+    rung: usize,
+}
+
+impl<'a> ReducedScene<'a> {
+    /// A scene with its hierarchies.
+    ///
+    /// # Errors
+    /// The names that are known.
+    pub fn of(scene: &'a dyn IvpScene, ladders: Vec<Hierarchy>, name: &str) -> Result<Self, Vec<&'static str>> {
+        let known: Vec<&str> =
+            ladders.first().into_iter().flat_map(|ladder| &ladder.rungs).map(|rung| rung.name).collect();
+        match known.iter().position(|known| *known == name) {
+            Some(rung) => Ok(ReducedScene { scene, ladders: ladders.into_iter().map(Arc::new).collect(), rung }),
+            None => Err(known),
+        }
+    }
+}
+
+impl IvpScene for ReducedScene<'_> {
+    fn title(&self) -> &str {
+        self.scene.title()
+    }
+
+    fn description(&self) -> &str {
+        self.scene.description()
+    }
+
+    fn model(&self) -> &str {
+        self.ladders[0].rungs[self.rung].name
+    }
+
+    fn has_own_names(&self) -> bool {
+        self.scene.has_own_names()
+    }
+
+    fn run(&self) -> &Run {
+        self.scene.run()
+    }
+
+    fn problem(&self, axes: Axes) -> Problem {
+        let ladder = match axes {
+            Axes::First => &self.ladders[0],
+            Axes::Second => self.ladders.last().unwrap_or(&self.ladders[0]),
+        };
+        let (ladder, at) = (Arc::clone(ladder), self.rung);
+        let (law, state) = (Arc::clone(&ladder.rungs[at].law), ladder.rungs[at].start.clone());
+        let (span, columns) = (ladder.own.span, ladder.own.columns.clone());
+        let lifted = move |time: f64, z: &[f64]| {
+            let whole = ladder.rungs[at].lifted(time, z, ladder.start.len());
+            (Arc::clone(&ladder), whole)
+        };
+        let of_margins = lifted.clone();
+        Problem {
+            law,
+            state,
+            metered: 0,
+            span,
+            invariants: Vec::new(),
+            residual: None,
+            columns,
+            row: Box::new(move |time, z| {
+                let (ladder, y) = lifted(time, z);
+                ladder.row(time, &y)
+            }),
+            margins: Box::new(move |time, z, _| {
+                let (ladder, y) = of_margins(time, z);
+                let whole = (ladder.whole)(time, &y);
+                (ladder.own.margins)(time, &whole, &vec![0.0; whole.len()])
+            }),
+            switching: None,
+        }
+    }
+
+    fn parameters(&self) -> Vec<Parameter> {
+        self.scene.parameters()
+    }
+
+    fn ways(&self) -> Vec<Configuration> {
+        self.scene.ways()
+    }
+
+    fn observed(&self, reference: &Reference) -> Vec<Observed> {
+        self.scene.observed(reference)
+    }
+
+    fn unit(&self, name: &str) -> Cow<'static, str> {
+        self.scene.unit(name)
+    }
+}
