@@ -2,10 +2,12 @@
 
 mod choice;
 mod drawn;
+mod drawn_texts;
 mod estimates;
 mod fed;
 mod governors;
 mod lumping;
+mod text_models;
 
 use dalembert_derivations::studies::AnyScene;
 use dalembert_derivations::studies::model_reduction::outputs::Watched;

@@ -4,7 +4,7 @@
 
 use super::Loss;
 use super::outputs::Watched;
-use super::plan::{FINEST, Plan, Runnable, by_kind, plans};
+use super::plan::{FINEST, Plan, Runnable, between, by_kind, error_at, plans};
 use super::receipt::{Choice, Line, Receipt, Sufficiency, Wish, Work, cheapest};
 use super::run_rows::Run;
 use super::sampled_run::instants;
@@ -15,8 +15,7 @@ use std::cell::RefCell;
 pub(super) const OF_METHOD: f64 = 0.3;
 /// A finer run tells the method's error: their tolerances apart.
 const FINER: f64 = 1e-2;
-/// Safety of an error that is told by the slope of those at two coarser tolerances, and the least slope that is believed.
-const SAFETY: f64 = 3.0;
+/// The least power of the tolerance with which errors are believed to go.
 const LEAST_SLOPE: f64 = 0.5;
 /// Runs of the scene's own model that trying smaller ones may cost: those that are too far off end early.
 const PRICE: f64 = 1.5;
@@ -109,8 +108,11 @@ pub fn choose(models: &dyn Models, wish: &Wish) -> Result<Receipt, String> {
         form.run(plan.method, (plan.tolerance * finer).max(FINEST), MOST, times).0
     };
     let mut runs: Vec<Option<(Run, f64)>> = Vec::new();
-    for one in &tried {
-        let (run, spent) = settled(&one.1, &watched, |finer, times| run_of(one, finer, times));
+    for (line, plan) in &mut tried {
+        let (of_line, of_plan) = (*line, plan.clone());
+        let at =
+            |tolerance: f64, times: &[f64]| run_of(&(of_line, Plan { tolerance, ..of_plan.clone() }), 1.0, Some(times));
+        let (run, spent) = settled(plan, &watched, wish.tolerance, at);
         deciding += spent;
         runs.push(run);
     }
@@ -166,36 +168,42 @@ pub fn choose(models: &dyn Models, wish: &Wish) -> Result<Receipt, String> {
 }
 
 /// The run of a plan with the error of its method, and the evaluations that this took. Where both pilots are coarser the error is
-/// told by the slope of theirs; a finer run tells it where that is not believed.
+/// told by the slope of theirs; where that is not believed, or too large, a finer run tells it, or takes its place.
 fn settled(
-    plan: &Plan,
+    plan: &mut Plan,
     watched: &Watched,
-    go: impl Fn(f64, Option<&[f64]>) -> Option<Run>,
+    most: f64,
+    go: impl Fn(f64, &[f64]) -> Option<Run>,
 ) -> (Option<(Run, f64)>, u64) {
     let mut spent = 0;
-    let mut made = |finer: f64, times: Option<&[f64]>| go(finer, times).inspect(|run| spent += run.evaluations);
-    if let Some(run) = plan.known(plan.tolerance) {
-        return (Some((run.clone(), plan.error_at(plan.tolerance).max(ROUNDED))), spent);
-    }
+    let mut made = |tolerance: f64, times: &[f64]| go(tolerance, times).inspect(|run| spent += run.evaluations);
+    let known = plan.known(plan.tolerance).cloned();
+    let run = known.clone().or_else(|| made(plan.tolerance, &plan.pilots[1].run.times()));
+    let Some(run) = run else { return (None, spent) };
+    let factor = between(plan.method);
     let [coarse, fine] = &plan.pilots;
-    let times = fine.run.times();
-    let Some(run) = made(1.0, Some(&times)) else { return (None, spent) };
-    let apart = |pilot: &Run| pilot.apart(&run, watched);
-    let by_pilots = match (apart(&coarse.run), apart(&fine.run)) {
+    let by_pilots = match (known, coarse.run.apart(&run, watched), fine.run.apart(&run, watched)) {
+        (Some(_), ..) => Some(plan.error_at(plan.tolerance)),
         // the finer pilot stands for the exact motion, with its own error
-        (_, Some(off)) if plan.tolerance > fine.tolerance => Some(off + plan.error_at(fine.tolerance)),
-        (Some(of_coarse), Some(of_fine)) => {
+        (None, _, Some(off)) if plan.tolerance > fine.tolerance => Some(factor * off + plan.error_at(fine.tolerance)),
+        (None, Some(of_coarse), Some(of_fine)) => {
             let slope = (of_coarse / of_fine).ln() / (coarse.tolerance / fine.tolerance).ln();
-            let finer = plan.tolerance / fine.tolerance;
-            (slope >= LEAST_SLOPE).then(|| (SAFETY * of_fine * finer.powf(slope.min(1.0))).max(ROUNDED))
+            (slope >= LEAST_SLOPE).then(|| error_at(factor * of_fine, plan.tolerance / fine.tolerance))
         }
         _ => None,
     };
-    let error = by_pilots.or_else(|| {
-        let finer = made(FINER, Some(&run.times()))?;
-        run.apart(&finer, watched)
-    });
-    (error.map(|error| (run, error)), spent)
+    if let Some(error) = by_pilots.filter(|error| *error <= most) {
+        return (Some((run, error.max(ROUNDED))), spent);
+    }
+    let finer = (plan.tolerance * FINER).max(FINEST);
+    let Some(better) = made(finer, &run.times()) else { return (by_pilots.map(|error| (run, error)), spent) };
+    let Some(off) = run.apart(&better, watched).map(|off| (factor * off).max(ROUNDED)) else { return (None, spent) };
+    if off <= most {
+        return (Some((run, off)), spent);
+    }
+    let error = error_at(off, finer / plan.tolerance);
+    plan.tolerance = finer;
+    (Some((better, error)), spent)
 }
 
 /// Simplifications run beside the scene's own model, the most promising first, as long as deciding may cost that: each with its
@@ -239,7 +247,7 @@ fn compared(
         let mut judged = Sufficiency::NotCheaper;
         for _ in 0..if is_exact { 2 } else { 1 } {
             let mut is_too_far = false;
-            let near = run.near(watched, wish.tolerance - error);
+            let near = run.near(watched, (wish.tolerance - error) / between(plan.method));
             let ran = by_kind(is_stiff, |method| {
                 let serves = |time: f64, row: &[f64]| {
                     is_too_far |= !near(time, row);
@@ -256,7 +264,12 @@ fn compared(
             if let Some((method, ran)) = ran
                 && let Some(off) = run.apart(&ran, watched)
             {
-                found.push((line, Plan { method, tolerance, ..plan.clone() }, ran, off + error));
+                let off = between(method) * off + error;
+                if off > wish.tolerance {
+                    judged = Sufficiency::TooFar;
+                    break;
+                }
+                found.push((line, Plan { method, tolerance, ..plan.clone() }, ran, off));
                 judged = Sufficiency::Suffices;
                 break;
             }

@@ -8,7 +8,7 @@
 
 use super::outputs::Watched;
 use super::run_rows::{Along, Run, Serves};
-use super::sampled_run::instants;
+use super::sampled_run::looks;
 use integrators::{Jacobian, Method, Span, Tolerance, integrate};
 use nalgebra::DMatrix;
 use simulation::{Axes, Law};
@@ -35,6 +35,11 @@ const STIFF: f64 = 1_000.0;
 /// The error at a tolerance is at most so many times that at a coarser one times this power of their ratio.
 const SAFETY: f64 = 3.0;
 const POWER: f64 = 0.75;
+/// A run tells the errors of another one whose tolerance is so many times its own.
+const APART: f64 = 0.1;
+/// Between the instants at which runs are compared an error may be so many times as large: by an explicit method, and by an
+/// implicit one, whose values between steps are of a lower order.
+const BETWEEN: [f64; 2] = [2.0, 5.0];
 /// A tolerance between those of the pilots is worth a run of its own where it saves more than this share.
 const SAVED: f64 = 0.2;
 /// The finest tolerance that double precision leaves room for.
@@ -94,8 +99,13 @@ impl Plan {
     }
 }
 
+/// The largest error of the whole run over that at the instants at which runs are compared.
+pub(super) fn between(method: Method) -> f64 {
+    BETWEEN[usize::from(method.traits().implicit)]
+}
+
 /// The error at a share of a tolerance at which it is known.
-fn error_at(known: f64, share: f64) -> f64 {
+pub(super) fn error_at(known: f64, share: f64) -> f64 {
     if share < 1.0 { (SAFETY * known * share.powf(POWER)).min(known) } else { known }
 }
 
@@ -132,15 +142,16 @@ impl<'a> Runnable<'a> {
         self.known = Some((method, tolerance, run));
     }
 
-    /// A run, with rows at its steps and at these times or, where there are none, at the instants.
+    /// A run, with rows at its steps and at these times or, where there are none, at even instants.
     pub fn run(&self, method: Method, tolerance: f64, most: u64, times: Option<&[f64]>) -> (Option<Run>, u64) {
         if let (Some((by, at, run)), None) = (&self.known, times)
             && (*by, *at) == (method, tolerance)
         {
             return (Some(run.clone()), 0);
         }
-        let instants = || instants(self.span).collect::<Vec<_>>();
-        let times = times.map_or_else(instants, <[f64]>::to_vec);
+        // between its steps a method of few steps may be further off than at them
+        let looks = || looks(self.span).collect::<Vec<_>>();
+        let times = times.map_or_else(looks, <[f64]>::to_vec);
         (self.go)(method, tolerance, most, &times, &|_, _| true)
     }
 
@@ -175,7 +186,7 @@ impl<'a> Runnable<'a> {
         let (fine, evaluations) = self.run(method, finer, PATIENCE * coarse.evaluations.max(1), Some(&times));
         *spent += evaluations;
         let fine = fine?;
-        let apart = coarse.apart(&fine, watched)?.max(1e-16);
+        let apart = between(method) * coarse.apart(&fine, watched)?.max(1e-16);
         let slope = (fine.evaluations as f64 / coarse.evaluations as f64).ln() / (COARSE / finer).ln();
         let foretold = |tolerance: f64| coarse.evaluations as f64 * (COARSE / tolerance).powf(slope.max(0.0));
         let served = COARSE * (error / (SAFETY * apart)).powf(1.0 / POWER);
@@ -185,7 +196,8 @@ impl<'a> Runnable<'a> {
                 let between = two_digits(served).max(FINEST);
                 if foretold(between) < (1.0 - SAVED) * fine.evaluations as f64 { between } else { finer }
             }
-            served => two_digits(served.max(FINEST)).max(FINEST),
+            // a run of nearly the same tolerance would share the errors of the finer pilot, and not tell them
+            served => two_digits(served.min(APART * finer).max(FINEST)).max(FINEST),
         };
         let foretold = foretold(tolerance);
         let error = error_at(apart, tolerance / COARSE).max(1e-15);

@@ -9,7 +9,7 @@ use super::plan::{COARSE, LAST, Plan, Runnable, first_of, is_stiff_at};
 use super::receipt::{Line, OF_MODEL, Sufficiency, Wish};
 use super::reduced_model::Lifted;
 use super::run_rows::Run;
-use super::sampled_run::instants;
+use super::sampled_run::looks;
 use super::simplification::candidates::{Candidate, Facts, candidates};
 use super::simplification::linear_error::Weights;
 use super::simplification::{Simplification, SimplifiedScene};
@@ -85,7 +85,7 @@ impl TextModels {
             // a Taylor polynomial has values anywhere for nothing
             let times: Vec<f64> = match method {
                 Method::Taylor => (1..=DENSE).map(|k| own.span * (k as f64 / DENSE as f64)).collect(),
-                _ => instants(own.span).collect(),
+                _ => looks(own.span).collect(),
             };
             let span = Span::new(0.0, own.span, &own.state).with_outputs(&times).with_evaluations(most);
             let mut seen = Seen { samples: Vec::new(), steps: Vec::new() };
