@@ -1,7 +1,12 @@
-//! The worth of estimates of lower models: estimate over true error on the scenes with a motor and on 1,000 random motors: `cargo bench --bench model_reduction`, or with another number behind it.
+//! The worth of estimates of lower models: estimate over true error on the scenes with a motor, on 1,000 random motors and on 1,000
+//! random systems as text, for which choices are judged too: `cargo bench --bench model_reduction`, or with another number behind it.
 
 #[path = "../tests/motions/model_reduction/drawn.rs"]
 mod drawn;
+#[path = "../tests/motions/model_reduction/drawn_texts.rs"]
+mod drawn_texts;
+#[path = "model_reduction/texts.rs"]
+mod texts;
 
 use dalembert_derivations::studies::model_reduction::sampled_run::{followed_at, instants};
 use dalembert_derivations::studies::model_reduction::{Hierarchy, Loss};
@@ -57,7 +62,8 @@ fn main() {
     for (model, found) in &mut by_model {
         row(model, found);
     }
-    println!("without a run or an estimate: {lost}");
+    println!("without a run or an estimate: {lost}\n");
+    texts::survey(count);
 }
 
 fn row(name: &str, found: &mut [f64]) {

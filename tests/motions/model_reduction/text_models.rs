@@ -1,8 +1,11 @@
 //! What is chosen for systems that are written in their files: promises are kept, and a smaller model that serves is taken.
 
 use super::drawn_texts::{KINDS, scene};
-use dalembert_derivations::studies::model_reduction::{Choice, Models, Receipt, TextModels, Wish, choose};
-use integrators::Method;
+use dalembert_derivations::studies::model_reduction::{
+    Choice, Models, Receipt, Simplification, SimplifiedScene, TextModels, Wish, choose,
+};
+use integrators::{Method, Observer, Span, Tolerance, integrate};
+use simulation::Axes;
 use simulation::models::{Modelled, readers};
 use std::sync::Arc;
 use std::time::Duration;
@@ -10,7 +13,7 @@ use std::time::Duration;
 /// Instants at which a run is compared with the exact one.
 const DENSE: usize = 2_000;
 
-pub fn opened(text: &str) -> Arc<dyn Modelled> {
+fn opened(text: &str) -> Arc<dyn Modelled> {
     scenes::register(|_| ());
     (readers().expect("they were given").scene)("drawn", text).unwrap_or_else(|error| panic!("{error}\n{text}"))
 }
@@ -54,55 +57,60 @@ fn what_is_taken_of_random_systems_keeps_its_tolerance_over_the_whole_run() {
     assert!(smaller >= 20, "{smaller}");
 }
 
+/// The elements that are left out are those whose time scales say so, and a run by the name that is printed is the same run.
 #[test]
-#[ignore]
-fn survey() {
-    let count: u64 = std::env::var("COUNT").ok().and_then(|n| n.parse().ok()).unwrap_or(120);
-    let mut all: std::collections::BTreeMap<&str, [usize; 6]> = Default::default();
-    for seed in 0..count {
-        let (kind, text) = scene(seed);
-        let scene = opened(&text);
-        for tolerance in [1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6] {
-            let (models, receipt) = chosen(&scene, tolerance);
-            let row = all.entry(kind).or_default();
-            row[0] += 1;
-            let Some(line) = receipt.taken else {
-                row[1] += 1;
-                println!(
-                    "{kind} {seed} {tolerance:e}: nothing taken: own {:?}",
-                    receipt.lines[0].choice.as_ref().map(|c| c.promised)
-                );
-                continue;
-            };
-            let choice = receipt.lines[line].choice.as_ref().expect("it runs");
-            let off = off(&models, &receipt, line, choice);
-            if off > tolerance {
-                row[2] += 1;
-                println!(
-                    "BROKEN {kind} {seed} {tolerance:e}: {} off {off:e} promised {:e} {:?} {:e}",
-                    receipt.lines[line].name, choice.promised, choice.plan.method, choice.plan.tolerance
-                );
-            } else if off > choice.promised {
-                row[3] += 1;
-                println!(
-                    "ABOVE {:.2} {kind} {seed} {tolerance:e} {} promised {:e} own T {:e} P2 {:e} {:?}",
-                    off / choice.promised,
-                    receipt.lines[line].name,
-                    choice.promised,
-                    choice.plan.tolerance,
-                    choice.plan.pilots[1].tolerance,
-                    choice.plan.method
-                );
-            }
-            row[4] += usize::from(line > 0);
-            let worth = receipt.worth().unwrap_or(f64::NAN);
-            if worth > 4.0 {
-                row[5] += 1;
-            }
-        }
-    }
-    println!("kind: total, nothing, broken, above promise, smaller, price>4");
-    for (kind, row) in all {
-        println!("{kind}: {row:?}");
+fn a_motor_of_small_inductance_is_run_without_its_transient_and_a_short_pendulum_apart_is_not_followed() {
+    let taken = |text: &str, tolerance: f64| {
+        let scene = opened(text);
+        let (models, receipt) = chosen(&scene, tolerance);
+        let line = receipt.taken.expect("something is taken");
+        let name = receipt.lines[line].name.clone();
+        assert!(receipt.saved(line).is_some_and(|saved| saved > 1.3), "{name}");
+        let simplified = SimplifiedScene::of(&scene, &Simplification::parse(&name).expect("a name")).expect("a model");
+        let problem = simplified.whole_problem();
+        assert_eq!(problem.state.len(), receipt.lines[line].states);
+        assert_eq!(problem.columns, *models.columns());
+        name
+    };
+    assert_eq!(taken(&scene(2).1, 1e-4), "unfollowed b,b'");
+    assert_eq!(taken(&scene(8).1, 1e-4), "fixed b,c,b',c'");
+    let (_, motor) = scene(0);
+    let motor = motor.replace(" - (0.01 N m)*sin(theta)*N.z", "");
+    let line = |line: &str| if line.starts_with("L = ") { "L = \"1e-6 H\"".to_owned() } else { line.to_owned() };
+    let motor: Vec<String> = motor.lines().map(line).collect();
+    assert_eq!(taken(&motor.join("\n"), 1e-2), "quasi-steady drive.q'; unfollowed theta,drive.q");
+}
+
+/// A transient of the time constant T that a smaller model leaves out is off by its first value, and by T times the rate after it.
+#[test]
+fn the_error_of_a_transient_that_is_left_out_is_that_of_its_closed_form() {
+    let text = "title = \"creeping\"\n[parameters]\nm = \"1 g\"\n[coordinates]\nx = \"m\"\n[points]\nA = \"O + x*N.x\"\n\
+        [bodies.b]\ncentre = \"A\"\nmass = \"m\"\n[[force]]\non = \"b\"\nis = \"(-(1 N/m)*x - (1 N s/m)*x')*N.x\"\n\
+        [start]\nx = \"1 m\"\n[run]\nspan = \"3 s\"\noutputs = [\"x\"]\n";
+    let scene = opened(text);
+    let models = TextModels::of(&scene, None);
+    let (watched, _) = models.watched(&scene.run().outputs).expect("it runs");
+    let own = scene.problem(Axes::First);
+    let mut along = Along(vec![(0.0, own.state.clone())]);
+    let span = Span::new(0.0, own.span, &own.state);
+    integrate(&*own.law, Method::DormandPrince8, &Tolerance::both(1e-10), &span, &mut along);
+    let estimates = models.estimates(&watched, &along.0);
+    let (lines, _) = models.lines(&watched, 1e-3);
+    let place = lines.iter().position(|line| line.name == "quasi-steady x'").expect("it is found");
+    let found = estimates[place - 1].as_ref().expect("an estimate");
+    // x'' = -1000 (x + x') beside x' = -x: the roots are those of s^2 + 1000 s + 1000
+    let root = (1e6f64 - 4e3).sqrt();
+    let (slow, fast) = ((-1e3 + root) / 2.0, (-1e3 - root) / 2.0);
+    let exact = |t: f64| (fast * (slow * t).exp() - slow * (fast * t).exp()) / (fast - slow);
+    let off = along.0.iter().map(|(t, _)| (exact(*t) - (-t).exp()).abs()).fold(0.0, f64::max);
+    assert!((found.first / off - 1.0).abs() < 0.02, "{:e} {off:e}", found.first);
+}
+
+/// States at the steps of a run.
+struct Along(Vec<(f64, Vec<f64>)>);
+
+impl Observer<f64> for Along {
+    fn step(&mut self, time: f64, state: &[f64]) {
+        self.0.push((time, state.to_vec()));
     }
 }

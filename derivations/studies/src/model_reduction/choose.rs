@@ -18,7 +18,7 @@ const FINER: f64 = 1e-2;
 /// The least power of the tolerance with which errors are believed to go.
 const LEAST_SLOPE: f64 = 0.5;
 /// Runs of the scene's own model that trying smaller ones may cost: those that are too far off end early.
-const PRICE: f64 = 1.5;
+const PRICE: f64 = 2.0;
 /// A simplification that costs more than this share of the scene's own model saves too little.
 const WORTH: f64 = 0.8;
 /// Errors below this are rounding.
@@ -236,9 +236,15 @@ fn compared(
             lines[line].verdict = Sufficiency::NotTried;
             continue;
         };
-        // where it is as stiff, or as smooth, only a shorter law is cheaper
         let is_stiff = models.is_stiff(line);
-        if is_stiff == plan.method.traits().implicit && share(line) > WORTH && lines[line].states == lines[0].states {
+        let fewer = lines[line].states as f64 / lines[0].states as f64;
+        // where it is as stiff, or as smooth, only a shorter law is cheaper; an implicit method saves with its states too
+        let costs = match (is_stiff, plan.method.traits().implicit) {
+            (true, true) => share(line) * fewer,
+            (false, false) if fewer == 1.0 => share(line),
+            _ => 0.0,
+        };
+        if costs > WORTH {
             lines[line].verdict = Sufficiency::NotCheaper;
             continue;
         }
@@ -248,19 +254,27 @@ fn compared(
         for _ in 0..if is_exact { 2 } else { 1 } {
             let mut is_too_far = false;
             let near = run.near(watched, (wish.tolerance - error) / between(plan.method));
-            let ran = by_kind(is_stiff, |method| {
-                let serves = |time: f64, row: &[f64]| {
-                    is_too_far |= !near(time, row);
-                    !is_too_far
-                };
-                let serves = RefCell::new(serves);
-                let (ran, spent) =
-                    form.run_while((method, tolerance, most), &times, &|time, row| (serves.borrow_mut())(time, row));
-                let cost = (spent as f64 * share(line)).ceil();
-                left -= cost;
-                *deciding += cost as u64;
-                (ran, spent)
-            });
+            let mut by = |implicit: bool| {
+                by_kind(implicit, |method| {
+                    let serves = RefCell::new(|time: f64, row: &[f64]| {
+                        is_too_far |= !near(time, row);
+                        !is_too_far
+                    });
+                    let most = most.min((left / share(line)).max(0.0) as u64);
+                    let serves = |time: f64, row: &[f64]| (serves.borrow_mut())(time, row);
+                    let (ran, spent) = form.run_while((method, tolerance, most), &times, &serves);
+                    let cost = (spent as f64 * share(line)).ceil();
+                    left -= cost;
+                    *deciding += cost as u64;
+                    (ran, spent)
+                })
+            };
+            // transients may be slow at the start, and not later
+            let other = || plan.method.traits().implicit && !is_stiff;
+            let ran = match by(is_stiff) {
+                None if other() => by(true),
+                ran => ran,
+            };
             if let Some((method, ran)) = ran
                 && let Some(off) = run.apart(&ran, watched)
             {

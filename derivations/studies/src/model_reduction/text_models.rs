@@ -163,7 +163,28 @@ impl TextModels {
         found.into_iter().filter_map(simplified).collect()
     }
 
-    /// The error of a simplification, to first order along the first run; none where its law changes at events.
+    /// The number of simplifications that are not exact.
+    fn approximate(&self) -> usize {
+        self.found.get().map_or(0, |found| found.iter().filter(|one| !one.is_exact).count())
+    }
+
+    /// Whether estimates cost less than the run that they are made along: else the runs of the models are the better judges.
+    fn is_worth_estimates(&self, pilot: &Pilot) -> bool {
+        let (own, count) = (self.own(), self.approximate());
+        let cost = || Weights::cost(&*own.law, pilot.along.len(), count);
+        own.switching.is_none() && count > 0 && cost() as f64 <= WORTH * pilot.run.evaluations as f64
+    }
+
+    /// The error of each simplification to first order, along times and states of a run of the scene's own model; none where that is
+    /// known too sparsely, or where the law changes at events.
+    pub fn estimates(&self, watched: &Watched, along: &[(f64, Vec<f64>)]) -> Vec<Option<Estimate>> {
+        let found = self.found.get_or_init(|| self.simplified(watched));
+        let weights = self.own().switching.is_none().then(|| Weights::along(&*self.own().law, along)).flatten();
+        let estimate = |one: &Simplified| self.estimate(weights.as_ref()?, one, watched);
+        found.iter().map(estimate).collect()
+    }
+
+    /// The error of a simplification, to first order along a run.
     fn estimate(&self, weights: &Weights, one: &Simplified, watched: &Watched) -> Option<Estimate> {
         let own = self.own();
         let states = own.state.len();
@@ -192,7 +213,6 @@ impl TextModels {
                 }
             }
         }
-        found.evaluations = weights.each();
         found.small = one.candidate.value;
         Some(found)
     }
@@ -219,26 +239,16 @@ impl Models for TextModels {
     fn lines(&self, watched: &Watched, tolerance: f64) -> (Vec<Line>, u64) {
         let (mut lines, mut spent) = self.known.lines(watched, tolerance);
         let found = self.found.get_or_init(|| self.simplified(watched));
-        let is_smooth = self.own().switching.is_none();
-        let pilot = self.pilot.borrow();
-        let count = found.iter().filter(|one| !one.is_exact).count();
-        // a run that the estimates would cost more than is the better judge
-        let is_worth = |pilot: &&Pilot| {
-            let cost = Weights::cost(&*self.own().law, pilot.along.len(), count);
-            is_smooth && count > 0 && cost as f64 <= WORTH * pilot.run.evaluations as f64
-        };
-        let along = pilot.as_ref().filter(is_worth);
-        let weights = along.and_then(|pilot| Weights::along(&*self.own().law, &pilot.along));
-        spent += weights
-            .as_ref()
-            .map_or(0, |_| Weights::cost(&*self.own().law, along.map_or(0, |pilot| pilot.along.len()), 0));
-        for one in found {
-            let model = match (&weights, one.is_exact) {
+        let estimates = self.pilot.borrow().as_ref().filter(|pilot| self.is_worth_estimates(pilot)).map(|pilot| {
+            spent += Weights::cost(&*self.own().law, pilot.along.len(), self.approximate());
+            self.estimates(watched, &pilot.along)
+        });
+        for (at, one) in found.iter().enumerate() {
+            let model = match (&estimates, one.is_exact) {
                 (_, true) => Ok(Estimate::nothing(watched.columns.len())),
-                (Some(weights), false) => self.estimate(weights, one, watched).ok_or_else(|| NO_ESTIMATE.to_owned()),
+                (Some(estimates), false) => estimates[at].clone().ok_or_else(|| NO_ESTIMATE.to_owned()),
                 (None, false) => Err(BY_ITS_RUN.to_owned()),
             };
-            spent += model.as_ref().map_or(0, |model| model.evaluations);
             let verdict = match &model {
                 Ok(model) if model.first > DOUBT * OF_MODEL * tolerance => Sufficiency::TooFar,
                 Err(why) if why == NO_ESTIMATE => Sufficiency::NotCarried,

@@ -101,11 +101,6 @@ impl Weights {
         ((share + 2.0 + 2.0 * models as f64) * (FINER * states) as f64) as u64
     }
 
-    /// Evaluations for one smaller model.
-    pub fn each(&self) -> u64 {
-        2 * self.steps.len() as u64
-    }
-
     /// Times and states of the richer run with e there; none where the defect has no value.
     pub fn errors(&self, lower: &Lifted<'_>, law: &dyn Law) -> Option<Vec<(f64, &[f64], Vec<f64>)>> {
         let (time, state) = &self.start;
