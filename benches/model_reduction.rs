@@ -1,5 +1,6 @@
 //! The worth of estimates of lower models: estimate over true error on the scenes with a motor, on 1,000 random motors and on 1,000
-//! random systems as text, for which choices are judged too: `cargo bench --bench model_reduction`, or with another number behind it.
+//! random systems as text, for which choices are judged too: `cargo bench --bench model_reduction`, or with
+//! another number behind it, and with `texts` for these alone.
 
 #[path = "../tests/motions/model_reduction/drawn.rs"]
 mod drawn;
@@ -29,6 +30,10 @@ const DOUBTS: [f64; 3] = [0.1, 0.5, f64::INFINITY];
 type Seen = (&'static str, f64, f64, f64);
 
 fn main() {
+    let count = std::env::args().find_map(|word| word.parse().ok()).unwrap_or(1_000);
+    if std::env::args().any(|word| word == "texts") {
+        return texts::survey(count);
+    }
     println!("scene               model                             true error  estimate  effectivity  2nd/1st");
     for name in SCENES {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes").join(name).with_extension("toml");
@@ -38,7 +43,6 @@ fn main() {
             println!("{name:<19} {model:<33} {error:>10.2e} {first:>9.2e} {effectivity:>12.4} {doubt:>8.1e}");
         }
     }
-    let count = std::env::args().find_map(|word| word.parse().ok()).unwrap_or(1_000);
     let mut by_doubt: [Vec<f64>; DOUBTS.len()] = Default::default();
     let mut by_model: BTreeMap<&str, Vec<f64>> = BTreeMap::new();
     let mut lost = 0;

@@ -140,7 +140,7 @@ fn effectivities(
     if own.switching.is_some() || !integrate(&*own.law, method, &Tolerance::both(1e-8), &span, &mut along).reached() {
         return Vec::new();
     }
-    let estimates = models.estimates(&receipt.watched, &along.0);
+    let Some(estimates) = models.estimates(&receipt.watched, &along.0) else { return Vec::new() };
     let known = receipt.lines.len() - estimates.len();
     let one = |(at, estimate): (usize, &Option<dalembert_derivations::studies::model_reduction::Estimate>)| {
         let line = known + at;

@@ -94,7 +94,7 @@ fn the_error_of_a_transient_that_is_left_out_is_that_of_its_closed_form() {
     let mut along = Along(vec![(0.0, own.state.clone())]);
     let span = Span::new(0.0, own.span, &own.state);
     integrate(&*own.law, Method::DormandPrince8, &Tolerance::both(1e-10), &span, &mut along);
-    let estimates = models.estimates(&watched, &along.0);
+    let estimates = models.estimates(&watched, &along.0).expect("the run is known");
     let (lines, _) = models.lines(&watched, 1e-3);
     let place = lines.iter().position(|line| line.name == "quasi-steady x'").expect("it is found");
     let found = estimates[place - 1].as_ref().expect("an estimate");

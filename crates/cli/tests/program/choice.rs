@@ -59,15 +59,40 @@ fn the_same_scene_has_the_same_choice_and_ties_go_to_the_smaller_model() {
 }
 
 #[test]
-fn a_receipt_says_when_it_promises_and_which_cheaper_model_cannot_be_run() {
+fn a_receipt_says_when_it_promises_and_what_is_left_out() {
     let output = run(&["choose", "scenes/stiff_damper.toml", "--tol", "1e-2"]);
     let told = String::from_utf8_lossy(&output.stdout).into_owned();
     for words in [
-        "taken: multi_current",
-        "run it: dalembert run scenes/stiff_damper.toml ",
-        "cannot be asked for it: fast windings resistive",
+        "taken: currents at the present slip",
+        "run it: dalembert run scenes/stiff_damper.toml --model 'currents at the present slip' ",
         "the largest error of the whole run",
     ] {
         assert!(told.contains(words), "{words} in {told}");
     }
+}
+
+/// A stiff spring is where it balances; a transient that is asked for is not left out.
+#[test]
+fn a_smaller_model_of_a_system_as_text_is_found_and_run_by_its_name() {
+    let scene = "scenes/models/stiff_spring.toml";
+    let receipt = json(&run(&["choose", scene, "--tol", "1e-2", "--format", "json"]));
+    assert_eq!(receipt["taken"], "quasi-steady x");
+    assert!(receipt["saved"].as_f64().expect("a number") > 2.0, "{receipt}");
+    let asked = json(&run(&["choose", scene, "--tol", "1e-2", "--outputs", "x'", "--format", "json"]));
+    assert_eq!(asked["taken"], "as written in its file");
+    for (model, told) in [
+        ("quasi-steady z", "no state is called `z`; known: x, phi, x', phi'"),
+        ("quasi-steady phi", "not linear in them"),
+        ("fixed x", "x moves at the speed x': both are fixed, or neither"),
+        ("without z", "no parameter is called `z`; known: m, M, l, k, c"),
+        ("slow x", "\"quasi-steady X\""),
+        ("fixed x,x'; unfollowed phi,phi'", "no state is left to be followed"),
+    ] {
+        let refused = run(&["run", scene, "--model", model]);
+        assert_eq!(refused.status.code(), Some(2), "{model}");
+        let said = String::from_utf8_lossy(&refused.stderr);
+        assert!(said.contains(told), "{told} in {said}");
+    }
+    let whole = json(&run(&["run", scene, "--model", "unfollowed x,x'", "--format", "json"]));
+    assert!(whole["state"]["x"].is_null() && whole["state"]["phi"].is_number(), "{whole}");
 }

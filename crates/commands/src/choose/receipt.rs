@@ -7,21 +7,20 @@ use std::fmt::Write;
 use studies::model_reduction::forms::SWITCHING;
 use studies::model_reduction::sampled_run::{INSTANTS, LOOKS};
 use studies::model_reduction::switching::STRETCHES;
-use studies::model_reduction::{Estimate, Line, Loss, Receipt, Sufficiency};
+use studies::model_reduction::{Line, Loss, Receipt, Sufficiency};
 
 /// For readers.
 pub fn text(title: &str, receipt: &Receipt, command: Option<&[String]>) -> String {
     let mut out = format!("{title}\n\nto {:.0e} in {}\n\n", receipt.tolerance, receipt.watched.names.join(", "));
-    let head = ["model", "states", "its error", "2nd order", "small", "evaluations", "time", "promised", "measured"];
-    let widths = [37, 8, 11, 11, 11, 13, 8, 11, 10];
-    let row = |cells: [String; 9]| {
+    let head = ["model", "states", "estimate", "small", "evaluations", "time", "promised", "measured"];
+    let longest = receipt.lines.iter().filter(|line| !hopeless(line)).map(|line| line.name.chars().count()).max();
+    let widths = [longest.unwrap_or(0).max(30) + 5, 8, 11, 11, 13, 8, 11, 10];
+    let row = |cells: [String; 8]| {
         let cells = cells.iter().zip(widths).map(|(cell, width)| format!("{cell:<width$}"));
         format!("{}\n", cells.collect::<String>().trim_end())
     };
     out += &row(head.map(str::to_owned));
     let unit = receipt.lines.first().and_then(|line| line.choice.as_ref()?.seconds);
-    // of what was found and does not serve a sentence says enough
-    let hopeless = |line: &Line| line.verdict == Sufficiency::TooFar && line.asked_as.is_some();
     for (at, line) in receipt.lines.iter().enumerate().filter(|(_, line)| !hopeless(line)) {
         let choice = line.choice.as_ref();
         let mark = if receipt.taken == Some(at) { " <-" } else { "" };
@@ -30,8 +29,7 @@ pub fn text(title: &str, receipt: &Receipt, command: Option<&[String]>) -> Strin
         out += &row([
             format!("{}{mark}", line.name),
             line.states.to_string(),
-            if exact { "none".to_owned() } else { error(model) },
-            if exact { String::new() } else { told(model.map(|model| model.second)) },
+            if exact { "exact".to_owned() } else { told(model.map(|model| model.first)) },
             told(model.and_then(|model| model.small)),
             choice.map_or_else(|| said(line), |choice| choice.work.evaluations.to_string()),
             choice.and_then(|choice| Some(format!("{:.2}", choice.seconds? / unit?))).unwrap_or_default(),
@@ -55,7 +53,8 @@ pub fn text(title: &str, receipt: &Receipt, command: Option<&[String]>) -> Strin
             Loss::Nothing { claim: None } => "exact: the laws do not differ, which is decided".to_owned(),
             Loss::Small { parameter } => format!("small: {parameter}"),
         };
-        let not = line.model.as_ref().err().map_or_else(String::new, |why| format!("; {why}"));
+        let why_not = line.model.as_ref().err().filter(|_| line.verdict == Sufficiency::NotCarried);
+        let not = why_not.map_or_else(String::new, |why| format!("; {why}"));
         let largest = line.model.as_ref().ok().filter(|model| model.first > 0.0 && line.name != SWITCHING);
         let largest = largest.map_or_else(String::new, |model| format!("; its error is largest at {:.4e} s", model.at));
         let unasked = if line.asked_as.is_none() { "; `dalembert run` cannot be asked for it" } else { "" };
@@ -88,19 +87,25 @@ pub fn text(title: &str, receipt: &Receipt, command: Option<&[String]>) -> Strin
 /// For which times errors are promised, and by what.
 fn promise(receipt: &Receipt) -> String {
     let mut text = format!(
-        "promised: the largest error of the whole run, seen at the steps of runs and estimates and at {LOOKS} even instants; an \
-         estimate of first and second order with the distance from a finer run, and no bound"
+        "promised: the largest error of the whole run, of a method by a finer run, of a smaller model by its run beside that of the \
+         scene's own; seen at steps and at {LOOKS} even instants and doubled for what lies between (five times, of implicit methods); \
+         no bound"
     );
+    if receipt.lines.iter().any(|line| line.model.as_ref().is_ok_and(|model| model.first > 0.0)) {
+        text += "\nestimate: to first order, by the defect of the smaller model along a coarse run";
+    }
     if receipt.lines.iter().any(|line| line.name == SWITCHING) {
-        text += &format!("; of switching at the ends of {STRETCHES} stretches alone");
+        text += &format!("\nswitching: promised at the ends of {STRETCHES} stretches alone");
     }
     if receipt.lines.iter().any(|line| line.choice.as_ref().is_some_and(|choice| choice.measured.is_some())) {
         text += &format!("\nmeasured: at the {INSTANTS} instants of the reference alone");
     }
-    if receipt.lines.iter().any(|line| line.model.as_ref().is_ok_and(|model| model.given_up)) {
-        text += "\n>: an error beyond ten times what is allowed was not followed further";
-    }
     text
+}
+
+/// A model that does not serve and can be run: a sentence says enough of it.
+fn hopeless(line: &Line) -> bool {
+    line.verdict == Sufficiency::TooFar && line.asked_as.is_some()
 }
 
 /// A model that does not serve, with its error where it is known.
@@ -117,17 +122,9 @@ fn decided(receipt: &Receipt) -> String {
     let pays = match receipt.pays_from() {
         Some(1) => "it has paid with the first run".to_owned(),
         Some(run) => format!("it has paid from run {run} on"),
-        None => "nothing is saved".to_owned(),
+        None => "nothing is saved, and it does not pay".to_owned(),
     };
     format!("deciding took {} evaluations{worth}: {pays}", receipt.deciding)
-}
-
-/// What is lost, or more than how much.
-fn error(model: Option<&Estimate>) -> String {
-    model.map_or_else(
-        || "-".to_owned(),
-        |model| format!("{}{:.1e}", if model.given_up { "> " } else { "" }, model.first),
-    )
 }
 
 fn told(value: Option<f64>) -> String {
@@ -167,13 +164,11 @@ pub fn object(title: &str, receipt: &Receipt, command: Option<&[String]>) -> Val
             "states": line.states,
             "estimate": model.map(|model| json!({
                 "first": model.first,
-                "second": model.second,
                 "at": model.at,
-                "given_up": model.given_up,
                 "outputs": receipt.watched.names.iter().cloned().zip(model.each.iter().map(|each| json!(each))).collect::<serde_json::Map<_, _>>(),
             })),
             "run_takes_it": line.asked_as.is_some(),
-            "why_not": line.model.as_ref().err(),
+            "why_not": line.model.as_ref().err().filter(|_| line.verdict == Sufficiency::NotCarried),
             "verdict": line.choice.as_ref().map_or_else(|| said(line), |_| "suffices".to_owned()),
             "run": line.choice.as_ref().map(|choice| json!({
                 "method": methods::written(choice.plan.method),

@@ -1,6 +1,7 @@
 //! What of a run matters, and by what its errors are measured.
 
 use super::Hierarchy;
+use super::plan::is_stiff_at;
 use super::sampled_run::{COARSE, followed_while, looks};
 use integrators::{Failure, Tolerance};
 
@@ -38,7 +39,8 @@ impl Hierarchy {
             return self.watched_across_events(names);
         }
         let (law, start) = (&self.law, &self.start);
-        let (outputs, mut stiff): (Vec<f64>, bool) = (looks(self.own.span).collect(), false);
+        let outputs: Vec<f64> = looks(self.own.span).collect();
+        let mut stiff = is_stiff_at(&**law, start, self.own.span);
         let coarse = Tolerance::both(COARSE);
         let mut seen = vec![(0.0, start.clone())];
         let mut left = None;

@@ -175,13 +175,12 @@ impl TextModels {
         own.switching.is_none() && count > 0 && cost() as f64 <= WORTH * pilot.run.evaluations as f64
     }
 
-    /// The error of each simplification to first order, along times and states of a run of the scene's own model; none where that is
-    /// known too sparsely, or where the law changes at events.
-    pub fn estimates(&self, watched: &Watched, along: &[(f64, Vec<f64>)]) -> Vec<Option<Estimate>> {
+    /// The error of each simplification to first order, along times and states of a run of the scene's own model, where its equations
+    /// have values; none where the run is known too sparsely, or where the law changes at events.
+    pub fn estimates(&self, watched: &Watched, along: &[(f64, Vec<f64>)]) -> Option<Vec<Option<Estimate>>> {
         let found = self.found.get_or_init(|| self.simplified(watched));
-        let weights = self.own().switching.is_none().then(|| Weights::along(&*self.own().law, along)).flatten();
-        let estimate = |one: &Simplified| self.estimate(weights.as_ref()?, one, watched);
-        found.iter().map(estimate).collect()
+        let weights = self.own().switching.is_none().then(|| Weights::along(&*self.own().law, along)).flatten()?;
+        Some(found.iter().map(|one| self.estimate(&weights, one, watched)).collect())
     }
 
     /// The error of a simplification, to first order along a run.
@@ -239,7 +238,7 @@ impl Models for TextModels {
     fn lines(&self, watched: &Watched, tolerance: f64) -> (Vec<Line>, u64) {
         let (mut lines, mut spent) = self.known.lines(watched, tolerance);
         let found = self.found.get_or_init(|| self.simplified(watched));
-        let estimates = self.pilot.borrow().as_ref().filter(|pilot| self.is_worth_estimates(pilot)).map(|pilot| {
+        let estimates = self.pilot.borrow().as_ref().filter(|pilot| self.is_worth_estimates(pilot)).and_then(|pilot| {
             spent += Weights::cost(&*self.own().law, pilot.along.len(), self.approximate());
             self.estimates(watched, &pilot.along)
         });
