@@ -10,8 +10,9 @@
 //! * [`error_propagation`]: the error that the defect makes, carried by the richer law; [`estimate`]: its run;
 //! * [`dual_weighted_error`]: the same by transition matrices, weighed for each output: where along the run an error comes from;
 //! * [`switching`]: a smaller model on those stretches only; [`loss_weights`]: what weighs its losses;
-//! * [`run_rows`]: a run's rows at its steps; [`plan`]: the cheapest method and form for a law; [`choose`](mod@choose): the cheapest of any [`choose::Models`], as
-//!   those of [`forms`] are, with its [`receipt`].
+//! * [`simplification`]: elements that a system as text does without, found in its equations; [`text_models`]: its models;
+//! * [`run_rows`]: a run's rows at its steps; [`plan`]: the cheapest method and form for a law; [`choose`](mod@choose): the cheapest of
+//!   any [`choose::Models`], as those of [`forms`] are, with its [`receipt`]; [`ReducedScene`]: a scene run by one of them.
 //!
 //! Key results: a step with a vanishing defect is exact, which is decided over expressions; of every other the error is
 //! estimated to first order, with the second order beside it. Neither is a bound; [`lumping::merged_at_most`] is one.
@@ -39,7 +40,7 @@ pub mod simplification;
 mod smaller_machines;
 mod steady_currents;
 pub mod switching;
-mod text_models;
+pub mod text_models;
 
 pub use choose::{Models, choose};
 pub use estimate::Estimate;
