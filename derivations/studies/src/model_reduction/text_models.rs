@@ -130,7 +130,7 @@ impl TextModels {
             let names = &own.columns[..own.state.len()];
             let facts = Facts { written: &*written, law: &*own.law, names, along, shown: &shown };
             let (exact, beyond) = candidates(&facts);
-            if exact.has_fewer_states() {
+            if exact.has_own_law() {
                 found.push((Candidate { simplification: exact, parameter: "", value: None }, true));
             }
             found.extend(beyond.into_iter().map(|one| (one, false)));
@@ -156,7 +156,7 @@ impl TextModels {
             // an element saves by what it makes stiff, by its events, or by its length
             let is_simpler = match own.switching.is_some() {
                 true => problem.switching.is_none(),
-                false => candidate.simplification.has_fewer_states() || watched.stiff || is_shorter,
+                false => candidate.simplification.has_own_law() || watched.stiff || is_shorter,
             };
             (shows && is_simpler).then_some(Simplified { candidate, is_exact, scene, problem })
         };

@@ -2,8 +2,10 @@
 //!
 //! * A state on which neither an output nor a rate that is followed depends is not followed: exact.
 //! * States whose rates vanish while they stay where they start do stay there: exact.
+//! * States that start alike, and whose rates are alike while they are, stay so: exact.
 //! * A state that relaxes, or a coordinate that swings, many times faster than the run lasts is quasi-steady, the fastest first.
 //! * A state that hardly changes along the run is fixed.
+//! * A law that is not linear may be so where states are small.
 //!
 //! Whether an approximation suffices is decided by its error: these are only worth trying.
 
@@ -23,6 +25,8 @@ const HARDLY: f64 = 1e-2;
 const LOOKS: usize = 5;
 /// States up to which equations are searched.
 const MOST: usize = 60;
+/// Operations of all rates up to which they are linearised.
+const LINEARISED: usize = 2_000;
 /// Operations of one rate up to which it is decided whether it vanishes.
 const DECIDED: usize = 2_000;
 
@@ -44,6 +48,8 @@ struct Structure {
     depends: Vec<Vec<bool>>,
     /// The speed of a coordinate: the state that is its rate.
     speeds: Vec<Option<usize>>,
+    /// Whether rates are not linear in the states.
+    is_curved: bool,
 }
 
 /// A part of the motion with a time scale of its own.
@@ -64,6 +70,7 @@ pub struct Candidate {
 }
 
 const OF_TRANSIENTS: &str = "time of the slowest transient over that of the run";
+const OF_SQUARES: &str = "squares of the states beside them";
 const OF_RANGES: &str = "range of what is fixed over its size";
 
 /// The exact simplification, which may be none, and approximations beyond it.
@@ -75,10 +82,19 @@ pub fn candidates(facts: &Facts<'_>) -> (Simplification, Vec<Candidate>) {
     let unfollowed = structure.unfollowed(facts.shown);
     let fixed = resting(facts, &unfollowed);
     let named = |places: &[usize]| places.iter().map(|&place| facts.names[place].clone()).collect::<Vec<_>>();
-    let exact = Simplification { unfollowed: named(&unfollowed), fixed: named(&fixed), ..Simplification::default() };
-    let gone: Vec<usize> = unfollowed.iter().chain(&fixed).copied().collect();
+    let same = alike(facts, &[&unfollowed[..], &fixed].concat());
+    let pair = |(one, other): &(usize, usize)| format!("{}={}", facts.names[*one], facts.names[*other]);
+    let exact = Simplification {
+        unfollowed: named(&unfollowed),
+        fixed: named(&fixed),
+        equal: same.iter().map(pair).collect(),
+        ..Simplification::default()
+    };
+    let gone: Vec<usize> = unfollowed.iter().chain(&fixed).copied().chain(same.iter().map(|(one, _)| *one)).collect();
+    // the balance of a state that another one is would be asked for twice
+    let kept: Vec<usize> = same.iter().map(|(_, other)| *other).collect();
     let mut fast = structure.transients(facts);
-    fast.retain(|one| !gone.contains(&one.state));
+    fast.retain(|one| !gone.contains(&one.state) && !kept.contains(&one.state));
     fast.sort_by(|a, b| b.rate.total_cmp(&a.rate));
     fast.truncate(MOST_FAST);
     let quasi_steady = |fast: &[Transient]| {
@@ -111,6 +127,10 @@ pub fn candidates(facts: &Facts<'_>) -> (Simplification, Vec<Candidate>) {
         found.push(fixed(&still));
     }
     found.extend(still.iter().map(|one| fixed(&[*one])));
+    if structure.is_curved {
+        let linear = Simplification { linear: true, ..Simplification::default() };
+        found.push(Candidate { simplification: exact.and(&linear), parameter: OF_SQUARES, value: None });
+    }
     (exact, found)
 }
 
@@ -121,7 +141,15 @@ fn structure(written: &dyn SymbolicLaw) -> Structure {
             let used = rate.symbols_of();
             traced.state.iter().map(|state| used.contains(state)).collect()
         });
-        Structure { depends: depends.collect(), speeds: traced.rates.iter().map(place).collect() }
+        let is_curved = |rate: &Sym| {
+            let slopes = traced.state.iter().map(|state| rate.diff(*state));
+            slopes.into_iter().any(|slope| slope.symbols_of().iter().any(|symbol| traced.state.contains(symbol)))
+        };
+        Structure {
+            depends: depends.collect(),
+            speeds: traced.rates.iter().map(place).collect(),
+            is_curved: Sym::operations_of(&traced.rates) <= LINEARISED && traced.rates.iter().any(is_curved),
+        }
     })
 }
 
@@ -221,6 +249,37 @@ fn resting(facts: &Facts<'_>, unfollowed: &[usize]) -> Vec<usize> {
                 |rate: &Sym| Sym::operations_of(&[*rate]) <= DECIDED && decide(*rate, &Hypotheses::none()).is_zero();
             let kept: Vec<usize> =
                 found.iter().zip(&rates).filter(|(_, rate)| vanishes(rate)).map(|(&place, _)| place).collect();
+            if kept.len() == found.len() {
+                return kept;
+            }
+            found = kept;
+        }
+    })
+}
+
+/// Pairs of states of which the first is the second all along: they start alike, and their rates are alike while all pairs are.
+fn alike(facts: &Facts<'_>, gone: &[usize]) -> Vec<(usize, usize)> {
+    let n = facts.names.len();
+    let same = |one: usize, other: usize| facts.along.iter().all(|(_, state)| state[one] == state[other]);
+    let first = |one: usize| (0..one).find(|other| !gone.contains(other) && same(one, *other));
+    let mut found: Vec<(usize, usize)> =
+        (0..n).filter(|one| !gone.contains(one)).filter_map(|one| Some((one, first(one)?))).collect();
+    // the first of all that are alike is followed
+    let others: Vec<usize> = found.iter().map(|(one, _)| *one).collect();
+    found.retain(|(_, other)| !others.contains(other));
+    if found.is_empty() {
+        return found;
+    }
+    traced(facts.written, |traced| {
+        loop {
+            let values: Vec<(Sym, Sym)> =
+                found.iter().map(|&(one, other)| (traced.state[one], traced.state[other])).collect();
+            let apart: Vec<Sym> = found.iter().map(|&(one, other)| traced.rates[one] - traced.rates[other]).collect();
+            let apart = substitute_all(&apart, &values);
+            let vanishes =
+                |rate: &Sym| Sym::operations_of(&[*rate]) <= DECIDED && decide(*rate, &Hypotheses::none()).is_zero();
+            let kept: Vec<(usize, usize)> =
+                found.iter().zip(&apart).filter(|(_, rate)| vanishes(rate)).map(|(pair, _)| *pair).collect();
             if kept.len() == found.len() {
                 return kept;
             }

@@ -6,6 +6,8 @@
 //! | `quasi-steady x` | the rate of x: it has the value at which its equation balances | x relaxes at once |
 //! | `fixed x` | the equation of x: it keeps its value at the start, and nothing is added that would hold it there | its rate vanishes |
 //! | `unfollowed x` | the equation of x | no output and no other rate depends on x |
+//! | `equal x=y` | the equation of x, which is y all along | it starts as y does, and its rate is the same |
+//! | `linear` | all that is not linear in the states: sines, products and powers have the slopes that they have at zero | there is none |
 //!
 //! Parts are joined by semicolons, names within one by commas: `quasi-steady i1,i2; unfollowed phi`. A name is all that a run
 //! needs: [`SimplifiedScene`].
@@ -31,10 +33,16 @@ pub struct Simplification {
     pub fixed: Vec<String>,
     /// States that nothing asks for.
     pub unfollowed: Vec<String>,
+    /// Pairs `x=y`: a state, and the followed one that it is all along.
+    pub equal: Vec<String>,
+    /// Whether the law is that of first order about the zero of all states.
+    pub linear: bool,
 }
 
-/// The words of a name.
-const KINDS: [&str; 4] = ["without", "quasi-steady", "fixed", "unfollowed"];
+/// The words of a name that names follow.
+const KINDS: [&str; 5] = ["without", "quasi-steady", "fixed", "unfollowed", "equal"];
+/// The word that stands alone.
+const LINEAR: &str = "linear";
 
 impl Simplification {
     /// The one of a name.
@@ -44,6 +52,10 @@ impl Simplification {
     pub fn parse(name: &str) -> Result<Self, String> {
         let mut found = Simplification::default();
         for part in name.split(';').map(str::trim) {
+            if part == LINEAR {
+                found.linear = true;
+                continue;
+            }
             let (kind, names) = part.split_once(' ').unwrap_or((part, ""));
             let names: Vec<String> =
                 names.split(',').map(str::trim).filter(|name| !name.is_empty()).map(str::to_owned).collect();
@@ -52,8 +64,9 @@ impl Simplification {
                 Some(place) if !names.is_empty() => &mut *lists[place].1,
                 _ => {
                     return Err(format!(
-                        "`{part}` names no smaller model; \"without P\" with parameters, \"quasi-steady X\", \"fixed X\" and \
-                         \"unfollowed X\" with states are accepted, several names parted by commas and several parts by semicolons"
+                        "`{part}` names no smaller model; \"without P\" with parameters, \"quasi-steady X\", \"fixed X\", \
+                         \"unfollowed X\" and \"equal X=Y\" with states, and \"linear\" are accepted, several names parted by commas \
+                         and several parts by semicolons"
                     ));
                 }
             };
@@ -62,9 +75,9 @@ impl Simplification {
         Ok(found)
     }
 
-    /// Whether it is a model of fewer states.
-    pub fn has_fewer_states(&self) -> bool {
-        [&self.quasi_steady, &self.fixed, &self.unfollowed].iter().any(|names| !names.is_empty())
+    /// Whether it has a law of its own, and not that of other values of parameters.
+    pub fn has_own_law(&self) -> bool {
+        self.linear || self.lists().iter().skip(1).any(|(_, names)| !names.is_empty())
     }
 
     /// Both together.
@@ -74,26 +87,29 @@ impl Simplification {
         for ((_, list), (_, more)) in both.lists_mut().into_iter().zip(other.lists()) {
             list.extend(more.iter().filter(|name| !list.contains(name)).cloned().collect::<Vec<_>>());
         }
+        both.linear |= other.linear;
         both
     }
 
-    fn lists(&self) -> [(&'static str, &Vec<String>); 4] {
-        let [without, quasi_steady, fixed, unfollowed] = KINDS;
+    fn lists(&self) -> [(&'static str, &Vec<String>); 5] {
+        let [without, quasi_steady, fixed, unfollowed, equal] = KINDS;
         [
             (without, &self.without),
             (quasi_steady, &self.quasi_steady),
             (fixed, &self.fixed),
             (unfollowed, &self.unfollowed),
+            (equal, &self.equal),
         ]
     }
 
-    fn lists_mut(&mut self) -> [(&'static str, &mut Vec<String>); 4] {
-        let [without, quasi_steady, fixed, unfollowed] = KINDS;
+    fn lists_mut(&mut self) -> [(&'static str, &mut Vec<String>); 5] {
+        let [without, quasi_steady, fixed, unfollowed, equal] = KINDS;
         [
             (without, &mut self.without),
             (quasi_steady, &mut self.quasi_steady),
             (fixed, &mut self.fixed),
             (unfollowed, &mut self.unfollowed),
+            (equal, &mut self.equal),
         ]
     }
 
@@ -104,16 +120,20 @@ impl Simplification {
             "transients, each has the value at which its equation balances: ",
             "motions, each keeps its value at the start: ",
             "equations that nothing asked for depends on: ",
+            "equations of states that are others all along: ",
         ];
         let said = words.iter().zip(self.lists()).filter(|(_, (_, names))| !names.is_empty());
-        said.map(|(words, (_, names))| format!("{words}{}", names.join(", "))).collect::<Vec<_>>().join("; ")
+        let said = said.map(|(words, (_, names))| format!("{words}{}", names.join(", ")));
+        let linear = self.linear.then(|| "all that is not linear in the states, about their zero".to_owned());
+        said.chain(linear).collect::<Vec<_>>().join("; ")
     }
 }
 
 impl fmt::Display for Simplification {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let parts = self.lists().into_iter().filter(|(_, names)| !names.is_empty());
-        let parts: Vec<String> = parts.map(|(kind, names)| format!("{kind} {}", names.join(","))).collect();
+        let parts = parts.map(|(kind, names)| format!("{kind} {}", names.join(",")));
+        let parts: Vec<String> = parts.chain(self.linear.then(|| LINEAR.to_owned())).collect();
         write!(f, "{}", parts.join("; "))
     }
 }
@@ -124,7 +144,9 @@ mod tests {
 
     #[test]
     fn a_name_is_read_back_and_what_is_none_is_refused_with_what_is_accepted() {
-        for name in ["without mu", "quasi-steady i1,i2; unfollowed phi", "without a,b; fixed x,x'"] {
+        for name in
+            ["without mu", "quasi-steady i1,i2; unfollowed phi", "without a,b; fixed x,x'", "equal b=a,b'=a'; linear"]
+        {
             assert_eq!(Simplification::parse(name).expect("a name").to_string(), name);
         }
         for name in ["", "without", "slow x", "quasi-steady ,"] {

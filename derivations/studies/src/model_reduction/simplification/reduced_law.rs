@@ -4,6 +4,7 @@ use super::Simplification;
 use super::balance::balanced;
 use crate::model_reduction::reduced_model::Lower;
 use field::Over;
+use integrators::Ode;
 use simulation::SymbolicLaw;
 use std::sync::Arc;
 use symbolic::{Sym, apart, substitute_all};
@@ -17,6 +18,8 @@ enum Role {
     Resting,
     /// A state that makes the rate of this one vanish.
     Balancing(usize),
+    /// A state that is another one, which is followed.
+    Same(usize),
 }
 
 /// The roles of all states.
@@ -37,7 +40,14 @@ pub(super) fn lower(
         let place = names.iter().position(|known| known == name);
         place.ok_or_else(|| format!("no state is called `{name}`; known: {}", names.join(", ")))
     };
+    let linear: Arc<dyn SymbolicLaw> = Arc::new(LinearLaw(Arc::clone(written)));
+    let written = if simplification.linear { &linear } else { written };
     let mut roles = Roles(vec![Role::Followed; start.len()]);
+    for pair in &simplification.equal {
+        let (one, other) = pair.split_once('=').ok_or_else(|| format!("`{pair}` is no pair of states such as b=a"))?;
+        let [one, other] = [place(&one.trim().to_owned())?, place(&other.trim().to_owned())?];
+        roles.0[one] = Role::Same(other);
+    }
     for name in simplification.fixed.iter().chain(&simplification.unfollowed) {
         let at = place(name)?;
         roles.0[at] = Role::Fixed(start[at]);
@@ -59,6 +69,13 @@ pub(super) fn lower(
         if let Some(speed) = speed_of(&**written, at).filter(|speed| !matches!(roles.0[*speed], Role::Fixed(_))) {
             return Err(format!("{name} moves at the speed {}: both are fixed, or neither", names[speed]));
         }
+    }
+    let unequal = |role: &Role| matches!(role, Role::Same(other) if roles.0[*other] != Role::Followed);
+    if let Some(at) = roles.0.iter().position(unequal) {
+        return Err(format!("{} is equal to a state that is not followed itself", names[at]));
+    }
+    if simplification.linear && !has_values_at_zero(&**written) {
+        return Err("its equations have no values where all states are zero".to_owned());
     }
     let has_balance = apart(|| {
         let time = Sym::symbol("t");
@@ -109,7 +126,8 @@ impl Roles {
             y.push(match role {
                 Role::Followed => *followed.next()?,
                 Role::Fixed(value) => Sym::lift(*value),
-                Role::Resting => Sym::ZERO,
+                // put in below
+                Role::Resting | Role::Same(_) => Sym::ZERO,
                 Role::Balancing(row) => {
                     let unknown = Sym::symbol(&format!("balance{}", unknowns.len()));
                     unknowns.push(unknown);
@@ -117,6 +135,11 @@ impl Roles {
                     unknown
                 }
             });
+        }
+        for (at, role) in self.0.iter().enumerate() {
+            if let Role::Same(other) = role {
+                y[at] = y[*other];
+            }
         }
         if unknowns.is_empty() {
             return Some(y);
@@ -126,5 +149,30 @@ impl Roles {
         let rates: Vec<Sym> = rows.into_iter().map(|row| rates[row]).collect();
         let values: Vec<(Sym, Sym)> = unknowns.iter().copied().zip(balanced(&rates, &unknowns)?).collect();
         Some(substitute_all(&y, &values))
+    }
+}
+
+/// Whether the rates of a law are expressions with values.
+fn has_values_at_zero(law: &dyn SymbolicLaw) -> bool {
+    simulation::traced(law, |traced| !traced.rates.contains(&Sym::UNDEFINED))
+}
+
+/// A law to first order about the zero of all states: F(t, 0) + F_y(t, 0) y.
+struct LinearLaw(Arc<dyn SymbolicLaw>);
+
+impl Ode<Sym> for LinearLaw {
+    fn dimension(&self) -> usize {
+        self.0.dimension()
+    }
+
+    fn rates(&self, t: Sym, y: &[Sym], dy: &mut [Sym]) {
+        let letters: Vec<Sym> = (0..y.len()).map(|i| Sym::symbol(&format!("state{i}"))).collect();
+        self.0.rates(t, &letters, dy);
+        let zeros: Vec<(Sym, Sym)> = letters.iter().map(|letter| (*letter, Sym::ZERO)).collect();
+        for rate in dy {
+            let slopes: Vec<Sym> = letters.iter().map(|letter| rate.diff(*letter)).collect();
+            let at_zero = substitute_all(&[&[*rate], &slopes[..]].concat(), &zeros);
+            *rate = at_zero[1..].iter().zip(y).fold(at_zero[0], |sum, (slope, y)| sum + *slope * *y);
+        }
     }
 }

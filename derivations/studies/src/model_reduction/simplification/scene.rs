@@ -40,7 +40,7 @@ impl SimplifiedScene {
         };
         let name = simplification.to_string();
         let own = scene.problem(Axes::First);
-        if !simplification.has_fewer_states() {
+        if !simplification.has_own_law() {
             let hidden = vec![false; own.columns.len()];
             return Ok(SimplifiedScene { scene, name, reduced: None, hidden });
         }
