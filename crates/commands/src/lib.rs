@@ -53,6 +53,7 @@ mod report;
 mod review;
 mod run;
 mod scenes;
+mod spectrum;
 mod speed;
 mod sphere;
 mod stability;

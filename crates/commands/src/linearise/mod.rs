@@ -2,11 +2,12 @@
 
 mod print;
 
-use self::print::{Headed, csv, object, text};
+use self::print::{Found, Headed, csv, object, text};
 use crate::clock;
 use crate::exit::{Exit, placed, warn};
 use crate::progress::Progress;
-use ::scenes::linearisation::{NotLinear, VariedEquations, inputs_of, point_of, points};
+use ::scenes::linearisation::{NotLinear, Standing, VariedEquations, inputs_of, point_of, points};
+use ::scenes::steady_motions::{EnclosedSpectrum, NotEnclosed};
 use ::scenes::{ModelScene, Task, read_model, without_law};
 use clap::{Args, ValueEnum};
 use model::Model;
@@ -81,7 +82,13 @@ pub fn linearise(asked: &Asked) -> Result<Exit, Exit> {
     let mut all = Vec::with_capacity(instances.len());
     for (time, state) in instances {
         let no_linear = |why: NotLinear| placed(&asked.scene, why.at(&model, time));
-        all.push(equations.about(time, &state).map_err(no_linear)?);
+        let linear = equations.about(time, &state).map_err(no_linear)?;
+        let enclosed = match linear.standing {
+            Standing::Moving => None,
+            _ if !equations.feedback.is_empty() => Some(Err(NotEnclosed::Feedback)),
+            _ => Some(EnclosedSpectrum::near(&model, &state, || clock::goes_on().is_continue())),
+        };
+        all.push(Found { linear, enclosed });
     }
     let names = Headed::of(&model, &equations);
     crate::exit::print(&match asked.format {

@@ -1,13 +1,21 @@
 //! Linear equations as text, JSON and a table.
 
 use crate::csv::{headed as csv_headed, line};
+use crate::spectrum;
 use ::scenes::linearisation::{Linear, Names, Point, Standing, VariedEquations};
+use ::scenes::steady_motions::{EnclosedSpectrum, NotEnclosed};
 use ::scenes::unit_of;
 use model::Model;
 use nalgebra::DVector;
 use serde_json::json;
 use std::collections::HashMap;
 use std::fmt::Write;
+
+/// The linear equations about a point, and at a steady motion its eigenvalues in discs, or why there are none.
+pub(super) struct Found {
+    pub linear: Linear,
+    pub enclosed: Option<Result<EnclosedSpectrum, NotEnclosed>>,
+}
 
 /// Names of what rows and columns are, each with its unit.
 pub(super) struct Headed {
@@ -66,7 +74,7 @@ fn standing(standing: Standing) -> &'static str {
     }
 }
 
-pub(super) fn text(headed: &Headed, found: &Linear) -> String {
+pub(super) fn text(headed: &Headed, Found { linear: found, enclosed }: &Found) -> String {
     let Linear { linear, eigenvalues, stability, .. } = found;
     let mut text = format!("t = {} s, {}\n", linear.point.time, standing(found.standing));
     text += &headed.point(&linear.point, found.standing);
@@ -109,6 +117,12 @@ pub(super) fn text(headed: &Headed, found: &Linear) -> String {
         };
     }
     let _ = writeln!(text, "{stability}");
+    let _ = match enclosed {
+        _ if eigenvalues.is_empty() => Ok(()),
+        Some(Ok(enclosed)) => writeln!(text, "{}{}", spectrum::lines(enclosed), spectrum::verdict(enclosed)),
+        Some(Err(why)) => writeln!(text, "eigenvalues and what they say rest on numbers, without enclosures: {why}"),
+        None => Ok(()),
+    };
     text
 }
 
@@ -136,7 +150,7 @@ fn number(value: f64) -> String {
     format!("{text:>19}")
 }
 
-pub(super) fn object(headed: &Headed, found: &Linear) -> serde_json::Value {
+pub(super) fn object(headed: &Headed, Found { linear: found, enclosed }: &Found) -> serde_json::Value {
     let Linear { linear, eigenvalues, stability, .. } = found;
     let mut object = json!({
         "time": linear.point.time,
@@ -149,6 +163,8 @@ pub(super) fn object(headed: &Headed, found: &Linear) -> serde_json::Value {
         "outputs": headed.names.outputs,
         "eigenvalues": eigenvalues,
         "stability": stability.to_string(),
+        "enclosed": enclosed.as_ref().and_then(|found| found.as_ref().ok()).map(spectrum::object),
+        "not_enclosed": enclosed.as_ref().and_then(|found| found.as_ref().err()).map(ToString::to_string),
     });
     for (name, rows) in linear.matrices() {
         object[name] = json!(rows);
@@ -158,9 +174,9 @@ pub(super) fn object(headed: &Headed, found: &Linear) -> serde_json::Value {
 
 /// A row for each entry of a matrix, then for each eigenvalue. Rows and columns carry their units: an entry has that of its row, per
 /// second in A and B, over that of its column.
-pub(super) fn csv(headed: &Headed, all: &[Linear]) -> String {
+pub(super) fn csv(headed: &Headed, all: &[Found]) -> String {
     let mut text = "time [s],matrix,row,column,value\n".to_owned();
-    for Linear { linear, eigenvalues, .. } in all {
+    for Found { linear: Linear { linear, eigenvalues, .. }, .. } in all {
         let time = linear.point.time;
         for (matrix, rows) in linear.matrices() {
             let (left, above) = headed.names.sides(linear, matrix);

@@ -4,8 +4,11 @@ use super::Asked;
 use super::steady_box::{Found, number};
 use crate::arguments::Format;
 use crate::exit::{Exit, print};
+use crate::spectrum;
 use ::scenes::linearisation::{Linear, Stability, Standing};
-use ::scenes::steady_motions::{Near, SteadyMotion, SteadyMotions, SteadyStability};
+use ::scenes::steady_motions::{
+    Eigenvalues, EnclosedSpectrum, EnclosedVerdict, Near, SteadyMotion, SteadyMotions, SteadyStability,
+};
 use ::scenes::unit_of;
 use serde_json::{Value, json};
 use std::fmt::Write;
@@ -123,20 +126,30 @@ pub(super) fn stability(motion: &SteadyMotion, cyclic: &[String]) -> String {
         SteadyStability::FallsOdd(count) => format!(
             "unstable, by enclosures: the amended potential energy falls in an odd number of directions, {count} (Thomson, Tait)"
         ),
-        SteadyStability::Linear(linear) if fades(linear, cyclic.len()) => format!(
+        SteadyStability::Linear(found) if decides(found).is_some() => {
+            decides(found).map(spectrum::verdict).unwrap_or_default()
+        }
+        SteadyStability::Linear(found) if fades(&found.linear, cyclic.len()) => format!(
             "every eigenvalue has a negative real part but for zeros, which cyclic coordinates and their momenta have: asymptotically stable but for \
              {}, by numbers",
             cyclic.join(", ")
         ),
-        SteadyStability::Linear(linear) => {
+        SteadyStability::Linear(found) => {
+            let linear = &found.linear;
             let largest = linear.eigenvalues.iter().map(|value| value[0]).fold(f64::NEG_INFINITY, f64::max);
             match linear.eigenvalues.is_empty() {
                 true => linear.stability.to_string(),
-                false => format!("{}; the largest real part is {largest:.6e} 1/s", linear.stability),
+                false => format!("{}; the largest real part is {largest:.6e} 1/s, by numbers", linear.stability),
             }
         }
         SteadyStability::Unknown(why) => format!("stability is not known: {why}"),
     }
+}
+
+/// Enclosed eigenvalues, where these decide, or show that linear equations do not.
+fn decides(found: &Eigenvalues) -> Option<&EnclosedSpectrum> {
+    let is_known = |found: &&EnclosedSpectrum| !matches!(found.verdict(), EnclosedVerdict::Undecided { touching, .. } if touching > 0);
+    found.enclosed.as_ref().ok().filter(is_known)
 }
 
 /// Eigenvalues below this part of the largest are zeros.
@@ -157,8 +170,12 @@ pub(super) fn verdict(motion: &SteadyMotion, cyclic: &[String]) -> (&'static str
     match &motion.stability {
         SteadyStability::Minimum => ("stable", true),
         SteadyStability::Falls(_) | SteadyStability::FallsOdd(_) => ("unstable", true),
-        SteadyStability::Linear(linear) => match linear.stability {
-            _ if fades(linear, cyclic.len()) => ("asymptotically stable", false),
+        SteadyStability::Linear(found) if decides(found).is_some() => {
+            let word = decides(found).map_or("not decided", spectrum::word);
+            (word, word != "not decided")
+        }
+        SteadyStability::Linear(found) => match found.linear.stability {
+            _ if fades(&found.linear, cyclic.len()) => ("asymptotically stable", false),
             Stability::Unstable(_) => ("unstable", false),
             Stability::Asymptotic { .. } => ("asymptotically stable", false),
             _ => ("not decided", false),
@@ -172,7 +189,11 @@ pub(super) fn motion(found: &SteadyMotions, motion: &SteadyMotion) -> Value {
     let values = found.unknowns.iter().zip(&motion.enclosure).map(|(unknown, at)| (unknown.name.clone(), json!(at)));
     let (verdict, enclosed) = verdict(motion, &found.cyclic);
     let eigenvalues = match &motion.stability {
-        SteadyStability::Linear(linear) => Some(&linear.eigenvalues),
+        SteadyStability::Linear(found) => Some(&found.linear.eigenvalues),
+        _ => None,
+    };
+    let discs = match &motion.stability {
+        SteadyStability::Linear(found) => found.enclosed.as_ref().ok().map(spectrum::object),
         _ => None,
     };
     json!({
@@ -182,6 +203,7 @@ pub(super) fn motion(found: &SteadyMotions, motion: &SteadyMotion) -> Value {
         "enclosed": enclosed,
         "reason": stability(motion, &found.cyclic),
         "eigenvalues": eigenvalues,
+        "enclosed_eigenvalues": discs,
     })
 }
 

@@ -207,6 +207,10 @@ impl VariedEquations {
         })
     }
 
+    pub(super) fn program(&self) -> &Program {
+        &self.program
+    }
+
     /// The number of constraints of positions that are kept, which stand first.
     pub fn positions(&self) -> usize {
         self.constraints.iter().filter(|known| known.level == Level::Position && !known.is_programmed).count()

@@ -161,7 +161,7 @@ fn kinds(sample: &Sample) -> Vec<usize> {
 fn unstable(motion: &SteadyMotion) -> usize {
     match &motion.stability {
         SteadyStability::Falls(count) | SteadyStability::FallsOdd(count) => *count,
-        SteadyStability::Linear(linear) => match linear.stability {
+        SteadyStability::Linear(found) => match found.linear.stability {
             Stability::Unstable(count) => count,
             _ => 0,
         },

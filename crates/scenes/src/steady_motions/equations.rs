@@ -4,6 +4,8 @@
 //!   J^T lambda - h(q, w) = 0 ,    f(q) = 0 .
 
 use super::circles::is_periodic;
+use super::determined::Wanted;
+use super::energy_row::implied;
 use super::rows::Rows;
 use super::{Asked, NoSteadyMotions, Range};
 use crate::changing_laws::changes;
@@ -33,6 +35,10 @@ pub(super) struct SteadyEquations {
     pub given: Vec<(String, f64)>,
     /// Coordinates that occur nowhere.
     pub cyclic: Vec<String>,
+    /// Their places.
+    pub cyclic_places: Vec<usize>,
+    /// Those of them whose momenta are kept.
+    pub kept_momenta: Vec<(usize, String)>,
     /// The state with the numbers that are given.
     pub state: Vec<f64>,
     /// The number of reactions that the positions determine.
@@ -60,6 +66,17 @@ pub(super) struct SteadyEquations {
 
 impl SteadyEquations {
     pub fn of(model: &Model, asked: &Asked) -> Result<Self, NoSteadyMotions> {
+        Self::checked(model)?;
+        symbolic::apart(|| Self::written(model, asked, None))
+    }
+
+    /// For motions near a state, whose speeds of cyclic coordinates are kept where no equation asks for them.
+    pub fn near(model: &Model, state: &[f64]) -> Result<Self, NoSteadyMotions> {
+        Self::checked(model)?;
+        symbolic::apart(|| Self::written(model, &Asked::default(), Some(state)))
+    }
+
+    fn checked(model: &Model) -> Result<(), NoSteadyMotions> {
         has_values(model).map_err(NoSteadyMotions::NotCompiled)?;
         if changes(model) || !model.algebraic_speeds.is_empty() {
             return Err(NoSteadyMotions::Changes);
@@ -67,14 +84,15 @@ impl SteadyEquations {
         if model.positions() != model.speeds() {
             return Err(NoSteadyMotions::FreeFrame);
         }
-        symbolic::apart(|| Self::written(model, asked))
+        Ok(())
     }
 
-    fn written(model: &Model, asked: &Asked) -> Result<Self, NoSteadyMotions> {
+    fn written(model: &Model, asked: &Asked, near: Option<&[f64]>) -> Result<Self, NoSteadyMotions> {
         let trace = Trace::of(model);
         let n = trace.speeds.len();
         let names: Vec<String> = model.state_names().into_iter().map(|(name, _)| name).collect();
-        let rows = Rows::of(model, &trace)?;
+        let is_asked = |k: &usize| asked.ranges.iter().any(|(name, _)| *name == names[n + *k]);
+        let rows = Rows::of(model, &trace, &Wanted { free: (0..n).filter(is_asked).collect(), near })?;
         let all = [&rows.residuals[..], &rows.zeros].concat();
         if all.iter().any(|row| row.symbols_of().contains(&trace.time)) {
             return Err(NoSteadyMotions::OfTime);
@@ -89,9 +107,13 @@ impl SteadyEquations {
         let at_rest: Vec<(Sym, Sym)> =
             (0..n).filter(|&k| !is_cyclic[k]).map(|k| (trace.speeds[k], Sym::ZERO)).collect();
         let plain = |row: Sym| if vanishes(row) { Sym::ZERO } else { row };
-        let residuals: Vec<Sym> = substitute_all(&rows.residuals, &at_rest).into_iter().map(plain).collect();
+        let mut residuals: Vec<Sym> = substitute_all(&rows.residuals, &at_rest).into_iter().map(plain).collect();
+        let speed = |k: usize| near.map(|state| state[n + k]).or_else(|| asked.speed(&names[n + k]));
+        if let Some(k) = implied(model, &trace, &rows, speed) {
+            residuals[k] = Sym::ZERO;
+        }
         // the speed of a cyclic coordinate is sought where its own equation asks for it, else it is what the start, or somebody, says
-        let mut state = model.start_state();
+        let mut state = near.map_or_else(|| model.start_state(), <[f64]>::to_vec);
         state[..n].iter_mut().zip(is_cyclic).filter(|(_, cyclic)| **cyclic).for_each(|(value, _)| *value = 0.0);
         let (mut unknowns, mut given, mut known) = (Vec::new(), Vec::new(), Vec::new());
         let mut without_range = Vec::new();
@@ -109,8 +131,9 @@ impl SteadyEquations {
             } else {
                 state[n + k] = 0.0;
             }
-            let is_circle = !is_cyclic[k] && all.iter().all(|row| is_periodic(*row, symbol));
-            match asked.range(&name) {
+            let is_circle = near.is_none() && !is_cyclic[k] && all.iter().all(|row| is_periodic(*row, symbol));
+            let beside = near.filter(|_| is_sought).map(|state| Range::about(state[place]));
+            match asked.range(&name).or(beside) {
                 Some(range) if range.is_point() => {
                     state[place] = range.from;
                     known.push((symbol, Sym::constant(field::Rational::exactly(range.from))));
@@ -161,12 +184,16 @@ impl SteadyEquations {
         };
         let (places, rates): (Vec<usize>, Vec<Sym>) = rows.determined.iter().copied().unzip();
         let rates = substitute_all(&substitute_all(&rates, &at_rest), &known);
-        let cyclic = (0..n).filter(|&k| is_cyclic[k]).map(|k| names[k].clone()).collect();
+        let cyclic_places: Vec<usize> = (0..n).filter(|&k| is_cyclic[k]).collect();
+        let cyclic = cyclic_places.iter().map(|&k| names[k].clone()).collect();
+        let kept_momenta = rows.kept_momenta.iter().map(|&k| (k, names[k].clone())).collect();
         Ok(SteadyEquations {
             coordinates: unknowns.iter().filter(|unknown| unknown.place < n).count(),
             unknowns,
             given,
             cyclic,
+            cyclic_places,
+            kept_momenta,
             state,
             reactions: multipliers.len(),
             is_unbalanced,

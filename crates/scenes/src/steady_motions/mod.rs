@@ -4,17 +4,21 @@
 mod along;
 mod circles;
 mod definiteness;
+mod determined;
+mod energy_row;
 mod equations;
 mod potential;
 mod region;
 mod rows;
 mod search;
+mod spectrum;
 mod stability;
 
 pub use along::{Along, Bifurcation, Change, Sample};
 pub use equations::Unknown;
 pub use region::{Near, Region};
-pub use stability::SteadyStability;
+pub use spectrum::{EigenvalueDisc, EnclosedSpectrum, EnclosedVerdict, NotEnclosed, Side, ZeroReason};
+pub use stability::{Eigenvalues, SteadyStability};
 
 use crate::compiled_system::NotCompiled;
 use algebra::boxes::{Found, Limits, Zero, zeros};
@@ -37,6 +41,12 @@ pub struct Range {
 impl Range {
     /// A whole turn, whose ends are no angles at which symmetric systems rest.
     const TURN: Range = Range { from: -PI - 0.617, to: PI - 0.6169 };
+
+    /// A little to both sides of a value.
+    fn about(value: f64) -> Range {
+        let aside = ASIDE * (1.0 + value.abs());
+        Range { from: value - aside, to: value + aside }
+    }
 
     fn is_point(self) -> bool {
         self.from == self.to
@@ -151,6 +161,9 @@ pub struct SteadyMotions {
     /// Boxes that were looked at.
     pub examined: usize,
 }
+
+/// Near a state, as a part of one in SI units and of the value itself, steady motions are the one that is meant.
+const ASIDE: f64 = 1e-6;
 
 /// Along each unknown, a part of its range below which a box is not divided.
 const SMALLEST: f64 = 1e-7;

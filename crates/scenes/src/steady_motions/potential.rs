@@ -49,3 +49,22 @@ pub(super) fn have_potential(trace: &Trace<'_>, residuals: &[Sym], energy: Sym, 
         || (0..n).all(|i| (0..i).all(|j| vanishes(resting[i].diff(coordinates[j]) - resting[j].diff(coordinates[i]))));
     holds_no_speeds && is_gradient()
 }
+
+/// Coordinates whose momenta are kept: the energy T does not hold them, and no load and no reaction stands in their equations,
+///
+///   R_k + d(T_uk)/dq u = 0 ,
+///
+/// with residuals R = Q + J^T lambda - (d(T_u)/dq u - T_q) without accelerations.
+pub(super) fn momenta_kept(trace: &Trace<'_>, residuals: &[Sym], energy: Sym) -> Vec<usize> {
+    let (coordinates, speeds) = (&trace.coordinates, &trace.speeds);
+    if !trace.solid().is_empty() {
+        return Vec::new();
+    }
+    let is_kept = |&k: &usize| {
+        let momentum = energy.diff(speeds[k]);
+        let rate =
+            || coordinates.iter().zip(speeds).fold(Sym::ZERO, |sum, (&by, &speed)| sum + momentum.diff(by) * speed);
+        vanishes(energy.diff(coordinates[k])) && vanishes(residuals[k] + rate())
+    };
+    (0..speeds.len().min(coordinates.len())).filter(is_kept).collect()
+}

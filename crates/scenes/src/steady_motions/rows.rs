@@ -9,12 +9,12 @@
 //! rolls in a circle moves steadily.
 
 use super::NoSteadyMotions;
-use super::potential::have_potential;
+use super::determined::{Wanted, solutions};
+use super::potential::{have_potential, momenta_kept};
 use crate::letters::Letters;
 use model::equations::{Equation, Level, Residuals, constraints_of, vanishes};
 use model::{Model, Trace};
-use symbolic::linear::solve;
-use symbolic::{Hypotheses, Sym, substitute_all};
+use symbolic::{Sym, substitute_all};
 
 /// The equations, with the data of the file put in.
 pub(super) struct Rows {
@@ -29,16 +29,16 @@ pub(super) struct Rows {
     pub is_cyclic: Vec<bool>,
     /// Whether the loads have a potential energy, and no constraint holds speeds.
     pub have_potential: bool,
+    /// Coordinates whose momenta are kept, where no constraint holds speeds.
+    pub kept_momenta: Vec<usize>,
 }
 
 /// In systems with more coordinates a coordinate is cyclic where it is not written.
 const MOST_DECIDED: usize = 12;
 
-/// Constraints of speeds that are solved as they are written.
-const MOST_SOLVED: usize = 4;
-
 impl Rows {
-    pub fn of(model: &Model, trace: &Trace<'_>) -> Result<Self, NoSteadyMotions> {
+    /// Speeds that are asked for stay independent, those that constraints of speeds determine are such as they do determine at a state.
+    pub fn of(model: &Model, trace: &Trace<'_>, wanted: &Wanted<'_>) -> Result<Self, NoSteadyMotions> {
         let is_kept = |one: &Equation| one.gains.is_none() && one.law.is_none();
         let (constraints, of_speeds): (Vec<Equation>, Vec<Equation>) =
             constraints_of(trace).into_iter().partition(|one| one.level == Level::Position);
@@ -53,21 +53,36 @@ impl Rows {
         let residuals = put(&equations.residuals[..model.speeds()]);
         let zeros = put(&constraints.iter().map(|one| one.zero).collect::<Vec<_>>());
         let energy = put(&[trace.kinetic_energy()])[0];
-        let mut potential = false;
-        let (residuals, determined) = match of_speeds.is_empty() {
-            true => {
-                let resting = at_rest(trace, residuals, &[]);
-                potential = have_potential(trace, &resting, energy, &constraints);
-                (resting, Vec::new())
-            }
-            false => projected(trace, residuals, &of_speeds, put)?,
-        };
         let plain = |row: Sym| if vanishes(row) { Sym::ZERO } else { row };
-        let residuals = residuals.into_iter().map(plain).collect();
-        let is_cyclic = vec![true; model.speeds()];
-        let mut rows = Rows { residuals, constraints, zeros, determined, is_cyclic, have_potential: potential };
-        rows.find_cyclic(trace);
-        Ok(rows)
+        let with = |residuals: Vec<Sym>, determined: Vec<(usize, Sym)>| {
+            let mut rows = Rows {
+                residuals: residuals.into_iter().map(plain).collect(),
+                constraints: constraints.clone(),
+                zeros: zeros.clone(),
+                determined,
+                is_cyclic: vec![true; model.speeds()],
+                have_potential: false,
+                kept_momenta: Vec::new(),
+            };
+            rows.find_cyclic(trace);
+            rows
+        };
+        if of_speeds.is_empty() {
+            let resting = at_rest(trace, residuals, &[]);
+            let have_potential = have_potential(trace, &resting, energy, &constraints);
+            let kept_momenta = momenta_kept(trace, &resting, energy);
+            return Ok(Rows { have_potential, kept_momenta, ..with(resting, Vec::new()) });
+        }
+        let solved = solutions(trace, (&of_speeds, &residuals, &zeros), wanted, put)
+            .ok_or_else(|| NoSteadyMotions::OfSpeeds { at: of_speeds[0].at.clone() })?;
+        let all = solved.into_iter().map(|determined| {
+            let rows = projected(trace, &residuals, &of_speeds, &determined);
+            with(rows, determined)
+        });
+        // the first of those that leave the most coordinates without a part in the equations
+        let count = |rows: &Rows| rows.is_cyclic.iter().filter(|cyclic| **cyclic).count();
+        let best = all.reduce(|best, next| if count(&next) > count(&best) { next } else { best });
+        best.ok_or_else(|| NoSteadyMotions::OfSpeeds { at: of_speeds[0].at.clone() })
     }
 
     /// Finds coordinates on which nothing depends. The rate of one that is determined, and on which something depends, is one more row.
@@ -106,36 +121,9 @@ fn at_rest(trace: &Trace<'_>, rows: Vec<Sym>, but: &[(Sym, Sym)]) -> Vec<Sym> {
     substitute_all(&rows, &but.iter().copied().chain(rests).collect::<Vec<_>>())
 }
 
-/// Equations, one for each speed, and the speeds that the others determine.
-type Projected = (Vec<Sym>, Vec<(usize, Sym)>);
-
-/// The equations along displacements that constraints of speeds leave, and the speeds that these determine.
-fn projected(
-    trace: &Trace<'_>,
-    residuals: Vec<Sym>,
-    of_speeds: &[Equation],
-    put: impl Fn(&[Sym]) -> Vec<Sym>,
-) -> Result<Projected, NoSteadyMotions> {
+/// The equations along displacements that constraints of speeds leave.
+fn projected(trace: &Trace<'_>, residuals: &[Sym], of_speeds: &[Equation], determined: &[(usize, Sym)]) -> Vec<Sym> {
     let n = trace.speeds.len();
-    let refused = || NoSteadyMotions::OfSpeeds { at: of_speeds[0].at.clone() };
-    let rows: Vec<Vec<Sym>> = of_speeds.iter().map(|one| put(&one.row)).collect();
-    let is_linear = |slope: &Sym| slope.symbols_of().iter().all(|symbol| !trace.speeds.contains(symbol));
-    if of_speeds.len() > MOST_SOLVED || !rows.iter().flatten().all(is_linear) {
-        return Err(refused());
-    }
-    let zeros = put(&of_speeds.iter().map(|one| one.zero).collect::<Vec<_>>());
-    // those first whose coordinates occur nowhere
-    let written: Vec<Sym> = residuals.iter().chain(rows.iter().flatten()).flat_map(|row| row.symbols_of()).collect();
-    let mut order: Vec<usize> = (0..n).collect();
-    order.sort_by_key(|&k| written.contains(&trace.coordinates[k]));
-    let chosen = choices(&order, of_speeds.len()).into_iter().find_map(|chosen| {
-        let own: Vec<Vec<Sym>> = rows.iter().map(|row| chosen.iter().map(|&k| row[k]).collect()).collect();
-        let without: Vec<(Sym, Sym)> = chosen.iter().map(|&k| (trace.speeds[k], Sym::ZERO)).collect();
-        let right: Vec<Sym> = substitute_all(&zeros, &without).into_iter().map(|zero| -zero).collect();
-        let found = solve(&own, &right, &Hypotheses::none()).ok()?.values();
-        Some(chosen.into_iter().zip(found).collect::<Vec<(usize, Sym)>>())
-    });
-    let determined = chosen.ok_or_else(refused)?;
     let known: Vec<(Sym, Sym)> = determined.iter().map(|&(k, rate)| (trace.speeds[k], rate)).collect();
     let rate_of = |k: usize| substitute_all(&[trace.speeds[k]], &known)[0];
     let moved: Vec<(Sym, Sym)> = determined
@@ -146,7 +134,7 @@ fn projected(
         })
         .collect();
     let reactions = of_speeds.iter().map(|one| (one.multiplier, Sym::ZERO));
-    let all = at_rest(trace, residuals, &moved.into_iter().chain(reactions).collect::<Vec<_>>());
+    let all = at_rest(trace, residuals.to_vec(), &moved.into_iter().chain(reactions).collect::<Vec<_>>());
     let all = substitute_all(&all, &known);
     let along = |i: usize| match determined.iter().any(|(k, _)| *k == i) {
         true => Sym::ZERO,
@@ -155,16 +143,5 @@ fn projected(
             by.fold(all[i], |sum, each| sum + each)
         }
     };
-    Ok(((0..n).map(along).collect(), determined))
-}
-
-/// All choices of so many, in their order.
-fn choices(of: &[usize], count: usize) -> Vec<Vec<usize>> {
-    if count == 0 {
-        return vec![Vec::new()];
-    }
-    let with = |first: usize| {
-        choices(&of[first + 1..], count - 1).into_iter().map(move |rest| [&[of[first]], &rest[..]].concat())
-    };
-    (0..of.len()).flat_map(with).collect()
+    (0..n).map(along).collect()
 }

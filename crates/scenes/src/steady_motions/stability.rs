@@ -3,6 +3,7 @@
 use super::definiteness::signs;
 use super::equations::SteadyEquations;
 use super::search::Boxes;
+use super::spectrum::{EnclosedSpectrum, NotEnclosed};
 use crate::conservation::keeps_energy;
 use crate::linearisation::{Linear, VariedEquations};
 use algebra::boxes::Equations;
@@ -20,9 +21,16 @@ pub enum SteadyStability {
     /// The amended potential energy falls in an odd number of directions: unstable, whatever gyroscopic forces there are (Thomson and Tait).
     FallsOdd(usize),
     /// By eigenvalues of the linear equations.
-    Linear(Box<Linear>),
+    Linear(Box<Eigenvalues>),
     /// There are no linear equations.
     Unknown(String),
+}
+
+/// Eigenvalues at a motion, as numbers and in discs.
+#[derive(Clone, Debug)]
+pub struct Eigenvalues {
+    pub linear: Linear,
+    pub enclosed: Result<EnclosedSpectrum, NotEnclosed>,
 }
 
 /// At an enclosure of unknowns and reactions, and the state about it.
@@ -46,12 +54,17 @@ pub(super) fn judged(
             _ => {}
         }
     }
-    match VariedEquations::of(model, &[])
-        .map_err(|why| why.to_string())
-        .and_then(|varied| varied.about(0.0, state).map_err(|why| why.to_string()))
-    {
-        Ok(linear) => SteadyStability::Linear(Box::new(linear)),
-        Err(why) => SteadyStability::Unknown(why),
+    // inputs have their values, with all derivatives of these
+    let varied = match VariedEquations::with_inputs(model, &[], &[]) {
+        Ok(varied) => varied,
+        Err(why) => return SteadyStability::Unknown(why.to_string()),
+    };
+    match varied.about(0.0, state) {
+        Ok(linear) => {
+            let enclosed = EnclosedSpectrum::of(equations, &varied, enclosure, state, keeps_energy);
+            SteadyStability::Linear(Box::new(Eigenvalues { linear, enclosed }))
+        }
+        Err(why) => SteadyStability::Unknown(why.to_string()),
     }
 }
 

@@ -41,7 +41,8 @@ impl<C: Rounded, const N: usize> Model<C, N> {
         Self::number(C::lift(value))
     }
 
-    fn number(value: C) -> Self {
+    /// A number of these digits, itself.
+    pub fn number(value: C) -> Self {
         let mut coefficients = [C::zero(); N];
         coefficients[0] = value;
         Model { coefficients, off: 0.0 }
@@ -103,6 +104,11 @@ impl<C: Rounded, const N: usize> Model<C, N> {
     pub fn least(&self) -> f64 {
         let least = (self.coefficients[0].size() - self.spread()) * (1.0 - 8.0 * f64::EPSILON);
         if least < 0.0 { 0.0 } else { least }
+    }
+
+    /// The constant term.
+    pub fn middle(&self) -> C {
+        self.coefficients[0]
     }
 
     /// How far values may be from the polynomial.

@@ -5,13 +5,21 @@
 
 use super::{Model, Rounded};
 use crate::real::Ordered;
-use field::{Analytic, Base, Circle, Elementary, Over, Scalar};
+use field::{Analytic, Base, Circle, Elementary, Interval, Over, Scalar};
 use num_traits::{One, Zero};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Rem, RemAssign, Sub, SubAssign};
 
 impl<C: Rounded, const N: usize> Model<C, N> {
     fn none() -> Self {
         Self::constant(0.0).wider(f64::NAN)
+    }
+
+    /// No value lies outside.
+    fn range(&self) -> Interval {
+        let middle = Interval::point(self.coefficients[0].near());
+        // the middle has more digits than a float
+        let spread = self.spread() + f64::EPSILON * middle.size() + f64::MIN_POSITIVE;
+        middle + Interval::new(-spread, spread)
     }
 }
 
@@ -124,9 +132,16 @@ impl<C: Rounded, const N: usize> Analytic for Model<C, N> {
         if self.is_zero() { self } else { self.square_root().unwrap_or_else(Self::none) }
     }
 
-    /// No enclosure is known.
-    fn elementary(self, _: Elementary, _: Self) -> Self {
-        Self::none()
+    /// Exponentials as models; of the others the range, as wide as floats tell it.
+    fn elementary(self, function: Elementary, other: Self) -> Self {
+        if function == Elementary::Exp {
+            return self.exp().unwrap_or_else(Self::none);
+        }
+        let range = self.range().elementary(function, other.range());
+        match range.size().is_finite() {
+            true => Self::constant(range.middle()).wider(range.width()),
+            false => Self::none(),
+        }
     }
 }
 

@@ -57,6 +57,11 @@ impl Program {
         Some(Program { code, ..Program::without_code(tape) })
     }
 
+    /// Its operations over any other field: the state, then the time, are its inputs.
+    pub fn over<S: Analytic>(&self) -> symbolic::Program<'_, S> {
+        self.tape.over()
+    }
+
     /// Its divisors, radicands and angles, as [`Tape::singular_places`].
     pub(super) fn singular_places(&self) -> Option<(Tape, [usize; 3])> {
         self.tape.singular_places()

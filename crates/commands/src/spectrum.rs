@@ -1,0 +1,129 @@
+//! Enclosed eigenvalues as text and JSON: zeros with their reasons, discs, and the verdict that they give.
+
+use ::scenes::steady_motions::{EigenvalueDisc, EnclosedSpectrum, EnclosedVerdict, Side, ZeroReason};
+use serde_json::{Value, json};
+use std::fmt::Write;
+
+/// The zeros by their reasons: `5 of x, y, yaw, rear, front, on which nothing depends; 1 of the energy, which is kept`.
+fn zeros(all: &[ZeroReason]) -> String {
+    let named = |of: &dyn Fn(&ZeroReason) -> Option<&String>| -> Vec<&str> {
+        all.iter().filter_map(of).map(String::as_str).collect()
+    };
+    let count = |kind: &ZeroReason| all.iter().filter(|reason| *reason == kind).count();
+    let cyclic = named(&|reason| match reason {
+        ZeroReason::Cyclic(name) => Some(name),
+        _ => None,
+    });
+    let momenta = named(&|reason| match reason {
+        ZeroReason::Momentum(name) => Some(name),
+        _ => None,
+    });
+    let mut parts = Vec::new();
+    if !cyclic.is_empty() {
+        parts.push(format!("{} of {}, on which nothing depends", cyclic.len(), cyclic.join(", ")));
+    }
+    if !momenta.is_empty() {
+        let are = if momenta.len() == 1 { "the momentum" } else { "the momenta" };
+        let kept = if momenta.len() == 1 { "is kept" } else { "are kept" };
+        parts.push(format!("{} of {are} of {}, which {kept}", momenta.len(), momenta.join(", ")));
+    }
+    if count(&ZeroReason::Energy) > 0 {
+        parts.push("1 of the energy, which is kept".to_owned());
+    }
+    match count(&ZeroReason::SpeedConstraints) {
+        0 => {}
+        count => parts.push(format!(
+            "{count} of the constraints of speeds, which leave fewer speeds than displacements: positions of rest stand side by side"
+        )),
+    }
+    parts.join("; ")
+}
+
+/// A line for the zeros, and one for each disc.
+pub(crate) fn lines(found: &EnclosedSpectrum) -> String {
+    let mut out = "eigenvalues by enclosures\n".to_owned();
+    // writing to a String cannot fail
+    if !found.zeros.is_empty() {
+        let _ = writeln!(out, "  zero, exactly: {} ({})", found.zeros.len(), zeros(&found.zeros));
+    }
+    for EigenvalueDisc { centre: [re, im], radius, count, side } in &found.discs {
+        let count = if *count == 1 { String::new() } else { format!(", {count} of them") };
+        let place = match (side, im) {
+            (Side::Axis, im) => format!("{im:?} i, on the imaginary axis"),
+            (_, 0.0) => format!("{re:?}"),
+            (_, im) if *im < 0.0 => format!("{re:?} - {:?} i", -im),
+            (_, im) => format!("{re:?} + {im:?} i"),
+        };
+        let open = if *side == Side::Undecided { ", which touches the imaginary axis" } else { "" };
+        let _ = writeln!(out, "  {place} within {radius:.1e}{count}{open}");
+    }
+    out
+}
+
+/// What enclosed eigenvalues say.
+pub(crate) fn verdict(found: &EnclosedSpectrum) -> String {
+    let but = match found.zeros.len() {
+        0 => String::new(),
+        1 => format!(" but for one zero ({})", zeros(&found.zeros)),
+        count => format!(" but for {count} zeros ({})", zeros(&found.zeros)),
+    };
+    match found.verdict() {
+        EnclosedVerdict::Asymptotic if found.zeros.is_empty() => {
+            "asymptotically stable, by enclosures: every eigenvalue lies left of the imaginary axis".to_owned()
+        }
+        EnclosedVerdict::Asymptotic => format!(
+            "stable, and asymptotically so but for zeros, by enclosures: every eigenvalue lies left of the imaginary axis{but}"
+        ),
+        EnclosedVerdict::Unstable(1) => {
+            "unstable, by enclosures: one eigenvalue lies right of the imaginary axis".to_owned()
+        }
+        EnclosedVerdict::Unstable(count) => {
+            format!("unstable, by enclosures: {count} eigenvalues lie right of the imaginary axis")
+        }
+        EnclosedVerdict::Undecided { on_axis: 0, touching: 0 } => {
+            format!("not decided by linear equations: every eigenvalue is zero ({})", zeros(&found.zeros))
+        }
+        EnclosedVerdict::Undecided { on_axis, touching: 0 } => format!(
+            "not decided by linear equations: {on_axis} eigenvalues lie on the imaginary axis, by enclosures, where the energy is kept, and none right \
+             of it{but}"
+        ),
+        EnclosedVerdict::Undecided { touching, .. } => format!(
+            "not decided: discs of {touching} eigenvalues touch the imaginary axis, and none is known to lie right of it{but}"
+        ),
+    }
+}
+
+/// The verdict in a word.
+pub(crate) fn word(found: &EnclosedSpectrum) -> &'static str {
+    match found.verdict() {
+        EnclosedVerdict::Asymptotic => "asymptotically stable",
+        EnclosedVerdict::Unstable(_) => "unstable",
+        EnclosedVerdict::Undecided { .. } => "not decided",
+    }
+}
+
+/// For programs.
+pub(crate) fn object(found: &EnclosedSpectrum) -> Value {
+    let reason = |reason: &ZeroReason| match reason {
+        ZeroReason::Cyclic(name) => json!({ "cyclic": name }),
+        ZeroReason::Momentum(name) => json!({ "momentum": name }),
+        ZeroReason::Energy => json!("energy"),
+        ZeroReason::SpeedConstraints => json!("constraints of speeds"),
+    };
+    let side = |side: Side| match side {
+        Side::Left => "left",
+        Side::Axis => "axis",
+        Side::Right => "right",
+        Side::Undecided => "undecided",
+    };
+    json!({
+        "zeros": found.zeros.iter().map(reason).collect::<Vec<_>>(),
+        "discs": found.discs.iter().map(|disc| json!({
+            "centre": disc.centre,
+            "radius": disc.radius,
+            "count": disc.count,
+            "side": side(disc.side),
+        })).collect::<Vec<_>>(),
+        "stability": word(found),
+    })
+}

@@ -1,0 +1,53 @@
+//! The varied equations over any field: enclosures, exact fractions.
+
+use super::equations::VariedEquations;
+use field::Analytic;
+
+/// Derivatives of equations; rows are equations.
+#[derive(Clone, Debug)]
+pub(crate) struct Slopes<S> {
+    pub values: Vec<S>,
+    pub by_coordinates: Vec<Vec<S>>,
+    pub by_speeds: Vec<Vec<S>>,
+    pub by_accelerations: Vec<Vec<S>>,
+    pub by_multipliers: Vec<Vec<S>>,
+}
+
+/// Equations of motion and constraints: those of positions first, then those of speeds.
+#[derive(Clone, Debug)]
+pub(crate) struct AllSlopes<S> {
+    pub motion: Slopes<S>,
+    pub rate: Slopes<S>,
+    pub acceleration: Slopes<S>,
+}
+
+impl VariedEquations {
+    /// Speeds, constraints, inputs and switches.
+    pub(crate) fn counts(&self) -> [usize; 4] {
+        let [n, m, k, _, s] = self.sizes;
+        [n, m, k, s]
+    }
+
+    /// At coordinates, speeds, accelerations, multipliers, inputs and switches, one after another, and a time.
+    pub(crate) fn over<S: Analytic>(&self, point: &[S], time: S) -> AllSlopes<S> {
+        let [n, m, k, shown, _] = self.sizes;
+        let width = 2 + 3 * n + m + k;
+        let mut numbers = vec![S::zero(); (n + 3 * m + shown) * width];
+        let inputs: Vec<S> = point.iter().copied().chain([time]).collect();
+        self.program().over::<S>().evaluate(&inputs, &mut numbers);
+        let slopes = |first: usize, rows: usize| {
+            let own = |row: usize| &numbers[(first + row) * width..(first + row + 1) * width];
+            let block = |from: usize, columns: usize| -> Vec<Vec<S>> {
+                (0..rows).map(|row| own(row)[from..from + columns].to_vec()).collect()
+            };
+            Slopes {
+                values: (0..rows).map(|row| own(row)[0]).collect(),
+                by_coordinates: block(1, n),
+                by_speeds: block(1 + n, n),
+                by_accelerations: block(1 + 2 * n, n),
+                by_multipliers: block(1 + 3 * n, m),
+            }
+        };
+        AllSlopes { motion: slopes(0, n), rate: slopes(n + m, m), acceleration: slopes(n + 2 * m, m) }
+    }
+}

@@ -1,0 +1,107 @@
+//! Speeds that constraints of speeds determine by the others, by Cramer's rule.
+
+use algebra::linear::minors;
+use model::Trace;
+use model::equations::{Equation, vanishes};
+use symbolic::{Sym, Tape, substitute_all};
+
+/// Constraints of speeds that are solved as they are written.
+const MOST_SOLVED: usize = 4;
+
+/// Choices of determined speeds that are compared near a state.
+const MOST_COMPARED: usize = 8;
+
+/// A part of the largest determinant at a state below which speeds are not determined there.
+const REGULAR: f64 = 1e-3;
+
+/// Preferences for independent speeds.
+pub(super) struct Wanted<'a> {
+    /// Those that stay independent where others can be determined.
+    pub free: Vec<usize>,
+    /// A state at which the determined ones are determined.
+    pub near: Option<&'a [f64]>,
+}
+
+/// Determined speeds, each by the others: the first choice with a determinant that does not vanish, or some that do not vanish at a state.
+/// None where constraints are not linear in the speeds, or too many.
+pub(super) fn solutions(
+    trace: &Trace<'_>,
+    (of_speeds, residuals, zeros_of_positions): (&[Equation], &[Sym], &[Sym]),
+    wanted: &Wanted<'_>,
+    put: impl Fn(&[Sym]) -> Vec<Sym>,
+) -> Option<Vec<Vec<(usize, Sym)>>> {
+    let n = trace.speeds.len();
+    let rows: Vec<Vec<Sym>> = of_speeds.iter().map(|one| put(&one.row)).collect();
+    let is_linear = |slope: &Sym| slope.symbols_of().iter().all(|symbol| !trace.speeds.contains(symbol));
+    if of_speeds.len() > MOST_SOLVED || !rows.iter().flatten().all(is_linear) {
+        return None;
+    }
+    let zeros = put(&of_speeds.iter().map(|one| one.zero).collect::<Vec<_>>());
+    // those first whose coordinates occur nowhere; constraints of positions determine some of those that they hold
+    let written: Vec<Sym> = residuals.iter().chain(rows.iter().flatten()).flat_map(|row| row.symbols_of()).collect();
+    let held: Vec<Sym> = zeros_of_positions.iter().flat_map(|zero| zero.symbols_of()).collect();
+    let mut order: Vec<usize> = (0..n).collect();
+    order.sort_by_key(|&k| {
+        let own = trace.coordinates[k];
+        (wanted.free.contains(&k), held.contains(&own), written.contains(&own))
+    });
+    let all: Vec<(Vec<usize>, Sym)> = choices(&order, of_speeds.len())
+        .into_iter()
+        .map(|chosen| {
+            let determinant = determinant(rows.len(), |row, column| rows[row][chosen[column]]);
+            (chosen, determinant)
+        })
+        .collect();
+    let chosen: Vec<&(Vec<usize>, Sym)> = match wanted.near {
+        Some(state) => {
+            let sizes = sizes(trace, &all, state);
+            let largest = sizes.iter().copied().fold(0.0, f64::max);
+            let regular = all.iter().zip(&sizes).filter(|(_, size)| **size > REGULAR * largest);
+            regular.map(|(one, _)| one).take(MOST_COMPARED).collect()
+        }
+        None => all.iter().find(|(_, determinant)| !vanishes(*determinant)).into_iter().collect(),
+    };
+    let resting: Vec<(Sym, Sym)> = trace.speeds.iter().map(|&speed| (speed, Sym::ZERO)).collect();
+    let right: Vec<Sym> = substitute_all(&zeros, &resting).into_iter().map(|zero| -zero).collect();
+    let solved = |(chosen, below): &(Vec<usize>, Sym)| -> Vec<(usize, Sym)> {
+        let quotient = |place: usize, of: &dyn Fn(usize) -> Sym| {
+            let replaced =
+                |row: usize, column: usize| if column == place { of(row) } else { rows[row][chosen[column]] };
+            determinant(rows.len(), replaced) / *below
+        };
+        let others = || (0..n).filter(|other| !chosen.contains(other));
+        let rate = |(place, &k): (usize, &usize)| {
+            let by = |sum: Sym, other: usize| sum - quotient(place, &|row| rows[row][other]) * trace.speeds[other];
+            (k, others().fold(quotient(place, &|row| right[row]), by))
+        };
+        chosen.iter().enumerate().map(rate).collect()
+    };
+    Some(chosen.into_iter().map(solved).collect())
+}
+
+/// Determinants at a state.
+fn sizes(trace: &Trace<'_>, all: &[(Vec<usize>, Sym)], state: &[f64]) -> Vec<f64> {
+    let inputs: Vec<Sym> = [&trace.coordinates[..], &[trace.time]].concat();
+    let values: Vec<Sym> = all.iter().map(|(_, determinant)| *determinant).collect();
+    let mut sizes = vec![0.0; all.len()];
+    if let Ok(tape) = Tape::record(&inputs, &values) {
+        let at: Vec<f64> = state[..trace.coordinates.len()].iter().copied().chain([0.0]).collect();
+        tape.over::<f64>().evaluate(&at, &mut sizes);
+    }
+    sizes.iter().map(|size| if size.is_finite() { size.abs() } else { 0.0 }).collect()
+}
+
+fn determinant(size: usize, entry: impl Fn(usize, usize) -> Sym) -> Sym {
+    minors(size, entry, size)[(1 << size) - 1]
+}
+
+/// All choices of so many, in their order.
+fn choices(of: &[usize], count: usize) -> Vec<Vec<usize>> {
+    if count == 0 {
+        return vec![Vec::new()];
+    }
+    let with = |first: usize| {
+        choices(&of[first + 1..], count - 1).into_iter().map(move |rest| [&[of[first]], &rest[..]].concat())
+    };
+    (0..of.len()).flat_map(with).collect()
+}

@@ -1,0 +1,152 @@
+//! Eigenvalues of the linear equations at a steady motion, enclosed: zeros that have reasons are set apart, every other one lies in a disc.
+//!
+//! The motion is known by Krawczyk's operator, to thirty digits. So are the linear equations there without coordinates on which nothing
+//! depends, and their characteristic polynomial; as many of its last coefficients vanish as zeros have reasons.
+
+mod discs;
+mod motion;
+mod nearby;
+mod reduction;
+mod zeros;
+
+pub use discs::{EigenvalueDisc, Side};
+pub use zeros::ZeroReason;
+
+use super::equations::SteadyEquations;
+use crate::linearisation::VariedEquations;
+use algebra::real::{Ball, Ordered};
+use field::Interval;
+use mechanics::linear_stability::characteristic;
+use nalgebra::DMatrix;
+use reduction::{Layout, Reduced};
+use std::fmt;
+use zeros::{Kept, reasons};
+
+/// Larger systems have no characteristic polynomial with thirty digits.
+const MOST_STATES: usize = 24;
+
+/// All eigenvalues at a steady motion.
+#[derive(Clone, Debug, PartialEq)]
+pub struct EnclosedSpectrum {
+    /// Zeros, each with its reason.
+    pub zeros: Vec<ZeroReason>,
+    /// All others, by falling real parts.
+    pub discs: Vec<EigenvalueDisc>,
+}
+
+/// Why eigenvalues are not enclosed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NotEnclosed {
+    /// More states than are enclosed.
+    Large { states: usize, most: usize },
+    /// Accelerations, or speeds by constraints, are not determined within the enclosure of the motion, or an expression has no bounds.
+    Undetermined,
+    /// There are no linear equations with numbers.
+    NoEquations,
+    /// Steady motions are not sought in such a model.
+    NotSought(&'static str),
+    /// It is not shown that there is a steady motion at the point.
+    NoMotion,
+    /// Inputs depend on the state, and the linear equations hold them at their values.
+    Feedback,
+}
+
+impl fmt::Display for NotEnclosed {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Large { states, most } => write!(f, "{states} states, and up to {most} are enclosed"),
+            Self::Undetermined => write!(f, "the linear equations have no bounds there"),
+            Self::NoEquations => write!(f, "there are no linear equations with numbers"),
+            Self::NotSought(why) => write!(f, "{why}"),
+            Self::Feedback => write!(f, "inputs that depend on the state are held at their values"),
+            Self::NoMotion => write!(f, "no steady motion is shown to be at the point"),
+        }
+    }
+}
+
+/// The meaning of enclosed eigenvalues.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EnclosedVerdict {
+    /// All but zeros that have reasons lie left of the imaginary axis.
+    Asymptotic,
+    /// So many lie right of it, at least.
+    Unstable(usize),
+    /// None is known to lie right of it: so many lie on it, and so many in discs that touch it.
+    Undecided { on_axis: usize, touching: usize },
+}
+
+impl EnclosedSpectrum {
+    /// At the enclosure of a motion, and the state about it.
+    ///
+    /// # Errors
+    /// Why eigenvalues are not enclosed.
+    pub(super) fn of(
+        equations: &SteadyEquations,
+        varied: &VariedEquations,
+        enclosure: &[Interval],
+        state: &[f64],
+        keeps_energy: bool,
+    ) -> Result<Self, NotEnclosed> {
+        let layout = layout(equations, varied);
+        let [n, m, ..] = varied.counts();
+        let states = 2 * n - m - layout.positions;
+        if states > MOST_STATES {
+            return Err(NotEnclosed::Large { states, most: MOST_STATES });
+        }
+        let (at, speeds) = motion::slopes_at(equations, varied, enclosure, state).ok_or(NotEnclosed::Undetermined)?;
+        let reduced = Reduced::of(&at, &layout, &Ball::constant(1.0)).ok_or(NotEnclosed::Undetermined)?;
+        let kept = Kept { momenta: equations.kept_momenta.clone(), energy: keeps_energy };
+        let mut zeros: Vec<ZeroReason> = equations.cyclic.iter().cloned().map(ZeroReason::Cyclic).collect();
+        let own = reasons(&at, &speeds, &reduced, &kept);
+        // of the matrix without cyclic coordinates
+        let forced = own.len();
+        zeros.extend(own);
+        let is_even = keeps_energy && m == layout.positions;
+        Self::of_matrix(&reduced.matrix, zeros, forced, is_even).ok_or(NotEnclosed::Undetermined)
+    }
+
+    /// Of a matrix of which so many eigenvalues are zero.
+    fn of_matrix(matrix: &[Vec<Ball>], zeros: Vec<ZeroReason>, forced: usize, is_even: bool) -> Option<Self> {
+        let size = matrix.len();
+        let mut coefficients = characteristic(matrix, &Ball::constant(1.0));
+        let is_none = |c: &Ball| !matches!(c.sign(), Some(1 | -1));
+        if forced > size || !coefficients.split_off(size + 1 - forced).iter().all(is_none) {
+            return None;
+        }
+        let middle = DMatrix::from_fn(size, size, |i, j| matrix[i][j].at(0.0));
+        if !middle.iter().all(|value| value.is_finite()) {
+            return None;
+        }
+        let mut begin: Vec<[f64; 2]> = match size {
+            0 => Vec::new(),
+            _ => middle.complex_eigenvalues().iter().map(|value| [value.re, value.im]).collect(),
+        };
+        begin.sort_by(|a, b| a[0].hypot(a[1]).total_cmp(&b[0].hypot(b[1])));
+        if is_even {
+            // odd powers vanish: eigenvalues come with their negatives
+            if !coefficients.iter().skip(1).step_by(2).all(is_none) {
+                return None;
+            }
+            coefficients.iter_mut().skip(1).step_by(2).for_each(|c| *c = Ball::constant(0.0));
+        }
+        let discs = discs::discs(&coefficients, &begin[forced..], is_even)?;
+        Some(EnclosedSpectrum { zeros, discs })
+    }
+
+    /// The meaning for stability.
+    pub fn verdict(&self) -> EnclosedVerdict {
+        let count = |side: Side| self.discs.iter().filter(|disc| disc.side == side).map(|disc| disc.count).sum();
+        match (count(Side::Right), count(Side::Axis), count(Side::Undecided)) {
+            (0, 0, 0) if !self.discs.is_empty() => EnclosedVerdict::Asymptotic,
+            (0, on_axis, touching) => EnclosedVerdict::Undecided { on_axis, touching },
+            (unstable, ..) => EnclosedVerdict::Unstable(unstable),
+        }
+    }
+}
+
+/// Constraints, and the parts of coordinates in the equations.
+fn layout(equations: &SteadyEquations, varied: &VariedEquations) -> Layout {
+    let [n, ..] = varied.counts();
+    let determined = equations.determined.0.iter().map(|place| place - n).collect();
+    Layout { positions: varied.positions(), determined, cyclic: equations.cyclic_places.clone() }
+}

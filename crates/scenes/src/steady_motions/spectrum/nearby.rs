@@ -1,0 +1,50 @@
+//! Eigenvalues at a state about which there is a steady motion.
+
+use super::{EnclosedSpectrum, MOST_STATES, NotEnclosed};
+use crate::conservation::keeps_energy;
+use crate::linearisation::VariedEquations;
+use crate::steady_motions::NoSteadyMotions;
+use crate::steady_motions::equations::SteadyEquations;
+use crate::steady_motions::search::Boxes;
+use algebra::boxes::{Limits, zeros};
+use field::Interval;
+use model::Model;
+
+/// Boxes that are looked at near the state.
+const BOXES: usize = 200;
+
+impl EnclosedSpectrum {
+    /// At the steady motion that is shown to be near a state, the only one there with the speeds of cyclic coordinates of that state.
+    ///
+    /// # Errors
+    /// Why eigenvalues are not enclosed.
+    pub fn near(model: &Model, state: &[f64], goes_on: impl FnMut() -> bool) -> Result<Self, NotEnclosed> {
+        let states = 2 * model.speeds();
+        if states > 2 * MOST_STATES {
+            return Err(NotEnclosed::Large { states, most: MOST_STATES });
+        }
+        let varied = VariedEquations::with_inputs(model, &[], &[]).map_err(|_| NotEnclosed::NoEquations)?;
+        let equations = SteadyEquations::near(model, state).map_err(|why| NotEnclosed::NotSought(why_not(&why)))?;
+        if equations.is_unbalanced {
+            return Err(NotEnclosed::NoMotion);
+        }
+        let domain: Vec<Interval> = equations.unknowns.iter().map(|unknown| unknown.range.interval()).collect();
+        let limits = Limits { boxes: BOXES, smallest: 1e-3 };
+        let found = zeros(&mut Boxes::of(&equations), &domain, limits, goes_on);
+        let [zero] = &found.zeros[..] else { return Err(NotEnclosed::NoMotion) };
+        let keeps_energy = equations.have_potential || keeps_energy(model);
+        EnclosedSpectrum::of(&equations, &varied, &zero.enclosure, &equations.state, keeps_energy)
+    }
+}
+
+fn why_not(why: &NoSteadyMotions) -> &'static str {
+    match why {
+        NoSteadyMotions::Changes => "the law changes at conditions, contacts or events",
+        NoSteadyMotions::FreeFrame => "a frame turns freely",
+        NoSteadyMotions::OfTime => "the law depends on time",
+        NoSteadyMotions::OfSpeeds { .. } => "a constraint of speeds is led, or not solved as it is written",
+        NoSteadyMotions::Singular => "no inertia resists a coordinate",
+        NoSteadyMotions::Unequal { .. } => "steady motions stand side by side",
+        _ => "the equations of steady motions have no values there",
+    }
+}

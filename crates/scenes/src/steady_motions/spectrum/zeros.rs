@@ -1,0 +1,67 @@
+//! Eigenvalues that are zero for a reason.
+//!
+//! The linear equations keep the differential of everything that motions keep, so that each kept momentum of a cyclic coordinate, and the
+//! energy, is a left null vector where its differential does not vanish. Where a system with constraints of speeds rests, rates of
+//! displacements depend on fewer speeds than there are displacements: positions of rest stand side by side.
+
+use super::reduction::{Matrix, Reduced, independent};
+use crate::linearisation::AllSlopes;
+use algebra::real::{Ball, Ordered};
+use num_traits::Zero;
+
+/// The reason of a zero.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum ZeroReason {
+    /// Nothing depends on this coordinate.
+    Cyclic(String),
+    /// The momentum of this cyclic coordinate is kept.
+    Momentum(String),
+    /// The energy is kept, where momenta do not say so already.
+    Energy,
+    /// Constraints of speeds leave fewer speeds than displacements: positions of rest stand side by side.
+    SpeedConstraints,
+}
+
+/// What a model keeps.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Kept {
+    /// Coordinates whose momenta are kept, with their names.
+    pub momenta: Vec<(usize, String)>,
+    pub energy: bool,
+}
+
+/// Reasons of zeros of a reduced matrix, each of one zero.
+pub(super) fn reasons(at: &AllSlopes<Ball>, speeds: &[Ball], reduced: &Reduced<Ball>, kept: &Kept) -> Vec<ZeroReason> {
+    let mass = &at.motion.by_accelerations;
+    let product = |row: &[Ball], column: usize| {
+        row.iter().zip(&reduced.by_speeds).fold(Ball::zero(), |sum, (a, b)| sum + *a * b[column])
+    };
+    let wide = reduced.matrix.len() - reduced.displacements;
+    let differential = |row: &[Ball]| -> Vec<Ball> { (0..wide).map(|column| product(row, column)).collect() };
+    let mut rows: Matrix<Ball> = kept.momenta.iter().map(|(place, _)| differential(&mass[*place])).collect();
+    if kept.energy {
+        let impulse: Vec<Ball> = (0..speeds.len())
+            .map(|k| speeds.iter().zip(mass).fold(Ball::zero(), |sum, (speed, row)| sum + *speed * row[k]))
+            .collect();
+        rows.push(differential(&impulse));
+    }
+    let named = |number: usize| match kept.momenta.get(number) {
+        Some((_, name)) => ZeroReason::Momentum(name.clone()),
+        None => ZeroReason::Energy,
+    };
+    let own = independent(&rows).into_iter().map(named);
+    let side_by_side = (0..beyond_speeds(reduced)).map(|_| ZeroReason::SpeedConstraints);
+    own.chain(side_by_side).collect()
+}
+
+/// Rows of displacements that are zero but for fewer columns.
+fn beyond_speeds(reduced: &Reduced<Ball>) -> usize {
+    let first = reduced.displacements;
+    let is_zero = |value: &Ball| value.sign() == Some(0);
+    let rows = &reduced.matrix[..first];
+    if !rows.iter().all(|row| row[..first].iter().all(is_zero)) {
+        return 0;
+    }
+    let columns = (first..reduced.matrix.len()).filter(|&column| !rows.iter().all(|row| is_zero(&row[column])));
+    first.saturating_sub(columns.count())
+}
