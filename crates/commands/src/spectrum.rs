@@ -60,32 +60,36 @@ pub(crate) fn lines(found: &EnclosedSpectrum) -> String {
     out
 }
 
-/// What enclosed eigenvalues say.
+/// What enclosed eigenvalues say, or Routh's criterion where it is exact.
 pub(crate) fn verdict(found: &EnclosedSpectrum) -> String {
     let but = match found.zeros.len() {
         0 => String::new(),
         1 => format!(" but for one zero ({})", zeros(&found.zeros)),
         count => format!(" but for {count} zeros ({})", zeros(&found.zeros)),
     };
+    let by = if found.exact.is_some() { "by Routh's criterion with exact fractions" } else { "by enclosures" };
+    let many =
+        |count: usize| if count == 1 { "one eigenvalue lies".to_owned() } else { format!("{count} eigenvalues lie") };
     match found.verdict() {
         EnclosedVerdict::Asymptotic if found.zeros.is_empty() => {
-            "asymptotically stable, by enclosures: every eigenvalue lies left of the imaginary axis".to_owned()
+            format!("asymptotically stable, {by}: every eigenvalue lies left of the imaginary axis")
         }
         EnclosedVerdict::Asymptotic => format!(
-            "stable, and asymptotically so but for zeros, by enclosures: every eigenvalue lies left of the imaginary axis{but}"
+            "stable, and asymptotically so but for zeros, {by}: every eigenvalue lies left of the imaginary axis{but}"
         ),
-        EnclosedVerdict::Unstable(1) => {
-            "unstable, by enclosures: one eigenvalue lies right of the imaginary axis".to_owned()
-        }
-        EnclosedVerdict::Unstable(count) => {
-            format!("unstable, by enclosures: {count} eigenvalues lie right of the imaginary axis")
-        }
+        EnclosedVerdict::Unstable(count) => format!("unstable, {by}: {} right of the imaginary axis", many(count)),
         EnclosedVerdict::Undecided { on_axis: 0, touching: 0 } => {
             format!("not decided by linear equations: every eigenvalue is zero ({})", zeros(&found.zeros))
         }
-        EnclosedVerdict::Undecided { on_axis, touching: 0 } => format!(
-            "not decided by linear equations: {on_axis} eigenvalues lie on the imaginary axis, by enclosures, where the energy is kept, and none right \
-             of it{but}"
+        EnclosedVerdict::Undecided { on_axis, touching: 0 } => {
+            format!(
+                "not decided by linear equations: {} on the imaginary axis, {by}, and none right of it{but}",
+                many(on_axis)
+            )
+        }
+        EnclosedVerdict::Undecided { touching, .. } if found.exact.is_some() => format!(
+            "not decided by linear equations: zeros without a known reason, by exact fractions: {touching}; no eigenvalue lies right of the \
+             imaginary axis{but}"
         ),
         EnclosedVerdict::Undecided { touching, .. } => format!(
             "not decided: discs of {touching} eigenvalues touch the imaginary axis, and none is known to lie right of it{but}"
@@ -124,6 +128,12 @@ pub(crate) fn object(found: &EnclosedSpectrum) -> Value {
             "count": disc.count,
             "side": side(disc.side),
         })).collect::<Vec<_>>(),
+        "routh": found.exact.map(|exact| json!({
+            "left": exact.left,
+            "axis": exact.axis,
+            "right": exact.right,
+            "zeros_without_reason": exact.unexplained,
+        })),
         "stability": word(found),
     })
 }

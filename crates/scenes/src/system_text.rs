@@ -125,6 +125,15 @@ pub fn parse_titled(name: &str, text: &str, task: Task) -> Result<(String, Model
     Ok((title, model))
 }
 
+/// Gives parameters, coordinates and speeds at the start other values, in SI units.
+///
+/// # Errors
+/// The name of nothing that has such a value, or why there is no such system.
+pub fn set_values(model: &mut Model, values: &[(String, f64)]) -> Result<(), String> {
+    model.set_values(values)?;
+    impossible(model).into_iter().next().map_or(Ok(()), |issue| Err(issue.title))
+}
+
 /// Coordinates and speeds at the start of a file that were left out or guessed, and that constraints or an equilibrium have moved, with
 /// their values in SI units; none of a file that holds no such system.
 pub fn completed_start(path: &Path) -> Vec<(String, f64)> {

@@ -1,5 +1,7 @@
 //! `dalembert linearise`: the linear equations of a system that is written in its file, about a point or along its run.
 
+mod boundaries;
+mod multipliers;
 mod print;
 
 use self::print::{Found, Headed, csv, object, text};
@@ -8,7 +10,7 @@ use crate::exit::{Exit, placed, warn};
 use crate::progress::Progress;
 use ::scenes::linearisation::{NotLinear, Standing, VariedEquations, inputs_of, point_of, points};
 use ::scenes::steady_motions::{EnclosedSpectrum, NotEnclosed};
-use ::scenes::{ModelScene, Task, read_model, without_law};
+use ::scenes::{Given, ModelScene, Task, read_model, set_values, without_law};
 use clap::{Args, ValueEnum};
 use model::Model;
 use reader::read_text;
@@ -27,6 +29,15 @@ pub struct Asked {
     /// Instants of the run in seconds, up to its end, instead of a point: 0,0.5,2
     #[arg(long, value_name = "T,T", value_delimiter = ',', value_parser = instant, allow_negative_numbers = true, conflicts_with = "about")]
     pub times: Vec<f64>,
+    /// The period of the motion from the start of the file, in seconds: its Floquet multipliers instead of linear equations
+    #[arg(long, value_name = "T", value_parser = period, allow_negative_numbers = true, conflicts_with_all = ["about", "times", "inputs"])]
+    pub period: Option<f64>,
+    /// A parameter along which stability changes: the exact boundaries of Routh's criterion about the point
+    #[arg(long, value_name = "NAME", conflicts_with_all = ["times", "inputs", "period"])]
+    pub along: Option<String>,
+    /// Another value, in SI units, of a parameter, or of a coordinate or a speed at the start; may be repeated
+    #[arg(long = "set", value_name = "NAME=VALUE", value_parser = named_value)]
+    pub values: Vec<(String, f64)>,
     /// A parameter that is an input, beside the inputs of the file; may be repeated
     #[arg(long = "input", value_name = "NAME")]
     pub inputs: Vec<String>,
@@ -34,6 +45,14 @@ pub struct Asked {
     /// column
     #[arg(long, value_enum, default_value_t)]
     pub format: Form,
+}
+
+impl Asked {
+    /// The file as a run.
+    fn run(&self) -> Result<ModelScene, Exit> {
+        let given = Given { run: None, values: self.values.clone() };
+        Ok(ModelScene::parse_with(&self.scene.display().to_string(), &read_text(&self.scene)?, given)?)
+    }
 }
 
 /// A point of a system.
@@ -59,15 +78,34 @@ fn instant(text: &str) -> Result<f64, String> {
     time.ok_or_else(|| "a time that is not negative, in seconds, such as 0.5 is accepted".to_owned())
 }
 
+fn named_value(text: &str) -> Result<(String, f64), String> {
+    let accepted = || "a name with a number in SI units, without the unit, such as m=0.5, is accepted".to_owned();
+    let (name, value) = text.split_once('=').ok_or_else(accepted)?;
+    let value = value.trim().parse().ok().filter(|value: &f64| value.is_finite()).ok_or_else(accepted)?;
+    Ok((name.trim().to_owned(), value))
+}
+
+fn period(text: &str) -> Result<f64, String> {
+    let period = text.trim().parse().ok().filter(|period: &f64| period.is_finite() && *period > 0.0);
+    period.ok_or_else(|| "a time above zero, in seconds, such as 0.5 is accepted".to_owned())
+}
+
 /// Prints the matrices, the eigenvalues and what they say.
 pub fn linearise(asked: &Asked) -> Result<Exit, Exit> {
     let refused = |why: String| Exit::refused(format!("{}: {why}", asked.scene.display()));
+    if let Some(period) = asked.period {
+        return multipliers::show(asked, period);
+    }
     let mut model = read_model(&asked.scene, Task::Vary)?;
+    set_values(&mut model, &asked.values).map_err(|why| refused(format!("--set: {why}")))?;
     // inputs without a value are taken about zero
     model.close_inputs();
     let inputs = inputs_of(&mut model, &asked.inputs).map_err(refused)?;
     let _progress = Progress::new("the linear equations");
     let instances = instances(&mut model, asked)?;
+    if let (Some(parameter), [(_, state)]) = (&asked.along, &instances[..]) {
+        return boundaries::show(asked, &model, state, parameter);
+    }
     let equations = VariedEquations::of(&model, &inputs)
         .map_err(|why| placed(&asked.scene, without_law(&model, &why, "there are no linear equations")))?;
     if !equations.feedback.is_empty() {
@@ -105,7 +143,7 @@ pub fn linearise(asked: &Asked) -> Result<Exit, Exit> {
 fn instances(model: &mut Model, asked: &Asked) -> Result<Vec<points::Instance>, Exit> {
     let refused = |why: String| Exit::refused(format!("{}: {why}", asked.scene.display()));
     if !asked.times.is_empty() {
-        let scene = ModelScene::parse(&asked.scene.display().to_string(), &read_text(&asked.scene)?)?;
+        let scene = asked.run()?;
         if let Some(late) = asked.times.iter().find(|time| **time > scene.run.span) {
             return Err(refused(format!(
                 "--times {late}: the run ends at t = {} s; times up to it are accepted, or a longer `span` in [run]",

@@ -12,6 +12,7 @@ mod cyclic;
 mod displacement;
 mod equations;
 mod independence;
+mod multipliers;
 mod names;
 mod over_fields;
 mod point;
@@ -20,6 +21,7 @@ mod stability;
 
 pub use about::{Linear, inputs_of, point_of};
 pub use equations::{At, Known, Point, Values, VariedEquations};
+pub use multipliers::{Multipliers, NoMultipliers, Ones, Orbit};
 pub use names::Names;
 pub use point::Undetermined;
 pub use points::Standing;

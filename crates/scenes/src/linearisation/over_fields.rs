@@ -17,8 +17,35 @@ pub(crate) struct Slopes<S> {
 #[derive(Clone, Debug)]
 pub(crate) struct AllSlopes<S> {
     pub motion: Slopes<S>,
+    pub zero: Slopes<S>,
     pub rate: Slopes<S>,
     pub acceleration: Slopes<S>,
+}
+
+impl<S> Slopes<S> {
+    fn through<T>(self, each: &impl Fn(S) -> Option<T>) -> Option<Slopes<T>> {
+        let row = |row: Vec<S>| -> Option<Vec<T>> { row.into_iter().map(each).collect() };
+        let all = |rows: Vec<Vec<S>>| -> Option<Vec<Vec<T>>> { rows.into_iter().map(row).collect() };
+        Some(Slopes {
+            values: row(self.values)?,
+            by_coordinates: all(self.by_coordinates)?,
+            by_speeds: all(self.by_speeds)?,
+            by_accelerations: all(self.by_accelerations)?,
+            by_multipliers: all(self.by_multipliers)?,
+        })
+    }
+}
+
+impl<S> AllSlopes<S> {
+    /// Numbers of another field, where all of them are.
+    pub fn through<T>(self, each: impl Fn(S) -> Option<T>) -> Option<AllSlopes<T>> {
+        Some(AllSlopes {
+            motion: self.motion.through(&each)?,
+            zero: self.zero.through(&each)?,
+            rate: self.rate.through(&each)?,
+            acceleration: self.acceleration.through(&each)?,
+        })
+    }
 }
 
 impl VariedEquations {
@@ -48,6 +75,11 @@ impl VariedEquations {
                 by_multipliers: block(1 + 3 * n, m),
             }
         };
-        AllSlopes { motion: slopes(0, n), rate: slopes(n + m, m), acceleration: slopes(n + 2 * m, m) }
+        AllSlopes {
+            motion: slopes(0, n),
+            zero: slopes(n, m),
+            rate: slopes(n + m, m),
+            acceleration: slopes(n + 2 * m, m),
+        }
     }
 }

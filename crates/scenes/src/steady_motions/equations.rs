@@ -67,13 +67,15 @@ pub(super) struct SteadyEquations {
 impl SteadyEquations {
     pub fn of(model: &Model, asked: &Asked) -> Result<Self, NoSteadyMotions> {
         Self::checked(model)?;
-        symbolic::apart(|| Self::written(model, asked, None))
+        symbolic::apart(|| Self::written(model, asked, None, false))
     }
 
-    /// For motions near a state, whose speeds of cyclic coordinates are kept where no equation asks for them.
+    /// For the motion of a state where that is one identically, but for reactions; else for motions near it, whose speeds of cyclic
+    /// coordinates are kept where no equation asks for them.
     pub fn near(model: &Model, state: &[f64]) -> Result<Self, NoSteadyMotions> {
         Self::checked(model)?;
-        symbolic::apart(|| Self::written(model, &Asked::default(), Some(state)))
+        let written = |is_pinned| Self::written(model, &Asked::default(), Some(state), is_pinned);
+        symbolic::apart(|| written(true).ok().filter(|own| !own.is_unbalanced).map_or_else(|| written(false), Ok))
     }
 
     fn checked(model: &Model) -> Result<(), NoSteadyMotions> {
@@ -87,7 +89,7 @@ impl SteadyEquations {
         Ok(())
     }
 
-    fn written(model: &Model, asked: &Asked, near: Option<&[f64]>) -> Result<Self, NoSteadyMotions> {
+    fn written(model: &Model, asked: &Asked, near: Option<&[f64]>, is_pinned: bool) -> Result<Self, NoSteadyMotions> {
         let trace = Trace::of(model);
         let n = trace.speeds.len();
         let names: Vec<String> = model.state_names().into_iter().map(|(name, _)| name).collect();
@@ -119,10 +121,13 @@ impl SteadyEquations {
         let mut without_range = Vec::new();
         for k in (0..n).filter(|&k| !(is_cyclic[k] && is_determined(k))) {
             let (symbol, place, is_sought) = match is_cyclic[k] {
-                false => (trace.coordinates[k], k, true),
+                false => (trace.coordinates[k], k, !is_pinned),
                 true => {
-                    let asks = residuals[k].symbols_of().iter().any(|symbol| trace.speeds.contains(symbol));
-                    (trace.speeds[k], n + k, asks && asked.speed(&names[n + k]).is_none())
+                    // its own equation asks for speeds, or for something that the others give by this one
+                    let asks = residuals[k].symbols_of().iter().any(|symbol| trace.speeds.contains(symbol))
+                        || residuals[k] != Sym::ZERO
+                            && residuals.iter().any(|row| row.symbols_of().contains(&trace.speeds[k]));
+                    (trace.speeds[k], n + k, asks && !is_pinned && asked.speed(&names[n + k]).is_none())
                 }
             };
             let name = names[place].clone();
@@ -156,7 +161,11 @@ impl SteadyEquations {
         }
         let (letters, unknowns): (Vec<Sym>, Vec<Unknown>) = unknowns.into_iter().unzip();
         let multipliers: Vec<Sym> = rows.constraints.iter().map(|one| one.multiplier).collect();
-        let (residuals, zeros) = (substitute_all(&residuals, &known), substitute_all(&rows.zeros, &known));
+        let put = |rows: &[Sym]| -> Vec<Sym> {
+            let rows = substitute_all(rows, &known);
+            if is_pinned { rows.into_iter().map(plain).collect() } else { rows }
+        };
+        let (residuals, zeros) = (put(&residuals), put(&rows.zeros));
         let asking: Vec<usize> = (0..n).filter(|&k| residuals[k] != Sym::ZERO).collect();
         let zeros: Vec<Sym> = zeros.into_iter().filter(|zero| *zero != Sym::ZERO).collect();
         // a load that nothing balances

@@ -17,7 +17,9 @@ mod stability;
 pub use along::{Along, Bifurcation, Change, Sample};
 pub use equations::Unknown;
 pub use region::{Near, Region};
-pub use spectrum::{EigenvalueDisc, EnclosedSpectrum, EnclosedVerdict, NotEnclosed, Side, ZeroReason};
+pub use spectrum::{
+    Boundary, EigenvalueDisc, EnclosedSpectrum, EnclosedVerdict, ExactAlong, NotEnclosed, Routh, Side, ZeroReason,
+};
 pub use stability::{Eigenvalues, SteadyStability};
 
 use crate::compiled_system::NotCompiled;

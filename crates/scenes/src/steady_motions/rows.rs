@@ -81,7 +81,20 @@ impl Rows {
         });
         // the first of those that leave the most coordinates without a part in the equations
         let count = |rows: &Rows| rows.is_cyclic.iter().filter(|cyclic| **cyclic).count();
-        let best = all.reduce(|best, next| if count(&next) > count(&best) { next } else { best });
+        // more are not possible
+        let is_held = |own: &Sym| zeros.iter().any(|zero| !vanishes(zero.diff(*own)));
+        let most = trace.coordinates.iter().filter(|own| !is_held(own)).count();
+        let mut best: Option<Rows> = None;
+        for next in all {
+            let reached = count(&next) >= most;
+            best = Some(match best {
+                Some(best) if count(&best) >= count(&next) => best,
+                _ => next,
+            });
+            if reached {
+                break;
+            }
+        }
         best.ok_or_else(|| NoSteadyMotions::OfSpeeds { at: of_speeds[0].at.clone() })
     }
 

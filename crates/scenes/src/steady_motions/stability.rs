@@ -61,7 +61,7 @@ pub(super) fn judged(
     };
     match varied.about(0.0, state) {
         Ok(linear) => {
-            let enclosed = EnclosedSpectrum::of(equations, &varied, enclosure, state, keeps_energy);
+            let enclosed = EnclosedSpectrum::of(model, equations, &varied, (enclosure, state), keeps_energy);
             SteadyStability::Linear(Box::new(Eigenvalues { linear, enclosed }))
         }
         Err(why) => SteadyStability::Unknown(why.to_string()),

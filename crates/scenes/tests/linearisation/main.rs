@@ -6,6 +6,7 @@ mod equilibria;
 mod forces;
 mod free_frames;
 mod instants;
+mod multipliers;
 mod reactions;
 mod steady_currents;
 mod voltages;

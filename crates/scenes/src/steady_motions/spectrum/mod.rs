@@ -3,20 +3,27 @@
 //! The motion is known by Krawczyk's operator, to thirty digits. So are the linear equations there without coordinates on which nothing
 //! depends, and their characteristic polynomial; as many of its last coefficients vanish as zeros have reasons.
 
+mod along;
 mod discs;
+mod exact;
 mod motion;
 mod nearby;
+mod quotient;
 mod reduction;
 mod zeros;
 
+pub use along::{Boundary, ExactAlong};
 pub use discs::{EigenvalueDisc, Side};
+pub use exact::Routh;
 pub use zeros::ZeroReason;
 
 use super::equations::SteadyEquations;
 use crate::linearisation::VariedEquations;
 use algebra::real::{Ball, Ordered};
+use exact::routh;
 use field::Interval;
 use mechanics::linear_stability::characteristic;
+use model::Model;
 use nalgebra::DMatrix;
 use reduction::{Layout, Reduced};
 use std::fmt;
@@ -25,6 +32,12 @@ use zeros::{Kept, reasons};
 /// Larger systems have no characteristic polynomial with thirty digits.
 const MOST_STATES: usize = 24;
 
+/// Digits of decimals that are tried.
+const DIGITS: usize = 10;
+
+/// Smaller values are tried as zero.
+const NOTHING: f64 = 1e-12;
+
 /// All eigenvalues at a steady motion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EnclosedSpectrum {
@@ -32,6 +45,8 @@ pub struct EnclosedSpectrum {
     pub zeros: Vec<ZeroReason>,
     /// All others, by falling real parts.
     pub discs: Vec<EigenvalueDisc>,
+    /// The count by Routh's criterion with exact fractions, where the data and the motion are decimals.
+    pub exact: Option<Routh>,
 }
 
 /// Why eigenvalues are not enclosed.
@@ -49,6 +64,8 @@ pub enum NotEnclosed {
     NoMotion,
     /// Inputs depend on the state, and the linear equations hold them at their values.
     Feedback,
+    /// The motion changes with the parameter, a number is no fraction, or eigenvalues have opposite ones at every value.
+    NotExact,
 }
 
 impl fmt::Display for NotEnclosed {
@@ -59,6 +76,11 @@ impl fmt::Display for NotEnclosed {
             Self::NoEquations => write!(f, "there are no linear equations with numbers"),
             Self::NotSought(why) => write!(f, "{why}"),
             Self::Feedback => write!(f, "inputs that depend on the state are held at their values"),
+            Self::NotExact => write!(
+                f,
+                "exact boundaries need a motion that stays where it is for every value, derivatives that are fractions of polynomials, and \
+                 damping, so that eigenvalues do not come with their negatives"
+            ),
             Self::NoMotion => write!(f, "no steady motion is shown to be at the point"),
         }
     }
@@ -81,10 +103,10 @@ impl EnclosedSpectrum {
     /// # Errors
     /// Why eigenvalues are not enclosed.
     pub(super) fn of(
+        model: &Model,
         equations: &SteadyEquations,
         varied: &VariedEquations,
-        enclosure: &[Interval],
-        state: &[f64],
+        (enclosure, state): (&[Interval], &[f64]),
         keeps_energy: bool,
     ) -> Result<Self, NotEnclosed> {
         let layout = layout(equations, varied);
@@ -102,7 +124,9 @@ impl EnclosedSpectrum {
         let forced = own.len();
         zeros.extend(own);
         let is_even = keeps_energy && m == layout.positions;
-        Self::of_matrix(&reduced.matrix, zeros, forced, is_even).ok_or(NotEnclosed::Undetermined)
+        let found = Self::of_matrix(&reduced.matrix, zeros, forced, is_even).ok_or(NotEnclosed::Undetermined)?;
+        let exact = decimals(equations, enclosure, state).and_then(|state| routh(model, &layout, &state, forced));
+        Ok(EnclosedSpectrum { exact, ..found })
     }
 
     /// Of a matrix of which so many eigenvalues are zero.
@@ -130,18 +154,33 @@ impl EnclosedSpectrum {
             coefficients.iter_mut().skip(1).step_by(2).for_each(|c| *c = Ball::constant(0.0));
         }
         let discs = discs::discs(&coefficients, &begin[forced..], is_even)?;
-        Some(EnclosedSpectrum { zeros, discs })
+        Some(EnclosedSpectrum { zeros, discs, exact: None })
     }
 
     /// The meaning for stability.
     pub fn verdict(&self) -> EnclosedVerdict {
         let count = |side: Side| self.discs.iter().filter(|disc| disc.side == side).map(|disc| disc.count).sum();
-        match (count(Side::Right), count(Side::Axis), count(Side::Undecided)) {
+        let counts = match self.exact {
+            Some(Routh { right, axis, unexplained, .. }) => (right, axis, unexplained),
+            None => (count(Side::Right), count(Side::Axis), count(Side::Undecided)),
+        };
+        match counts {
             (0, 0, 0) if !self.discs.is_empty() => EnclosedVerdict::Asymptotic,
             (0, on_axis, touching) => EnclosedVerdict::Undecided { on_axis, touching },
             (unstable, ..) => EnclosedVerdict::Unstable(unstable),
         }
     }
+}
+
+/// The state with unknowns as short decimals, where these lie in the enclosure.
+fn decimals(equations: &SteadyEquations, enclosure: &[Interval], state: &[f64]) -> Option<Vec<f64>> {
+    let mut state = state.to_vec();
+    for (unknown, within) in equations.unknowns.iter().zip(enclosure) {
+        let value = state[unknown.place];
+        let short = format!("{value:.DIGITS$e}").parse().ok().filter(|_| value.abs() > NOTHING).unwrap_or(0.0);
+        state[unknown.place] = [value, short].into_iter().rev().find(|value| within.contains(*value))?;
+    }
+    Some(state)
 }
 
 /// Constraints, and the parts of coordinates in the equations.

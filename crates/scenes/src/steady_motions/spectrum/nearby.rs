@@ -1,6 +1,7 @@
 //! Eigenvalues at a state about which there is a steady motion.
 
-use super::{EnclosedSpectrum, MOST_STATES, NotEnclosed};
+use super::along::{ExactAlong, along};
+use super::{EnclosedSpectrum, MOST_STATES, NotEnclosed, layout};
 use crate::conservation::keeps_energy;
 use crate::linearisation::VariedEquations;
 use crate::steady_motions::NoSteadyMotions;
@@ -33,7 +34,24 @@ impl EnclosedSpectrum {
         let found = zeros(&mut Boxes::of(&equations), &domain, limits, goes_on);
         let [zero] = &found.zeros[..] else { return Err(NotEnclosed::NoMotion) };
         let keeps_energy = equations.have_potential || keeps_energy(model);
-        EnclosedSpectrum::of(&equations, &varied, &zero.enclosure, &equations.state, keeps_energy)
+        EnclosedSpectrum::of(model, &equations, &varied, (&zero.enclosure, &equations.state), keeps_energy)
+    }
+}
+
+impl ExactAlong {
+    /// Of the steady motion at a state, along a parameter by its name: the motion must be one at every value, and all numbers fractions.
+    ///
+    /// # Errors
+    /// Why there are no exact boundaries.
+    pub fn of(model: &Model, state: &[f64], parameter: &str) -> Result<Self, NotEnclosed> {
+        let place = model.parameters.iter().position(|own| own.name == parameter);
+        let place = place.ok_or(NotEnclosed::NotSought("no parameter is called so"))?;
+        let varied = VariedEquations::with_inputs(model, &[], &[]).map_err(|_| NotEnclosed::NoEquations)?;
+        let equations = SteadyEquations::near(model, state).map_err(|why| NotEnclosed::NotSought(why_not(&why)))?;
+        // zeros are counted exactly: those with reasons are found at the value of the file
+        let found = EnclosedSpectrum::near(model, state, || true)?;
+        let reasons = found.zeros.len() - equations.cyclic.len();
+        along(model, &layout(&equations, &varied), (state, place), reasons).ok_or(NotEnclosed::NotExact)
     }
 }
 

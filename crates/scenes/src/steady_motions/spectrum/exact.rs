@@ -1,0 +1,92 @@
+//! The same with fractions: Routh's criterion at a motion whose numbers are decimals, where every derivative there is a fraction.
+
+use super::reduction::{Layout, Pivot, Reduced, solved, whole};
+use crate::linearisation::{AllSlopes, VariedEquations};
+use field::{Rational, Scalar};
+use mechanics::linear_stability::{HalfPlanes, characteristic};
+use model::Model;
+use symbolic::Sym;
+
+/// Larger systems have fractions of too many digits.
+pub(super) const MOST_SPEEDS: usize = 8;
+
+/// Exact numbers of eigenvalues other than zero, and of zeros.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Routh {
+    pub left: usize,
+    /// On the imaginary axis without zero.
+    pub axis: usize,
+    pub right: usize,
+    /// Zeros for which no reason is known.
+    pub unexplained: usize,
+}
+
+/// The exact count at a state; so many zeros of the reduced equations have reasons. None where a number is no fraction, or the state is not
+/// a steady motion exactly.
+pub(super) fn routh(model: &Model, layout: &Layout, state: &[f64], reasons: usize) -> Option<Routh> {
+    if model.speeds() > MOST_SPEEDS {
+        return None;
+    }
+    let all: Vec<usize> = (0..model.parameters.len()).collect();
+    let varied = VariedEquations::with_inputs(model, &all, &[]).ok()?;
+    let data = model.parameters.iter().map(|parameter| Some(Rational::decimal(parameter.value?)));
+    let data: Vec<Rational> = data.collect::<Option<_>>()?;
+    let one = Rational::int(1);
+    let exactly = |point: &[Rational]| {
+        symbolic::apart(|| {
+            let numbers: Vec<Sym> = point.iter().chain(&data).map(|value| Sym::constant(*value)).collect();
+            varied
+                .over(&numbers, Sym::ZERO)
+                .through(|value: Sym| value.as_constant().filter(|value| value.is_defined()))
+        })
+    };
+    let at = at_motion(&varied, layout, state, &one, exactly)?;
+    let reduced = Reduced::of(&at, layout, &one)?;
+    let mut coefficients = characteristic(&reduced.matrix, &one);
+    let size = coefficients.len();
+    while coefficients.last().is_some_and(|last| last.sign() == Some(0)) {
+        coefficients.pop();
+    }
+    let unexplained = (size - coefficients.len()).checked_sub(reasons)?;
+    counted(coefficients, unexplained)
+}
+
+/// Routh's count for a polynomial without roots at zero.
+pub(super) fn counted(coefficients: Vec<Rational>, unexplained: usize) -> Option<Routh> {
+    let HalfPlanes { left, axis, right, .. } = HalfPlanes::of(&coefficients)?;
+    Some(Routh { left, axis, right, unexplained })
+}
+
+/// The equations at the motion, with the speeds, accelerations and multipliers that follow exactly. None where the state is no steady motion.
+pub(super) fn at_motion<R: Pivot>(
+    varied: &VariedEquations,
+    layout: &Layout,
+    state: &[f64],
+    one: &R,
+    exactly: impl Fn(&[R]) -> Option<AllSlopes<R>>,
+) -> Option<AllSlopes<R>> {
+    let [n, m, ..] = varied.counts();
+    let zero = one.integer(0);
+    let number = |value: &f64| one.fraction(Rational::decimal(*value));
+    let mut point: Vec<R> = state.iter().map(number).collect::<Option<_>>()?;
+    layout.cyclic.iter().for_each(|&k| point[k] = zero.clone());
+    point.resize(2 * n + n + m, zero.clone());
+    let negative = |value: &R| vec![zero.minus(value)];
+    // speeds that constraints determine
+    let at = exactly(&point)?;
+    let rows = &at.acceleration.by_accelerations[layout.positions..];
+    let own = rows.iter().map(|row| layout.determined.iter().map(|&k| row[k].clone()).collect()).collect();
+    let steps = solved(own, at.rate.values[layout.positions..].iter().map(negative).collect())?;
+    layout.determined.iter().zip(steps).for_each(|(&k, step)| point[n + k] = point[n + k].plus(&step[0]));
+    let at = exactly(&point)?;
+    let right = at.motion.values.iter().chain(&at.acceleration.values).map(negative).collect();
+    let found = solved(whole(&at, &zero), right)?;
+    point[2 * n..].iter_mut().zip(found).for_each(|(own, found)| *own = found[0].clone());
+    let is_zero = |value: &R| value.sign() == Some(0);
+    let is_held = at.zero.values[..layout.positions].iter().chain(&at.rate.values).all(is_zero);
+    let is_steady = (0..n).all(|k| {
+        (layout.cyclic.contains(&k) || is_zero(&point[n + k]))
+            && (layout.determined.contains(&k) || is_zero(&point[2 * n + k]))
+    });
+    if is_held && is_steady { exactly(&point) } else { None }
+}
