@@ -74,9 +74,9 @@ pub(crate) fn verdict(found: &EnclosedSpectrum) -> String {
         EnclosedVerdict::Asymptotic if found.zeros.is_empty() => {
             format!("asymptotically stable, {by}: every eigenvalue lies left of the imaginary axis")
         }
-        EnclosedVerdict::Asymptotic => format!(
-            "stable, and asymptotically so but for zeros, {by}: every eigenvalue lies left of the imaginary axis{but}"
-        ),
+        EnclosedVerdict::Asymptotic => {
+            format!("every eigenvalue lies left of the imaginary axis, {by},{but}: asymptotically stable in all others")
+        }
         EnclosedVerdict::Unstable(count) => format!("unstable, {by}: {} right of the imaginary axis", many(count)),
         EnclosedVerdict::Undecided { on_axis: 0, touching: 0 } => {
             format!("not decided by linear equations: every eigenvalue is zero ({})", zeros(&found.zeros))

@@ -9,6 +9,25 @@ use serde_json::{Value, json};
 use std::fmt::Write;
 use units::nearest;
 
+/// A parameter, or with a range also a coordinate or a speed at the start.
+#[derive(Clone, Debug)]
+pub struct AlongWhat {
+    pub name: String,
+    pub range: Option<[f64; 2]>,
+}
+
+/// `p` or `p=0..1`.
+pub(super) fn asked(text: &str) -> Result<AlongWhat, String> {
+    let Some((name, range)) = text.split_once('=') else {
+        return Ok(AlongWhat { name: text.trim().to_owned(), range: None });
+    };
+    let number = |text: &str| text.trim().parse().ok().filter(|value: &f64| value.is_finite());
+    let ends = range.split_once("..").and_then(|(from, to)| Some([number(from)?, number(to)?]));
+    let range = ends.filter(|[from, to]| from < to);
+    let accepted = || format!("a range that rises, in SI units without the unit, such as {name}=0..1, is accepted");
+    Ok(AlongWhat { name: name.trim().to_owned(), range: Some(range.ok_or_else(accepted)?) })
+}
+
 /// Prints them.
 pub(super) fn show(asked: &Asked, model: &Model, state: &[f64], parameter: &str) -> Result<Exit, Exit> {
     let refused = |why: String| Exit::refused(format!("{}: --along {parameter}: {why}", asked.scene.display()));

@@ -1,9 +1,11 @@
 //! `dalembert linearise`: the linear equations of a system that is written in its file, about a point or along its run.
 
 mod boundaries;
+mod crossings;
 mod multipliers;
 mod print;
 
+use self::boundaries::AlongWhat;
 use self::print::{Found, Headed, csv, object, text};
 use crate::clock;
 use crate::exit::{Exit, placed, warn};
@@ -32,9 +34,10 @@ pub struct Asked {
     /// The period of the motion from the start of the file, in seconds: its Floquet multipliers instead of linear equations
     #[arg(long, value_name = "T", value_parser = period, allow_negative_numbers = true, conflicts_with_all = ["about", "times", "inputs"])]
     pub period: Option<f64>,
-    /// A parameter along which stability changes: the exact boundaries of Routh's criterion about the point
-    #[arg(long, value_name = "NAME", conflicts_with_all = ["times", "inputs", "period"])]
-    pub along: Option<String>,
+    /// A parameter along which stability changes: the exact boundaries of Routh's criterion about the point; with a range, of it or of a
+    /// coordinate or speed at the start: values between which eigenvalues change sides, by enclosures: NAME=FROM..TO
+    #[arg(long, value_name = "NAME[=FROM..TO]", value_parser = boundaries::asked, conflicts_with_all = ["times", "inputs", "period"])]
+    pub along: Option<boundaries::AlongWhat>,
     /// Another value, in SI units, of a parameter, or of a coordinate or a speed at the start; may be repeated
     #[arg(long = "set", value_name = "NAME=VALUE", value_parser = named_value)]
     pub values: Vec<(String, f64)>,
@@ -101,10 +104,13 @@ pub fn linearise(asked: &Asked) -> Result<Exit, Exit> {
     // inputs without a value are taken about zero
     model.close_inputs();
     let inputs = inputs_of(&mut model, &asked.inputs).map_err(refused)?;
+    let whole = model.clone();
     let _progress = Progress::new("the linear equations");
     let instances = instances(&mut model, asked)?;
-    if let (Some(parameter), [(_, state)]) = (&asked.along, &instances[..]) {
-        return boundaries::show(asked, &model, state, parameter);
+    match (&asked.along, &instances[..]) {
+        (Some(AlongWhat { name, range: None }), [(_, state)]) => return boundaries::show(asked, &model, state, name),
+        (Some(AlongWhat { name, range: Some(range) }), _) => return crossings::show(asked, &whole, name, *range),
+        _ => {}
     }
     let equations = VariedEquations::of(&model, &inputs)
         .map_err(|why| placed(&asked.scene, without_law(&model, &why, "there are no linear equations")))?;

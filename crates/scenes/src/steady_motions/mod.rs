@@ -18,7 +18,8 @@ pub use along::{Along, Bifurcation, Change, Sample};
 pub use equations::Unknown;
 pub use region::{Near, Region};
 pub use spectrum::{
-    Boundary, EigenvalueDisc, EnclosedSpectrum, EnclosedVerdict, ExactAlong, NotEnclosed, Routh, Side, ZeroReason,
+    Boundary, Crossings, EigenvalueDisc, EnclosedSpectrum, EnclosedVerdict, ExactAlong, Judged, NotEnclosed, Routh,
+    Side, ZeroReason,
 };
 pub use stability::{Eigenvalues, SteadyStability};
 

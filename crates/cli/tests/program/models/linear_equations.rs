@@ -156,3 +156,58 @@ fn angles_of_a_motion_without_a_unit_are_warned_of() {
     let told = String::from_utf8_lossy(&body.stderr).into_owned();
     assert!(told.contains("90 rad are 14.3 turns"), "{told}");
 }
+
+/// Whipple's bicycle upright at 5 m/s, out of the nonlinear text: zeros with their reasons, and what rests on enclosures.
+#[test]
+fn enclosed_eigenvalues_are_told_with_the_reasons_of_zeros() {
+    let upright = ["linearise", "scenes/foreign/bicycle.toml", "--set", "lean=0", "--set", "rear'=-16.666666666666668"];
+    let text = printed(&upright);
+    assert!(
+        text.contains("zero, exactly: 6 (5 of x, y, yaw, rear, front, on which nothing depends; 1 of the energy"),
+        "{text}"
+    );
+    assert!(
+        text.contains("by enclosures, but for 6 zeros") && text.contains("asymptotically stable in all others"),
+        "{text}"
+    );
+    let point = json(&run(&[&upright[..], &["--format", "json"]].concat()))["points"][0].clone();
+    assert_eq!(point["enclosed"]["discs"].as_array().map(Vec::len), Some(4));
+    assert_eq!(point["enclosed"]["stability"], "asymptotically stable");
+    refused(&["linearise", MODEL, "--set", "zz=0"], "nothing is called `zz`");
+    refused(&["linearise", MODEL, "--set", "a=1 rad"], "a name with a number in SI units");
+}
+
+#[test]
+fn exact_boundaries_are_told_along_a_parameter() {
+    let path = temporary("upright.toml");
+    let file = path.display().to_string();
+    let text = "title = \"Upright\"\n[parameters]\nm = \"2 kg\"\nl = \"0.3 m\"\ng = \"9.81 m/s^2\"\np = \"7 N m\"\nd = \"0.1 N m s\"\n\
+        [coordinates]\ntheta = \"rad\"\n[energies]\nkinetic = \"m/2*l^2*theta'^2\"\npotential = \"m*g*l*cos(theta)\"\n\
+        [[force]]\nalong = \"theta\"\nis = \"-p*theta - d*theta'\"\n[run]\nspan = \"1 s\"\n";
+    std::fs::write(&path, text).expect("it is written");
+    let told = printed(&["linearise", &file, "--along", "p"]);
+    assert!(
+        told.contains("p < 5.886: unstable: one eigenvalue") && told.contains("p > 5.886: stable: 2 eigenvalues"),
+        "{told}"
+    );
+    assert!(told.contains("at p = 2943/500 = 5.886"), "{told}");
+    assert!(
+        printed(&["linearise", &file]).contains("asymptotically stable, by Routh's criterion with exact fractions")
+    );
+    refused(&["linearise", &file, "--along", "q"], "no parameter is called so");
+    refused(
+        &["linearise", MODEL, "--set", "a=0", "--set", "b=0", "--along", "l1"],
+        "some eigenvalues are opposite to others",
+    );
+    std::fs::remove_file(&path).expect("it is there");
+}
+
+/// A pendulum that is released level swings in 4 K(1/2) sqrt(l/g).
+#[test]
+fn multipliers_of_a_swing_are_told() {
+    let swing = ["linearise", "scenes/foreign/cartesian_pendulum.toml", "--period"];
+    let told = printed(&[&swing[..], &["2.367841947576237"]].concat());
+    assert!(told.contains("1 since the motion may begin later; 1 of the energy, which is kept"), "{told}");
+    refused(&[&swing[..], &["2.3"]].concat(), "the motion does not return: it misses its beginning by");
+    refused(&[&swing[..], &["-1"]].concat(), "a time above zero");
+}

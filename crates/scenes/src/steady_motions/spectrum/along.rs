@@ -4,6 +4,7 @@
 //! last coefficient vanishes, a pair where Hurwitz' determinant of order n - 1 does (Orlando); between two such places, and poles, the
 //! number of eigenvalues on either side is constant, and Routh's criterion counts it at one fraction there.
 
+use super::NotEnclosed;
 use super::exact::{MOST_SPEEDS, Routh, at_motion, counted};
 use super::quotient::{Quotient, product};
 use super::reduction::{Layout, Matrix, Pivot, Reduced};
@@ -43,10 +44,28 @@ pub(super) fn along(
     layout: &Layout,
     (state, parameter): (&[f64], usize),
     reasons: usize,
-) -> Option<ExactAlong> {
+) -> Result<ExactAlong, NotEnclosed> {
     if model.speeds() > MOST_SPEEDS {
-        return None;
+        return Err(NotEnclosed::Large { states: 2 * model.speeds(), most: 2 * MOST_SPEEDS });
     }
+    let (coefficients, unexplained) =
+        polynomial(model, layout, (state, parameter), reasons).ok_or(NotEnclosed::NotExact)?;
+    let one = Quotient::constant(Rational::int(1));
+    let hurwitz = determinant(hurwitz(&coefficients, &one)).ok_or(NotEnclosed::NotExact)?;
+    // opposite eigenvalues at every value
+    if hurwitz.above.is_empty() {
+        return Err(NotEnclosed::Opposite);
+    }
+    bounded(&coefficients, &hurwitz, unexplained).ok_or(NotEnclosed::NotExact)
+}
+
+/// The characteristic polynomial without its zeros, and how many of these have no reason.
+fn polynomial(
+    model: &Model,
+    layout: &Layout,
+    (state, parameter): (&[f64], usize),
+    reasons: usize,
+) -> Option<(Vec<Quotient>, usize)> {
     let all: Vec<usize> = (0..model.parameters.len()).collect();
     let varied = VariedEquations::with_inputs(model, &all, &[]).ok()?;
     let one = Quotient::constant(Rational::int(1));
@@ -69,13 +88,12 @@ pub(super) fn along(
         coefficients.pop();
     }
     let zeros = reduced.matrix.len() + 1 - coefficients.len();
-    let unexplained = zeros.checked_sub(reasons)?;
-    let last = coefficients.last()?.clone();
-    let hurwitz = determinant(hurwitz(&coefficients, &one))?;
-    if hurwitz.above.is_empty() {
-        // opposite eigenvalues at every value
-        return None;
-    }
+    Some((coefficients, zeros.checked_sub(reasons)?))
+}
+
+/// Roots of the last coefficient and of Hurwitz' determinant, and poles, with the count beside each.
+fn bounded(coefficients: &[Quotient], hurwitz: &Quotient, unexplained: usize) -> Option<ExactAlong> {
+    let last = coefficients.last()?;
     let poles = coefficients.iter().fold(vec![Rational::int(1)], |all, c| product(&all, &c.below));
     let places = [&last.above, &hurwitz.above, &hurwitz.below, &poles];
     let mut roots: Vec<Root> = Vec::new();

@@ -4,6 +4,7 @@
 //! depends, and their characteristic polynomial; as many of its last coefficients vanish as zeros have reasons.
 
 mod along;
+mod crossings;
 mod discs;
 mod exact;
 mod motion;
@@ -13,6 +14,7 @@ mod reduction;
 mod zeros;
 
 pub use along::{Boundary, ExactAlong};
+pub use crossings::{Crossings, Judged};
 pub use discs::{EigenvalueDisc, Side};
 pub use exact::Routh;
 pub use zeros::ZeroReason;
@@ -64,8 +66,10 @@ pub enum NotEnclosed {
     NoMotion,
     /// Inputs depend on the state, and the linear equations hold them at their values.
     Feedback,
-    /// The motion changes with the parameter, a number is no fraction, or eigenvalues have opposite ones at every value.
+    /// The motion changes with the parameter, or a number is no fraction.
     NotExact,
+    /// Eigenvalues come with their negatives at every value of a parameter.
+    Opposite,
 }
 
 impl fmt::Display for NotEnclosed {
@@ -78,8 +82,11 @@ impl fmt::Display for NotEnclosed {
             Self::Feedback => write!(f, "inputs that depend on the state are held at their values"),
             Self::NotExact => write!(
                 f,
-                "exact boundaries need a motion that stays where it is for every value, derivatives that are fractions of polynomials, and \
-                 damping, so that eigenvalues do not come with their negatives"
+                "exact boundaries need a motion that is one at every value of the parameter, at decimals, and derivatives there that are fractions"
+            ),
+            Self::Opposite => write!(
+                f,
+                "at every value some eigenvalues are opposite to others, as they are without damping: no boundary can be told by Hurwitz' determinant"
             ),
             Self::NoMotion => write!(f, "no steady motion is shown to be at the point"),
         }

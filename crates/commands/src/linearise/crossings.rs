@@ -1,0 +1,98 @@
+//! `dalembert linearise --along NAME=FROM..TO`: values between which eigenvalues change sides, by enclosures.
+
+use super::{Asked, Form};
+use crate::clock;
+use crate::exit::{Exit, print, warn};
+use ::scenes::linearisation::point_of;
+use ::scenes::steady_motions::{Crossings, EnclosedSpectrum, EnclosedVerdict, Judged, NotEnclosed};
+use ::scenes::{set_values, unit_of};
+use model::Model;
+use serde_json::{Value, json};
+use std::fmt::Write;
+
+/// Prints them.
+pub(super) fn show(asked: &Asked, model: &Model, name: &str, range: [f64; 2]) -> Result<Exit, Exit> {
+    let refused = |why: String| Exit::refused(format!("{}: --along {name}: {why}", asked.scene.display()));
+    let at = |value: f64| -> Result<(Model, Vec<f64>), String> {
+        let mut model = model.clone();
+        set_values(&mut model, &[(name.to_owned(), value)])?;
+        let ((_, state), _) =
+            point_of(&mut model, asked.about == super::About::Equilibrium).map_err(|issue| issue.title)?;
+        Ok((model, state))
+    };
+    // what is wrong with the name or the start is told at once
+    at(range[0]).map_err(refused)?;
+    let goes_on = || clock::goes_on().is_continue();
+    let spectrum = |value: f64| {
+        let (model, state) = at(value).map_err(|_| NotEnclosed::NoMotion)?;
+        EnclosedSpectrum::near(&model, &state, goes_on)
+    };
+    let found = Crossings::of(range, spectrum, goes_on);
+    for (value, why) in &found.open {
+        warn(&format!("warning: {}: no enclosures at {name} = {value}: {why}", asked.scene.display()));
+    }
+    let unit = unit_of(model, name);
+    print(&match asked.format {
+        Form::Text => text(&found, name, &unit),
+        Form::Json => format!("{:#}\n", object(&found, name, &unit)),
+        Form::Csv => csv(&found, name),
+    })?;
+    Ok(if found.open.is_empty() { Exit::Done } else { Exit::Stopped })
+}
+
+fn word(verdict: EnclosedVerdict) -> String {
+    match verdict {
+        EnclosedVerdict::Asymptotic => "every eigenvalue but zeros with reasons left of the imaginary axis".to_owned(),
+        EnclosedVerdict::Unstable(1) => "unstable, one eigenvalue right of the imaginary axis".to_owned(),
+        EnclosedVerdict::Unstable(count) => format!("unstable, {count} eigenvalues right of the imaginary axis"),
+        EnclosedVerdict::Undecided { .. } => "not decided".to_owned(),
+    }
+}
+
+fn text(found: &Crossings, name: &str, unit: &str) -> String {
+    let unit = if unit.is_empty() || unit == "1" { String::new() } else { format!(" {unit}") };
+    let mut out = format!("eigenvalues by enclosures, along {name}{unit}\n");
+    // writing to a String cannot fail
+    for Judged { value, verdict, foremost: [re, im] } in &found.samples {
+        let _ = writeln!(
+            out,
+            "  {name} = {value:?}: {}; the largest real part is {re:.6e} 1/s, of {:.6} rad/s",
+            word(*verdict),
+            im.abs()
+        );
+    }
+    for [before, after] in &found.changes {
+        let _ = writeln!(out, "between {name} = {:?} and {:?}", before.value, after.value);
+        let _ = writeln!(out, "  {}, then {}", word(before.verdict), word(after.verdict));
+        let kind = if before.foremost[1] != 0.0 && after.foremost[1] != 0.0 {
+            format!("a pair crosses the axis at {:.12} rad/s", after.foremost[1].abs())
+        } else {
+            "a real eigenvalue crosses the axis".to_owned()
+        };
+        let _ = writeln!(out, "  {kind}");
+    }
+    let _ = match found.changes.len() {
+        0 => writeln!(out, "no change between these values"),
+        _ => writeln!(out, "two changes between neighbours of these values would not be seen"),
+    };
+    out
+}
+
+fn object(found: &Crossings, name: &str, unit: &str) -> Value {
+    let one = |judged: &Judged| json!({ "value": judged.value, "stability": word(judged.verdict), "largest_real_part": judged.foremost });
+    json!({
+        "along": name,
+        "unit": unit,
+        "samples": found.samples.iter().map(one).collect::<Vec<_>>(),
+        "changes": found.changes.iter().map(|ends| ends.each_ref().map(one)).collect::<Vec<_>>(),
+        "open": found.open.iter().map(|(value, why)| json!({ "value": value, "why": why.to_string() })).collect::<Vec<_>>(),
+    })
+}
+
+fn csv(found: &Crossings, name: &str) -> String {
+    let mut text = format!("{},real part,imaginary part,stability\n", crate::csv::line(&[name]));
+    for Judged { value, verdict, foremost: [re, im] } in found.samples.iter().chain(found.changes.iter().flatten()) {
+        let _ = writeln!(text, "{value:?},{re:?},{im:?},{}", crate::csv::line(&[&word(*verdict)]));
+    }
+    text
+}

@@ -1,0 +1,105 @@
+//! Values at which a verdict of enclosed eigenvalues changes, each between two values with different verdicts.
+
+use super::{EnclosedSpectrum, EnclosedVerdict, NotEnclosed};
+
+/// Intervals at whose ends verdicts are compared.
+const INTERVALS: usize = 8;
+
+/// Steps towards a change.
+const STEPS: usize = 48;
+
+/// Two values so near to one another, in roundings, are not brought together any more.
+const ROUNDINGS: f64 = 4.0;
+
+/// A value with its verdict.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Judged {
+    pub value: f64,
+    pub verdict: EnclosedVerdict,
+    /// The largest real part, with its imaginary part.
+    pub foremost: [f64; 2],
+}
+
+/// Verdicts along a range.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Crossings {
+    /// Values that are compared, those without enclosures left out.
+    pub samples: Vec<Judged>,
+    /// Values on both sides of each change.
+    pub changes: Vec<[Judged; 2]>,
+    /// Values without enclosures, and why.
+    pub open: Vec<(f64, NotEnclosed)>,
+}
+
+impl Crossings {
+    /// From one value to another, by the eigenvalues at each; `goes_on` is asked now and then.
+    pub fn of(
+        [from, to]: [f64; 2],
+        mut spectrum: impl FnMut(f64) -> Result<EnclosedSpectrum, NotEnclosed>,
+        mut goes_on: impl FnMut() -> bool,
+    ) -> Self {
+        let mut judged = |value: f64| -> Result<Judged, NotEnclosed> {
+            let found = spectrum(value)?;
+            let none = [f64::NEG_INFINITY, 0.0];
+            let foremost =
+                found.discs.iter().map(|disc| disc.centre).fold(none, |a, b| if b[0] > a[0] { b } else { a });
+            Ok(Judged { value, verdict: found.verdict(), foremost })
+        };
+        let (mut samples, mut open, mut changes) = (Vec::new(), Vec::new(), Vec::new());
+        for k in 0..=INTERVALS {
+            if !goes_on() {
+                break;
+            }
+            let value = from + (to - from) * k as f64 / INTERVALS as f64;
+            match judged(value) {
+                Ok(found) => samples.push(found),
+                Err(why) => open.push((value, why)),
+            }
+        }
+        for pair in samples.windows(2) {
+            if pair[0].verdict != pair[1].verdict {
+                changes.push(narrowed([pair[0], pair[1]], &mut judged, &mut goes_on));
+            }
+        }
+        Crossings { samples, changes, open }
+    }
+}
+
+/// The ends brought together. Each step goes twice as far from the nearer end as the secant of the largest real parts says, so that the
+/// change is soon between two values near it.
+fn narrowed(
+    mut ends: [Judged; 2],
+    judged: &mut impl FnMut(f64) -> Result<Judged, NotEnclosed>,
+    goes_on: &mut impl FnMut() -> bool,
+) -> [Judged; 2] {
+    for _ in 0..STEPS {
+        let [low, high] = ends;
+        let way = high.value - low.value;
+        let rounding = f64::EPSILON * low.value.abs().max(high.value.abs());
+        if way.abs() <= ROUNDINGS * rounding || !goes_on() {
+            break;
+        }
+        let slope = high.foremost[0] - low.foremost[0];
+        let part = -low.foremost[0] / slope;
+        let is_between = low.foremost[0] * high.foremost[0] < 0.0 && part.is_finite();
+        let part = if is_between { part } else { 0.5 };
+        let least = rounding / way.abs();
+        let part = match part < 0.5 {
+            true => (2.0 * part).max(least).min(0.5),
+            false => 1.0 - (2.0 * (1.0 - part)).max(least).min(0.5),
+        };
+        let tried = [low.value + part * way, low.value + 0.5 * way];
+        let Some(found) = tried.into_iter().find_map(|value| {
+            judged(value)
+                .ok()
+                .filter(|found| !matches!(found.verdict, EnclosedVerdict::Undecided { touching, .. } if touching > 0))
+        }) else {
+            break;
+        };
+        if found.value == low.value || found.value == high.value {
+            break;
+        }
+        ends[usize::from(found.verdict != low.verdict)] = found;
+    }
+    ends
+}
