@@ -142,7 +142,7 @@ impl Multipliers {
         };
         let (component, distance) =
             (0..2 * n).map(|k| (k, missed(k))).fold((0, 0.0), |most, next| if next.1 > most.1 { next } else { most });
-        if !(distance <= RETURN) {
+        if distance > RETURN || end.iter().any(|value| !value.is_finite()) {
             return Err(NoMultipliers::Open { component, distance });
         }
         let later = about(period, &end)?;
