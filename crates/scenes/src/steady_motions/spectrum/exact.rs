@@ -23,8 +23,14 @@ pub struct Routh {
 
 /// The exact count at a state; so many zeros of the reduced equations have reasons. None where a number is no fraction, or the state is not
 /// a steady motion exactly.
-pub(super) fn routh(model: &Model, layout: &Layout, state: &[f64], reasons: usize) -> Option<Routh> {
-    if model.speeds() > MOST_SPEEDS {
+pub(super) fn routh(
+    model: &Model,
+    with_numbers: &VariedEquations,
+    layout: &Layout,
+    state: &[f64],
+    reasons: usize,
+) -> Option<Routh> {
+    if model.speeds() > MOST_SPEEDS || !are_fractions(with_numbers, state) {
         return None;
     }
     let all: Vec<usize> = (0..model.parameters.len()).collect();
@@ -49,6 +55,16 @@ pub(super) fn routh(model: &Model, layout: &Layout, state: &[f64], reasons: usiz
     }
     let unexplained = (size - coefficients.len()).checked_sub(reasons)?;
     counted(coefficients, unexplained)
+}
+
+/// Whether every derivative is a fraction where nothing accelerates: no sine of a number stands in them.
+fn are_fractions(varied: &VariedEquations, state: &[f64]) -> bool {
+    let [n, m, ..] = varied.counts();
+    symbolic::apart(|| {
+        let numbers = state.iter().map(|value| Sym::constant(Rational::exactly(*value)));
+        let numbers: Vec<Sym> = numbers.chain(std::iter::repeat_n(Sym::ZERO, n + m)).collect();
+        varied.over(&numbers, Sym::ZERO).through(|value: Sym| value.as_constant()).is_some()
+    })
 }
 
 /// Routh's count for a polynomial without roots at zero.
