@@ -15,6 +15,9 @@ use num_traits::Zero;
 /// Steps towards roots.
 const STEPS: usize = 60;
 
+/// Numbers that are all zero begin so far apart, in 1/s, times a rounding.
+const LEAST: f64 = 1e-12;
+
 /// Discs whose distance is larger than their radii by this part are apart.
 const SLACK: f64 = 1e-9;
 
@@ -151,7 +154,7 @@ fn improved(coefficients: &[Ball], begin: &[[f64; 2]]) -> Vec<Complex<DoubleDoub
     // all different
     let aside = |k: usize| (k + 1) as f64 * 1e-13;
     let apart = |(k, &[re, im]): (usize, &[f64; 2])| {
-        let by = aside(k) * (size([re, im]) + 1e-6 * largest);
+        let by = aside(k) * (size([re, im]) + 1e-6 * largest + LEAST);
         Complex { re: lift(re + by), im: lift(im + 0.7 * by) }
     };
     let mut all: Vec<Complex<DoubleDouble>> = begin.iter().enumerate().map(apart).collect();
@@ -220,6 +223,8 @@ mod tests {
         assert!(found.iter().all(|disc| disc.radius < 1e-14), "{found:?}");
         let double = discs(&balls(&[1.0, 2.0, 1.0]), &[[-1.0, 0.0], [-1.0, 0.0]], false).expect("they have bounds");
         assert_eq!((double.len(), double[0].count, double[0].side), (1, 2, Side::Left));
+        let zeros = discs(&balls(&[1.0, 0.0, 0.0]), &[[0.0, 0.0], [0.0, 0.0]], false).expect("they have bounds");
+        assert_eq!((zeros.len(), zeros[0].count, zeros[0].side), (1, 2, Side::Undecided));
     }
 
     #[test]
