@@ -67,6 +67,11 @@ pub(crate) fn verdict(found: &EnclosedSpectrum) -> String {
         1 => format!(" but for one zero ({})", zeros(&found.zeros)),
         count => format!(" but for {count} zeros ({})", zeros(&found.zeros)),
     };
+    let beside = match found.zeros.len() {
+        0 => String::new(),
+        1 => format!("; one zero has a reason ({})", zeros(&found.zeros)),
+        count => format!("; {count} zeros have reasons ({})", zeros(&found.zeros)),
+    };
     let by = if found.exact.is_some() { "by Routh's criterion with exact fractions" } else { "by enclosures" };
     let many =
         |count: usize| if count == 1 { "one eigenvalue lies".to_owned() } else { format!("{count} eigenvalues lie") };
@@ -83,16 +88,16 @@ pub(crate) fn verdict(found: &EnclosedSpectrum) -> String {
         }
         EnclosedVerdict::Undecided { on_axis, touching: 0 } => {
             format!(
-                "not decided by linear equations: {} on the imaginary axis, {by}, and none right of it{but}",
+                "not decided by linear equations: {} on the imaginary axis, {by}, and none right of it{beside}",
                 many(on_axis)
             )
         }
         EnclosedVerdict::Undecided { touching, .. } if found.exact.is_some() => format!(
             "not decided by linear equations: zeros without a known reason, by exact fractions: {touching}; no eigenvalue lies right of the \
-             imaginary axis{but}"
+             imaginary axis{beside}"
         ),
         EnclosedVerdict::Undecided { touching, .. } => format!(
-            "not decided: discs of {touching} eigenvalues touch the imaginary axis, and none is known to lie right of it{but}"
+            "not decided: discs of {touching} eigenvalues touch the imaginary axis, and none is known to lie right of it{beside}"
         ),
     }
 }

@@ -140,6 +140,9 @@ pub(super) fn discs(coefficients: &[Ball], begin: &[[f64; 2]], is_even: bool) ->
         };
         // the centre is a float
         let radius = (radius + f64::EPSILON * size(centre)) * (1.0 + SLACK);
+        // a cluster about zero
+        let (centre, radius) =
+            if count > 1 && size(centre) <= radius { ([0.0; 2], 2.0 * radius) } else { (centre, radius) };
         all.push(EigenvalueDisc { centre, radius, count, side });
     }
     all.sort_by(|a, b| b.centre[0].total_cmp(&a.centre[0]).then(b.centre[1].total_cmp(&a.centre[1])));
