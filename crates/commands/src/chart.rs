@@ -160,8 +160,11 @@ fn with_share(failure: &Failure) -> String {
 }
 
 fn no_reference(scene: &dyn IvpScene, run: &Trajectory, reason: &str) -> Result<Exit, Exit> {
-    let diagnosis = scene.told(&scene.run().choice(), run).diagnosis;
-    let diagnosis = diagnosis.map_or_else(String::new, |diagnosis| format!("{diagnosis}\n"));
+    let told = scene.told(&scene.run().choice(), run);
+    let mut diagnosis = told.diagnosis.map_or_else(String::new, |diagnosis| format!("{diagnosis}\n"));
+    for failure in &told.failures {
+        diagnosis += &format!("failure: {failure}\nremedy: {}\n", failure.remedy);
+    }
     print(&format!("{}\n\nno reference: {reason}\n{diagnosis}", scene.title()))?;
     Ok(Exit::Stopped)
 }

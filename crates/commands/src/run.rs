@@ -234,7 +234,8 @@ fn follow(scene: &dyn IvpScene, asked: &Asked, form: Option<Axes>) -> Result<Exi
     let beside = phase("the run with half of its step", || problem.beside(&choice, &trajectory, clock::goes_on));
     clock::publish(text(&told, beside));
     // what has no value, or parts from its law, is no result
-    let is_kept = trajectory.undefined().is_empty() && trajectory.lost().is_none();
+    let spoilt = told.failures.iter().any(|failure| failure.kind.spoils());
+    let is_kept = trajectory.undefined().is_empty() && trajectory.lost().is_none() && !spoilt;
     let serves = beside.is_none_or(|beside| beside.parting.serves()) && is_kept;
     let reached = trajectory.outcome.reached() && trajectory.left.is_none();
     let mut ending = if reached && serves { Exit::Done } else { Exit::Stopped };

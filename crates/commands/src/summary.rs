@@ -3,7 +3,7 @@
 use integrators::{Beside, Lost, Parting};
 use serde_json::{Map, Value, json};
 use simulation::events::Passage;
-use simulation::{Axes, Choice, IvpScene, Trajectory};
+use simulation::{Axes, Choice, IvpScene, RunFailure, Trajectory};
 use std::fmt::Write;
 
 /// What is printed after a run.
@@ -63,6 +63,7 @@ impl Summary<'_> {
             "events": trajectory.passages.iter().map(event).collect::<Vec<_>>(),
             "theory": told.theory,
             "diagnosis": told.diagnosis,
+            "failures": told.failures.iter().map(failed).collect::<Vec<_>>(),
             "steps": beside.map(judged),
             "completed_start": completed.iter().map(|(name, value)| (name.clone(), json!(value))).collect::<Map<_, _>>(),
             "closed_form": told.closed_form.map(|(what, deviation)| json!({ "what": what, "deviation": deviation })),
@@ -103,6 +104,10 @@ impl Summary<'_> {
         if let (Some(_), Some(diagnosis)) = (&stopped, &told.diagnosis) {
             line("diagnosis", diagnosis.clone());
         }
+        for failure in &told.failures {
+            line("failure", failure.to_string());
+            line("remedy", failure.remedy.clone());
+        }
         for (name, value) in trajectory.names.iter().zip(&trajectory.last).filter(|(name, _)| self.shown(name)) {
             line(&format!("  {name}"), readable(*value));
         }
@@ -134,6 +139,11 @@ impl Summary<'_> {
         let outputs = &self.scene.run().outputs;
         outputs.is_empty() || outputs.iter().any(|output| output == name)
     }
+}
+
+/// A failure with its remedy.
+pub fn failed(RunFailure { kind, at, evidence, remedy }: &RunFailure) -> Value {
+    json!({ "kind": kind.name(), "at": at, "evidence": evidence, "remedy": remedy })
 }
 
 /// What shorter steps say, with the evaluations that they took.

@@ -49,7 +49,7 @@ impl NativeModel {
         if let Some(scene) = self.scene.get() {
             return Ok(scene);
         }
-        let given = Given { run: Some(usual()), values: self.text.values.clone() };
+        let given = Given { run: Some(usual()), values: self.text.values.clone(), ..Given::default() };
         let made = py.detach(|| ModelScene::parse_with(&self.text.name, &self.text.text, given));
         let made = made.map_err(|error| scene_error(py, &error))?;
         Ok(self.scene.get_or_init(|| Arc::new(made)))

@@ -2,7 +2,7 @@
 
 use dalembert::integrators::{Beside as StepHalving, Lost};
 use dalembert::simulation::events::Passage;
-use dalembert::simulation::{RunNotes, Trajectory};
+use dalembert::simulation::{RunFailure, RunNotes, Trajectory};
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -89,6 +89,15 @@ impl NativeTrajectory {
     #[getter]
     fn diagnosis(&self) -> Option<String> {
         self.told.diagnosis.clone()
+    }
+
+    /// Failures by their standard names, each with its time, its evidence and a remedy.
+    #[getter]
+    fn failures(&self) -> Vec<(&'static str, f64, String, String)> {
+        let told = |failure: &RunFailure| {
+            (failure.kind.name(), failure.at, failure.evidence.clone(), failure.remedy.clone())
+        };
+        self.told.failures.iter().map(told).collect()
     }
 
     /// The quantity that the motion keeps and the run has lost, with the time and what it is measured by.

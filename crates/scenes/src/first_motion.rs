@@ -7,19 +7,14 @@
 //! there, as the azimuth of spherical angles does at the pole.
 
 use crate::compiled_system::{CompiledSystem, NotCompiled};
-use crate::implicit::linear_equations;
-use crate::letters::Letters;
 use crate::modes::{Case, Mode};
+use crate::motion_matrix::MotionMatrix;
+use crate::structural_index::differentiations;
 use integrators::Ode;
 use model::{Coordinate, Model, Parameter, Trace, UnsolvedLaw};
-use nalgebra::DMatrix;
 use reader::Issue;
-use simulation::Program;
 use std::ops::Range;
-use symbolic::{Sym, apart, substitute_all};
-
-/// Singular values below this part of the largest one are taken for zero.
-const RANK: f64 = 1e-11;
+use symbolic::apart;
 
 /// Why the motion does not begin, where it does not.
 pub fn missing(model: &Model, system: &CompiledSystem, start: &[f64]) -> Option<Issue> {
@@ -29,7 +24,8 @@ pub fn missing(model: &Model, system: &CompiledSystem, start: &[f64]) -> Option<
         return None;
     }
     let n = model.speeds();
-    let terms = Terms::of(model, &system.mode, start)?;
+    let matrix = MotionMatrix::of(model, &system.mode)?;
+    let terms = matrix.at(0.0, start)?;
     let moved = |speed: usize| moved(model, speed);
     if let Some(place) = without_value(&terms.matrix) {
         let (name, at) = moved((place % terms.size).min(n - 1));
@@ -43,7 +39,7 @@ pub fn missing(model: &Model, system: &CompiledSystem, start: &[f64]) -> Option<
     }
     let (name, at) = moved(largest(&terms.free(n)?));
     let elsewhere: Vec<f64> = start.iter().zip(1..).map(|(part, place)| part + 0.1 * f64::from(place)).collect();
-    let there = Terms::of(model, &system.mode, &elsewhere).filter(|terms| without_value(&terms.matrix).is_none());
+    let there = matrix.at(0.0, &elsewhere).filter(|terms| without_value(&terms.matrix).is_none());
     if let Some(direction) = there.and_then(|terms| terms.free(n)) {
         return Some(resisted_by_nothing(model, &direction));
     }
@@ -60,7 +56,7 @@ const NO_NUMBER: &str = "another start: a division by zero, `unit` of a zero vec
 /// Why a model has a coordinate without inertia, where the mass matrix has numbers at the start.
 pub(crate) fn massless(model: &Model) -> Option<Issue> {
     let mode = Mode { cases: vec![Case::On; model.switches.len()], phases: Vec::new() };
-    let terms = Terms::of(model, &mode, &model.start_state())?;
+    let terms = MotionMatrix::of(model, &mode)?.at(0.0, &model.start_state())?;
     let direction = without_value(&terms.matrix).is_none().then(|| terms.free(model.speeds()))??;
     Some(resisted_by_nothing(model, &direction))
 }
@@ -124,6 +120,18 @@ fn resisted_by_nothing(model: &Model, direction: &[f64]) -> Issue {
              without one, dissipation = \"R/2*q'^2\" and a force along q",
         );
     }
+    if let [_] = parts.as_slice()
+        && let Some(count) = differentiations(model, largest(direction))
+    {
+        let (name, at) = moved(model, largest(direction));
+        let title = format!("this system cannot run: its index is {}, and at most 3 is accepted", count + 1);
+        let label = format!(
+            "the law of `{name}` does not hold it, and determines it only after it is differentiated {count} times"
+        );
+        return Issue::at(at, title, label).accepted(format!(
+            "`{name}` as an input with `value`, an expression of the state; its law as a [[constraint]], whose reaction then keeps it; or `dalembert inverse`, which has the forces for a motion"
+        ));
+    }
     Issue::at(at, title, label).accepted(inertia_for(model, largest(direction)))
 }
 
@@ -169,46 +177,4 @@ fn largest(direction: &[f64]) -> usize {
     let larger =
         |best: usize, (place, part): (usize, &f64)| if part.abs() > direction[best].abs() { place } else { best };
     direction.iter().enumerate().fold(0, larger)
-}
-
-/// The matrix and the right side at a state.
-struct Terms {
-    size: usize,
-    /// Row after row.
-    matrix: Vec<f64>,
-    right: Vec<f64>,
-}
-
-impl Terms {
-    fn of(model: &Model, mode: &Mode, start: &[f64]) -> Option<Self> {
-        let mut pattern = None;
-        let program = Program::of(start.len(), |time, state| {
-            let trace = Trace::of(model);
-            let solve = linear_equations(&trace, Letters::with_data(time, state));
-            let all = solve.expressions();
-            pattern = Some(solve.pattern);
-            let case = |case: &Case| if *case == Case::On { Sym::ONE } else { Sym::ZERO };
-            let cases: Vec<(Sym, Sym)> = trace.switches.iter().copied().zip(mode.cases.iter().map(case)).collect();
-            substitute_all(&all, &cases)
-        })?;
-        let pattern = pattern?;
-        let (places, size) = (pattern.places(), pattern.size());
-        let mut found = vec![f64::NAN; places.len() + size];
-        program.run(0.0, start, &mut found)?;
-        let right = found.split_off(places.len());
-        let mut matrix = vec![0.0; size * size];
-        places.iter().zip(found).for_each(|(&(row, column), entry)| matrix[row * size + column] = entry);
-        Some(Terms { size, matrix, right })
-    }
-
-    /// The first n unknowns of a direction that the matrix takes to zero.
-    fn free(&self, n: usize) -> Option<Vec<f64>> {
-        let decomposed = DMatrix::from_row_slice(self.size, self.size, &self.matrix).svd(false, true);
-        let (least, smallest) = decomposed.singular_values.argmin();
-        if smallest > RANK * decomposed.singular_values.amax() {
-            return None;
-        }
-        let direction: Vec<f64> = decomposed.v_t.as_ref()?.row(least).iter().take(n).copied().collect();
-        direction.iter().any(|part| *part != 0.0).then_some(direction)
-    }
 }

@@ -43,7 +43,7 @@ pub fn read_prescribed(
     let options = Options::of(motions);
     let mut wrong: Vec<Issue> = Vec::new();
     let read = tables(&file, &text, |top, issues| {
-        top.known(&["title", "description", "known_as", "run", "ensemble"]);
+        top.known(&["title", "description", "known_as", "run", "ensemble", "failure"]);
         let (own, mut source) = model(top, issues)?;
         let mut all: Vec<Written<'_>> = Vec::new();
         for (place, (name, is)) in motions.iter().enumerate() {

@@ -38,6 +38,16 @@ impl Modelled for ModelScene {
     }
 
     fn with_values(&self, values: &[(&str, f64)]) -> Result<Arc<dyn Modelled>, String> {
+        self.varied(values).map(|scene| Arc::new(scene) as Arc<dyn Modelled>)
+    }
+}
+
+impl ModelScene {
+    /// The same scene with other values of parameters and of its start.
+    ///
+    /// # Errors
+    /// Why there is none.
+    pub(crate) fn varied(&self, values: &[(&str, f64)]) -> Result<Self, String> {
         let mut model = (*self.model).clone();
         model.set_values(values)?;
         let told = |issue: Issue| format!("{}: {}", issue.title, issue.label);
@@ -46,6 +56,6 @@ impl Modelled for ModelScene {
         }
         let mut model = Arc::new(model);
         let Ready { start, system, .. } = ready(&mut model).map_err(told)?;
-        Ok(Arc::new(self.with(model, system, start)))
+        Ok(self.with(model, system, start))
     }
 }

@@ -4,6 +4,7 @@ use crate::admissible::impossible;
 use crate::branch::settled;
 use crate::changing_laws::{changes, is_watched};
 use crate::compiled_system::{CompiledSystem, ENERGIES};
+use crate::diagnosis::failures;
 use crate::ensemble::parse_ensemble;
 use crate::formulations::formulations;
 use crate::inductances::impossible_inductances;
@@ -19,7 +20,7 @@ use crate::start::{KeptConstraints, SingularPositions, consistent};
 use crate::text;
 use crate::warnings::{Warn, warn_by, warn_of};
 use integrators::Reference;
-use model::{Event, Model, Source};
+use model::{Entry, Event, Model, Source};
 use reader::{Issue, SceneError, Table, tables};
 use simulation::events::Margins;
 use simulation::events::{Passage, Switching};
@@ -61,6 +62,8 @@ pub struct Given {
     pub run: Option<Run>,
     /// Values of parameters, and of coordinates and speeds at the start, in SI units.
     pub values: Vec<(String, f64)>,
+    /// Outputs beside those of the text.
+    pub outputs: Vec<Entry>,
 }
 
 /// The names that other values may be given to.
@@ -91,7 +94,13 @@ pub(crate) const KNOWN_AS: &str = "name of a system of which more is known";
 
 /// The system of a file with its source; what is wrong with it goes into the list.
 pub(crate) fn model(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<(Model, Source)> {
-    let source = named_systems::source(top, issues)?;
+    model_with(top, issues, Vec::new())
+}
+
+/// The same with more outputs.
+fn model_with(top: &mut Table<'_>, issues: &mut Vec<Issue>, outputs: Vec<Entry>) -> Option<(Model, Source)> {
+    let mut source = named_systems::source(top, issues)?;
+    source.outputs.extend(outputs);
     let faults = match Model::of(&source).and_then(settled) {
         // what could not be read is missing in it
         Ok(model) => return (!top.has_issues()).then_some((model, source)),
@@ -120,7 +129,7 @@ impl ModelScene {
     pub fn parse_with(name: &str, text: &str, given: Given) -> Result<Self, SceneError> {
         let scene = tables(name, text, |top, issues| {
             // members are read by `parse_ensemble`
-            top.known(&["ensemble"]);
+            top.known(&["ensemble", "failure"]);
             ModelScene::read_with(top, issues, text, given)
         });
         scene.map_err(with_quoted_primes)
@@ -131,7 +140,8 @@ impl ModelScene {
         ModelScene::read_with(top, issues, text, Given::default())
     }
 
-    fn read_with(top: &mut Table<'_>, issues: &mut Vec<Issue>, text: &str, given: Given) -> Option<Self> {
+    /// The same, with what a program gives beside the text.
+    pub(crate) fn read_with(top: &mut Table<'_>, issues: &mut Vec<Issue>, text: &str, given: Given) -> Option<Self> {
         let title = match &given.run {
             None => top.text("title", TITLE).value,
             // equations need no title, and neither does a run that another program asks for
@@ -140,7 +150,7 @@ impl ModelScene {
         let title = title.split_whitespace().collect::<Vec<_>>().join(" ");
         let description = top.optional_text("description", "what happens and why it is hard");
         let known_as = top.optional_text("known_as", KNOWN_AS);
-        let mut model = model(top, issues).map(|(model, _)| Arc::new(model));
+        let mut model = model_with(top, issues, given.outputs).map(|(model, _)| Arc::new(model));
         if let Some(model) = &mut model
             && let Err(why) = Arc::make_mut(model).set_values(&given.values)
         {
@@ -220,6 +230,18 @@ impl ModelScene {
             without_motion,
             knowledge: *knowledge,
         }
+    }
+
+    /// The same scene with a run of another length.
+    pub(crate) fn with_span(&self, span: f64) -> Self {
+        let mut scene = self.with(Arc::clone(&self.model), Arc::clone(&self.system), self.start.clone());
+        scene.run.span = span;
+        ModelScene { without_motion: self.without_motion.clone(), ..scene }
+    }
+
+    /// Each event by its name, or by its line in the file.
+    pub(crate) fn event_names(&self) -> &[String] {
+        &self.events
     }
 
     /// The problem of the run, with the modes of a law that changes.
@@ -302,7 +324,7 @@ fn called(event: &Event, text: &str) -> String {
 /// The model of a text; none where it cannot be read.
 pub(crate) fn written(text: &str) -> Option<Model> {
     let read = tables("", text, |top, issues| {
-        top.known(&["title", "description", "known_as", "run", "ensemble"]);
+        top.known(&["title", "description", "known_as", "run", "ensemble", "failure"]);
         model(top, issues).map(|(model, _)| model)
     });
     read.ok()
@@ -358,7 +380,7 @@ impl IvpScene for ModelScene {
             _ => None,
         };
         let known = self.knowledge.map(|knowledge| knowledge.told(self, choice, trajectory)).unwrap_or_default();
-        RunNotes { diagnosis: known.diagnosis.or(diagnosis), ..known }
+        RunNotes { diagnosis: known.diagnosis.or(diagnosis), failures: failures(self, choice, trajectory), ..known }
     }
 
     fn parameters(&self) -> Vec<Parameter> {

@@ -105,7 +105,7 @@ pub fn read_titled(path: &Path, task: Task) -> Result<(String, Model), SceneErro
 /// All that is wrong with the system, each at its place.
 pub fn parse_titled(name: &str, text: &str, task: Task) -> Result<(String, Model), SceneError> {
     let read = tables(name, text, |top, issues| {
-        top.known(&["description", "run", "ensemble"]);
+        top.known(&["description", "run", "ensemble", "failure"]);
         if let Some(name) = top.optional_text("known_as", KNOWN_AS)
             && let Err(issue) = known(&name)
         {

@@ -1,7 +1,7 @@
 //! Scenes that are one initial value problem: what every command asks of them, whatever their family.
 
 use crate::work_precision::{Configuration, Hybrid, Observed};
-use crate::{Axes, Choice, Problem, Run, Trajectory};
+use crate::{Axes, Choice, Problem, Run, RunFailure, Trajectory};
 use integrators::Reference;
 use reader::Quantity;
 use std::borrow::Cow;
@@ -75,6 +75,8 @@ pub struct RunNotes {
     pub theory: Vec<String>,
     /// Of one that ended early: the name of what happened.
     pub diagnosis: Option<String>,
+    /// The ways in which it failed, found after it.
+    pub failures: Vec<RunFailure>,
     /// The closed form's name, and the largest distance of the run's states from it, relative to their size.
     pub closed_form: Option<(&'static str, f64)>,
 }

@@ -110,6 +110,7 @@ impl Knowledge {
             theory: (self.theory)(scene, choice),
             diagnosis: diagnosis.map(|diagnosis| diagnosis.sentence(trajectory.outcome.time)),
             closed_form: self.distance(scene, trajectory),
+            failures: Vec::new(),
         }
     }
 

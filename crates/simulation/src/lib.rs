@@ -47,6 +47,7 @@ pub mod models;
 pub mod problem;
 pub mod references;
 pub mod run;
+pub mod run_failure;
 pub mod simulate;
 mod transition;
 pub mod work_precision;
@@ -61,5 +62,6 @@ pub use law::{
 pub use problem::{Invariant, Problem};
 pub use references::Stored;
 pub use run::Run;
+pub use run_failure::{FailureKind, RunFailure};
 pub use simulate::{Choice, Trajectory};
 pub use work_precision::{Atlas, Trials, judged};

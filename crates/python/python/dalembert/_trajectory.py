@@ -15,7 +15,7 @@ __all__ = ["Trajectory"]
 
 
 # all that a run knows, as plain data
-_KEPT = ("time", "rows", "names", "units", "method", "tolerance", "states", "stopped", "theory", "diagnosis", "lost", "undefined", "invariants", "events", "work", "steps", "checks")
+_KEPT = ("time", "rows", "names", "units", "method", "tolerance", "states", "stopped", "theory", "diagnosis", "failures", "lost", "undefined", "invariants", "events", "work", "steps", "checks")
 
 
 def _restored(kept: dict[str, Any], title: str) -> Trajectory:
@@ -154,6 +154,11 @@ class Trajectory:
         return self._native.diagnosis
 
     @property
+    def failures(self) -> list[tuple[str, float, str, str]]:
+        """Failures by their standard names: name, time, evidence, remedy."""
+        return self._native.failures
+
+    @property
     def work(self) -> dict[str, int]:
         """Counts of evaluations, Jacobians, factorisations, steps."""
         return self._native.work
@@ -192,6 +197,8 @@ class Trajectory:
             facts.append(("stopped", f"{self.stopped}; the last good state is at {end}"))
             if self.diagnosis is not None:
                 facts.append(("diagnosis", self.diagnosis))
+        for name, time, evidence, remedy in self.failures:
+            facts += [("failure", f"{name} at t = {time:.9g} s: {evidence}"), ("remedy", remedy)]
         if self.lost is not None:
             facts.append(("lost", self.lost))
         if self.steps is not None:

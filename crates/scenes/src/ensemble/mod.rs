@@ -66,6 +66,7 @@ enum Target {
 /// All that is wrong with it, each at its place.
 pub fn parse_ensemble(name: &str, text: &str) -> Result<EnsembleScene, SceneError> {
     tables(name, text, |top, issues| {
+        top.known(&["failure"]);
         let scene = ModelScene::read(top, issues, text);
         let known = scene.as_ref().map(variables);
         let example = scene.as_ref().map_or_else(String::new, |scene| example(&scene.model));

@@ -22,7 +22,7 @@ mod multiples;
 mod own_event;
 mod passage;
 mod pivots;
-mod reasons;
+pub(crate) mod reasons;
 mod regimes;
 mod shares;
 mod sides;

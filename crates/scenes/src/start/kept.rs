@@ -20,6 +20,19 @@ const LOOSE: f64 = 1e-6;
 /// Singular values below this part of the largest one are taken for zero.
 const RANK: f64 = 1e-10;
 
+/// Parts of a combination of constraints from which on one is told.
+const TOLD: f64 = 0.1;
+
+/// Constraints that are nearest to depending on each other at a state.
+pub(crate) struct Dependence {
+    /// As sentences call them.
+    pub titles: Vec<String>,
+    /// Speeds that some constraint holds.
+    pub moved: Vec<usize>,
+    /// The least singular value of the rows, by the length of the longest.
+    pub least: f64,
+}
+
 /// The constraints of a model, written down once.
 #[derive(Debug)]
 pub(crate) struct KeptConstraints {
@@ -73,6 +86,28 @@ impl KeptConstraints {
                 }
             }
         }
+    }
+
+    /// The combination of constraints that is nearest to depending on each other at a state, their rows by their lengths; none of a model
+    /// without constraints.
+    pub fn dependence(&self, time: f64, state: &[f64]) -> Option<Dependence> {
+        let constraints = self.constraints.as_ref().filter(|constraints| constraints.kept > 0)?;
+        let values = constraints.values(time, state, &self.parameters);
+        let rows = constraints.rows(&values, constraints.kept);
+        if !rows.iter().all(|entry| entry.is_finite()) {
+            return None;
+        }
+        let largest = rows.row_iter().map(|row| row.norm()).fold(0.0, f64::max);
+        let decomposed = (&rows / largest).svd(true, true);
+        let (place, least) = decomposed.singular_values.argmin();
+        let combination = decomposed.u?.column(place).abs();
+        let named = (0..constraints.kept).filter(|&row| combination[row] >= TOLD * combination.amax());
+        let moved = (0..constraints.layout.speeds()).filter(|&speed| rows.column(speed).amax() > RANK * largest);
+        Some(Dependence {
+            titles: named.map(|row| constraints.known[row].title.clone()).collect(),
+            moved: moved.collect(),
+            least,
+        })
     }
 
     /// The first constraint that a state breaks, of those that are kept at zero, with its residual.

@@ -16,7 +16,7 @@ mod unmet;
 
 pub(crate) use algebraic::{complete_algebraic_speeds, with_algebraic_speeds};
 pub use displacement::displaced;
-pub(crate) use kept::KeptConstraints;
+pub(crate) use kept::{Dependence, KeptConstraints};
 pub(crate) use leaf::Leaf;
 pub(crate) use singular_positions::SingularPositions;
 pub use unmet::{Open, Unmet};

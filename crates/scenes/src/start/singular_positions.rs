@@ -123,6 +123,11 @@ impl Look {
 }
 
 impl SingularPositions {
+    /// Whether this is why a run ends at a singular position.
+    pub fn ends(why: &str) -> bool {
+        why == SINGULAR || why == KEPT
+    }
+
     /// None where no constraint is kept, or where they depend on each other at the start.
     pub fn of(model: &Model, start: &[f64]) -> Option<Self> {
         let own = SingularPositions::with(model, 0, start)?;

@@ -116,7 +116,7 @@ const TOP: [&str; 25] = [
 
 /// Whether a table at the top has a name that is not known: its absence explains other faults.
 pub fn has_unknown_tables(top: &Table<'_>) -> bool {
-    let is_known = |key: &str| TOP.contains(&key) || matches!(key, "run" | "ensemble");
+    let is_known = |key: &str| TOP.contains(&key) || matches!(key, "run" | "ensemble" | "failure");
     top.keys()
         .iter()
         .any(|key| !is_known(&key.value) && (top.is_table(&key.value) || units::nearest(&key.value, TOP).is_some()))

@@ -5,5 +5,6 @@ mod poles;
 mod segments;
 
 pub use law_end::{Ending, Margin, Margins, of_leading, outside};
+pub use poles::POLE;
 pub(crate) use segments::integrate;
-pub use segments::{Passage, Segment, Switching};
+pub use segments::{ACCUMULATE, Passage, Segment, Switching, TOO_MANY};

@@ -68,6 +68,12 @@ const MOST_EVENTS: usize = 20_000;
 /// So many events in a row within a rounding of the time: their times have a limit.
 const MOST_TOGETHER: usize = 64;
 
+/// Why a run ends where the times of its events have a limit.
+pub const ACCUMULATE: &str = "its events follow each other without end";
+
+/// Why a run ends after [`MOST_EVENTS`].
+pub const TOO_MANY: &str = "more events than 20,000";
+
 /// Runs over a span, event after event, as long as the margins are positive. The reason is told where the motion ends before the
 /// span does.
 pub(crate) fn integrate(
@@ -132,7 +138,7 @@ pub(crate) fn integrate(
         }
         together = if at.time - here <= 8.0 * f64::EPSILON * at.time.abs() { together + 1 } else { 0 };
         if together > MOST_TOGETHER {
-            return (at, Some("its events follow each other without end"));
+            return (at, Some(ACCUMULATE));
         }
         segment = match switching.pass(&event, &mut at.state) {
             Ok(Some(segment)) if at.time != span.end => segment,
@@ -140,7 +146,7 @@ pub(crate) fn integrate(
             Err(why) => return (at, Some(why)),
         };
     }
-    (at, Some("more events than 20,000"))
+    (at, Some(TOO_MANY))
 }
 
 /// A tolerance of a state with integrals of rates of signals behind it, each of the size one.

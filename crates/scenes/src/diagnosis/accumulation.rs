@@ -1,0 +1,58 @@
+//! Events that follow each other without end: with times that have a limit, or by the thousand.
+
+use super::recorded::Recorded;
+use simulation::{FailureKind, RunFailure};
+use std::collections::BTreeSet;
+
+/// Gaps below this part of the time are rounding.
+const ROUNDING: f64 = 1e-9;
+
+/// Events at the end of a run that are looked at.
+const LOOKED_AT: usize = 100;
+
+/// Events whose times have a limit: the gaps between them shrink by one factor.
+pub(super) fn zeno(run: &Recorded<'_>) -> RunFailure {
+    let (at, _) = run.last();
+    let gaps: Vec<f64> = gaps(run).into_iter().filter(|gap| *gap > ROUNDING * at).collect();
+    let mut factors: Vec<f64> = gaps.windows(2).map(|two| two[1] / two[0]).filter(|factor| *factor < 1.0).collect();
+    factors.sort_by(f64::total_cmp);
+    let shrink = factors
+        .get(factors.len() / 2)
+        .map_or_else(String::new, |factor| format!("; each gap between them is {factor:.4} of the one before"));
+    RunFailure {
+        kind: FailureKind::Zeno,
+        at,
+        evidence: format!("the times of {} have this limit{shrink}", names(run)),
+        remedy: "a [[contact]] with `restitution` in the place of an event that sets a speed: it rests where its rebounds end; or an \
+                 [[event]] with `end = true`"
+            .to_owned(),
+    }
+}
+
+/// Events by the thousand.
+pub(super) fn chattering(run: &Recorded<'_>) -> RunFailure {
+    let gaps = gaps(run);
+    let count = gaps.len().min(LOOKED_AT);
+    let mean = gaps.iter().rev().take(count).sum::<f64>() / count.max(1) as f64;
+    RunFailure {
+        kind: FailureKind::Chattering,
+        at: run.last().0,
+        evidence: format!("{} follow each other, the last {count} every {mean:.1e} s", names(run)),
+        remedy: "the two laws as one expression `if(s > 0, a, b)` in the place of events: where both drive s back to zero the run stays \
+                 there (a sliding mode); or a wider dead band"
+            .to_owned(),
+    }
+}
+
+/// Times between events, the start left out.
+fn gaps(run: &Recorded<'_>) -> Vec<f64> {
+    let times: Vec<f64> = run.trajectory.passages.iter().skip(1).map(|passage| passage.time).collect();
+    times.windows(2).map(|two| two[1] - two[0]).collect()
+}
+
+/// The last events, each once.
+fn names(run: &Recorded<'_>) -> String {
+    let last = run.trajectory.passages.iter().skip(1).rev().take(LOOKED_AT);
+    let names: BTreeSet<&str> = last.map(|passage| passage.what.as_str()).collect();
+    names.into_iter().collect::<Vec<_>>().join(" and ")
+}

@@ -1,0 +1,67 @@
+//! Motions that grow without bound: in finite time, or exponentially.
+//!
+//! The time |y|/|y'| in which a component grows by its own size goes to zero like t* - t where it blows up at t*, and stays what it is
+//! where it grows exponentially.
+
+use super::recorded::Recorded;
+use integrators::Ode;
+use simulation::{FailureKind, RunFailure};
+
+/// The growth of a component over its largest value in the first nine tenths of the run, from which on it is looked at.
+const GROWN: f64 = 100.0;
+
+/// The part of the time of the run below which the time of growth is small.
+const FAST: f64 = 1e-3;
+
+/// The part of its value in the middle of the run to which the time of growth has come down, where it goes to zero.
+const SHRUNK: f64 = 0.02;
+
+/// The component that has grown most.
+pub(super) fn found(run: &Recorded<'_>) -> Option<RunFailure> {
+    let (at, last) = run.last();
+    let before: Vec<&(f64, Vec<f64>)> = run.states.iter().filter(|(time, _)| *time <= 0.9 * at).collect();
+    let growth = |place: usize| {
+        let earlier = before.iter().fold(0.0, |size: f64, (_, state)| size.max(state[place].abs()));
+        last[place].abs() / earlier.max(f64::MIN_POSITIVE.sqrt())
+    };
+    let place = (0..last.len()).max_by(|a, b| growth(*a).total_cmp(&growth(*b)))?;
+    let grown = growth(place);
+    if grown < GROWN {
+        return None;
+    }
+    let scale = |(time, state): &(f64, Vec<f64>)| {
+        let mut rates = vec![0.0; state.len()];
+        Ode::<f64>::rates(&*run.scene.system, *time, state, &mut rates);
+        (state[place] / rates[place]).abs()
+    };
+    // a constant step goes on behind t*: there its own length is all that it shows
+    let step = if run.choice.method.steps().is_some() { run.step() } else { 0.0 };
+    let followed = |state: &&(f64, Vec<f64>)| scale(state).is_finite() && scale(state) > step;
+    let near = run.states.iter().rev().find(followed)?;
+    let middle = run.states.iter().find(|(time, _)| *time >= 0.5 * near.0)?;
+    let (now, then) = (scale(near), scale(middle));
+    let told = run.told(place, last[place]);
+    if now < then * SHRUNK.max(2.0 * step / then) && now < (FAST * near.0).max(20.0 * step) {
+        return Some(RunFailure {
+            kind: FailureKind::BlowUp,
+            at: near.0,
+            evidence: format!(
+                "{} grows by its own size in {now:.1e} s there, and in {then:.1e} s in the middle of the run; the last good state has {told}",
+                run.told(place, near.1[place])
+            ),
+            remedy: "an [[event]] with `end = true` before it, or a shorter `span`: no motion goes on behind it; a force that grows faster \
+                     than its speed, where it is not meant, is bounded by `min` and `max`"
+                .to_owned(),
+        });
+    }
+    (grown > GROWN && matches!(run.trajectory.outcome.failure(), Some(integrators::Failure::LeftTheNumbers { .. }))).then(
+        || RunFailure {
+            kind: FailureKind::ExponentialGrowth,
+            at,
+            evidence: format!("{told} grows by its own size in {now:.1e} s, and did so all along: an unstable motion"),
+            remedy: "signs of the forces: a damping or a stiffness that is negative feeds this growth; `dalembert linearise` has its \
+                     eigenvalues; or a shorter `span`"
+                .to_owned(),
+        },
+    )
+}

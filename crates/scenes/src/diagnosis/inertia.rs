@@ -1,0 +1,217 @@
+//! Singular mass matrices: speeds that no inertia resists at a place, of those that the constraints leave.
+//!
+//! With D the sizes of the diagonal of M along the run and Z a basis of the motions that constraints leave, the smallest eigenvalue of
+//! Z^T D^-1 M D^-1 Z is compared with its median along the run: data and units decide nothing. Where the energy is that of bodies,
+//! M v = 0 means that v moves none of them: the coordinates describe no single position there, and the chart is singular.
+
+use super::recorded::Recorded;
+use crate::modes::{Case, Mode};
+use crate::motion_matrix::MotionMatrix;
+use model::{Model, Trace};
+use nalgebra::{DMatrix, DVector, SymmetricEigen};
+use simulation::{FailureKind, RunFailure};
+use symbolic::apart;
+
+/// The part of its usual size below which an eigenvalue is none: angles within a thousandth of a pole.
+const SINGULAR: f64 = 1e-6;
+
+/// The same of a run that has passed, at what much work shows: its samples come within a hundredth of a pole.
+const PASSED: f64 = 1e-4;
+
+/// Larger systems are not looked at: eigenvalues take the cube of their size.
+const MOST_SPEEDS: usize = 64;
+
+/// Samples that are looked at.
+const MOST_LOOKS: usize = 400;
+
+/// Minima between samples that are refined, and steps of each search.
+const REFINED: usize = 8;
+const SEARCHES: usize = 40;
+
+/// Singular values of J below this part of the largest are rounding.
+const RANK: f64 = 1e-9;
+
+/// Parts of a direction from which on a speed is named.
+const NAMED: f64 = 0.1;
+
+/// The part of a unit by which a coordinate is moved, to see which makes the place singular.
+const ASIDE: f64 = 0.05;
+
+/// The place of a run at which an eigenvalue is least, where it is singular there.
+pub(super) fn singular(run: &Recorded<'_>) -> Option<RunFailure> {
+    let model = run.model();
+    if model.speeds() > MOST_SPEEDS {
+        return None;
+    }
+    let mode = Mode { cases: vec![Case::On; model.switches.len()], phases: Vec::new() };
+    let look = Look::of(model, MotionMatrix::of(model, &mode)?, run)?;
+    let sound = run.sound();
+    let every = sound.len().div_ceil(MOST_LOOKS).max(1);
+    let mut places: Vec<usize> = (0..sound.len()).step_by(every).collect();
+    if places.last() != Some(&(sound.len() - 1)) {
+        places.push(sound.len() - 1);
+    }
+    let seen: Vec<(usize, f64)> =
+        places.iter().filter_map(|&place| Some((place, look.least(sound[place].0, &sound[place].1)?.0))).collect();
+    let mut sorted: Vec<f64> = seen.iter().map(|(_, least)| *least).collect();
+    sorted.sort_by(f64::total_cmp);
+    let usual = *sorted.get(sorted.len() / 2)?;
+    let part = if run.trajectory.stopped().is_some() { SINGULAR } else { PASSED };
+    if usual <= 0.0 {
+        return None;
+    }
+    let (time, state, least) = first_below(run, &look, &seen, part * usual)?;
+    let (_, direction) = look.least(time, &state)?;
+    let names: Vec<String> = named(model, &direction);
+    let place =
+        look.cause(time, &state).map_or_else(String::new, |place| format!(" at {}", run.told(place, state[place])));
+    let is_of_bodies = model.energies.kinetic.is_none() && apart(|| has_constant_masses(model));
+    let smaller = format!("the least eigenvalue of the mass matrix is {:.1e} of its usual size", least / usual);
+    let (together, moves) = if names.len() > 1 { (" together", "move") } else { ("", "moves") };
+    let names = names.join(", ");
+    let work = run.trajectory.outcome.work;
+    let cost = format!("{} steps and {} rejected ones were made in all", work.steps, work.rejected);
+    Some(match is_of_bodies {
+        true => RunFailure {
+            kind: FailureKind::SingularChart,
+            at: time,
+            evidence: format!("{names}{together} {moves} no body{place}: {smaller}; {cost}"),
+            remedy: "other coordinates: `F = \"N free\"` in [frames] in the place of three angles, or Cartesian coordinates with a \
+                     [[constraint]] in the place of polar or spherical ones; or a start whose motion stays away from there"
+                .to_owned(),
+        },
+        false => RunFailure {
+            kind: FailureKind::SingularMassMatrix,
+            at: time,
+            evidence: format!("no inertia resists {names}{together}{place}: {smaller}; {cost}"),
+            remedy: "an inertia that stays positive there: add the mass that was left out of `kinetic`; or end the run before, by an \
+                     [[event]] with `end = true`"
+                .to_owned(),
+        },
+    })
+}
+
+/// Whether no mass and no moment of inertia varies.
+fn has_constant_masses(model: &Model) -> bool {
+    let trace = Trace::of(model);
+    // every body takes part
+    trace.kinetic_energy();
+    trace.solid().is_empty()
+}
+
+/// The first place of a run at which the least eigenvalue comes down to a bound, between its samples too: time, state, eigenvalue.
+fn first_below(run: &Recorded<'_>, look: &Look<'_>, seen: &[(usize, f64)], bound: f64) -> Option<(f64, Vec<f64>, f64)> {
+    let is_valley = |at: &usize| {
+        let beside = [at.checked_sub(1), Some(at + 1)];
+        beside.iter().flatten().filter_map(|&other| seen.get(other)).all(|(_, least)| seen[*at].1 <= *least)
+    };
+    let mut valleys: Vec<usize> = (0..seen.len()).filter(is_valley).collect();
+    valleys.sort_by(|a, b| seen[*a].1.total_cmp(&seen[*b].1));
+    valleys.truncate(REFINED);
+    valleys.sort_unstable();
+    for at in valleys {
+        let (own, value) = seen[at];
+        let (time, state) = &run.states[own];
+        let mut best = (*time, state.clone(), value);
+        let from = seen[at.saturating_sub(1)].0;
+        let to = seen[(at + 1).min(seen.len() - 1)].0;
+        for k in from..to {
+            let least = |part: f64| {
+                let (time, state) = run.between(k, part);
+                look.least(time, &state).map_or(f64::INFINITY, |(least, _)| least)
+            };
+            let (mut low, mut high) = (0.0, 1.0);
+            for _ in 0..SEARCHES {
+                let [a, b] = [low + (high - low) / 3.0, high - (high - low) / 3.0];
+                if least(a) < least(b) { high = b } else { low = a }
+            }
+            let middle = 0.5 * (low + high);
+            if least(middle) < best.2 {
+                let (time, state) = run.between(k, middle);
+                best = (time, state, least(middle));
+            }
+        }
+        if best.2 <= bound {
+            return Some(best);
+        }
+    }
+    None
+}
+
+/// Names of the speeds in a direction whose parts are scaled.
+fn named(model: &Model, direction: &[f64]) -> Vec<String> {
+    let largest = direction.iter().fold(0.0, |size: f64, part| size.max(part.abs()));
+    let names = model.state_names();
+    let own = direction.iter().zip(&names[model.positions()..]);
+    own.filter(|(part, _)| part.abs() >= NAMED * largest).map(|(_, (name, _))| format!("`{name}`")).collect()
+}
+
+/// Mass matrices of a model, scaled by their sizes along a run.
+struct Look<'a> {
+    model: &'a Model,
+    matrix: MotionMatrix,
+    sizes: DVector<f64>,
+}
+
+impl<'a> Look<'a> {
+    fn of(model: &'a Model, matrix: MotionMatrix, run: &Recorded<'_>) -> Option<Self> {
+        let n = model.speeds();
+        let mut sizes = DVector::zeros(n);
+        let sound = run.sound();
+        for (time, state) in sound.iter().step_by(sound.len().div_ceil(MOST_LOOKS).max(1)) {
+            let [mass, _] = matrix.at(*time, state)?.blocks(n);
+            for i in 0..n {
+                let size = mass[(i, i)].abs().sqrt();
+                if size.is_finite() && size > sizes[i] {
+                    sizes[i] = size;
+                }
+            }
+        }
+        sizes.iter_mut().filter(|size| **size == 0.0).for_each(|size| *size = 1.0);
+        Some(Look { model, matrix, sizes })
+    }
+
+    /// The size of the least eigenvalue, and its direction in scaled speeds.
+    fn least(&self, time: f64, state: &[f64]) -> Option<(f64, Vec<f64>)> {
+        let n = self.model.speeds();
+        let [mut mass, mut rows] = self.matrix.at(time, state)?.blocks(n);
+        for i in 0..n {
+            for j in 0..n {
+                mass[(i, j)] /= self.sizes[i] * self.sizes[j];
+            }
+            rows.column_mut(i).iter_mut().for_each(|part| *part /= self.sizes[i]);
+        }
+        if !mass.iter().chain(rows.iter()).all(|part| part.is_finite()) {
+            return None;
+        }
+        let left = left_by(&rows)?;
+        if left.ncols() == 0 {
+            return None;
+        }
+        let SymmetricEigen { eigenvalues, eigenvectors } = SymmetricEigen::new(left.transpose() * mass * &left);
+        let (least, value) = eigenvalues.abs().argmin();
+        Some((value, (left * eigenvectors.column(least)).iter().copied().collect()))
+    }
+
+    /// The coordinate that leads away from the singular place soonest.
+    fn cause(&self, time: f64, state: &[f64]) -> Option<usize> {
+        let moved = |place: usize| {
+            let mut moved = state.to_vec();
+            moved[place] += ASIDE * moved[place].abs().max(1.0);
+            self.least(time, &moved).map_or(0.0, |(least, _)| least)
+        };
+        (0..self.model.positions()).max_by(|a, b| moved(*a).total_cmp(&moved(*b)))
+    }
+}
+
+/// A basis of the directions that rows leave free, its columns.
+fn left_by(rows: &DMatrix<f64>) -> Option<DMatrix<f64>> {
+    let n = rows.ncols();
+    if rows.nrows() == 0 {
+        return Some(DMatrix::identity(n, n));
+    }
+    let SymmetricEigen { eigenvalues, eigenvectors } = SymmetricEigen::new(rows.transpose() * rows);
+    let largest = eigenvalues.amax();
+    let free: Vec<usize> = (0..n).filter(|&i| eigenvalues[i] <= RANK * RANK.sqrt() * largest).collect();
+    Some(DMatrix::from_fn(n, free.len(), |i, j| eigenvectors[(i, free[j])]))
+}

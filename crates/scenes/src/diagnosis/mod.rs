@@ -1,0 +1,45 @@
+//! The diagnosis of a run of a text system: its failures by their standard names, each with evidence and a remedy.
+//!
+//! # Overview
+//! * `recorded`: the states that a run has shown, with what lies between them;
+//! * `reasons`: failures that the reason of an ended law names by itself;
+//! * `inertia`: singular charts and mass matrices; `rank`: constraints that depend on each other;
+//! * `stiffness`, `growth`: steps held by stability, motions that grow without bound;
+//! * `drift`, `accumulation`, `missed_events`: residuals, event times, and events between the samples.
+//!
+//! All is computed where a run has ended, from its samples: no step of a run does more for it.
+
+mod accumulation;
+mod drift;
+mod growth;
+mod inertia;
+mod missed_events;
+mod rank;
+mod reasons;
+mod recorded;
+mod stiffness;
+
+use crate::scene::ModelScene;
+use recorded::Recorded;
+use simulation::{Choice, RunFailure, Trajectory};
+
+/// All failures of a run.
+pub(crate) fn failures(scene: &ModelScene, choice: &Choice, trajectory: &Trajectory) -> Vec<RunFailure> {
+    if trajectory.broken_off() {
+        return Vec::new();
+    }
+    let run = Recorded::of(scene, choice, trajectory);
+    let has_stopped = trajectory.stopped().is_some();
+    let cause = match has_stopped {
+        true => reasons::named(&run)
+            .or_else(|| inertia::singular(&run))
+            .or_else(|| rank::lost(&run))
+            .or_else(|| stiffness::found(&run))
+            .or_else(|| growth::found(&run))
+            .or_else(|| reasons::unexplained(&run)),
+        false if run.is_laborious() => inertia::singular(&run),
+        false => None,
+    };
+    let cause = cause.or_else(|| if has_stopped { None } else { stiffness::hidden(&run) });
+    cause.into_iter().chain(drift::found(&run)).chain(missed_events::found(&run)).collect()
+}

@@ -1,0 +1,40 @@
+//! Constraints that lose their independence at a position: which, and by how much.
+
+use super::recorded::Recorded;
+use crate::start::{Dependence, KeptConstraints, SingularPositions};
+use simulation::{FailureKind, RunFailure};
+
+/// The part of its value at the start below which the least singular value of J counts as lost, where the run has stopped by itself.
+const LOST: f64 = 1e-3;
+
+/// The loss of rank at the last good state of a run, where its law has ended there or steps have collapsed.
+pub(super) fn lost(run: &Recorded<'_>) -> Option<RunFailure> {
+    let left = run.trajectory.left;
+    let is_named = left.is_some_and(|why| SingularPositions::ends(why));
+    if left.is_some() && !is_named {
+        return None;
+    }
+    let kept = KeptConstraints::of(run.model());
+    let (time, state) = run.last();
+    let Dependence { titles, moved, least } = kept.dependence(time, state)?;
+    let at_start = kept.dependence(0.0, &run.scene.start)?.least;
+    if !is_named && least > LOST * at_start {
+        return None;
+    }
+    let place = (0..run.model().positions()).filter(|place| moved.contains(place));
+    let place: Vec<String> = place.map(|place| run.told(place, state[place])).collect();
+    let place = if place.is_empty() { String::new() } else { format!(" at {}", place.join(", ")) };
+    Some(RunFailure {
+        kind: FailureKind::DependentConstraints,
+        at: time,
+        evidence: format!(
+            "{} {}{place}: the least singular value of their Jacobian is {:.1e} of that at the start",
+            titles.join(", "),
+            if titles.len() > 1 { "depend on each other" } else { "loses its direction" },
+            least / at_start
+        ),
+        remedy: "a dimension that differs by a millionth leads past on one branch; or a start from which the motion turns before; or an \
+                 [[event]] with `end = true` before this position"
+            .to_owned(),
+    })
+}

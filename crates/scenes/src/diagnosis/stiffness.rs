@@ -1,0 +1,188 @@
+//! Stiffness: steps of an explicit method that stability holds, and not accuracy.
+
+use super::recorded::Recorded;
+use crate::modes::Modes;
+use integrators::{Failure, Jacobian, Method};
+use nalgebra::{Complex, DMatrix, Schur};
+use simulation::{FailureKind, Law, RunFailure};
+use std::sync::Arc;
+
+/// Larger systems are not looked at: eigenvalues take the cube of their size.
+const MOST_STATES: usize = 128;
+
+/// Steps from which on a run that has reached its end is looked at.
+const MANY_STEPS: u64 = 1_000;
+
+/// Life times of the fastest mode that a run lasts, from which on that mode is gone while it still holds the steps.
+const GONE: f64 = 1_000.0;
+
+/// Samples that are looked at.
+const LOOKS: usize = 5;
+
+/// Iterations of the QR algorithm.
+const MOST_ITERATIONS: usize = 10_000;
+
+/// Real parts below this share of an eigenvalue are rounding.
+const ROUNDING: f64 = 1e-9;
+
+/// Halvings that find the longest stable step.
+const HALVINGS: usize = 60;
+
+/// The growth of a mode over a run that overflows.
+const OVERFLOWS: f64 = 1e6;
+
+/// A mode that fades.
+struct Mode {
+    /// Its eigenvalue, 1/s.
+    value: Complex<f64>,
+    at: f64,
+    /// The speed that it moves most.
+    moves: usize,
+}
+
+/// The stiffness that has stopped a run by the method's own test, or the step of a constant method that lets a mode grow which fades.
+pub(super) fn found(run: &Recorded<'_>) -> Option<RunFailure> {
+    match run.trajectory.outcome.failure()? {
+        Failure::Stiff { at } => {
+            let mode = fastest(run, |mode| -mode.value.re)?;
+            Some(of(run, &mode, at))
+        }
+        Failure::LeftTheNumbers { .. } => unstable(run),
+        _ => None,
+    }
+}
+
+/// The mode that a constant step lets grow most, where the motion lets it fade, or keeps it.
+fn unstable(run: &Recorded<'_>) -> Option<RunFailure> {
+    let (h, method) = (run.step(), run.choice.method);
+    if !matches!(method, Method::Euler { .. } | Method::RungeKutta4 { .. }) {
+        return None;
+    }
+    let growth = |mode: &Mode| amplified(method, mode.value * h);
+    let mode = fastest(run, growth)?;
+    let factor = growth(&mode);
+    let fades = mode.value.re <= ROUNDING * mode.value.norm();
+    if !fades || factor.powf(run.trajectory.outcome.work.steps as f64) < OVERFLOWS {
+        return None;
+    }
+    let steps = longest(method, mode.value, h).map(|stable| (run.scene.run.span / stable).ceil());
+    let steps = steps.map_or_else(String::new, |steps| format!("; or at least {steps} steps"));
+    Some(RunFailure {
+        kind: FailureKind::UnstableStep,
+        at: mode.at,
+        evidence: format!(
+            "the mode that moves {} most has the eigenvalue {} and does not grow, but a step of {h:.1e} s of {method} multiplies it \
+             by {factor:.3e}",
+            moved(run, &mode),
+            told(mode.value)
+        ),
+        remedy: format!("{IMPLICIT}{steps}"),
+    })
+}
+
+/// The stiffness of a run that has reached its end: its steps were as long as stability allows, although the mode that holds them is gone.
+pub(super) fn hidden(run: &Recorded<'_>) -> Option<RunFailure> {
+    let traits = run.choice.method.traits();
+    if traits.implicit || !traits.adaptive || run.trajectory.outcome.work.steps < MANY_STEPS {
+        return None;
+    }
+    let mode = fastest(run, |mode| -mode.value.re)?;
+    let fades = -mode.value.re;
+    let is_held = fades * run.step() >= 1.0 && fades * run.last().0 >= GONE && mode.value.im.abs() < 0.5 * fades;
+    is_held.then(|| of(run, &mode, mode.at))
+}
+
+/// What helps against stiffness.
+const IMPLICIT: &str = "an implicit method: --method radau_5 or rodas_4, or `method = \"radau_5\"` in [run]";
+
+fn of(run: &Recorded<'_>, mode: &Mode, at: f64) -> RunFailure {
+    let (h, fades) = (run.step(), mode.value.norm());
+    RunFailure {
+        kind: FailureKind::Stiffness,
+        at,
+        evidence: format!(
+            "the mode that moves {} most has the eigenvalue {}, and the run lasts {:.1e} of its time constants; the steps of {h:.1e} s \
+             are {:.1} of them: the stability of {} bounds the steps, not the accuracy",
+            moved(run, mode),
+            told(mode.value),
+            fades * run.scene.run.span,
+            fades * h,
+            run.choice.method
+        ),
+        remedy: IMPLICIT.to_owned(),
+    }
+}
+
+/// The speed that a mode moves most.
+fn moved(run: &Recorded<'_>, mode: &Mode) -> String {
+    format!("`{}`", run.model().state_names()[run.model().positions() + mode.moves].0)
+}
+
+/// `-20000 1/s`, or with its imaginary part.
+fn told(value: Complex<f64>) -> String {
+    match value.im == 0.0 {
+        true => format!("{:.3e} 1/s", value.re),
+        false => format!("({:.3e} +- {:.3e} i) 1/s", value.re, value.im.abs()),
+    }
+}
+
+/// The mode for which a measure is largest, at a few samples.
+fn fastest(run: &Recorded<'_>, measure: impl Fn(&Mode) -> f64) -> Option<Mode> {
+    let sound = run.sound();
+    let every = sound.len().div_ceil(LOOKS).max(1);
+    let all = sound.iter().rev().step_by(every).filter_map(|(time, state)| modes(run, *time, state)).flatten();
+    all.max_by(|a, b| measure(a).total_cmp(&measure(b)))
+}
+
+/// All modes at a state.
+fn modes(run: &Recorded<'_>, time: f64, state: &[f64]) -> Option<Vec<Mode>> {
+    let n = state.len();
+    if n > MOST_STATES {
+        return None;
+    }
+    let law = law_at(run, state);
+    let mut matrix = vec![0.0; n * n];
+    Jacobian::of(&*law).matrix(time, state, &mut matrix);
+    if !matrix.iter().all(|entry| entry.is_finite()) {
+        return None;
+    }
+    let matrix = DMatrix::from_row_slice(n, n, &matrix);
+    let values = Schur::try_new(matrix.clone(), f64::EPSILON, MOST_ITERATIONS)?.complex_eigenvalues();
+    let positions = run.model().positions();
+    let moves = |value: &Complex<f64>| {
+        let shifted = matrix.map(|entry| Complex::new(entry, 0.0)) - DMatrix::identity(n, n) * *value;
+        let decomposed = shifted.svd(false, true);
+        let (least, _) = decomposed.singular_values.argmin();
+        let rows = decomposed.v_t?;
+        (0..run.model().speeds())
+            .max_by(|a, b| rows[(least, positions + a)].norm().total_cmp(&rows[(least, positions + b)].norm()))
+    };
+    Some(values.iter().filter_map(|value| Some(Mode { value: *value, at: time, moves: moves(value)? })).collect())
+}
+
+/// The law that goes on from a state.
+fn law_at(run: &Recorded<'_>, state: &[f64]) -> Arc<dyn Law> {
+    let model = &run.scene.model;
+    let changes = !model.switches.is_empty() || !model.contacts.is_empty();
+    let here = if changes { Modes::of(model, &[], &[]).first(state).ok() } else { None };
+    here.as_ref().unwrap_or(&run.scene.system).law()
+}
+
+/// The longest step with which a method lets a mode fade, by halving below one with which it grows; none where there is none to speak of.
+fn longest(method: Method, value: Complex<f64>, grows: f64) -> Option<f64> {
+    let (mut fades, mut grows) = (0.0, grows);
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (fades + grows);
+        if amplified(method, value * middle) <= 1.0 { fades = middle } else { grows = middle }
+    }
+    (fades > 0.0).then_some(fades)
+}
+
+/// |R(z)|, by which a step changes a mode.
+fn amplified(method: Method, z: Complex<f64>) -> f64 {
+    let one = Complex::new(1.0, 0.0);
+    match method {
+        Method::Euler { .. } => (one + z).norm(),
+        _ => (one + z * (one + z / 2.0 * (one + z / 3.0 * (one + z / 4.0)))).norm(),
+    }
+}

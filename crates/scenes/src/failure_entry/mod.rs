@@ -1,0 +1,74 @@
+//! Entries of the catalogue of failure as text: a scene with the table `[failure]`, whose threshold is an expression of its parameters.
+//!
+//! ```toml
+//! [failure]
+//! name = "bounces"                         # as `dalembert failures` calls it
+//! title = "a ball that bounces to rest"
+//! why = "..."
+//! advice = "..."
+//! vary = "span"                            # or "step", or a parameter, or a value of the start
+//! holds_at = "1 s"
+//! fails_at = "5 s"
+//! of = "the time of the last rebound"
+//! threshold = "sqrt(2*h/g)*(1 + e)/(1 - e)"
+//! while = "y + (1 mm)"                     # positive while the run holds; may be left out
+//! expects = "Zeno"                         # the name of the failure that a run shows; may be left out
+//! ```
+//!
+//! A run holds where it reaches its end, shows no failure of the kind that is expected, and `while` stays positive after the start. The
+//! measured threshold lies between a run that holds and one that does not.
+
+mod measurement;
+mod reading;
+
+pub use measurement::TriedEntry;
+
+use crate::scene::ModelScene;
+use field::Rational;
+use simulation::FailureKind;
+
+/// The names under which the expressions of an entry are outputs of its scene.
+const THRESHOLD: &str = "failure_threshold";
+const MARGIN: &str = "failure_margin";
+
+/// An entry of the catalogue.
+#[derive(Debug)]
+pub struct FailureEntry {
+    pub name: String,
+    pub title: String,
+    pub why: String,
+    pub advice: String,
+    /// What is at the threshold.
+    pub of: String,
+    /// As the file has it.
+    pub formula: String,
+    /// With the data of the file: a fraction, where it is one of few digits.
+    pub exact: Option<Rational>,
+    /// The same with its roots and functions.
+    pub written: String,
+    /// In SI units.
+    pub threshold: f64,
+    /// Empty for a pure number.
+    pub unit: String,
+    /// The part of the threshold to which runs must agree is one by this number.
+    pub within: u32,
+    /// The condition under which a run holds, as the file has it.
+    pub margin: Option<String>,
+    /// The failure that the run at `fails_at` must show.
+    pub expects: Option<FailureKind>,
+    /// In SI units: a run holds at the first, and does not at the second.
+    pub between: [f64; 2],
+    varies: Varied,
+    scene: ModelScene,
+}
+
+/// The number that is varied.
+#[derive(Clone, Debug, PartialEq)]
+enum Varied {
+    /// The constant step of the method.
+    Step,
+    /// The length of the run.
+    Span,
+    /// A parameter, a coordinate or a speed at the start.
+    Value(String),
+}

@@ -1,0 +1,79 @@
+//! The linear equations of a motion in numbers, at any state:
+//!
+//!   [ M  J^T ] [   u'    ]   [ -h ]
+//!   [ J   0  ] [ -lambda ] = [ -c ]
+
+use crate::implicit::linear_equations;
+use crate::letters::Letters;
+use crate::modes::{Case, Mode};
+use model::{Model, Trace};
+use nalgebra::DMatrix;
+use simulation::Program;
+use symbolic::{Sym, substitute_all};
+
+/// Singular values below this part of the largest one are taken for zero.
+const RANK: f64 = 1e-11;
+
+/// The matrix and the right side of a model in a mode.
+pub(crate) struct MotionMatrix {
+    program: Program,
+    /// Row and column of each entry that may differ from zero.
+    places: Vec<(usize, usize)>,
+    size: usize,
+}
+
+impl MotionMatrix {
+    /// None where an expression has no values.
+    pub fn of(model: &Model, mode: &Mode) -> Option<Self> {
+        let mut pattern = None;
+        let program = Program::of(model.positions() + model.speeds(), |time, state| {
+            let trace = Trace::of(model);
+            let solve = linear_equations(&trace, Letters::with_data(time, state));
+            let all = solve.expressions();
+            pattern = Some(solve.pattern);
+            let case = |case: &Case| if *case == Case::On { Sym::ONE } else { Sym::ZERO };
+            let cases: Vec<(Sym, Sym)> = trace.switches.iter().copied().zip(mode.cases.iter().map(case)).collect();
+            substitute_all(&all, &cases)
+        })?;
+        let pattern = pattern?;
+        Some(MotionMatrix { program, places: pattern.places().to_vec(), size: pattern.size() })
+    }
+
+    /// None where a number is asked for that the program does not have.
+    pub fn at(&self, time: f64, state: &[f64]) -> Option<Terms> {
+        let MotionMatrix { program, places, size } = self;
+        let mut found = vec![f64::NAN; places.len() + size];
+        program.run(time, state, &mut found)?;
+        let right = found.split_off(places.len());
+        let mut matrix = vec![0.0; size * size];
+        places.iter().zip(found).for_each(|(&(row, column), entry)| matrix[row * size + column] = entry);
+        Some(Terms { size: *size, matrix, right })
+    }
+}
+
+/// The matrix and the right side at a state.
+pub(crate) struct Terms {
+    pub size: usize,
+    /// Row after row.
+    pub matrix: Vec<f64>,
+    pub right: Vec<f64>,
+}
+
+impl Terms {
+    /// The first n unknowns of a direction that the matrix takes to zero.
+    pub fn free(&self, n: usize) -> Option<Vec<f64>> {
+        let decomposed = DMatrix::from_row_slice(self.size, self.size, &self.matrix).svd(false, true);
+        let (least, smallest) = decomposed.singular_values.argmin();
+        if smallest > RANK * decomposed.singular_values.amax() {
+            return None;
+        }
+        let direction: Vec<f64> = decomposed.v_t.as_ref()?.row(least).iter().take(n).copied().collect();
+        direction.iter().any(|part| *part != 0.0).then_some(direction)
+    }
+
+    /// M and J of a system with so many speeds.
+    pub fn blocks(&self, n: usize) -> [DMatrix<f64>; 2] {
+        let whole = DMatrix::from_row_slice(self.size, self.size, &self.matrix);
+        [whole.view((0, 0), (n, n)).into_owned(), whole.view((n, 0), (self.size - n, n)).into_owned()]
+    }
+}

@@ -1,0 +1,99 @@
+//! Ways in which a run fails, by their standard names: one list for every command.
+//!
+//! A failure is found where a run has stopped, or afterwards from what was recorded, and never in a step. It has evidence in the names
+//! of the scene, and a remedy that the program can carry out: an option, or a key of the file.
+
+use std::fmt;
+
+/// A way in which a run fails.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum FailureKind {
+    SingularChart,
+    SingularMassMatrix,
+    DependentConstraints,
+    Drift,
+    Stiffness,
+    UnstableStep,
+    Zeno,
+    Chattering,
+    NoContactMode,
+    SeveralContactModes,
+    Jam,
+    BlowUp,
+    ExponentialGrowth,
+    Pole,
+    MissedEvent,
+}
+
+impl FailureKind {
+    /// Every way that a run can show. What is refused before it has messages with places in the file.
+    pub const ALL: [Self; 15] = [
+        Self::SingularChart,
+        Self::SingularMassMatrix,
+        Self::DependentConstraints,
+        Self::Drift,
+        Self::Stiffness,
+        Self::UnstableStep,
+        Self::Zeno,
+        Self::Chattering,
+        Self::NoContactMode,
+        Self::SeveralContactModes,
+        Self::Jam,
+        Self::BlowUp,
+        Self::ExponentialGrowth,
+        Self::Pole,
+        Self::MissedEvent,
+    ];
+
+    /// The standard name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::SingularChart => "singular chart",
+            Self::SingularMassMatrix => "singular mass matrix",
+            Self::DependentConstraints => "loss of rank of the constraints",
+            Self::Drift => "drift off the constraints",
+            Self::Stiffness => "stiffness",
+            Self::UnstableStep => "step beyond the stability limit",
+            Self::Zeno => "Zeno: events accumulate",
+            Self::Chattering => "chattering",
+            Self::NoContactMode => "Painleve's paradox: no contact mode is consistent",
+            Self::SeveralContactModes => "several contact modes are consistent",
+            Self::Jam => "jam",
+            Self::BlowUp => "blow-up in finite time",
+            Self::ExponentialGrowth => "exponential growth",
+            Self::Pole => "pole of the law",
+            Self::MissedEvent => "missed event",
+        }
+    }
+}
+
+impl FailureKind {
+    /// Whether a run that has reached its end is none of its law where it shows this.
+    pub fn spoils(self) -> bool {
+        matches!(self, Self::MissedEvent | Self::Drift)
+    }
+}
+
+/// A failure of a run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RunFailure {
+    pub kind: FailureKind,
+    /// The time of it, s.
+    pub at: f64,
+    /// The place and the numbers that show it, in one sentence without its full stop.
+    pub evidence: String,
+    /// An option or a key of the file that helps, in one sentence without its full stop.
+    pub remedy: String,
+}
+
+impl fmt::Display for FailureKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+impl fmt::Display for RunFailure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} at t = {:.9} s: {}", self.kind, self.at, self.evidence)
+    }
+}
