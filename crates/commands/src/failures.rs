@@ -1,22 +1,25 @@
 //! `dalembert failures`: the catalogue of failure, measured.
 
 use crate::arguments::Format;
+use crate::clock;
 use crate::exit::{Exit, print};
 use crate::job_pool::JobPool;
+use ::scenes::FailureEntry;
 use charts::significant;
 use clap::Args;
+use reader::SceneError;
 use serde_json::{Value, json};
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
-use studies::failures::{ALL, Failing, Found, NotFound, Threshold};
+use studies::failures::{ALL, Failing, Found, NotFound, Threshold, measure_text, text_entries, text_entry};
 
 /// Which ways to fail are to be measured.
 #[derive(Args, Debug)]
 pub struct Asked {
-    /// Those whose name contains this, such as windings or pull-out
-    #[arg(default_value = "")]
+    /// Those whose name contains this, such as windings or pull-out; or a scene of your own with the table [failure]
+    #[arg(default_value = "", value_name = "NAME|SCENE.toml")]
     pub name: String,
-    /// Where the scene files are
+    /// Where the scene files are; those in `failures` there that hold the table [failure] are measured too
     #[arg(long, value_name = "FOLDER", default_value = "scenes")]
     pub scenes: PathBuf,
     /// How to print them
@@ -24,28 +27,106 @@ pub struct Asked {
     pub format: Format,
 }
 
-/// A way with what was found.
-pub type Measured = (&'static Failing, Result<Found, NotFound>);
+/// A way to fail: of the program, or a scene with the table `[failure]`.
+pub enum Way {
+    Known { failing: &'static Failing, scene: PathBuf },
+    Text { entry: Box<FailureEntry>, scene: PathBuf },
+}
 
-/// Measures the ways whose name contains what was asked for, and prints them.
-pub fn list(asked: &Asked) -> Result<Exit, Exit> {
-    let chosen: Vec<&Failing> = ALL.iter().filter(|failing| failing.name.contains(&asked.name)).collect();
-    if chosen.is_empty() {
-        let names: Vec<&str> = ALL.iter().map(|failing| failing.name).collect();
-        return Err(Exit::refused(format!("no way to fail is called `{}`; known: {}", asked.name, names.join(", "))));
+/// A way with what was found.
+pub type Measured = (Way, Result<Found, NotFound>);
+
+impl Way {
+    /// All ways with the scenes of a folder; texts that cannot be read apart.
+    pub fn all(folder: &Path) -> (Vec<Self>, Vec<SceneError>) {
+        let known = ALL.iter().map(|failing| Way::Known { failing, scene: folder.join(failing.scene) });
+        let (mut ways, mut errors) = (known.collect::<Vec<_>>(), Vec::new());
+        for entry in text_entries(folder) {
+            match entry {
+                Ok((scene, entry)) => ways.push(Way::Text { entry: Box::new(entry), scene }),
+                Err(error) => errors.push(error),
+            }
+        }
+        (ways, errors)
     }
+
+    /// Measures it.
+    pub fn measured(self, folder: &Path) -> Measured {
+        let found = match &self {
+            Way::Known { failing, .. } => failing.measure(folder),
+            Way::Text { entry, scene } => measure_text(scene, entry, &clock::goes_on),
+        };
+        (self, found)
+    }
+
+    pub fn name(&self) -> &str {
+        match self {
+            Way::Known { failing, .. } => failing.name,
+            Way::Text { entry, .. } => &entry.name,
+        }
+    }
+
+    pub fn title(&self) -> &str {
+        match self {
+            Way::Known { failing, .. } => failing.title,
+            Way::Text { entry, .. } => &entry.title,
+        }
+    }
+
+    pub fn scene(&self) -> &Path {
+        match self {
+            Way::Known { scene, .. } | Way::Text { scene, .. } => scene,
+        }
+    }
+
+    pub fn why(&self) -> &str {
+        match self {
+            Way::Known { failing, .. } => failing.why,
+            Way::Text { entry, .. } => &entry.why,
+        }
+    }
+
+    pub fn advice(&self) -> &str {
+        match self {
+            Way::Known { failing, .. } => failing.advice,
+            Way::Text { entry, .. } => &entry.advice,
+        }
+    }
+
+    /// What is asked of a run that holds.
+    pub fn asked(&self) -> String {
+        match self {
+            Way::Known { failing, .. } => failing.asked.to_owned(),
+            Way::Text { entry, .. } => match &entry.margin {
+                Some(margin) => format!("{margin} > 0 along the run"),
+                None => "the end of the run, without a failure".to_owned(),
+            },
+        }
+    }
+}
+
+/// Measures the ways whose name contains what was asked for, or the way of a file, and prints them.
+pub fn list(asked: &Asked) -> Result<Exit, Exit> {
+    let file = Path::new(&asked.name);
+    let (chosen, mut missed) = match file.extension().is_some_and(|extension| extension == "toml") {
+        true => {
+            let entry = Box::new(text_entry(file)?);
+            (vec![Way::Text { entry, scene: file.to_owned() }], Vec::new())
+        }
+        false => chosen(asked)?,
+    };
     let mut measured: Vec<Option<Measured>> = chosen.iter().map(|_| None).collect();
     let mut crew = JobPool::default();
-    for (place, failing) in measured.iter_mut().zip(chosen) {
-        crew.add(1.0, place, || (failing, failing.measure(&asked.scenes)));
+    for (place, way) in measured.iter_mut().zip(chosen) {
+        crew.add(1.0, place, || way.measured(&asked.scenes));
     }
     crew.work(|_| ());
-    let (mut told, mut missed) = (Vec::new(), Vec::new());
-    for (failing, found) in measured.into_iter().flatten() {
+    let mut told = Vec::new();
+    for (way, found) in measured.into_iter().flatten() {
         match found {
-            Ok(found) => told.push((failing, found)),
+            Ok(found) => told.push((way, found)),
             Err(NotFound::Scene(error)) => missed.push(Exit::from(error)),
-            Err(why @ NotFound::Unsuitable { .. }) => missed.push(Exit::refused(why)),
+            Err(why) => missed.push(Exit::refused(why)),
         }
     }
     // one scene that cannot be measured does not hide the others
@@ -58,12 +139,24 @@ pub fn list(asked: &Asked) -> Result<Exit, Exit> {
     }
     let agree = told.iter().flat_map(|(_, found)| &found.thresholds).all(Threshold::agrees);
     print(&match asked.format {
-        Format::Text => {
-            told.iter().map(|(failing, found)| text(failing, found, &asked.scenes)).collect::<Vec<_>>().join("\n")
-        }
-        Format::Json => format!("{:#}\n", Value::from_iter(told.iter().map(|(failing, found)| object(failing, found)))),
+        Format::Text => told.iter().map(|(way, found)| text(way, found)).collect::<Vec<_>>().join("\n"),
+        Format::Json => format!("{:#}\n", Value::from_iter(told.iter().map(|(way, found)| object(way, found)))),
     })?;
     Ok(if agree && all { Exit::Done } else { Exit::Stopped })
+}
+
+/// The ways of the folder that are asked for, and why others cannot be read.
+fn chosen(asked: &Asked) -> Result<(Vec<Way>, Vec<Exit>), Exit> {
+    let (ways, errors) = Way::all(&asked.scenes);
+    let names = ways.iter().map(Way::name).collect::<Vec<_>>().join(", ");
+    let chosen: Vec<Way> = ways.into_iter().filter(|way| way.name().contains(&asked.name)).collect();
+    if chosen.is_empty() {
+        return Err(Exit::refused(format!(
+            "no way to fail is called `{}`; known: {names}; or a file SCENE.toml with the table [failure]",
+            asked.name
+        )));
+    }
+    Ok((chosen, errors.into_iter().map(Exit::from).collect()))
 }
 
 /// The trials of one fate together: those that hold first, then those that err silently.
@@ -91,28 +184,28 @@ pub fn judged(threshold: &Threshold) -> String {
     format!("{} {}", if threshold.agrees() { "agrees" } else { "DISAGREES" }, threshold.within)
 }
 
-fn text(failing: &Failing, found: &Found, folder: &Path) -> String {
-    let mut text = format!("{}: {}\n", failing.name, failing.title);
+fn text(way: &Way, found: &Found) -> String {
+    let mut text = format!("{}: {}\n", way.name(), way.title());
     let mut line = |name: &str, value: &str| {
         // writing to a string cannot fail
         let _ = writeln!(text, "  {name:<22} {value}");
     };
-    line("scene", &folder.join(failing.scene).display().to_string());
+    line("scene", &way.scene().display().to_string());
     for it in &found.thresholds {
-        line("threshold", it.of);
-        line("  theory", &format!("{} = {}", it.exact, quantity(Some(it.exact.value()), it.unit)));
-        line("  measured", &format!("{}, {}", quantity(it.measured, it.unit), judged(it)));
+        line("threshold", &it.of);
+        line("  theory", &format!("{} = {}", it.exact, quantity(Some(it.exact.value()), &it.unit)));
+        line("  measured", &format!("{}, {}", quantity(it.measured, &it.unit), judged(it)));
     }
     line("says", &found.diagnosis);
-    line("asked", failing.asked);
+    line("asked", &way.asked());
     for (fate, by) in grouped(found) {
         line(&fate, &by);
     }
-    line("advice", failing.advice);
+    line("advice", way.advice());
     text
 }
 
-fn object(failing: &Failing, found: &Found) -> Value {
+fn object(way: &Way, found: &Found) -> Value {
     let threshold = |it: &Threshold| {
         json!({
             "of": it.of,
@@ -127,14 +220,14 @@ fn object(failing: &Failing, found: &Found) -> Value {
     };
     let trial = |by: &str, fate: String| json!({ "by": by, "fate": fate });
     json!({
-        "name": failing.name,
-        "title": failing.title,
-        "scene": failing.scene,
-        "why": failing.why,
+        "name": way.name(),
+        "title": way.title(),
+        "scene": way.scene().display().to_string(),
+        "why": way.why(),
         "thresholds": found.thresholds.iter().map(threshold).collect::<Vec<_>>(),
         "diagnosis": found.diagnosis,
-        "asked": failing.asked,
+        "asked": way.asked(),
         "trials": found.trials.iter().map(|it| trial(&it.by, it.fate.to_string())).collect::<Vec<_>>(),
-        "advice": failing.advice,
+        "advice": way.advice(),
     })
 }

@@ -1,38 +1,39 @@
 //! The catalogue of failure in the report: one table of thresholds, one of what became of every method.
 
-use crate::failures::{Measured, grouped, judged, quantity};
+use crate::failures::{Measured, Way, grouped, judged, quantity};
 use crate::job_pool::JobPool;
 use charts::{Study, Table};
 use std::path::Path;
-use studies::failures::{ALL, Failing, Found};
+use studies::failures::Found;
 
 /// Each way, measured by itself.
 pub struct Failures {
     measured: Vec<Option<Measured>>,
-    chosen: Vec<&'static Failing>,
+    chosen: Vec<Way>,
 }
 
 impl Failures {
     /// Those whose scenes are in a folder.
     pub fn of(folder: &Path) -> Self {
-        let chosen: Vec<&Failing> = ALL.iter().filter(|failing| folder.join(failing.scene).is_file()).collect();
+        let (mut chosen, _) = Way::all(folder);
+        chosen.retain(|way| way.scene().is_file());
         Failures { measured: chosen.iter().map(|_| None).collect(), chosen }
     }
 
     /// All of them.
     pub fn enlist<'s>(&'s mut self, crew: &mut JobPool<'s>, folder: &'s Path) {
-        for (place, failing) in self.measured.iter_mut().zip(&self.chosen) {
-            crew.add(1.0, place, move || (*failing, failing.measure(folder)));
+        for (place, way) in self.measured.iter_mut().zip(std::mem::take(&mut self.chosen)) {
+            crew.add(1.0, place, move || way.measured(folder));
         }
     }
 
     /// The page; `None` where no scene is made to fail.
     pub fn study(self) -> Option<Study> {
         let (mut found, mut missed) = (Vec::new(), String::new());
-        for (failing, measured) in self.measured.into_iter().flatten() {
+        for (way, measured) in self.measured.into_iter().flatten() {
             match measured {
-                Ok(measured) => found.push((failing, measured)),
-                Err(why) => missed += &format!(" Not measured, {}: {why}.", failing.name),
+                Ok(measured) => found.push((way, measured)),
+                Err(why) => missed += &format!(" Not measured, {}: {why}.", way.name()),
             }
         }
         (!found.is_empty()).then(|| Study {
@@ -46,14 +47,14 @@ impl Failures {
     }
 }
 
-fn thresholds(found: &[(&Failing, Found)]) -> Table {
-    let rows = found.iter().flat_map(|(failing, found)| {
+fn thresholds(found: &[(Way, Found)]) -> Table {
+    let rows = found.iter().flat_map(|(way, found)| {
         found.thresholds.iter().enumerate().map(|(place, it)| {
-            let way = if place == 0 { failing.title.to_owned() } else { String::new() };
+            let title = if place == 0 { way.title().to_owned() } else { String::new() };
             let of = format!("{}: {}", it.of, it.formula);
             let exact = it.exact.to_string();
-            let value = quantity(Some(it.exact.value()), it.unit);
-            vec![way, of, exact, value, quantity(it.measured, it.unit), judged(it)]
+            let value = quantity(Some(it.exact.value()), &it.unit);
+            vec![title, of, exact, value, quantity(it.measured, &it.unit), judged(it)]
         })
     });
     Table {
@@ -65,21 +66,14 @@ fn thresholds(found: &[(&Failing, Found)]) -> Table {
     }
 }
 
-fn fates(found: &[(&Failing, Found)]) -> Table {
-    let rows = found.iter().map(|(failing, found)| {
+fn fates(found: &[(Way, Found)]) -> Table {
+    let rows = found.iter().map(|(way, found)| {
         let (mut holds, mut others) = (String::new(), Vec::new());
         for (fate, by) in grouped(found) {
             if fate == "holds" { holds = by } else { others.push(format!("{fate}: {by}")) }
         }
-        let why = failing.why.to_owned();
-        vec![
-            failing.title.to_owned(),
-            why,
-            found.diagnosis.clone(),
-            holds,
-            others.join(". "),
-            failing.advice.to_owned(),
-        ]
+        let why = way.why().to_owned();
+        vec![way.title().to_owned(), why, found.diagnosis.clone(), holds, others.join(". "), way.advice().to_owned()]
     });
     Table {
         caption: "Why, what is said, what survives, what to do".into(),

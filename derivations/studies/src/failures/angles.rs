@@ -40,10 +40,10 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     // as written it takes a matrix at each evaluation
     let running = CompiledLaw::of(Arc::clone(&law) as Arc<dyn SymbolicLaw>);
     let digits = Threshold {
-        of: "squared sine of the nutation below which no digit of the accelerations is left",
-        formula: r"$2^{-53}$",
+        of: "squared sine of the nutation below which no digit of the accelerations is left".into(),
+        formula: r"$2^{-53}$".into(),
         exact: Exact::Number(Rational::new(1, 1 << 53)),
-        unit: "",
+        unit: "".into(),
         measured: blind(&law),
         within: Within::Factor(32),
     };

@@ -54,10 +54,10 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     let (choice, problem) = (scene.run().choice(), scene.problem(Axes::First));
     let run = problem.simulate(&choice, |_| ());
     let end = Threshold {
-        of: "instant after which there is no motion",
-        formula: r"$-\rho_0^2/(2\varepsilon k_1)$",
+        of: "instant after which there is no motion".into(),
+        formula: r"$-\rho_0^2/(2\varepsilon k_1)$".into(),
         exact: Exact::Number(-rho * rho / (falls + falls)),
-        unit: "s",
+        unit: "s".into(),
         measured: run.stopped().map(|_| run.outcome.time),
         within: Within::Share(1_000_000),
     };

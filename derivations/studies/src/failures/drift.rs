@@ -50,10 +50,10 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     };
     let map = Scheme::RungeKutta4.transition(Rational::zero(), Rational::zero());
     let passed_on = Threshold {
-        of: "share of a violation's rate that each step adds to the violation, any method",
-        formula: r"$(f_n-f_0)/(nh\dot f_0)$",
+        of: "share of a violation's rate that each step adds to the violation, any method".into(),
+        formula: r"$(f_n-f_0)/(nh\dot f_0)$".into(),
         exact: Exact::Number(map.map_or(Rational::UNDEFINED, |[[_, across], _]| across)),
-        unit: "",
+        unit: "".into(),
         measured: added(&mechanism, start),
         within: Within::Share(1_000_000),
     };

@@ -3,6 +3,7 @@
 use super::{Exact, Trial};
 use reader::SceneError;
 use simulation::models::Modelled;
+use std::borrow::Cow;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
@@ -37,13 +38,13 @@ pub struct Found {
 #[derive(Clone, Debug)]
 pub struct Threshold {
     /// What is at the threshold, and of which method.
-    pub of: &'static str,
+    pub of: Cow<'static, str>,
     /// Theory's formula: LaTeX between dollar signs.
-    pub formula: &'static str,
+    pub formula: Cow<'static, str>,
     /// The same with the scene's data.
     pub exact: Exact,
     /// Empty for a pure number.
-    pub unit: &'static str,
+    pub unit: Cow<'static, str>,
     /// By runs; `None` where they showed no edge.
     pub measured: Option<f64>,
     pub within: Within,
@@ -67,6 +68,10 @@ pub enum NotFound {
         scene: PathBuf,
         what: String,
         accepted: &'static str,
+    },
+    /// Its time is over, or the user asked for the end.
+    BrokenOff {
+        scene: PathBuf,
     },
 }
 
@@ -148,6 +153,7 @@ impl fmt::Display for NotFound {
             NotFound::Unsuitable { scene, what, accepted } => {
                 write!(f, "{}: {what}; {accepted} is accepted", scene.display())
             }
+            NotFound::BrokenOff { scene } => write!(f, "{}: broken off before it was measured", scene.display()),
         }
     }
 }

@@ -59,13 +59,20 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
         let near = exact.value();
         let measured = edge(0.95 * near, 1.05 * near, 1e-5, |h| swings(&problem, h));
         let of = "longest step of Runge-Kutta 4";
-        Threshold { of, formula: r"$\sqrt{8A'D/b_0}$", exact, unit: "s", measured, within: Within::Share(1000) }
+        Threshold {
+            of: of.into(),
+            formula: r"$\sqrt{8A'D/b_0}$".into(),
+            exact,
+            unit: "s".into(),
+            measured,
+            within: Within::Share(1000),
+        }
     });
     let lost = Threshold {
-        of: "D below which the second form has no digit",
-        formula: r"$\frac32\,2^{-53}$",
+        of: "D below which the second form has no digit".into(),
+        formula: r"$\frac32\,2^{-53}$".into(),
         exact: Exact::Number(Rational::new(3, 1 << 54)),
-        unit: "",
+        unit: "".into(),
         measured: Some(error_of_d(bodies.rotor.axial)),
         within: Within::Factor(2),
     };

@@ -42,11 +42,18 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     let conditions = scheme.transition(h * b, h * h * stiffness).map(inside_unit_circle);
     let [above, _, below] = conditions.unwrap_or([Sym::UNDEFINED; 3]);
     let keeps = |damping: f64| kept(&*scene, damping, step);
-    let one = |of, formula, condition, inwards: f64, parts| {
+    let one = |of: &'static str, formula: &'static str, condition, inwards: f64, parts| {
         let exact = Exact::root(first_positive(condition, b))?;
         let near = exact.value();
         let measured = edge(near * (1.0 + inwards), near * (1.0 - inwards), 1e-3, keeps);
-        Some(Threshold { of, formula, exact, unit: "1/s", measured, within: Within::Share(parts) })
+        Some(Threshold {
+            of: of.into(),
+            formula: formula.into(),
+            exact,
+            unit: "1/s".into(),
+            measured,
+            within: Within::Share(parts),
+        })
     };
     let thresholds = [
         one("greatest damping that Euler bears", r"$2/h+hk/2$", below, -0.3, 50),

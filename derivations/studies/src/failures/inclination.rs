@@ -31,10 +31,10 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     let nodding = run.column(NODDING).zip(run.rows.first());
     let left = nodding.filter(|_| run.stopped().is_some()).map(|(place, first)| run.last[place] / first[place]);
     let threshold = Threshold {
-        of: "what is left of the determinant where the run ends, as a share of the first",
-        formula: r"$p\gamma_2-q\gamma_1$",
+        of: "what is left of the determinant where the run ends, as a share of the first".into(),
+        formula: r"$p\gamma_2-q\gamma_1$".into(),
         exact: Exact::Number(Rational::zero()),
-        unit: "",
+        unit: "".into(),
         measured: left,
         within: Within::Share(100),
     };

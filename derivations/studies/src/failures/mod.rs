@@ -7,6 +7,7 @@
 //! * `edge`: where a run ceases to hold, by halving; `at_a_parameter`: Newton's method, and how it is lost;
 //! * `trials`: every method on a scene under a budget, and what became of each; `slopes`: Jacobians of dear laws; `slip`: friction
 //!   whose direction is given;
+//! * `text_entry`: ways that are scenes with the table `[failure]`;
 //! * one file for each way, in the order of the list below.
 //!
 //! A threshold by theory is computed from the scene's decimals, exactly; the measured one comes from runs alone: by halving
@@ -20,6 +21,7 @@ mod entry;
 mod exact;
 mod slip;
 mod slopes;
+mod text_entry;
 mod trials;
 
 mod angles;
@@ -38,6 +40,7 @@ mod windings;
 
 pub use entry::{Failing, Found, NotFound, Threshold, Within};
 pub use exact::Exact;
+pub use text_entry::{measure_text, text_entries, text_entry};
 pub use trials::{Fate, Trial};
 
 use std::path::Path;
@@ -61,5 +64,5 @@ pub const ALL: &[Failing] = &[
 
 /// Whether a scene is here for the catalogue alone.
 pub fn is_own(scene: &Path) -> bool {
-    ALL.iter().any(|failing| failing.scene.starts_with("failures/") && scene.ends_with(failing.scene))
+    scene.parent().is_some_and(|folder| folder.ends_with(text_entry::FOLDER))
 }

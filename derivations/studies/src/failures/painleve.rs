@@ -45,11 +45,11 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     };
     let at = 2.0 * half.to_f64().atan();
     let exact = Exact::Formula(format!("2 arctan of {}", Exact::Root(half)), at);
-    let threshold = |of, measured, parts| Threshold {
-        of,
-        formula: r"$f\kappa\sin\theta\cos\theta=1+\kappa\cos^2\theta$",
+    let threshold = |of: &'static str, measured, parts| Threshold {
+        of: of.into(),
+        formula: r"$f\kappa\sin\theta\cos\theta=1+\kappa\cos^2\theta$".into(),
         exact: exact.clone(),
-        unit: "rad",
+        unit: "rad".into(),
         measured,
         within: Within::Share(parts),
     };

@@ -54,9 +54,16 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     let followed = fold.map(|fold| fold.x[1] * b0);
     let behind = round.as_ref().and_then(|branch| branch.places.last()).is_some_and(|last| last.x[0] < -FRAC_PI_2);
     let holds = |f: f64| stays(&scene, bodies.rotor.axial, [field_speed, b0], f);
-    let threshold = |of, measured, within| {
+    let threshold = |of: &'static str, measured, within| {
         let formula = r"$b_0/\Omega$";
-        Threshold { of, formula, exact: Exact::Number(exact), unit: "N m s", measured, within }
+        Threshold {
+            of: of.into(),
+            formula: formula.into(),
+            exact: Exact::Number(exact),
+            unit: "N m s".into(),
+            measured,
+            within,
+        }
     };
     let thresholds = vec![
         threshold("greatest friction in step: the fold, by arc length", followed, Within::Share(1_000_000_000)),

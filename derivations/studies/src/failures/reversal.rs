@@ -58,10 +58,10 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     let speed = Rational::decimal(slide);
     let stop = -speed / sliding(&exact, speed, Direction::Forwards);
     let stops = Threshold {
-        of: "instant of rest, by events",
-        formula: r"$mv_0/(fN-X)$",
+        of: "instant of rest, by events".into(),
+        formula: r"$mv_0/(fN-X)$".into(),
         exact: Exact::Number(stop),
-        unit: "s",
+        unit: "s".into(),
         measured: run(&*scene).passages.get(1).map(|event| event.time),
         within: Within::Share(1_000_000_000),
     };
@@ -71,10 +71,10 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     let turns = -none / (unit - none);
     let at = turns.to_f64();
     let reverses = Threshold {
-        of: "push that makes it turn instead of stay, by events",
-        formula: r"$-fN$",
+        of: "push that makes it turn instead of stay, by events".into(),
+        formula: r"$-fN$".into(),
         exact: Exact::Number(turns),
-        unit: "N",
+        unit: "N".into(),
         measured: edge(0.9 * at, 1.1 * at, 1e-12, |drive| stays(&*scene, drive)),
         within: Within::Share(1_000_000_000),
     };
@@ -82,10 +82,10 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     let at_start = along(length, slide);
     let (start, span) = ([at_start.place, at_start.velocity].concat(), scene.run().span);
     let chatter = Threshold {
-        of: "greatest speed of Euler's chatter with friction as a sign",
-        formula: r"$h(fN+X)/m$",
+        of: "greatest speed of Euler's chatter with friction as a sign".into(),
+        formula: r"$h(fN+X)/m$".into(),
         exact: Exact::Number(backwards(exact.drive) * Rational::decimal(span) / Rational::int(STEPS.into())),
-        unit: "m/s",
+        unit: "m/s".into(),
         measured: chatter(&law, &start, span, stop.to_f64()),
         within: Within::Share(100),
     };

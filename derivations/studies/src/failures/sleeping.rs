@@ -70,10 +70,10 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     };
     let sleeps = |speed: f64| stays(&scene, speed);
     let thresholds = vec![Threshold {
-        of: "slowest speed of the rotor at which the top sleeps with the carrier's spin of the scene, by runs",
-        formula: r"$(2\sqrt{A\Gamma}-A_3^*\omega_3)/A'$",
+        of: "slowest speed of the rotor at which the top sleeps with the carrier's spin of the scene, by runs".into(),
+        formula: r"$(2\sqrt{A\Gamma}-A_3^*\omega_3)/A'$".into(),
         exact,
-        unit: "rad/s",
+        unit: "rad/s".into(),
         measured: edge(1.05 * at, 0.95 * at, 1e-5, sleeps),
         within: Within::Share(1000),
     }];

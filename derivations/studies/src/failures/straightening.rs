@@ -50,10 +50,10 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     let by_place = ByPlace(rod);
     let start = [0.0, theta, speed];
     let far = Threshold {
-        of: "way after which the angle says nothing of the place",
-        formula: r"$\frac l2\ln\frac2{\delta\tan\theta_0/2}$",
+        of: "way after which the angle says nothing of the place".into(),
+        formula: r"$\frac l2\ln\frac2{\delta\tan\theta_0/2}$".into(),
         exact: Exact::Formula(formula, value),
-        unit: "m",
+        unit: "m".into(),
         measured: told_until(&by_place, &start, span),
         // roundings on the way fade as the distance does: all are below 1/2 (1 + e^-1/2 + e^-1 + ..) = 1.3 spacings, which double
         // a distance of 2.5 instead of the 0.78 of theory: 0.9 m earlier; and it is looked at once in 0.38 m

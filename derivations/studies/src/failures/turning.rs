@@ -44,14 +44,21 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
         let near = exact.value();
         let measured = edge(0.8 * near, 1.2 * near, 1e-10, |h| after(&problem, h, STEPS).is_some_and(|it| it < 1.0));
         let of = "step of Runge-Kutta 4 beyond which the length grows; below, it shrinks";
-        Threshold { of, formula: r"$2\sqrt2/|\omega|$", exact, unit: "s", measured, within: Within::Share(1_000_000) }
+        Threshold {
+            of: of.into(),
+            formula: r"$2\sqrt2/|\omega|$".into(),
+            exact,
+            unit: "s".into(),
+            measured,
+            within: Within::Share(1_000_000),
+        }
     });
     let h = problem.span / f64::from(CONSTANT);
     let lost = Threshold {
-        of: "share of the square of the length that Runge-Kutta 4 loses on the scene",
-        formula: r"$1-(1-\kappa^3(8-\kappa)/576)^n$",
+        of: "share of the square of the length that Runge-Kutta 4 loses on the scene".into(),
+        formula: r"$1-(1-\kappa^3(8-\kappa)/576)^n$".into(),
         exact: lost(square * Rational::decimal(h) * Rational::decimal(h)),
-        unit: "",
+        unit: "".into(),
         measured: after(&problem, h, CONSTANT).map(|left| 1.0 - left),
         within: Within::Share(1_000_000),
     };

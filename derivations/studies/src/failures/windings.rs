@@ -36,13 +36,20 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
         return Err(NotFound::unsuitable(path, format!("{} has no bars", scene.machine.name()), accepted));
     };
     let lasting = Rational::decimal(l2) / Rational::decimal(r2);
-    let one = |of, formula, scheme, stiffer: i64| {
+    let one = |of: &'static str, formula: &'static str, scheme, stiffer: i64| {
         let stiffer = Rational::new(1, stiffer);
         let exact = Exact::times(lasting * stiffer, fading(scheme))?;
         let near = exact.value();
         let problem = with_inductance(&scene, l2 * stiffer.to_f64())?;
         let measured = edge(0.9 * near, 1.1 * near, 1e-4, |h| fades(&problem, scheme, h));
-        Some(Threshold { of, formula, exact, unit: "s", measured, within: Within::Share(300) })
+        Some(Threshold {
+            of: of.into(),
+            formula: formula.into(),
+            exact,
+            unit: "s".into(),
+            measured,
+            within: Within::Share(300),
+        })
     };
     let thresholds = [
         one("longest step of Euler", r"$2L_2/R_2$", Scheme::Euler, 1),

@@ -1,0 +1,108 @@
+//! Entries of the catalogue that are text: scenes with the table `[failure]`, those of the folder and those of a user.
+
+use super::edge::edge;
+use super::trials::{Trial, Tried};
+use super::{Exact, Found, NotFound, Threshold, Within};
+use reader::{SceneError, read_text};
+use scenes::FailureEntry;
+use std::cell::Cell;
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+
+/// The folder beside other scenes.
+pub(super) const FOLDER: &str = "failures";
+
+/// The edge is found so many times as closely as theory is compared.
+const CLOSER: f64 = 10.0;
+
+/// The entries of a folder of scenes, by the names of their files; those that cannot be read are errors.
+pub fn text_entries(folder: &Path) -> Vec<Result<(PathBuf, FailureEntry), SceneError>> {
+    let Ok(files) = std::fs::read_dir(folder.join(FOLDER)) else { return Vec::new() };
+    let mut files: Vec<PathBuf> = files.filter_map(|file| Some(file.ok()?.path())).collect();
+    files.retain(|file| file.extension().is_some_and(|extension| extension == "toml"));
+    files.sort();
+    let entry = |file: PathBuf| match read_text(&file) {
+        Ok(text) if !is_failure_entry(&text) => None,
+        Ok(text) => Some(FailureEntry::parse(&file.display().to_string(), &text).map(|entry| (file, entry))),
+        Err(error) => Some(Err(error)),
+    };
+    files.into_iter().filter_map(entry).collect()
+}
+
+/// An entry in a file of its own.
+///
+/// # Errors
+/// All that is wrong with it, each at its place.
+pub fn text_entry(file: &Path) -> Result<FailureEntry, SceneError> {
+    FailureEntry::parse(&file.display().to_string(), &read_text(file)?)
+}
+
+/// Measures an entry: the edge between runs that hold and runs that do not, and what every method does beyond it. `goes_on` breaks it off.
+///
+/// # Errors
+/// Where it is broken off, and where the run at `fails_at` shows another failure than is expected.
+pub fn measure_text(
+    file: &Path,
+    entry: &FailureEntry,
+    goes_on: &dyn Fn() -> ControlFlow<()>,
+) -> Result<Found, NotFound> {
+    let broken_off = Cell::new(false);
+    let tried = |value: f64| {
+        let found = entry.tried(value, goes_on);
+        broken_off.set(broken_off.get() || goes_on().is_break());
+        found
+    };
+    let [holds, fails] = entry.between;
+    let share = 1.0 / (CLOSER * f64::from(entry.within));
+    let measured =
+        edge(holds, fails, share, |value| !broken_off.get() && tried(value).is_some_and(|tried| tried.holds));
+    let beyond = tried(fails);
+    if broken_off.get() {
+        return Err(NotFound::BrokenOff { scene: file.to_owned() });
+    }
+    let exact = match &entry.exact {
+        Some(number) => Exact::Number(*number),
+        None => Exact::Formula(entry.written.clone(), entry.threshold),
+    };
+    let threshold = Threshold {
+        of: entry.of.clone().into(),
+        formula: entry.formula.clone().into(),
+        exact,
+        unit: entry.unit.clone().into(),
+        measured,
+        within: Within::Share(entry.within),
+    };
+    let says = beyond.as_ref().map(|beyond| match (&beyond.failures[..], &beyond.stopped, &beyond.last_law) {
+        ([], None, None) => "nothing: the run reaches its end".to_owned(),
+        ([], None, Some(event)) => event.clone(),
+        ([], Some(stopped), _) => stopped.clone(),
+        (failures, ..) => failures.iter().map(ToString::to_string).collect::<Vec<_>>().join("; "),
+    });
+    if let (Some(expected), Some(beyond)) = (entry.expects, &beyond)
+        && !beyond.failures.iter().any(|failure| failure.kind == expected)
+    {
+        let what = format!("the run at `fails_at` shows no {expected}: {}", says.unwrap_or_default());
+        return Err(NotFound::unsuitable(file, what, "the name of the failure that it shows, or no key `expects`,"));
+    }
+    let trials = trials(entry, fails);
+    Ok(Found { thresholds: vec![threshold], diagnosis: says.unwrap_or_default(), trials })
+}
+
+/// Every method at the end that fails.
+fn trials(entry: &FailureEntry, fails: f64) -> Vec<Trial> {
+    let Some((problem, choice)) = entry.problem(fails) else { return Vec::new() };
+    let mut tried = Tried { outputs: choice.samples, ..Tried::of(&problem, choice.tolerance) };
+    if let Some(steps) = choice.method.steps() {
+        tried.steps = steps;
+    }
+    tried.all(|record| {
+        let rows = record.times.iter().zip(&record.states).map(|(time, state)| (problem.row)(*time, state));
+        rows.skip(1).all(|row| entry.keeps_row(&problem.columns, &row))
+    })
+}
+
+/// Whether a text is an entry of the catalogue.
+fn is_failure_entry(text: &str) -> bool {
+    let (top, _) = toml::de::DeTable::parse_recoverable(text);
+    top.get_ref().keys().any(|key| key.get_ref() == "failure")
+}
