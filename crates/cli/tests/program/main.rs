@@ -5,6 +5,7 @@ mod choice;
 mod clock;
 mod documents;
 mod ensembles;
+mod failures;
 mod formats;
 mod killed;
 mod limits;
