@@ -79,6 +79,14 @@ impl Way {
         }
     }
 
+    /// In the folder of scenes; of a text its path.
+    fn scene_in_folder(&self) -> String {
+        match self {
+            Way::Known { failing, .. } => failing.scene.to_owned(),
+            Way::Text { scene, .. } => scene.display().to_string(),
+        }
+    }
+
     pub fn why(&self) -> &str {
         match self {
             Way::Known { failing, .. } => failing.why,
@@ -222,7 +230,7 @@ fn object(way: &Way, found: &Found) -> Value {
     json!({
         "name": way.name(),
         "title": way.title(),
-        "scene": way.scene().display().to_string(),
+        "scene": way.scene_in_folder(),
         "why": way.why(),
         "thresholds": found.thresholds.iter().map(threshold).collect::<Vec<_>>(),
         "diagnosis": found.diagnosis,

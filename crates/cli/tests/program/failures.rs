@@ -96,10 +96,25 @@ fn a_force_that_keeps_a_place_through_a_spring_has_index_five() {
     assert!(message.contains("its index is 5") && message.contains("differentiated 4 times"), "{message}");
 }
 
+/// A law with events keeps a constraint of speeds differentiated alone.
+#[test]
+fn a_constraint_of_speeds_that_long_steps_leave_is_drift() {
+    let text = "title = \"A sleigh\"\n[parameters]\nm = \"1 kg\"\nJ = \"1 kg m^2\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n\
+        theta = \"rad\"\n[frames]\nR = \"N turned theta about z\"\n[points]\nP = \"O + x*N.x + y*N.y\"\n[bodies.sleigh]\nframe = \"R\"\n\
+        centre = \"P\"\nmass = \"m\"\ninertia = \"J\"\n[[constraint]]\nname = \"edge\"\nzero = \"velocity(P) . R.y\"\n[[event]]\n\
+        when = \"x - (50 m)\"\nset = { \"theta'\" = \"0\" }\n[start]\n\"x'\" = \"1 m/s\"\n\"theta'\" = \"10 rad/s\"\n[run]\nspan = \"5 s\"\n";
+    let (found, _, _) = ran("drift", text, &["--method", "runge_kutta_4:50"]);
+    let (kind, _, evidence, remedy) = failure(&found);
+    assert_eq!(kind, "drift off the constraints", "{found}");
+    assert!(evidence.contains("`edge`") && remedy.contains("more steps than 50"), "{evidence}; {remedy}");
+    let (found, _, _) = ran("drift_not", text, &["--method", "runge_kutta_4:5000"]);
+    assert_eq!(found["failures"].as_array().map(Vec::len), Some(0), "{found}");
+}
+
 #[test]
 fn a_damper_that_is_gone_at_once_is_stiffness_for_explicit_methods() {
     let text = format!(
-        "{MASS}[[force]]\non = \"mass\"\nis = \"-((1 N/m)*x + (20000 N s/m)*x')*N.x\"\n[start]\nx = \"1 m\"\n[run]\nspan = \"10 s\"\ntolerance = 1e-6\n"
+        "{MASS}[[force]]\non = \"mass\"\nis = \"-((1 N/m)*x + (20000 N s/m)*x')*N.x\"\n[start]\n\"x'\" = \"1 m/s\"\n[run]\nspan = \"10 s\"\ntolerance = 1e-6\n"
     );
     let (found, code, _) = ran("stiff", &text, &[]);
     let (kind, _, evidence, remedy) = failure(&found);
@@ -248,4 +263,22 @@ fn the_five_entries_of_the_folder_that_are_text_are_theory_s() {
         assert_eq!(output.status.code(), Some(0), "{name}: {found} {}", String::from_utf8_lossy(&output.stderr));
         assert_eq!(found[0]["thresholds"][0]["agrees"].as_bool(), Some(true), "{found}");
     }
+}
+
+#[test]
+fn the_first_member_of_an_ensemble_that_stops_is_diagnosed() {
+    let (file, table) = (temporary("members.toml"), temporary("members.csv"));
+    let text = format!(
+        "{MASS}[[force]]\non = \"mass\"\nis = \"(1 kg/m)*x'^2*N.x\"\n[start]\n\"x'\" = \"1 m/s\"\n[run]\nspan = \"2 s\"\n\
+         [ensemble]\nmembers = 3\n[ensemble.vary]\nstart.\"x'\" = {{ from = \"0.4 m/s\", to = \"1 m/s\" }}\n"
+    );
+    std::fs::write(&file, text).expect("it can be written");
+    let output = run(&["ensemble", &file.to_string_lossy(), "--out", &table.to_string_lossy()]);
+    let told = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(
+        told.contains("failure: blow-up in finite time at t = "),
+        "{told} {}",
+        String::from_utf8_lossy(&output.stderr)
+    );
+    [file, table].iter().for_each(|path| std::fs::remove_file(path).expect("it is there"));
 }

@@ -1,5 +1,6 @@
 //! The fates of the members of an ensemble.
 
+use simulation::RunFailure;
 use simulation::ensemble::Stopped;
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -39,12 +40,15 @@ impl Fates {
         self.members - self.stopped()
     }
 
-    /// For reading.
-    pub fn text(&self, path: &Path, before: u64) -> String {
+    /// For reading; with the failures of the first member of each kind.
+    pub fn text(&self, path: &Path, before: u64, failures: impl Fn(u64) -> Vec<RunFailure>) -> String {
         let (reached, stopped) = (self.reached(), self.stopped());
         let mut text = format!("{} members: {reached} reached the end, {stopped} did not\n", self.members);
         for Counted { count, member, why } in self.stopped.values() {
             text += &format!("  {count:>8}  such as member {member}: {why}\n");
+            for failure in failures(*member) {
+                text += &format!("            failure: {failure}\n            remedy: {}\n", failure.remedy);
+            }
         }
         if before > 0 {
             text += &format!("the first {before} were there already\n");
@@ -69,7 +73,7 @@ mod tests {
             told.add(why);
         }
         assert_eq!(told.reached(), 1);
-        let text = told.text(Path::new("t.csv"), 0);
+        let text = told.text(Path::new("t.csv"), 0, |_| Vec::new());
         assert!(text.starts_with("4 members: 1 reached the end, 3 did not\n"), "{text}");
         assert!(text.contains("2  such as member 2: no such bodies exist: A' > 0 is broken: it is -2\n"), "{text}");
         assert!(text.contains("1  such as member 4: out of time: "), "{text}");

@@ -52,7 +52,7 @@ pub fn run(asked: &Asked) -> Result<Exit, Exit> {
     wrong?;
     table.settle()?;
     drop(progress);
-    print(&told.text(path, done))?;
+    print(&told.text(path, done, |member| scene.failures(member, &|| clock::goes_on().is_continue())))?;
     if told.members == all {
         // as of a run that stops, where none came to its end
         return Ok(if told.reached() > 0 { Exit::Done } else { Exit::Stopped });

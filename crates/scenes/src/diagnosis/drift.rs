@@ -7,6 +7,12 @@ use simulation::{FailureKind, RunFailure};
 /// Residuals that no step of a run with constraints that are kept leaves, relative to the state.
 const OFF: f64 = 1e-6;
 
+/// The same of constant steps, whose errors are judged beside shorter ones.
+const OFF_OF_STEPS: f64 = 1e-4;
+
+/// Tolerances that a run which is asked for few digits may be off.
+const TOLERANCES: f64 = 10.0;
+
 /// The first sample at which the residual of the constraints is beyond what is kept.
 pub(super) fn found(run: &Recorded<'_>) -> Option<RunFailure> {
     let kept = run.model().constraints.iter().any(|constraint| constraint.gains.is_none());
@@ -15,9 +21,14 @@ pub(super) fn found(run: &Recorded<'_>) -> Option<RunFailure> {
     }
     let place = run.trajectory.checks.iter().position(|name| name == "residual of constraints")?;
     let residuals = run.trajectory.checked.iter().map(|checked| checked[place]);
+    let largest = residuals.clone().fold(0.0, f64::max);
     let states = run.states.iter().zip(residuals);
+    let most = match run.choice.method.steps() {
+        Some(_) => OFF_OF_STEPS,
+        None => OFF.max(TOLERANCES * run.choice.tolerance),
+    };
     let is_off = |(_, state): &(f64, Vec<f64>), residual: f64| {
-        residual > OFF * state.iter().fold(1.0, |size: f64, part| size.max(part.abs()))
+        residual > most * state.iter().fold(1.0, |size: f64, part| size.max(part.abs()))
     };
     let mut off = states.filter(|(state, residual)| is_off(state, *residual));
     let ((at, state), _) = off.next()?;
@@ -25,11 +36,12 @@ pub(super) fn found(run: &Recorded<'_>) -> Option<RunFailure> {
     Some(RunFailure {
         kind: FailureKind::Drift,
         at: *at,
-        evidence: broken,
-        remedy: format!(
-            "a finer tolerance than {:e} (--tol, or `tolerance` in [run]) or more steps; or `programmed = {{ gains = [...] }}` in the \
-             constraint, which leads it back",
-            run.choice.tolerance
-        ),
+        evidence: format!("{broken}; the largest residual along the run is {largest:.1e} in SI units"),
+        remedy: match run.choice.method.steps() {
+            Some(steps) => format!(
+                "more steps than {steps}, or a method that follows a tolerance, such as --method dormand_prince_8"
+            ),
+            None => format!("a finer tolerance than {:e}: --tol, or `tolerance` in [run]", run.choice.tolerance),
+        },
     })
 }

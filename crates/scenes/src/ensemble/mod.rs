@@ -8,11 +8,11 @@ use crate::admissible::BodyNumbers;
 use crate::compiled_system::{ENERGIES, NotCompiled};
 use crate::constraint_projection::{ConstraintProjection, OfMember};
 use crate::parametric_law::ParametricLaw;
-use crate::readiness::{changes, refused, unmet_at};
+use crate::readiness::{Ready, changes, ready, refused, starting, unmet_at};
 use crate::scene::{ModelScene, columns};
 use crate::start::{Completed, SingularPositions, StartSolver, Unmet, given, in_touch, start_speeds};
 use crate::warnings::warn_of;
-use integrators::{LaneSeries, Projection};
+use integrators::{LaneSeries, Method, Projection};
 use lone_members::laws_of;
 use model::{Fault, Model, bare_angle, turned_further};
 use reader::{SceneError, tables};
@@ -21,8 +21,9 @@ use simulation::ensemble::{
     lane_series, vary,
 };
 use simulation::events::Margins;
-use simulation::{IvpScene, Run};
+use simulation::{Axes, Choice, IvpScene, Run, RunFailure};
 use std::fmt::{self, Write};
+use std::ops::ControlFlow;
 use std::sync::Arc;
 
 /// A model with a run, and its law for all values of its parameters.
@@ -302,6 +303,24 @@ impl ParametricSystem for ModelEnsemble {
             Box::new(OfMember::new(projection, &start, &parameters))
         });
         Ok(Member { parameters, state: start, end, margins, projection })
+    }
+
+    fn failures(&self, drawn: &[Drawn], goes_on: &dyn Fn() -> bool) -> Vec<RunFailure> {
+        let Ok((parameters, start)) = self.placed(drawn) else { return Vec::new() };
+        let mut model = (*self.scene.model).clone();
+        model.parameters.iter_mut().zip(parameters).for_each(|(own, value)| own.value = Some(value));
+        let mut model = Arc::new(starting(&model, &start));
+        let Ok(Ready { start, system, .. }) = ready(&mut model) else { return Vec::new() };
+        let scene = self.scene.with(model, system, start);
+        let own = scene.run.choice();
+        // as the members run
+        let method = if self.alone().is_some() { own.method } else { Method::Taylor };
+        let choice = Choice { method, ..own };
+        let trajectory = scene.problem(Axes::First).simulate_while(&choice, |_| match goes_on() {
+            true => ControlFlow::Continue(()),
+            false => ControlFlow::Break(()),
+        });
+        scene.told(&choice, &trajectory).failures
     }
 
     fn columns(&self) -> Vec<Column> {

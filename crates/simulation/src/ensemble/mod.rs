@@ -23,6 +23,7 @@ pub use parametric_system::{Column, Drawn, Ended, LANES, Member, ParametricSyste
 pub use run::{Last, Row};
 pub use stop_reason::Stopped;
 
+use crate::RunFailure;
 use std::fmt;
 use std::sync::Arc;
 use vary::{Variation, Varied};
@@ -66,6 +67,11 @@ impl EnsembleScene {
     /// Why there is none.
     pub fn member(&self, number: u64) -> Result<Member<'_>, Stopped> {
         self.system.member(&self.numbers(number)?)
+    }
+
+    /// The failures of a member, as its single run shows them; `goes_on` breaks that off.
+    pub fn failures(&self, number: u64, goes_on: &dyn Fn() -> bool) -> Vec<RunFailure> {
+        self.numbers(number).map_or_else(|_| Vec::new(), |drawn| self.system.failures(&drawn, goes_on))
     }
 
     /// The numbers of a member, all finite.

@@ -2,8 +2,8 @@
 
 use super::run::Last;
 use super::stop_reason::Stopped;
-use crate::Run;
 use crate::events::Margins;
+use crate::{Run, RunFailure};
 use integrators::{LaneSeries, Projection};
 use std::borrow::Cow;
 use std::fmt;
@@ -35,6 +35,11 @@ pub trait ParametricSystem: fmt::Debug + Send + Sync {
     /// # Errors
     /// Why there is no such member.
     fn member(&self, drawn: &[Drawn]) -> Result<Member<'_>, Stopped>;
+
+    /// The failures of the member with these numbers, as its single run shows them; `goes_on` breaks that off.
+    fn failures(&self, _drawn: &[Drawn], _goes_on: &dyn Fn() -> bool) -> Vec<RunFailure> {
+        Vec::new()
+    }
 
     /// What a row shows of the end of a member: first of its state, then what follows from it.
     fn columns(&self) -> Vec<Column>;
