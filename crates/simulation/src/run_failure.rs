@@ -22,12 +22,13 @@ pub enum FailureKind {
     BlowUp,
     ExponentialGrowth,
     Pole,
+    EndOfDomain,
     MissedEvent,
 }
 
 impl FailureKind {
     /// Every way that a run can show. What is refused before it has messages with places in the file.
-    pub const ALL: [Self; 15] = [
+    pub const ALL: [Self; 16] = [
         Self::SingularChart,
         Self::SingularMassMatrix,
         Self::DependentConstraints,
@@ -42,6 +43,7 @@ impl FailureKind {
         Self::BlowUp,
         Self::ExponentialGrowth,
         Self::Pole,
+        Self::EndOfDomain,
         Self::MissedEvent,
     ];
 
@@ -62,6 +64,7 @@ impl FailureKind {
             Self::BlowUp => "blow-up in finite time",
             Self::ExponentialGrowth => "exponential growth",
             Self::Pole => "pole of the law",
+            Self::EndOfDomain => "end of the domain of the law",
             Self::MissedEvent => "missed event",
         }
     }

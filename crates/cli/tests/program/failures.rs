@@ -178,6 +178,18 @@ fn a_stiffness_of_the_wrong_sign_is_exponential_growth_and_no_blow_up() {
 }
 
 #[test]
+fn a_root_whose_argument_turns_negative_is_the_end_of_the_domain_of_the_law() {
+    let text = format!(
+        "{MASS}[[force]]\non = \"mass\"\nis = \"-sqrt(x/(1 m))*(1 N)*N.x\"\n[start]\nx = \"1 m\"\n[run]\nspan = \"5 s\"\n"
+    );
+    let (found, code, _) = ran("domain", &text, &[]);
+    let (kind, at, evidence, _) = failure(&found);
+    assert_eq!((kind.as_str(), code), ("end of the domain of the law", Some(1)), "{found}");
+    // x' = -sqrt(4/3 (1 - x^(3/2))) integrated over the way
+    assert!((at - 1.4937).abs() < 1e-3 && evidence.contains("the rate of `x'`"), "{found}");
+}
+
+#[test]
 fn a_start_off_the_constraints_is_refused_with_what_is_left() {
     let (_, code, message) =
         ran("off", &format!("{BOB}[start]\nx = \"1.1 m\"\ny = \"0 m\"\n[run]\nspan = \"1 s\"\n"), &[]);

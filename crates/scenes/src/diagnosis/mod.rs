@@ -4,12 +4,13 @@
 //! * `recorded`: the states that a run has shown, with what lies between them;
 //! * `reasons`: failures that the reason of an ended law names by itself;
 //! * `inertia`: singular charts and mass matrices; `rank`: constraints that depend on each other;
-//! * `stiffness`, `growth`: steps held by stability, motions that grow without bound;
+//! * `stiffness`, `growth`, `domain`: steps held by stability, motions that grow without bound, laws that end;
 //! * `drift`, `accumulation`, `missed_events`: residuals, event times, and events between the samples.
 //!
 //! All is computed where a run has ended, from its samples: no step of a run does more for it.
 
 mod accumulation;
+mod domain;
 mod drift;
 mod growth;
 mod inertia;
@@ -36,6 +37,7 @@ pub(crate) fn failures(scene: &ModelScene, choice: &Choice, trajectory: &Traject
             .or_else(|| rank::lost(&run))
             .or_else(|| stiffness::found(&run))
             .or_else(|| growth::found(&run))
+            .or_else(|| domain::left(&run))
             .or_else(|| reasons::unexplained(&run)),
         false if run.is_laborious() => inertia::singular(&run),
         false => None,
