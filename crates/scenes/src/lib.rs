@@ -53,6 +53,7 @@ mod size;
 mod start;
 pub mod steady_motions;
 mod structural_index;
+mod system_source;
 mod system_text;
 pub mod text;
 mod warnings;

@@ -1,7 +1,6 @@
 //! A scene whose system is written in its file.
 
 use crate::admissible::impossible;
-use crate::branch::settled;
 use crate::changing_laws::{changes, is_watched};
 use crate::compiled_system::{CompiledSystem, ENERGIES};
 use crate::diagnosis::failures;
@@ -17,10 +16,10 @@ use crate::readiness::{Ready, ready, starting, without_run};
 use crate::row_units::unit_of;
 use crate::size::{Task, too_large};
 use crate::start::{KeptConstraints, SingularPositions, consistent};
-use crate::text;
+use crate::system_source::{model_with, written};
 use crate::warnings::{Warn, warn_by, warn_of};
 use integrators::Reference;
-use model::{Entry, Event, Model, Source};
+use model::{Entry, Event, Model};
 use reader::{Issue, SceneError, Table, tables};
 use simulation::events::Margins;
 use simulation::events::{Passage, Switching};
@@ -91,27 +90,6 @@ pub(crate) const TITLE: &str = "one line that says what happens";
 
 /// The key `known_as` in words.
 pub(crate) const KNOWN_AS: &str = "name of a system of which more is known";
-
-/// The system of a file with its source; what is wrong with it goes into the list.
-pub(crate) fn model(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<(Model, Source)> {
-    model_with(top, issues, Vec::new())
-}
-
-/// The same with more outputs.
-fn model_with(top: &mut Table<'_>, issues: &mut Vec<Issue>, outputs: Vec<Entry>) -> Option<(Model, Source)> {
-    let mut source = named_systems::source(top, issues)?;
-    source.outputs.extend(outputs);
-    let faults = match Model::of(&source).and_then(settled) {
-        // what could not be read is missing in it
-        Ok(model) => return (!top.has_issues()).then_some((model, source)),
-        Err(faults) => faults,
-    };
-    // what could not be read explains what is missing
-    if !top.has_issues() && !text::has_unknown_tables(top) {
-        issues.extend(faults.into_iter().map(text::issue));
-    }
-    None
-}
 
 impl ModelScene {
     /// Reads a file; `name` is what messages call it.
@@ -319,15 +297,6 @@ fn called(event: &Event, text: &str) -> String {
         "" => format!("the event in line {}", line_of(text, event.at.start)),
         name => format!("the event `{name}`"),
     }
-}
-
-/// The model of a text; none where it cannot be read.
-pub(crate) fn written(text: &str) -> Option<Model> {
-    let read = tables("", text, |top, issues| {
-        top.known(&["title", "description", "known_as", "run", "ensemble", "failure"]);
-        model(top, issues).map(|(model, _)| model)
-    });
-    read.ok()
 }
 
 /// Names of a row: coordinates, speeds, outputs, energies.
