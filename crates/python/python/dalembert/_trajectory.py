@@ -99,10 +99,12 @@ class Trajectory:
     def ok(self) -> bool:
         """Whether the run reached its end, and nothing says that its numbers are not the motion.
 
-        Signs against it: the energy is lost (`lost`), shorter steps of a constant length go elsewhere (`steps`), a state has no value.
+        Signs against it: the energy is lost (`lost`), shorter steps of a constant length go elsewhere (`steps`), an event was
+        missed (`failures`), a state has no value.
         """
         follows = self._native.steps is None or self._native.steps[1]
-        return self.stopped is None and self.lost is None and follows and not self._native.undefined
+        misses = any(name == "missed event" for name, *_ in self.failures)
+        return self.stopped is None and self.lost is None and follows and not misses and not self._native.undefined
 
     @property
     def stopped(self) -> str | None:

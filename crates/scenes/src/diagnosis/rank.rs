@@ -10,7 +10,7 @@ const LOST: f64 = 1e-3;
 /// The loss of rank at the last good state of a run, where its law has ended there or steps have collapsed.
 pub(super) fn lost(run: &Recorded<'_>) -> Option<RunFailure> {
     let left = run.trajectory.left;
-    let is_named = left.is_some_and(|why| SingularPositions::ends(why));
+    let is_named = left.is_some_and(SingularPositions::ends);
     if left.is_some() && !is_named {
         return None;
     }
