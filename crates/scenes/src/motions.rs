@@ -1,6 +1,6 @@
 //! Prescribed motions: expressions of the time, in the letters of a file.
 
-use crate::system_source::model;
+use crate::scene::model;
 use crate::warnings::warn_of;
 use model::{Coordinate, Entry, Fault, Model, ScalarId, Text, bare_angle};
 use reader::{Issue, SceneError, read_text, tables};

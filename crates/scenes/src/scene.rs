@@ -1,9 +1,13 @@
 //! A scene whose system is written in its file.
 
+mod diagnosis;
+mod system_source;
+
+pub(crate) use system_source::{model, written};
+
 use crate::admissible::impossible;
 use crate::changing_laws::{changes, is_watched};
 use crate::compiled_system::{CompiledSystem, ENERGIES};
-use crate::diagnosis::failures;
 use crate::ensemble::parse_ensemble;
 use crate::formulations::formulations;
 use crate::inductances::impossible_inductances;
@@ -16,8 +20,8 @@ use crate::readiness::{Ready, ready, starting, without_run};
 use crate::row_units::unit_of;
 use crate::size::{Task, too_large};
 use crate::start::{KeptConstraints, SingularPositions, consistent};
-use crate::system_source::{model_with, written};
 use crate::warnings::{Warn, warn_by, warn_of};
+use diagnosis::failures;
 use integrators::Reference;
 use model::{Entry, Event, Model};
 use reader::{Issue, SceneError, Table, tables};
@@ -32,6 +36,7 @@ use simulation::work_precision::{Configuration, Observed};
 use simulation::{Axes, Choice, IvpScene, Problem, Run, RunNotes, Trajectory, run};
 use std::borrow::Cow;
 use std::sync::{Arc, OnceLock};
+use system_source::model_with;
 
 /// A system that is data, with a run.
 #[derive(Debug)]

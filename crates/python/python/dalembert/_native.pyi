@@ -130,6 +130,7 @@ class NativeTrajectory:
     stopped: str | None
     theory: list[str]
     diagnosis: str | None
+    failures: list[tuple[str, float, str, str]]
     lost: tuple[str, float, float] | None
     undefined: list[str]
     invariants: dict[str, tuple[float, float]]

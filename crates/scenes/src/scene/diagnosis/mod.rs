@@ -25,7 +25,7 @@ use recorded::Recorded;
 use simulation::{Choice, RunFailure, Trajectory};
 
 /// All failures of a run.
-pub(crate) fn failures(scene: &ModelScene, choice: &Choice, trajectory: &Trajectory) -> Vec<RunFailure> {
+pub(super) fn failures(scene: &ModelScene, choice: &Choice, trajectory: &Trajectory) -> Vec<RunFailure> {
     if trajectory.broken_off() {
         return Vec::new();
     }
