@@ -53,7 +53,7 @@ pub struct Asked {
 impl Asked {
     /// The file as a run.
     fn run(&self) -> Result<ModelScene, Exit> {
-        let given = Given { run: None, values: self.values.clone() };
+        let given = Given { values: self.values.clone(), ..Given::default() };
         Ok(ModelScene::parse_with(&self.scene.display().to_string(), &read_text(&self.scene)?, given)?)
     }
 }
