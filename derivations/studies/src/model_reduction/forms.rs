@@ -7,6 +7,7 @@ use super::outputs::Watched;
 use super::plan::{COARSE, FINEST, Plan, Runnable, is_stiff_at, plans};
 use super::receipt::{Line, OF_MODEL, Sufficiency, Wish};
 use super::switching::LOOKING;
+use super::trial::Trial;
 use super::{Hierarchy, Loss, ReducedModel};
 use integrators::Method;
 use simulation::{Axes, Stored};
@@ -60,10 +61,6 @@ impl Models for Forms {
         (std::iter::once(own).chain(smaller).collect(), 0)
     }
 
-    fn is_compared(&self, line: usize) -> bool {
-        line > 0
-    }
-
     fn is_stiff(&self, line: usize) -> bool {
         let ladder = &self.ladders[0];
         let (law, start) = match line.checked_sub(1).and_then(|rung| ladder.rungs.get(rung)) {
@@ -94,11 +91,11 @@ impl Models for Forms {
 
     /// The reduced model that does not suffice for the whole run but for the largest part of it, with the richest that does for the rest.
     /// Where a smaller model suffices for the whole run nothing is switched: those below it are hardly smaller.
-    fn mixed(&self, watched: &Watched, lines: &[Line], found: &[(usize, Plan)], wish: &Wish) -> Option<Mixed<'_>> {
+    fn mixed(&self, watched: &Watched, lines: &[Line], tried: &[Trial], wish: &Wish) -> Option<Mixed<'_>> {
         let ladder = &self.ladders[0];
         // the law that the reduced models are derived from is the exact one next to the scene's own, or that
         let rich = usize::from(ladder.lumping.is_some());
-        let plan = Plan { axes: Axes::First, ..found.iter().find(|(line, _)| *line == rich)?.1.clone() };
+        let plan = Plan { axes: Axes::First, ..tried.iter().find(|trial| trial.line == rich)?.plan.clone() };
         // along stiff windings an explicit method does not switch; and looking for where is dearer than a short run
         let whole = |line: &Line| line.verdict == Sufficiency::Suffices && matches!(line.loss, Loss::Small { .. });
         let short = plan.foretold < LOOKING as f64;

@@ -11,13 +11,15 @@
 //! * [`dual_weighted_error`]: the same by transition matrices, weighed for each output: where along the run an error comes from;
 //! * [`switching`]: a smaller model on those stretches only; [`loss_weights`]: what weighs its losses;
 //! * [`simplification`]: elements that a system as text does without, found in its equations; [`text_models`]: its models;
-//! * [`run_rows`]: a run's rows at its steps; [`plan`]: the cheapest method and form for a law; [`choose`](mod@choose): the cheapest of
+//! * [`run_rows`]: a run's rows at its steps; [`plan`]: the cheapest method and form for a law; `trial`: its run with an error,
+//!   `comparison`: smaller models beside that; [`choose`](mod@choose): the cheapest of
 //!   any [`choose::Models`], as those of [`forms`] are, with its [`receipt`]; [`ReducedScene`]: a scene run by one of them.
 //!
 //! Key results: a step with a vanishing defect is exact, which is decided over expressions; of every other the error is
 //! estimated to first order, with the second order beside it. Neither is a bound; [`lumping::merged_at_most`] is one.
 
 pub mod choose;
+mod comparison;
 pub mod currents;
 pub mod dual_weighted_error;
 pub mod elimination;
@@ -41,6 +43,7 @@ mod smaller_machines;
 mod steady_currents;
 pub mod switching;
 pub mod text_models;
+mod trial;
 
 pub use choose::{Models, choose};
 pub use estimate::Estimate;

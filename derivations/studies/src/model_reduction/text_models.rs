@@ -5,14 +5,15 @@ use super::estimate::Estimate;
 use super::forms::BY_ITS_RUN;
 use super::models::across_events;
 use super::outputs::{Watched, largest};
-use super::plan::{COARSE, LAST, Plan, Runnable, first_of, is_stiff_at};
+use super::plan::{COARSE, LAST, Runnable, first_of, is_stiff_at};
 use super::receipt::{Line, OF_MODEL, Sufficiency, Wish};
 use super::reduced_model::Lifted;
 use super::run_rows::Run;
 use super::sampled_run::looks;
 use super::simplification::candidates::{Candidate, Facts, candidates};
-use super::simplification::linear_error::Weights;
+use super::simplification::linear_error::{Distance, Weights};
 use super::simplification::{Simplification, SimplifiedScene};
+use super::trial::Trial;
 use super::{Forms, Hierarchy, Loss};
 use integrators::{Method, Observer, Span, Tolerance};
 use simulation::models::Modelled;
@@ -198,7 +199,7 @@ impl TextModels {
         let lower = Lifted { lift: &whole, law: &*one.problem.law, kept, start: &one.problem.state };
         let errors = weights.errors(&lower, &*own.law)?;
         let mut found = Estimate::nothing(watched.columns.len());
-        for (time, state, error) in errors {
+        for Distance { time, state, error } in errors {
             let lifted: Vec<f64> = state.iter().zip(&error).map(|(y, e)| y - e).collect();
             let (row, other) = ((own.row)(time, state), (own.row)(time, &lifted));
             for (each, (&column, size)) in found.each.iter_mut().zip(watched.columns.iter().zip(&watched.sizes)) {
@@ -287,10 +288,6 @@ impl Models for TextModels {
         }
     }
 
-    fn is_compared(&self, line: usize) -> bool {
-        line > 0
-    }
-
     fn is_stiff(&self, line: usize) -> bool {
         let known = self.known.ladders[0].rungs.len() + 1;
         let found = line.checked_sub(known).and_then(|place| self.found.get()?.get(place));
@@ -312,9 +309,9 @@ impl Models for TextModels {
         self.known.exact()
     }
 
-    fn mixed(&self, watched: &Watched, lines: &[Line], plans: &[(usize, Plan)], wish: &Wish) -> Option<Mixed<'_>> {
+    fn mixed(&self, watched: &Watched, lines: &[Line], tried: &[Trial], wish: &Wish) -> Option<Mixed<'_>> {
         let known = self.known.ladders[0].rungs.len() + 1;
-        (lines.len() == known).then(|| self.known.mixed(watched, lines, plans, wish)).flatten()
+        (lines.len() == known).then(|| self.known.mixed(watched, lines, tried, wish)).flatten()
     }
 }
 

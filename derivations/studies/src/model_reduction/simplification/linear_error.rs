@@ -31,6 +31,13 @@ pub struct Weights {
     steps: Vec<Step>,
 }
 
+/// The distance of the richer motion from the lifted smaller one at a time, with the state of the richer one.
+pub struct Distance<'a> {
+    pub time: f64,
+    pub state: &'a [f64],
+    pub error: Vec<f64>,
+}
+
 struct Step {
     /// Its length, the time in its middle, and the state there.
     middle: (f64, f64, Vec<f64>),
@@ -101,18 +108,18 @@ impl Weights {
         ((share + 2.0 + 2.0 * models as f64) * (FINER * states) as f64) as u64
     }
 
-    /// Times and states of the richer run with e there; none where the defect has no value.
-    pub fn errors(&self, lower: &Lifted<'_>, law: &dyn Law) -> Option<Vec<(f64, &[f64], Vec<f64>)>> {
+    /// e along the run; none where the defect has no value.
+    pub fn errors(&self, lower: &Lifted<'_>, law: &dyn Law) -> Option<Vec<Distance<'_>>> {
         let (time, state) = &self.start;
         let mut error = DVector::from_vec(lower.above(*time, state, lower.start));
-        let mut found = vec![(*time, &state[..], error.as_slice().to_vec())];
+        let mut found = vec![Distance { time: *time, state, error: error.as_slice().to_vec() }];
         for Step { middle: (h, time, state), end, whole, integral } in &self.steps {
             let defect = DVector::from_vec(lower.defect(law, (*time, BESIDE * h), state));
             error = whole * error - integral * defect;
             if !error.iter().all(|value| value.is_finite()) {
                 return None;
             }
-            found.push((end.0, &end.1, error.as_slice().to_vec()));
+            found.push(Distance { time: end.0, state: &end.1, error: error.as_slice().to_vec() });
         }
         Some(found)
     }

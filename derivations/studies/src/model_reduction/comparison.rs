@@ -1,0 +1,133 @@
+//! Smaller models run beside the scene's own, the most promising first, as long as that is worth its price.
+
+use super::Loss;
+use super::choose::{FINER, Models, OF_METHOD};
+use super::outputs::Watched;
+use super::plan::{FINEST, Plan, Runnable, between, by_kind};
+use super::receipt::{Line, Sufficiency};
+use super::run_rows::Run;
+use super::trial::Trial;
+use integrators::Method;
+use std::cell::Cell;
+
+/// Runs of the scene's own model that trying smaller ones may cost: those that are too far off end early.
+const PRICE: f64 = 2.0;
+/// A model that costs more than this share of the scene's own saves too little.
+const WORTH: f64 = 0.8;
+/// The tolerance that usually serves for an error, as a share of it.
+const USUAL: f64 = 0.1;
+
+/// The scene's own run, with what smaller models are held against.
+pub struct Comparison<'a> {
+    pub models: &'a dyn Models,
+    pub forms: &'a [Vec<Runnable<'a>>],
+    pub watched: &'a Watched,
+    /// Largest error allowed.
+    pub tolerance: f64,
+    pub own: &'a Trial,
+    /// Evaluations of the scene's own law that all of this has taken.
+    pub spent: u64,
+}
+
+impl Comparison<'_> {
+    /// The models that serve, each with its distance from the scene's own run and the error of that; the verdicts of all others.
+    pub fn trials(&mut self, lines: &mut [Line]) -> Vec<Trial> {
+        let mut order: Vec<usize> =
+            (1..lines.len()).filter(|&line| lines[line].verdict == Sufficiency::Suffices).collect();
+        // exact ones first, then those that leave out the most
+        order.sort_by_key(|&line| (matches!(lines[line].loss, Loss::Small { .. }), lines[line].states));
+        let mut found: Vec<Trial> = Vec::new();
+        for line in order {
+            // what leaves out less than one that serves saves less
+            let served = found.iter().any(|known| lines[known.line].states <= lines[line].states);
+            lines[line].verdict = match self.left() > 0.0 && !served {
+                false => Sufficiency::NotTried,
+                true if self.is_as_dear(line, lines) => Sufficiency::NotCheaper,
+                true => match self.trial(line, matches!(lines[line].loss, Loss::Small { .. })) {
+                    Ok(trial) => {
+                        found.push(trial);
+                        Sufficiency::Suffices
+                    }
+                    Err(verdict) => verdict,
+                },
+            };
+        }
+        found
+    }
+
+    /// Evaluations of the scene's own law that may still be spent.
+    fn left(&self) -> f64 {
+        PRICE * self.own.run.evaluations as f64 - self.spent as f64
+    }
+
+    /// The price of an evaluation of a line's law over that of the scene's own.
+    fn share(&self, line: usize) -> f64 {
+        match (self.models.code_size(line), self.models.code_size(0)) {
+            (Some(code), Some(own)) if own > 0 => code as f64 / own as f64,
+            _ => 1.0,
+        }
+    }
+
+    /// Whether a model saves nothing whatever its run is: one that is as stiff, or as smooth, is cheaper by its length alone, and
+    /// by an implicit method by its states too.
+    fn is_as_dear(&self, line: usize, lines: &[Line]) -> bool {
+        let fewer = lines[line].states as f64 / lines[0].states as f64;
+        let cost = match (self.models.is_stiff(line), self.own.plan.method.traits().implicit) {
+            (true, true) => self.share(line) * fewer,
+            (false, false) if fewer == 1.0 => self.share(line),
+            _ => 0.0,
+        };
+        cost > WORTH
+    }
+
+    /// The run of a line's model beside the scene's own.
+    fn trial(&mut self, line: usize, is_approximate: bool) -> Result<Trial, Sufficiency> {
+        let usual = (USUAL * OF_METHOD * self.tolerance).max(FINEST);
+        let mut tolerance = self.own.plan.tolerance.min(usual);
+        // a model that loses nothing is too far off by its method alone
+        for is_last in if is_approximate { &[true][..] } else { &[false, true][..] } {
+            match self.run_at(line, tolerance) {
+                Err(Sufficiency::TooFar) if !is_last => tolerance = (tolerance * FINER).max(FINEST),
+                Err(verdict) => return Err(verdict),
+                Ok((method, run)) => {
+                    let off = self.own.run.apart(&run, self.watched).ok_or(Sufficiency::NotRun)?;
+                    let error = between(method) * off + self.own.error;
+                    let plan = Plan { method, tolerance, ..self.own.plan.clone() };
+                    // what is no number is promised to nobody
+                    return match error <= self.tolerance {
+                        true => Ok(Trial { line, plan, run, error }),
+                        false => Err(Sufficiency::TooFar),
+                    };
+                }
+            }
+        }
+        Err(Sufficiency::TooFar)
+    }
+
+    /// A run that costs less than the scene's own, by the kind of method that the law asks for.
+    fn run_at(&mut self, line: usize, tolerance: f64) -> Result<(Method, Run), Sufficiency> {
+        let form = self.forms[line].first().ok_or(Sufficiency::NotRun)?;
+        let Trial { plan, run: own, error, .. } = self.own;
+        let (share, times) = (self.share(line), own.times());
+        let near = own.near(self.watched, (self.tolerance - error) / between(plan.method));
+        let is_stiff = self.models.is_stiff(line);
+        let is_too_far = Cell::new(false);
+        let serves = |time: f64, row: &[f64]| {
+            is_too_far.set(is_too_far.get() || !near(time, row));
+            !is_too_far.get()
+        };
+        let mut by = |implicit: bool| {
+            by_kind(implicit, |method| {
+                let most = (WORTH * own.evaluations as f64).min(self.left().max(0.0)) / share;
+                let (run, spent) = form.run_while((method, tolerance, most as u64), &times, &serves);
+                self.spent += (spent as f64 * share).ceil() as u64;
+                (run, spent)
+            })
+        };
+        let found = by(is_stiff);
+        // transients may be slow at the start, and not later
+        let again = found.is_none() && plan.method.traits().implicit && !is_stiff && !is_too_far.get();
+        let found = if again { by(true) } else { found };
+        found.ok_or(if is_too_far.get() { Sufficiency::TooFar } else { Sufficiency::NotCheaper })
+    }
+}

@@ -1,0 +1,61 @@
+//! A run of a model with the error that is promised of it.
+
+use super::choose::{FINER, ROUNDED};
+use super::outputs::Watched;
+use super::plan::{FINEST, Plan, between, error_at};
+use super::run_rows::Run;
+
+/// The least power of the tolerance with which errors are believed to go.
+const LEAST_SLOPE: f64 = 0.5;
+
+/// A run of a line's model by a plan, with its error: the largest of the whole run.
+#[derive(Clone, Debug)]
+pub struct Trial {
+    pub line: usize,
+    pub plan: Plan,
+    pub run: Run,
+    pub error: f64,
+}
+
+impl Trial {
+    /// The run of a plan with the error of its method, no larger than `most` where one of two runs keeps that. Where both pilots are
+    /// coarser the error is told by the slope of theirs; where that is not believed, or too large, a finer run tells it, or takes its
+    /// place. None where no run reaches its end.
+    pub fn of_plan(
+        (line, mut plan): (usize, Plan),
+        watched: &Watched,
+        most: f64,
+        mut go: impl FnMut(&Plan, &[f64]) -> Option<Run>,
+    ) -> Option<Self> {
+        let known = plan.known(plan.tolerance).cloned();
+        let run = known.clone().or_else(|| go(&plan, &plan.pilots[1].run.times()))?;
+        let factor = between(plan.method);
+        let [coarse, fine] = &plan.pilots;
+        let by_pilots = match (known, coarse.run.apart(&run, watched), fine.run.apart(&run, watched)) {
+            (Some(_), ..) => Some(plan.error_at(plan.tolerance)),
+            // the finer pilot stands for the exact motion, with its own error
+            (None, _, Some(off)) if plan.tolerance > fine.tolerance => {
+                Some(factor * off + plan.error_at(fine.tolerance))
+            }
+            (None, Some(of_coarse), Some(of_fine)) => {
+                let slope = (of_coarse / of_fine).ln() / (coarse.tolerance / fine.tolerance).ln();
+                (slope >= LEAST_SLOPE).then(|| error_at(factor * of_fine, plan.tolerance / fine.tolerance))
+            }
+            _ => None,
+        };
+        let told = |plan: Plan, run: Run, error: f64| Trial { line, plan, run, error: error.max(ROUNDED) };
+        if let Some(error) = by_pilots.filter(|error| *error <= most) {
+            return Some(told(plan, run, error));
+        }
+        let tolerance = (plan.tolerance * FINER).max(FINEST);
+        let finer = Plan { tolerance, ..plan.clone() };
+        let Some(better) = go(&finer, &run.times()) else { return by_pilots.map(|error| told(plan, run, error)) };
+        let off = factor * run.apart(&better, watched)?;
+        if off <= most {
+            return Some(told(plan, run, off));
+        }
+        let error = error_at(off, tolerance / plan.tolerance);
+        plan = finer;
+        Some(told(plan, better, error))
+    }
+}
