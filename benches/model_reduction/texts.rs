@@ -90,7 +90,16 @@ fn judge(scene: &Arc<dyn Modelled>, tolerance: f64, counts: &mut Counts, ratios:
     let Choice { plan, promised, .. } = choice;
     let (ran, _) = models.forms(line)[0].run(plan.method, plan.tolerance, u64::MAX, Some(&dense));
     let error = ran.as_ref().map_or(f64::INFINITY, off);
-    counts.broken += usize::from(error > tolerance);
+    if error > tolerance {
+        counts.broken += 1;
+        println!(
+            "{}: {} to {tolerance:e} is off by {error:e} by {} at {:e}",
+            scene.title(),
+            receipt.lines[line].name,
+            plan.method,
+            plan.tolerance
+        );
+    }
     counts.above += usize::from(error > *promised);
     counts.smaller += usize::from(line > 0);
     let price = receipt.worth().unwrap_or(f64::INFINITY);

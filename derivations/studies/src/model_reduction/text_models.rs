@@ -32,7 +32,6 @@ const WORTH: f64 = 1.0;
 /// An estimate of first order so many times above what is allowed is beyond doubt.
 const DOUBT: f64 = 10.0;
 const OF_ELEMENT: &str = "the part of this element beside the others";
-const NO_ESTIMATE: &str = "its equations have no values along the motion";
 
 /// The scene with its models.
 pub struct TextModels {
@@ -246,12 +245,11 @@ impl Models for TextModels {
         for (at, one) in found.iter().enumerate() {
             let model = match (&estimates, one.is_exact) {
                 (_, true) => Ok(Estimate::nothing(watched.columns.len())),
-                (Some(estimates), false) => estimates[at].clone().ok_or_else(|| NO_ESTIMATE.to_owned()),
+                (Some(estimates), false) => estimates[at].clone().ok_or_else(|| BY_ITS_RUN.to_owned()),
                 (None, false) => Err(BY_ITS_RUN.to_owned()),
             };
             let verdict = match &model {
                 Ok(model) if model.first > DOUBT * OF_MODEL * tolerance => Sufficiency::TooFar,
-                Err(why) if why == NO_ESTIMATE => Sufficiency::NotCarried,
                 _ => Sufficiency::Suffices,
             };
             let Candidate { simplification, parameter, .. } = &one.candidate;

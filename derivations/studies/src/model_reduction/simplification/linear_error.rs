@@ -6,7 +6,7 @@
 //!   e' = F_y e - d .
 //!
 //! Over a step h, with the Jacobian J in its middle, e goes on by exp(h J) e - h phi_1(h J) d. These matrices are the same for every
-//! smaller model, for which a step costs one evaluation of its law and one of the richer law.
+//! smaller model, for which a step costs two evaluations of its law and two of the richer law.
 
 use crate::model_reduction::loss_weights::{Knot, cubic};
 use crate::model_reduction::reduced_model::Lifted;
@@ -21,6 +21,8 @@ const FINER: usize = 1;
 
 /// A share of the way over which a cubic is differentiated.
 const SLOPE: f64 = 1e-3;
+/// The defect may change by this part of it between the richer motion and the smaller one.
+const BELIEVED: f64 = 0.5;
 /// A state is followed where its rate is met to this part of its largest one.
 const MISSED: f64 = 0.1;
 
@@ -104,24 +106,39 @@ impl Weights {
             (Some(own), Some(code)) if code > 0 => own as f64 / code as f64,
             _ => Ode::<f64>::dimension(law) as f64,
         };
-        // a step: its Jacobian, a look at the state in its middle, the rates at its end; two evaluations for each model
-        ((share + 2.0 + 2.0 * models as f64) * (FINER * states) as f64) as u64
+        // a step: its Jacobian, a look at the state in its middle, the rates at its end; four evaluations for each model
+        ((share + 2.0 + 4.0 * models as f64) * (FINER * states) as f64) as u64
     }
 
-    /// e along the run; none where the defect has no value.
+    /// e along the run; none where the defect has no value, or where it is another one at the smaller motion, y - e: then the first
+    /// order tells nothing.
     pub fn errors(&self, lower: &Lifted<'_>, law: &dyn Law) -> Option<Vec<Distance<'_>>> {
         let (time, state) = &self.start;
         let mut error = DVector::from_vec(lower.above(*time, state, lower.start));
+        let sizes: Vec<f64> = (0..state.len()).map(|i| self.size(i)).collect();
+        let norm = |v: &DVector<f64>| v.iter().zip(&sizes).map(|(v, size)| v.abs() / size).sum::<f64>();
+        let (mut whole_defect, mut change) = (0.0, 0.0);
         let mut found = vec![Distance { time: *time, state, error: error.as_slice().to_vec() }];
         for Step { middle: (h, time, state), end, whole, integral } in &self.steps {
-            let defect = DVector::from_vec(lower.defect(law, (*time, BESIDE * h), state));
+            let at = |state: &[f64]| DVector::from_vec(lower.defect(law, (*time, BESIDE * h), state));
+            let smaller: Vec<f64> = state.iter().zip(error.iter()).map(|(y, e)| y - e).collect();
+            let (defect, other) = (at(state), at(&smaller));
+            whole_defect += norm(&(integral * &defect));
+            change += norm(&(integral * (other - &defect)));
             error = whole * error - integral * defect;
             if !error.iter().all(|value| value.is_finite()) {
                 return None;
             }
             found.push(Distance { time: end.0, state: &end.1, error: error.as_slice().to_vec() });
         }
-        Some(found)
+        (change <= BELIEVED * whole_defect).then_some(found)
+    }
+
+    /// The largest value of a state along the run, one where it vanishes.
+    fn size(&self, state: usize) -> f64 {
+        let all = self.steps.iter().map(|step| step.end.1[state].abs());
+        let size = all.fold(self.start.1[state].abs(), f64::max);
+        if size > 0.0 { size } else { 1.0 }
     }
 }
 
