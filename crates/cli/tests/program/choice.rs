@@ -26,6 +26,10 @@ fn what_is_taken_runs_by_the_words_that_are_printed() {
     let mut taken = 0;
     for scene in scenes() {
         let path = scene.to_string_lossy();
+        // whose contacts change so often that each of its runs takes half a minute
+        if path.ends_with("wheelset.toml") {
+            continue;
+        }
         let output = run(&["choose", &path, "--tol", "1e-1", "--format", "json"]);
         if !matches!(output.status.code(), Some(0)) {
             // a model that stops, or a scene of another kind
@@ -54,7 +58,7 @@ fn the_same_scene_has_the_same_choice_and_ties_go_to_the_smaller_model() {
         (receipt["taken"].clone(), receipt["cheapest"].clone(), receipt["saved"].clone(), receipt["deciding"].clone())
     };
     let first = chosen();
-    assert_eq!(first.0, "as written in its file");
+    assert_eq!(first.0, "series to eps");
     assert!((0..3).all(|_| chosen() == first), "{first:?}");
 }
 
@@ -63,8 +67,8 @@ fn a_receipt_says_when_it_promises_and_what_is_left_out() {
     let output = run(&["choose", "scenes/stiff_damper.toml", "--tol", "1e-2"]);
     let told = String::from_utf8_lossy(&output.stdout).into_owned();
     for words in [
-        "taken: currents at the present slip",
-        "run it: dalembert run scenes/stiff_damper.toml --model 'currents at the present slip' ",
+        "taken: fast windings at the present slip",
+        "run it: dalembert run scenes/stiff_damper.toml --model 'fast windings at the present slip' ",
         "the largest error of the whole run",
     ] {
         assert!(told.contains(words), "{words} in {told}");
@@ -85,6 +89,7 @@ fn a_smaller_model_of_a_system_as_text_is_found_and_run_by_its_name() {
         ("quasi-steady phi", "not linear in them"),
         ("fixed x", "x moves at the speed x': both are fixed, or neither"),
         ("without z", "no parameter is called `z`; known: m, M, l, k, c"),
+        ("unfollowed x,x'", "which must be followed"),
         ("slow x", "\"quasi-steady X\""),
         ("fixed x,x'; unfollowed phi,phi'", "no state is left to be followed"),
     ] {
@@ -93,6 +98,30 @@ fn a_smaller_model_of_a_system_as_text_is_found_and_run_by_its_name() {
         let said = String::from_utf8_lossy(&refused.stderr);
         assert!(said.contains(told), "{told} in {said}");
     }
-    let whole = json(&run(&["run", scene, "--model", "unfollowed x,x'", "--format", "json"]));
-    assert!(whole["state"]["x"].is_null() && whole["state"]["phi"].is_number(), "{whole}");
+    let machine = "scenes/models/induction_machine.toml";
+    let shown = json(&run(&["run", machine, "--model", "unfollowed a,b,A,B", "--format", "json"]));
+    assert!(shown["state"]["a"].is_null() && shown["state"]["theta'"].is_number(), "{shown}");
+}
+
+/// A motion that overflows ends by every method, and no choice is made for it.
+#[test]
+fn a_motion_that_overflows_and_outputs_without_values_are_told() {
+    let file = std::env::temp_dir().join(format!("dalembert-overflows-{}.toml", std::process::id()));
+    let text = "title = \"grows\"\n[coordinates]\nx = \"m\"\n[bodies.p]\ncentre = \"O + x*N.x\"\nmass = \"1 kg\"\n[[force]]\non = \"p\"\n\
+                is = \"(1 N/m)*x*N.x\"\n[outputs]\nroot = \"sqrt((2 m) - x)\"\n[start]\nx = \"1 m\"\n[run]\nspan = \"800 s\"\noutputs = [\"x\"]\n";
+    std::fs::write(&file, text).expect("it can be written");
+    let path = file.to_string_lossy().into_owned();
+    for method in ["taylor", "dormand_prince_8"] {
+        let ran = run(&["run", &path, "--method", method]);
+        assert_eq!(ran.status.code(), Some(1), "{method}");
+    }
+    let told = |outputs: &str| {
+        let output = run(&["choose", &path, "--outputs", outputs, "--tol", "1e-2"]);
+        assert_eq!(output.status.code(), Some(1));
+        String::from_utf8_lossy(&output.stdout).into_owned()
+    };
+    assert!(told("x").contains("not finite after t = "), "{}", told("x"));
+    std::fs::write(&file, text.replace("800 s", "3 s")).expect("it can be written");
+    assert!(told("root").contains("the output root has no value at t = "), "{}", told("root"));
+    std::fs::remove_file(&file).expect("it can be removed");
 }

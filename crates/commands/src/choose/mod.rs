@@ -80,7 +80,7 @@ pub fn show(asked: &Asked) -> Result<Exit, Exit> {
     let receipt = match choose(&*models, &wish) {
         Ok(receipt) => receipt,
         Err(why) => {
-            print(&format!("{title}\n\nnothing can be chosen: the scene's own model stops: {why}\n"))?;
+            print(&format!("{title}\n\nnothing can be chosen: {why}\n"))?;
             return Ok(Exit::Stopped);
         }
     };

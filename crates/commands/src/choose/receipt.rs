@@ -40,7 +40,11 @@ pub fn text(title: &str, receipt: &Receipt, command: Option<&[String]>) -> Strin
     let far: Vec<String> = receipt.lines.iter().filter(|line| hopeless(line)).map(beyond).collect();
     // writing to a String cannot fail
     if !far.is_empty() {
-        let _ = writeln!(out, "\nleft out they change the outputs by more than is allowed: {}", far.join("; "));
+        let _ = writeln!(
+            out,
+            "\nthese change the outputs by more than is allowed (estimates in brackets): {}",
+            far.join(" | ")
+        );
     }
     let told = receipt.lines.iter().skip(1).filter(|line| !hopeless(line)).collect::<Vec<_>>();
     if !told.is_empty() {

@@ -80,11 +80,13 @@ pub(crate) fn drive<S: Real>(
     let (mut after, mut between) = (watch.state().to_vec(), watch.state().to_vec());
     let (mut tau, mut proposed, mut last_cause) = (S::zero(), first, Cause::Error);
     let mut even = Even { plan: None, all: 0, done: 0 };
+    // the longest step from here that may end in numbers, however far a series reaches
+    let mut finite = f64::INFINITY;
     while watch.goes_on() {
         let stop = if stepper.reads_between() { watch.length() } else { watch.landing() };
         let remaining = stop - tau;
         if let Some(reach) = stepper.reach(tau, watch.state(), meter) {
-            proposed = reach;
+            proposed = reach.min(finite);
         }
         let step = match stepper.fixed() {
             Some(fixed) => even.step(tau, stop, fixed),
@@ -121,13 +123,15 @@ pub(crate) fn drive<S: Real>(
                 }
                 tau = end;
                 watch.take(tau, &mut after);
+                finite = f64::INFINITY;
                 proposed = if lands { next.max(proposed) } else { next };
             }
             Attempt::Accepted { .. } | Attempt::Limited { .. } if stepper.fixed().is_some() => {
                 return watch.fail(Failure::LeftTheNumbers { at }, meter);
             }
             Attempt::Accepted { .. } | Attempt::Limited { .. } => {
-                (proposed, last_cause) = (step.approx() / 4.0, Cause::Undefined);
+                finite = step.approx() / 4.0;
+                (proposed, last_cause) = (finite, Cause::Undefined);
                 watch.reject();
             }
             Attempt::Rejected { cause, .. } if stepper.fixed().is_some() => {

@@ -72,9 +72,12 @@ pub struct Mixed<'a> {
 /// from the run of the scene's own, each the largest of the whole run; neither is a bound.
 ///
 /// # Errors
-/// Why the scene's own model does not reach its end even coarsely.
+/// Why the scene's own model does not reach its end even coarsely, or the output that has no value on the way.
 pub fn choose(models: &dyn Models, wish: &Wish) -> Result<Receipt, String> {
     let (watched, mut deciding) = models.watched(&wish.outputs)?;
+    if let Some((name, time)) = &watched.without_value {
+        return Err(format!("the output {name} has no value at t = {time} s; leave it out"));
+    }
     let (mut lines, spent) = models.lines(&watched, wish.tolerance);
     deciding += spent;
     let forms: Vec<Vec<Runnable<'_>>> = (0..lines.len()).map(|line| models.forms(line)).collect();

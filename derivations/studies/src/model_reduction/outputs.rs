@@ -18,6 +18,8 @@ pub struct Watched {
     pub stiff: bool,
     /// Why the scene's own model left its law, where it did.
     pub left: Option<&'static str>,
+    /// An output that has no value at a time of the run, with that time.
+    pub without_value: Option<(String, f64)>,
 }
 
 /// What stays at rounding is measured by one.
@@ -74,12 +76,13 @@ impl Watched {
         let sizes = known.iter().map(|(name, column)| vector(name).unwrap_or_else(|| size(*column)));
         let sizes = sizes.map(|size| if size > ROUNDING { size } else { 1.0 }).collect();
         let (names, columns) = known.into_iter().unzip();
-        Watched { names, columns, sizes, states, stiff: false, left: None }
+        Watched { names, columns, sizes, states, stiff: false, left: None, without_value: None }
     }
 
     /// The largest difference of two rows, relative to the sizes.
     pub fn off(&self, one: &[f64], other: &[f64]) -> f64 {
         let each = self.columns.iter().zip(&self.sizes).map(|(&at, size)| (one[at] - other[at]).abs() / size);
-        each.fold(0.0, f64::max)
+        // where one has no value nothing is near
+        each.map(|off| if off.is_nan() { f64::INFINITY } else { off }).fold(0.0, f64::max)
     }
 }

@@ -157,6 +157,7 @@ mod tests {
             states: Vec::new(),
             stiff: false,
             left: None,
+            without_value: None,
         };
         let row = |time, value| (time, vec![value]);
         let coarse = Run { asked: vec![row(1.0, 0.0)], steps: vec![row(0.1, 3.0), row(1.0, 0.0)], evaluations: 0 };

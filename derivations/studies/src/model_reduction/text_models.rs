@@ -15,7 +15,7 @@ use super::simplification::linear_error::{Distance, Weights};
 use super::simplification::{Simplification, SimplifiedScene};
 use super::trial::Trial;
 use super::{Forms, Hierarchy, Loss};
-use integrators::{Method, Observer, Span, Tolerance};
+use integrators::{Failure, Method, Observer, Span, Tolerance};
 use simulation::models::Modelled;
 use simulation::{Axes, Problem, Stored};
 use std::cell::{OnceCell, RefCell};
@@ -95,7 +95,11 @@ impl TextModels {
             if outcome.reached() && left.is_none() && outcome.time == own.span {
                 return (Some((seen, evaluations)), evaluations);
             }
-            if outcome.reached() || left.is_some() {
+            // numbers that overflow do so by any method
+            let overflows = matches!(outcome.failure(), Some(Failure::LeftTheNumbers { .. }));
+            if overflows {
+                why = outcome.failure().map(|failure| failure.to_string());
+            } else if outcome.reached() || left.is_some() {
                 why = Some(left.unwrap_or("an event ends the run before its span").to_owned());
             } else if most >= LAST {
                 why = outcome.failure().map(|failure| failure.to_string());
@@ -231,8 +235,13 @@ impl Models for TextModels {
         let sizes = (0..own.state.len()).map(|i| largest(pilot.along.iter().map(|(_, state)| state[i]))).collect();
         let watched = Watched::of(&own.columns, names, &rows, sizes);
         let stiff = pilot.method.traits().implicit;
+        let rows = pilot.run.asked.iter().chain(&pilot.run.steps);
+        let without_value = rows.into_iter().find_map(|(time, row)| {
+            let place = watched.columns.iter().position(|&column| !row[column].is_finite())?;
+            Some((watched.names[place].clone(), *time))
+        });
         self.pilot.replace(Some(pilot));
-        Ok((Watched { stiff, ..watched }, spent))
+        Ok((Watched { stiff, without_value, ..watched }, spent))
     }
 
     fn lines(&self, watched: &Watched, tolerance: f64) -> (Vec<Line>, u64) {

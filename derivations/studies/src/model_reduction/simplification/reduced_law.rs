@@ -7,7 +7,7 @@ use field::Over;
 use integrators::Ode;
 use simulation::SymbolicLaw;
 use std::sync::Arc;
-use symbolic::{Sym, apart, substitute_all};
+use symbolic::{Hypotheses, Sym, apart, decide, substitute_all};
 
 /// The part that a state has in a smaller model.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -74,6 +74,7 @@ pub(super) fn lower(
     if let Some(at) = roles.0.iter().position(unequal) {
         return Err(format!("{} is equal to a state that is not followed itself", names[at]));
     }
+    roles.check_exact(&**written, names, start, simplification)?;
     if simplification.linear && !has_values_at_zero(&**written) {
         return Err("its equations have no values where all states are zero".to_owned());
     }
@@ -113,6 +114,53 @@ fn speed_of(written: &dyn SymbolicLaw, coordinate: usize) -> Option<usize> {
 }
 
 impl Roles {
+    /// Whether what is called exact is so: nothing that is followed asks for a state that is not, and states that are called equal
+    /// start so and stay so.
+    fn check_exact(
+        &self,
+        written: &dyn SymbolicLaw,
+        names: &[String],
+        start: &[f64],
+        simplification: &Simplification,
+    ) -> Result<(), String> {
+        let is_unfollowed = |at: usize| simplification.unfollowed.contains(&names[at]);
+        simulation::traced(written, |traced| {
+            for (at, rate) in traced.rates.iter().enumerate().filter(|(at, _)| !is_unfollowed(*at)) {
+                // the rate of a state that is fixed, or another one, is not asked for
+                if matches!(self.0[at], Role::Fixed(_) | Role::Same(_)) {
+                    continue;
+                }
+                let used = rate.symbols_of();
+                if let Some(other) = (0..names.len()).find(|&j| is_unfollowed(j) && used.contains(&traced.state[j])) {
+                    return Err(format!(
+                        "the rate of {} depends on {}, which must be followed",
+                        names[at], names[other]
+                    ));
+                }
+            }
+            let pairs = || {
+                self.0.iter().enumerate().filter_map(|(at, role)| match role {
+                    Role::Same(other) => Some((at, *other)),
+                    _ => None,
+                })
+            };
+            let same: Vec<(Sym, Sym)> = pairs().map(|(one, other)| (traced.state[one], traced.state[other])).collect();
+            for (one, other) in pairs() {
+                if start[one] != start[other] {
+                    return Err(format!(
+                        "{} and {} do not start alike: {} and {}",
+                        names[one], names[other], start[one], start[other]
+                    ));
+                }
+                let apart = (traced.rates[one] - traced.rates[other]).substitute(&same);
+                if !decide(apart, &Hypotheses::none()).is_zero() {
+                    return Err(format!("the rates of {} and {} are not alike", names[one], names[other]));
+                }
+            }
+            Ok(())
+        })
+    }
+
     fn followed(&self) -> impl Iterator<Item = usize> {
         self.0.iter().enumerate().filter(|(_, role)| **role == Role::Followed).map(|(place, _)| place)
     }
