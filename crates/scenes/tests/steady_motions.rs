@@ -327,3 +327,20 @@ fn loads_along_determined_speeds_act_through_the_constraint() {
     // x' is determined
     assert!((found.motions[0].state[2] - 1.5).abs() < 1e-12, "{:?}", found.motions);
 }
+
+/// A driven shaft with a loose mass: torque and friction ask for the speed, T/d = 10 rad/s.
+const DRIVEN: &str = "title = \"Shaft\"\n[parameters]\nT = \"0.1 N m\"\nd = \"0.01 N m s\"\n[coordinates]\nphi = \"rad\"\na = \"rad\"\n\
+    [energies]\nkinetic = \"(1 kg m^2)/2*(phi'^2 + a'^2)\"\npotential = \"-(1 J)*cos(a)\"\n\
+    [[force]]\nalong = \"phi\"\nis = \"T - d*phi'\"\n[run]\nspan = \"1 s\"\n";
+
+#[test]
+fn one_value_of_a_speed_that_an_equation_asks_for_is_refused() {
+    let of = |ranges: &[(&str, f64, f64)]| SteadyMotions::of(&model(DRIVEN), &asked(ranges, 200_000), || true);
+    for value in [10.0, 3.0] {
+        let refused = NoSteadyMotions::Sought { name: "phi'".to_owned(), value };
+        assert_eq!(of(&[("phi'", value, value)]).err(), Some(refused));
+    }
+    assert_eq!(of(&[("phi'", 9.9, 10.1)]).map(|found| found.motions.len()), Ok(2));
+    let along = Along::of(&model(DRIVEN), &asked(&[], 1000), ("phi'", Range { from: 5.0, to: 12.0 }), 3, || true);
+    assert!(matches!(along, Err(NoSteadyMotions::Sought { .. })));
+}

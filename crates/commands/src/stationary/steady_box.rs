@@ -230,6 +230,16 @@ fn refused(path: &Path, model: &Model, why: NoSteadyMotions) -> Exit {
         NoSteadyMotions::AnyValue { name } => told(format!(
             "--range {name}: the equations hold for every value of `{name}`, which is not sought: one value (--range \"{name}=2\") is accepted"
         )),
+        NoSteadyMotions::Sought { name, value } => {
+            let aside = 0.01 * if value == 0.0 { 1.0 } else { value.abs() };
+            told(format!(
+                "one value of `{name}`, {}, is not accepted: an equation asks for its value, which a number meets to rounding alone; a range is \
+                 accepted (--range \"{name}={}..{}\"), and --along over a parameter",
+                number(value),
+                number(value - aside),
+                number(value + aside)
+            ))
+        }
         NoSteadyMotions::WithoutRange { names } => {
             let options: Vec<String> =
                 names.iter().map(|name| format!("--range \"{name}=-1..1\"")).collect();

@@ -118,7 +118,7 @@ impl SteadyEquations {
         let mut state = near.map_or_else(|| model.start_state(), <[f64]>::to_vec);
         state[..n].iter_mut().zip(is_cyclic).filter(|(_, cyclic)| **cyclic).for_each(|(value, _)| *value = 0.0);
         let (mut unknowns, mut given, mut known) = (Vec::new(), Vec::new(), Vec::new());
-        let mut without_range = Vec::new();
+        let (mut without_range, mut valued) = (Vec::new(), Vec::new());
         for k in (0..n).filter(|&k| !(is_cyclic[k] && is_determined(k))) {
             let (symbol, place, is_sought) = match is_cyclic[k] {
                 false => (trace.coordinates[k], k, !is_pinned),
@@ -141,6 +141,7 @@ impl SteadyEquations {
             match asked.range(&name).or(beside) {
                 Some(range) if range.is_point() => {
                     state[place] = range.from;
+                    valued.push((symbol, name.clone(), range.from));
                     known.push((symbol, Sym::constant(field::Rational::exactly(range.from))));
                     given.push((name, range.from));
                 }
@@ -165,7 +166,14 @@ impl SteadyEquations {
             let rows = substitute_all(rows, &known);
             if is_pinned { rows.into_iter().map(plain).collect() } else { rows }
         };
+        let asking_all = [&residuals[..], &rows.zeros].concat();
         let (residuals, zeros) = (put(&residuals), put(&rows.zeros));
+        let is_open = |row: &Sym| *row != Sym::ZERO && row.as_constant().is_some();
+        let open = asking_all.iter().zip(residuals.iter().chain(&zeros)).filter(|(_, row)| is_open(row));
+        let letters_of: Vec<Sym> = open.flat_map(|(row, _)| row.symbols_of()).collect();
+        if let Some((_, name, value)) = valued.into_iter().find(|(symbol, ..)| letters_of.contains(symbol)) {
+            return Err(NoSteadyMotions::Sought { name, value });
+        }
         let asking: Vec<usize> = (0..n).filter(|&k| residuals[k] != Sym::ZERO).collect();
         let zeros: Vec<Sym> = zeros.into_iter().filter(|zero| *zero != Sym::ZERO).collect();
         // a load that nothing balances

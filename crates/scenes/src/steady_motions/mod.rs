@@ -119,6 +119,11 @@ pub enum NoSteadyMotions {
     AnyValue {
         name: String,
     },
+    /// One value is given where an equation asks for a value: numbers meet it by chance alone.
+    Sought {
+        name: String,
+        value: f64,
+    },
     /// Unknowns that are no angles of a circle, and have no range.
     WithoutRange {
         names: Vec<String>,
