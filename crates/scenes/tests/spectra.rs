@@ -174,3 +174,13 @@ fn boundaries_that_are_no_fractions_are_roots_of_polynomials() {
     assert!(found.boundaries.iter().all(|one| one.degree == 2 && one.exact.is_none()));
     assert_eq!(right(&found), [2, 0, 2]);
 }
+
+#[test]
+fn a_speed_at_which_no_motion_is_steady_has_no_spectrum() {
+    let swing = |speed: &str| {
+        let text = plane("kinetic = \"m/2*(x'^2 + y'^2)\"\npotential = \"k/2*(x^2 + y^2)\"", "");
+        near(&text.replace("[run]", &format!("[start]\n\"x'\" = \"{speed} m/s\"\n[run]")))
+    };
+    assert!(swing("0").is_ok());
+    assert_eq!(swing("-1").err(), Some(NotEnclosed::NoMotion));
+}

@@ -4,9 +4,9 @@ use super::along::{ExactAlong, along};
 use super::{EnclosedSpectrum, MOST_STATES, NotEnclosed, layout};
 use crate::conservation::keeps_energy;
 use crate::linearisation::VariedEquations;
-use crate::steady_motions::NoSteadyMotions;
 use crate::steady_motions::equations::SteadyEquations;
 use crate::steady_motions::search::Boxes;
+use crate::steady_motions::{ASIDE, NoSteadyMotions};
 use algebra::boxes::{Limits, zeros};
 use field::Interval;
 use model::Model;
@@ -33,9 +33,28 @@ impl EnclosedSpectrum {
         let limits = Limits { boxes: BOXES, smallest: 1e-3 };
         let found = zeros(&mut Boxes::of(&equations), &domain, limits, goes_on);
         let [zero] = &found.zeros[..] else { return Err(NotEnclosed::NoMotion) };
+        if !moves_as(&equations, &zero.enclosure, state) {
+            return Err(NotEnclosed::NoMotion);
+        }
         let keeps_energy = equations.have_potential || keeps_energy(model);
         EnclosedSpectrum::of(model, &equations, &varied, (&zero.enclosure, &equations.state), keeps_energy)
     }
+}
+
+/// Whether a steady motion has the speeds of a state: coordinates that are not cyclic rest, and constraints determine speeds.
+fn moves_as(equations: &SteadyEquations, enclosure: &[Interval], state: &[f64]) -> bool {
+    let unknowns: Vec<f64> = equations.unknowns.iter().zip(enclosure).map(|(_, at)| at.middle()).collect();
+    let mut moving = equations.state.clone();
+    equations.unknowns.iter().zip(&unknowns).for_each(|(unknown, value)| moving[unknown.place] = *value);
+    let (places, rates) = &equations.determined;
+    let mut speeds = vec![0.0; places.len()];
+    rates.over::<f64>().evaluate(&unknowns, &mut speeds);
+    places.iter().zip(speeds).for_each(|(&place, speed)| moving[place] = speed);
+    let first = state.len() / 2;
+    moving[first..]
+        .iter()
+        .zip(&state[first..])
+        .all(|(own, asked)| (own - asked).abs() <= 2.0 * ASIDE * (1.0 + asked.abs()))
 }
 
 impl ExactAlong {
