@@ -344,3 +344,9 @@ fn one_value_of_a_speed_that_an_equation_asks_for_is_refused() {
     let along = Along::of(&model(DRIVEN), &asked(&[], 1000), ("phi'", Range { from: 5.0, to: 12.0 }), 3, || true);
     assert!(matches!(along, Err(NoSteadyMotions::Sought { .. })));
 }
+
+#[test]
+fn two_motions_that_leave_their_range_together_are_no_fold() {
+    let found = along(DRIVEN, &[("phi'", 1.0, 30.0)], ("T", 0.0, 0.193));
+    assert_changes(&found, &[(0.01, Change::LeaveTogether)]);
+}

@@ -42,6 +42,9 @@ fn named(change: Change) -> &'static str {
         Change::Pair => "a pair of eigenvalues crosses the imaginary axis (Hopf, or gyroscopic stability ends)",
         Change::Exchange => "stability is exchanged",
         Change::Leaves => "a motion leaves the ranges",
+        Change::LeaveTogether => {
+            "two motions or more leave the ranges, or enter them, at their ends: wider ranges (--range) tell what becomes of them"
+        }
         Change::Several => "several changes at once",
     }
 }

@@ -29,6 +29,8 @@ pub enum Change {
     Exchange,
     /// A motion leaves the ranges, or enters them.
     Leaves,
+    /// Two or more leave the ranges, or enter them, at their ends.
+    LeaveTogether,
     /// Several of these at once.
     Several,
 }
@@ -60,6 +62,9 @@ const PARTS: [f64; 5] = [0.5, 0.381_966, 0.618_034, 0.236, 0.764];
 
 /// Motions so close together, as a part of the ranges, where two of them merge, are three that merge.
 const TOGETHER: f64 = 1e-2;
+
+/// A motion that is nearer to an end of a range than this part of it leaves the range there.
+const AT_END: f64 = 1e-5;
 
 impl Along {
     /// At so many values from one to another, in SI units.
@@ -174,11 +179,13 @@ fn change(before: &Sample, after: &Sample) -> Change {
         true => (before, after),
         false => (after, before),
     };
+    let leaving = at_ends(more).saturating_sub(at_ends(fewer));
     match more.found.motions.len() - fewer.found.motions.len() {
         0 => exchanged(before, after),
         1 => Change::Leaves,
-        2 if has_three_together(more) => Change::Pitchfork,
-        2 => Change::Fold,
+        gap if leaving >= gap => Change::LeaveTogether,
+        2 if leaving == 0 && has_three_together(more) => Change::Pitchfork,
+        2 if leaving == 0 => Change::Fold,
         _ => Change::Several,
     }
 }
@@ -187,6 +194,19 @@ fn change(before: &Sample, after: &Sample) -> Change {
 fn exchanged(before: &Sample, after: &Sample) -> Change {
     let unstable = |sample: &Sample| -> usize { sample.found.motions.iter().map(unstable).sum() };
     if unstable(before).abs_diff(unstable(after)) == 2 { Change::Pair } else { Change::Exchange }
+}
+
+/// The number of motions that touch an end of a range.
+fn at_ends(sample: &Sample) -> usize {
+    let SteadyMotions { unknowns, motions, .. } = &sample.found;
+    let touches = |motion: &&SteadyMotion| {
+        unknowns.iter().zip(&motion.enclosure).any(|(unknown, [low, high])| {
+            let Range { from, to } = unknown.range;
+            let near = AT_END * (to - from);
+            !unknown.is_circle && (*low <= from + near || *high >= to - near)
+        })
+    };
+    motions.iter().filter(touches).count()
 }
 
 /// Whether three motions lie close together.
