@@ -54,17 +54,19 @@ fn text(found: &Crossings, name: &str, unit: &str) -> String {
     let mut out = format!("eigenvalues by enclosures, along {name}{unit}\n");
     // writing to a String cannot fail
     for Judged { value, verdict, foremost: [re, im] } in &found.samples {
-        let _ = writeln!(
-            out,
-            "  {name} = {value:?}: {}; the largest real part is {re:.6e} 1/s, of {:.6} rad/s",
-            word(*verdict),
-            im.abs()
-        );
+        let foremost = match re.is_finite() {
+            true => format!("the largest real part is {re:.6e} 1/s, of {:.6} rad/s", im.abs()),
+            false => "every eigenvalue is a zero with a reason".to_owned(),
+        };
+        let _ = writeln!(out, "  {name} = {value:?}: {}; {foremost}", word(*verdict));
     }
     for [before, after] in &found.changes {
         let _ = writeln!(out, "between {name} = {:?} and {:?}", before.value, after.value);
         let _ = writeln!(out, "  {}, then {}", word(before.verdict), word(after.verdict));
-        let kind = if before.foremost[1] != 0.0 && after.foremost[1] != 0.0 {
+        let is_decided = |judged: &Judged| !matches!(judged.verdict, EnclosedVerdict::Undecided { .. });
+        let kind = if !is_decided(before) && !is_decided(after) {
+            "eigenvalues come to the axis, or leave it".to_owned()
+        } else if before.foremost[1] != 0.0 && after.foremost[1] != 0.0 {
             format!("a pair crosses the axis at {:.12} rad/s", after.foremost[1].abs())
         } else {
             "a real eigenvalue crosses the axis".to_owned()
@@ -72,6 +74,12 @@ fn text(found: &Crossings, name: &str, unit: &str) -> String {
         let _ = writeln!(out, "  {kind}");
     }
     let _ = match found.changes.len() {
+        0 if found.samples.len() < 2 => writeln!(
+            out,
+            "nothing is known of changes: fewer than two values were judged; along a parameter `dalembert stationary --along {name}=FROM..TO` looks for the \
+             steady motions at each value"
+        ),
+        0 if !found.open.is_empty() => writeln!(out, "no change between the values that were judged"),
         0 => writeln!(out, "no change between these values"),
         _ => writeln!(out, "two changes between neighbours of these values would not be seen"),
     };
@@ -79,7 +87,10 @@ fn text(found: &Crossings, name: &str, unit: &str) -> String {
 }
 
 fn object(found: &Crossings, name: &str, unit: &str) -> Value {
-    let one = |judged: &Judged| json!({ "value": judged.value, "stability": word(judged.verdict), "largest_real_part": judged.foremost });
+    let one = |judged: &Judged| {
+        let foremost = Some(judged.foremost).filter(|[re, _]| re.is_finite());
+        json!({ "value": judged.value, "stability": word(judged.verdict), "largest_real_part": foremost })
+    };
     json!({
         "along": name,
         "unit": unit,
@@ -92,7 +103,8 @@ fn object(found: &Crossings, name: &str, unit: &str) -> Value {
 fn csv(found: &Crossings, name: &str) -> String {
     let mut text = format!("{},real part,imaginary part,stability\n", crate::csv::line(&[name]));
     for Judged { value, verdict, foremost: [re, im] } in found.samples.iter().chain(found.changes.iter().flatten()) {
-        let _ = writeln!(text, "{value:?},{re:?},{im:?},{}", crate::csv::line(&[&word(*verdict)]));
+        let parts = if re.is_finite() { format!("{re:?},{im:?}") } else { ",".to_owned() };
+        let _ = writeln!(text, "{value:?},{parts},{}", crate::csv::line(&[&word(*verdict)]));
     }
     text
 }
