@@ -48,6 +48,10 @@ pub(crate) fn lines(found: &EnclosedSpectrum) -> String {
     }
     for EigenvalueDisc { centre: [re, im], radius, count, side } in &found.discs {
         let count = if *count == 1 { String::new() } else { format!(", {count} of them") };
+        if !radius.is_finite() {
+            let _ = writeln!(out, "  not enclosed{count}");
+            continue;
+        }
         let place = match (side, im) {
             (Side::Axis, im) => format!("{im:?} i, on the imaginary axis"),
             (_, 0.0) => format!("{re:?}"),

@@ -40,6 +40,9 @@ impl Crossings {
     ) -> Self {
         let mut judged = |value: f64| -> Result<Judged, NotEnclosed> {
             let found = spectrum(value)?;
+            if found.exact.is_none() && found.discs.iter().any(|disc| !disc.radius.is_finite()) {
+                return Err(NotEnclosed::Undetermined);
+            }
             let none = [f64::NEG_INFINITY, 0.0];
             let foremost =
                 found.discs.iter().map(|disc| disc.centre).fold(none, |a, b| if b[0] > a[0] { b } else { a });

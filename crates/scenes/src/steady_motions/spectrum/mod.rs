@@ -37,6 +37,9 @@ const MOST_STATES: usize = 24;
 /// Digits of decimals that are tried.
 const DIGITS: usize = 10;
 
+/// Discs that reach so many times beyond a bound of all eigenvalues are told as none.
+const BEYOND: f64 = 1e3;
+
 /// Smaller values are tried as zero.
 const NOTHING: f64 = 1e-12;
 
@@ -161,7 +164,11 @@ impl EnclosedSpectrum {
             }
             coefficients.iter_mut().skip(1).step_by(2).for_each(|c| *c = Ball::constant(0.0));
         }
-        let discs = discs::discs(&coefficients, &begin[forced..], is_even)?;
+        let mut discs = discs::discs(&coefficients, &begin[forced..], is_even)?;
+        // no eigenvalue is larger than the largest sum of a row: a disc far beyond it tells nothing
+        let sums = matrix.iter().map(|row| row.iter().map(|entry| entry.size()).sum::<f64>());
+        let beyond = BEYOND * (1.0 + sums.fold(0.0, f64::max));
+        discs.iter_mut().filter(|disc| disc.radius > beyond).for_each(|disc| disc.radius = f64::INFINITY);
         Some(EnclosedSpectrum { zeros, discs, exact: None })
     }
 
