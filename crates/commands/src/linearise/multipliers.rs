@@ -50,6 +50,9 @@ fn reasons(Ones { cyclic, shift, energy }: Ones) -> String {
 
 fn verdict(found: &Multipliers) -> String {
     match found.orbit() {
+        Orbit::Asymptotic if reasons(found.ones).is_empty() => {
+            "every multiplier lies inside the unit circle: asymptotically stable, by numbers".to_owned()
+        }
         Orbit::Asymptotic => {
             "every other multiplier lies inside the unit circle: asymptotically stable but for these, by numbers"
                 .to_owned()
