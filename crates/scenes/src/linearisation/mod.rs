@@ -17,6 +17,7 @@ mod names;
 mod over_fields;
 mod point;
 pub mod points;
+mod recurrence;
 mod stability;
 
 pub use about::{Linear, inputs_of, point_of};

@@ -5,6 +5,7 @@
 //! The state-transition matrix of the run carries all variations that constraints allow; those of the end are told by their independent
 //! parts.
 
+use super::recurrence::Recurrence;
 use super::{Linearisation, NotLinear, VariedEquations};
 use crate::changing_laws::is_watched;
 use crate::compiled_system::NotCompiled;
@@ -21,6 +22,9 @@ const TOLERANCES: [f64; 2] = [1e-9, 1e-12];
 
 /// The largest part of one, and of a component's size, by which a state may miss its beginning.
 const RETURN: f64 = 1e-6;
+
+/// The part of the way at the speeds of the beginning by which a motion that returns may miss it.
+const APART: f64 = 1e-2;
 
 /// Multipliers nearer to the unit circle than this, beside their error, do not decide.
 const NEAR: f64 = 1e-8;
@@ -82,6 +86,8 @@ pub enum NoMultipliers {
     },
     /// The equations are others a period later.
     OtherLaw,
+    /// Within the period neither the law nor the motion changes enough that its return can be told.
+    Short,
 }
 
 impl fmt::Display for NoMultipliers {
@@ -94,6 +100,9 @@ impl fmt::Display for NoMultipliers {
             Self::States => write!(f, "a frame turns freely"),
             Self::Open { distance, .. } => {
                 write!(f, "the motion does not return: it misses its beginning by {distance:.3e}")
+            }
+            Self::Short => {
+                write!(f, "the law, or the motion, hardly changes within this time, so that no return can be told")
             }
             Self::OtherLaw => {
                 write!(f, "the law is another one a period later: it depends on time, or on an angle beyond its turns")
@@ -145,6 +154,12 @@ impl Multipliers {
         if distance > RETURN || end.iter().any(|value| !value.is_finite()) {
             return Err(NoMultipliers::Open { component, distance });
         }
+        let recurrence = Recurrence::of(&equations, &linear, &problem.state, (period, scene.run.span));
+        match recurrence {
+            Recurrence::Returns => {}
+            Recurrence::Hidden => return Err(NoMultipliers::Short),
+            Recurrence::Differs => return Err(NoMultipliers::OtherLaw),
+        }
         let later = about(period, &end)?;
         let size = RETURN * 10.0 * (1.0 + linear.a.amax());
         let is_same = later.coordinates == linear.coordinates
@@ -164,7 +179,12 @@ impl Multipliers {
         let free: Vec<usize> = linear.coordinates.iter().copied().filter(|&k| idle(k)).collect();
         let rate = rate(&linear);
         let drifts = |row: usize| linear.coordinates.get(row).is_some_and(|k| free.contains(k));
-        let moves = (0..rate.len()).any(|row| !drifts(row) && rate[row].abs() > RETURN);
+        let fastest = (0..rate.len()).filter(|&row| !drifts(row)).map(|row| rate[row].abs()).fold(0.0, f64::max);
+        let moves = fastest > RETURN;
+        // a motion that never left its beginning has not returned to it
+        if moves && distance > APART * fastest * period {
+            return Err(NoMultipliers::Short);
+        }
         let ones = Ones {
             cyclic: free.len(),
             shift: !knows_time && moves,

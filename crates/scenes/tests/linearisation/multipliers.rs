@@ -65,3 +65,15 @@ fn a_full_turn_is_a_return() {
     assert!((found.others()[0][0] - (-TAU / 10.0).exp()).abs() < 1e-10, "{:?}", found.values);
     assert_eq!(found.orbit(), Orbit::Asymptotic);
 }
+
+#[test]
+fn a_time_within_which_nothing_returns_is_no_period() {
+    let law = scene("-(1 - 2*cos((2 rad/s)*t))*x", "x = \"0\"");
+    let over = |scene: &ModelScene, period: f64| Multipliers::of(scene, period).map(|found| found.orbit());
+    assert!(matches!(over(&law, 1e-5), Err(NoMultipliers::OtherLaw)), "{:?}", over(&law, 1e-5));
+    assert!(matches!(over(&law, 1e-11), Err(NoMultipliers::Short)), "{:?}", over(&law, 1e-11));
+    // periods are given to seven digits
+    assert!(over(&law, 3.141_592_7).is_ok());
+    let swing = scene("-x", "x = \"1\"");
+    assert!(matches!(over(&swing, 1e-8), Err(NoMultipliers::Short)) && over(&swing, TAU).is_ok());
+}
