@@ -12,6 +12,7 @@ use crate::conservation::conserves;
 use crate::constraint_projection::ConstraintProjection;
 use crate::elimination::{Elimination, LEAST_MOVING, LEAST_SOLVED, is_tree};
 use crate::implicit::{Implicit, ImplicitLaw, recurrence};
+use crate::inertia::Inertia;
 use crate::letters::Letters;
 use crate::modes::{Mode, ModeMotion};
 use crate::program::recorded;
@@ -117,6 +118,15 @@ impl CompiledSystem {
         CompiledSystem::has_equations(model)?;
         if Elimination::of(model) == Elimination::Solved {
             return CompiledSystem::solved(model);
+        }
+        if !is_watched(model) {
+            match Inertia::of(model) {
+                Inertia::Open { speed } => {
+                    return Err(NotCompiled::Massless { coordinate: speed_name(model, speed) });
+                }
+                Inertia::Held => return CompiledSystem::solved(model),
+                Inertia::Resists => {}
+            }
         }
         match CompiledSystem::written(model, mode) {
             // a constraint may move what has no inertia

@@ -25,6 +25,7 @@ mod formulations;
 mod hybrid;
 mod implicit;
 mod inductances;
+mod inertia;
 pub mod inverse;
 mod kernel;
 mod known_as;

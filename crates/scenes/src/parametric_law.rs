@@ -4,6 +4,7 @@ use crate::compiled_system::{NotCompiled, outputs, outputs_of_solved, rates};
 use crate::conservation::conserves;
 use crate::elimination::{Elimination, is_tree};
 use crate::implicit::{linear_equations, recurrence_of};
+use crate::inertia::Inertia;
 use crate::letters::Inputs;
 use crate::modes::Mode;
 use algebra::linear::{Factors, Pattern};
@@ -41,6 +42,8 @@ impl ParametricLaw {
     /// By the trace from which a run is compiled; parameters need no values.
     pub fn of(model: &Model) -> Result<Self, NotCompiled> {
         match Elimination::of(model) {
+            // by the values in its file
+            Elimination::Written if Inertia::of(model) == Inertia::Held => ParametricLaw::solved(model),
             Elimination::Written => match ParametricLaw::written(model) {
                 // a constraint may move what has no inertia
                 Err(NotCompiled::Massless { .. }) if !model.constraints.is_empty() => ParametricLaw::solved(model),

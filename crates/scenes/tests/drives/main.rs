@@ -3,6 +3,7 @@
 mod changing_laws;
 mod circuits;
 mod gears;
+mod held_by_constraints;
 mod machines;
 mod one_ways;
 mod program_motors;

@@ -1,0 +1,168 @@
+//! Inertia at general places: whether masses alone determine the accelerations, or with the constraints, or not even these.
+//!
+//!   M u = 0    or    [ M  J^T ; J  0 ] (u, lambda) = 0    with u that is not zero
+//!
+//! The mass matrix of a point mass ahead of a knife edge is singular everywhere by cos^2 + sin^2 = 1, and no entry of it shows that.
+//! Ranks are found in double-double, with the values of the parameters, at a few places beside the start: a pivot of rounding there is
+//! one in every run.
+
+use crate::elimination::MOST_WRITTEN;
+use crate::implicit::linear_equations;
+use crate::letters::Letters;
+use algebra::linear::{Magnitude, Pattern};
+use field::DoubleDouble;
+use model::equations::Equations;
+use model::{Model, Trace};
+use simulation::Program;
+use symbolic::{Sym, apart};
+
+/// Distances of the places from the start, as parts of the size of each number of the state.
+const ASIDE: [f64; 4] = [0.5, 0.3, 0.01, 0.003];
+
+/// Of a matrix whose rows and columns have the size one, a pivot below this is rounding.
+const ROUNDED: f64 = 1e-23;
+
+/// Rounds in which rows and columns are brought to the size one (Ruiz 2001).
+const ROUNDS: usize = 20;
+
+/// The part of inertia in the accelerations of a model.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Inertia {
+    /// The masses resist every motion of the speeds that have an inertia as they stand; or nothing else was found.
+    Resists,
+    /// Some combination of speeds moves no mass, and the constraints determine it.
+    Held,
+    /// Some combination of speeds moves no mass and breaks no constraint; this speed is in it.
+    Open { speed: usize },
+}
+
+impl Inertia {
+    /// The inertia of a model whose law is the same at all times and whose parameters have values.
+    pub fn of(model: &Model) -> Self {
+        let (n, m) = (model.speeds(), model.constraints.len());
+        if n == 0 || n + m > MOST_WRITTEN || !model.algebraic_speeds.is_empty() {
+            return Inertia::Resists;
+        }
+        Everywhere::of(model).map_or(Inertia::Resists, |everywhere| everywhere.inertia(&model.start_state()))
+    }
+}
+
+/// The matrix of the equations of motion at any place.
+struct Everywhere {
+    program: Program,
+    pattern: Pattern,
+    /// The speeds, and those of them that have an inertia as their equations stand.
+    speeds: usize,
+    inertial: Vec<usize>,
+}
+
+impl Everywhere {
+    fn of(model: &Model) -> Option<Self> {
+        let inertial: Vec<usize> = apart(|| {
+            let Equations { mass, .. } = Equations::of(&Trace::of(model));
+            (0..mass.len()).filter(|&row| mass[row].iter().any(|entry| *entry != Sym::ZERO)).collect()
+        });
+        let mut pattern = None;
+        let program = Program::of(model.positions() + model.speeds(), |time, state| {
+            let solve = linear_equations(&Trace::of(model), Letters::with_data(time, state));
+            pattern = Some(solve.pattern);
+            solve.entries
+        })?;
+        Some(Everywhere { program, pattern: pattern?, speeds: model.speeds(), inertial })
+    }
+
+    fn inertia(&self, start: &[f64]) -> Inertia {
+        let (n, size) = (self.speeds, self.pattern.size());
+        let found: Vec<Vec<Vec<DoubleDouble>>> =
+            (0..ASIDE.len()).filter_map(|place| self.beside(start, place)).collect();
+        if found.len() < 2 {
+            return Inertia::Resists;
+        }
+        let is_singular = |matrix: &Vec<Vec<DoubleDouble>>| {
+            pivots(part(matrix, &self.inertial, &self.inertial)).len() < self.inertial.len()
+        };
+        let [speeds, multipliers]: [Vec<usize>; 2] = [(0..n).collect(), (n..size).collect()];
+        // beyond what constraints that follow from others leave of their multipliers
+        let open = |matrix: &Vec<Vec<DoubleDouble>>| {
+            let columns = pivots(matrix.clone());
+            let independent = pivots(part(matrix, &multipliers, &speeds)).len();
+            let left = speeds.iter().find(|speed| !columns.contains(speed)).copied();
+            (columns.len() < n + independent).then(|| left.unwrap_or(0))
+        };
+        if let Some(speeds) = found.iter().map(open).collect::<Option<Vec<usize>>>() {
+            return Inertia::Open { speed: speeds[0] };
+        }
+        if found.iter().all(is_singular) { Inertia::Held } else { Inertia::Resists }
+    }
+
+    /// The matrix at a place beside the start, where all of it has values.
+    fn beside(&self, start: &[f64], place: usize) -> Option<Vec<Vec<DoubleDouble>>> {
+        let aside =
+            |component: usize| ASIDE[place] * (0.5 + ((component * 7 + place * 3 + 1) as f64 * 0.618_034).fract());
+        let state: Vec<DoubleDouble> = start
+            .iter()
+            .enumerate()
+            .map(|(component, &value)| DoubleDouble::from(value + aside(component) * (1.0 + value.abs())))
+            .collect();
+        let mut entries = vec![DoubleDouble::from(f64::NAN); self.pattern.places().len()];
+        self.program.run(DoubleDouble::from(aside(start.len())), &state, &mut entries)?;
+        let size = self.pattern.size();
+        let mut matrix = vec![vec![DoubleDouble::from(0.0); size]; size];
+        for (&(row, column), entry) in self.pattern.places().iter().zip(entries) {
+            if !entry.magnitude().is_finite() {
+                return None;
+            }
+            matrix[row][column] = entry;
+        }
+        Some(matrix)
+    }
+}
+
+/// Some rows and columns of a matrix.
+fn part(matrix: &[Vec<DoubleDouble>], rows: &[usize], columns: &[usize]) -> Vec<Vec<DoubleDouble>> {
+    rows.iter().map(|&row| columns.iter().map(|&column| matrix[row][column]).collect()).collect()
+}
+
+/// The columns of the pivots of a matrix, the largest first.
+fn pivots(mut matrix: Vec<Vec<DoubleDouble>>) -> Vec<usize> {
+    let columns = matrix.first().map_or(0, Vec::len);
+    scale(&mut matrix);
+    let mut found = Vec::new();
+    while found.len() < matrix.len().min(columns) {
+        let done = found.len();
+        let places = (done..matrix.len()).flat_map(|row| (0..columns).map(move |column| (row, column)));
+        let size = |&(row, column): &(usize, usize)| matrix[row][column].magnitude();
+        let Some((row, column)) =
+            places.filter(|(_, column)| !found.contains(column)).max_by(|a, b| size(a).total_cmp(&size(b)))
+        else {
+            break;
+        };
+        if size(&(row, column)) < ROUNDED {
+            break;
+        }
+        matrix.swap(done, row);
+        let (above, below) = matrix.split_at_mut(done + 1);
+        let pivot = &above[done];
+        for row in below {
+            let factor = row[column] / pivot[column];
+            row.iter_mut().zip(pivot).for_each(|(entry, &above)| *entry -= factor * above);
+        }
+        found.push(column);
+    }
+    found
+}
+
+/// Brings the rows and the columns of a matrix to the size one, by powers of two.
+fn scale(matrix: &mut [Vec<DoubleDouble>]) {
+    let columns = matrix.first().map_or(0, Vec::len);
+    let by = |largest: f64| if largest > 0.0 { (-largest.log2() / 2.0).round().exp2() } else { 1.0 };
+    for _ in 0..ROUNDS {
+        let rows: Vec<f64> =
+            matrix.iter().map(|row| by(row.iter().fold(0.0, |most: f64, entry| most.max(entry.magnitude())))).collect();
+        let of_column = |column: usize| matrix.iter().fold(0.0, |most: f64, row| most.max(row[column].magnitude()));
+        let beside: Vec<f64> = (0..columns).map(|column| by(of_column(column))).collect();
+        for (row, own) in matrix.iter_mut().zip(&rows) {
+            row.iter_mut().zip(&beside).for_each(|(entry, other)| *entry *= DoubleDouble::from(own * other));
+        }
+    }
+}
