@@ -25,7 +25,6 @@ mod formulations;
 mod hybrid;
 mod implicit;
 mod inductances;
-mod inertia;
 pub mod inverse;
 mod kernel;
 mod known_as;

@@ -3,8 +3,7 @@
 use crate::compiled_system::{NotCompiled, outputs, outputs_of_solved, rates};
 use crate::conservation::conserves;
 use crate::elimination::{Elimination, is_tree};
-use crate::implicit::{linear_equations, recurrence_of};
-use crate::inertia::Inertia;
+use crate::implicit::{Inertia, linear_equations, recurrence_of};
 use crate::letters::Inputs;
 use crate::modes::Mode;
 use algebra::linear::{Factors, Pattern};

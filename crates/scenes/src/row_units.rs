@@ -1,4 +1,4 @@
-//! Units of the columns of runs and other tables.
+//! Names and units of the columns of runs and other tables.
 
 use model::Model;
 use model::equations::{Equation, Level};
@@ -6,6 +6,13 @@ use symbolic::Dimension;
 
 /// The column of the work that a run meters.
 pub(crate) const WORK: &str = "work";
+
+/// Names of a row: coordinates, speeds, outputs, energies.
+pub(crate) fn columns(model: &Model) -> Vec<String> {
+    let state = model.state_names().into_iter().map(|(name, _)| name);
+    let outputs = model.outputs.iter().map(|output| output.name.clone());
+    state.chain(outputs).chain(["kinetic_energy".to_owned(), "potential_energy".to_owned()]).collect()
+}
 
 /// The unit in which a run has a quantity that is written in another: m for mm, rad for deg.
 pub(crate) fn coherent(unit: &str) -> String {

@@ -17,7 +17,7 @@ use crate::named_systems;
 use crate::power_balance::metered;
 use crate::quoted_keys::with_quoted_primes;
 use crate::readiness::{Ready, ready, starting, without_run};
-use crate::row_units::unit_of;
+use crate::row_units::{columns, unit_of};
 use crate::size::{Task, too_large};
 use crate::start::{KeptConstraints, SingularPositions, consistent};
 use crate::warnings::{Warn, warn_by, warn_of};
@@ -302,13 +302,6 @@ fn called(event: &Event, text: &str) -> String {
         "" => format!("the event in line {}", line_of(text, event.at.start)),
         name => format!("the event `{name}`"),
     }
-}
-
-/// Names of a row: coordinates, speeds, outputs, energies.
-pub(crate) fn columns(model: &Model) -> Vec<String> {
-    let state = model.state_names().into_iter().map(|(name, _)| name);
-    let outputs = model.outputs.iter().map(|output| output.name.clone());
-    state.chain(outputs).chain(["kinetic_energy".to_owned(), "potential_energy".to_owned()]).collect()
 }
 
 impl IvpScene for ModelScene {

@@ -30,7 +30,7 @@ fn what_is_taken_runs_by_the_words_that_are_printed() {
         if path.ends_with("wheelset.toml") {
             continue;
         }
-        let output = run(&["choose", &path, "--tol", "1e-1", "--format", "json"]);
+        let output = run(&["choose", &path, "--tol", "1e-1", "--format", "json", "--seconds", "20"]);
         if !matches!(output.status.code(), Some(0)) {
             // a model that stops, or a scene of another kind
             continue;

@@ -7,12 +7,14 @@
 //!   A z' = b' - A' z .
 
 mod equations;
+mod inertia;
 mod law;
 mod series;
 mod slopes;
 
 pub(crate) use self::series::{recurrence, recurrence_of, recurrence_with};
 pub(crate) use equations::{linear_equations, unknown_letters};
+pub(crate) use inertia::Inertia;
 pub(crate) use law::ImplicitLaw;
 
 use crate::compiled_system::NotCompiled;

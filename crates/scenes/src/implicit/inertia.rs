@@ -6,8 +6,8 @@
 //! Ranks are found in double-double, with the values of the parameters, at a few places beside the start: a pivot of rounding there is
 //! one in every run.
 
+use super::linear_equations;
 use crate::elimination::MOST_WRITTEN;
-use crate::implicit::linear_equations;
 use crate::letters::Letters;
 use algebra::linear::{Magnitude, Pattern};
 use field::DoubleDouble;
