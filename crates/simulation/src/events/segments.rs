@@ -71,7 +71,7 @@ const MOST_TOGETHER: usize = 64;
 /// Why a run ends where the times of its events have a limit.
 pub const ACCUMULATE: &str = "its events follow each other without end";
 
-/// Why a run ends after [`MOST_EVENTS`].
+/// Why a run ends after its largest number of events.
 pub const TOO_MANY: &str = "more events than 20,000";
 
 /// Runs over a span, event after event, as long as the margins are positive. The reason is told where the motion ends before the
