@@ -15,13 +15,13 @@ use std::time::Duration;
 /// Instants at which runs are compared with the exact one.
 const DENSE: usize = 2_000;
 const TOLERANCES: [f64; 3] = [1e-2, 1e-4, 1e-6];
-/// What brute force tries.
+/// Methods that brute force tries.
 const METHODS: [Method; 3] = [Method::Taylor, Method::DormandPrince8, Method::RadauIIA { stages: 5 }];
 const FINER: [f64; 5] = [1e-4, 1e-5, 1e-6, 1e-7, 1e-8];
 /// Estimates of errors between these are compared.
 const ESTIMATED: [f64; 2] = [1e-7, 0.1];
 
-/// What became of the choices of a kind.
+/// Choices of a kind, counted by how they ended.
 #[derive(Clone, Copy, Debug, Default)]
 struct Counts {
     choices: usize,
@@ -39,7 +39,7 @@ struct Counts {
     taken: usize,
 }
 
-/// So many random systems.
+/// Judges the choices for a number of random systems.
 pub fn survey(count: u64) {
     scenes::register(|_| ());
     let mut by_kind: BTreeMap<&str, (Counts, Vec<f64>)> = BTreeMap::new();

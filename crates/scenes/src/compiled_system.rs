@@ -237,7 +237,7 @@ impl CompiledSystem {
         matches!(self.rates, Rates::Written(_))
     }
 
-    /// Of each state whether one of these columns of a run depends on it: states by their names, then outputs and energies.
+    /// Whether one of these columns of a run depends on each state: states by their names, then outputs and energies.
     pub(crate) fn states_behind(&self, wanted: &[String]) -> Vec<bool> {
         let states = self.model.positions() + self.model.speeds();
         let columns = columns(&self.model);

@@ -16,7 +16,7 @@ pub trait Modelled: IvpScene + fmt::Debug {
     /// Whether that law is written down, holds all along a motion, and is short enough to be rewritten.
     fn is_written(&self) -> bool;
 
-    /// Of each state whether one of these columns of a run depends on it.
+    /// Whether one of these columns of a run depends on each state.
     fn states_behind(&self, columns: &[String]) -> Vec<bool>;
 
     /// The name under which more is known of it, where its file gives one: see [`crate::knowledge`].
