@@ -94,9 +94,8 @@ impl NativeTrajectory {
     /// Failures by their standard names, each with its time, its evidence and a remedy.
     #[getter]
     fn failures(&self) -> Vec<(&'static str, f64, String, String)> {
-        let told = |failure: &RunFailure| {
-            (failure.kind.name(), failure.at, failure.evidence.clone(), failure.remedy.clone())
-        };
+        let told =
+            |failure: &RunFailure| (failure.kind.name(), failure.at, failure.evidence.clone(), failure.remedy.clone());
         self.told.failures.iter().map(told).collect()
     }
 
