@@ -101,7 +101,7 @@ impl Way {
         }
     }
 
-    /// What is asked of a run that holds.
+    /// The condition that a run meets where it holds.
     pub fn asked(&self) -> String {
         match self {
             Way::Known { failing, .. } => failing.asked.to_owned(),

@@ -64,7 +64,7 @@ pub(crate) fn lines(found: &EnclosedSpectrum) -> String {
     out
 }
 
-/// What enclosed eigenvalues say, or Routh's criterion where it is exact.
+/// The verdict of enclosed eigenvalues, or of Routh's criterion where it is exact.
 pub(crate) fn verdict(found: &EnclosedSpectrum) -> String {
     let but = match found.zeros.len() {
         0 => String::new(),

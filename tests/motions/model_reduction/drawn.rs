@@ -4,30 +4,35 @@ use simulation::ensemble::draw::Draw;
 use std::fmt::Write;
 
 /// The numbers of one scene, one after another.
-struct Numbers {
+pub struct Numbers {
     draw: Draw,
     next: usize,
 }
 
 impl Numbers {
-    fn even(&mut self) -> f64 {
+    /// Of a seed, for scenes of a name.
+    pub fn new(seed: u64, name: &str) -> Self {
+        Numbers { draw: Draw::new(1834, seed, name), next: 0 }
+    }
+
+    pub fn even(&mut self) -> f64 {
         self.next += 1;
         self.draw.even(self.next)
     }
 
-    fn between(&mut self, low: f64, high: f64) -> f64 {
+    pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.even()
     }
 
     /// Evenly in the logarithm.
-    fn scale(&mut self, low: f64, high: f64) -> f64 {
+    pub fn scale(&mut self, low: f64, high: f64) -> f64 {
         low * (high / low).powf(self.even())
     }
 }
 
 /// A scene: on a bench or in a gyrostat, in step or not, with any currents' time constants.
 pub fn scene(seed: u64) -> String {
-    let mut draw = Numbers { draw: Draw::new(1834, seed, "motor"), next: 0 };
+    let mut draw = Numbers::new(seed, "motor");
     let mut text = String::from("title = \"drawn\"\n");
     let gyrostat = draw.even() < 0.5;
     // writing to a String cannot fail

@@ -1,35 +1,13 @@
 //! Random systems as text, of many kinds: from a seed, so that each is the same for ever.
 
-use simulation::ensemble::draw::Draw;
-
-/// The numbers of one scene, one after another.
-struct Numbers {
-    draw: Draw,
-    next: usize,
-}
-
-impl Numbers {
-    fn even(&mut self) -> f64 {
-        self.next += 1;
-        self.draw.even(self.next)
-    }
-
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.even()
-    }
-
-    /// Evenly in the logarithm.
-    fn scale(&mut self, low: f64, high: f64) -> f64 {
-        low * (high / low).powf(self.even())
-    }
-}
+use super::drawn::Numbers;
 
 /// The kinds that are drawn in turn.
 pub const KINDS: u64 = 12;
 
 /// A scene and the name of its kind.
 pub fn scene(seed: u64) -> (&'static str, String) {
-    let draw = &mut Numbers { draw: Draw::new(1834, seed, "text"), next: 0 };
+    let draw = &mut Numbers::new(seed, "text");
     match seed % KINDS {
         0 => ("motor with a small inductance", motor(draw)),
         1 => ("pendulum on a stiff spring", stiff_spring(draw)),

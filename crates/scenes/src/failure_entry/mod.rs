@@ -38,7 +38,7 @@ pub struct FailureEntry {
     pub title: String,
     pub why: String,
     pub advice: String,
-    /// What is at the threshold.
+    /// The quantity that has the threshold.
     pub of: String,
     /// As the file has it.
     pub formula: String,

@@ -19,7 +19,7 @@ use symbolic::{Sym, apart};
 /// Distances of the places from the start, as parts of the size of each number of the state.
 const ASIDE: [f64; 4] = [0.5, 0.3, 0.01, 0.003];
 
-/// Of a matrix whose rows and columns have the size one, a pivot below this is rounding.
+/// A pivot below this is rounding, in a matrix whose rows and columns have the size one.
 const ROUNDED: f64 = 1e-23;
 
 /// Rounds in which rows and columns are brought to the size one (Ruiz 2001).

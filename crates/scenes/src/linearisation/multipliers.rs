@@ -63,7 +63,7 @@ pub struct Ones {
 pub enum Orbit {
     /// All others lie inside the unit circle.
     Asymptotic,
-    /// So many lie outside.
+    /// Number of multipliers outside the unit circle.
     Unstable(usize),
     /// None lies outside, so many on the circle as far as numbers tell.
     Undecided(usize),
@@ -112,7 +112,7 @@ impl fmt::Display for NoMultipliers {
 }
 
 impl Multipliers {
-    /// Of the motion from the start of a scene, which returns after a period.
+    /// Multipliers of the motion from the start of a scene, which returns after a period.
     ///
     /// # Errors
     /// Why there are none.

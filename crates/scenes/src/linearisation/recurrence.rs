@@ -29,7 +29,7 @@ pub(super) enum Recurrence {
 }
 
 impl Recurrence {
-    /// Of the linear equations and the accelerations of a state, over a period, in a run of some length.
+    /// The return of the linear equations and the accelerations of a state over a period, in a run of some length.
     pub fn of(equations: &VariedEquations, about: &Linearisation, state: &[f64], (period, span): (f64, f64)) -> Self {
         let law = |time: f64| -> Option<(DMatrix<f64>, DMatrix<f64>)> {
             let found = equations.linearised(equations.point(time, state)).ok()?;

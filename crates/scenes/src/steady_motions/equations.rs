@@ -4,7 +4,7 @@
 //!   J^T lambda - h(q, w) = 0 ,    f(q) = 0 .
 
 use super::circles::is_periodic;
-use super::determined::Wanted;
+use super::determinacy::Wanted;
 use super::energy_row::implied;
 use super::rows::Rows;
 use super::{Asked, NoSteadyMotions, Range};

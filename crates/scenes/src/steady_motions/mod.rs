@@ -4,7 +4,7 @@
 mod along;
 mod circles;
 mod definiteness;
-mod determined;
+mod determinacy;
 mod energy_row;
 mod equations;
 mod potential;

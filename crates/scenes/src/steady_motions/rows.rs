@@ -9,7 +9,7 @@
 //! rolls in a circle moves steadily.
 
 use super::NoSteadyMotions;
-use super::determined::{Wanted, solutions};
+use super::determinacy::{Wanted, solutions};
 use super::potential::{have_potential, momenta_kept};
 use crate::letters::Letters;
 use model::equations::{Equation, Level, Residuals, constraints_of, vanishes};

@@ -1,6 +1,6 @@
 //! Events that follow each other without end: with times that have a limit, or by the thousand.
 
-use super::recorded::Recorded;
+use super::samples::Samples;
 use simulation::{FailureKind, RunFailure};
 use std::collections::BTreeSet;
 
@@ -11,7 +11,7 @@ const ROUNDING: f64 = 1e-9;
 const LOOKED_AT: usize = 100;
 
 /// Events whose times have a limit: the gaps between them shrink by one factor.
-pub(super) fn zeno(run: &Recorded<'_>) -> RunFailure {
+pub(super) fn zeno(run: &Samples<'_>) -> RunFailure {
     let (at, _) = run.last();
     let gaps: Vec<f64> = gaps(run).into_iter().filter(|gap| *gap > ROUNDING * at).collect();
     let mut factors: Vec<f64> = gaps.windows(2).map(|two| two[1] / two[0]).filter(|factor| *factor < 1.0).collect();
@@ -30,7 +30,7 @@ pub(super) fn zeno(run: &Recorded<'_>) -> RunFailure {
 }
 
 /// Events by the thousand.
-pub(super) fn chattering(run: &Recorded<'_>) -> RunFailure {
+pub(super) fn chattering(run: &Samples<'_>) -> RunFailure {
     let gaps = gaps(run);
     let count = gaps.len().min(LOOKED_AT);
     let mean = gaps.iter().rev().take(count).sum::<f64>() / count.max(1) as f64;
@@ -45,13 +45,13 @@ pub(super) fn chattering(run: &Recorded<'_>) -> RunFailure {
 }
 
 /// Times between events, the start left out.
-fn gaps(run: &Recorded<'_>) -> Vec<f64> {
+fn gaps(run: &Samples<'_>) -> Vec<f64> {
     let times: Vec<f64> = run.trajectory.passages.iter().skip(1).map(|passage| passage.time).collect();
     times.windows(2).map(|two| two[1] - two[0]).collect()
 }
 
 /// The last events, each once.
-fn names(run: &Recorded<'_>) -> String {
+fn names(run: &Samples<'_>) -> String {
     let last = run.trajectory.passages.iter().skip(1).rev().take(LOOKED_AT);
     let names: BTreeSet<&str> = last.map(|passage| passage.what.as_str()).collect();
     names.into_iter().collect::<Vec<_>>().join(" and ")

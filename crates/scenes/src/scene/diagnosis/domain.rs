@@ -1,6 +1,6 @@
 //! The edge of the domain of a law: rates that have numbers at the last good state, and none a little further along the motion.
 
-use super::recorded::Recorded;
+use super::samples::Samples;
 use integrators::{Failure, Ode};
 use simulation::{FailureKind, RunFailure};
 
@@ -8,7 +8,7 @@ use simulation::{FailureKind, RunFailure};
 const AHEAD: [f64; 7] = [1e-12, 1e-10, 1e-8, 1e-6, 1e-4, 1e-2, 1e-1];
 
 /// The rates that have no number ahead of a run whose own numbers are moderate.
-pub(super) fn left(run: &Recorded<'_>) -> Option<RunFailure> {
+pub(super) fn left(run: &Samples<'_>) -> Option<RunFailure> {
     let is_lost = matches!(
         run.trajectory.outcome.failure(),
         Some(Failure::LeftTheNumbers { .. } | Failure::StepCollapsed { .. } | Failure::NewtonFailed { .. })

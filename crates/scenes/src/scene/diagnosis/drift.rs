@@ -1,6 +1,6 @@
 //! Drift: constraints that a run has come off.
 
-use super::recorded::Recorded;
+use super::samples::Samples;
 use crate::start::KeptConstraints;
 use simulation::{FailureKind, RunFailure};
 
@@ -14,7 +14,7 @@ const OFF_OF_STEPS: f64 = 1e-4;
 const TOLERANCES: f64 = 10.0;
 
 /// The first sample at which the residual of the constraints is beyond what is kept.
-pub(super) fn found(run: &Recorded<'_>) -> Option<RunFailure> {
+pub(super) fn found(run: &Samples<'_>) -> Option<RunFailure> {
     let kept = run.model().constraints.iter().any(|constraint| constraint.gains.is_none());
     if !kept {
         return None;

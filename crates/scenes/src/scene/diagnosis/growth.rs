@@ -3,7 +3,7 @@
 //! The time |y|/|y'| in which a component grows by its own size goes to zero like t* - t where it blows up at t*, and stays what it is
 //! where it grows exponentially.
 
-use super::recorded::Recorded;
+use super::samples::Samples;
 use integrators::Ode;
 use simulation::{FailureKind, RunFailure};
 
@@ -17,7 +17,7 @@ const FAST: f64 = 1e-3;
 const SHRUNK: f64 = 0.02;
 
 /// The component that has grown most.
-pub(super) fn found(run: &Recorded<'_>) -> Option<RunFailure> {
+pub(super) fn found(run: &Samples<'_>) -> Option<RunFailure> {
     let (at, last) = run.last();
     let before: Vec<&(f64, Vec<f64>)> = run.states.iter().filter(|(time, _)| *time <= 0.9 * at).collect();
     let growth = |place: usize| {

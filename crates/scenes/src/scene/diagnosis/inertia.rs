@@ -4,7 +4,7 @@
 //! Z^T D^-1 M D^-1 Z is compared with its median along the run: data and units decide nothing. Where the energy is that of bodies,
 //! M v = 0 means that v moves none of them: the coordinates describe no single position there, and the chart is singular.
 
-use super::recorded::Recorded;
+use super::samples::Samples;
 use crate::modes::{Case, Mode};
 use crate::motion_matrix::MotionMatrix;
 use model::{Model, Trace};
@@ -38,7 +38,7 @@ const NAMED: f64 = 0.1;
 const ASIDE: f64 = 0.05;
 
 /// The place of a run at which an eigenvalue is least, where it is singular there.
-pub(super) fn singular(run: &Recorded<'_>) -> Option<RunFailure> {
+pub(super) fn singular(run: &Samples<'_>) -> Option<RunFailure> {
     let model = run.model();
     if model.speeds() > MOST_SPEEDS {
         return None;
@@ -100,7 +100,7 @@ fn has_constant_masses(model: &Model) -> bool {
 }
 
 /// The first place of a run at which the least eigenvalue comes down to a bound, between its samples too: time, state, eigenvalue.
-fn first_below(run: &Recorded<'_>, look: &Look<'_>, seen: &[(usize, f64)], bound: f64) -> Option<(f64, Vec<f64>, f64)> {
+fn first_below(run: &Samples<'_>, look: &Look<'_>, seen: &[(usize, f64)], bound: f64) -> Option<(f64, Vec<f64>, f64)> {
     let is_valley = |at: &usize| {
         let beside = [at.checked_sub(1), Some(at + 1)];
         beside.iter().flatten().filter_map(|&other| seen.get(other)).all(|(_, least)| seen[*at].1 <= *least)
@@ -154,7 +154,7 @@ struct Look<'a> {
 }
 
 impl<'a> Look<'a> {
-    fn of(model: &'a Model, matrix: MotionMatrix, run: &Recorded<'_>) -> Option<Self> {
+    fn of(model: &'a Model, matrix: MotionMatrix, run: &Samples<'_>) -> Option<Self> {
         let n = model.speeds();
         let mut sizes = DVector::zeros(n);
         let sound = run.sound();

@@ -3,7 +3,7 @@
 //! Samples are states of the run. Between them positions lie on cubic curves; what these show is computed again from the sample before,
 //! and told where the motion itself shows it too. A zero between two of the places that are looked at stays unseen.
 
-use super::recorded::Recorded;
+use super::samples::Samples;
 use crate::letters::Letters;
 use crate::program::recorded;
 use integrators::{Method, Span, Tolerance, integrate};
@@ -27,7 +27,7 @@ const TOLERANCE: f64 = 1e-10;
 const BUDGET: u64 = 20_000;
 
 /// The first event that was passed over, of a system whose law does not change otherwise.
-pub(super) fn found(run: &Recorded<'_>) -> Option<RunFailure> {
+pub(super) fn found(run: &Samples<'_>) -> Option<RunFailure> {
     let model = run.model();
     let changes = !model.switches.is_empty() || !model.contacts.is_empty() || !model.algebraic_speeds.is_empty();
     if model.events.is_empty() || changes || run.states.len() < 2 {
@@ -90,7 +90,7 @@ fn values(program: &Program, count: usize, time: f64, state: &[f64]) -> Vec<f64>
 }
 
 /// The state at a time, from a sample on.
-fn again(run: &Recorded<'_>, k: usize, time: f64) -> Option<Vec<f64>> {
+fn again(run: &Samples<'_>, k: usize, time: f64) -> Option<Vec<f64>> {
     let (from, state) = &run.states[k];
     let span = Span::new(*from, time, state).with_evaluations(BUDGET);
     let law = run.scene.system.law();
@@ -98,7 +98,7 @@ fn again(run: &Recorded<'_>, k: usize, time: f64) -> Option<Vec<f64>> {
     outcome.reached().then_some(outcome.state)
 }
 
-fn told(run: &Recorded<'_>, event: usize, [from, to]: [f64; 2], lasts: f64) -> RunFailure {
+fn told(run: &Samples<'_>, event: usize, [from, to]: [f64; 2], lasts: f64) -> RunFailure {
     let Event { direction, .. } = &run.model().events[event];
     let way = match direction {
         Direction::Up => "up ",

@@ -17,11 +17,11 @@ mod inertia;
 mod missed_events;
 mod rank;
 mod reasons;
-mod recorded;
+mod samples;
 mod stiffness;
 
 use crate::scene::ModelScene;
-use recorded::Recorded;
+use samples::Samples;
 use simulation::{Choice, RunFailure, Trajectory};
 
 /// All failures of a run.
@@ -29,7 +29,7 @@ pub(super) fn failures(scene: &ModelScene, choice: &Choice, trajectory: &Traject
     if trajectory.broken_off() {
         return Vec::new();
     }
-    let run = Recorded::of(scene, choice, trajectory);
+    let run = Samples::of(scene, choice, trajectory);
     let has_stopped = trajectory.stopped().is_some();
     let cause = match has_stopped {
         true => reasons::named(&run)

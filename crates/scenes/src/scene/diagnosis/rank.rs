@@ -1,6 +1,6 @@
 //! Constraints that lose their independence at a position: which, and by how much.
 
-use super::recorded::Recorded;
+use super::samples::Samples;
 use crate::start::{Dependence, KeptConstraints, SingularPositions};
 use simulation::{FailureKind, RunFailure};
 
@@ -8,7 +8,7 @@ use simulation::{FailureKind, RunFailure};
 const LOST: f64 = 1e-3;
 
 /// The loss of rank at the last good state of a run, where its law has ended there or steps have collapsed.
-pub(super) fn lost(run: &Recorded<'_>) -> Option<RunFailure> {
+pub(super) fn lost(run: &Samples<'_>) -> Option<RunFailure> {
     let left = run.trajectory.left;
     let is_named = left.is_some_and(SingularPositions::ends);
     if left.is_some() && !is_named {

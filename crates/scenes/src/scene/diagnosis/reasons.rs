@@ -1,6 +1,6 @@
 //! Failures that the reason of an ended law names by itself.
 
-use super::recorded::Recorded;
+use super::samples::Samples;
 use super::{accumulation, rank};
 use crate::modes::reasons;
 use crate::start::SingularPositions;
@@ -8,7 +8,7 @@ use simulation::events::{ACCUMULATE, POLE, TOO_MANY};
 use simulation::{FailureKind, RunFailure};
 
 /// The failure of a law that has ended with a reason.
-pub(super) fn named(run: &Recorded<'_>) -> Option<RunFailure> {
+pub(super) fn named(run: &Samples<'_>) -> Option<RunFailure> {
     let why = run.trajectory.left?;
     let (at, _) = run.last();
     let contacts = &run.model().contacts;
@@ -42,7 +42,7 @@ pub(super) fn named(run: &Recorded<'_>) -> Option<RunFailure> {
 }
 
 /// A pole, where nothing else explains it.
-pub(super) fn unexplained(run: &Recorded<'_>) -> Option<RunFailure> {
+pub(super) fn unexplained(run: &Samples<'_>) -> Option<RunFailure> {
     (run.trajectory.left == Some(POLE)).then(|| RunFailure {
         kind: FailureKind::Pole,
         at: run.last().0,

@@ -1,6 +1,6 @@
 //! Stiffness: steps of an explicit method that stability holds, and not accuracy.
 
-use super::recorded::Recorded;
+use super::samples::Samples;
 use crate::modes::Modes;
 use integrators::{Failure, Jacobian, Method};
 use nalgebra::{Complex, DMatrix, Schur};
@@ -41,7 +41,7 @@ struct Mode {
 }
 
 /// The stiffness that has stopped a run by the method's own test, or the step of a constant method that lets a mode grow which fades.
-pub(super) fn found(run: &Recorded<'_>) -> Option<RunFailure> {
+pub(super) fn found(run: &Samples<'_>) -> Option<RunFailure> {
     match run.trajectory.outcome.failure()? {
         Failure::Stiff { at } => {
             let mode = fastest(run, |mode| -mode.value.re)?;
@@ -53,7 +53,7 @@ pub(super) fn found(run: &Recorded<'_>) -> Option<RunFailure> {
 }
 
 /// The mode that a constant step lets grow most, where the motion lets it fade, or keeps it.
-fn unstable(run: &Recorded<'_>) -> Option<RunFailure> {
+fn unstable(run: &Samples<'_>) -> Option<RunFailure> {
     let (h, method) = (run.step(), run.choice.method);
     if !matches!(method, Method::Euler { .. } | Method::RungeKutta4 { .. }) {
         return None;
@@ -81,7 +81,7 @@ fn unstable(run: &Recorded<'_>) -> Option<RunFailure> {
 }
 
 /// The stiffness of a run that has reached its end: its steps were as long as stability allows, although the mode that holds them is gone.
-pub(super) fn hidden(run: &Recorded<'_>) -> Option<RunFailure> {
+pub(super) fn hidden(run: &Samples<'_>) -> Option<RunFailure> {
     let traits = run.choice.method.traits();
     if traits.implicit || !traits.adaptive || run.trajectory.outcome.work.steps < MANY_STEPS {
         return None;
@@ -92,10 +92,10 @@ pub(super) fn hidden(run: &Recorded<'_>) -> Option<RunFailure> {
     is_held.then(|| of(run, &mode, mode.at))
 }
 
-/// What helps against stiffness.
+/// Remedies against stiffness.
 const IMPLICIT: &str = "an implicit method: --method radau_5 or rodas_4, or `method = \"radau_5\"` in [run]";
 
-fn of(run: &Recorded<'_>, mode: &Mode, at: f64) -> RunFailure {
+fn of(run: &Samples<'_>, mode: &Mode, at: f64) -> RunFailure {
     let (h, fades) = (run.step(), mode.value.norm());
     RunFailure {
         kind: FailureKind::Stiffness,
@@ -114,7 +114,7 @@ fn of(run: &Recorded<'_>, mode: &Mode, at: f64) -> RunFailure {
 }
 
 /// The speed that a mode moves most.
-fn moved(run: &Recorded<'_>, mode: &Mode) -> String {
+fn moved(run: &Samples<'_>, mode: &Mode) -> String {
     format!("`{}`", run.model().state_names()[run.model().positions() + mode.moves].0)
 }
 
@@ -127,7 +127,7 @@ fn told(value: Complex<f64>) -> String {
 }
 
 /// The mode for which a measure is largest, at a few samples.
-fn fastest(run: &Recorded<'_>, measure: impl Fn(&Mode) -> f64) -> Option<Mode> {
+fn fastest(run: &Samples<'_>, measure: impl Fn(&Mode) -> f64) -> Option<Mode> {
     let sound = run.sound();
     let every = sound.len().div_ceil(LOOKS).max(1);
     let all = sound.iter().rev().step_by(every).filter_map(|(time, state)| modes(run, *time, state)).flatten();
@@ -135,7 +135,7 @@ fn fastest(run: &Recorded<'_>, measure: impl Fn(&Mode) -> f64) -> Option<Mode> {
 }
 
 /// All modes at a state.
-fn modes(run: &Recorded<'_>, time: f64, state: &[f64]) -> Option<Vec<Mode>> {
+fn modes(run: &Samples<'_>, time: f64, state: &[f64]) -> Option<Vec<Mode>> {
     let n = state.len();
     if n > MOST_STATES {
         return None;
@@ -161,7 +161,7 @@ fn modes(run: &Recorded<'_>, time: f64, state: &[f64]) -> Option<Vec<Mode>> {
 }
 
 /// The law that goes on from a state.
-fn law_at(run: &Recorded<'_>, state: &[f64]) -> Arc<dyn Law> {
+fn law_at(run: &Samples<'_>, state: &[f64]) -> Arc<dyn Law> {
     let model = &run.scene.model;
     let changes = !model.switches.is_empty() || !model.contacts.is_empty();
     let here = if changes { Modes::of(model, &[], &[]).first(state).ok() } else { None };

@@ -14,7 +14,7 @@ const REJECTED: u64 = 20;
 const PART_REJECTED: f64 = 0.2;
 
 /// A run with its states alone.
-pub(super) struct Recorded<'a> {
+pub(super) struct Samples<'a> {
     pub scene: &'a ModelScene,
     pub choice: &'a Choice,
     pub trajectory: &'a Trajectory,
@@ -24,7 +24,7 @@ pub(super) struct Recorded<'a> {
     sound: usize,
 }
 
-impl<'a> Recorded<'a> {
+impl<'a> Samples<'a> {
     pub fn of(scene: &'a ModelScene, choice: &'a Choice, trajectory: &'a Trajectory) -> Self {
         let n = scene.model.positions() + scene.model.speeds();
         let rows = trajectory.times.iter().copied().zip(trajectory.rows.iter().map(|row| row[..n].to_vec()));
@@ -35,7 +35,7 @@ impl<'a> Recorded<'a> {
         let size = |(_, state): &(f64, Vec<f64>)| state.iter().fold(0.0, |size: f64, part| size.max(part.abs()));
         let first = states.iter().take(states.len().div_ceil(2)).map(size).fold(1.0, f64::max);
         let sound = states.iter().take_while(|state| size(state) <= OVERFLOWN * first).count();
-        Recorded { scene, choice, trajectory, states, sound }
+        Samples { scene, choice, trajectory, states, sound }
     }
 
     pub fn model(&self) -> &Model {
