@@ -86,6 +86,8 @@ pub struct Source {
     pub start: Vec<Entry>,
     /// Where it is said that the start is an equilibrium near these.
     pub equilibrium: Option<Range<usize>>,
+    /// Parameters that a smaller model leaves out: zero for good, with all that vanishes with them; no text names them.
+    pub absent: Vec<String>,
 }
 
 /// A body: with a mass and a centre a particle, with an inertia it turns with its frame.

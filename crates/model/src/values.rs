@@ -10,7 +10,11 @@ impl Model {
     pub fn set_values<N: AsRef<str>>(&mut self, values: &[(N, f64)]) -> Result<(), String> {
         for (name, value) in values {
             let (name, value) = (name.as_ref(), *value);
-            if let Some(parameter) = self.parameters.iter_mut().find(|parameter| parameter.name == name) {
+            if let Some(place) = self.parameters.iter().position(|parameter| parameter.name == name) {
+                if self.absent.contains(&place) {
+                    return Err(format!("`{name}` is left out of this model, and has no other value"));
+                }
+                let parameter = &mut self.parameters[place];
                 parameter.value = Some(value);
                 let unit = if parameter.unit == "1" { String::new() } else { format!(" {}", parameter.unit) };
                 parameter.written = format!("{value}{unit}");

@@ -107,6 +107,7 @@ pub fn with_tables(base: Source, top: &mut Table<'_>) -> Source {
         regulator: own.regulator.or(base.regulator),
         start: replaced(base.start, own.start),
         equilibrium: own.equilibrium.or(base.equilibrium),
+        absent: base.absent,
     }
 }
 

@@ -1,9 +1,11 @@
 //! A scene with other values of its parameters and of its start.
 
 use crate::admissible::impossible;
+use crate::branch::settled;
 use crate::changing_laws::changes;
 use crate::readiness::{Ready, ready};
 use crate::scene::ModelScene;
+use model::{Fault, Model};
 use reader::Issue;
 use simulation::SymbolicLaw;
 use simulation::models::Modelled;
@@ -40,6 +42,29 @@ impl Modelled for ModelScene {
     fn with_values(&self, values: &[(&str, f64)]) -> Result<Arc<dyn Modelled>, String> {
         self.varied(values).map(|scene| Arc::new(scene) as Arc<dyn Modelled>)
     }
+
+    fn without(&self, parameters: &[&str]) -> Result<Arc<dyn Modelled>, String> {
+        let mut source = (*self.source).clone();
+        source.absent.extend(parameters.iter().map(|&name| name.to_owned()));
+        let elaborated = Model::of(&source).and_then(settled);
+        let mut model = elaborated.map_err(|faults| faults.first().map_or_else(String::new, in_short))?;
+        // the values that were given since the file was read
+        for (own, given) in model.parameters.iter_mut().zip(&self.model.parameters) {
+            if !source.absent.contains(&own.name) {
+                own.clone_from(given);
+            }
+        }
+        model.start.clone_from(&self.model.start);
+        model.start_speeds.clone_from(&self.model.start_speeds);
+        if model.regulator.is_some() {
+            model.close_regulated_inputs();
+        }
+        Ok(Arc::new(self.started(model)?.of_source(source, self)))
+    }
+}
+
+fn in_short(fault: &Fault) -> String {
+    format!("{}: {}", fault.title, fault.label)
 }
 
 impl ModelScene {
@@ -50,6 +75,11 @@ impl ModelScene {
     pub(crate) fn varied(&self, values: &[(&str, f64)]) -> Result<Self, String> {
         let mut model = (*self.model).clone();
         model.set_values(values)?;
+        self.started(model)
+    }
+
+    /// The same scene with another model, whose start is completed.
+    fn started(&self, model: Model) -> Result<Self, String> {
         let told = |issue: Issue| format!("{}: {}", issue.title, issue.label);
         if let Some(issue) = impossible(&model).into_iter().next() {
             return Err(told(issue));

@@ -23,7 +23,7 @@ use crate::start::{KeptConstraints, SingularPositions, consistent};
 use crate::warnings::{Warn, warn_by, warn_of};
 use diagnosis::failures;
 use integrators::Reference;
-use model::{Entry, Event, Model};
+use model::{Entry, Event, Model, Source};
 use reader::{Issue, SceneError, Table, tables};
 use simulation::events::Margins;
 use simulation::events::{Passage, Switching};
@@ -45,6 +45,8 @@ pub struct ModelScene {
     /// The motion in one sentence, and why it is hard.
     pub description: String,
     pub model: Arc<Model>,
+    /// What the model was elaborated from.
+    pub(crate) source: Arc<Source>,
     pub system: Arc<CompiledSystem>,
     /// Coordinates, then speeds, at time zero: the constraints hold.
     pub start: Vec<f64>,
@@ -133,7 +135,8 @@ impl ModelScene {
         let title = title.split_whitespace().collect::<Vec<_>>().join(" ");
         let description = top.optional_text("description", "what happens and why it is hard");
         let known_as = top.optional_text("known_as", KNOWN_AS);
-        let mut model = model_with(top, issues, given.outputs).map(|(model, _)| Arc::new(model));
+        let (mut model, source) = model_with(top, issues, given.outputs)
+            .map_or((None, None), |(model, source)| (Some(Arc::new(model)), Some(Arc::new(source))));
         if let Some(model) = &mut model
             && let Err(why) = Arc::make_mut(model).set_values(&given.values)
         {
@@ -153,7 +156,7 @@ impl ModelScene {
                 None
             }
         };
-        let mut model = model.take()?;
+        let (mut model, source) = (model.take()?, source?);
         let knowledge = known_as.and_then(|name| asked_for((&model, &columns(&model)), &name, written, issues));
         if model.regulator.is_some() {
             Arc::make_mut(&mut model).close_regulated_inputs();
@@ -183,6 +186,7 @@ impl ModelScene {
             title,
             description,
             model,
+            source,
             system,
             start,
             run,
@@ -200,11 +204,12 @@ impl ModelScene {
         let ModelScene { title, description, run, events, condition_lines, knowledge, .. } = self;
         let (title, description) = (title.clone(), description.clone());
         let (run, events, condition_lines) = (run.clone(), events.clone(), condition_lines.clone());
-        let without_motion = None;
+        let (source, without_motion) = (Arc::clone(&self.source), None);
         ModelScene {
             title,
             description,
             model,
+            source,
             system,
             start,
             run,
@@ -213,6 +218,16 @@ impl ModelScene {
             without_motion,
             knowledge: *knowledge,
         }
+    }
+
+    /// The scene of a model that was elaborated from another source of the same file, with the lines of its conditions.
+    pub(crate) fn of_source(self, source: Source, whole: &Self) -> Self {
+        let line_of = |place: &std::ops::Range<usize>| {
+            let known = whole.model.switch_places.iter().position(|known| known == place);
+            known.and_then(|known| whole.condition_lines.get(known).copied()).unwrap_or_default()
+        };
+        let condition_lines = self.model.switch_places.iter().map(line_of).collect();
+        ModelScene { source: Arc::new(source), condition_lines, ..self }
     }
 
     /// The same scene with a run of another length.

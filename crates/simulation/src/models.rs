@@ -30,6 +30,13 @@ pub trait Modelled: IvpScene + fmt::Debug {
     /// # Errors
     /// The name that it does not know, or why nothing starts so.
     fn with_values(&self, values: &[(&str, f64)]) -> Result<Arc<dyn Modelled>, String>;
+
+    /// The scene without the elements of these parameters, which are zero for good: conditions that choose nothing any more are not
+    /// watched for.
+    ///
+    /// # Errors
+    /// The name of no parameter, or why nothing starts so.
+    fn without(&self, parameters: &[&str]) -> Result<Arc<dyn Modelled>, String>;
 }
 
 /// Reads a text, which messages call by the first argument.

@@ -15,7 +15,7 @@ use std::time::Duration;
 fn receipt(name: &str, tolerance: f64) -> Receipt {
     let scene = scene(name);
     let ladders = [Axes::First, Axes::Second].map(|axes| Hierarchy::of_scene(&scene, axes)).into();
-    let models = Forms { ladders, kept: Stored::beside(&path(name)) };
+    let models = Forms::of(ladders, Stored::beside(&path(name)));
     let wish = Wish { tolerance, outputs: scene.run.outputs.clone(), allowed: Duration::ZERO };
     choose(&models, &wish).expect("it runs")
 }
@@ -62,7 +62,7 @@ fn what_is_promised_holds_between_the_instants_too() {
         (include_str!("../../../crates/cli/tests/program/odd/choose_between_instants_1e-2.toml"), 1e-2),
     ] {
         let scene = Scene::parse("between", text).unwrap_or_else(|error| panic!("{error}"));
-        let models = Forms { ladders: vec![Hierarchy::of_scene(&scene, Axes::First)], kept: None };
+        let models = Forms::of(vec![Hierarchy::of_scene(&scene, Axes::First)], None);
         let wish = Wish { tolerance, outputs: scene.run.outputs.clone(), allowed: Duration::ZERO };
         let receipt = choose(&models, &wish).expect("it runs");
         let dense: Vec<f64> = (1..=DENSE).map(|k| scene.run.span * k as f64 / DENSE as f64).collect();

@@ -114,3 +114,48 @@ impl Observer<f64> for Along {
         self.0.push((time, state.to_vec()));
     }
 }
+
+/// A block that dry friction of this size hardly slows, or a motor whose inductance is so small beside it.
+fn sliding(extra: &str) -> String {
+    format!(
+        "title = \"sliding\"\n[parameters]\nm = \"1 kg\"\nk = \"1 N/m\"\nF = \"1e-9 N\"\nL = \"1e-5 H\"\n[coordinates]\nx = \"m\"\n{extra}\n\
+         [[force]]\nalong = \"x\"\nis = \"-k*x - F*sign(x')\"\n[start]\nx = \"12 m\"\n[run]\nspan = \"30 s\"\noutputs = [\"x\"]\n"
+    )
+}
+
+/// What is left out has no condition that is watched for, and the run is that of the closed form.
+#[test]
+fn dry_friction_that_hardly_acts_is_left_out_with_its_condition() {
+    let scene = opened(&sliding("[energies]\nkinetic = \"m*x'^2/2\""));
+    let (models, receipt) = chosen(&scene, 1e-5);
+    let line = receipt.taken.expect("something is taken");
+    assert_eq!(receipt.lines[line].name, "without F");
+    let choice = receipt.lines[line].choice.as_ref().expect("it runs");
+    let column = models.columns().iter().position(|name| name == "x").expect("a column");
+    for (time, row) in &choice.rows {
+        assert!((row[column] - 12.0 * time.cos()).abs() < 12.0 * 1e-5, "{time}");
+    }
+    let without = scene.without(&["F"]).expect("a scene");
+    assert!(scene.problem(Axes::First).switching.is_some() && without.problem(Axes::First).switching.is_none());
+    let refused = without.with_values(&[("F", 1.0)]).expect_err("it is left out");
+    assert!(refused.contains("`F` is left out"), "{refused}");
+}
+
+/// A current whose inductance is left out obeys U = R i, and what it moves keeps its condition.
+#[test]
+fn an_inductance_beside_a_condition_is_left_out_and_the_condition_stays() {
+    let motor = "q = \"C\"\n[energies]\nkinetic = \"m*x'^2/2 + L*q'^2/2\"\n[[force]]\nalong = \"q\"\nis = \"(3 V) - (2 ohm)*q'\"\n\
+                 [[force]]\nalong = \"x\"\nis = \"(1 N/A)*q'\"";
+    let scene = opened(&sliding(motor).replace("1e-9 N", "0.5 N").replace("x = \"12 m\"", "x = \"-2 m\""));
+    let without = scene.without(&["L"]).expect("a scene");
+    let problem = without.problem(Axes::First);
+    assert!(problem.switching.is_some());
+    let current = problem.columns.iter().position(|name| name == "q'").expect("a column");
+    assert!(((problem.row)(0.0, &problem.state)[current] - 1.5).abs() < 1e-12);
+    let (models, receipt) = chosen(&scene, 1e-3);
+    let line = receipt.taken.expect("something is taken");
+    assert_eq!(receipt.lines[line].name, "without L");
+    let choice = receipt.lines[line].choice.as_ref().expect("it runs");
+    let off = off(&models, &receipt, line, choice);
+    assert!(off < 1e-3, "{off:e}");
+}

@@ -63,7 +63,7 @@ pub fn show(asked: &Asked) -> Result<Exit, Exit> {
         AnyScene::Driven(scene) => {
             let axes = if matches!(scene.system, Setup::Bench { .. }) { &AXES[..1] } else { &AXES[..] };
             let ladders = axes.iter().map(|axes| Hierarchy::of_scene(scene, *axes)).collect();
-            (Box::new(Forms { ladders, kept: Stored::beside(&asked.scene) }), scene.run.outputs.clone())
+            (Box::new(Forms::of(ladders, Stored::beside(&asked.scene))), scene.run.outputs.clone())
         }
         AnyScene::Model(scene) => {
             refuse("a system that is written in its file", asked.model.is_some(), false, &asked.scene)?;

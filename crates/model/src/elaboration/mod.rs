@@ -1,9 +1,11 @@
 //! From a system as it was written to a model: names resolved in the order in which they need each other, dimensions checked.
 
+mod absent;
 mod angles;
 mod axial;
 mod bodies;
 mod choices;
+mod conditions_of_law;
 mod constants;
 mod contact_checks;
 mod contacts;
@@ -26,7 +28,6 @@ mod operations;
 mod order;
 mod orders;
 mod orientation;
-mod output_switches;
 mod oversights;
 mod parts;
 mod quasi_velocities;

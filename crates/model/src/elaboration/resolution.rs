@@ -3,7 +3,7 @@
 use super::one_sided_loads::{Load, one_sided};
 use super::reactions::{ReactionLetter, with_laws};
 use super::{
-    Elaborator, axial, contact_checks, inertialess, names, order, output_switches, oversights, released,
+    Elaborator, axial, conditions_of_law, contact_checks, inertialess, names, order, oversights, released,
     turning_inertias, unheld_axes,
 };
 use crate::{Fault, Model, Source};
@@ -34,7 +34,8 @@ pub(super) fn elaborated(source: &Source) -> Result<Model, Vec<Fault>> {
 
 /// A model whose names are resolved, with the laws of its coordinates without inertia, and its warnings.
 fn settled(source: &Source, Resolved { mut model, loads, .. }: Resolved) -> Result<Model, Vec<Fault>> {
-    output_switches::stepped(&mut model);
+    model.leave_out(&source.absent);
+    conditions_of_law::keep_those_of_law(&mut model);
     let mut faults = axial::tilted(&model);
     faults.extend(turning_inertias::turning(&model));
     if faults.is_empty() {

@@ -223,6 +223,8 @@ pub struct Model {
     pub start_speeds: Vec<StartSpeed>,
     /// Where it is said that the start is an equilibrium near these values.
     pub equilibrium: Option<Range<usize>>,
+    /// Parameters that are left out: zero for good, by their places.
+    pub absent: Vec<usize>,
     /// Texts that are accepted, and perhaps mean something else.
     pub warnings: Vec<Fault>,
     pub(crate) arena: Arena,

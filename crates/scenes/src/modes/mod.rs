@@ -182,12 +182,13 @@ impl Laws {
 impl Modes {
     /// The modes of a model; laws are compiled when a run comes to them. Its events have names, its conditions lines in a file.
     pub fn of(model: &Arc<Model>, events: &[String], condition_lines: &[usize]) -> Self {
+        let model = model.with_smooth_contacts();
         Modes::with(Arc::new(Laws {
-            model: Arc::clone(model),
             known: Mutex::default(),
             expansions: OnceLock::new(),
             kept: OnceLock::new(),
-            words: Words::of(model, events, condition_lines),
+            words: Words::of(&model, events, condition_lines),
+            model,
         }))
     }
 

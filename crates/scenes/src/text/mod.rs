@@ -55,6 +55,7 @@ pub fn source(top: &mut Table<'_>) -> Source {
         events: events(top),
         start,
         equilibrium,
+        absent: Vec::new(),
     }
 }
 

@@ -1,6 +1,6 @@
 //! Guides: reactions that coordinates satisfy already, beside coordinates that leave the direction across free.
 
-use super::{METHODS, close, events, last, runs, stored};
+use super::{METHODS, close, edited, events, last, runs, stored};
 use integrators::Method;
 
 #[test]
@@ -89,4 +89,17 @@ fn a_rod_without_mass_goes_as_its_constraint_says() {
     for name in ["theta", "phi", "theta'", "N"] {
         close(last(&massless, name), last(&light, name), 1e-5 * last(&light, name).abs().max(1.0));
     }
+}
+
+/// Where the coefficient is zero the direction of sliding chooses nothing: the energy is that of the torque.
+#[test]
+fn a_guide_whose_coefficient_of_friction_is_zero_is_smooth() {
+    let text = edited("models/rough_slider_crank", &[("mu", "0")]);
+    let run = runs(&text, Method::DormandPrince8, 1e-10);
+    assert_eq!(run.stopped(), None);
+    let energy = |value: &dyn Fn(&str) -> f64| value("kinetic_energy") + value("potential_energy");
+    let place = |name: &str| run.names.iter().position(|known| known == name).expect("a column");
+    let gained = energy(&|name| last(&run, name)) - energy(&|name| run.rows[0][place(name)]);
+    close(gained, 6.0 * (last(&run, "theta") - 0.3), 1e-6);
+    assert_eq!(last(&run, "T"), 0.0);
 }

@@ -4,7 +4,7 @@
 
 use super::comparison::Comparison;
 use super::outputs::Watched;
-use super::plan::{FINEST, Plan, Runnable, plans};
+use super::plan::{FINEST, Plan, Runnable, plan};
 use super::receipt::{Choice, Line, Receipt, Sufficiency, Wish, Work, cheapest};
 use super::run_rows::Run;
 use super::sampled_run::instants;
@@ -83,9 +83,8 @@ pub fn choose(models: &dyn Models, wish: &Wish) -> Result<Receipt, String> {
     let forms: Vec<Vec<Runnable<'_>>> = (0..lines.len()).map(|line| models.forms(line)).collect();
     let span = forms.iter().flatten().map(|form| form.span).fold(0.0, f64::max);
     let mut tried: Vec<Trial> = Vec::new();
-    let found = plans(&forms[0], &watched, OF_METHOD * wish.tolerance);
-    deciding += found.first().map_or(0, |plan| plan.spent);
-    let own = found.into_iter().next().and_then(|plan| {
+    let own = plan(&forms[0], &watched, OF_METHOD * wish.tolerance).and_then(|plan| {
+        deciding += plan.spent;
         Trial::of_plan((0, plan), &watched, wish.tolerance, |plan, times| {
             run_of(&forms[0], plan, times).inspect(|run| deciding += run.evaluations)
         })
@@ -94,7 +93,8 @@ pub fn choose(models: &dyn Models, wish: &Wish) -> Result<Receipt, String> {
         None => lines[0].verdict = Sufficiency::NotRun,
         Some(own) => {
             let (models, forms, tolerance) = (models, &forms, wish.tolerance);
-            let mut comparison = Comparison { models, forms, watched: &watched, tolerance, own: &own, spent: 0 };
+            let (watched, before) = (&watched, deciding);
+            let mut comparison = Comparison { models, forms, watched, tolerance, own: &own, before, spent: 0 };
             let others = comparison.trials(&mut lines);
             deciding += comparison.spent;
             tried.push(own);

@@ -10,8 +10,11 @@ use super::trial::Trial;
 use integrators::Method;
 use std::cell::Cell;
 
-/// Runs of the scene's own model that trying smaller ones may cost: those that are too far off end early.
-const PRICE: f64 = 2.0;
+/// Runs of the scene's own model that deciding may cost in all: what its first runs have left of it goes to smaller models, those
+/// of which that are too far off end early.
+const PRICE: f64 = 3.0;
+/// What there is for smaller models at the least, in the same runs.
+const LEAST: f64 = 1.0;
 /// A model that costs more than this share of the scene's own saves too little.
 const WORTH: f64 = 0.8;
 /// The tolerance that usually serves for an error, as a share of it.
@@ -25,6 +28,8 @@ pub struct Comparison<'a> {
     /// Largest error allowed.
     pub tolerance: f64,
     pub own: &'a Trial,
+    /// Evaluations that were spent on deciding before.
+    pub before: u64,
     /// Evaluations of the scene's own law that all of this has taken.
     pub spent: u64,
 }
@@ -57,7 +62,8 @@ impl Comparison<'_> {
 
     /// Evaluations of the scene's own law that may still be spent.
     fn left(&self) -> f64 {
-        PRICE * self.own.run.evaluations as f64 - self.spent as f64
+        let own = self.own.run.evaluations as f64;
+        (PRICE * own - self.before as f64).max(LEAST * own) - self.spent as f64
     }
 
     /// The price of an evaluation of a line's law over that of the scene's own.

@@ -2,15 +2,17 @@
 
 use super::choose::{MOST, Mixed, Models, OF_METHOD};
 use super::estimate::Estimate;
+use super::first_run::FirstRun;
 use super::models::across_events;
 use super::outputs::Watched;
-use super::plan::{COARSE, FINEST, Plan, Runnable, is_stiff_at, plans};
+use super::plan::{self, COARSE, FINEST, Plan, Runnable, is_stiff_at};
 use super::receipt::{Line, OF_MODEL, Sufficiency, Wish};
 use super::switching::LOOKING;
 use super::trial::Trial;
 use super::{Hierarchy, Loss, ReducedModel};
 use integrators::Method;
 use simulation::{Axes, Stored};
+use std::cell::RefCell;
 use std::sync::Arc;
 use std::time::Instant;
 
@@ -18,6 +20,15 @@ use std::time::Instant;
 pub struct Forms {
     pub ladders: Vec<Hierarchy>,
     pub kept: Option<Stored>,
+    /// The first run of the scene's own model, once it was made.
+    pub(super) pilot: RefCell<Option<FirstRun>>,
+}
+
+impl Forms {
+    /// Of these hierarchies, the first form's first.
+    pub fn of(ladders: Vec<Hierarchy>, kept: Option<Stored>) -> Self {
+        Forms { ladders, kept, pilot: RefCell::new(None) }
+    }
 }
 
 /// The name of a run of several models.
@@ -36,10 +47,11 @@ impl Models for Forms {
     }
 
     fn watched(&self, names: &[String]) -> Result<(Watched, u64), String> {
-        let (watched, evaluations) = self.ladders[0].watched(names).map_err(|failure| failure.to_string())?;
-        let changes = self.ladders[0].own.switching.is_some();
-        let told = |why: &str| if changes { why.to_owned() } else { format!("left its law: {why}") };
-        watched.left.map_or(Ok((watched, evaluations)), |why| Err(told(why)))
+        let own = &self.ladders[0].own;
+        let (pilot, spent) = FirstRun::of(own)?;
+        let watched = pilot.watched(own, names);
+        self.pilot.replace(Some(pilot));
+        Ok((watched, spent))
     }
 
     fn lines(&self, watched: &Watched, _tolerance: f64) -> (Vec<Line>, u64) {
@@ -71,7 +83,12 @@ impl Models for Forms {
     }
 
     fn forms(&self, line: usize) -> Vec<Runnable<'_>> {
-        self.ladders.iter().zip(AXES).map(|(ladder, axes)| runnable(ladder, line, axes)).collect()
+        let mut forms: Vec<Runnable<'_>> =
+            self.ladders.iter().zip(AXES).map(|(ladder, axes)| runnable(ladder, line, axes)).collect();
+        if let (0, Some(pilot), Some(form)) = (line, &*self.pilot.borrow(), forms.first_mut()) {
+            form.knows(pilot.method, COARSE, pilot.run.clone());
+        }
+        forms
     }
 
     fn code_size(&self, line: usize) -> Option<usize> {
@@ -115,8 +132,7 @@ impl Models for Forms {
             (schedule.share() >= WORTH_WHILE).then_some((at, schedule))
         });
         let (at, schedule) = schedules.max_by(|a, b| a.1.share().total_cmp(&b.1.share()))?;
-        let low = plans(&[runnable(ladder, at + 1, Axes::First)], watched, OF_METHOD * wish.tolerance);
-        let low = low.into_iter().next()?;
+        let low = plan::plan(&[runnable(ladder, at + 1, Axes::First)], watched, OF_METHOD * wish.tolerance)?;
         let spans = schedule.spans().into_iter().map(|(from, to)| format!("{from:.3} to {to:.3} s"));
         let (rung, name) = (&ladder.rungs[at], &lines[rich].name);
         let line = Line {

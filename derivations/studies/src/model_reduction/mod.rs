@@ -11,8 +11,8 @@
 //! * [`dual_weighted_error`]: the same by transition matrices, weighed for each output: where along the run an error comes from;
 //! * [`switching`]: a smaller model on those stretches only; [`loss_weights`]: what weighs its losses;
 //! * [`simplification`]: elements that a system as text does without, found in its equations; [`text_models`]: its models;
-//! * [`run_rows`]: a run's rows at its steps; [`plan`]: the cheapest method and form for a law; `trial`: its run with an error,
-//!   `comparison`: smaller models beside that; [`choose`](mod@choose): the cheapest of
+//! * [`run_rows`]: a run's rows at its steps; [`first_run`]: that of the scene's own model; [`plan`]: the cheapest method and form
+//!   for a law; `trial`: its run with an error, `comparison`: smaller models beside that; [`choose`](mod@choose): the cheapest of
 //!   any [`choose::Models`], as those of [`forms`] are, with its [`receipt`]; [`ReducedScene`]: a scene run by one of them.
 //!
 //! Key results: a step with a vanishing defect is exact, which is decided over expressions; of every other the error is
@@ -25,6 +25,7 @@ pub mod dual_weighted_error;
 pub mod elimination;
 pub mod error_propagation;
 pub mod estimate;
+pub mod first_run;
 pub mod forms;
 pub mod loss_weights;
 pub mod lumping;

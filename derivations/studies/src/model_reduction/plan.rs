@@ -165,18 +165,22 @@ impl<'a> Runnable<'a> {
         (self.go)(method, tolerance, most, times, serves)
     }
 
-    /// The first pilot that reaches the end.
-    fn first(&self, is_stiff: bool, spent: &mut u64) -> Option<(Method, Run)> {
+    /// The first pilot that reaches the end, within so many evaluations where there is such a limit.
+    fn first(&self, is_stiff: bool, at_most: Option<u64>, spent: &mut u64) -> Option<(Method, Run)> {
         if let Some((method, tolerance, run)) = &self.known
             && *tolerance == COARSE
         {
             return Some((*method, run.clone()));
         }
-        first_of(is_stiff, |method, most| {
+        let mut coarse = |method, most| {
             let (run, evaluations) = self.run(method, COARSE, most, None);
             *spent += evaluations;
             (run, evaluations)
-        })
+        };
+        match at_most {
+            Some(most) => by_kind(is_stiff, |method| coarse(method, most)),
+            None => first_of(is_stiff, coarse),
+        }
     }
 
     /// The plan for an error by one method; none where the second pilot does not reach its end.
@@ -247,20 +251,22 @@ pub(super) fn is_stiff_at(law: &dyn Law, start: &[f64], span: f64) -> bool {
     STABLE * fastest * span > STIFF
 }
 
-/// Plans for an error, one for each form, the cheapest foretold first.
-pub fn plans(forms: &[Runnable<'_>], watched: &Watched, error: f64) -> Vec<Plan> {
+/// The plan for an error in the form whose first pilot is the cheapest; the evaluations of all pilots are among what it has spent.
+pub fn plan(forms: &[Runnable<'_>], watched: &Watched, error: f64) -> Option<Plan> {
     let mut spent = 0;
     let mut is_stiff = watched.stiff;
-    let mut found: Vec<Plan> = Vec::new();
+    let mut coarse: Vec<(&Runnable<'_>, Method, Run)> = Vec::new();
     for form in forms {
-        let Some((method, coarse)) = form.first(is_stiff, &mut spent) else { continue };
+        // a form that takes more than the best so far is not the one, and need not be run to its end
+        let most = coarse.iter().map(|(.., run)| run.evaluations).min();
+        let Some((method, run)) = form.first(is_stiff, most, &mut spent) else { continue };
         // the best kind of method in one form is so in the other
         is_stiff = method.traits().implicit;
-        found.extend(form.plan(method, coarse, watched, error, &mut spent));
+        coarse.push((form, method, run));
     }
-    found.iter_mut().for_each(|plan| plan.spent = spent);
-    found.sort_by(|a, b| a.foretold.total_cmp(&b.foretold));
-    found
+    coarse.sort_by_key(|(.., run)| run.evaluations);
+    let found = coarse.into_iter().find_map(|(form, method, run)| form.plan(method, run, watched, error, &mut spent));
+    found.map(|plan| Plan { spent, ..plan })
 }
 
 /// A positive number that is written with two digits, at most so large: the tolerance that is printed is the one that was run.

@@ -2,29 +2,25 @@
 
 use super::choose::{Mixed, Models};
 use super::estimate::Estimate;
+use super::first_run::FirstRun;
 use super::forms::BY_ITS_RUN;
 use super::models::across_events;
-use super::outputs::{Watched, largest};
-use super::plan::{COARSE, LAST, Runnable, first_of, is_stiff_at};
+use super::outputs::Watched;
+use super::plan::{Runnable, is_stiff_at};
 use super::receipt::{Line, OF_MODEL, Sufficiency, Wish};
 use super::reduced_model::Lifted;
-use super::run_rows::Run;
-use super::sampled_run::looks;
 use super::simplification::candidates::{Candidate, Facts, candidates};
 use super::simplification::linear_error::{Distance, Weights};
 use super::simplification::{Simplification, SimplifiedScene};
 use super::trial::Trial;
 use super::{Forms, Hierarchy, Loss};
-use integrators::{Failure, Method, Observer, Span, Tolerance};
 use simulation::models::Modelled;
 use simulation::{Axes, Problem, Stored};
-use std::cell::{OnceCell, RefCell};
+use std::cell::OnceCell;
 use std::sync::Arc;
 
 /// Bytes of code of a law up to which each of its parameters is tried at zero.
 const MOST_CODE: usize = 20_000;
-/// Instants of a pilot by Taylor's method: a multiple of those of references.
-const DENSE: usize = 128;
 /// The share of the code of the scene's own law up to which a law is called shorter.
 const SHORTER: f64 = 0.8;
 /// Estimates that cost more than this share of a coarse run are not made.
@@ -40,7 +36,6 @@ pub struct TextModels {
     known: Forms,
     /// Simplifications that were found, with the problem of each.
     found: OnceCell<Vec<Simplified>>,
-    pilot: RefCell<Option<Pilot>>,
 }
 
 /// A simplification with its problem.
@@ -51,75 +46,15 @@ struct Simplified {
     problem: Problem,
 }
 
-/// The first run of the scene's own model.
-struct Pilot {
-    method: Method,
-    run: Run,
-    /// Times and states, the start first.
-    along: Vec<(f64, Vec<f64>)>,
-}
-
 impl TextModels {
     /// Of a scene with its reference, where one is kept.
     pub fn of(scene: &Arc<dyn Modelled>, kept: Option<Stored>) -> Self {
-        let known = Forms { ladders: vec![Hierarchy::of_model(&**scene)], kept };
-        TextModels { scene: Arc::clone(scene), known, found: OnceCell::new(), pilot: RefCell::new(None) }
+        let known = Forms::of(vec![Hierarchy::of_model(&**scene)], kept);
+        TextModels { scene: Arc::clone(scene), known, found: OnceCell::new() }
     }
 
     fn own(&self) -> &Problem {
         &self.known.ladders[0].own
-    }
-
-    /// A coarse run that reaches the end, and the evaluations of all that were tried.
-    ///
-    /// # Errors
-    /// Why there is none.
-    fn pilot(&self) -> Result<(Pilot, u64), String> {
-        let own = self.own();
-        let stiff = is_stiff_at(&*own.law, &own.state, own.span);
-        let (mut spent, mut why) = (own.state.len() as u64, None);
-        let found = first_of(stiff, |method, most| {
-            if why.is_some() {
-                return (None, 0);
-            }
-            // a Taylor polynomial has values anywhere for nothing
-            let times: Vec<f64> = match method {
-                Method::Taylor => (1..=DENSE).map(|k| own.span * (k as f64 / DENSE as f64)).collect(),
-                _ => looks(own.span).collect(),
-            };
-            let span = Span::new(0.0, own.span, &own.state).with_outputs(&times).with_evaluations(most);
-            let mut seen = Seen { samples: Vec::new(), steps: Vec::new() };
-            let (outcome, left) = own.integrate(method, &Tolerance::both(COARSE), &span, &mut seen);
-            let evaluations = outcome.work.rates + outcome.work.jacobians * own.state.len() as u64;
-            spent += evaluations;
-            if outcome.reached() && left.is_none() && outcome.time == own.span {
-                return (Some((seen, evaluations)), evaluations);
-            }
-            // numbers that overflow do so by any method
-            let overflows = matches!(outcome.failure(), Some(Failure::LeftTheNumbers { .. }));
-            if overflows {
-                why = outcome.failure().map(|failure| failure.to_string());
-            } else if outcome.reached() || left.is_some() {
-                why = Some(left.unwrap_or("an event ends the run before its span").to_owned());
-            } else if most >= LAST {
-                why = outcome.failure().map(|failure| failure.to_string());
-            }
-            (None, evaluations)
-        });
-        let Some((method, (seen, evaluations))) = found else {
-            return Err(why.unwrap_or_else(|| "no method reaches its end".to_owned()));
-        };
-        let row = |(time, state): &(f64, Vec<f64>)| (*time, (own.row)(*time, state));
-        let run = Run {
-            asked: seen.samples.iter().map(row).collect(),
-            steps: seen.steps.iter().map(row).collect(),
-            evaluations,
-        };
-        let mut along: Vec<(f64, Vec<f64>)> =
-            std::iter::once((0.0, own.state.clone())).chain(seen.samples).chain(seen.steps).collect();
-        along.sort_by(|a, b| a.0.total_cmp(&b.0));
-        along.dedup_by(|a, b| a.0 == b.0);
-        Ok((Pilot { method, run, along }, spent))
     }
 
     /// Simplifications: exact ones first, then those that leave out the most.
@@ -127,7 +62,7 @@ impl TextModels {
         let own = self.own();
         let mut found: Vec<(Candidate, bool)> = Vec::new();
         if self.scene.is_written() && own.residual.is_none() {
-            let pilot = self.pilot.borrow();
+            let pilot = self.known.pilot.borrow();
             let along = pilot.as_ref().map_or(&[][..], |pilot| &pilot.along);
             let shown = self.scene.states_behind(&watched.names);
             let written = self.scene.symbolic_law();
@@ -158,10 +93,8 @@ impl TextModels {
                 _ => false,
             };
             // an element saves by what it makes stiff, by its events, or by its length
-            let is_simpler = match own.switching.is_some() {
-                true => problem.switching.is_none(),
-                false => candidate.simplification.has_own_law() || watched.stiff || is_shorter,
-            };
+            let has_fewer_events = own.switching.is_some() && problem.switching.is_none();
+            let is_simpler = candidate.simplification.has_own_law() || watched.stiff || is_shorter || has_fewer_events;
             (shows && is_simpler).then_some(Simplified { candidate, is_exact, scene, problem })
         };
         found.into_iter().filter_map(simplified).collect()
@@ -173,7 +106,7 @@ impl TextModels {
     }
 
     /// Whether estimates cost less than the run that they are made along: else the runs of the models are the better judges.
-    fn is_worth_estimates(&self, pilot: &Pilot) -> bool {
+    fn is_worth_estimates(&self, pilot: &FirstRun) -> bool {
         let (own, count) = (self.own(), self.approximate());
         let cost = || Weights::cost(&*own.law, pilot.along.len(), count);
         own.switching.is_none() && count > 0 && cost() as f64 <= WORTH * pilot.run.evaluations as f64
@@ -227,30 +160,17 @@ impl Models for TextModels {
     }
 
     fn watched(&self, names: &[String]) -> Result<(Watched, u64), String> {
-        let (pilot, spent) = self.pilot()?;
-        let own = self.own();
-        let rows: Vec<Vec<f64>> = std::iter::once((own.row)(0.0, &own.state))
-            .chain(pilot.run.steps.iter().chain(&pilot.run.asked).map(|(_, row)| row.clone()))
-            .collect();
-        let sizes = (0..own.state.len()).map(|i| largest(pilot.along.iter().map(|(_, state)| state[i]))).collect();
-        let watched = Watched::of(&own.columns, names, &rows, sizes);
-        let stiff = pilot.method.traits().implicit;
-        let rows = pilot.run.asked.iter().chain(&pilot.run.steps);
-        let without_value = rows.into_iter().find_map(|(time, row)| {
-            let place = watched.columns.iter().position(|&column| !row[column].is_finite())?;
-            Some((watched.names[place].clone(), *time))
-        });
-        self.pilot.replace(Some(pilot));
-        Ok((Watched { stiff, without_value, ..watched }, spent))
+        self.known.watched(names)
     }
 
     fn lines(&self, watched: &Watched, tolerance: f64) -> (Vec<Line>, u64) {
         let (mut lines, mut spent) = self.known.lines(watched, tolerance);
         let found = self.found.get_or_init(|| self.simplified(watched));
-        let estimates = self.pilot.borrow().as_ref().filter(|pilot| self.is_worth_estimates(pilot)).and_then(|pilot| {
-            spent += Weights::cost(&*self.own().law, pilot.along.len(), self.approximate());
-            self.estimates(watched, &pilot.along)
-        });
+        let estimates =
+            self.known.pilot.borrow().as_ref().filter(|pilot| self.is_worth_estimates(pilot)).and_then(|pilot| {
+                spent += Weights::cost(&*self.own().law, pilot.along.len(), self.approximate());
+                self.estimates(watched, &pilot.along)
+            });
         for (at, one) in found.iter().enumerate() {
             let model = match (&estimates, one.is_exact) {
                 (_, true) => Ok(Estimate::nothing(watched.columns.len())),
@@ -280,14 +200,7 @@ impl Models for TextModels {
     fn forms(&self, line: usize) -> Vec<Runnable<'_>> {
         let known = self.known.ladders[0].rungs.len() + 1;
         match line.checked_sub(known) {
-            None => {
-                let mut forms = self.known.forms(line);
-                let pilot = self.pilot.borrow();
-                if let (0, Some(pilot), Some(form)) = (line, &*pilot, forms.first_mut()) {
-                    form.knows(pilot.method, COARSE, pilot.run.clone());
-                }
-                forms
-            }
+            None => self.known.forms(line),
             Some(place) => {
                 let found = self.found.get().and_then(|found| found.get(place));
                 found.map(|one| across_events(Axes::First, &one.problem)).into_iter().collect()
@@ -319,21 +232,5 @@ impl Models for TextModels {
     fn mixed(&self, watched: &Watched, lines: &[Line], tried: &[Trial], wish: &Wish) -> Option<Mixed<'_>> {
         let known = self.known.ladders[0].rungs.len() + 1;
         (lines.len() == known).then(|| self.known.mixed(watched, lines, tried, wish)).flatten()
-    }
-}
-
-/// The states of a run at the times that were asked for, and at its steps.
-struct Seen {
-    samples: Vec<(f64, Vec<f64>)>,
-    steps: Vec<(f64, Vec<f64>)>,
-}
-
-impl Observer<f64> for Seen {
-    fn sample(&mut self, time: f64, state: &[f64]) {
-        self.samples.push((time, state.to_vec()));
-    }
-
-    fn step(&mut self, time: f64, state: &[f64]) {
-        self.steps.push((time, state.to_vec()));
     }
 }

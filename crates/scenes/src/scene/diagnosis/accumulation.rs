@@ -54,5 +54,8 @@ fn gaps(run: &Samples<'_>) -> Vec<f64> {
 fn names(run: &Samples<'_>) -> String {
     let last = run.trajectory.passages.iter().skip(1).rev().take(LOOKED_AT);
     let names: BTreeSet<&str> = last.map(|passage| passage.what.as_str()).collect();
-    names.into_iter().collect::<Vec<_>>().join(" and ")
+    match names.is_empty() {
+        true => "the events at the start".to_owned(),
+        false => names.into_iter().collect::<Vec<_>>().join(" and "),
+    }
 }

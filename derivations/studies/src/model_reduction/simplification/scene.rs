@@ -29,14 +29,14 @@ impl SimplifiedScene {
     /// # Errors
     /// The name that it does not know, or why there is no such model.
     pub fn of(scene: &Arc<dyn Modelled>, simplification: &Simplification) -> Result<Self, String> {
-        let zeros: Vec<(&str, f64)> = simplification.without.iter().map(|name| (name.as_str(), 0.0)).collect();
+        let absent: Vec<&str> = simplification.without.iter().map(String::as_str).collect();
         let parameters: Vec<String> = scene.parameters().into_iter().map(|one| one.name.into_owned()).collect();
-        if let Some((wrong, _)) = zeros.iter().find(|(name, _)| !parameters.iter().any(|known| known == name)) {
+        if let Some(wrong) = absent.iter().find(|name| !parameters.iter().any(|known| known == *name)) {
             return Err(format!("no parameter is called `{wrong}`; known: {}", parameters.join(", ")));
         }
-        let scene = match zeros.is_empty() {
+        let scene = match absent.is_empty() {
             true => Arc::clone(scene),
-            false => scene.with_values(&zeros)?,
+            false => scene.without(&absent)?,
         };
         let name = simplification.to_string();
         let own = scene.problem(Axes::First);

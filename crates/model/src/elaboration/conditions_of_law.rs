@@ -1,28 +1,29 @@
-//! Conditions that outputs alone ask for: they choose nothing in the law, and are steps of their expressions.
+//! Conditions that choose something in the law. Those that outputs alone ask for are steps of their expressions.
 
 use super::parts::reached;
 use crate::arena::{Part, Scalar};
 use crate::{Energies, Inertia, Model, ScalarId, Turn, Zero};
 
 /// Takes the switches that no law holds out of the list.
-pub(super) fn stepped(model: &mut Model) {
+pub(super) fn keep_those_of_law(model: &mut Model) {
     if model.switches.is_empty() {
         return;
     }
     let in_law = parts_of_law(model);
-    let place_of = |model: &Model, switch: usize| {
-        model.arena.parts.iter().position(|part| *part == Part::Scalar(Scalar::Switch(switch)))
-    };
-    let places: Vec<Option<usize>> = (0..model.switches.len()).map(|switch| place_of(model, switch)).collect();
-    let stays: Vec<bool> = places.iter().map(|place| place.is_none_or(|place| in_law[place])).collect();
-    let mut left = 0;
-    for (switch, place) in places.into_iter().enumerate() {
-        let Some(place) = place else { continue };
-        model.arena.parts[place] = Part::Scalar(match stays[switch] {
-            true => Scalar::Switch(left),
-            false => Scalar::Step(model.switches[switch]),
-        });
-        left += usize::from(stays[switch]);
+    let mut stays = vec![false; model.switches.len()];
+    for (part, in_law) in model.arena.parts.iter().zip(in_law) {
+        if let Part::Scalar(Scalar::Switch(switch)) = part {
+            stays[*switch] |= in_law;
+        }
+    }
+    let left = |switch: usize| stays[..switch].iter().filter(|stays| **stays).count();
+    for part in &mut model.arena.parts {
+        if let Part::Scalar(Scalar::Switch(switch)) = *part {
+            *part = Part::Scalar(match stays[switch] {
+                true => Scalar::Switch(left(switch)),
+                false => Scalar::Step(model.switches[switch]),
+            });
+        }
     }
     let mut kept = stays.iter();
     model.switches.retain(|_| kept.next() == Some(&true));

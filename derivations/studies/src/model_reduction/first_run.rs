@@ -1,0 +1,103 @@
+//! The first run of a scene's own model: what its outputs are measured by, and what other runs may cost.
+
+use super::outputs::{Watched, largest};
+use super::plan::{COARSE, LAST, first_of, is_stiff_at};
+use super::run_rows::Run;
+use super::sampled_run::looks;
+use integrators::{Failure, Method, Observer, Span, Tolerance};
+use simulation::Problem;
+
+/// Instants of a pilot by Taylor's method: a multiple of those of references.
+const DENSE: usize = 128;
+
+/// A coarse run.
+pub struct FirstRun {
+    pub method: Method,
+    pub run: Run,
+    /// Times and states, the start first.
+    pub along: Vec<(f64, Vec<f64>)>,
+}
+
+impl FirstRun {
+    /// A coarse run that reaches the end, and the evaluations of all that were tried.
+    ///
+    /// # Errors
+    /// Why there is none.
+    pub fn of(own: &Problem) -> Result<(Self, u64), String> {
+        let stiff = is_stiff_at(&*own.law, &own.state, own.span);
+        let (mut spent, mut why) = (own.state.len() as u64, None);
+        let found = first_of(stiff, |method, most| {
+            if why.is_some() {
+                return (None, 0);
+            }
+            // a Taylor polynomial has values anywhere for nothing
+            let times: Vec<f64> = match method {
+                Method::Taylor => (1..=DENSE).map(|k| own.span * (k as f64 / DENSE as f64)).collect(),
+                _ => looks(own.span).collect(),
+            };
+            let span = Span::new(0.0, own.span, &own.state).with_outputs(&times).with_evaluations(most);
+            let mut seen = Seen { samples: Vec::new(), steps: Vec::new() };
+            let (outcome, left) = own.integrate(method, &Tolerance::both(COARSE), &span, &mut seen);
+            let evaluations = outcome.work.rates + outcome.work.jacobians * own.state.len() as u64;
+            spent += evaluations;
+            if outcome.reached() && left.is_none() && outcome.time == own.span {
+                return (Some((seen, evaluations)), evaluations);
+            }
+            // numbers that overflow do so by any method
+            let overflows = matches!(outcome.failure(), Some(Failure::LeftTheNumbers { .. }));
+            if overflows {
+                why = outcome.failure().map(|failure| failure.to_string());
+            } else if outcome.reached() || left.is_some() {
+                why = Some(left.unwrap_or("an event ends the run before its span").to_owned());
+            } else if most >= LAST {
+                why = outcome.failure().map(|failure| failure.to_string());
+            }
+            (None, evaluations)
+        });
+        let Some((method, (seen, evaluations))) = found else {
+            return Err(why.unwrap_or_else(|| "no method reaches its end".to_owned()));
+        };
+        let row = |(time, state): &(f64, Vec<f64>)| (*time, (own.row)(*time, state));
+        let run = Run {
+            asked: seen.samples.iter().map(row).collect(),
+            steps: seen.steps.iter().map(row).collect(),
+            evaluations,
+        };
+        let mut along: Vec<(f64, Vec<f64>)> =
+            std::iter::once((0.0, own.state.clone())).chain(seen.samples).chain(seen.steps).collect();
+        along.sort_by(|a, b| a.0.total_cmp(&b.0));
+        along.dedup_by(|a, b| a.0 == b.0);
+        Ok((FirstRun { method, run, along }, spent))
+    }
+
+    /// The outputs of these names, with their sizes along the run.
+    pub fn watched(&self, own: &Problem, names: &[String]) -> Watched {
+        let start = (0.0, (own.row)(0.0, &own.state));
+        let rows: Vec<&(f64, Vec<f64>)> =
+            std::iter::once(&start).chain(&self.run.steps).chain(&self.run.asked).collect();
+        let values: Vec<Vec<f64>> = rows.iter().map(|(_, row)| row.clone()).collect();
+        let sizes = (0..own.state.len()).map(|i| largest(self.along.iter().map(|(_, state)| state[i]))).collect();
+        let watched = Watched::of(&own.columns, names, &values, sizes);
+        let without_value = rows.into_iter().find_map(|(time, row)| {
+            let place = watched.columns.iter().position(|&column| !row[column].is_finite())?;
+            Some((watched.names[place].clone(), *time))
+        });
+        Watched { stiff: self.method.traits().implicit, without_value, ..watched }
+    }
+}
+
+/// The states of a run at the times that were asked for, and at its steps.
+struct Seen {
+    samples: Vec<(f64, Vec<f64>)>,
+    steps: Vec<(f64, Vec<f64>)>,
+}
+
+impl Observer<f64> for Seen {
+    fn sample(&mut self, time: f64, state: &[f64]) {
+        self.samples.push((time, state.to_vec()));
+    }
+
+    fn step(&mut self, time: f64, state: &[f64]) {
+        self.steps.push((time, state.to_vec()));
+    }
+}
