@@ -34,7 +34,7 @@ pub struct Asked {
     #[arg(long = "tol", value_name = "T", value_parser = tolerance, allow_negative_numbers = true)]
     pub tolerance: Option<f64>,
     /// Another machine, made of the scene's data, or a smaller model, as `choose` names it: of a system that is written in its file
-    /// "without P", "quasi-steady X", "fixed X", "unfollowed X", with names of parameters P and of states X
+    /// "without P", "rigid P", "quasi-steady X", "fixed X", "unfollowed X", with names of parameters P and of states X
     #[arg(long)]
     pub model: Option<String>,
     /// The equations in the axes of A (first) or of A* (second); results are in the axes of the data either way

@@ -108,6 +108,7 @@ pub fn with_tables(base: Source, top: &mut Table<'_>) -> Source {
         start: replaced(base.start, own.start),
         equilibrium: own.equilibrium.or(base.equilibrium),
         absent: base.absent,
+        rigid: base.rigid,
     }
 }
 

@@ -3,12 +3,13 @@
 use crate::admissible::impossible;
 use crate::branch::settled;
 use crate::changing_laws::changes;
-use crate::readiness::{Ready, ready};
+use crate::readiness::{Ready, ready, starting};
 use crate::scene::ModelScene;
+use crate::start::joined;
 use model::{Fault, Model};
 use reader::Issue;
 use simulation::SymbolicLaw;
-use simulation::models::Modelled;
+use simulation::models::{Limit, Modelled};
 use std::sync::Arc;
 
 impl ModelScene {
@@ -43,9 +44,10 @@ impl Modelled for ModelScene {
         self.varied(values).map(|scene| Arc::new(scene) as Arc<dyn Modelled>)
     }
 
-    fn without(&self, parameters: &[&str]) -> Result<Arc<dyn Modelled>, String> {
+    fn in_the_limit(&self, Limit { zero, unbounded }: Limit<'_>) -> Result<Arc<dyn Modelled>, String> {
         let mut source = (*self.source).clone();
-        source.absent.extend(parameters.iter().map(|&name| name.to_owned()));
+        source.absent.extend(zero.iter().map(|&name| name.to_owned()));
+        source.rigid.extend(unbounded.iter().map(|&name| name.to_owned()));
         let elaborated = Model::of(&source).and_then(settled);
         let mut model = elaborated.map_err(|faults| faults.first().map_or_else(String::new, in_short))?;
         // the values that were given since the file was read
@@ -56,6 +58,13 @@ impl Modelled for ModelScene {
         }
         model.start.clone_from(&self.model.start);
         model.start_speeds.clone_from(&self.model.start_speeds);
+        if !unbounded.is_empty() {
+            let start = joined(&model, self.start.clone()).unwrap_or_else(|| self.start.clone());
+            model.start = starting(&model, &start).start;
+            // what is left of rounding
+            model.start.iter_mut().for_each(|start| start.is_guess = true);
+            model.start_speeds.clear();
+        }
         if model.regulator.is_some() {
             model.close_regulated_inputs();
         }

@@ -31,12 +31,20 @@ pub trait Modelled: IvpScene + fmt::Debug {
     /// The name that it does not know, or why nothing starts so.
     fn with_values(&self, values: &[(&str, f64)]) -> Result<Arc<dyn Modelled>, String>;
 
-    /// The scene without the elements of these parameters, which are zero for good: conditions that choose nothing any more are not
-    /// watched for.
+    /// The scene without some of its elements, and with others rigid.
     ///
     /// # Errors
-    /// The name of no parameter, or why nothing starts so.
-    fn without(&self, parameters: &[&str]) -> Result<Arc<dyn Modelled>, String>;
+    /// The name of no parameter, or why there is no such scene.
+    fn in_the_limit(&self, limit: Limit<'_>) -> Result<Arc<dyn Modelled>, String>;
+}
+
+/// Parameters at the ends of their ranges.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Limit<'a> {
+    /// Zero for good, so that conditions which choose nothing any more are not watched for.
+    pub zero: &'a [&'a str],
+    /// Of springs and dampers, without bound: what these stretch by, or move at, is held at zero.
+    pub unbounded: &'a [&'a str],
 }
 
 /// Reads a text, which messages call by the first argument.

@@ -3,7 +3,7 @@
 use super::drawn::Numbers;
 
 /// The kinds that are drawn in turn.
-pub const KINDS: u64 = 12;
+pub const KINDS: u64 = 14;
 
 /// A scene and the name of its kind.
 pub fn scene(seed: u64) -> (&'static str, String) {
@@ -20,7 +20,9 @@ pub fn scene(seed: u64) -> (&'static str, String) {
         8 => ("symmetric start", symmetric(draw)),
         9 => ("dry friction", friction(draw)),
         10 => ("two circuits", circuits(draw)),
-        _ => ("free body", free_body(draw)),
+        11 => ("free body", free_body(draw)),
+        12 => ("masses on a stiff spring", joined(draw)),
+        _ => ("motor against dry friction", rubbing_motor(draw)),
     }
 }
 
@@ -188,5 +190,34 @@ fn free_body(draw: &mut Numbers) -> String {
         draw.between(0.2, 2.0),
         draw.between(0.2, 2.0),
         run(draw.between(2.0, 8.0), "\"F.wx\", \"F.wz\"")
+    )
+}
+
+fn joined(draw: &mut Numbers) -> String {
+    format!(
+        "title = \"joined\"\n[parameters]\nm = \"{} kg\"\nM = \"{} kg\"\nk = \"{} N/m\"\nK = \"{} N/m\"\nL = \"0.3 m\"\n\
+         [coordinates]\nx = \"m\"\ny = \"m\"\n[bodies.a]\ncentre = \"O + x*N.x\"\nmass = \"m\"\n\
+         [bodies.b]\ncentre = \"O + y*N.x\"\nmass = \"M\"\n[energies]\npotential = \"k*x^2/2 + (0.3 N/m^3)*x^4\"\n\
+         [[force]]\nbetween = [\"a\", \"b\"]\nis = \"-K*(sqrt((y - x)^2) - L)\"\n[start]\nx = \"{} m\"\ny = \"{} m\"\n{}",
+        draw.between(0.5, 2.0),
+        draw.between(0.5, 2.0),
+        draw.between(1.0, 10.0),
+        draw.scale(1e3, 1e8),
+        0.2,
+        0.5 + 1e-4 * draw.between(-1.0, 1.0),
+        run(draw.between(3.0, 10.0), "\"x\"")
+    )
+}
+
+fn rubbing_motor(draw: &mut Numbers) -> String {
+    format!(
+        "title = \"rubbing\"\n[parameters]\nJ = \"0.01 kg m^2\"\nL = \"{} H\"\nF = \"{} N m\"\n[coordinates]\nphi = \"rad\"\nq = \"C\"\n\
+         [energies]\nkinetic = \"J*phi'^2/2 + L*q'^2/2\"\n[[force]]\nalong = \"q\"\n\
+         is = \"(12 V)*sin(t*({} rad/s)) - (1 ohm)*q' - (0.1 V s)*phi'\"\n[[force]]\nalong = \"phi\"\n\
+         is = \"(0.1 V s)*q' - F*sign(phi')\"\n{}",
+        draw.scale(1e-7, 1e-2),
+        draw.scale(1e-9, 0.3),
+        draw.between(1.0, 5.0),
+        run(draw.between(2.0, 5.0), "\"phi\"")
     )
 }

@@ -6,7 +6,7 @@ use dalembert_derivations::studies::model_reduction::{
 };
 use integrators::{Method, Observer, Span, Tolerance, integrate};
 use simulation::Axes;
-use simulation::models::{Modelled, readers};
+use simulation::models::{Limit, Modelled, readers};
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -135,7 +135,7 @@ fn dry_friction_that_hardly_acts_is_left_out_with_its_condition() {
     for (time, row) in &choice.rows {
         assert!((row[column] - 12.0 * time.cos()).abs() < 12.0 * 1e-5, "{time}");
     }
-    let without = scene.without(&["F"]).expect("a scene");
+    let without = scene.in_the_limit(Limit { zero: &["F"], unbounded: &[] }).expect("a scene");
     assert!(scene.problem(Axes::First).switching.is_some() && without.problem(Axes::First).switching.is_none());
     let refused = without.with_values(&[("F", 1.0)]).expect_err("it is left out");
     assert!(refused.contains("`F` is left out"), "{refused}");
@@ -147,7 +147,7 @@ fn an_inductance_beside_a_condition_is_left_out_and_the_condition_stays() {
     let motor = "q = \"C\"\n[energies]\nkinetic = \"m*x'^2/2 + L*q'^2/2\"\n[[force]]\nalong = \"q\"\nis = \"(3 V) - (2 ohm)*q'\"\n\
                  [[force]]\nalong = \"x\"\nis = \"(1 N/A)*q'\"";
     let scene = opened(&sliding(motor).replace("1e-9 N", "0.5 N").replace("x = \"12 m\"", "x = \"-2 m\""));
-    let without = scene.without(&["L"]).expect("a scene");
+    let without = scene.in_the_limit(Limit { zero: &["L"], unbounded: &[] }).expect("a scene");
     let problem = without.problem(Axes::First);
     assert!(problem.switching.is_some());
     let current = problem.columns.iter().position(|name| name == "q'").expect("a column");
@@ -158,4 +158,43 @@ fn an_inductance_beside_a_condition_is_left_out_and_the_condition_stays() {
     let choice = receipt.lines[line].choice.as_ref().expect("it runs");
     let off = off(&models, &receipt, line, choice);
     assert!(off < 1e-3, "{off:e}");
+}
+
+/// Two masses on a spring of stiffness K, of which the second starts with a velocity, and the first stands on a spring of its own.
+fn pair(spring: &str) -> String {
+    format!(
+        "title = \"pair\"\n[parameters]\nm = \"1 kg\"\nM = \"2 kg\"\nk = \"12 N/m\"\nK = \"1e7 N/m\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n\
+         [bodies.a]\ncentre = \"O + x*N.x\"\nmass = \"m\"\n[bodies.b]\ncentre = \"O + y*N.x\"\nmass = \"M\"\n{spring}\
+         [[force]]\non = \"a\"\nis = \"-k*x*N.x\"\n[start]\nx = \"0 m\"\ny = \"0.5 m\"\n\"y'\" = \"3 m/s\"\n\
+         [run]\nspan = \"2 s\"\noutputs = [\"x\"]\n"
+    )
+}
+
+/// However the spring is written, the limit is one mass of m + M, whose momentum is that of the start: x = 2 sin(2 t)/2.
+#[test]
+fn a_spring_without_bound_joins_two_masses_and_keeps_their_momentum() {
+    let springs = [
+        "[energies]\npotential = \"K*(y - x - (0.5 m))^2/2\"\n",
+        "[[force]]\non = \"a\"\nis = \"K*(y - x - (0.5 m))*N.x\"\n[[force]]\non = \"b\"\nis = \"-K*(y - x - (0.5 m))*N.x\"\n",
+        "[[force]]\nbetween = [\"b\", \"a\"]\nis = \"-K*(sqrt((y - x)^2) - (0.5 m))\"\n",
+    ];
+    for spring in springs {
+        let scene = opened(&pair(spring));
+        let (models, receipt) = chosen(&scene, 1e-2);
+        let line = receipt.taken.expect("something is taken");
+        assert_eq!(receipt.lines[line].name, "rigid K", "{spring}");
+        let column = models.columns().iter().position(|name| name == "x").expect("a column");
+        for (time, row) in &receipt.lines[line].choice.as_ref().expect("it runs").rows {
+            assert!((row[column] - (2.0 * time).sin()).abs() < 1e-4, "{time}: {}", row[column]);
+        }
+    }
+}
+
+#[test]
+fn what_is_no_spring_and_no_damper_does_not_grow_without_bound() {
+    let scene = opened(&pair("[[force]]\nbetween = [\"b\", \"a\"]\nis = \"-K*(y - x - (0.5 m)) - K*x\"\n"));
+    for wrong in ["m", "K"] {
+        let why = scene.in_the_limit(Limit { zero: &[], unbounded: &[wrong] }).expect_err("it is none");
+        assert!(why.contains("is not the stiffness of a spring"), "{wrong}: {why}");
+    }
 }

@@ -8,9 +8,6 @@ impl Model {
     /// Leaves the elements of parameters out: they are zero, terms that they multiply are no part of the law, and conditions that choose
     /// nothing any more are not watched for.
     pub(super) fn leave_out<N: AsRef<str>>(&mut self, names: &[N]) {
-        if names.is_empty() {
-            return;
-        }
         for (place, parameter) in self.parameters.iter_mut().enumerate() {
             if names.iter().any(|name| name.as_ref() == parameter.name) {
                 parameter.value = Some(0.0);
@@ -18,7 +15,9 @@ impl Model {
                 self.absent.push(place);
             }
         }
-        self.drop_what_vanishes();
+        if !self.absent.is_empty() {
+            self.drop_what_vanishes();
+        }
     }
 
     /// The model whose contacts are smooth where their coefficient of friction is zero by the values of parameters.

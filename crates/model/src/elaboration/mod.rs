@@ -36,6 +36,7 @@ mod reactions;
 mod regulator;
 mod released;
 mod resolution;
+mod rigid;
 mod system;
 mod tangents;
 #[cfg(test)]

@@ -34,6 +34,7 @@ pub(super) fn elaborated(source: &Source) -> Result<Model, Vec<Fault>> {
 
 /// A model whose names are resolved, with the laws of its coordinates without inertia, and its warnings.
 fn settled(source: &Source, Resolved { mut model, loads, .. }: Resolved) -> Result<Model, Vec<Fault>> {
+    model.hold(&source.rigid)?;
     model.leave_out(&source.absent);
     conditions_of_law::keep_those_of_law(&mut model);
     let mut faults = axial::tilted(&model);

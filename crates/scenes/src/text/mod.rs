@@ -56,6 +56,7 @@ pub fn source(top: &mut Table<'_>) -> Source {
         start,
         equilibrium,
         absent: Vec::new(),
+        rigid: Vec::new(),
     }
 }
 

@@ -10,6 +10,7 @@ use super::run_rows::Run;
 use super::sampled_run::instants;
 use super::trial::Trial;
 use integrators::taking_turns;
+use simulation::Law;
 
 /// The method's share of the tolerance, with room for what its pilots do not tell.
 pub(super) const OF_METHOD: f64 = 0.3;
@@ -42,9 +43,9 @@ pub trait Models {
         None
     }
 
-    /// Whether a line's law asks for an implicit method.
-    fn is_stiff(&self, _line: usize) -> bool {
-        false
+    /// A line's law with its start, where it is known before a run.
+    fn start(&self, _line: usize) -> Option<(&dyn Law, &[f64])> {
+        None
     }
 
     /// The exact motion as rows at the instants, where it is kept.

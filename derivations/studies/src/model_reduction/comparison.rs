@@ -3,7 +3,7 @@
 use super::Loss;
 use super::choose::{FINER, Models, OF_METHOD};
 use super::outputs::Watched;
-use super::plan::{FINEST, Plan, Runnable, between, by_kind};
+use super::plan::{FINEST, Plan, Runnable, SLOWER, between, by_kind, fastest_at, is_stiff_at};
 use super::receipt::{Line, Sufficiency};
 use super::run_rows::Run;
 use super::trial::Trial;
@@ -74,11 +74,20 @@ impl Comparison<'_> {
         }
     }
 
+    /// Whether a line's law asks for an implicit method.
+    fn is_stiff(&self, line: usize) -> bool {
+        let span = self.forms[line].first().map_or(0.0, |form| form.span);
+        self.models.start(line).is_some_and(|(law, start)| is_stiff_at(law, start, span))
+    }
+
     /// Whether a model saves nothing whatever its run is: one that is as stiff, or as smooth, is cheaper by its length alone, and
     /// by an implicit method by its states too.
     fn is_as_dear(&self, line: usize, lines: &[Line]) -> bool {
         let fewer = lines[line].states as f64 / lines[0].states as f64;
-        let cost = match (self.models.is_stiff(line), self.own.plan.method.traits().implicit) {
+        let fastest = |line: usize| self.models.start(line).map(|(law, start)| fastest_at(law, start));
+        let is_slower = matches!((fastest(line), fastest(0)), (Some(line), Some(own)) if line < SLOWER * own);
+        let cost = match (self.is_stiff(line), self.own.plan.method.traits().implicit) {
+            _ if is_slower => 0.0,
             (true, true) => self.share(line) * fewer,
             (false, false) if fewer == 1.0 => self.share(line),
             _ => 0.0,
@@ -116,7 +125,7 @@ impl Comparison<'_> {
         let Trial { plan, run: own, error, .. } = self.own;
         let (share, times) = (self.share(line), own.times());
         let near = own.near(self.watched, (self.tolerance - error) / between(plan.method));
-        let is_stiff = self.models.is_stiff(line);
+        let is_stiff = self.is_stiff(line);
         let is_too_far = Cell::new(false);
         let serves = |time: f64, row: &[f64]| {
             is_too_far.set(is_too_far.get() || !near(time, row));

@@ -5,13 +5,13 @@ use super::estimate::Estimate;
 use super::first_run::FirstRun;
 use super::models::across_events;
 use super::outputs::Watched;
-use super::plan::{self, COARSE, FINEST, Plan, Runnable, is_stiff_at};
+use super::plan::{self, COARSE, FINEST, Plan, Runnable};
 use super::receipt::{Line, OF_MODEL, Sufficiency, Wish};
 use super::switching::LOOKING;
 use super::trial::Trial;
 use super::{Hierarchy, Loss, ReducedModel};
 use integrators::Method;
-use simulation::{Axes, Stored};
+use simulation::{Axes, Law, Stored};
 use std::cell::RefCell;
 use std::sync::Arc;
 use std::time::Instant;
@@ -73,13 +73,12 @@ impl Models for Forms {
         (std::iter::once(own).chain(smaller).collect(), 0)
     }
 
-    fn is_stiff(&self, line: usize) -> bool {
-        let ladder = &self.ladders[0];
-        let (law, start) = match line.checked_sub(1).and_then(|rung| ladder.rungs.get(rung)) {
-            None => (&ladder.own.law, &ladder.own.state),
-            Some(rung) => (&rung.law, &rung.start),
-        };
-        is_stiff_at(&**law, start, ladder.own.span)
+    fn start(&self, line: usize) -> Option<(&dyn Law, &[f64])> {
+        let ladder = self.ladders.first()?;
+        Some(match line.checked_sub(1).and_then(|rung| ladder.rungs.get(rung)) {
+            None => (&*ladder.own.law, &ladder.own.state),
+            Some(rung) => (&*rung.law, &rung.start),
+        })
     }
 
     fn forms(&self, line: usize) -> Vec<Runnable<'_>> {

@@ -10,7 +10,7 @@ use super::outputs::Watched;
 use super::run_rows::{Along, Run, Serves};
 use super::sampled_run::looks;
 use integrators::{Jacobian, Method, Span, Tolerance, integrate};
-use nalgebra::DMatrix;
+use nalgebra::{Complex, DMatrix};
 use simulation::{Axes, Law};
 use std::sync::Arc;
 
@@ -32,6 +32,8 @@ pub(super) const LAST: u64 = ROUNDS[1];
 const STABLE: f64 = 2.0;
 /// Evaluations of an implicit method for a run of any stiffness.
 const STIFF: f64 = 1_000.0;
+/// A law is slower where its fastest motion has at most this share of the rate of another one's.
+pub(super) const SLOWER: f64 = 0.3;
 /// The error at a tolerance is at most so many times that at a coarser one times this power of their ratio.
 const SAFETY: f64 = 3.0;
 const POWER: f64 = 0.75;
@@ -240,15 +242,24 @@ pub(super) fn by_kind<T>(implicit: bool, mut run: impl FnMut(Method) -> (Option<
 
 /// Whether an implicit method is worth trying first: transients at the start fade so fast that explicit steps would be short.
 pub(super) fn is_stiff_at(law: &dyn Law, start: &[f64], span: f64) -> bool {
+    let fastest = eigenvalues_at(law, start).iter().map(|value| -value.re).fold(0.0, f64::max);
+    STABLE * fastest * span > STIFF
+}
+
+/// The largest rate of a motion at a start, 1/s: of one that fades, or swings.
+pub(super) fn fastest_at(law: &dyn Law, start: &[f64]) -> f64 {
+    eigenvalues_at(law, start).iter().map(|value| value.norm()).fold(0.0, f64::max)
+}
+
+/// The eigenvalues of a law at a start; none where it has no derivatives there.
+fn eigenvalues_at(law: &dyn Law, start: &[f64]) -> Vec<Complex<f64>> {
     let n = start.len();
     let mut rows = vec![0.0; n * n];
     Jacobian::of(law).matrix(0.0, start, &mut rows);
     if n == 0 || !rows.iter().all(|entry| entry.is_finite()) {
-        return false;
+        return Vec::new();
     }
-    let values = DMatrix::from_row_slice(n, n, &rows).complex_eigenvalues();
-    let fastest = values.iter().map(|value| -value.re).fold(0.0, f64::max);
-    STABLE * fastest * span > STIFF
+    DMatrix::from_row_slice(n, n, &rows).complex_eigenvalues().iter().copied().collect()
 }
 
 /// The plan for an error in the form whose first pilot is the cheapest; the evaluations of all pilots are among what it has spent.

@@ -6,7 +6,7 @@ use super::first_run::FirstRun;
 use super::forms::BY_ITS_RUN;
 use super::models::across_events;
 use super::outputs::Watched;
-use super::plan::{Runnable, is_stiff_at};
+use super::plan::{Runnable, SLOWER, fastest_at};
 use super::receipt::{Line, OF_MODEL, Sufficiency, Wish};
 use super::reduced_model::Lifted;
 use super::simplification::candidates::{Candidate, Facts, candidates};
@@ -15,7 +15,7 @@ use super::simplification::{Simplification, SimplifiedScene};
 use super::trial::Trial;
 use super::{Forms, Hierarchy, Loss};
 use simulation::models::Modelled;
-use simulation::{Axes, Problem, Stored};
+use simulation::{Axes, Law, Problem, Stored};
 use std::cell::OnceCell;
 use std::sync::Arc;
 
@@ -27,6 +27,7 @@ const SHORTER: f64 = 0.8;
 const WORTH: f64 = 1.0;
 /// An estimate of first order so many times above what is allowed is beyond doubt.
 const DOUBT: f64 = 10.0;
+const OF_RIGID: &str = "the deflection of this element beside the motion";
 const OF_ELEMENT: &str = "the part of this element beside the others";
 
 /// The scene with its models.
@@ -74,16 +75,19 @@ impl TextModels {
             }
             found.extend(beyond.into_iter().map(|one| (one, false)));
         }
-        // each element that is left out compiles a law
+        // each element that is left out, or rigid, compiles a law
         let may_save = watched.stiff || own.switching.is_some() || self.scene.is_written();
         if may_save && own.law.code_size().is_none_or(|bytes| bytes <= MOST_CODE) {
             let elements = self.scene.parameters().into_iter().filter(|one| self.scene.value(&one.name) != Some(0.0));
-            found.extend(elements.map(|one| {
-                let without = vec![one.name.into_owned()];
-                let simplification = Simplification { without, ..Simplification::default() };
-                (Candidate { simplification, parameter: OF_ELEMENT, value: None }, false)
-            }));
+            for element in elements {
+                let name = vec![element.name.into_owned()];
+                let rigid = Simplification { rigid: name.clone(), ..Simplification::default() };
+                found.push((Candidate { simplification: rigid, parameter: OF_RIGID, value: None }, false));
+                let without = Simplification { without: name, ..Simplification::default() };
+                found.push((Candidate { simplification: without, parameter: OF_ELEMENT, value: None }, false));
+            }
         }
+        let fastest = fastest_at(&*own.law, &own.state);
         let simplified = |(candidate, is_exact): (Candidate, bool)| {
             let scene = SimplifiedScene::of(&self.scene, &candidate.simplification).ok()?;
             let problem = scene.whole_problem();
@@ -94,7 +98,11 @@ impl TextModels {
             };
             // an element saves by what it makes stiff, by its events, or by its length
             let has_fewer_events = own.switching.is_some() && problem.switching.is_none();
-            let is_simpler = candidate.simplification.has_own_law() || watched.stiff || is_shorter || has_fewer_events;
+            let is_slower = || fastest_at(&*problem.law, &problem.state) < SLOWER * fastest;
+            let is_simpler = match candidate.simplification.rigid.is_empty() {
+                true => candidate.simplification.has_own_law() || watched.stiff || is_shorter || has_fewer_events,
+                false => is_slower(),
+            };
             (shows && is_simpler).then_some(Simplified { candidate, is_exact, scene, problem })
         };
         found.into_iter().filter_map(simplified).collect()
@@ -208,13 +216,12 @@ impl Models for TextModels {
         }
     }
 
-    fn is_stiff(&self, line: usize) -> bool {
+    fn start(&self, line: usize) -> Option<(&dyn Law, &[f64])> {
         let known = self.known.ladders[0].rungs.len() + 1;
-        let found = line.checked_sub(known).and_then(|place| self.found.get()?.get(place));
-        found.map_or_else(
-            || self.known.is_stiff(line),
-            |one| is_stiff_at(&*one.problem.law, &one.problem.state, one.problem.span),
-        )
+        match line.checked_sub(known) {
+            None => self.known.start(line),
+            Some(place) => self.found.get()?.get(place).map(|one| (&*one.problem.law, &one.problem.state[..])),
+        }
     }
 
     fn code_size(&self, line: usize) -> Option<usize> {

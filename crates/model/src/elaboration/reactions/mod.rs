@@ -5,6 +5,7 @@ mod letters;
 mod transcription;
 
 pub(super) use letters::{ReactionLetter, with_laws};
+pub(super) use transcription::transcribed;
 
 use super::expressions::Meaning;
 use super::loads::joule;

@@ -12,7 +12,7 @@ const DIGITS: usize = 15;
 
 /// The expressions of a model with scalars that hold the letters of its trace, and where each of these stands; none where one holds a letter
 /// that the model does not have.
-pub(super) fn transcribed(trace: &Trace<'_>, scalars: &[Sym]) -> Option<(Arena, Vec<ScalarId>)> {
+pub(in crate::elaboration) fn transcribed(trace: &Trace<'_>, scalars: &[Sym]) -> Option<(Arena, Vec<ScalarId>)> {
     let mut arena = trace.model.arena.clone();
     let mut known = letters(trace.model, trace, &mut arena);
     for each in Sym::ascending(scalars) {

@@ -44,7 +44,9 @@ struct Mode {
 pub(super) fn found(run: &Samples<'_>) -> Option<RunFailure> {
     match run.trajectory.outcome.failure()? {
         Failure::Stiff { at } => {
-            let mode = fastest(run, |mode| -mode.value.re)?;
+            // one that swings holds the steps as one that fades
+            let is_kept = |mode: &Mode| mode.value.re <= ROUNDING * mode.value.norm();
+            let mode = fastest(run, |mode| if is_kept(mode) { mode.value.norm() } else { -mode.value.re })?;
             Some(of(run, &mode, at))
         }
         Failure::LeftTheNumbers { .. } => unstable(run),

@@ -3,6 +3,7 @@
 //! | in the name | left out | exact where |
 //! |---|---|---|
 //! | `without k` | the element whose parameter is k: k = 0 | the element does nothing along the run |
+//! | `rigid k` | the stretch of the spring of stiffness k, the motion in the damper of coefficient k: held at zero | k is without bound |
 //! | `quasi-steady x` | the rate of x: it has the value at which its equation balances | x relaxes at once |
 //! | `fixed x` | the equation of x: it keeps its value at the start, and nothing is added that would hold it there | its rate vanishes |
 //! | `unfollowed x` | the equation of x | no output and no other rate depends on x |
@@ -27,6 +28,8 @@ use std::fmt;
 pub struct Simplification {
     /// Parameters that are zero.
     pub without: Vec<String>,
+    /// Parameters of springs and dampers that grow without bound.
+    pub rigid: Vec<String>,
     /// States whose rates are taken for zero; the speed of a coordinate among them is zero too.
     pub quasi_steady: Vec<String>,
     /// States that stay where they start.
@@ -40,7 +43,7 @@ pub struct Simplification {
 }
 
 /// The words of a name that names follow.
-const KINDS: [&str; 5] = ["without", "quasi-steady", "fixed", "unfollowed", "equal"];
+const KINDS: [&str; 6] = ["without", "rigid", "quasi-steady", "fixed", "unfollowed", "equal"];
 /// The word that stands alone.
 const LINEAR: &str = "linear";
 
@@ -64,7 +67,7 @@ impl Simplification {
                 Some(place) if !names.is_empty() => &mut *lists[place].1,
                 _ => {
                     return Err(format!(
-                        "`{part}` names no smaller model; \"without P\" with parameters, \"quasi-steady X\", \"fixed X\", \
+                        "`{part}` names no smaller model; \"without P\" and \"rigid P\" with parameters, \"quasi-steady X\", \"fixed X\", \
                          \"unfollowed X\" and \"equal X=Y\" with states, and \"linear\" are accepted, several names parted by commas \
                          and several parts by semicolons"
                     ));
@@ -77,7 +80,7 @@ impl Simplification {
 
     /// Whether it has a law of its own, and not that of other values of parameters.
     pub fn has_own_law(&self) -> bool {
-        self.linear || self.lists().iter().skip(1).any(|(_, names)| !names.is_empty())
+        self.linear || self.lists().iter().skip(2).any(|(_, names)| !names.is_empty())
     }
 
     /// Both together.
@@ -91,10 +94,11 @@ impl Simplification {
         both
     }
 
-    fn lists(&self) -> [(&'static str, &Vec<String>); 5] {
-        let [without, quasi_steady, fixed, unfollowed, equal] = KINDS;
+    fn lists(&self) -> [(&'static str, &Vec<String>); 6] {
+        let [without, rigid, quasi_steady, fixed, unfollowed, equal] = KINDS;
         [
             (without, &self.without),
+            (rigid, &self.rigid),
             (quasi_steady, &self.quasi_steady),
             (fixed, &self.fixed),
             (unfollowed, &self.unfollowed),
@@ -102,10 +106,11 @@ impl Simplification {
         ]
     }
 
-    fn lists_mut(&mut self) -> [(&'static str, &mut Vec<String>); 5] {
-        let [without, quasi_steady, fixed, unfollowed, equal] = KINDS;
+    fn lists_mut(&mut self) -> [(&'static str, &mut Vec<String>); 6] {
+        let [without, rigid, quasi_steady, fixed, unfollowed, equal] = KINDS;
         [
             (without, &mut self.without),
+            (rigid, &mut self.rigid),
             (quasi_steady, &mut self.quasi_steady),
             (fixed, &mut self.fixed),
             (unfollowed, &mut self.unfollowed),
@@ -117,6 +122,7 @@ impl Simplification {
     pub fn dropped(&self) -> String {
         let words = [
             "the elements of these parameters: ",
+            "the stretch of springs, and the motion in dampers, of these parameters: ",
             "transients, each has the value at which its equation balances: ",
             "motions, each keeps its value at the start: ",
             "equations that nothing asked for depends on: ",

@@ -5,7 +5,7 @@ use super::reduced_law::lower;
 use crate::model_reduction::{Loss, ReducedModel};
 use integrators::Reference;
 use simulation::ivp_scene::Parameter;
-use simulation::models::Modelled;
+use simulation::models::{Limit, Modelled};
 use simulation::problem::Problem;
 use simulation::work_precision::{Configuration, Hybrid, Observed};
 use simulation::{Axes, IvpScene, Run};
@@ -29,14 +29,15 @@ impl SimplifiedScene {
     /// # Errors
     /// The name that it does not know, or why there is no such model.
     pub fn of(scene: &Arc<dyn Modelled>, simplification: &Simplification) -> Result<Self, String> {
-        let absent: Vec<&str> = simplification.without.iter().map(String::as_str).collect();
+        let zero: Vec<&str> = simplification.without.iter().map(String::as_str).collect();
+        let unbounded: Vec<&str> = simplification.rigid.iter().map(String::as_str).collect();
         let parameters: Vec<String> = scene.parameters().into_iter().map(|one| one.name.into_owned()).collect();
-        if let Some(wrong) = absent.iter().find(|name| !parameters.iter().any(|known| known == *name)) {
+        if let Some(wrong) = zero.iter().chain(&unbounded).find(|name| !parameters.iter().any(|known| known == *name)) {
             return Err(format!("no parameter is called `{wrong}`; known: {}", parameters.join(", ")));
         }
-        let scene = match absent.is_empty() {
+        let scene = match zero.is_empty() && unbounded.is_empty() {
             true => Arc::clone(scene),
-            false => scene.without(&absent)?,
+            false => scene.in_the_limit(Limit { zero: &zero, unbounded: &unbounded })?,
         };
         let name = simplification.to_string();
         let own = scene.problem(Axes::First);
@@ -47,7 +48,7 @@ impl SimplifiedScene {
         if !scene.is_written() || own.residual.is_some() {
             return Err(
                 "states are left out of a system without constraints, contacts, conditions and events, whose accelerations can be \
-                 written down; \"without P\" with parameters is accepted of any system"
+                 written down; \"without P\" and \"rigid P\" with parameters are accepted of any system"
                     .to_owned(),
             );
         }

@@ -1,0 +1,50 @@
+//! The start of bodies that are joined where they were apart: no momentum is lost.
+//!
+//! Reactions r alone move coordinates and speeds,
+//!
+//!   M dq = J^T r ,  g(q + dq) = 0 ;   M dv = J^T r ,  J (v + dv) + g_t = 0 ,
+//!
+//! as in an impact without rebound: of two masses the centre stays where it is, and keeps its velocity.
+
+use super::RANK;
+use super::constraints::Constraints;
+use crate::modes::Mode;
+use crate::motion_matrix::MotionMatrix;
+use model::Model;
+use model::equations::Level;
+use nalgebra::{DMatrix, DVector};
+
+/// Steps of Newton's method.
+const MOST_STEPS: usize = 20;
+/// Residuals below this are met.
+const MET: f64 = 1e-13;
+
+/// A state moved so that the constraints of a model hold; none of free frames, and where inertia does not determine it.
+pub(crate) fn joined(model: &Model, mut state: Vec<f64>) -> Option<Vec<f64>> {
+    if !model.free.is_empty() || !model.start_speeds.is_empty() {
+        return None;
+    }
+    let constraints = Constraints::of(model).ok()??;
+    let parameters: Vec<f64> = model.parameters.iter().filter_map(|parameter| parameter.value).collect();
+    let n = model.positions();
+    let terms = MotionMatrix::of(model, &Mode::off(model))?.at(0.0, &state)?;
+    let mass = DMatrix::from_fn(n, n, |i, j| terms.matrix[i * terms.size + j]);
+    let mass = mass.cholesky()?;
+    let moved = |(residual, jacobian): (DVector<f64>, DMatrix<f64>)| {
+        let by_reactions = mass.solve(&jacobian.transpose());
+        let slopes = (&jacobian * &by_reactions).svd(true, true);
+        let rank = RANK * slopes.singular_values.max();
+        Some(by_reactions * slopes.solve(&-residual, rank).ok()?)
+    };
+    for _ in 0..MOST_STEPS {
+        let at = constraints.at(&state, &parameters, Some(Level::Position));
+        if at.0.is_empty() || at.0.amax() <= MET {
+            break;
+        }
+        let by = moved(at)?;
+        state[..n].iter_mut().zip(by.iter()).for_each(|(own, by)| *own += by);
+    }
+    let by = moved(constraints.at(&state, &parameters, None))?;
+    state[n..].iter_mut().zip(by.iter()).for_each(|(own, by)| *own += by);
+    state.iter().all(|value| value.is_finite()).then_some(state)
+}
