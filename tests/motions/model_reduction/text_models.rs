@@ -198,3 +198,32 @@ fn what_is_no_spring_and_no_damper_does_not_grow_without_bound() {
         assert!(why.contains("is not the stiffness of a spring"), "{wrong}: {why}");
     }
 }
+
+/// An element that is left out has the law of the same data with zero in its place, wherever that has one.
+#[test]
+fn what_is_left_out_is_what_is_zero() {
+    let mut compared = 0;
+    for seed in 0..KINDS {
+        let (kind, text) = scene(seed);
+        let scene = opened(&text);
+        for parameter in scene.parameters() {
+            let name = &*parameter.name;
+            let Ok(zero) = scene.with_values(&[(name, 0.0)]) else { continue };
+            let without = scene.in_the_limit(Limit { zero: &[name], unbounded: &[] }).expect("it runs with zero");
+            let rates = |scene: &Arc<dyn Modelled>, state: &[f64]| {
+                let mut rates = vec![0.0; state.len()];
+                scene.problem(Axes::First).law.rates(0.3, state, &mut rates);
+                rates
+            };
+            let state: Vec<f64> =
+                zero.problem(Axes::First).state.iter().zip(1..).map(|(y, k)| y + 0.01 * f64::from(k)).collect();
+            let (one, other) = (rates(&zero, &state), rates(&without, &state));
+            let size = one.iter().map(|rate| rate.abs()).fold(1.0, f64::max);
+            for (one, other) in one.iter().zip(&other) {
+                assert!((one - other).abs() <= 1e-12 * size, "{kind}, {name}: {one} {other}");
+            }
+            compared += 1;
+        }
+    }
+    assert!(compared >= 25, "{compared}");
+}
