@@ -33,6 +33,10 @@ impl Rows {
         if rows.is_empty() || rows.amax() == 0.0 {
             return DMatrix::identity(n, n);
         }
+        // of what is no number the decomposition has no end
+        if !rows.iter().all(|entry| entry.is_finite()) {
+            return DMatrix::zeros(n, 0);
+        }
         let mut square = DMatrix::zeros(n, n);
         square.rows_mut(0, rows.nrows()).copy_from(rows);
         let decomposed = square.svd(false, true);

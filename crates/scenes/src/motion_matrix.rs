@@ -62,6 +62,10 @@ pub(crate) struct Terms {
 impl Terms {
     /// The first n unknowns of a direction that the matrix takes to zero.
     pub fn free(&self, n: usize) -> Option<Vec<f64>> {
+        // of what is no number the decomposition has no end
+        if !self.matrix.iter().all(|entry| entry.is_finite()) {
+            return None;
+        }
         let decomposed = DMatrix::from_row_slice(self.size, self.size, &self.matrix).svd(false, true);
         let (least, smallest) = decomposed.singular_values.argmin();
         if smallest > RANK * decomposed.singular_values.amax() {

@@ -157,6 +157,9 @@ impl Compared {
         };
         let right = DVector::from_iterator(3 * self.rows, (0..self.rows).flat_map(wanted));
         let matrix = DMatrix::from_fn(3 * self.rows, n, |row, speed| slopes[(row / 3 * n + speed) * 3 + row % 3]);
+        if !matrix.iter().all(|entry| entry.is_finite()) {
+            return None;
+        }
         let solved = matrix.clone().svd(true, true).solve(&right, 1e-12).ok()?;
         let left = (&matrix * &solved - &right).amax();
         (left <= ALIKE * right.amax().max(1.0) && solved.amax() > 0.0).then_some(solved)

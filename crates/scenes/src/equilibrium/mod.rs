@@ -135,7 +135,8 @@ pub fn equilibrium(model: &Model, all: bool) -> Result<Equilibrium, NoEquilibriu
     match system.unmet() {
         None => {
             let unknowns = system.jacobian.ncols();
-            let decomposed = (unknowns > 0).then(|| square(&system.jacobian).svd(false, true));
+            let is_known = unknowns > 0 && system.jacobian.iter().all(|entry| entry.is_finite());
+            let decomposed = is_known.then(|| square(&system.jacobian).svd(false, true));
             let singular: &[f64] = decomposed.as_ref().map_or(&[], |decomposed| decomposed.singular_values.as_slice());
             let largest = singular.iter().copied().fold(0.0, f64::max);
             let vanish = (0..singular.len()).filter(|&k| singular[k] <= RANK * largest);

@@ -32,7 +32,12 @@ pub(crate) fn joined(model: &Model, mut state: Vec<f64>) -> Option<Vec<f64>> {
     let mass = mass.cholesky()?;
     let moved = |(residual, jacobian): (DVector<f64>, DMatrix<f64>)| {
         let by_reactions = mass.solve(&jacobian.transpose());
-        let slopes = (&jacobian * &by_reactions).svd(true, true);
+        let slopes = &jacobian * &by_reactions;
+        // of what is no number the decomposition has no end
+        if !slopes.iter().chain(residual.iter()).all(|entry| entry.is_finite()) {
+            return None;
+        }
+        let slopes = slopes.svd(true, true);
         let rank = RANK * slopes.singular_values.max();
         Some(by_reactions * slopes.solve(&-residual, rank).ok()?)
     };
