@@ -48,6 +48,11 @@ pub trait Models {
         None
     }
 
+    /// Whether a line's law changes at events: each begins the run anew.
+    fn changes(&self, _line: usize) -> bool {
+        false
+    }
+
     /// The exact motion as rows at the instants, where it is kept.
     fn exact(&self) -> Option<Vec<Vec<f64>>> {
         None

@@ -87,7 +87,7 @@ impl Comparison<'_> {
         let fastest = |line: usize| self.models.start(line).map(|(law, start)| fastest_at(law, start));
         let is_slower = matches!((fastest(line), fastest(0)), (Some(line), Some(own)) if line < SLOWER * own);
         let cost = match (self.is_stiff(line), self.own.plan.method.traits().implicit) {
-            _ if is_slower => 0.0,
+            _ if is_slower || self.models.changes(0) && !self.models.changes(line) => 0.0,
             (true, true) => self.share(line) * fewer,
             (false, false) if fewer == 1.0 => self.share(line),
             _ => 0.0,

@@ -50,7 +50,12 @@ impl FirstRun {
             } else if outcome.reached() || left.is_some() {
                 why = Some(left.unwrap_or("an event ends the run before its span").to_owned());
             } else if most >= LAST {
-                why = outcome.failure().map(|failure| failure.to_string());
+                let told = |failure: Failure| {
+                    format!(
+                        "the scene's own model does not reach its end, and tells no error of a smaller one: {failure}"
+                    )
+                };
+                why = outcome.failure().map(told);
             }
             (None, evaluations)
         });

@@ -224,6 +224,12 @@ impl Models for TextModels {
         }
     }
 
+    fn changes(&self, line: usize) -> bool {
+        let known = self.known.ladders[0].rungs.len() + 1;
+        let found = line.checked_sub(known).and_then(|place| self.found.get()?.get(place));
+        found.map_or(line == 0, |one| one.problem.switching.is_some()) && self.own().switching.is_some()
+    }
+
     fn code_size(&self, line: usize) -> Option<usize> {
         let known = self.known.ladders[0].rungs.len() + 1;
         match line.checked_sub(known) {
