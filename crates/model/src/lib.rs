@@ -69,7 +69,7 @@ pub use source::{
     BodySource, ConstraintSource, ContactSource, DriveSource, Entry, EventSource, InertiaSource, InputSource,
     LoadSource, OneWaySource, RegulatorSource, Source, Text, WindingSource,
 };
-pub use statements::{Mistake, Mistaken, PowerBalance, Statement, mistaken, statements};
+pub use statements::{Mistake, Mistaken, PowerBalance, Statement, kept_momenta, mistaken, statements};
 pub use trace::{Trace, Vector, quaternion_rates, turned_further};
 pub use variations::{Variations, Varied};
 pub use work::{Work, forming};

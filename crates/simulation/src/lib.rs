@@ -39,6 +39,7 @@
 mod axes;
 pub mod ensemble;
 pub mod events;
+pub mod integral_drift;
 pub mod ivp_scene;
 pub mod knowledge;
 mod law;

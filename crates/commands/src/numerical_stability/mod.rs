@@ -1,15 +1,18 @@
 //! `dalembert numerical-stability`: for which steps a method's map says of a stationary motion what is true.
 
+mod drift;
 mod model;
+mod oscillations;
 
-use crate::arguments::{Format, finite};
+use crate::arguments::{Format, finite, whole};
 use crate::exit::{Exit, print};
 use crate::run::with_model;
 use crate::stationary::steady_box::SteadyBox;
-use clap::Args;
-use integrators::Splitting;
+use clap::{Args, ValueEnum};
+use integrators::{Method, Splitting};
 use reader::{Family, read_text};
 use serde_json::{Value, json};
+use simulation::methods;
 use simulation::models::holds_model;
 use std::path::PathBuf;
 use studies::numerical_stability::chart::{Chart, ChartedMotion, Row, said};
@@ -33,9 +36,40 @@ pub struct Asked {
     /// Another machine, made of the scene's data
     #[arg(long)]
     pub model: Option<String>,
+    /// The drift of energies and momenta that a motion keeps, by theory and by runs: along the motion from the start, or of oscillations
+    /// about each steady motion
+    #[arg(long, value_enum, value_name = "MOTION", num_args = 0..=1, require_equals = true, default_missing_value = "start")]
+    pub drift: Option<Motion>,
+    /// Equal steps in a period, of --drift; several with commas
+    #[arg(long, value_name = "N,N", value_delimiter = ',', default_values_t = [20, 100], value_parser = whole::<u32>(1..=1_000_000), requires = "drift")]
+    pub steps: Vec<u32>,
+    /// Periods of the runs of --drift; without it as many as two million steps hold, and not above a million
+    #[arg(long, value_name = "N", value_parser = whole::<u32>(2..=1_000_000), requires = "drift")]
+    pub periods: Option<u32>,
+    /// A method with constant steps, of --drift, such as implicit_midpoint; may be repeated. Without it the four classical ones
+    #[arg(long, value_name = "METHOD", value_parser = constant, requires = "drift")]
+    pub method: Vec<Method>,
     /// How to print it; JSON is one object: scene, model, omega0, motions
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
+}
+
+/// A motion along which integrals drift.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Motion {
+    /// The one from the start of the file
+    Start,
+    /// Small oscillations about each steady motion
+    Steady,
+}
+
+/// A method with one step, by its name.
+fn constant(name: &str) -> Result<Method, String> {
+    let known = || {
+        let named = methods::list().filter_map(|(written, _)| written.strip_suffix(":STEPS").map(str::to_owned));
+        format!("the name of a method with constant steps is accepted: {}", named.collect::<Vec<_>>().join(", "))
+    };
+    methods::method(&format!("{name}:1")).ok().filter(|method| method.steps().is_some()).ok_or_else(known)
 }
 
 /// Every splitting on a motion.
@@ -43,6 +77,11 @@ type Courses = [Tested; Splitting::ALL.len()];
 
 /// Prints it.
 pub fn show(asked: &Asked) -> Result<Exit, Exit> {
+    match asked.drift {
+        Some(Motion::Start) => return drift::show(asked),
+        Some(Motion::Steady) => return oscillations::show(asked),
+        None => {}
+    }
     if read_text(&asked.scene).is_ok_and(|text| holds_model(&text)) {
         return model::show(asked);
     }

@@ -24,6 +24,25 @@ impl StabilityFunction {
         ((above / below).norm().ln(), (z * (above_slope / above - below_slope / below)).re)
     }
 
+    /// |R(i x)|^2 - 1, the part by which a step changes the energy of an oscillation that turns by x radians in it. What cancels does so over
+    /// fractions, so that the smallest changes keep their digits.
+    pub fn energy_change(&self, x: f64) -> f64 {
+        let (terms, low) = self.balance();
+        // Re i^m
+        let on_axis = |term: &Vec<Rational>| {
+            term.iter().enumerate().fold(Rational::int(0), |sum, (m, c)| match m % 4 {
+                0 => sum + *c,
+                2 => sum - *c,
+                _ => sum,
+            })
+        };
+        let change =
+            terms.iter().rev().fold(0.0, |value, term| value * x + on_axis(term).to_f64()) * x.powi(low as i32);
+        let z = Complex::new(0.0, x);
+        let below = self.denominator.iter().rev().fold(Complex::new(0.0, 0.0), |value, c| value * z + c.to_f64());
+        change / below.norm_sqr()
+    }
+
     /// |P(x u)|^2 - |Q(x u)|^2 for |u| = 1 as sum x^k c_km Re u^m: the coefficients c, trimmed at both ends of k,
     /// and the power of x that was divided by.
     pub(super) fn balance(&self) -> (Vec<Vec<Rational>>, usize) {
@@ -42,5 +61,31 @@ impl StabilityFunction {
         }
         let low = terms.iter().take_while(|term| vanishes(term)).count();
         (terms.split_off(low), low)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::StabilityFunction;
+    use field::Rational;
+
+    #[test]
+    fn an_oscillation_loses_the_energy_of_the_closed_form_of_runge_and_kutta() {
+        let coefficients = [1, 1, 2, 6, 24].map(|n| Rational::new(1, n)).to_vec();
+        let function = StabilityFunction { numerator: coefficients, denominator: vec![Rational::int(1)] };
+        for x in [1e-3_f64, 0.1, 1.0] {
+            let closed = -x.powi(6) / 72.0 + x.powi(8) / 576.0;
+            assert!((function.energy_change(x) / closed - 1.0).abs() < 1e-14);
+        }
+    }
+
+    #[test]
+    fn the_midpoint_rule_keeps_the_energy_of_an_oscillation() {
+        let half = Rational::new(1, 2);
+        let function = StabilityFunction {
+            numerator: vec![Rational::int(1), half],
+            denominator: vec![Rational::int(1), Rational::int(0) - half],
+        };
+        assert_eq!(function.energy_change(0.7), 0.0);
     }
 }

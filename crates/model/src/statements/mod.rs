@@ -8,6 +8,7 @@ mod power_balance;
 mod reaction_power;
 
 pub use lost_terms::{Mistake, Mistaken, mistaken};
+pub use momenta::kept_momenta;
 pub use power_balance::PowerBalance;
 
 use crate::Trace;
@@ -28,10 +29,7 @@ pub struct Statement {
 /// All statements that a model makes by itself.
 pub fn statements(trace: &Trace<'_>) -> Vec<Statement> {
     let mut all = vec![power_balance::statement(trace)];
-    // what leaves with a varying mass takes momentum along
-    if !trace.varies() {
-        all.extend(momenta::statements(trace));
-    }
+    all.extend(momenta::statements(trace));
     all.extend(constraint_rates::statements(trace));
     all
 }

@@ -8,7 +8,12 @@ use crate::principles::hamilton::momenta;
 use crate::principles::loads::generalised;
 use symbolic::Sym;
 
-pub(super) fn statements(trace: &Trace<'_>) -> Vec<Statement> {
+/// Speeds whose momenta dT/du are kept, with these momenta.
+pub fn kept_momenta(trace: &Trace<'_>) -> Vec<(usize, Sym)> {
+    // what leaves with a varying mass takes momentum along
+    if trace.varies() {
+        return Vec::new();
+    }
     let lagrangian = trace.kinetic_and_coenergy() - trace.potential_energy();
     let (forces, constraints) = (generalised(trace, false), constraints_of(trace));
     let is_cyclic = |i: &usize| {
@@ -19,14 +24,19 @@ pub(super) fn statements(trace: &Trace<'_>) -> Vec<Statement> {
     let momenta = momenta(trace);
     // turns of a free frame about its own axes do not commute
     let stays = |i: &usize| vanishes(trace.transposition(*i, |j| momenta[j]));
-    let cyclic: Vec<usize> = (0..trace.speeds.len()).filter(is_cyclic).filter(stays).collect();
+    (0..trace.speeds.len()).filter(is_cyclic).filter(stays).map(|i| (i, momenta[i])).collect()
+}
+
+pub(super) fn statements(trace: &Trace<'_>) -> Vec<Statement> {
+    let cyclic = kept_momenta(trace);
     if cyclic.is_empty() {
         return Vec::new();
     }
-    let residual = residual(trace);
-    let of = |i: usize| {
+    let (residual, constraints) = (residual(trace), constraints_of(trace));
+    let lagrangian = trace.kinetic_and_coenergy() - trace.potential_energy();
+    let of = |(i, momentum): (usize, Sym)| {
         let idle = constraints.iter().map(|constraint| (constraint.row[i], Sym::ZERO));
-        let kept = [(trace.rate_of(momenta[i]), residual[i])];
+        let kept = [(trace.rate_of(momentum), residual[i])];
         let subject = format!("momentum of {}", trace.direction(i));
         let agreement = decided(trace, &subject, &kept.into_iter().chain(idle).collect::<Vec<_>>());
         let kinetic = if trace.model.energies.coenergy.is_some() { "d(T + W')" } else { "dT" };

@@ -12,6 +12,7 @@
 //! * [`bench_proof`]: the same for every step between two on a bench, where all pieces rest, proved from the `pieces` that run;
 //! * [`gyrostat_proof`]: the same near a gyrostat's motions, on the `surface` of the integrals (`stepped` over it), about the motion of a splitting's own, or why not ([`reasons`]);
 //! * `multipliers`: whether they leave the unit circle, over a range of steps; [`step_intervals`]: ranges, halved until that is known;
+//! * [`oscillation`]: frequencies of a linear motion, and displacements along each;
 //! * [`survey`]: some motions with all of this, for the report.
 
 pub mod bench_proof;
@@ -27,6 +28,7 @@ pub mod methods;
 pub mod modes;
 pub mod motions;
 mod multipliers;
+pub mod oscillation;
 pub mod oscillator;
 pub mod reasons;
 pub mod splittings;

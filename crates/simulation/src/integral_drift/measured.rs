@@ -1,0 +1,166 @@
+//! The drift of an integral along a run, by its means over whole windows.
+
+use super::{Integral, KeptMotion, Window};
+use integrators::{Failure, Method, Observer, Span, Tolerance, integrate};
+use std::ops::ControlFlow;
+
+/// The part of its size by which an integral may change before the motion is another one.
+const OTHER_MOTION: f64 = 0.1;
+
+/// Steps between two looks at the clock.
+const A_LOOK: u64 = 1 << 10;
+
+/// Two figures of a drift, by runs one of which is longer, differ by less than this part while it is in proportion to time.
+const IN_PROPORTION: f64 = 0.02;
+
+/// A change of an integral, as a part of its size, below which it is none that grows.
+const NO_CHANGE: f64 = 1e-9;
+
+/// A drift, and the number of windows between the two means that tell it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Slope {
+    pub drift: f64,
+    pub windows: u32,
+}
+
+/// The drift of an integral along a run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Measured {
+    /// In a window, in the unit of the integral; none where the first windows already leave the motion.
+    pub change: Option<Slope>,
+    /// As the part of the integral by which each window changes it; none where its means have no ratio.
+    pub part: Option<Slope>,
+    /// The largest distance between two values within the first window.
+    pub swing: f64,
+}
+
+/// The longest of some figures that is in proportion to time; each has a number of windows, and the sum of the drift over these.
+fn in_proportion(sums: &[(u64, f64)], no_change: f64) -> Option<Slope> {
+    let slope = |(windows, sum): &(u64, f64)| Slope { drift: sum / *windows as f64, windows: *windows as u32 };
+    let last = sums.last()?;
+    if last.1.abs() <= no_change {
+        return Some(slope(last));
+    }
+    let agree = |pair: &&[(u64, f64)]| {
+        let [short, long] = [slope(&pair[0]).drift, slope(&pair[1]).drift];
+        (short - long).abs() <= IN_PROPORTION * short.abs()
+    };
+    sums.windows(2).rfind(agree).map(|pair| slope(&pair[1]))
+}
+
+/// The mean of each integral over some windows of a run.
+struct Means<'a> {
+    integrals: &'a [Integral],
+    /// Steps in a window.
+    steps: u64,
+    last: u64,
+    done: u64,
+    sums: Vec<f64>,
+    /// The window, and the mean in it.
+    means: Vec<(u64, Vec<f64>)>,
+    /// The least and the largest value in the first window.
+    first: Vec<[f64; 2]>,
+    sizes: &'a [f64],
+    goes_on: &'a dyn Fn() -> ControlFlow<()>,
+    ended: bool,
+}
+
+impl Means<'_> {
+    /// Windows 0, 1, 2, 4, 9, 19, 49, ... and the last.
+    fn is_watched(&self, window: u64) -> bool {
+        let mut count = window + 1;
+        while count.is_multiple_of(10) {
+            count /= 10;
+        }
+        window <= 1 || window == self.last || [1, 2, 5].contains(&count)
+    }
+}
+
+impl Observer<f64> for Means<'_> {
+    fn step(&mut self, time: f64, state: &[f64]) {
+        let window = self.done / self.steps;
+        self.done += 1;
+        if self.done.is_multiple_of(A_LOOK) {
+            self.ended |= (self.goes_on)().is_break();
+        }
+        if !self.is_watched(window) {
+            return;
+        }
+        for (place, integral) in self.integrals.iter().enumerate() {
+            let value = (integral.value)(time, state);
+            self.sums[place] += value;
+            if window == 0 {
+                let [least, most] = &mut self.first[place];
+                (*least, *most) = (least.min(value), most.max(value));
+            }
+        }
+        if self.done.is_multiple_of(self.steps) {
+            let means: Vec<f64> = self.sums.iter_mut().map(|sum| std::mem::take(sum) / self.steps as f64).collect();
+            if let Some((_, first)) = self.means.first() {
+                let has_left = first.iter().zip(&means).zip(self.sizes);
+                self.ended |= has_left.clone().all(|((first, mean), size)| (mean - first).abs() > OTHER_MOTION * size);
+            }
+            match means.iter().all(|mean| mean.is_finite()) {
+                true => self.means.push((window, means)),
+                false => self.ended = true,
+            }
+        }
+    }
+
+    fn enough(&self) -> bool {
+        self.ended
+    }
+}
+
+/// Each integral along a run of so many windows with a method that makes so many equal steps in each; sizes are those that changes are parts
+/// of. `None` of an integral that two windows of the run do not tell.
+///
+/// # Errors
+/// Why the run ended before it had two windows.
+pub fn measured(
+    motion: &KeptMotion<'_>,
+    method: Method,
+    (window, windows): (Window, u32),
+    sizes: &[f64],
+    goes_on: &dyn Fn() -> ControlFlow<()>,
+) -> Result<Vec<Option<Measured>>, Failure> {
+    let steps = u64::from(method.steps().unwrap_or(1));
+    let windows = windows.max(2).min(u32::MAX / steps as u32);
+    let count = motion.integrals.len();
+    let mut means = Means {
+        integrals: motion.integrals,
+        steps,
+        last: u64::from(windows) - 1,
+        done: 0,
+        sums: vec![0.0; count],
+        means: Vec::new(),
+        first: vec![[f64::INFINITY, f64::NEG_INFINITY]; count],
+        sizes,
+        goes_on,
+        ended: false,
+    };
+    let end = window.length() * f64::from(windows);
+    let span = Span::new(0.0, end, motion.start).with_evaluations(u64::MAX);
+    let whole = method.refined(windows).unwrap_or(method);
+    let outcome = integrate(motion.law, whole, &Tolerance::both(1e-10), &span, &mut means);
+    if let (Some(failure), true) = (outcome.failure(), means.means.len() < 2) {
+        return Err(failure);
+    }
+    let of = |place: usize| {
+        let ((_, first), rest) = means.means.split_first()?;
+        let first = first[place];
+        let later: Vec<(u64, f64)> = rest.iter().map(|(at, mean)| (*at, mean[place])).collect();
+        let changes: Vec<(u64, f64)> = later.iter().map(|(at, mean)| (*at, mean - first)).collect();
+        let powers = later.iter().map(|(at, mean)| (*at, (mean / first).ln()));
+        let powers: Vec<(u64, f64)> = powers.take_while(|(_, power)| power.is_finite()).collect();
+        let stays = changes.first().is_some_and(|(_, change)| change.abs() <= OTHER_MOTION * sizes[place]);
+        // a run that leaves the motion within a few windows has no two figures that agree
+        let first_change = || changes.first().map(|(_, change)| Slope { drift: *change, windows: 1 });
+        let change = in_proportion(&changes, NO_CHANGE * sizes[place]).or_else(first_change).filter(|_| stays);
+        let power = in_proportion(&powers, NO_CHANGE)
+            .or_else(|| powers.first().map(|(_, power)| Slope { drift: *power, windows: 1 }));
+        let part = power.map(|power| Slope { drift: power.drift.exp_m1(), ..power });
+        Some(Measured { change, part, swing: means.first[place][1] - means.first[place][0] })
+    };
+    Ok((0..count).map(of).collect())
+}

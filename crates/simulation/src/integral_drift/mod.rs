@@ -1,0 +1,130 @@
+//! Drift of integrals of motion under methods with constant steps, by theory and by runs.
+//!
+//! A method of order p with the step h follows a modified equation. Along it an integral I of the law y' = f(y) changes at the rate
+//!
+//!   g = h^p grad I . f_(p+1) + h^(p+1) grad I . f_(p+2) + ... .
+//!
+//! One step from a point y of the exact motion changes I by the integral of g over that step, hence over a period T
+//!
+//!   D(h) = (1/h) integral over T of (I(step(y(t))) - I(y(t))) dt
+//!
+//! is the drift of a period up to terms of order h^(2p), which come from the distance between both motions (Hairer, Lubich and Wanner,
+//! Geometric Numerical Integration, IX). Where D falls with h^(2p), only these terms are seen: methods that are symplectic or symmetric along
+//! such a motion let I swing and do not let it drift.
+//!
+//! # Overview
+//! * [`return_time`]: the period of a motion;
+//! * [`expected`]: D(h) by single steps from points of the motion;
+//! * [`measured`]: the change of I along a run of many periods.
+
+mod expected;
+mod measured;
+mod return_time;
+
+pub use expected::{Drift, Expected, expected};
+pub use measured::{Measured, Slope, measured};
+pub use return_time::{Returns, return_time};
+
+use crate::law::Law;
+use crate::problem::{Function, Invariant};
+use integrators::{Failure, Method, Observer, Record, Span, Tolerance, integrate};
+use std::sync::Arc;
+
+/// A function of time and state that a motion keeps.
+pub struct Integral {
+    pub name: String,
+    /// The unit of its value; 1 where it has none, empty where it is not known.
+    pub unit: String,
+    pub value: Arc<Function>,
+    /// The size of what it is put together from, where it is known.
+    pub size: Option<Arc<Function>>,
+}
+
+impl From<Invariant> for Integral {
+    fn from(Invariant { name, value, size }: Invariant) -> Self {
+        let unit = if name.starts_with("energy") { "J" } else { "" };
+        Integral {
+            name: name.replace('_', " "),
+            unit: unit.to_owned(),
+            value: Arc::from(value),
+            size: size.map(Arc::from),
+        }
+    }
+}
+
+/// A motion with the integrals that it keeps.
+pub struct KeptMotion<'a> {
+    pub law: &'a dyn Law,
+    /// The state at time zero.
+    pub start: &'a [f64],
+    pub integrals: &'a [Integral],
+}
+
+/// The time over which a drift is told.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Window {
+    /// A period of the motion, s.
+    Period(f64),
+    /// A span after which the motion has not returned, s.
+    Span(f64),
+}
+
+impl Window {
+    /// Its length, s.
+    pub fn length(self) -> f64 {
+        match self {
+            Window::Period(length) | Window::Span(length) => length,
+        }
+    }
+}
+
+/// Errors of a step of the run that stands for the exact motion.
+const EXACT: f64 = 1e-13;
+
+/// States of a window at which sizes are taken.
+const SIZED: usize = 64;
+
+impl KeptMotion<'_> {
+    /// States of the exact motion at times that rise.
+    ///
+    /// # Errors
+    /// Why the run ended before the last.
+    fn states(&self, times: &[f64]) -> Result<Vec<Vec<f64>>, Failure> {
+        let Some(&end) = times.last() else { return Ok(Vec::new()) };
+        let mut record = Record::new();
+        self.exactly((0.0, end), self.start, times, &mut record)?;
+        Ok(record.states)
+    }
+
+    /// The exact motion, as well as numbers tell, from one time to another; the state then.
+    fn exactly(
+        &self,
+        (from, to): (f64, f64),
+        state: &[f64],
+        outputs: &[f64],
+        observer: &mut dyn Observer<f64>,
+    ) -> Result<Vec<f64>, Failure> {
+        let span = Span::new(from, to, state).with_outputs(outputs);
+        let outcome = integrate(self.law, Method::DormandPrince8, &Tolerance::both(EXACT), &span, observer);
+        outcome.failure().map_or(Ok(outcome.state), Err)
+    }
+
+    /// The largest size of each integral along a window.
+    ///
+    /// # Errors
+    /// Why the run ended before its end.
+    pub fn sizes(&self, window: Window) -> Result<Vec<f64>, Failure> {
+        let times: Vec<f64> = (1..=SIZED).map(|k| window.length() * k as f64 / SIZED as f64).collect();
+        let states = self.states(&times)?;
+        let all =
+            || std::iter::once((0.0, self.start)).chain(times.iter().copied().zip(states.iter().map(Vec::as_slice)));
+        let of = |integral: &Integral| {
+            let size = |(time, state): (f64, &[f64])| match &integral.size {
+                Some(size) => size(time, state),
+                None => (integral.value)(time, state).abs(),
+            };
+            all().map(size).fold(0.0, f64::max)
+        };
+        Ok(self.integrals.iter().map(of).collect())
+    }
+}
