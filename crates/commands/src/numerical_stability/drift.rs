@@ -164,7 +164,7 @@ impl Found {
             };
             let heads = match self.window {
                 Window::Period(_) => ["theory, a period", "after 10^6 periods", "run, a period"],
-                Window::Span(_) => ["theory, the span", "", "run, next span"],
+                Window::Span(_) => ["theory, the span", "", "run, the span"],
             };
             let [first, million, last] = heads;
             let _ =

@@ -67,7 +67,7 @@ impl StabilityFunction {
 #[cfg(test)]
 mod tests {
     use super::StabilityFunction;
-    use field::Rational;
+    use field::{Rational, Scalar};
 
     #[test]
     fn an_oscillation_loses_the_energy_of_the_closed_form_of_runge_and_kutta() {

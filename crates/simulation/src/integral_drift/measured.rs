@@ -13,8 +13,9 @@ const A_LOOK: u64 = 1 << 10;
 /// Two figures of a drift, by runs one of which is longer, differ by less than this part while it is in proportion to time.
 const IN_PROPORTION: f64 = 0.02;
 
-/// A change of an integral, as a part of its size, below which it is none that grows.
+/// A change of an integral, as a part of its size and of its swing, below which it is none that grows.
 const NO_CHANGE: f64 = 1e-9;
+const OF_SWING: f64 = 0.1;
 
 /// A drift, and the number of windows between the two means that tell it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -112,8 +113,24 @@ impl Observer<f64> for Means<'_> {
     }
 }
 
+/// The change of each integral from the start to the end of a span.
+fn over_span(motion: &KeptMotion<'_>, method: Method, length: f64) -> Result<Vec<Option<Measured>>, Failure> {
+    let span = Span::new(0.0, length, motion.start).with_evaluations(u64::MAX);
+    let outcome = integrate(motion.law, method, &Tolerance::both(1e-10), &span, &mut ());
+    if let Some(failure) = outcome.failure() {
+        return Err(failure);
+    }
+    let of = |integral: &Integral| {
+        let drift = (integral.value)(length, &outcome.state) - (integral.value)(0.0, motion.start);
+        let change = Some(Slope { drift, windows: 1 }).filter(|slope| slope.drift.is_finite());
+        Some(Measured { change, part: None, swing: 0.0 })
+    };
+    Ok(motion.integrals.iter().map(of).collect())
+}
+
 /// Each integral along a run of so many windows with a method that makes so many equal steps in each; sizes are those that changes are parts
-/// of. `None` of an integral that two windows of the run do not tell.
+/// of. Of a motion that does not return the run is its span alone. `None` of an integral that two windows of
+/// the run do not tell.
 ///
 /// # Errors
 /// Why the run ended before it had two windows.
@@ -124,6 +141,9 @@ pub fn measured(
     sizes: &[f64],
     goes_on: &dyn Fn() -> ControlFlow<()>,
 ) -> Result<Vec<Option<Measured>>, Failure> {
+    if let Window::Span(length) = window {
+        return over_span(motion, method, length);
+    }
     let steps = u64::from(method.steps().unwrap_or(1));
     let windows = windows.max(2).min(u32::MAX / steps as u32);
     let count = motion.integrals.len();
@@ -156,11 +176,14 @@ pub fn measured(
         let stays = changes.first().is_some_and(|(_, change)| change.abs() <= OTHER_MOTION * sizes[place]);
         // a run that leaves the motion within a few windows has no two figures that agree
         let first_change = || changes.first().map(|(_, change)| Slope { drift: *change, windows: 1 });
-        let change = in_proportion(&changes, NO_CHANGE * sizes[place]).or_else(first_change).filter(|_| stays);
+        let swing = means.first[place][1] - means.first[place][0];
+        let change = in_proportion(&changes, (NO_CHANGE * sizes[place]).max(OF_SWING * swing))
+            .or_else(first_change)
+            .filter(|_| stays);
         let power = in_proportion(&powers, NO_CHANGE)
             .or_else(|| powers.first().map(|(_, power)| Slope { drift: *power, windows: 1 }));
         let part = power.map(|power| Slope { drift: power.drift.exp_m1(), ..power });
-        Some(Measured { change, part, swing: means.first[place][1] - means.first[place][0] })
+        Some(Measured { change, part, swing })
     };
     Ok((0..count).map(of).collect())
 }
