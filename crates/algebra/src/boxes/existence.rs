@@ -11,6 +11,9 @@ const STEPS: usize = 8;
 /// Sizes of a box about it, each an eighth of the one before.
 const SIZES: i32 = 8;
 
+/// The smallest size of a box in which a zero is shown, beside one and its own size.
+const ROUNDING: f64 = 1e-13;
+
 /// Newton's steps by which an enclosure is narrowed at most.
 const NARROWINGS: usize = 20;
 
@@ -20,7 +23,9 @@ pub(super) fn shown(equations: &mut dyn Equations, near: &[Interval]) -> Option<
     for _ in 0..STEPS {
         let local = Local::of(equations, &points(&at))?;
         at.iter_mut().zip(&local.step).for_each(|(at, step)| *at -= step.middle());
-        let strays = |(at, near): (&f64, &Interval)| (at - near.middle()).abs() > near.width().max(1e-12 * near.size());
+        // a box as narrow as rounding holds its zero no more surely than the places beside it
+        let reach = |at: f64, near: &Interval| near.width().max(1e-12 * near.size()).max(ROUNDING * (1.0 + at.abs()));
+        let strays = |(at, near): (&f64, &Interval)| (at - near.middle()).abs() > reach(*at, near);
         if at.iter().any(|at| !at.is_finite()) || at.iter().zip(near).any(strays) {
             return None;
         }
@@ -28,7 +33,7 @@ pub(super) fn shown(equations: &mut dyn Equations, near: &[Interval]) -> Option<
     (0..SIZES).find_map(|size| {
         let part = 8.0_f64.powi(-size);
         // never below rounding
-        let radius = |(at, near): (&f64, &Interval)| (part * near.width()).max(1e-13 * (1.0 + at.abs()));
+        let radius = |(at, near): (&f64, &Interval)| (part * near.width()).max(ROUNDING * (1.0 + at.abs()));
         let alone: Vec<Interval> =
             at.iter().zip(near).map(|pair| Interval::new(pair.0 - radius(pair), pair.0 + radius(pair))).collect();
         let local = Local::of(equations, &alone)?;

@@ -62,6 +62,12 @@ pub fn zeros(
             },
         }
     }
+    // a zero that was shown later may be alone where nothing was decided before
+    let Found { zeros, undecided, .. } = &mut found;
+    let is_part = |at: &[Interval], zero: &Zero| {
+        at.len() == zero.alone.len() && at.iter().zip(&zero.alone).all(|(at, alone)| at.is_part_of(*alone))
+    };
+    undecided.retain(|at| !zeros.iter().any(|zero| is_part(at, zero)));
     found
 }
 
@@ -200,6 +206,17 @@ mod tests {
         let mut given =
             Given::<1> { values: |[x]| [x * x * x - x], slopes: |[x]| [[number(3.0) * x * x - number(1.0)]] };
         let found = zeros(&mut given, &[Interval::new(-2.0, 2.0)], LIMITS, || true);
+        assert_eq!((found.zeros.len(), found.undecided.len()), (3, 0), "{found:?}");
+    }
+
+    #[test]
+    fn a_zero_at_the_side_of_two_halves_is_decided_where_values_have_rounding() {
+        // the middle of the box is a zero
+        let mut given = Given::<1> {
+            values: |[x]| [Interval::new(-3e-16, 1e-16) + x * (number(1.0) - x * x * number(0.015625))],
+            slopes: |[x]| [[number(1.0) - number(0.046875) * x * x]],
+        };
+        let found = zeros(&mut given, &[Interval::new(-10.0, 10.0)], LIMITS, || true);
         assert_eq!((found.zeros.len(), found.undecided.len()), (3, 0), "{found:?}");
     }
 
