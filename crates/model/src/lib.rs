@@ -55,10 +55,10 @@ pub use elaboration::{HALF_TURN, bare_angle, is_reserved, misplaced};
 pub use fault::Fault;
 pub use judgements::{Judgement, Subject, judged_mistake, judgements};
 pub use parts::{
-    Along, Assignment, Body, BodyId, Constraint, Contact, Coordinate, Defined, Direction, Energies, Event, Force,
-    Frame, FrameId, GeneralisedForce, Implied, Inertia, Input, Material, Model, Moves, OneWay, Output, Parameter,
-    Point, PointId, QuasiVelocity, Regulator, Restitution, Sides, StartSpeed, StartValue, Torque, Turn, UnsolvedLaw,
-    Zero,
+    Along, Assignment, Body, BodyId, Constraint, Contact, Coordinate, Defined, Direction, Domain, Energies, Event,
+    Force, Frame, FrameId, GeneralisedForce, Implied, Inertia, Input, Material, Model, Moves, OneWay, Output,
+    Parameter, Point, PointId, QuasiVelocity, Regulator, Restitution, Sides, StartSpeed, StartValue, Torque, Turn,
+    UnsolvedLaw, Zero,
 };
 pub use presentation::{
     Cosine, Divisor, HeldEquation, InQuasiVelocities, Lines, MatrixForm, Typeset, axes, code, constraints, latex,

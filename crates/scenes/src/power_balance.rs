@@ -25,12 +25,20 @@ pub(crate) fn metered(system: &Arc<CompiledSystem>, plain: Problem) -> Problem {
         return plain;
     }
     let own = plain.state.len();
+    let mut has_energy = false;
     let energy = recorded(own, |time, state| {
         let trace = Trace::of(model);
         let all = [PowerBalance::of(&trace).energy, trace.kinetic_energy(), trace.potential_energy()];
+        let states = trace.coordinates.iter().chain(&trace.speeds);
+        let known = all[0].symbols_of();
+        has_energy = states.clone().any(|state| known.contains(state));
         Letters::with_data(time, state).put_into(&trace, &all)
     });
+    // without energies all work is rounding
     let Ok(energy) = energy else { return plain };
+    if !has_energy {
+        return plain;
+    }
     let energies = move |time: f64, state: &[f64]| {
         let mut values = [f64::NAN; 3];
         // made for a state of this length

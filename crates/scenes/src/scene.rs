@@ -55,6 +55,8 @@ pub struct ModelScene {
     events: Vec<String>,
     /// The line of each condition.
     condition_lines: Vec<usize>,
+    /// The text and the line of each function that has values on one side of zero alone.
+    domains: Vec<(String, usize)>,
     /// The place in the file and the accepted values, where no motion goes on from the start, or several do.
     without_motion: Option<String>,
     /// The knowledge beside its equations, where the file asks for it.
@@ -177,6 +179,10 @@ impl ModelScene {
         let description = description.map_or_else(String::new, |text| text.value.trim().to_owned());
         let events = model.events.iter().map(|event| called(event, text)).collect();
         let condition_lines = model.switch_places.iter().map(|place| line_of(text, place.start)).collect();
+        let domain = |domain: &model::Domain| {
+            (text.get(domain.at.clone()).unwrap_or_default().to_owned(), line_of(text, domain.at.start))
+        };
+        let domains = model.domains.iter().map(domain).collect();
         let without_motion = without_motion.map(|issue| {
             let line = line_of(text, issue.span.map_or(0, |span| span.start));
             format!("line {line}: {}; accepted is {}", issue.label, issue.help.unwrap_or_default())
@@ -192,6 +198,7 @@ impl ModelScene {
             run,
             events,
             condition_lines,
+            domains,
             without_motion,
             knowledge,
         })
@@ -201,7 +208,7 @@ impl ModelScene {
 impl ModelScene {
     /// The same scene with other numbers: a model, its law at its start, and the start.
     pub(crate) fn with(&self, model: Arc<Model>, system: Arc<CompiledSystem>, start: Vec<f64>) -> Self {
-        let ModelScene { title, description, run, events, condition_lines, knowledge, .. } = self;
+        let ModelScene { title, description, run, events, condition_lines, domains, knowledge, .. } = self;
         let (title, description) = (title.clone(), description.clone());
         let (run, events, condition_lines) = (run.clone(), events.clone(), condition_lines.clone());
         let (source, without_motion) = (Arc::clone(&self.source), None);
@@ -215,6 +222,7 @@ impl ModelScene {
             run,
             events,
             condition_lines,
+            domains: domains.clone(),
             without_motion,
             knowledge: *knowledge,
         }
@@ -240,6 +248,11 @@ impl ModelScene {
     /// Each event by its name, or by its line in the file.
     pub(crate) fn event_names(&self) -> &[String] {
         &self.events
+    }
+
+    /// The text and the line of each function that has values on one side of zero alone.
+    pub(crate) fn domain_texts(&self) -> &[(String, usize)] {
+        &self.domains
     }
 
     /// The problem of the run, with the modes of a law that changes.

@@ -186,7 +186,98 @@ fn a_root_whose_argument_turns_negative_is_the_end_of_the_domain_of_the_law() {
     let (kind, at, evidence, _) = failure(&found);
     assert_eq!((kind.as_str(), code), ("end of the domain of the law", Some(1)), "{found}");
     // x' = -sqrt(4/3 (1 - x^(3/2))) integrated over the way
-    assert!((at - 1.4937).abs() < 1e-3 && evidence.contains("the rate of `x'`"), "{found}");
+    assert!((at - 1.4937).abs() < 1e-3 && evidence.contains("`sqrt(x/(1 m))` in line 11"), "{found}");
+}
+
+/// Torricelli's law: sqrt(h) falls in proportion to time, to zero at A/a sqrt(2 h/g).
+#[test]
+fn a_tank_that_is_empty_names_the_root_its_line_and_the_time_by_every_method() {
+    let text = "title = \"A tank drains\"\n[parameters]\nA = \"1 m^2\"\na = \"0.02 m^2\"\ng = \"9.81 m/s^2\"\nb = \"1 N s/m\"\n[coordinates]\n\
+        h = \"m\"\n[energies]\ndissipation = \"b/2*h'^2\"\n[[force]]\nalong = \"h\"\nis = \"-b*a/A*sqrt(2*g*h)\"\n[start]\nh = \"1 m\"\n\
+        [run]\nspan = \"60 s\"\n";
+    let empty = 50.0 * (2.0_f64 / 9.81).sqrt();
+    for method in ["dormand_prince_8", "radau_5", "runge_kutta_4:1000", "gauss:4"] {
+        let (found, code, _) = ran("tank", text, &["--method", method]);
+        let (kind, at, evidence, remedy) = failure(&found);
+        assert_eq!((kind.as_str(), code), ("end of the domain of the law", Some(1)), "{method}: {found}");
+        assert!((at - empty).abs() < 0.02, "{method}: {at} beside {empty}");
+        assert!(evidence.contains("`sqrt(2*g*h)` in line 13") && evidence.contains("`h` = "), "{method}: {evidence}");
+        assert!(remedy.contains("if(2*g*h > 0, sqrt(2*g*h), 0)"), "{remedy}");
+    }
+    // the remedy
+    let held = text.replace("sqrt(2*g*h)", "if(2*g*h > 0, sqrt(2*g*h), 0)");
+    let (found, code, message) = ran("tank_held", &held, &[]);
+    assert_eq!((code, found["failures"].as_array().map(Vec::len)), (Some(0), Some(0)), "{found} {message}");
+}
+
+/// A ball between two walls a millionth of a metre apart meets one every microsecond.
+#[test]
+fn events_by_the_thousand_are_chattering_with_their_distance() {
+    let text = format!(
+        "{MASS}[[event]]\nname = \"left\"\nwhen = \"x\"\ndirection = \"down\"\nset = {{ \"x'\" = \"-x'\" }}\n[[event]]\nname = \"right\"\n\
+         when = \"x - (1e-6 m)\"\ndirection = \"up\"\nset = {{ \"x'\" = \"-x'\" }}\n[start]\nx = \"5e-7 m\"\n\"x'\" = \"1 m/s\"\n[run]\nspan = \"1 s\"\n"
+    );
+    let (found, code, _) = ran("chattering", &text, &[]);
+    let (kind, at, evidence, remedy) = failure(&found);
+    assert_eq!((kind.as_str(), code), ("chattering", Some(1)), "{found}");
+    assert!((at - 0.02).abs() < 1e-3, "{at}");
+    assert!(
+        evidence.contains("the event `left` and the event `right`") && evidence.contains("every 1.0e-6 s"),
+        "{evidence}"
+    );
+    assert!(remedy.contains("if(s > 0, a, b)"), "{remedy}");
+}
+
+/// The mass hangs at a line that the constraint holds; its own inertia vanishes at x = a.
+#[test]
+fn an_inertia_that_vanishes_beside_a_constraint_is_no_loss_of_rank() {
+    let text = "title = \"Vanishing inertia\"\n[parameters]\nm = \"1 kg\"\na = \"1 m\"\nk = \"2 N/m\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n\
+        z = \"m\"\n[energies]\nkinetic = \"m/2*(1 - x/a)*x'^2 + m/2*y'^2 + m/2*z'^2\"\npotential = \"k/2*x^2\"\n[[constraint]]\nzero = \"y - z\"\n\
+        [start]\n\"x'\" = \"2 m/s\"\n[run]\nspan = \"3 s\"\n";
+    let (found, _, _) = ran("mass_beside", text, &[]);
+    let (kind, _, evidence, _) = failure(&found);
+    assert_eq!(kind, "singular mass matrix", "{found}");
+    assert!(evidence.contains("no inertia resists `x'` at `x` = 1 m"), "{evidence}");
+}
+
+/// A damper that is gone after 1e-9 s needs steps by the million; the time is over before.
+#[test]
+fn a_stiff_run_that_is_out_of_time_is_told_as_stiff() {
+    let text = format!(
+        "{MASS}[[force]]\non = \"mass\"\nis = \"-((1 N/m)*x + (1e9 N s/m)*(x' - (1 m/s)*cos(t/(1 s))))*N.x\"\n[start]\n\"x'\" = \"1 m/s\"\n\
+         [run]\nspan = \"10 s\"\nmethod = \"gragg_bulirsch_stoer\"\n"
+    );
+    let (found, code, message) = ran("stiff_time", &text, &["--seconds", "2"]);
+    assert_eq!(code, Some(1), "{found} {message}");
+    let (kind, _, evidence, remedy) = failure(&found);
+    assert!(kind == "stiffness" && evidence.contains("-1.000e9 1/s") && remedy.contains("--method radau_5"), "{found}");
+}
+
+/// A push of 1 N s within 2 ms at t = 5.03 s.
+#[test]
+fn a_smooth_push_between_two_long_steps_is_told() {
+    let text = format!(
+        "{MASS}[[force]]\non = \"mass\"\nis = \"(1000 N)*exp(-((t - (5.03 s))/(0.0005 s))^2)*N.x\"\n[run]\nspan = \"10 s\"\n"
+    );
+    let (found, code, _) = ran("push", &text, &[]);
+    let (kind, at, evidence, remedy) = failure(&found);
+    assert_eq!((kind.as_str(), code), ("missed event", Some(1)), "{found}");
+    assert!((at - 5.03).abs() < 2e-3 && evidence.contains("the rate of `x'` changes by itself"), "{found}");
+    let method = remedy.split("--method ").nth(1).expect("a method");
+    let (found, code, _) = ran("push_steps", &text, &["--method", method]);
+    assert_eq!((code, found["failures"].as_array().map(Vec::len)), (Some(0), Some(0)), "{found}");
+}
+
+/// A push of 1 N s that conditions of the time begin and end is stepped to.
+#[test]
+fn a_push_by_conditions_of_the_time_is_stepped_to() {
+    let text = format!(
+        "{MASS}[[force]]\non = \"mass\"\nis = \"if(t < (5.03 s), 0*(1 N), if(t < (5.031 s), (1000 N), 0*(1 N)))*N.x\"\n[run]\nspan = \"10 s\"\n"
+    );
+    let (found, code, _) = ran("push_conditions", &text, &[]);
+    assert_eq!(code, Some(0), "{found}");
+    let speed = found["state"]["x'"].as_f64().expect("a speed");
+    assert!((speed - 1.0).abs() < 1e-9, "{found}");
 }
 
 #[test]
@@ -268,8 +359,8 @@ fn what_is_wrong_with_an_entry_is_told_at_its_place() {
 }
 
 #[test]
-fn the_five_entries_of_the_folder_that_are_text_are_theory_s() {
-    for name in ["penalty contact", "stabilised constraint", "bounces", "sampling", "drawer"] {
+fn the_six_entries_of_the_folder_that_are_text_are_theory_s() {
+    for name in ["penalty contact", "stabilised constraint", "bounces", "sampling", "drawer", "draining tank"] {
         let output = run(&["failures", name, "--format", "json"]);
         let found = json(&output);
         assert_eq!(output.status.code(), Some(0), "{name}: {found} {}", String::from_utf8_lossy(&output.stderr));

@@ -142,6 +142,11 @@ fn facts(scene: &dyn IvpScene, run: &Trajectory) -> Vec<(String, String)> {
     facts.extend(told.theory.into_iter().map(|said| ("theory".to_owned(), said)));
     facts.extend(run.stopped().map(|why| ("stopped".to_owned(), why)));
     facts.extend(told.diagnosis.map(|what| ("diagnosis".to_owned(), what)));
+    let failures = told.failures.into_iter();
+    facts.extend(
+        failures
+            .flat_map(|failure| [("failure".to_owned(), failure.to_string()), ("remedy".to_owned(), failure.remedy)]),
+    );
     for deviation in &run.outcome.deviations {
         let kept = match deviation.largest.is_finite() {
             true => format!("kept to {}", significant(deviation.largest, 2)),

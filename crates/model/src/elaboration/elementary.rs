@@ -19,7 +19,10 @@ impl Elaborator<'_> {
         self.must_measure(span, of.0, &format!("the argument of `{name}`"), Some(Dimension::none()))?;
         Ok(Value::Scalar(match name {
             "exp" => self.called(Elementary::Exp, of, of),
-            "ln" | "log" => self.called(Elementary::Ln, of, of),
+            "ln" | "log" => {
+                self.must_not_be_negative(span, of);
+                self.called(Elementary::Ln, of, of)
+            }
             "tanh" => self.called(Elementary::Tanh, of, of),
             "sinh" | "cosh" => self.hyperbolic(of, name == "cosh"),
             "atan" => {
@@ -31,6 +34,7 @@ impl Elaborator<'_> {
                 let (one, half) = (self.pure(1.0), Exponent { numerator: 2, denominator: 1 });
                 let square = self.unmeasured(Scalar::Power(of, half));
                 let rest = self.unmeasured(Scalar::Difference(one, square));
+                self.must_not_be_negative(span, rest);
                 let leg = self.unmeasured(Scalar::Function(Function::Sqrt, rest));
                 let (opposite, adjacent) = if name == "asin" { (of, leg) } else { (leg, of) };
                 self.called(Elementary::Atan2, opposite, adjacent)

@@ -8,7 +8,7 @@ use super::value::Value;
 use super::{Elaborator, Sound, unknown};
 use crate::arena::{Function, Scalar, Vector};
 use crate::expression::{Argument, Preposition};
-use crate::{Fault, FrameId, Material, Text};
+use crate::{Domain, Fault, FrameId, Material, ScalarId, Text};
 use field::Rational;
 use std::ops::Range;
 use symbolic::Dimension;
@@ -200,13 +200,24 @@ impl Elaborator<'_> {
     fn function(&mut self, span: &Range<usize>, function: Function, of: Value) -> Sound<Value> {
         let of = self.as_scalar(span, "the argument", of)?;
         let dimension = match function {
-            Function::Sqrt => self.dimension_of(of.0).map(|dimension| dimension.power(Rational::new(1, 2))),
+            Function::Sqrt => {
+                self.must_not_be_negative(span, of);
+                self.dimension_of(of.0).map(|dimension| dimension.power(Rational::new(1, 2)))
+            }
             _ => {
                 self.must_measure(span, of.0, "an angle", Some(Dimension::none()))?;
                 Some(Dimension::none())
             }
         };
         Ok(Value::Scalar(self.scalar(Scalar::Function(function, of), dimension)))
+    }
+
+    /// Notes an expression on one side of whose zeros alone a function has values.
+    pub(super) fn must_not_be_negative(&mut self, span: &Range<usize>, margin: ScalarId) {
+        let domain = Domain { margin, at: span.clone() };
+        if !self.model.domains.contains(&domain) {
+            self.model.domains.push(domain);
+        }
     }
 
     fn cross(&mut self, span: &Range<usize>, a: Value, b: Value) -> Sound<Value> {

@@ -145,6 +145,9 @@ impl Elaborator<'_> {
         };
         let share = Rational::new(exponent.numerator.into(), exponent.denominator.into());
         let dimension = self.dimension_of(a.0).map(|dimension| dimension.power(share));
+        if exponent.denominator != 1 {
+            self.must_not_be_negative(span, a);
+        }
         if matches!(exponent.denominator, 1 | 2) {
             return Ok(Value::Scalar(self.bounded(span, Scalar::Power(a, exponent), dimension)?));
         }

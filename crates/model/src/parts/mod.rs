@@ -217,6 +217,8 @@ pub struct Model {
     pub switch_places: Vec<Range<usize>>,
     /// The coherent unit of each of them.
     pub switch_units: Vec<String>,
+    /// Expressions that must not be negative: of roots, logarithms, powers and inverse circular functions.
+    pub domains: Vec<Domain>,
     pub events: Vec<Event>,
     pub start: Vec<StartValue>,
     /// Quasi-velocities at the start: speeds are completed so that they hold.
@@ -230,6 +232,15 @@ pub struct Model {
     pub(crate) arena: Arena,
     /// Expressions that come before all others, since inputs have them: they hold the time and the state alone.
     pub(crate) ahead: Vec<ScalarId>,
+}
+
+/// A function that has values on one side of zero of an expression alone.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Domain {
+    /// Not negative where the function has a value.
+    pub margin: ScalarId,
+    /// The bytes of the file at which the function stands.
+    pub at: Range<usize>,
 }
 
 impl Model {

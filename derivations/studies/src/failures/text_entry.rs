@@ -1,8 +1,9 @@
 //! Entries of the catalogue that are text: scenes with the table `[failure]`, those of the folder and those of a user.
 
 use super::edge::edge;
-use super::trials::{Trial, Tried};
+use super::trials::{Trial, Tried, near};
 use super::{Exact, Found, NotFound, Threshold, Within};
+use integrators::{Failure, Method, Record};
 use reader::{SceneError, read_text};
 use scenes::FailureEntry;
 use std::cell::Cell;
@@ -95,10 +96,28 @@ fn trials(entry: &FailureEntry, fails: f64) -> Vec<Trial> {
     if let Some(steps) = choice.method.steps() {
         tried.steps = steps;
     }
+    let (outcome, right, left) = tried.run(RIGHT);
+    // a motion that ends cannot be followed to its end; where time or evaluations ended it, nothing is known
+    let is_over = left.is_some() || outcome.failure().is_some_and(|why| !why.is_broken_off() && !is_costly(why));
+    let follows = |record: &Record<f64>| match outcome.reached() {
+        true => near(record, &right, AS_RIGHT),
+        false => !is_over,
+    };
     tried.all(|record| {
         let rows = record.times.iter().zip(&record.states).map(|(time, state)| (problem.row)(*time, state));
-        rows.skip(1).all(|row| entry.keeps_row(&problem.columns, &row))
+        rows.skip(1).all(|row| entry.keeps_row(&problem.columns, &row)) && follows(record)
     })
+}
+
+/// The method whose motion is taken for right.
+const RIGHT: Method = Method::RadauIIA { stages: 7 };
+
+/// The part of its size by which a component of a run that holds may be off.
+const AS_RIGHT: f64 = 0.1;
+
+/// Whether a run was ended by its evaluations.
+fn is_costly(why: Failure) -> bool {
+    matches!(why, Failure::TooManyEvaluations { .. })
 }
 
 /// Whether a text is an entry of the catalogue.

@@ -1,11 +1,112 @@
 //! The edge of the domain of a law: rates that have numbers at the last good state, and none a little further along the motion.
 
 use super::samples::Samples;
+use crate::letters::Letters;
+use crate::program::recorded;
 use integrators::{Failure, Ode};
+use model::{Domain, Model, Trace};
 use simulation::{FailureKind, RunFailure};
 
 /// Parts of the time of the run that are looked ahead, from the shortest on.
 const AHEAD: [f64; 7] = [1e-12, 1e-10, 1e-8, 1e-6, 1e-4, 1e-2, 1e-1];
+
+/// The function whose argument leaves its domain where a run has stopped, by its text and its line: a root of what becomes negative.
+///
+/// With the margin m, not negative where the function has a value, and its rate along the motion, m reaches zero after -m/m'. Beyond that time
+/// rates have no number.
+pub(super) fn crossed(run: &Samples<'_>) -> Option<RunFailure> {
+    let (at, state) = run.last();
+    let here = rates(run, at, state);
+    run.model().domains.iter().zip(run.scene.domain_texts()).find_map(|(domain, (text, line))| {
+        let margin = margin(run.model(), domain)?;
+        let value = margin(at, state);
+        let left = if value > 0.0 {
+            let h = SHORT * at.max(f64::MIN_POSITIVE);
+            let rate = (margin(at + h, &moved(state, &here, h)) - value) / h;
+            let left = -value / rate;
+            let beyond = rates(run, at + 2.0 * left, &moved(state, &here, 2.0 * left));
+            // an adaptive run comes up to the place, equal steps stop within a few of it
+            let is_near = left > 0.0
+                && match run.choice.method.steps() {
+                    Some(_) => left <= NEAR * run.step(),
+                    None => value <= CLOSE * largest(run, &margin),
+                };
+            (is_near && beyond.iter().any(|rate| rate.is_nan())).then_some(left)?
+        } else {
+            here.iter().any(|rate| !rate.is_finite()).then_some(0.0)?
+        };
+        let time = at + left;
+        let held: Vec<String> =
+            (0..run.model().positions()).map(|place| run.told(place, state[place])).take(MOST_TOLD).collect();
+        let (needed, argument) = needed(text);
+        Some(RunFailure {
+            kind: FailureKind::EndOfDomain,
+            at: time,
+            evidence: format!(
+                "{} has a value only where {needed}; the motion leaves this domain at t = {time:.6} s, with {}",
+                if text.is_empty() { "a function of the law".to_owned() } else { format!("`{text}` in line {line}") },
+                held.join(", ")
+            ),
+            remedy: match argument {
+                Some(argument) => format!(
+                    "a law that goes on there, such as `if({argument} > 0, {text}, 0)`; or an [[event]] with `when = \"{argument} - EPS\"`, EPS a \
+                     small quantity of its dimension, and `end = true`"
+                ),
+                None => "a law that goes on there, with a condition as `if`; or an [[event]] with `end = true` before it".to_owned(),
+            },
+        })
+    })
+}
+
+/// The condition under which a function has a value, and its argument where zero bounds it.
+fn needed(text: &str) -> (&'static str, Option<&str>) {
+    let argument = text.split_once('(').and_then(|(_, rest)| rest.strip_suffix(')'));
+    match text.split('(').next().unwrap_or_default().trim() {
+        "sqrt" => ("its argument is not negative", argument),
+        "ln" | "log" => ("its argument is positive", argument),
+        "asin" | "acos" => ("its argument lies between -1 and 1", None),
+        _ => ("its base is not negative", None),
+    }
+}
+
+/// A margin as a function of time and state; none where it depends on accelerations or reactions.
+fn margin(model: &Model, domain: &Domain) -> Option<impl Fn(f64, &[f64]) -> f64> {
+    let program = recorded(model.positions() + model.speeds(), |time, state| {
+        let trace = Trace::of(model);
+        Letters::with_data(time, state).put_into(&trace, &[trace.scalar(domain.margin)])
+    });
+    let program = program.ok()?;
+    Some(move |time: f64, state: &[f64]| {
+        let mut value = [f64::NAN];
+        // made for a state of this length
+        program.run(time, state, &mut value).unwrap_or(());
+        value[0]
+    })
+}
+
+fn rates(run: &Samples<'_>, time: f64, state: &[f64]) -> Vec<f64> {
+    let mut rates = vec![0.0; state.len()];
+    Ode::<f64>::rates(&*run.scene.system, time, state, &mut rates);
+    rates
+}
+
+fn moved(state: &[f64], rates: &[f64], h: f64) -> Vec<f64> {
+    state.iter().zip(rates).map(|(value, rate)| value + h * rate).collect()
+}
+
+/// A part of the time of a run that is short for its motion.
+const SHORT: f64 = 1e-9;
+
+/// Equal steps within which a domain ends that has stopped a run.
+const NEAR: f64 = 4.0;
+
+/// The part of its largest value that a margin has come down to where an adaptive run has stopped by it.
+const CLOSE: f64 = 1e-3;
+
+/// The largest value of a margin along a run.
+fn largest(run: &Samples<'_>, margin: &impl Fn(f64, &[f64]) -> f64) -> f64 {
+    run.sound().iter().map(|(time, state)| margin(*time, state)).fold(0.0, f64::max)
+}
 
 /// The rates that have no number ahead of a run whose own numbers are moderate.
 pub(super) fn left(run: &Samples<'_>) -> Option<RunFailure> {
@@ -17,19 +118,13 @@ pub(super) fn left(run: &Samples<'_>) -> Option<RunFailure> {
         return None;
     }
     let (at, state) = run.last();
-    let rates = |time: f64, state: &[f64]| {
-        let mut rates = vec![0.0; state.len()];
-        Ode::<f64>::rates(&*run.scene.system, time, state, &mut rates);
-        rates
-    };
-    let here = rates(at, state);
+    let here = rates(run, at, state);
     if here.iter().any(|rate| !rate.is_finite()) {
         return None;
     }
     let lost = AHEAD.into_iter().find_map(|part| {
         let h = part * at.max(f64::MIN_POSITIVE);
-        let moved: Vec<f64> = state.iter().zip(&here).map(|(value, rate)| value + h * rate).collect();
-        let place = rates(at + h, &moved).iter().position(|rate| rate.is_nan())?;
+        let place = rates(run, at + h, &moved(state, &here, h)).iter().position(|rate| rate.is_nan())?;
         Some((place, h))
     });
     let (place, h) = lost?;

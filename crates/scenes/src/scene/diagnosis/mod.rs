@@ -5,7 +5,7 @@
 //! * `reasons`: failures that the reason of an ended law names by itself;
 //! * `inertia`: singular charts and mass matrices; `rank`: constraints that depend on each other;
 //! * `stiffness`, `growth`, `domain`: steps held by stability, motions that grow without bound, laws that end;
-//! * `drift`, `accumulation`, `missed_events`: residuals, event times, and events between the samples.
+//! * `drift`, `accumulation`, `missed_events`, `pulses`: residuals, event times, events and forces of short duration between the samples.
 //!
 //! All is computed where a run has ended, from its samples: no step of a run does more for it.
 
@@ -15,6 +15,7 @@ mod drift;
 mod growth;
 mod inertia;
 mod missed_events;
+mod pulses;
 mod rank;
 mod reasons;
 mod samples;
@@ -33,6 +34,7 @@ pub(super) fn failures(scene: &ModelScene, choice: &Choice, trajectory: &Traject
     let has_stopped = trajectory.stopped().is_some();
     let cause = match has_stopped {
         true => reasons::named(&run)
+            .or_else(|| domain::crossed(&run))
             .or_else(|| inertia::singular(&run))
             .or_else(|| rank::lost(&run))
             .or_else(|| stiffness::found(&run))
@@ -43,5 +45,5 @@ pub(super) fn failures(scene: &ModelScene, choice: &Choice, trajectory: &Traject
         false => None,
     };
     let cause = cause.or_else(|| if has_stopped { None } else { stiffness::hidden(&run) });
-    cause.into_iter().chain(drift::found(&run)).chain(missed_events::found(&run)).collect()
+    cause.into_iter().chain(drift::found(&run)).chain(missed_events::found(&run)).chain(pulses::missed(&run)).collect()
 }

@@ -7,6 +7,9 @@ use simulation::{FailureKind, RunFailure};
 /// The part of its value at the start below which the least singular value of J counts as lost, where the run has stopped by itself.
 const LOST: f64 = 1e-3;
 
+/// The same where the law has ended by itself at a position that is singular.
+const KEPT: f64 = 0.1;
+
 /// The loss of rank at the last good state of a run, where its law has ended there or steps have collapsed.
 pub(super) fn lost(run: &Samples<'_>) -> Option<RunFailure> {
     let left = run.trajectory.left;
@@ -18,7 +21,8 @@ pub(super) fn lost(run: &Samples<'_>) -> Option<RunFailure> {
     let (time, state) = run.last();
     let Dependence { titles, moved, least } = kept.dependence(time, state)?;
     let at_start = kept.dependence(0.0, &run.scene.start)?.least;
-    if !is_named && least > LOST * at_start {
+    // where the constraints have their rank, what the law divides by vanishes with the inertia
+    if least > if is_named { KEPT } else { LOST } * at_start {
         return None;
     }
     let place = (0..run.model().positions()).filter(|place| moved.contains(place));

@@ -50,6 +50,7 @@ pub(super) fn found(run: &Samples<'_>) -> Option<RunFailure> {
             Some(of(run, &mode, at))
         }
         Failure::LeftTheNumbers { .. } => unstable(run),
+        Failure::OutOfTime { .. } => out_of_time(run),
         _ => None,
     }
 }
@@ -91,6 +92,19 @@ pub(super) fn hidden(run: &Samples<'_>) -> Option<RunFailure> {
     let mode = fastest(run, |mode| -mode.value.re)?;
     let fades = -mode.value.re;
     let is_held = fades * run.step() >= 1.0 && fades * run.last().0 >= GONE && mode.value.im.abs() < 0.5 * fades;
+    is_held.then(|| of(run, &mode, mode.at))
+}
+
+/// The stiffness of a run that was out of time: its steps were as long as stability allows, and the whole run lasts many lives of the mode that
+/// holds them.
+fn out_of_time(run: &Samples<'_>) -> Option<RunFailure> {
+    let (traits, outcome) = (run.choice.method.traits(), &run.trajectory.outcome);
+    if traits.implicit || !traits.adaptive || outcome.work.steps < MANY_STEPS {
+        return None;
+    }
+    let mode = fastest(run, |mode| -mode.value.re)?;
+    let fades = -mode.value.re;
+    let is_held = fades * run.step() >= 1.0 && fades * run.scene.run.span >= GONE && mode.value.im.abs() < 0.5 * fades;
     is_held.then(|| of(run, &mode, mode.at))
 }
 
