@@ -3,7 +3,7 @@
 //! # Overview
 //! The crate takes plain data and knows no physics and no paper. [`Report`] is everything that a page shows;
 //! [`page::render`] turns it into one HTML file without a single reference to the outside, that reads on a screen and on
-//! paper. Each chart ([`WorkPrecision`], [`Trajectory`], [`Sphere`], [`Areas`], [`Timings`], and those of one run together, [`Sheet`]) is also a picture of its own, from
+//! paper. Each chart ([`WorkPrecision`], [`Trajectory`], [`Sphere`], [`Areas`], [`Branches`], [`Timings`], and those of one run together, [`Sheet`]) is also a picture of its own, from
 //! its `svg` method: the same data give the same bytes.
 //!
 //! Texts may hold LaTeX between dollar signs; labels inside pictures are plain text. LaTeX that cannot be typeset is
@@ -22,6 +22,7 @@ pub use claims::Verdict;
 pub use page::Page;
 pub use report::{ClaimRow, PaperSection, Parameter, Report, SceneSection, Study, Table};
 pub use svg::areas::{AreaCurve, Areas};
+pub use svg::branches::{BranchPanel, BranchPiece, Branches, Standing};
 pub use svg::number::{significant, tolerance};
 pub use svg::sheet::Sheet;
 pub use svg::sphere::{Curve, CurvePoint, Mark, Sphere};

@@ -1,7 +1,7 @@
 //! Steady motions of models beside what is known of them in closed form; none is missing, and what is not decided is told.
 
 use dalembert_scenes::steady_motions::{
-    Along, Asked, Change, Near, NoSteadyMotions, Range, SteadyMotions, SteadyStability,
+    Along, Asked, Change, Near, NoSteadyMotions, PlaneCell, Range, SteadyMotions, SteadyStability, middles,
 };
 use dalembert_scenes::{Task, parse_titled};
 use model::Model;
@@ -349,4 +349,39 @@ fn one_value_of_a_speed_that_an_equation_asks_for_is_refused() {
 fn two_motions_that_leave_their_range_together_are_no_fold() {
     let found = along(DRIVEN, &[("phi'", 1.0, 30.0)], ("T", 0.0, 0.193));
     assert_changes(&found, &[(0.01, Change::LeaveTogether)]);
+}
+
+/// The pendulum leaves the axis where l w^2 passes g.
+#[test]
+fn over_two_parameters_motions_change_where_the_closed_form_says() {
+    let (model, asked) = (model(SHAFT), asked(&[], 20_000));
+    let directions = [("l", Range { from: 0.25, to: 1.25 }), ("phi'", Range { from: 2.0, to: 7.0 })];
+    let columns: Vec<Vec<PlaneCell>> = middles(directions[0].1, 4)
+        .into_iter()
+        .map(|value| PlaneCell::column(&model, &asked, directions, (value, 5), || true).expect("they are sought"))
+        .collect();
+    for cell in columns.iter().flatten() {
+        let [l, w] = cell.values;
+        let wanted = if l * w * w > 9.81 { 4 } else { 2 };
+        assert!(cell.found.is_complete() && cell.found.motions.len() == wanted, "{:?}", cell.values);
+    }
+    let mut borders = 0;
+    for pair in columns.iter().flat_map(|column| column.windows(2)).filter(|pair| !pair[0].is_like(&pair[1])) {
+        let [[l, below], [_, above]] =
+            pair[0].border(&pair[1], &model, &asked, ["l", "phi'"], || true).expect("they are sought");
+        let w = (9.81 / l).sqrt();
+        assert!((below..=above).contains(&w) && above - below <= 1.0 / 32.0 + 1e-12, "{below} to {above} beside {w}");
+        borders += 1;
+    }
+    assert_eq!(borders, 4);
+}
+
+#[test]
+fn values_on_the_way_to_a_change_are_kept() {
+    let along = Along::of(&model(SHAFT), &asked(&[], 20_000), ("phi'", Range { from: 3.0, to: 6.0 }), 4, || true)
+        .expect("sought");
+    let critical = (9.81_f64 / 0.5).sqrt();
+    let near = along.visited.iter().map(|sample| (sample.value - critical).abs()).fold(f64::INFINITY, f64::min);
+    assert!(near < 1e-3 && along.visited.len() > along.samples.len() + 5, "{near}");
+    assert!(along.visited.windows(2).all(|pair| pair[0].value <= pair[1].value));
 }

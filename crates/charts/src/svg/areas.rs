@@ -47,7 +47,7 @@ const TOP: f64 = 10.0;
 const BOTTOM: f64 = 330.0;
 
 /// Kinds are told apart by so many colours.
-const COLOURS: usize = 6;
+const COLOURS: usize = 12;
 /// Points beyond which dashes would hide a curve.
 const DENSE: usize = 300;
 

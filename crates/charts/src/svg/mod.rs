@@ -1,6 +1,7 @@
 //! A small kit of charts: SVG with fixed decimals, so that the same data give the same bytes.
 
 pub(crate) mod areas;
+pub(crate) mod branches;
 pub(crate) mod number;
 pub(crate) mod sheet;
 pub(crate) mod sphere;

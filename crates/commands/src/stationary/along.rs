@@ -1,21 +1,31 @@
 //! Steady motions along a parameter.
 
 use super::Asked;
+use super::branches;
 use super::model::{motion, verdict};
 use super::steady_box::{AlongFound, number};
 use crate::arguments::Format;
 use crate::exit::{Exit, print, warn};
+use crate::output::{Form, Writes};
 use ::scenes::steady_motions::{Bifurcation, Change, Range, Sample};
 use serde_json::{Value, json};
 use std::fmt::Write;
 
+/// Values along a parameter, where nobody says how many.
+const VALUES: usize = 41;
+
 /// Prints the number of motions at each value, and where it changes.
 pub(super) fn show(asked: &Asked, along: &(String, Range)) -> Result<Exit, Exit> {
-    let found = asked.steady.find_along(&asked.scene, along, asked.values)?;
+    let writes = Writes { command: "stationary", force: asked.force, reads: vec![&asked.scene] };
+    let output = writes.optional(asked.out.as_deref(), &[Form::Picture])?;
+    let found = asked.steady.find_along(&asked.scene, along, asked.values.unwrap_or(VALUES))?;
     print(&match asked.format {
         Format::Text => text(&found),
         Format::Json => format!("{:#}\n", object(&found)),
     })?;
+    if let Some(output) = output {
+        output.write_text(&branches::picture(&found, along.1).svg())?.tell(asked.format)?;
+    }
     let open: Vec<String> = found
         .along
         .samples
@@ -35,7 +45,7 @@ pub(super) fn show(asked: &Asked, along: &(String, Range)) -> Result<Exit, Exit>
     Ok(Exit::Stopped)
 }
 
-fn named(change: Change) -> &'static str {
+pub(super) fn named(change: Change) -> &'static str {
     match change {
         Change::Fold => "two motions appear or vanish together (a fold, or constraints that become dependent)",
         Change::Pitchfork => "two motions leave a third (pitchfork)",
@@ -61,7 +71,7 @@ fn counted(sample: &Sample) -> String {
 }
 
 fn text(found: &AlongFound) -> String {
-    let AlongFound { title, name, unit, along } = found;
+    let AlongFound { title, name, unit, along, .. } = found;
     let mut out = format!("{title}\n");
     // writing to a String cannot fail
     let mut last: Option<(String, f64, f64)> = None;
@@ -98,7 +108,7 @@ fn text(found: &AlongFound) -> String {
     out
 }
 
-fn object(AlongFound { title, name, unit, along }: &AlongFound) -> Value {
+fn object(AlongFound { title, name, unit, along, .. }: &AlongFound) -> Value {
     let sample = |sample: &Sample| {
         json!({
             "value": sample.value,

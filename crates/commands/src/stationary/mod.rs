@@ -2,10 +2,12 @@
 //! stable: of gyrostats with their motors, and of any system that is written in its file.
 
 mod along;
+mod branches;
 mod json;
 mod map;
 mod model;
 mod motor;
+mod plane;
 pub mod steady_box;
 mod text;
 
@@ -48,8 +50,8 @@ pub struct Asked {
     /// Of a map: every stationary motion, not that about the axis alone
     #[arg(long, requires = "map", conflicts_with = "upright")]
     pub every: bool,
-    /// Of a map: the picture
-    #[arg(long, value_name = "FILE.svg", requires = "map")]
+    /// The picture of a map, of --map or of two --along, or of the branches along one parameter
+    #[arg(long, value_name = "FILE.svg", visible_alias = "picture")]
     pub out: Option<PathBuf>,
     /// Replaces the file of --out even where `stationary` did not write what stands there
     #[arg(long, requires = "out")]
@@ -57,12 +59,12 @@ pub struct Asked {
     #[command(flatten)]
     pub steady: SteadyBox,
     /// The steady motions at values of a parameter in SI units, or of the speed of a cyclic coordinate, and where they change, in a system
-    /// that is written in its file
-    #[arg(long, value_name = "NAME=FROM..TO", value_parser = named_range, conflicts_with_all = ["omega0", "momentum", "cone", "map"])]
-    pub along: Option<(String, Range)>,
-    /// Values of --along
-    #[arg(long, value_name = "N", default_value_t = 41, value_parser = clap::builder::RangedU64ValueParser::<usize>::new().range(2..=100_000), requires = "along")]
-    pub values: usize,
+    /// that is written in its file; twice: a map of the numbers of steady motions and of stable ones over both
+    #[arg(long, value_name = "NAME=FROM..TO", value_parser = named_range, num_args = 1, conflicts_with_all = ["omega0", "momentum", "cone", "map"])]
+    pub along: Vec<(String, Range)>,
+    /// Values of --along: 41 without it, and 24 in each direction of a map
+    #[arg(long, value_name = "N", value_parser = clap::builder::RangedU64ValueParser::<usize>::new().range(2..=100_000), requires = "along")]
+    pub values: Option<usize>,
     /// Another machine, made of the scene's data
     #[arg(long)]
     pub model: Option<String>,
@@ -93,12 +95,17 @@ fn ranged(text: &str) -> Result<Ranged, String> {
 pub fn show(asked: &Asked) -> Result<Exit, Exit> {
     if read_text(&asked.scene).is_ok_and(|text| holds_model(&text)) {
         refuse_others(asked)?;
-        return match &asked.along {
-            Some(along) => along::show(asked, along),
-            None => model::show(asked),
+        return match &asked.along[..] {
+            [] if asked.out.is_some() => Err(Exit::refused(
+                "--out: a picture is drawn along a parameter; --along NAME=FROM..TO is accepted with it, once or twice",
+            )),
+            [] => model::show(asked),
+            [along] => along::show(asked, along),
+            [first, second] => plane::show(asked, [first, second]),
+            _ => Err(Exit::refused("--along is accepted once or twice: along one parameter, or as a map over two")),
         };
     }
-    if asked.along.is_some() {
+    if !asked.along.is_empty() {
         return Err(Exit::refused(
             "--along is about a system that is written in its file; --map goes over data of this one",
         ));
@@ -107,6 +114,11 @@ pub fn show(asked: &Asked) -> Result<Exit, Exit> {
     let scene = with_model(Scene::open(&asked.scene)?, asked.model.as_deref(), &asked.scene)?;
     if !asked.map.is_empty() {
         return map::show(asked, &scene);
+    }
+    if asked.out.is_some() {
+        return Err(Exit::refused(
+            "--out: the picture is that of a map; --map A=FROM..TO --map B=FROM..TO is accepted with it",
+        ));
     }
     let refused = |reason: NoAnswer| Exit::refused(format!("{}: {reason}", asked.scene.display()));
     let all = Stationary::of(&scene).map_err(refused)?;

@@ -67,6 +67,8 @@ pub struct AlongFound {
     pub name: String,
     /// The unit of the parameter, with a space before it.
     pub unit: String,
+    /// Those of the unknowns.
+    pub units: Vec<String>,
     pub along: Along,
 }
 
@@ -78,12 +80,12 @@ fn read(path: &Path) -> Result<(String, Model), Exit> {
     Ok((title, model))
 }
 
-fn goes_on() -> bool {
+pub fn goes_on() -> bool {
     matches!(clock::goes_on(), ControlFlow::Continue(())) && clock::left() > PRINTING
 }
 
 /// The unit of a number, with a space before it.
-fn unit(model: &Model, name: &str) -> String {
+pub fn unit(model: &Model, name: &str) -> String {
     match unit_of(model, name).as_str() {
         "1" => String::new(),
         unit => format!(" {unit}"),
@@ -102,13 +104,31 @@ impl SteadyBox {
 
     /// The same at values of a parameter, or of the speed of a cyclic coordinate.
     pub fn find_along(&self, path: &Path, (name, range): &(String, Range), values: usize) -> Result<AlongFound, Exit> {
+        let (title, model) = self.along(path, &[name])?;
+        let _progress = Progress::new("steady motions");
+        let along = Along::of(&model, &self.wanted(), (name, *range), values, goes_on);
+        let along = along.map_err(|why| refused(path, &model, why))?;
+        let unit = unit(&model, name);
+        let units = along.samples.first().map_or_else(Vec::new, |sample| {
+            sample.found.unknowns.iter().map(|unknown| self::unit(&model, &unknown.name)).collect()
+        });
+        Ok(AlongFound { title, name: name.clone(), unit, units, along })
+    }
+
+    /// The system of a file whose parameters, or speeds of cyclic coordinates, with these names take other values.
+    pub fn along(&self, path: &Path, names: &[&String]) -> Result<(String, Model), Exit> {
         self.checked()?;
+        let (title, model) = read(path)?;
+        names.iter().try_for_each(|name| self.must_vary(path, &model, name))?;
+        Ok((title, model))
+    }
+
+    fn must_vary(&self, path: &Path, model: &Model, name: &String) -> Result<(), Exit> {
         if self.range.iter().any(|(own, _)| own == name) {
             return Err(Exit::refused(format!(
                 "--range {name}: --along goes over values of `{name}`; leave one of the two out"
             )));
         }
-        let (title, model) = read(path)?;
         let states: Vec<String> = model.state_names().into_iter().map(|(name, _)| name).collect();
         let (coordinates, speeds) = states.split_at(model.positions());
         if coordinates.contains(name) {
@@ -131,11 +151,7 @@ impl SteadyBox {
                 nearest.map_or_else(String::new, |nearest| format!("; is `{nearest}` meant?"))
             )));
         }
-        let _progress = Progress::new("steady motions");
-        let along = Along::of(&model, &self.wanted(), (name, *range), values, goes_on);
-        let along = along.map_err(|why| refused(path, &model, why))?;
-        let unit = unit(&model, name);
-        Ok(AlongFound { title, name: name.clone(), unit, along })
+        Ok(())
     }
 
     /// Refuses a name with two ranges.
@@ -147,7 +163,7 @@ impl SteadyBox {
         }
     }
 
-    fn wanted(&self) -> Asked {
+    pub fn wanted(&self) -> Asked {
         Asked { ranges: self.range.clone(), boxes: self.boxes }
     }
 
@@ -194,7 +210,7 @@ impl Found {
     }
 }
 
-fn refused(path: &Path, model: &Model, why: NoSteadyMotions) -> Exit {
+pub fn refused(path: &Path, model: &Model, why: NoSteadyMotions) -> Exit {
     let told = |why: String| Exit::refused(format!("{}: {why}", path.display()));
     let listed = |names: &[String]| names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
     match why {

@@ -8,6 +8,7 @@ use super::{Asked, NoSteadyMotions, Range, SteadyMotion, SteadyMotions};
 use crate::admissible::impossible;
 use crate::linearisation::Stability;
 use model::Model;
+use std::cell::RefCell;
 
 /// All motions at a value.
 #[derive(Clone, Debug)]
@@ -48,6 +49,8 @@ pub struct Bifurcation {
 #[derive(Clone, Debug)]
 pub struct Along {
     pub samples: Vec<Sample>,
+    /// All values that were looked at, those between which changes are enclosed too, the lowest first.
+    pub visited: Vec<Sample>,
     pub bifurcations: Vec<Bifurcation>,
 }
 
@@ -78,21 +81,12 @@ impl Along {
         values: usize,
         mut goes_on: impl FnMut() -> bool,
     ) -> Result<Self, NoSteadyMotions> {
-        let is_parameter = model.parameters.iter().any(|parameter| parameter.name == name);
+        let visited = RefCell::new(Vec::new());
         let mut at = |value: f64| {
-            let (mut model, mut asked) = (model.clone(), asked.clone());
-            match is_parameter {
-                true => {
-                    model.set_values(&[(name, value)]).map_err(|why| NoSteadyMotions::Undefined { why })?;
-                    if let Some(issue) = impossible(&model).into_iter().next() {
-                        return Err(NoSteadyMotions::Undefined {
-                            why: format!("at {name} = {value}: {}", issue.title),
-                        });
-                    }
-                }
-                false => asked.ranges.push((name.to_owned(), Range { from: value, to: value })),
-            }
-            SteadyMotions::of(&model, &asked, &mut goes_on).map(|found| Sample { value, found })
+            let found = found_at(model, asked, &[(name, value)], &mut goes_on)?;
+            let sample = Sample { value, found };
+            visited.borrow_mut().push(sample.clone());
+            Ok(sample)
         };
         let last = values.saturating_sub(1).max(1);
         let value = |k: usize| range.from + (range.to - range.from) * k as f64 / last as f64;
@@ -100,12 +94,36 @@ impl Along {
         let complete: Vec<&Sample> = samples.iter().filter(|sample| sample.found.is_complete()).collect();
         let mut bifurcations = Vec::new();
         let size = range.to - range.from;
-        for pair in complete.windows(2).filter(|pair| kinds(pair[0]) != kinds(pair[1])) {
+        for pair in complete.windows(2).filter(|pair| kinds(&pair[0].found) != kinds(&pair[1].found)) {
             let found = enclosed([pair[0].clone(), pair[1].clone()], size, &mut at)?;
             bifurcations.extend(merged(found, ONE * size.abs()));
         }
-        Ok(Along { samples, bifurcations })
+        let mut visited = visited.into_inner();
+        visited.sort_by(|a, b| a.value.total_cmp(&b.value));
+        Ok(Along { samples, visited, bifurcations })
     }
+}
+
+/// All motions at values of parameters, or of speeds of cyclic coordinates, in SI units.
+pub(super) fn found_at(
+    model: &Model,
+    asked: &Asked,
+    values: &[(&str, f64)],
+    goes_on: impl FnMut() -> bool,
+) -> Result<SteadyMotions, NoSteadyMotions> {
+    let (mut model, mut asked) = (model.clone(), asked.clone());
+    let is_parameter = |name: &str| model.parameters.iter().any(|parameter| parameter.name == name);
+    let (parameters, speeds): (Vec<_>, Vec<_>) = values.iter().copied().partition(|(name, _)| is_parameter(name));
+    if !parameters.is_empty() {
+        model.set_values(&parameters).map_err(|why| NoSteadyMotions::Undefined { why })?;
+        if let Some(issue) = impossible(&model).into_iter().next() {
+            let at: Vec<String> = parameters.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+            return Err(NoSteadyMotions::Undefined { why: format!("at {}: {}", at.join(", "), issue.title) });
+        }
+    }
+    let point = |(name, value): (&str, f64)| (name.to_owned(), Range { from: value, to: value });
+    asked.ranges.extend(speeds.into_iter().map(point));
+    SteadyMotions::of(&model, &asked, goes_on)
 }
 
 /// The changes between two values, each enclosed.
@@ -118,7 +136,7 @@ fn enclosed(
     let mut all = Vec::new();
     // from the first to the last
     while let Some([before, after]) = open.pop() {
-        if kinds(&before) == kinds(&after) {
+        if kinds(&before.found) == kinds(&after.found) {
             continue;
         }
         let way = after.value - before.value;
@@ -152,13 +170,13 @@ fn merged(all: Vec<Bifurcation>, near: f64) -> Vec<Bifurcation> {
             _ => merged.push(next),
         }
     }
-    merged.retain(|one| kinds(&one.before) != kinds(&one.after));
+    merged.retain(|one| kinds(&one.before.found) != kinds(&one.after.found));
     merged
 }
 
 /// In how many directions each motion is unstable, as far as that is known, in the order of these numbers.
-fn kinds(sample: &Sample) -> Vec<usize> {
-    let mut kinds: Vec<usize> = sample.found.motions.iter().map(unstable).collect();
+pub(super) fn kinds(found: &SteadyMotions) -> Vec<usize> {
+    let mut kinds: Vec<usize> = found.motions.iter().map(unstable).collect();
     kinds.sort_unstable();
     kinds
 }

@@ -7,6 +7,7 @@ mod definiteness;
 mod determinacy;
 mod energy_row;
 mod equations;
+mod plane;
 mod potential;
 mod region;
 mod rows;
@@ -16,6 +17,7 @@ mod stability;
 
 pub use along::{Along, Bifurcation, Change, Sample};
 pub use equations::Unknown;
+pub use plane::{Direction, PlaneCell, middles};
 pub use region::{Near, Region};
 pub use spectrum::{
     Boundary, Crossings, EigenvalueDisc, EnclosedSpectrum, EnclosedVerdict, ExactAlong, Judged, NotEnclosed, Routh,

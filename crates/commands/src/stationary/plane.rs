@@ -1,0 +1,224 @@
+//! `dalembert stationary --along A=FROM..TO --along B=FROM..TO`: the numbers of steady motions and of stable ones over two parameters.
+
+use super::Asked;
+use super::model::verdict;
+use super::steady_box::{goes_on, number, refused, unit};
+use crate::arguments::Format;
+use crate::exit::{Exit, print, warn};
+use crate::job_pool::JobPool;
+use crate::output::{Form, Writes};
+use crate::progress::Progress;
+use ::scenes::steady_motions::{Direction, NoSteadyMotions, PlaneCell, Range, SteadyMotions, middles};
+use charts::{AreaCurve, Areas};
+use model::Model;
+use serde_json::{Value, json};
+use std::collections::BTreeMap;
+use std::fmt::Write;
+
+/// Cells in each direction, where nobody says how many.
+const CELLS: usize = 24;
+
+/// Kinds of cells that have a colour of their own; those of few cells are one beyond.
+const COLOURS: usize = 12;
+
+/// The motions of a cell: how many, how many of them stable, how many neither stable nor unstable; none where the search is not complete.
+type Count = Option<[usize; 3]>;
+
+/// A map.
+struct Map<'a> {
+    title: String,
+    names: [&'a str; 2],
+    ranges: [Range; 2],
+    units: [String; 2],
+    /// Column by column, each from below.
+    columns: Vec<Vec<PlaneCell>>,
+    /// Pairs of values between which motions change.
+    borders: Vec<[[f64; 2]; 2]>,
+}
+
+/// Prints the map, and writes the picture where one is asked for.
+pub(super) fn show(asked: &Asked, [first, second]: [&(String, Range); 2]) -> Result<Exit, Exit> {
+    if first.0 == second.0 {
+        return Err(Exit::refused(format!("--along {} is given twice; two different names are accepted", first.0)));
+    }
+    let writes = Writes { command: "stationary", force: asked.force, reads: vec![&asked.scene] };
+    let output = writes.optional(asked.out.as_deref(), &[Form::Picture])?;
+    let (title, model) = asked.steady.along(&asked.scene, &[&first.0, &second.0])?;
+    let names = [first.0.as_str(), second.0.as_str()];
+    let directions = [(names[0], first.1), (names[1], second.1)];
+    let found = cells(asked, &model, directions).and_then(|columns| {
+        let borders = borders(asked, &model, names, &columns)?;
+        let units = names.map(|name| unit(&model, name));
+        Ok(Map { title, names, ranges: [first.1, second.1], units, columns, borders })
+    });
+    let map = found.map_err(|why| refused(&asked.scene, &model, why))?;
+    print(&match asked.format {
+        Format::Text => map.text(),
+        Format::Json => format!("{:#}\n", map.object()),
+    })?;
+    if let Some(output) = output {
+        output.write_text(&map.picture().svg())?.tell(asked.format)?;
+    }
+    let open = map.columns.iter().flatten().filter(|cell| !cell.found.is_complete()).count();
+    if open == 0 {
+        return Ok(Exit::Done);
+    }
+    warn(&format!(
+        "warning: {}: {open} cells are not decided: more time (--seconds), more boxes (--boxes {}) or narrower ranges (--range) decide more",
+        asked.scene.display(),
+        10 * asked.steady.boxes
+    ));
+    Ok(Exit::Stopped)
+}
+
+/// All cells, column by column.
+fn cells(asked: &Asked, model: &Model, directions: [Direction<'_>; 2]) -> Result<Vec<Vec<PlaneCell>>, NoSteadyMotions> {
+    let count = asked.values.unwrap_or(CELLS);
+    let wanted = asked.steady.wanted();
+    let mut progress = Progress::new("the map");
+    let mut columns: Vec<Option<Result<Vec<PlaneCell>, NoSteadyMotions>>> = (0..count).map(|_| None).collect();
+    let mut crew = JobPool::default();
+    for (value, place) in middles(directions[0].1, count).into_iter().zip(&mut columns) {
+        let wanted = &wanted;
+        crew.add(1.0, place, move || PlaneCell::column(model, wanted, directions, (value, count), goes_on));
+    }
+    crew.work(|done| progress.set(done));
+    columns.into_iter().flatten().collect()
+}
+
+/// Where neighbours differ, two values near to each other.
+fn borders(
+    asked: &Asked,
+    model: &Model,
+    names: [&str; 2],
+    columns: &[Vec<PlaneCell>],
+) -> Result<Vec<[[f64; 2]; 2]>, NoSteadyMotions> {
+    let wanted = asked.steady.wanted();
+    let beside = columns.windows(2).flat_map(|pair| pair[0].iter().zip(&pair[1]));
+    let above = columns.iter().flat_map(|column| column.iter().zip(column.iter().skip(1)));
+    let pairs: Vec<_> = beside.chain(above).filter(|(a, b)| !a.is_like(b)).collect();
+    let mut progress = Progress::new("the boundaries");
+    let mut found: Vec<Option<Result<[[f64; 2]; 2], NoSteadyMotions>>> = pairs.iter().map(|_| None).collect();
+    let mut crew = JobPool::default();
+    for ((one, other), place) in pairs.into_iter().zip(&mut found) {
+        let wanted = &wanted;
+        crew.add(1.0, place, move || one.border(other, model, wanted, names, goes_on));
+    }
+    crew.work(|done| progress.set(done));
+    found.into_iter().flatten().collect()
+}
+
+fn count(found: &SteadyMotions) -> Count {
+    let told: Vec<&str> = found.motions.iter().map(|motion| verdict(motion, &found.cyclic).0).collect();
+    let of = |words: &[&str]| told.iter().filter(|told| words.contains(told)).count();
+    let (stable, unstable) = (of(&["stable", "asymptotically stable"]), of(&["unstable"]));
+    found.is_complete().then_some([told.len(), stable, told.len() - stable - unstable])
+}
+
+fn said(count: Count) -> String {
+    let Some([all, stable, open]) = count else { return "not decided".to_owned() };
+    let motions = if all == 1 { "1 steady motion".to_owned() } else { format!("{all} steady motions") };
+    let open = if open == 0 { String::new() } else { format!(", {open} neither known to be stable nor unstable") };
+    if all == 0 { "no steady motion".to_owned() } else { format!("{motions}: {stable} stable{open}") }
+}
+
+impl Map<'_> {
+    /// Kinds of cells with their numbers, those of most cells first.
+    fn kinds(&self) -> Vec<(Count, usize)> {
+        let mut kinds: BTreeMap<Count, usize> = BTreeMap::new();
+        for cell in self.columns.iter().flatten() {
+            *kinds.entry(count(&cell.found)).or_default() += 1;
+        }
+        let mut kinds: Vec<(Count, usize)> = kinds.into_iter().collect();
+        kinds.sort_by_key(|(kind, cells)| (std::cmp::Reverse(*cells), *kind));
+        kinds
+    }
+
+    /// The row of cells at a height, by the places of their kinds.
+    fn row(&self, row: usize, kinds: &[(Count, usize)]) -> Vec<usize> {
+        let place = |cell: &PlaneCell| kinds.iter().position(|(kind, _)| *kind == count(&cell.found)).unwrap_or(0);
+        self.columns.iter().map(|column| place(&column[row])).collect()
+    }
+
+    fn text(&self) -> String {
+        let [first, second] = self.names;
+        let kinds = self.kinds();
+        let mut out = format!("{}\n", self.title);
+        let letter = |place: usize| char::from(b"ABCDEFGHIJKLMNOPQRSTUVWXYZ"[place.min(25)]);
+        // writing to a String cannot fail
+        for (place, (kind, cells)) in kinds.iter().enumerate() {
+            let _ = writeln!(out, "  {}  {} ({cells} cells)", letter(place), said(*kind));
+        }
+        let rows = self.columns.first().map_or(0, Vec::len);
+        let _ = writeln!(
+            out,
+            "\n{second} upwards from {} to {}{}, {first} to the right from {} to {}{}: the motions in the middle of each cell",
+            number(self.ranges[1].from),
+            number(self.ranges[1].to),
+            self.units[1],
+            number(self.ranges[0].from),
+            number(self.ranges[0].to),
+            self.units[0]
+        );
+        for row in (0..rows).rev() {
+            let line: String = self.row(row, &kinds).into_iter().map(letter).collect();
+            let _ = writeln!(out, "  {:>14}  {line}", number(self.columns[0][row].values[1]));
+        }
+        let _ = match self.borders.len() {
+            0 => writeln!(out, "\nno two neighbours differ; an island smaller than a cell is not seen"),
+            places => writeln!(
+                out,
+                "\n{places} places of boundaries, each between two values 1/32 of a cell apart; an island smaller than a cell is not seen"
+            ),
+        };
+        out
+    }
+
+    fn picture(&self) -> Areas {
+        let kinds = self.kinds();
+        let shown = if kinds.len() > COLOURS { COLOURS - 1 } else { kinds.len() };
+        let mut names: Vec<String> = kinds.iter().take(shown).map(|(kind, _)| said(*kind)).collect();
+        names.extend((kinds.len() > shown).then(|| "other numbers, each in few cells".to_owned()));
+        let rows = self.columns.first().map_or(0, Vec::len);
+        let row = |row: usize| self.row(row, &kinds).into_iter().map(|kind| kind.min(shown)).collect();
+        let middle = |[a, b]: &[[f64; 2]; 2]| (0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]));
+        let label = |place: usize| match self.units[place].as_str() {
+            "" => self.names[place].to_owned(),
+            unit => format!("{},{unit}", self.names[place]),
+        };
+        let range = |place: usize| [self.ranges[place].from, self.ranges[place].to];
+        let dots = AreaCurve {
+            name: "the number or the stability of motions changes, bracketed".to_owned(),
+            points: self.borders.iter().map(middle).collect(),
+        };
+        Areas {
+            title: self.title.clone(),
+            x: (label(0), range(0)),
+            y: (label(1), range(1)),
+            kinds: names,
+            rows: (0..rows).map(row).collect(),
+            dots: if self.borders.is_empty() { Vec::new() } else { vec![dots] },
+            ..Areas::default()
+        }
+    }
+
+    fn object(&self) -> Value {
+        let cell = |cell: &PlaneCell| {
+            let count = count(&cell.found);
+            json!({
+                "values": cell.values,
+                "complete": count.is_some(),
+                "motions": count.map(|[all, ..]| all),
+                "stable": count.map(|[_, stable, _]| stable),
+                "undecided": count.map(|[.., open]| open),
+            })
+        };
+        json!({
+            "title": self.title,
+            "along": self.names,
+            "units": self.units.each_ref().map(|unit| unit.trim()),
+            "cells": self.columns.iter().flatten().map(cell).collect::<Vec<_>>(),
+            "boundaries": self.borders,
+        })
+    }
+}
