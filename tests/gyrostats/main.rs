@@ -7,4 +7,5 @@ mod physical;
 mod points;
 mod power;
 mod routes;
+mod steady;
 mod tensors;

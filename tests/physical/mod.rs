@@ -4,6 +4,7 @@
 
 pub mod machines;
 pub mod rate;
+pub mod steady;
 
 use dalembert_derivations::systems::gyrostat::{Carrier, Gyrostat, MotionInstant, Rotor};
 use field::{DoubleDouble, Rational, Scalar};
