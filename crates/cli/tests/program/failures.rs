@@ -202,11 +202,11 @@ fn a_tank_that_is_empty_names_the_root_its_line_and_the_time_by_every_method() {
         assert_eq!((kind.as_str(), code), ("end of the domain of the law", Some(1)), "{method}: {found}");
         assert!((at - empty).abs() < 0.02, "{method}: {at} beside {empty}");
         assert!(evidence.contains("`sqrt(2*g*h)` in line 13") && evidence.contains("`h` = "), "{method}: {evidence}");
-        assert!(remedy.contains("if(2*g*h > 0, sqrt(2*g*h), 0)"), "{remedy}");
+        assert!(remedy.contains("`when = \"2*g*h - EPS\"`"), "{remedy}");
     }
     // the remedy
-    let held = text.replace("sqrt(2*g*h)", "if(2*g*h > 0, sqrt(2*g*h), 0)");
-    let (found, code, message) = ran("tank_held", &held, &[]);
+    let ended = format!("{text}[[event]]\nwhen = \"2*g*h - (1e-3 m^2/s^2)\"\nend = true\n");
+    let (found, code, message) = ran("tank_ended", &ended, &[]);
     assert_eq!((code, found["failures"].as_array().map(Vec::len)), (Some(0), Some(0)), "{found} {message}");
 }
 

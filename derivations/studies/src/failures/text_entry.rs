@@ -1,7 +1,7 @@
 //! Entries of the catalogue that are text: scenes with the table `[failure]`, those of the folder and those of a user.
 
 use super::edge::edge;
-use super::trials::{Trial, Tried, near};
+use super::trials::{Trial, Tried};
 use super::{Exact, Found, NotFound, Threshold, Within};
 use integrators::{Failure, Method, Record};
 use reader::{SceneError, read_text};
@@ -100,7 +100,7 @@ fn trials(entry: &FailureEntry, fails: f64) -> Vec<Trial> {
     // a motion that ends cannot be followed to its end; where time or evaluations ended it, nothing is known
     let is_over = left.is_some() || outcome.failure().is_some_and(|why| !why.is_broken_off() && !is_costly(why));
     let follows = |record: &Record<f64>| match outcome.reached() {
-        true => near(record, &right, AS_RIGHT),
+        true => near_motion(record, &right, &problem.state, choice.tolerance),
         false => !is_over,
     };
     tried.all(|record| {
@@ -114,6 +114,20 @@ const RIGHT: Method = Method::RadauIIA { stages: 7 };
 
 /// The part of its size by which a component of a run that holds may be off.
 const AS_RIGHT: f64 = 0.1;
+
+/// Errors of a run in tolerances of its largest component: a component that is smaller is not compared.
+const TOLERANCES: f64 = 1e3;
+
+/// Whether a run is near another in every component, relative to its size from the start on.
+fn near_motion(record: &Record<f64>, right: &Record<f64>, start: &[f64], tolerance: f64) -> bool {
+    let size = |i: usize| right.states.iter().map(|state| state[i].abs()).fold(start[i].abs(), f64::max);
+    let sizes: Vec<f64> = (0..start.len()).map(size).collect();
+    let least = TOLERANCES * tolerance * sizes.iter().copied().fold(0.0, f64::max);
+    let is_close = |(a, b): (&Vec<f64>, &Vec<f64>)| {
+        a.iter().zip(b).zip(&sizes).all(|((a, b), size)| (a - b).abs() <= AS_RIGHT * size.max(least))
+    };
+    record.states.len() == right.states.len() && record.states.iter().zip(&right.states).all(is_close)
+}
 
 /// Whether a run was ended by its evaluations.
 fn is_costly(why: Failure) -> bool {

@@ -15,6 +15,9 @@ const AHEAD: [f64; 7] = [1e-12, 1e-10, 1e-8, 1e-6, 1e-4, 1e-2, 1e-1];
 /// With the margin m, not negative where the function has a value, and its rate along the motion, m reaches zero after -m/m'. Beyond that time
 /// rates have no number.
 pub(super) fn crossed(run: &Samples<'_>) -> Option<RunFailure> {
+    if !has_lost_numbers(run) || run.trajectory.left.is_some() {
+        return None;
+    }
     let (at, state) = run.last();
     let here = rates(run, at, state);
     run.model().domains.iter().zip(run.scene.domain_texts()).find_map(|(domain, (text, line))| {
@@ -49,13 +52,21 @@ pub(super) fn crossed(run: &Samples<'_>) -> Option<RunFailure> {
             ),
             remedy: match argument {
                 Some(argument) => format!(
-                    "a law that goes on there, such as `if({argument} > 0, {text}, 0)`; or an [[event]] with `when = \"{argument} - EPS\"`, EPS a \
-                     small quantity of its dimension, and `end = true`"
+                    "an [[event]] with `when = \"{argument} - EPS\"`, EPS a small quantity of its dimension, and `end = true`; or, where the motion \
+                     passes on, a law that has values there, such as `if({argument} > 0, {text}, 0)`"
                 ),
                 None => "a law that goes on there, with a condition as `if`; or an [[event]] with `end = true` before it".to_owned(),
             },
         })
     })
+}
+
+/// Whether a run has stopped where rates or steps have no numbers.
+fn has_lost_numbers(run: &Samples<'_>) -> bool {
+    matches!(
+        run.trajectory.outcome.failure(),
+        Some(Failure::LeftTheNumbers { .. } | Failure::StepCollapsed { .. } | Failure::NewtonFailed { .. })
+    )
 }
 
 /// The condition under which a function has a value, and its argument where zero bounds it.
@@ -110,11 +121,7 @@ fn largest(run: &Samples<'_>, margin: &impl Fn(f64, &[f64]) -> f64) -> f64 {
 
 /// The rates that have no number ahead of a run whose own numbers are moderate.
 pub(super) fn left(run: &Samples<'_>) -> Option<RunFailure> {
-    let is_lost = matches!(
-        run.trajectory.outcome.failure(),
-        Some(Failure::LeftTheNumbers { .. } | Failure::StepCollapsed { .. } | Failure::NewtonFailed { .. })
-    );
-    if !is_lost || run.sound().len() < run.states.len() {
+    if !has_lost_numbers(run) || run.sound().len() < run.states.len() {
         return None;
     }
     let (at, state) = run.last();
