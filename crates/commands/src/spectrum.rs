@@ -30,6 +30,10 @@ fn zeros(all: &[ZeroReason]) -> String {
     if count(&ZeroReason::Energy) > 0 {
         parts.push("1 of the energy, which is kept".to_owned());
     }
+    match count(&ZeroReason::Family) {
+        0 => {}
+        count => parts.push(format!("{count} of speeds, for every value of which there is a steady motion")),
+    }
     match count(&ZeroReason::SpeedConstraints) {
         0 => {}
         count => parts.push(format!(
@@ -121,6 +125,7 @@ pub(crate) fn object(found: &EnclosedSpectrum) -> Value {
         ZeroReason::Cyclic(name) => json!({ "cyclic": name }),
         ZeroReason::Momentum(name) => json!({ "momentum": name }),
         ZeroReason::Energy => json!("energy"),
+        ZeroReason::Family => json!("family"),
         ZeroReason::SpeedConstraints => json!("constraints of speeds"),
     };
     let side = |side: Side| match side {

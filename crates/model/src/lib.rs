@@ -64,7 +64,7 @@ pub use presentation::{
     Cosine, Divisor, HeldEquation, InQuasiVelocities, Lines, MatrixForm, Typeset, axes, code, constraints, latex,
     left_out, shorter, sympy, text, titles, typeset, vectors,
 };
-pub use quasi_velocities::{Coefficient, QuasiPrinciple, QuasiVelocities, quasi_agreement};
+pub use quasi_velocities::{Coefficient, INTEGRAL, QuasiPrinciple, QuasiVelocities, quasi_agreement};
 pub use source::{
     BodySource, ConstraintSource, ContactSource, DriveSource, Entry, EventSource, InertiaSource, InputSource,
     LoadSource, OneWaySource, RegulatorSource, Source, Text, WindingSource,

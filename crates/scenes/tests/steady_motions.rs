@@ -1,7 +1,8 @@
 //! Steady motions of models beside what is known of them in closed form; none is missing, and what is not decided is told.
 
 use dalembert_scenes::steady_motions::{
-    Along, Asked, Change, Near, NoSteadyMotions, PlaneCell, Range, SteadyMotions, SteadyStability, middles,
+    Along, Asked, Case, Change, Family, Near, NoSteadyMotions, PlaneCell, Range, SteadyMotion, SteadyMotions,
+    SteadyStability, middles,
 };
 use dalembert_scenes::{Task, parse_titled};
 use model::Model;
@@ -187,21 +188,39 @@ fn a_search_that_ends_early_says_that_there_is_one_motion_at_least() {
     assert!(found.regions.iter().any(|region| region.near == Near::Regular), "{:?}", found.regions);
 }
 
+fn held(family: &Family, point: &[f64]) -> bool {
+    let holds =
+        |at: &[[f64; 2]]| at.iter().zip(point).all(|([low, high], at)| low - 1e-12 <= *at && *at <= high + 1e-12);
+    family.pieces.iter().any(|(_, at)| holds(at))
+}
+
 #[test]
-fn a_circle_of_equilibria_is_covered_by_undecided_boxes() {
-    let text = plane("k*((x^2 + y^2)/a^2 - 1)^2");
-    let found = SteadyMotions::of(&model(&text), &asked(&SIDES, 5_000), || true).expect("it is sought");
+fn a_circle_of_equilibria_is_enclosed_as_a_curve_by_symmetry() {
+    let found = all(&plane("k*((x^2 + y^2)/a^2 - 1)^2"), &SIDES);
+    assert!(found.is_complete(), "{:?}", found.regions);
     assert_eq!(found.motions.len(), 1);
     assert!(matches!(found.motions[0].stability, SteadyStability::Falls(2)));
+    let [(circle, members)] = &found.families[..] else { panic!("{:?}", found.families) };
+    assert_eq!((circle.dimension, circle.along.len()), (1, 1));
     for step in 0..360 {
         let point = [f64::from(step).to_radians().cos(), f64::from(step).to_radians().sin()];
-        let holds =
-            |at: &Vec<[f64; 2]>| at.iter().zip(point).all(|([low, high], at)| low - 1e-12 <= at && at <= high + 1e-12);
-        assert!(found.undecided.iter().any(holds), "{point:?}");
+        assert!(held(circle, &point), "{point:?}");
     }
-    assert_eq!(found.regions.iter().map(|region| region.near).collect::<Vec<_>>(), [Near::Family(1)]);
+    assert!(members.iter().all(|one| (one.values[0].hypot(one.values[1]) - 1.0).abs() < 1e-12));
     // tilted, it has a lowest and a highest point
     assert_eq!(values(&all(&plane("k*((x^2 + y^2)/a^2 - 1)^2 + k*x/a/10"), &SIDES)).len(), 3);
+}
+
+/// y = x^2: the force has no component along (1, 2 x), which is no turn and no shift.
+#[test]
+fn a_bent_valley_is_a_family_of_equilibria() {
+    let found = all(&plane("k*(y/a - x^2/a^2)^2"), &SIDES);
+    assert!(found.is_complete() && found.motions.is_empty(), "{:?}", found.regions);
+    let [(valley, _)] = &found.families[..] else { panic!("{:?}", found.families) };
+    for step in -10..=10 {
+        let x = f64::from(step) / 10.0;
+        assert!(held(valley, &[x, x * x]), "{x}");
+    }
 }
 
 #[test]
@@ -226,8 +245,6 @@ fn a_range_is_asked_for_where_no_circle_has_one() {
     assert_are(&all(&bistable, &SIDES), &minima);
     let unknown = SteadyMotions::of(&model(&bistable), &asked(&[("z", 0.0, 1.0)], 10), || true);
     assert!(matches!(unknown, Err(NoSteadyMotions::Unknown { name, .. }) if name == "z"));
-    let every = SteadyMotions::of(&model(SHAFT), &asked(&[("phi'", 0.0, 1.0)], 10), || true);
-    assert_eq!(every.err(), Some(NoSteadyMotions::AnyValue { name: "phi'".to_owned() }));
 }
 
 /// Torque and friction determine the speed of a shaft, whose angle occurs nowhere.
@@ -243,6 +260,42 @@ fn a_driven_shaft_has_the_speed_at_which_friction_takes_its_torque() {
     assert!(places.iter().all(|(at, _)| (at[0] - speed).abs() < 1e-9));
     assert!(places.iter().any(|(at, _)| (at[1] - away).abs() < 1e-8), "{places:?}");
     assert!(places.iter().all(|(at, _)| at[1].abs() < 0.2 || at[1].abs() > FRAC_PI_2));
+}
+
+/// A disc that rolls straight ahead: lean'' = (4 g/(5 r) - 12/5 s^2) lean at the spin s, and its heading and spin stay as they are.
+#[test]
+fn a_disc_that_rolls_straight_falls_below_a_spin() {
+    const DISC: &str = include_str!("../../../scenes/models/rolling_disc.toml");
+    for spin in [5.0, 2.0] {
+        let found = all(DISC, &[("heading'", 0.0, 0.0), ("spin'", spin, spin), ("lean", -1.0, 1.0)]);
+        assert_eq!((found.motions.len(), found.free_speeds.len()), (1, 2));
+        let square: f64 = 0.8 * 9.81 / 0.343 - 2.4 * spin * spin;
+        let at = discs(&found.motions[0]);
+        assert!(
+            at.len() == 2
+                && at.iter().all(|[re, im]| {
+                    let (own, other) = if square > 0.0 { (re, im) } else { (im, re) };
+                    (own.abs() - square.abs().sqrt()).abs() < 1e-10 && other.abs() < 1e-10
+                }),
+            "{at:?}"
+        );
+    }
+}
+
+/// A shaft at every speed: the pendulum hangs, stands, or has left the axis where cos(theta) = g/(l w^2).
+#[test]
+fn motions_at_every_speed_of_a_shaft_are_curves() {
+    let found = all(SHAFT, &[("phi'", 5.0, 9.0)]);
+    assert!(found.is_complete() && found.motions.is_empty(), "{:?}", found.regions);
+    assert_eq!(found.families.len(), 4, "{:?}", found.families);
+    for speed in [5.0, 6.5, 9.0_f64] {
+        let away = (9.81 / (0.5 * speed * speed)).acos();
+        for angle in [0.0, PI, away, -away] {
+            let turned =
+                |family: &Family| (-1..=1).any(|turn| held(family, &[speed, angle + 2.0 * PI * f64::from(turn)]));
+            assert!(found.families.iter().any(|(family, _)| turned(family)), "{speed} {angle}");
+        }
+    }
 }
 
 /// A disc that rolls in a circle: 3/2 W s cos(a) - 5/4 W^2 sin(a) cos(a) = g/r sin(a) for a lean a, a heading that turns by W and a spin s.
@@ -384,4 +437,124 @@ fn values_on_the_way_to_a_change_are_kept() {
     let near = along.visited.iter().map(|sample| (sample.value - critical).abs()).fold(f64::INFINITY, f64::min);
     assert!(near < 1e-3 && along.visited.len() > along.samples.len() + 5, "{near}");
     assert!(along.visited.windows(2).all(|pair| pair[0].value <= pair[1].value));
+}
+
+const SLEIGH: &str = include_str!("../../../scenes/models/chaplygin_sleigh.toml");
+
+fn discs(motion: &SteadyMotion) -> Vec<[f64; 2]> {
+    let SteadyStability::Linear(found) = &motion.stability else { panic!("{:?}", motion.stability) };
+    let enclosed = found.enclosed.as_ref().unwrap_or_else(|why| panic!("{why}"));
+    enclosed.discs.iter().map(|disc| disc.centre).collect()
+}
+
+/// m v' = m a w^2, (J + m a^2) w' = -m a v w: the sleigh runs straight at every speed v, and turns back like exp(-m a v t/(J + m a^2)).
+#[test]
+fn a_sleigh_runs_straight_at_every_speed_in_every_heading() {
+    let named = SLEIGH.replace("[frames]", "[speeds]\nv = \"velocity(P) . B.x\"\nw = \"psi'\"\n[frames]");
+    let named =
+        named.replace("[start]\n\"x'\" = \"1 m/s\"\n\"psi'\" = \"1 rad/s\"", "[start]\nv = \"1 m/s\"\nw = \"1 rad/s\"");
+    for (text, v) in [(named.as_str(), "v"), (SLEIGH, "velocity(G).B.x")] {
+        for (speed, rate) in [(3.0, -0.3 / 0.11), (-2.0, 0.2 / 0.11)] {
+            let found = all(text, &[(v, speed, speed), ("psi'", -2.0, 2.0)]);
+            assert_eq!(found.cyclic, ["x", "y", "psi"]);
+            assert_eq!(values(&found).iter().map(|one| one.0.clone()).collect::<Vec<_>>(), [[0.0]], "{found:?}");
+            let [at] = &discs(&found.motions[0])[..] else { panic!("{found:?}") };
+            assert!((at[0] - rate).abs() < 1e-12 && at[1] == 0.0, "{at:?}");
+            assert!((found.motions[0].quasi_velocities[0].1 - speed).abs() < 1e-12);
+        }
+    }
+}
+
+/// A car whose steering is held by a spring: at the angle d the heading turns by v tan(d)/l.
+#[test]
+fn a_car_runs_in_a_circle_at_every_speed() {
+    const CAR: &str = r#"
+title = "Car"
+[parameters]
+m = "2 kg"
+J = "0.3 kg m^2"
+I = "0.01 kg m^2"
+l = "0.5 m"
+k = "1 N m"
+[coordinates]
+x = "m"
+y = "m"
+psi = "rad"
+d = "rad"
+[frames]
+B = "N turned psi about z"
+F = "B turned d about z"
+[points]
+P = "O + x*N.x + y*N.y"
+Q = "P + l*B.x"
+[bodies]
+car = { frame = "B", centre = "P", mass = "m", inertia = "J" }
+fork = { frame = "F", inertia = "I" }
+[[force]]
+along = "d"
+is = "-k*(d - 0.3)"
+[[constraint]]
+zero = "velocity(P) . B.y"
+[[constraint]]
+zero = "velocity(Q) . F.y"
+[start]
+"x'" = "1 m/s"
+[run]
+span = "1 s"
+"#;
+    for speed in [1.0, 4.0] {
+        let found = all(CAR, &[("velocity(P).B.x", speed, speed), ("d", -1.0, 1.0)]);
+        assert_eq!(found.cyclic, ["x", "y", "psi"]);
+        let [motion] = &found.motions[..] else { panic!("{found:?}") };
+        assert!((motion.state[3] - 0.3).abs() < 1e-12 && (motion.state[6] - speed * 0.3_f64.tan() / 0.5).abs() < 1e-12);
+    }
+}
+
+/// Whipple's bicycle runs straight ahead at every speed.
+#[test]
+fn a_bicycle_runs_straight_at_every_speed() {
+    const BICYCLE: &str = include_str!("../../../scenes/foreign/bicycle.toml");
+    let near = 1e-4;
+    let found =
+        all(BICYCLE, &[("rear'", -20.0, -19.0), ("lean", -near, near), ("pitch", -near, near), ("steer", -near, near)]);
+    assert!(found.is_complete() && found.motions.is_empty(), "{:?}", found.regions);
+    let [(straight, _)] = &found.families[..] else { panic!("{:?}", found.families) };
+    assert_eq!(straight.dimension, 1);
+    for speed in [-20.0, -19.3, -19.0] {
+        assert!(held(straight, &straight_on(&found, speed)));
+    }
+}
+
+fn straight_on(found: &SteadyMotions, speed: f64) -> Vec<f64> {
+    found.unknowns.iter().map(|unknown| if unknown.name == "rear'" { speed } else { 0.0 }).collect()
+}
+
+/// k x = F s with a part s of the friction from -1 to 1: a block rests for |x| <= F/k.
+#[test]
+fn dry_friction_holds_a_block_over_an_interval() {
+    const BLOCK: &str = include_str!("../../../scenes/models/dry_friction.toml");
+    let found = SteadyMotions::of_cases(&model(BLOCK), &asked(&[("x", -3.0, 3.0)], 1_000), || true);
+    let found = found.unwrap_or_else(|why| panic!("{why:?}"));
+    let [(cases, own)] = &found[..] else { panic!("{found:?}") };
+    assert_eq!(cases, &[Case::Between]);
+    assert!(own.is_complete() && own.motions.is_empty());
+    let [(rest, _)] = &own.families[..] else { panic!("{own:?}") };
+    let [low, high] = rest.hull[0];
+    assert!((low + 1.0).abs() < 1e-2 && (high - 1.0).abs() < 1e-2, "{low} {high}");
+}
+
+/// A spring on one side and a weaker one on the other, both pushed by a force: rest on that side alone which the force pushes to.
+#[test]
+fn springs_on_two_sides_have_the_equilibrium_of_the_side_that_is_pushed() {
+    let text = "title = \"Two sides\"\n[parameters]\nm = \"1 kg\"\n[coordinates]\nx = \"m\"\n[bodies]\nb = { centre = \"O + x*N.x\", mass = \"m\" }\n\
+        [[force]]\nalong = \"x\"\nis = \"(1 N) - if(x > (0 m), (4 N/m)*x, (1 N/m)*x)\"\n[run]\nspan = \"1 s\"\n";
+    let found = SteadyMotions::of_cases(&model(text), &asked(&[("x", -3.0, 3.0)], 1_000), || true);
+    let found = found.unwrap_or_else(|why| panic!("{why:?}"));
+    let motions: Vec<f64> =
+        found.iter().flat_map(|(_, own)| own.motions.iter().map(|motion| motion.state[0])).collect();
+    assert_eq!(motions.len(), 1, "{found:?}");
+    assert!((motions[0] - 0.25).abs() < 1e-12 && found.iter().all(|(_, own)| own.is_complete()));
+    let stable =
+        found.iter().flat_map(|(_, own)| &own.motions).all(|own| matches!(own.stability, SteadyStability::Minimum));
+    assert!(stable, "{found:?}");
 }

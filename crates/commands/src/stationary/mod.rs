@@ -3,6 +3,7 @@
 
 mod along;
 mod branches;
+mod cases;
 mod json;
 mod map;
 mod model;

@@ -1,13 +1,13 @@
 //! Steady motions of a system that is written in its file.
 
-use super::Asked;
 use super::steady_box::{Found, number};
+use super::{Asked, cases};
 use crate::arguments::Format;
 use crate::exit::{Exit, print};
 use crate::spectrum;
 use ::scenes::linearisation::{Linear, Stability, Standing};
 use ::scenes::steady_motions::{
-    Eigenvalues, EnclosedSpectrum, EnclosedVerdict, Near, SteadyMotion, SteadyMotions, SteadyStability,
+    Eigenvalues, EnclosedSpectrum, EnclosedVerdict, Family, Member, Near, SteadyMotion, SteadyMotions, SteadyStability,
 };
 use ::scenes::unit_of;
 use serde_json::{Value, json};
@@ -18,6 +18,9 @@ const MOST_LISTED: usize = 6;
 
 /// Prints all steady motions.
 pub(super) fn show(asked: &Asked) -> Result<Exit, Exit> {
+    if let Some(cases) = asked.steady.find_cases(&asked.scene)? {
+        return cases::show(asked, cases);
+    }
     let found = asked.steady.find(&asked.scene)?;
     print(&match asked.format {
         Format::Text => text(&found),
@@ -27,7 +30,12 @@ pub(super) fn show(asked: &Asked) -> Result<Exit, Exit> {
 }
 
 fn text(all: &Found) -> String {
-    let (found, mut out) = (&all.motions, format!("{}\n", all.title));
+    format!("{}\n{}", all.title, body(all))
+}
+
+/// Everything but the title.
+pub(super) fn body(all: &Found) -> String {
+    let (found, mut out) = (&all.motions, String::new());
     let unit = |name: &str| all.unit(name);
     // writing to a String cannot fail
     for unknown in &found.unknowns {
@@ -45,10 +53,16 @@ fn text(all: &Found) -> String {
     if !found.cyclic.is_empty() {
         let _ = writeln!(out, "cyclic, nothing depends on them: {}", found.cyclic.join(", "));
     }
-    let count = match found.motions.len() {
-        0 => "no steady motion".to_owned(),
-        1 => "one steady motion, alone in a box".to_owned(),
-        count => format!("{count} steady motions, each alone in a box"),
+    let count = match (found.motions.len(), found.families.len()) {
+        (0, 0) => "no steady motion".to_owned(),
+        (0, 1) => "one family of steady motions".to_owned(),
+        (0, families) => format!("{families} families of steady motions"),
+        (1, 0) => "one steady motion, alone in a box".to_owned(),
+        (count, 0) => format!("{count} steady motions, each alone in a box"),
+        (1, 1) => "one steady motion, alone in a box, and one family".to_owned(),
+        (1, families) => format!("one steady motion, alone in a box, and {families} families"),
+        (count, 1) => format!("{count} steady motions, each alone in a box, and one family"),
+        (count, families) => format!("{count} steady motions, each alone in a box, and {families} families"),
     };
     let boxes = if found.examined == 1 { "one box".to_owned() } else { format!("{} boxes", found.examined) };
     let _ = match found.is_complete() {
@@ -66,6 +80,17 @@ fn text(all: &Found) -> String {
         let _ = writeln!(out, "  {}  {values}", place + 1);
         let _ = writeln!(out, "     {}", stability(motion, &found.cyclic));
     }
+    if !found.motions.is_empty() && !found.free_speeds.is_empty() {
+        let are = if found.free_speeds.len() == 1 { "a speed" } else { "speeds" };
+        let _ = writeln!(
+            out,
+            "  each is one of a family: {} {are} for every value of which near the given one there is such a motion",
+            found.free_speeds.join(", ")
+        );
+    }
+    for (place, (family, members)) in found.families.iter().enumerate() {
+        out += &family_lines(all, found.motions.len() + place + 1, family, members);
+    }
     for region in found.regions.iter().take(MOST_LISTED) {
         let ranges = found.unknowns.iter().zip(&region.hull).map(|(unknown, at)| {
             let [low, high] = ends(*at);
@@ -79,6 +104,87 @@ fn text(all: &Found) -> String {
             writeln!(out, "  ?  and {} other regions (--format json lists them)", found.regions.len() - MOST_LISTED);
     }
     out
+}
+
+fn family_lines(all: &Found, place: usize, family: &Family, members: &[Member]) -> String {
+    let found = &all.motions;
+    let shape = match family.dimension {
+        1 => "a curve".to_owned(),
+        2 => "a surface".to_owned(),
+        dimension => format!("of {dimension} dimensions"),
+    };
+    let ranges = found.unknowns.iter().zip(&family.hull).map(|(unknown, at)| {
+        let [low, high] = ends(*at);
+        match low == high {
+            true => format!("{} = {low}{}", unknown.name, all.unit(&unknown.name)),
+            false => format!("{} from {low} to {high}{}", unknown.name, all.unit(&unknown.name)),
+        }
+    });
+    let mut out = format!("  {place}  a family, {shape}: {}\n", ranges.collect::<Vec<_>>().join(", "));
+    // writing to a String cannot fail
+    let pieces =
+        if family.pieces.len() == 1 { "one piece".to_owned() } else { format!("{} pieces", family.pieces.len()) };
+    let _ = writeln!(
+        out,
+        "     enclosed in {pieces}: in each there is one motion, and no other, for every value of {}",
+        running(found, family).join(" or ")
+    );
+    if !family.along.is_empty() {
+        let _ = writeln!(
+            out,
+            "     by symmetry: nothing acts along {} of ({})",
+            family.along.join(", "),
+            found.unknowns.iter().map(|unknown| unknown.name.as_str()).collect::<Vec<_>>().join(", ")
+        );
+    }
+    let judged: Vec<bool> = members
+        .iter()
+        .filter_map(|member| member.linear.as_ref())
+        .filter(|linear| linear.standing != Standing::Moving)
+        .map(|linear| matches!(linear.stability, Stability::Unstable(_)))
+        .collect();
+    if !judged.is_empty() {
+        let unstable = judged.iter().filter(|is_unstable| **is_unstable).count();
+        let _ = writeln!(
+            out,
+            "     of {} motions of it that were tested {unstable} have an eigenvalue with a positive real part, by numbers",
+            judged.len()
+        );
+    }
+    out
+}
+
+/// Unknowns that are the parameter of a piece, by their names.
+fn running(found: &SteadyMotions, family: &Family) -> Vec<String> {
+    let mut all: Vec<String> = family
+        .pieces
+        .iter()
+        .map(|(parameters, _)| {
+            let own = parameters.iter().filter_map(|&place| found.unknowns.get(place));
+            own.map(|unknown| unknown.name.clone()).collect::<Vec<_>>().join(", ")
+        })
+        .collect();
+    all.sort();
+    all.dedup();
+    all
+}
+
+fn family_object(found: &SteadyMotions, family: &Family, members: &[Member]) -> Value {
+    json!({
+        "dimension": family.dimension,
+        "hull": family.hull,
+        "along": family.along,
+        "parameters": running(found, family),
+        "pieces": family.pieces.iter().map(|(parameters, at)| json!({
+            "parameters": parameters.iter().filter_map(|&place| found.unknowns.get(place)).map(|unknown| unknown.name.clone()).collect::<Vec<_>>(),
+            "enclosure": at,
+        })).collect::<Vec<_>>(),
+        "members": members.iter().map(|member| json!({
+            "values": member.values,
+            "state": member.state,
+            "eigenvalues": member.linear.as_ref().map(|linear| &linear.eigenvalues),
+        })).collect::<Vec<_>>(),
+    })
 }
 
 /// A part of the whole; below the range of numbers as such.
@@ -129,6 +235,10 @@ pub(super) fn stability(motion: &SteadyMotion, cyclic: &[String]) -> String {
         SteadyStability::Linear(found) if decides(found).is_some() => {
             decides(found).map(spectrum::verdict).unwrap_or_default()
         }
+        // the linear equations of an instant tell nothing, those without cyclic coordinates are the same at all times
+        SteadyStability::Linear(found) if found.linear.standing == Standing::Moving && found.enclosed.is_ok() => {
+            found.enclosed.as_ref().map(spectrum::verdict).unwrap_or_default()
+        }
         SteadyStability::Linear(found) if fades(&found.linear, cyclic.len()) => format!(
             "every eigenvalue has a negative real part but for zeros, which cyclic coordinates and their momenta have: asymptotically stable but for \
              {}, by numbers",
@@ -175,6 +285,7 @@ pub(super) fn verdict(motion: &SteadyMotion, cyclic: &[String]) -> (&'static str
             (word, word != "not decided")
         }
         SteadyStability::Linear(found) => match found.linear.stability {
+            _ if found.linear.standing == Standing::Moving => ("not decided", false),
             _ if fades(&found.linear, cyclic.len()) => ("asymptotically stable", false),
             Stability::Unstable(_) => ("unstable", false),
             Stability::Asymptotic { .. } => ("asymptotically stable", false),
@@ -199,6 +310,7 @@ pub(super) fn motion(found: &SteadyMotions, motion: &SteadyMotion) -> Value {
     json!({
         "enclosure": values.collect::<serde_json::Map<_, _>>(),
         "state": motion.state,
+        "quasi_velocities": motion.quasi_velocities.iter().map(|(name, value)| (name.clone(), json!(value))).collect::<serde_json::Map<_, _>>(),
         "stability": verdict,
         "enclosed": enclosed,
         "reason": stability(motion, &found.cyclic),
@@ -207,7 +319,7 @@ pub(super) fn motion(found: &SteadyMotions, motion: &SteadyMotion) -> Value {
     })
 }
 
-fn object(Found { title, model, motions: found }: &Found) -> Value {
+pub(super) fn object(Found { title, model, motions: found }: &Found) -> Value {
     json!({
         "title": title,
         "sought": found.unknowns.iter().map(|unknown| json!({
@@ -227,6 +339,8 @@ fn object(Found { title, model, motions: found }: &Found) -> Value {
             "near": near(region.near),
         })).collect::<Vec<_>>(),
         "undecided_part": found.undecided_part,
+        "families": found.families.iter().map(|(family, members)| family_object(found, family, members)).collect::<Vec<_>>(),
+        "free_speeds": found.free_speeds,
         "motions": found.motions.iter().map(|one| motion(found, one)).collect::<Vec<_>>(),
     })
 }

@@ -4,7 +4,7 @@ use crate::arguments::finite;
 use crate::clock;
 use crate::exit::{Exit, placed, warn};
 use crate::progress::Progress;
-use ::scenes::steady_motions::{Along, Asked, NoSteadyMotions, Range, SteadyMotions};
+use ::scenes::steady_motions::{Along, Asked, Case, NoSteadyMotions, Range, SteadyMotions, conditions_of};
 use ::scenes::{Task, independent_start, read_titled, unit_of, without_law};
 use clap::Args;
 use clap::builder::RangedU64ValueParser;
@@ -61,6 +61,15 @@ pub struct Found {
     pub motions: SteadyMotions,
 }
 
+/// Steady motions of a law that changes at conditions.
+pub struct Cases {
+    pub title: String,
+    pub model: Model,
+    /// The conditions in words.
+    pub conditions: Vec<String>,
+    pub all: Vec<(Vec<Case>, SteadyMotions)>,
+}
+
 /// Steady motions along a parameter.
 pub struct AlongFound {
     pub title: String,
@@ -100,6 +109,18 @@ impl SteadyBox {
         let _progress = Progress::new("steady motions");
         let motions = SteadyMotions::of(&model, &self.wanted(), goes_on).map_err(|why| refused(path, &model, why))?;
         Ok(Found { title, model, motions })
+    }
+
+    /// The same of a law that changes at conditions: in each combination of their cases; none where the law does not change.
+    pub fn find_cases(&self, path: &Path) -> Result<Option<Cases>, Exit> {
+        self.checked()?;
+        let (title, model) = read(path)?;
+        if model.switches.is_empty() && model.contacts.is_empty() {
+            return Ok(None);
+        }
+        let _progress = Progress::new("steady motions");
+        let all = SteadyMotions::of_cases(&model, &self.wanted(), goes_on).map_err(|why| refused(path, &model, why))?;
+        Ok(Some(Cases { title, conditions: conditions_of(&model), model, all }))
     }
 
     /// The same at values of a parameter, or of the speed of a cyclic coordinate.
@@ -142,8 +163,9 @@ impl SteadyBox {
             .iter()
             .map(|parameter| parameter.name.as_str())
             .chain(speeds.iter().map(String::as_str))
+            .chain(model.quasi_velocities.iter().map(|speed| speed.name.as_str()))
             .collect();
-        if !known.contains(&name.as_str()) {
+        if !known.contains(&name.as_str()) && !name.starts_with("velocity(") {
             let nearest = nearest(name, known.iter().copied());
             return Err(Exit::refused(format!(
                 "--along {name}: {}: no parameter is called so, nor the speed of a coordinate{}",
@@ -222,10 +244,17 @@ pub fn refused(path: &Path, model: &Model, why: NoSteadyMotions) -> Exit {
             placed(path, issue.accepted("constraints of positions, and up to four that are linear in the speeds; `linearise --about equilibrium` finds one equilibrium near the start"))
         }
         NoSteadyMotions::Changes => told(
-            "its law changes at conditions, contacts or events, where steady motions are not sought; `linearise --about equilibrium` finds one \
-             equilibrium near the start"
+            "its law changes at events, or at conditions of currents without inductance, where steady motions are not sought, or --along, or \
+             `numerical-stability`, asks for more than places of rest; `linearise --about equilibrium` finds one equilibrium near the start"
                 .to_owned(),
         ),
+        NoSteadyMotions::Contacts { at } => {
+            let issue = Issue::at(at, "steady motions are not sought with contacts", "this contact has a reaction that is decided along the motion");
+            placed(path, issue.accepted("friction as a force with `sign` of a speed, whose places of rest are sought; `linearise --about equilibrium` finds one equilibrium near the start"))
+        }
+        NoSteadyMotions::ManyConditions { conditions, most } => told(format!(
+            "its law has {conditions} conditions, which have more than {most} combinations of cases; fewer conditions are accepted"
+        )),
         NoSteadyMotions::FreeFrame => told(
             "a frame turns freely, where steady motions are not sought yet; a frame with an axis, or with three angles, is accepted".to_owned(),
         ),
@@ -243,9 +272,6 @@ pub fn refused(path: &Path, model: &Model, why: NoSteadyMotions) -> Exit {
         NoSteadyMotions::Unknown { name, accepted, .. } => {
             told(format!("--range {name}: nothing that is sought is called `{name}`; there are: {}", accepted.join(", ")))
         }
-        NoSteadyMotions::AnyValue { name } => told(format!(
-            "--range {name}: the equations hold for every value of `{name}`, which is not sought: one value (--range \"{name}=2\") is accepted"
-        )),
         NoSteadyMotions::Sought { name, value } => {
             let aside = 0.01 * if value == 0.0 { 1.0 } else { value.abs() };
             told(format!(
@@ -267,7 +293,7 @@ pub fn refused(path: &Path, model: &Model, why: NoSteadyMotions) -> Exit {
             ))
         }
         NoSteadyMotions::Unequal { counts: [equations, unknowns], idle } => told(format!(
-            "its equations, {equations}, are not as many as its unknowns, {unknowns}: steady motions form families, or there are none{}",
+            "its equations, {equations}, are more than its unknowns, {unknowns}: there is no steady motion, but by chance{}",
             match idle.is_empty() {
                 true => "; a coordinate that has one value (--range NAME=VALUE) must not be held by an equation of its own".to_owned(),
                 false => format!("; a value for {} (--range NAME=VALUE) chooses among them", listed(&idle)),

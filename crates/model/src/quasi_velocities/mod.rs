@@ -17,6 +17,7 @@ mod construction;
 mod hamel;
 mod independence;
 mod independent_rates;
+mod integrals;
 mod inverse;
 mod maggi;
 mod reduced_equations;
@@ -25,6 +26,7 @@ mod shulgin;
 mod virtual_power;
 
 pub use coefficients::Coefficient;
+pub use integrals::INTEGRAL;
 pub use reduced_equations::{QuasiPrinciple, quasi_agreement};
 
 use crate::equations::{Equation, Level, constraints_of};

@@ -3,10 +3,11 @@
 //! At each value all motions are found. Between two values at which they differ, each search being complete, something happens: the values are
 //! brought together until nothing lies between them that can be told apart.
 
+use super::spectrum::EnclosedVerdict;
 use super::stability::SteadyStability;
 use super::{Asked, NoSteadyMotions, Range, SteadyMotion, SteadyMotions};
 use crate::admissible::impossible;
-use crate::linearisation::Stability;
+use crate::linearisation::{Stability, Standing};
 use model::Model;
 use std::cell::RefCell;
 
@@ -184,8 +185,13 @@ pub(super) fn kinds(found: &SteadyMotions) -> Vec<usize> {
 fn unstable(motion: &SteadyMotion) -> usize {
     match &motion.stability {
         SteadyStability::Falls(count) | SteadyStability::FallsOdd(count) => *count,
-        SteadyStability::Linear(found) => match found.linear.stability {
-            Stability::Unstable(count) => count,
+        SteadyStability::Linear(found) => match (&found.enclosed, found.linear.stability) {
+            // the linear equations of an instant tell nothing, those without cyclic coordinates are the same at all times
+            (Ok(enclosed), _) if found.linear.standing == Standing::Moving => match enclosed.verdict() {
+                EnclosedVerdict::Unstable(count) => count,
+                _ => 0,
+            },
+            (_, Stability::Unstable(count)) => count,
             _ => 0,
         },
         SteadyStability::Minimum | SteadyStability::Unknown(_) => 0,
@@ -231,8 +237,9 @@ fn at_ends(sample: &Sample) -> usize {
 fn has_three_together(sample: &Sample) -> bool {
     let SteadyMotions { unknowns, motions, .. } = &sample.found;
     let is_near = |a: &SteadyMotion, b: &SteadyMotion| {
-        unknowns.iter().all(|unknown| {
-            let gap = (a.state[unknown.place] - b.state[unknown.place]).abs();
+        let middle = |[low, high]: [f64; 2]| 0.5 * (low + high);
+        unknowns.iter().zip(a.enclosure.iter().zip(&b.enclosure)).all(|(unknown, (a, b))| {
+            let gap = (middle(*a) - middle(*b)).abs();
             let whole = unknown.range.to - unknown.range.from;
             let around = if unknown.is_circle { (2.0 * std::f64::consts::PI - gap).abs() } else { gap };
             gap.min(around) < TOGETHER * whole

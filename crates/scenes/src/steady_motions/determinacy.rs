@@ -5,11 +5,11 @@ use model::Trace;
 use model::equations::{Equation, vanishes};
 use symbolic::{Sym, Tape, substitute_all};
 
-/// Constraints of speeds that are solved as they are written.
-const MOST_SOLVED: usize = 4;
+/// Constraints of speeds that are solved as they are written, quasi-velocities among them.
+const MOST_SOLVED: usize = 6;
 
-/// Choices of determined speeds that are compared near a state.
-const MOST_COMPARED: usize = 8;
+/// Choices of determined speeds that are compared.
+const MOST_COMPARED: usize = 16;
 
 /// A part of the largest determinant at a state below which speeds are not determined there.
 const REGULAR: f64 = 1e-3;
@@ -18,18 +18,25 @@ const REGULAR: f64 = 1e-3;
 pub(super) struct Wanted<'a> {
     /// Those that stay independent where others can be determined.
     pub free: Vec<usize>,
-    /// A state at which the determined ones are determined.
-    pub near: Option<&'a [f64]>,
+    /// A state at which the determined ones are determined, which is asked for where a motion near it is sought, else preferred.
+    pub state: &'a [f64],
+    pub is_near: bool,
 }
 
-/// Determined speeds, each by the others: the first choice with a determinant that does not vanish, or some that do not vanish at a state.
+/// Determined speeds, each by the others, and whether they are determined at the state.
+pub(super) struct Solution {
+    pub determined: Vec<(usize, Sym)>,
+    pub is_regular: bool,
+}
+
+/// Some choices of determined speeds, of those that keep the most of the wanted speeds free: such as are determined at the state first.
 /// None where constraints are not linear in the speeds, or too many.
 pub(super) fn solutions(
     trace: &Trace<'_>,
     (of_speeds, residuals, zeros_of_positions): (&[Equation], &[Sym], &[Sym]),
     wanted: &Wanted<'_>,
     put: impl Fn(&[Sym]) -> Vec<Sym>,
-) -> Option<Vec<Vec<(usize, Sym)>>> {
+) -> Option<Vec<Solution>> {
     let n = trace.speeds.len();
     let rows: Vec<Vec<Sym>> = of_speeds.iter().map(|one| put(&one.row)).collect();
     let is_linear = |slope: &Sym| slope.symbols_of().iter().all(|symbol| !trace.speeds.contains(symbol));
@@ -52,15 +59,15 @@ pub(super) fn solutions(
             (chosen, determinant)
         })
         .collect();
-    let chosen: Vec<&(Vec<usize>, Sym)> = match wanted.near {
-        Some(state) => {
-            let sizes = sizes(trace, &all, state);
-            let largest = sizes.iter().copied().fold(0.0, f64::max);
-            let regular = all.iter().zip(&sizes).filter(|(_, size)| **size > REGULAR * largest);
-            regular.map(|(one, _)| one).take(MOST_COMPARED).collect()
-        }
-        None => all.iter().find(|(_, determinant)| !vanishes(*determinant)).into_iter().collect(),
-    };
+    let sizes = sizes(trace, &all, wanted.state);
+    let largest = sizes.iter().copied().fold(0.0, f64::max);
+    let is_regular = |place: usize| sizes[place] > REGULAR * largest;
+    let lost = |place: usize| all[place].0.iter().filter(|k| wanted.free.contains(k)).count();
+    let mut order: Vec<usize> = (0..all.len()).filter(|&place| !wanted.is_near || is_regular(place)).collect();
+    order.sort_by_key(|&place| (lost(place), !is_regular(place)));
+    let determines = |place: &usize| is_regular(*place) || !vanishes(all[*place].1);
+    let least = order.iter().copied().find(|place| determines(place)).map_or(0, lost);
+    let chosen = order.into_iter().filter(|&place| lost(place) == least && determines(&place)).take(MOST_COMPARED);
     let resting: Vec<(Sym, Sym)> = trace.speeds.iter().map(|&speed| (speed, Sym::ZERO)).collect();
     let right: Vec<Sym> = substitute_all(&zeros, &resting).into_iter().map(|zero| -zero).collect();
     let solved = |(chosen, below): &(Vec<usize>, Sym)| -> Vec<(usize, Sym)> {
@@ -76,7 +83,7 @@ pub(super) fn solutions(
         };
         chosen.iter().enumerate().map(rate).collect()
     };
-    Some(chosen.into_iter().map(solved).collect())
+    Some(chosen.map(|place| Solution { determined: solved(&all[place]), is_regular: is_regular(place) }).collect())
 }
 
 /// Determinants at a state.

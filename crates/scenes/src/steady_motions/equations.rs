@@ -4,15 +4,18 @@
 //!   J^T lambda - h(q, w) = 0 ,    f(q) = 0 .
 
 use super::circles::is_periodic;
+use super::conditions::{self, BETWEEN, Case};
 use super::determinacy::Wanted;
 use super::energy_row::implied;
+use super::families::Identity;
+use super::quasi_velocities::{is_integral, state_names};
 use super::rows::Rows;
 use super::{Asked, NoSteadyMotions, Range};
 use crate::changing_laws::changes;
 use crate::compiled_system::has_values;
 use crate::letters::Letters;
 use model::equations::vanishes;
-use model::{Model, Trace};
+use model::{Event, Model, Trace};
 use symbolic::{Sym, Tape, substitute_all};
 
 /// An unknown of the search: a coordinate, or the constant speed of a cyclic one.
@@ -49,6 +52,16 @@ pub(super) struct SteadyEquations {
     pub is_unbalanced: bool,
     /// Coordinates that are unknowns.
     pub coordinates: usize,
+    /// The number of residuals.
+    pub rows: usize,
+    /// Conditions by the unknowns, and whether each shall be positive, else negative.
+    pub sides: (Tape, Vec<bool>),
+    /// Whether a condition is zero.
+    pub is_at_condition: bool,
+    /// Identities between them, where none holds reactions.
+    pub identities: Vec<Identity>,
+    /// Speeds that are given, for every other value of which there are steady motions too.
+    pub free_speeds: Vec<String>,
     /// Residuals by unknowns, then multipliers.
     pub values: Tape,
     /// Their derivatives, row after row.
@@ -67,20 +80,56 @@ pub(super) struct SteadyEquations {
 impl SteadyEquations {
     pub fn of(model: &Model, asked: &Asked) -> Result<Self, NoSteadyMotions> {
         Self::checked(model)?;
-        symbolic::apart(|| Self::written(model, asked, None, false))
+        symbolic::apart(|| Self::written(model, asked, None, false, &[]))
+    }
+
+    /// In one combination of cases of the conditions of a law that changes.
+    pub fn in_cases(model: &Model, asked: &Asked, cases: &[Case]) -> Result<Self, NoSteadyMotions> {
+        symbolic::apart(|| Self::written(model, asked, None, false, cases))
+    }
+
+    /// The combinations of cases of the conditions of a law.
+    pub fn combinations(model: &Model, asked: &Asked) -> Result<Vec<Vec<Case>>, NoSteadyMotions> {
+        let is_end = |event: &Event| event.ends && event.set.is_empty();
+        if !model.contacts.is_empty() {
+            return Err(NoSteadyMotions::Contacts { at: model.contacts[0].at.clone() });
+        }
+        if !model.events.iter().all(is_end) {
+            return Err(NoSteadyMotions::Changes);
+        }
+        Self::checked_but_for_conditions(model)?;
+        symbolic::apart(|| {
+            let trace = Trace::of(model);
+            let start = model.start_state();
+            let (names, n) = (state_names(model), trace.speeds.len());
+            let free = (0..n).filter(|&k| asked.range(&names[n + k]).is_some()).collect();
+            let rows = Rows::of(model, &trace, &Wanted { free, state: &start, is_near: false })?;
+            conditions::combinations(&rows, &at_rest(&trace, &rows.is_cyclic))
+        })
     }
 
     /// For the motion of a state where that is one identically, but for reactions; else for motions near it, whose speeds of cyclic
     /// coordinates are kept where no equation asks for them.
     pub fn near(model: &Model, state: &[f64]) -> Result<Self, NoSteadyMotions> {
         Self::checked(model)?;
-        let written = |is_pinned| Self::written(model, &Asked::default(), Some(state), is_pinned);
-        symbolic::apart(|| written(true).ok().filter(|own| !own.is_unbalanced).map_or_else(|| written(false), Ok))
+        let written = |is_pinned| Self::written(model, &Asked::default(), Some(state), is_pinned, &[]);
+        let is_square = |own: &Self| own.rows == own.unknowns.len() + own.reactions || own.is_unbalanced;
+        symbolic::apart(|| {
+            let pinned = written(true).ok().filter(|own| !own.is_unbalanced && is_square(own));
+            let own = pinned.map_or_else(|| written(false), Ok)?;
+            let counts = [own.rows, own.unknowns.len() + own.reactions];
+            if is_square(&own) { Ok(own) } else { Err(NoSteadyMotions::Unequal { counts, idle: Vec::new() }) }
+        })
     }
 
     fn checked(model: &Model) -> Result<(), NoSteadyMotions> {
+        Self::checked_but_for_conditions(model)?;
+        if changes(model) { Err(NoSteadyMotions::Changes) } else { Ok(()) }
+    }
+
+    fn checked_but_for_conditions(model: &Model) -> Result<(), NoSteadyMotions> {
         has_values(model).map_err(NoSteadyMotions::NotCompiled)?;
-        if changes(model) || !model.algebraic_speeds.is_empty() {
+        if !model.algebraic_speeds.is_empty() {
             return Err(NoSteadyMotions::Changes);
         }
         if model.positions() != model.speeds() {
@@ -89,13 +138,23 @@ impl SteadyEquations {
         Ok(())
     }
 
-    fn written(model: &Model, asked: &Asked, near: Option<&[f64]>, is_pinned: bool) -> Result<Self, NoSteadyMotions> {
+    fn written(
+        model: &Model,
+        asked: &Asked,
+        near: Option<&[f64]>,
+        is_pinned: bool,
+        cases: &[Case],
+    ) -> Result<Self, NoSteadyMotions> {
         let trace = Trace::of(model);
         let n = trace.speeds.len();
-        let names: Vec<String> = model.state_names().into_iter().map(|(name, _)| name).collect();
-        let is_asked = |k: &usize| asked.ranges.iter().any(|(name, _)| *name == names[n + *k]);
-        let rows = Rows::of(model, &trace, &Wanted { free: (0..n).filter(is_asked).collect(), near })?;
-        let all = [&rows.residuals[..], &rows.zeros].concat();
+        let names = state_names(model);
+        let is_asked =
+            |k: &usize| is_integral(model, *k) || asked.ranges.iter().any(|(name, _)| *name == names[n + *k]);
+        let start = model.start_state();
+        let free = (0..n).filter(is_asked).collect();
+        let wanted = Wanted { free, state: near.unwrap_or(&start), is_near: near.is_some() };
+        let rows = Rows::of(model, &trace, &wanted)?;
+        let all = [&rows.residuals[..], &rows.zeros, &rows.conditions].concat();
         if all.iter().any(|row| row.symbols_of().contains(&trace.time)) {
             return Err(NoSteadyMotions::OfTime);
         }
@@ -106,11 +165,11 @@ impl SteadyEquations {
                 .filter(|&k| !(is_cyclic[k] && is_determined(k)))
                 .map(|k| names[if is_cyclic[k] { n + k } else { k }].as_str()),
         )?;
-        let at_rest: Vec<(Sym, Sym)> =
-            (0..n).filter(|&k| !is_cyclic[k]).map(|k| (trace.speeds[k], Sym::ZERO)).collect();
+        let at_rest = at_rest(&trace, is_cyclic);
         let plain = |row: Sym| if vanishes(row) { Sym::ZERO } else { row };
         let mut residuals: Vec<Sym> = substitute_all(&rows.residuals, &at_rest).into_iter().map(plain).collect();
-        let speed = |k: usize| near.map(|state| state[n + k]).or_else(|| asked.speed(&names[n + k]));
+        let least = |range: Range| if range.from * range.to > 0.0 { range.from.abs().min(range.to.abs()) } else { 0.0 };
+        let speed = |k: usize| near.map(|state| state[n + k]).or_else(|| asked.range(&names[n + k]).map(least));
         if let Some(k) = implied(model, &trace, &rows, speed) {
             residuals[k] = Sym::ZERO;
         }
@@ -145,7 +204,6 @@ impl SteadyEquations {
                     known.push((symbol, Sym::constant(field::Rational::exactly(range.from))));
                     given.push((name, range.from));
                 }
-                Some(_) if !is_sought => return Err(NoSteadyMotions::AnyValue { name }),
                 Some(range) => unknowns.push((symbol, Unknown { name, place, is_circle: false, range })),
                 None if is_sought && is_circle => {
                     unknowns.push((symbol, Unknown { name, place, is_circle, range: Range::TURN }));
@@ -155,6 +213,25 @@ impl SteadyEquations {
                     known.push((symbol, Sym::constant(field::Rational::exactly(state[place]))));
                     given.push((name, state[place]));
                 }
+            }
+        }
+        let held = substitute_all(&rows.conditions, &at_rest);
+        let mut sides: Vec<(Sym, bool)> = Vec::new();
+        let mut at_zero: Vec<Sym> = Vec::new();
+        for (place, case) in cases.iter().enumerate() {
+            let letter = rows.condition_letters[place];
+            match case {
+                Case::Holds => known.push((letter, Sym::ONE)),
+                Case::Fails => known.push((letter, Sym::ZERO)),
+                Case::Between => {
+                    let name = letter.to_string();
+                    unknowns.push((letter, Unknown { name, place: 2 * n + place, is_circle: false, range: BETWEEN }));
+                }
+            }
+            match case {
+                Case::Between if vanishes(held[place]) => {}
+                Case::Between => at_zero.push(held[place]),
+                _ => sides.push((held[place], *case == Case::Holds)),
             }
         }
         if !without_range.is_empty() {
@@ -167,7 +244,7 @@ impl SteadyEquations {
             if is_pinned { rows.into_iter().map(plain).collect() } else { rows }
         };
         let asking_all = [&residuals[..], &rows.zeros].concat();
-        let (residuals, zeros) = (put(&residuals), put(&rows.zeros));
+        let (residuals, zeros, at_zero) = (put(&residuals), put(&rows.zeros), put(&at_zero));
         let is_open = |row: &Sym| *row != Sym::ZERO && row.as_constant().is_some();
         let open = asking_all.iter().zip(residuals.iter().chain(&zeros)).filter(|(_, row)| is_open(row));
         let letters_of: Vec<Sym> = open.flat_map(|(row, _)| row.symbols_of()).collect();
@@ -175,21 +252,35 @@ impl SteadyEquations {
             return Err(NoSteadyMotions::Sought { name, value });
         }
         let asking: Vec<usize> = (0..n).filter(|&k| residuals[k] != Sym::ZERO).collect();
+        let zeros_put = zeros.clone();
         let zeros: Vec<Sym> = zeros.into_iter().filter(|zero| *zero != Sym::ZERO).collect();
         // a load that nothing balances
-        let is_unbalanced = residuals.iter().any(|row| *row != Sym::ZERO && row.as_constant().is_some());
-        let equations = asking.len() + zeros.len();
-        if equations != unknowns.len() + multipliers.len() && !is_unbalanced {
+        let is_unbalanced = residuals.iter().chain(&at_zero).any(is_open);
+        let zeros: Vec<Sym> = zeros.into_iter().chain(at_zero.into_iter().filter(|zero| *zero != Sym::ZERO)).collect();
+        let rows_count = asking.len() + zeros.len();
+        let sought = unknowns.len() + multipliers.len();
+        if rows_count > sought && !is_unbalanced {
             let idle =
                 (0..n).filter(|&k| !is_cyclic[k] && residuals[k] == Sym::ZERO).map(|k| names[k].clone()).collect();
-            let counts = [equations, unknowns.len() + multipliers.len()];
-            return Err(NoSteadyMotions::Unequal { counts, idle });
+            return Err(NoSteadyMotions::Unequal { counts: [rows_count, sought], idle });
         }
+        // an equation that the given values alone fulfil may fail at others
+        let is_lost = |(before, after): (&Sym, &Sym)| *before != Sym::ZERO && *after == Sym::ZERO;
+        let keeps_all = !asking_all.iter().zip(residuals.iter().chain(&zeros_put)).any(is_lost);
+        let is_free = |&k: &usize| {
+            is_cyclic[k] && !is_determined(k) && !unknowns.iter().any(|unknown: &Unknown| unknown.place == n + k)
+        };
+        let free_speeds =
+            (0..n).filter(is_free).filter(|_| keeps_all && near.is_none()).map(|k| names[n + k].clone()).collect();
         let residuals: Vec<Sym> = asking.into_iter().map(|k| residuals[k]).collect();
         let without: Vec<(Sym, Sym)> = multipliers.iter().map(|letter| (*letter, Sym::ZERO)).collect();
         let reactions = residuals.iter().flat_map(|row| multipliers.iter().map(|&by| row.diff(by)));
         let loads: Vec<Sym> = reactions.chain(substitute_all(&residuals, &without)).collect();
         let values = [residuals, zeros].concat();
+        let identities = match multipliers.is_empty() && near.is_none() {
+            true => Identity::of(&values, &letters, &unknowns),
+            false => Vec::new(),
+        };
         let inputs = [&letters[..], &multipliers].concat();
         let slopes: Vec<Sym> = values.iter().flat_map(|row| inputs.iter().map(|&by| row.diff(by))).collect();
         let recorded = |inputs: &[Sym], outputs: &[Sym]| {
@@ -202,9 +293,17 @@ impl SteadyEquations {
         let (places, rates): (Vec<usize>, Vec<Sym>) = rows.determined.iter().copied().unzip();
         let rates = substitute_all(&substitute_all(&rates, &at_rest), &known);
         let cyclic_places: Vec<usize> = (0..n).filter(|&k| is_cyclic[k]).collect();
-        let cyclic = cyclic_places.iter().map(|&k| names[k].clone()).collect();
+        let cyclic = cyclic_places.iter().filter(|&&k| !is_integral(model, k)).map(|&k| names[k].clone()).collect();
         let kept_momenta = rows.kept_momenta.iter().map(|&k| (k, names[k].clone())).collect();
         Ok(SteadyEquations {
+            rows: values.len(),
+            sides: {
+                let (values, holds): (Vec<Sym>, Vec<bool>) = sides.into_iter().unzip();
+                (recorded(&letters, &put(&values))?, holds)
+            },
+            is_at_condition: cases.contains(&Case::Between),
+            identities,
+            free_speeds,
             coordinates: unknowns.iter().filter(|unknown| unknown.place < n).count(),
             unknowns,
             given,
@@ -223,6 +322,29 @@ impl SteadyEquations {
             determined: (places.into_iter().map(|k| n + k).collect(), recorded(&letters, &rates)?),
         })
     }
+}
+
+impl SteadyEquations {
+    /// The state at values of the unknowns.
+    pub fn state_at(&self, values: impl Iterator<Item = f64>) -> Vec<f64> {
+        let mut state = self.state.clone();
+        let values: Vec<f64> = values.collect();
+        // parts of a law at conditions have no place in the state
+        for (unknown, value) in self.unknowns.iter().zip(&values) {
+            state.iter_mut().skip(unknown.place).take(1).for_each(|own| *own = *value);
+        }
+        let (places, rates) = &self.determined;
+        let mut speeds = vec![0.0; places.len()];
+        rates.over::<f64>().evaluate(&values, &mut speeds);
+        places.iter().zip(speeds).for_each(|(&place, speed)| state[place] = speed);
+        state
+    }
+}
+
+/// Speeds that are zero where only cyclic coordinates move.
+fn at_rest(trace: &Trace<'_>, is_cyclic: &[bool]) -> Vec<(Sym, Sym)> {
+    let rests = trace.speeds.iter().zip(is_cyclic).filter(|(_, cyclic)| !**cyclic);
+    rests.map(|(speed, _)| (*speed, Sym::ZERO)).collect()
 }
 
 /// Derivatives of the momenta of cyclic coordinates, all other speeds being zero: by letters, then by their speeds; and the mass matrix.

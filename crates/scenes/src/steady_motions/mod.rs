@@ -3,12 +3,15 @@
 
 mod along;
 mod circles;
+mod conditions;
 mod definiteness;
 mod determinacy;
 mod energy_row;
 mod equations;
+mod families;
 mod plane;
 mod potential;
+mod quasi_velocities;
 mod region;
 mod rows;
 mod search;
@@ -16,7 +19,9 @@ mod spectrum;
 mod stability;
 
 pub use along::{Along, Bifurcation, Change, Sample};
+pub use conditions::{Case, conditions_of};
 pub use equations::Unknown;
+pub use families::Family;
 pub use plane::{Direction, PlaneCell, middles};
 pub use region::{Near, Region};
 pub use spectrum::{
@@ -26,10 +31,12 @@ pub use spectrum::{
 pub use stability::{Eigenvalues, SteadyStability};
 
 use crate::compiled_system::NotCompiled;
+use crate::linearisation::{Linear, VariedEquations};
 use algebra::boxes::{Found, Limits, Zero, zeros};
 use equations::SteadyEquations;
 use field::Interval;
 use model::Model;
+use quasi_velocities::Extended;
 use search::Boxes;
 use stability::judged;
 use std::f64::consts::PI;
@@ -101,6 +108,15 @@ pub enum NoSteadyMotions {
     NotCompiled(NotCompiled),
     /// The law changes at conditions, contacts or events.
     Changes,
+    /// Contacts, the first of them at its place.
+    Contacts {
+        at: ops::Range<usize>,
+    },
+    /// More combinations of conditions than are tried.
+    ManyConditions {
+        conditions: usize,
+        most: usize,
+    },
     /// A frame turns freely.
     FreeFrame,
     /// The law depends on time.
@@ -117,10 +133,6 @@ pub enum NoSteadyMotions {
         nearest: Option<String>,
         accepted: Vec<String>,
     },
-    /// The equations hold for every value of this speed: one value is asked for, and no range.
-    AnyValue {
-        name: String,
-    },
     /// One value is given where an equation asks for a value: numbers meet it by chance alone.
     Sought {
         name: String,
@@ -130,7 +142,7 @@ pub enum NoSteadyMotions {
     WithoutRange {
         names: Vec<String>,
     },
-    /// Not as many equations as unknowns, and coordinates along which no force acts.
+    /// More equations than unknowns, and coordinates along which no force acts.
     Unequal {
         counts: [usize; 2],
         idle: Vec<String>,
@@ -148,7 +160,19 @@ pub struct SteadyMotion {
     pub enclosure: Vec<[f64; 2]>,
     /// The whole state.
     pub state: Vec<f64>,
+    /// Quasi-velocities among the independent speeds.
+    pub quasi_velocities: Vec<(String, f64)>,
     pub stability: SteadyStability,
+}
+
+/// One of a family.
+#[derive(Clone, Debug)]
+pub struct Member {
+    /// Unknowns, to rounding.
+    pub values: Vec<f64>,
+    pub state: Vec<f64>,
+    /// The linear equations there, as numbers.
+    pub linear: Option<Linear>,
 }
 
 /// All of them.
@@ -162,6 +186,10 @@ pub struct SteadyMotions {
     pub motions: Vec<SteadyMotion>,
     /// Whether the loads have a potential energy, however they are written.
     pub have_potential: bool,
+    /// Motions side by side, with the stability of some of each family.
+    pub families: Vec<(Family, Vec<Member>)>,
+    /// Speeds that are given, for every other value of which there are motions too.
+    pub free_speeds: Vec<String>,
     /// Boxes in which there may be others.
     pub undecided: Vec<Vec<[f64; 2]>>,
     /// These by regions.
@@ -175,6 +203,9 @@ pub struct SteadyMotions {
 /// Near a state, as a part of one in SI units and of the value itself, steady motions are the one that is meant.
 const ASIDE: f64 = 1e-6;
 
+/// Boxes that are looked at before families are sought by identities.
+const FIRST: usize = 2_000;
+
 /// Along each unknown, a part of its range below which a box is not divided.
 const SMALLEST: f64 = 1e-7;
 
@@ -183,15 +214,40 @@ impl SteadyMotions {
     ///
     /// # Errors
     /// Why none are sought.
-    pub fn of(model: &Model, asked: &Asked, goes_on: impl FnMut() -> bool) -> Result<Self, NoSteadyMotions> {
+    pub fn of(model: &Model, asked: &Asked, mut goes_on: impl FnMut() -> bool) -> Result<Self, NoSteadyMotions> {
+        let names: Vec<&str> = asked.ranges.iter().map(|(name, _)| name.as_str()).collect();
+        let extended = Extended::of(model, &names, None);
+        let model = extended.as_ref().map_or(model, |extended| &extended.model);
         let equations = SteadyEquations::of(model, asked)?;
+        Ok(Self::found(model, (equations, extended.as_ref()), asked.boxes, &mut goes_on))
+    }
+
+    /// In each combination of cases of the conditions of a law, which are told by their letters.
+    ///
+    /// # Errors
+    /// Why none are sought.
+    pub fn of_cases(
+        model: &Model,
+        asked: &Asked,
+        mut goes_on: impl FnMut() -> bool,
+    ) -> Result<Vec<(Vec<Case>, Self)>, NoSteadyMotions> {
+        let combinations = SteadyEquations::combinations(model, asked)?;
+        let each = combinations.into_iter().map(|cases| {
+            let equations = SteadyEquations::in_cases(model, asked, &cases)?;
+            Ok((cases, Self::found(model, (equations, None), asked.boxes, &mut goes_on)))
+        });
+        each.collect()
+    }
+
+    fn found(
+        model: &Model,
+        (equations, extended): (SteadyEquations, Option<&Extended>),
+        most: usize,
+        goes_on: &mut dyn FnMut() -> bool,
+    ) -> Self {
         let domain: Vec<Interval> = equations.unknowns.iter().map(|unknown| unknown.range.interval()).collect();
-        let limits = Limits { boxes: asked.boxes, smallest: SMALLEST };
         let mut boxes = Boxes::of(&equations);
-        let found = match equations.is_unbalanced {
-            true => Found::default(),
-            false => zeros(&mut boxes, &domain, limits, goes_on),
-        };
+        let (found, families) = searched(&equations, &mut boxes, &domain, most, &mut *goes_on);
         let volume =
             |at: &[Interval]| at.iter().zip(&domain).map(|(at, whole)| at.width() / whole.width()).product::<f64>();
         let undecided_part = found.undecided.iter().map(|at| volume(at)).sum::<f64>().clamp(0.0, 1.0) + 0.0;
@@ -204,23 +260,22 @@ impl SteadyMotions {
                 inside.push(zero);
             }
         }
+        let original = |state: Vec<f64>| match extended {
+            Some(extended) => extended.original(&state),
+            None => (state, Vec::new()),
+        };
         let mut motions: Vec<SteadyMotion> = inside
             .into_iter()
             .map(|zero| {
-                let mut state = equations.state.clone();
                 let mut enclosure = Vec::new();
                 for (unknown, at) in equations.unknowns.iter().zip(&zero.enclosure) {
                     let turns = if unknown.is_circle { turns_to_zero(at.middle()) } else { 0.0 };
                     enclosure.push([at.low() + turns, at.high() + turns]);
-                    state[unknown.place] = at.middle() + turns;
                 }
-                let (places, rates) = &equations.determined;
-                let unknowns: Vec<f64> = equations.unknowns.iter().map(|unknown| state[unknown.place]).collect();
-                let mut speeds = vec![0.0; places.len()];
-                rates.over::<f64>().evaluate(&unknowns, &mut speeds);
-                places.iter().zip(speeds).for_each(|(&place, speed)| state[place] = speed);
+                let state = equations.state_at(enclosure.iter().map(|[low, high]| 0.5 * (low + high)));
                 let stability = judged(model, &equations, &mut boxes, (&zero.enclosure, &state));
-                SteadyMotion { enclosure, state, stability }
+                let (state, quasi_velocities) = original(state);
+                SteadyMotion { enclosure, state, quasi_velocities, stability }
             })
             .collect();
         motions.sort_by(|a, b| {
@@ -231,25 +286,74 @@ impl SteadyMotions {
                 .find(|order| order.is_ne())
                 .unwrap_or(std::cmp::Ordering::Equal)
         });
+        let varied = match families.is_empty() {
+            true => None,
+            false => VariedEquations::with_inputs(model, &[], &[]).ok(),
+        };
+        let families = families
+            .into_iter()
+            .map(|family| {
+                let member = |values: &Vec<f64>| {
+                    let state = equations.state_at(values.iter().copied().take(equations.unknowns.len()));
+                    let linear = varied.as_ref().filter(|_| goes_on()).and_then(|own| own.about(0.0, &state).ok());
+                    let values = values[..equations.unknowns.len()].to_vec();
+                    Member { values, state: original(state).0, linear }
+                };
+                let members = family.members.iter().map(member).collect();
+                (family, members)
+            })
+            .collect();
         let ends = |at: Vec<Interval>| at.into_iter().map(|at| [at.low(), at.high()]).collect();
-        let SteadyEquations { unknowns, given, cyclic, have_potential, .. } = equations;
-        Ok(SteadyMotions {
+        let SteadyEquations { unknowns, given, cyclic, have_potential, free_speeds, .. } = equations;
+        SteadyMotions {
             unknowns,
             given,
             cyclic,
             have_potential,
             motions,
+            families,
+            free_speeds,
             undecided: found.undecided.into_iter().map(ends).collect(),
             regions,
             undecided_part,
             examined: found.examined,
-        })
+        }
     }
 
     /// Whether every steady motion of the box is among them.
     pub fn is_complete(&self) -> bool {
         self.undecided.is_empty()
     }
+}
+
+/// The search: motions that are alone, families where the equations are fewer than the unknowns or one follows from the others, and the
+/// boxes that neither decides.
+fn searched(
+    equations: &SteadyEquations,
+    boxes: &mut Boxes<'_>,
+    domain: &[Interval],
+    most: usize,
+    mut goes_on: impl FnMut() -> bool,
+) -> (Found, Vec<Family>) {
+    if equations.is_unbalanced {
+        return (Found::default(), Vec::new());
+    }
+    let is_fewer = equations.rows < equations.unknowns.len() + equations.reactions;
+    let mut found = match is_fewer {
+        true => Found { undecided: vec![domain.to_vec()], ..Found::default() },
+        false => {
+            let first = if equations.identities.is_empty() { most } else { most.min(FIRST) };
+            zeros(boxes, domain, Limits { boxes: first, smallest: SMALLEST }, &mut goes_on)
+        }
+    };
+    if !is_fewer && (found.undecided.is_empty() || equations.identities.is_empty()) {
+        return (found, Vec::new());
+    }
+    let open = std::mem::take(&mut found.undecided);
+    let own = families::families(equations, boxes, (domain, open), most.saturating_sub(found.examined), goes_on);
+    found.examined += own.examined;
+    found.undecided = own.undecided;
+    (found, own.families)
 }
 
 /// Values that differ by rounding alone sort as one.

@@ -137,8 +137,9 @@ fn near(equations: &SteadyEquations, known: &[Zero], from: &[Interval], hull: &[
 fn zero(equations: &SteadyEquations, mut at: DVector<f64>) -> Option<DVector<f64>> {
     let mut program = equations.values.over::<f64>();
     let mut values = vec![0.0; at.len()];
+    // fewer equations than unknowns leave zeros behind
     for _ in 0..STEPS {
-        program.evaluate(at.as_slice(), &mut values);
+        program.evaluate(at.as_slice(), &mut values[..equations.rows]);
         let svd = slopes(equations, &at).svd(true, true);
         let largest = svd.singular_values.max();
         let step = svd.solve(&DVector::from_column_slice(&values), RANK * largest).ok()?;
@@ -150,13 +151,13 @@ fn zero(equations: &SteadyEquations, mut at: DVector<f64>) -> Option<DVector<f64
             break;
         }
     }
-    program.evaluate(at.as_slice(), &mut values);
+    program.evaluate(at.as_slice(), &mut values[..equations.rows]);
     let size = slopes(equations, &at).norm() * (1.0 + at.norm());
     values.iter().all(|value| value.abs() <= 1e-9 * size).then_some(at)
 }
 
 fn slopes(equations: &SteadyEquations, at: &DVector<f64>) -> DMatrix<f64> {
     let mut slopes = vec![0.0; at.len() * at.len()];
-    equations.slopes.over::<f64>().evaluate(at.as_slice(), &mut slopes);
+    equations.slopes.over::<f64>().evaluate(at.as_slice(), &mut slopes[..equations.rows * at.len()]);
     DMatrix::from_row_slice(at.len(), at.len(), &slopes)
 }

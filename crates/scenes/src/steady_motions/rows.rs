@@ -9,7 +9,7 @@
 //! rolls in a circle moves steadily.
 
 use super::NoSteadyMotions;
-use super::determinacy::{Wanted, solutions};
+use super::determinacy::{Solution, Wanted, solutions};
 use super::potential::{have_potential, momenta_kept};
 use crate::letters::Letters;
 use model::equations::{Equation, Level, Residuals, constraints_of, vanishes};
@@ -23,6 +23,9 @@ pub(super) struct Rows {
     /// Constraints of positions, and their functions.
     pub constraints: Vec<Equation>,
     pub zeros: Vec<Sym>,
+    /// Conditions at which the law changes, and the letters that are 1 where they are positive and 0 where they are negative.
+    pub conditions: Vec<Sym>,
+    pub condition_letters: Vec<Sym>,
     /// Speeds that constraints of speeds determine, by the others.
     pub determined: Vec<(usize, Sym)>,
     /// Coordinates on which nothing depends.
@@ -31,6 +34,10 @@ pub(super) struct Rows {
     pub have_potential: bool,
     /// Coordinates whose momenta are kept, where no constraint holds speeds.
     pub kept_momenta: Vec<usize>,
+    /// Whether the determined speeds are determined at the state that was asked about.
+    pub is_regular: bool,
+    /// Coordinates that may be without a part in the equations, by any choice of independent speeds.
+    pub most_cyclic: usize,
 }
 
 /// In systems with more coordinates a coordinate is cyclic where it is not written.
@@ -54,15 +61,27 @@ impl Rows {
         let zeros = put(&constraints.iter().map(|one| one.zero).collect::<Vec<_>>());
         let energy = put(&[trace.kinetic_energy()])[0];
         let plain = |row: Sym| if vanishes(row) { Sym::ZERO } else { row };
-        let with = |residuals: Vec<Sym>, determined: Vec<(usize, Sym)>| {
+        let conditions: Vec<Sym> = model.switches.iter().map(|&condition| trace.scalar(condition)).collect();
+        let conditions = put(&conditions);
+        // neither held in place nor moved by a potential
+        let potential = put(&[trace.potential_energy()])[0];
+        let is_held = |own: &Sym| {
+            zeros.iter().chain([&potential]).any(|zero| zero.symbols_of().contains(own) && !vanishes(zero.diff(*own)))
+        };
+        let most_cyclic = trace.coordinates.iter().filter(|own| !is_held(own)).count();
+        let with = |residuals: Vec<Sym>, determined: Vec<(usize, Sym)>, is_regular: bool| {
             let mut rows = Rows {
                 residuals: residuals.into_iter().map(plain).collect(),
                 constraints: constraints.clone(),
                 zeros: zeros.clone(),
+                conditions: moving(trace, &conditions, &determined),
+                condition_letters: trace.switches.clone(),
                 determined,
                 is_cyclic: vec![true; model.speeds()],
                 have_potential: false,
                 kept_momenta: Vec::new(),
+                is_regular,
+                most_cyclic,
             };
             rows.find_cyclic(trace);
             rows
@@ -71,24 +90,20 @@ impl Rows {
             let resting = at_rest(trace, residuals, &[]);
             let have_potential = have_potential(trace, &resting, energy, &constraints);
             let kept_momenta = momenta_kept(trace, &resting, energy);
-            return Ok(Rows { have_potential, kept_momenta, ..with(resting, Vec::new()) });
+            return Ok(Rows { have_potential, kept_momenta, ..with(resting, Vec::new(), true) });
         }
         let solved = solutions(trace, (&of_speeds, &residuals, &zeros), wanted, put)
             .ok_or_else(|| NoSteadyMotions::OfSpeeds { at: of_speeds[0].at.clone() })?;
-        let all = solved.into_iter().map(|determined| {
+        let all = solved.into_iter().map(|Solution { determined, is_regular }| {
             let rows = projected(trace, &residuals, &of_speeds, &determined);
-            with(rows, determined)
+            with(rows, determined, is_regular)
         });
         // the first of those that leave the most coordinates without a part in the equations
-        let count = |rows: &Rows| rows.is_cyclic.iter().filter(|cyclic| **cyclic).count();
-        // more are not possible
-        let is_held = |own: &Sym| zeros.iter().any(|zero| !vanishes(zero.diff(*own)));
-        let most = trace.coordinates.iter().filter(|own| !is_held(own)).count();
         let mut best: Option<Rows> = None;
         for next in all {
-            let reached = count(&next) >= most;
+            let reached = next.cyclic_count() >= most_cyclic;
             best = Some(match best {
-                Some(best) if count(&best) >= count(&next) => best,
+                Some(best) if best.cyclic_count() >= next.cyclic_count() => best,
                 _ => next,
             });
             if reached {
@@ -98,13 +113,18 @@ impl Rows {
         best.ok_or_else(|| NoSteadyMotions::OfSpeeds { at: of_speeds[0].at.clone() })
     }
 
+    /// The number of coordinates on which nothing depends.
+    pub fn cyclic_count(&self) -> usize {
+        self.is_cyclic.iter().filter(|cyclic| **cyclic).count()
+    }
+
     /// Finds coordinates on which nothing depends. The rate of one that is determined, and on which something depends, is one more row.
     fn find_cyclic(&mut self, trace: &Trace<'_>) {
         loop {
             let held: Vec<(usize, Sym)> =
                 self.determined.iter().copied().filter(|&(place, _)| !self.is_cyclic[place]).collect();
-            let rows: Vec<Sym> =
-                self.residuals.iter().chain(&self.zeros).copied().chain(held.iter().map(|(_, rate)| *rate)).collect();
+            let own = self.residuals.iter().chain(&self.zeros).chain(&self.conditions).copied();
+            let rows: Vec<Sym> = own.chain(held.iter().map(|(_, rate)| *rate)).collect();
             let depends = |symbol: Sym| {
                 let decides = trace.coordinates.len() <= MOST_DECIDED;
                 let holds = |row: &&Sym| row.symbols_of().contains(&symbol);
@@ -123,9 +143,15 @@ impl Rows {
         let none: Vec<(Sym, Sym)> = cyclic.map(|(symbol, _)| (*symbol, Sym::ZERO)).collect();
         self.residuals = substitute_all(&self.residuals, &none);
         self.zeros = substitute_all(&self.zeros, &none);
+        self.conditions = substitute_all(&self.conditions, &none);
         let rates: Vec<Sym> = self.determined.iter().map(|(_, rate)| *rate).collect();
         self.determined.iter_mut().zip(substitute_all(&rates, &none)).for_each(|(own, rate)| own.1 = rate);
     }
+}
+
+/// With the speeds that constraints determine by the others.
+fn moving(trace: &Trace<'_>, all: &[Sym], determined: &[(usize, Sym)]) -> Vec<Sym> {
+    substitute_all(all, &determined.iter().map(|&(k, rate)| (trace.speeds[k], rate)).collect::<Vec<_>>())
 }
 
 /// With accelerations that are zero but for some.

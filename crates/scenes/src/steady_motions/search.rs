@@ -14,13 +14,17 @@ pub(super) struct Boxes<'a> {
     through: Propagation<'a>,
     slopes: Program<'a, Interval>,
     loads: Program<'a, Interval>,
+    /// Conditions, and whether each shall be positive, else negative.
+    sides: Program<'a, Interval>,
+    holds: &'a [bool],
+    side: Vec<Interval>,
     /// J^T and -h.
     load: Vec<Interval>,
 }
 
 impl<'a> Boxes<'a> {
     pub fn of(equations: &'a SteadyEquations) -> Self {
-        let SteadyEquations { values, slopes, loads, reactions, unknowns, .. } = equations;
+        let SteadyEquations { values, slopes, loads, reactions, unknowns, sides: (sides, holds), .. } = equations;
         Boxes {
             divided: unknowns.len(),
             reactions: *reactions,
@@ -28,8 +32,26 @@ impl<'a> Boxes<'a> {
             through: Propagation::of(values),
             slopes: slopes.over(),
             loads: loads.over(),
+            sides: sides.over(),
+            holds,
+            side: vec![Interval::EVERYTHING; holds.len()],
             load: vec![Interval::EVERYTHING; loads.outputs()],
         }
+    }
+}
+
+impl Boxes<'_> {
+    /// Whether every condition has its side all over a box; none where that is open.
+    pub fn lies_aside(&mut self, at: &[Interval]) -> Option<bool> {
+        if self.holds.is_empty() {
+            return Some(true);
+        }
+        self.sides.evaluate(&at[..self.divided], &mut self.side);
+        let sides = || self.side.iter().zip(self.holds);
+        if sides().any(|(value, holds)| if *holds { value.high() < 0.0 } else { value.low() > 0.0 }) {
+            return Some(false);
+        }
+        sides().all(|(value, holds)| if *holds { value.low() > 0.0 } else { value.high() < 0.0 }).then_some(true)
     }
 }
 
@@ -43,7 +65,7 @@ impl Equations for Boxes<'_> {
     }
 
     fn narrow(&mut self, at: &mut [Interval]) -> bool {
-        self.through.narrow(at)
+        self.through.narrow(at) && self.lies_aside(at) != Some(false)
     }
 
     /// J^T lambda = h has as many rows as coordinates: as many of them as reactions, independent about the middle of the box, bound these.

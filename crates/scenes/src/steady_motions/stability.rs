@@ -41,6 +41,9 @@ pub(super) fn judged(
     (enclosure, state): (&[Interval], &[f64]),
 ) -> SteadyStability {
     let n = model.speeds();
+    if equations.is_at_condition || boxes.lies_aside(enclosure) != Some(true) {
+        return SteadyStability::Unknown("a condition of the law is zero there".to_owned());
+    }
     // what is held fixed by hand might move
     let is_whole =
         equations.coordinates == equations.unknowns.len() && equations.coordinates + equations.cyclic.len() == n;

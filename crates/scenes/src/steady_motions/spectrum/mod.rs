@@ -127,7 +127,8 @@ impl EnclosedSpectrum {
         }
         let (at, speeds) = motion::slopes_at(equations, varied, enclosure, state).ok_or(NotEnclosed::Undetermined)?;
         let reduced = Reduced::of(&at, &layout, &Ball::constant(1.0)).ok_or(NotEnclosed::Undetermined)?;
-        let kept = Kept { momenta: equations.kept_momenta.clone(), energy: keeps_energy };
+        let kept =
+            Kept { momenta: equations.kept_momenta.clone(), energy: keeps_energy, free: equations.free_speeds.len() };
         let mut zeros: Vec<ZeroReason> = equations.cyclic.iter().cloned().map(ZeroReason::Cyclic).collect();
         let own = reasons(&at, &speeds, &reduced, &kept);
         // of the matrix without cyclic coordinates

@@ -5,6 +5,7 @@ use super::{EnclosedSpectrum, MOST_STATES, NotEnclosed, layout};
 use crate::conservation::keeps_energy;
 use crate::linearisation::VariedEquations;
 use crate::steady_motions::equations::SteadyEquations;
+use crate::steady_motions::quasi_velocities::Extended;
 use crate::steady_motions::search::Boxes;
 use crate::steady_motions::{ASIDE, NoSteadyMotions};
 use algebra::boxes::{Limits, zeros};
@@ -24,6 +25,7 @@ impl EnclosedSpectrum {
         if states > 2 * MOST_STATES {
             return Err(NotEnclosed::Large { states, most: MOST_STATES });
         }
+        let (model, state) = &Extended::about(model, state);
         let varied = VariedEquations::with_inputs(model, &[], &[]).map_err(|_| NotEnclosed::NoEquations)?;
         let equations = SteadyEquations::near(model, state).map_err(|why| NotEnclosed::NotSought(why_not(&why)))?;
         if equations.is_unbalanced {
@@ -44,12 +46,7 @@ impl EnclosedSpectrum {
 /// Whether a steady motion has the speeds of a state: coordinates that are not cyclic rest, and constraints determine speeds.
 fn moves_as(equations: &SteadyEquations, enclosure: &[Interval], state: &[f64]) -> bool {
     let unknowns: Vec<f64> = equations.unknowns.iter().zip(enclosure).map(|(_, at)| at.middle()).collect();
-    let mut moving = equations.state.clone();
-    equations.unknowns.iter().zip(&unknowns).for_each(|(unknown, value)| moving[unknown.place] = *value);
-    let (places, rates) = &equations.determined;
-    let mut speeds = vec![0.0; places.len()];
-    rates.over::<f64>().evaluate(&unknowns, &mut speeds);
-    places.iter().zip(speeds).for_each(|(&place, speed)| moving[place] = speed);
+    let moving = equations.state_at(unknowns.into_iter());
     let first = state.len() / 2;
     moving[first..]
         .iter()
@@ -65,6 +62,7 @@ impl ExactAlong {
     pub fn of(model: &Model, state: &[f64], parameter: &str) -> Result<Self, NotEnclosed> {
         let place = model.parameters.iter().position(|own| own.name == parameter);
         let place = place.ok_or(NotEnclosed::NotSought("no parameter is called so"))?;
+        let (model, state) = &Extended::about(model, state);
         let varied = VariedEquations::with_inputs(model, &[], &[]).map_err(|_| NotEnclosed::NoEquations)?;
         let equations = SteadyEquations::near(model, state).map_err(|why| NotEnclosed::NotSought(why_not(&why)))?;
         // zeros are counted exactly: those with reasons are found at the value of the file

@@ -18,6 +18,8 @@ pub enum ZeroReason {
     Momentum(String),
     /// The energy is kept, where momenta do not say so already.
     Energy,
+    /// There are steady motions at every other value of a speed too.
+    Family,
     /// Constraints of speeds leave fewer speeds than displacements: positions of rest stand side by side.
     SpeedConstraints,
 }
@@ -28,6 +30,8 @@ pub(super) struct Kept {
     /// Coordinates whose momenta are kept, with their names.
     pub momenta: Vec<(usize, String)>,
     pub energy: bool,
+    /// Speeds for every value of which there are steady motions: as many directions in which the linear equations leave everything as it is.
+    pub free: usize,
 }
 
 /// Reasons of zeros of a reduced matrix, each of one zero.
@@ -51,7 +55,10 @@ pub(super) fn reasons(at: &AllSlopes<Ball>, speeds: &[Ball], reduced: &Reduced<B
     };
     let own = independent(&rows).into_iter().map(named);
     let side_by_side = (0..beyond_speeds(reduced)).map(|_| ZeroReason::SpeedConstraints);
-    own.chain(side_by_side).collect()
+    // as many right null vectors as free speeds, as many left ones as quantities are kept: the larger number of both
+    let known: Vec<ZeroReason> = own.chain(side_by_side).collect();
+    let more = kept.free.saturating_sub(known.len());
+    known.into_iter().chain((0..more).map(|_| ZeroReason::Family)).collect()
 }
 
 /// Rows of displacements that are zero but for fewer columns.

@@ -1,0 +1,211 @@
+//! Families of steady motions: fewer equations than unknowns, since the equations hold for every value of a speed, or since an identity
+//! makes one of them follow from the others.
+//!
+//! A family is enclosed in pieces, in each of which there is one motion, and no other, for every value of its parameters.
+
+mod columns;
+mod identities;
+mod pieces;
+
+pub(super) use identities::Identity;
+
+use super::equations::SteadyEquations;
+use super::search::Boxes;
+use super::turns_to_zero;
+use algebra::boxes::Equations;
+use field::Interval;
+use pieces::{Limits, Piece, Pieces, Underdetermined};
+use std::f64::consts::PI;
+
+/// Steady motions side by side, in pieces that touch one another.
+#[derive(Clone, Debug)]
+pub struct Family {
+    /// In how many directions they stand side by side.
+    pub dimension: usize,
+    /// Pieces, each with one motion for every value of some unknowns: the places of these, and where the motions are.
+    pub pieces: Vec<(Vec<usize>, Vec<[f64; 2]>)>,
+    /// The smallest box around them.
+    pub hull: Vec<[f64; 2]>,
+    /// Displacements along which nothing acts, where these are the cause: one for each identity.
+    pub along: Vec<String>,
+    /// Some of its motions: unknowns with reactions.
+    pub(super) members: Vec<Vec<f64>>,
+}
+
+/// More pieces than these are taken for one family.
+const MOST_JOINED: usize = 3_000;
+
+/// Motions of a family that are judged.
+const MEMBERS: usize = 7;
+
+/// Along each unknown, a part of its range below which a box is not divided.
+const SMALLEST: f64 = 1e-6;
+
+/// Rows of equations that are kept.
+struct Fewer<'a, 'b> {
+    boxes: &'b mut Boxes<'a>,
+    rows: Vec<usize>,
+    all: usize,
+    values: Vec<Interval>,
+    slopes: Vec<Interval>,
+}
+
+impl Underdetermined for Fewer<'_, '_> {
+    fn unknowns(&self) -> [usize; 2] {
+        [self.boxes.divided(), self.boxes.determined()]
+    }
+
+    fn rows(&self) -> usize {
+        self.rows.len()
+    }
+
+    fn narrow(&mut self, at: &mut [Interval]) -> bool {
+        self.boxes.narrow(at)
+    }
+
+    fn bound(&mut self, at: &mut [Interval]) -> bool {
+        self.boxes.bound(at)
+    }
+
+    fn holds(&mut self, at: &[Interval]) -> bool {
+        self.boxes.lies_aside(at) == Some(true)
+    }
+
+    fn values(&mut self, at: &[Interval], values: &mut [Interval]) {
+        self.values.resize(self.all, Interval::EVERYTHING);
+        self.boxes.values(at, &mut self.values);
+        values.iter_mut().zip(&self.rows).for_each(|(value, &row)| *value = self.values[row]);
+    }
+
+    fn slopes(&mut self, at: &[Interval], slopes: &mut [Interval]) {
+        let wide = at.len();
+        self.slopes.resize(self.all * wide, Interval::EVERYTHING);
+        self.boxes.slopes(at, &mut self.slopes);
+        for (own, &row) in slopes.chunks_mut(wide).zip(&self.rows) {
+            own.copy_from_slice(&self.slopes[row * wide..(row + 1) * wide]);
+        }
+    }
+}
+
+/// Families and what is not decided.
+#[derive(Default)]
+pub(super) struct Enclosed {
+    pub families: Vec<Family>,
+    pub undecided: Vec<Vec<Interval>>,
+    pub examined: usize,
+}
+
+/// Families in some boxes of a domain, where the equations are fewer than the unknowns or identities make them so.
+pub(super) fn families(
+    equations: &SteadyEquations,
+    boxes: &mut Boxes<'_>,
+    (domain, open): (&[Interval], Vec<Vec<Interval>>),
+    most: usize,
+    mut goes_on: impl FnMut() -> bool,
+) -> Enclosed {
+    let mut enclosed = Enclosed::default();
+    let mut of_rows: Vec<(Vec<usize>, Vec<String>, Vec<Vec<Interval>>)> = Vec::new();
+    for at in open {
+        let (dropped, along) = Identity::implied(&equations.identities, &at);
+        if dropped.is_empty() && equations.rows == at.len() + equations.reactions {
+            enclosed.undecided.push(at);
+            continue;
+        }
+        let rows: Vec<usize> = (0..equations.rows).filter(|row| !dropped.contains(row)).collect();
+        match of_rows.iter_mut().find(|(known, ..)| *known == rows) {
+            Some((_, _, boxes)) => boxes.push(at),
+            None => of_rows.push((rows, along, vec![at])),
+        }
+    }
+    let mut all: Vec<(Piece, Vec<String>)> = Vec::new();
+    for (rows, along, open) in of_rows {
+        let limits = Limits { boxes: most.saturating_sub(enclosed.examined), smallest: SMALLEST };
+        let mut fewer = Fewer { boxes, rows, all: equations.rows, values: Vec::new(), slopes: Vec::new() };
+        let Pieces { pieces, undecided, examined } = pieces::pieces(&mut fewer, domain, open, limits, &mut goes_on);
+        enclosed.examined += examined;
+        enclosed.undecided.extend(undecided);
+        all.extend(pieces.into_iter().map(|piece| (piece, along.clone())));
+    }
+    enclosed.families = joined(equations, all);
+    enclosed
+}
+
+/// Pieces that touch one another as one family.
+fn joined(equations: &SteadyEquations, all: Vec<(Piece, Vec<String>)>) -> Vec<Family> {
+    let mut of: Vec<usize> = (0..all.len()).collect();
+    if all.len() > MOST_JOINED {
+        of.fill(0);
+    } else {
+        for i in 0..all.len() {
+            for j in 0..i {
+                let (one, other) = (of[i], of[j]);
+                let is_alike = all[i].0.parameters.len() == all[j].0.parameters.len();
+                if one != other && is_alike && touch(equations, &all[i].0, &all[j].0) {
+                    of.iter_mut().filter(|group| **group == one).for_each(|group| *group = other);
+                }
+            }
+        }
+    }
+    let mut groups: Vec<usize> = of.clone();
+    groups.sort_unstable();
+    groups.dedup();
+    let of_group = |group: usize| {
+        let own: Vec<&(Piece, Vec<String>)> =
+            all.iter().zip(&of).filter(|(_, own)| **own == group).map(|(piece, _)| piece).collect();
+        family(equations, &own)
+    };
+    let mut found: Vec<Family> = groups.into_iter().map(of_group).collect();
+    found.sort_by(|a, b| {
+        b.dimension.cmp(&a.dimension).then_with(|| {
+            a.hull
+                .iter()
+                .flatten()
+                .zip(b.hull.iter().flatten())
+                .map(|(a, b)| a.total_cmp(b))
+                .find(|order| order.is_ne())
+                .unwrap_or(std::cmp::Ordering::Equal)
+        })
+    });
+    found
+}
+
+/// Whether two pieces have a point in common, angles up to whole turns.
+fn touch(equations: &SteadyEquations, one: &Piece, other: &Piece) -> bool {
+    equations.unknowns.iter().zip(one.enclosure.iter().zip(&other.enclosure)).all(|(unknown, (one, other))| {
+        let turns = match unknown.is_circle {
+            true => ((one.middle() - other.middle()) / (2.0 * PI)).round() * 2.0 * PI,
+            false => 0.0,
+        };
+        // rounding of a whole turn
+        let moved = *other + Interval::new(turns - 1e-12, turns + 1e-12);
+        one.and(moved).is_some()
+    })
+}
+
+fn family(equations: &SteadyEquations, pieces: &[&(Piece, Vec<String>)]) -> Family {
+    let positions = equations.unknowns.len();
+    let ends = |piece: &Piece| -> Vec<[f64; 2]> {
+        let ranges = equations.unknowns.iter().map(|unknown| unknown.range);
+        let own = piece.enclosure[..positions].iter().zip(ranges);
+        // a piece may go beyond the ranges
+        own.map(|(own, range)| [own.low().max(range.from), own.high().min(range.to)]).collect()
+    };
+    let all: Vec<(Vec<usize>, Vec<[f64; 2]>)> =
+        pieces.iter().map(|(piece, _)| (piece.parameters.clone(), ends(piece))).collect();
+    let mut hull = all[0].1.clone();
+    for (_, at) in &all {
+        hull.iter_mut().zip(at).for_each(|(hull, at)| *hull = [hull[0].min(at[0]), hull[1].max(at[1])]);
+    }
+    let mut along: Vec<String> = pieces.iter().flat_map(|(_, along)| along.iter().cloned()).collect();
+    along.sort();
+    along.dedup();
+    let between = pieces.len().div_ceil(MEMBERS).max(1);
+    let members = pieces.iter().step_by(between).map(|(piece, _)| {
+        let mut middle = piece.middle.clone();
+        for (value, unknown) in middle.iter_mut().zip(&equations.unknowns).filter(|(_, unknown)| unknown.is_circle) {
+            *value += if unknown.is_circle { turns_to_zero(*value) } else { 0.0 };
+        }
+        middle
+    });
+    Family { dimension: pieces[0].0.parameters.len(), members: members.collect(), pieces: all, hull, along }
+}

@@ -1,0 +1,353 @@
+//! All solutions of fewer equations than unknowns, in pieces: boxes in which there is one solution, and no other, for every value of some
+//! unknowns, its parameters.
+//!
+//! Krawczyk's operator for the other unknowns x, with the parameters t anywhere in their ranges T about t0,
+//!
+//!   K(X) = m - C f(m, t0) - C f_t (T - t0) + (1 - C f_x(X, T)) (X - m) inside X .
+
+use super::columns::chosen;
+use field::Interval;
+use nalgebra::DMatrix;
+use std::collections::VecDeque;
+
+/// Equations over intervals, fewer than unknowns.
+pub(in crate::steady_motions) trait Underdetermined {
+    /// The number of unknowns that are divided, which stand first, and of those that the others bound.
+    fn unknowns(&self) -> [usize; 2];
+
+    fn rows(&self) -> usize;
+
+    /// Narrows a box of all unknowns; false where no solution is in it.
+    fn narrow(&mut self, at: &mut [Interval]) -> bool;
+
+    /// Bounds for the unknowns that are not divided; false where there are none.
+    fn bound(&mut self, at: &mut [Interval]) -> bool;
+
+    /// Whether everything else that solutions must fulfil holds all over a box.
+    fn holds(&mut self, _at: &[Interval]) -> bool {
+        true
+    }
+
+    fn values(&mut self, at: &[Interval], values: &mut [Interval]);
+
+    /// Derivatives, row after row.
+    fn slopes(&mut self, at: &[Interval], slopes: &mut [Interval]);
+}
+
+/// One solution for every value of the parameters.
+#[derive(Clone, Debug)]
+pub(in crate::steady_motions) struct Piece {
+    /// Places of the parameters.
+    pub parameters: Vec<usize>,
+    /// Where the solutions are: of the parameters all values.
+    pub enclosure: Vec<Interval>,
+    /// Where there is no other.
+    alone: Vec<Interval>,
+    /// About a solution at the middle of the parameters.
+    pub middle: Vec<f64>,
+}
+
+/// Every solution lies in a piece or in an undecided box.
+#[derive(Debug, Default)]
+pub(in crate::steady_motions) struct Pieces {
+    pub pieces: Vec<Piece>,
+    pub undecided: Vec<Vec<Interval>>,
+    pub examined: usize,
+}
+
+/// Where a search ends.
+#[derive(Clone, Copy)]
+pub(in crate::steady_motions) struct Limits {
+    pub boxes: usize,
+    /// Part of the domain, along each unknown, below which a box is not divided.
+    pub smallest: f64,
+}
+
+/// Steps of Newton's method towards the middle of a piece.
+const STEPS: usize = 8;
+
+/// Widths of a piece about its middle, beside the way of the solutions through it.
+const WIDTHS: [f64; 3] = [1.25, 2.0, 4.0];
+
+/// A box that is left narrower than this part is narrowed again.
+const WORTH: f64 = 0.75;
+
+/// Boxes between two questions whether to go on.
+const BETWEEN: usize = 64;
+
+/// All pieces in some boxes of the divided unknowns, which are parts of a domain.
+pub(in crate::steady_motions) fn pieces(
+    equations: &mut dyn Underdetermined,
+    domain: &[Interval],
+    boxes: Vec<Vec<Interval>>,
+    limits: Limits,
+    mut goes_on: impl FnMut() -> bool,
+) -> Pieces {
+    let mut found = Pieces::default();
+    let mut open = VecDeque::from(boxes);
+    while let Some(next) = open.pop_front() {
+        if found.examined >= limits.boxes || found.examined.is_multiple_of(BETWEEN) && !goes_on() {
+            found.undecided.push(next);
+            found.undecided.extend(open);
+            break;
+        }
+        found.examined += 1;
+        let Some((left, likely)) = examined(equations, domain, next, &mut found.pieces) else { continue };
+        match divided(&left, domain, &likely, limits.smallest) {
+            Some(halves) => open.extend(halves),
+            None => found.undecided.push(left),
+        }
+    }
+    found
+}
+
+/// The part of a box that is still open, and the unknowns that are likely parameters there; none where all of it is decided.
+fn examined(
+    equations: &mut dyn Underdetermined,
+    domain: &[Interval],
+    mut at: Vec<Interval>,
+    pieces: &mut Vec<Piece>,
+) -> Option<(Vec<Interval>, Vec<usize>)> {
+    let [n, bounded] = equations.unknowns();
+    let rows = equations.rows();
+    loop {
+        let before = at.clone();
+        at.resize(n + bounded, Interval::EVERYTHING);
+        if !equations.narrow(&mut at) {
+            return None;
+        }
+        if !equations.bound(&mut at) {
+            at.truncate(n);
+            return Some((at, Vec::new()));
+        }
+        if pieces.iter().any(|piece| at.iter().zip(&piece.alone).all(|(at, alone)| at.is_part_of(*alone))) {
+            return None;
+        }
+        let mut values = vec![Interval::EVERYTHING; rows];
+        equations.values(&at, &mut values);
+        if values.iter().any(|value| !value.contains(0.0)) {
+            return None;
+        }
+        let Some(local) = Local::of(equations, &at, domain) else {
+            at.truncate(n);
+            return Some((at, Vec::new()));
+        };
+        at = local.narrowed(&at)?;
+        if let Some(piece) = shown(equations, domain, &local, &at) {
+            let is_covered = at.iter().zip(&piece.alone).all(|(at, alone)| at.is_part_of(*alone));
+            let meets = at.iter().zip(&piece.enclosure).all(|(at, own)| at.and(*own).is_some());
+            if is_covered && (!meets || equations.holds(&piece.enclosure)) {
+                if meets {
+                    pieces.push(piece);
+                }
+                return None;
+            }
+        }
+        let is_narrower = at[..n].iter().zip(&before).any(|(left, before)| left.width() < WORTH * before.width());
+        at.truncate(n);
+        if !is_narrower {
+            return Some((at, local.parameters.clone()));
+        }
+    }
+}
+
+/// A piece over the parameters of a box.
+fn shown(equations: &mut dyn Underdetermined, domain: &[Interval], local: &Local, at: &[Interval]) -> Option<Piece> {
+    let mut middle: Vec<f64> = at.iter().map(|part| part.middle()).collect();
+    let mut last = None;
+    for _ in 0..STEPS {
+        let points: Vec<Interval> = middle.iter().map(|&at| Interval::point(at)).collect();
+        let near = Local::with(equations, &points, &local.parameters, domain)?;
+        near.dependent.iter().zip(&near.step).for_each(|(&place, step)| middle[place] -= step.middle());
+        if !middle.iter().all(|value| value.is_finite()) {
+            return None;
+        }
+        last = Some(near);
+    }
+    let near = last?;
+    // along the parameters the solutions go so far
+    let way = |row: usize| -> f64 {
+        let along = local.parameters.iter().map(|&k| near.entry(row, k).size() * 0.5 * at[k].width());
+        along.sum()
+    };
+    WIDTHS.into_iter().find_map(|width| {
+        let mut alone = at.to_vec();
+        for (row, &place) in local.dependent.iter().enumerate() {
+            let rounding = 1e-12 * (1.0 + middle[place].abs());
+            let radius = width * (way(row) + 0.05 * at[place].width()) + rounding;
+            alone[place] = Interval::new(middle[place] - radius, middle[place] + radius);
+        }
+        let over = Local::with(equations, &alone, &local.parameters, domain)?;
+        let inside = over.krawczyk(&alone);
+        let is_inside = local.dependent.iter().zip(&inside).all(|(&place, inside)| inside.is_inside(alone[place]));
+        is_inside.then(|| {
+            let mut enclosure = alone.clone();
+            local.dependent.iter().zip(&inside).for_each(|(&place, inside)| enclosure[place] = *inside);
+            Piece { parameters: local.parameters.clone(), enclosure, alone, middle: middle.clone() }
+        })
+    })
+}
+
+/// A box seen from its middle, with some unknowns as parameters.
+struct Local {
+    dependent: Vec<usize>,
+    parameters: Vec<usize>,
+    middle: Vec<f64>,
+    /// C f(m)
+    step: Vec<Interval>,
+    /// C f', row after row, by all unknowns.
+    slopes: Vec<Interval>,
+    wide: usize,
+}
+
+impl Local {
+    fn of(equations: &mut dyn Underdetermined, at: &[Interval], domain: &[Interval]) -> Option<Self> {
+        Self::made(equations, at, None, domain)
+    }
+
+    fn with(
+        equations: &mut dyn Underdetermined,
+        at: &[Interval],
+        parameters: &[usize],
+        domain: &[Interval],
+    ) -> Option<Self> {
+        Self::made(equations, at, Some(parameters), domain)
+    }
+
+    fn made(
+        equations: &mut dyn Underdetermined,
+        at: &[Interval],
+        parameters: Option<&[usize]>,
+        domain: &[Interval],
+    ) -> Option<Self> {
+        let (rows, wide) = (equations.rows(), at.len());
+        let mut slopes = vec![Interval::EVERYTHING; rows * wide];
+        equations.slopes(at, &mut slopes);
+        if slopes.iter().any(|slope| !slope.size().is_finite()) {
+            return None;
+        }
+        let middle: Vec<f64> = at.iter().map(|part| part.middle()).collect();
+        let mut values = vec![Interval::EVERYTHING; rows];
+        equations.values(&middle.iter().map(|&at| Interval::point(at)).collect::<Vec<_>>(), &mut values);
+        let about = |row: usize, column: usize| slopes[row * wide + column].middle();
+        let dependent = match parameters {
+            Some(parameters) => (0..wide).filter(|k| !parameters.contains(k)).collect(),
+            None => chosen([rows, wide], about, domain)?,
+        };
+        let parameters = (0..wide).filter(|k| !dependent.contains(k)).collect();
+        let inverse = DMatrix::from_fn(rows, rows, |row, column| about(row, dependent[column])).try_inverse();
+        let inverse = inverse.filter(|inverse| inverse.iter().all(|entry| entry.is_finite()))?;
+        let product = |row: usize, of: &dyn Fn(usize) -> Interval| {
+            (0..rows).fold(Interval::point(0.0), |sum, k| sum + Interval::point(inverse[(row, k)]) * of(k))
+        };
+        let step = (0..rows).map(|row| product(row, &|k| values[k])).collect();
+        let slopes = (0..rows * wide).map(|at| product(at / wide, &|k| slopes[k * wide + at % wide])).collect();
+        Some(Local { dependent, parameters, middle, step, slopes, wide })
+    }
+
+    fn entry(&self, row: usize, column: usize) -> Interval {
+        self.slopes[row * self.wide + column]
+    }
+
+    fn aside(&self, at: &[Interval], column: usize) -> Interval {
+        at[column] - Interval::point(self.middle[column])
+    }
+
+    /// The part of a box that may hold solutions; none where there is no such part.
+    fn narrowed(&self, at: &[Interval]) -> Option<Vec<Interval>> {
+        let mut left = at.to_vec();
+        for (row, &place) in self.dependent.iter().enumerate() {
+            let others = (0..self.wide).filter(|&column| column != place);
+            let rest =
+                others.fold(self.step[row], |sum, column| sum + self.entry(row, column) * self.aside(&left, column));
+            let own = self.entry(row, place);
+            if !own.contains(0.0) {
+                left[place] = left[place].and(Interval::point(self.middle[place]) - rest / own)?;
+            } else if !(rest + own * self.aside(&left, place)).contains(0.0) {
+                return None;
+            }
+        }
+        Some(left)
+    }
+
+    /// Krawczyk's operator for the dependent unknowns.
+    fn krawczyk(&self, at: &[Interval]) -> Vec<Interval> {
+        let each = |(row, &place): (usize, &usize)| {
+            let about = Interval::point(self.middle[place]) - self.step[row];
+            (0..self.wide).fold(about, |sum, column| {
+                let own = if column == place { Interval::point(1.0) } else { Interval::point(0.0) };
+                sum + (own - self.entry(row, column)) * self.aside(at, column)
+            })
+        };
+        self.dependent.iter().enumerate().map(each).collect()
+    }
+}
+
+/// The halves of a box across its longest side, one along which solutions go rather than another.
+fn divided(at: &[Interval], domain: &[Interval], likely: &[usize], smallest: f64) -> Option<[Vec<Interval>; 2]> {
+    let part = |k: usize| match domain[k].width() {
+        0.0 => 0.0,
+        whole => at[k].width() / whole,
+    };
+    // the box of a piece is narrow across it: halves along it are worth more
+    let worth = |k: usize| if likely.contains(&k) { 2.0 * part(k) } else { part(k) };
+    let widest = (0..at.len()).max_by(|&a, &b| worth(a).total_cmp(&worth(b)))?;
+    let (whole, middle) = (at[widest], at[widest].middle());
+    if part(widest) < smallest || !(whole.low() < middle && middle < whole.high()) {
+        return None;
+    }
+    let with = |half: Interval| {
+        let mut all = at.to_vec();
+        all[widest] = half;
+        all
+    };
+    Some([with(Interval::new(whole.low(), middle)), with(Interval::new(middle, whole.high()))])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// x^2 + y^2 = 1
+    struct Circle;
+
+    impl Underdetermined for Circle {
+        fn unknowns(&self) -> [usize; 2] {
+            [2, 0]
+        }
+
+        fn rows(&self) -> usize {
+            1
+        }
+
+        fn narrow(&mut self, _: &mut [Interval]) -> bool {
+            true
+        }
+
+        fn bound(&mut self, _: &mut [Interval]) -> bool {
+            true
+        }
+
+        fn values(&mut self, at: &[Interval], values: &mut [Interval]) {
+            values[0] = at[0] * at[0] + at[1] * at[1] - Interval::point(1.0);
+        }
+
+        fn slopes(&mut self, at: &[Interval], slopes: &mut [Interval]) {
+            slopes.copy_from_slice(&[at[0] * Interval::point(2.0), at[1] * Interval::point(2.0)]);
+        }
+    }
+
+    #[test]
+    fn a_circle_lies_in_pieces_and_nothing_is_undecided() {
+        let domain = vec![Interval::new(-2.0, 1.7); 2];
+        let limits = Limits { boxes: 5_000, smallest: 1e-6 };
+        let found = pieces(&mut Circle, &domain, vec![domain.clone()], limits, || true);
+        assert!(found.undecided.is_empty(), "{found:?}");
+        assert!(found.pieces.len() < 200);
+        for degree in 0..360 {
+            let point = [f64::from(degree).to_radians().cos(), f64::from(degree).to_radians().sin()];
+            let holds = |piece: &Piece| piece.enclosure.iter().zip(point).all(|(own, at)| own.contains(at));
+            assert!(found.pieces.iter().any(holds), "{degree}");
+        }
+    }
+}
