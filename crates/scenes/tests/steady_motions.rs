@@ -514,13 +514,15 @@ span = "1 s"
 #[test]
 fn a_bicycle_runs_straight_at_every_speed() {
     const BICYCLE: &str = include_str!("../../../scenes/foreign/bicycle.toml");
-    let near = 1e-4;
-    let found =
-        all(BICYCLE, &[("rear'", -20.0, -19.0), ("lean", -near, near), ("pitch", -near, near), ("steer", -near, near)]);
+    let near = 1e-5;
+    let found = all(
+        BICYCLE,
+        &[("rear'", -17.51, -17.5), ("lean", -near, near), ("pitch", -near, near), ("steer", -near, near)],
+    );
     assert!(found.is_complete() && found.motions.is_empty(), "{:?}", found.regions);
     let [(straight, _)] = &found.families[..] else { panic!("{:?}", found.families) };
     assert_eq!(straight.dimension, 1);
-    for speed in [-20.0, -19.3, -19.0] {
+    for speed in [-17.51, -17.503, -17.5] {
         assert!(held(straight, &straight_on(&found, speed)));
     }
 }
@@ -557,4 +559,34 @@ fn springs_on_two_sides_have_the_equilibrium_of_the_side_that_is_pushed() {
     let stable =
         found.iter().flat_map(|(_, own)| &own.motions).all(|own| matches!(own.stability, SteadyStability::Minimum));
     assert!(stable, "{found:?}");
+}
+
+/// A block on a slope rests everywhere where the slope is below the friction, and nowhere above it.
+#[test]
+fn a_block_rests_on_a_slope_below_the_friction() {
+    let slope = |angle: f64| {
+        let text = format!(
+            "title = \"Slope\"\ngravity = \"-(9.81 m/s^2)*N.y\"\n[parameters]\nm = \"20 kg\"\nf = \"0.3\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n\
+             [points]\nP = \"O + x*N.x + y*N.y\"\n[bodies]\nblock = {{ centre = \"P\", mass = \"m\" }}\n\
+             [[contact]]\nname = \"floor\"\nof = \"block at P\"\nthrough = \"O\"\nnormal = \"cos({angle})*N.y - sin({angle})*N.x\"\n\
+             friction = \"f\"\ntouching = true\n[run]\nspan = \"1 s\"\n"
+        );
+        let ranges = asked(&[("x", -1.0, 1.0), ("y", -2.0, 2.0)], 2_000);
+        SteadyMotions::of_cases(&model(&text), &ranges, || true).unwrap_or_else(|why| panic!("{why:?}"))
+    };
+    // atan(0.3) = 0.29146
+    for (angle, rests) in [(0.2_f64, true), (0.29, true), (0.3, false)] {
+        let found = slope(angle);
+        assert!(found.iter().all(|(_, own)| own.is_complete()), "{found:?}");
+        let all: Vec<&(Vec<Case>, SteadyMotions)> =
+            found.iter().filter(|(_, own)| !own.families.is_empty() || !own.motions.is_empty()).collect();
+        assert_eq!(all.len(), usize::from(rests), "{angle} {all:?}");
+        if let [(cases, own)] = &all[..] {
+            assert_eq!((cases.as_slice(), own.families.len()), (&[Case::Between][..], 1));
+            let share =
+                own.unknowns.iter().position(|unknown| unknown.name.contains("mu")).expect("friction is sought");
+            let [low, high] = own.families[0].0.hull[share];
+            assert!(((0.5 * (low + high)).abs() - angle.tan() / 0.3).abs() < 1e-6, "{low} {high}");
+        }
+    }
 }

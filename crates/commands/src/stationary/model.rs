@@ -81,10 +81,9 @@ pub(super) fn body(all: &Found) -> String {
         let _ = writeln!(out, "     {}", stability(motion, &found.cyclic));
     }
     if !found.motions.is_empty() && !found.free_speeds.is_empty() {
-        let are = if found.free_speeds.len() == 1 { "a speed" } else { "speeds" };
         let _ = writeln!(
             out,
-            "  each is one of a family: {} {are} for every value of which near the given one there is such a motion",
+            "  each is one of a family: near these values of {} there is such a motion for every value",
             found.free_speeds.join(", ")
         );
     }
@@ -132,9 +131,8 @@ fn family_lines(all: &Found, place: usize, family: &Family, members: &[Member]) 
     if !family.along.is_empty() {
         let _ = writeln!(
             out,
-            "     by symmetry: nothing acts along {} of ({})",
-            family.along.join(", "),
-            found.unknowns.iter().map(|unknown| unknown.name.as_str()).collect::<Vec<_>>().join(", ")
+            "     the cause is a symmetry: the forces do no work along the displacement {}",
+            family.along.join(", nor along ")
         );
     }
     let judged: Vec<bool> = members

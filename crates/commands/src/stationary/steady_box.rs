@@ -249,7 +249,7 @@ pub fn refused(path: &Path, model: &Model, why: NoSteadyMotions) -> Exit {
                 .to_owned(),
         ),
         NoSteadyMotions::Contacts { at } => {
-            let issue = Issue::at(at, "steady motions are not sought with contacts", "this contact has a reaction that is decided along the motion");
+            let issue = Issue::at(at, "steady motions are not sought with contacts and diodes", "the reaction of this one is an inequality, which is not sought with yet");
             placed(path, issue.accepted("friction as a force with `sign` of a speed, whose places of rest are sought; `linearise --about equilibrium` finds one equilibrium near the start"))
         }
         NoSteadyMotions::ManyConditions { conditions, most } => told(format!(

@@ -3,7 +3,7 @@
 //! At each value all motions are found. Between two values at which they differ, each search being complete, something happens: the values are
 //! brought together until nothing lies between them that can be told apart.
 
-use super::spectrum::EnclosedVerdict;
+use super::spectrum::{EnclosedSpectrum, EnclosedVerdict};
 use super::stability::SteadyStability;
 use super::{Asked, NoSteadyMotions, Range, SteadyMotion, SteadyMotions};
 use crate::admissible::impossible;
@@ -185,15 +185,18 @@ pub(super) fn kinds(found: &SteadyMotions) -> Vec<usize> {
 fn unstable(motion: &SteadyMotion) -> usize {
     match &motion.stability {
         SteadyStability::Falls(count) | SteadyStability::FallsOdd(count) => *count,
-        SteadyStability::Linear(found) => match (&found.enclosed, found.linear.stability) {
-            // the linear equations of an instant tell nothing, those without cyclic coordinates are the same at all times
-            (Ok(enclosed), _) if found.linear.standing == Standing::Moving => match enclosed.verdict() {
-                EnclosedVerdict::Unstable(count) => count,
+        // the linear equations without cyclic coordinates are the same at all times, those of an instant need not be
+        SteadyStability::Linear(found) => {
+            match (found.enclosed.as_ref().map(EnclosedSpectrum::verdict), found.linear.stability) {
+                (Ok(EnclosedVerdict::Unstable(count)), _) => count,
+                (Ok(EnclosedVerdict::Undecided { touching: 1.., .. }) | Err(_), Stability::Unstable(count))
+                    if found.linear.standing != Standing::Moving =>
+                {
+                    count
+                }
                 _ => 0,
-            },
-            (_, Stability::Unstable(count)) => count,
-            _ => 0,
-        },
+            }
+        }
         SteadyStability::Minimum | SteadyStability::Unknown(_) => 0,
     }
 }

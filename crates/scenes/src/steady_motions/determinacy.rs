@@ -50,7 +50,9 @@ pub(super) fn solutions(
     let mut order: Vec<usize> = (0..n).collect();
     order.sort_by_key(|&k| {
         let own = trace.coordinates[k];
-        (wanted.free.contains(&k), held.contains(&own), written.contains(&own))
+        // such as a start gives are those that somebody thinks of
+        let is_given = !wanted.is_near && wanted.state[trace.coordinates.len() + k] != 0.0;
+        (wanted.free.contains(&k), is_given, held.contains(&own), written.contains(&own))
     });
     let all: Vec<(Vec<usize>, Sym)> = choices(&order, of_speeds.len())
         .into_iter()

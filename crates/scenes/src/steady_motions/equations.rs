@@ -4,7 +4,7 @@
 //!   J^T lambda - h(q, w) = 0 ,    f(q) = 0 .
 
 use super::circles::is_periodic;
-use super::conditions::{self, BETWEEN, Case};
+use super::conditions::{self, BETWEEN, Case, InTouch, SHARE};
 use super::determinacy::Wanted;
 use super::energy_row::implied;
 use super::families::Identity;
@@ -15,7 +15,7 @@ use crate::changing_laws::changes;
 use crate::compiled_system::has_values;
 use crate::letters::Letters;
 use model::equations::vanishes;
-use model::{Event, Model, Trace};
+use model::{Contact, Event, Model, Trace};
 use symbolic::{Sym, Tape, substitute_all};
 
 /// An unknown of the search: a coordinate, or the constant speed of a cyclic one.
@@ -91,8 +91,9 @@ impl SteadyEquations {
     /// The combinations of cases of the conditions of a law.
     pub fn combinations(model: &Model, asked: &Asked) -> Result<Vec<Vec<Case>>, NoSteadyMotions> {
         let is_end = |event: &Event| event.ends && event.set.is_empty();
-        if !model.contacts.is_empty() {
-            return Err(NoSteadyMotions::Contacts { at: model.contacts[0].at.clone() });
+        let is_refused = |one: &&Contact| one.one_way.is_some() || one.guide.is_some();
+        if let Some(contact) = model.contacts.iter().find(is_refused) {
+            return Err(NoSteadyMotions::Contacts { at: contact.at.clone() });
         }
         if !model.events.iter().all(is_end) {
             return Err(NoSteadyMotions::Changes);
@@ -104,6 +105,11 @@ impl SteadyEquations {
             let (names, n) = (state_names(model), trace.speeds.len());
             let free = (0..n).filter(|&k| asked.range(&names[n + k]).is_some()).collect();
             let rows = Rows::of(model, &trace, &Wanted { free, state: &start, is_near: false })?;
+            // a gap that no coordinate opens has a reaction that no position determines
+            let gaps = &rows.conditions[rows.condition_letters.len()..];
+            if let Some(place) = gaps.iter().position(|gap| vanishes(*gap)) {
+                return Err(NoSteadyMotions::Contacts { at: model.contacts[place].at.clone() });
+            }
             conditions::combinations(&rows, &at_rest(&trace, &rows.is_cyclic))
         })
     }
@@ -218,15 +224,30 @@ impl SteadyEquations {
         let held = substitute_all(&rows.conditions, &at_rest);
         let mut sides: Vec<(Sym, bool)> = Vec::new();
         let mut at_zero: Vec<Sym> = Vec::new();
+        let (mut touching, mut forces) = (Vec::new(), Vec::new());
         for (place, case) in cases.iter().enumerate() {
-            let letter = rows.condition_letters[place];
-            match case {
-                Case::Holds => known.push((letter, Sym::ONE)),
-                Case::Fails => known.push((letter, Sym::ZERO)),
-                Case::Between => {
-                    let name = letter.to_string();
-                    unknowns.push((letter, Unknown { name, place: 2 * n + place, is_circle: false, range: BETWEEN }));
+            let contact = place.checked_sub(rows.condition_letters.len()).map(|own| &rows.contacts[own]);
+            let asked_for = |letter: Sym, range: Range| {
+                let name = letter.to_string();
+                (letter, Unknown { name, place: 2 * n + place, is_circle: false, range })
+            };
+            match (case, contact) {
+                (Case::Holds, None) => known.push((rows.condition_letters[place], Sym::ONE)),
+                (Case::Fails, None) => known.push((rows.condition_letters[place], Sym::ZERO)),
+                (Case::Between, None) => unknowns.push(asked_for(rows.condition_letters[place], BETWEEN)),
+                (Case::Between, Some(contact)) => {
+                    let Some(own) = InTouch::of(contact) else { continue };
+                    touching.push(own.normal);
+                    let is_smooth = contact.friction.is_none();
+                    let shares = own.shares.iter().filter(|_| !is_smooth);
+                    unknowns.extend(shares.map(|(share, _)| asked_for(*share, SHARE)));
+                    forces
+                        .extend(contact.reactions[1..].iter().copied().zip(own.shares.iter().map(|(_, force)| *force)));
+                    sides.extend(
+                        own.sides.into_iter().filter(|_| !is_smooth || contact.is_one_sided).map(|side| (side, true)),
+                    );
                 }
+                (_, Some(contact)) => known.extend(contact.reactions.iter().map(|letter| (*letter, Sym::ZERO))),
             }
             match case {
                 Case::Between if vanishes(held[place]) => {}
@@ -238,9 +259,10 @@ impl SteadyEquations {
             return Err(NoSteadyMotions::WithoutRange { names: without_range });
         }
         let (letters, unknowns): (Vec<Sym>, Vec<Unknown>) = unknowns.into_iter().unzip();
-        let multipliers: Vec<Sym> = rows.constraints.iter().map(|one| one.multiplier).collect();
+        let multipliers: Vec<Sym> =
+            rows.constraints.iter().map(|one| one.multiplier).chain(touching.iter().copied()).collect();
         let put = |rows: &[Sym]| -> Vec<Sym> {
-            let rows = substitute_all(rows, &known);
+            let rows = substitute_all(&substitute_all(rows, &forces), &known);
             if is_pinned { rows.into_iter().map(plain).collect() } else { rows }
         };
         let asking_all = [&residuals[..], &rows.zeros].concat();
@@ -272,13 +294,15 @@ impl SteadyEquations {
         };
         let free_speeds =
             (0..n).filter(is_free).filter(|_| keeps_all && near.is_none()).map(|k| names[n + k].clone()).collect();
+        let along: Vec<String> =
+            asking.iter().map(|&k| if is_integral(model, k) { &names[n + k] } else { &names[k] }.clone()).collect();
         let residuals: Vec<Sym> = asking.into_iter().map(|k| residuals[k]).collect();
         let without: Vec<(Sym, Sym)> = multipliers.iter().map(|letter| (*letter, Sym::ZERO)).collect();
         let reactions = residuals.iter().flat_map(|row| multipliers.iter().map(|&by| row.diff(by)));
         let loads: Vec<Sym> = reactions.chain(substitute_all(&residuals, &without)).collect();
         let values = [residuals, zeros].concat();
         let identities = match multipliers.is_empty() && near.is_none() {
-            true => Identity::of(&values, &letters, &unknowns),
+            true => Identity::of(&values, (&letters, &unknowns), &along),
             false => Vec::new(),
         };
         let inputs = [&letters[..], &multipliers].concat();
@@ -299,7 +323,7 @@ impl SteadyEquations {
             rows: values.len(),
             sides: {
                 let (values, holds): (Vec<Sym>, Vec<bool>) = sides.into_iter().unzip();
-                (recorded(&letters, &put(&values))?, holds)
+                (recorded(&inputs, &put(&values))?, holds)
             },
             is_at_condition: cases.contains(&Case::Between),
             identities,

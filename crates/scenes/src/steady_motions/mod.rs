@@ -255,6 +255,7 @@ impl SteadyMotions {
         let mut inside: Vec<Zero> = Vec::new();
         for zero in found.zeros {
             if is_in_range(&equations.unknowns, &zero)
+                && boxes.lies_aside(&zero.enclosure) != Some(false)
                 && inside.iter().all(|known| !is_same(&equations.unknowns, known, &zero))
             {
                 inside.push(zero);

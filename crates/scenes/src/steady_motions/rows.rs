@@ -13,7 +13,7 @@ use super::determinacy::{Solution, Wanted, solutions};
 use super::potential::{have_potential, momenta_kept};
 use crate::letters::Letters;
 use model::equations::{Equation, Level, Residuals, constraints_of, vanishes};
-use model::{Model, Trace};
+use model::{Contact, Model, Sides, Trace};
 use symbolic::{Sym, substitute_all};
 
 /// The equations, with the data of the file put in.
@@ -23,9 +23,12 @@ pub(super) struct Rows {
     /// Constraints of positions, and their functions.
     pub constraints: Vec<Equation>,
     pub zeros: Vec<Sym>,
-    /// Conditions at which the law changes, and the letters that are 1 where they are positive and 0 where they are negative.
+    /// Conditions at which the law changes, then the gaps of contacts; and the letters that are 1 where the first are positive and 0 where
+    /// they are negative.
     pub conditions: Vec<Sym>,
     pub condition_letters: Vec<Sym>,
+    /// Contacts by what their reactions may be.
+    pub contacts: Vec<Touching>,
     /// Speeds that constraints of speeds determine, by the others.
     pub determined: Vec<(usize, Sym)>,
     /// Coordinates on which nothing depends.
@@ -38,6 +41,17 @@ pub(super) struct Rows {
     pub is_regular: bool,
     /// Coordinates that may be without a part in the equations, by any choice of independent speeds.
     pub most_cyclic: usize,
+}
+
+/// A contact that may be in touch.
+#[derive(Clone, Debug)]
+pub(super) struct Touching {
+    /// Letters of N, then of T along each tangent.
+    pub reactions: Vec<Sym>,
+    /// mu; none where it is smooth.
+    pub friction: Option<Sym>,
+    /// Whether it may let go.
+    pub is_one_sided: bool,
 }
 
 /// In systems with more coordinates a coordinate is cyclic where it is not written.
@@ -61,8 +75,15 @@ impl Rows {
         let zeros = put(&constraints.iter().map(|one| one.zero).collect::<Vec<_>>());
         let energy = put(&[trace.kinetic_energy()])[0];
         let plain = |row: Sym| if vanishes(row) { Sym::ZERO } else { row };
-        let conditions: Vec<Sym> = model.switches.iter().map(|&condition| trace.scalar(condition)).collect();
+        let gaps = model.contacts.iter().map(|contact| contact.gap);
+        let conditions: Vec<Sym> = model.switches.iter().copied().chain(gaps).map(|own| trace.scalar(own)).collect();
         let conditions = put(&conditions);
+        let touching = |(place, contact): (usize, &Contact)| Touching {
+            reactions: (0..contact.reactions.len()).map(|component| trace.reaction(place, component)).collect(),
+            friction: contact.friction.map(|friction| put(&[trace.scalar(friction)])[0]),
+            is_one_sided: contact.sides == Sides::One,
+        };
+        let contacts: Vec<Touching> = model.contacts.iter().enumerate().map(touching).collect();
         // neither held in place nor moved by a potential
         let potential = put(&[trace.potential_energy()])[0];
         let is_held = |own: &Sym| {
@@ -76,6 +97,7 @@ impl Rows {
                 zeros: zeros.clone(),
                 conditions: moving(trace, &conditions, &determined),
                 condition_letters: trace.switches.clone(),
+                contacts: contacts.clone(),
                 determined,
                 is_cyclic: vec![true; model.speeds()],
                 have_potential: false,

@@ -46,7 +46,7 @@ impl Boxes<'_> {
         if self.holds.is_empty() {
             return Some(true);
         }
-        self.sides.evaluate(&at[..self.divided], &mut self.side);
+        self.sides.evaluate(at, &mut self.side);
         let sides = || self.side.iter().zip(self.holds);
         if sides().any(|(value, holds)| if *holds { value.high() < 0.0 } else { value.low() > 0.0 }) {
             return Some(false);

@@ -1,13 +1,11 @@
 //! The unknowns that equations determine by the others: columns with the largest pivots.
 
-use field::Interval;
-
-/// As many columns as rows, each with the largest pivot that is left by the widths of a domain; those of no domain come first. None where
-/// the rows are dependent.
+/// As many columns as rows, each with the largest pivot that is left; those beyond the divided ones come first. None where the rows are
+/// dependent.
 pub(super) fn chosen(
     [rows, columns]: [usize; 2],
     entry: impl Fn(usize, usize) -> f64,
-    domain: &[Interval],
+    divided: usize,
 ) -> Option<Vec<usize>> {
     let mut left: Vec<Vec<f64>> =
         (0..rows).map(|row| (0..columns).map(|column| entry(row, column)).collect()).collect();
@@ -17,12 +15,10 @@ pub(super) fn chosen(
     }
     let (mut taken, mut used): (Vec<usize>, Vec<usize>) = (Vec::new(), Vec::new());
     for step in 0..rows {
-        let bounded = columns - domain.len();
-        let is_open = |column: &usize| !taken.contains(column) && (step >= bounded || *column >= domain.len());
+        let bounded = columns - divided;
+        let is_open = |column: &usize| !taken.contains(column) && (step >= bounded || *column >= divided);
         let open: Vec<usize> = (0..columns).filter(is_open).collect();
-        let weight = |row: usize, column: usize| {
-            left[row][column].abs() * domain.get(column).map_or(1.0, |range| range.width().min(1e6))
-        };
+        let weight = |row: usize, column: usize| left[row][column].abs();
         let (row, column) = (0..rows)
             .filter(|row| !used.contains(row))
             .flat_map(|row| open.iter().map(move |&column| (row, column)))

@@ -18,7 +18,7 @@ use symbolic::{Sym, Tape};
 #[derive(Debug)]
 pub(in crate::steady_motions) struct Identity {
     coefficients: Tape,
-    /// As a vector of displacements.
+    /// As a displacement.
     told: String,
 }
 
@@ -33,7 +33,7 @@ const RANK: f64 = 1e-10;
 
 impl Identity {
     /// All that are found between equations that hold these letters alone.
-    pub fn of(residuals: &[Sym], letters: &[Sym], unknowns: &[Unknown]) -> Vec<Self> {
+    pub fn of(residuals: &[Sym], (letters, unknowns): (&[Sym], &[Unknown]), along: &[String]) -> Vec<Self> {
         let (rows, n) = (residuals.len(), letters.len());
         if rows == 0 || n > MOST_UNKNOWNS || rows > n {
             return Vec::new();
@@ -56,7 +56,9 @@ impl Identity {
                 };
                 let coefficients: Vec<Sym> = (0..rows).map(of_row).collect();
                 let sum = coefficients.iter().zip(residuals).fold(Sym::ZERO, |sum, (c, row)| sum + *c * *row);
-                let told: Vec<String> = coefficients.iter().map(ToString::to_string).collect();
+                let moved = coefficients.iter().zip(along).filter(|(own, _)| **own != Sym::ZERO);
+                let told: Vec<String> =
+                    moved.map(|(own, name)| format!("{name}: {}", named(own, letters, unknowns))).collect();
                 let coefficients = Tape::record(letters, &coefficients).ok()?;
                 vanishes(sum).then(|| Identity { coefficients, told: format!("({})", told.join(", ")) })
             })
@@ -94,6 +96,12 @@ impl Identity {
         }
         (Vec::new(), Vec::new())
     }
+}
+
+/// A coefficient as text, letters by the names of the unknowns.
+fn named(coefficient: &Sym, letters: &[Sym], unknowns: &[Unknown]) -> String {
+    let names = letters.iter().zip(unknowns).map(|(letter, unknown)| (letter.to_string(), &unknown.name));
+    names.fold(coefficient.to_string(), |text, (letter, name)| text.replace(&letter, name))
 }
 
 /// Factors of products whose sum is zero at some points, in their shortest form.

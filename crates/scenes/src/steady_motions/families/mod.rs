@@ -67,8 +67,8 @@ impl Underdetermined for Fewer<'_, '_> {
         self.boxes.bound(at)
     }
 
-    fn holds(&mut self, at: &[Interval]) -> bool {
-        self.boxes.lies_aside(at) == Some(true)
+    fn holds(&mut self, at: &[Interval]) -> Option<bool> {
+        self.boxes.lies_aside(at)
     }
 
     fn values(&mut self, at: &[Interval], values: &mut [Interval]) {

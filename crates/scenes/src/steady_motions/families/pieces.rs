@@ -23,9 +23,9 @@ pub(in crate::steady_motions) trait Underdetermined {
     /// Bounds for the unknowns that are not divided; false where there are none.
     fn bound(&mut self, at: &mut [Interval]) -> bool;
 
-    /// Whether everything else that solutions must fulfil holds all over a box.
-    fn holds(&mut self, _at: &[Interval]) -> bool {
-        true
+    /// Whether everything else that solutions must fulfil holds all over a box, or nowhere in it; none where that is open.
+    fn holds(&mut self, _at: &[Interval]) -> Option<bool> {
+        Some(true)
     }
 
     fn values(&mut self, at: &[Interval], values: &mut [Interval]);
@@ -72,6 +72,9 @@ const WIDTHS: [f64; 3] = [1.25, 2.0, 4.0];
 /// A box that is left narrower than this part is narrowed again.
 const WORTH: f64 = 0.75;
 
+/// A side below this part of the longest is not divided before it.
+const SHORT: f64 = 1e-3;
+
 /// Boxes between two questions whether to go on.
 const BETWEEN: usize = 64;
 
@@ -92,8 +95,8 @@ pub(in crate::steady_motions) fn pieces(
             break;
         }
         found.examined += 1;
-        let Some((left, likely)) = examined(equations, domain, next, &mut found.pieces) else { continue };
-        match divided(&left, domain, &likely, limits.smallest) {
+        let Some((left, blamed)) = examined(equations, next, &mut found.pieces) else { continue };
+        match divided(&left, domain, blamed, limits.smallest) {
             Some(halves) => open.extend(halves),
             None => found.undecided.push(left),
         }
@@ -101,13 +104,12 @@ pub(in crate::steady_motions) fn pieces(
     found
 }
 
-/// The part of a box that is still open, and the unknowns that are likely parameters there; none where all of it is decided.
+/// The part of a box that is still open, and the unknown to divide where one is to blame; none where all of it is decided.
 fn examined(
     equations: &mut dyn Underdetermined,
-    domain: &[Interval],
     mut at: Vec<Interval>,
     pieces: &mut Vec<Piece>,
-) -> Option<(Vec<Interval>, Vec<usize>)> {
+) -> Option<(Vec<Interval>, Option<usize>)> {
     let [n, bounded] = equations.unknowns();
     let rows = equations.rows();
     loop {
@@ -118,7 +120,10 @@ fn examined(
         }
         if !equations.bound(&mut at) {
             at.truncate(n);
-            return Some((at, Vec::new()));
+            return Some((at, None));
+        }
+        if equations.holds(&at) == Some(false) {
+            return None;
         }
         if pieces.iter().any(|piece| at.iter().zip(&piece.alone).all(|(at, alone)| at.is_part_of(*alone))) {
             return None;
@@ -128,36 +133,52 @@ fn examined(
         if values.iter().any(|value| !value.contains(0.0)) {
             return None;
         }
-        let Some(local) = Local::of(equations, &at, domain) else {
+        let Some(local) = Local::of(equations, &at) else {
             at.truncate(n);
-            return Some((at, Vec::new()));
+            return Some((at, None));
         };
         at = local.narrowed(&at)?;
-        if let Some(piece) = shown(equations, domain, &local, &at) {
+        if let Some(piece) = shown(equations, &local, &at) {
             let is_covered = at.iter().zip(&piece.alone).all(|(at, alone)| at.is_part_of(*alone));
             let meets = at.iter().zip(&piece.enclosure).all(|(at, own)| at.and(*own).is_some());
-            if is_covered && (!meets || equations.holds(&piece.enclosure)) {
+            if is_covered && (!meets || equations.holds(&piece.enclosure) == Some(true)) {
                 if meets {
                     pieces.push(piece);
                 }
                 return None;
             }
         }
-        let is_narrower = at[..n].iter().zip(&before).any(|(left, before)| left.width() < WORTH * before.width());
-        at.truncate(n);
-        if !is_narrower {
-            return Some((at, local.parameters.clone()));
+        if !at[..n].iter().zip(&before).any(|(left, before)| left.width() < WORTH * before.width()) {
+            let blamed = blamed(equations, &local.parameters, &at);
+            at.truncate(n);
+            return Some((at, blamed));
         }
+        at.truncate(n);
     }
 }
 
+/// The unknown whose range spreads the equations the most: with it at its middle they are nearest to linear.
+fn blamed(equations: &mut dyn Underdetermined, parameters: &[usize], at: &[Interval]) -> Option<usize> {
+    let [n, _] = equations.unknowns();
+    let mut least: Option<(f64, usize)> = None;
+    for k in (0..n).filter(|&k| at[k].width() > 0.0) {
+        let mut narrow = at.to_vec();
+        narrow[k] = Interval::point(at[k].middle());
+        let Some(spread) = Local::with(equations, &narrow, parameters).map(|local| local.spread()) else { continue };
+        if spread.is_finite() && least.is_none_or(|(known, _)| spread < known) {
+            least = Some((spread, k));
+        }
+    }
+    least.map(|(_, k)| k)
+}
+
 /// A piece over the parameters of a box.
-fn shown(equations: &mut dyn Underdetermined, domain: &[Interval], local: &Local, at: &[Interval]) -> Option<Piece> {
+fn shown(equations: &mut dyn Underdetermined, local: &Local, at: &[Interval]) -> Option<Piece> {
     let mut middle: Vec<f64> = at.iter().map(|part| part.middle()).collect();
     let mut last = None;
     for _ in 0..STEPS {
         let points: Vec<Interval> = middle.iter().map(|&at| Interval::point(at)).collect();
-        let near = Local::with(equations, &points, &local.parameters, domain)?;
+        let near = Local::with(equations, &points, &local.parameters)?;
         near.dependent.iter().zip(&near.step).for_each(|(&place, step)| middle[place] -= step.middle());
         if !middle.iter().all(|value| value.is_finite()) {
             return None;
@@ -165,19 +186,19 @@ fn shown(equations: &mut dyn Underdetermined, domain: &[Interval], local: &Local
         last = Some(near);
     }
     let near = last?;
-    // along the parameters the solutions go so far
+    // along the parameters the solutions go so far, and they are known to rounding alone
     let way = |row: usize| -> f64 {
         let along = local.parameters.iter().map(|&k| near.entry(row, k).size() * 0.5 * at[k].width());
-        along.sum()
+        along.sum::<f64>() + near.step[row].width()
     };
     WIDTHS.into_iter().find_map(|width| {
         let mut alone = at.to_vec();
         for (row, &place) in local.dependent.iter().enumerate() {
-            let rounding = 1e-12 * (1.0 + middle[place].abs());
+            let rounding = 1e-14 * (1.0 + middle[place].abs());
             let radius = width * (way(row) + 0.05 * at[place].width()) + rounding;
             alone[place] = Interval::new(middle[place] - radius, middle[place] + radius);
         }
-        let over = Local::with(equations, &alone, &local.parameters, domain)?;
+        let over = Local::with(equations, &alone, &local.parameters)?;
         let inside = over.krawczyk(&alone);
         let is_inside = local.dependent.iter().zip(&inside).all(|(&place, inside)| inside.is_inside(alone[place]));
         is_inside.then(|| {
@@ -201,25 +222,16 @@ struct Local {
 }
 
 impl Local {
-    fn of(equations: &mut dyn Underdetermined, at: &[Interval], domain: &[Interval]) -> Option<Self> {
-        Self::made(equations, at, None, domain)
+    fn of(equations: &mut dyn Underdetermined, at: &[Interval]) -> Option<Self> {
+        Self::made(equations, at, None)
     }
 
-    fn with(
-        equations: &mut dyn Underdetermined,
-        at: &[Interval],
-        parameters: &[usize],
-        domain: &[Interval],
-    ) -> Option<Self> {
-        Self::made(equations, at, Some(parameters), domain)
+    fn with(equations: &mut dyn Underdetermined, at: &[Interval], parameters: &[usize]) -> Option<Self> {
+        Self::made(equations, at, Some(parameters))
     }
 
-    fn made(
-        equations: &mut dyn Underdetermined,
-        at: &[Interval],
-        parameters: Option<&[usize]>,
-        domain: &[Interval],
-    ) -> Option<Self> {
+    fn made(equations: &mut dyn Underdetermined, at: &[Interval], parameters: Option<&[usize]>) -> Option<Self> {
+        let divided = equations.unknowns()[0];
         let (rows, wide) = (equations.rows(), at.len());
         let mut slopes = vec![Interval::EVERYTHING; rows * wide];
         equations.slopes(at, &mut slopes);
@@ -232,7 +244,7 @@ impl Local {
         let about = |row: usize, column: usize| slopes[row * wide + column].middle();
         let dependent = match parameters {
             Some(parameters) => (0..wide).filter(|k| !parameters.contains(k)).collect(),
-            None => chosen([rows, wide], about, domain)?,
+            None => chosen([rows, wide], about, divided)?,
         };
         let parameters = (0..wide).filter(|k| !dependent.contains(k)).collect();
         let inverse = DMatrix::from_fn(rows, rows, |row, column| about(row, dependent[column])).try_inverse();
@@ -247,6 +259,18 @@ impl Local {
 
     fn entry(&self, row: usize, column: usize) -> Interval {
         self.slopes[row * self.wide + column]
+    }
+
+    /// How far the equations are from the unknowns themselves.
+    fn spread(&self) -> f64 {
+        let each = |(row, &place): (usize, &usize)| {
+            let entry = |&column: &usize| {
+                let own = if column == place { 1.0 } else { 0.0 };
+                (Interval::point(own) - self.entry(row, column)).size()
+            };
+            self.dependent.iter().map(entry).sum::<f64>()
+        };
+        self.dependent.iter().enumerate().map(each).fold(0.0, f64::max)
     }
 
     fn aside(&self, at: &[Interval], column: usize) -> Interval {
@@ -283,17 +307,17 @@ impl Local {
     }
 }
 
-/// The halves of a box across its longest side, one along which solutions go rather than another.
-fn divided(at: &[Interval], domain: &[Interval], likely: &[usize], smallest: f64) -> Option<[Vec<Interval>; 2]> {
+/// The halves of a box across the side that is to blame, or else its longest one.
+fn divided(at: &[Interval], domain: &[Interval], blamed: Option<usize>, smallest: f64) -> Option<[Vec<Interval>; 2]> {
     let part = |k: usize| match domain[k].width() {
         0.0 => 0.0,
         whole => at[k].width() / whole,
     };
-    // the box of a piece is narrow across it: halves along it are worth more
-    let worth = |k: usize| if likely.contains(&k) { 2.0 * part(k) } else { part(k) };
-    let widest = (0..at.len()).max_by(|&a, &b| worth(a).total_cmp(&worth(b)))?;
+    let longest = (0..at.len()).max_by(|&a, &b| part(a).total_cmp(&part(b)))?;
+    // a side that is short already is no help
+    let widest = blamed.filter(|&k| part(k) > smallest && part(k) > SHORT * part(longest)).unwrap_or(longest);
     let (whole, middle) = (at[widest], at[widest].middle());
-    if part(widest) < smallest || !(whole.low() < middle && middle < whole.high()) {
+    if part(longest) < smallest || !(whole.low() < middle && middle < whole.high()) {
         return None;
     }
     let with = |half: Interval| {
