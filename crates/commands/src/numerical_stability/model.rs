@@ -2,7 +2,7 @@
 
 use super::{Asked, method};
 use crate::arguments::Format;
-use crate::exit::{Exit, print};
+use crate::exit::{Exit, print, warn};
 use crate::stationary::steady_box::Found;
 use ::scenes::linearisation::VariedEquations;
 use ::scenes::steady_motions::SteadyMotion;
@@ -38,6 +38,14 @@ pub(super) fn show(asked: &Asked) -> Result<Exit, Exit> {
         )));
     }
     let found = asked.steady.find(&asked.scene)?;
+    if !found.motions.families.is_empty() {
+        warn(&format!(
+            "warning: {}: motions that stand side by side are left out: families: {}; `stationary` tells them, and a value for one of their \
+             unknowns (--range NAME=VALUE) chooses a motion",
+            asked.scene.display(),
+            found.motions.families.len()
+        ));
+    }
     let equations = VariedEquations::of(&found.model, &[]).map_err(|why| why.to_string());
     let keeps_energy = found.motions.have_potential || ::scenes::keeps_energy(&found.model);
     let judged = |motion| Judged {

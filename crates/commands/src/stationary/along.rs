@@ -67,7 +67,12 @@ fn counted(sample: &Sample) -> String {
     let open = told.len() - unstable - stable;
     let motions = if told.len() == 1 { "one motion".to_owned() } else { format!("{} motions", told.len()) };
     let open = if open == 0 { String::new() } else { format!(", {open} undecided") };
-    format!("{motions}: {stable} stable, {unstable} unstable{open}")
+    let families = match sample.found.families.len() {
+        0 => String::new(),
+        1 => ", and one family".to_owned(),
+        count => format!(", and {count} families"),
+    };
+    format!("{motions}: {stable} stable, {unstable} unstable{open}{families}")
 }
 
 fn text(found: &AlongFound) -> String {

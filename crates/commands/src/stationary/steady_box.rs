@@ -18,8 +18,8 @@ use units::nearest;
 /// Where steady motions are sought.
 #[derive(Args, Debug)]
 pub struct SteadyBox {
-    /// The range of a coordinate in SI units, or its value, or those of the constant speed of a cyclic coordinate, in a system that is
-    /// written in its file. Angles are sought on the whole circle without it
+    /// The range of a coordinate in SI units, or its value, or those of the constant speed of a cyclic coordinate or of a quasi-velocity, in
+    /// a system that is written in its file. Angles are sought on the whole circle without it
     #[arg(long, value_name = "NAME=FROM..TO", value_parser = named_range, num_args = 1)]
     pub range: Vec<(String, Range)>,
     /// Boxes that are looked at, at most, in a system that is written in its file
@@ -241,16 +241,16 @@ pub fn refused(path: &Path, model: &Model, why: NoSteadyMotions) -> Exit {
         }
         NoSteadyMotions::OfSpeeds { at } => {
             let issue = Issue::at(at, "steady motions are not sought with this constraint", "it holds speeds, or is led to zero");
-            placed(path, issue.accepted("constraints of positions, and up to four that are linear in the speeds; `linearise --about equilibrium` finds one equilibrium near the start"))
+            placed(path, issue.accepted("constraints of positions, and up to six that are linear in the speeds, quasi-velocities among them; `linearise --about equilibrium` finds one equilibrium near the start"))
         }
         NoSteadyMotions::Changes => told(
-            "its law changes at events, or at conditions of currents without inductance, where steady motions are not sought, or --along, or \
-             `numerical-stability`, asks for more than places of rest; `linearise --about equilibrium` finds one equilibrium near the start"
+"its law changes at events, or at conditions where --along or `numerical-stability` is asked for: steady motions are not sought there; \
+             `stationary` seeks places of rest with conditions, and `linearise --about equilibrium` finds one equilibrium near the start"
                 .to_owned(),
         ),
         NoSteadyMotions::Contacts { at } => {
-            let issue = Issue::at(at, "steady motions are not sought with contacts and diodes", "the reaction of this one is an inequality, which is not sought with yet");
-            placed(path, issue.accepted("friction as a force with `sign` of a speed, whose places of rest are sought; `linearise --about equilibrium` finds one equilibrium near the start"))
+            let issue = Issue::at(at, "steady motions are not sought with diodes, freewheels and guides that the coordinates keep", "this one");
+            placed(path, issue.accepted("contacts that coordinates can open, and friction as a force with `sign` of a speed; `linearise --about equilibrium` finds one equilibrium near the start"))
         }
         NoSteadyMotions::ManyConditions { conditions, most } => told(format!(
             "its law has {conditions} conditions, which have more than {most} combinations of cases; fewer conditions are accepted"

@@ -23,19 +23,44 @@ fn all_equilibria_of_a_double_pendulum_are_told_with_their_stability() {
 }
 
 #[test]
-fn a_family_is_told_with_the_exit_code_of_what_is_not_decided() {
+fn a_family_is_told_with_its_symmetry() {
     let hat = temporary("hat.toml");
     let text = "title = \"A hat\"\n[parameters]\nm = \"1 kg\"\nk = \"1 J\"\na = \"1 m\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n\
         [energies]\nkinetic = \"m/2*(x'^2 + y'^2)\"\npotential = \"k*((x^2 + y^2)/a^2 - 1)^2\"\n[run]\nspan = \"1 s\"\n";
     std::fs::write(&hat, text).expect("it can be written");
     let path = hat.to_string_lossy().into_owned();
     refused(&["stationary", &path], "`x`, `y` are no angle of a circle alone: ranges in SI units are needed");
-    let output = run(&["stationary", &path, "--range", "x=-2..2", "--range", "y=-2..2", "--boxes", "4000"]);
-    let told = String::from_utf8_lossy(&output.stdout).into_owned();
-    assert_eq!(output.status.code(), Some(1), "{told}");
-    assert!(told.contains("a family: steady motions stand side by side in one direction"), "{told}");
-    assert!(String::from_utf8_lossy(&output.stderr).contains("undecided boxes"));
+    let told = printed(&["stationary", &path, "--range", "x=-2..2", "--range", "y=-2..2"]);
+    assert!(told.contains("one steady motion, alone in a box, and one family, and no other"), "{told}");
+    assert!(told.contains("a family, a curve: x from -1"), "{told}");
+    assert!(told.contains("the cause is a symmetry: the forces do no work along the displacement (x:"), "{told}");
+    let few = run(&["stationary", &path, "--range", "x=-2..2", "--range", "y=-2..2", "--boxes", "10"]);
+    assert_eq!(few.status.code(), Some(1));
+    assert!(String::from_utf8_lossy(&few.stderr).contains("undecided boxes"));
     std::fs::remove_file(&hat).expect("it is there");
+}
+
+#[test]
+fn dry_friction_and_contacts_are_told_in_each_combination() {
+    let block = "scenes/models/dry_friction.toml";
+    let told = printed(&["stationary", block, "--range", "x=-3..3"]);
+    assert!(told.contains("where x' = 0") && told.contains("a family, a curve: x from -1 to 1 m"), "{told}");
+    let object: Value =
+        serde_json::from_str(&printed(&["stationary", block, "--range", "x=-3..3", "--format", "json"]))
+            .expect("it is JSON");
+    assert_eq!(object["cases"][0]["families"][0]["dimension"], 1);
+    refused(&["stationary", "scenes/models/bridge_rectifier.toml"], "steady motions are not sought with diodes");
+}
+
+#[test]
+fn a_sleigh_runs_straight_in_a_quasi_velocity() {
+    let sleigh = ["stationary", "scenes/models/chaplygin_sleigh.toml", "--range", "psi'=-2..2"];
+    let told = printed(&[&sleigh[..], &["--range", "velocity(G).B.x=2"]].concat());
+    assert!(
+        told.contains("given: velocity(G).B.x = 2 m/s") && told.contains("cyclic, nothing depends on them: x, y, psi"),
+        "{told}"
+    );
+    assert!(told.contains("1  psi' = 0 rad/s") && told.contains("asymptotically stable in all others"), "{told}");
 }
 
 #[test]
@@ -55,7 +80,7 @@ fn what_is_asked_of_another_kind_of_scene_is_refused() {
     std::fs::write(&pendulum, PENDULUM.replace("end = true", "set = { \"theta'\" = \"-theta'\" }"))
         .expect("it can be written");
     let path = pendulum.to_string_lossy().into_owned();
-    refused(&["stationary", &path], "its law changes at conditions, contacts or events");
+    refused(&["stationary", &path], "its law changes at events");
     std::fs::remove_file(&pendulum).expect("it is there");
 }
 
