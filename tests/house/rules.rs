@@ -15,6 +15,7 @@ const LAYERS: &[(&str, i32)] = &[
     ("dalembert-native", 3),
     ("dalembert-units", 3),
     ("dalembert-mechanics", 3),
+    ("dalembert-latex", 4),
     ("dalembert-integrators", 3),
     ("dalembert-reader", 4),
     ("dalembert-simulation", 5),
@@ -26,6 +27,7 @@ const LAYERS: &[(&str, i32)] = &[
     ("dalembert-machines", 7),
     ("dalembert-scenes", 7),
     ("dalembert-papers", 8),
+    ("dalembert-manuscript", 8),
     ("dalembert-studies", 8),
     ("dalembert-theorems", 9),
     ("dalembert-commands", 9),
@@ -80,6 +82,8 @@ fn the_machinery_names_no_system() {
         "model",
         "integrators",
         "claims",
+        "latex",
+        "manuscript",
         "charts",
     ];
     for folder in machinery {

@@ -52,6 +52,7 @@ impl Arguments {
             Some(Command::Reference(_)) => ("reference", Part, Some(USUAL)),
             Some(Command::Ensemble(_)) => ("ensemble", Part, None),
             Some(Command::Ledger(_)) => ("ledger", Nothing, Some(USUAL)),
+            Some(Command::Judge(_)) => ("judge", Nothing, Some(USUAL)),
             Some(Command::Review(_)) => ("review", Nothing, None),
             Some(Command::Derive(_)) => ("derive", Nothing, Some(USUAL)),
             Some(Command::Inverse(_)) => ("inverse", Nothing, Some(USUAL)),
@@ -91,6 +92,9 @@ pub enum Command {
     Ensemble(ensemble::Asked),
     /// Every claim of the papers with its verdict
     Ledger(ledger::Asked),
+    /// Every claim of a paper that is a file, judged on the model that the file gives: what is printed, how it was read, its verdict
+    #[command(after_long_help = ledger::paper_file::HELP)]
+    Judge(ledger::paper_file::Asked),
     /// What changed in the reviewed pages: which term of which equation, what it means, which claims and runs moved
     Review(review::Asked),
     /// Equations of motion by a chosen principle
@@ -179,6 +183,7 @@ mod tests {
         "reference",
         "ensemble",
         "ledger",
+        "judge",
         "derive",
         "bodies",
         "stationary",

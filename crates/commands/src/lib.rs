@@ -12,7 +12,7 @@
 //!
 //! # Overview
 //! * `arguments`: the command line; what can be asked of a command stands beside it;
-//! * `report`, `ledger`, `review`, `derive`, `linearise`, `inverse`, `regulate`, `bodies`, `run`, `ensemble`, `regimes`, `stationary`, `numerical-stability`, `motor`, `conform`, `new`,
+//! * `report`, `ledger` with `judge`, `review`, `derive`, `linearise`, `inverse`, `regulate`, `bodies`, `run`, `ensemble`, `regimes`, `stationary`, `numerical-stability`, `motor`, `conform`, `new`,
 //!   `failures`, `chart`, `choose`, `reference`, `scenes`: one file for each command;
 //! * `summary`, `csv`, `pictures`, `sphere`: a run as text, JSON, a table and the data of pictures;
 //! * `speed`: the atlas of a scene as pictures, tables and advice;
@@ -95,6 +95,7 @@ pub fn run() -> ExitCode {
         Some(Command::Reference(asked)) => reference::reference(&asked),
         Some(Command::Ensemble(asked)) => ensemble::run(&asked),
         Some(Command::Ledger(asked)) => ledger::list(&asked),
+        Some(Command::Judge(asked)) => ledger::paper_file::judge(&asked),
         Some(Command::Review(asked)) => review::review(&asked),
         Some(Command::Derive(asked)) => derive::derive(&asked),
         Some(Command::Inverse(asked)) => inverse::show(&asked),

@@ -3,7 +3,7 @@
 mod diagnosis;
 mod system_source;
 
-pub(crate) use system_source::{model, written};
+pub(crate) use system_source::{model, model_with, written};
 
 use crate::admissible::impossible;
 use crate::changing_laws::{changes, is_watched};
@@ -36,7 +36,6 @@ use simulation::work_precision::{Configuration, Observed};
 use simulation::{Axes, Choice, IvpScene, Problem, Run, RunNotes, Trajectory, run};
 use std::borrow::Cow;
 use std::sync::{Arc, OnceLock};
-use system_source::model_with;
 
 /// A system that is data, with a run.
 #[derive(Debug)]

@@ -5,10 +5,11 @@ use crate::branch::{on_branch, without_implied};
 use crate::known_as::known;
 use crate::quoted_keys::with_quoted_primes;
 use crate::readiness::{start_of, starting};
-use crate::scene::{KNOWN_AS, TITLE, VALUES, model, written};
+use crate::scene::{KNOWN_AS, TITLE, VALUES, model_with, written};
 use crate::size::{Task, too_large};
+use crate::text::OF_PAPERS;
 use crate::warnings::warn_of;
-use model::Model;
+use model::{Entry, Model};
 use reader::{SceneError, read_text, tables};
 use simulation::models::holds_model;
 use std::path::Path;
@@ -72,7 +73,16 @@ impl SystemText {
     /// All that is wrong with the system, and constraints that contradict each other: then there is no motion of which anything could be
     /// said.
     pub fn for_judgement(&self) -> Result<Model, SceneError> {
-        let mut model = self.model(Task::Write)?;
+        self.for_judgement_with(Vec::new())
+    }
+
+    /// The same with more outputs: quantities that statements are about.
+    ///
+    /// # Errors
+    /// The same, and all that is wrong with these outputs.
+    pub fn for_judgement_with(&self, outputs: Vec<Entry>) -> Result<Model, SceneError> {
+        let (_, model) = parse_with(&self.name, &self.text, Task::Write, outputs)?;
+        let mut model = self.with_its_values(model)?;
         without_implied((&self.name, &self.text), &mut model.clone())?;
         // off the branch the constraints leave other motions
         on_branch(&mut model);
@@ -104,15 +114,22 @@ pub fn read_titled(path: &Path, task: Task) -> Result<(String, Model), SceneErro
 /// # Errors
 /// All that is wrong with the system, each at its place.
 pub fn parse_titled(name: &str, text: &str, task: Task) -> Result<(String, Model), SceneError> {
+    parse_with(name, text, task, Vec::new())
+}
+
+fn parse_with(name: &str, text: &str, task: Task, outputs: Vec<Entry>) -> Result<(String, Model), SceneError> {
     let read = tables(name, text, |top, issues| {
         top.known(&["description", "run", "ensemble", "failure"]);
+        if top.has("letters") || top.has("claim") {
+            top.known(&OF_PAPERS);
+        }
         if let Some(name) = top.optional_text("known_as", KNOWN_AS)
             && let Err(issue) = known(&name)
         {
             top.report(issue);
         }
         let title = top.optional_text("title", TITLE).map_or_else(String::new, |title| title.value);
-        let (model, _) = model(top, issues)?;
+        let (model, _) = model_with(top, issues, outputs)?;
         let large = too_large(&model, task);
         issues.extend(large.clone());
         let bodies = impossible(&model);

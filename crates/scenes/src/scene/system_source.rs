@@ -12,7 +12,7 @@ pub(crate) fn model(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<(Mod
 }
 
 /// The same with more outputs.
-pub(super) fn model_with(top: &mut Table<'_>, issues: &mut Vec<Issue>, outputs: Vec<Entry>) -> Option<(Model, Source)> {
+pub(crate) fn model_with(top: &mut Table<'_>, issues: &mut Vec<Issue>, outputs: Vec<Entry>) -> Option<(Model, Source)> {
     let mut source = named_systems::source(top, issues)?;
     source.outputs.extend(outputs);
     let faults = match Model::of(&source).and_then(settled) {

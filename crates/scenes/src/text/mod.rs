@@ -116,9 +116,15 @@ const TOP: [&str; 25] = [
     "start",
 ];
 
+/// Keys at the top of a paper's file, which may hold its system too.
+pub const OF_PAPERS: [&str; 5] = ["citation", "model", "letters", "claim", "summary"];
+
 /// Whether a table at the top has a name that is not known: its absence explains other faults.
 pub fn has_unknown_tables(top: &Table<'_>) -> bool {
-    let is_known = |key: &str| TOP.contains(&key) || matches!(key, "run" | "ensemble" | "failure");
+    let is_paper = top.has("letters") || top.has("claim");
+    let is_known = |key: &str| {
+        TOP.contains(&key) || is_paper && OF_PAPERS.contains(&key) || matches!(key, "run" | "ensemble" | "failure")
+    };
     top.keys()
         .iter()
         .any(|key| !is_known(&key.value) && (top.is_table(&key.value) || units::nearest(&key.value, TOP).is_some()))

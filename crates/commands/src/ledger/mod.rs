@@ -1,5 +1,7 @@
 //! `dalembert ledger`: every claim with its verdict.
 
+pub mod paper_file;
+
 use crate::arguments::Format;
 use crate::exit::{Exit, print, warn};
 use crate::job_pool::JobPool;

@@ -1,0 +1,156 @@
+//! `dalembert judge`: the claims of a paper that is a file.
+
+use super::row;
+use crate::arguments::Format;
+use crate::exit::{Exit, print, warn};
+use crate::output::{Form, Maker, Writes};
+use charts::{PaperSection, Report};
+use claims::Verdict;
+use clap::Args;
+use manuscript::{Finding, PaperText};
+use serde_json::json;
+use std::path::PathBuf;
+
+/// Which paper is to be judged.
+#[derive(Args, Debug)]
+pub struct Asked {
+    /// The paper: a file with [letters] and [[claim]], beside the tables of its system or `model`, the name of their file
+    #[arg(value_name = "PAPER.toml")]
+    pub paper: PathBuf,
+    /// Claims whose id contains this, such as cart_pole/eq2
+    #[arg(long, default_value = "")]
+    pub filter: String,
+    /// One object for each claim: id, kind, verdict, printed formula, reading, hypotheses, counterexample, missing terms
+    #[arg(long)]
+    pub json: bool,
+    /// Writes a page with every claim, for a browser
+    #[arg(long, value_name = "FILE.html")]
+    pub page: Option<PathBuf>,
+    /// Replaces the file of --page even where `judge` did not write what stands there
+    #[arg(long, requires = "page")]
+    pub force: bool,
+    /// Ends with exit code 1 where a verdict is not the one that the file expects, and prints those claims alone
+    #[arg(long)]
+    pub test: bool,
+}
+
+/// What the file holds, below the options.
+pub const HELP: &str = r#"A paper's file:
+
+  title = "A pendulum"
+  model = "pendulum.toml"        # or the tables of the system in this file
+
+  [letters]                      # LaTeX = its meaning, an expression of the model
+  'm' = "m"
+  'l' = "l"
+  'g' = "g"
+  '\theta' = "theta"
+
+  [[claim]]
+  equation = "1"                 # the number in the paper
+  kind = "equation of motion"    # formula, identity, inequality, equivalence, integral of motion, steady motion
+  formula = 'm l^2 \ddot{\theta} + m g l \sin\theta = 0'
+  given = ['m > 0']              # hypotheses; may be left out
+  expect = "proved"              # for --test; may be left out
+
+Rates of declared letters are known: \dot{\theta}, \ddot{\theta}. A formula with two readings is refused at its place, with the
+spellings that have one."#;
+
+/// Judges every claim and prints what was found.
+pub fn judge(asked: &Asked) -> Result<Exit, Exit> {
+    let paper = PaperText::read(&asked.paper)?;
+    let writes = Writes { command: "judge", force: asked.force, reads: vec![&asked.paper] };
+    let output = writes.optional(asked.page.as_deref(), &[Form::Page])?;
+    let mut findings = paper.judge()?;
+    findings.retain(|finding| finding.judged.id.contains(&asked.filter));
+    if findings.is_empty() {
+        return Err(Exit::refused(format!(
+            "no claim's id contains `{}`; ids begin with {}/eq",
+            asked.filter, paper.key
+        )));
+    }
+    let wrong: Vec<String> = findings.iter().filter_map(|finding| finding.as_expected().err()).collect();
+    print(&match (asked.json, asked.test) {
+        (true, _) => format!("{:#}\n", findings.iter().map(object).collect::<serde_json::Value>()),
+        (false, true) => tested(&findings, wrong.len()),
+        (false, false) => format!("{}{}", findings.iter().map(Finding::text).collect::<String>(), counted(&findings)),
+    })?;
+    if let Some(output) = output {
+        let html = charts::page::render(&report(&paper, &findings)).html;
+        output.write_text(&html)?.tell(if asked.json { Format::Json } else { Format::Text })?;
+    }
+    for reason in &wrong {
+        warn(reason);
+    }
+    Ok(if wrong.is_empty() { Exit::Done } else { Exit::Stopped })
+}
+
+/// How many claims have each verdict.
+fn counted(findings: &[Finding]) -> String {
+    let counts: Vec<String> = Verdict::ALL
+        .into_iter()
+        .map(|verdict| (verdict, findings.iter().filter(|finding| finding.judged.verdict == verdict).count()))
+        .filter(|(_, count)| *count > 0)
+        .map(|(verdict, count)| format!("{count} {}", verdict.name()))
+        .collect();
+    let noun = if findings.len() == 1 { "claim" } else { "claims" };
+    format!("{} {noun}: {}\n", findings.len(), counts.join(", "))
+}
+
+fn tested(findings: &[Finding], wrong: usize) -> String {
+    let expected = findings.iter().filter(|finding| finding.expected.is_some()).count();
+    let rest = match findings.len() - expected {
+        0 => String::new(),
+        rest => format!("; {rest} without an expectation"),
+    };
+    format!("{} of {expected} verdicts as expected{rest}\n", expected.saturating_sub(wrong))
+}
+
+fn object(finding: &Finding) -> serde_json::Value {
+    let Finding { judged, printed, expected, allowed, sides, kind } = finding;
+    let told = |pairs: &[(String, String)]| pairs.iter().map(|(text, _)| text.clone()).collect::<Vec<_>>();
+    json!({
+        "id": judged.id,
+        "equation": judged.equation,
+        "section": judged.section,
+        "kind": kind.name(),
+        "says": judged.says,
+        "verdict": judged.verdict.name(),
+        "expected": expected.map(Verdict::name),
+        "printed": printed,
+        "read": judged.text,
+        "read_latex": judged.latex,
+        "given": finding.given,
+        "requires": told(&judged.requires),
+        "signs": told(&judged.signs),
+        "allowed": allowed,
+        "evidence": judged.evidence,
+        "counterexample": judged.counterexample.iter().cloned().collect::<std::collections::BTreeMap<_, _>>(),
+        "left": sides.as_ref().map(|sides| &sides.left),
+        "right": sides.as_ref().map(|sides| &sides.right),
+        "missing": judged.difference.as_ref().map(|(text, _)| text),
+        "missing_latex": judged.difference.as_ref().map(|(_, latex)| latex),
+        // the smallest edit that makes the claim true, where one was found
+        "correction": judged.correction.as_ref().map(|correction| &correction.text),
+        "objections": judged.objections,
+        "note": judged.note,
+    })
+}
+
+fn report(paper: &PaperText, findings: &[Finding]) -> Report {
+    let claims = findings.iter().map(|finding| row(&finding.judged)).collect();
+    let section = PaperSection {
+        id: paper.key.clone(),
+        title: paper.title.clone(),
+        citation: paper.citation.clone(),
+        summary: paper.summary.clone(),
+        claims,
+    };
+    Report {
+        title: paper.title.clone(),
+        summary: counted(findings),
+        generated_by: Maker("judge").generator(),
+        papers: vec![section],
+        ..Report::default()
+    }
+}

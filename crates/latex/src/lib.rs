@@ -1,0 +1,38 @@
+//! Formulas in LaTeX over declared letters, read without a guess.
+//!
+//! # Overview
+//! * [`letter_name`]: the name of a letter in one spelling, whatever braces and spaces it was written with;
+//! * [`read`]: a formula as a [`Statement`]: sides with their relations, every part with its place; what is ambiguous is a
+//!   [`NotFormula`] that says which spellings are accepted;
+//! * [`Meaning`], [`value`]: the sides over whatever the letters stand for.
+//!
+//! | accepted | refused, since it has two readings |
+//! |---|---|
+//! | `\sin\theta\cos\theta`, `\sin(2\theta)`, `\cos^2\theta` | `\sin x y`, `\sin x^2`, `\sin^{-1} x` |
+//! | `m(a + b)`, `2(a)`, `f\cdot(x)` | `f(x)`, `f(x, y)` |
+//! | `\frac12 m v^2`, `(1/2) m v^2`, `m/(2l)` | `1/2 m v^2`, `a/b/c` |
+//! | `x^{10}`, `x_{12}` | `x^10`, `x_12` |
+//!
+//! ```
+//! use dalembert_latex::{Form, read};
+//!
+//! let known = ["m", r"\theta", "l_1"].map(str::to_owned);
+//! let statement = read(r"m l_1 \ddot{\theta} = 0", &known)?;
+//! assert_eq!(statement.chains[0].sides.len(), 2);
+//! assert!(read(r"m l_2 = 0", &known).is_err_and(|fault| fault.title.contains("l_2")));
+//! assert!(matches!(read("m", &known)?.chains[0].sides[0].form, Form::Letter(_)));
+//! # Ok::<(), dalembert_latex::NotFormula>(())
+//! ```
+
+mod fault;
+mod form;
+mod name;
+mod reader;
+mod token;
+mod value;
+
+pub use fault::NotFormula;
+pub use form::{Chain, Form, Function, Relation, Statement, Term};
+pub use name::{letter_name, plain_name};
+pub use reader::read;
+pub use value::{Meaning, NoValue, Value, value};

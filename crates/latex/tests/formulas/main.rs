@@ -1,0 +1,56 @@
+//! Formulas in LaTeX: what is read, what is refused, and that what is printed is read back.
+
+mod printed;
+mod readings;
+mod refusals;
+
+use dalembert_latex::{Meaning, NotFormula, Value, letter_name, read, value};
+use symbolic::Sym;
+
+/// Letters that stand for symbols of their own.
+pub struct Plain {
+    pub letters: Vec<(String, Value)>,
+}
+
+impl Plain {
+    /// Scalars by their LaTeX, each a symbol of this name.
+    pub fn of(letters: &[(&str, &str)]) -> Self {
+        let letter = |(latex, name): &(&str, &str)| {
+            (letter_name(latex).expect("it is a letter"), Value::Scalar(Sym::named(name, latex)))
+        };
+        Plain { letters: letters.iter().map(letter).collect() }
+    }
+
+    pub fn spelt(&self) -> Vec<String> {
+        self.letters.iter().map(|(name, _)| name.clone()).collect()
+    }
+
+    /// The one side of a formula.
+    pub fn side(&self, text: &str) -> Result<Sym, NotFormula> {
+        let statement = read(text, &self.spelt())?;
+        match value(&statement.chains[0].sides[0], self) {
+            Ok(Value::Scalar(scalar)) => Ok(scalar),
+            other => panic!("{text}: {other:?}"),
+        }
+    }
+}
+
+impl Meaning for Plain {
+    fn letter(&self, name: &str) -> Option<Value> {
+        self.letters.iter().find(|(known, _)| known == name).map(|(_, value)| value.clone())
+    }
+
+    fn rate(&self, of: Sym) -> Result<Sym, String> {
+        let name = of.symbol_name().ok_or("a rate of a letter alone")?;
+        Ok(Sym::symbol(&format!("{name}'")))
+    }
+
+    fn partial(&self, of: Sym, by: Sym) -> Result<Sym, String> {
+        Ok(of.diff(by))
+    }
+
+    fn circle(&self, angle: Sym) -> (Sym, Sym) {
+        let point = angle.circle_as_written();
+        (point.cos, point.sin)
+    }
+}

@@ -1,0 +1,150 @@
+//! A claim as its file has it.
+
+use crate::written::Written;
+use claims::Verdict;
+use reader::{Issue, Table};
+use std::ops::Range;
+use units::nearest;
+
+/// What a formula is said to be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    EquationOfMotion,
+    Formula,
+    Identity,
+    Inequality,
+    Equivalence,
+    IntegralOfMotion,
+    SteadyMotion,
+}
+
+impl Kind {
+    pub const ALL: [Kind; 7] = [
+        Kind::EquationOfMotion,
+        Kind::Formula,
+        Kind::Identity,
+        Kind::Inequality,
+        Kind::Equivalence,
+        Kind::IntegralOfMotion,
+        Kind::SteadyMotion,
+    ];
+
+    /// As files have it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::EquationOfMotion => "equation of motion",
+            Self::Formula => "formula",
+            Self::Identity => "identity",
+            Self::Inequality => "inequality",
+            Self::Equivalence => "equivalence",
+            Self::IntegralOfMotion => "integral of motion",
+            Self::SteadyMotion => "steady motion",
+        }
+    }
+}
+
+/// A claim of a paper.
+#[derive(Clone, Debug)]
+pub struct ClaimText {
+    /// Where it stands.
+    pub at: Range<usize>,
+    /// The paper's own number of the formula: `5`, `2.3a`.
+    pub equation: String,
+    /// Tells claims of one formula apart; empty where there is one.
+    pub name: String,
+    /// A sentence; empty where the formula says it all.
+    pub says: String,
+    pub section: String,
+    pub note: String,
+    pub kind: Kind,
+    /// The formula in LaTeX, as printed.
+    pub formula: Written,
+    /// Hypotheses in LaTeX.
+    pub given: Vec<Written>,
+    /// Letters that rest on a steady motion.
+    pub resting: Vec<Written>,
+    pub expected: Option<Verdict>,
+}
+
+impl ClaimText {
+    /// The end of its id: `eq5` or `eq5/sign`.
+    pub fn key(&self) -> String {
+        let plain: String =
+            self.equation.chars().filter(|letter| !matches!(letter, '(' | ')') && !letter.is_whitespace()).collect();
+        if self.name.is_empty() { format!("eq{plain}") } else { format!("eq{plain}/{}", self.name) }
+    }
+}
+
+const NEEDED: &str = "[[claim]] in double brackets is accepted, since a paper has several";
+
+/// Every claim of a file, in its order.
+pub fn claims(top: &mut Table<'_>, source: &str) -> Vec<ClaimText> {
+    let mut all: Vec<ClaimText> = Vec::new();
+    for mut table in top.tables("claim", NEEDED) {
+        let at = table.span();
+        let equation = table.text("equation", "number of the formula in the paper, such as \"5\" or \"2.3\"").value;
+        let formula = table.text("formula", "formula in LaTeX as printed, in single quotes: '\\ddot{x} = -g'");
+        let formula = Written::of(&table, source, &formula);
+        let mut text =
+            |key: &str, needed: &str| table.optional_text(key, needed).map(|text| text.value).unwrap_or_default();
+        let (name, says) = (
+            text("name", "name that tells claims of one formula apart"),
+            text("says", "sentence that the formula states"),
+        );
+        let (section, note) = (text("section", "section of the paper"), text("note", "remark for a reader"));
+        let mut written = |key: &str, needed: &str| -> Vec<Written> {
+            let found = table.texts(key, needed);
+            found.iter().map(|value| Written::of(&table, source, value)).collect()
+        };
+        let given = written("given", "['\\dot{x} = 0', 'm > 0']");
+        let resting = written("resting", "['\\theta', '\\dot{\\varphi}']");
+        let kind = kind(&mut table);
+        let expected = expected(&mut table);
+        if kind == Some(Kind::SteadyMotion) && resting.is_empty() {
+            let issue = Issue::at(at.clone(), "a steady motion names what rests on it", "no `resting` here");
+            table.report(
+                issue.accepted("resting = ['\\theta', '\\dot{\\varphi}']: letters and rates that are constant"),
+            );
+        }
+        top.absorb(table);
+        let Some(kind) = kind else { continue };
+        let claim = ClaimText { at, equation, name, says, section, note, kind, formula, given, resting, expected };
+        if let Some(other) = all.iter().find(|other| other.key() == claim.key()) {
+            let title = format!("two claims have the name `{}`", other.key());
+            let issue = Issue::at(claim.at.clone(), title, "the second one");
+            top.report(issue.accepted("name = \"...\", which tells claims of one formula apart"));
+        }
+        all.push(claim);
+    }
+    all
+}
+
+fn kind(table: &mut Table<'_>) -> Option<Kind> {
+    let names: Vec<&str> = Kind::ALL.into_iter().map(Kind::name).collect();
+    let needed = format!("kind of claim: {}", names.join(", "));
+    let found = table.text("kind", &needed);
+    let written = match found.value.as_str() {
+        "formula for a quantity" => "formula",
+        "if and only if" => "equivalence",
+        other => other,
+    };
+    let kind = Kind::ALL.into_iter().find(|kind| kind.name() == written);
+    if kind.is_none() && !found.value.is_empty() {
+        let near = nearest(&found.value, names.iter().copied());
+        let near = near.map_or_else(String::new, |near| format!("is `{near}` meant? "));
+        let title = format!("no kind of claim is called `{}`", found.value);
+        table.report(Issue::at(found.span, title, "not known").accepted(format!("{near}Known: {}", names.join(", "))));
+    }
+    kind
+}
+
+fn expected(table: &mut Table<'_>) -> Option<Verdict> {
+    let found = table.optional_text("expect", "verdict that is expected: proved or refuted")?;
+    let accepted = [Verdict::Proved, Verdict::Refuted, Verdict::Undecided, Verdict::Undefined];
+    let verdict = accepted.into_iter().find(|verdict| verdict.name() == found.value);
+    if verdict.is_none() && !found.value.is_empty() {
+        let title = format!("no verdict is called `{}`", found.value);
+        table.report(Issue::at(found.span, title, "not known").accepted("proved, refuted, undecided, undefined"));
+    }
+    verdict
+}

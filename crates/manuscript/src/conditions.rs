@@ -1,0 +1,124 @@
+//! Hypotheses of a claim: equalities that are solved, signs and what does not vanish.
+
+use crate::letters::Letters;
+use crate::motion::Motion;
+use crate::written::Written;
+use claims::Condition;
+use latex::{Chain, Form, NotFormula, Relation, Term, Value, read, value};
+use reader::Issue;
+use symbolic::Sym;
+
+/// A hypothesis as it was read.
+pub(crate) struct Hypothesis {
+    /// In the paper's letters, text and LaTeX.
+    pub told: (String, String),
+    /// Over the model: an equality, and the symbol that stands alone on its left.
+    pub equality: Option<(Sym, Option<Sym>)>,
+    /// Over the model: a sign, or what does not vanish.
+    pub condition: Option<Condition>,
+    /// The hypothesis in its file.
+    pub at: std::ops::Range<usize>,
+}
+
+/// A formula that cannot be read, at its place in the file.
+pub(crate) fn placed(text: &Written, fault: NotFormula) -> Issue {
+    Issue::at(text.part(&fault.span), fault.title, fault.label).accepted(fault.accepted)
+}
+
+/// A value that is not there, at its place in the file.
+pub(crate) fn without_value(text: &Written, fault: latex::NoValue) -> Issue {
+    Issue::at(text.part(&fault.span), fault.why, "here").accepted("an expression that the model gives a value")
+}
+
+/// A side over the model and in the paper's letters.
+pub(crate) struct Side {
+    pub model: Value,
+    pub own: Value,
+}
+
+/// A side of a formula.
+pub(crate) fn side(text: &Written, term: &Term, letters: &Letters<'_, '_>) -> Result<Side, Issue> {
+    let fault = |fault| without_value(text, fault);
+    Ok(Side {
+        model: value(term, &letters.in_model()).map_err(fault)?,
+        own: value(term, &letters.in_paper()).map_err(fault)?,
+    })
+}
+
+/// A side that is a scalar.
+pub(crate) fn scalar(text: &Written, term: &Term, letters: &Letters<'_, '_>) -> Result<(Sym, Sym), Issue> {
+    match side(text, term, letters)? {
+        Side { model: Value::Scalar(model), own: Value::Scalar(own) } => Ok((model, own)),
+        _ => {
+            let issue = Issue::at(text.part(&term.span), "a vector or a matrix stands where a scalar must", "here");
+            Err(issue.accepted("an equation for each component"))
+        }
+    }
+}
+
+/// Reads the hypotheses of a claim.
+///
+/// # Errors
+/// The first one that is none.
+pub(crate) fn hypotheses(given: &[Written], letters: &Letters<'_, '_>) -> Result<Vec<Hypothesis>, Issue> {
+    given.iter().map(|text| hypothesis(text, letters)).collect()
+}
+
+fn hypothesis(text: &Written, letters: &Letters<'_, '_>) -> Result<Hypothesis, Issue> {
+    let accepted =
+        r"an equality, an inequality or `\neq` between two sides: '\dot{x} = 0', 'm > 0', '\sin\theta \neq 0'";
+    let statement = read(&text.text, &letters.spelt()).map_err(|fault| placed(text, fault))?;
+    let [Chain { sides, relations }] = &statement.chains[..] else {
+        return Err(Issue::at(text.span.clone(), "an equivalence is no hypothesis", "here").accepted(accepted));
+    };
+    let ([left, right], [relation]) = (&sides[..], &relations[..]) else {
+        return Err(Issue::at(text.span.clone(), "a hypothesis has two sides", "here").accepted(accepted));
+    };
+    let ((left_is, left_own), (right_is, right_own)) = (scalar(text, left, letters)?, scalar(text, right, letters)?);
+    let told = (
+        format!("{left_own} {} {right_own}", relation.sign()),
+        format!("{} {} {}", left_own.latex(), relation.latex(), right_own.latex()),
+    );
+    let mut found = Hypothesis { told, equality: None, condition: None, at: text.span.clone() };
+    match relation {
+        Relation::Equal => {
+            let alone = matches!(left.form, Form::Letter(_) | Form::Rate(..)).then_some(left_is);
+            found.equality = Some((left_is - right_is, alone));
+        }
+        Relation::NotEqual => found.condition = Some(Condition::NonZero(left_is - right_is)),
+        Relation::Greater => found.condition = Some(Condition::Positive(left_is - right_is)),
+        Relation::Less => found.condition = Some(Condition::Positive(right_is - left_is)),
+        Relation::GreaterOrEqual | Relation::LessOrEqual => {
+            let title = "a hypothesis of this kind is not used";
+            return Err(Issue::at(text.span.clone(), title, "not strict")
+                .accepted("> or <, and the equality as a claim of its own"));
+        }
+    }
+    Ok(found)
+}
+
+/// Lets a motion assume the equalities.
+///
+/// # Errors
+/// The first one that cannot be assumed.
+pub(crate) fn assume(motion: &mut Motion<'_, '_>, hypotheses: &[Hypothesis]) -> Result<(), Issue> {
+    for hypothesis in hypotheses {
+        if let Some((zero, first)) = hypothesis.equality {
+            motion.assume(zero, first).map_err(|why| {
+                let issue = Issue::at(hypothesis.at.clone(), why, "not solved");
+                issue.accepted("an equality in which a letter stands alone, such as '\\dot{x} = 0'")
+            })?;
+        }
+    }
+    Ok(())
+}
+
+/// The conditions where the motion is.
+pub(crate) fn conditions(motion: &Motion<'_, '_>, hypotheses: &[Hypothesis]) -> Vec<Condition> {
+    let reduced = |condition: Condition| match condition {
+        Condition::Positive(e) => Condition::Positive(motion.reduced(e)),
+        Condition::NonZero(e) => Condition::NonZero(motion.reduced(e)),
+        other => other,
+    };
+    hypotheses.iter().filter_map(|hypothesis| hypothesis.condition.map(reduced)).collect()
+}

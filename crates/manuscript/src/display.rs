@@ -1,0 +1,123 @@
+//! What was found, in the letters of the paper.
+
+use crate::claim_text::Kind;
+use crate::equation::Refutation;
+use crate::finding::Finding;
+use crate::judgement::Line;
+use crate::letters::Letters;
+use crate::motion::Motion;
+use model::equations::Equations;
+use symbolic::{Hypotheses, Sym, normal};
+
+/// The letters in which a reader is told.
+#[derive(Clone, Copy)]
+pub(crate) struct Told<'a, 't, 'm>(pub &'a Letters<'t, 'm>);
+
+/// A longer difference is not written out.
+const READABLE: usize = 600;
+
+/// An equation as it was read: text and LaTeX.
+pub(crate) fn shown([left, right]: [Sym; 2]) -> (String, String) {
+    (format!("{left} = {right}"), format!("{} = {}", left.latex(), right.latex()))
+}
+
+/// Divisors that must not vanish, each once, without numbers and lone parameters' signs.
+pub(crate) fn divisors(found: &[Sym], told: Told<'_, '_, '_>) -> Vec<(String, String)> {
+    let mut all: Vec<(String, String)> = Vec::new();
+    for &divisor in found {
+        let own = told.0.told(divisor);
+        let line = (format!("{own} != 0"), format!(r"{} \neq 0", own.latex()));
+        if divisor.as_constant().is_none() && !all.contains(&line) {
+            all.push(line);
+        }
+    }
+    all.sort_by_key(|(text, _)| (text.chars().count(), text.clone()));
+    all
+}
+
+/// The data of the paper at a counterexample: every letter of the formula with its value there, then what else the point fixes.
+pub(crate) fn point(
+    own: [Sym; 2],
+    refutation: &Refutation,
+    motion: &Motion<'_, '_>,
+    told: Told<'_, '_, '_>,
+) -> Vec<(String, String)> {
+    let mut listed: Vec<(String, String)> = Vec::new();
+    let mut add = |name: String, value: Sym| {
+        if listed.iter().all(|(known, _)| *known != name) {
+            listed.push((name, value.to_string()));
+        }
+    };
+    for (letter, meaning) in told.0.meanings(own[0] - own[1]) {
+        if let Some(value) = refutation.value(motion.reduced(meaning)) {
+            add(letter.to_string(), value);
+        }
+    }
+    for &(symbol, value) in &refutation.point {
+        add(told.0.told(symbol).to_string(), value);
+    }
+    listed
+}
+
+/// Terms that the print lacks, derived less printed: of the equation of motion that comes closest, or of the value that was derived.
+pub(crate) fn missing(kind: Kind, line: &Line, motion: &Motion<'_, '_>, told: Told<'_, '_, '_>, finding: &mut Finding) {
+    let short = |expression: Sym| {
+        let form = normal(expression, &motion.hypotheses).ok()?;
+        let own = normal(told.0.told(form.to_sym()), &Hypotheses::none())
+            .map_or_else(|_| told.0.told(form.to_sym()), |form| form.to_sym());
+        Some(own)
+    };
+    let [left, right] = line.model;
+    let value = short(motion.reduced(left) - motion.reduced(right)).map(|own| (own, String::new()));
+    let of_equations = (kind == Kind::EquationOfMotion).then(|| closest(left - right, motion, &short)).flatten();
+    let found = match (value, of_equations) {
+        (Some(value), Some(equation)) if length(equation.0) < length(value.0) => Some(equation),
+        (value, equation) => value.or(equation),
+    };
+    let Some((own, of)) = found.filter(|(own, _)| length(*own) <= READABLE) else { return };
+    finding.judged.difference = Some((own.to_string(), own.latex()));
+    if !of.is_empty() {
+        finding.judged.evidence += &format!("; the terms below are {of} less the printed equation");
+    }
+}
+
+/// What is left of an expression that should vanish, where it can be read.
+pub(crate) fn told_difference(left: Sym, motion: &Motion<'_, '_>, told: Told<'_, '_, '_>, finding: &mut Finding) {
+    let Ok(form) = normal(left, &motion.hypotheses) else { return };
+    let own = told.0.told(form.to_sym());
+    if length(own) <= READABLE {
+        finding.judged.difference = Some((own.to_string(), own.latex()));
+    }
+}
+
+fn length(expression: Sym) -> usize {
+    expression.to_string().chars().count()
+}
+
+/// The difference to a multiple of one of the model's equations, the shortest.
+fn closest(printed: Sym, motion: &Motion<'_, '_>, short: &impl Fn(Sym) -> Option<Sym>) -> Option<(Sym, String)> {
+    let trace = motion.trace;
+    let Equations { mass, bias, constraints } = Equations::of(trace);
+    let mut best: Option<(Sym, String)> = None;
+    for (k, row) in mass.iter().enumerate() {
+        let inertia = row.iter().zip(&trace.accelerations).fold(bias[k], |sum, (&entry, &rate)| sum + entry * rate);
+        let equation = constraints.iter().fold(inertia, |sum, one| sum - one.multiplier * one.row[k]);
+        for (j, &entry) in row.iter().enumerate() {
+            let factor = trace.by_acceleration(printed, j);
+            if factor == Sym::ZERO || entry == Sym::ZERO {
+                continue;
+            }
+            let Some(own) = normal(factor / entry, &Hypotheses::none())
+                .ok()
+                .and_then(|factor| short(factor.to_sym() * equation - printed))
+            else {
+                continue;
+            };
+            if best.as_ref().is_none_or(|(known, _)| length(own) < length(*known)) {
+                let name = trace.direction(k);
+                best = Some((own, format!("a multiple of the model's equation of {name}")));
+            }
+        }
+    }
+    best
+}

@@ -1,0 +1,86 @@
+//! What was found of a claim.
+
+use crate::claim_text::Kind;
+use claims::{Judged, Verdict};
+use std::fmt::Write;
+
+/// A claim with its verdict, as text only.
+#[derive(Clone, Debug)]
+pub struct Finding {
+    /// As ledgers and pages have it. A correction stands there once one is known.
+    pub judged: Judged,
+    pub kind: Kind,
+    /// The formula in LaTeX, as printed.
+    pub printed: String,
+    /// Hypotheses of the file, in LaTeX as written.
+    pub given: Vec<String>,
+    /// The verdict that the file expects; none where it expects nothing.
+    pub expected: Option<Verdict>,
+    /// What the equations of the model were allowed to do: combinations, constraints, hypotheses.
+    pub allowed: String,
+    /// The values of both sides at the counterexample.
+    pub sides: Option<Sides>,
+}
+
+/// Exact values at a counterexample.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Sides {
+    pub left: String,
+    pub right: String,
+}
+
+impl Finding {
+    /// Whether the verdict is the one that the file expects.
+    ///
+    /// # Errors
+    /// It is not, in a sentence.
+    pub fn as_expected(&self) -> Result<(), String> {
+        let Judged { id, verdict, evidence, objections, .. } = &self.judged;
+        match self.expected {
+            Some(expected) if expected != *verdict => {
+                Err(format!("{id}: {} was expected, found {}: {evidence}", expected.name(), verdict.name()))
+            }
+            _ => objections.first().map_or(Ok(()), |objection| Err(format!("{id}: {objection}"))),
+        }
+    }
+
+    /// For reading: the printed formula, how it was read, the verdict with its grounds.
+    pub fn text(&self) -> String {
+        let Judged {
+            id, says, verdict, text, evidence, requires, signs, counterexample, difference, objections, ..
+        } = &self.judged;
+        let mut page = format!("{} {:<9} {id}  {}\n", verdict.sign(), verdict.name(), said(says, self.kind));
+        let mut line = |word: &str, told: &str| {
+            // writing to a string cannot fail
+            let _ = writeln!(page, "    {word:<9} {told}");
+        };
+        line("printed", &self.printed);
+        for read in text {
+            line("read as", read);
+        }
+        let conditions: Vec<&str> = requires.iter().chain(signs).map(|(text, _)| text.as_str()).collect();
+        if !conditions.is_empty() {
+            line("where", &conditions.join(", "));
+        }
+        if !self.allowed.is_empty() {
+            line("allowed", &self.allowed);
+        }
+        line("because", evidence);
+        if !counterexample.is_empty() {
+            let values: Vec<String> = counterexample.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+            line("at", &values.join(", "));
+        }
+        if let Some((difference, _)) = difference {
+            line("missing", difference);
+        }
+        for objection in objections {
+            line("objection", objection);
+        }
+        page.push('\n');
+        page
+    }
+}
+
+fn said(says: &str, kind: Kind) -> String {
+    if says.is_empty() { kind.name().to_owned() } else { says.to_owned() }
+}

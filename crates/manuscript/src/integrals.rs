@@ -1,0 +1,80 @@
+//! Integrals of motion: expressions whose rate vanishes along every motion.
+
+use crate::claim_text::ClaimText;
+use crate::conditions::{Hypothesis, assume, conditions, scalar};
+use crate::display::{Told, divisors};
+use crate::equation::{Outcome, vanishes};
+use crate::finding::Finding;
+use crate::judgement::{Line, allowed, neither, refute};
+use crate::letters::{Letters, rate};
+use crate::motion::Motion;
+use claims::Verdict;
+use latex::{Form, Relation, Statement, Term};
+use reader::Issue;
+use symbolic::Sym;
+
+/// Letters of a constant whose value nobody gives.
+pub(crate) const CONSTANTS: [&str; 3] = [r"\mathrm{const}", r"\text{const}", r"\mathit{const}"];
+
+fn is_constant(term: &Term) -> bool {
+    matches!(&term.form, Form::Letter(name) if CONSTANTS.contains(&name.as_str()))
+}
+
+/// `T + V = \mathrm{const}`, `T + V = h` or `T + V`: the rate of the difference of the sides vanishes.
+pub(crate) fn integral(
+    claim: &ClaimText,
+    statement: &Statement,
+    letters: &Letters<'_, '_>,
+    assumed: &[Hypothesis],
+    finding: &mut Finding,
+) -> Result<(), Issue> {
+    let accepted = r"T + V = \mathrm{const}, or an expression that is constant";
+    let [chain] = &statement.chains[..] else {
+        return Err(Issue::at(claim.formula.span.clone(), "an equivalence is no integral", "here").accepted(accepted));
+    };
+    let sides: Vec<&Term> = chain.sides.iter().filter(|side| !is_constant(side)).collect();
+    if chain.relations.iter().any(|relation| *relation != Relation::Equal) || !(1..=2).contains(&sides.len()) {
+        let issue = Issue::at(claim.formula.span.clone(), "an integral is one expression that is constant", "here");
+        return Err(issue.accepted(accepted));
+    }
+    let values: Vec<(Sym, Sym)> =
+        sides.iter().map(|side| scalar(&claim.formula, side, letters)).collect::<Result<_, _>>()?;
+    let (is, own) =
+        values.into_iter().reduce(|(a, own), (b, other)| (a - b, own - other)).unwrap_or((Sym::ZERO, Sym::ZERO));
+    finding.judged.text = vec![format!("{own} = const")];
+    finding.judged.latex = vec![format!(r"{} = \mathrm{{const}}", own.latex())];
+    let trace = letters.trace;
+    let changing = rate(trace, is).map_err(|why| {
+        let title = format!("this expression has no rate along the motion: {why}");
+        Issue::at(claim.formula.span.clone(), title, "here").accepted("an expression of positions, speeds and the time")
+    })?;
+    let mut motion = match Motion::by_equations(trace) {
+        Ok(motion) => motion,
+        Err(why) => {
+            neither(Outcome::Undecided(why), letters, finding);
+            return Ok(());
+        }
+    };
+    assume(&mut motion, assumed)?;
+    finding.allowed = allowed(trace, true);
+    let told = Told(letters);
+    match vanishes(&motion, changing, &conditions(&motion, assumed)) {
+        Outcome::Zero(found) => {
+            finding.judged.verdict = Verdict::Proved;
+            finding.judged.evidence = "normal form of its rate along every motion is zero".to_owned();
+            finding.judged.requires.extend(divisors(&found, told));
+        }
+        Outcome::NonZero(refutation) => {
+            let line = Line { model: [changing, Sym::ZERO], own: [own, Sym::ZERO] };
+            refute(&line, &refutation, &motion, told, finding);
+            let at = finding
+                .sides
+                .take()
+                .map_or_else(String::new, |sides| format!(": it is {} at the exact point", sides.left));
+            finding.judged.evidence = format!("its rate along the motion does not vanish{at}");
+            crate::display::told_difference(motion.reduced(changing), &motion, told, finding);
+        }
+        other => neither(other, letters, finding),
+    }
+    Ok(())
+}

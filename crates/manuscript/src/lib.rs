@@ -1,0 +1,35 @@
+//! A paper as a file: the letters of its formulas over a model, its claims as printed, and what is found of each.
+//!
+//! # Overview
+//! * [`PaperText`]: a file with `[letters]` and `[[claim]]`, beside the tables of its system or the name of their file;
+//! * [`Letters`](letters): what each letter stands for, over the symbols of the model;
+//! * [`motion`]: what holds along every motion: accelerations, multipliers, constraints, hypotheses;
+//! * [`PaperText::judge`]: a [`Finding`] for each claim. Nobody types the derived side: it comes from the model.
+//!
+//! | kind of claim | stated |
+//! |---|---|
+//! | `equation of motion` | the printed equation holds along every motion: it is a combination of the model's equations |
+//! | `formula` | the printed value of a quantity, identically or along every motion |
+//! | `identity` | both sides are equal for all positions, speeds and accelerations that the constraints allow |
+//! | `integral of motion` | the rate of the printed expression vanishes along every motion |
+//! | `inequality` | by the signs of its terms, or an exact point at which it fails |
+//! | `equivalence` | one condition is the other up to a factor that does not vanish |
+//! | `steady motion` | the printed condition is that of the motions on which the listed letters rest |
+
+mod claim_text;
+mod conditions;
+mod display;
+mod equation;
+mod finding;
+mod implications;
+mod inequalities;
+mod integrals;
+mod judgement;
+mod letters;
+mod motion;
+mod paper_text;
+mod written;
+
+pub use claim_text::{ClaimText, Kind};
+pub use finding::{Finding, Sides};
+pub use paper_text::PaperText;

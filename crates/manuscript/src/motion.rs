@@ -1,0 +1,168 @@
+//! What holds along every motion of a model: accelerations and multipliers by its equations, speeds and positions by its
+//! constraints, and what hypotheses say beside.
+
+use model::Trace;
+use model::equations::{Characteristics, Equation, Level, constraints_of, solved};
+use symbolic::{Hypotheses, Sym, coefficients, decide, substitute_all};
+
+/// Replacements that hold, one round after the other, and rules.
+pub(crate) struct Motion<'t, 'm> {
+    pub trace: &'t Trace<'m>,
+    pub hypotheses: Hypotheses,
+    rounds: Vec<Vec<(Sym, Sym)>>,
+    /// Constraints that were not solved: a point that is found may not lie on them.
+    pub open: Vec<String>,
+    /// What was divided by, in hypotheses.
+    pub divisors: Vec<Sym>,
+}
+
+impl<'t, 'm> Motion<'t, 'm> {
+    /// All that constraints allow: accelerations are free.
+    pub fn by_constraints(trace: &'t Trace<'m>) -> Self {
+        let mut motion = Motion::without_anything(trace);
+        motion.keep(&constraints_of(trace));
+        motion
+    }
+
+    /// What the equations of motion leave: positions and speeds that the constraints allow.
+    ///
+    /// # Errors
+    /// The equations of motion are not solved, and why.
+    pub fn by_equations(trace: &'t Trace<'m>) -> Result<Self, String> {
+        let constraints = constraints_of(trace);
+        let mut motion = Motion::without_anything(trace);
+        let (accelerations, multipliers) =
+            solved(trace).map_err(|why| format!("the equations of motion have no solution by elimination: {why}"))?;
+        let letters = constraints.iter().map(|one| one.multiplier);
+        let of_accelerations = trace.accelerations.iter().copied().zip(accelerations);
+        motion.rounds.push(of_accelerations.chain(letters.zip(multipliers)).collect());
+        motion.keep(&constraints);
+        Ok(motion)
+    }
+
+    fn without_anything(trace: &'t Trace<'m>) -> Self {
+        Motion { trace, hypotheses: Hypotheses::none(), rounds: Vec::new(), open: Vec::new(), divisors: Vec::new() }
+    }
+
+    fn keep(&mut self, constraints: &[Equation]) {
+        if constraints.is_empty() {
+            return;
+        }
+        let characteristics = Characteristics::of(self.trace, constraints);
+        match characteristics.motion(self.trace, constraints) {
+            Ok(known) => self.rounds.extend([known.accelerations, known.speeds]),
+            Err(place) => {
+                self.open.push(format!("{}, which is not linear in the speeds", constraints[place].title(place)))
+            }
+        }
+        for (place, constraint) in constraints.iter().enumerate().filter(|(_, one)| one.level == Level::Position) {
+            if !self.solve_position(constraint.zero) {
+                self.open.push(format!("{}, which no coordinate solves", constraint.title(place)));
+            }
+        }
+    }
+
+    /// A coordinate by the others, or its square.
+    fn solve_position(&mut self, zero: Sym) -> bool {
+        let zero = self.reduced(zero);
+        for &coordinate in &self.trace.coordinates {
+            let Ok(terms) = coefficients(zero, &[coordinate]) else { continue };
+            let of = |power: u32| terms.iter().find(|(exponents, _)| exponents[0] == power).map(|(_, value)| *value);
+            let moves = |value: Sym| self.trace.coordinates.iter().any(|each| value.symbols_of().contains(each));
+            let highest = terms.first().map_or(0, |(exponents, _)| exponents[0]);
+            match (highest, of(highest)) {
+                (1, Some(factor)) if !moves(factor) => {
+                    let value = -of(0).unwrap_or(Sym::ZERO) / factor;
+                    self.rounds.push(vec![(coordinate, value)]);
+                    return true;
+                }
+                (2, Some(factor)) if factor.as_constant().is_some() && of(1).is_none() => {
+                    let tail = -of(0).unwrap_or(Sym::ZERO) / factor;
+                    let with = self.hypotheses.clone().rule(coordinate, 2, tail);
+                    if with.check().is_ok() {
+                        self.hypotheses = with;
+                        return true;
+                    }
+                }
+                _ => {}
+            }
+        }
+        false
+    }
+
+    /// An expression where all of this holds.
+    pub fn reduced(&self, expression: Sym) -> Sym {
+        self.rounds.iter().fold(expression, |now, round| substitute_all(&[now], round)[0])
+    }
+
+    /// A hypothesis: an expression that vanishes, solved for a symbol; for the one that is named first where it can be.
+    ///
+    /// # Errors
+    /// No symbol solves it, or nothing satisfies it.
+    pub fn assume(&mut self, zero: Sym, first: Option<Sym>) -> Result<(), String> {
+        let zero = self.reduced(zero);
+        if decide(zero, &self.hypotheses).is_zero() {
+            return Ok(());
+        }
+        if zero.as_constant().is_some() {
+            return Err("this hypothesis contradicts the ones before it, or the model".to_owned());
+        }
+        match solution(zero, first) {
+            Some(Solution { symbol, value, divisor }) => {
+                if divisor.as_constant().is_none() {
+                    self.divisors.push(divisor);
+                }
+                self.rounds.push(vec![(symbol, value)]);
+                Ok(())
+            }
+            None => {
+                Err("this hypothesis is linear in none of its letters, so that none is given by the others".to_owned())
+            }
+        }
+    }
+
+    /// Lets symbols have these values from here on.
+    pub fn set(&mut self, values: Vec<(Sym, Sym)>) {
+        self.rounds.push(values);
+    }
+
+    /// Whether an expression holds what no motion determines: reactions of contacts, conditions.
+    pub fn undetermined(&self, expression: Sym) -> Option<Sym> {
+        let trace = self.trace;
+        let known = [&trace.parameters, &trace.coordinates, &trace.speeds, &trace.accelerations];
+        let inputs: Vec<Sym> = trace.model.inputs.iter().map(|input| Sym::symbol(&input.name)).collect();
+        let is_known = |symbol: &Sym| {
+            known.into_iter().any(|list| list.contains(symbol))
+                || inputs.contains(symbol)
+                || *symbol == trace.time
+                || *symbol == trace.pi
+        };
+        expression.symbols_of().into_iter().find(|symbol| !is_known(symbol))
+    }
+}
+
+/// A symbol by the others.
+pub(crate) struct Solution {
+    pub symbol: Sym,
+    pub value: Sym,
+    /// What was divided by.
+    pub divisor: Sym,
+}
+
+/// A symbol in which an expression is linear, where it vanishes: the first one if it is linear in it, then one whose factor is a number,
+/// then any.
+pub(crate) fn solution(zero: Sym, first: Option<Sym>) -> Option<Solution> {
+    let by = |symbol: Sym| {
+        let terms = coefficients(zero, &[symbol]).ok()?;
+        let of = |power: u32| terms.iter().find(|(exponents, _)| exponents[0] == power).map(|(_, value)| *value);
+        let divisor = of(1).filter(|_| terms.iter().all(|(exponents, _)| exponents[0] <= 1))?;
+        let vanishes = decide(divisor, &Hypotheses::none()).is_zero();
+        (!vanishes).then(|| Solution { symbol, value: -of(0).unwrap_or(Sym::ZERO) / divisor, divisor })
+    };
+    if let Some(found) = first.filter(|symbol| symbol.symbol_name().is_some()).and_then(by) {
+        return Some(found);
+    }
+    let mut all: Vec<Solution> = zero.symbols_of().into_iter().filter_map(by).collect();
+    all.sort_by_key(|found| Sym::operations_of(&[found.divisor]));
+    all.into_iter().next()
+}

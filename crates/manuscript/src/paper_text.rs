@@ -1,0 +1,150 @@
+//! A paper's file: its title, its letters, its claims, and its system.
+
+use crate::claim_text::{ClaimText, claims};
+use crate::finding::Finding;
+use crate::written::Written;
+use latex::letter_name;
+use reader::{Issue, SceneError, Table, read_text, tables};
+use scenes::SystemText;
+use std::path::Path;
+
+/// A letter as it is declared.
+#[derive(Clone, Debug)]
+pub(crate) struct LetterText {
+    /// In LaTeX, as written.
+    pub latex: String,
+    /// In one spelling.
+    pub name: String,
+    /// Its meaning, an expression of the model; of a vector one for each component.
+    pub meaning: Vec<Written>,
+    pub is_vector: bool,
+}
+
+/// A paper as a file.
+#[derive(Clone, Debug)]
+pub struct PaperText {
+    /// As messages call the file.
+    pub path: String,
+    pub text: String,
+    /// The beginning of the ids of its claims: the file's name.
+    pub key: String,
+    pub title: String,
+    pub citation: String,
+    pub summary: String,
+    pub(crate) letters: Vec<LetterText>,
+    pub claims: Vec<ClaimText>,
+    /// The system: this file, or the one that it names.
+    pub(crate) system: SystemText,
+}
+
+impl PaperText {
+    /// Reads a file, and that of its system where it names one.
+    ///
+    /// # Errors
+    /// All that is wrong with either, each at its place; formulas and meanings are read when they are judged.
+    pub fn read(path: &Path) -> Result<Self, SceneError> {
+        let (name, text) = (path.display().to_string(), read_text(path)?);
+        let key = path.file_stem().map_or_else(|| "paper".to_owned(), |stem| stem.to_string_lossy().into_owned());
+        let mut named = None;
+        let mut paper = tables(&name, &text, |top, _| {
+            let model = top.optional_text("model", "file with the system of the paper");
+            match &model {
+                // the reader of systems judges the other tables
+                None => top.known_all(),
+                Some(model) => named = Some(Written::of(top, &text, model)),
+            }
+            Some(paper(top, &name, &text, &key))
+        })?;
+        if let Some(Written { text: model, span, .. }) = named {
+            let beside = path.parent().unwrap_or(Path::new("")).join(model);
+            paper.system = SystemText::read(&beside).map_err(|error| {
+                let why = error.issues.first().map_or_else(String::new, |issue| issue.title.clone());
+                let title = format!("the system of this paper, {}, cannot be read: {why}", beside.display());
+                let issue = Issue::at(span, title, "this file")
+                    .accepted("the file of a system, by its way from this file's folder");
+                SceneError { path: name, text, issues: vec![issue] }
+            })?;
+        }
+        Ok(paper)
+    }
+
+    /// Decides every claim, in the order of the file.
+    ///
+    /// # Errors
+    /// All that is wrong with the system, the meanings of letters and the formulas, each at its place.
+    pub fn judge(&self) -> Result<Vec<Finding>, SceneError> {
+        crate::judgement::judged(self)
+    }
+
+    /// What messages about this file hold.
+    pub(crate) fn error(&self, mut issues: Vec<Issue>) -> SceneError {
+        issues.sort_by_key(|issue| issue.span.as_ref().map_or(0, |span| span.start));
+        SceneError { path: self.path.clone(), text: self.text.clone(), issues }
+    }
+
+    /// Whether the system stands in this file.
+    pub(crate) fn has_own_system(&self) -> bool {
+        self.system.name == self.path
+    }
+}
+
+fn paper(top: &mut Table<'_>, name: &str, text: &str, key: &str) -> PaperText {
+    let title = top.text("title", "title of the paper").value;
+    top.optional_text("description", "what the system does");
+    let mut said = |key: &str, needed: &str| {
+        let found = top.optional_text(key, needed).map(|text| text.value).unwrap_or_default();
+        found.split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    let (citation, summary) =
+        (said("citation", "authors, title, journal, year"), said("summary", "subject of the paper"));
+    let letters = letters(top, text);
+    let claims = claims(top, text);
+    if !top.has("claim") {
+        let issue = Issue::at(0..0, "this file states no claim", "nothing to judge");
+        top.report(issue.accepted("[[claim]] with equation, kind and formula, once for each formula of the paper"));
+    }
+    let system = SystemText { name: name.to_owned(), text: text.to_owned(), values: Vec::new() };
+    PaperText {
+        path: name.to_owned(),
+        text: text.to_owned(),
+        key: key.to_owned(),
+        title,
+        citation,
+        summary,
+        letters,
+        claims,
+        system,
+    }
+}
+
+/// `'\theta' = "theta"`, `'\mathbf{r}' = ["x", "y", "0"]`.
+fn letters(top: &mut Table<'_>, source: &str) -> Vec<LetterText> {
+    let mut table = top.table("letters", "each letter of the formulas its meaning in the model: '\\theta' = \"theta\"");
+    let mut all: Vec<LetterText> = Vec::new();
+    for key in table.keys() {
+        let needed = format!(
+            "meaning of `{}`: a parameter, a coordinate, a rate, an energy, a reaction, or an expression of these",
+            key.value
+        );
+        let found = table.text_or_texts(&key.value, &needed);
+        let is_vector =
+            table.place_of(&key.value).is_some_and(|place| found.first().is_some_and(|first| first.span != place));
+        let meaning: Vec<Written> = found.iter().map(|value| Written::of(&table, source, value)).collect();
+        let name = match letter_name(&key.value) {
+            Ok(name) => name,
+            Err(fault) => {
+                let issue = Issue::at(key.span, format!("`{}` is no letter: {}", key.value, fault.title), fault.label);
+                table.report(issue.accepted(fault.accepted));
+                continue;
+            }
+        };
+        if let Some(other) = all.iter().find(|other| other.name == name) {
+            let title = format!("`{}` and `{}` are one letter", other.latex, key.value);
+            table.report(Issue::at(key.span, title, "declared before").accepted("one meaning for each letter"));
+            continue;
+        }
+        all.push(LetterText { latex: key.value, name, meaning, is_vector });
+    }
+    top.absorb(table);
+    all
+}

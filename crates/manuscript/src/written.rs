@@ -1,0 +1,36 @@
+//! A text of a file with the place of each of its parts.
+
+use reader::{At, Table};
+use std::ops::Range;
+
+/// A text as it stands in a file.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Written {
+    pub text: String,
+    /// The value with its quotes.
+    pub span: Range<usize>,
+    /// Where the text begins; none where it is written with escapes, so that its parts have no places.
+    start: Option<usize>,
+}
+
+impl Written {
+    /// A value of a table.
+    pub fn of(table: &Table<'_>, source: &str, value: &At<String>) -> Self {
+        let start = table.part(value, &(0..0)).start;
+        let is_plain = source.get(start..).is_some_and(|rest| rest.starts_with(&value.value));
+        Written { text: value.value.clone(), span: value.span.clone(), start: is_plain.then_some(start) }
+    }
+
+    /// The bytes of the file that a part of the text has.
+    pub fn part(&self, part: &Range<usize>) -> Range<usize> {
+        match self.start {
+            Some(start) => start + part.start..start + part.end.max(part.start),
+            None => self.span.clone(),
+        }
+    }
+
+    /// Where the text begins.
+    pub fn start(&self) -> usize {
+        self.start.unwrap_or(self.span.start)
+    }
+}
