@@ -80,12 +80,10 @@ pub(crate) fn tokens(text: &str) -> Result<Vec<Token>, NotFormula> {
             }
         };
         match kind {
-            Some(Kind::Command(name)) if SIZES.contains(&name.as_str()) => {
-                if text[end..].trim_start().starts_with('.') {
-                    return Err(stray(start..end, &format!("\\{name}."), "parentheses in pairs"));
-                }
+            Some(Kind::Command(name)) if SIZES.contains(&name.as_str()) && is_blank(&text[end..]) => {
+                return Err(stray(start..end, &format!("\\{name}."), "parentheses in pairs"));
             }
-            Some(Kind::Command(name)) if STYLES.contains(&name.as_str()) => {}
+            Some(Kind::Command(name)) if SIZES.contains(&name.as_str()) || STYLES.contains(&name.as_str()) => {}
             Some(kind) => tokens.push(Token { kind, span: start..end }),
             None => {}
         }
@@ -99,6 +97,11 @@ pub(crate) fn tokens(text: &str) -> Result<Vec<Token>, NotFormula> {
         tokens.pop();
     }
     Ok(tokens)
+}
+
+/// Whether a delimiter that is not printed follows.
+fn is_blank(rest: &str) -> bool {
+    rest.trim_start().starts_with('.')
 }
 
 fn stray(span: Range<usize>, sign: &str, accepted: &str) -> NotFormula {

@@ -1,6 +1,6 @@
 //! A claim as its file has it.
 
-use crate::written::Written;
+use crate::passage::Passage;
 use claims::Verdict;
 use reader::{Issue, Table};
 use std::ops::Range;
@@ -58,20 +58,21 @@ pub struct ClaimText {
     pub note: String,
     pub kind: Kind,
     /// The formula in LaTeX, as printed.
-    pub formula: Written,
+    pub formula: Passage,
     /// Hypotheses in LaTeX.
-    pub given: Vec<Written>,
+    pub given: Vec<Passage>,
     /// Letters that rest on a steady motion.
-    pub resting: Vec<Written>,
+    pub resting: Vec<Passage>,
     pub expected: Option<Verdict>,
 }
 
 impl ClaimText {
-    /// The end of its id: `eq5` or `eq5/sign`.
+    /// The end of its id: `eq5`, `eq5/sign`, or `power` for what has no number.
     pub fn key(&self) -> String {
         let plain: String =
             self.equation.chars().filter(|letter| !matches!(letter, '(' | ')') && !letter.is_whitespace()).collect();
-        if self.name.is_empty() { format!("eq{plain}") } else { format!("eq{plain}/{}", self.name) }
+        let prefix = if plain.starts_with(|letter: char| letter.is_ascii_digit()) { "eq" } else { "" };
+        if self.name.is_empty() { format!("{prefix}{plain}") } else { format!("{prefix}{plain}/{}", self.name) }
     }
 }
 
@@ -84,7 +85,7 @@ pub fn claims(top: &mut Table<'_>, source: &str) -> Vec<ClaimText> {
         let at = table.span();
         let equation = table.text("equation", "number of the formula in the paper, such as \"5\" or \"2.3\"").value;
         let formula = table.text("formula", "formula in LaTeX as printed, in single quotes: '\\ddot{x} = -g'");
-        let formula = Written::of(&table, source, &formula);
+        let formula = Passage::of(&table, source, &formula);
         let mut text =
             |key: &str, needed: &str| table.optional_text(key, needed).map(|text| text.value).unwrap_or_default();
         let (name, says) = (
@@ -92,9 +93,9 @@ pub fn claims(top: &mut Table<'_>, source: &str) -> Vec<ClaimText> {
             text("says", "sentence that the formula states"),
         );
         let (section, note) = (text("section", "section of the paper"), text("note", "remark for a reader"));
-        let mut written = |key: &str, needed: &str| -> Vec<Written> {
+        let mut written = |key: &str, needed: &str| -> Vec<Passage> {
             let found = table.texts(key, needed);
-            found.iter().map(|value| Written::of(&table, source, value)).collect()
+            found.iter().map(|value| Passage::of(&table, source, value)).collect()
         };
         let given = written("given", "['\\dot{x} = 0', 'm > 0']");
         let resting = written("resting", "['\\theta', '\\dot{\\varphi}']");

@@ -2,7 +2,7 @@
 
 use crate::letters::Letters;
 use crate::motion::Motion;
-use crate::written::Written;
+use crate::passage::Passage;
 use claims::Condition;
 use latex::{Chain, Form, NotFormula, Relation, Term, Value, read, value};
 use reader::Issue;
@@ -21,12 +21,12 @@ pub(crate) struct Hypothesis {
 }
 
 /// A formula that cannot be read, at its place in the file.
-pub(crate) fn placed(text: &Written, fault: NotFormula) -> Issue {
+pub(crate) fn placed(text: &Passage, fault: NotFormula) -> Issue {
     Issue::at(text.part(&fault.span), fault.title, fault.label).accepted(fault.accepted)
 }
 
 /// A value that is not there, at its place in the file.
-pub(crate) fn without_value(text: &Written, fault: latex::NoValue) -> Issue {
+pub(crate) fn without_value(text: &Passage, fault: latex::NoValue) -> Issue {
     Issue::at(text.part(&fault.span), fault.why, "here").accepted("an expression that the model gives a value")
 }
 
@@ -37,7 +37,7 @@ pub(crate) struct Side {
 }
 
 /// A side of a formula.
-pub(crate) fn side(text: &Written, term: &Term, letters: &Letters<'_, '_>) -> Result<Side, Issue> {
+pub(crate) fn side(text: &Passage, term: &Term, letters: &Letters<'_, '_>) -> Result<Side, Issue> {
     let fault = |fault| without_value(text, fault);
     Ok(Side {
         model: value(term, &letters.in_model()).map_err(fault)?,
@@ -46,7 +46,7 @@ pub(crate) fn side(text: &Written, term: &Term, letters: &Letters<'_, '_>) -> Re
 }
 
 /// A side that is a scalar.
-pub(crate) fn scalar(text: &Written, term: &Term, letters: &Letters<'_, '_>) -> Result<(Sym, Sym), Issue> {
+pub(crate) fn scalar(text: &Passage, term: &Term, letters: &Letters<'_, '_>) -> Result<(Sym, Sym), Issue> {
     match side(text, term, letters)? {
         Side { model: Value::Scalar(model), own: Value::Scalar(own) } => Ok((model, own)),
         _ => {
@@ -60,11 +60,11 @@ pub(crate) fn scalar(text: &Written, term: &Term, letters: &Letters<'_, '_>) -> 
 ///
 /// # Errors
 /// The first one that is none.
-pub(crate) fn hypotheses(given: &[Written], letters: &Letters<'_, '_>) -> Result<Vec<Hypothesis>, Issue> {
+pub(crate) fn hypotheses(given: &[Passage], letters: &Letters<'_, '_>) -> Result<Vec<Hypothesis>, Issue> {
     given.iter().map(|text| hypothesis(text, letters)).collect()
 }
 
-fn hypothesis(text: &Written, letters: &Letters<'_, '_>) -> Result<Hypothesis, Issue> {
+fn hypothesis(text: &Passage, letters: &Letters<'_, '_>) -> Result<Hypothesis, Issue> {
     let accepted =
         r"an equality, an inequality or `\neq` between two sides: '\dot{x} = 0', 'm > 0', '\sin\theta \neq 0'";
     let statement = read(&text.text, &letters.spelt()).map_err(|fault| placed(text, fault))?;

@@ -3,15 +3,20 @@
 use crate::claim_text::Kind;
 use crate::equation::Refutation;
 use crate::finding::Finding;
-use crate::judgement::Line;
 use crate::letters::Letters;
 use crate::motion::Motion;
 use model::equations::Equations;
-use symbolic::{Hypotheses, Sym, normal};
+use symbolic::{Hypotheses, Node, Sym, normal};
 
 /// The letters in which a reader is told.
 #[derive(Clone, Copy)]
 pub(crate) struct Told<'a, 't, 'm>(pub &'a Letters<'t, 'm>);
+
+/// An equality between two neighbours of a chain, component by component.
+pub(crate) struct Line {
+    pub model: [Sym; 2],
+    pub own: [Sym; 2],
+}
 
 /// A longer difference is not written out.
 const READABLE: usize = 600;
@@ -21,18 +26,31 @@ pub(crate) fn shown([left, right]: [Sym; 2]) -> (String, String) {
     (format!("{left} = {right}"), format!("{} = {}", left.latex(), right.latex()))
 }
 
-/// Divisors that must not vanish, each once, without numbers and lone parameters' signs.
+/// Divisors that must not vanish, each once and in its shortest form.
 pub(crate) fn divisors(found: &[Sym], told: Told<'_, '_, '_>) -> Vec<(String, String)> {
     let mut all: Vec<(String, String)> = Vec::new();
     for &divisor in found {
-        let own = told.0.told(divisor);
-        let line = (format!("{own} != 0"), format!(r"{} \neq 0", own.latex()));
-        if divisor.as_constant().is_none() && !all.contains(&line) {
-            all.push(line);
+        // a quotient vanishes where what stands above does; what stands below is a divisor of its own
+        let parts = normal(divisor, &Hypotheses::none()).map_or(vec![divisor], |form| factors(form.numerator()));
+        for part in parts.into_iter().filter(|part| part.as_constant().is_none()) {
+            let own = told.0.told(part);
+            let line = (format!("{own} != 0"), format!(r"{} \neq 0", own.latex()));
+            if !all.contains(&line) {
+                all.push(line);
+            }
         }
     }
     all.sort_by_key(|(text, _)| (text.chars().count(), text.clone()));
     all
+}
+
+/// The factors of a product, without signs and powers.
+fn factors(product: Sym) -> Vec<Sym> {
+    match product.node() {
+        Node::Product(a, b) => [factors(a), factors(b)].concat(),
+        Node::Negation(a) | Node::Power(a, _) => factors(a),
+        _ => vec![product],
+    }
 }
 
 /// The data of the paper at a counterexample: every letter of the formula with its value there, then what else the point fixes.
@@ -59,7 +77,7 @@ pub(crate) fn point(
     listed
 }
 
-/// Terms that the print lacks, derived less printed: of the equation of motion that comes closest, or of the value that was derived.
+/// Terms that the right side lacks, derived less printed: by the equation of motion that comes closest, or by the value that was derived.
 pub(crate) fn missing(kind: Kind, line: &Line, motion: &Motion<'_, '_>, told: Told<'_, '_, '_>, finding: &mut Finding) {
     let short = |expression: Sym| {
         let form = normal(expression, &motion.hypotheses).ok()?;
@@ -77,7 +95,7 @@ pub(crate) fn missing(kind: Kind, line: &Line, motion: &Motion<'_, '_>, told: To
     let Some((own, of)) = found.filter(|(own, _)| length(*own) <= READABLE) else { return };
     finding.judged.difference = Some((own.to_string(), own.latex()));
     if !of.is_empty() {
-        finding.judged.evidence += &format!("; the terms below are {of} less the printed equation");
+        finding.judged.evidence += &format!("; with the terms below on its right side it is {of}");
     }
 }
 
@@ -109,7 +127,7 @@ fn closest(printed: Sym, motion: &Motion<'_, '_>, short: &impl Fn(Sym) -> Option
             }
             let Some(own) = normal(factor / entry, &Hypotheses::none())
                 .ok()
-                .and_then(|factor| short(factor.to_sym() * equation - printed))
+                .and_then(|factor| short(printed - factor.to_sym() * equation))
             else {
                 continue;
             };

@@ -2,17 +2,17 @@
 
 use crate::claim_text::ClaimText;
 use crate::conditions::{Hypothesis, assume, conditions, placed, scalar};
-use crate::display::{Told, point};
+use crate::display::{Told, divisors, point};
 use crate::equation::{Outcome, vanishes};
 use crate::finding::Finding;
-use crate::judgement::neither;
 use crate::letters::Letters;
 use crate::motion::{Motion, Solution, solution};
+use crate::verdict::neither;
 use claims::{Condition, Verdict};
 use latex::{Chain, Form, Relation, Statement, read};
 use model::equations::{Characteristics, Equations};
 use reader::Issue;
-use symbolic::{Hypotheses, Sym, normal};
+use symbolic::Sym;
 
 /// What follows from a condition.
 enum Step {
@@ -26,7 +26,7 @@ enum Step {
 /// Whether `then` vanishes where `zero` does.
 fn step(motion: &Motion<'_, '_>, zero: Sym, then: Sym, conditions: &[Condition]) -> Step {
     let zero = motion.reduced(zero);
-    let Some(Solution { symbol, value, divisor }) = solution(zero, None) else {
+    let Some(Solution { symbol, value, divisor }) = solution(motion.trace, zero, None) else {
         let why = "a condition is linear in none of its letters, so that it was not solved";
         return Step::Open(Outcome::Undecided(why.to_owned()));
     };
@@ -110,17 +110,10 @@ fn followed(
     finding: &mut Finding,
 ) -> bool {
     match step {
-        Step::Follows(divisor) => match is_excluded(divisor, conditions) {
-            true => true,
-            false => {
-                let own = letters.told(divisor);
-                let line = (format!("{own} != 0"), format!(r"{} \neq 0", own.latex()));
-                if !finding.judged.requires.contains(&line) {
-                    finding.judged.requires.push(line);
-                }
-                true
-            }
-        },
+        Step::Follows(divisor) => {
+            require(divisor, conditions, letters, finding);
+            true
+        }
         Step::Fails(refutation) => {
             finding.judged.verdict = Verdict::Refuted;
             finding.judged.evidence = "at the exact point one condition holds and the other does not".to_owned();
@@ -134,14 +127,18 @@ fn followed(
     }
 }
 
-fn is_excluded(divisor: Sym, conditions: &[Condition]) -> bool {
-    divisor.as_constant().is_some()
-        || conditions.iter().any(|condition| match condition {
-            Condition::NonZero(e) | Condition::Positive(e) => {
-                normal(divisor / *e, &Hypotheses::none()).is_ok_and(|ratio| ratio.as_constant().is_some())
-            }
-            _ => false,
-        })
+/// Lists the factors of a divisor that no hypothesis keeps from vanishing.
+fn require(divisor: Sym, conditions: &[Condition], letters: &Letters<'_, '_>, finding: &mut Finding) {
+    let known = conditions.iter().filter_map(|condition| match condition {
+        Condition::NonZero(e) | Condition::Positive(e) => Some(*e),
+        _ => None,
+    });
+    let known = divisors(&known.collect::<Vec<Sym>>(), Told(letters));
+    for line in divisors(&[divisor], Told(letters)) {
+        if !known.contains(&line) && !finding.judged.requires.contains(&line) {
+            finding.judged.requires.push(line);
+        }
+    }
 }
 
 /// The condition of the motions on which the letters of `resting` are constant.
@@ -194,13 +191,7 @@ pub(crate) fn steady_motion(
         }
         if let Step::Follows(divisor) = step(&motion, reduced, printed, &conditions) {
             of_print.push(name.clone());
-            if !is_excluded(divisor, &conditions) {
-                let own = letters.told(normal(divisor, &motion.hypotheses).map_or(divisor, |form| form.to_sym()));
-                let line = (format!("{own} != 0"), format!(r"{} \neq 0", own.latex()));
-                if !finding.judged.requires.contains(&line) {
-                    finding.judged.requires.push(line);
-                }
-            }
+            require(divisor, &conditions, letters, finding);
         }
     }
     if of_print.is_empty() {

@@ -5,9 +5,9 @@ use crate::conditions::{Hypothesis, assume, conditions, scalar};
 use crate::display::Told;
 use crate::equation::{Outcome, Refutation};
 use crate::finding::{Finding, Sides};
-use crate::judgement::{allowed, neither};
 use crate::letters::Letters;
 use crate::motion::Motion;
+use crate::verdict::{allowed, neither};
 use claims::{Condition, Page, Point, Verdict};
 use field::Rational;
 use latex::{Relation, Statement};
@@ -71,9 +71,15 @@ pub(crate) fn inequality(
         (finding.judged.verdict, finding.judged.evidence) = (Verdict::Proved, judged.evidence);
         return Ok(());
     }
-    if is_square_sum(reduced, &conditions) && !is_strict {
-        (finding.judged.verdict, finding.judged.evidence) =
-            (Verdict::Proved, "a sum of squares with positive factors".to_owned());
+    // as printed too: a normal form may mix signs that the print keeps apart
+    let shows = |expression: Sym| match sign(expression, &conditions) {
+        Some(Sign::Positive) => true,
+        Some(Sign::NotNegative) => !is_strict,
+        _ => false,
+    };
+    if shows(reduced) || shows(greater) {
+        let evidence = "every term as written has this sign: squares, and letters that are positive".to_owned();
+        (finding.judged.verdict, finding.judged.evidence) = (Verdict::Proved, evidence);
         return Ok(());
     }
     match search(reduced, is_strict, &conditions, &motion) {
@@ -97,16 +103,83 @@ pub(crate) fn inequality(
     Ok(())
 }
 
-/// Whether an expression is a sum of products of squares and of letters that are given as positive.
-fn is_square_sum(expression: Sym, conditions: &[Condition]) -> bool {
-    match expression.node() {
-        Node::Sum(a, b) => is_square_sum(a, conditions) && is_square_sum(b, conditions),
-        Node::Product(a, b) | Node::Quotient(a, b) => {
-            a == b || is_square_sum(a, conditions) && is_square_sum(b, conditions)
+/// What is known of the sign of an expression.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Sign {
+    Positive,
+    NotNegative,
+    NotPositive,
+    Negative,
+}
+
+impl Sign {
+    fn opposite(self) -> Self {
+        match self {
+            Sign::Positive => Sign::Negative,
+            Sign::NotNegative => Sign::NotPositive,
+            Sign::NotPositive => Sign::NotNegative,
+            Sign::Negative => Sign::Positive,
         }
-        Node::Power(a, n) => n % 2 == 0 || is_square_sum(a, conditions),
-        Node::Constant(_) => expression.as_constant().is_some_and(|value| value.sign() != Some(-1)),
-        _ => conditions.contains(&Condition::Positive(expression)),
+    }
+
+    /// Whether it is at least zero, and whether it excludes zero.
+    fn parts(self) -> (bool, bool) {
+        match self {
+            Sign::Positive => (true, true),
+            Sign::NotNegative => (true, false),
+            Sign::NotPositive => (false, false),
+            Sign::Negative => (false, true),
+        }
+    }
+
+    fn of_parts((is_up, is_strict): (bool, bool)) -> Self {
+        match (is_up, is_strict) {
+            (true, true) => Sign::Positive,
+            (true, false) => Sign::NotNegative,
+            (false, false) => Sign::NotPositive,
+            (false, true) => Sign::Negative,
+        }
+    }
+
+    fn product(self, other: Self) -> Self {
+        let ((up, strict), (other_up, other_strict)) = (self.parts(), other.parts());
+        Sign::of_parts((up == other_up, strict && other_strict))
+    }
+}
+
+/// The sign of an expression as it is written, by those of its letters.
+fn sign(expression: Sym, conditions: &[Condition]) -> Option<Sign> {
+    let of = |part: Sym| sign(part, conditions);
+    if conditions.contains(&Condition::Positive(expression)) {
+        return Some(Sign::Positive);
+    }
+    let is_apart =
+        |part: Sym| conditions.contains(&Condition::NonZero(part)) || of(part).is_some_and(|sign| sign.parts().1);
+    let square = |part: Sym| Some(if is_apart(part) { Sign::Positive } else { Sign::NotNegative });
+    let sum = |a: Sign, b: Sign| {
+        let ((up, strict), (other_up, other_strict)) = (a.parts(), b.parts());
+        (up == other_up).then(|| Sign::of_parts((up, strict || other_strict)))
+    };
+    match expression.node() {
+        Node::Constant(_) => match expression.as_constant()?.sign()? {
+            1 => Some(Sign::Positive),
+            0 => Some(Sign::NotNegative),
+            _ => Some(Sign::Negative),
+        },
+        Node::Sum(a, b) => sum(of(a)?, of(b)?),
+        Node::Difference(a, b) if a == Sym::ZERO => of(b).map(Sign::opposite),
+        Node::Difference(a, b) => sum(of(a)?, of(b)?.opposite()),
+        Node::Negation(a) => of(a).map(Sign::opposite),
+        Node::Product(a, b) if a == b => square(a),
+        Node::Product(a, b) => Some(of(a)?.product(of(b)?)),
+        Node::Quotient(a, b) => {
+            let below = of(b).filter(|sign| sign.parts().1)?;
+            Some(of(a)?.product(below))
+        }
+        Node::Power(a, n) if n % 2 == 0 => square(a),
+        Node::Power(a, _) => of(a),
+        Node::Root(a) => Some(if of(a) == Some(Sign::Positive) { Sign::Positive } else { Sign::NotNegative }),
+        _ => None,
     }
 }
 

@@ -2,12 +2,12 @@
 
 use crate::claim_text::ClaimText;
 use crate::conditions::{Hypothesis, assume, conditions, scalar};
-use crate::display::{Told, divisors};
+use crate::display::{Line, Told, divisors};
 use crate::equation::{Outcome, vanishes};
 use crate::finding::Finding;
-use crate::judgement::{Line, allowed, neither, refute};
 use crate::letters::{Letters, rate};
 use crate::motion::Motion;
+use crate::verdict::{allowed, neither, refute};
 use claims::Verdict;
 use latex::{Form, Relation, Statement, Term};
 use reader::Issue;

@@ -2,26 +2,33 @@
 
 use crate::claim_text::{ClaimText, Kind};
 use crate::conditions::{Hypothesis, assume, conditions, hypotheses, placed, side};
-use crate::display::{Told, divisors, missing, point, shown};
-use crate::equation::{Outcome, Refutation, vanishes};
-use crate::finding::{Finding, Sides};
+use crate::display::{Line, Told, divisors, missing, shown};
+use crate::equation::{Outcome, vanishes};
+use crate::finding::Finding;
 use crate::implications::{equivalence, steady_motion};
 use crate::inequalities::inequality;
 use crate::integrals::{CONSTANTS, integral};
 use crate::letters::{Letters, model};
 use crate::motion::Motion;
 use crate::paper_text::PaperText;
+use crate::verdict::{allowed, mixed, neither, refute};
 use ::model::Trace;
 use claims::{Judged, Verdict};
 use latex::{Chain, Relation, Statement, read};
 use reader::{Issue, SceneError};
-use symbolic::{Sym, dimension};
+use symbolic::Sym;
 
-/// Decides every claim of a paper.
-///
-/// # Errors
-/// All that is wrong with the system, the letters or the formulas, each at its place.
-pub(crate) fn judged(paper: &PaperText) -> Result<Vec<Finding>, SceneError> {
+impl PaperText {
+    /// Decides every claim, in the order of the file.
+    ///
+    /// # Errors
+    /// All that is wrong with the system, the meanings of letters and the formulas, each at its place.
+    pub fn judge(&self) -> Result<Vec<Finding>, SceneError> {
+        judged(self)
+    }
+}
+
+fn judged(paper: &PaperText) -> Result<Vec<Finding>, SceneError> {
     let model = model(paper)?;
     symbolic::apart(|| {
         let trace = Trace::of(&model);
@@ -64,7 +71,7 @@ fn judge(
     let mut judged = Judged {
         id: format!("{}/{}", paper.key, claim.key()),
         section: claim.section.clone(),
-        equation: format!("eq{}", claim.equation),
+        equation: claim.key().split('/').next().unwrap_or_default().to_owned(),
         says: claim.says.clone(),
         note: claim.note.clone(),
         reading: format!("printed: {}", claim.formula.text),
@@ -98,12 +105,6 @@ fn judge(
     }
     finding.judged.expected = claim.expected.unwrap_or(finding.judged.verdict);
     Ok(finding)
-}
-
-/// An equality between two neighbours of a chain, component by component.
-pub(crate) struct Line {
-    pub model: [Sym; 2],
-    pub own: [Sym; 2],
 }
 
 /// The equalities of a formula.
@@ -204,71 +205,4 @@ fn equalities(
     finding.allowed = allowed(trace, is_dynamic);
     mixed(&lines, letters, finding);
     Ok(())
-}
-
-/// A verdict that neither proves nor refutes.
-pub(crate) fn neither(outcome: Outcome, letters: &Letters<'_, '_>, finding: &mut Finding) {
-    let (verdict, evidence) = match outcome {
-        Outcome::Undefined(denominator) => {
-            (Verdict::Undefined, format!("{} vanishes identically", letters.told(denominator)))
-        }
-        Outcome::Identified(why) => (Verdict::Tested, why),
-        Outcome::Undecided(why) => (Verdict::Undecided, why),
-        Outcome::Zero(_) | Outcome::NonZero(_) => return,
-    };
-    (finding.judged.verdict, finding.judged.evidence) = (verdict, evidence);
-}
-
-/// What was used beside the formula.
-pub(crate) fn allowed(trace: &Trace<'_>, is_dynamic: bool) -> String {
-    let constraints = ::model::equations::constraints_of(trace).len();
-    let held = match constraints {
-        0 => String::new(),
-        1 => " and the constraint with its derivatives".to_owned(),
-        n => format!(" and the {n} equations of constraints with their derivatives"),
-    };
-    match (is_dynamic, constraints) {
-        (true, _) => format!("along every motion: any combination of the model's equations of motion{held}"),
-        (false, 0) => "identically: for all positions, speeds and accelerations".to_owned(),
-        (false, _) => format!(
-            "for all positions, speeds and accelerations that the constraints allow:{}",
-            held.trim_start_matches(" and")
-        ),
-    }
-}
-
-pub(crate) fn refute(
-    line: &Line,
-    refutation: &Refutation,
-    motion: &Motion<'_, '_>,
-    told: Told<'_, '_, '_>,
-    finding: &mut Finding,
-) {
-    finding.judged.verdict = Verdict::Refuted;
-    let value = |side: Sym| refutation.value(motion.reduced(side)).map(|value| value.to_string());
-    finding.sides = value(line.model[0]).zip(value(line.model[1])).map(|(left, right)| Sides { left, right });
-    let sides = match &finding.sides {
-        Some(Sides { left, right }) => {
-            format!("at the exact point the left side is {left} and the right side is {right}")
-        }
-        None => "at the exact point the sides differ".to_owned(),
-    };
-    let formal =
-        if refutation.is_formal { "; sines and cosines are taken there as independent of their angles" } else { "" };
-    finding.judged.evidence = format!("{sides}{formal}");
-    finding.judged.counterexample = point(line.own, refutation, motion, told);
-}
-
-/// Sides of mixed dimensions speak against what is false, and are an objection to whatever is said to hold.
-fn mixed(lines: &[Line], letters: &Letters<'_, '_>, finding: &mut Finding) {
-    let of = |name: &str| letters.dimension(name);
-    let mismatch = lines.iter().find_map(|line| dimension(line.own[0] - line.own[1], &of).err());
-    // a name of a derivative has no dimension of its own
-    let Some(mismatch) = mismatch.filter(|mismatch| !matches!(mismatch, symbolic::Mismatch::Unknown(_))) else {
-        return;
-    };
-    match finding.judged.verdict {
-        Verdict::Refuted => finding.judged.evidence += &format!("; {mismatch}"),
-        _ => finding.judged.objections.push(mismatch.to_string()),
-    }
 }

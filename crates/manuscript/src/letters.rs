@@ -259,10 +259,7 @@ pub(crate) fn rate(trace: &Trace<'_>, of: Sym) -> Result<Sym, String> {
     let rests = |symbol: &&Sym| {
         let is_known =
             [&trace.parameters, &trace.coordinates, &trace.speeds].into_iter().any(|known| known.contains(symbol));
-        !is_known
-            && **symbol != trace.time
-            && **symbol != trace.pi
-            && !trace.cosines.iter().flatten().flatten().any(|cosine| cosine == *symbol)
+        !is_known && **symbol != trace.time && **symbol != trace.pi
     };
     if let Some(open) = symbols.iter().find(rests) {
         return Err(format!("the rate of {open} is not known: it is an input, a reaction or a condition"));

@@ -28,7 +28,8 @@ mod judgement;
 mod letters;
 mod motion;
 mod paper_text;
-mod written;
+mod passage;
+mod verdict;
 
 pub use claim_text::{ClaimText, Kind};
 pub use finding::{Finding, Sides};

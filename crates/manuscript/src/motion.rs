@@ -3,7 +3,7 @@
 
 use model::Trace;
 use model::equations::{Characteristics, Equation, Level, constraints_of, solved};
-use symbolic::{Hypotheses, Sym, coefficients, decide, substitute_all};
+use symbolic::{Hypotheses, Sym, coefficients, decide, normal, substitute_all};
 
 /// Replacements that hold, one round after the other, and rules.
 pub(crate) struct Motion<'t, 'm> {
@@ -21,6 +21,7 @@ impl<'t, 'm> Motion<'t, 'm> {
     pub fn by_constraints(trace: &'t Trace<'m>) -> Self {
         let mut motion = Motion::without_anything(trace);
         motion.keep(&constraints_of(trace));
+        motion.turn_freely();
         motion
     }
 
@@ -37,11 +38,20 @@ impl<'t, 'm> Motion<'t, 'm> {
         let of_accelerations = trace.accelerations.iter().copied().zip(accelerations);
         motion.rounds.push(of_accelerations.chain(letters.zip(multipliers)).collect());
         motion.keep(&constraints);
+        motion.turn_freely();
         Ok(motion)
     }
 
     fn without_anything(trace: &'t Trace<'m>) -> Self {
         Motion { trace, hypotheses: Hypotheses::none(), rounds: Vec::new(), open: Vec::new(), divisors: Vec::new() }
+    }
+
+    /// Quaternions of free frames have length one.
+    fn turn_freely(&mut self) {
+        let plain = self.trace.model.coordinates.len();
+        for parts in self.trace.coordinates[plain..].chunks_exact(4) {
+            self.hypotheses = self.hypotheses.clone().unit_vector([parts[0], parts[1], parts[2], parts[3]]);
+        }
     }
 
     fn keep(&mut self, constraints: &[Equation]) {
@@ -107,7 +117,7 @@ impl<'t, 'm> Motion<'t, 'm> {
         if zero.as_constant().is_some() {
             return Err("this hypothesis contradicts the ones before it, or the model".to_owned());
         }
-        match solution(zero, first) {
+        match solution(self.trace, zero, first) {
             Some(Solution { symbol, value, divisor }) => {
                 if divisor.as_constant().is_none() {
                     self.divisors.push(divisor);
@@ -150,8 +160,10 @@ pub(crate) struct Solution {
 }
 
 /// A symbol in which an expression is linear, where it vanishes: the first one if it is linear in it, then one whose factor is a number,
-/// then any.
-pub(crate) fn solution(zero: Sym, first: Option<Sym>) -> Option<Solution> {
+/// then one whose factor does not move.
+pub(crate) fn solution(trace: &Trace<'_>, zero: Sym, first: Option<Sym>) -> Option<Solution> {
+    // over one denominator: it vanishes where what stands above does
+    let zero = normal(zero, &Hypotheses::none()).map_or(zero, |form| form.numerator());
     let by = |symbol: Sym| {
         let terms = coefficients(zero, &[symbol]).ok()?;
         let of = |power: u32| terms.iter().find(|(exponents, _)| exponents[0] == power).map(|(_, value)| *value);
@@ -162,7 +174,11 @@ pub(crate) fn solution(zero: Sym, first: Option<Sym>) -> Option<Solution> {
     if let Some(found) = first.filter(|symbol| symbol.symbol_name().is_some()).and_then(by) {
         return Some(found);
     }
+    let moves = |divisor: Sym| {
+        let symbols = divisor.symbols_of();
+        trace.coordinates.iter().chain(&trace.speeds).any(|each| symbols.contains(each))
+    };
     let mut all: Vec<Solution> = zero.symbols_of().into_iter().filter_map(by).collect();
-    all.sort_by_key(|found| Sym::operations_of(&[found.divisor]));
+    all.sort_by_key(|found| (moves(found.divisor), Sym::operations_of(&[found.divisor])));
     all.into_iter().next()
 }

@@ -1,8 +1,7 @@
 //! A paper's file: its title, its letters, its claims, and its system.
 
 use crate::claim_text::{ClaimText, claims};
-use crate::finding::Finding;
-use crate::written::Written;
+use crate::passage::Passage;
 use latex::letter_name;
 use reader::{Issue, SceneError, Table, read_text, tables};
 use scenes::SystemText;
@@ -16,7 +15,7 @@ pub(crate) struct LetterText {
     /// In one spelling.
     pub name: String,
     /// Its meaning, an expression of the model; of a vector one for each component.
-    pub meaning: Vec<Written>,
+    pub meaning: Vec<Passage>,
     pub is_vector: bool,
 }
 
@@ -51,11 +50,11 @@ impl PaperText {
             match &model {
                 // the reader of systems judges the other tables
                 None => top.known_all(),
-                Some(model) => named = Some(Written::of(top, &text, model)),
+                Some(model) => named = Some(Passage::of(top, &text, model)),
             }
             Some(paper(top, &name, &text, &key))
         })?;
-        if let Some(Written { text: model, span, .. }) = named {
+        if let Some(Passage { text: model, span, .. }) = named {
             let beside = path.parent().unwrap_or(Path::new("")).join(model);
             paper.system = SystemText::read(&beside).map_err(|error| {
                 let why = error.issues.first().map_or_else(String::new, |issue| issue.title.clone());
@@ -66,14 +65,6 @@ impl PaperText {
             })?;
         }
         Ok(paper)
-    }
-
-    /// Decides every claim, in the order of the file.
-    ///
-    /// # Errors
-    /// All that is wrong with the system, the meanings of letters and the formulas, each at its place.
-    pub fn judge(&self) -> Result<Vec<Finding>, SceneError> {
-        crate::judgement::judged(self)
     }
 
     /// What messages about this file hold.
@@ -129,7 +120,7 @@ fn letters(top: &mut Table<'_>, source: &str) -> Vec<LetterText> {
         let found = table.text_or_texts(&key.value, &needed);
         let is_vector =
             table.place_of(&key.value).is_some_and(|place| found.first().is_some_and(|first| first.span != place));
-        let meaning: Vec<Written> = found.iter().map(|value| Written::of(&table, source, value)).collect();
+        let meaning: Vec<Passage> = found.iter().map(|value| Passage::of(&table, source, value)).collect();
         let name = match letter_name(&key.value) {
             Ok(name) => name,
             Err(fault) => {

@@ -107,7 +107,7 @@ fn tested(findings: &[Finding], wrong: usize) -> String {
 }
 
 fn object(finding: &Finding) -> serde_json::Value {
-    let Finding { judged, printed, expected, allowed, sides, kind } = finding;
+    let Finding { judged, printed, given, expected, allowed, sides, kind } = finding;
     let told = |pairs: &[(String, String)]| pairs.iter().map(|(text, _)| text.clone()).collect::<Vec<_>>();
     json!({
         "id": judged.id,
@@ -120,7 +120,7 @@ fn object(finding: &Finding) -> serde_json::Value {
         "printed": printed,
         "read": judged.text,
         "read_latex": judged.latex,
-        "given": finding.given,
+        "given": given,
         "requires": told(&judged.requires),
         "signs": told(&judged.signs),
         "allowed": allowed,

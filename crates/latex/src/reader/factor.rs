@@ -91,7 +91,7 @@ impl Reader<'_> {
                 start,
                 format!("`{digits}` is no number"),
                 "here",
-                "up to 30 digits with one point between them",
+                "up to 400 digits with one point between them",
             )
         })?;
         Ok(self.term(start, Form::Number(value)))

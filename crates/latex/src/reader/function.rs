@@ -97,10 +97,11 @@ impl Reader<'_> {
             _ => false,
         };
         let mut argument: Option<Term> = None;
-        if self.peek().is_some_and(|token| is_number(token) || is_fraction(token)) {
+        let is_root = self.peek().is_some_and(|token| token.is_command("sqrt"));
+        if is_root || self.peek().is_some_and(|token| is_number(token) || is_fraction(token)) {
             argument = Some(self.factor()?);
         }
-        if self.peek().is_some_and(is_letter) {
+        if !is_root && self.peek().is_some_and(is_letter) {
             let letter = self.letter()?;
             argument = Some(match argument {
                 Some(number) => self.term(first, Form::Product(Box::new(number), Box::new(letter))),

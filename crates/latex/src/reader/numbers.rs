@@ -2,7 +2,7 @@
 
 use field::{Rational, Scalar};
 
-const MOST_DIGITS: usize = 30;
+const MOST_DIGITS: usize = 400;
 
 /// Digits with a point, exactly.
 pub(super) fn decimal(digits: &str) -> Option<Rational> {

@@ -46,7 +46,8 @@ fn formulas_are_read_as_people_read_them() {
         let plain = Plain::of(&LETTERS);
         for (latex, text) in cases {
             let read = plain.side(latex).unwrap_or_else(|fault| panic!("{latex}: {fault}"));
-            let expected = symbolic::parse(text).unwrap_or_else(|fault| panic!("{text}: {fault}"));
+            let expected = symbolic::parse(text, &|name| Some(Sym::symbol(name)))
+                .unwrap_or_else(|fault| panic!("{text}: {fault}"));
             assert!(decide(read - expected, &Hypotheses::none()).is_zero(), "{latex} is read as {read}");
         }
     });

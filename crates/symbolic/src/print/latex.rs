@@ -35,7 +35,7 @@ impl Notation for Latex {
     }
 
     /// Juxtaposition, with a space where a command would swallow a letter, a thin space after an argument without
-    /// parentheses, and a dot between numbers.
+    /// parentheses and before parentheses that read as arguments, and a dot between numbers.
     fn product(&self, factors: &[String]) -> String {
         let mut product = String::new();
         let mut before = "";
@@ -45,7 +45,7 @@ impl Notation for Latex {
                 before.rsplit_once('\\').is_some_and(|(_, last)| last.chars().all(|c| c.is_ascii_alphabetic()));
             if !before.is_empty() && factor.starts_with(|c: char| c.is_ascii_digit()) {
                 product.push_str("\\cdot ");
-            } else if open_argument {
+            } else if open_argument || is_letter_before(before) && is_like_arguments(factor) {
                 product.push_str("\\,");
             } else if command && factor.starts_with(|c: char| c.is_ascii_alphabetic()) {
                 product.push(' ');
@@ -93,6 +93,16 @@ impl Notation for Latex {
     fn derivative(&self, name: Name, order: u32, argument: String) -> String {
         format!("{}{}({argument})", self.symbol(name), "'".repeat(order as usize))
     }
+}
+
+fn is_letter_before(before: &str) -> bool {
+    !before.is_empty() && !before.ends_with(')')
+}
+
+/// Whether parentheses without a sum would read as the arguments of a letter before them.
+fn is_like_arguments(factor: &str) -> bool {
+    let inside = factor.strip_prefix('(').and_then(|rest| rest.split_once(')')).map_or("", |(inside, _)| inside);
+    !inside.is_empty() && !inside.contains(['+', '-'])
 }
 
 fn braced(exponent: u32) -> String {

@@ -5,7 +5,7 @@ use std::ops::Range;
 
 /// A text as it stands in a file.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Written {
+pub struct Passage {
     pub text: String,
     /// The value with its quotes.
     pub span: Range<usize>,
@@ -13,12 +13,12 @@ pub struct Written {
     start: Option<usize>,
 }
 
-impl Written {
+impl Passage {
     /// A value of a table.
     pub fn of(table: &Table<'_>, source: &str, value: &At<String>) -> Self {
         let start = table.part(value, &(0..0)).start;
         let is_plain = source.get(start..).is_some_and(|rest| rest.starts_with(&value.value));
-        Written { text: value.value.clone(), span: value.span.clone(), start: is_plain.then_some(start) }
+        Passage { text: value.value.clone(), span: value.span.clone(), start: is_plain.then_some(start) }
     }
 
     /// The bytes of the file that a part of the text has.

@@ -1,0 +1,79 @@
+//! Verdicts with their grounds, as a finding holds them.
+
+use crate::display::{Line, Told, point};
+use crate::equation::{Outcome, Refutation};
+use crate::finding::{Finding, Sides};
+use crate::letters::Letters;
+use crate::motion::Motion;
+use claims::Verdict;
+use model::Trace;
+use model::equations::constraints_of;
+use symbolic::{Mismatch, Sym, dimension};
+
+/// A verdict that neither proves nor refutes.
+pub(crate) fn neither(outcome: Outcome, letters: &Letters<'_, '_>, finding: &mut Finding) {
+    let (verdict, evidence) = match outcome {
+        Outcome::Undefined(denominator) => {
+            (Verdict::Undefined, format!("{} vanishes identically", letters.told(denominator)))
+        }
+        Outcome::Identified(why) => (Verdict::Tested, why),
+        Outcome::Undecided(why) => (Verdict::Undecided, why),
+        Outcome::Zero(_) | Outcome::NonZero(_) => return,
+    };
+    (finding.judged.verdict, finding.judged.evidence) = (verdict, evidence);
+}
+
+/// What was used beside the formula.
+pub(crate) fn allowed(trace: &Trace<'_>, is_dynamic: bool) -> String {
+    let constraints = constraints_of(trace).len();
+    let held = match constraints {
+        0 => String::new(),
+        1 => " and the constraint with its derivatives".to_owned(),
+        n => format!(" and the {n} equations of constraints with their derivatives"),
+    };
+    match (is_dynamic, constraints) {
+        (true, _) => format!("along every motion: any combination of the model's equations of motion{held}"),
+        (false, 0) => "identically: for all positions, speeds and accelerations".to_owned(),
+        (false, _) => format!(
+            "for all positions, speeds and accelerations that the constraints allow:{}",
+            held.trim_start_matches(" and")
+        ),
+    }
+}
+
+/// An exact point at which the sides of a line differ.
+pub(crate) fn refute(
+    line: &Line,
+    refutation: &Refutation,
+    motion: &Motion<'_, '_>,
+    told: Told<'_, '_, '_>,
+    finding: &mut Finding,
+) {
+    finding.judged.verdict = Verdict::Refuted;
+    let value = |side: Sym| refutation.value(motion.reduced(side)).map(|value| value.to_string());
+    finding.sides = value(line.model[0]).zip(value(line.model[1])).map(|(left, right)| Sides { left, right });
+    let sides = match &finding.sides {
+        Some(Sides { left, right }) => {
+            format!("at the exact point the left side is {left} and the right side is {right}")
+        }
+        None => "at the exact point the sides differ".to_owned(),
+    };
+    let formal =
+        if refutation.is_formal { "; sines and cosines are taken there as independent of their angles" } else { "" };
+    finding.judged.evidence = format!("{sides}{formal}");
+    finding.judged.counterexample = point(line.own, refutation, motion, told);
+}
+
+/// Sides of mixed dimensions speak against what is false, and are an objection to whatever is said to hold.
+pub(crate) fn mixed(lines: &[Line], letters: &Letters<'_, '_>, finding: &mut Finding) {
+    let of = |name: &str| letters.dimension(name);
+    let mismatch = lines.iter().find_map(|line| dimension(line.own[0] - line.own[1], &of).err());
+    // a name of a derivative has no dimension of its own
+    let Some(mismatch) = mismatch.filter(|mismatch| !matches!(mismatch, Mismatch::Unknown(_))) else {
+        return;
+    };
+    match finding.judged.verdict {
+        Verdict::Refuted => finding.judged.evidence += &format!("; {mismatch}"),
+        _ => finding.judged.objections.push(mismatch.to_string()),
+    }
+}

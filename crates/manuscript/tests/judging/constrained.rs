@@ -1,0 +1,135 @@
+//! Claims on systems with constraints, reactions and free frames.
+
+use crate::{on, verdict};
+
+const CARTESIAN: &str = r#"
+title = "A pendulum in Cartesian coordinates"
+gravity = "-g*N.y"
+[parameters]
+m = "kg"
+l = "m"
+g = "m/s^2"
+[coordinates]
+x = "m"
+y = "m"
+[points]
+P = "O + x*N.x + y*N.y"
+[bodies.bob]
+centre = "P"
+mass = "m"
+[[constraint]]
+name = "rod"
+zero = "(x^2 + y^2 - l^2)/2"
+[letters]
+'m' = "m"
+'l' = "l"
+'g' = "g"
+'x' = "x"
+'y' = "y"
+'\lambda' = "reaction(rod)"
+"#;
+
+#[test]
+fn a_multiplier_has_its_value_along_every_motion() {
+    let tension = r"\lambda = \frac{m}{l^2}\left(g y - \dot{x}^2 - \dot{y}^2\right)";
+    let found = on(CARTESIAN, "formula", tension, "");
+    assert_eq!(verdict(&found), "proved", "{}", found.text());
+    let wrong = r"\lambda = \frac{m}{l^2}\left(g y + \dot{x}^2 + \dot{y}^2\right)";
+    assert_eq!(verdict(&on(CARTESIAN, "formula", wrong, "")), "refuted");
+    assert_eq!(verdict(&on(CARTESIAN, "equation of motion", r"m \ddot{x} = \lambda x", "")), "proved");
+    assert_eq!(verdict(&on(CARTESIAN, "equation of motion", r"x \ddot{y} - y \ddot{x} + g x = 0", "")), "proved");
+}
+
+#[test]
+fn constraints_and_their_rates_are_identities() {
+    for (formula, expected) in [
+        (r"x^2 + y^2 = l^2", "proved"),
+        (r"x \dot{x} + y \dot{y} = 0", "proved"),
+        (r"x \dot{x} = y \dot{y}", "refuted"),
+    ] {
+        let found = on(CARTESIAN, "identity", formula, "");
+        assert_eq!(verdict(&found), expected, "{}", found.text());
+    }
+}
+
+const FREE: &str = r#"
+title = "A free body"
+[parameters]
+m = "kg"
+A = "kg m^2"
+B = "kg m^2"
+C = "kg m^2"
+[coordinates]
+x = "m"
+[frames]
+F = "N free"
+[points]
+P = "O + x*N.x"
+[bodies.body]
+frame = "F"
+centre = "P"
+mass = "m"
+inertia = { axes = "F", principal = ["A", "B", "C"] }
+[letters]
+'A' = "A"
+'B' = "B"
+'C' = "C"
+'p' = "F.wx"
+'q' = "F.wy"
+'r' = "F.wz"
+'\gamma' = "F.x . N.z"
+'\gamma_1' = "F.y . N.z"
+'\gamma_2' = "F.z . N.z"
+"#;
+
+#[test]
+fn a_free_body_obeys_euler() {
+    for (kind, formula, expected) in [
+        ("equation of motion", r"A \dot{p} + (C - B) q r = 0", "proved"),
+        ("equation of motion", r"A \dot{p} + (B - C) q r = 0", "refuted"),
+        ("integral of motion", r"A p^2 + B q^2 + C r^2", "proved"),
+        ("integral of motion", r"A^2 p^2 + B^2 q^2 + C^2 r^2", "proved"),
+        ("integral of motion", r"A p \gamma + B q \gamma_1 + C r \gamma_2", "proved"),
+        ("identity", r"\gamma^2 + \gamma_1^2 + \gamma_2^2 = 1", "proved"),
+        ("identity", r"\dot{\gamma} = r \gamma_1 - q \gamma_2", "proved"),
+        ("identity", r"\dot{\gamma} = q \gamma_2 - r \gamma_1", "refuted"),
+    ] {
+        let found = on(FREE, kind, formula, "");
+        assert_eq!(verdict(&found), expected, "{}", found.text());
+    }
+}
+
+#[test]
+fn a_steady_motion_has_the_condition_of_its_equations() {
+    let system = r#"
+title = "A spherical pendulum"
+gravity = "-g*N.z"
+[parameters]
+m = "kg"
+l = "m"
+g = "m/s^2"
+[coordinates]
+phi = "rad"
+theta = "rad"
+[frames]
+A = "N turned phi about z"
+B = "A turned theta about y"
+[points]
+P = "O - l*B.z"
+[bodies.bob]
+centre = "P"
+mass = "m"
+[letters]
+'m' = "m"
+'l' = "l"
+'g' = "g"
+'\varphi' = "phi"
+'\theta' = "theta"
+"#;
+    let resting = r"resting = ['\theta', '\dot{\varphi}']";
+    let found = on(system, "steady motion", r"\dot{\varphi}^2 l \cos\theta = g", resting);
+    assert_eq!(verdict(&found), "proved", "{}", found.text());
+    assert!(found.judged.requires.iter().any(|(text, _)| text.contains("sin(theta)")), "{:?}", found.judged.requires);
+    let found = on(system, "steady motion", r"\dot{\varphi}^2 l \sin\theta = g", resting);
+    assert_eq!(verdict(&found), "refuted", "{}", found.text());
+}

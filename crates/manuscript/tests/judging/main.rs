@@ -1,0 +1,70 @@
+//! Papers of a few lines, and what is found of them.
+
+mod constrained;
+mod messages;
+mod pendulum;
+
+use dalembert_manuscript::{Finding, PaperText};
+use reader::SceneError;
+
+/// A pendulum with its letters; claims follow.
+pub const PENDULUM: &str = r#"
+title = "A pendulum"
+gravity = "-g*N.y"
+[parameters]
+m = "kg"
+l = "m"
+g = "m/s^2"
+[coordinates]
+theta = "rad"
+[frames]
+A = "N turned theta about z"
+[points]
+P = "O - l*A.y"
+[bodies.bob]
+centre = "P"
+mass = "m"
+[letters]
+'m' = "m"
+'l' = "l"
+'g' = "g"
+'\theta' = "theta"
+'h' = "2*l"
+'T' = "kinetic_energy"
+'V' = "potential_energy"
+'\mathbf{v}' = ["velocity(P) . N.x", "velocity(P) . N.y"]
+"#;
+
+/// The claims of a paper whose text this is.
+pub fn judged(text: &str) -> Result<Vec<Finding>, SceneError> {
+    let folder = tempfile::tempdir().expect("a folder can be made");
+    let file = folder.path().join("paper.toml");
+    std::fs::write(&file, text).expect("a file can be written");
+    PaperText::read(&file)?.judge()
+}
+
+/// A claim on the pendulum.
+pub fn on_pendulum(kind: &str, formula: &str, more: &str) -> Finding {
+    on(PENDULUM, kind, formula, more)
+}
+
+/// A claim on a system.
+pub fn on(system: &str, kind: &str, formula: &str, more: &str) -> Finding {
+    let text = format!("{system}\n[[claim]]\nequation = \"1\"\nkind = \"{kind}\"\nformula = '{formula}'\n{more}\n");
+    let mut found = judged(&text).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(found.len(), 1);
+    found.remove(0)
+}
+
+/// The word of a verdict.
+pub fn verdict(finding: &Finding) -> &'static str {
+    finding.judged.verdict.name()
+}
+
+/// All that is wrong with a paper.
+pub fn refused(text: &str) -> String {
+    match judged(text) {
+        Ok(found) => panic!("{} claims were judged", found.len()),
+        Err(error) => error.to_string(),
+    }
+}

@@ -1,0 +1,113 @@
+//! Every kind of claim on a pendulum.
+
+use crate::{on_pendulum, verdict};
+
+#[test]
+fn an_equation_of_motion_holds_up_to_a_factor() {
+    for formula in [
+        r"m l^2 \ddot{\theta} + m g l \sin\theta = 0",
+        r"\ddot{\theta} = -\frac{g}{l}\sin\theta",
+        r"h \ddot\theta + 2 g \sin\theta = 0",
+        r"\frac{d}{dt}\left(\frac{\partial T}{\partial \dot{\theta}}\right) - \frac{\partial T}{\partial \theta} + \frac{\partial V}{\partial \theta} = 0",
+        r"\cos\theta\,\ddot\theta = -\frac{g}{l}\sin\theta\cos\theta",
+    ] {
+        let found = on_pendulum("equation of motion", formula, "");
+        assert_eq!(verdict(&found), "proved", "{formula}: {}", found.text());
+        assert!(found.allowed.contains("combination of the model's equations"), "{}", found.allowed);
+    }
+}
+
+#[test]
+fn a_slip_is_refuted_at_an_exact_point_with_the_terms_that_are_missing() {
+    let found = on_pendulum("equation of motion", r"m l^2 \ddot{\theta} - m g l \sin\theta = 0", "");
+    assert_eq!(verdict(&found), "refuted");
+    assert_eq!(found.judged.difference.as_ref().map(|(text, _)| text.as_str()), Some("-2*g*l*m*sin(theta)"));
+    let at: Vec<&str> = found.judged.counterexample.iter().map(|(name, _)| name.as_str()).collect();
+    assert!(["m", "l", "g", "sin(theta)"].iter().all(|name| at.contains(name)), "{at:?}");
+    assert!(found.sides.is_some());
+    // a cosine in the place of a sine, a lost factor, a lost square
+    for formula in [
+        r"l \ddot{\theta} + g \cos\theta = 0",
+        r"2 l \ddot{\theta} + g \sin\theta = 0",
+        r"m l \ddot{\theta} + m g l \sin\theta = 0",
+        r"l \ddot{\theta} + g \theta = 0",
+    ] {
+        assert_eq!(verdict(&on_pendulum("equation of motion", formula, "")), "refuted", "{formula}");
+    }
+}
+
+#[test]
+fn the_data_of_a_counterexample_are_those_of_the_paper() {
+    let found = on_pendulum("equation of motion", r"h \ddot{\theta} + g \sin\theta = 0", "");
+    let value = |name: &str| {
+        let found = found.judged.counterexample.iter().find(|(known, _)| known == name);
+        found.map(|(_, value)| value.clone()).unwrap_or_else(|| panic!("{name}: {:?}", found))
+    };
+    assert!(value("h").parse::<i64>().is_ok() && value("g").parse::<i64>().is_ok());
+    assert!(value("theta''").contains('/'), "{}", value("theta''"));
+}
+
+#[test]
+fn quantities_have_their_values() {
+    for (formula, expected) in [
+        (r"T = \frac12 m l^2 \dot\theta^2", "proved"),
+        (r"T = \frac12 m \mathbf{v}\cdot\mathbf{v}", "proved"),
+        (r"T = m l^2 \dot\theta^2", "refuted"),
+        (r"\mathbf{v} = \begin{pmatrix} l\dot\theta\cos\theta \\ l\dot\theta\sin\theta \end{pmatrix}", "proved"),
+        (r"\mathbf{v} = \begin{pmatrix} l\dot\theta\cos\theta \\ -l\dot\theta\sin\theta \end{pmatrix}", "refuted"),
+        (r"\frac{d}{dt}(T) = -m g l \dot\theta\sin\theta", "proved"),
+        (r"\dot{\mathbf{v}} = 0", "refuted"),
+    ] {
+        assert_eq!(verdict(&on_pendulum("formula", formula, "")), expected, "{formula}");
+    }
+    // what needs the equations of motion is no identity
+    let rate = r"\frac{d}{dt}(T) = -m g l \dot\theta\sin\theta";
+    assert_eq!(verdict(&on_pendulum("identity", rate, "")), "refuted");
+}
+
+#[test]
+fn integrals_are_constant_along_every_motion() {
+    for (formula, given, expected) in [
+        (r"T + V = \mathrm{const}", "", "proved"),
+        (r"\frac12 l \dot\theta^2 - g \cos\theta", "", "proved"),
+        (r"T - V = \mathrm{const}", "", "refuted"),
+        (r"\dot\theta = \mathrm{const}", "given = ['g = 0']", "proved"),
+    ] {
+        assert_eq!(verdict(&on_pendulum("integral of motion", formula, given)), expected, "{formula}");
+    }
+}
+
+#[test]
+fn inequalities_are_proved_by_signs_or_fail_at_a_point() {
+    let positive = "given = ['m > 0', 'l > 0', 'g > 0']";
+    for (formula, given, expected) in [
+        (r"T \geq 0", positive, "proved"),
+        (r"T > 0", positive, "refuted"),
+        (r"m l^2 > 0", positive, "proved"),
+        (r"\cos\theta > 0", "", "refuted"),
+        (r"T \geq 0", "", "refuted"),
+        (r"1 + \cos\theta \geq 0", "", "undecided"),
+    ] {
+        assert_eq!(verdict(&on_pendulum("inequality", formula, given)), expected, "{formula}");
+    }
+}
+
+#[test]
+fn equivalent_conditions_follow_from_each_other() {
+    let found = on_pendulum("equivalence", r"g \sin\theta = 0 \iff \ddot\theta = 0", "");
+    assert_eq!(verdict(&found), "proved", "{}", found.text());
+    let found = on_pendulum("equivalence", r"g = l \iff m = l", "");
+    assert_eq!(verdict(&found), "refuted", "{}", found.text());
+}
+
+#[test]
+fn an_expectation_that_is_not_met_is_told() {
+    let found = on_pendulum("formula", r"T = 0", "expect = \"proved\"");
+    assert!(found.as_expected().is_err_and(|why| why.contains("proved was expected, found refuted")));
+}
+
+#[test]
+fn mixed_dimensions_speak_against_a_formula() {
+    let found = on_pendulum("equation of motion", r"m l \ddot{\theta} + m g l \sin\theta = 0", "");
+    assert!(found.judged.evidence.contains("dimension"), "{}", found.judged.evidence);
+}
