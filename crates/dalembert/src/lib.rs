@@ -3,7 +3,8 @@
 //! # Overview
 //! * [`model`]: a system as data, its kinematics, the principles, equations of motion;
 //! * [`scenes`]: systems as text, as they run; [`simulation`]: runs, references, work against precision, ensembles;
-//! * [`motor`]: electric motors; [`claims`]: equations of papers, and their verdicts;
+//! * [`motor`]: electric motors; [`claims`]: equations of papers, and their verdicts; [`manuscript`]: a paper as a file, its formulas read
+//!   from LaTeX ([`latex`]);
 //! * [`symbolic`], [`field`], [`algebra`], [`mechanics`], [`integrators`], [`units`], [`reader`]: the machinery beneath.
 //!
 //! With the feature `commands` a program of one's own has every command of the program `dalembert`, on its own motors and
@@ -30,6 +31,9 @@
 
 #[cfg(feature = "commands")]
 pub use commands;
-pub use {algebra, claims, field, integrators, mechanics, model, motor, reader, scenes, simulation, symbolic, units};
+pub use {
+    algebra, claims, field, integrators, latex, manuscript, mechanics, model, motor, reader, scenes, simulation,
+    symbolic, units,
+};
 #[cfg(feature = "content")]
 pub use {machines, papers, studies, systems, theorems};

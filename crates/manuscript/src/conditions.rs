@@ -14,6 +14,8 @@ pub(crate) struct Hypothesis {
     pub told: (String, String),
     /// Over the model: an equality, and the symbol that stands alone on its left.
     pub equality: Option<(Sym, Option<Sym>)>,
+    /// Whether a letter has a value other than zero: dimensions need not agree then.
+    pub scales: bool,
     /// Over the model: a sign, or what does not vanish.
     pub condition: Option<Condition>,
     /// The hypothesis in its file.
@@ -79,7 +81,8 @@ fn hypothesis(text: &Passage, letters: &Letters<'_, '_>) -> Result<Hypothesis, I
         format!("{left_own} {} {right_own}", relation.sign()),
         format!("{} {} {}", left_own.latex(), relation.latex(), right_own.latex()),
     );
-    let mut found = Hypothesis { told, equality: None, condition: None, at: text.span.clone() };
+    let scales = *relation == Relation::Equal && right_is != Sym::ZERO;
+    let mut found = Hypothesis { told, equality: None, scales, condition: None, at: text.span.clone() };
     match relation {
         Relation::Equal => {
             let alone = matches!(left.form, Form::Letter(_) | Form::Rate(..)).then_some(left_is);

@@ -1,6 +1,7 @@
 //! Every claim of a paper, decided.
 
 use crate::claim_text::{ClaimText, Kind};
+use crate::combination::told_combination;
 use crate::conditions::{Hypothesis, assume, conditions, hypotheses, placed, side};
 use crate::display::{Line, Told, divisors, missing, shown};
 use crate::equation::{Outcome, vanishes};
@@ -203,6 +204,13 @@ fn equalities(
         finding.judged.requires.extend(divisors(&requires, told));
     }
     finding.allowed = allowed(trace, is_dynamic);
-    mixed(&lines, letters, finding);
+    if let (true, Verdict::Proved, [line], Some(Ok(motion))) = (is_dynamic, finding.judged.verdict, &lines[..], &along)
+        && let Some(combination) = told_combination(line.model[0] - line.model[1], motion, told)
+    {
+        finding.allowed += &format!("; here {combination}");
+    }
+    if !assumed.iter().any(|hypothesis| hypothesis.scales) {
+        mixed(&lines, letters, finding);
+    }
     Ok(())
 }

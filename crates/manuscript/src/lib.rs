@@ -17,6 +17,7 @@
 //! | `steady motion` | the printed condition is that of the motions on which the listed letters rest |
 
 mod claim_text;
+mod combination;
 mod conditions;
 mod display;
 mod equation;

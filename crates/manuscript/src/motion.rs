@@ -55,11 +55,13 @@ impl<'t, 'm> Motion<'t, 'm> {
     }
 
     fn keep(&mut self, constraints: &[Equation]) {
+        // what is led to zero is not zero
+        let constraints: Vec<Equation> = constraints.iter().filter(|one| one.gains.is_none()).cloned().collect();
         if constraints.is_empty() {
             return;
         }
-        let characteristics = Characteristics::of(self.trace, constraints);
-        match characteristics.motion(self.trace, constraints) {
+        let characteristics = Characteristics::of(self.trace, &constraints);
+        match characteristics.motion(self.trace, &constraints) {
             Ok(known) => self.rounds.extend([known.accelerations, known.speeds]),
             Err(place) => {
                 self.open.push(format!("{}, which is not linear in the speeds", constraints[place].title(place)))

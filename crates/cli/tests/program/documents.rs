@@ -89,10 +89,12 @@ fn missing<'a>(shown: &'a [String], printed: &str) -> Option<&'a str> {
     None
 }
 
-/// Runs the commands of some documents in a folder that holds a copy of the scenes, since some of them write.
+/// Runs the commands of some documents in a folder that holds a copy of the scenes and papers, since some of them write.
 fn run_all(documents: &[&Path], least: usize) {
     let folder = tempfile::tempdir().expect("a folder can be made");
-    copy(&root().join("scenes"), &folder.path().join("scenes"));
+    for shown in ["scenes", "papers"] {
+        copy(&root().join(shown), &folder.path().join(shown));
+    }
     let (mut wrong, mut count) = (String::new(), 0);
     for document in documents {
         let text = fs::read_to_string(document).expect("a document is text");

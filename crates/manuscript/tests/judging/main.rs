@@ -2,6 +2,7 @@
 
 mod constrained;
 mod messages;
+mod pages;
 mod pendulum;
 
 use dalembert_manuscript::{Finding, PaperText};

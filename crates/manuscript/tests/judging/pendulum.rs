@@ -18,6 +18,12 @@ fn an_equation_of_motion_holds_up_to_a_factor() {
 }
 
 #[test]
+fn the_combination_of_equations_is_told() {
+    let found = on_pendulum("equation of motion", r"h \ddot\theta + 2 g \sin\theta = 0", "");
+    assert!(found.allowed.ends_with("; here 2/(l*m) times the equation of theta"), "{}", found.allowed);
+}
+
+#[test]
 fn a_slip_is_refuted_at_an_exact_point_with_the_terms_that_are_missing() {
     let found = on_pendulum("equation of motion", r"m l^2 \ddot{\theta} - m g l \sin\theta = 0", "");
     assert_eq!(verdict(&found), "refuted");
