@@ -16,10 +16,11 @@ pub enum Kind {
     Equivalence,
     IntegralOfMotion,
     SteadyMotion,
+    Stability,
 }
 
 impl Kind {
-    pub const ALL: [Kind; 7] = [
+    pub const ALL: [Kind; 8] = [
         Kind::EquationOfMotion,
         Kind::Formula,
         Kind::Identity,
@@ -27,6 +28,7 @@ impl Kind {
         Kind::Equivalence,
         Kind::IntegralOfMotion,
         Kind::SteadyMotion,
+        Kind::Stability,
     ];
 
     /// As files have it.
@@ -39,6 +41,7 @@ impl Kind {
             Self::Equivalence => "equivalence",
             Self::IntegralOfMotion => "integral of motion",
             Self::SteadyMotion => "steady motion",
+            Self::Stability => "stability",
         }
     }
 }
@@ -101,7 +104,7 @@ pub fn claims(top: &mut Table<'_>, source: &str) -> Vec<ClaimText> {
         let resting = written("resting", "['\\theta', '\\dot{\\varphi}']");
         let kind = kind(&mut table);
         let expected = expected(&mut table);
-        if kind == Some(Kind::SteadyMotion) && resting.is_empty() {
+        if matches!(kind, Some(Kind::SteadyMotion | Kind::Stability)) && resting.is_empty() {
             let issue = Issue::at(at.clone(), "a steady motion names what rests on it", "no `resting` here");
             table.report(
                 issue.accepted("resting = ['\\theta', '\\dot{\\varphi}']: letters and rates that are constant"),

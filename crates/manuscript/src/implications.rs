@@ -1,15 +1,16 @@
 //! Conditions that are equivalent, and those of steady motions.
 
 use crate::claim_text::ClaimText;
-use crate::conditions::{Hypothesis, assume, conditions, placed, scalar};
+use crate::conditions::{Hypothesis, assume, conditions, scalar};
 use crate::display::{Told, divisors, point};
 use crate::equation::{Outcome, vanishes};
 use crate::finding::Finding;
 use crate::letters::Letters;
 use crate::motion::{Motion, Solution, solution};
+use crate::resting::Resting;
 use crate::verdict::neither;
 use claims::{Condition, Verdict};
-use latex::{Chain, Form, Relation, Statement, read};
+use latex::{Chain, Relation, Statement};
 use model::equations::{Characteristics, Equations};
 use reader::Issue;
 use symbolic::Sym;
@@ -158,7 +159,7 @@ pub(crate) fn steady_motion(
     finding.judged.latex = vec![format!("{} = {}", own[0].latex(), own[1].latex())];
     let trace = letters.trace;
     let mut motion = Motion::by_constraints(trace);
-    motion.set(at_rest(claim, letters)?);
+    motion.set(Resting::of(claim, letters)?.rates(letters));
     assume(&mut motion, assumed)?;
     let conditions = conditions(&motion, assumed);
     let all = Equations::of(trace);
@@ -203,34 +204,4 @@ pub(crate) fn steady_motion(
     finding.judged.evidence =
         format!("the printed condition is the equation of {} there, and the others hold", of_print.join(" and of "));
     Ok(())
-}
-
-/// The rates that vanish where the named letters rest.
-fn at_rest(claim: &ClaimText, letters: &Letters<'_, '_>) -> Result<Vec<(Sym, Sym)>, Issue> {
-    let trace = letters.trace;
-    let mut zero = Vec::new();
-    for text in &claim.resting {
-        let statement = read(&text.text, &letters.spelt()).map_err(|fault| placed(text, fault))?;
-        let side = &statement.chains[0].sides[0];
-        let accepted = r"letters of coordinates, and their rates: '\theta', '\dot{\varphi}'";
-        if !matches!(side.form, Form::Letter(_) | Form::Rate(..)) {
-            return Err(
-                Issue::at(text.span.clone(), "what rests is one letter, or its rate", "here").accepted(accepted)
-            );
-        }
-        let (symbol, _) = scalar(text, side, letters)?;
-        let coordinate = trace.coordinates.iter().take(trace.speeds.len()).position(|one| *one == symbol);
-        let speed = trace.speeds.iter().position(|one| *one == symbol);
-        match (coordinate, speed) {
-            (Some(place), _) => {
-                zero.extend([(trace.speeds[place], Sym::ZERO), (trace.accelerations[place], Sym::ZERO)])
-            }
-            (None, Some(place)) => zero.push((trace.accelerations[place], Sym::ZERO)),
-            (None, None) => {
-                let title = format!("`{}` is neither a coordinate of the model nor a speed", text.text);
-                return Err(Issue::at(text.span.clone(), title, "here").accepted(accepted));
-            }
-        }
-    }
-    Ok(zero)
 }

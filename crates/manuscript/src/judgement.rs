@@ -12,6 +12,7 @@ use crate::integrals::{CONSTANTS, integral};
 use crate::letters::{Letters, model};
 use crate::motion::Motion;
 use crate::paper_text::PaperText;
+use crate::stability::stability;
 use crate::verdict::{allowed, mixed, neither, refute};
 use ::model::Trace;
 use claims::{Judged, Verdict};
@@ -103,6 +104,7 @@ fn judge(
         Kind::Inequality => inequality(claim, statement, letters, &assumed, &mut finding)?,
         Kind::Equivalence => equivalence(claim, statement, letters, &assumed, &mut finding)?,
         Kind::SteadyMotion => steady_motion(claim, statement, letters, &assumed, &mut finding)?,
+        Kind::Stability => stability(claim, statement, letters, &assumed, &mut finding)?,
     }
     finding.judged.expected = claim.expected.unwrap_or(finding.judged.verdict);
     Ok(finding)

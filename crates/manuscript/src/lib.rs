@@ -15,6 +15,7 @@
 //! | `inequality` | by the signs of its terms, or an exact point at which it fails |
 //! | `equivalence` | one condition is the other up to a factor that does not vanish |
 //! | `steady motion` | the printed condition is that of the motions on which the listed letters rest |
+//! | `stability` | a steady motion is stable in the first approximation where, and only where, the inequality holds |
 
 mod claim_text;
 mod combination;
@@ -30,6 +31,9 @@ mod letters;
 mod motion;
 mod paper_text;
 mod passage;
+mod resting;
+mod signs;
+mod stability;
 mod verdict;
 
 pub use claim_text::{ClaimText, Kind};

@@ -48,7 +48,8 @@ pub const HELP: &str = r#"A paper's file:
 
   [[claim]]
   equation = "1"                 # the number in the paper
-  kind = "equation of motion"    # formula, identity, inequality, equivalence, integral of motion, steady motion
+  kind = "equation of motion"    # formula, identity, inequality, equivalence,
+                                 # integral of motion, steady motion, stability
   formula = 'm l^2 \ddot{\theta} + m g l \sin\theta = 0'
   given = ['m > 0']              # hypotheses; may be left out
   expect = "proved"              # for --test; may be left out

@@ -99,9 +99,7 @@ fn a_free_body_obeys_euler() {
     }
 }
 
-#[test]
-fn a_steady_motion_has_the_condition_of_its_equations() {
-    let system = r#"
+const SPHERICAL: &str = r#"
 title = "A spherical pendulum"
 gravity = "-g*N.z"
 [parameters]
@@ -126,10 +124,65 @@ mass = "m"
 '\varphi' = "phi"
 '\theta' = "theta"
 "#;
+
+#[test]
+fn a_steady_motion_has_the_condition_of_its_equations() {
     let resting = r"resting = ['\theta', '\dot{\varphi}']";
-    let found = on(system, "steady motion", r"\dot{\varphi}^2 l \cos\theta = g", resting);
+    let found = on(SPHERICAL, "steady motion", r"\dot{\varphi}^2 l \cos\theta = g", resting);
     assert_eq!(verdict(&found), "proved", "{}", found.text());
     assert!(found.judged.requires.iter().any(|(text, _)| text.contains("sin(theta)")), "{:?}", found.judged.requires);
-    let found = on(system, "steady motion", r"\dot{\varphi}^2 l \sin\theta = g", resting);
+    let found = on(SPHERICAL, "steady motion", r"\dot{\varphi}^2 l \sin\theta = g", resting);
     assert_eq!(verdict(&found), "refuted", "{}", found.text());
+}
+
+const HOOP: &str = r#"
+title = "A bead on a hoop that turns about its vertical diameter"
+gravity = "-g*N.z"
+[parameters]
+m = "kg"
+r = "m"
+g = "m/s^2"
+Omega = "rad/s"
+c = "N m s"
+[coordinates]
+theta = "rad"
+[frames]
+A = "N turned Omega*t about z"
+B = "A turned theta about y"
+[points]
+P = "O - r*B.z"
+[bodies.bead]
+centre = "P"
+mass = "m"
+[[force]]
+along = "theta"
+is = "-c*theta'"
+[letters]
+'m' = "m"
+'r' = "r"
+'g' = "g"
+'c' = "c"
+'\Omega' = "Omega"
+'\theta' = "theta"
+"#;
+
+#[test]
+fn a_bead_leaves_the_bottom_of_a_hoop_at_its_critical_speed() {
+    let bottom = "resting = ['\\theta']\ngiven = ['\\theta = 0', 'm > 0', 'r > 0', 'c > 0']";
+    let found = on(HOOP, "stability", r"\Omega^2 r < g", bottom);
+    assert_eq!(verdict(&found), "proved", "{}", found.text());
+    assert!(found.judged.evidence.contains("asymptotically stable"), "{}", found.judged.evidence);
+    let found = on(HOOP, "stability", r"\Omega^2 r < 2 g", bottom);
+    assert_eq!(verdict(&found), "refuted", "{}", found.text());
+    let beside =
+        "resting = ['\\theta']\ngiven = ['g = \\Omega^2 r \\cos\\theta', 'm > 0', 'r > 0', 'c > 0', '\\Omega > 0']";
+    let found = on(HOOP, "stability", r"\Omega^2 \sin^2\theta > 0", beside);
+    assert_eq!(verdict(&found), "proved", "{}", found.text());
+}
+
+#[test]
+fn a_spherical_pendulum_is_stable_on_its_circles() {
+    let resting = "resting = ['\\theta', '\\dot{\\varphi}']\ngiven = ['g = l \\dot{\\varphi}^2 \\cos\\theta', 'm > 0', 'l > 0', '\\dot{\\varphi} > 0', '\\sin\\theta \\neq 0']";
+    let found = on(SPHERICAL, "stability", r"1 + 3\cos^2\theta > 0", resting);
+    assert_eq!(verdict(&found), "proved", "{}", found.text());
 }

@@ -117,3 +117,15 @@ fn mixed_dimensions_speak_against_a_formula() {
     let found = on_pendulum("equation of motion", r"m l \ddot{\theta} + m g l \sin\theta = 0", "");
     assert!(found.judged.evidence.contains("dimension"), "{}", found.judged.evidence);
 }
+
+#[test]
+fn stability_is_decided_by_the_roots_of_the_linear_equations() {
+    let hanging = "resting = ['\\theta']\ngiven = ['\\theta = 0', 'm > 0', 'l > 0']";
+    let found = on_pendulum("stability", r"g > 0", hanging);
+    assert_eq!(verdict(&found), "proved", "{}", found.text());
+    let found = on_pendulum("stability", r"g < 0", hanging);
+    assert_eq!(verdict(&found), "refuted", "{}", found.text());
+    // off its equilibria there is no steady motion
+    let found = on_pendulum("stability", r"g > 0", "resting = ['\\theta']\ngiven = ['\\theta = 1', 'm > 0', 'l > 0']");
+    assert_eq!(verdict(&found), "undecided", "{}", found.text());
+}

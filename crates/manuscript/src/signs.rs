@@ -1,0 +1,177 @@
+//! Signs of expressions, and exact points at which signs are as asked.
+
+use crate::equation::Refutation;
+use crate::motion::Motion;
+use claims::{Condition, Page, Point, Verdict};
+use field::Rational;
+use symbolic::{Node, Sym};
+
+/// The sign that an expression is shown to have.
+pub(crate) struct Shown {
+    /// Whether zero is excluded.
+    pub is_strict: bool,
+    pub evidence: String,
+}
+
+/// Whether an expression is positive, or not negative, where the conditions hold: by its normal form, or as it is written.
+pub(crate) fn shows(expression: Sym, motion: &Motion<'_, '_>, conditions: &[Condition]) -> Option<Shown> {
+    let mut page = Page::of("paper", |_| None);
+    let draft = page.claim("", "", "").given(conditions.iter().copied()).under(&motion.hypotheses);
+    draft.by_signs([Condition::Positive(expression)]);
+    if let Some(judged) = page.judge().into_iter().find(|judged| judged.verdict == Verdict::Proved) {
+        return Some(Shown { is_strict: true, evidence: judged.evidence });
+    }
+    // a normal form may mix signs that the print keeps apart
+    let evidence = "every term as written has this sign: squares, and letters that are positive".to_owned();
+    match sign(expression, conditions)? {
+        Sign::Positive => Some(Shown { is_strict: true, evidence }),
+        Sign::NotNegative => Some(Shown { is_strict: false, evidence }),
+        Sign::NotPositive | Sign::Negative => None,
+    }
+}
+
+/// What is known of the sign of an expression.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Sign {
+    Positive,
+    NotNegative,
+    NotPositive,
+    Negative,
+}
+
+impl Sign {
+    fn opposite(self) -> Self {
+        match self {
+            Sign::Positive => Sign::Negative,
+            Sign::NotNegative => Sign::NotPositive,
+            Sign::NotPositive => Sign::NotNegative,
+            Sign::Negative => Sign::Positive,
+        }
+    }
+
+    /// Whether it is at least zero, and whether it excludes zero.
+    fn parts(self) -> (bool, bool) {
+        match self {
+            Sign::Positive => (true, true),
+            Sign::NotNegative => (true, false),
+            Sign::NotPositive => (false, false),
+            Sign::Negative => (false, true),
+        }
+    }
+
+    fn of_parts((is_up, is_strict): (bool, bool)) -> Self {
+        match (is_up, is_strict) {
+            (true, true) => Sign::Positive,
+            (true, false) => Sign::NotNegative,
+            (false, false) => Sign::NotPositive,
+            (false, true) => Sign::Negative,
+        }
+    }
+
+    fn product(self, other: Self) -> Self {
+        let ((up, strict), (other_up, other_strict)) = (self.parts(), other.parts());
+        Sign::of_parts((up == other_up, strict && other_strict))
+    }
+}
+
+/// The sign of an expression as it is written, by those of its letters.
+fn sign(expression: Sym, conditions: &[Condition]) -> Option<Sign> {
+    let of = |part: Sym| sign(part, conditions);
+    if conditions.contains(&Condition::Positive(expression)) {
+        return Some(Sign::Positive);
+    }
+    let is_apart =
+        |part: Sym| conditions.contains(&Condition::NonZero(part)) || of(part).is_some_and(|sign| sign.parts().1);
+    let square = |part: Sym| Some(if is_apart(part) { Sign::Positive } else { Sign::NotNegative });
+    let sum = |a: Sign, b: Sign| {
+        let ((up, strict), (other_up, other_strict)) = (a.parts(), b.parts());
+        (up == other_up).then(|| Sign::of_parts((up, strict || other_strict)))
+    };
+    match expression.node() {
+        Node::Constant(_) => match expression.as_constant()?.sign()? {
+            1 => Some(Sign::Positive),
+            0 => Some(Sign::NotNegative),
+            _ => Some(Sign::Negative),
+        },
+        Node::Sum(a, b) => sum(of(a)?, of(b)?),
+        Node::Difference(a, b) if a == Sym::ZERO => of(b).map(Sign::opposite),
+        Node::Difference(a, b) => sum(of(a)?, of(b)?.opposite()),
+        Node::Negation(a) => of(a).map(Sign::opposite),
+        Node::Product(a, b) if a == b => square(a),
+        Node::Product(a, b) => Some(of(a)?.product(of(b)?)),
+        Node::Quotient(a, b) => {
+            let below = of(b).filter(|sign| sign.parts().1)?;
+            Some(of(a)?.product(below))
+        }
+        Node::Power(a, n) if n % 2 == 0 => square(a),
+        Node::Power(a, _) => of(a),
+        Node::Root(a) => Some(if of(a) == Some(Sign::Positive) { Sign::Positive } else { Sign::NotNegative }),
+        _ => None,
+    }
+}
+
+/// Points that are tried.
+const POINTS: u32 = 4_000;
+
+/// An exact point at which the conditions hold and the signs of expressions are as asked.
+pub(crate) fn search(
+    expressions: &[Sym],
+    conditions: &[Condition],
+    motion: &Motion<'_, '_>,
+    asked: impl Fn(&[i8]) -> bool,
+) -> Option<Refutation> {
+    let is_open = |expression: &Sym| motion.undetermined(*expression).is_some();
+    if !motion.open.is_empty() || expressions.iter().any(is_open) || !motion.hypotheses.statements().is_empty() {
+        return None;
+    }
+    let conditioned = conditions.iter().map(|condition| condition.expression());
+    let mut leaves: Vec<Sym> = Vec::new();
+    for leaf in expressions.iter().copied().chain(conditioned).flat_map(Sym::leaves_of) {
+        if !leaves.contains(&leaf) {
+            leaves.push(leaf);
+        }
+    }
+    let is_plain = |leaf: &Sym| match leaf.node() {
+        Node::Symbol(_) => true,
+        Node::Cos(angle) | Node::Sin(angle) => angle.symbol_name().is_some() && !leaves.contains(&angle),
+        _ => false,
+    };
+    if !leaves.iter().all(is_plain) {
+        return None;
+    }
+    let mut state = 1u32;
+    let mut next = || {
+        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        i64::from(state >> 8)
+    };
+    (0..POINTS).find_map(|attempt| {
+        let size = i64::from(2 + attempt / 64);
+        let mut point: Vec<(Sym, Sym)> = Vec::new();
+        for &leaf in &leaves {
+            let (draw, below) = (next(), 1 + next() % (1 + size / 4));
+            let positive = conditions.contains(&Condition::Positive(leaf));
+            let above = if positive { 1 + draw % size } else { draw % (2 * size + 1) - size };
+            let number = Rational::new(above, below);
+            match leaf.node() {
+                Node::Cos(angle) | Node::Sin(angle) => {
+                    let cos = Sym::from_node(Node::Cos(angle));
+                    if point.iter().all(|(known, _)| *known != cos) {
+                        let (one, two) = (Rational::new(1, 1), Rational::new(2, 1));
+                        let norm = one + number * number;
+                        point.push((cos, Sym::constant((one - number * number) / norm)));
+                        point.push((Sym::from_node(Node::Sin(angle)), Sym::constant(two * number / norm)));
+                    }
+                }
+                _ => point.push((leaf, Sym::constant(number))),
+            }
+        }
+        let values = Point::of(point.iter().filter_map(|(symbol, value)| Some((*symbol, value.as_constant()?))));
+        let holds = conditions.iter().all(|condition| condition.holds_at(&values) == Some(true));
+        let refutation = Refutation { point, is_formal: false };
+        let signs: Option<Vec<i8>> = expressions
+            .iter()
+            .map(|each| refutation.value(*each)?.as_constant()?.sign().map(|sign| sign as i8))
+            .collect();
+        (holds && asked(&signs?)).then_some(refutation)
+    })
+}
