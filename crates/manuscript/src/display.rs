@@ -1,10 +1,10 @@
 //! What was found, in the letters of the paper.
 
 use crate::claim_text::Kind;
-use crate::equation::Refutation;
 use crate::finding::Finding;
 use crate::letters::Letters;
 use crate::motion::Motion;
+use crate::refutation::Refutation;
 use model::equations::Equations;
 use symbolic::{Hypotheses, Node, Sym, normal};
 

@@ -1,8 +1,10 @@
 //! Whether two sides are equal where a motion is: exactly, or an exact point at which they are not.
 
 use crate::motion::Motion;
-use claims::{Condition, Point};
-use symbolic::{Decision, Hypotheses, Identity, Sym, Witness, decide, identified, normal};
+use crate::refutation::Refutation;
+use crate::signs::{completed, search};
+use claims::Condition;
+use symbolic::{Decision, Identity, Sym, Witness, decide, identified};
 
 /// What is found of an expression that should vanish.
 pub(crate) enum Outcome {
@@ -17,37 +19,47 @@ pub(crate) enum Outcome {
     Undecided(String),
 }
 
-/// An exact point at which an expression does not vanish.
-pub(crate) struct Refutation {
-    /// Symbols of the model, cosines and sines of its angles, with their values.
-    pub point: Vec<(Sym, Sym)>,
-    /// Whether sines and cosines are taken as independent of their angles.
-    pub is_formal: bool,
-}
-
-impl Refutation {
-    /// The value of an expression there, where the point gives it one.
-    pub fn value(&self, expression: Sym) -> Option<Sym> {
-        let found = expression.substitute(&self.point);
-        let form = normal(found, &Hypotheses::none()).ok()?.to_sym();
-        form.symbols_of().is_empty().then_some(form)
-    }
-}
+/// Longer expressions are looked at in prime fields and at exact points before their normal form is formed.
+const MOST_EXPANDED: usize = 4_000;
 
 /// Whether an expression vanishes where the motion is and the conditions hold.
 pub(crate) fn vanishes(motion: &Motion<'_, '_>, expression: Sym, conditions: &[Condition]) -> Outcome {
     let reduced = motion.reduced(expression);
+    if Sym::operations_of(&[reduced]) > MOST_EXPANDED
+        && let Some(found) = at_points(motion, reduced, conditions)
+    {
+        return found;
+    }
     match decide(reduced, &motion.hypotheses) {
         Decision::Zero(proof) => Outcome::Zero(proof.requires),
         Decision::Undefined(denominator) => Outcome::Undefined(denominator),
         Decision::GaveUp(reason) => match identified(&[reduced]) {
-            Identity::Identified { points, error, .. } => Outcome::Identified(format!(
-                "equal at {points} random points of random prime fields; the probability of error is below 2^{:.0}",
-                error.ceil()
-            )),
+            Identity::Identified { points, error, .. } => of_identity(points, error),
             _ => Outcome::Undecided(reason),
         },
         Decision::NonZero(witness) => refuted(motion, reduced, witness, conditions),
+    }
+}
+
+fn of_identity(points: usize, error: f64) -> Outcome {
+    Outcome::Identified(format!(
+        "equal at {points} random points of random prime fields; the probability of error is below 2^{:.0}",
+        error.ceil()
+    ))
+}
+
+/// A long expression without its normal form; none where points do not tell.
+fn at_points(motion: &Motion<'_, '_>, reduced: Sym, conditions: &[Condition]) -> Option<Outcome> {
+    match identified(&[reduced]) {
+        Identity::Identified { points, error, .. } => Some(of_identity(points, error)),
+        Identity::NotZero => Some(match search(&[reduced], conditions, motion, |signs| signs[0] != 0) {
+            Some(refutation) => Outcome::NonZero(refutation),
+            None => {
+                let why = "the difference is not zero at a random point of a prime field, and no exact point was found that shows it";
+                Outcome::Undecided(why.to_owned())
+            }
+        }),
+        _ => None,
     }
 }
 
@@ -63,42 +75,32 @@ fn refuted(motion: &Motion<'_, '_>, reduced: Sym, witness: Witness, conditions: 
             "the normal form of the difference is not zero, but its points may violate {open}"
         ));
     }
-    if admits(&witness, conditions) {
-        return Outcome::NonZero(Refutation { is_formal: !witness.formal.is_empty(), point: witness.point });
+    let found = |witness: Witness| Refutation { is_formal: !witness.formal.is_empty(), point: witness.point };
+    if let Some(refutation) = completed(found(witness), conditions) {
+        return Outcome::NonZero(refutation);
     }
     // letters that are positive are squares
-    let positive: Vec<(Sym, Sym, Sym)> = conditions
-        .iter()
-        .filter_map(|condition| match condition {
-            Condition::Positive(e) if e.symbol_name().is_some() => {
-                let root = Sym::symbol(&format!("root of {e}"));
-                Some((*e, root, root * root))
-            }
-            _ => None,
-        })
-        .collect();
-    let squares: Vec<(Sym, Sym)> = positive.iter().map(|&(symbol, _, square)| (symbol, square)).collect();
+    let positive = conditions.iter().filter_map(|condition| match condition {
+        Condition::Positive(e) if e.symbol_name().is_some() => Some((*e, Sym::symbol(&format!("root of {e}")))),
+        _ => None,
+    });
+    let positive: Vec<(Sym, Sym)> = positive.collect();
+    let squares: Vec<(Sym, Sym)> = positive.iter().map(|&(symbol, root)| (symbol, root * root)).collect();
     if let Decision::NonZero(mut witness) = decide(reduced.substitute(&squares), &motion.hypotheses) {
-        for &(symbol, root, _) in &positive {
-            if let Some(place) = witness.point.iter().position(|(known, _)| *known == root) {
-                let value = witness.point[place].1;
-                witness.point[place] = (symbol, value * value);
+        for &(symbol, root) in &positive {
+            if let Some((name, value)) = witness.point.iter_mut().find(|(known, _)| *known == root) {
+                (*name, *value) = (symbol, value.powi(2));
             }
         }
-        if admits(&witness, conditions) {
-            return Outcome::NonZero(Refutation { is_formal: !witness.formal.is_empty(), point: witness.point });
+        if let Some(refutation) = completed(found(witness), conditions) {
+            return Outcome::NonZero(refutation);
         }
     }
-    Outcome::Undecided(
-        "the difference is not zero, but no exact point was found that satisfies the hypotheses".to_owned(),
-    )
-}
-
-fn admits(witness: &Witness, conditions: &[Condition]) -> bool {
-    let values = witness.point.iter().filter_map(|(symbol, value)| Some((*symbol, value.as_constant()?)));
-    let point = Point::of(values);
-    conditions.iter().all(|condition| {
-        // letters that the point leaves open may have any value
-        condition.holds_at(&point) != Some(false)
-    })
+    match search(&[reduced], conditions, motion, |signs| signs[0] != 0) {
+        Some(refutation) => Outcome::NonZero(refutation),
+        None => {
+            let why = "the difference is not zero, but no exact point was found that satisfies the hypotheses";
+            Outcome::Undecided(why.to_owned())
+        }
+    }
 }

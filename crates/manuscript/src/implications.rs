@@ -7,7 +7,9 @@ use crate::equation::{Outcome, vanishes};
 use crate::finding::Finding;
 use crate::letters::Letters;
 use crate::motion::{Motion, Solution, solution};
+use crate::refutation::Refutation;
 use crate::resting::Resting;
+use crate::signs::completed;
 use crate::verdict::neither;
 use claims::{Condition, Verdict};
 use latex::{Chain, Relation, Statement};
@@ -20,7 +22,7 @@ enum Step {
     /// The other one, where this does not vanish.
     Follows(Sym),
     /// Not the other one.
-    Fails(crate::equation::Refutation),
+    Fails(Refutation),
     Open(Outcome),
 }
 
@@ -38,14 +40,11 @@ fn step(motion: &Motion<'_, '_>, zero: Sym, then: Sym, conditions: &[Condition])
             if let Some(value) = refutation.value(value) {
                 refutation.point.push((symbol, value));
             }
-            let values = claims::Point::of(
-                refutation.point.iter().filter_map(|(symbol, value)| Some((*symbol, value.as_constant()?))),
-            );
-            match conditions.iter().any(|condition| condition.holds_at(&values) == Some(false)) {
-                true => {
+            match completed(refutation, conditions) {
+                Some(refutation) => Step::Fails(refutation),
+                None => {
                     Step::Open(Outcome::Undecided("no exact point was found that satisfies the hypotheses".to_owned()))
                 }
-                false => Step::Fails(refutation),
             }
         }
         other => Step::Open(other),

@@ -12,10 +12,12 @@ use crate::integrals::{CONSTANTS, integral};
 use crate::letters::{Letters, model};
 use crate::motion::Motion;
 use crate::paper_text::PaperText;
+use crate::refutation::Refutation;
+use crate::signs::completed;
 use crate::stability::stability;
 use crate::verdict::{allowed, mixed, neither, refute};
 use ::model::Trace;
-use claims::{Judged, Verdict};
+use claims::{Condition, Judged, Verdict};
 use latex::{Chain, Relation, Statement, read};
 use reader::{Issue, SceneError};
 use symbolic::Sym;
@@ -80,7 +82,7 @@ fn judge(
         ..Judged::default()
     };
     for hypothesis in &assumed {
-        let list = if matches!(hypothesis.condition, Some(claims::Condition::Positive(_))) {
+        let list = if matches!(hypothesis.condition, Some(Condition::Positive(_))) {
             &mut judged.signs
         } else {
             &mut judged.requires
@@ -106,8 +108,17 @@ fn judge(
         Kind::SteadyMotion => steady_motion(claim, statement, letters, &assumed, &mut finding)?,
         Kind::Stability => stability(claim, statement, letters, &assumed, &mut finding)?,
     }
+    if finding.judged.verdict == Verdict::Proved && !is_met(&assumed) {
+        finding.judged.objections.push("no exact point was found that satisfies the hypotheses".to_owned());
+    }
     finding.judged.expected = claim.expected.unwrap_or(finding.judged.verdict);
     Ok(finding)
+}
+
+/// Whether an exact point satisfies the signs and what must not vanish.
+fn is_met(assumed: &[Hypothesis]) -> bool {
+    let conditions: Vec<Condition> = assumed.iter().filter_map(|hypothesis| hypothesis.condition).collect();
+    completed(Refutation { point: Vec::new(), is_formal: false }, &conditions).is_some()
 }
 
 /// The equalities of a formula.

@@ -31,6 +31,7 @@ mod letters;
 mod motion;
 mod paper_text;
 mod passage;
+mod refutation;
 mod resting;
 mod signs;
 mod stability;

@@ -2,7 +2,7 @@
 //! constraints, and what hypotheses say beside.
 
 use model::Trace;
-use model::equations::{Characteristics, Equation, Level, constraints_of, solved};
+use model::equations::{Characteristics, Equation, Level, Singular, constraints_of, solved};
 use symbolic::{Hypotheses, Sym, coefficients, decide, normal, substitute_all};
 
 /// Replacements that hold, one round after the other, and rules.
@@ -32,8 +32,13 @@ impl<'t, 'm> Motion<'t, 'm> {
     pub fn by_equations(trace: &'t Trace<'m>) -> Result<Self, String> {
         let constraints = constraints_of(trace);
         let mut motion = Motion::without_anything(trace);
-        let (accelerations, multipliers) =
-            solved(trace).map_err(|why| format!("the equations of motion have no solution by elimination: {why}"))?;
+        let (accelerations, multipliers) = solved(trace).map_err(|why| {
+            let why = match why {
+                Singular::Massless { coordinate } => format!("no inertia resists {}", trace.direction(coordinate)),
+                redundant @ Singular::Redundant { .. } => redundant.to_string(),
+            };
+            format!("the equations of motion have no solution by elimination: {why}")
+        })?;
         let letters = constraints.iter().map(|one| one.multiplier);
         let of_accelerations = trace.accelerations.iter().copied().zip(accelerations);
         motion.rounds.push(of_accelerations.chain(letters.zip(multipliers)).collect());

@@ -1,8 +1,8 @@
 //! Signs of expressions, and exact points at which signs are as asked.
 
-use crate::equation::Refutation;
 use crate::motion::Motion;
-use claims::{Condition, Page, Point, Verdict};
+use crate::refutation::{Refutation, exact};
+use claims::{Condition, Page, Verdict};
 use field::Rational;
 use symbolic::{Node, Sym};
 
@@ -124,54 +124,90 @@ pub(crate) fn search(
     if !motion.open.is_empty() || expressions.iter().any(is_open) || !motion.hypotheses.statements().is_empty() {
         return None;
     }
-    let conditioned = conditions.iter().map(|condition| condition.expression());
-    let mut leaves: Vec<Sym> = Vec::new();
-    for leaf in expressions.iter().copied().chain(conditioned).flat_map(Sym::leaves_of) {
-        if !leaves.contains(&leaf) {
-            leaves.push(leaf);
-        }
-    }
-    let is_plain = |leaf: &Sym| match leaf.node() {
-        Node::Symbol(_) => true,
-        Node::Cos(angle) | Node::Sin(angle) => angle.symbol_name().is_some() && !leaves.contains(&angle),
-        _ => false,
-    };
-    if !leaves.iter().all(is_plain) {
+    let all = expressions.iter().copied().chain(conditions.iter().map(|condition| condition.expression()));
+    Draw::of(all, conditions)?.find(POINTS, |point| {
+        let values = exact(point);
+        let holds = || conditions.iter().all(|condition| condition.holds_at(&values) == Some(true));
+        let signs = || -> Option<Vec<i8>> {
+            let sign =
+                |each: &Sym| values.value(*each).filter(|value| value.is_defined())?.sign().map(|sign| sign as i8);
+            expressions.iter().map(sign).collect()
+        };
+        holds() && signs().is_some_and(|signs| asked(&signs))
+    })
+}
+
+/// A point with values for the letters that conditions alone have, so that all of them hold; none where it has none.
+pub(crate) fn completed(found: Refutation, conditions: &[Condition]) -> Option<Refutation> {
+    if conditions.iter().any(|condition| found.satisfies(*condition) == Some(false)) {
         return None;
     }
-    let mut state = 1u32;
-    let mut next = || {
-        state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
-        i64::from(state >> 8)
-    };
-    (0..POINTS).find_map(|attempt| {
-        let size = i64::from(2 + attempt / 64);
-        let mut point: Vec<(Sym, Sym)> = Vec::new();
-        for &leaf in &leaves {
-            let (draw, below) = (next(), 1 + next() % (1 + size / 4));
-            let positive = conditions.contains(&Condition::Positive(leaf));
-            let above = if positive { 1 + draw % size } else { draw % (2 * size + 1) - size };
-            let number = Rational::new(above, below);
-            match leaf.node() {
-                Node::Cos(angle) | Node::Sin(angle) => {
-                    let cos = Sym::from_node(Node::Cos(angle));
-                    if point.iter().all(|(known, _)| *known != cos) {
-                        let (one, two) = (Rational::new(1, 1), Rational::new(2, 1));
-                        let norm = one + number * number;
-                        point.push((cos, Sym::constant((one - number * number) / norm)));
-                        point.push((Sym::from_node(Node::Sin(angle)), Sym::constant(two * number / norm)));
-                    }
-                }
-                _ => point.push((leaf, Sym::constant(number))),
+    let open: Vec<Condition> =
+        conditions.iter().copied().filter(|condition| found.satisfies(*condition) != Some(true)).collect();
+    if open.is_empty() {
+        return Some(found);
+    }
+    let left = open.iter().map(|condition| condition.expression().substitute(&found.point));
+    let draw = Draw::of(left, conditions)?;
+    let whole = |point: &[(Sym, Sym)]| [&found.point[..], point].concat();
+    let more = draw.find(POINTS, |point| {
+        let values = exact(&whole(point));
+        open.iter().all(|condition| condition.holds_at(&values) == Some(true))
+    })?;
+    Some(Refutation { point: whole(&more.point), is_formal: found.is_formal })
+}
+
+/// Small numbers for letters, in a fixed order.
+struct Draw<'a> {
+    leaves: Vec<Sym>,
+    conditions: &'a [Condition],
+}
+
+impl<'a> Draw<'a> {
+    /// The letters of expressions; none where one of them depends on others.
+    fn of(expressions: impl Iterator<Item = Sym>, conditions: &'a [Condition]) -> Option<Self> {
+        let mut leaves: Vec<Sym> = Vec::new();
+        for leaf in expressions.flat_map(Sym::leaves_of) {
+            if !leaves.contains(&leaf) {
+                leaves.push(leaf);
             }
         }
-        let values = Point::of(point.iter().filter_map(|(symbol, value)| Some((*symbol, value.as_constant()?))));
-        let holds = conditions.iter().all(|condition| condition.holds_at(&values) == Some(true));
-        let refutation = Refutation { point, is_formal: false };
-        let signs: Option<Vec<i8>> = expressions
-            .iter()
-            .map(|each| refutation.value(*each)?.as_constant()?.sign().map(|sign| sign as i8))
-            .collect();
-        (holds && asked(&signs?)).then_some(refutation)
-    })
+        let is_plain = |leaf: &Sym| match leaf.node() {
+            Node::Symbol(_) => true,
+            Node::Cos(angle) | Node::Sin(angle) => angle.symbol_name().is_some() && !leaves.contains(&angle),
+            _ => false,
+        };
+        leaves.iter().all(is_plain).then_some(Draw { leaves, conditions })
+    }
+
+    /// The first point that is as asked.
+    fn find(&self, points: u32, is_asked: impl Fn(&[(Sym, Sym)]) -> bool) -> Option<Refutation> {
+        let mut state = 1u32;
+        let mut next = || {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            i64::from(state >> 8)
+        };
+        (0..points).find_map(|attempt| {
+            let size = i64::from(2 + attempt / 64);
+            let mut point: Vec<(Sym, Sym)> = Vec::new();
+            for &leaf in &self.leaves {
+                let (draw, below) = (next(), 1 + next() % (1 + size / 4));
+                let is_positive = self.conditions.contains(&Condition::Positive(leaf));
+                let above = if is_positive { 1 + draw % size } else { draw % (2 * size + 1) - size };
+                let number = Rational::new(above, below);
+                let (Node::Cos(angle) | Node::Sin(angle)) = leaf.node() else {
+                    point.push((leaf, Sym::constant(number)));
+                    continue;
+                };
+                let cos = Sym::from_node(Node::Cos(angle));
+                if point.iter().all(|(known, _)| *known != cos) {
+                    let (one, two) = (Rational::new(1, 1), Rational::new(2, 1));
+                    let norm = one + number * number;
+                    point.push((cos, Sym::constant((one - number * number) / norm)));
+                    point.push((Sym::from_node(Node::Sin(angle)), Sym::constant(two * number / norm)));
+                }
+            }
+            is_asked(&point).then_some(Refutation { point, is_formal: false })
+        })
+    }
 }

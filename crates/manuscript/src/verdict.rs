@@ -1,10 +1,11 @@
 //! Verdicts with their grounds, as a finding holds them.
 
 use crate::display::{Line, Told, point};
-use crate::equation::{Outcome, Refutation};
+use crate::equation::Outcome;
 use crate::finding::{Finding, Sides};
 use crate::letters::Letters;
 use crate::motion::Motion;
+use crate::refutation::Refutation;
 use claims::Verdict;
 use model::Trace;
 use model::equations::constraints_of;
@@ -31,8 +32,11 @@ pub(crate) fn allowed(trace: &Trace<'_>, is_dynamic: bool) -> String {
         1 => " and the constraint with its derivatives".to_owned(),
         n => format!(" and the {n} equations of constraints with their derivatives"),
     };
+    let changes =
+        !(trace.model.events.is_empty() && trace.model.switches.is_empty() && trace.model.contacts.is_empty());
+    let between = if changes { "between events and changes of contacts and conditions, " } else { "" };
     match (is_dynamic, constraints) {
-        (true, _) => format!("along every motion: any combination of the model's equations of motion{held}"),
+        (true, _) => format!("{between}along every motion: any combination of the model's equations of motion{held}"),
         (false, 0) => "identically: for all positions, speeds and accelerations".to_owned(),
         (false, _) => format!(
             "for all positions, speeds and accelerations that the constraints allow:{}",

@@ -129,3 +129,24 @@ fn stability_is_decided_by_the_roots_of_the_linear_equations() {
     let found = on_pendulum("stability", r"g > 0", "resting = ['\\theta']\ngiven = ['\\theta = 1', 'm > 0', 'l > 0']");
     assert_eq!(verdict(&found), "undecided", "{}", found.text());
 }
+
+#[test]
+fn a_counterexample_satisfies_every_hypothesis() {
+    // false only where the sine vanishes
+    let found = on_pendulum("identity", r"\frac{\sin\theta}{\sin\theta} = 1", r"given = ['\sin\theta \neq 0']");
+    assert_eq!(verdict(&found), "proved", "{}", found.text());
+    // the letters of a hypothesis that the formula does not have take part
+    let found = on_pendulum("formula", r"T = 0", r"given = ['l > 2 g', 'g > 3', 'm > l']");
+    assert_eq!(verdict(&found), "refuted", "{}", found.text());
+    let value = |name: &str| {
+        let (_, value) = found.judged.counterexample.iter().find(|(known, _)| known == name).expect("it has a value");
+        let (above, below) = value.split_once('/').unwrap_or((value, "1"));
+        above.parse::<f64>().unwrap() / below.parse::<f64>().unwrap()
+    };
+    assert!(value("l") > 2.0 * value("g") && value("g") > 3.0 && value("m") > value("l"), "{}", found.text());
+    // hypotheses that nothing satisfies
+    let found = on_pendulum("formula", r"T = 0", r"given = ['g > l', 'l > g']");
+    assert_eq!(verdict(&found), "undecided", "{}", found.text());
+    let found = on_pendulum("formula", r"V = V", r"given = ['g > l', 'l > g']");
+    assert!(found.as_expected().is_err_and(|why| why.contains("satisfies the hypotheses")));
+}
