@@ -2,4 +2,5 @@
 
 mod ledger;
 mod ledger_rows;
+mod manuscripts;
 mod motors;

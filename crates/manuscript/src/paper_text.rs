@@ -42,7 +42,15 @@ impl PaperText {
     /// # Errors
     /// All that is wrong with either, each at its place; formulas and meanings are read when they are judged.
     pub fn read(path: &Path) -> Result<Self, SceneError> {
-        let (name, text) = (path.display().to_string(), read_text(path)?);
+        Self::parse(path, read_text(path)?)
+    }
+
+    /// Reads a text as that of a file, which messages name and beside which the file of its system lies.
+    ///
+    /// # Errors
+    /// As those of [`PaperText::read`].
+    pub fn parse(path: &Path, text: String) -> Result<Self, SceneError> {
+        let name = path.display().to_string();
         let key = path.file_stem().map_or_else(|| "paper".to_owned(), |stem| stem.to_string_lossy().into_owned());
         let mut named = None;
         let mut paper = tables(&name, &text, |top, _| {

@@ -2,11 +2,11 @@
 
 mod constrained;
 mod messages;
-mod pages;
 mod pendulum;
 
 use dalembert_manuscript::{Finding, PaperText};
 use reader::SceneError;
+use std::path::Path;
 
 /// A pendulum with its letters; claims follow.
 pub const PENDULUM: &str = r#"
@@ -38,10 +38,7 @@ mass = "m"
 
 /// The claims of a paper whose text this is.
 pub fn judged(text: &str) -> Result<Vec<Finding>, SceneError> {
-    let folder = tempfile::tempdir().expect("a folder can be made");
-    let file = folder.path().join("paper.toml");
-    std::fs::write(&file, text).expect("a file can be written");
-    PaperText::read(&file)?.judge()
+    PaperText::parse(Path::new("paper.toml"), text.to_owned())?.judge()
 }
 
 /// A claim on the pendulum.
