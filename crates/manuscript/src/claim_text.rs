@@ -17,10 +17,11 @@ pub enum Kind {
     IntegralOfMotion,
     SteadyMotion,
     Stability,
+    Number,
 }
 
 impl Kind {
-    pub const ALL: [Kind; 8] = [
+    pub const ALL: [Kind; 9] = [
         Kind::EquationOfMotion,
         Kind::Formula,
         Kind::Identity,
@@ -29,6 +30,7 @@ impl Kind {
         Kind::IntegralOfMotion,
         Kind::SteadyMotion,
         Kind::Stability,
+        Kind::Number,
     ];
 
     /// As files have it.
@@ -42,6 +44,7 @@ impl Kind {
             Self::IntegralOfMotion => "integral of motion",
             Self::SteadyMotion => "steady motion",
             Self::Stability => "stability",
+            Self::Number => "number",
         }
     }
 }
@@ -143,12 +146,14 @@ fn kind(table: &mut Table<'_>) -> Option<Kind> {
 }
 
 fn expected(table: &mut Table<'_>) -> Option<Verdict> {
-    let found = table.optional_text("expect", "verdict that is expected: proved or refuted")?;
-    let accepted = [Verdict::Proved, Verdict::Refuted, Verdict::Undecided, Verdict::Undefined];
+    let found = table.optional_text("expect", "verdict that is expected: proved, enclosed or refuted")?;
+    let accepted = [Verdict::Proved, Verdict::Enclosed, Verdict::Refuted, Verdict::Undecided, Verdict::Undefined];
     let verdict = accepted.into_iter().find(|verdict| verdict.name() == found.value);
     if verdict.is_none() && !found.value.is_empty() {
         let title = format!("no verdict is called `{}`", found.value);
-        table.report(Issue::at(found.span, title, "not known").accepted("proved, refuted, undecided, undefined"));
+        table.report(
+            Issue::at(found.span, title, "not known").accepted("proved, enclosed, refuted, undecided, undefined"),
+        );
     }
     verdict
 }

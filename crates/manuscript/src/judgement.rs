@@ -11,6 +11,7 @@ use crate::inequalities::inequality;
 use crate::integrals::{CONSTANTS, integral};
 use crate::letters::{Letters, model};
 use crate::motion::Motion;
+use crate::numbers::number;
 use crate::paper_text::PaperText;
 use crate::refutation::Refutation;
 use crate::signs::completed;
@@ -107,6 +108,7 @@ fn judge(
         Kind::Equivalence => equivalence(claim, statement, letters, &assumed, &mut finding)?,
         Kind::SteadyMotion => steady_motion(claim, statement, letters, &assumed, &mut finding)?,
         Kind::Stability => stability(claim, statement, letters, &assumed, &mut finding)?,
+        Kind::Number => number(claim, statement, letters, &assumed, &mut finding)?,
     }
     if finding.judged.verdict == Verdict::Proved && !is_met(&assumed) {
         finding.judged.objections.push("no exact point was found that satisfies the hypotheses".to_owned());

@@ -16,6 +16,7 @@
 //! | `equivalence` | one condition is the other up to a factor that does not vanish |
 //! | `steady motion` | the printed condition is that of the motions on which the listed letters rest |
 //! | `stability` | a steady motion is stable in the first approximation where, and only where, the inequality holds |
+//! | `number` | the value of a quantity for given data agrees with every printed digit, by enclosures |
 
 mod claim_text;
 mod combination;
@@ -29,6 +30,7 @@ mod integrals;
 mod judgement;
 mod letters;
 mod motion;
+mod numbers;
 mod paper_text;
 mod passage;
 mod refutation;

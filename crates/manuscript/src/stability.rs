@@ -77,12 +77,10 @@ fn roots(resting: &Resting, letters: &Letters<'_, '_>, motion: &Motion<'_, '_>) 
         let name = &trace.coordinates[free];
         return Err(format!("neither {name} nor its rate rests, so that the linear equations change with the time"));
     }
-    let equation =
-        |k: usize| mass[k].iter().zip(&trace.accelerations).fold(bias[k], |sum, (&entry, &rate)| sum + entry * rate);
     let s = Sym::symbol("root of the linear equations");
     let mut matrix: Vec<Vec<Sym>> = Vec::new();
-    for k in 0..n {
-        let equation = equation(k);
+    for (k, row) in mass.iter().enumerate() {
+        let equation = row.iter().zip(&trace.accelerations).fold(bias[k], |sum, (&entry, &rate)| sum + entry * rate);
         if !decide(motion.reduced(equation), &motion.hypotheses).is_zero() {
             return Err(format!(
                 "the equation of {} does not hold on this motion: its condition is missing in `given`",
@@ -90,7 +88,7 @@ fn roots(resting: &Resting, letters: &Letters<'_, '_>, motion: &Motion<'_, '_>) 
             ));
         }
         let entry = |j: usize| -> Result<Sym, String> {
-            let inertia = motion.reduced(mass[k][j]);
+            let inertia = motion.reduced(row[j]);
             let damping = motion.reduced(trace.by_speed(equation, j));
             let stiffness = motion.reduced(trace.by_coordinate(equation, j));
             if coordinates.contains(&j) {

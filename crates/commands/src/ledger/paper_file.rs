@@ -29,7 +29,7 @@ pub struct Asked {
     /// Replaces the file of --page even where `judge` did not write what stands there
     #[arg(long, requires = "page")]
     pub force: bool,
-    /// Ends with exit code 1 where a verdict is not the one that the file expects, and prints those claims alone
+    /// Prints only how many verdicts are those that the file expects; each other one is an error, and the exit code is then 1
     #[arg(long)]
     pub test: bool,
 }
@@ -49,7 +49,7 @@ pub const HELP: &str = r#"A paper's file:
   [[claim]]
   equation = "1"                 # the number in the paper
   kind = "equation of motion"    # formula, identity, inequality, equivalence,
-                                 # integral of motion, steady motion, stability
+                                 # integral of motion, steady motion, stability, number
   formula = 'm l^2 \ddot{\theta} + m g l \sin\theta = 0'
   given = ['m > 0']              # hypotheses; may be left out
   expect = "proved"              # for --test; may be left out
@@ -59,21 +59,21 @@ spellings that have one."#;
 
 /// Judges every claim and prints what was found.
 pub fn judge(asked: &Asked) -> Result<Exit, Exit> {
-    let paper = PaperText::read(&asked.paper)?;
+    let mut paper = PaperText::read(&asked.paper)?;
     let writes = Writes { command: "judge", force: asked.force, reads: vec![&asked.paper] };
     let output = writes.optional(asked.page.as_deref(), &[Form::Page])?;
-    let mut findings = paper.judge()?;
-    findings.retain(|finding| finding.judged.id.contains(&asked.filter));
-    if findings.is_empty() {
+    paper.claims.retain(|claim| format!("{}/{}", paper.key, claim.key()).contains(&asked.filter));
+    if paper.claims.is_empty() {
         return Err(Exit::refused(format!(
             "no claim's id contains `{}`; ids begin with {}/eq",
             asked.filter, paper.key
         )));
     }
+    let findings = paper.judge()?;
     let wrong: Vec<String> = findings.iter().filter_map(|finding| finding.as_expected().err()).collect();
     print(&match (asked.json, asked.test) {
         (true, _) => format!("{:#}\n", findings.iter().map(object).collect::<serde_json::Value>()),
-        (false, true) => tested(&findings, wrong.len()),
+        (false, true) => tested(&findings),
         (false, false) => format!("{}{}", findings.iter().map(Finding::text).collect::<String>(), counted(&findings)),
     })?;
     if let Some(output) = output {
@@ -98,13 +98,14 @@ fn counted(findings: &[Finding]) -> String {
     format!("{} {noun}: {}\n", findings.len(), counts.join(", "))
 }
 
-fn tested(findings: &[Finding], wrong: usize) -> String {
-    let expected = findings.iter().filter(|finding| finding.expected.is_some()).count();
-    let rest = match findings.len() - expected {
+fn tested(findings: &[Finding]) -> String {
+    let expected: Vec<&Finding> = findings.iter().filter(|finding| finding.expected.is_some()).collect();
+    let met = expected.iter().filter(|finding| finding.as_expected().is_ok()).count();
+    let rest = match findings.len() - expected.len() {
         0 => String::new(),
         rest => format!("; {rest} without an expectation"),
     };
-    format!("{} of {expected} verdicts as expected{rest}\n", expected.saturating_sub(wrong))
+    format!("{met} of {} verdicts as expected{rest}\n", expected.len())
 }
 
 fn object(finding: &Finding) -> serde_json::Value {

@@ -150,3 +150,18 @@ fn a_counterexample_satisfies_every_hypothesis() {
     let found = on_pendulum("formula", r"V = V", r"given = ['g > l', 'l > g']");
     assert!(found.as_expected().is_err_and(|why| why.contains("satisfies the hypotheses")));
 }
+
+#[test]
+fn a_printed_number_is_judged_to_its_last_digit() {
+    let data = r"given = ['l = 2', 'g = 9.81', '\theta = 0.5']";
+    // -9.81/2 sin 0.5 = -2.35158...
+    for (formula, expected) in [
+        (r"\ddot\theta = -2.3516", "enclosed"),
+        (r"\ddot\theta = -2.35", "enclosed"),
+        (r"\ddot\theta = -2.3515", "refuted"),
+        (r"\ddot\theta = 2.3516", "refuted"),
+    ] {
+        let found = on_pendulum("number", formula, data);
+        assert_eq!(verdict(&found), expected, "{}", found.text());
+    }
+}

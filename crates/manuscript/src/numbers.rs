@@ -1,0 +1,97 @@
+//! Printed numbers: the value of a quantity for given data, enclosed, beside the digits of the print.
+
+use crate::claim_text::ClaimText;
+use crate::conditions::{Hypothesis, assume, scalar};
+use crate::equation::Outcome;
+use crate::finding::{Finding, Sides};
+use crate::letters::Letters;
+use crate::motion::Motion;
+use crate::verdict::{allowed, neither};
+use claims::Verdict;
+use field::Interval;
+use latex::{Form, Relation, Statement, Term};
+use reader::Issue;
+use symbolic::{Sym, normal};
+
+/// `\ddot{\theta} = -12.98`: the value agrees with every printed digit, where `given` determines it. Numbers are in SI units.
+pub(crate) fn number(
+    claim: &ClaimText,
+    statement: &Statement,
+    letters: &Letters<'_, '_>,
+    assumed: &[Hypothesis],
+    finding: &mut Finding,
+) -> Result<(), Issue> {
+    let accepted = r"'\ddot{x} = -1.25', with the data in given = ['m = 2', 'x = 0.1']";
+    let refused = |title: String| Issue::at(claim.formula.span.clone(), title, "here").accepted(accepted);
+    let [chain] = &statement.chains[..] else { return Err(refused("a number is printed in one equality".to_owned())) };
+    let ([left, right], [Relation::Equal]) = (&chain.sides[..], &chain.relations[..]) else {
+        return Err(refused("a number is printed in one equality".to_owned()));
+    };
+    let Some(half) = half_of_last_digit(right, &claim.formula.text) else {
+        return Err(refused("the right side of this claim is no decimal number".to_owned()));
+    };
+    let ((quantity, own), (printed, printed_own)) =
+        (scalar(&claim.formula, left, letters)?, scalar(&claim.formula, right, letters)?);
+    finding.judged.text = vec![format!("{own} = {}", printed_own.decimal_text())];
+    finding.judged.latex = vec![format!("{} = {}", own.latex(), printed_own.decimal_latex())];
+    let mut motion = match Motion::by_equations(letters.trace) {
+        Ok(motion) => motion,
+        Err(why) => {
+            neither(Outcome::Undecided(why), letters, finding);
+            return Ok(());
+        }
+    };
+    assume(&mut motion, assumed)?;
+    finding.allowed = allowed(letters.trace, true);
+    let value = motion.reduced(quantity);
+    // what cancels needs no value
+    let cancelled = || normal(value, &motion.hypotheses).map_or(value, |form| form.to_sym());
+    let value = if value.symbols_of().is_empty() { value } else { cancelled() };
+    let open: Vec<String> = value.symbols_of().iter().map(|symbol| letters.told(*symbol).to_string()).collect();
+    if !open.is_empty() {
+        return Err(refused(format!("the value depends on {}, which `given` does not have", open.join(", "))));
+    }
+    let enclosed = |expression: Sym| expression.evaluate_analytic(&|_: &str| None::<Interval>);
+    let (Ok(value), Ok(printed)) = (enclosed(value), enclosed(printed)) else {
+        neither(Outcome::Undecided("the value was not enclosed".to_owned()), letters, finding);
+        return Ok(());
+    };
+    let beside = printed + Interval::new(-half, half);
+    let range = format!("the value lies between {:e} and {:e}", value.low(), value.high());
+    let (verdict, evidence) = if value.is_inside(beside) {
+        (Verdict::Enclosed, format!("by enclosures: {range}, which is the printed number to all its digits"))
+    } else if value.and(beside).is_none() {
+        finding.sides = Some(Sides { left: short(value), right: short(printed) });
+        finding.judged.counterexample = assumed
+            .iter()
+            .filter_map(|one| one.told.0.split_once(" = "))
+            .map(|(a, b)| (a.to_owned(), b.to_owned()))
+            .collect();
+        let missing = short(value - printed);
+        finding.judged.difference = Some((missing.clone(), missing));
+        (Verdict::Refuted, format!("by enclosures: {range}"))
+    } else {
+        (Verdict::Undecided, format!("{range}, which leaves the last printed digit open"))
+    };
+    (finding.judged.verdict, finding.judged.evidence) = (verdict, evidence);
+    Ok(())
+}
+
+/// Nine digits of the middle.
+fn short(value: Interval) -> String {
+    let digits = format!("{:.8e}", value.middle());
+    digits.parse::<f64>().map_or(digits, |value| value.to_string())
+}
+
+/// Half a unit of the last digit that is printed.
+fn half_of_last_digit(term: &Term, formula: &str) -> Option<f64> {
+    match &term.form {
+        Form::Negation(of) => half_of_last_digit(of, formula),
+        Form::Number(_) => {
+            let digits = formula.get(term.span.clone())?.trim();
+            let decimals = digits.split_once('.').map_or(0, |(_, part)| part.len());
+            Some(0.5 * 10f64.powi(-i32::try_from(decimals).ok()?))
+        }
+        _ => None,
+    }
+}
