@@ -74,6 +74,11 @@ pub(crate) fn point(
     for &(symbol, value) in &refutation.point {
         add(told.0.told(symbol).to_string(), value);
     }
+    for symbol in motion.replaced() {
+        if let Some(value) = refutation.value(motion.reduced(symbol)) {
+            add(told.0.told(symbol).to_string(), value);
+        }
+    }
     listed
 }
 

@@ -95,6 +95,9 @@ pub(crate) fn equivalence(
             return Ok(());
         }
     }
+    for &divisor in &motion.divisors {
+        require(divisor, &conditions, letters, finding);
+    }
     finding.judged.verdict = Verdict::Proved;
     finding.judged.evidence = "each condition follows from the other: normal form zero".to_owned();
     Ok(())
@@ -198,6 +201,9 @@ pub(crate) fn steady_motion(
         let why = "the equations of motion hold there whenever the printed condition does, and it was not shown that they ask for it";
         neither(Outcome::Undecided(why.to_owned()), letters, finding);
         return Ok(());
+    }
+    for &divisor in &motion.divisors {
+        require(divisor, &conditions, letters, finding);
     }
     finding.judged.verdict = Verdict::Proved;
     finding.judged.evidence =

@@ -2,7 +2,7 @@
 
 use crate::claim_text::ClaimText;
 use crate::conditions::{Hypothesis, assume, conditions, scalar};
-use crate::display::Told;
+use crate::display::{Told, divisors};
 use crate::equation::Outcome;
 use crate::finding::{Finding, Sides as Values};
 use crate::letters::Letters;
@@ -88,6 +88,7 @@ pub(crate) fn inequality(
     let by_terms = shows(reduced, &motion, &conditions).or_else(|| shows(greater, &motion, &conditions));
     if let Some(found) = by_terms.filter(|found| found.is_strict || !is_strict) {
         (finding.judged.verdict, finding.judged.evidence) = (Verdict::Proved, found.evidence);
+        finding.judged.requires.extend(divisors(&motion.divisors, told));
         return Ok(());
     }
     let fails = |sign: i8| sign == -1 || sign == 0 && is_strict;

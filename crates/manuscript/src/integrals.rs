@@ -62,6 +62,7 @@ pub(crate) fn integral(
         Outcome::Zero(found) => {
             finding.judged.verdict = Verdict::Proved;
             finding.judged.evidence = "normal form of its rate along every motion is zero".to_owned();
+            let found = [&found[..], &motion.divisors].concat();
             finding.judged.requires.extend(divisors(&found, told));
         }
         Outcome::NonZero(refutation) => {

@@ -74,12 +74,12 @@ impl<'t, 'm> Motion<'t, 'm> {
         }
         for (place, constraint) in constraints.iter().enumerate().filter(|(_, one)| one.level == Level::Position) {
             if !self.solve_position(constraint.zero) {
-                self.open.push(format!("{}, which no coordinate solves", constraint.title(place)));
+                self.open.push(format!("{}, which no coordinate and no parameter solves", constraint.title(place)));
             }
         }
     }
 
-    /// A coordinate by the others, or its square.
+    /// A coordinate by the others, or its square; else a parameter: where the positions are free, it has the value that they ask for.
     fn solve_position(&mut self, zero: Sym) -> bool {
         let zero = self.reduced(zero);
         for &coordinate in &self.trace.coordinates {
@@ -104,7 +104,22 @@ impl<'t, 'm> Motion<'t, 'm> {
                 _ => {}
             }
         }
-        false
+        let Some(Solution { symbol, value, divisor }) =
+            self.trace.parameters.iter().find_map(|&parameter| linear(zero, parameter))
+        else {
+            return false;
+        };
+        self.divisors.push(divisor);
+        self.rounds.push(vec![(symbol, value)]);
+        true
+    }
+
+    /// Coordinates, speeds and parameters that were replaced.
+    pub fn replaced(&self) -> Vec<Sym> {
+        let trace = self.trace;
+        let known = [&trace.coordinates, &trace.speeds, &trace.parameters];
+        let all = self.rounds.iter().flatten().map(|&(symbol, _)| symbol);
+        all.filter(|symbol| known.iter().any(|list| list.contains(symbol))).collect()
     }
 
     /// An expression where all of this holds.
@@ -166,18 +181,21 @@ pub(crate) struct Solution {
     pub divisor: Sym,
 }
 
+/// A symbol by the others, where an expression that is linear in it vanishes.
+fn linear(zero: Sym, symbol: Sym) -> Option<Solution> {
+    let terms = coefficients(zero, &[symbol]).ok()?;
+    let of = |power: u32| terms.iter().find(|(exponents, _)| exponents[0] == power).map(|(_, value)| *value);
+    let divisor = of(1).filter(|_| terms.iter().all(|(exponents, _)| exponents[0] <= 1))?;
+    let vanishes = decide(divisor, &Hypotheses::none()).is_zero();
+    (!vanishes).then(|| Solution { symbol, value: -of(0).unwrap_or(Sym::ZERO) / divisor, divisor })
+}
+
 /// A symbol in which an expression is linear, where it vanishes: the first one if it is linear in it, then one whose factor is a number,
 /// then one whose factor does not move.
 pub(crate) fn solution(trace: &Trace<'_>, zero: Sym, first: Option<Sym>) -> Option<Solution> {
     // over one denominator: it vanishes where what stands above does
     let zero = normal(zero, &Hypotheses::none()).map_or(zero, |form| form.numerator());
-    let by = |symbol: Sym| {
-        let terms = coefficients(zero, &[symbol]).ok()?;
-        let of = |power: u32| terms.iter().find(|(exponents, _)| exponents[0] == power).map(|(_, value)| *value);
-        let divisor = of(1).filter(|_| terms.iter().all(|(exponents, _)| exponents[0] <= 1))?;
-        let vanishes = decide(divisor, &Hypotheses::none()).is_zero();
-        (!vanishes).then(|| Solution { symbol, value: -of(0).unwrap_or(Sym::ZERO) / divisor, divisor })
-    };
+    let by = |symbol: Sym| linear(zero, symbol);
     if let Some(found) = first.filter(|symbol| symbol.symbol_name().is_some()).and_then(by) {
         return Some(found);
     }

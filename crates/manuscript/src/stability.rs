@@ -2,7 +2,7 @@
 
 use crate::claim_text::ClaimText;
 use crate::conditions::{Hypothesis, assume, conditions};
-use crate::display::{Told, point, told_difference};
+use crate::display::{Told, divisors, point, told_difference};
 use crate::equation::Outcome;
 use crate::finding::Finding;
 use crate::inequalities::sides;
@@ -184,6 +184,7 @@ fn compared(
         && same(condition)
     {
         finding.judged.verdict = Verdict::Proved;
+        finding.judged.requires.extend(divisors(&motion.divisors, Told(letters)));
         finding.judged.evidence = format!(
             "in the first approximation the motion is {kind} where the printed inequality holds, and not where its sides are exchanged: the \
              condition of the roots is a positive multiple of it"

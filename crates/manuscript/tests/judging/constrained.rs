@@ -186,3 +186,60 @@ fn a_spherical_pendulum_is_stable_on_its_circles() {
     let found = on(SPHERICAL, "stability", r"1 + 3\cos^2\theta > 0", resting);
     assert_eq!(verdict(&found), "proved", "{}", found.text());
 }
+
+const SLIDER_CRANK: &str = r#"
+title = "A slider-crank"
+[parameters]
+r = "m"
+l = "m"
+m = "kg"
+J = "kg m^2"
+[coordinates]
+theta = "rad"
+phi = "rad"
+s = "m"
+[points]
+A = "O + r*(cos(theta)*N.x + sin(theta)*N.y)"
+B = "A + l*(cos(phi)*N.x - sin(phi)*N.y)"
+S = "O + s*N.x"
+[bodies.crank]
+turns = "theta"
+inertia = "J"
+[bodies.slider]
+centre = "S"
+mass = "m"
+[[constraint]]
+name = "pin"
+zero = "B - S"
+[start]
+theta = "30 deg"
+[letters]
+'r' = "r"
+'l' = "l"
+'m' = "m"
+'J' = "J"
+'s' = "s"
+'\theta' = "theta"
+'\varphi' = "phi"
+'T' = "kinetic_energy"
+"#;
+
+#[test]
+fn a_loop_is_closed_at_an_exact_point_too() {
+    let system = SLIDER_CRANK.replace("l = \"m\"", "l = \"0.5 m\"").replace("r = \"m\"", "r = \"0.1 m\"");
+    for (kind, formula, expected) in [
+        ("identity", r"r \sin\theta = l \sin\varphi", "proved"),
+        ("identity", r"\dot{\varphi} = \frac{r \cos\theta}{l \cos\varphi} \dot{\theta}", "proved"),
+        ("identity", r"\dot{\varphi} = \frac{r \sin\theta}{l \cos\varphi} \dot{\theta}", "refuted"),
+        ("identity", r"\dot{s} = -r \dot{\theta} \frac{\sin(\theta + \varphi)}{\cos\varphi}", "proved"),
+        ("integral of motion", r"T = \mathrm{const}", "proved"),
+        ("integral of motion", r"\dot{\theta} = \mathrm{const}", "refuted"),
+    ] {
+        let found = on(&system, kind, formula, "");
+        assert_eq!(verdict(&found), expected, "{}", found.text());
+        if expected == "refuted" {
+            let at: Vec<&str> = found.judged.counterexample.iter().map(|(name, _)| name.as_str()).collect();
+            assert!(at.contains(&"r") && at.contains(&"l"), "{at:?}");
+        }
+    }
+}
