@@ -29,11 +29,19 @@ impl PaperText {
     /// # Errors
     /// All that is wrong with the system, the meanings of letters and the formulas, each at its place.
     pub fn judge(&self) -> Result<Vec<Finding>, SceneError> {
-        judged(self)
+        self.judge_each(|_| ())
+    }
+
+    /// The same, each finding told as it is made.
+    ///
+    /// # Errors
+    /// As those of [`PaperText::judge`].
+    pub fn judge_each(&self, told: impl FnMut(&Finding) + Send) -> Result<Vec<Finding>, SceneError> {
+        judged(self, told)
     }
 }
 
-fn judged(paper: &PaperText) -> Result<Vec<Finding>, SceneError> {
+fn judged(paper: &PaperText, mut told: impl FnMut(&Finding) + Send) -> Result<Vec<Finding>, SceneError> {
     let model = model(paper)?;
     symbolic::apart(|| {
         let trace = Trace::of(&model);
@@ -58,7 +66,10 @@ fn judged(paper: &PaperText) -> Result<Vec<Finding>, SceneError> {
         for (claim, statement) in paper.claims.iter().zip(&statements) {
             let Some(statement) = statement else { continue };
             match judge(paper, claim, statement, &letters) {
-                Ok(finding) => findings.push(finding),
+                Ok(finding) => {
+                    told(&finding);
+                    findings.push(finding);
+                }
                 Err(issue) => issues.push(issue),
             }
         }

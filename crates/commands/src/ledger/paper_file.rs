@@ -2,6 +2,7 @@
 
 use super::row;
 use crate::arguments::Format;
+use crate::clock;
 use crate::exit::{Exit, print, warn};
 use crate::output::{Form, Maker, Writes};
 use charts::{PaperSection, Report};
@@ -69,7 +70,14 @@ pub fn judge(asked: &Asked) -> Result<Exit, Exit> {
             asked.filter, paper.key
         )));
     }
-    let findings = paper.judge()?;
+    let mut so_far = String::new();
+    let findings = paper.judge_each(|finding| {
+        so_far += &finding.text();
+        // one object of a list is no list
+        if !asked.json && !asked.test {
+            clock::publish(so_far.clone());
+        }
+    })?;
     let wrong: Vec<String> = findings.iter().filter_map(|finding| finding.as_expected().err()).collect();
     print(&match (asked.json, asked.test) {
         (true, _) => format!("{:#}\n", findings.iter().map(object).collect::<serde_json::Value>()),
