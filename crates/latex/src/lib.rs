@@ -14,12 +14,13 @@
 //! | `x^{10}`, `x_{12}` | `x^10`, `x_12` |
 //!
 //! ```
-//! use dalembert_latex::{Form, read};
+//! use dalembert_latex::{Form, letter_name, read};
 //!
-//! let known = ["m", r"\theta", "l_1"].map(str::to_owned);
+//! let known = ["m", r"\theta", "l_1"].map(letter_name);
+//! let known = known.into_iter().collect::<Result<Vec<String>, _>>()?;
 //! let statement = read(r"m l_1 \ddot{\theta} = 0", &known)?;
 //! assert_eq!(statement.chains[0].sides.len(), 2);
-//! assert!(read(r"m l_2 = 0", &known).is_err_and(|fault| fault.title.contains("l_2")));
+//! assert!(read(r"m l_2 = 0", &known).is_err_and(|fault| fault.title.contains("l_{2}")));
 //! assert!(matches!(read("m", &known)?.chains[0].sides[0].form, Form::Letter(_)));
 //! # Ok::<(), dalembert_latex::NotFormula>(())
 //! ```
