@@ -1,9 +1,9 @@
 //! Entries of the catalogue that are text: scenes with the table `[failure]`, those of the folder and those of a user.
 
 use super::edge::edge;
-use super::trials::{Trial, Tried};
+use super::trials::{BUDGET, Trial, Tried};
 use super::{Exact, Found, NotFound, Threshold, Within};
-use integrators::{Failure, Method, Record};
+use integrators::{Failure, Method, Record, Sizes, Span, Tolerance};
 use reader::{SceneError, read_text};
 use scenes::FailureEntry;
 use std::cell::Cell;
@@ -97,10 +97,15 @@ fn trials(entry: &FailureEntry, fails: f64) -> Vec<Trial> {
         tried.steps = steps;
     }
     let (outcome, right, left) = tried.run(RIGHT);
+    // what fades before the first output has been of a size too
+    let mut sizes = Sizes(problem.state.iter().map(|part| part.abs()).collect());
+    let span = Span::new(0.0, problem.span, &problem.state).with_evaluations(BUDGET);
+    problem.integrate(RIGHT, &Tolerance::both(choice.tolerance), &span, &mut sizes);
+    let Sizes(sizes) = sizes;
     // a motion that ends cannot be followed to its end; where time or evaluations ended it, nothing is known
     let is_over = left.is_some() || outcome.failure().is_some_and(|why| !why.is_broken_off() && !is_costly(why));
     let follows = |record: &Record<f64>| match outcome.reached() {
-        true => near_motion(record, &right, &problem.state, choice.tolerance),
+        true => near_motion(record, &right, &sizes, choice.tolerance),
         false => !is_over,
     };
     tried.all(|record| {
@@ -118,13 +123,11 @@ const AS_RIGHT: f64 = 0.1;
 /// Errors of a run in tolerances of its largest component: a component that is smaller is not compared.
 const TOLERANCES: f64 = 1e3;
 
-/// Whether a run is near another in every component, relative to its size from the start on.
-fn near_motion(record: &Record<f64>, right: &Record<f64>, start: &[f64], tolerance: f64) -> bool {
-    let size = |i: usize| right.states.iter().map(|state| state[i].abs()).fold(start[i].abs(), f64::max);
-    let sizes: Vec<f64> = (0..start.len()).map(size).collect();
+/// Whether a run is near another in every component, relative to its size along the motion.
+fn near_motion(record: &Record<f64>, right: &Record<f64>, sizes: &[f64], tolerance: f64) -> bool {
     let least = TOLERANCES * tolerance * sizes.iter().copied().fold(0.0, f64::max);
     let is_close = |(a, b): (&Vec<f64>, &Vec<f64>)| {
-        a.iter().zip(b).zip(&sizes).all(|((a, b), size)| (a - b).abs() <= AS_RIGHT * size.max(least))
+        a.iter().zip(b).zip(sizes).all(|((a, b), size)| (a - b).abs() <= AS_RIGHT * size.max(least))
     };
     record.states.len() == right.states.len() && record.states.iter().zip(&right.states).all(is_close)
 }
