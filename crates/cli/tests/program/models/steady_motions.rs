@@ -104,6 +104,47 @@ fn steps_that_misjudge_a_motion_of_a_file_are_told_for_each_method() {
     );
 }
 
+/// Of each oscillation at rest Runge-Kutta 4 loses the part of the closed form, whatever its frequency.
+#[test]
+fn the_drift_of_oscillations_is_that_of_the_stability_function() {
+    let options =
+        ["--drift=steady", "--steps", "40", "--periods", "200", "--method", "runge_kutta_4", "--format", "json"];
+    let object: Value =
+        serde_json::from_str(&printed(&[&["numerical-stability", MODEL], &options[..]].concat())).expect("it is JSON");
+    let z = std::f64::consts::TAU / 40.0;
+    let part = (40.0 * (-z.powi(6) / 72.0 + z.powi(8) / 576.0).ln_1p()).exp_m1();
+    let oscillations = object["motions"][0]["oscillations"].as_array().expect("a list");
+    assert_eq!(oscillations.len(), 2);
+    for row in oscillations.iter().map(|one| &one["methods"][0]) {
+        let [exact, run] = [&row["exact"], &row["run"]["change"]].map(|value| value.as_f64().expect("a number"));
+        assert!((exact / part - 1.0).abs() < 1e-12 && (run / part - 1.0).abs() < 1e-3, "{row}");
+    }
+    refused(&["numerical-stability", "scenes/bench.toml", "--drift=steady"], "--drift=steady is about a system");
+    refused(&["numerical-stability", MODEL, "--steps", "3"], "--drift");
+}
+
+#[test]
+fn branches_and_maps_are_drawn() {
+    let (shaft, branches, map) = (temporary("drawn.toml"), temporary("branches.svg"), temporary("map.svg"));
+    let text = "title = \"A cubic spring\"\n[parameters]\nm = \"1 kg\"\nk = \"1 N/m\"\nc = \"1 N/m^3\"\nF = \"0 N\"\n[coordinates]\nx = \"m\"\n\
+        [bodies.ball]\ncentre = \"O + x*N.x\"\nmass = \"m\"\n[energies]\npotential = \"-k/2*x^2 + c/4*x^4 - F*x\"\n";
+    std::fs::write(&shaft, text).expect("it can be written");
+    let path = shaft.to_string_lossy().into_owned();
+    let along = ["stationary", &path, "--range", "x=-2..2", "--along", "F=-1..1"];
+    printed(&[&along[..], &["--values", "9", "--picture", &branches.to_string_lossy()]].concat());
+    let svg = std::fs::read_to_string(&branches).expect("it is drawn");
+    assert!(svg.contains("branch unstable") && svg.contains("(fold)") && svg.contains(">F, N<"), "{svg}");
+    let told =
+        printed(&[&along[..], &["--along", "k=-1..1", "--values", "6", "--out", &map.to_string_lossy()]].concat());
+    assert!(told.contains("A  1 steady motion: 1 stable") && told.contains("B  3 steady motions: 2 stable"), "{told}");
+    assert!(std::fs::read_to_string(&map).expect("it is drawn").contains("3 steady motions: 2 stable"));
+    refused(
+        &["stationary", &path, "--range", "x=-2..2", "--out", "q.svg"],
+        "--along NAME=FROM..TO is accepted with it",
+    );
+    [shaft, branches, map].iter().for_each(|path| std::fs::remove_file(path).expect("it is there"));
+}
+
 #[test]
 fn values_at_which_motions_change_are_enclosed_along_a_parameter() {
     let shaft = temporary("shaft.toml");
