@@ -15,10 +15,10 @@ const HIDDEN: f64 = 2e-3;
 /// The kinds of marks; the first four have shapes of their own.
 const KINDS: [&str; 5] = [
     "two motions appear or vanish (fold)",
-    "a pair of eigenvalues crosses the imaginary axis (Hopf, or gyroscopic stability ends)",
+    "an eigenvalue pair crosses the imaginary axis (Hopf)",
     "stability is exchanged",
     "two motions leave a third (pitchfork)",
-    "several changes at once, or constraints become dependent",
+    "several changes at once",
 ];
 
 /// The picture of all branches.
@@ -122,6 +122,14 @@ fn pieces(samples: &[&Sample], place: usize) -> Vec<BranchPiece> {
                 Some(mut piece) if piece.standing == own && !piece.points.last().is_some_and(|last| wraps(last.1)) => {
                     piece.points.push(point);
                     piece
+                }
+                // where nothing is decided at one value alone, the stability before holds up to it
+                Some(mut piece)
+                    if own == Standing::Undecided && !piece.points.last().is_some_and(|last| wraps(last.1)) =>
+                {
+                    piece.points.push(point);
+                    all.push(piece);
+                    BranchPiece { standing: own, points: vec![point] }
                 }
                 Some(piece) => {
                     let last = piece.points.last().copied().filter(|last| !wraps(last.1));
