@@ -17,6 +17,8 @@ pub(super) fn show(asked: &Asked, cases: Cases) -> Result<Exit, Exit> {
             Case::Holds => format!("{text} > 0"),
             Case::Fails => format!("{text} < 0"),
             Case::Between => format!("{text} = 0"),
+            Case::Forward => format!("{text} = 0, sliding along its tangent"),
+            Case::Backward => format!("{text} = 0, sliding against its tangent"),
         };
         own.iter().zip(&conditions).map(told).collect()
     };

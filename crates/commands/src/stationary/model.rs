@@ -13,6 +13,9 @@ use ::scenes::unit_of;
 use serde_json::{Value, json};
 use std::fmt::Write;
 
+/// Enclosures that are no wider, as a part of one in SI units and of the value, are printed as numbers.
+const NARROW: f64 = 1e-9;
+
 /// Undecided regions that are listed; of the others the number is told.
 const MOST_LISTED: usize = 6;
 
@@ -114,8 +117,9 @@ fn family_lines(all: &Found, place: usize, family: &Family, members: &[Member]) 
     };
     let ranges = found.unknowns.iter().zip(&family.hull).map(|(unknown, at)| {
         let [low, high] = ends(*at);
-        match low == high {
-            true => format!("{} = {low}{}", unknown.name, all.unit(&unknown.name)),
+        let middle = 0.5 * (at[0] + at[1]);
+        match at[1] - at[0] <= NARROW * (1.0 + middle.abs()) {
+            true => format!("{} = {}{}", unknown.name, number(middle), all.unit(&unknown.name)),
             false => format!("{} from {low} to {high}{}", unknown.name, all.unit(&unknown.name)),
         }
     });
@@ -131,7 +135,7 @@ fn family_lines(all: &Found, place: usize, family: &Family, members: &[Member]) 
     if !family.along.is_empty() {
         let _ = writeln!(
             out,
-            "     the cause is a symmetry: the forces do no work along the displacement {}",
+            "     the cause is an identity: the forces do no work along the displacement {}",
             family.along.join(", nor along ")
         );
     }

@@ -249,7 +249,7 @@ pub fn refused(path: &Path, model: &Model, why: NoSteadyMotions) -> Exit {
                 .to_owned(),
         ),
         NoSteadyMotions::Contacts { at } => {
-            let issue = Issue::at(at, "steady motions are not sought with diodes, freewheels and guides that the coordinates keep", "this one");
+            let issue = Issue::at(at, "steady motions are not sought with this contact", "a diode, a freewheel, a guide that the coordinates keep, or a contact that slides in two directions or on two sides");
             placed(path, issue.accepted("contacts that coordinates can open, and friction as a force with `sign` of a speed; `linearise --about equilibrium` finds one equilibrium near the start"))
         }
         NoSteadyMotions::ManyConditions { conditions, most } => told(format!(

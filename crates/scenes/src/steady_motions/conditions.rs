@@ -5,7 +5,7 @@
 //! both sides of the condition's zero, as of `abs`, that zero belongs to the sides.
 
 use super::rows::{Rows, Touching};
-use super::{NoSteadyMotions, Range};
+use super::{NoSteadyMotions, Range, Unknown};
 use model::equations::vanishes;
 use model::{Model, Trace};
 use symbolic::{Sym, substitute_all};
@@ -17,13 +17,16 @@ pub enum Case {
     Fails,
     /// Its value is zero, and its part of the law lies between both; a contact is in touch, and sticks.
     Between,
+    /// A contact is in touch, and slides along its tangent, or against it.
+    Forward,
+    Backward,
 }
 
 /// More combinations of cases are not tried.
 const MOST: usize = 243;
 
 /// The part of a law at a condition's zero, between that where it fails and that where it holds.
-pub(super) const BETWEEN: Range = Range { from: 0.0, to: 1.0 };
+const BETWEEN: Range = Range { from: 0.0, to: 1.0 };
 
 /// All combinations of cases that are tried.
 pub(super) fn combinations(rows: &Rows, at_rest: &[(Sym, Sym)]) -> Result<Vec<Vec<Case>>, NoSteadyMotions> {
@@ -33,8 +36,7 @@ pub(super) fn combinations(rows: &Rows, at_rest: &[(Sym, Sym)]) -> Result<Vec<Ve
     let contacts = rows.condition_letters.iter().map(|_| None).chain(rows.contacts.iter().map(Some));
     for ((value, letter), contact) in values.iter().zip(letters).zip(contacts) {
         let cases: &[Case] = match value.as_constant() {
-            _ if contact.is_some_and(|contact| !contact.is_one_sided) => &[Case::Between],
-            _ if contact.is_some() => &[Case::Holds, Case::Between],
+            _ if let Some(contact) = contact => contact.cases(at_rest),
             _ if vanishes(*value) => &[Case::Between],
             Some(number) if number.to_f64() > 0.0 => &[Case::Holds],
             Some(_) => &[Case::Fails],
@@ -59,35 +61,110 @@ pub fn conditions_of(model: &Model) -> Vec<String> {
     symbolic::apart(|| own(Trace::of(model)))
 }
 
-/// Everything that a contact in touch adds: the normal reaction as a multiplier, the shares of friction that are used, from -1 to 1 along each
-/// tangent, with the tangential reactions by these, and what shall be positive.
-pub(super) struct InTouch {
-    pub normal: Sym,
-    pub shares: Vec<(Sym, Sym)>,
-    pub sides: Vec<Sym>,
-}
+impl Touching {
+    /// Whether it slides in a steady motion, as where a cyclic coordinate moves along it.
+    pub fn may_slide(&self, at_rest: &[(Sym, Sym)]) -> bool {
+        self.friction.is_some() && !substitute_all(&self.slides, at_rest).iter().all(|slide| vanishes(*slide))
+    }
 
-impl InTouch {
-    pub fn of(contact: &Touching) -> Option<Self> {
-        let (&normal, tangential) = contact.reactions.split_first()?;
-        let share = |letter: &Sym| {
-            let own = Sym::symbol(&format!("{letter}/({normal} mu)"));
-            (own, contact.friction.map_or(Sym::ZERO, |friction| friction * own * normal))
-        };
-        let shares: Vec<(Sym, Sym)> = tangential.iter().map(share).collect();
-        let mut sides = Vec::new();
-        if contact.is_one_sided {
-            sides.push(normal);
+    fn cases(&self, at_rest: &[(Sym, Sym)]) -> &'static [Case] {
+        match (self.is_one_sided, self.may_slide(at_rest)) {
+            (false, _) => &[Case::Between],
+            (true, false) => &[Case::Holds, Case::Between],
+            (true, true) => &[Case::Holds, Case::Between, Case::Forward, Case::Backward],
         }
-        if shares.len() > 1 {
-            sides.push(shares.iter().fold(Sym::ONE, |rest, (own, _)| rest - *own * *own));
-        }
-        Some(InTouch { normal, shares, sides })
     }
 }
 
+/// Everything that a combination of cases adds to the equations.
+#[derive(Default)]
+pub(super) struct Laws {
+    /// Letters with their values.
+    pub known: Vec<(Sym, Sym)>,
+    /// Parts of a law between two sides, and shares of friction that are used.
+    pub unknowns: Vec<(Sym, Unknown)>,
+    /// Normal reactions, which are multipliers.
+    pub touching: Vec<Sym>,
+    /// Tangential reactions by these.
+    pub forces: Vec<(Sym, Sym)>,
+    /// Values that shall be positive, or negative.
+    pub sides: Vec<(Sym, bool)>,
+    /// Values that shall be zero.
+    pub at_zero: Vec<Sym>,
+}
+
+impl Laws {
+    /// Unknowns have places behind a state of this size.
+    pub fn of(rows: &Rows, cases: &[Case], at_rest: &[(Sym, Sym)], state: usize) -> Self {
+        let held = substitute_all(&rows.conditions, at_rest);
+        let mut laws = Laws::default();
+        for (place, case) in cases.iter().enumerate() {
+            let is_open = match place.checked_sub(rows.condition_letters.len()) {
+                None => laws.add_condition(rows.condition_letters[place], *case, state + place),
+                Some(own) => laws.add_contact(&rows.contacts[own], *case, at_rest, state + place),
+            };
+            match is_open {
+                true => laws.sides.push((held[place], *case == Case::Holds)),
+                false if vanishes(held[place]) => {}
+                false => laws.at_zero.push(held[place]),
+            }
+        }
+        laws
+    }
+
+    /// Whether the condition has a side.
+    fn add_condition(&mut self, letter: Sym, case: Case, place: usize) -> bool {
+        match case {
+            Case::Holds => self.known.push((letter, Sym::ONE)),
+            Case::Fails => self.known.push((letter, Sym::ZERO)),
+            _ => self.unknowns.push((letter, sought(letter, place, BETWEEN))),
+        }
+        matches!(case, Case::Holds | Case::Fails)
+    }
+
+    /// Whether the contact is open.
+    fn add_contact(&mut self, contact: &Touching, case: Case, at_rest: &[(Sym, Sym)], place: usize) -> bool {
+        let Some((&normal, tangential)) = contact.reactions.split_first() else { return false };
+        if case == Case::Holds {
+            self.known.extend(contact.reactions.iter().map(|letter| (*letter, Sym::ZERO)));
+            return true;
+        }
+        self.touching.push(normal);
+        if contact.is_one_sided {
+            self.sides.push((normal, true));
+        }
+        let Some(friction) = contact.friction else {
+            self.known.extend(tangential.iter().map(|letter| (*letter, Sym::ZERO)));
+            return false;
+        };
+        let slides = substitute_all(&contact.slides, at_rest);
+        if case == Case::Between {
+            let mut rest = Sym::ONE;
+            for &letter in tangential {
+                let share = Sym::symbol(&format!("{letter}/({normal} mu)"));
+                self.forces.push((letter, friction * share * normal));
+                self.unknowns.push((share, sought(share, place, SHARE)));
+                rest -= share * share;
+            }
+            if tangential.len() > 1 {
+                self.sides.push((rest, true));
+            }
+            self.at_zero.extend(slides.into_iter().filter(|slide| !vanishes(*slide)));
+            return false;
+        }
+        let own = if case == Case::Forward { -friction } else { friction };
+        self.forces.extend(tangential.iter().map(|letter| (*letter, own * normal)));
+        self.sides.extend(slides.first().map(|slide| (*slide, case == Case::Forward)));
+        false
+    }
+}
+
+fn sought(letter: Sym, place: usize, range: Range) -> Unknown {
+    Unknown { name: letter.to_string(), place, is_circle: false, range }
+}
+
 /// The share of friction along a tangent.
-pub(super) const SHARE: Range = Range { from: -1.0, to: 1.0 };
+const SHARE: Range = Range { from: -1.0, to: 1.0 };
 
 /// Whether the law does not jump where a condition is zero: shown for conditions that are linear in a letter.
 fn is_continuous(rows: &Rows, letter: Sym, value: Sym) -> bool {

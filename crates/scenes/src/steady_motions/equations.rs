@@ -4,12 +4,12 @@
 //!   J^T lambda - h(q, w) = 0 ,    f(q) = 0 .
 
 use super::circles::is_periodic;
-use super::conditions::{self, BETWEEN, Case, InTouch, SHARE};
+use super::conditions::{self, Case, Laws};
 use super::determinacy::Wanted;
 use super::energy_row::implied;
 use super::families::Identity;
 use super::quasi_velocities::{is_integral, state_names};
-use super::rows::Rows;
+use super::rows::{Rows, Touching};
 use super::{Asked, NoSteadyMotions, Range};
 use crate::changing_laws::changes;
 use crate::compiled_system::has_values;
@@ -108,6 +108,11 @@ impl SteadyEquations {
             // a gap that no coordinate opens has a reaction that no position determines
             let gaps = &rows.conditions[rows.condition_letters.len()..];
             if let Some(place) = gaps.iter().position(|gap| vanishes(*gap)) {
+                return Err(NoSteadyMotions::Contacts { at: model.contacts[place].at.clone() });
+            }
+            let rest = at_rest(&trace, &rows.is_cyclic);
+            let is_refused = |own: &Touching| own.may_slide(&rest) && (own.slides.len() > 1 || !own.is_one_sided);
+            if let Some(place) = rows.contacts.iter().position(is_refused) {
                 return Err(NoSteadyMotions::Contacts { at: model.contacts[place].at.clone() });
             }
             conditions::combinations(&rows, &at_rest(&trace, &rows.is_cyclic))
@@ -221,40 +226,10 @@ impl SteadyEquations {
                 }
             }
         }
-        let held = substitute_all(&rows.conditions, &at_rest);
-        let mut sides: Vec<(Sym, bool)> = Vec::new();
-        let mut at_zero: Vec<Sym> = Vec::new();
-        let (mut touching, mut forces) = (Vec::new(), Vec::new());
-        for (place, case) in cases.iter().enumerate() {
-            let contact = place.checked_sub(rows.condition_letters.len()).map(|own| &rows.contacts[own]);
-            let asked_for = |letter: Sym, range: Range| {
-                let name = letter.to_string();
-                (letter, Unknown { name, place: 2 * n + place, is_circle: false, range })
-            };
-            match (case, contact) {
-                (Case::Holds, None) => known.push((rows.condition_letters[place], Sym::ONE)),
-                (Case::Fails, None) => known.push((rows.condition_letters[place], Sym::ZERO)),
-                (Case::Between, None) => unknowns.push(asked_for(rows.condition_letters[place], BETWEEN)),
-                (Case::Between, Some(contact)) => {
-                    let Some(own) = InTouch::of(contact) else { continue };
-                    touching.push(own.normal);
-                    let is_smooth = contact.friction.is_none();
-                    let shares = own.shares.iter().filter(|_| !is_smooth);
-                    unknowns.extend(shares.map(|(share, _)| asked_for(*share, SHARE)));
-                    forces
-                        .extend(contact.reactions[1..].iter().copied().zip(own.shares.iter().map(|(_, force)| *force)));
-                    sides.extend(
-                        own.sides.into_iter().filter(|_| !is_smooth || contact.is_one_sided).map(|side| (side, true)),
-                    );
-                }
-                (_, Some(contact)) => known.extend(contact.reactions.iter().map(|letter| (*letter, Sym::ZERO))),
-            }
-            match case {
-                Case::Between if vanishes(held[place]) => {}
-                Case::Between => at_zero.push(held[place]),
-                _ => sides.push((held[place], *case == Case::Holds)),
-            }
-        }
+        let Laws { known: of_cases, unknowns: shares, touching, forces, sides, at_zero } =
+            Laws::of(&rows, cases, &at_rest, 2 * n);
+        known.extend(of_cases);
+        unknowns.extend(shares);
         if !without_range.is_empty() {
             return Err(NoSteadyMotions::WithoutRange { names: without_range });
         }
@@ -282,6 +257,14 @@ impl SteadyEquations {
         let rows_count = asking.len() + zeros.len();
         let sought = unknowns.len() + multipliers.len();
         if rows_count > sought && !is_unbalanced {
+            if std::env::var("DBG").is_ok() {
+                eprintln!(
+                    "{cases:?} {:?} {:?} {:?}",
+                    asking.iter().map(|&k| residuals[k].to_string()).collect::<Vec<_>>(),
+                    zeros.iter().map(|z| z.to_string()).collect::<Vec<_>>(),
+                    unknowns.iter().map(|u| &u.name).collect::<Vec<_>>()
+                );
+            }
             let idle =
                 (0..n).filter(|&k| !is_cyclic[k] && residuals[k] == Sym::ZERO).map(|k| names[k].clone()).collect();
             return Err(NoSteadyMotions::Unequal { counts: [rows_count, sought], idle });

@@ -52,6 +52,8 @@ pub(super) struct Touching {
     pub friction: Option<Sym>,
     /// Whether it may let go.
     pub is_one_sided: bool,
+    /// The sliding velocity along each tangent.
+    pub slides: Vec<Sym>,
 }
 
 /// In systems with more coordinates a coordinate is cyclic where it is not written.
@@ -82,6 +84,7 @@ impl Rows {
             reactions: (0..contact.reactions.len()).map(|component| trace.reaction(place, component)).collect(),
             friction: contact.friction.map(|friction| put(&[trace.scalar(friction)])[0]),
             is_one_sided: contact.sides == Sides::One,
+            slides: put(&contact.slides.iter().map(|&slide| trace.scalar(slide)).collect::<Vec<_>>()),
         };
         let contacts: Vec<Touching> = model.contacts.iter().enumerate().map(touching).collect();
         // neither held in place nor moved by a potential
@@ -97,7 +100,10 @@ impl Rows {
                 zeros: zeros.clone(),
                 conditions: moving(trace, &conditions, &determined),
                 condition_letters: trace.switches.clone(),
-                contacts: contacts.clone(),
+                contacts: contacts
+                    .iter()
+                    .map(|own| Touching { slides: moving(trace, &own.slides, &determined), ..own.clone() })
+                    .collect(),
                 determined,
                 is_cyclic: vec![true; model.speeds()],
                 have_potential: false,
@@ -145,7 +151,8 @@ impl Rows {
         loop {
             let held: Vec<(usize, Sym)> =
                 self.determined.iter().copied().filter(|&(place, _)| !self.is_cyclic[place]).collect();
-            let own = self.residuals.iter().chain(&self.zeros).chain(&self.conditions).copied();
+            let slides = self.contacts.iter().filter(|own| own.friction.is_some()).flat_map(|own| &own.slides);
+            let own = self.residuals.iter().chain(&self.zeros).chain(&self.conditions).chain(slides).copied();
             let rows: Vec<Sym> = own.chain(held.iter().map(|(_, rate)| *rate)).collect();
             let depends = |symbol: Sym| {
                 let decides = trace.coordinates.len() <= MOST_DECIDED;
@@ -166,6 +173,7 @@ impl Rows {
         self.residuals = substitute_all(&self.residuals, &none);
         self.zeros = substitute_all(&self.zeros, &none);
         self.conditions = substitute_all(&self.conditions, &none);
+        self.contacts.iter_mut().for_each(|contact| contact.slides = substitute_all(&contact.slides, &none));
         let rates: Vec<Sym> = self.determined.iter().map(|(_, rate)| *rate).collect();
         self.determined.iter_mut().zip(substitute_all(&rates, &none)).for_each(|(own, rate)| own.1 = rate);
     }

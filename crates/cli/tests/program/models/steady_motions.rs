@@ -33,7 +33,7 @@ fn a_family_is_told_with_its_symmetry() {
     let told = printed(&["stationary", &path, "--range", "x=-2..2", "--range", "y=-2..2"]);
     assert!(told.contains("one steady motion, alone in a box, and one family, and no other"), "{told}");
     assert!(told.contains("a family, a curve: x from -1"), "{told}");
-    assert!(told.contains("the cause is a symmetry: the forces do no work along the displacement (x:"), "{told}");
+    assert!(told.contains("the cause is an identity: the forces do no work along the displacement (x:"), "{told}");
     let few = run(&["stationary", &path, "--range", "x=-2..2", "--range", "y=-2..2", "--boxes", "10"]);
     assert_eq!(few.status.code(), Some(1));
     assert!(String::from_utf8_lossy(&few.stderr).contains("undecided boxes"));
@@ -49,7 +49,7 @@ fn dry_friction_and_contacts_are_told_in_each_combination() {
         serde_json::from_str(&printed(&["stationary", block, "--range", "x=-3..3", "--format", "json"]))
             .expect("it is JSON");
     assert_eq!(object["cases"][0]["families"][0]["dimension"], 1);
-    refused(&["stationary", "scenes/models/bridge_rectifier.toml"], "steady motions are not sought with diodes");
+    refused(&["stationary", "scenes/models/bridge_rectifier.toml"], "steady motions are not sought with this contact");
 }
 
 #[test]

@@ -76,7 +76,7 @@ const WORTH: f64 = 0.75;
 const SHORT: f64 = 1e-3;
 
 /// Boxes between two questions whether to go on.
-const BETWEEN: usize = 64;
+const BETWEEN: usize = 8;
 
 /// All pieces in some boxes of the divided unknowns, which are parts of a domain.
 pub(in crate::steady_motions) fn pieces(
