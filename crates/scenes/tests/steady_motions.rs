@@ -590,3 +590,23 @@ fn a_block_rests_on_a_slope_below_the_friction() {
         }
     }
 }
+
+/// A block that is pulled over a floor against a viscous drag: c v = F - mu m g where that is positive, else it rests.
+#[test]
+fn a_pulled_block_slides_at_the_speed_at_which_drag_takes_the_rest_of_the_pull() {
+    for (pull, speed) in [(10.0, Some((10.0 - 0.3 * 2.0 * 9.81) / 2.0)), (5.0, None)] {
+        let text = format!(
+            "title = \"Pulled\"\ngravity = \"-(9.81 m/s^2)*N.y\"\n[parameters]\nm = \"2 kg\"\nf = \"0.3\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n\
+             [points]\nP = \"O + x*N.x + y*N.y\"\n[bodies]\nblock = {{ centre = \"P\", mass = \"m\" }}\n\
+             [[force]]\non = \"block\"\nis = \"(({pull:?} N) - (2 N s/m)*x')*N.x\"\n\
+             [[contact]]\nname = \"floor\"\nof = \"block at P\"\nthrough = \"O\"\nnormal = \"N.y\"\nfriction = \"f\"\ntouching = true\n\
+             [run]\nspan = \"1 s\"\n"
+        );
+        let ranges = asked(&[("x'", -9.0, 10.0), ("y", -2.0, 2.0)], 2_000);
+        let found = SteadyMotions::of_cases(&model(&text), &ranges, || true).unwrap_or_else(|why| panic!("{why:?}"));
+        assert!(found.iter().all(|(_, own)| own.is_complete() && own.families.is_empty()), "{found:?}");
+        let speeds: Vec<f64> = found.iter().flat_map(|(_, own)| own.motions.iter().map(|one| one.state[2])).collect();
+        let [found] = speeds[..] else { panic!("{speeds:?}") };
+        assert!((found - speed.unwrap_or(0.0)).abs() < 1e-9, "{found}");
+    }
+}
