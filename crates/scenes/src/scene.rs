@@ -227,16 +227,6 @@ impl ModelScene {
         }
     }
 
-    /// The scene of a model that was elaborated from another source of the same file, with the lines of its conditions.
-    pub(crate) fn of_source(self, source: Source, whole: &Self) -> Self {
-        let line_of = |place: &std::ops::Range<usize>| {
-            let known = whole.model.switch_places.iter().position(|known| known == place);
-            known.and_then(|known| whole.condition_lines.get(known).copied()).unwrap_or_default()
-        };
-        let condition_lines = self.model.switch_places.iter().map(line_of).collect();
-        ModelScene { source: Arc::new(source), condition_lines, ..self }
-    }
-
     /// The same scene with a run of another length.
     pub(crate) fn with_span(&self, span: f64) -> Self {
         let mut scene = self.with(Arc::clone(&self.model), Arc::clone(&self.system), self.start.clone());

@@ -1,10 +1,13 @@
 //! The system of a file: its tables, or those of the system that it names, as a model.
 
+use super::ModelScene;
 use crate::branch::settled;
 use crate::named_systems;
 use crate::text;
 use model::{Entry, Model, Source};
 use reader::{Issue, Table, tables};
+use std::ops::Range;
+use std::sync::Arc;
 
 /// The system of a file with its source; what is wrong with it goes into the list.
 pub(crate) fn model(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<(Model, Source)> {
@@ -34,4 +37,16 @@ pub(crate) fn written(text: &str) -> Option<Model> {
         model(top, issues).map(|(model, _)| model)
     });
     read.ok()
+}
+
+impl ModelScene {
+    /// The scene of a model that was elaborated from another source of the same file, with the lines of its conditions.
+    pub(crate) fn of_source(self, source: Source, whole: &Self) -> Self {
+        let line_of = |place: &Range<usize>| {
+            let known = whole.model.switch_places.iter().position(|known| known == place);
+            known.and_then(|known| whole.condition_lines.get(known).copied()).unwrap_or_default()
+        };
+        let condition_lines = self.model.switch_places.iter().map(line_of).collect();
+        ModelScene { source: Arc::new(source), condition_lines, ..self }
+    }
 }
