@@ -24,7 +24,7 @@ pub(super) fn chosen(
             .flat_map(|row| open.iter().map(move |&column| (row, column)))
             .max_by(|a, b| weight(a.0, a.1).total_cmp(&weight(b.0, b.1)))?;
         let pivot = left[row][column];
-        if !(pivot.abs() > 1e-12) {
+        if pivot.is_nan() || pivot.abs() <= 1e-12 {
             return None;
         }
         let own = left[row].clone();

@@ -87,6 +87,13 @@ impl Underdetermined for Fewer<'_, '_> {
     }
 }
 
+/// Boxes in which the same equations are kept, and the displacements along which nothing acts there.
+struct OfRows {
+    rows: Vec<usize>,
+    along: Vec<String>,
+    open: Vec<Vec<Interval>>,
+}
+
 /// Families and what is not decided.
 #[derive(Default)]
 pub(super) struct Enclosed {
@@ -104,7 +111,7 @@ pub(super) fn families(
     mut goes_on: impl FnMut() -> bool,
 ) -> Enclosed {
     let mut enclosed = Enclosed::default();
-    let mut of_rows: Vec<(Vec<usize>, Vec<String>, Vec<Vec<Interval>>)> = Vec::new();
+    let mut of_rows: Vec<OfRows> = Vec::new();
     for at in open {
         let (dropped, along) = Identity::implied(&equations.identities, &at);
         if dropped.is_empty() && equations.rows == at.len() + equations.reactions {
@@ -112,13 +119,13 @@ pub(super) fn families(
             continue;
         }
         let rows: Vec<usize> = (0..equations.rows).filter(|row| !dropped.contains(row)).collect();
-        match of_rows.iter_mut().find(|(known, ..)| *known == rows) {
-            Some((_, _, boxes)) => boxes.push(at),
-            None => of_rows.push((rows, along, vec![at])),
+        match of_rows.iter_mut().find(|known| known.rows == rows) {
+            Some(known) => known.open.push(at),
+            None => of_rows.push(OfRows { rows, along, open: vec![at] }),
         }
     }
     let mut all: Vec<(Piece, Vec<String>)> = Vec::new();
-    for (rows, along, open) in of_rows {
+    for OfRows { rows, along, open } in of_rows {
         let limits = Limits { boxes: most.saturating_sub(enclosed.examined), smallest: SMALLEST };
         let mut fewer = Fewer { boxes, rows, all: equations.rows, values: Vec::new(), slopes: Vec::new() };
         let Pieces { pieces, undecided, examined } = pieces::pieces(&mut fewer, domain, open, limits, &mut goes_on);
