@@ -1,0 +1,77 @@
+//! Changes of steady motions along one parameter and over two.
+
+use super::{DRIVEN, SHAFT, SIDES, asked, model, plane};
+use dalembert_scenes::steady_motions::{Along, Change, PlaneCell, Range, middles};
+
+fn along(text: &str, ranges: &[(&str, f64, f64)], (name, from, to): (&str, f64, f64)) -> Along {
+    let found = Along::of(&model(text), &asked(ranges, 200_000), (name, Range { from, to }), 21, || true);
+    found.unwrap_or_else(|why| panic!("{why:?}"))
+}
+
+fn assert_changes(found: &Along, wanted: &[(f64, Change)]) {
+    let told: Vec<(f64, f64, Change)> =
+        found.bifurcations.iter().map(|one| (one.before.value, one.after.value, one.change)).collect();
+    assert_eq!(told.len(), wanted.len(), "{told:?}");
+    for (&(from, to, change), &(at, kind)) in told.iter().zip(wanted) {
+        assert!(from < at && at < to && to - from < 1e-3 && change == kind, "{told:?} for {at}");
+    }
+}
+
+#[test]
+fn a_pendulum_on_a_turning_shaft_leaves_the_axis_at_a_pitchfork() {
+    let critical = (9.81_f64 / 0.5).sqrt();
+    assert_changes(&along(SHAFT, &[], ("phi'", 1.0, 8.03)), &[(critical, Change::Pitchfork)]);
+    // the same by the length at one speed: l = g/w^2
+    let by_length = along(SHAFT, &[("phi'", 5.0, 5.0)], ("l", 0.1, 0.93));
+    assert_changes(&by_length, &[(9.81 / 25.0, Change::Pitchfork)]);
+}
+
+/// A beam that snaps: V = x^4/4 - x^2/2 + p x has three equilibria for |p| < 2/sqrt(27).
+#[test]
+fn a_beam_that_snaps_has_folds_at_the_ends_of_its_two_shapes() {
+    let text =
+        plane("k*(x^4/a^4/4 - x^2/a^2/2 + p*x/a + y^2/a^2/2)").replace("[coordinates]", "p = \"0\"\n[coordinates]");
+    let fold = 2.0 / 27f64.sqrt();
+    assert_changes(&along(&text, &SIDES, ("p", -0.9, 0.87)), &[(-fold, Change::Fold), (fold, Change::Fold)]);
+}
+
+#[test]
+fn two_motions_that_leave_their_range_together_are_no_fold() {
+    let found = along(DRIVEN, &[("phi'", 1.0, 30.0)], ("T", 0.0, 0.193));
+    assert_changes(&found, &[(0.01, Change::LeaveTogether)]);
+}
+
+/// The pendulum leaves the axis where l w^2 passes g.
+#[test]
+fn over_two_parameters_motions_change_where_the_closed_form_says() {
+    let (model, asked) = (model(SHAFT), asked(&[], 20_000));
+    let directions = [("l", Range { from: 0.25, to: 1.25 }), ("phi'", Range { from: 2.0, to: 7.0 })];
+    let columns: Vec<Vec<PlaneCell>> = middles(directions[0].1, 4)
+        .into_iter()
+        .map(|value| PlaneCell::column(&model, &asked, directions, (value, 5), || true).expect("they are sought"))
+        .collect();
+    for cell in columns.iter().flatten() {
+        let [l, w] = cell.values;
+        let wanted = if l * w * w > 9.81 { 4 } else { 2 };
+        assert!(cell.found.is_complete() && cell.found.motions.len() == wanted, "{:?}", cell.values);
+    }
+    let mut borders = 0;
+    for pair in columns.iter().flat_map(|column| column.windows(2)).filter(|pair| !pair[0].is_like(&pair[1])) {
+        let [[l, below], [_, above]] =
+            pair[0].border(&pair[1], &model, &asked, ["l", "phi'"], || true).expect("they are sought");
+        let w = (9.81 / l).sqrt();
+        assert!((below..=above).contains(&w) && above - below <= 1.0 / 32.0 + 1e-12, "{below} to {above} beside {w}");
+        borders += 1;
+    }
+    assert_eq!(borders, 4);
+}
+
+#[test]
+fn values_on_the_way_to_a_change_are_kept() {
+    let along = Along::of(&model(SHAFT), &asked(&[], 20_000), ("phi'", Range { from: 3.0, to: 6.0 }), 4, || true)
+        .expect("sought");
+    let critical = (9.81_f64 / 0.5).sqrt();
+    let near = along.visited.iter().map(|sample| (sample.value - critical).abs()).fold(f64::INFINITY, f64::min);
+    assert!(near < 1e-3 && along.visited.len() > along.samples.len() + 5, "{near}");
+    assert!(along.visited.windows(2).all(|pair| pair[0].value <= pair[1].value));
+}

@@ -1,0 +1,84 @@
+//! Rest and steady motions with conditions, dry friction and contacts.
+
+use super::{asked, model};
+use dalembert_scenes::steady_motions::{Case, SteadyMotions, SteadyStability};
+
+/// k x = F s with a part s of the friction from -1 to 1: a block rests for |x| <= F/k.
+#[test]
+fn dry_friction_holds_a_block_over_an_interval() {
+    const BLOCK: &str = include_str!("../../../../scenes/models/dry_friction.toml");
+    let found = SteadyMotions::of_cases(&model(BLOCK), &asked(&[("x", -3.0, 3.0)], 1_000), || true);
+    let found = found.unwrap_or_else(|why| panic!("{why:?}"));
+    let [(cases, own)] = &found[..] else { panic!("{found:?}") };
+    assert_eq!(cases, &[Case::Between]);
+    assert!(own.is_complete() && own.motions.is_empty());
+    let [(rest, _)] = &own.families[..] else { panic!("{own:?}") };
+    let [low, high] = rest.hull[0];
+    assert!((low + 1.0).abs() < 1e-2 && (high - 1.0).abs() < 1e-2, "{low} {high}");
+}
+
+/// A spring on one side and a weaker one on the other, both pushed by a force: rest on that side alone which the force pushes to.
+#[test]
+fn springs_on_two_sides_have_the_equilibrium_of_the_side_that_is_pushed() {
+    let text = "title = \"Two sides\"\n[parameters]\nm = \"1 kg\"\n[coordinates]\nx = \"m\"\n[bodies]\nb = { centre = \"O + x*N.x\", mass = \"m\" }\n\
+        [[force]]\nalong = \"x\"\nis = \"(1 N) - if(x > (0 m), (4 N/m)*x, (1 N/m)*x)\"\n[run]\nspan = \"1 s\"\n";
+    let found = SteadyMotions::of_cases(&model(text), &asked(&[("x", -3.0, 3.0)], 1_000), || true);
+    let found = found.unwrap_or_else(|why| panic!("{why:?}"));
+    let motions: Vec<f64> =
+        found.iter().flat_map(|(_, own)| own.motions.iter().map(|motion| motion.state[0])).collect();
+    assert_eq!(motions.len(), 1, "{found:?}");
+    assert!((motions[0] - 0.25).abs() < 1e-12 && found.iter().all(|(_, own)| own.is_complete()));
+    let stable =
+        found.iter().flat_map(|(_, own)| &own.motions).all(|own| matches!(own.stability, SteadyStability::Minimum));
+    assert!(stable, "{found:?}");
+}
+
+/// A block on a slope rests everywhere where the slope is below the friction, and nowhere above it.
+#[test]
+fn a_block_rests_on_a_slope_below_the_friction() {
+    let slope = |angle: f64| {
+        let text = format!(
+            "title = \"Slope\"\ngravity = \"-(9.81 m/s^2)*N.y\"\n[parameters]\nm = \"20 kg\"\nf = \"0.3\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n\
+             [points]\nP = \"O + x*N.x + y*N.y\"\n[bodies]\nblock = {{ centre = \"P\", mass = \"m\" }}\n\
+             [[contact]]\nname = \"floor\"\nof = \"block at P\"\nthrough = \"O\"\nnormal = \"cos({angle})*N.y - sin({angle})*N.x\"\n\
+             friction = \"f\"\ntouching = true\n[run]\nspan = \"1 s\"\n"
+        );
+        let ranges = asked(&[("x", -1.0, 1.0), ("y", -2.0, 2.0)], 2_000);
+        SteadyMotions::of_cases(&model(&text), &ranges, || true).unwrap_or_else(|why| panic!("{why:?}"))
+    };
+    // atan(0.3) = 0.29146
+    for (angle, rests) in [(0.2_f64, true), (0.29, true), (0.3, false)] {
+        let found = slope(angle);
+        assert!(found.iter().all(|(_, own)| own.is_complete()), "{found:?}");
+        let all: Vec<&(Vec<Case>, SteadyMotions)> =
+            found.iter().filter(|(_, own)| !own.families.is_empty() || !own.motions.is_empty()).collect();
+        assert_eq!(all.len(), usize::from(rests), "{angle} {all:?}");
+        if let [(cases, own)] = &all[..] {
+            assert_eq!((cases.as_slice(), own.families.len()), (&[Case::Between][..], 1));
+            let share =
+                own.unknowns.iter().position(|unknown| unknown.name.contains("mu")).expect("friction is sought");
+            let [low, high] = own.families[0].0.hull[share];
+            assert!(((0.5 * (low + high)).abs() - angle.tan() / 0.3).abs() < 1e-6, "{low} {high}");
+        }
+    }
+}
+
+/// A block that is pulled over a floor against a viscous drag: c v = F - mu m g where that is positive, else it rests.
+#[test]
+fn a_pulled_block_slides_at_the_speed_at_which_drag_takes_the_rest_of_the_pull() {
+    for (pull, speed) in [(10.0, Some((10.0 - 0.3 * 2.0 * 9.81) / 2.0)), (5.0, None)] {
+        let text = format!(
+            "title = \"Pulled\"\ngravity = \"-(9.81 m/s^2)*N.y\"\n[parameters]\nm = \"2 kg\"\nf = \"0.3\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n\
+             [points]\nP = \"O + x*N.x + y*N.y\"\n[bodies]\nblock = {{ centre = \"P\", mass = \"m\" }}\n\
+             [[force]]\non = \"block\"\nis = \"(({pull:?} N) - (2 N s/m)*x')*N.x\"\n\
+             [[contact]]\nname = \"floor\"\nof = \"block at P\"\nthrough = \"O\"\nnormal = \"N.y\"\nfriction = \"f\"\ntouching = true\n\
+             [run]\nspan = \"1 s\"\n"
+        );
+        let ranges = asked(&[("x'", -9.0, 10.0), ("y", -2.0, 2.0)], 2_000);
+        let found = SteadyMotions::of_cases(&model(&text), &ranges, || true).unwrap_or_else(|why| panic!("{why:?}"));
+        assert!(found.iter().all(|(_, own)| own.is_complete() && own.families.is_empty()), "{found:?}");
+        let speeds: Vec<f64> = found.iter().flat_map(|(_, own)| own.motions.iter().map(|one| one.state[2])).collect();
+        let [found] = speeds[..] else { panic!("{speeds:?}") };
+        assert!((found - speed.unwrap_or(0.0)).abs() < 1e-9, "{found}");
+    }
+}
