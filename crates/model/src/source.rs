@@ -88,7 +88,7 @@ pub struct Source {
     pub equilibrium: Option<Range<usize>>,
     /// Parameters that a smaller model leaves out: zero for good, with all that vanishes with them; no text names them.
     pub absent: Vec<String>,
-    /// Parameters of springs and dampers that it takes for rigid.
+    /// Parameters of springs and viscous forces that it takes for rigid.
     pub rigid: Vec<String>,
 }
 

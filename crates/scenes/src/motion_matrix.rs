@@ -60,6 +60,11 @@ pub(crate) struct Terms {
 }
 
 impl Terms {
+    /// M alone, of a model with so many speeds.
+    pub fn mass(&self, n: usize) -> DMatrix<f64> {
+        DMatrix::from_fn(n, n, |i, j| self.matrix[i * self.size + j])
+    }
+
     /// The first n unknowns of a direction that the matrix takes to zero.
     pub fn free(&self, n: usize) -> Option<Vec<f64>> {
         // of what is no number the decomposition has no end

@@ -3,6 +3,8 @@
 use crate::admissible::impossible;
 use crate::branch::settled;
 use crate::changing_laws::changes;
+use crate::modes::Mode;
+use crate::motion_matrix::MotionMatrix;
 use crate::readiness::{Ready, ready, starting};
 use crate::scene::ModelScene;
 use crate::start::joined;
@@ -59,7 +61,9 @@ impl Modelled for ModelScene {
         model.start.clone_from(&self.model.start);
         model.start_speeds.clone_from(&self.model.start_speeds);
         if !unbounded.is_empty() {
-            let start = joined(&model, self.start.clone()).unwrap_or_else(|| self.start.clone());
+            let matrix = MotionMatrix::of(&model, &Mode::off(&model)).and_then(|matrix| matrix.at(0.0, &self.start));
+            let start = matrix.and_then(|terms| joined(&model, self.start.clone(), terms.mass(model.speeds())));
+            let start = start.unwrap_or_else(|| self.start.clone());
             model.start = starting(&model, &start).start;
             // what is left of rounding
             model.start.iter_mut().for_each(|start| start.is_guess = true);

@@ -1,4 +1,4 @@
-//! Springs and dampers that a smaller model takes for rigid: what a spring stretches by, or a damper moves at, is held at zero.
+//! Springs and viscous forces that a smaller model takes for rigid: what a spring stretches by, and the speed that is resisted, are zero.
 //!
 //! Of a parameter k without bound, k times a square in the potential energy, or in Rayleigh's function, asks for
 //!
@@ -20,7 +20,7 @@ use symbolic::{Dimension, Node, Sym, apart};
 struct Held {
     /// Of springs.
     positions: Vec<Sym>,
-    /// Of dampers.
+    /// Of viscous forces.
     speeds: Vec<Sym>,
 }
 
@@ -28,7 +28,7 @@ impl Model {
     /// Lets parameters grow without bound.
     ///
     /// # Errors
-    /// The parameter that is no stiffness of a spring and no coefficient of a damper.
+    /// The parameter that is no stiffness of a spring and no coefficient of a viscous force.
     pub(super) fn hold(&mut self, names: &[String]) -> Result<(), Vec<Fault>> {
         for name in names {
             let Some(place) = self.parameters.iter().position(|parameter| parameter.name == *name) else { continue };
@@ -40,7 +40,7 @@ impl Model {
                 Some((arena, zeros, positions.len()))
             });
             let Some((arena, zeros, positions)) = found else {
-                let title = format!("`{name}` is not the stiffness of a spring or the coefficient of a damper alone");
+                let title = format!("`{name}` is not the stiffness of a spring or the coefficient of a viscous force alone");
                 let accepted = "a parameter that stands once with a square in an energy, k*(x - y)^2/2, or with what a load is in \
                                 proportion to, -k*(x - y)";
                 return Err(vec![Fault::at(parameter.at.clone(), title, "it cannot grow without bound", accepted)]);

@@ -8,8 +8,6 @@
 
 use super::RANK;
 use super::constraints::Constraints;
-use crate::modes::Mode;
-use crate::motion_matrix::MotionMatrix;
 use model::Model;
 use model::equations::Level;
 use nalgebra::{DMatrix, DVector};
@@ -19,16 +17,14 @@ const MOST_STEPS: usize = 20;
 /// Residuals below this are met.
 const MET: f64 = 1e-13;
 
-/// A state moved so that the constraints of a model hold; none of free frames, and where inertia does not determine it.
-pub(crate) fn joined(model: &Model, mut state: Vec<f64>) -> Option<Vec<f64>> {
+/// A state moved so that the constraints of a model hold, by the matrix M there; none of free frames, and where M does not determine it.
+pub(crate) fn joined(model: &Model, mut state: Vec<f64>, mass: DMatrix<f64>) -> Option<Vec<f64>> {
     if !model.free.is_empty() || !model.start_speeds.is_empty() {
         return None;
     }
     let constraints = Constraints::of(model).ok()??;
     let parameters: Vec<f64> = model.parameters.iter().filter_map(|parameter| parameter.value).collect();
     let n = model.positions();
-    let terms = MotionMatrix::of(model, &Mode::off(model))?.at(0.0, &state)?;
-    let mass = DMatrix::from_fn(n, n, |i, j| terms.matrix[i * terms.size + j]);
     let mass = mass.cholesky()?;
     let moved = |(residual, jacobian): (DVector<f64>, DMatrix<f64>)| {
         let by_reactions = mass.solve(&jacobian.transpose());
