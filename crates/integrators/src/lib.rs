@@ -43,7 +43,7 @@ mod run;
 mod work_precision;
 
 pub use batch::{Ensemble, LaneSeries, LaneStep, Members, SideBySide, fuses, lanes_order};
-pub use branches::{Branch, Curve, CurvePoint, Equilibria, Last, Repeating, Walk, follow, spectrum};
+pub use branches::{Branch, Curve, CurvePoint, Equilibria, Last, Repeating, Walk, eigenvalues, follow, spectrum};
 pub use events::{Event, Happening, Signal, Switches, integrate_to_event};
 pub use law::{
     Composed, DIRECTIONS, Divisors, Dual8, Index2Dae, Index2DaeSystem, Jacobian, JacobianFn, Ode, Pieces, Projection,

@@ -20,7 +20,7 @@ mod spectrum;
 pub use equilibria::Equilibria;
 pub use follow::{Branch, CurvePoint, Last, Walk, follow};
 pub use repeating::Repeating;
-pub use spectrum::spectrum;
+pub use spectrum::{eigenvalues, spectrum};
 
 use crate::Failure;
 

@@ -7,7 +7,7 @@ use nalgebra::{Complex, DMatrix};
 const MOST_STEPS: usize = 200;
 /// What counts as nothing beside its neighbours, in units of the last place. With one unit the rounding of multiple eigenvalues may turn
 /// the iteration round for ever; a few are still below what rounding has done to the matrix by then.
-const NOTHING: [f64; 3] = [1.0, 4.0, 16.0];
+const NOTHING: [f64; 5] = [1.0, 4.0, 16.0, 1024.0, 1_048_576.0];
 
 /// The eigenvalues of an n x n matrix, row after row, the largest real part first; `None` where the iteration is lost, or
 /// an entry is not finite.
@@ -15,10 +15,18 @@ pub fn spectrum(n: usize, matrix: &[f64]) -> Option<Vec<Complex<f64>>> {
     if matrix.len() != n * n || !matrix.iter().all(|entry| entry.is_finite()) {
         return None;
     }
+    eigenvalues(&DMatrix::from_row_slice(n, n, matrix))
+}
+
+/// The eigenvalues of a square matrix, the largest real part first; `None` where the iteration is lost, or an entry is not finite.
+pub fn eigenvalues(matrix: &DMatrix<f64>) -> Option<Vec<Complex<f64>>> {
+    let n = matrix.nrows();
     if n == 0 {
         return Some(Vec::new());
     }
-    let matrix = DMatrix::from_row_slice(n, n, matrix);
+    if !matrix.iter().all(|entry| entry.is_finite()) {
+        return None;
+    }
     let schur =
         NOTHING.iter().find_map(|units| Schur::try_new(matrix.clone(), units * f64::EPSILON, MOST_STEPS * n))?;
     let mut found: Vec<Complex<f64>> = schur.complex_eigenvalues().iter().copied().collect();

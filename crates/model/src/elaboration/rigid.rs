@@ -40,7 +40,8 @@ impl Model {
                 Some((arena, zeros, positions.len()))
             });
             let Some((arena, zeros, positions)) = found else {
-                let title = format!("`{name}` is not the stiffness of a spring or the coefficient of a viscous force alone");
+                let title =
+                    format!("`{name}` is not the stiffness of a spring or the coefficient of a viscous force alone");
                 let accepted = "a parameter that stands once with a square in an energy, k*(x - y)^2/2, or with what a load is in \
                                 proportion to, -k*(x - y)";
                 return Err(vec![Fault::at(parameter.at.clone(), title, "it cannot grow without bound", accepted)]);

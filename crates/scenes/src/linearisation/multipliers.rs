@@ -11,7 +11,8 @@ use crate::changing_laws::is_watched;
 use crate::compiled_system::NotCompiled;
 use crate::conservation::keeps_energy;
 use crate::scene::ModelScene;
-use integrators::{Failure, Tolerance, transition};
+use integrators::{Failure, Tolerance, eigenvalues, transition};
+
 use nalgebra::{DMatrix, DVector};
 use simulation::IvpScene;
 use std::f64::consts::TAU;
@@ -228,10 +229,8 @@ fn rate(linear: &Linearisation) -> DVector<f64> {
 }
 
 fn by_size(matrix: &DMatrix<f64>) -> Vec<[f64; 2]> {
-    if matrix.is_empty() {
-        return Vec::new();
-    }
-    let mut all: Vec<[f64; 2]> = matrix.complex_eigenvalues().iter().map(|value| [value.re, value.im]).collect();
+    let values = eigenvalues(matrix).unwrap_or_default();
+    let mut all: Vec<[f64; 2]> = values.iter().map(|value| [value.re, value.im]).collect();
     let size = |[re, im]: &[f64; 2]| re.hypot(*im);
     all.sort_by(|a, b| size(b).total_cmp(&size(a)).then(b[1].total_cmp(&a[1])));
     all

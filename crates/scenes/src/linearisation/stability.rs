@@ -29,7 +29,9 @@ pub fn eigenvalues(matrix: &DMatrix<f64>) -> Spectrum {
     }
     let idle = all.len();
     if rest.nrows() > 0 {
-        all.extend(rest.complex_eigenvalues().iter().copied());
+        // no entry is told of what has none
+        let unknown = || vec![Complex::new(f64::NAN, f64::NAN); rest.nrows()];
+        all.extend(integrators::eigenvalues(&rest).unwrap_or_else(unknown));
     }
     all.sort_by(|one, other| other.re.total_cmp(&one.re).then(other.im.total_cmp(&one.im)));
     Spectrum { values: all, idle }
@@ -57,7 +59,9 @@ impl Stability {
         let largest = eigenvalues.iter().map(|value| value.norm()).fold(0.0, f64::max);
         let sign = |value: &&Complex<f64>| value.re > ZERO * largest;
         let unstable = eigenvalues.iter().filter(sign).count();
-        let neutral = eigenvalues.iter().filter(|value| value.re.abs() <= ZERO * largest).count();
+        // one that is not known decides nothing
+        let is_neutral = |value: &&Complex<f64>| value.re.is_nan() || value.re.abs() <= ZERO * largest;
+        let neutral = eigenvalues.iter().filter(is_neutral).count();
         match (is_steady, unstable, neutral) {
             (false, ..) => Stability::Moving,
             _ if eigenvalues.is_empty() => Stability::Nothing,

@@ -12,6 +12,7 @@ use super::contacts::PARTS;
 use super::expansion::{Expansions, Instant, Kind};
 use super::mode::{Face, Mode, Phase};
 use super::touch::Touch;
+use integrators::eigenvalues;
 use nalgebra::DMatrix;
 
 /// More contacts in touch are not asked: three states of each are combined.
@@ -100,7 +101,7 @@ fn factor(responses: &DMatrix<f64>, friction: &[f64], set: &[Sliding]) -> Option
     if singular.min() <= RANK * singular.max() {
         return None;
     }
-    let values = own.lu().solve(&tied)?.complex_eigenvalues();
+    let values = eigenvalues(&own.lu().solve(&tied)?)?;
     let real = values.iter().filter(|value| value.re > 0.0 && value.im.abs() <= REAL * value.re).map(|value| value.re);
     let largest = real.fold(0.0, f64::max);
     (largest > LEAST).then(|| 1.0 / largest)

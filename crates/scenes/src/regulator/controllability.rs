@@ -1,6 +1,7 @@
 //! The reach of inputs: modes of constant equations (Hautus 1969), directions of those that change with the time (Kalman 1960).
 
 use super::riccati::Stage;
+use integrators::eigenvalues;
 use nalgebra::{Complex, DMatrix};
 
 /// A singular value below this part of the largest one is zero.
@@ -32,7 +33,7 @@ impl Controllability {
             let singular = both.singular_values();
             singular.min() <= RANK * singular.max()
         };
-        let values = stage.a.complex_eigenvalues();
+        let values = eigenvalues(&stage.a).unwrap_or_default();
         Controllability::Modes(values.iter().copied().filter(is_out_of_reach).collect())
     }
 

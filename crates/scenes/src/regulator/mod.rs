@@ -269,8 +269,8 @@ impl<'a> Task<'a> {
             return Err(self.refused(title, "fewer states, or weights that are closer together; or a `horizon`"));
         }
         let is_stable = |gains: &DMatrix<f64>| {
-            let closed = (&stage.a - &stage.b * gains).complex_eigenvalues();
-            closed.iter().all(|value| value.re < -STABLE * stage.a.norm())
+            let closed = integrators::eigenvalues(&(&stage.a - &stage.b * gains));
+            closed.is_some_and(|all| all.iter().all(|value| value.re < -STABLE * stage.a.norm()))
         };
         match found.filter(|(_, gains, _)| is_stable(gains)) {
             Some((residual, gains, value)) => {

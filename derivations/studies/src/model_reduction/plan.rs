@@ -9,8 +9,8 @@
 use super::outputs::Watched;
 use super::run_rows::{Along, Run, Serves};
 use super::sampled_run::looks;
-use integrators::{Jacobian, Method, Span, Tolerance, integrate};
-use nalgebra::{Complex, DMatrix};
+use integrators::{Jacobian, Method, Span, Tolerance, integrate, spectrum};
+use nalgebra::Complex;
 use simulation::{Axes, Law};
 use std::sync::Arc;
 
@@ -251,15 +251,12 @@ pub(super) fn fastest_at(law: &dyn Law, start: &[f64]) -> f64 {
     eigenvalues_at(law, start).iter().map(|value| value.norm()).fold(0.0, f64::max)
 }
 
-/// The eigenvalues of a law at a start; none where it has no derivatives there.
+/// The eigenvalues of a law at a start; none where it has no derivatives there, or they are not found.
 fn eigenvalues_at(law: &dyn Law, start: &[f64]) -> Vec<Complex<f64>> {
     let n = start.len();
     let mut rows = vec![0.0; n * n];
     Jacobian::of(law).matrix(0.0, start, &mut rows);
-    if n == 0 || !rows.iter().all(|entry| entry.is_finite()) {
-        return Vec::new();
-    }
-    DMatrix::from_row_slice(n, n, &rows).complex_eigenvalues().iter().copied().collect()
+    spectrum(n, &rows).unwrap_or_default()
 }
 
 /// The plan for an error in the form whose first pilot is the cheapest; the evaluations of all pilots are among what it has spent.

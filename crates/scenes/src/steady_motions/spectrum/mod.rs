@@ -24,6 +24,7 @@ use crate::linearisation::VariedEquations;
 use algebra::real::{Ball, Ordered};
 use exact::routh;
 use field::Interval;
+use integrators::eigenvalues;
 use mechanics::linear_stability::characteristic;
 use model::Model;
 use nalgebra::DMatrix;
@@ -155,7 +156,7 @@ impl EnclosedSpectrum {
         }
         let mut begin: Vec<[f64; 2]> = match size {
             0 => Vec::new(),
-            _ => middle.complex_eigenvalues().iter().map(|value| [value.re, value.im]).collect(),
+            _ => eigenvalues(&middle)?.iter().map(|value| [value.re, value.im]).collect(),
         };
         begin.sort_by(|a, b| a[0].hypot(a[1]).total_cmp(&b[0].hypot(b[1])));
         if is_even {
