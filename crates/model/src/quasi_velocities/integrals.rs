@@ -4,7 +4,7 @@
 
 use crate::arena::Scalar;
 use crate::arena::Vector as VectorPart;
-use crate::{Constraint, Coordinate, FrameId, Material, Model, QuasiVelocity, Trace, Zero};
+use crate::{Along, Constraint, Coordinate, FrameId, Material, Model, QuasiVelocity, Trace, Zero};
 use symbolic::{Dimension, Sym};
 
 /// Names of added coordinates begin so, which no name of a file does.
@@ -41,6 +41,12 @@ impl Model {
     #[must_use]
     pub fn with_integrals(&self, speeds: &[QuasiVelocity]) -> Self {
         let mut whole = self.clone();
+        // a force along one of them has its power on the same expression
+        for force in &mut whole.generalised {
+            if let Along::QuasiVelocity(place) = force.along {
+                force.along = Along::Expression(self.quasi_velocities[place].is);
+            }
+        }
         whole.quasi_velocities.clear();
         whole.start_speeds.clear();
         for QuasiVelocity { name, is, dimension, at } in speeds {

@@ -138,3 +138,17 @@ fn a_bicycle_runs_straight_at_every_speed() {
 fn straight_on(found: &SteadyMotions, speed: f64) -> Vec<f64> {
     found.unknowns.iter().map(|unknown| if unknown.name == "rear'" { speed } else { 0.0 }).collect()
 }
+
+/// A skate that a force along its edge drives against a drag: F = c v, whatever the heading; the force is written along v.
+#[test]
+fn a_force_along_a_quasi_velocity_drives_the_steady_motion() {
+    const FORCES: &str = "[[force]]\nalong = \"v\"\nis = \"(2 N) - (0.5 N s/m)*v\"\n[[force]]\nalong = \"w\"\nis = \"-(0.05 N m s)*w\"\n";
+    let named = SLEIGH.replace("[frames]", "[speeds]\nv = \"velocity(P) . B.x\"\nw = \"psi'\"\n[frames]");
+    let named = named.replace(
+        "[start]\n\"x'\" = \"1 m/s\"\n\"psi'\" = \"1 rad/s\"",
+        &format!("{FORCES}[start]\nv = \"1 m/s\"\nw = \"1 rad/s\""),
+    );
+    let found = all(&named, &[("v", -10.0, 10.0), ("psi'", -2.0, 2.0)]);
+    let [motion] = &found.motions[..] else { panic!("{found:?}") };
+    assert!((motion.quasi_velocities[0].1 - 4.0).abs() < 1e-9, "{motion:?}");
+}
