@@ -164,7 +164,14 @@ impl SteadyEquations {
         let start = model.start_state();
         let free = (0..n).filter(is_asked).collect();
         let wanted = Wanted { free, state: near.unwrap_or(&start), is_near: near.is_some() };
-        let rows = Rows::of(model, &trace, &wanted)?;
+        let mut rows = Rows::of(model, &trace, &wanted)?;
+        // a frame that is turned steadily leaves no time in the equations, however they are written
+        let at_any_time = |row: &mut Sym| {
+            if row.symbols_of().contains(&trace.time) && vanishes(row.diff(trace.time)) {
+                *row = row.substitute(&[(trace.time, Sym::ZERO)]);
+            }
+        };
+        rows.residuals.iter_mut().chain(&mut rows.zeros).chain(&mut rows.conditions).for_each(at_any_time);
         let all = [&rows.residuals[..], &rows.zeros, &rows.conditions].concat();
         if all.iter().any(|row| row.symbols_of().contains(&trace.time)) {
             return Err(NoSteadyMotions::OfTime);

@@ -325,3 +325,33 @@ fn one_value_of_a_speed_that_an_equation_asks_for_is_refused() {
     let along = Along::of(&model(DRIVEN), &asked(&[], 1000), ("phi'", Range { from: 5.0, to: 12.0 }), 3, || true);
     assert!(matches!(along, Err(NoSteadyMotions::Sought { .. })));
 }
+
+/// A bead on a hoop that a motor turns: cos(theta) = g/(r W^2), although the frame is written with the time.
+#[test]
+fn a_frame_that_is_turned_steadily_leaves_no_time_in_the_equations() {
+    const HOOP: &str = r#"
+title = "Hoop"
+gravity = "-g*N.z"
+[parameters]
+r = "1 m"
+g = "9.81 m/s^2"
+W = "4 rad/s"
+[coordinates]
+theta = "rad"
+[frames]
+A = "N turned W*t about z"
+B = "A turned theta about y"
+[points]
+P = "O - r*B.z"
+[bodies]
+bead = { centre = "P", mass = "1 kg" }
+"#;
+    let angle = (9.81_f64 / 16.0).acos();
+    let mut found: Vec<f64> = values(&all(HOOP, &[])).iter().map(|(at, _)| at[0]).collect();
+    found.sort_by(f64::total_cmp);
+    let wanted = [-angle, 0.0, angle, PI];
+    assert!(
+        found.len() == 4 && found.iter().zip(wanted).all(|(found, wanted)| (found - wanted).abs() < 1e-9),
+        "{found:?}"
+    );
+}
