@@ -3,6 +3,7 @@
 use crate::claim_text::Kind;
 use crate::finding::Finding;
 use crate::letters::Letters;
+use crate::lines::Line;
 use crate::motion::Motion;
 use crate::refutation::Refutation;
 use model::equations::Equations;
@@ -11,12 +12,6 @@ use symbolic::{Hypotheses, Node, Sym, normal};
 /// The letters in which a reader is told.
 #[derive(Clone, Copy)]
 pub(crate) struct Told<'a, 't, 'm>(pub &'a Letters<'t, 'm>);
-
-/// An equality between two neighbours of a chain, component by component.
-pub(crate) struct Line {
-    pub model: [Sym; 2],
-    pub own: [Sym; 2],
-}
 
 /// A longer difference is not written out.
 const READABLE: usize = 600;

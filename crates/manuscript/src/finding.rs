@@ -1,5 +1,6 @@
 //! What was found of a claim.
 
+use crate::change::Correction;
 use crate::claim_text::Kind;
 use claims::{Judged, Verdict};
 use std::fmt::Write;
@@ -7,7 +8,7 @@ use std::fmt::Write;
 /// A claim with its verdict, as text only.
 #[derive(Clone, Debug)]
 pub struct Finding {
-    /// As ledgers and pages have it. A correction stands there once one is known.
+    /// As ledgers and pages have it. The first correction stands there.
     pub judged: Judged,
     pub kind: Kind,
     /// The formula in LaTeX, as printed.
@@ -20,6 +21,8 @@ pub struct Finding {
     pub allowed: String,
     /// The values of both sides at the counterexample.
     pub sides: Option<Sides>,
+    /// Of a refuted claim: the smallest edits that are proved, all of one size.
+    pub corrections: Vec<Correction>,
 }
 
 /// Exact values at a counterexample.
@@ -72,6 +75,19 @@ impl Finding {
         }
         if let Some((difference, _)) = difference {
             line("missing", difference);
+        }
+        if self.corrections.len() > 1 {
+            line("several", &format!("{} edits of one size make it true", self.corrections.len()));
+        }
+        for correction in &self.corrections {
+            line("edit", &correction.says());
+            line("corrected", &correction.formula);
+            let Judged { verdict, evidence, requires, .. } = &correction.judged;
+            line("", &format!("{}: {evidence}", verdict.name()));
+            if !requires.is_empty() {
+                let conditions: Vec<&str> = requires.iter().map(|(text, _)| text.as_str()).collect();
+                line("where", &conditions.join(", "));
+            }
         }
         for objection in objections {
             line("objection", objection);

@@ -1,11 +1,12 @@
 //! Integrals of motion: expressions whose rate vanishes along every motion.
 
-use crate::claim_text::ClaimText;
+use crate::claim_text::{ClaimText, Kind};
 use crate::conditions::{Hypothesis, assume, conditions, scalar};
-use crate::display::{Line, Told, divisors};
+use crate::display::{Told, divisors};
 use crate::equation::{Outcome, vanishes};
 use crate::finding::Finding;
 use crate::letters::{Letters, rate};
+use crate::lines::Line;
 use crate::motion::Motion;
 use crate::verdict::{allowed, neither, refute};
 use claims::Verdict;
@@ -16,18 +17,28 @@ use symbolic::Sym;
 /// Letters of a constant whose value nobody gives.
 pub(crate) const CONSTANTS: [&str; 3] = [r"\mathrm{const}", r"\text{const}", r"\mathit{const}"];
 
+/// The letters that a formula of this kind may have: a constant without a value stands in integrals alone.
+pub(crate) fn known(kind: Kind, letters: &Letters<'_, '_>) -> Vec<String> {
+    let mut known = letters.spelt();
+    if kind == Kind::IntegralOfMotion {
+        known.extend(CONSTANTS.map(str::to_owned));
+    }
+    known
+}
+
 fn is_constant(term: &Term) -> bool {
     matches!(&term.form, Form::Letter(name) if CONSTANTS.contains(&name.as_str()))
 }
 
-/// `T + V = \mathrm{const}`, `T + V = h` or `T + V`: the rate of the difference of the sides vanishes.
-pub(crate) fn integral(
+/// The expression that is said to be constant, over the model and in the paper's letters.
+///
+/// # Errors
+/// The formula is no integral.
+pub(crate) fn difference(
     claim: &ClaimText,
     statement: &Statement,
     letters: &Letters<'_, '_>,
-    assumed: &[Hypothesis],
-    finding: &mut Finding,
-) -> Result<(), Issue> {
+) -> Result<(Sym, Sym), Issue> {
     let accepted = r"T + V = \mathrm{const}, or an expression that is constant";
     let [chain] = &statement.chains[..] else {
         return Err(Issue::at(claim.formula.span.clone(), "an equivalence is no integral", "here").accepted(accepted));
@@ -39,8 +50,18 @@ pub(crate) fn integral(
     }
     let values: Vec<(Sym, Sym)> =
         sides.iter().map(|side| scalar(&claim.formula, side, letters)).collect::<Result<_, _>>()?;
-    let (is, own) =
-        values.into_iter().reduce(|(a, own), (b, other)| (a - b, own - other)).unwrap_or((Sym::ZERO, Sym::ZERO));
+    Ok(values.into_iter().reduce(|(a, own), (b, other)| (a - b, own - other)).unwrap_or((Sym::ZERO, Sym::ZERO)))
+}
+
+/// `T + V = \mathrm{const}`, `T + V = h` or `T + V`: the rate of the difference of the sides vanishes.
+pub(crate) fn integral(
+    claim: &ClaimText,
+    statement: &Statement,
+    letters: &Letters<'_, '_>,
+    assumed: &[Hypothesis],
+    finding: &mut Finding,
+) -> Result<(), Issue> {
+    let (is, own) = difference(claim, statement, letters)?;
     finding.judged.text = vec![format!("{own} = const")];
     finding.judged.latex = vec![format!(r"{} = \mathrm{{const}}", own.latex())];
     let trace = letters.trace;

@@ -2,14 +2,16 @@
 
 use crate::claim_text::{ClaimText, Kind};
 use crate::combination::told_combination;
-use crate::conditions::{Hypothesis, assume, conditions, hypotheses, placed, side};
-use crate::display::{Line, Told, divisors, missing, shown};
+use crate::conditions::{Hypothesis, assume, conditions, hypotheses, placed};
+use crate::correction::{Judge, corrections};
+use crate::display::{Told, divisors, missing, shown};
 use crate::equation::{Outcome, vanishes};
 use crate::finding::Finding;
 use crate::implications::{equivalence, steady_motion};
 use crate::inequalities::inequality;
-use crate::integrals::{CONSTANTS, integral};
+use crate::integrals::{integral, known};
 use crate::letters::{Letters, model};
+use crate::lines::{Line, lines};
 use crate::motion::Motion;
 use crate::numbers::number;
 use crate::paper_text::PaperText;
@@ -19,62 +21,98 @@ use crate::stability::stability;
 use crate::verdict::{allowed, mixed, neither, refute};
 use ::model::Trace;
 use claims::{Condition, Judged, Verdict};
-use latex::{Chain, Relation, Statement, read};
+use latex::{Statement, read};
 use reader::{Issue, SceneError};
 use symbolic::Sym;
 
 impl PaperText {
-    /// Decides every claim, in the order of the file.
+    /// Decides every claim, in the order of the file, and looks for the correction of each one that is refuted.
     ///
     /// # Errors
     /// All that is wrong with the system, the meanings of letters and the formulas, each at its place.
     pub fn judge(&self) -> Result<Vec<Finding>, SceneError> {
-        self.judge_each(|_| ())
+        self.judge_each(|_| (), || true)
     }
 
-    /// The same, each finding told as it is made.
+    /// The same: all findings so far are told whenever there is something new. Corrections, which are looked for when every claim has its
+    /// verdict, are looked for as long as `goes_on` allows.
     ///
     /// # Errors
     /// As those of [`PaperText::judge`].
-    pub fn judge_each(&self, told: impl FnMut(&Finding) + Send) -> Result<Vec<Finding>, SceneError> {
-        judged(self, told)
+    pub fn judge_each(
+        &self,
+        told: impl FnMut(&[Finding]) + Send,
+        goes_on: impl Fn() -> bool + Send + Sync,
+    ) -> Result<Vec<Finding>, SceneError> {
+        judged(self, told, goes_on)
     }
 }
 
-fn judged(paper: &PaperText, mut told: impl FnMut(&Finding) + Send) -> Result<Vec<Finding>, SceneError> {
+fn judged(
+    paper: &PaperText,
+    mut told: impl FnMut(&[Finding]) + Send,
+    goes_on: impl Fn() -> bool + Send + Sync,
+) -> Result<Vec<Finding>, SceneError> {
     let model = model(paper)?;
     symbolic::apart(|| {
         let trace = Trace::of(&model);
         let letters = Letters::of(paper, &trace);
         let mut issues = Vec::new();
         let mut findings = Vec::new();
-        let spelt = letters.spelt();
         // every formula is read before the first is decided
         let statements: Vec<Option<Statement>> = paper
             .claims
             .iter()
             .map(|claim| {
-                let constants = CONSTANTS.map(str::to_owned);
-                // a constant without a value stands in integrals alone
-                let own: Vec<String> = match claim.kind {
-                    Kind::IntegralOfMotion => spelt.iter().cloned().chain(constants).collect(),
-                    _ => spelt.clone(),
-                };
-                read(&claim.formula.text, &own).map_err(|fault| issues.push(placed(&claim.formula, fault))).ok()
+                let known = known(claim.kind, &letters);
+                read(&claim.formula.text, &known).map_err(|fault| issues.push(placed(&claim.formula, fault))).ok()
             })
             .collect();
         for (claim, statement) in paper.claims.iter().zip(&statements) {
             let Some(statement) = statement else { continue };
             match judge(paper, claim, statement, &letters) {
                 Ok(finding) => {
-                    told(&finding);
                     findings.push(finding);
+                    told(&findings);
                 }
                 Err(issue) => issues.push(issue),
             }
         }
-        if issues.is_empty() { Ok(findings) } else { Err(paper.error(issues)) }
+        if !issues.is_empty() {
+            return Err(paper.error(issues));
+        }
+        for (place, (claim, statement)) in paper.claims.iter().zip(statements.iter().flatten()).enumerate() {
+            if findings[place].judged.verdict == Verdict::Refuted && goes_on() {
+                correct(paper, claim, statement, &letters, &goes_on, &mut findings[place]);
+                told(&findings);
+            }
+        }
+        Ok(findings)
     })
+}
+
+/// Looks for the corrections of a refuted claim.
+fn correct(
+    paper: &PaperText,
+    claim: &ClaimText,
+    statement: &Statement,
+    letters: &Letters<'_, '_>,
+    goes_on: &dyn Fn() -> bool,
+    finding: &mut Finding,
+) {
+    let Ok(assumed) = hypotheses(&claim.given, letters) else { return };
+    let decide = |claim: &ClaimText| {
+        let statement = read(&claim.formula.text, &known(claim.kind, letters)).ok()?;
+        judge(paper, claim, &statement, letters).ok()
+    };
+    finding.corrections = corrections(claim, statement, letters, &assumed, &Judge { decide: &decide, goes_on });
+    finding.judged.correction = finding.corrections.first().map(|first| {
+        let several = match finding.corrections.len() {
+            1 => String::new(),
+            count => format!("{count} edits of one size make the claim true; this is the first one"),
+        };
+        Box::new(Judged { says: first.says(), note: several, reading: String::new(), ..first.judged.clone() })
+    });
 }
 
 fn judge(
@@ -109,6 +147,7 @@ fn judge(
         expected: claim.expected,
         allowed: String::new(),
         sides: None,
+        corrections: Vec::new(),
     };
     match claim.kind {
         Kind::EquationOfMotion | Kind::Formula | Kind::Identity => {
@@ -132,38 +171,6 @@ fn judge(
 fn is_met(assumed: &[Hypothesis]) -> bool {
     let conditions: Vec<Condition> = assumed.iter().filter_map(|hypothesis| hypothesis.condition).collect();
     completed(Refutation { point: Vec::new(), is_formal: false }, &conditions).is_some()
-}
-
-/// The equalities of a formula.
-pub(crate) fn lines(claim: &ClaimText, statement: &Statement, letters: &Letters<'_, '_>) -> Result<Vec<Line>, Issue> {
-    let accepted = "two sides or more with `=` between them";
-    let refused = |title: &str| Issue::at(claim.formula.span.clone(), title.to_owned(), "here").accepted(accepted);
-    let [Chain { sides, relations }] = &statement.chains[..] else {
-        return Err(refused("an equivalence is a claim of the kind `equivalence`"));
-    };
-    if relations.is_empty() {
-        return Err(refused("this formula has one side, and states nothing"));
-    }
-    if relations.iter().any(|relation| *relation != Relation::Equal) {
-        return Err(refused("this formula is no equality; an inequality is a claim of the kind `inequality`"));
-    }
-    let sides: Vec<_> = sides.iter().map(|term| side(&claim.formula, term, letters)).collect::<Result<_, _>>()?;
-    let mut lines = Vec::new();
-    for pair in sides.windows(2) {
-        let (left, right) = (pair[0].model.entries(), pair[1].model.entries());
-        // zero is a vector too
-        let all_zero = |side: &[Sym]| side.len() == 1 && side[0] == Sym::ZERO;
-        let count = left.len().max(right.len());
-        if left.len() != right.len() && !all_zero(&left) && !all_zero(&right) {
-            return Err(refused(&format!("one side has {} components and the other {}", left.len(), right.len())));
-        }
-        let padded = |side: Vec<Sym>| if side.len() == count { side } else { vec![Sym::ZERO; count] };
-        let own = [padded(pair[0].own.entries()), padded(pair[1].own.entries())];
-        for (place, (left, right)) in padded(left).into_iter().zip(padded(right)).enumerate() {
-            lines.push(Line { model: [left, right], own: [own[0][place], own[1][place]] });
-        }
-    }
-    Ok(lines)
 }
 
 fn equalities(

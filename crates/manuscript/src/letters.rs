@@ -69,6 +69,14 @@ struct Letter {
     dimension: Dimension,
 }
 
+/// A letter, or its rate of this order.
+pub(crate) struct LetterRate {
+    pub name: String,
+    pub order: u32,
+    pub latex: String,
+    pub dimension: Dimension,
+}
+
 /// The letters of a paper over a trace.
 pub(crate) struct Letters<'t, 'm> {
     pub trace: &'t Trace<'m>,
@@ -118,6 +126,23 @@ impl<'t, 'm> Letters<'t, 'm> {
     /// Names of all letters, each in one spelling.
     pub fn spelt(&self) -> Vec<String> {
         self.letters.iter().map(|letter| letter.name.clone()).collect()
+    }
+
+    /// Every letter that is a scalar, and its rates as far as they have a meaning of their own.
+    pub fn rates(&self) -> Vec<LetterRate> {
+        let mut all = Vec::new();
+        for letter in &self.letters {
+            let Value::Scalar(value) = letter.value else { continue };
+            let (mut next, mut dimension) = (Some(value), letter.dimension);
+            for (order, dots) in (0..).zip(["", r"\dot", r"\ddot"]) {
+                let Some(value) = next.filter(|value| order == 0 || *value != Sym::ZERO) else { break };
+                let latex = if order == 0 { letter.name.clone() } else { format!("{dots}{{{}}}", letter.name) };
+                all.push(LetterRate { name: letter.name.clone(), order, latex, dimension });
+                next = rate(self.trace, value).ok();
+                dimension = dimension / Dimension::time();
+            }
+        }
+        all
     }
 
     /// The model's symbols by the paper's letters: where a letter, or its rate, is one symbol or a multiple of it.

@@ -18,9 +18,11 @@
 //! | `stability` | a steady motion is stable in the first approximation where, and only where, the inequality holds |
 //! | `number` | the value of a quantity for given data agrees with every printed digit, by enclosures |
 
+mod change;
 mod claim_text;
 mod combination;
 mod conditions;
+mod correction;
 mod display;
 mod equation;
 mod finding;
@@ -29,6 +31,7 @@ mod inequalities;
 mod integrals;
 mod judgement;
 mod letters;
+mod lines;
 mod motion;
 mod numbers;
 mod paper_text;
@@ -39,6 +42,7 @@ mod signs;
 mod stability;
 mod verdict;
 
+pub use change::{Change, Correction, EditKind};
 pub use claim_text::{ClaimText, Kind};
 pub use finding::{Finding, Sides};
 pub use paper_text::PaperText;

@@ -21,6 +21,11 @@ impl Passage {
         Passage { text: value.value.clone(), span: value.span.clone(), start: is_plain.then_some(start) }
     }
 
+    /// Another text in its stead: it stands in no file.
+    pub(crate) fn with_text(&self, text: String) -> Self {
+        Passage { text, span: self.span.clone(), start: None }
+    }
+
     /// The bytes of the file that a part of the text has.
     pub fn part(&self, part: &Range<usize>) -> Range<usize> {
         match self.start {

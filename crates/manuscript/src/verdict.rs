@@ -1,9 +1,10 @@
 //! Verdicts with their grounds, as a finding holds them.
 
-use crate::display::{Line, Told, point};
+use crate::display::{Told, point};
 use crate::equation::Outcome;
 use crate::finding::{Finding, Sides};
 use crate::letters::Letters;
+use crate::lines::Line;
 use crate::motion::Motion;
 use crate::refutation::Refutation;
 use claims::Verdict;

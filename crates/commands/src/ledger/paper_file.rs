@@ -8,9 +8,13 @@ use crate::output::{Form, Maker, Writes};
 use charts::{PaperSection, Report};
 use claims::Verdict;
 use clap::Args;
-use manuscript::{Finding, PaperText};
+use manuscript::{Change, Correction, Finding, PaperText};
 use serde_json::json;
 use std::path::PathBuf;
+use std::time::Duration;
+
+/// No correction is looked for in the last part of the time.
+const KEPT: Duration = Duration::from_millis(500);
 
 /// Which paper is to be judged.
 #[derive(Args, Debug)]
@@ -21,7 +25,7 @@ pub struct Asked {
     /// Claims whose id contains this, such as cart_pole/eq2
     #[arg(long, default_value = "")]
     pub filter: String,
-    /// One object for each claim: id, kind, verdict, printed formula, reading, hypotheses, counterexample, missing terms
+    /// One object for each claim: id, kind, verdict, printed formula, reading, hypotheses, counterexample, missing terms, corrections
     #[arg(long)]
     pub json: bool,
     /// Writes a page with every claim, for a browser
@@ -70,14 +74,14 @@ pub fn judge(asked: &Asked) -> Result<Exit, Exit> {
             asked.filter, paper.key
         )));
     }
-    let mut so_far = String::new();
-    let findings = paper.judge_each(|finding| {
-        so_far += &finding.text();
+    let so_far = |findings: &[Finding]| {
         // one object of a list is no list
         if !asked.json && !asked.test {
-            clock::publish(so_far.clone());
+            clock::publish(findings.iter().map(Finding::text).collect());
         }
-    })?;
+    };
+    // a verdict needs no correction: what is printed leaves time for itself
+    let findings = paper.judge_each(so_far, || !asked.test && clock::left() > KEPT)?;
     let wrong: Vec<String> = findings.iter().filter_map(|finding| finding.as_expected().err()).collect();
     print(&match (asked.json, asked.test) {
         (true, _) => format!("{:#}\n", findings.iter().map(object).collect::<serde_json::Value>()),
@@ -117,7 +121,7 @@ fn tested(findings: &[Finding]) -> String {
 }
 
 fn object(finding: &Finding) -> serde_json::Value {
-    let Finding { judged, printed, given, expected, allowed, sides, kind } = finding;
+    let Finding { judged, printed, given, expected, allowed, sides, kind, corrections } = finding;
     let told = |pairs: &[(String, String)]| pairs.iter().map(|(text, _)| text.clone()).collect::<Vec<_>>();
     json!({
         "id": judged.id,
@@ -140,10 +144,25 @@ fn object(finding: &Finding) -> serde_json::Value {
         "right": sides.as_ref().map(|sides| &sides.right),
         "missing": judged.difference.as_ref().map(|(text, _)| text),
         "missing_latex": judged.difference.as_ref().map(|(_, latex)| latex),
-        // the smallest edit that makes the claim true, where one was found
-        "correction": judged.correction.as_ref().map(|correction| &correction.text),
+        // the smallest edits that make the claim true, all of one size
+        "corrections": corrections.iter().map(corrected).collect::<serde_json::Value>(),
         "objections": judged.objections,
         "note": judged.note,
+    })
+}
+
+fn corrected(correction: &Correction) -> serde_json::Value {
+    let Correction { changes, formula, parts, judged } = correction;
+    let change = |change: &Change| json!({ "kind": change.kind.name(), "says": change.words, "before": change.before, "after": change.after });
+    json!({
+        "says": correction.says(),
+        "changes": changes.iter().map(change).collect::<serde_json::Value>(),
+        "formula": formula,
+        // bytes of the formula that were changed
+        "changed": parts.iter().map(|part| [part.start, part.end]).collect::<Vec<_>>(),
+        "verdict": judged.verdict.name(),
+        "evidence": judged.evidence,
+        "requires": judged.requires.iter().map(|(text, _)| text.clone()).collect::<Vec<_>>(),
     })
 }
 

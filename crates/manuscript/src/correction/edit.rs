@@ -1,0 +1,34 @@
+//! An edit of a printed formula: a part of its text and what stands there instead.
+
+use crate::change::EditKind;
+use std::ops::Range;
+
+/// An edit of a formula's text; of a hypothesis an addition beside it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Edit {
+    pub kind: EditKind,
+    /// Bytes of the formula.
+    pub span: Range<usize>,
+    pub after: String,
+    /// The edit in words.
+    pub words: String,
+}
+
+impl Edit {
+    /// The edited formula, and where the edit stands in it.
+    pub fn applied(&self, formula: &str) -> (String, Range<usize>) {
+        let (before, behind) = (&formula[..self.span.start], &formula[self.span.end..]);
+        // a command would swallow the letter behind it
+        let swallows = |left: &str, right: &str| {
+            let tail = left.trim_end_matches(|letter: char| letter.is_ascii_alphabetic());
+            tail.len() < left.len()
+                && tail.ends_with('\\')
+                && right.starts_with(|letter: char| letter.is_ascii_alphabetic())
+        };
+        let first = if swallows(before, &self.after) { " " } else { "" };
+        let joined = format!("{before}{first}{}", self.after);
+        let second = if swallows(&joined, behind) { " " } else { "" };
+        let start = before.len() + first.len();
+        (format!("{joined}{second}{behind}"), start..start + self.after.len())
+    }
+}

@@ -1,0 +1,164 @@
+//! Edits of one sign in its place: a sign, a function, an exponent, a letter, a dot, a number.
+
+use super::edit::Edit;
+use super::places::{Atom, Places, Summand};
+use crate::change::EditKind;
+use crate::letters::{LetterRate, Letters};
+use field::Rational;
+use latex::Function;
+
+/// Printed numbers are exchanged for quotients of numbers up to this one.
+const MOST: i64 = 12;
+
+/// All of them, in the order of the formula.
+pub(super) fn exchanges(places: &Places, text: &str, letters: &Letters<'_, '_>) -> Vec<Edit> {
+    let mut all = signs(places, text);
+    all.extend(functions(places, text));
+    all.extend(exponents(places, text));
+    let rates = letters.rates();
+    for atom in &places.atoms {
+        all.extend(dots(atom, text, &rates));
+        all.extend(others(atom, text, &rates));
+    }
+    all.extend(numbers(places, text));
+    all
+}
+
+/// `the second term of the right side`, or the term itself.
+pub(super) fn told(summand: &Summand, text: &str) -> String {
+    const ORDINALS: [&str; 6] = ["first", "second", "third", "fourth", "fifth", "sixth"];
+    match (summand.side, ORDINALS.get(summand.number - 1)) {
+        (Some(side @ 0..=1), _) if summand.count == 1 => format!("the {} side", ["left", "right"][side]),
+        (Some(side @ 0..=1), Some(ordinal)) => format!("the {ordinal} term of the {} side", ["left", "right"][side]),
+        _ => format!("the term `{}`", &text[summand.span.clone()]),
+    }
+}
+
+/// The sign of each term that is not zero.
+pub(super) fn signs(places: &Places, text: &str) -> Vec<Edit> {
+    let edit = |summand: &Summand| {
+        let term = &text[summand.span.clone()];
+        let (start, after) = match summand.sign {
+            Some((at, '-')) if summand.number == 1 => (at, term.to_owned()),
+            Some((at, '-')) => (at, format!("+ {term}")),
+            Some((at, _)) => (at, format!("- {term}")),
+            None => (summand.span.start, format!("-{term}")),
+        };
+        let words = format!("the sign of {}", told(summand, text));
+        Edit { kind: EditKind::Sign, span: start..summand.span.end, after, words }
+    };
+    places.summands.iter().filter(|summand| &text[summand.span.clone()] != "0").map(edit).collect()
+}
+
+fn functions(places: &Places, text: &str) -> Vec<Edit> {
+    let others = |function: Function| -> &[&str] {
+        match function {
+            Function::Sin => &[r"\cos"],
+            Function::Cos => &[r"\sin"],
+            Function::Tan => &[r"\cot"],
+            Function::Cot => &[r"\tan"],
+            Function::Sinh => &[r"\cosh"],
+            Function::Cosh => &[r"\sinh"],
+            _ => &[],
+        }
+    };
+    let of = |other: &str, before: &str, call: &super::places::Call| Edit {
+        kind: EditKind::Function,
+        span: call.command.clone(),
+        after: other.to_owned(),
+        words: format!("`{other}` for `{before}` of `{}`", &text[call.argument.clone()]),
+    };
+    let each = places.calls.iter();
+    each.flat_map(|call| others(call.function).iter().map(move |other| of(other, &text[call.command.clone()], call)))
+        .collect()
+}
+
+fn exponents(places: &Places, text: &str) -> Vec<Edit> {
+    let mut all = Vec::new();
+    let mut add = |span: std::ops::Range<usize>, after: String, words: String| {
+        all.push(Edit { kind: EditKind::Exponent, span, after, words });
+    };
+    for power in &places.powers {
+        let script = &text[power.script.clone()];
+        for change in [-1, 1, -2, 2] {
+            let after = match power.exponent + change {
+                ..=0 => continue,
+                1 => String::new(),
+                exponent => {
+                    format!("^{{{exponent}}}").replace("^{2}", "^2").replace("^{3}", "^3").replace("^{4}", "^4")
+                }
+            };
+            let words = match after.as_str() {
+                "" => format!("no exponent `{script}`"),
+                after => format!("the exponent `{after}` for `{script}`"),
+            };
+            add(power.script.clone(), after, words);
+        }
+    }
+    let atoms = places.atoms.iter().filter(|atom| !atom.is_powered).map(|atom| (atom.span.end, &atom.span));
+    let calls = places.calls.iter().filter(|call| !call.is_powered).map(|call| (call.command.end, &call.command));
+    for (at, of) in atoms.chain(calls) {
+        for exponent in ["^2", "^3"] {
+            let of = &text[of.clone()];
+            add(at..at, exponent.to_owned(), format!("the exponent `{exponent}` of `{of}`"));
+        }
+    }
+    all
+}
+
+fn dots(atom: &Atom, text: &str, rates: &[LetterRate]) -> Vec<Edit> {
+    let of = |order: u32| rates.iter().find(|rate| rate.name == atom.name && rate.order == order);
+    let orders = [atom.order.checked_sub(1), Some(atom.order + 1)];
+    let edit = |rate: &LetterRate| Edit {
+        kind: EditKind::Dot,
+        span: atom.span.clone(),
+        after: rate.latex.clone(),
+        words: format!("`{}` for `{}`", rate.latex, &text[atom.span.clone()]),
+    };
+    orders.into_iter().flatten().filter_map(of).map(edit).collect()
+}
+
+/// Letters and rates of the same dimension.
+fn others(atom: &Atom, text: &str, rates: &[LetterRate]) -> Vec<Edit> {
+    let Some(own) = rates.iter().find(|rate| rate.name == atom.name && rate.order == atom.order) else {
+        return Vec::new();
+    };
+    let fits = |rate: &&LetterRate| rate.name != atom.name && rate.dimension == own.dimension;
+    let edit = |rate: &LetterRate| Edit {
+        kind: EditKind::Letter,
+        span: atom.span.clone(),
+        after: rate.latex.clone(),
+        words: format!("`{}` for `{}`", rate.latex, &text[atom.span.clone()]),
+    };
+    rates.iter().filter(fits).map(edit).collect()
+}
+
+fn numbers(places: &Places, text: &str) -> Vec<Edit> {
+    let mut values: Vec<(i64, i64)> = Vec::new();
+    for below in 1..=MOST {
+        for above in 1..=MOST {
+            if gcd(above, below) == 1 {
+                values.push((above, below));
+            }
+        }
+    }
+    // small numbers first
+    values.sort_by_key(|(above, below)| (above + below, *below));
+    let mut all = Vec::new();
+    for (span, printed) in places.numbers.iter().filter(|(_, value)| value.sign() != Some(0)) {
+        let before = &text[..span.start];
+        // `\frac12`: an argument without braces is one sign
+        let is_bare = before.trim_end().ends_with("frac") || before.ends_with(|letter: char| letter.is_ascii_digit());
+        for &(above, below) in values.iter().filter(|(above, below)| Rational::new(*above, *below) != *printed) {
+            let plain = if below == 1 { above.to_string() } else { format!(r"\frac{{{above}}}{{{below}}}") };
+            let after = if is_bare && (plain.len() > 1) { format!("{{{plain}}}") } else { plain.clone() };
+            let words = format!("the number `{plain}` for `{}`", &text[span.clone()]);
+            all.push(Edit { kind: EditKind::Number, span: span.clone(), after, words });
+        }
+    }
+    all
+}
+
+fn gcd(a: i64, b: i64) -> i64 {
+    if b == 0 { a } else { gcd(b, a % b) }
+}

@@ -1,0 +1,68 @@
+//! Edits of one factor: one that is missing, one that is superfluous.
+
+use super::edit::Edit;
+use super::exchanges::told;
+use super::places::Places;
+use crate::change::EditKind;
+use crate::letters::Letters;
+
+/// Numeric factors that slip into formulas, and out of them.
+const NUMBERS: [&str; 10] = [
+    "2",
+    r"\frac{1}{2}",
+    "3",
+    r"\frac{1}{3}",
+    "4",
+    r"\frac{1}{4}",
+    r"\frac{3}{2}",
+    r"\frac{2}{3}",
+    r"\frac{4}{3}",
+    r"\frac{3}{4}",
+];
+
+/// A factor before each term, and each factor of a term away.
+pub(super) fn factors(places: &Places, text: &str, letters: &Letters<'_, '_>) -> Vec<Edit> {
+    let mut candidates: Vec<String> = NUMBERS.map(str::to_owned).to_vec();
+    for call in &places.calls {
+        let name = &text[call.command.clone()];
+        for function in [name, r"\cos", r"\sin"] {
+            let argument = &text[call.argument.clone()];
+            let space = if argument.starts_with(|letter: char| letter.is_ascii_alphabetic()) { " " } else { "" };
+            let factor = format!("{function}{space}{argument}");
+            if !candidates.contains(&factor) {
+                candidates.push(factor);
+            }
+        }
+    }
+    let rates = letters.rates();
+    candidates.extend(rates.iter().map(|rate| rate.latex.clone()));
+    candidates.extend(rates.iter().map(|rate| format!(r"\frac{{1}}{{{}}}", rate.latex)));
+    let mut all = Vec::new();
+    for summand in places.summands.iter().filter(|summand| &text[summand.span.clone()] != "0") {
+        for (place, factor) in summand.factors.iter().enumerate() {
+            // with the sign of a product beside it
+            let (span, after) = match (place, summand.factors.get(place + 1)) {
+                (0, None) => (factor.clone(), "1".to_owned()),
+                (0, Some(next)) => (factor.start..next.start, String::new()),
+                (place, _) => (summand.factors[place - 1].end..factor.end, String::new()),
+            };
+            let words = format!("no factor `{}` in {}", &text[factor.clone()], told(summand, text));
+            if text.get(span.clone()).is_some() && &text[factor.clone()] != "1" {
+                all.push(Edit { kind: EditKind::ExtraFactor, span, after, words });
+            }
+        }
+        for factor in &candidates {
+            let at = summand.span.start;
+            // after a function a product needs its sign, and so does a number after a number
+            let needs_sign = factor.starts_with(r"\cos")
+                || factor.starts_with(r"\sin")
+                || text[at..].starts_with(|letter: char| letter.is_ascii_digit())
+                || text[at..].starts_with(['(', '['])
+                || text[at..].starts_with(r"\left");
+            let after = if needs_sign { format!(r"{factor} \cdot ") } else { format!("{factor} ") };
+            let words = format!("the factor `{factor}` in {}", told(summand, text));
+            all.push(Edit { kind: EditKind::MissingFactor, span: at..at, after, words });
+        }
+    }
+    all
+}

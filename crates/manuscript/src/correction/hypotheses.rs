@@ -1,0 +1,31 @@
+//! Hypotheses that a print may have left out: a letter that is zero, a quantity that is constant.
+
+use super::places::Places;
+use super::probe::says_nothing;
+use crate::claim_text::ClaimText;
+use crate::integrals::known;
+use crate::letters::Letters;
+use crate::lines::lines;
+use latex::read;
+use std::collections::BTreeSet;
+use symbolic::Sym;
+
+/// Letters of the formula and their rates, each as zero; what is differentiated first.
+pub(super) fn candidates(places: &Places, letters: &Letters<'_, '_>) -> Vec<String> {
+    let names: BTreeSet<&str> = places.atoms.iter().map(|atom| atom.name.as_str()).collect();
+    let mut rates = letters.rates();
+    rates.sort_by_key(|rate| std::cmp::Reverse(rate.order));
+    rates.iter().filter(|rate| names.contains(rate.name.as_str())).map(|rate| format!("{} = 0", rate.latex)).collect()
+}
+
+/// Whether a formula still states something where a letter is zero.
+pub(super) fn leaves_something(claim: &ClaimText, hypothesis: &str, letters: &Letters<'_, '_>) -> bool {
+    let zero =
+        read(hypothesis, &letters.spelt()).ok().and_then(|statement| super::probe::own_difference(&statement, letters));
+    let statement = read(&claim.formula.text, &known(claim.kind, letters)).ok();
+    let (Some(zero), Some(statement)) = (zero, statement) else { return false };
+    // claims of other kinds have sides that are read otherwise
+    let Ok(mut lines) = lines(claim, &statement, letters) else { return true };
+    lines.iter_mut().for_each(|line| line.own = line.own.map(|own| own.substitute(&[(zero, Sym::ZERO)])));
+    !lines.iter().any(says_nothing)
+}

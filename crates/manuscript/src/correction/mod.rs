@@ -1,0 +1,204 @@
+//! The smallest edit of a printed formula that makes a refuted claim true.
+//!
+//! # Overview
+//! * [`places`]: terms, factors, letters, numbers and powers with their places in the print;
+//! * [`exchanges`], [`factors`], [`terms`]: the edits, by their size;
+//! * [`probe`]: an edited claim is looked at in exact points before it is decided;
+//! * [`corrections`]: the edits of the first size at which one is proved, by the judge of the claim itself.
+
+mod edit;
+mod exchanges;
+mod factors;
+mod hypotheses;
+mod places;
+mod probe;
+mod terms;
+
+use crate::change::{Change, Correction, EditKind};
+use crate::claim_text::{ClaimText, Kind};
+use crate::conditions::Hypothesis;
+use crate::finding::Finding;
+use crate::integrals::known;
+use crate::letters::Letters;
+use claims::Verdict;
+use edit::Edit;
+use latex::{Statement, read};
+use places::Places;
+use probe::Probe;
+use std::ops::Range;
+use symbolic::{Hypotheses, Sym, decide};
+
+/// Corrections of one size that are told.
+const MOST_TOLD: usize = 3;
+
+/// Edits that pass the points and are decided exactly, for each size.
+const MOST_DECIDED: usize = 24;
+
+/// Edits of claims that no point can test, which are all decided exactly.
+const MOST_UNTESTED: usize = 160;
+
+/// Pairs of edits that are looked at.
+const MOST_PAIRS: usize = 4_000;
+
+/// What a claim is judged with.
+pub(crate) struct Judge<'a> {
+    /// Reads and decides an edited claim; none where it cannot be read.
+    pub decide: &'a dyn Fn(&ClaimText) -> Option<Finding>,
+    /// Whether there is time left.
+    pub goes_on: &'a dyn Fn() -> bool,
+}
+
+/// Corrections of a refuted claim, all of one size; none where no edit is proved.
+pub(crate) fn corrections(
+    claim: &ClaimText,
+    statement: &Statement,
+    letters: &Letters<'_, '_>,
+    assumed: &[Hypothesis],
+    judge: &Judge<'_>,
+) -> Vec<Correction> {
+    let text = claim.formula.text.as_str();
+    let places = Places::of(statement, text);
+    let probe = Probe::of(claim, statement, letters, assumed);
+    let search = Search { claim, letters, probe: probe.as_ref(), judge };
+    let exchanges = exchanges::exchanges(&places, text, letters);
+    let is_tested = probe.is_some();
+    let sizes: [&dyn Fn() -> Vec<Edit>; 3] =
+        [&|| exchanges.clone(), &|| factors::factors(&places, text, letters), &|| {
+            let lost = probe.as_ref().map(|probe| terms::lost(claim.kind, &places, text, letters, probe));
+            [lost.unwrap_or_default(), terms::superfluous(&places, text)].concat()
+        }];
+    for edits in sizes {
+        let edits: Vec<Vec<Edit>> = edits().into_iter().map(|edit| vec![edit]).collect();
+        let found = search.proved(edits.into_iter());
+        if !found.is_empty() {
+            return found;
+        }
+    }
+    let found = search.under(hypotheses::candidates(&places, letters));
+    if !found.is_empty() || !is_tested {
+        return found;
+    }
+    let short: Vec<&Edit> =
+        exchanges.iter().filter(|edit| !matches!(edit.kind, EditKind::Number | EditKind::Letter)).collect();
+    let pairs = short.iter().enumerate().flat_map(|(place, first)| {
+        let apart = |second: &&&Edit| first.span.end <= second.span.start || second.span.end <= first.span.start;
+        short[place + 1..].iter().filter(apart).map(|second| vec![(*first).clone(), (*second).clone()])
+    });
+    search.proved(pairs.take(MOST_PAIRS))
+}
+
+struct Search<'a, 't, 'm> {
+    claim: &'a ClaimText,
+    letters: &'a Letters<'t, 'm>,
+    probe: Option<&'a Probe<'t, 'm>>,
+    judge: &'a Judge<'a>,
+}
+
+impl Search<'_, '_, '_> {
+    /// The first corrections that are proved, no two of which are one formula.
+    fn proved(&self, candidates: impl Iterator<Item = Vec<Edit>>) -> Vec<Correction> {
+        let mut found: Vec<Correction> = Vec::new();
+        let mut differences: Vec<Sym> = Vec::new();
+        let mut decided = 0;
+        let most = if self.probe.is_some() { MOST_DECIDED } else { MOST_UNTESTED };
+        let mut tried: Vec<String> = Vec::new();
+        for edits in candidates {
+            if found.len() >= MOST_TOLD || decided >= most || !(self.judge.goes_on)() {
+                break;
+            }
+            let (text, parts) = edited(&self.claim.formula.text, &edits);
+            if tried.contains(&text) {
+                continue;
+            }
+            tried.push(text.clone());
+            let mut claim = self.claim.clone();
+            claim.formula = claim.formula.with_text(text.clone());
+            claim.expected = None;
+            let Some(statement) = read(&text, &known(claim.kind, self.letters)).ok() else { continue };
+            if self.probe.is_some_and(|probe| !probe.may_hold(&claim, &statement, self.letters)) {
+                continue;
+            }
+            let difference = probe::own_difference(&statement, self.letters);
+            let is_known = |known: &Sym| {
+                difference.is_some_and(|own| {
+                    [own - *known, own + *known].into_iter().any(|zero| decide(zero, &Hypotheses::none()).is_zero())
+                })
+            };
+            if differences.iter().any(is_known) {
+                continue;
+            }
+            decided += 1;
+            if let Some(finding) = (self.judge.decide)(&claim).filter(|finding| is_sound(finding, &claim)) {
+                differences.extend(difference);
+                found.push(self.correction(&edits, text, parts, finding));
+            }
+        }
+        found
+    }
+
+    /// Hypotheses under which the claim as printed is proved.
+    fn under(&self, candidates: Vec<String>) -> Vec<Correction> {
+        let mut found = Vec::new();
+        for hypothesis in candidates {
+            if found.len() >= MOST_TOLD || !(self.judge.goes_on)() {
+                break;
+            }
+            let mut claim = self.claim.clone();
+            claim.given.push(claim.formula.with_text(hypothesis.clone()));
+            claim.expected = None;
+            if !hypotheses::leaves_something(&claim, &hypothesis, self.letters) {
+                continue;
+            }
+            if let Some(finding) = (self.judge.decide)(&claim).filter(|finding| is_sound(finding, &claim)) {
+                let change = Change {
+                    kind: EditKind::Hypothesis,
+                    words: format!("the hypothesis `{hypothesis}`"),
+                    before: String::new(),
+                    after: hypothesis,
+                };
+                found.push(Correction {
+                    changes: vec![change],
+                    formula: self.claim.formula.text.clone(),
+                    parts: Vec::new(),
+                    judged: finding.judged,
+                });
+            }
+        }
+        found
+    }
+
+    fn correction(&self, edits: &[Edit], formula: String, parts: Vec<Range<usize>>, finding: Finding) -> Correction {
+        let change = |edit: &Edit| Change {
+            kind: edit.kind,
+            words: edit.words.clone(),
+            before: self.claim.formula.text[edit.span.clone()].trim().to_owned(),
+            after: edit.after.trim().to_owned(),
+        };
+        Correction { changes: edits.iter().map(change).collect(), formula, parts, judged: finding.judged }
+    }
+}
+
+/// Proved without an objection; of printed numbers by enclosures.
+fn is_sound(finding: &Finding, claim: &ClaimText) -> bool {
+    let verdict = finding.judged.verdict;
+    let is_shown = verdict == Verdict::Proved || verdict == Verdict::Enclosed && claim.kind == Kind::Number;
+    is_shown && finding.judged.objections.is_empty()
+}
+
+/// The formula after its edits, and where they stand in it.
+fn edited(formula: &str, edits: &[Edit]) -> (String, Vec<Range<usize>>) {
+    let mut ordered: Vec<&Edit> = edits.iter().collect();
+    ordered.sort_by_key(|edit| std::cmp::Reverse(edit.span.start));
+    let (mut text, mut parts) = (formula.to_owned(), Vec::<Range<usize>>::new());
+    for edit in ordered {
+        let (next, part) = edit.applied(&text);
+        // what stands behind moves along
+        for behind in &mut parts {
+            *behind = behind.start + next.len() - text.len()..behind.end + next.len() - text.len();
+        }
+        parts.push(part);
+        text = next;
+    }
+    parts.reverse();
+    (text, parts)
+}
