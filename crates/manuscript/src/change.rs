@@ -7,6 +7,7 @@ use std::ops::Range;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum EditKind {
     Sign,
+    Direction,
     Function,
     Exponent,
     Letter,
@@ -25,6 +26,7 @@ impl EditKind {
     pub fn name(self) -> &'static str {
         match self {
             Self::Sign => "sign",
+            Self::Direction => "direction",
             Self::Function => "function",
             Self::Exponent => "exponent",
             Self::Letter => "letter",

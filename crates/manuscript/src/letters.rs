@@ -69,14 +69,6 @@ struct Letter {
     dimension: Dimension,
 }
 
-/// A letter, or its rate of this order.
-pub(crate) struct LetterRate {
-    pub name: String,
-    pub order: u32,
-    pub latex: String,
-    pub dimension: Dimension,
-}
-
 /// The letters of a paper over a trace.
 pub(crate) struct Letters<'t, 'm> {
     pub trace: &'t Trace<'m>,
@@ -128,21 +120,12 @@ impl<'t, 'm> Letters<'t, 'm> {
         self.letters.iter().map(|letter| letter.name.clone()).collect()
     }
 
-    /// Every letter that is a scalar, and its rates as far as they have a meaning of their own.
-    pub fn rates(&self) -> Vec<LetterRate> {
-        let mut all = Vec::new();
-        for letter in &self.letters {
-            let Value::Scalar(value) = letter.value else { continue };
-            let (mut next, mut dimension) = (Some(value), letter.dimension);
-            for (order, dots) in (0..).zip(["", r"\dot", r"\ddot"]) {
-                let Some(value) = next.filter(|value| order == 0 || *value != Sym::ZERO) else { break };
-                let latex = if order == 0 { letter.name.clone() } else { format!("{dots}{{{}}}", letter.name) };
-                all.push(LetterRate { name: letter.name.clone(), order, latex, dimension });
-                next = rate(self.trace, value).ok();
-                dimension = dimension / Dimension::time();
-            }
-        }
-        all
+    /// Every letter that is a scalar: its name, what it stands for, its own symbol, its dimension.
+    pub fn scalars(&self) -> impl Iterator<Item = (&str, Sym, Sym, Dimension)> {
+        self.letters.iter().filter_map(|letter| match (&letter.value, &letter.own) {
+            (Value::Scalar(value), Value::Scalar(own)) => Some((letter.name.as_str(), *value, *own, letter.dimension)),
+            _ => None,
+        })
     }
 
     /// The model's symbols by the paper's letters: where a letter, or its rate, is one symbol or a multiple of it.

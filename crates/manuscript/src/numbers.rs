@@ -43,16 +43,12 @@ pub(crate) fn number(
     };
     assume(&mut motion, assumed)?;
     finding.allowed = allowed(letters.trace, true);
-    let value = motion.reduced(quantity);
-    // what cancels needs no value
-    let cancelled = || normal(value, &motion.hypotheses).map_or(value, |form| form.to_sym());
-    let value = if value.symbols_of().is_empty() { value } else { cancelled() };
+    let value = cancelled(&motion, motion.reduced(quantity));
     let open: Vec<String> = value.symbols_of().iter().map(|symbol| letters.told(*symbol).to_string()).collect();
     if !open.is_empty() {
         return Err(refused(format!("the value depends on {}, which `given` does not have", open.join(", "))));
     }
-    let enclosed = |expression: Sym| expression.evaluate_analytic(&|_: &str| None::<Interval>);
-    let (Ok(value), Ok(printed)) = (enclosed(value), enclosed(printed)) else {
+    let (Some(value), Some(printed)) = (enclosed(value), enclosed(printed)) else {
         neither(Outcome::Undecided("the value was not enclosed".to_owned()), letters, finding);
         return Ok(());
     };
@@ -75,6 +71,42 @@ pub(crate) fn number(
     };
     (finding.judged.verdict, finding.judged.evidence) = (verdict, evidence);
     Ok(())
+}
+
+/// The printed number with the digits that it should have.
+pub(crate) struct Right {
+    /// The printed digits in the formula.
+    pub span: std::ops::Range<usize>,
+    pub digits: String,
+}
+
+/// As many decimals as are printed; none where the value is not determined.
+pub(crate) fn right(
+    claim: &ClaimText,
+    statement: &Statement,
+    letters: &Letters<'_, '_>,
+    assumed: &[Hypothesis],
+) -> Option<Right> {
+    let [left, right] = &statement.chains.first()?.sides[..] else { return None };
+    let (quantity, _) = scalar(&claim.formula, left, letters).ok()?;
+    let mut motion = Motion::by_equations(letters.trace).ok()?;
+    assume(&mut motion, assumed).ok()?;
+    let value = enclosed(cancelled(&motion, motion.reduced(quantity)))?.middle();
+    let printed = claim.formula.text.get(right.span.clone())?.trim();
+    let decimals = printed.split_once('.').map_or(0, |(_, part)| part.len());
+    value.is_finite().then(|| Right { span: right.span.clone(), digits: format!("{value:.decimals$}") })
+}
+
+/// What cancels needs no value.
+fn cancelled(motion: &Motion<'_, '_>, value: Sym) -> Sym {
+    match value.symbols_of().is_empty() {
+        true => value,
+        false => normal(value, &motion.hypotheses).map_or(value, |form| form.to_sym()),
+    }
+}
+
+fn enclosed(expression: Sym) -> Option<Interval> {
+    expression.evaluate_analytic(&|_: &str| None::<Interval>).ok()
 }
 
 /// Nine digits of the middle.

@@ -32,3 +32,15 @@ impl Edit {
         (format!("{joined}{second}{behind}"), start..start + self.after.len())
     }
 }
+
+/// Whether each `\left` and each `\right` stands before its bracket: an edit may not come between them.
+pub(super) fn is_whole(formula: &str) -> bool {
+    let stands = |command: &str| {
+        formula.match_indices(command).all(|(at, _)| {
+            let behind = &formula[at + command.len()..];
+            behind.starts_with(|letter: char| letter.is_ascii_alphabetic())
+                || behind.trim_start().starts_with(['(', ')', '[', ']', '.', '|', '\\'])
+        })
+    };
+    stands(r"\left") && stands(r"\right")
+}

@@ -1,9 +1,10 @@
 //! Edits of one sign in its place: a sign, a function, an exponent, a letter, a dot, a number.
 
 use super::edit::Edit;
+use super::letter_rates::{LetterRate, rates};
 use super::places::{Atom, Places, Summand};
 use crate::change::EditKind;
-use crate::letters::{LetterRate, Letters};
+use crate::letters::Letters;
 use field::Rational;
 use latex::Function;
 
@@ -15,13 +16,43 @@ pub(super) fn exchanges(places: &Places, text: &str, letters: &Letters<'_, '_>) 
     let mut all = signs(places, text);
     all.extend(functions(places, text));
     all.extend(exponents(places, text));
-    let rates = letters.rates();
+    let rates = rates(letters);
     for atom in &places.atoms {
         all.extend(dots(atom, text, &rates));
         all.extend(others(atom, text, &rates));
     }
     all.extend(numbers(places, text));
+    all.extend(letters_for_numbers(places, text, &rates));
     all
+}
+
+/// The other direction of an inequality.
+pub(super) fn directions(text: &str) -> Vec<Edit> {
+    const PAIRS: [(&str, &str); 10] = [
+        (r"\leqslant", r"\geqslant"),
+        (r"\geqslant", r"\leqslant"),
+        (r"\leq", r"\geq"),
+        (r"\geq", r"\leq"),
+        (r"\le", r"\ge"),
+        (r"\ge", r"\le"),
+        (r"\lt", r"\gt"),
+        (r"\gt", r"\lt"),
+        ("<", ">"),
+        (">", "<"),
+    ];
+    let edit = |at: usize, from: &str, to: &str| Edit {
+        kind: EditKind::Direction,
+        span: at..at + from.len(),
+        after: to.to_owned(),
+        words: format!("`{to}` for `{from}`"),
+    };
+    let is_whole = |at: usize, from: &str| {
+        !from.starts_with('\\') || !text[at + from.len()..].starts_with(|letter: char| letter.is_ascii_alphabetic())
+    };
+    let of = |(from, to): (&'static str, &'static str)| {
+        text.match_indices(from).filter(move |(at, _)| is_whole(*at, from)).map(move |(at, _)| edit(at, from, to))
+    };
+    PAIRS.into_iter().flat_map(of).collect()
 }
 
 /// `the second term of the right side`, or the term itself.
@@ -47,7 +78,13 @@ pub(super) fn signs(places: &Places, text: &str) -> Vec<Edit> {
         let words = format!("the sign of {}", told(summand, text));
         Edit { kind: EditKind::Sign, span: start..summand.span.end, after, words }
     };
-    places.summands.iter().filter(|summand| &text[summand.span.clone()] != "0").map(edit).collect()
+    // a sign that is printed is exchanged more often than one that is not
+    let of = |is_printed: bool| {
+        let chosen =
+            move |summand: &&Summand| summand.sign.is_some() == is_printed && &text[summand.span.clone()] != "0";
+        places.summands.iter().filter(chosen).map(edit)
+    };
+    of(true).chain(of(false)).collect()
 }
 
 fn functions(places: &Places, text: &str) -> Vec<Edit> {
@@ -145,7 +182,7 @@ fn numbers(places: &Places, text: &str) -> Vec<Edit> {
     // small numbers first
     values.sort_by_key(|(above, below)| (above + below, *below));
     let mut all = Vec::new();
-    for (span, printed) in places.numbers.iter().filter(|(_, value)| value.sign() != Some(0)) {
+    for (span, printed) in places.numbers.iter().filter(|(_, value)| *value != Rational::new(0, 1)) {
         let before = &text[..span.start];
         // `\frac12`: an argument without braces is one sign
         let is_bare = before.trim_end().ends_with("frac") || before.ends_with(|letter: char| letter.is_ascii_digit());
@@ -157,6 +194,18 @@ fn numbers(places: &Places, text: &str) -> Vec<Edit> {
         }
     }
     all
+}
+
+/// A letter that was printed as a number: only one of them has the dimension that the formula asks for.
+fn letters_for_numbers(places: &Places, text: &str, rates: &[LetterRate]) -> Vec<Edit> {
+    let edit = |span: &std::ops::Range<usize>, rate: &LetterRate| Edit {
+        kind: EditKind::Letter,
+        span: span.clone(),
+        after: rate.latex.clone(),
+        words: format!("`{}` for `{}`", rate.latex, &text[span.clone()]),
+    };
+    let printed = places.numbers.iter().filter(|(_, value)| *value != Rational::new(0, 1));
+    printed.flat_map(|(span, _)| rates.iter().filter(|rate| rate.order == 0).map(|rate| edit(span, rate))).collect()
 }
 
 fn gcd(a: i64, b: i64) -> i64 {

@@ -2,6 +2,7 @@
 
 use super::edit::Edit;
 use super::exchanges::told;
+use super::letter_rates::rates;
 use super::places::Places;
 use crate::change::EditKind;
 use crate::letters::Letters;
@@ -34,7 +35,7 @@ pub(super) fn factors(places: &Places, text: &str, letters: &Letters<'_, '_>) ->
             }
         }
     }
-    let rates = letters.rates();
+    let rates = rates(letters);
     candidates.extend(rates.iter().map(|rate| rate.latex.clone()));
     candidates.extend(rates.iter().map(|rate| format!(r"\frac{{1}}{{{}}}", rate.latex)));
     let mut all = Vec::new();
@@ -42,6 +43,8 @@ pub(super) fn factors(places: &Places, text: &str, letters: &Letters<'_, '_>) ->
         for (place, factor) in summand.factors.iter().enumerate() {
             // with the sign of a product beside it
             let (span, after) = match (place, summand.factors.get(place + 1)) {
+                // a term that is nothing but this factor is a term more
+                (0, None) if summand.count > 1 => continue,
                 (0, None) => (factor.clone(), "1".to_owned()),
                 (0, Some(next)) => (factor.start..next.start, String::new()),
                 (place, _) => (summand.factors[place - 1].end..factor.end, String::new()),
@@ -53,6 +56,11 @@ pub(super) fn factors(places: &Places, text: &str, letters: &Letters<'_, '_>) ->
         }
         for factor in &candidates {
             let at = summand.span.start;
+            let below = factor.strip_prefix(r"\frac{1}{").and_then(|rest| rest.strip_suffix('}'));
+            // a factor that would cancel is one that is superfluous
+            if summand.factors.iter().any(|own| Some(&text[own.clone()]) == below) {
+                continue;
+            }
             // after a function a product needs its sign, and so does a number after a number
             let needs_sign = factor.starts_with(r"\cos")
                 || factor.starts_with(r"\sin")

@@ -1,5 +1,6 @@
 //! Hypotheses that a print may have left out: a letter that is zero, a quantity that is constant.
 
+use super::letter_rates::{LetterRate, rates};
 use super::places::Places;
 use super::probe::says_nothing;
 use crate::claim_text::ClaimText;
@@ -7,15 +8,17 @@ use crate::integrals::known;
 use crate::letters::Letters;
 use crate::lines::lines;
 use latex::read;
+use std::cmp::Reverse;
 use std::collections::BTreeSet;
 use symbolic::Sym;
 
-/// Letters of the formula and their rates, each as zero; what is differentiated first.
+/// Letters and rates that are one symbol of the model, each as zero: inputs first, then what is differentiated most; those of the formula before
+/// the others.
 pub(super) fn candidates(places: &Places, letters: &Letters<'_, '_>) -> Vec<String> {
     let names: BTreeSet<&str> = places.atoms.iter().map(|atom| atom.name.as_str()).collect();
-    let mut rates = letters.rates();
-    rates.sort_by_key(|rate| std::cmp::Reverse(rate.order));
-    rates.iter().filter(|rate| names.contains(rate.name.as_str())).map(|rate| format!("{} = 0", rate.latex)).collect()
+    let mut all: Vec<LetterRate> = rates(letters).into_iter().filter(|rate| rate.is_symbol).collect();
+    all.sort_by_key(|rate| (!names.contains(rate.name.as_str()), !rate.is_input, Reverse(rate.order)));
+    all.iter().map(|rate| format!("{} = 0", rate.latex)).collect()
 }
 
 /// Whether a formula still states something where a letter is zero.

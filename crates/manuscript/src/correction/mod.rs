@@ -10,6 +10,8 @@ mod edit;
 mod exchanges;
 mod factors;
 mod hypotheses;
+mod letter_rates;
+mod lost;
 mod places;
 mod probe;
 mod terms;
@@ -20,11 +22,14 @@ use crate::conditions::Hypothesis;
 use crate::finding::Finding;
 use crate::integrals::known;
 use crate::letters::Letters;
+use crate::numbers::{Right, right};
 use claims::Verdict;
-use edit::Edit;
+use edit::{Edit, is_whole};
 use latex::{Statement, read};
+use lost::lost;
 use places::Places;
-use probe::Probe;
+use probe::{Look, Probe, own_difference};
+use std::collections::HashSet;
 use std::ops::Range;
 use symbolic::{Hypotheses, Sym, decide};
 
@@ -39,6 +44,9 @@ const MOST_UNTESTED: usize = 160;
 
 /// Pairs of edits that are looked at.
 const MOST_PAIRS: usize = 4_000;
+
+/// Terms that a print may have lost together.
+const MOST_LOST: usize = 3;
 
 /// What a claim is judged with.
 pub(crate) struct Judge<'a> {
@@ -58,13 +66,20 @@ pub(crate) fn corrections(
 ) -> Vec<Correction> {
     let text = claim.formula.text.as_str();
     let places = Places::of(statement, text);
+    if claim.kind == Kind::Number {
+        let search = Search { claim, letters, probe: None, judge };
+        let digits = digits(claim, statement, letters, assumed);
+        let edits = exchanges::signs(&places, text).into_iter().chain(digits);
+        return search.proved(edits.map(|edit| vec![edit])).into_iter().take(1).collect();
+    }
     let probe = Probe::of(claim, statement, letters, assumed);
     let search = Search { claim, letters, probe: probe.as_ref(), judge };
-    let exchanges = exchanges::exchanges(&places, text, letters);
-    let is_tested = probe.is_some();
+    let exchanges =
+        [exchanges::directions(text), terms::repeated(&places, text), exchanges::exchanges(&places, text, letters)]
+            .concat();
     let sizes: [&dyn Fn() -> Vec<Edit>; 3] =
         [&|| exchanges.clone(), &|| factors::factors(&places, text, letters), &|| {
-            let lost = probe.as_ref().map(|probe| terms::lost(claim.kind, &places, text, letters, probe));
+            let lost = probe.as_ref().map(|probe| lost(claim.kind, &places, text, letters, probe, 1));
             [lost.unwrap_or_default(), terms::superfluous(&places, text)].concat()
         }];
     for edits in sizes {
@@ -74,17 +89,41 @@ pub(crate) fn corrections(
             return found;
         }
     }
-    let found = search.under(hypotheses::candidates(&places, letters));
-    if !found.is_empty() || !is_tested {
-        return found;
+    let signs: Vec<&Edit> = exchanges.iter().filter(|edit| edit.kind == EditKind::Sign).collect();
+    if probe.is_some() {
+        let found = search.proved(pairs(&signs));
+        if !found.is_empty() {
+            return found;
+        }
     }
+    let found = search.under(hypotheses::candidates(&places, letters));
+    let Some(probe) = probe.as_ref().filter(|_| found.is_empty()) else { return found };
     let short: Vec<&Edit> =
         exchanges.iter().filter(|edit| !matches!(edit.kind, EditKind::Number | EditKind::Letter)).collect();
-    let pairs = short.iter().enumerate().flat_map(|(place, first)| {
+    let found = search.proved(pairs(&short));
+    if !found.is_empty() {
+        return found;
+    }
+    let several = lost(claim.kind, &places, text, letters, probe, places.summands.len().min(MOST_LOST));
+    search.proved(several.into_iter().map(|edit| vec![edit]))
+}
+
+/// Two edits together that stand apart.
+fn pairs<'a>(edits: &'a [&Edit]) -> impl Iterator<Item = Vec<Edit>> + 'a {
+    let each = edits.iter().enumerate().flat_map(|(place, first)| {
         let apart = |second: &&&Edit| first.span.end <= second.span.start || second.span.end <= first.span.start;
-        short[place + 1..].iter().filter(apart).map(|second| vec![(*first).clone(), (*second).clone()])
+        edits[place + 1..].iter().filter(apart).map(|second| vec![(*first).clone(), (*second).clone()])
     });
-    search.proved(pairs.take(MOST_PAIRS))
+    each.take(MOST_PAIRS)
+}
+
+/// An edited claim.
+struct Candidate {
+    claim: ClaimText,
+    edits: Vec<Edit>,
+    parts: Vec<Range<usize>>,
+    /// The difference of its sides in the paper's letters.
+    own: Option<Sym>,
 }
 
 struct Search<'a, 't, 'm> {
@@ -95,45 +134,58 @@ struct Search<'a, 't, 'm> {
 }
 
 impl Search<'_, '_, '_> {
-    /// The first corrections that are proved, no two of which are one formula.
+    /// The first corrections that are proved, no two of which are one formula. Those that hold at points are decided first.
     fn proved(&self, candidates: impl Iterator<Item = Vec<Edit>>) -> Vec<Correction> {
-        let mut found: Vec<Correction> = Vec::new();
-        let mut differences: Vec<Sym> = Vec::new();
-        let mut decided = 0;
+        let (mut found, mut open): (Vec<(Correction, Option<Sym>)>, Vec<Candidate>) = (Vec::new(), Vec::new());
+        let mut tried: HashSet<String> = HashSet::new();
         let most = if self.probe.is_some() { MOST_DECIDED } else { MOST_UNTESTED };
-        let mut tried: Vec<String> = Vec::new();
+        let mut decided = 0;
         for edits in candidates {
             if found.len() >= MOST_TOLD || decided >= most || !(self.judge.goes_on)() {
                 break;
             }
             let (text, parts) = edited(&self.claim.formula.text, &edits);
-            if tried.contains(&text) {
+            if !is_whole(&text) || !tried.insert(text.clone()) {
                 continue;
             }
-            tried.push(text.clone());
             let mut claim = self.claim.clone();
-            claim.formula = claim.formula.with_text(text.clone());
+            claim.formula = claim.formula.with_text(text);
             claim.expected = None;
-            let Some(statement) = read(&text, &known(claim.kind, self.letters)).ok() else { continue };
-            if self.probe.is_some_and(|probe| !probe.may_hold(&claim, &statement, self.letters)) {
-                continue;
-            }
-            let difference = probe::own_difference(&statement, self.letters);
-            let is_known = |known: &Sym| {
-                difference.is_some_and(|own| {
-                    [own - *known, own + *known].into_iter().any(|zero| decide(zero, &Hypotheses::none()).is_zero())
-                })
-            };
-            if differences.iter().any(is_known) {
-                continue;
-            }
-            decided += 1;
-            if let Some(finding) = (self.judge.decide)(&claim).filter(|finding| is_sound(finding, &claim)) {
-                differences.extend(difference);
-                found.push(self.correction(&edits, text, parts, finding));
+            let Ok(statement) = read(&claim.formula.text, &known(claim.kind, self.letters)) else { continue };
+            let candidate = Candidate { own: own_difference(&statement, self.letters), claim, edits, parts };
+            match self.probe.map(|probe| probe.look(&candidate.claim, &statement, self.letters)) {
+                Some(Look::Fails) => {}
+                Some(Look::Open) => open.push(candidate),
+                // an identity of the letters says nothing
+                None if candidate.own.is_some_and(|own| decide(own, &Hypotheses::none()).is_zero()) => {}
+                None | Some(Look::Holds) => {
+                    decided += 1;
+                    self.decide(candidate, &mut found);
+                }
             }
         }
-        found
+        if found.is_empty() {
+            for candidate in open.into_iter().take(MOST_DECIDED) {
+                if found.len() < MOST_TOLD && (self.judge.goes_on)() {
+                    self.decide(candidate, &mut found);
+                }
+            }
+        }
+        found.into_iter().map(|(correction, _)| correction).collect()
+    }
+
+    /// Keeps a candidate that is proved and differs from those before it by more than its sign.
+    fn decide(&self, candidate: Candidate, found: &mut Vec<(Correction, Option<Sym>)>) {
+        let Candidate { claim, edits, parts, own } = candidate;
+        let is_one =
+            |a: Sym, b: Sym| [a - b, a + b].into_iter().any(|zero| decide(zero, &Hypotheses::none()).is_zero());
+        let is_known = |known: &Option<Sym>| known.zip(own).is_some_and(|(known, own)| is_one(known, own));
+        if found.iter().any(|(_, known)| is_known(known)) {
+            return;
+        }
+        if let Some(finding) = (self.judge.decide)(&claim).filter(|finding| is_sound(finding, &claim)) {
+            found.push((self.correction(&edits, claim.formula.text, parts, finding), own));
+        }
     }
 
     /// Hypotheses under which the claim as printed is proved.
@@ -176,6 +228,13 @@ impl Search<'_, '_, '_> {
         };
         Correction { changes: edits.iter().map(change).collect(), formula, parts, judged: finding.judged }
     }
+}
+
+/// The right digits of a printed number, as many as are printed.
+fn digits(claim: &ClaimText, statement: &Statement, letters: &Letters<'_, '_>, assumed: &[Hypothesis]) -> Option<Edit> {
+    let Right { span, digits } = right(claim, statement, letters, assumed)?;
+    let words = format!("the number `{digits}` for `{}`", &claim.formula.text[span.clone()]);
+    Some(Edit { kind: EditKind::Digits, span, after: digits, words })
 }
 
 /// Proved without an objection; of printed numbers by enclosures.

@@ -78,7 +78,7 @@ impl Finder<'_> {
         let count = parts.len();
         let signs: Vec<Option<(usize, char)>> = parts.iter().map(|(sign, _)| *sign).collect();
         for (place, (sign, part)) in parts.into_iter().enumerate() {
-            let from = sign.map_or(term.span.start, |(at, _)| at + 1);
+            let from = sign.map_or_else(|| self.with_left(term.span.start), |(at, _)| at + 1);
             let to = signs.get(place + 1).copied().flatten().map_or(term.span.end, |(at, _)| at);
             let span = self.trimmed(from..to);
             let leaves = factors(part);
@@ -88,6 +88,12 @@ impl Finder<'_> {
                 self.leaf(leaf);
             }
         }
+    }
+
+    /// A place, or that of the `\left` before the bracket that stands there.
+    fn with_left(&self, at: usize) -> usize {
+        let before = self.text[..at].trim_end();
+        before.strip_suffix(r"\left").map_or(at, str::len)
     }
 
     /// The terms of a sum with their signs, in their order.

@@ -72,27 +72,39 @@ impl<'t, 'm> Probe<'t, 'm> {
         }
     }
 
-    /// Whether an edited claim says something, and holds at the points: it may then be true.
-    pub fn may_hold(&self, claim: &ClaimText, statement: &Statement, letters: &Letters<'_, '_>) -> bool {
-        let Some(lines) = self.lines(claim, statement, letters) else { return false };
-        let fails = |line: &Line| {
-            let zero = line.model[0] - line.model[1];
-            self.at.as_ref().and_then(|at| at.value(zero)).is_some_and(|value| value != Sym::ZERO)
-        };
-        if lines.iter().any(fails) || lines.iter().filter(|line| says_nothing(line)).count() > self.empty {
-            return false;
+    /// What points tell of an edited claim.
+    pub fn look(&self, claim: &ClaimText, statement: &Statement, letters: &Letters<'_, '_>) -> Look {
+        let Some(lines) = self.lines(claim, statement, letters) else { return Look::Fails };
+        let zeros: Vec<Sym> = lines.iter().map(|line| line.model[0] - line.model[1]).collect();
+        let at = |zero: &Sym| self.at.as_ref().and_then(|at| at.value(*zero));
+        let values: Vec<Option<Sym>> = zeros.iter().map(at).collect();
+        let fails = values.iter().flatten().any(|value| *value != Sym::ZERO);
+        if fails || lines.iter().filter(|line| says_nothing(line)).count() > self.empty {
+            return Look::Fails;
         }
         // a constant of the letters alone is no integral, and no equation of motion holds without the equations
-        let is_empty = |line: &Line| decide(line.model[0] - line.model[1], &Hypotheses::none()).is_zero();
-        if matches!(self.kind, Kind::IntegralOfMotion | Kind::EquationOfMotion) && lines.iter().any(is_empty) {
-            return false;
+        let is_empty = |zero: &Sym| decide(*zero, &Hypotheses::none()).is_zero();
+        if matches!(self.kind, Kind::IntegralOfMotion | Kind::EquationOfMotion) && zeros.iter().any(is_empty) {
+            return Look::Fails;
         }
-        if !self.motion.hypotheses.statements().is_empty() {
-            return true;
+        let reduced: Vec<Sym> = zeros.iter().map(|zero| self.motion.reduced(*zero)).collect();
+        match identified(&reduced) {
+            // rules of hypotheses hold in no prime field
+            Identity::NotZero if self.motion.hypotheses.statements().is_empty() => Look::Fails,
+            Identity::Identified { .. } => Look::Holds,
+            _ if values.iter().all(Option::is_some) => Look::Holds,
+            _ => Look::Open,
         }
-        let reduced: Vec<Sym> = lines.iter().map(|line| self.motion.reduced(line.model[0] - line.model[1])).collect();
-        identified(&reduced) != Identity::NotZero
     }
+}
+
+/// What points tell of a claim.
+pub(super) enum Look {
+    /// It says nothing, or it is false.
+    Fails,
+    Holds,
+    /// The points give it no value.
+    Open,
 }
 
 /// Both sides are one expression of the letters.
