@@ -67,12 +67,45 @@ pub struct Change {
 }
 
 impl Correction {
-    /// In words: `the sign of the second term: m g -> - m g`.
+    /// In words: ``the sign of the second term: `m g` -> `-m g` ``.
     pub fn says(&self) -> String {
         let each = self.changes.iter().map(|Change { words, before, after, .. }| {
             let told = |part: &str| if part.is_empty() { "nothing".to_owned() } else { format!("`{part}`") };
             format!("{words}: {} -> {}", told(before), told(after))
         });
         each.collect::<Vec<_>>().join("; ")
+    }
+
+    /// The same with its formulas between dollar signs.
+    pub(crate) fn typeset(&self) -> String {
+        let says = self.says().replace(" -> ", " $\\to$ ");
+        let mut parts = says.split('`');
+        let mut text = parts.next().unwrap_or_default().to_owned();
+        for (place, part) in parts.enumerate() {
+            match (place % 2, part.starts_with('^')) {
+                (0, true) => text += &format!("${{}}{part}$"),
+                (0, false) => text += &format!("${part}$"),
+                _ => text += part,
+            }
+        }
+        text
+    }
+
+    /// The corrected formula, in which what was changed is underlined.
+    pub(crate) fn marked(&self) -> String {
+        let mut text = self.formula.clone();
+        let mut parts = self.parts.clone();
+        parts.sort_by_key(|part| std::cmp::Reverse(part.start));
+        for part in parts {
+            let changed = &self.formula[part.clone()];
+            let held = changed.trim();
+            let marked = match held.strip_prefix('^') {
+                _ if held.is_empty() => continue,
+                Some(exponent) => format!(r"^{{\underline{{{exponent}}}}}"),
+                None => format!(r" {{\underline{{{held}}}}} "),
+            };
+            text.replace_range(part, &marked);
+        }
+        text
     }
 }

@@ -111,7 +111,8 @@ fn correct(
             1 => String::new(),
             count => format!("{count} edits of one size make the claim true; this is the first one"),
         };
-        Box::new(Judged { says: first.says(), note: several, reading: String::new(), ..first.judged.clone() })
+        let (says, latex) = (first.typeset(), vec![first.marked()]);
+        Box::new(Judged { says, latex, note: several, reading: String::new(), ..first.judged.clone() })
     });
 }
 

@@ -80,7 +80,7 @@ pub(crate) fn corrections(
     let sizes: [&dyn Fn() -> Vec<Edit>; 3] =
         [&|| exchanges.clone(), &|| factors::factors(&places, text, letters), &|| {
             let lost = probe.as_ref().map(|probe| lost(claim.kind, &places, text, letters, probe, 1));
-            [lost.unwrap_or_default(), terms::superfluous(&places, text)].concat()
+            [terms::superfluous(&places, text), lost.unwrap_or_default()].concat()
         }];
     for edits in sizes {
         let edits: Vec<Vec<Edit>> = edits().into_iter().map(|edit| vec![edit]).collect();

@@ -26,6 +26,7 @@ fn away(places: &Places, text: &str, chosen: impl Fn(usize, &Summand) -> bool) -
             continue;
         }
         let start = summand.sign.map_or(summand.span.start, |(at, _)| at);
+        let start = if summand.number > 1 { text[..start].trim_end().len() } else { start };
         let mut span = start..summand.span.end;
         // the sign behind the first term goes with it, where it is a plus
         let next =

@@ -1,6 +1,7 @@
 //! Papers of a few lines, and what is found of them.
 
 mod constrained;
+mod corrections;
 mod messages;
 mod pendulum;
 

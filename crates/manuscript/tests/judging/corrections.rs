@@ -1,0 +1,94 @@
+//! The smallest edit that makes a refuted claim true.
+
+use crate::{on, verdict};
+use dalembert_manuscript::{EditKind, Finding};
+
+const CART: &str = r#"
+title = "A cart on a spring"
+[parameters]
+m = "kg"
+k = "N/m"
+c = "N s/m"
+g = "m/s^2"
+[coordinates]
+x = "m"
+y = "m"
+[inputs]
+F = "N"
+[points]
+P = "O + x*N.x + y*N.y"
+[bodies.cart]
+centre = "P"
+mass = "m"
+[[force]]
+along = "x"
+is = "F - k*x - c*x'"
+[[force]]
+along = "y"
+is = "-m*g"
+[letters]
+'m' = "m"
+'k' = "k"
+'c' = "c"
+'g' = "g"
+'x' = "x"
+'y' = "y"
+'F' = "F"
+'T' = "kinetic_energy"
+'V' = "m*g*y"
+"#;
+
+fn edits(found: &Finding) -> Vec<(EditKind, &str)> {
+    found.corrections.iter().map(|one| (one.changes[0].kind, one.formula.as_str())).collect()
+}
+
+#[test]
+fn one_edit_of_each_kind_is_found() {
+    for (printed, kind, corrected) in [
+        (r"m \ddot{x} - c \dot{x} + k x = F", EditKind::Sign, r"m \ddot{x} + c \dot{x} + k x = F"),
+        (r"m \ddot{x} + c x + k x = F", EditKind::Dot, r"m \ddot{x} + c \dot{x} + k x = F"),
+        (r"m \ddot{x} + c \dot{x} + k y = F", EditKind::Letter, r"m \ddot{x} + c \dot{x} + k x = F"),
+        (r"m \ddot{x} + c \dot{x} + k x^2 = F", EditKind::Exponent, r"m \ddot{x} + c \dot{x} + k x = F"),
+        (r"m \ddot{x} + 3 c \dot{x} + k x = F", EditKind::Number, r"m \ddot{x} + 1 c \dot{x} + k x = F"),
+        (r"m \ddot{x} + c \dot{x} + x = F", EditKind::MissingFactor, r"m \ddot{x} + c \dot{x} + k x = F"),
+        (r"m \ddot{x} + c \dot{x} + k c x = F", EditKind::ExtraFactor, r"m \ddot{x} + c \dot{x} + k x = F"),
+        (r"m \ddot{x} + c \dot{x} + k x = F + m g", EditKind::ExtraTerm, r"m \ddot{x} + c \dot{x} + k x = F"),
+    ] {
+        let found = on(CART, "equation of motion", printed, "");
+        assert_eq!(edits(&found).first(), Some(&(kind, corrected)), "{}", found.text());
+        assert_eq!(found.corrections[0].judged.verdict.name(), "proved");
+        let part = &found.corrections[0].parts[0];
+        let after = &found.corrections[0].changes[0].after;
+        assert_eq!(found.corrections[0].formula[part.clone()].trim(), after, "{}", found.text());
+    }
+    let lost = on(CART, "equation of motion", r"m \ddot{x} + k x = F", "");
+    assert_eq!(edits(&lost)[0].0, EditKind::LostTerm, "{}", lost.text());
+}
+
+#[test]
+fn a_hypothesis_that_is_missing_is_found() {
+    let found = on(CART, "integral of motion", r"m \dot{y} = \mathrm{const}", "");
+    let hypotheses: Vec<&str> = found.corrections.iter().map(|one| one.changes[0].after.as_str()).collect();
+    assert!(hypotheses.contains(&"g = 0"), "{}", found.text());
+}
+
+#[test]
+fn no_correction_says_nothing() {
+    // with x for y both sides were one expression
+    let found = on(CART, "formula", r"\dot{y} = \dot{x}", "");
+    assert_eq!(verdict(&found), "refuted");
+    for correction in &found.corrections {
+        let (left, right) = correction.formula.split_once('=').expect("it is an equality");
+        assert_ne!(left.trim(), right.trim(), "{}", found.text());
+    }
+    let proved = on(CART, "equation of motion", r"\ddot{y} = -g", "");
+    assert!(proved.corrections.is_empty());
+}
+
+#[test]
+fn brackets_keep_their_sizes() {
+    let found = on(CART, "equation of motion", r"\left(\ddot{y} - g\right) m = 0", "");
+    assert_eq!(edits(&found), [(EditKind::Sign, r"\left(\ddot{y} + g\right) m = 0")], "{}", found.text());
+    let found = on(CART, "formula", r"\left(\ddot{y}\right) m = \left( m g \right)", "");
+    assert!(found.corrections.iter().all(|one| !one.formula.contains(r"\left-")), "{}", found.text());
+}
