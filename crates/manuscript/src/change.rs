@@ -42,6 +42,29 @@ impl EditKind {
     }
 }
 
+/// The search for corrections of a claim.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Search {
+    /// The claim is not refuted, or no correction was asked for.
+    #[default]
+    None,
+    /// It came to its end.
+    Whole,
+    /// The time was over before.
+    Cut,
+}
+
+impl Search {
+    /// For a reader, where nothing was found.
+    pub fn told(self) -> Option<&'static str> {
+        match self {
+            Self::None => None,
+            Self::Whole => Some("none of the edits that were tried makes the claim true"),
+            Self::Cut => Some("the time was over before an edit was found that makes the claim true"),
+        }
+    }
+}
+
 /// An edit of the printed formula, or a hypothesis beside it, that makes a refuted claim true: it is proved by the judge of the claim.
 #[derive(Clone, Debug)]
 pub struct Correction {

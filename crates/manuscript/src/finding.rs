@@ -1,6 +1,6 @@
 //! What was found of a claim.
 
-use crate::change::Correction;
+use crate::change::{Correction, Search};
 use crate::claim_text::Kind;
 use claims::{Judged, Verdict};
 use std::fmt::Write;
@@ -23,6 +23,7 @@ pub struct Finding {
     pub sides: Option<Sides>,
     /// Of a refuted claim: the smallest edits that are proved, all of one size.
     pub corrections: Vec<Correction>,
+    pub search: Search,
 }
 
 /// Exact values at a counterexample.
@@ -78,6 +79,9 @@ impl Finding {
         }
         if self.corrections.len() > 1 {
             line("several", &format!("{} edits of one size make it true", self.corrections.len()));
+        }
+        if let Some(told) = self.search.told().filter(|_| self.corrections.is_empty()) {
+            line("edit", told);
         }
         for correction in &self.corrections {
             line("edit", &correction.says());

@@ -1,5 +1,6 @@
 //! Every claim of a paper, decided.
 
+use crate::change::Search;
 use crate::claim_text::{ClaimText, Kind};
 use crate::combination::told_combination;
 use crate::conditions::{Hypothesis, assume, conditions, hypotheses, placed};
@@ -82,7 +83,7 @@ fn judged(
             return Err(paper.error(issues));
         }
         for (place, (claim, statement)) in paper.claims.iter().zip(statements.iter().flatten()).enumerate() {
-            if findings[place].judged.verdict == Verdict::Refuted && goes_on() {
+            if findings[place].judged.verdict == Verdict::Refuted {
                 correct(paper, claim, statement, &letters, &goes_on, &mut findings[place]);
                 told(&findings);
             }
@@ -100,12 +101,17 @@ fn correct(
     goes_on: &dyn Fn() -> bool,
     finding: &mut Finding,
 ) {
+    if !goes_on() {
+        finding.search = Search::Cut;
+        return;
+    }
     let Ok(assumed) = hypotheses(&claim.given, letters) else { return };
     let decide = |claim: &ClaimText| {
         let statement = read(&claim.formula.text, &known(claim.kind, letters)).ok()?;
         judge(paper, claim, &statement, letters).ok()
     };
     finding.corrections = corrections(claim, statement, letters, &assumed, &Judge { decide: &decide, goes_on });
+    finding.search = if goes_on() { Search::Whole } else { Search::Cut };
     finding.judged.correction = finding.corrections.first().map(|first| {
         let several = match finding.corrections.len() {
             1 => String::new(),
@@ -149,6 +155,7 @@ fn judge(
         allowed: String::new(),
         sides: None,
         corrections: Vec::new(),
+        search: Search::None,
     };
     match claim.kind {
         Kind::EquationOfMotion | Kind::Formula | Kind::Identity => {

@@ -4,7 +4,8 @@
 //! * [`PaperText`]: a file with `[letters]` and `[[claim]]`, beside the tables of its system or the name of their file;
 //! * [`Letters`](letters): what each letter stands for, over the symbols of the model;
 //! * [`motion`]: what holds along every motion: accelerations, multipliers, constraints, hypotheses;
-//! * [`PaperText::judge`]: a [`Finding`] for each claim. Nobody types the derived side: it comes from the model.
+//! * [`PaperText::judge`]: a [`Finding`] for each claim. Nobody types the derived side: it comes from the model;
+//! * [`Correction`]: the smallest edit of a refuted formula that is proved.
 //!
 //! | kind of claim | stated |
 //! |---|---|
@@ -42,7 +43,7 @@ mod signs;
 mod stability;
 mod verdict;
 
-pub use change::{Change, Correction, EditKind};
+pub use change::{Change, Correction, EditKind, Search};
 pub use claim_text::{ClaimText, Kind};
 pub use finding::{Finding, Sides};
 pub use paper_text::PaperText;

@@ -121,7 +121,7 @@ fn tested(findings: &[Finding]) -> String {
 }
 
 fn object(finding: &Finding) -> serde_json::Value {
-    let Finding { judged, printed, given, expected, allowed, sides, kind, corrections } = finding;
+    let Finding { judged, printed, given, expected, allowed, sides, kind, corrections, search } = finding;
     let told = |pairs: &[(String, String)]| pairs.iter().map(|(text, _)| text.clone()).collect::<Vec<_>>();
     json!({
         "id": judged.id,
@@ -144,7 +144,8 @@ fn object(finding: &Finding) -> serde_json::Value {
         "right": sides.as_ref().map(|sides| &sides.right),
         "missing": judged.difference.as_ref().map(|(text, _)| text),
         "missing_latex": judged.difference.as_ref().map(|(_, latex)| latex),
-        // the smallest edits that make the claim true, all of one size
+        // why there is no correction, and the smallest edits that make the claim true, all of one size
+        "search": search.told().filter(|_| corrections.is_empty()),
         "corrections": corrections.iter().map(corrected).collect::<serde_json::Value>(),
         "objections": judged.objections,
         "note": judged.note,
