@@ -60,7 +60,9 @@ pub const HELP: &str = r#"A paper's file:
   expect = "proved"              # for --test; may be left out
 
 Rates of declared letters are known: \dot{\theta}, \ddot{\theta}. A formula with two readings is refused at its place, with the
-spellings that have one."#;
+spellings that have one.
+
+Where a claim is refuted, the smallest edits of its formula that make it true are told, each one proved."#;
 
 /// Judges every claim and prints what was found.
 pub fn judge(asked: &Asked) -> Result<Exit, Exit> {
