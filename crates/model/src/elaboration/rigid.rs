@@ -126,7 +126,7 @@ fn loads_alone(model: &Model) -> impl Iterator<Item = Model> + '_ {
     };
     let forces = model.forces.iter().map(move |force| Model { forces: vec![force.clone()], ..bare() });
     let torques = model.torques.iter().map(move |torque| Model { torques: vec![torque.clone()], ..bare() });
-    let generalised = model.generalised.iter().map(move |force| Model { generalised: vec![force.clone()], ..bare() });
+    let generalised = model.generalised.iter().map(move |force| Model { generalised: vec![*force], ..bare() });
     forces.chain(torques).chain(generalised)
 }
 
