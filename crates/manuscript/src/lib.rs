@@ -2,8 +2,8 @@
 //!
 //! # Overview
 //! * [`PaperText`]: a file with `[letters]` and `[[claim]]`, beside the tables of its system or the name of their file;
-//! * [`Letters`](letters): what each letter stands for, over the symbols of the model;
-//! * [`motion`]: what holds along every motion: accelerations, multipliers, constraints, hypotheses;
+//! * `letters`: what each letter stands for, over the symbols of the model;
+//! * `motion`: what holds along every motion: accelerations, multipliers, constraints, hypotheses;
 //! * [`PaperText::judge`]: a [`Finding`] for each claim. Nobody types the derived side: it comes from the model;
 //! * [`Correction`]: the smallest edit of a refuted formula that is proved.
 //!
