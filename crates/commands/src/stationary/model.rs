@@ -115,12 +115,15 @@ fn family_lines(all: &Found, place: usize, family: &Family, members: &[Member]) 
         2 => "a surface".to_owned(),
         dimension => format!("of {dimension} dimensions"),
     };
-    let ranges = found.unknowns.iter().zip(&family.hull).map(|(unknown, at)| {
+    let ranges = found.unknowns.iter().zip(&family.hull).enumerate().map(|(place, (unknown, at))| {
         let [low, high] = ends(*at);
+        // the others are enclosed, which is wider than where they are
+        let runs = family.pieces.iter().all(|(parameters, _)| parameters.contains(&place));
+        let word = if runs { "from" } else { "within" };
         let middle = 0.5 * (at[0] + at[1]);
         match at[1] - at[0] <= NARROW * (1.0 + middle.abs()) {
             true => format!("{} = {}{}", unknown.name, number(middle), all.unit(&unknown.name)),
-            false => format!("{} from {low} to {high}{}", unknown.name, all.unit(&unknown.name)),
+            false => format!("{} {word} {low} to {high}{}", unknown.name, all.unit(&unknown.name)),
         }
     });
     let mut out = format!("  {place}  a family, {shape}: {}\n", ranges.collect::<Vec<_>>().join(", "));

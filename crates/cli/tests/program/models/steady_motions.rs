@@ -32,7 +32,7 @@ fn a_family_is_told_with_its_symmetry() {
     refused(&["stationary", &path], "`x`, `y` are no angle of a circle alone: ranges in SI units are needed");
     let told = printed(&["stationary", &path, "--range", "x=-2..2", "--range", "y=-2..2"]);
     assert!(told.contains("one steady motion, alone in a box, and one family, and no other"), "{told}");
-    assert!(told.contains("a family, a curve: x from -1"), "{told}");
+    assert!(told.contains("a family, a curve: x within -1"), "{told}");
     assert!(told.contains("the cause is an identity: the forces do no work along the displacement (x:"), "{told}");
     let few = run(&["stationary", &path, "--range", "x=-2..2", "--range", "y=-2..2", "--boxes", "10"]);
     assert_eq!(few.status.code(), Some(1));
