@@ -76,9 +76,14 @@ pub(crate) fn integral(
             return Ok(());
         }
     };
+    let free = Motion::by_equations(trace);
     assume(&mut motion, assumed)?;
     finding.allowed = allowed(trace, true);
     let told = Told(letters);
+    if let Ok(free) = free {
+        let lasting = persistence(assumed, &free, &motion)?;
+        finding.judged.requires.extend(divisors(&lasting, told));
+    }
     match vanishes(&motion, changing, &conditions(&motion, assumed)) {
         Outcome::Zero(found) => {
             finding.judged.verdict = Verdict::Proved;
@@ -99,4 +104,31 @@ pub(crate) fn integral(
         other => neither(other, letters, finding),
     }
     Ok(())
+}
+
+/// What was divided by to show that hypotheses on the state persist: the rate of each vanishes where all of them hold.
+///
+/// # Errors
+/// One of them holds at an instant alone.
+fn persistence(assumed: &[Hypothesis], free: &Motion<'_, '_>, motion: &Motion<'_, '_>) -> Result<Vec<Sym>, Issue> {
+    let trace = motion.trace;
+    let mut divided = Vec::new();
+    for hypothesis in assumed {
+        let Some((zero, alone)) = hypothesis.equality else { continue };
+        // an input that a hypothesis gives has this value all the time
+        let is_input = |symbol: Sym| trace.model.inputs.iter().any(|input| Sym::symbol(&input.name) == symbol);
+        if alone.is_some_and(is_input) {
+            continue;
+        }
+        let outcome = rate(trace, free.reduced(zero)).map(|changing| vanishes(motion, changing, &[]));
+        let Ok(Outcome::Zero(found)) = outcome else {
+            let title = "a hypothesis on coordinates or speeds holds at an instant alone";
+            let issue = Issue::at(hypothesis.at.clone(), title, "its rate does not vanish along every such motion");
+            return Err(issue.accepted(
+                r"hypotheses that persist: of parameters and inputs, or a state of rest with all its conditions, such as '\theta = 0' with '\dot{\theta} = 0'",
+            ));
+        };
+        divided.extend(found);
+    }
+    Ok(divided)
 }

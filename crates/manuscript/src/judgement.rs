@@ -17,14 +17,14 @@ use crate::motion::Motion;
 use crate::numbers::number;
 use crate::paper_text::PaperText;
 use crate::refutation::Refutation;
-use crate::signs::completed;
+use crate::signs::{completed, contradiction, without_real_value};
 use crate::stability::stability;
 use crate::verdict::{allowed, mixed, neither, refute};
 use ::model::Trace;
 use claims::{Condition, Judged, Verdict};
 use latex::{Statement, read};
 use reader::{Issue, SceneError};
-use symbolic::Sym;
+use symbolic::{Sym, decide};
 
 impl PaperText {
     /// Decides every claim, in the order of the file, and looks for the correction of each one that is refuted.
@@ -129,6 +129,7 @@ fn judge(
     letters: &Letters<'_, '_>,
 ) -> Result<Finding, Issue> {
     let assumed = hypotheses(&claim.given, letters)?;
+    let there = where_they_hold(&assumed, letters)?;
     let mut judged = Judged {
         id: format!("{}/{}", paper.key, claim.key()),
         section: claim.section.clone(),
@@ -168,17 +169,40 @@ fn judge(
         Kind::Stability => stability(claim, statement, letters, &assumed, &mut finding)?,
         Kind::Number => number(claim, statement, letters, &assumed, &mut finding)?,
     }
-    if finding.judged.verdict == Verdict::Proved && !is_met(&assumed) {
-        finding.judged.objections.push("no exact point was found that satisfies the hypotheses".to_owned());
+    if finding.judged.verdict == Verdict::Proved && !is_met(&there) {
+        let why = "it follows from the hypotheses, but no exact point was found that satisfies them";
+        neither(Outcome::Undecided(why.to_owned()), letters, &mut finding);
     }
     finding.judged.expected = claim.expected.unwrap_or(finding.judged.verdict);
     Ok(finding)
 }
 
+/// Signs and what must not vanish, where the equalities hold.
+///
+/// # Errors
+/// One of them contradicts the others.
+fn where_they_hold(assumed: &[Hypothesis], letters: &Letters<'_, '_>) -> Result<Vec<Condition>, Issue> {
+    let mut motion = Motion::by_constraints(letters.trace);
+    // a kind of claim that cannot assume one says so itself
+    let is_assumed = assume(&mut motion, assumed).is_ok();
+    let stated: Vec<&Hypothesis> = assumed.iter().filter(|hypothesis| hypothesis.condition.is_some()).collect();
+    let there = match is_assumed {
+        true => conditions(&motion, assumed),
+        false => stated.iter().filter_map(|hypothesis| hypothesis.condition).collect(),
+    };
+    match contradiction(&there) {
+        Some(place) => {
+            let title = "these hypotheses contradict each other, so that nothing is claimed";
+            let issue = Issue::at(stated[place].at.clone(), title, "excluded by the others");
+            Err(issue.accepted("hypotheses that hold together"))
+        }
+        None => Ok(there),
+    }
+}
+
 /// Whether an exact point satisfies the signs and what must not vanish.
-fn is_met(assumed: &[Hypothesis]) -> bool {
-    let conditions: Vec<Condition> = assumed.iter().filter_map(|hypothesis| hypothesis.condition).collect();
-    completed(Refutation { point: Vec::new(), is_formal: false }, &conditions).is_some()
+fn is_met(conditions: &[Condition]) -> bool {
+    completed(Refutation { point: Vec::new(), is_formal: false }, conditions).is_some()
 }
 
 fn equalities(
@@ -227,6 +251,24 @@ fn equalities(
                 (vanishes(motion, difference, &conditions(motion, assumed)), motion)
             }
         };
+        // what vanishes along every motion divides nothing
+        let outcome = match (outcome, &along) {
+            (Outcome::Zero(divisors), Some(Ok(along))) => {
+                let is_zero = |divisor: &&Sym| decide(along.reduced(**divisor), &along.hypotheses).is_zero();
+                match divisors.iter().find(is_zero).copied() {
+                    Some(divisor) => Outcome::Undefined(divisor),
+                    None => Outcome::Zero(divisors),
+                }
+            }
+            (outcome, _) => outcome,
+        };
+        let unreal =
+            line.model.into_iter().find_map(|side| without_real_value(side, motion, &conditions(motion, assumed)));
+        if let Some(root) = unreal {
+            finding.judged.verdict = Verdict::Undefined;
+            finding.judged.evidence = format!("{} has no real value", letters.told(root));
+            break;
+        }
         match outcome {
             Outcome::Zero(divisors) => requires.extend(divisors.into_iter().chain(motion.divisors.iter().copied())),
             Outcome::NonZero(refutation) => {

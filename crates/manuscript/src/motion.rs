@@ -14,6 +14,10 @@ pub(crate) struct Motion<'t, 'm> {
     pub open: Vec<String>,
     /// What was divided by, in hypotheses.
     pub divisors: Vec<Sym>,
+    /// What vanishes on it, as constraints and hypotheses state it.
+    pub held: Vec<Sym>,
+    /// Constraints of positions.
+    positions: Vec<Sym>,
 }
 
 impl<'t, 'm> Motion<'t, 'm> {
@@ -22,6 +26,17 @@ impl<'t, 'm> Motion<'t, 'm> {
         let mut motion = Motion::without_anything(trace);
         motion.keep(&constraints_of(trace));
         motion.turn_freely();
+        motion
+    }
+
+    /// The same where rates vanish, which may leave dependent ones of them without a divisor.
+    pub fn at_rest(trace: &'t Trace<'m>, rates: &[(Sym, Sym)]) -> Self {
+        let mut motion = Motion::without_anything(trace);
+        motion.set(rates.to_vec());
+        motion.keep(&constraints_of(trace));
+        motion.turn_freely();
+        motion.held.extend(rates.iter().map(|&(rate, _)| rate));
+        motion.set(rates.to_vec());
         motion
     }
 
@@ -48,7 +63,15 @@ impl<'t, 'm> Motion<'t, 'm> {
     }
 
     fn without_anything(trace: &'t Trace<'m>) -> Self {
-        Motion { trace, hypotheses: Hypotheses::none(), rounds: Vec::new(), open: Vec::new(), divisors: Vec::new() }
+        Motion {
+            trace,
+            hypotheses: Hypotheses::none(),
+            rounds: Vec::new(),
+            open: Vec::new(),
+            divisors: Vec::new(),
+            held: Vec::new(),
+            positions: Vec::new(),
+        }
     }
 
     /// Quaternions of free frames have length one.
@@ -65,6 +88,7 @@ impl<'t, 'm> Motion<'t, 'm> {
         if constraints.is_empty() {
             return;
         }
+        self.held.extend(constraints.iter().flat_map(|one| [one.zero, one.rate]));
         let characteristics = Characteristics::of(self.trace, &constraints);
         match characteristics.motion(self.trace, &constraints) {
             Ok(known) => self.rounds.extend([known.accelerations, known.speeds]),
@@ -73,6 +97,7 @@ impl<'t, 'm> Motion<'t, 'm> {
             }
         }
         for (place, constraint) in constraints.iter().enumerate().filter(|(_, one)| one.level == Level::Position) {
+            self.positions.push(constraint.zero);
             if !self.solve_position(constraint.zero) {
                 self.open.push(format!("{}, which no coordinate and no parameter solves", constraint.title(place)));
             }
@@ -132,6 +157,7 @@ impl<'t, 'm> Motion<'t, 'm> {
     /// # Errors
     /// No symbol solves it, or nothing satisfies it.
     pub fn assume(&mut self, zero: Sym, first: Option<Sym>) -> Result<(), String> {
+        self.held.push(zero);
         let zero = self.reduced(zero);
         if decide(zero, &self.hypotheses).is_zero() {
             return Ok(());
@@ -145,12 +171,26 @@ impl<'t, 'm> Motion<'t, 'm> {
                     self.divisors.push(divisor);
                 }
                 self.rounds.push(vec![(symbol, value)]);
-                Ok(())
+                self.keep_positions()
             }
             None => {
                 Err("this hypothesis is linear in none of its letters, so that none is given by the others".to_owned())
             }
         }
+    }
+
+    /// Constraints of positions are solved once more where a hypothesis took the letter by which they were solved.
+    fn keep_positions(&mut self) -> Result<(), String> {
+        for zero in self.positions.clone() {
+            let left = self.reduced(zero);
+            if left.as_constant().is_some_and(|value| value.sign() != Some(0)) {
+                return Err("this hypothesis contradicts the constraints, or makes them divide by zero".to_owned());
+            }
+            if !decide(left, &self.hypotheses).is_zero() && !self.solve_position(zero) {
+                self.open.push("a constraint, which no letter solves beside the hypotheses".to_owned());
+            }
+        }
+        Ok(())
     }
 
     /// Lets symbols have these values from here on.

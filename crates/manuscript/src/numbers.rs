@@ -8,10 +8,10 @@ use crate::letters::Letters;
 use crate::motion::Motion;
 use crate::verdict::{allowed, neither};
 use claims::Verdict;
-use field::Interval;
+use field::{Interval, Rational};
 use latex::{Form, Relation, Statement, Term};
 use reader::Issue;
-use symbolic::{Sym, normal};
+use symbolic::{Hypotheses, Sym, normal};
 
 /// `\ddot{\theta} = -12.98`: the value agrees with every printed digit, where `given` determines it. Numbers are in SI units.
 pub(crate) fn number(
@@ -27,7 +27,7 @@ pub(crate) fn number(
     let ([left, right], [Relation::Equal]) = (&chain.sides[..], &chain.relations[..]) else {
         return Err(refused("a number is printed in one equality".to_owned()));
     };
-    let Some(half) = half_of_last_digit(right, &claim.formula.text) else {
+    let Some((exact_half, half)) = half_of_last_digit(right, &claim.formula.text) else {
         return Err(refused("the right side of this claim is no decimal number".to_owned()));
     };
     let ((quantity, own), (printed, printed_own)) =
@@ -48,13 +48,23 @@ pub(crate) fn number(
     if !open.is_empty() {
         return Err(refused(format!("the value depends on {}, which `given` does not have", open.join(", "))));
     }
+    let apart = exactly(value - printed);
+    let is_tie = apart.is_some_and(|missing| missing == exact_half || -missing == exact_half);
+    let is_zero = |side: Sym| exactly(side).is_some_and(|side| side.sign() == Some(0));
+    let has_digits = !is_zero(printed) || is_zero(value);
     let (Some(value), Some(printed)) = (enclosed(value), enclosed(printed)) else {
         neither(Outcome::Undecided("the value was not enclosed".to_owned()), letters, finding);
         return Ok(());
     };
     let beside = printed + Interval::new(-half, half);
     let range = format!("the value lies between {:e} and {:e}", value.low(), value.high());
-    let (verdict, evidence) = if value.is_inside(beside) {
+    let (verdict, evidence) = if is_tie {
+        let tie = "the value lies exactly half a unit of the last printed digit from the print";
+        (Verdict::Enclosed, format!("{tie}: a tie, which is rounded up or down by convention"))
+    } else if !has_digits && value.and(beside).is_some() {
+        let why = "a printed zero has no significant digit, so that it confirms nothing";
+        (Verdict::Undecided, format!("{why}: {range}"))
+    } else if value.is_inside(beside) {
         (Verdict::Enclosed, format!("by enclosures: {range}, which is the printed number to all its digits"))
     } else if value.and(beside).is_none() {
         finding.sides = Some(Sides { left: short(value), right: short(printed) });
@@ -115,14 +125,20 @@ fn short(value: Interval) -> String {
     digits.parse::<f64>().map_or(digits, |value| value.to_string())
 }
 
-/// Half a unit of the last digit that is printed.
-fn half_of_last_digit(term: &Term, formula: &str) -> Option<f64> {
+/// The value of an expression that is a rational number.
+fn exactly(expression: Sym) -> Option<Rational> {
+    normal(expression, &Hypotheses::none()).ok()?.to_sym().as_constant().filter(|value| value.is_defined())
+}
+
+/// Half a unit of the last digit that is printed: exactly, and rounded.
+fn half_of_last_digit(term: &Term, formula: &str) -> Option<(Rational, f64)> {
     match &term.form {
         Form::Negation(of) => half_of_last_digit(of, formula),
         Form::Number(_) => {
             let digits = formula.get(term.span.clone())?.trim();
-            let decimals = digits.split_once('.').map_or(0, |(_, part)| part.len());
-            Some(0.5 * 10f64.powi(-i32::try_from(decimals).ok()?))
+            let decimals = u32::try_from(digits.split_once('.').map_or(0, |(_, part)| part.len())).ok()?;
+            let below = 10i64.checked_pow(decimals)?.checked_mul(2)?;
+            Some((Rational::new(1, below), 0.5 * 10f64.powi(-i32::try_from(decimals).ok()?)))
         }
         _ => None,
     }

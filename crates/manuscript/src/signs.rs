@@ -4,7 +4,7 @@ use crate::motion::Motion;
 use crate::refutation::{Refutation, exact};
 use claims::{Condition, Page, Verdict};
 use field::Rational;
-use symbolic::{Node, Sym};
+use symbolic::{Hypotheses, Node, Sym, normal};
 
 /// The sign that an expression is shown to have.
 pub(crate) struct Shown {
@@ -80,6 +80,11 @@ fn sign(expression: Sym, conditions: &[Condition]) -> Option<Sign> {
     if conditions.contains(&Condition::Positive(expression)) {
         return Some(Sign::Positive);
     }
+    if conditions.contains(&Condition::Positive(-expression))
+        || conditions.contains(&Condition::Positive(Sym::ZERO - expression))
+    {
+        return Some(Sign::Negative);
+    }
     let is_apart =
         |part: Sym| conditions.contains(&Condition::NonZero(part)) || of(part).is_some_and(|sign| sign.parts().1);
     let square = |part: Sym| Some(if is_apart(part) { Sign::Positive } else { Sign::NotNegative });
@@ -108,6 +113,35 @@ fn sign(expression: Sym, conditions: &[Condition]) -> Option<Sign> {
         Node::Root(a) => Some(if of(a) == Some(Sign::Positive) { Sign::Positive } else { Sign::NotNegative }),
         _ => None,
     }
+}
+
+/// The first condition that the others, or its own value, exclude.
+pub(crate) fn contradiction(conditions: &[Condition]) -> Option<usize> {
+    (0..conditions.len()).rev().find(|&place| {
+        let others = [&conditions[..place], &conditions[place + 1..]].concat();
+        let value = || normal(conditions[place].expression(), &Hypotheses::none()).ok()?.to_sym().as_constant()?.sign();
+        match conditions[place] {
+            Condition::Positive(e) => {
+                let is_up = |e: Sym| sign(e, &others).is_some_and(|sign| !sign.parts().0);
+                is_up(e) || value().is_some_and(|sign| sign != 1)
+            }
+            Condition::NonZero(_) => value() == Some(0),
+            _ => false,
+        }
+    })
+}
+
+/// A part of an expression that is the root of what is negative for all values.
+pub(crate) fn without_real_value(expression: Sym, motion: &Motion<'_, '_>, conditions: &[Condition]) -> Option<Sym> {
+    if let Node::Root(below) = expression.node() {
+        let below = motion.reduced(below);
+        let is_negative = below.as_constant().and_then(|value| value.sign()) == Some(-1)
+            || shows(-below, motion, conditions).is_some_and(|shown| shown.is_strict);
+        if is_negative {
+            return Some(expression);
+        }
+    }
+    expression.node().children().find_map(|part| without_real_value(part, motion, conditions))
 }
 
 /// Points that are tried.

@@ -16,7 +16,11 @@ use symbolic::{Mismatch, Sym, dimension};
 pub(crate) fn neither(outcome: Outcome, letters: &Letters<'_, '_>, finding: &mut Finding) {
     let (verdict, evidence) = match outcome {
         Outcome::Undefined(denominator) => {
-            (Verdict::Undefined, format!("{} vanishes identically", letters.told(denominator)))
+            let why = match letters.told(denominator).to_string().as_str() {
+                "undefined" | "0" => "what it divides by is zero wherever the hypotheses hold".to_owned(),
+                told => format!("it divides by {told}, which vanishes wherever the model and the hypotheses hold"),
+            };
+            (Verdict::Undefined, why)
         }
         Outcome::Identified(why) => (Verdict::Tested, why),
         Outcome::Undecided(why) => (Verdict::Undecided, why),

@@ -143,6 +143,11 @@ impl<'a> Reader<'a> {
                     let title = "two numbers stand side by side";
                     return Err(NotFormula::at(right.span, title, "the second one", r"12, or 1\cdot 2"));
                 }
+                if matches!(left.form, Form::Number(_)) && is_fraction_of_numbers(&right.form) {
+                    let title = "a number before a fraction of numbers is their product or their sum";
+                    let accepted = r"3\cdot\frac12 for the product, \frac72 or 3 + \frac12 for the sum";
+                    return Err(NotFormula::at(right.span, title, "the fraction", accepted));
+                }
                 left = self.term(start, Form::Product(Box::new(left), Box::new(right)));
                 continue;
             }
@@ -351,4 +356,9 @@ fn is_letter(term: &Term) -> bool {
         Form::Product(_, last) => is_letter(last),
         _ => false,
     }
+}
+
+fn is_fraction_of_numbers(form: &Form) -> bool {
+    let is_number = |term: &Term| matches!(term.form, Form::Number(_));
+    matches!(form, Form::Quotient(above, below) if is_number(above) && is_number(below))
 }

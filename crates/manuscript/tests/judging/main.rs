@@ -2,6 +2,7 @@
 
 mod constrained;
 mod corrections;
+mod hypotheses;
 mod messages;
 mod pendulum;
 

@@ -1,0 +1,64 @@
+//! Hypotheses of claims, and what they leave.
+
+use crate::{PENDULUM, on_pendulum, refused, verdict};
+
+fn claim(kind: &str, formula: &str, given: &str) -> String {
+    format!("{PENDULUM}\n[[claim]]\nequation = \"1\"\nkind = \"{kind}\"\nformula = '{formula}'\ngiven = [{given}]\n")
+}
+
+#[test]
+fn a_hypothesis_that_holds_at_an_instant_proves_no_integral() {
+    let energy = r"T - V = \mathrm{const}";
+    for (formula, given) in [
+        (energy, r"'\dot\theta = 0'"),
+        (r"\dot\theta = \mathrm{const}", r"'\theta = 0'"),
+        (r"\theta^2 = \mathrm{const}", r"'\dot\theta = 0', 'm > 0'"),
+    ] {
+        let told = refused(&claim("integral of motion", formula, given));
+        assert!(told.contains("holds at an instant alone"), "{told}");
+    }
+    // at rest in an equilibrium everything persists
+    let found = on_pendulum("integral of motion", energy, r"given = ['\theta = 0', '\dot\theta = 0']");
+    assert_eq!(verdict(&found), "proved", "{}", found.text());
+}
+
+#[test]
+fn hypotheses_that_contradict_each_other_state_nothing() {
+    for given in ["'m > 0', 'm < 0'", r"'m = 0', 'm \neq 0'", "'g = -1', 'g > 0'"] {
+        let told = refused(&claim("formula", "V = V", given));
+        assert!(told.contains("contradict each other"), "{told}");
+    }
+}
+
+#[test]
+fn what_vanishes_along_every_motion_divides_nothing() {
+    let own = r"l\ddot\theta + g\sin\theta";
+    for formula in [
+        format!(r"\frac{{{own}}}{{{own}}} = 1"),
+        format!(r"\frac{{m l\ddot\theta}}{{{own}}} + \frac{{m g\sin\theta}}{{{own}}} = m"),
+    ] {
+        let found = on_pendulum("equation of motion", &formula, "");
+        assert_eq!(verdict(&found), "undefined", "{}", found.text());
+    }
+}
+
+#[test]
+fn a_root_of_what_is_negative_is_no_value() {
+    let found = on_pendulum("identity", r"\sqrt{-l^2 - 1} = \sqrt{-l^2 - 1} + 0 m", "");
+    assert_eq!(verdict(&found), "undefined", "{}", found.text());
+    assert!(found.text().contains("has no real value"), "{}", found.text());
+}
+
+#[test]
+fn a_tie_is_told_and_a_printed_zero_confirms_nothing() {
+    let data = r"given = ['m = 1', 'l = 0.5', '\dot\theta = 1']";
+    for printed in ["0.12", "0.13"] {
+        let found = on_pendulum("number", &format!("T = {printed}"), data);
+        assert_eq!(verdict(&found), "enclosed", "{}", found.text());
+        assert!(found.text().contains("a tie"), "{}", found.text());
+    }
+    assert_eq!(verdict(&on_pendulum("number", "T = 0.11", data)), "refuted");
+    let found = on_pendulum("number", "T = 0", data);
+    assert_eq!(verdict(&found), "undecided", "{}", found.text());
+    assert!(found.text().contains("no significant digit"), "{}", found.text());
+}
