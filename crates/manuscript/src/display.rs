@@ -40,7 +40,7 @@ pub(crate) fn divisors(found: &[Sym], told: Told<'_, '_, '_>) -> Vec<(String, St
 }
 
 /// The factors of a product, without signs and powers.
-fn factors(product: Sym) -> Vec<Sym> {
+pub(crate) fn factors(product: Sym) -> Vec<Sym> {
     match product.node() {
         Node::Product(a, b) => [factors(a), factors(b)].concat(),
         Node::Negation(a) | Node::Power(a, _) => factors(a),

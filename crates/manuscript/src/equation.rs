@@ -4,6 +4,7 @@ use crate::motion::Motion;
 use crate::refutation::Refutation;
 use crate::signs::{completed, search};
 use claims::Condition;
+use model::equations::constraints_of;
 use symbolic::{Decision, Identity, Sym, Witness, decide, identified};
 
 /// What is found of an expression that should vanish.
@@ -24,6 +25,16 @@ const MOST_EXPANDED: usize = 4_000;
 
 /// Whether an expression vanishes where the motion is and the conditions hold.
 pub(crate) fn vanishes(motion: &Motion<'_, '_>, expression: Sym, conditions: &[Condition]) -> Outcome {
+    match found(motion, expression, conditions) {
+        Outcome::NonZero(refutation) if !refutation.is_confirmed(expression, motion) => {
+            let why = "its normal form is not zero, but its value at the exact point that was found was not confirmed";
+            Outcome::Undecided(why.to_owned())
+        }
+        outcome => outcome,
+    }
+}
+
+fn found(motion: &Motion<'_, '_>, expression: Sym, conditions: &[Condition]) -> Outcome {
     let reduced = motion.reduced(expression);
     if Sym::operations_of(&[reduced]) > MOST_EXPANDED
         && let Some(found) = at_points(motion, reduced, conditions)
@@ -67,7 +78,8 @@ fn at_points(motion: &Motion<'_, '_>, reduced: Sym, conditions: &[Condition]) ->
 fn refuted(motion: &Motion<'_, '_>, reduced: Sym, witness: Witness, conditions: &[Condition]) -> Outcome {
     if let Some(letter) = motion.undetermined(reduced) {
         return Outcome::Undecided(format!(
-            "the difference holds {letter}, which the equations of motion do not determine"
+            "the difference holds {}, which the equations of motion do not determine",
+            named(letter, motion)
         ));
     }
     if let Some(open) = motion.open.first() {
@@ -103,4 +115,11 @@ fn refuted(motion: &Motion<'_, '_>, reduced: Sym, witness: Witness, conditions: 
             Outcome::Undecided(why.to_owned())
         }
     }
+}
+
+/// A symbol as a reader knows it.
+fn named(symbol: Sym, motion: &Motion<'_, '_>) -> String {
+    let constraints = constraints_of(motion.trace);
+    let place = constraints.iter().position(|one| one.multiplier == symbol);
+    place.map_or_else(|| symbol.to_string(), |place| format!("the reaction of {}", constraints[place].title(place)))
 }

@@ -23,6 +23,7 @@ mod change;
 mod claim_text;
 mod combination;
 mod conditions;
+mod consequence;
 mod correction;
 mod display;
 mod equation;
@@ -41,6 +42,7 @@ mod refutation;
 mod resting;
 mod signs;
 mod stability;
+mod steadiness;
 mod verdict;
 
 pub use change::{Change, Correction, EditKind, Search};

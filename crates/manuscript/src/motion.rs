@@ -6,6 +6,7 @@ use model::equations::{Characteristics, Equation, Level, Singular, constraints_o
 use symbolic::{Hypotheses, Sym, coefficients, decide, normal, substitute_all};
 
 /// Replacements that hold, one round after the other, and rules.
+#[derive(Clone)]
 pub(crate) struct Motion<'t, 'm> {
     pub trace: &'t Trace<'m>,
     pub hypotheses: Hypotheses,
@@ -181,6 +182,8 @@ impl<'t, 'm> Motion<'t, 'm> {
 
     /// Constraints of positions are solved once more where a hypothesis took the letter by which they were solved.
     fn keep_positions(&mut self) -> Result<(), String> {
+        self.hypotheses = Hypotheses::none();
+        self.turn_freely();
         for zero in self.positions.clone() {
             let left = self.reduced(zero);
             if left.as_constant().is_some_and(|value| value.sign() != Some(0)) {

@@ -1,7 +1,9 @@
 //! Exact points at which a claim fails.
 
+use crate::motion::{Motion, solution};
 use claims::{Condition, Point};
-use symbolic::{Hypotheses, Node, Sym, normal};
+use field::Interval;
+use symbolic::{Hypotheses, Node, Sym, decide, normal};
 
 /// An exact point at which an expression does not vanish, or has a wrong sign.
 pub(crate) struct Refutation {
@@ -14,15 +16,68 @@ pub(crate) struct Refutation {
 impl Refutation {
     /// The value of an expression there, where the point gives it one.
     pub fn value(&self, expression: Sym) -> Option<Sym> {
-        let found = expression.substitute(&self.point);
-        let form = normal(found, &Hypotheses::none()).ok()?.to_sym();
-        form.symbols_of().is_empty().then_some(form)
+        let at = |expression: Sym| {
+            let form = normal(expression.substitute(&self.point), &Hypotheses::none()).ok()?.to_sym();
+            form.symbols_of().is_empty().then_some(form)
+        };
+        // multiples of angles are told by those of the point
+        at(expression).or_else(|| at(normal(expression, &Hypotheses::none()).ok()?.to_sym()))
+    }
+
+    /// Whether an expression has a value there other than zero, and all that the motion holds vanishes there.
+    pub fn is_confirmed(&self, expression: Sym, motion: &Motion<'_, '_>) -> bool {
+        self.value(motion.reduced(expression)).is_some_and(is_apart) && self.is_on(motion)
+    }
+
+    /// Whether constraints and hypotheses hold there as they are stated, with values for the symbols that the point leaves open.
+    pub fn is_on(&self, motion: &Motion<'_, '_>) -> bool {
+        let mut point = self.point.clone();
+        for symbol in motion.replaced() {
+            let value = self.value(motion.reduced(symbol)).filter(|value| enclosed(*value).is_some());
+            if let (Some(value), true) = (value, point.iter().all(|(known, _)| *known != symbol)) {
+                point.push((symbol, value));
+            }
+        }
+        motion.held.iter().all(|&zero| {
+            let Ok(left) = normal(zero.substitute(&point), &Hypotheses::none()).map(|form| form.numerator()) else {
+                return false;
+            };
+            if left == Sym::ZERO || decide(motion.reduced(zero), &motion.hypotheses).is_zero() {
+                return true;
+            }
+            // a symbol that the point leaves open has the value that is asked for
+            match solution(motion.trace, left, None).filter(|found| found.divisor.as_constant().is_some()) {
+                Some(found) => {
+                    let taken = [(found.symbol, found.value)];
+                    point.iter_mut().for_each(|(_, value)| *value = value.substitute(&taken));
+                    point.push(taken[0]);
+                    true
+                }
+                None => false,
+            }
+        })
     }
 
     /// Whether a condition holds there; none where the point leaves it open.
     pub fn satisfies(&self, condition: Condition) -> Option<bool> {
         condition.holds_at(&exact(&self.point))
     }
+}
+
+fn enclosed(value: Sym) -> Option<Interval> {
+    value.evaluate_analytic(&|_: &str| None::<Interval>).ok()
+}
+
+/// Whether a number is not zero: by its enclosure, or as the normal form of one root with rational factors.
+fn is_apart(value: Sym) -> bool {
+    let has_one_root = || match value.leaves_of()[..] {
+        [leaf] => matches!(leaf.node(), Node::Root(below) if below.as_constant().is_some()),
+        _ => false,
+    };
+    enclosed(value).is_some_and(|enclosed| match enclosed.sign() {
+        Some(sign) => sign != 0,
+        None => value != Sym::ZERO && has_one_root(),
+    })
 }
 
 /// The rational values of a point, by the names under which expressions look them up.

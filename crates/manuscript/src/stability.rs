@@ -140,7 +140,7 @@ fn conditions_of(all: &[Sym]) -> Result<Roots, String> {
 }
 
 /// By its first row.
-fn determinant(matrix: &[Vec<Sym>]) -> Sym {
+pub(crate) fn determinant(matrix: &[Vec<Sym>]) -> Sym {
     let [first, rest @ ..] = matrix else { return Sym::ONE };
     let mut sum = Sym::ZERO;
     for (j, &entry) in first.iter().enumerate() {

@@ -21,6 +21,7 @@ fn what_has_two_readings_is_asked_for_at_its_place() {
         ("f(x, y)", "f(x, y)", "a function"),
         (r"m f\left(\dot{x}\right)", r"m f\left(\dot{x}\right)", "a function"),
         ("1/2 m", "/", "divided by what"),
+        (r"3\frac12", r"\frac12", "before a fraction of numbers"),
         ("a/b/m", "/", "divided by what"),
         ("x^10", "0", "one digit alone"),
         ("x_12", "2", "one digit alone"),

@@ -2,6 +2,7 @@
 
 mod constrained;
 mod corrections;
+mod divisors;
 mod hypotheses;
 mod messages;
 mod pendulum;

@@ -1,0 +1,186 @@
+//! A condition that follows from another one, or an exact point at which it does not.
+
+use crate::display::{Told, divisors, factors, point};
+use crate::equation::{Outcome, vanishes};
+use crate::finding::Finding;
+use crate::letters::Letters;
+use crate::motion::{Motion, Solution, solution};
+use crate::refutation::Refutation;
+use crate::signs::{completed, shows};
+use crate::verdict::neither;
+use claims::{Condition, Verdict};
+use model::equations::Equations;
+use symbolic::{Hypotheses, Sym, decide, normal};
+
+/// What follows from a condition.
+pub(crate) enum Step {
+    /// The other one; these divisors do not vanish.
+    Follows(Vec<Sym>),
+    /// Not the other one.
+    Fails(Refutation),
+    Open(Outcome),
+}
+
+/// Whether `then` vanishes where `zero` does.
+pub(crate) fn step(motion: &Motion<'_, '_>, zero: Sym, then: Sym, conditions: &[Condition]) -> Step {
+    let (zero, then) = (motion.reduced(zero), motion.reduced(then));
+    // a model without its inertia has no motion
+    let inertia = [zero, then].into_iter().flat_map(Sym::symbols_of).filter(|symbol| is_of_inertia(*symbol, motion));
+    let conditions = &[conditions, &inertia.map(Condition::NonZero).collect::<Vec<_>>()].concat()[..];
+    let open = |factor: &Sym| !is_apart(*factor, motion, conditions);
+    // a multiple vanishes where the other one does
+    if let Ok(form) = normal(then / zero, &motion.hypotheses) {
+        let below = factors(form.denominator());
+        if !below.iter().any(open) {
+            return Step::Follows(below);
+        }
+    }
+    let Some(Solution { symbol, value, divisor }) = solution(motion.trace, zero, None) else {
+        let why = "a condition is linear in none of its letters, so that it was not solved";
+        return Step::Open(Outcome::Undecided(why.to_owned()));
+    };
+    let mut there = motion.clone();
+    if let Err(why) = there.assume(zero, Some(symbol)) {
+        return Step::Open(Outcome::Undecided(format!("the printed condition was not solved: {why}")));
+    }
+    let below = normal(divisor, &Hypotheses::none()).map_or(vec![divisor], |form| factors(form.numerator()));
+    match vanishes(&there, then, &reduced(conditions, &there)) {
+        Outcome::Zero(_) => match below.iter().copied().filter(open).collect::<Vec<_>>()[..] {
+            [] => Step::Follows(below),
+            ref divided => {
+                let failing = divided.iter().find_map(|&factor| exhibit(motion, factor, zero, then, conditions));
+                failing.map_or_else(|| Step::Open(Outcome::Undecided(undivided(divided[0]))), Step::Fails)
+            }
+        },
+        Outcome::NonZero(mut refutation) => {
+            if let Some(value) = refutation.value(value) {
+                refutation.point.push((symbol, value));
+            }
+            match completed(refutation, conditions) {
+                Some(refutation) => Step::Fails(refutation),
+                None => {
+                    Step::Open(Outcome::Undecided("no exact point was found that satisfies the hypotheses".to_owned()))
+                }
+            }
+        }
+        other => Step::Open(other),
+    }
+}
+
+fn undivided(factor: Sym) -> String {
+    format!("one condition follows from the other by a division by {factor}, which no hypothesis keeps from vanishing")
+}
+
+fn reduced(conditions: &[Condition], motion: &Motion<'_, '_>) -> Vec<Condition> {
+    let all = conditions.iter().map(|condition| match condition {
+        Condition::Positive(e) => Condition::Positive(motion.reduced(*e)),
+        Condition::NonZero(e) => Condition::NonZero(motion.reduced(*e)),
+        other => *other,
+    });
+    all.collect()
+}
+
+/// A point at which a divisor vanishes, a condition holds and the other one does not.
+fn exhibit(motion: &Motion<'_, '_>, factor: Sym, zero: Sym, then: Sym, conditions: &[Condition]) -> Option<Refutation> {
+    let known = [&motion.trace.coordinates[..], &motion.trace.speeds, &motion.trace.parameters].concat();
+    let at_zero = known.iter().filter(|symbol| {
+        factor.symbols_of().contains(symbol)
+            && decide(factor.substitute(&[(**symbol, Sym::ZERO)]), &motion.hypotheses).is_zero()
+    });
+    let at_zero = at_zero.map(|&symbol| (symbol, symbol));
+    // the condition is given the divisor's zero, and is solved there once more
+    let mut places: Vec<Motion<'_, '_>> = Vec::new();
+    for (held, alone) in at_zero.chain([(factor, factor)]) {
+        let mut there = motion.clone();
+        let alone = alone.symbol_name().map(|_| alone);
+        if there.assume(held, alone).is_ok() && there.assume(zero, None).is_ok() {
+            places.push(there);
+        }
+    }
+    places.into_iter().find_map(|there| {
+        let known = reduced(conditions, &there);
+        let Outcome::NonZero(mut found) = vanishes(&there, then, &known) else { return None };
+        for symbol in there.replaced() {
+            let is_listed = found.point.iter().any(|(known, _)| *known == symbol);
+            if let (false, Some(value)) = (is_listed, found.value(there.reduced(symbol))) {
+                found.point.push((symbol, value));
+            }
+        }
+        completed(found, &known)
+    })
+}
+
+/// Whether a divisor does not vanish: by hypotheses and signs, by a value in the model, or since the model has inertia. The last two are
+/// told among the hypotheses of a verdict.
+fn is_apart(factor: Sym, motion: &Motion<'_, '_>, conditions: &[Condition]) -> bool {
+    if factor.as_constant().is_some() {
+        return true;
+    }
+    let is_stated = conditions.iter().any(|condition| match condition {
+        Condition::NonZero(e) | Condition::Positive(e) => normal(*e, &motion.hypotheses)
+            .is_ok_and(|form| factors(form.numerator()).into_iter().any(|part| part == factor || part == -factor)),
+        _ => false,
+    });
+    let by_model = |symbol: &Sym| is_of_inertia(*symbol, motion) || has_value(*symbol, motion);
+    let all = conditions.iter().copied();
+    let of_model = factor.symbols_of().into_iter().filter(by_model).map(Condition::Positive);
+    let known: Vec<Condition> = all.chain(of_model).collect();
+    let shown = |e: Sym| shows(e, motion, &known).is_some_and(|shown| shown.is_strict);
+    is_stated || shown(factor) || shown(-factor)
+}
+
+/// Whether a model without this parameter has a coordinate without inertia.
+fn is_of_inertia(symbol: Sym, motion: &Motion<'_, '_>) -> bool {
+    if !motion.trace.parameters.contains(&symbol) {
+        return false;
+    }
+    let mass = Equations::of(motion.trace).mass;
+    (0..mass.len()).any(|k| mass[k][k].substitute(&[(symbol, Sym::ZERO)]) == Sym::ZERO)
+}
+
+/// Whether the model gives a parameter a positive value.
+fn has_value(symbol: Sym, motion: &Motion<'_, '_>) -> bool {
+    let mut all = motion.trace.model.parameters.iter();
+    all.any(|one| Sym::symbol(&one.name) == symbol && one.value.is_some_and(|value| value > 0.0))
+}
+
+/// Whether a step holds; else the verdict is told.
+pub(crate) fn followed(
+    step: Step,
+    own: [Sym; 2],
+    motion: &Motion<'_, '_>,
+    conditions: &[Condition],
+    letters: &Letters<'_, '_>,
+    finding: &mut Finding,
+) -> bool {
+    match step {
+        Step::Follows(divided) => {
+            divided.into_iter().for_each(|divisor| require(divisor, conditions, letters, finding));
+            true
+        }
+        Step::Fails(refutation) => {
+            finding.judged.verdict = Verdict::Refuted;
+            finding.judged.evidence = "at the exact point one condition holds and the other does not".to_owned();
+            finding.judged.counterexample = point(own, &refutation, motion, Told(letters));
+            false
+        }
+        Step::Open(outcome) => {
+            neither(outcome, letters, finding);
+            false
+        }
+    }
+}
+
+/// Lists the factors of a divisor that no hypothesis keeps from vanishing.
+pub(crate) fn require(divisor: Sym, conditions: &[Condition], letters: &Letters<'_, '_>, finding: &mut Finding) {
+    let known = conditions.iter().filter_map(|condition| match condition {
+        Condition::NonZero(e) | Condition::Positive(e) => Some(*e),
+        _ => None,
+    });
+    let known = divisors(&known.collect::<Vec<Sym>>(), Told(letters));
+    for line in divisors(&[divisor], Told(letters)) {
+        if !known.contains(&line) && !finding.judged.requires.contains(&line) {
+            finding.judged.requires.push(line);
+        }
+    }
+}

@@ -1,0 +1,203 @@
+//! Conditions of steady motions.
+
+use crate::claim_text::ClaimText;
+use crate::conditions::{Hypothesis, assume, conditions};
+use crate::consequence::{Step, followed, require, step};
+use crate::display::{Told, point};
+use crate::equation::{Outcome, vanishes};
+use crate::finding::Finding;
+use crate::implications::condition;
+use crate::letters::Letters;
+use crate::motion::{Motion, solution};
+use crate::refutation::Refutation;
+use crate::resting::Resting;
+use crate::stability::determinant;
+use crate::verdict::neither;
+use claims::Verdict;
+use latex::Statement;
+use model::Trace;
+use model::equations::{Characteristics, Equation, Equations, constraints_of, solved};
+use reader::Issue;
+use symbolic::{Sym, decide};
+
+/// The condition of the motions on which the letters of `resting` are constant.
+pub(crate) fn steady_motion(
+    claim: &ClaimText,
+    statement: &Statement,
+    letters: &Letters<'_, '_>,
+    assumed: &[Hypothesis],
+    finding: &mut Finding,
+) -> Result<(), Issue> {
+    let [chain] = &statement.chains[..] else {
+        let issue = Issue::at(claim.formula.span.clone(), "a steady motion has one condition", "here");
+        return Err(issue.accepted("a = b"));
+    };
+    let (printed, own) = condition(claim, chain, letters)?;
+    finding.judged.text = vec![format!("{} = {}", own[0], own[1])];
+    finding.judged.latex = vec![format!("{} = {}", own[0].latex(), own[1].latex())];
+    let trace = letters.trace;
+    let rates = Resting::of(claim, letters)?.rates(letters);
+    let mut motion = Motion::at_rest(trace, &rates);
+    assume(&mut motion, assumed)?;
+    let conditions = conditions(&motion, assumed);
+    let all = Equations::of(trace);
+    let inertia: Vec<Sym> = (all.mass.iter().zip(&all.bias))
+        .map(|(row, &bias)| row.iter().zip(&trace.accelerations).fold(bias, |sum, (&entry, &rate)| sum + entry * rate))
+        .collect();
+    let mut equations: Vec<(Sym, String)> = match all.constraints.is_empty() {
+        true => inertia.iter().enumerate().map(|(k, &equation)| (equation, trace.direction(k))).collect(),
+        false => without_reactions(trace, &all.constraints, &inertia),
+    };
+    equations.iter_mut().for_each(|(equation, _)| *equation = motion.reduced(*equation));
+    let mut printed = motion.reduced(printed);
+    let moving: Vec<Sym> =
+        trace.accelerations.iter().copied().filter(|one| rates.iter().all(|(rate, _)| rate != one)).collect();
+    // as many equations as such accelerations give these, and state nothing else
+    let holds_one = |equation: Sym| moving.iter().any(|one| equation.symbols_of().contains(one));
+    let given = moving.iter().filter(|one| equations.iter().any(|(equation, _)| equation.symbols_of().contains(one)));
+    if given.count() == equations.iter().filter(|(equation, _)| holds_one(*equation)).count() && !holds_one(printed) {
+        equations.retain(|(equation, _)| !holds_one(*equation));
+    }
+    for pivot in determined(&moving, &mut equations, &mut motion, &mut printed) {
+        require(pivot, &conditions, letters, finding);
+    }
+    if let Some(reaction) = motion.undetermined(printed) {
+        match reactions(trace) {
+            Some(values) => printed = motion.reduced(printed.substitute(&values)),
+            None => {
+                let why = format!("{} is not given by the equations of motion", letters.told(reaction));
+                neither(Outcome::Undecided(why), letters, finding);
+                return Ok(());
+            }
+        }
+    }
+    finding.allowed = format!(
+        "the equations of motion where {} rest",
+        claim.resting.iter().map(|one| one.text.as_str()).collect::<Vec<_>>().join(", ")
+    );
+    let own = [own[0] - own[1], Sym::ZERO];
+    let mut of_print: Vec<String> = Vec::new();
+    let mut failing: Vec<Refutation> = Vec::new();
+    let mut open: Vec<String> = Vec::new();
+    for (equation, name) in &equations {
+        let reduced = motion.reduced(*equation);
+        if let Outcome::Zero(_) = vanishes(&motion, reduced, &conditions) {
+            continue;
+        }
+        if !followed(step(&motion, printed, reduced, &conditions), own, &motion, &conditions, letters, finding) {
+            if finding.judged.verdict == Verdict::Refuted {
+                finding.judged.evidence =
+                    format!("at the exact point the printed condition holds and the equation of {name} does not");
+                crate::display::told_difference(reduced, &motion, Told(letters), finding);
+            }
+            return Ok(());
+        }
+        match step(&motion, reduced, printed, &conditions) {
+            Step::Follows(divided) => {
+                of_print.push(name.clone());
+                divided.into_iter().for_each(|divisor| require(divisor, &conditions, letters, finding));
+            }
+            Step::Fails(refutation) => failing.push(refutation),
+            Step::Open(Outcome::Undecided(why)) => open.push(why),
+            Step::Open(_) => {}
+        }
+    }
+    if of_print.is_empty() {
+        // a motion on which all of it rests satisfies every equation
+        let is_steady = |found: &Refutation| {
+            equations.iter().all(|(equation, _)| {
+                let left = motion.reduced(*equation);
+                decide(left, &motion.hypotheses).is_zero() || found.value(left) == Some(Sym::ZERO)
+            })
+        };
+        let rests = equations.iter().all(|(equation, _)| lasts(*equation, &rates, trace));
+        if let Some(found) = failing.iter().find(|found| rests && is_steady(found)) {
+            finding.judged.verdict = Verdict::Refuted;
+            finding.judged.evidence =
+                "at the exact point the letters rest along a motion, and the printed condition does not hold"
+                    .to_owned();
+            finding.judged.counterexample = point(own, found, &motion, Told(letters));
+            return Ok(());
+        }
+        let why = "the equations of motion hold there whenever the printed condition does, and it was not shown that they ask for it";
+        let why = open.pop().map_or_else(|| why.to_owned(), |reason| format!("{why}: {reason}"));
+        neither(Outcome::Undecided(why), letters, finding);
+        return Ok(());
+    }
+    for &divisor in &motion.divisors {
+        require(divisor, &conditions, letters, finding);
+    }
+    finding.judged.verdict = Verdict::Proved;
+    finding.judged.evidence =
+        format!("the printed condition is the equation of {} there, and the others hold", of_print.join(" and of "));
+    Ok(())
+}
+
+/// Combinations of more equations divide.
+const MOST_SPEEDS: usize = 7;
+
+/// Equations of motion without the reactions of constraints: determinants of the rows of constraints with the equations below them, which
+/// divide by nothing; where those are many, the combinations along the speeds that stay free.
+fn without_reactions(trace: &Trace<'_>, constraints: &[Equation], inertia: &[Sym]) -> Vec<(Sym, String)> {
+    let n = inertia.len();
+    if n > MOST_SPEEDS || constraints.len() > MOST_CONSTRAINTS {
+        let along = Characteristics::of(trace, constraints).along(inertia);
+        return along.into_iter().enumerate().map(|(k, equation)| (equation, trace.direction(k))).collect();
+    }
+    let of = |columns: Vec<usize>| {
+        let rows = constraints.iter().map(|one| columns.iter().map(|&k| one.row[k]).collect());
+        let all: Vec<Vec<Sym>> = rows.chain([columns.iter().map(|&k| inertia[k]).collect()]).collect();
+        let names: Vec<String> = columns.iter().map(|&k| trace.direction(k)).collect();
+        (determinant(&all), names.join(" and "))
+    };
+    chosen(0, n, constraints.len() + 1).into_iter().map(of).filter(|(equation, _)| *equation != Sym::ZERO).collect()
+}
+
+/// Determinants of more rows are not expanded.
+const MOST_CONSTRAINTS: usize = 3;
+
+/// Every choice of so many places from here on.
+fn chosen(from: usize, end: usize, count: usize) -> Vec<Vec<usize>> {
+    if count == 0 {
+        return vec![Vec::new()];
+    }
+    let after =
+        |first: usize| chosen(first + 1, end, count - 1).into_iter().map(move |rest| [vec![first], rest].concat());
+    (from..end).flat_map(after).collect()
+}
+
+/// Accelerations that do not rest are given by equations of motion, which state nothing else then. What was divided by.
+fn determined(
+    moving: &[Sym],
+    equations: &mut Vec<(Sym, String)>,
+    motion: &mut Motion<'_, '_>,
+    printed: &mut Sym,
+) -> Vec<Sym> {
+    let mut divided = Vec::new();
+    for &acceleration in moving {
+        let found = equations.iter().enumerate().find_map(|(place, (equation, _))| {
+            let found = solution(motion.trace, *equation, Some(acceleration))?;
+            (found.symbol == acceleration).then_some((place, found))
+        });
+        let Some((place, found)) = found else { continue };
+        equations.remove(place);
+        divided.push(found.divisor);
+        motion.set(vec![(acceleration, found.value)]);
+        equations.iter_mut().for_each(|(equation, _)| *equation = motion.reduced(*equation));
+        *printed = motion.reduced(*printed);
+    }
+    divided
+}
+
+/// The multipliers of constraints along every motion.
+fn reactions(trace: &Trace<'_>) -> Option<Vec<(Sym, Sym)>> {
+    let (_, multipliers) = solved(trace).ok()?;
+    Some(constraints_of(trace).iter().map(|one| one.multiplier).zip(multipliers).collect())
+}
+
+/// Whether an expression stays as it is where these rates vanish.
+fn lasts(expression: Sym, rates: &[(Sym, Sym)], trace: &Trace<'_>) -> bool {
+    crate::letters::rate(trace, expression).is_ok_and(|rate| {
+        rate.substitute(rates) == Sym::ZERO || decide(rate.substitute(rates), &symbolic::Hypotheses::none()).is_zero()
+    })
+}
