@@ -28,6 +28,10 @@ pub(crate) fn step(motion: &Motion<'_, '_>, zero: Sym, then: Sym, conditions: &[
     let inertia = [zero, then].into_iter().flat_map(Sym::symbols_of).filter(|symbol| is_of_inertia(*symbol, motion));
     let conditions = &[conditions, &inertia.map(Condition::NonZero).collect::<Vec<_>>()].concat()[..];
     let open = |factor: &Sym| !is_apart(*factor, motion, conditions);
+    let parts = normal(zero, &motion.hypotheses).map_or(vec![zero], |form| factors(form.numerator()));
+    if zero != Sym::ZERO && !parts.iter().any(open) {
+        return Step::Open(Outcome::Undecided(format!("{zero} vanishes nowhere within the hypotheses")));
+    }
     // a multiple vanishes where the other one does
     if let Ok(form) = normal(then / zero, &motion.hypotheses) {
         let below = factors(form.denominator());
@@ -112,7 +116,7 @@ fn exhibit(motion: &Motion<'_, '_>, factor: Sym, zero: Sym, then: Sym, condition
 
 /// Whether a divisor does not vanish: by hypotheses and signs, by a value in the model, or since the model has inertia. The last two are
 /// told among the hypotheses of a verdict.
-fn is_apart(factor: Sym, motion: &Motion<'_, '_>, conditions: &[Condition]) -> bool {
+pub(crate) fn is_apart(factor: Sym, motion: &Motion<'_, '_>, conditions: &[Condition]) -> bool {
     if factor.as_constant().is_some() {
         return true;
     }

@@ -2,7 +2,7 @@
 
 use crate::claim_text::ClaimText;
 use crate::conditions::{Hypothesis, assume, conditions, scalar};
-use crate::consequence::{followed, require, step};
+use crate::consequence::{Step, followed, require, step};
 use crate::equation::Outcome;
 use crate::finding::Finding;
 use crate::letters::Letters;
@@ -51,9 +51,12 @@ pub(crate) fn equivalence(
     assume(&mut motion, assumed)?;
     let conditions = conditions(&motion, assumed);
     finding.allowed = "each condition is solved for one of its letters, and put into the other".to_owned();
-    for (zero, then) in [(one, other), (other, one)] {
-        let own = [own[0] - own[1], other_own[0] - other_own[1]];
-        if !followed(step(&motion, zero, then, &conditions), own, &motion, &conditions, letters, finding) {
+    let mut steps = [(one, other), (other, one)].map(|(zero, then)| step(&motion, zero, then, &conditions));
+    // an exact point says more than a step that was not shown
+    steps.sort_by_key(|step| !matches!(step, Step::Fails(_)));
+    let own = [own[0] - own[1], other_own[0] - other_own[1]];
+    for step in steps {
+        if !followed(step, own, &motion, &conditions, letters, finding) {
             return Ok(());
         }
     }

@@ -2,7 +2,7 @@
 
 use crate::claim_text::ClaimText;
 use crate::conditions::{Hypothesis, assume, conditions};
-use crate::consequence::{Step, followed, require, step};
+use crate::consequence::{Step, followed, is_apart, require, step};
 use crate::display::{Told, point};
 use crate::equation::{Outcome, vanishes};
 use crate::finding::Finding;
@@ -13,12 +13,12 @@ use crate::refutation::Refutation;
 use crate::resting::Resting;
 use crate::stability::determinant;
 use crate::verdict::neither;
-use claims::Verdict;
+use claims::{Condition, Verdict};
 use latex::Statement;
 use model::Trace;
 use model::equations::{Characteristics, Equation, Equations, constraints_of, solved};
 use reader::Issue;
-use symbolic::{Sym, decide};
+use symbolic::{Hypotheses, Sym, decide};
 
 /// The condition of the motions on which the letters of `resting` are constant.
 pub(crate) fn steady_motion(
@@ -44,9 +44,10 @@ pub(crate) fn steady_motion(
     let inertia: Vec<Sym> = (all.mass.iter().zip(&all.bias))
         .map(|(row, &bias)| row.iter().zip(&trace.accelerations).fold(bias, |sum, (&entry, &rate)| sum + entry * rate))
         .collect();
+    let places = connected(&all, |k| rates.iter().any(|(rate, _)| *rate == trace.accelerations[k]));
     let mut equations: Vec<(Sym, String)> = match all.constraints.is_empty() {
-        true => inertia.iter().enumerate().map(|(k, &equation)| (equation, trace.direction(k))).collect(),
-        false => without_reactions(trace, &all.constraints, &inertia),
+        true => places.iter().map(|&k| (inertia[k], trace.direction(k))).collect(),
+        false => without_reactions(trace, &all.constraints, &inertia, &places),
     };
     equations.iter_mut().for_each(|(equation, _)| *equation = motion.reduced(*equation));
     let mut printed = motion.reduced(printed);
@@ -58,8 +59,13 @@ pub(crate) fn steady_motion(
     if given.count() == equations.iter().filter(|(equation, _)| holds_one(*equation)).count() && !holds_one(printed) {
         equations.retain(|(equation, _)| !holds_one(*equation));
     }
-    for pivot in determined(&moving, &mut equations, &mut motion, &mut printed) {
-        require(pivot, &conditions, letters, finding);
+    match determined(&moving, &mut equations, &mut motion, &mut printed, &conditions) {
+        Ok(divided) => divided.into_iter().for_each(|pivot| require(pivot, &conditions, letters, finding)),
+        Err(acceleration) => {
+            let why = format!("{} was not given by the equations of motion", letters.told(acceleration));
+            neither(Outcome::Undecided(why), letters, finding);
+            return Ok(());
+        }
     }
     if let Some(reaction) = motion.undetermined(printed) {
         match reactions(trace) {
@@ -138,19 +144,29 @@ const MOST_SPEEDS: usize = 7;
 
 /// Equations of motion without the reactions of constraints: determinants of the rows of constraints with the equations below them, which
 /// divide by nothing; where those are many, the combinations along the speeds that stay free.
-fn without_reactions(trace: &Trace<'_>, constraints: &[Equation], inertia: &[Sym]) -> Vec<(Sym, String)> {
-    let n = inertia.len();
-    if n > MOST_SPEEDS || constraints.len() > MOST_CONSTRAINTS {
+fn without_reactions(
+    trace: &Trace<'_>,
+    constraints: &[Equation],
+    inertia: &[Sym],
+    places: &[usize],
+) -> Vec<(Sym, String)> {
+    let acts = |one: &&Equation| places.iter().any(|&k| one.row[k] != Sym::ZERO);
+    let rows: Vec<&Equation> = constraints.iter().filter(acts).collect();
+    if places.len() > MOST_SPEEDS || rows.len() > MOST_CONSTRAINTS {
         let along = Characteristics::of(trace, constraints).along(inertia);
         return along.into_iter().enumerate().map(|(k, equation)| (equation, trace.direction(k))).collect();
     }
     let of = |columns: Vec<usize>| {
-        let rows = constraints.iter().map(|one| columns.iter().map(|&k| one.row[k]).collect());
-        let all: Vec<Vec<Sym>> = rows.chain([columns.iter().map(|&k| inertia[k]).collect()]).collect();
+        let above = rows.iter().map(|one| columns.iter().map(|&k| one.row[k]).collect());
+        let all: Vec<Vec<Sym>> = above.chain([columns.iter().map(|&k| inertia[k]).collect()]).collect();
         let names: Vec<String> = columns.iter().map(|&k| trace.direction(k)).collect();
         (determinant(&all), names.join(" and "))
     };
-    chosen(0, n, constraints.len() + 1).into_iter().map(of).filter(|(equation, _)| *equation != Sym::ZERO).collect()
+    let choices = chosen(0, places.len(), rows.len() + 1).into_iter();
+    choices
+        .map(|choice| of(choice.into_iter().map(|place| places[place]).collect()))
+        .filter(|(equation, _)| *equation != Sym::ZERO)
+        .collect()
 }
 
 /// Determinants of more rows are not expanded.
@@ -167,26 +183,48 @@ fn chosen(from: usize, end: usize, count: usize) -> Vec<Vec<usize>> {
 }
 
 /// Accelerations that do not rest are given by equations of motion, which state nothing else then. What was divided by.
+///
+/// # Errors
+/// One of them is given by no equation without a divisor that may vanish.
 fn determined(
     moving: &[Sym],
     equations: &mut Vec<(Sym, String)>,
     motion: &mut Motion<'_, '_>,
     printed: &mut Sym,
-) -> Vec<Sym> {
+    conditions: &[Condition],
+) -> Result<Vec<Sym>, Sym> {
     let mut divided = Vec::new();
     for &acceleration in moving {
+        let holds_it = |expression: Sym| expression.symbols_of().contains(&acceleration);
+        if !holds_it(*printed) && !equations.iter().any(|(equation, _)| holds_it(*equation)) {
+            continue;
+        }
         let found = equations.iter().enumerate().find_map(|(place, (equation, _))| {
             let found = solution(motion.trace, *equation, Some(acceleration))?;
-            (found.symbol == acceleration).then_some((place, found))
+            (found.symbol == acceleration && is_apart(found.divisor, motion, conditions)).then_some((place, found))
         });
-        let Some((place, found)) = found else { continue };
+        let (place, found) = found.ok_or(acceleration)?;
         equations.remove(place);
         divided.push(found.divisor);
         motion.set(vec![(acceleration, found.value)]);
         equations.iter_mut().for_each(|(equation, _)| *equation = motion.reduced(*equation));
         *printed = motion.reduced(*printed);
     }
-    divided
+    Ok(divided)
+}
+
+/// Directions that inertia or a constraint connects with one that rests, from one to the next.
+fn connected(all: &Equations, rests: impl Fn(usize) -> bool) -> Vec<usize> {
+    let n = all.mass.len();
+    let mut is_in: Vec<bool> = (0..n).map(rests).collect();
+    let is_linked = |k: usize, j: usize| {
+        let by_constraint = |one: &Equation| one.row[k] != Sym::ZERO && one.row[j] != Sym::ZERO;
+        all.mass[k][j] != Sym::ZERO || all.constraints.iter().any(by_constraint)
+    };
+    while let Some(next) = (0..n).find(|&k| !is_in[k] && (0..n).any(|j| is_in[j] && is_linked(k, j))) {
+        is_in[next] = true;
+    }
+    (0..n).filter(|&k| is_in[k]).collect()
 }
 
 /// The multipliers of constraints along every motion.
@@ -197,7 +235,6 @@ fn reactions(trace: &Trace<'_>) -> Option<Vec<(Sym, Sym)>> {
 
 /// Whether an expression stays as it is where these rates vanish.
 fn lasts(expression: Sym, rates: &[(Sym, Sym)], trace: &Trace<'_>) -> bool {
-    crate::letters::rate(trace, expression).is_ok_and(|rate| {
-        rate.substitute(rates) == Sym::ZERO || decide(rate.substitute(rates), &symbolic::Hypotheses::none()).is_zero()
-    })
+    crate::letters::rate(trace, expression)
+        .is_ok_and(|rate| decide(rate.substitute(rates), &Hypotheses::none()).is_zero())
 }
