@@ -10,7 +10,7 @@ use crate::signs::{completed, shows};
 use crate::verdict::neither;
 use claims::{Condition, Verdict};
 use model::equations::Equations;
-use symbolic::{Hypotheses, Sym, decide, normal};
+use symbolic::{Hypotheses, Node, Sym, decide, normal};
 
 /// What follows from a condition.
 pub(crate) enum Step {
@@ -21,8 +21,25 @@ pub(crate) enum Step {
     Open(Outcome),
 }
 
-/// Whether `then` vanishes where `zero` does.
+/// What an expression divides by, as it is written.
+pub(crate) fn written_divisors(expression: Sym) -> Vec<Sym> {
+    let own = match expression.node() {
+        Node::Quotient(_, below) if below.as_constant().is_none() => vec![below],
+        _ => Vec::new(),
+    };
+    own.into_iter().chain(expression.node().children().flat_map(written_divisors)).collect()
+}
+
+/// Whether `then` vanishes where `zero` does, and both are defined there.
 pub(crate) fn step(motion: &Motion<'_, '_>, zero: Sym, then: Sym, conditions: &[Condition]) -> Step {
+    let mut there = motion.clone();
+    let written = [written_divisors(zero), written_divisors(then)].concat();
+    if !written.is_empty() && there.assume(zero, None).is_ok() {
+        let is_zero = |divisor: &&Sym| decide(there.reduced(**divisor), &there.hypotheses).is_zero();
+        if let Some(divisor) = written.iter().find(is_zero) {
+            return Step::Open(Outcome::Undefined(*divisor));
+        }
+    }
     let (zero, then) = (motion.reduced(zero), motion.reduced(then));
     // a model without its inertia has no motion
     let inertia = [zero, then].into_iter().flat_map(Sym::symbols_of).filter(|symbol| is_of_inertia(*symbol, motion));

@@ -2,7 +2,7 @@
 
 use crate::claim_text::ClaimText;
 use crate::conditions::{Hypothesis, assume, conditions, scalar};
-use crate::consequence::{Step, followed, require, step};
+use crate::consequence::{Step, followed, require, step, written_divisors};
 use crate::equation::Outcome;
 use crate::finding::Finding;
 use crate::letters::Letters;
@@ -60,7 +60,8 @@ pub(crate) fn equivalence(
             return Ok(());
         }
     }
-    for &divisor in &motion.divisors {
+    let written = [one, other].into_iter().flat_map(written_divisors);
+    for divisor in motion.divisors.iter().copied().chain(written) {
         require(divisor, &conditions, letters, finding);
     }
     finding.judged.verdict = Verdict::Proved;

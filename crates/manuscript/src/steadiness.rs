@@ -2,7 +2,7 @@
 
 use crate::claim_text::ClaimText;
 use crate::conditions::{Hypothesis, assume, conditions};
-use crate::consequence::{Step, followed, is_apart, require, step};
+use crate::consequence::{Step, followed, is_apart, require, step, written_divisors};
 use crate::display::{Told, point};
 use crate::equation::{Outcome, vanishes};
 use crate::finding::Finding;
@@ -35,6 +35,7 @@ pub(crate) fn steady_motion(
     let (printed, own) = condition(claim, chain, letters)?;
     finding.judged.text = vec![format!("{} = {}", own[0], own[1])];
     finding.judged.latex = vec![format!("{} = {}", own[0].latex(), own[1].latex())];
+    let written = written_divisors(printed);
     let trace = letters.trace;
     let rates = Resting::of(claim, letters)?.rates(letters);
     let mut motion = Motion::at_rest(trace, &rates);
@@ -130,7 +131,7 @@ pub(crate) fn steady_motion(
         neither(Outcome::Undecided(why), letters, finding);
         return Ok(());
     }
-    for &divisor in &motion.divisors {
+    for divisor in motion.divisors.iter().copied().chain(written) {
         require(divisor, &conditions, letters, finding);
     }
     finding.judged.verdict = Verdict::Proved;

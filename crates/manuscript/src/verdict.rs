@@ -17,7 +17,9 @@ pub(crate) fn neither(outcome: Outcome, letters: &Letters<'_, '_>, finding: &mut
     let (verdict, evidence) = match outcome {
         Outcome::Undefined(denominator) => {
             let why = match letters.told(denominator).to_string().as_str() {
-                "undefined" | "0" => "what it divides by is zero wherever the hypotheses hold".to_owned(),
+                "undefined" | "0" => {
+                    "wherever the hypotheses hold it divides by zero, or has the root of a negative number".to_owned()
+                }
                 told => format!("it divides by {told}, which vanishes wherever the model and the hypotheses hold"),
             };
             (Verdict::Undefined, why)

@@ -103,6 +103,8 @@ fn equivalent_conditions_divide_by_what_the_hypotheses_exclude() {
         let found = on_pendulum("equivalence", formula, "given = ['g > 0']");
         assert_eq!(verdict(&found), "proved", "{}", found.text());
     }
+    let found = on(CARTESIAN, "equivalence", r"\frac{x^2}{x} = 0 \iff x = 0", "");
+    assert_eq!(verdict(&found), "undefined", "{}", found.text());
     let found = on(CARTESIAN, "equivalence", r"\dot x = 0 \iff y = 0", "");
     assert_ne!(verdict(&found), "proved", "{}", found.text());
 }
