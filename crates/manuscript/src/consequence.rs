@@ -41,9 +41,9 @@ pub(crate) fn step(motion: &Motion<'_, '_>, zero: Sym, then: Sym, conditions: &[
         }
     }
     let (zero, then) = (motion.reduced(zero), motion.reduced(then));
-    // a model without its inertia has no motion
+    // a model without its inertia has no motion; a point with masses below zero tells a reader little
     let inertia = [zero, then].into_iter().flat_map(Sym::symbols_of).filter(|symbol| is_of_inertia(*symbol, motion));
-    let conditions = &[conditions, &inertia.map(Condition::NonZero).collect::<Vec<_>>()].concat()[..];
+    let conditions = &[conditions, &inertia.map(Condition::Positive).collect::<Vec<_>>()].concat()[..];
     let open = |factor: &Sym| !is_apart(*factor, motion, conditions);
     let parts = normal(zero, &motion.hypotheses).map_or(vec![zero], |form| factors(form.numerator()));
     if zero != Sym::ZERO && !parts.iter().any(open) {
