@@ -73,7 +73,7 @@ const WIDTHS: [f64; 3] = [1.25, 2.0, 4.0];
 const WORTH: f64 = 0.75;
 
 /// A side below this part of the longest is not divided before it.
-const SHORT: f64 = 1e-3;
+const SHORT: f64 = 1.0 / 64.0;
 
 /// Boxes between two questions whether to go on.
 const BETWEEN: usize = 8;
