@@ -8,11 +8,11 @@ use std::ops::Range;
 pub struct NotFormula {
     /// Bytes of the formula.
     pub span: Range<usize>,
-    /// What is wrong, in one line.
+    /// The fault, in one line.
     pub title: String,
     /// Beside the marks under the place.
     pub label: String,
-    /// What would be accepted.
+    /// Texts that would be accepted.
     pub accepted: String,
 }
 

@@ -3,7 +3,7 @@
 use field::Rational;
 use std::ops::Range;
 
-/// What a formula states: chains of sides, of which each is equivalent to the next.
+/// The statement of a formula: chains of sides, of which each is equivalent to the next.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Statement {
     pub chains: Vec<Chain>,

@@ -110,7 +110,7 @@ pub(crate) fn argument_end(tokens: &[Token], at: usize) -> Option<usize> {
     }
 }
 
-/// What stands in an argument, without its braces.
+/// The content of an argument, without its braces.
 pub(crate) fn inside(tokens: &[Token], range: Range<usize>) -> Range<usize> {
     match tokens.get(range.start).map(|token| &token.kind) {
         Some(Kind::Open) => range.start + 1..range.end - 1,

@@ -13,7 +13,7 @@ pub enum Value {
     Matrix(Vec<Vec<Sym>>),
 }
 
-/// What the letters of a formula stand for.
+/// The meanings of a formula's letters.
 pub trait Meaning {
     /// The value of a declared letter, by its name in one spelling.
     fn letter(&self, name: &str) -> Option<Value>;
@@ -171,7 +171,7 @@ fn applied(function: Function, argument: Sym, meaning: &impl Meaning) -> Sym {
     }
 }
 
-/// Of a scalar with anything, and of matrices whose shapes fit.
+/// The product of a scalar with anything, and of matrices whose shapes fit.
 fn product(left: Value, right: Value) -> Result<Value, String> {
     Ok(match (left, right) {
         (Value::Scalar(a), Value::Scalar(b)) => Value::Scalar(a * b),

@@ -85,7 +85,7 @@ pub struct Change {
     pub words: String,
     /// The part of the print in LaTeX; empty where something was added.
     pub before: String,
-    /// What stands there instead; empty where something was left out.
+    /// The text that stands there instead; empty where something was left out.
     pub after: String,
 }
 

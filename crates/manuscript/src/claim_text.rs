@@ -6,7 +6,7 @@ use reader::{Issue, Table};
 use std::ops::Range;
 use units::nearest;
 
-/// What a formula is said to be.
+/// The kind of statement that a formula is said to be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     EquationOfMotion,

@@ -12,7 +12,7 @@ use claims::{Condition, Verdict};
 use model::equations::Equations;
 use symbolic::{Hypotheses, Node, Sym, decide, normal};
 
-/// What follows from a condition.
+/// Consequences of a condition.
 pub(crate) enum Step {
     /// The other one; these divisors do not vanish.
     Follows(Vec<Sym>),
@@ -21,7 +21,7 @@ pub(crate) enum Step {
     Open(Outcome),
 }
 
-/// What an expression divides by, as it is written.
+/// The divisors of an expression, as it is written.
 pub(crate) fn written_divisors(expression: Sym) -> Vec<Sym> {
     let own = match expression.node() {
         Node::Quotient(_, below) if below.as_constant().is_none() => vec![below],

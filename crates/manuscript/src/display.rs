@@ -1,4 +1,4 @@
-//! What was found, in the letters of the paper.
+//! Findings in the letters of the paper.
 
 use crate::claim_text::Kind;
 use crate::finding::Finding;
@@ -99,7 +99,7 @@ pub(crate) fn missing(kind: Kind, line: &Line, motion: &Motion<'_, '_>, told: To
     }
 }
 
-/// What is left of an expression that should vanish, where it can be read.
+/// The rest of an expression that should vanish, where it can be read.
 pub(crate) fn told_difference(left: Sym, motion: &Motion<'_, '_>, told: Told<'_, '_, '_>, finding: &mut Finding) {
     let Ok(form) = normal(left, &motion.hypotheses) else { return };
     let own = told.0.told(form.to_sym());

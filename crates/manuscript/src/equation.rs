@@ -7,7 +7,7 @@ use claims::Condition;
 use model::equations::constraints_of;
 use symbolic::{Decision, Identity, Sym, Witness, decide, identified};
 
-/// What is found of an expression that should vanish.
+/// The finding on an expression that should vanish.
 pub(crate) enum Outcome {
     /// For all values; these divisors must not vanish.
     Zero(Vec<Sym>),

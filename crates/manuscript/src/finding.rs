@@ -1,4 +1,4 @@
-//! What was found of a claim.
+//! The finding on a claim.
 
 use crate::change::{Correction, Search};
 use crate::claim_text::Kind;
@@ -17,11 +17,11 @@ pub struct Finding {
     pub given: Vec<String>,
     /// The verdict that the file expects; none where it expects nothing.
     pub expected: Option<Verdict>,
-    /// What the equations of the model were allowed to do: combinations, constraints, hypotheses.
+    /// The steps that were allowed to the equations of the model: combinations, constraints, hypotheses.
     pub allowed: String,
     /// The values of both sides at the counterexample.
     pub sides: Option<Sides>,
-    /// Of a refuted claim: the smallest edits that are proved, all of one size.
+    /// The smallest edits of a refuted claim that are proved, all of one size.
     pub corrections: Vec<Correction>,
     pub search: Search,
 }

@@ -106,7 +106,7 @@ pub(crate) fn integral(
     Ok(())
 }
 
-/// What was divided by to show that hypotheses on the state persist: the rate of each vanishes where all of them hold.
+/// The divisors that serve to show that hypotheses on the state persist: the rate of each vanishes where all of them hold.
 ///
 /// # Errors
 /// One of them holds at an instant alone.

@@ -73,7 +73,7 @@ struct Letter {
 pub(crate) struct Letters<'t, 'm> {
     pub trace: &'t Trace<'m>,
     letters: Vec<Letter>,
-    /// What the symbols of the model are called in the paper.
+    /// The paper's names for the symbols of the model.
     names: Vec<(Sym, Sym)>,
     dimensions: Vec<(Sym, Dimension)>,
 }

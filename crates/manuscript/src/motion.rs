@@ -1,4 +1,4 @@
-//! What holds along every motion of a model: accelerations and multipliers by its equations, speeds and positions by its
+//! The equations that hold along every motion of a model: accelerations and multipliers by its equations, speeds and positions by its
 //! constraints, and what hypotheses say beside.
 
 use model::Trace;
@@ -13,9 +13,9 @@ pub(crate) struct Motion<'t, 'm> {
     rounds: Vec<Vec<(Sym, Sym)>>,
     /// Constraints that were not solved: a point that is found may not lie on them.
     pub open: Vec<String>,
-    /// What was divided by, in hypotheses.
+    /// The divisors in hypotheses.
     pub divisors: Vec<Sym>,
-    /// What vanishes on it, as constraints and hypotheses state it.
+    /// The expressions that vanish on it, as constraints and hypotheses state it.
     pub held: Vec<Sym>,
     /// Constraints of positions.
     positions: Vec<Sym>,
@@ -41,7 +41,7 @@ impl<'t, 'm> Motion<'t, 'm> {
         motion
     }
 
-    /// What the equations of motion leave: positions and speeds that the constraints allow.
+    /// The letters that the equations of motion leave: positions and speeds that the constraints allow.
     ///
     /// # Errors
     /// The equations of motion are not solved, and why.
@@ -220,7 +220,7 @@ impl<'t, 'm> Motion<'t, 'm> {
 pub(crate) struct Solution {
     pub symbol: Sym,
     pub value: Sym,
-    /// What was divided by.
+    /// The divisors.
     pub divisor: Sym,
 }
 

@@ -107,7 +107,7 @@ pub(crate) fn right(
     value.is_finite().then(|| Right { span: right.span.clone(), digits: format!("{value:.decimals$}") })
 }
 
-/// What cancels needs no value.
+/// A letter that cancels needs no value.
 fn cancelled(motion: &Motion<'_, '_>, value: Sym) -> Sym {
     match value.symbols_of().is_empty() {
         true => value,

@@ -75,7 +75,7 @@ impl PaperText {
         Ok(paper)
     }
 
-    /// What messages about this file hold.
+    /// The file's part in messages about it.
     pub(crate) fn error(&self, mut issues: Vec<Issue>) -> SceneError {
         issues.sort_by_key(|issue| issue.span.as_ref().map_or(0, |span| span.start));
         SceneError { path: self.path.clone(), text: self.text.clone(), issues }

@@ -1,4 +1,4 @@
-//! What rests on a steady motion: coordinates, and speeds.
+//! The letters that rest on a steady motion: coordinates, and speeds.
 
 use crate::claim_text::ClaimText;
 use crate::conditions::{placed, scalar};

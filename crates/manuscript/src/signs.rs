@@ -30,7 +30,7 @@ pub(crate) fn shows(expression: Sym, motion: &Motion<'_, '_>, conditions: &[Cond
     }
 }
 
-/// What is known of the sign of an expression.
+/// Knowledge of the sign of an expression.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Sign {
     Positive,

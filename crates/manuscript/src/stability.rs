@@ -54,7 +54,7 @@ pub(crate) fn stability(
     Ok(())
 }
 
-/// What must be positive for stability.
+/// The expressions that must be positive for stability.
 struct Roots {
     conditions: Vec<Sym>,
     /// Whether all roots are left of the imaginary axis there, and not on it.
@@ -119,7 +119,7 @@ fn roots(resting: &Resting, letters: &Letters<'_, '_>, motion: &Motion<'_, '_>) 
     conditions_of(&all)
 }
 
-/// Of a polynomial by rising powers: with even powers alone its squares are negative numbers, each of their own; else Hurwitz's.
+/// The conditions of a polynomial by rising powers: with even powers alone its squares are negative numbers, each of their own; else Hurwitz's.
 fn conditions_of(all: &[Sym]) -> Result<Roots, String> {
     let is_even = all.iter().skip(1).step_by(2).all(|odd| *odd == Sym::ZERO);
     let found = match (all, is_even) {

@@ -31,7 +31,7 @@ pub(crate) fn neither(outcome: Outcome, letters: &Letters<'_, '_>, finding: &mut
     (finding.judged.verdict, finding.judged.evidence) = (verdict, evidence);
 }
 
-/// What was used beside the formula.
+/// The hypotheses that were used beside the formula.
 pub(crate) fn allowed(trace: &Trace<'_>, is_dynamic: bool) -> String {
     let constraints = constraints_of(trace).len();
     let held = match constraints {

@@ -44,7 +44,7 @@ pub struct ModelScene {
     /// The motion in one sentence, and why it is hard.
     pub description: String,
     pub model: Arc<Model>,
-    /// What the model was elaborated from.
+    /// The source that the model was elaborated from.
     pub(crate) source: Arc<Source>,
     pub system: Arc<CompiledSystem>,
     /// Coordinates, then speeds, at time zero: the constraints hold.

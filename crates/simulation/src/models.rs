@@ -43,7 +43,7 @@ pub trait Modelled: IvpScene + fmt::Debug {
 pub struct Limit<'a> {
     /// Zero for good, so that conditions which choose nothing any more are not watched for.
     pub zero: &'a [&'a str],
-    /// Of springs and dampers, without bound: what these stretch by, or move at, is held at zero.
+    /// Without bound, of springs and dampers: what these stretch by, or move at, is held at zero.
     pub unbounded: &'a [&'a str],
 }
 

@@ -123,7 +123,7 @@ fn sliding(extra: &str) -> String {
     )
 }
 
-/// What is left out has no condition that is watched for, and the run is that of the closed form.
+/// An element that is left out has no condition that is watched for, and the run is that of the closed form.
 #[test]
 fn dry_friction_that_hardly_acts_is_left_out_with_its_condition() {
     let scene = opened(&sliding("[energies]\nkinetic = \"m*x'^2/2\""));

@@ -121,7 +121,7 @@ impl Branches {
         drawing.close();
     }
 
-    /// Of what occurs alone.
+    /// The legend of those that occur alone.
     fn legend(&self, drawing: &mut Drawing) {
         let pieces = || self.panels.iter().flat_map(|panel| &panel.pieces);
         for standing in Standing::ALL.into_iter().filter(|own| pieces().any(|piece| piece.standing == *own)) {

@@ -39,7 +39,7 @@ pub struct Asked {
     pub test: bool,
 }
 
-/// What the file holds, below the options.
+/// The content of the file, below the options.
 pub const HELP: &str = r#"A paper's file:
 
   title = "A pendulum"
@@ -100,7 +100,7 @@ pub fn judge(asked: &Asked) -> Result<Exit, Exit> {
     Ok(if wrong.is_empty() { Exit::Done } else { Exit::Stopped })
 }
 
-/// How many claims have each verdict.
+/// The number of claims with each verdict.
 fn counted(findings: &[Finding]) -> String {
     let counts: Vec<String> = Verdict::ALL
         .into_iter()

@@ -97,7 +97,7 @@ impl Reader<'_> {
         Ok(self.term(start, Form::Number(value)))
     }
 
-    /// What stands in parentheses.
+    /// The content of parentheses.
     fn group(&mut self) -> Read<Term> {
         let close = self.partner(self.at);
         let held = self.within(self.at + 1..close)?;

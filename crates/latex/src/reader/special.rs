@@ -93,7 +93,7 @@ impl Reader<'_> {
         Ok(self.term(start, form))
     }
 
-    /// What stands behind a sign of derivation: a group, or one factor with nothing beside it.
+    /// The argument behind a sign of derivation: a group, or one factor with nothing beside it.
     fn operand(&mut self, start: usize) -> Read<Term> {
         self.skip_space();
         let is_closed = self.peek().is_some_and(|token| {

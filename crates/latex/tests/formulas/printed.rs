@@ -1,4 +1,4 @@
-//! What is printed as LaTeX is read back as the same expression.
+//! An expression that is printed as LaTeX is read back as the same expression.
 
 use crate::Plain;
 use field::Analytic;

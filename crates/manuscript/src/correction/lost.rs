@@ -17,7 +17,7 @@ const SHORT: usize = 90;
 /// The letter that stands for the term that is looked for.
 const SOUGHT: &str = r"\aleph";
 
-/// What each sum lacks, where that is so many short terms of the paper's letters at most; in an integral also a letter.
+/// The terms that each sum lacks, where that is so many short terms of the paper's letters at most; in an integral also a letter.
 pub(super) fn lost(
     kind: Kind,
     places: &Places,
@@ -86,7 +86,7 @@ fn one_difference(statement: &Statement, letters: &Letters<'_, '_>) -> Option<Sy
     }
 }
 
-/// What the sought term must be, in the paper's letters: by the motion, and by each equation of motion.
+/// The value that the sought term must have, in the paper's letters: by the motion, and by each equation of motion.
 fn missing(kind: Kind, difference: Sym, letters: &Letters<'_, '_>, probe: &Probe<'_, '_>, most: usize) -> Vec<Sym> {
     let sought = sought();
     let plain = difference.substitute(&[(sought, Sym::ZERO)]);

@@ -48,7 +48,7 @@ const MOST_PAIRS: usize = 4_000;
 /// Terms that a print may have lost together.
 const MOST_LOST: usize = 3;
 
-/// What a claim is judged with.
+/// Everything that a claim is judged with.
 pub(crate) struct Judge<'a> {
     /// Reads and decides an edited claim; none where it cannot be read.
     pub decide: &'a dyn Fn(&ClaimText) -> Option<Finding>,

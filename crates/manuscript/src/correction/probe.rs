@@ -22,7 +22,7 @@ pub(super) struct Probe<'t, 'm> {
 }
 
 impl<'t, 'm> Probe<'t, 'm> {
-    /// That of a refuted claim; none where it is not refuted by equalities.
+    /// The probe of a refuted claim; none where it is not refuted by equalities.
     pub fn of(
         claim: &ClaimText,
         statement: &Statement,
@@ -59,7 +59,7 @@ impl<'t, 'm> Probe<'t, 'm> {
         &self.motion
     }
 
-    /// What must vanish, with both sides in the paper's letters.
+    /// The expressions that must vanish, with both sides in the paper's letters.
     fn lines(&self, claim: &ClaimText, statement: &Statement, letters: &Letters<'_, '_>) -> Option<Vec<Line>> {
         match self.kind {
             Kind::EquationOfMotion | Kind::Formula | Kind::Identity => lines(claim, statement, letters).ok(),
@@ -72,7 +72,7 @@ impl<'t, 'm> Probe<'t, 'm> {
         }
     }
 
-    /// What points tell of an edited claim.
+    /// The verdict of points on an edited claim.
     pub fn look(&self, claim: &ClaimText, statement: &Statement, letters: &Letters<'_, '_>) -> Look {
         let Some(lines) = self.lines(claim, statement, letters) else { return Look::Fails };
         let zeros: Vec<Sym> = lines.iter().map(|line| line.model[0] - line.model[1]).collect();
@@ -98,7 +98,7 @@ impl<'t, 'm> Probe<'t, 'm> {
     }
 }
 
-/// What points tell of a claim.
+/// The verdict of points on a claim.
 pub(super) enum Look {
     /// It says nothing, or it is false.
     Fails,

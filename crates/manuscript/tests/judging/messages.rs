@@ -1,4 +1,4 @@
-//! What is wrong with a paper, at its place.
+//! Faults of a paper, each at its place.
 
 use crate::{PENDULUM, refused};
 

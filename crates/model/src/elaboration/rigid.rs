@@ -1,6 +1,6 @@
 //! Springs and viscous forces that a smaller model takes for rigid: what a spring stretches by, and the speed that is resisted, are zero.
 //!
-//! Of a parameter k without bound, k times a square in the potential energy, or in Rayleigh's function, asks for
+//! A parameter k without bound that stands with a square in the potential energy, or in Rayleigh's function, asks for
 //!
 //!   V = k/2 g^2  ->  g = 0 ,
 //!
@@ -15,12 +15,12 @@ use field::Rational;
 use rustc_hash::FxHashMap;
 use symbolic::{Dimension, Node, Sym, apart};
 
-/// What a parameter without bound holds at zero.
+/// The expressions that a parameter without bound holds at zero.
 #[derive(Default)]
 struct Held {
-    /// Of springs.
+    /// Those of springs.
     positions: Vec<Sym>,
-    /// Of viscous forces.
+    /// Those of viscous forces.
     speeds: Vec<Sym>,
 }
 
@@ -64,7 +64,7 @@ impl Model {
     }
 }
 
-/// What a parameter holds at zero; none where it does something else too.
+/// The expressions that a parameter holds at zero; none where it does something else too.
 fn held(model: &Model, trace: &Trace<'_>, parameter: usize) -> Option<Held> {
     let letter = trace.parameters[parameter];
     if !vanishes(trace.kinetic_and_coenergy().diff(letter)) {

@@ -7,7 +7,7 @@ use std::ops::ControlFlow;
 /// The drift that theory gives for a window.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Drift {
-    /// So much in a window, in the unit of the integral.
+    /// The change in a window, in the unit of the integral.
     Of(f64),
     /// None in the terms of order h^p and h^(p+1): the integral swings.
     None,
@@ -75,7 +75,7 @@ pub fn expected(
     Ok(None)
 }
 
-/// Of each integral the drift over a window and the distance between the largest and the least sum up to a point of it.
+/// The drift of each integral over a window and the distance between the largest and the least sum up to a point of it.
 fn defects(
     motion: &KeptMotion<'_>,
     method: Method,

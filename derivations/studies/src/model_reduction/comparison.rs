@@ -13,7 +13,7 @@ use std::cell::Cell;
 /// Runs of the scene's own model that deciding may cost in all: what its first runs have left of it goes to smaller models, those
 /// of which that are too far off end early.
 const PRICE: f64 = 3.0;
-/// What there is for smaller models at the least, in the same runs.
+/// The least that there is for smaller models, in the same runs.
 const LEAST: f64 = 1.0;
 /// A model that costs more than this share of the scene's own saves too little.
 const WORTH: f64 = 0.8;

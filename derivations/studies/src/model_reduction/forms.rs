@@ -25,7 +25,7 @@ pub struct Forms {
 }
 
 impl Forms {
-    /// Of these hierarchies, the first form's first.
+    /// The forms of these hierarchies, the first form's first.
     pub fn of(ladders: Vec<Hierarchy>, kept: Option<Stored>) -> Self {
         Forms { ladders, kept, pilot: RefCell::new(None) }
     }

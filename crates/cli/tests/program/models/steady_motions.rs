@@ -104,7 +104,7 @@ fn steps_that_misjudge_a_motion_of_a_file_are_told_for_each_method() {
     );
 }
 
-/// Of each oscillation at rest Runge-Kutta 4 loses the part of the closed form, whatever its frequency.
+/// Each oscillation at rest loses by Runge-Kutta 4 the part of the closed form, whatever its frequency.
 #[test]
 fn the_drift_of_oscillations_is_that_of_the_stability_function() {
     let options =

@@ -261,7 +261,7 @@ impl Local {
         self.slopes[row * self.wide + column]
     }
 
-    /// How far the equations are from the unknowns themselves.
+    /// The distance of the equations from the unknowns themselves.
     fn spread(&self) -> f64 {
         let each = |(row, &place): (usize, &usize)| {
             let entry = |&column: &usize| {
