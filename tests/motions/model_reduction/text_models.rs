@@ -227,3 +227,15 @@ fn what_is_left_out_is_what_is_zero() {
     }
     assert!(compared >= 25, "{compared}");
 }
+
+/// The eigenvalues of two blocks on one spring, one of them on a floor, once took an iteration that did not end.
+#[test]
+fn two_blocks_on_a_spring_of_which_one_touches_a_floor_are_decided() {
+    let text = "title = \"blocks\"\ngravity = \"-g*N.y\"\n[parameters]\nm = \"1 kg\"\ng = \"9.81 m/s^2\"\nK = \"1e3 N/m\"\n\
+        [coordinates]\nx = \"m\"\ny = \"m\"\nz = \"m\"\n[bodies.a]\ncentre = \"O + x*N.x + y*N.y\"\nmass = \"m\"\n\
+        [bodies.b]\ncentre = \"O + z*N.x\"\nmass = \"m\"\n[energies]\npotential = \"K/2*(z - x - (1 m))^2\"\n\
+        [[contact]]\nname = \"floor\"\nof = \"a\"\nthrough = \"O\"\nnormal = \"N.y\"\ntouching = true\n\
+        [start]\nz = \"1 m\"\n\"x'\" = \"1 m/s\"\n\"z'\" = \"1 m/s\"\n[run]\nspan = \"1 s\"\noutputs = [\"x\"]\n";
+    let (_, receipt) = chosen(&opened(text), 1e-2);
+    assert!(receipt.taken.is_some());
+}
