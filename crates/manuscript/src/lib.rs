@@ -39,10 +39,10 @@ mod numbers;
 mod paper_text;
 mod passage;
 mod refutation;
-mod resting;
 mod signs;
 mod stability;
 mod steadiness;
+mod steady_motion;
 mod verdict;
 
 pub use change::{Change, Correction, EditKind, Search};

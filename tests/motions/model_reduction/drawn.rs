@@ -10,7 +10,7 @@ pub struct Numbers {
 }
 
 impl Numbers {
-    /// Of a seed, for scenes of a name.
+    /// The numbers of a seed, for scenes of a name.
     pub fn new(seed: u64, name: &str) -> Self {
         Numbers { draw: Draw::new(1834, seed, name), next: 0 }
     }

@@ -1,8 +1,8 @@
 //! Formulas in LaTeX: what is read, what is refused, and that what is printed is read back.
 
-mod printed;
 mod readings;
 mod refusals;
+mod round_trip;
 
 use dalembert_latex::{Meaning, NotFormula, Value, letter_name, read, value};
 use symbolic::Sym;

@@ -1,6 +1,6 @@
 //! Papers of a few lines, and what is found of them.
 
-mod constrained;
+mod constraints;
 mod corrections;
 mod divisors;
 mod hypotheses;

@@ -7,7 +7,7 @@ mod algebraic;
 mod constraints;
 mod displacement;
 mod gimbal;
-mod joined;
+mod junction;
 mod kept;
 mod leaf;
 mod multiple_roots;
@@ -17,7 +17,7 @@ mod unmet;
 
 pub(crate) use algebraic::{complete_algebraic_speeds, with_algebraic_speeds};
 pub use displacement::displaced;
-pub(crate) use joined::joined;
+pub(crate) use junction::joined;
 pub(crate) use kept::{Dependence, KeptConstraints};
 pub(crate) use leaf::Leaf;
 pub(crate) use singular_positions::SingularPositions;

@@ -14,16 +14,16 @@
 //!
 //! # Overview
 //! * [`return_time`]: the period of a motion;
-//! * [`expected`]: D(h) by single steps from points of the motion;
-//! * [`measured`]: the change of I along a run of many periods.
+//! * [`theory`]: D(h) by single steps from points of the motion;
+//! * [`measurement`]: the change of I along a run of many periods.
 
-mod expected;
-mod measured;
+mod measurement;
 mod return_time;
+mod theory;
 
-pub use expected::{Drift, Expected, expected};
-pub use measured::{Measured, Slope, measured};
+pub use measurement::{Measured, Slope, measured};
 pub use return_time::{Returns, return_time};
+pub use theory::{Drift, Expected, expected};
 
 use crate::law::Law;
 use crate::problem::{Function, Invariant};
