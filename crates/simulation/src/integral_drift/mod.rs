@@ -14,8 +14,8 @@
 //!
 //! # Overview
 //! * [`return_time`]: the period of a motion;
-//! * [`theory`]: D(h) by single steps from points of the motion;
-//! * [`measurement`]: the change of I along a run of many periods.
+//! * `theory`: D(h) by single steps from points of the motion;
+//! * `measurement`: the change of I along a run of many periods.
 
 mod measurement;
 mod return_time;
