@@ -240,14 +240,14 @@ fn an_inertia_that_vanishes_beside_a_constraint_is_no_loss_of_rank() {
     assert!(evidence.contains("no inertia resists `x'` at `x` = 1 m"), "{evidence}");
 }
 
-/// A damper that is gone after 1e-9 s needs steps by the million; the time is over before.
+/// A damper that is gone after 1e-9 s needs more steps than are allowed; a slow machine is out of time before.
 #[test]
-fn a_stiff_run_that_is_out_of_time_is_told_as_stiff() {
+fn a_stiff_run_that_is_given_up_is_told_as_stiff() {
     let text = format!(
         "{MASS}[[force]]\non = \"mass\"\nis = \"-((1 N/m)*x + (1e9 N s/m)*(x' - (1 m/s)*cos(t/(1 s))))*N.x\"\n[start]\n\"x'\" = \"1 m/s\"\n\
          [run]\nspan = \"10 s\"\nmethod = \"gragg_bulirsch_stoer\"\n"
     );
-    let (found, code, message) = ran("stiff_time", &text, &["--seconds", "2"]);
+    let (found, code, message) = ran("stiff_time", &text, &["--seconds", "10"]);
     assert_eq!(code, Some(1), "{found} {message}");
     let (kind, _, evidence, remedy) = failure(&found);
     assert!(kind == "stiffness" && evidence.contains("-1.000e9 1/s") && remedy.contains("--method radau_5"), "{found}");

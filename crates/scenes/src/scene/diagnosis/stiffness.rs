@@ -50,7 +50,7 @@ pub(super) fn found(run: &Samples<'_>) -> Option<RunFailure> {
             Some(of(run, &mode, at))
         }
         Failure::LeftTheNumbers { .. } => unstable(run),
-        Failure::OutOfTime { .. } => out_of_time(run),
+        Failure::OutOfTime { .. } | Failure::Interrupted { .. } | Failure::TooManyEvaluations { .. } => given_up(run),
         _ => None,
     }
 }
@@ -95,9 +95,9 @@ pub(super) fn hidden(run: &Samples<'_>) -> Option<RunFailure> {
     is_held.then(|| of(run, &mode, mode.at))
 }
 
-/// The stiffness of a run that was out of time: its steps were as long as stability allows, and the whole run lasts many lives of the mode that
-/// holds them.
-fn out_of_time(run: &Samples<'_>) -> Option<RunFailure> {
+/// The stiffness of a run that was given up, for its time or its evaluations: its steps were as long as stability allows, and the whole run
+/// lasts many lives of the mode that holds them.
+fn given_up(run: &Samples<'_>) -> Option<RunFailure> {
     let (traits, outcome) = (run.choice.method.traits(), &run.trajectory.outcome);
     if traits.implicit || !traits.adaptive || outcome.work.steps < MANY_STEPS {
         return None;
