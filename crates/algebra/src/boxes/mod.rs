@@ -8,10 +8,12 @@
 //! A box that can neither be left out nor shown is divided, down to boxes that are told as undecided.
 
 mod existence;
+mod halves;
 mod newton;
 mod search;
 mod subsystem;
 
+pub use halves::halves;
 pub use search::{Found, Limits, Zero, zeros};
 
 use field::Interval;

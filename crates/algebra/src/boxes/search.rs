@@ -1,6 +1,7 @@
 //! The search: boxes one after the other, the largest first.
 
 use super::existence::shown;
+use super::halves::halves;
 use super::newton::Local;
 use super::{Equations, subsystem};
 use field::Interval;
@@ -56,7 +57,7 @@ pub fn zeros(
         found.examined += 1;
         match examined(equations, next, &mut found.zeros) {
             None => {}
-            Some(left) => match divided(&left, domain, limits.smallest) {
+            Some(left) => match halves(&left, domain, None, limits.smallest) {
                 Some(halves) => open.extend(halves),
                 None => found.undecided.push(left),
             },
@@ -125,25 +126,6 @@ fn is_same(known: &Zero, other: &Zero) -> bool {
     let meets = known.enclosure.iter().zip(&other.enclosure).all(|(a, b)| a.and(*b).is_some());
     let within = |a: &[Interval], b: &[Interval]| a.iter().zip(b).all(|(a, b)| a.is_part_of(*b));
     meets && (within(&other.enclosure, &known.alone) || within(&known.enclosure, &other.alone))
-}
-
-/// The halves of a box across its longest side, beside the first box; none where it is small along all.
-fn divided(at: &[Interval], domain: &[Interval], smallest: f64) -> Option<[Vec<Interval>; 2]> {
-    let part = |k: usize| match domain[k].width() {
-        0.0 => 0.0,
-        whole => at[k].width() / whole,
-    };
-    let widest = (0..at.len()).max_by(|&a, &b| part(a).total_cmp(&part(b)))?;
-    let (whole, middle) = (at[widest], at[widest].middle());
-    if part(widest) < smallest || !(whole.low() < middle && middle < whole.high()) {
-        return None;
-    }
-    let with = |half: Interval| {
-        let mut all = at.to_vec();
-        all[widest] = half;
-        all
-    };
-    Some([with(Interval::new(whole.low(), middle)), with(Interval::new(middle, whole.high()))])
 }
 
 #[cfg(test)]

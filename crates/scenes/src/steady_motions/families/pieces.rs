@@ -6,6 +6,7 @@
 //!   K(X) = m - C f(m, t0) - C f_t (T - t0) + (1 - C f_x(X, T)) (X - m) inside X .
 
 use super::columns::chosen;
+use algebra::boxes::halves;
 use field::Interval;
 use nalgebra::DMatrix;
 use std::collections::VecDeque;
@@ -72,9 +73,6 @@ const WIDTHS: [f64; 3] = [1.25, 2.0, 4.0];
 /// A box that is left narrower than this part is narrowed again.
 const WORTH: f64 = 0.75;
 
-/// A side below this part of the longest is not divided before it.
-const SHORT: f64 = 1.0 / 64.0;
-
 /// Boxes between two questions whether to go on.
 const BETWEEN: usize = 8;
 
@@ -96,7 +94,7 @@ pub(in crate::steady_motions) fn pieces(
         }
         found.examined += 1;
         let Some((left, blamed)) = examined(equations, next, &mut found.pieces) else { continue };
-        match divided(&left, domain, blamed, limits.smallest) {
+        match halves(&left, domain, blamed, limits.smallest) {
             Some(halves) => open.extend(halves),
             None => found.undecided.push(left),
         }
@@ -305,27 +303,6 @@ impl Local {
         };
         self.dependent.iter().enumerate().map(each).collect()
     }
-}
-
-/// The halves of a box across the side that is to blame, or else its longest one.
-fn divided(at: &[Interval], domain: &[Interval], blamed: Option<usize>, smallest: f64) -> Option<[Vec<Interval>; 2]> {
-    let part = |k: usize| match domain[k].width() {
-        0.0 => 0.0,
-        whole => at[k].width() / whole,
-    };
-    let longest = (0..at.len()).max_by(|&a, &b| part(a).total_cmp(&part(b)))?;
-    // a side that is short already is no help
-    let widest = blamed.filter(|&k| part(k) > smallest && part(k) > SHORT * part(longest)).unwrap_or(longest);
-    let (whole, middle) = (at[widest], at[widest].middle());
-    if part(longest) < smallest || !(whole.low() < middle && middle < whole.high()) {
-        return None;
-    }
-    let with = |half: Interval| {
-        let mut all = at.to_vec();
-        all[widest] = half;
-        all
-    };
-    Some([with(Interval::new(whole.low(), middle)), with(Interval::new(middle, whole.high()))])
 }
 
 #[cfg(test)]

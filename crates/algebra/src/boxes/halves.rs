@@ -1,0 +1,33 @@
+//! The halves of a box.
+
+use field::Interval;
+
+/// A side below this part of the longest is not divided before it.
+const SHORT: f64 = 1.0 / 64.0;
+
+/// The halves of a box across the side that is to blame, or else its longest one, each side as a part of the domain's; `None` where the box is
+/// small along all.
+pub fn halves(
+    at: &[Interval],
+    domain: &[Interval],
+    blamed: Option<usize>,
+    smallest: f64,
+) -> Option<[Vec<Interval>; 2]> {
+    let part = |k: usize| match domain[k].width() {
+        0.0 => 0.0,
+        whole => at[k].width() / whole,
+    };
+    let longest = (0..at.len()).max_by(|&a, &b| part(a).total_cmp(&part(b)))?;
+    // a side that is short already is no help
+    let side = blamed.filter(|&k| part(k) > smallest && part(k) > SHORT * part(longest)).unwrap_or(longest);
+    let (whole, middle) = (at[side], at[side].middle());
+    if part(longest) < smallest || !(whole.low() < middle && middle < whole.high()) {
+        return None;
+    }
+    let with = |half: Interval| {
+        let mut all = at.to_vec();
+        all[side] = half;
+        all
+    };
+    Some([with(Interval::new(whole.low(), middle)), with(Interval::new(middle, whole.high()))])
+}
