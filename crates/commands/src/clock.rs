@@ -17,6 +17,10 @@ use std::time::{Duration, Instant};
 
 /// A command that can break off by itself is given so long for it.
 const GRACE: Duration = Duration::from_millis(700);
+/// The least time that is kept for judging and printing what was found.
+const CLOSING: Duration = Duration::from_millis(400);
+/// The part of the time given that is kept for it.
+const CLOSING_PART: u32 = 20;
 /// The interval at which the thread looks: shorter than a user feels.
 const TICK: Duration = Duration::from_millis(20);
 /// The sign of progress is drawn ten times a second.
@@ -79,6 +83,12 @@ pub fn left() -> Duration {
 /// Breaks off what asks this, once the user asked for the end.
 pub fn goes_on() -> ControlFlow<()> {
     if is_asked() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+}
+
+/// Whether there is time for more work, beside what judging and printing the results so far will take.
+pub fn has_time() -> bool {
+    let given = CLOCK.get().and_then(|clock| clock.seconds).map_or(Duration::ZERO, |s| Duration::from_secs(s.into()));
+    goes_on().is_continue() && left() > CLOSING.max(given / CLOSING_PART)
 }
 
 /// While this lives the clock waits: what is printed or written is not cut.

@@ -80,6 +80,24 @@ impl Interval {
         Interval { low: self.low.min(other.low), high: self.high.max(other.high) }
     }
 
+    /// All factors x with x b in this interval for some b of another, in one piece or two; none where there is no such x.
+    pub fn factors(self, by: Interval) -> [Option<Interval>; 2] {
+        if !by.contains(0.0) {
+            return [Some(self / by), None];
+        }
+        if self.contains(0.0) {
+            return [Some(Self::EVERYTHING), None];
+        }
+        let nearest = Interval::point(if self.low > 0.0 { self.low } else { self.high });
+        [by.low, by.high].map(|end| {
+            let farthest = (end != 0.0).then(|| nearest / Interval::point(end))?;
+            Some(match (self.low > 0.0) == (end > 0.0) {
+                true => Interval { low: farthest.low.max(0.0), high: f64::INFINITY },
+                false => Interval { low: f64::NEG_INFINITY, high: farthest.high.min(0.0) },
+            })
+        })
+    }
+
     /// 1, -1 or 0 of all of its numbers; none where they differ in sign.
     pub fn sign(self) -> Option<i32> {
         match self {

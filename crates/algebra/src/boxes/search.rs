@@ -39,6 +39,9 @@ pub struct Found {
 /// A box that Newton's method leaves narrower than this part is narrowed again instead of being divided.
 const WORTH: f64 = 0.75;
 
+/// Boxes between two questions whether to go on.
+const BETWEEN: usize = 16;
+
 /// All zeros in a box of the divided unknowns; `goes_on` is asked now and then.
 pub fn zeros(
     equations: &mut dyn Equations,
@@ -49,7 +52,7 @@ pub fn zeros(
     let mut found = Found::default();
     let mut open = VecDeque::from([domain.to_vec()]);
     while let Some(next) = open.pop_front() {
-        if found.examined >= limits.boxes || found.examined.is_multiple_of(256) && !goes_on() {
+        if found.examined >= limits.boxes || found.examined.is_multiple_of(BETWEEN) && !goes_on() {
             found.undecided.push(next);
             found.undecided.extend(open);
             break;
@@ -79,7 +82,7 @@ fn examined(equations: &mut dyn Equations, mut at: Vec<Interval>, zeros: &mut Ve
     loop {
         let before = at.clone();
         at.resize(all, Interval::EVERYTHING);
-        if !equations.narrow(&mut at) {
+        if !equations.narrow(&mut at) || !narrowed_by_signs(equations, &mut at) {
             return None;
         }
         let is_narrower =
@@ -119,6 +122,33 @@ fn examined(equations: &mut dyn Equations, mut at: Vec<Interval>, zeros: &mut Ve
             return Some(at);
         }
     }
+}
+
+/// Narrows a box by both signs of each determined unknown that nothing bounds; false where there are no zeros.
+fn narrowed_by_signs(equations: &mut dyn Equations, at: &mut [Interval]) -> bool {
+    let signs = [Interval::new(f64::NEG_INFINITY, 0.0), Interval::new(0.0, f64::INFINITY)];
+    for k in equations.divided()..at.len() {
+        if at[k].sign().is_some() || at[k].size().is_finite() {
+            continue;
+        }
+        let mut left: Option<Vec<Interval>> = None;
+        for sign in signs {
+            let mut of_sign = at.to_vec();
+            let Some(part) = at[k].and(sign) else { continue };
+            of_sign[k] = part;
+            if equations.narrow(&mut of_sign) && equations.narrow(&mut of_sign) {
+                left = Some(match left {
+                    Some(left) => left.iter().zip(&of_sign).map(|(a, b)| a.hull(*b)).collect(),
+                    None => of_sign,
+                });
+            }
+        }
+        match left {
+            Some(left) => at.copy_from_slice(&left),
+            None => return false,
+        }
+    }
+    true
 }
 
 /// Whether two zeros are one: the enclosure of one lies where the other is alone, and both meet.

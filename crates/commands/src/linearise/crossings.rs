@@ -1,7 +1,7 @@
 //! `dalembert linearise --along NAME=FROM..TO`: values between which eigenvalues change sides, by enclosures.
 
 use super::{Asked, Form};
-use crate::clock;
+use crate::clock::has_time;
 use crate::exit::{Exit, print, warn};
 use ::scenes::linearisation::point_of;
 use ::scenes::steady_motions::{Crossings, EnclosedSpectrum, EnclosedVerdict, Judged, NotEnclosed};
@@ -22,12 +22,11 @@ pub(super) fn show(asked: &Asked, model: &Model, name: &str, range: [f64; 2]) ->
     };
     // what is wrong with the name or the start is told at once
     at(range[0]).map_err(refused)?;
-    let goes_on = || clock::goes_on().is_continue();
     let spectrum = |value: f64| {
         let (model, state) = at(value).map_err(|_| NotEnclosed::NoMotion)?;
-        EnclosedSpectrum::near(&model, &state, goes_on)
+        EnclosedSpectrum::near(&model, &state, has_time)
     };
-    let found = Crossings::of(range, spectrum, goes_on);
+    let found = Crossings::of(range, spectrum, has_time);
     for (value, why) in &found.open {
         warn(&format!("warning: {}: no enclosures at {name} = {value}: {why}", asked.scene.display()));
     }

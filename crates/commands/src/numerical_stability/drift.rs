@@ -16,7 +16,6 @@ use simulation::integral_drift::{
 use simulation::models::holds_model;
 use std::fmt::Write;
 use std::ops::ControlFlow;
-use std::time::Duration;
 use studies::scene::Scene;
 
 /// Periods over which a drift is told.
@@ -27,9 +26,6 @@ const AFFORDABLE: u32 = 2_000_000;
 
 /// The part of an integral beyond which its drift is no longer in proportion to time.
 const A_TENTH: f64 = 0.1;
-
-/// Time that is kept for printing.
-const PRINTING: Duration = Duration::from_millis(400);
 
 /// The methods that run where none is asked for.
 pub(super) const CLASSICAL: [Method; 4] = [
@@ -57,7 +53,7 @@ struct Found {
 }
 
 pub(super) fn goes_on() -> ControlFlow<()> {
-    if clock::left() < PRINTING { ControlFlow::Break(()) } else { clock::goes_on() }
+    if clock::has_time() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
 }
 
 /// The methods that are asked for, each with each number of steps.

@@ -57,6 +57,7 @@ pub(super) fn body(all: &Found) -> String {
         let _ = writeln!(out, "cyclic, nothing depends on them: {}", found.cyclic.join(", "));
     }
     let count = match (found.motions.len(), found.families.len()) {
+        (0, 0) if !found.is_complete() => "no steady motion was found".to_owned(),
         (0, 0) => "no steady motion".to_owned(),
         (0, 1) => "one family of steady motions".to_owned(),
         (0, families) => format!("{families} families of steady motions"),
@@ -72,7 +73,7 @@ pub(super) fn body(all: &Found) -> String {
         true => writeln!(out, "\n{count}, and no other: the search over {boxes} decides everything"),
         false => writeln!(
             out,
-            "\n{count}; after a search over {boxes} {} are undecided, {} of the whole range: there may be others in them",
+            "\n{count}; after a search over {boxes} {} are undecided, {} of the whole range: others may lie there",
             found.undecided.len(),
             part(found.undecided_part)
         ),

@@ -2,8 +2,9 @@
 
 use super::Asked;
 use super::model::verdict;
-use super::steady_box::{goes_on, number, refused, unit};
+use super::steady_box::{number, refused, unit};
 use crate::arguments::Format;
+use crate::clock::has_time;
 use crate::exit::{Exit, print, warn};
 use crate::job_pool::JobPool;
 use crate::output::{Form, Writes};
@@ -80,7 +81,7 @@ fn cells(asked: &Asked, model: &Model, directions: [Direction<'_>; 2]) -> Result
     let mut crew = JobPool::default();
     for (value, place) in middles(directions[0].1, count).into_iter().zip(&mut columns) {
         let wanted = &wanted;
-        crew.add(1.0, place, move || PlaneCell::column(model, wanted, directions, (value, count), goes_on));
+        crew.add(1.0, place, move || PlaneCell::column(model, wanted, directions, (value, count), has_time));
     }
     crew.work(|done| progress.set(done));
     columns.into_iter().flatten().collect()
@@ -102,7 +103,7 @@ fn borders(
     let mut crew = JobPool::default();
     for ((one, other), place) in pairs.into_iter().zip(&mut found) {
         let wanted = &wanted;
-        crew.add(1.0, place, move || one.border(other, model, wanted, names, goes_on));
+        crew.add(1.0, place, move || one.border(other, model, wanted, names, has_time));
     }
     crew.work(|done| progress.set(done));
     found.into_iter().flatten().collect()

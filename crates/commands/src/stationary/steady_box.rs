@@ -1,7 +1,7 @@
 //! Steady motions of a system that is written in its file, as commands ask for them.
 
 use crate::arguments::finite;
-use crate::clock;
+use crate::clock::has_time;
 use crate::exit::{Exit, placed, warn};
 use crate::progress::Progress;
 use ::scenes::steady_motions::{Along, Asked, Case, NoSteadyMotions, Range, SteadyMotions, conditions_of};
@@ -10,9 +10,7 @@ use clap::Args;
 use clap::builder::RangedU64ValueParser;
 use model::Model;
 use reader::Issue;
-use std::ops::ControlFlow;
 use std::path::Path;
-use std::time::Duration;
 use units::nearest;
 
 /// Where steady motions are sought.
@@ -51,9 +49,6 @@ pub fn named_range(text: &str) -> Result<(String, Range), String> {
     Ok((name.trim().to_owned(), Range { from, to }))
 }
 
-/// Time that is kept for printing.
-const PRINTING: Duration = Duration::from_millis(400);
-
 /// A system with its steady motions.
 pub struct Found {
     pub title: String,
@@ -89,10 +84,6 @@ fn read(path: &Path) -> Result<(String, Model), Exit> {
     Ok((title, model))
 }
 
-pub fn goes_on() -> bool {
-    matches!(clock::goes_on(), ControlFlow::Continue(())) && clock::left() > PRINTING
-}
-
 /// The unit of a number, with a space before it.
 pub fn unit(model: &Model, name: &str) -> String {
     match unit_of(model, name).as_str() {
@@ -107,7 +98,7 @@ impl SteadyBox {
         self.checked()?;
         let (title, model) = read(path)?;
         let _progress = Progress::new("steady motions");
-        let motions = SteadyMotions::of(&model, &self.wanted(), goes_on).map_err(|why| refused(path, &model, why))?;
+        let motions = SteadyMotions::of(&model, &self.wanted(), has_time).map_err(|why| refused(path, &model, why))?;
         Ok(Found { title, model, motions })
     }
 
@@ -119,7 +110,8 @@ impl SteadyBox {
             return Ok(None);
         }
         let _progress = Progress::new("steady motions");
-        let all = SteadyMotions::of_cases(&model, &self.wanted(), goes_on).map_err(|why| refused(path, &model, why))?;
+        let all =
+            SteadyMotions::of_cases(&model, &self.wanted(), has_time).map_err(|why| refused(path, &model, why))?;
         Ok(Some(Cases { title, conditions: conditions_of(&model), model, all }))
     }
 
@@ -127,7 +119,7 @@ impl SteadyBox {
     pub fn find_along(&self, path: &Path, (name, range): &(String, Range), values: usize) -> Result<AlongFound, Exit> {
         let (title, model) = self.along(path, &[name])?;
         let _progress = Progress::new("steady motions");
-        let along = Along::of(&model, &self.wanted(), (name, *range), values, goes_on);
+        let along = Along::of(&model, &self.wanted(), (name, *range), values, has_time);
         let along = along.map_err(|why| refused(path, &model, why))?;
         let unit = unit(&model, name);
         let units = along.samples.first().map_or_else(Vec::new, |sample| {
@@ -194,7 +186,7 @@ impl SteadyBox {
         if found.is_complete() {
             return Exit::Done;
         }
-        let remedy = match goes_on() {
+        let remedy = match has_time() {
             true => format!("or more boxes (--boxes {}) decide more", 10 * self.boxes),
             false => "or more time (--seconds) decide more: the time was over".to_owned(),
         };

@@ -4,7 +4,7 @@ use super::equations::SteadyEquations;
 use algebra::boxes::Zero;
 use field::Interval;
 use nalgebra::{DMatrix, DVector};
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 
 /// Undecided boxes that touch one another.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,10 +32,13 @@ pub enum Near {
 const CELLS: f64 = 48.0;
 
 /// More cells than these are one region.
-const MOST_CELLS: usize = 4_000;
+const MOST_CELLS: usize = 2_000;
 
-/// Boxes of a region from which it begins.
-const BEGINNINGS: usize = 48;
+/// With more regions than these the cells are twice as large.
+const MOST_REGIONS: usize = 16;
+
+/// Boxes of all regions together from which it begins, and of each, at least.
+const BEGINNINGS: [usize; 2] = [96, 6];
 
 /// Steps of Newton's method.
 const STEPS: usize = 60;
@@ -55,20 +58,32 @@ const ASIDE: f64 = 1e-3;
 /// The regions of undecided boxes, the largest first.
 pub(super) fn regions(equations: &SteadyEquations, known: &[Zero], undecided: &[Vec<Interval>]) -> Vec<Region> {
     let ranges: Vec<Interval> = equations.unknowns.iter().map(|unknown| unknown.range.interval()).collect();
+    let mut groups = grouped(&ranges, undecided, CELLS);
+    let mut cells = CELLS;
+    while groups.len() > MOST_REGIONS {
+        cells *= 0.5;
+        groups = grouped(&ranges, undecided, cells);
+    }
+    let beginnings = (BEGINNINGS[0] / groups.len().max(1)).max(BEGINNINGS[1]);
+    let mut all: Vec<Region> = groups.into_iter().map(|boxes| region(equations, known, (&boxes, beginnings))).collect();
+    all.sort_by(|a, b| b.boxes.cmp(&a.boxes).then_with(|| a.hull[0][0].total_cmp(&b.hull[0][0])));
+    all
+}
+
+/// Boxes that touch one another, as cells of that size see them.
+fn grouped<'a>(ranges: &[Interval], undecided: &'a [Vec<Interval>], cells: f64) -> Vec<Vec<&'a Vec<Interval>>> {
     let largest = |k: usize| undecided.iter().fold(0.0, |most: f64, at| most.max(at[k].width()));
-    let sizes: Vec<f64> = (0..ranges.len()).map(|k| largest(k).max(ranges[k].width() / CELLS)).collect();
+    let sizes: Vec<f64> = (0..ranges.len()).map(|k| largest(k).max(ranges[k].width() / cells)).collect();
     let cell = |at: &Vec<Interval>| -> Vec<i64> {
         (0..sizes.len()).map(|k| ((at[k].middle() - ranges[k].low()) / sizes[k]).floor() as i64).collect()
     };
-    let mut cells: BTreeMap<Vec<i64>, Vec<&Vec<Interval>>> = BTreeMap::new();
-    undecided.iter().for_each(|at| cells.entry(cell(at)).or_default().push(at));
-    let mut groups: HashMap<usize, Vec<&Vec<Interval>>> = HashMap::new();
-    for (group, boxes) in joined(&cells.keys().collect::<Vec<_>>()).into_iter().zip(cells.into_values()) {
+    let mut filled: BTreeMap<Vec<i64>, Vec<&Vec<Interval>>> = BTreeMap::new();
+    undecided.iter().for_each(|at| filled.entry(cell(at)).or_default().push(at));
+    let mut groups: BTreeMap<usize, Vec<&Vec<Interval>>> = BTreeMap::new();
+    for (group, boxes) in joined(&filled.keys().collect::<Vec<_>>()).into_iter().zip(filled.into_values()) {
         groups.entry(group).or_default().extend(boxes);
     }
-    let mut all: Vec<Region> = groups.into_values().map(|boxes| region(equations, known, &boxes)).collect();
-    all.sort_by(|a, b| b.boxes.cmp(&a.boxes).then_with(|| a.hull[0][0].total_cmp(&b.hull[0][0])));
-    all
+    groups.into_values().collect()
 }
 
 /// A number for each cell, the same for those that touch.
@@ -89,12 +104,12 @@ fn joined(cells: &[&Vec<i64>]) -> Vec<usize> {
     of
 }
 
-fn region(equations: &SteadyEquations, known: &[Zero], boxes: &[&Vec<Interval>]) -> Region {
+fn region(equations: &SteadyEquations, known: &[Zero], (boxes, beginnings): (&[&Vec<Interval>], usize)) -> Region {
     let mut hull = boxes[0].clone();
     for at in boxes {
         hull.iter_mut().zip(*at).for_each(|(hull, at)| *hull = hull.hull(*at));
     }
-    let between = boxes.len().div_ceil(BEGINNINGS);
+    let between = boxes.len().div_ceil(beginnings);
     let begun = boxes.iter().skip(boxes.len() / 2 % between).step_by(between);
     let near = begun.map(|from| near(equations, known, from, &hull)).max().unwrap_or(Near::Nothing);
     Region { hull: hull.into_iter().map(|at| [at.low(), at.high()]).collect(), boxes: boxes.len(), near }

@@ -355,3 +355,26 @@ bead = { centre = "P", mass = "1 kg" }
         "{found:?}"
     );
 }
+
+/// Rods in a row hang or stand: with each at its lowest or highest, and no other, although each reaction may have either sign.
+#[test]
+fn rods_in_cartesian_coordinates_rest_upright_alone() {
+    const RODS: &str = include_str!("../../../../scenes/foreign/triple_pendulum.toml");
+    let ranges = ["x1", "y1", "x2", "y2", "x3", "y3"].map(|name| (name, -1.6, 1.6));
+    let found = all(RODS, &ranges);
+    let mut wanted: Vec<Vec<f64>> = Vec::new();
+    for signs in 0..8 {
+        let mut at = 0.0;
+        let heights = (0..3).map(|rod| {
+            at += if signs >> rod & 1 == 0 { -0.5 } else { 0.5 };
+            [0.0, at]
+        });
+        wanted.push(heights.flatten().collect());
+    }
+    let own: Vec<Vec<f64>> = values(&found).into_iter().map(|(values, _)| values).collect();
+    assert_eq!(own.len(), 8);
+    for wanted in &wanted {
+        let is_near = |own: &&Vec<f64>| own.iter().zip(wanted).all(|(a, b)| (a - b).abs() < 1e-9);
+        assert_eq!(own.iter().filter(is_near).count(), 1, "{wanted:?}");
+    }
+}

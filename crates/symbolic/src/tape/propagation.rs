@@ -69,6 +69,18 @@ impl<'a> Propagation<'a> {
         }
     }
 
+    /// Keeps of a register the smallest interval with all that it has in common with two ranges; false where that is nothing.
+    fn meet_any(&mut self, register: usize, ranges: [Option<Interval>; 2]) -> bool {
+        let own = self.registers[register];
+        let [one, other] = ranges.map(|range| range.and_then(|range| own.and(range)));
+        match (one, other) {
+            (Some(one), Some(other)) => self.registers[register] = one.hull(other),
+            (Some(one), None) | (None, Some(one)) => self.registers[register] = one,
+            (None, None) => return false,
+        }
+        true
+    }
+
     /// Narrows operands by the result and the others.
     fn backwards(&mut self, operation: Operation, result: usize) -> bool {
         let [a, b, _] = operation.operands().map(|register| register as usize);
@@ -79,11 +91,13 @@ impl<'a> Propagation<'a> {
             Operation::Product(..) if a == b => match r.and(Interval::new(0.0, f64::INFINITY)) {
                 Some(square) => {
                     let root = square.sqrt();
-                    self.meet(a, root.hull(-root))
+                    self.meet_any(a, [Some(root), Some(-root)])
                 }
                 None => false,
             },
-            Operation::Product(..) | Operation::Multiple(..) => self.meet(a, r / y) && self.meet(b, r / x),
+            Operation::Product(..) | Operation::Multiple(..) => {
+                self.meet_any(a, r.factors(y)) && self.meet_any(b, r.factors(x))
+            }
             Operation::Quotient(..) | Operation::Part(..) => self.meet(a, r * y) && self.meet(b, x / r),
             Operation::Negation(_) => self.meet(a, -r),
             Operation::Root(_) => match r.and(Interval::new(0.0, f64::INFINITY)) {
@@ -167,5 +181,21 @@ mod tests {
         assert!(at[2].size() < 0.32 && at[2].contains(0.31), "{at:?}");
         let mut none = [Interval::new(2.1, 2.5), Interval::new(-9.0, 9.0), Interval::new(-3.0, 3.0)];
         assert!(!propagation.narrow(&mut none));
+    }
+
+    #[test]
+    fn a_factor_of_known_sign_is_bounded_by_a_product_away_from_zero_whatever_the_other() {
+        let [x, y] = symbols(["x", "y"]);
+        // x y = 2, y between -1 and 1, x from 0 on
+        let tape = Tape::record(&[x, y], &[x * y - Sym::int(2)]).expect("it has values");
+        let mut propagation = Propagation::of(&tape);
+        let mut at = [Interval::new(0.0, f64::INFINITY), Interval::new(-1.0, 1.0)];
+        assert!(propagation.narrow(&mut at));
+        assert!(at[0].low() > 1.999_999 && at[0].low() <= 2.0 && at[0].high() == f64::INFINITY, "{at:?}");
+        assert!(propagation.narrow(&mut at) && at[1].low() > -1e-9, "{at:?}");
+        // x^2 = 4, x from -1 on
+        let tape = Tape::record(&[x], &[x * x - Sym::int(4)]).expect("it has values");
+        let mut at = [Interval::new(-1.0, 9.0)];
+        assert!(Propagation::of(&tape).narrow(&mut at) && at[0].low() > 1.999_999, "{at:?}");
     }
 }
