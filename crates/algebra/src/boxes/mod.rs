@@ -11,6 +11,7 @@ mod existence;
 mod halves;
 mod newton;
 mod search;
+mod signs;
 mod subsystem;
 
 pub use halves::halves;

@@ -3,6 +3,7 @@
 use super::existence::shown;
 use super::halves::halves;
 use super::newton::Local;
+use super::signs::{Signs, by_signs};
 use super::{Equations, subsystem};
 use field::Interval;
 use std::collections::VecDeque;
@@ -36,8 +37,8 @@ pub struct Found {
     pub examined: usize,
 }
 
-/// A box that Newton's method leaves narrower than this part is narrowed again instead of being divided.
-const WORTH: f64 = 0.75;
+/// A box that is left narrower than this part is narrowed again instead of being divided.
+pub(super) const WORTH: f64 = 0.75;
 
 /// Boxes between two questions whether to go on.
 const BETWEEN: usize = 16;
@@ -49,8 +50,11 @@ pub fn zeros(
     limits: Limits,
     mut goes_on: impl FnMut() -> bool,
 ) -> Found {
+    let (n, all) = (equations.divided(), equations.divided() + equations.determined());
     let mut found = Found::default();
-    let mut open = VecDeque::from([domain.to_vec()]);
+    let mut first = domain.to_vec();
+    first.resize(all, Interval::EVERYTHING);
+    let mut open = VecDeque::from([first]);
     while let Some(next) = open.pop_front() {
         if found.examined >= limits.boxes || found.examined.is_multiple_of(BETWEEN) && !goes_on() {
             found.undecided.push(next);
@@ -60,8 +64,9 @@ pub fn zeros(
         found.examined += 1;
         match examined(equations, next, &mut found.zeros) {
             None => {}
-            Some(left) => match halves(&left, domain, None, limits.smallest) {
-                Some(halves) => open.extend(halves),
+            Some(Left::OfSigns(both)) => open.extend(both),
+            Some(Left::One(left)) => match halves(&left[..n], domain, None, limits.smallest) {
+                Some(halves) => open.extend(halves.map(|half| [&half, &left[n..]].concat())),
                 None => found.undecided.push(left),
             },
         }
@@ -72,28 +77,39 @@ pub fn zeros(
         at.len() == zero.alone.len() && at.iter().zip(&zero.alone).all(|(at, alone)| at.is_part_of(*alone))
     };
     undecided.retain(|at| !zeros.iter().any(|zero| is_part(at, zero)));
+    undecided.iter_mut().for_each(|at| at.truncate(n));
     found
 }
 
+/// The part of a box that is still open.
+enum Left {
+    One(Vec<Interval>),
+    /// By the sign of a determined unknown.
+    OfSigns([Vec<Interval>; 2]),
+}
+
 /// The part of a box that is still open; none where all of it is decided.
-fn examined(equations: &mut dyn Equations, mut at: Vec<Interval>, zeros: &mut Vec<Zero>) -> Option<Vec<Interval>> {
-    let (n, all) = (equations.divided(), equations.divided() + equations.determined());
-    let mut values = vec![Interval::EVERYTHING; all];
+fn examined(equations: &mut dyn Equations, mut at: Vec<Interval>, zeros: &mut Vec<Zero>) -> Option<Left> {
+    let n = equations.divided();
+    let mut values = vec![Interval::EVERYTHING; at.len()];
     loop {
-        let before = at.clone();
-        at.resize(all, Interval::EVERYTHING);
-        if !equations.narrow(&mut at) || !narrowed_by_signs(equations, &mut at) {
+        let before = at[..n].to_vec();
+        if !equations.narrow(&mut at) {
             return None;
+        }
+        match by_signs(equations, &mut at) {
+            Signs::None => return None,
+            Signs::Both(both) => return Some(Left::OfSigns(both)),
+            Signs::One => {}
         }
         let is_narrower =
             |at: &[Interval]| at.iter().zip(&before).any(|(left, before)| left.width() < WORTH * before.width());
         if !equations.bound(&mut at) {
             at = subsystem::narrowed(equations, &at, n)?;
-            at.truncate(n);
             if is_narrower(&at) {
                 continue;
             }
-            return Some(at);
+            return Some(Left::One(at));
         }
         let is_part = |zero: &Zero| at.iter().zip(&zero.alone).all(|(at, alone)| at.is_part_of(*alone));
         if zeros.iter().any(is_part) {
@@ -103,10 +119,7 @@ fn examined(equations: &mut dyn Equations, mut at: Vec<Interval>, zeros: &mut Ve
         if values.iter().any(|value| !value.contains(0.0)) {
             return None;
         }
-        let Some(local) = Local::of(equations, &at) else {
-            at.truncate(n);
-            return Some(at);
-        };
+        let Some(local) = Local::of(equations, &at) else { return Some(Left::One(at)) };
         at = local.narrowed(&at)?;
         if let Some(zero) = shown(equations, &at) {
             let is_covered = at.iter().zip(&zero.alone).all(|(left, alone)| left.is_part_of(*alone));
@@ -117,38 +130,10 @@ fn examined(equations: &mut dyn Equations, mut at: Vec<Interval>, zeros: &mut Ve
                 return None;
             }
         }
-        at.truncate(n);
         if !is_narrower(&at) {
-            return Some(at);
+            return Some(Left::One(at));
         }
     }
-}
-
-/// Narrows a box by both signs of each determined unknown that nothing bounds; false where there are no zeros.
-fn narrowed_by_signs(equations: &mut dyn Equations, at: &mut [Interval]) -> bool {
-    let signs = [Interval::new(f64::NEG_INFINITY, 0.0), Interval::new(0.0, f64::INFINITY)];
-    for k in equations.divided()..at.len() {
-        if at[k].sign().is_some() || at[k].size().is_finite() {
-            continue;
-        }
-        let mut left: Option<Vec<Interval>> = None;
-        for sign in signs {
-            let mut of_sign = at.to_vec();
-            let Some(part) = at[k].and(sign) else { continue };
-            of_sign[k] = part;
-            if equations.narrow(&mut of_sign) && equations.narrow(&mut of_sign) {
-                left = Some(match left {
-                    Some(left) => left.iter().zip(&of_sign).map(|(a, b)| a.hull(*b)).collect(),
-                    None => of_sign,
-                });
-            }
-        }
-        match left {
-            Some(left) => at.copy_from_slice(&left),
-            None => return false,
-        }
-    }
-    true
 }
 
 /// Whether two zeros are one: the enclosure of one lies where the other is alone, and both meet.

@@ -236,7 +236,7 @@ pub fn refused(path: &Path, model: &Model, why: NoSteadyMotions) -> Exit {
             placed(path, issue.accepted("constraints of positions, and up to six that are linear in the speeds, quasi-velocities among them; `linearise --about equilibrium` finds one equilibrium near the start"))
         }
         NoSteadyMotions::Changes => told(
-"its law changes at events, or at conditions where --along or `numerical-stability` is asked for: steady motions are not sought there; \
+"its law changes at conditions, or with contacts, and --along or `numerical-stability` is asked for: steady motions are not sought there; \
              `stationary` seeks places of rest with conditions, and `linearise --about equilibrium` finds one equilibrium near the start"
                 .to_owned(),
         ),
@@ -285,11 +285,9 @@ pub fn refused(path: &Path, model: &Model, why: NoSteadyMotions) -> Exit {
             ))
         }
         NoSteadyMotions::Unequal { counts: [equations, unknowns], idle } => told(format!(
-            "its equations, {equations}, are more than its unknowns, {unknowns}: there is no steady motion, but by chance{}",
-            match idle.is_empty() {
-                true => "; a coordinate that has one value (--range NAME=VALUE) must not be held by an equation of its own".to_owned(),
-                false => format!("; a value for {} (--range NAME=VALUE) chooses among them", listed(&idle)),
-            }
+            "its equations, {equations}, are more than its unknowns, {unknowns}: there is no steady motion, but by chance; a value for {} \
+             (--range NAME=VALUE) chooses among them",
+            listed(&idle)
         )),
     }
 }

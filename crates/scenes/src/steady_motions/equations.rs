@@ -10,12 +10,12 @@ use super::energy_row::implied;
 use super::families::Identity;
 use super::quasi_velocities::{is_integral, state_names};
 use super::rows::{Rows, Touching};
+use super::surplus::Selection;
 use super::{Asked, NoSteadyMotions, Range};
-use crate::changing_laws::changes;
 use crate::compiled_system::has_values;
 use crate::letters::Letters;
 use model::equations::vanishes;
-use model::{Contact, Event, Model, Trace};
+use model::{Contact, Model, Trace};
 use symbolic::{Sym, Tape, substitute_all};
 
 /// An unknown of the search: a coordinate, or the constant speed of a cyclic one.
@@ -73,6 +73,8 @@ pub(super) struct SteadyEquations {
     pub momenta: Option<Tape>,
     /// The mass matrix, row after row, by the unknowns; none where it depends on anything else.
     pub masses: Option<Tape>,
+    /// Equations beyond the number of unknowns.
+    pub surplus: Tape,
     /// Places in the state of speeds that constraints of speeds determine, and these by the unknowns.
     pub determined: (Vec<usize>, Tape),
 }
@@ -90,13 +92,9 @@ impl SteadyEquations {
 
     /// The combinations of cases of the conditions of a law.
     pub fn combinations(model: &Model, asked: &Asked) -> Result<Vec<Vec<Case>>, NoSteadyMotions> {
-        let is_end = |event: &Event| event.ends && event.set.is_empty();
         let is_refused = |one: &&Contact| one.one_way.is_some() || one.guide.is_some();
         if let Some(contact) = model.contacts.iter().find(is_refused) {
             return Err(NoSteadyMotions::Contacts { at: contact.at.clone() });
-        }
-        if !model.events.iter().all(is_end) {
-            return Err(NoSteadyMotions::Changes);
         }
         Self::checked_but_for_conditions(model)?;
         symbolic::apart(|| {
@@ -128,14 +126,20 @@ impl SteadyEquations {
         symbolic::apart(|| {
             let pinned = written(true).ok().filter(|own| !own.is_unbalanced && is_square(own));
             let own = pinned.map_or_else(|| written(false), Ok)?;
-            let counts = [own.rows, own.unknowns.len() + own.reactions];
-            if is_square(&own) { Ok(own) } else { Err(NoSteadyMotions::Unequal { counts, idle: Vec::new() }) }
+            let counts = [own.rows + own.surplus.outputs(), own.unknowns.len() + own.reactions];
+            if is_square(&own) && own.surplus.outputs() == 0 {
+                Ok(own)
+            } else {
+                Err(NoSteadyMotions::Unequal { counts, idle: Vec::new() })
+            }
         })
     }
 
     fn checked(model: &Model) -> Result<(), NoSteadyMotions> {
         Self::checked_but_for_conditions(model)?;
-        if changes(model) { Err(NoSteadyMotions::Changes) } else { Ok(()) }
+        // an event changes the state alone: between events the law is one
+        let is_one = model.switches.is_empty() && model.contacts.is_empty();
+        if is_one { Ok(()) } else { Err(NoSteadyMotions::Changes) }
     }
 
     fn checked_but_for_conditions(model: &Model) -> Result<(), NoSteadyMotions> {
@@ -266,12 +270,11 @@ impl SteadyEquations {
         // a load that nothing balances
         let is_unbalanced = residuals.iter().chain(&at_zero).any(is_open);
         let zeros: Vec<Sym> = zeros.into_iter().chain(at_zero.into_iter().filter(|zero| *zero != Sym::ZERO)).collect();
-        let rows_count = asking.len() + zeros.len();
-        let sought = unknowns.len() + multipliers.len();
-        if rows_count > sought && !is_unbalanced {
-            let idle =
-                (0..n).filter(|&k| !is_cyclic[k] && residuals[k] == Sym::ZERO).map(|k| names[k].clone()).collect();
-            return Err(NoSteadyMotions::Unequal { counts: [rows_count, sought], idle });
+        let counts = [asking.len() + zeros.len(), unknowns.len() + multipliers.len()];
+        let idle = |k: &usize| !is_cyclic[*k] && residuals[*k] == Sym::ZERO;
+        let idle: Vec<String> = (0..n).filter(idle).map(|k| names[k].clone()).collect();
+        if counts[0] > counts[1] && !idle.is_empty() && !is_unbalanced {
+            return Err(NoSteadyMotions::Unequal { counts, idle });
         }
         // an equation that the given values alone fulfil may fail at others
         let is_lost = |(before, after): (&Sym, &Sym)| *before != Sym::ZERO && *after == Sym::ZERO;
@@ -287,12 +290,12 @@ impl SteadyEquations {
         let without: Vec<(Sym, Sym)> = multipliers.iter().map(|letter| (*letter, Sym::ZERO)).collect();
         let reactions = residuals.iter().flat_map(|row| multipliers.iter().map(|&by| row.diff(by)));
         let loads: Vec<Sym> = reactions.chain(substitute_all(&residuals, &without)).collect();
-        let values = [residuals, zeros].concat();
-        let identities = match multipliers.is_empty() && near.is_none() {
+        let inputs = [&letters[..], &multipliers].concat();
+        let Selection { solved: values, surplus } = Selection::of([residuals, zeros].concat(), &inputs, &unknowns);
+        let identities = match multipliers.is_empty() && near.is_none() && surplus.is_empty() {
             true => Identity::of(&values, (&letters, &unknowns), &along),
             false => Vec::new(),
         };
-        let inputs = [&letters[..], &multipliers].concat();
         let slopes: Vec<Sym> = values.iter().flat_map(|row| inputs.iter().map(|&by| row.diff(by))).collect();
         let recorded = |inputs: &[Sym], outputs: &[Sym]| {
             Tape::record(inputs, outputs).map_err(|why| NoSteadyMotions::Undefined { why: why.to_string() })
@@ -325,6 +328,7 @@ impl SteadyEquations {
             reactions: multipliers.len(),
             is_unbalanced,
             have_potential: rows.have_potential,
+            surplus: recorded(&inputs, &surplus)?,
             values: recorded(&inputs, &values)?,
             slopes: recorded(&inputs, &slopes)?,
             loads: recorded(&letters, &loads)?,

@@ -17,6 +17,7 @@ mod rows;
 mod search;
 mod spectrum;
 mod stability;
+mod surplus;
 
 pub use along::{Along, Bifurcation, Change, Sample};
 pub use conditions::{Case, conditions_of};
@@ -106,7 +107,7 @@ impl Asked {
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoSteadyMotions {
     NotCompiled(NotCompiled),
-    /// The law changes at conditions, contacts or events.
+    /// The law changes at conditions or with contacts.
     Changes,
     /// Contacts, the first of them at its place.
     Contacts {
@@ -247,13 +248,21 @@ impl SteadyMotions {
     ) -> Self {
         let domain: Vec<Interval> = equations.unknowns.iter().map(|unknown| unknown.range.interval()).collect();
         let mut boxes = Boxes::of(&equations);
-        let (found, families) = searched(&equations, &mut boxes, &domain, most, &mut *goes_on);
+        let (mut found, families) = searched(&equations, &mut boxes, &domain, most, &mut *goes_on);
+        let mut zeros = Vec::new();
+        for zero in std::mem::take(&mut found.zeros) {
+            match boxes.fulfils_all(&zero.enclosure) {
+                Some(true) => zeros.push(zero),
+                Some(false) => {}
+                None => found.undecided.push(zero.enclosure[..domain.len()].to_vec()),
+            }
+        }
         let volume =
             |at: &[Interval]| at.iter().zip(&domain).map(|(at, whole)| at.width() / whole.width()).product::<f64>();
         let undecided_part = found.undecided.iter().map(|at| volume(at)).sum::<f64>().clamp(0.0, 1.0) + 0.0;
-        let regions = region::regions(&equations, &found.zeros, &found.undecided);
+        let regions = region::regions(&equations, &zeros, &found.undecided);
         let mut inside: Vec<Zero> = Vec::new();
-        for zero in found.zeros {
+        for zero in zeros {
             if is_in_range(&equations.unknowns, &zero)
                 && boxes.lies_aside(&zero.enclosure) != Some(false)
                 && inside.iter().all(|known| !is_same(&equations.unknowns, known, &zero))

@@ -12,6 +12,9 @@ pub(super) struct Boxes<'a> {
     reactions: usize,
     values: Program<'a, Interval>,
     through: Propagation<'a>,
+    surplus: Program<'a, Interval>,
+    left: Vec<Interval>,
+    through_surplus: Propagation<'a>,
     slopes: Program<'a, Interval>,
     loads: Program<'a, Interval>,
     /// Conditions, and whether each shall be positive, else negative.
@@ -24,12 +27,16 @@ pub(super) struct Boxes<'a> {
 
 impl<'a> Boxes<'a> {
     pub fn of(equations: &'a SteadyEquations) -> Self {
-        let SteadyEquations { values, slopes, loads, reactions, unknowns, sides: (sides, holds), .. } = equations;
+        let SteadyEquations { values, slopes, loads, reactions, unknowns, sides: (sides, holds), surplus, .. } =
+            equations;
         Boxes {
             divided: unknowns.len(),
             reactions: *reactions,
             values: values.over(),
             through: Propagation::of(values),
+            surplus: surplus.over(),
+            left: vec![Interval::EVERYTHING; surplus.outputs()],
+            through_surplus: Propagation::of(surplus),
             slopes: slopes.over(),
             loads: loads.over(),
             sides: sides.over(),
@@ -55,6 +62,18 @@ impl Boxes<'_> {
     }
 }
 
+impl Boxes<'_> {
+    /// Whether a zero in a box fulfils the equations beyond the number of unknowns; none where that is open.
+    pub fn fulfils_all(&mut self, at: &[Interval]) -> Option<bool> {
+        self.surplus.evaluate(at, &mut self.left);
+        match self.left.iter().all(|value| value.contains(0.0)) {
+            true if self.left.is_empty() => Some(true),
+            true => None,
+            false => Some(false),
+        }
+    }
+}
+
 impl Equations for Boxes<'_> {
     fn divided(&self) -> usize {
         self.divided
@@ -65,7 +84,7 @@ impl Equations for Boxes<'_> {
     }
 
     fn narrow(&mut self, at: &mut [Interval]) -> bool {
-        self.through.narrow(at) && self.lies_aside(at) != Some(false)
+        self.through.narrow(at) && self.through_surplus.narrow(at) && self.lies_aside(at) != Some(false)
     }
 
     /// J^T lambda = h has as many rows as coordinates: as many of them as reactions, independent about the middle of the box, bound these.
@@ -127,7 +146,7 @@ impl Equations for Boxes<'_> {
 }
 
 /// As many rows of a matrix as it has columns, each with the largest pivot that is left.
-fn independent(rows: usize, columns: usize, entry: impl Fn(usize, usize) -> f64) -> Option<Vec<usize>> {
+pub(super) fn independent(rows: usize, columns: usize, entry: impl Fn(usize, usize) -> f64) -> Option<Vec<usize>> {
     let mut left = DMatrix::from_fn(rows, columns, entry);
     let mut chosen = Vec::new();
     for column in 0..columns {

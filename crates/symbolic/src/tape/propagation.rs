@@ -10,39 +10,69 @@ pub struct Propagation<'a> {
     tape: &'a Tape,
     constants: Vec<Interval>,
     registers: Vec<Interval>,
+    /// The operand of each register that is a negation.
+    negated: Vec<Option<usize>>,
+    /// Whether something was narrowed by much.
+    narrows: bool,
 }
+
+/// Times that a box is narrowed at most, forwards and back.
+const PASSES: usize = 6;
+
+/// A range that is left narrower than this part is worth another time.
+const WORTH: f64 = 0.7;
 
 impl<'a> Propagation<'a> {
     pub fn of(tape: &'a Tape) -> Self {
-        Propagation { tape, constants: tape.constants(), registers: vec![Interval::EVERYTHING; tape.registers] }
+        let constants = tape.constants();
+        let mut negated = vec![None; tape.registers];
+        let mut next = tape.inputs + constants.len();
+        for &operation in &tape.operations {
+            if let Operation::Negation(operand) = operation {
+                negated[next] = Some(operand as usize);
+            }
+            next += operation.results();
+        }
+        Propagation { tape, constants, registers: vec![Interval::EVERYTHING; tape.registers], negated, narrows: false }
     }
 
     /// Narrows a box to where zeros of the outputs may be; false where there are none.
+    ///
+    /// What is known of a result in between, as of a difference of two inputs, is kept while the box is narrowed: no box tells it.
     pub fn narrow(&mut self, inputs: &mut [Interval]) -> bool {
         let Tape { inputs: given, operations, outputs, .. } = self.tape;
+        self.registers.fill(Interval::EVERYTHING);
         self.registers[..*given].copy_from_slice(&inputs[..*given]);
         let first = given + self.constants.len();
         self.registers[*given..first].copy_from_slice(&self.constants);
-        let mut next = first;
-        for &operation in operations {
-            self.forwards(operation, next);
-            next += operation.results();
-        }
-        let zero = Interval::point(0.0);
-        if !outputs.iter().all(|&output| self.meet(output as usize, zero)) {
-            return false;
-        }
-        for &operation in operations.iter().rev() {
-            next -= operation.results();
-            if !self.backwards(operation, next) {
+        for _ in 0..PASSES {
+            let mut next = first;
+            for &operation in operations {
+                if !self.forwards(operation, next) {
+                    return false;
+                }
+                next += operation.results();
+            }
+            let zero = Interval::point(0.0);
+            if !outputs.iter().all(|&output| self.meet(output as usize, zero)) {
                 return false;
+            }
+            self.narrows = false;
+            for &operation in operations.iter().rev() {
+                next -= operation.results();
+                if !self.backwards(operation, next) {
+                    return false;
+                }
+            }
+            if !self.narrows {
+                break;
             }
         }
         inputs[..*given].copy_from_slice(&self.registers[..*given]);
         true
     }
 
-    fn forwards(&mut self, operation: Operation, result: usize) {
+    fn forwards(&mut self, operation: Operation, result: usize) -> bool {
         let value = |register: u32| self.registers[register as usize];
         let found = match operation {
             Operation::Product(a, b) if a == b => value(a).squared(),
@@ -50,34 +80,30 @@ impl<'a> Propagation<'a> {
             Operation::Elementary(function, a, b) => value(a).elementary(function, value(b)),
             Operation::Circle(a) => {
                 let Circle { cos, sin } = value(a).circle();
-                self.registers[result + 1] = sin;
-                cos
+                return self.meet(result, cos) && self.meet(result + 1, sin);
             }
             other => other.of_field(value).unwrap_or(Interval::EVERYTHING),
         };
-        self.registers[result] = found;
+        self.meet(result, found)
     }
 
     /// Keeps of a register what it has in common with a range; false where that is nothing.
     fn meet(&mut self, register: usize, range: Interval) -> bool {
-        match self.registers[register].and(range) {
-            Some(both) => {
-                self.registers[register] = both;
-                true
-            }
-            None => false,
-        }
+        self.meet_any(register, [Some(range), None])
     }
 
     /// Keeps of a register the smallest interval with all that it has in common with two ranges; false where that is nothing.
     fn meet_any(&mut self, register: usize, ranges: [Option<Interval>; 2]) -> bool {
         let own = self.registers[register];
         let [one, other] = ranges.map(|range| range.and_then(|range| own.and(range)));
-        match (one, other) {
-            (Some(one), Some(other)) => self.registers[register] = one.hull(other),
-            (Some(one), None) | (None, Some(one)) => self.registers[register] = one,
+        let left = match (one, other) {
+            (Some(one), Some(other)) => one.hull(other),
+            (Some(one), None) | (None, Some(one)) => one,
             (None, None) => return false,
-        }
+        };
+        let ends = |of: Interval| usize::from(of.low().is_finite()) + usize::from(of.high().is_finite());
+        self.narrows |= left.width() < WORTH * own.width() || ends(left) > ends(own);
+        self.registers[register] = left;
         true
     }
 
@@ -86,6 +112,9 @@ impl<'a> Propagation<'a> {
         let [a, b, _] = operation.operands().map(|register| register as usize);
         let [x, y, r] = [self.registers[a], self.registers[b], self.registers[result]];
         match operation {
+            // twice one operand is no sum of two, as derivatives of squares leave it
+            Operation::Sum(..) if a == b => self.meet(a, r / Interval::point(2.0)),
+            Operation::Difference(..) if self.negated[a] == Some(b) => self.meet(b, -r / Interval::point(2.0)),
             Operation::Sum(..) => self.meet(a, r - y) && self.meet(b, r - x),
             Operation::Difference(..) => self.meet(a, r + y) && self.meet(b, x - r),
             Operation::Product(..) if a == b => match r.and(Interval::new(0.0, f64::INFINITY)) {
@@ -193,6 +222,11 @@ mod tests {
         assert!(propagation.narrow(&mut at));
         assert!(at[0].low() > 1.999_999 && at[0].low() <= 2.0 && at[0].high() == f64::INFINITY, "{at:?}");
         assert!(propagation.narrow(&mut at) && at[1].low() > -1e-9, "{at:?}");
+        // twice x - y is zero, (x - y)^2 + x^2 = 4: the difference is known where x and y are not
+        let less = x - y;
+        let tape = Tape::record(&[x, y], &[less + less, less * less + x * x - Sym::int(4)]).expect("it has values");
+        let mut at = [Interval::new(0.1, 9.0), Interval::new(-9.0, 9.0)];
+        assert!(Propagation::of(&tape).narrow(&mut at) && at[0].low() > 1.999_999, "{at:?}");
         // x^2 = 4, x from -1 on
         let tape = Tape::record(&[x], &[x * x - Sym::int(4)]).expect("it has values");
         let mut at = [Interval::new(-1.0, 9.0)];

@@ -1,0 +1,48 @@
+//! Boxes seen with each sign of a determined unknown: a product away from zero tells of a factor of one sign that it is large, and nothing of a
+//! factor of either sign.
+
+use super::Equations;
+use super::search::WORTH;
+use field::Interval;
+
+/// A box by the signs of its determined unknowns.
+pub(super) enum Signs {
+    /// Without zeros.
+    None,
+    /// Narrowed to the parts of both signs, where these are not worth to be looked at alone.
+    One,
+    /// Each sign of an unknown bounds it, or leaves a much smaller box.
+    Both([Vec<Interval>; 2]),
+}
+
+/// Narrows a box by both signs of each determined unknown that nothing bounds.
+pub(super) fn by_signs(equations: &mut dyn Equations, at: &mut [Interval]) -> Signs {
+    let n = equations.divided();
+    let signs = [Interval::new(f64::NEG_INFINITY, 0.0), Interval::new(0.0, f64::INFINITY)];
+    for k in n..at.len() {
+        if at[k].low() >= 0.0 || at[k].high() <= 0.0 || at[k].size().is_finite() {
+            continue;
+        }
+        let cases = signs.map(|sign| {
+            let mut case = at.to_vec();
+            case[k] = at[k].and(sign)?;
+            // what is known of the factor tells of the other at the second time
+            (equations.narrow(&mut case) && equations.narrow(&mut case)).then_some(case)
+        });
+        match cases {
+            [None, None] => return Signs::None,
+            [Some(one), None] | [None, Some(one)] => at.copy_from_slice(&one),
+            [Some(one), Some(other)] => {
+                let is_narrower = |case: &[Interval]| {
+                    case[k].size().is_finite()
+                        || case[..n].iter().zip(&*at).any(|(left, before)| left.width() < WORTH * before.width())
+                };
+                if is_narrower(&one) && is_narrower(&other) {
+                    return Signs::Both([one, other]);
+                }
+                at.iter_mut().zip(one.iter().zip(&other)).for_each(|(at, (one, other))| *at = one.hull(*other));
+            }
+        }
+    }
+    Signs::One
+}

@@ -1,0 +1,49 @@
+//! Equations beyond the number of unknowns: as many as unknowns are solved, independent of one another, the others are fulfilled at their
+//! solutions, or not.
+
+use super::search::independent;
+use super::{Range, Unknown};
+use symbolic::{Sym, Tape};
+
+/// Places within a range, as parts of it, at which equations are told apart: none is a place of symmetry.
+const ASIDE: [f64; 3] = [0.43, 0.71, 0.29];
+
+/// A guess of a reaction.
+const REACTION: f64 = 0.83;
+
+/// Equations that are solved, and the others.
+pub(super) struct Selection {
+    pub solved: Vec<Sym>,
+    pub surplus: Vec<Sym>,
+}
+
+impl Selection {
+    /// With as many solved ones as there are unknowns and reactions, which are their letters in this order.
+    pub fn of(equations: Vec<Sym>, letters: &[Sym], unknowns: &[Unknown]) -> Self {
+        let wanted = letters.len();
+        if equations.len() <= wanted {
+            return Selection { solved: equations, surplus: Vec::new() };
+        }
+        let chosen = chosen(&equations, letters, unknowns).unwrap_or_else(|| (0..wanted).collect());
+        let part = |is_chosen: bool| {
+            let own = equations.iter().enumerate().filter(|(row, _)| chosen.contains(row) == is_chosen);
+            own.map(|(_, row)| *row).collect()
+        };
+        Selection { solved: part(true), surplus: part(false) }
+    }
+}
+
+/// Rows that are independent at a place of the ranges.
+fn chosen(equations: &[Sym], letters: &[Sym], unknowns: &[Unknown]) -> Option<Vec<usize>> {
+    let slopes: Vec<Sym> = equations.iter().flat_map(|row| letters.iter().map(|&by| row.diff(by))).collect();
+    let tape = Tape::record(letters, &slopes).ok()?;
+    ASIDE.into_iter().find_map(|aside| {
+        let place = |(k, Range { from, to }): (usize, Range)| from + (aside + 0.01 * k as f64) * (to - from);
+        let mut at: Vec<f64> = unknowns.iter().map(|unknown| unknown.range).enumerate().map(place).collect();
+        at.resize(letters.len(), REACTION);
+        let mut values = vec![0.0; slopes.len()];
+        tape.over::<f64>().evaluate(&at, &mut values);
+        let is_finite = values.iter().all(|value| value.is_finite());
+        is_finite.then(|| independent(equations.len(), letters.len(), |row, by| values[row * letters.len() + by]))?
+    })
+}
