@@ -3,7 +3,7 @@
 use super::existence::shown;
 use super::halves::halves;
 use super::newton::Local;
-use super::signs::{Signs, by_signs};
+use super::signs::{Signs, Worth};
 use super::{Equations, subsystem};
 use field::Interval;
 use std::collections::VecDeque;
@@ -51,7 +51,9 @@ pub fn zeros(
     mut goes_on: impl FnMut() -> bool,
 ) -> Found {
     let (n, all) = (equations.divided(), equations.divided() + equations.determined());
-    let mut found = Found::default();
+    // where equations have no values sides may be narrowed without end
+    let least: Vec<f64> = domain.iter().map(|side| limits.smallest * side.width()).collect();
+    let (mut found, mut worth) = (Found::default(), Worth::default());
     let mut first = domain.to_vec();
     first.resize(all, Interval::EVERYTHING);
     let mut open = VecDeque::from([first]);
@@ -62,7 +64,7 @@ pub fn zeros(
             break;
         }
         found.examined += 1;
-        match examined(equations, next, &mut found.zeros) {
+        match examined(equations, next, &mut found.zeros, (&mut worth, &least)) {
             None => {}
             Some(Left::OfSigns(both)) => open.extend(both),
             Some(Left::One(left)) => match halves(&left[..n], domain, None, limits.smallest) {
@@ -89,7 +91,12 @@ enum Left {
 }
 
 /// The part of a box that is still open; none where all of it is decided.
-fn examined(equations: &mut dyn Equations, mut at: Vec<Interval>, zeros: &mut Vec<Zero>) -> Option<Left> {
+fn examined(
+    equations: &mut dyn Equations,
+    mut at: Vec<Interval>,
+    zeros: &mut Vec<Zero>,
+    (signs, least): (&mut Worth, &[f64]),
+) -> Option<Left> {
     let n = equations.divided();
     let mut values = vec![Interval::EVERYTHING; at.len()];
     loop {
@@ -97,13 +104,17 @@ fn examined(equations: &mut dyn Equations, mut at: Vec<Interval>, zeros: &mut Ve
         if !equations.narrow(&mut at) {
             return None;
         }
-        match by_signs(equations, &mut at) {
+        match signs.by_signs(equations, &mut at) {
             Signs::None => return None,
             Signs::Both(both) => return Some(Left::OfSigns(both)),
             Signs::One => {}
         }
-        let is_narrower =
-            |at: &[Interval]| at.iter().zip(&before).any(|(left, before)| left.width() < WORTH * before.width());
+        let is_narrower = |at: &[Interval]| {
+            let narrower = |((left, before), least): ((&Interval, &Interval), &f64)| {
+                before.width() > *least && left.width() < WORTH * before.width()
+            };
+            at.iter().zip(&before).zip(least).any(narrower)
+        };
         if !equations.bound(&mut at) {
             at = subsystem::narrowed(equations, &at, n)?;
             if is_narrower(&at) {
@@ -223,6 +234,28 @@ mod tests {
         let found = zeros(&mut given, &[Interval::new(-1.0, 2.0)], LIMITS, || true);
         assert!(found.zeros.is_empty() && !found.undecided.is_empty());
         assert!(found.undecided.iter().all(|at| at[0].size() < 1e-2), "{found:?}");
+    }
+
+    #[test]
+    fn a_side_that_is_narrowed_without_end_ends() {
+        struct Narrowing;
+        impl Equations for Narrowing {
+            fn divided(&self) -> usize {
+                1
+            }
+            fn narrow(&mut self, at: &mut [Interval]) -> bool {
+                at[0] = Interval::new(0.5 * at[0].low(), 0.5 * at[0].high());
+                true
+            }
+            fn values(&mut self, _: &[Interval], values: &mut [Interval]) {
+                values[0] = Interval::EVERYTHING;
+            }
+            fn slopes(&mut self, _: &[Interval], slopes: &mut [Interval]) {
+                slopes[0] = Interval::new(0.5, 1.0);
+            }
+        }
+        let found = zeros(&mut Narrowing, &[Interval::new(-1.0, 2.0)], LIMITS, || true);
+        assert!(found.zeros.is_empty() && found.examined < 100, "{found:?}");
     }
 
     #[test]

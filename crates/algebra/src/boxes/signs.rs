@@ -15,8 +15,39 @@ pub(super) enum Signs {
     Both([Vec<Interval>; 2]),
 }
 
-/// Narrows a box by both signs of each determined unknown that nothing bounds.
-pub(super) fn by_signs(equations: &mut dyn Equations, at: &mut [Interval]) -> Signs {
+/// Boxes that are seen by signs in any case.
+const FIRST: usize = 64;
+
+/// Where this part of the boxes seen by signs gains by it, more are.
+const GAINS: usize = 8;
+
+/// One box of so many is seen by signs where few gain by it.
+const SELDOM: usize = 32;
+
+/// What signs have been worth in a search.
+#[derive(Default)]
+pub(super) struct Worth {
+    asked: usize,
+    seen: usize,
+    gained: usize,
+}
+
+impl Worth {
+    /// Narrows a box by both signs of each determined unknown that nothing bounds, where that has been worth its price.
+    pub fn by_signs(&mut self, equations: &mut dyn Equations, at: &mut [Interval]) -> Signs {
+        self.asked += 1;
+        if self.seen >= FIRST && self.gained * GAINS < self.seen && !self.asked.is_multiple_of(SELDOM) {
+            return Signs::One;
+        }
+        let open: Vec<Interval> = at.to_vec();
+        let found = by_signs(equations, at);
+        self.seen += 1;
+        self.gained += usize::from(!matches!(found, Signs::One) || open != at);
+        found
+    }
+}
+
+fn by_signs(equations: &mut dyn Equations, at: &mut [Interval]) -> Signs {
     let n = equations.divided();
     let signs = [Interval::new(f64::NEG_INFINITY, 0.0), Interval::new(0.0, f64::INFINITY)];
     for k in n..at.len() {

@@ -3,11 +3,11 @@
 use super::{Asked, method};
 use crate::arguments::Format;
 use crate::exit::{Exit, print, warn};
-use crate::stationary::steady_box::Found;
+use crate::stationary::steady_box::{Combination, Found};
 use ::scenes::linearisation::VariedEquations;
 use ::scenes::steady_motions::SteadyMotion;
 use mechanics::one_step_stability::Mode;
-use serde_json::{Value, json};
+use serde_json::{Map, Value, json};
 use std::fmt::Write;
 use studies::numerical_stability::chart::{Row, rows};
 use studies::numerical_stability::modes::modes;
@@ -37,7 +37,44 @@ pub(super) fn show(asked: &Asked) -> Result<Exit, Exit> {
             "{option} is about the built-in machines; of a system that is written in its file --range NAME=FROM..TO says where motions are sought"
         )));
     }
-    let found = asked.steady.find(&asked.scene)?;
+    let Some(cases) = asked.steady.find_cases(&asked.scene)? else {
+        let found = asked.steady.find(&asked.scene)?;
+        let all = judged(asked, &found, false);
+        print(&match asked.format {
+            Format::Text => format!("{}\n{}", found.title, text(&found, &all)),
+            Format::Json => {
+                let mut own = json!({ "scene": found.title });
+                own.as_object_mut().into_iter().for_each(|own| own.extend(object(&found, &all)));
+                format!("{own:#}\n")
+            }
+        })?;
+        return Ok(asked.steady.ended(&asked.scene, &found.motions));
+    };
+    let (title, count) = (cases.title.clone(), cases.all.len());
+    let (mut out, mut objects, mut last) = (format!("{title}\n"), Vec::new(), Exit::Done);
+    for Combination { conditions, is_at_condition, found } in cases.with_motions() {
+        let all = judged(asked, &found, is_at_condition);
+        // writing to a String cannot fail
+        let _ = write!(out, "\nwhere {}\n{}", conditions.join(", "), text(&found, &all));
+        let mut own = object(&found, &all);
+        own.insert("where".to_owned(), json!(conditions));
+        objects.push(own);
+        if let Exit::Stopped = asked.steady.ended(&asked.scene, &found.motions) {
+            last = Exit::Stopped;
+        }
+    }
+    if objects.is_empty() {
+        let _ = writeln!(out, "\nno steady motion in any of {count} combinations of its conditions");
+    }
+    print(&match asked.format {
+        Format::Text => out,
+        Format::Json => format!("{:#}\n", json!({ "scene": title, "combinations": count, "cases": objects })),
+    })?;
+    Ok(last)
+}
+
+/// The motions of a search with their modes.
+fn judged<'a>(asked: &Asked, found: &'a Found, is_at_condition: bool) -> Vec<Judged<'a>> {
     if !found.motions.families.is_empty() {
         warn(&format!(
             "warning: {}: motions that stand side by side are left out: families: {}; `stationary` tells them, and a value for one of their \
@@ -46,18 +83,16 @@ pub(super) fn show(asked: &Asked) -> Result<Exit, Exit> {
             found.motions.families.len()
         ));
     }
-    let equations = VariedEquations::of(&found.model, &[]).map_err(|why| why.to_string());
+    let equations = match is_at_condition {
+        true => Err("a condition of the law is zero there, and on each side the law is another".to_owned()),
+        false => VariedEquations::of(&found.model, &[]).map_err(|why| why.to_string()),
+    };
     let keeps_energy = found.motions.have_potential || ::scenes::keeps_energy(&found.model);
     let judged = |motion| Judged {
         motion,
         near: equations.as_ref().map_err(Clone::clone).and_then(|equations| near(equations, motion, keeps_energy)),
     };
-    let all: Vec<Judged<'_>> = found.motions.motions.iter().map(judged).collect();
-    print(&match asked.format {
-        Format::Text => text(&found, &all),
-        Format::Json => format!("{:#}\n", object(&found, &all)),
-    })?;
-    Ok(asked.steady.ended(&asked.scene, &found.motions))
+    found.motions.motions.iter().map(judged).collect()
 }
 
 fn near(equations: &VariedEquations, motion: &SteadyMotion, keeps_energy: bool) -> Result<Near, String> {
@@ -84,7 +119,7 @@ fn does(Near { modes, zeros, .. }: &Near) -> String {
 }
 
 fn text(found: &Found, all: &[Judged<'_>]) -> String {
-    let mut out = format!("{}\n", found.title);
+    let mut out = String::new();
     for (place, Judged { motion, near }) in all.iter().enumerate() {
         // writing to a String cannot fail
         let _ = writeln!(out, "\n{}  {}", place + 1, found.values(&motion.enclosure));
@@ -107,16 +142,17 @@ fn text(found: &Found, all: &[Judged<'_>]) -> String {
     out
 }
 
-fn object(found: &Found, all: &[Judged<'_>]) -> Value {
+fn object(found: &Found, all: &[Judged<'_>]) -> Map<String, Value> {
     let each = all.iter().map(|Judged { motion, near }| {
         let values = found.motions.unknowns.iter().zip(&motion.enclosure);
         let near = near.as_ref();
         json!({
-            "motion": values.map(|(unknown, at)| (unknown.name.clone(), json!(at))).collect::<serde_json::Map<_, _>>(),
+            "motion": values.map(|(unknown, at)| (unknown.name.clone(), json!(at))).collect::<Map<_, _>>(),
             "does": near.map(does).unwrap_or_else(|why| format!("not known: {why}")),
             "eigenvalues": near.ok().map(|near| &near.eigenvalues),
             "methods": near.map(|near| near.rows.iter().map(method).collect::<Vec<_>>()).unwrap_or_default(),
         })
     });
-    json!({ "scene": found.title, "complete": found.motions.is_complete(), "motions": each.collect::<Vec<_>>() })
+    let complete = ("complete".to_owned(), json!(found.motions.is_complete()));
+    [complete, ("motions".to_owned(), json!(each.collect::<Vec<_>>()))].into_iter().collect()
 }

@@ -84,6 +84,39 @@ fn read(path: &Path) -> Result<(String, Model), Exit> {
     Ok((title, model))
 }
 
+/// A combination of cases of the conditions of a law.
+pub struct Combination {
+    /// As texts.
+    pub conditions: Vec<String>,
+    /// Whether one of them is zero: then the law is linear on neither side.
+    pub is_at_condition: bool,
+    pub found: Found,
+}
+
+impl Cases {
+    /// The combinations in which there is something.
+    pub fn with_motions(self) -> Vec<Combination> {
+        let Cases { title, conditions, model, all } = self;
+        let is_empty =
+            |found: &SteadyMotions| found.motions.is_empty() && found.families.is_empty() && found.is_complete();
+        let told = |(case, text): (&Case, &String)| match case {
+            Case::Holds => format!("{text} > 0"),
+            Case::Fails => format!("{text} < 0"),
+            Case::Between => format!("{text} = 0"),
+            Case::Forward => format!("{text} = 0, sliding along its tangent"),
+            Case::Backward => format!("{text} = 0, sliding against its tangent"),
+        };
+        let filled = all.into_iter().filter(|(_, found)| !is_empty(found));
+        filled
+            .map(|(own, motions)| Combination {
+                conditions: own.iter().zip(&conditions).map(told).collect(),
+                is_at_condition: own.iter().any(|case| !matches!(case, Case::Holds | Case::Fails)),
+                found: Found { title: title.clone(), model: model.clone(), motions },
+            })
+            .collect()
+    }
+}
+
 /// The unit of a number, with a space before it.
 pub fn unit(model: &Model, name: &str) -> String {
     match unit_of(model, name).as_str() {
@@ -236,7 +269,7 @@ pub fn refused(path: &Path, model: &Model, why: NoSteadyMotions) -> Exit {
             placed(path, issue.accepted("constraints of positions, and up to six that are linear in the speeds, quasi-velocities among them; `linearise --about equilibrium` finds one equilibrium near the start"))
         }
         NoSteadyMotions::Changes => told(
-"its law changes at conditions, or with contacts, and --along or `numerical-stability` is asked for: steady motions are not sought there; \
+"its law changes at conditions or with contacts, and --along is asked for: steady motions are not sought there; \
              `stationary` seeks places of rest with conditions, and `linearise --about equilibrium` finds one equilibrium near the start"
                 .to_owned(),
         ),

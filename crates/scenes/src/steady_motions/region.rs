@@ -37,8 +37,8 @@ const MOST_CELLS: usize = 2_000;
 /// With more regions than these the cells are twice as large.
 const MOST_REGIONS: usize = 16;
 
-/// Boxes of all regions together from which it begins, and of each, at least.
-const BEGINNINGS: [usize; 2] = [96, 6];
+/// Boxes of all regions together from which it begins, of six unknowns: each takes the cube of their number.
+const BEGINNINGS: usize = 96;
 
 /// Steps of Newton's method.
 const STEPS: usize = 60;
@@ -64,7 +64,8 @@ pub(super) fn regions(equations: &SteadyEquations, known: &[Zero], undecided: &[
         cells *= 0.5;
         groups = grouped(&ranges, undecided, cells);
     }
-    let beginnings = (BEGINNINGS[0] / groups.len().max(1)).max(BEGINNINGS[1]);
+    let dear = (equations.unknowns.len() + equations.reactions).max(6).pow(3) / 6_usize.pow(3);
+    let beginnings = (BEGINNINGS / dear / groups.len().max(1)).max(1);
     let mut all: Vec<Region> = groups.into_iter().map(|boxes| region(equations, known, (&boxes, beginnings))).collect();
     all.sort_by(|a, b| b.boxes.cmp(&a.boxes).then_with(|| a.hull[0][0].total_cmp(&b.hull[0][0])));
     all

@@ -84,6 +84,8 @@ pub(in crate::steady_motions) fn pieces(
     limits: Limits,
     mut goes_on: impl FnMut() -> bool,
 ) -> Pieces {
+    // where equations have no values sides may be narrowed without end
+    let least: Vec<f64> = domain.iter().map(|side| limits.smallest * side.width()).collect();
     let mut found = Pieces::default();
     let mut open = VecDeque::from(boxes);
     while let Some(next) = open.pop_front() {
@@ -93,7 +95,7 @@ pub(in crate::steady_motions) fn pieces(
             break;
         }
         found.examined += 1;
-        let Some((left, blamed)) = examined(equations, next, &mut found.pieces) else { continue };
+        let Some((left, blamed)) = examined(equations, next, &mut found.pieces, &least) else { continue };
         match halves(&left, domain, blamed, limits.smallest) {
             Some(halves) => open.extend(halves),
             None => found.undecided.push(left),
@@ -107,6 +109,7 @@ fn examined(
     equations: &mut dyn Underdetermined,
     mut at: Vec<Interval>,
     pieces: &mut Vec<Piece>,
+    least: &[f64],
 ) -> Option<(Vec<Interval>, Option<usize>)> {
     let [n, bounded] = equations.unknowns();
     let rows = equations.rows();
@@ -146,7 +149,10 @@ fn examined(
                 return None;
             }
         }
-        if !at[..n].iter().zip(&before).any(|(left, before)| left.width() < WORTH * before.width()) {
+        let is_narrower = |((left, before), least): ((&Interval, &Interval), &f64)| {
+            before.width() > *least && left.width() < WORTH * before.width()
+        };
+        if !at[..n].iter().zip(&before).zip(least).any(is_narrower) {
             let blamed = blamed(equations, &local.parameters, &at);
             at.truncate(n);
             return Some((at, blamed));
