@@ -48,4 +48,4 @@ mod verdict;
 pub use change::{Change, Correction, EditKind, Search};
 pub use claim_text::{ClaimText, Kind};
 pub use finding::{Finding, Sides};
-pub use paper_text::PaperText;
+pub use paper_text::{PaperText, is_paper};

@@ -19,6 +19,11 @@ pub(crate) struct LetterText {
     pub is_vector: bool,
 }
 
+/// Whether a text is that of a paper: it has claims.
+pub fn is_paper(text: &str) -> bool {
+    text.lines().any(|line| line.trim_start().starts_with("[[claim]]"))
+}
+
 /// A paper as a file.
 #[derive(Clone, Debug)]
 pub struct PaperText {
@@ -73,6 +78,18 @@ impl PaperText {
             })?;
         }
         Ok(paper)
+    }
+
+    /// The file of its system, where it names one.
+    pub fn model_file(&self) -> Option<&Path> {
+        (self.system.name != self.path).then(|| Path::new(&self.system.name))
+    }
+
+    /// The same claims about the system of another text, which has the name of its own.
+    #[must_use]
+    pub fn with_model(mut self, text: String) -> Self {
+        self.system.text = text;
+        self
     }
 
     /// The file's part in messages about it.

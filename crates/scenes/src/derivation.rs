@@ -62,7 +62,7 @@ impl NamedPrinciple {
     }
 
     /// The first that applies to a model.
-    fn usual(model: &Model) -> Self {
+    pub fn usual(model: &Model) -> Self {
         let has_energy = model.energies.kinetic.is_some();
         Self::InRates(match model.quasi_velocities.is_empty() {
             false if has_energy || model.energies.coenergy.is_some() => Principle::Hamel,

@@ -9,7 +9,7 @@ mod page;
 mod terms;
 
 pub use meaning::meaning;
-pub use terms::{Edit, Term};
+pub use terms::{Edit, Term, compare};
 
 use page::{Told, claims};
 use std::fmt;

@@ -46,8 +46,14 @@ type Key = Vec<(String, u32)>;
 /// A monomial: its number, itself without it.
 type Monomials = BTreeMap<Key, (Rational, Sym)>;
 
-/// The terms that differ; `None` where an equation cannot be read back or is no equation. A common factor is none.
-pub(super) fn compare(old: &str, new: &str, dimension: &dyn Fn(&str) -> Option<Dimension>) -> Option<Vec<Term>> {
+/// The terms that differ between two equations `left = right`; `None` where one cannot be read back. A common factor is no difference.
+///
+/// ```
+/// use dalembert_claims::review::{Edit, compare};
+/// let terms = compare("m*x'' = -k*x", "m*x'' = k*x", &|_| None).expect("both are read");
+/// assert_eq!((terms.len(), terms[0].edit, terms[0].term.as_str()), (1, Edit::Sign, "-k*x"));
+/// ```
+pub fn compare(old: &str, new: &str, dimension: &dyn Fn(&str) -> Option<Dimension>) -> Option<Vec<Term>> {
     let (old, new) = (residual(old)?, residual(new)?);
     let denominators = (old.denominator(), new.denominator());
     // over one denominator both

@@ -1,25 +1,13 @@
-//! `dalembert review`: what changed in the reviewed pages, as mechanics.
+//! Changes of the reviewed pages, as mechanics.
 
+use super::earlier::git;
 use crate::arguments::Format;
 use crate::exit::{Exit, print};
 use claims::catalogue::papers;
 use claims::review::review as changes;
-use clap::Args;
 use serde_json::json;
 use std::collections::BTreeSet;
 use std::path::Path;
-use std::process::Command;
-
-/// What the pages are compared with.
-#[derive(Args, Debug)]
-pub struct Asked {
-    /// The commit to compare with; pages that wait for a review, `.snap.new`, are compared with those that stand
-    #[arg(long, value_name = "COMMIT", default_value = "HEAD")]
-    pub against: String,
-    /// How to print the changes
-    #[arg(long, value_enum, default_value_t)]
-    pub format: Format,
-}
 
 const FOLDER: &str = "snapshots";
 /// Of pages that are no claims so many lines are shown.
@@ -32,13 +20,13 @@ struct Changed {
 }
 
 /// Prints every change of every page.
-pub fn review(asked: &Asked) -> Result<Exit, Exit> {
+pub(super) fn show(against: &str, format: Format) -> Result<Exit, Exit> {
     if !Path::new(FOLDER).is_dir() {
         return Err(Exit::refused("there is no folder `snapshots` here: the project's own folder is accepted"));
     }
-    let changed: Vec<Changed> = pages(&asked.against)?.into_iter().filter(|page| !page.told.is_empty()).collect();
-    print(&match asked.format {
-        Format::Text if changed.is_empty() => format!("no page differs from {}\n", asked.against),
+    let changed: Vec<Changed> = pages(against)?.into_iter().filter(|page| !page.told.is_empty()).collect();
+    print(&match format {
+        Format::Text if changed.is_empty() => format!("no page differs from {}\n", against),
         Format::Text => changed.iter().map(text).collect(),
         Format::Json => {
             let pages = changed.iter().map(|Changed { page, told }| json!({ "page": page, "changes": told }));
@@ -113,17 +101,6 @@ fn moved(old: &str, new: &str) -> String {
         _ => format!("{before} to {now} ({:+.1} %)", (now / before - 1.0) * 100.0),
     });
     format!("{}: {}", words(new).join(" "), steps.collect::<Vec<_>>().join(", "))
-}
-
-/// What git prints.
-fn git(arguments: &[&str]) -> Result<String, Exit> {
-    let output = Command::new("git").args(arguments).output();
-    let output = output.map_err(|error| Exit::refused(format!("git, which keeps the reviewed pages: {error}")))?;
-    if !output.status.success() {
-        let reason = String::from_utf8_lossy(&output.stderr);
-        return Err(Exit::refused(format!("git {}: {}", arguments.join(" "), reason.trim())));
-    }
-    Ok(String::from_utf8_lossy(&output.stdout).into_owned())
 }
 
 #[cfg(test)]

@@ -1,0 +1,35 @@
+//! Earlier texts of a file: at a commit, or in another file.
+
+use crate::exit::Exit;
+use reader::read_text;
+use std::path::Path;
+use std::process::Command;
+
+/// The text of a file before: that of another file where one has this name, else its own at a commit.
+pub(super) fn text(file: &Path, against: &str) -> Result<String, Exit> {
+    let other = Path::new(against);
+    if other.is_file() {
+        return Ok(read_text(other)?);
+    }
+    let folder = file.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let name = file.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+    let folder = folder.to_string_lossy();
+    git(&["-C", &folder, "show", &format!("{against}:./{name}")]).map_err(|why| match why {
+        Exit::Refused(why) => Exit::refused(format!(
+            "{}: --against {against}: {why}; a commit that has this file, or another file, is accepted",
+            file.display()
+        )),
+        other => other,
+    })
+}
+
+/// What git prints.
+pub(super) fn git(arguments: &[&str]) -> Result<String, Exit> {
+    let output = Command::new("git").args(arguments).output();
+    let output = output.map_err(|error| Exit::refused(format!("git, which keeps earlier texts: {error}")))?;
+    if !output.status.success() {
+        let reason = String::from_utf8_lossy(&output.stderr);
+        return Err(Exit::refused(format!("git {}: {}", arguments.join(" "), reason.trim())));
+    }
+    Ok(String::from_utf8_lossy(&output.stdout).into_owned())
+}

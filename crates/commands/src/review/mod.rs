@@ -1,0 +1,74 @@
+//! `dalembert review`: changes of the reviewed pages, of a system in its file, or of a paper in its file, as mechanics.
+
+mod earlier;
+mod pages;
+mod paper;
+mod system;
+
+use crate::arguments::Format;
+use crate::exit::{Exit, print};
+use crate::stationary::steady_box::named_range;
+use ::scenes::steady_motions::Range;
+use clap::Args;
+use manuscript::is_paper;
+use reader::read_text;
+use serde_json::json;
+use std::path::PathBuf;
+
+/// Everything that is compared.
+#[derive(Args, Debug)]
+pub struct Asked {
+    /// A system or a paper in its file: its equations, steady motions and run, or its claims, are compared; without it the reviewed pages
+    /// of the project
+    #[arg(value_name = "SCENE.toml|PAPER.toml")]
+    pub file: Option<PathBuf>,
+    /// The commit to compare with, or another file in the place of FILE; pages that wait for a review, `.snap.new`, are compared with those
+    /// that stand
+    #[arg(long, value_name = "COMMIT|FILE", default_value = "HEAD")]
+    pub against: String,
+    /// The range of a coordinate in which steady motions of a system are compared, in SI units; without it angles alone are sought
+    #[arg(long, value_name = "NAME=FROM..TO", value_parser = named_range, num_args = 1)]
+    pub range: Vec<(String, Range)>,
+    /// How to print the changes
+    #[arg(long, value_enum, default_value_t)]
+    pub format: Format,
+}
+
+/// Changes that belong together.
+struct Part {
+    title: String,
+    told: Vec<String>,
+}
+
+/// Prints every change.
+pub fn review(asked: &Asked) -> Result<Exit, Exit> {
+    let Some(file) = &asked.file else {
+        if let Some((name, _)) = asked.range.first() {
+            return Err(Exit::refused(format!(
+                "--range {name} is about a system in its file; name the file, or leave it out"
+            )));
+        }
+        return pages::show(&asked.against, asked.format);
+    };
+    let now = read_text(file)?;
+    let before = earlier::text(file, &asked.against)?;
+    let parts: Vec<Part> = match is_paper(&now) {
+        true => paper::changes(file, (before, now), &|file| earlier::text(file, &asked.against))?,
+        false => system::changes(file, (before, now), &asked.range)?,
+    }
+    .into_iter()
+    .map(|(title, told)| Part { title, told })
+    .collect();
+    let changed = || parts.iter().filter(|part| !part.told.is_empty());
+    print(&match asked.format {
+        Format::Text if changed().next().is_none() => {
+            format!("{}: nothing that a run or an equation shows differs from {}\n", file.display(), asked.against)
+        }
+        Format::Text => changed().map(|part| format!("{}\n  {}\n", part.title, part.told.join("\n  "))).collect(),
+        Format::Json => {
+            let parts = changed().map(|Part { title, told }| json!({ "part": title, "changes": told }));
+            format!("{:#}\n", parts.collect::<serde_json::Value>())
+        }
+    })?;
+    Ok(Exit::Done)
+}

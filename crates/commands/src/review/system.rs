@@ -1,0 +1,204 @@
+//! Changes of a system in its file: which term of which equation by which principle, which steady motions and which columns of its run moved.
+
+use crate::clock;
+use crate::exit::{Exit, warn};
+use crate::stationary::steady_box::Found;
+use ::scenes::derivation::{NamedPrinciple, derived};
+use ::scenes::steady_motions::{Asked, Range, SteadyMotions, SteadyStability};
+use ::scenes::{ModelScene, SystemText, Task};
+use claims::review::compare;
+use model::{MatrixForm, Model};
+use simulation::{Axes, Choice, IvpScene, Trajectory};
+use std::collections::BTreeMap;
+use std::path::Path;
+use symbolic::{Dimension, Sym};
+
+/// Titles with what changed.
+pub(super) type Changes = Vec<(String, Vec<String>)>;
+
+/// Differences of a run below this part of a column's size are those of rounding.
+const ROUNDING: f64 = 1e-9;
+
+/// All changes between two texts.
+pub(super) fn changes(
+    file: &Path,
+    (before, now): (String, String),
+    ranges: &[(String, Range)],
+) -> Result<Changes, Exit> {
+    let name = file.display().to_string();
+    let texts = [before, now].map(|text| SystemText { name: name.clone(), text, values: Vec::new() });
+    let [old, new] = [texts[0].model(Task::Vary)?, texts[1].model(Task::Vary)?];
+    let mut all = equations(&texts, [&old, &new]);
+    let asked = Asked { ranges: ranges.to_vec(), boxes: MOST_BOXES };
+    all.push(("steady motions".to_owned(), steady_motions(&name, [old, new], &asked)));
+    let [old, new] = [ModelScene::parse(&name, &texts[0].text)?, ModelScene::parse(&name, &texts[1].text)?];
+    all.push(("run".to_owned(), run([&old, &new])));
+    Ok(all)
+}
+
+/// Boxes of a search for steady motions.
+const MOST_BOXES: usize = 50_000;
+
+/// Changes of each equation, with the principles that show the same ones.
+fn equations(texts: &[SystemText; 2], models: [&Model; 2]) -> Changes {
+    let dimensions = dimensions(models);
+    let dimension = |letter: &str| dimensions.get(letter).copied();
+    let mut all: Vec<(Vec<String>, Vec<&'static str>)> = Vec::new();
+    let usual = NamedPrinciple::usual(models[1]);
+    let others = NamedPrinciple::all().into_iter().filter(|one| *one != usual);
+    for principle in std::iter::once(usual).chain(others) {
+        let [Some(old), Some(new)] = [0, 1].map(|at| rows(&texts[at], principle)) else { continue };
+        let mut told = Vec::new();
+        for (label, equation) in &new {
+            match old.get(label) {
+                None => told.push(format!("equation of {label}: new, {equation}")),
+                Some(before) if before == equation => {}
+                Some(before) => match compare(before, equation, &dimension) {
+                    Some(terms) if terms.is_empty() => {}
+                    Some(terms) => {
+                        told.extend(terms.iter().map(|term| format!("equation of {label}: {term}")));
+                    }
+                    None => told.push(format!("equation of {label}: {before} before, {equation} now")),
+                },
+            }
+        }
+        told.extend(
+            old.keys().filter(|label| !new.contains_key(*label)).map(|label| format!("equation of {label}: gone")),
+        );
+        match all.iter_mut().find(|(known, _)| *known == told) {
+            Some((_, principles)) => principles.push(principle.name()),
+            None => all.push((told, vec![principle.name()])),
+        }
+    }
+    all.into_iter().map(|(told, principles)| (format!("equations, by {}", principles.join(", ")), told)).collect()
+}
+
+/// Equations by the names of their coordinates and constraints; `None` where the principle does not apply or they are too long to be read.
+fn rows(text: &SystemText, principle: NamedPrinciple) -> Option<BTreeMap<String, String>> {
+    let written = derived(text, Some(principle), false, |derived| {
+        let form = derived.for_reading().ok()?;
+        let own = (0..form.speeds.len()).map(|row| (form.speeds[row].to_string(), equation(&form, row)));
+        let held = form.constraints.iter().enumerate().map(|(place, one)| {
+            let name = if one.name.is_empty() {
+                format!("constraint {}", place + 1)
+            } else {
+                format!("constraint `{}`", one.name)
+            };
+            (name, format!("{} = 0", one.zero))
+        });
+        Some(own.chain(held).collect())
+    });
+    written.ok().flatten()
+}
+
+/// M q'' + h - Q - J^T lambda = 0, its row.
+fn equation(form: &MatrixForm, row: usize) -> String {
+    let inertia = form.mass[row].iter().zip(&form.accelerations).fold(Sym::ZERO, |sum, (m, a)| sum + *m * *a);
+    let held = form.constraints.iter().zip(&form.multipliers);
+    let reactions = held.fold(Sym::ZERO, |sum, (one, multiplier)| sum + one.row[row] * *multiplier);
+    format!("{} = 0", inertia + form.inertia[row] - form.forces[row] - reactions)
+}
+
+fn dimensions(models: [&Model; 2]) -> BTreeMap<String, Dimension> {
+    let mut all = BTreeMap::new();
+    for model in models {
+        all.extend(model.parameters.iter().map(|own| (own.name.clone(), own.dimension)));
+        for own in &model.coordinates {
+            let [rate, second] =
+                [own.dimension / Dimension::time(), own.dimension / Dimension::time() / Dimension::time()];
+            all.insert(own.name.clone(), own.dimension);
+            all.insert(format!("{}'", own.name), rate);
+            all.insert(format!("{}''", own.name), second);
+        }
+    }
+    all
+}
+
+/// Motions that came, went, moved, or have another stability.
+fn steady_motions(name: &str, models: [Model; 2], asked: &Asked) -> Vec<String> {
+    let found = models.map(|mut model| {
+        model.close_inputs();
+        let motions = SteadyMotions::of(&model, asked, clock::has_time).ok()?;
+        Some(Found { title: String::new(), model, motions })
+    });
+    let [Some(old), Some(new)] = &found else { return Vec::new() };
+    for found in [old, new].into_iter().filter(|found| !found.motions.is_complete()) {
+        let count = found.motions.undecided.len();
+        warn(&format!("warning: {name}: the search for steady motions leaves {count} boxes undecided"));
+    }
+    let told = |found: &Found| -> Vec<String> {
+        let each = found.motions.motions.iter();
+        each.map(|motion| format!("{}: {}", found.values(&motion.enclosure), verdict(&motion.stability))).collect()
+    };
+    let [old, new] = [told(old), told(new)];
+    let without = |these: &[String], those: &[String]| -> Vec<String> {
+        these.iter().filter(|one| !those.contains(one)).cloned().collect()
+    };
+    let (gone, come) = (without(&old, &new), without(&new, &old));
+    match gone.len() == come.len() {
+        true => gone.iter().zip(&come).map(|(old, new)| format!("{old} before; {new} now")).collect(),
+        false => {
+            let gone = gone.iter().map(|old| format!("gone: {old}"));
+            gone.chain(come.iter().map(|new| format!("new: {new}"))).collect()
+        }
+    }
+}
+
+fn verdict(stability: &SteadyStability) -> &'static str {
+    match stability {
+        SteadyStability::Minimum => "stable",
+        SteadyStability::Falls(_) | SteadyStability::FallsOdd(_) => "unstable",
+        SteadyStability::Linear(found) if found.linear.eigenvalues.iter().any(|value| value[0] > ROUNDING) => {
+            "unstable"
+        }
+        SteadyStability::Linear(_) => "no growth in linear equations",
+        SteadyStability::Unknown(_) => "stability not known",
+    }
+}
+
+/// Columns whose values moved.
+fn run(scenes: [&ModelScene; 2]) -> Vec<String> {
+    let [old, new] = scenes.map(|scene| {
+        let own = scene.run().choice();
+        let choice = Choice { allowed: clock::left(), ..own };
+        scene.problem(Axes::default()).simulate_while(&choice, |_| clock::goes_on())
+    });
+    let mut told = Vec::new();
+    let outcomes =
+        [&old, &new].map(|one| one.outcome.failure().map_or("reaches its end".to_owned(), |why| why.to_string()));
+    if outcomes[0] != outcomes[1] {
+        told.push(format!("{} before; {} now", outcomes[0], outcomes[1]));
+    }
+    let is_alike = old.times == new.times;
+    for (column, name) in new.names.iter().enumerate() {
+        let unit = scenes[1].unit(name);
+        let Some(before) = old.names.iter().position(|own| own == name) else {
+            told.push(format!("{name}: a new column, {} {unit} at the end", last(&new, column)));
+            continue;
+        };
+        let [first, second] = [last(&old, before), last(&new, column)];
+        let size = [&old.rows, &new.rows]
+            .into_iter()
+            .flatten()
+            .fold(0.0, |most: f64, row| most.max(row.get(column).map_or(0.0, |value| value.abs())));
+        let pairs = old.rows.iter().zip(&new.rows).zip(&new.times);
+        let largest = pairs
+            .filter(|_| is_alike)
+            .map(|((old, new), time)| ((new[column] - old[before]).abs(), *time))
+            .max_by(|a, b| a.0.total_cmp(&b.0));
+        let most = largest.map_or((first - second).abs(), |(most, _)| most);
+        if most <= ROUNDING * size {
+            continue;
+        }
+        let where_most =
+            largest.map_or_else(String::new, |(most, time)| format!("; {most:.3e} {unit} apart at t = {time} s"));
+        told.push(format!("{name}: {first:.9} {unit} before, {second:.9} {unit} now at the end{where_most}"));
+    }
+    let gone = old.names.iter().filter(|name| !new.names.contains(name));
+    told.extend(gone.map(|name| format!("{name}: no longer a column")));
+    told
+}
+
+fn last(trajectory: &Trajectory, column: usize) -> f64 {
+    trajectory.last.get(column).copied().unwrap_or(f64::NAN)
+}
