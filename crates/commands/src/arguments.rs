@@ -35,7 +35,7 @@ pub struct Arguments {
     #[arg(long, short, global = true)]
     pub quiet: bool,
     /// Ends the command after so many seconds, and keeps what there is; without it after 300, `chart` after 30, and `ensemble`,
-    /// `review` and the report never
+    /// `review` without a file and the report never
     #[arg(long, global = true, value_name = "N", value_parser = whole::<u32>(1..=86_400))]
     pub seconds: Option<u32>,
 }
@@ -53,6 +53,7 @@ impl Arguments {
             Some(Command::Ensemble(_)) => ("ensemble", Part, None),
             Some(Command::Ledger(_)) => ("ledger", Nothing, Some(USUAL)),
             Some(Command::Judge(_)) => ("judge", Nothing, Some(USUAL)),
+            Some(Command::Review(asked)) if asked.file.is_some() => ("review", Part, Some(USUAL)),
             Some(Command::Review(_)) => ("review", Nothing, None),
             Some(Command::Derive(_)) => ("derive", Nothing, Some(USUAL)),
             Some(Command::Inverse(_)) => ("inverse", Nothing, Some(USUAL)),
@@ -60,8 +61,8 @@ impl Arguments {
             Some(Command::Regulate(_)) => ("regulate", Nothing, Some(USUAL)),
             Some(Command::Prove(_)) => ("prove", Nothing, Some(USUAL)),
             Some(Command::Bodies(_)) => ("bodies", Nothing, Some(USUAL)),
-            Some(Command::Stationary(_)) => ("stationary", Nothing, Some(USUAL)),
-            Some(Command::NumericalStability(_)) => ("numerical-stability", Nothing, Some(USUAL)),
+            Some(Command::Stationary(_)) => ("stationary", Part, Some(USUAL)),
+            Some(Command::NumericalStability(_)) => ("numerical-stability", Part, Some(USUAL)),
             Some(Command::Motor(_)) => ("motor", Nothing, Some(USUAL)),
             Some(Command::Conform(_)) => ("conform", Nothing, Some(USUAL)),
             Some(Command::New(_)) => ("new", Nothing, Some(USUAL)),
@@ -95,7 +96,7 @@ pub enum Command {
     /// Every claim of a paper that is a file, judged on the model that the file gives: what is printed, how it was read, its verdict
     #[command(after_long_help = ledger::paper_file::HELP)]
     Judge(ledger::paper_file::Asked),
-    /// What changed in the reviewed pages: which term of which equation, what it means, which claims and runs moved
+    /// Changes of a system, of a paper or of the reviewed pages: which term of which equation, its meaning, which claims and runs moved
     Review(review::Asked),
     /// Equations of motion by a chosen principle
     Derive(derive::Asked),

@@ -15,6 +15,7 @@ mod odd_data;
 mod outputs;
 mod references;
 mod refusals;
+mod reviews;
 mod runs;
 
 use serde_json::Value;

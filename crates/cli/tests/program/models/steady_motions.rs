@@ -104,6 +104,22 @@ fn steps_that_misjudge_a_motion_of_a_file_are_told_for_each_method() {
     );
 }
 
+/// A motor held fast at the limit of its amplifier: its current fades with R/L = 2000/s, and Euler's method follows up to 2 L/R.
+#[test]
+fn steps_on_a_motion_of_a_law_with_conditions_are_those_of_its_side() {
+    let scene = "scenes/foreign/stalled_motor.toml";
+    let asked = ["numerical-stability", scene, "--range", "theta=-1..1", "--range", "motor.q'=-20..20"];
+    let told = printed(&asked);
+    assert!(
+        told.contains("where asked - most > 0") && told.contains("Euler                honest up to h = 0.001;"),
+        "{told}"
+    );
+    let object: Value =
+        serde_json::from_str(&printed(&[&asked[..], &["--format", "json"]].concat())).expect("it is JSON");
+    let rate = object["cases"][0]["motions"][0]["eigenvalues"][1][0].as_f64().expect("a number");
+    assert!((rate + 2000.0).abs() < 1e-9, "{object}");
+}
+
 /// Each oscillation at rest loses by Runge-Kutta 4 the part of the closed form, whatever its frequency.
 #[test]
 fn the_drift_of_oscillations_is_that_of_the_stability_function() {

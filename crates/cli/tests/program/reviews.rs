@@ -1,0 +1,59 @@
+//! `review` of files: terms of equations, steady motions, runs and claims that moved.
+
+use super::{json, run, temporary};
+use std::path::PathBuf;
+
+const CART: &str = "title = \"A cart with a pendulum\"\ngravity = \"-g*N.y\"\n[parameters]\nM = \"2 kg\"\nm = \"1 kg\"\nl = \"0.5 m\"\ng = \"9.81 m/s^2\"\n\
+    k = \"20 N/m\"\nd = \"0.3 N s/m\"\n[coordinates]\nx = \"m\"\ntheta = \"rad\"\n[frames]\nB = \"N turned theta about z\"\n[points]\n\
+    A = \"O + x*N.x\"\nP = \"A - l*B.y\"\n[bodies]\ncart = { centre = \"A\", mass = \"M\" }\nbob = { centre = \"P\", mass = \"m\" }\n[[force]]\non = \"cart\"\n\
+    is = \"(-k*x - d*x')*N.x\"\n[start]\ntheta = \"0.3 rad\"\n[run]\nspan = \"2 s\"\n";
+
+fn written(name: &str, text: &str) -> (PathBuf, String) {
+    let file = temporary(name);
+    std::fs::write(&file, text).expect("it can be written");
+    let path = file.to_string_lossy().into_owned();
+    (file, path)
+}
+
+#[test]
+fn a_term_of_another_sign_is_told_with_the_motions_and_the_run_that_moved() {
+    let (old, before) = written("review_old.toml", CART);
+    let (new, now) = written("review_new.toml", &CART.replace("(-k*x - d*x')", "(k*x)"));
+    let output = run(&["review", &now, "--against", &before, "--range", "x=-1..1"]);
+    let told = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert_eq!(output.status.code(), Some(0), "{told}");
+    assert!(told.contains("equation of x'"), "{told}");
+    assert!(told.contains("sign turned: -k*x") && told.contains("lost: d*x'"), "{told}");
+    assert!(told.contains("stable before") && told.contains("unstable now"), "{told}");
+    assert!(told.contains("x: ") && told.contains("apart at t = "), "{told}");
+    // one equation, the same by every principle
+    assert!(told.contains("equations, by lagrange") && told.contains("newton-euler"), "{told}");
+    let same = run(&["review", &before, "--against", &before]);
+    assert!(String::from_utf8_lossy(&same.stdout).contains("nothing that a run or an equation shows differs"));
+    [old, new].iter().for_each(|file| std::fs::remove_file(file).expect("it is there"));
+}
+
+#[test]
+fn a_claim_whose_formula_is_broken_is_told_with_its_verdict_and_correction() {
+    let paper = CART.split("[[force]]").next().expect("a beginning").to_owned()
+        + "[letters]\n'm' = \"m\"\n'M' = \"M\"\n'l' = \"l\"\n'g' = \"g\"\n'x' = \"x\"\n'\\theta' = \"theta\"\n[[claim]]\nequation = \"1\"\nkind = \"equation of motion\"\n\
+        formula = '\\ddot{x} \\cos\\theta + l \\ddot{\\theta} + g \\sin\\theta = 0'\n";
+    let (old, before) = written("paper_old.toml", &paper);
+    let (new, now) = written("paper_new.toml", &paper.replace("+ g \\sin", "- g \\sin"));
+    let found = json(&run(&["review", &now, "--against", &before, "--format", "json"]));
+    let told = found.to_string();
+    assert!(told.contains("proved before, refuted now") && told.contains("correction: none before"), "{told}");
+    [old, new].iter().for_each(|file| std::fs::remove_file(file).expect("it is there"));
+}
+
+#[test]
+fn a_file_that_no_commit_has_is_refused_with_what_is_accepted() {
+    let (file, path) = written("no_commit.toml", CART);
+    let output = run(&["review", &path, "--against", "nowhere"]);
+    let why = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(
+        output.status.code() == Some(2) && why.contains("a commit that has this file, or another file, is accepted"),
+        "{why}"
+    );
+    std::fs::remove_file(file).expect("it is there");
+}
