@@ -18,14 +18,15 @@ fn written(name: &str, text: &str) -> (PathBuf, String) {
 #[test]
 fn a_term_of_another_sign_is_told_with_the_motions_and_the_run_that_moved() {
     let (old, before) = written("review_old.toml", CART);
-    let (new, now) = written("review_new.toml", &CART.replace("(-k*x - d*x')", "(k*x)"));
+    let (new, now) = written("review_new.toml", &CART.replace("(-k*x - d*x')", "(k*x)").replace("2 kg", "3 kg"));
     let output = run(&["review", &now, "--against", &before, "--range", "x=-1..1"]);
     let told = String::from_utf8_lossy(&output.stdout).into_owned();
     assert_eq!(output.status.code(), Some(0), "{told}");
-    assert!(told.contains("equation of x'"), "{told}");
+    assert!(told.contains("equation of x:"), "{told}");
     assert!(told.contains("sign turned: -k*x") && told.contains("lost: d*x'"), "{told}");
-    assert!(told.contains("stable before") && told.contains("unstable now"), "{told}");
+    assert!(told.contains("asymptotically stable before") && told.contains("unstable now"), "{told}");
     assert!(told.contains("x: ") && told.contains("apart at t = "), "{told}");
+    assert!(told.contains("M: 2 kg before, 3 kg now"), "{told}");
     // one equation, the same by every principle
     assert!(told.contains("equations, by lagrange") && told.contains("newton-euler"), "{told}");
     let same = run(&["review", &before, "--against", &before]);

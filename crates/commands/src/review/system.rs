@@ -2,9 +2,10 @@
 
 use crate::clock;
 use crate::exit::{Exit, warn};
+use crate::stationary::model::verdict;
 use crate::stationary::steady_box::Found;
 use ::scenes::derivation::{NamedPrinciple, derived};
-use ::scenes::steady_motions::{Asked, Range, SteadyMotions, SteadyStability};
+use ::scenes::steady_motions::{Asked, Range, SteadyMotions};
 use ::scenes::{ModelScene, SystemText, Task};
 use claims::review::compare;
 use model::{MatrixForm, Model};
@@ -28,7 +29,8 @@ pub(super) fn changes(
     let name = file.display().to_string();
     let texts = [before, now].map(|text| SystemText { name: name.clone(), text, values: Vec::new() });
     let [old, new] = [texts[0].model(Task::Vary)?, texts[1].model(Task::Vary)?];
-    let mut all = equations(&texts, [&old, &new]);
+    let mut all: Changes = vec![("parameters".to_owned(), parameters([&old, &new]))];
+    all.extend(equations(&texts, [&old, &new]));
     let asked = Asked { ranges: ranges.to_vec(), boxes: MOST_BOXES };
     all.push(("steady motions".to_owned(), steady_motions(&name, [old, new], &asked)));
     let [old, new] = [ModelScene::parse(&name, &texts[0].text)?, ModelScene::parse(&name, &texts[1].text)?];
@@ -38,6 +40,19 @@ pub(super) fn changes(
 
 /// Boxes of a search for steady motions.
 const MOST_BOXES: usize = 50_000;
+
+/// Parameters with another value.
+fn parameters(models: [&Model; 2]) -> Vec<String> {
+    let [old, new] =
+        models.map(|model| model.parameters.iter().map(|own| (&own.name, &own.written)).collect::<BTreeMap<_, _>>());
+    let moved = new.iter().filter(|(name, written)| old.get(*name).is_none_or(|before| before != *written));
+    let moved = moved.map(|(name, written)| match old.get(name) {
+        Some(before) => format!("{name}: {before} before, {written} now"),
+        None => format!("{name}: new, {written}"),
+    });
+    let gone = old.iter().filter(|(name, _)| !new.contains_key(*name));
+    moved.chain(gone.map(|(name, written)| format!("{name}: gone, {written}"))).collect()
+}
 
 /// Changes of each equation, with the principles that show the same ones.
 fn equations(texts: &[SystemText; 2], models: [&Model; 2]) -> Changes {
@@ -77,7 +92,8 @@ fn equations(texts: &[SystemText; 2], models: [&Model; 2]) -> Changes {
 fn rows(text: &SystemText, principle: NamedPrinciple) -> Option<BTreeMap<String, String>> {
     let written = derived(text, Some(principle), false, |derived| {
         let form = derived.for_reading().ok()?;
-        let own = (0..form.speeds.len()).map(|row| (form.speeds[row].to_string(), equation(&form, row)));
+        let own = (0..form.speeds.len())
+            .map(|row| (form.speeds[row].to_string().trim_end_matches('\'').to_owned(), equation(&form, row)));
         let held = form.constraints.iter().enumerate().map(|(place, one)| {
             let name = if one.name.is_empty() {
                 format!("constraint {}", place + 1)
@@ -128,7 +144,8 @@ fn steady_motions(name: &str, models: [Model; 2], asked: &Asked) -> Vec<String> 
     }
     let told = |found: &Found| -> Vec<String> {
         let each = found.motions.motions.iter();
-        each.map(|motion| format!("{}: {}", found.values(&motion.enclosure), verdict(&motion.stability))).collect()
+        each.map(|motion| format!("{}: {}", found.values(&motion.enclosure), verdict(motion, &found.motions.cyclic).0))
+            .collect()
     };
     let [old, new] = [told(old), told(new)];
     let without = |these: &[String], those: &[String]| -> Vec<String> {
@@ -141,18 +158,6 @@ fn steady_motions(name: &str, models: [Model; 2], asked: &Asked) -> Vec<String> 
             let gone = gone.iter().map(|old| format!("gone: {old}"));
             gone.chain(come.iter().map(|new| format!("new: {new}"))).collect()
         }
-    }
-}
-
-fn verdict(stability: &SteadyStability) -> &'static str {
-    match stability {
-        SteadyStability::Minimum => "stable",
-        SteadyStability::Falls(_) | SteadyStability::FallsOdd(_) => "unstable",
-        SteadyStability::Linear(found) if found.linear.eigenvalues.iter().any(|value| value[0] > ROUNDING) => {
-            "unstable"
-        }
-        SteadyStability::Linear(_) => "no growth in linear equations",
-        SteadyStability::Unknown(_) => "stability not known",
     }
 }
 

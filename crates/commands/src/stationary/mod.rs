@@ -6,7 +6,7 @@ mod branches;
 mod cases;
 mod json;
 mod map;
-mod model;
+pub mod model;
 mod motor;
 mod plane;
 pub mod steady_box;

@@ -282,7 +282,7 @@ fn fades(linear: &Linear, cyclic: usize) -> bool {
 }
 
 /// The stability of a motion in a word, and whether enclosures show it.
-pub(super) fn verdict(motion: &SteadyMotion, cyclic: &[String]) -> (&'static str, bool) {
+pub fn verdict(motion: &SteadyMotion, cyclic: &[String]) -> (&'static str, bool) {
     match &motion.stability {
         SteadyStability::Minimum => ("stable", true),
         SteadyStability::Falls(_) | SteadyStability::FallsOdd(_) => ("unstable", true),
