@@ -13,10 +13,11 @@
 //!
 //! Every claim is cross-examined without being asked ([`examine`]): its dimensions agree, its sides are not the same
 //! expression, a mutated right side is refuted, its hypotheses can be met. [`review`](mod@review) tells what a change of a
-//! page means: which term of which equation.
+//! page means: which term of which equation. A [`certificate`] lets another program repeat the proof of a verdict.
 
 pub mod alphabet;
 pub mod catalogue;
+pub mod certificate;
 mod claim;
 mod condition;
 pub mod derivation;
@@ -42,7 +43,7 @@ pub use judge::Judged;
 pub use ledger::{Entry, entries};
 pub use page::{Draft, Page};
 pub use paper::Paper;
-pub use proof::Proof;
+pub use proof::{Combination, Proof};
 pub use snapshot::render;
 pub use verdict::Verdict;
 

@@ -1,5 +1,6 @@
 //! A paper's page: its claims in order, written one line each.
 
+use crate::certificate::Certificate;
 use crate::proof::Combination;
 use crate::{Claim, Condition, Judged, Line, Point, Proof, Statement, Theorem, Verdict};
 use symbolic::{Dimension, Hypotheses, Sym};
@@ -76,6 +77,15 @@ impl Page {
     /// Those claims that are asked for, as they are decided, one after the other.
     pub fn judged(&self, asked: impl Fn(&Claim) -> bool) -> impl Iterator<Item = Judged> {
         self.claims.iter().filter(move |claim| asked(claim)).map(|claim| claim.judge(self.dimensions))
+    }
+
+    /// The same, each with the certificates of its verdict and of its correction's.
+    pub fn certified(&self, asked: impl Fn(&Claim) -> bool) -> impl Iterator<Item = (Judged, Vec<Certificate>)> {
+        self.claims.iter().filter(move |claim| asked(claim)).map(|claim| {
+            let judged = claim.judge(self.dimensions);
+            let certificates = Certificate::of(claim, &judged);
+            (judged, certificates)
+        })
     }
 
     /// Attaches what holds instead to the claim before: the correction is drafted as a claim of its own.

@@ -1,16 +1,20 @@
 //! `dalembert ledger`: every claim with its verdict.
 
+mod certificates;
 pub mod paper_file;
 
 use crate::arguments::Format;
 use crate::exit::{Exit, print, warn};
 use crate::job_pool::JobPool;
 use crate::values;
+use certificates::CertificateFolder;
 use charts::{ClaimRow, PaperSection};
 use claims::Paper;
 use claims::catalogue::papers;
+use claims::certificate::Certificate;
 use claims::{Judged, Verdict, entries};
 use clap::Args;
+use std::path::PathBuf;
 
 /// Which claims are to be listed.
 #[derive(Args, Debug)]
@@ -25,15 +29,23 @@ pub struct Asked {
     /// formulas, requires, why, reading, note, counterexample, correction
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
+    /// Writes a file PAPER.json for each paper: what a checker needs to repeat the proof of every verdict, see verify/README.md
+    #[arg(long, value_name = "DIR")]
+    pub certificates: Option<PathBuf>,
+    /// Replaces files of --certificates even where `ledger` did not write what stands there
+    #[arg(long, requires = "certificates")]
+    pub force: bool,
 }
 
 /// Prints the claims whose id contains the filter, of one verdict where one is asked for.
 pub fn list(asked: &Asked) -> Result<Exit, Exit> {
     let verdict = asked.verdict.as_deref().map(verdict).transpose()?;
-    let known = those_with(&asked.filter);
+    let folder =
+        asked.certificates.as_deref().map(|path| CertificateFolder::of(path, "ledger", asked.force)).transpose()?;
+    let known = those_with(&asked.filter, folder.is_some());
     let nowhere = known.is_empty();
-    let chosen: Vec<Judged> =
-        known.into_iter().filter(|claim| verdict.is_none_or(|verdict| claim.verdict == verdict)).collect();
+    let (chosen, certificates): (Vec<Judged>, Vec<Vec<Certificate>>) =
+        known.into_iter().filter(|(claim, _)| verdict.is_none_or(|verdict| claim.verdict == verdict)).unzip();
     if nowhere {
         let keys: Vec<&str> = papers().iter().map(|paper| paper.key).collect();
         return Err(Exit::refused(format!(
@@ -50,6 +62,14 @@ pub fn list(asked: &Asked) -> Result<Exit, Exit> {
         }
     };
     print(&text)?;
+    if let Some(folder) = folder {
+        let mut certificates: Vec<Certificate> = certificates.into_iter().flatten().collect();
+        for paper in papers() {
+            let (these, others) = certificates.into_iter().partition(|one| one.is_of(paper.key));
+            certificates = others;
+            folder.write([paper.key, paper.title, paper.citation], these, asked.format)?;
+        }
+    }
     let unsound: Vec<String> = chosen.iter().filter_map(|claim| claim.sound().err()).collect();
     for reason in &unsound {
         warn(reason);
@@ -64,17 +84,24 @@ fn verdict(name: &str) -> Result<Verdict, Exit> {
     })
 }
 
-/// The claims whose id contains this, decided; the others are not.
-fn those_with(filter: &str) -> Vec<Judged> {
-    let mut judged: Vec<Option<Vec<Judged>>> = papers().iter().map(|_| None).collect();
+/// The claims whose id contains this, decided, with their certificates where these are wanted; the others are not.
+fn those_with(filter: &str, certified: bool) -> Vec<(Judged, Vec<Certificate>)> {
+    let mut judged: Vec<Option<Vec<(Judged, Vec<Certificate>)>>> = papers().iter().map(|_| None).collect();
     let mut crew = JobPool::default();
     for (place, paper) in judged.iter_mut().zip(papers()) {
-        crew.add(1.0, place, move || (paper.page)().judged(|claim| claim.id.contains(filter)).collect());
+        crew.add(1.0, place, move || {
+            let page = (paper.page)();
+            let asked = |claim: &claims::Claim| claim.id.contains(filter);
+            match certified {
+                true => page.certified(asked).collect(),
+                false => page.judged(asked).map(|judged| (judged, Vec::new())).collect(),
+            }
+        });
     }
     crew.work(|_| ());
-    let mut all: Vec<Judged> = judged.into_iter().flatten().flatten().collect();
+    let mut all: Vec<(Judged, Vec<Certificate>)> = judged.into_iter().flatten().flatten().collect();
     // who names a page or the beginning of an id means these: what has the word elsewhere comes behind
-    all.sort_by_key(|claim| !claim.id.starts_with(filter));
+    all.sort_by_key(|(claim, _)| !claim.id.starts_with(filter));
     all
 }
 

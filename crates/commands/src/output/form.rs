@@ -19,6 +19,8 @@ pub enum Form {
     Reference,
     /// A table, CSV, with this first line.
     Table(String),
+    /// The certificates of a paper, JSON.
+    Certificates,
 }
 
 /// The command that writes; the main job has no name.
@@ -48,6 +50,7 @@ impl Form {
             Form::Page => &["html", "htm"],
             Form::Reference => &["reference"],
             Form::Table(_) => &["csv"],
+            Form::Certificates => &["json"],
         }
     }
 
@@ -64,6 +67,7 @@ impl Form {
             Form::Page => "page",
             Form::Reference => "reference",
             Form::Table(_) => "table",
+            Form::Certificates => "file of certificates",
         }
     }
 
@@ -92,6 +96,7 @@ impl Form {
                 Form::Reference => {
                     text.starts_with("# Reference of ") && text.contains(&format!("\n# Made by: {name} "))
                 }
+                Form::Certificates => text.starts_with(&format!("{{\"made_by\":\"{name}, version ")),
                 Form::Table(heading) => text.strip_prefix(heading.as_str()).is_some_and(|rest| rest.starts_with('\n')),
             })
     }

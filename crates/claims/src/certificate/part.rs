@@ -1,0 +1,148 @@
+//! The pieces of a part of a certificate: relations, steps from equalities to values, and how the conclusions are shown.
+
+use super::Recorder;
+use crate::{Combination, Condition, Point};
+use serde::Serialize;
+use symbolic::{Hypotheses, Node, Sym};
+
+/// A relation between two entries of a program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Relation {
+    /// `=`, `!=` or `>`.
+    pub is: &'static str,
+    pub left: usize,
+    pub right: usize,
+}
+
+/// What follows from equalities of the list `given`, by their places.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[serde(tag = "step", rename_all = "snake_case")]
+pub enum Step {
+    /// The equalities are linear in the letters, and these are their values.
+    Solve { letters: Vec<usize>, values: Vec<usize>, by: Vec<usize> },
+    /// The equality is one between this power of a letter and terms with lower powers of it.
+    Rewrite { letter: usize, power: u32, by: usize },
+}
+
+/// How the conclusions of a part are shown, or shown to fail.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[serde(tag = "by", rename_all = "snake_case")]
+pub enum PartProof {
+    /// The difference of the sides of each conclusion vanishes after the steps.
+    Identity,
+    /// One combination for each conclusion.
+    Combination { combinations: Vec<Combined> },
+    /// All terms above and below have one sign where these letters are positive.
+    Signs { positive: Vec<usize> },
+    /// At this point everything given holds and a conclusion does not.
+    Counterexample { point: Vec<(usize, usize)> },
+    /// At this point everything holds.
+    Example { point: Vec<(usize, usize)> },
+    /// At this point of the other letters no value of the unknown but zero satisfies the conclusions.
+    NoRoot { unknown: usize, point: Vec<(usize, usize)> },
+    /// This divisor of a conclusion vanishes identically after the steps.
+    Undefined { divisor: usize },
+}
+
+/// For a conclusion f = 0: m f is the sum of cofactors times equalities of `given`, where m is the product of relations that exclude
+/// zero. For f != 0 the factor d: d f is m plus that sum.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Combined {
+    /// Places in `given`.
+    pub multiplier: Vec<usize>,
+    /// Places in `given`, and entries of the program.
+    pub cofactors: Vec<(usize, usize)>,
+    pub factor: Option<usize>,
+}
+
+/// Relations with the program that they are about.
+#[derive(Default)]
+pub struct Relations {
+    pub recorder: Recorder,
+}
+
+impl Relations {
+    /// The relation of a condition.
+    pub fn of(&mut self, condition: Condition) -> Relation {
+        let (is, left, right) = match condition {
+            Condition::Zero(e) => ("=", e, Sym::ZERO),
+            Condition::Equal(a, b) => ("=", a, b),
+            Condition::NonZero(e) => ("!=", e, Sym::ZERO),
+            Condition::Positive(e) => (">", e, Sym::ZERO),
+        };
+        Relation { is, left: self.recorder.place(left), right: self.recorder.place(right) }
+    }
+
+    /// Relations of several conditions.
+    pub fn all(&mut self, conditions: &[Condition]) -> Vec<Relation> {
+        conditions.iter().map(|condition| self.of(*condition)).collect()
+    }
+
+    /// Adds the statements of hypotheses to what is given, and the steps that they allow.
+    pub fn rules(&mut self, hypotheses: &Hypotheses, given: &mut Vec<Relation>, steps: &mut Vec<Step>) {
+        for &(left, right) in hypotheses.statements() {
+            let by = given.len();
+            given.push(self.of(Condition::Equal(left, right)));
+            match power(left) {
+                Some((letter, 1)) => {
+                    let (letters, values) = (vec![self.recorder.place(letter)], vec![self.recorder.place(right)]);
+                    steps.push(Step::Solve { letters, values, by: vec![by] });
+                }
+                Some((letter, power)) => {
+                    steps.push(Step::Rewrite { letter: self.recorder.place(letter), power, by });
+                }
+                None => {}
+            }
+        }
+    }
+
+    /// A certificate of one conclusion.
+    pub fn combined(&mut self, combination: &Combination) -> Combined {
+        let cofactors = &combination.cofactors;
+        Combined {
+            multiplier: combination.multiplier.clone(),
+            cofactors: cofactors.iter().map(|&(place, cofactor)| (place, self.recorder.place(cofactor))).collect(),
+            factor: combination.factor.map(|factor| self.recorder.place(factor)),
+        }
+    }
+
+    /// The values of a point, of those among its names that stand in the expressions.
+    pub fn named_point(&mut self, point: &Point, expressions: &[Sym]) -> Vec<(usize, usize)> {
+        let leaves: Vec<(String, Sym)> =
+            Sym::ascending(expressions).into_iter().filter(|e| e.node().is_leaf()).map(|e| (name(e), e)).collect();
+        let mut values = Vec::new();
+        for (known, value) in point.values() {
+            if let Some((_, leaf)) = leaves.iter().find(|(name, _)| name == known) {
+                values.push((self.recorder.place(*leaf), self.recorder.place(Sym::constant(*value))));
+            }
+        }
+        values
+    }
+
+    /// The values of a point by its letters, angles and functions; a checker computes roots itself.
+    pub fn point(&mut self, point: &[(Sym, Sym)]) -> Vec<(usize, usize)> {
+        let is_value =
+            |leaf: Sym| matches!(leaf.node(), Node::Symbol(_) | Node::Cos(_) | Node::Sin(_) | Node::Function(..));
+        let kept = point.iter().filter(|(leaf, _)| is_value(*leaf));
+        kept.map(|&(leaf, value)| (self.recorder.place(leaf), self.recorder.place(value))).collect()
+    }
+}
+
+/// The letter whose power is rewritten by a statement with this left side: the last one of a sum of squares.
+fn power(left: Sym) -> Option<(Sym, u32)> {
+    match left.node() {
+        Node::Symbol(_) => Some((left, 1)),
+        Node::Power(letter, power) if letter.symbol_name().is_some() => Some((letter, power)),
+        Node::Sum(_, last) => power(last).filter(|(_, power)| *power > 1),
+        _ => None,
+    }
+}
+
+/// The name by which points know a letter, an angle's coordinate or a function.
+fn name(leaf: Sym) -> String {
+    match leaf.node() {
+        Node::Cos(angle) if angle.symbol_name().is_some() => format!("cos {angle}"),
+        Node::Sin(angle) if angle.symbol_name().is_some() => format!("sin {angle}"),
+        _ => leaf.to_string(),
+    }
+}

@@ -1,0 +1,1 @@
+"""An independent checker of the certificates that `dalembert ledger` and `dalembert judge` write."""

@@ -1,0 +1,179 @@
+"""The proofs of parts, each repeated from the program alone."""
+
+from .evaluation import Evaluation, Undefined, reached
+from .part_check import Rejected
+from .point_check import counterexample, example, exact_point, holds
+from .ring import Ring
+from .step_check import justify
+
+SHOWS = {
+    "proved": {"identity", "combination", "signs", "example"},
+    "tested": {"identity"},
+    "refuted": {"counterexample", "no_root"},
+    "undefined": {"undefined"},
+}
+
+
+def show(check):
+    """Repeats the proof of a part."""
+    justify(check)
+    PROOFS[check.part.proof["by"]](check)
+
+
+def identity(check):
+    """The sides of every conclusion are equal."""
+    for relation in check.part.then:
+        if relation.kind != "=":
+            raise Rejected("an identity shows equalities alone")
+        if not check.vanishes(check.difference(relation)):
+            raise Rejected("the sides of a conclusion differ")
+
+
+def combination(check):
+    """Multiples of the conclusions are combinations of what is given."""
+    given, combinations = check.part.given, check.part.proof["combinations"]
+    if len(combinations) != len(check.part.then):
+        raise Rejected("there is not one combination for each conclusion")
+    for relation, one in zip(check.part.then, combinations):
+        multiplier = check.emit("const", "1")
+        for place in one["multiplier"]:
+            if given[place].kind == "=":
+                raise Rejected("a multiplier is not said to differ from zero")
+            multiplier = check.emit("*", multiplier, check.difference(given[place]))
+        total = check.emit("const", "0")
+        for place, cofactor in one["cofactors"]:
+            if given[place].kind != "=":
+                raise Rejected("a cofactor multiplies what is no equality")
+            total = check.emit("+", total, check.emit("*", cofactor, check.difference(given[place])))
+        conclusion = check.difference(relation)
+        if relation.kind == "=" and one["factor"] is None:
+            gap = check.emit("-", check.emit("*", multiplier, conclusion), total)
+        elif relation.kind == "!=" and one["factor"] is not None:
+            gap = check.emit("-", check.emit("*", one["factor"], conclusion), check.emit("+", multiplier, total))
+        else:
+            raise Rejected("no such combination shows this conclusion")
+        if not check.vanishes(gap):
+            raise Rejected("a combination is not what it is said to be")
+
+
+def signs(check):
+    """All terms above and below have one sign."""
+    part = check.part
+    positive = [each.left for each in part.given if each.kind == ">" and is_zero(check, each.right)]
+    if not set(part.proof["positive"]) <= set(positive):
+        raise Rejected("a letter is not given as positive")
+    apart = [each.left for each in part.given if each.kind == "!=" and is_zero(check, each.right)]
+    for relation in part.then:
+        ring = check.ring(rules=True)
+        value = Evaluation(check.program, check.solves, ring, check.angles).value(check.difference(relation))
+        value = ring.lowest(value)
+        names = [{f"l{entry}" for entry in entries} for entries in (part.proof["positive"], apart)]
+        above = sign(check, ring, value.above, *names)
+        below = sign(check, ring, ring.denominator(value), *names)
+        if not (relation.kind == "!=" or relation.kind == ">" and above * below > 0):
+            raise Rejected("the signs of terms do not show this conclusion")
+
+
+def is_zero(check, entry):
+    return check.program[entry] == ("const", "0")
+
+
+def sign(check, ring, polynomial, positive, apart):
+    """The common sign of all terms, which do not vanish together."""
+    common, strict, vanishing = 0, False, set()
+    names = list(ring.generators)
+    for monomial, coefficient in polynomial.to_dict().items():
+        here = 1 if coefficient > 0 else -1
+        open_names = []
+        for name, exponent in zip(names, monomial):
+            if exponent and name not in positive:
+                if exponent % 2:
+                    raise Rejected("a letter of unknown sign has an odd power")
+                if name not in apart:
+                    open_names.append(name)
+        if common and here != common:
+            raise Rejected("terms differ in sign")
+        common = here
+        strict = strict or not open_names
+        if len(open_names) == 1:
+            vanishing.add(open_names[0])
+    if not common:
+        raise Rejected("it vanishes identically")
+    if not strict and not any(excluded(check, relation, ring, vanishing) for relation in check.part.given):
+        raise Rejected("all terms may vanish together")
+    return common
+
+
+def excluded(check, relation, ring, names):
+    """Whether a relation forbids that all these generators vanish."""
+    if relation.kind == "=":
+        return False
+    value = Evaluation(check.program, check.solves, ring, check.angles).value(check.difference(relation))
+    at_zero = value.above.subs({name: 0 for name in names})
+    below = ring.denominator(value).subs({name: 0 for name in names})
+    return at_zero.is_zero() and not below.is_zero()
+
+
+class PointWithUnknown(Ring):
+    """Polynomials in one letter; everything else has a rational value at a point."""
+
+    def __init__(self, unknown, point):
+        super().__init__([unknown], (), 0, 0, 0)
+        self.unknown = unknown
+        self.point = point
+
+    def rational(self, value):
+        if set(value.parts) - {1}:
+            raise Rejected("a value of the point is not rational")
+        return self.constant(value.parts.get(1, 0))
+
+    def letter(self, place):
+        return super().letter(place) if place == self.unknown else self.rational(self.point.letter(place))
+
+    def circle(self, key):
+        return tuple(self.rational(each) for each in self.point.circle(key))
+
+
+def no_root(check):
+    """No value of the unknown but zero satisfies the conclusions at the point."""
+    point, formal = exact_point(check)
+    unknown = check.part.proof["unknown"]
+    if formal or unknown in point.letters:
+        raise Rejected("the point gives the unknown a value, or angles beside their coordinates")
+    at_point = Evaluation(check.program, check.solves, point, check.angles)
+    for relation in check.part.given:
+        if unknown not in reached(check.program, [relation.left, relation.right]) and not holds(check, relation, at_point):
+            raise Rejected("something that is presupposed does not hold at the point")
+    ring = PointWithUnknown(unknown, point)
+    values = Evaluation(check.program, check.solves, ring, check.angles)
+    common = None
+    for relation in check.part.then:
+        if relation.kind != "=":
+            raise Rejected("conclusions about an unknown are equalities")
+        above = values.value(check.difference(relation)).above
+        common = above if common is None else common.gcd(above)
+    if common is None or common.is_zero() or len(common) != 1:
+        raise Rejected("the conclusions have a root, or hold for every value")
+
+
+def undefined(check):
+    """A conclusion divides by what vanishes identically."""
+    ring = check.ring(rules=True)
+    values = Evaluation(check.program, check.solves, ring, check.angles)
+    try:
+        for relation in check.part.then:
+            values.value(check.difference(relation))
+    except Undefined:
+        return
+    raise Rejected("no divisor of the conclusions vanishes identically")
+
+
+PROOFS = {
+    "identity": identity,
+    "combination": combination,
+    "signs": signs,
+    "counterexample": counterexample,
+    "example": example,
+    "no_root": no_root,
+    "undefined": undefined,
+}

@@ -1,0 +1,241 @@
+"""Fractions of polynomials over the rationals, modulo sin^2 = 1 - cos^2, squares of roots and powers that hypotheses rewrite."""
+
+from flint import Ordering, fmpq, fmpq_mpoly_ctx
+
+from .evaluation import Undefined
+
+MOST_DIVIDED = 3000
+
+
+class Full(Exception):
+    """More angles, roots or functions than the ring has room for."""
+
+
+class Fraction:
+    """A polynomial over a product of factors of the ring."""
+
+    __slots__ = ("above", "below")
+
+    def __init__(self, above, below):
+        self.above = above
+        self.below = below
+
+
+class Ring:
+    """The ring of a part: a generator for each letter, two for each angle, one for each root and function."""
+
+    def __init__(self, letters, leads, angles, roots, functions):
+        names = [f"r{k}" for k in reversed(range(roots))] + [f"l{place}" for place in leads]
+        names += [f"f{k}" for k in range(functions)] + [f"s{k}" for k in range(angles)]
+        names += [f"c{k}" for k in range(angles)] + [f"l{place}" for place in letters if place not in leads]
+        self.context = fmpq_mpoly_ctx.get(names or ["one"], Ordering.lex)
+        self.generators = dict(zip(names, self.context.gens()))
+        self.place = {name: place for place, name in enumerate(names)}
+        self.order = list(leads)
+        self.room = {"angles": angles, "roots": roots, "functions": functions}
+        self.angles, self.roots, self.functions = {}, [], {}
+        self.rules = {}
+        self.factors = []
+        self.one = self.context.constant(1)
+
+    # the rules, those of the first generators first
+
+    def rewrite(self, name, power, polynomial):
+        """Powers of a generator are rewritten: `polynomial` is that power less lower terms."""
+        self.rules[name] = (self.place[name], power, polynomial)
+        self.rules = dict(sorted(self.rules.items(), key=lambda rule: rule[1][0]))
+
+    def reduced(self, polynomial):
+        """The polynomial without powers that are rewritten."""
+        for place, power, rule in self.rules.values():
+            if not polynomial.is_zero() and polynomial.degrees()[place] >= power:
+                polynomial = polynomial % rule
+        return polynomial
+
+    # generators
+
+    def taken(self, kind, known):
+        if known >= self.room[kind]:
+            raise Full(kind)
+        return known
+
+    def letter(self, place):
+        return Fraction(self.generators[f"l{place}"], {})
+
+    def circle(self, key):
+        if key not in self.angles:
+            number = self.angles[key] = self.taken("angles", len(self.angles))
+            cos, sin = self.generators[f"c{number}"], self.generators[f"s{number}"]
+            self.rewrite(f"s{number}", 2, sin**2 + cos**2 - 1)
+        number = self.angles[key]
+        return Fraction(self.generators[f"c{number}"], {}), Fraction(self.generators[f"s{number}"], {})
+
+    def root(self, square):
+        """The root of N/D is R/D, and R^2 = N D."""
+        square = self.lowest(square)
+        below = self.denominator(square)
+        if square.above.is_constant() and below.is_constant():
+            exact = self.root_of_number(square.above.leading_coefficient() if not square.above.is_zero() else fmpq(0), below)
+            if exact is not None:
+                return exact
+        inside = self.reduced(square.above * below)
+        for number, known in enumerate(self.roots):
+            if known == inside:
+                break
+        else:
+            number = self.taken("roots", len(self.roots))
+            self.roots.append(inside)
+            self.rewrite(f"r{number}", 2, self.generators[f"r{number}"] ** 2 - inside)
+        return self.divide(Fraction(self.generators[f"r{number}"], {}), Fraction(below, {}))
+
+    def root_of_number(self, above, below):
+        value = above / below.leading_coefficient()
+        if value < 0:
+            raise Undefined("the root of a negative number")
+        top, bottom = value.p.isqrt(), value.q.isqrt()
+        return self.constant(fmpq(top, bottom)) if top * top == value.p and bottom * bottom == value.q else None
+
+    def function(self, name, *arguments):
+        key = (name, *(self.key(each) for each in arguments))
+        if key not in self.functions:
+            self.functions[key] = self.taken("functions", len(self.functions))
+        return Fraction(self.generators[f"f{self.functions[key]}"], {})
+
+    elementary = function
+
+    # arithmetic
+
+    def constant(self, value):
+        return Fraction(self.context.constant(value), {})
+
+    def negative(self, one):
+        return Fraction(-one.above, one.below)
+
+    def add(self, one, other):
+        if one.below == other.below:
+            return self.cancelled(one.above + other.above, one.below)
+        common = dict(one.below)
+        for factor, power in other.below.items():
+            common[factor] = max(power, common.get(factor, 0))
+        sides = [each.above * self.product({f: p - each.below.get(f, 0) for f, p in common.items()}) for each in (one, other)]
+        return self.cancelled(self.reduced(sides[0] + sides[1]), common)
+
+    def multiply(self, one, other):
+        below = dict(one.below)
+        for factor, power in other.below.items():
+            below[factor] = below.get(factor, 0) + power
+        return self.cancelled(self.reduced(one.above * other.above), below)
+
+    def power(self, one, exponent):
+        result = one
+        for _ in range(exponent - 1):
+            result = self.multiply(result, one)
+        return result
+
+    def divide(self, one, other):
+        divisor = self.reduced(other.above)
+        if divisor.is_zero():
+            raise Undefined("a divisor vanishes identically")
+        below = self.factored(divisor)
+        scale = self.product(below)
+        # what was taken out of the divisor beside its factors is a number
+        constant = divisor.leading_coefficient() / scale.leading_coefficient()
+        above = self.reduced(one.above * self.product(other.below)) * (1 / constant)
+        below = dict(below)
+        for factor, power in one.below.items():
+            below[factor] = below.get(factor, 0) + power
+        return self.cancelled(above, below)
+
+    def factored(self, divisor):
+        """Generators, known factors and the rest; their product is the divisor up to a number."""
+        below = {}
+        rest = divisor
+        for place, exponent in enumerate(self.common(divisor)):
+            if exponent:
+                generator = self.context.gens()[place]
+                below[self.factor(generator)] = exponent
+                rest = divided(rest, generator**exponent)
+        for number, factor in enumerate(self.factors):
+            while number not in below and not rest.is_constant() and len(rest) <= MOST_DIVIDED:
+                quotient = divided(rest, factor)
+                if quotient is None:
+                    break
+                rest, below[number] = quotient, below.get(number, 0) + 1
+                if below[number] > 60:
+                    break
+        if not rest.is_constant():
+            number = self.factor(rest)
+            below[number] = below.get(number, 0) + 1
+        return below
+
+    def common(self, polynomial):
+        """The exponents of the monomial that divides every term."""
+        lowest = None
+        for monomial in polynomial.monoms():
+            lowest = monomial if lowest is None else [min(a, b) for a, b in zip(lowest, monomial)]
+            if not any(lowest):
+                break
+        return [int(each) for each in lowest]
+
+    def factor(self, polynomial):
+        """The number of a factor, which has the leading coefficient one."""
+        monic = polynomial * (1 / polynomial.leading_coefficient())
+        for number, known in enumerate(self.factors):
+            if known == monic:
+                return number
+        self.factors.append(monic)
+        return len(self.factors) - 1
+
+    def product(self, powers):
+        result = self.one
+        for factor, power in powers.items():
+            if power:
+                result = result * self.factors[factor] ** power
+        return self.reduced(result) if result is not self.one else result
+
+    def cancelled(self, above, below):
+        """Without the factors that divide what stands above."""
+        if above.is_zero():
+            return Fraction(above, {})
+        if not below or len(above) > MOST_DIVIDED:
+            return Fraction(above, below)
+        below = dict(below)
+        for factor in list(below):
+            while below[factor]:
+                quotient = divided(above, self.factors[factor])
+                if quotient is None:
+                    break
+                above = quotient
+                below[factor] -= 1
+            if not below[factor]:
+                del below[factor]
+        return Fraction(above, below)
+
+    def denominator(self, one):
+        return self.product(one.below)
+
+    def lowest(self, one):
+        """Without common divisors above and below."""
+        below = self.denominator(one)
+        if below.is_constant() or one.above.is_zero():
+            return one
+        common = one.above.gcd(below)
+        if common.is_constant():
+            return one
+        return self.divide(Fraction(divided(one.above, common), {}), Fraction(divided(below, common), {}))
+
+    def key(self, one):
+        """A text that is the same for equal fractions in lowest terms."""
+        lowest = self.lowest(one)
+        return f"{lowest.above} / {self.denominator(lowest)}"
+
+    def is_zero(self, one):
+        return self.reduced(one.above).is_zero()
+
+
+def divided(one, other):
+    """The quotient, where the division leaves no rest."""
+    if any(a < b for a, b in zip(one.degrees(), other.degrees())):
+        return None
+    quotient, rest = divmod(one, other)
+    return quotient if rest.is_zero() else None

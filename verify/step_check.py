@@ -1,0 +1,130 @@
+"""Whether the steps of a part follow from the equalities that it presupposes."""
+
+from .evaluation import Evaluation, operands, reached
+from .part_check import Rejected
+from .prime_field import NoPoint, PrimeField
+
+MANY = 2
+
+
+class LinearDegree:
+    """A domain: the degree of an entry in some letters as it is written: 0, 1, or 2 for more."""
+
+    def __init__(self, letters):
+        self.letters = set(letters)
+
+    def letter(self, place):
+        return int(place in self.letters)
+
+    def constant(self, _):
+        return 0
+
+    def circle(self, _):
+        return 0, 0
+
+    def negative(self, one):
+        return one
+
+    def add(self, one, other):
+        return max(one, other)
+
+    def multiply(self, one, other):
+        return min(one + other, MANY)
+
+    def power(self, one, _):
+        return MANY if one else 0
+
+    def divide(self, one, other):
+        return MANY if other else one
+
+    def root(self, one):
+        return MANY if one else 0
+
+    def function(self, _, *arguments):
+        return MANY if any(arguments) else 0
+
+    elementary = function
+
+
+def justify(check):
+    """Every letter has the only value that the equalities leave it."""
+    for place, step in enumerate(check.solves):
+        before = check.solves[:place]
+        differences = [check.difference(check.part.given[by]) for by in step.by]
+        if not all(is_linear(check, each, before, step.letters) for each in differences):
+            raise Rejected("an equality is not linear in the letters that it is solved for")
+        for entry in independent(check, differences, before, step.letters):
+            if not check.vanishes(entry, check.solves[: place + 1], rules=False):
+                raise Rejected("a value does not satisfy the equality that it is said to follow from")
+
+
+def is_linear(check, entry, before, letters):
+    """As it is written, or else by its expansion."""
+    angles = check.angles_of(before)
+    inside = angles_with(check, entry, letters)
+    if not inside and Evaluation(check.program, before, LinearDegree(letters), angles).value(entry) <= 1:
+        return True
+    ring = check.ring(rules=False)
+    value = Evaluation(check.program, before, ring, angles).value(entry)
+    places = [ring.place[f"l{letter}"] for letter in letters]
+    moving = [name for name in ring.generators if name[0] in "rscf"]
+    if any(ring.factors[number].degrees()[place] for number in value.below for place in places):
+        return False
+    degrees = value.above.degrees()
+    if inside and any(degrees[ring.place[name]] for name in moving):
+        return False
+    return all(sum(monomial[place] for place in places) <= 1 for monomial in value.above.monoms())
+
+
+def angles_with(check, entry, letters):
+    """Whether one of the letters stands inside an angle of the entry."""
+    wanted = set(letters)
+    for here in reached(check.program, [entry]):
+        if check.program[here][0] in ("cos", "sin", "root", "function", "exp", "ln", "tanh", "atan2"):
+            if wanted & set(reached(check.program, operands(check.program[here]))):
+                return True
+    return False
+
+
+def independent(check, entries, before, letters):
+    """As many of the equalities as letters, such that their determinant is not zero at a point of a prime field."""
+    for _ in range(64):
+        field = PrimeField(check.random)
+        try:
+            rows = [slopes(check, entry, before, letters, field) for entry in entries]
+        except NoPoint:
+            continue
+        pivots = pivots_of(rows, len(letters), field)
+        if len(pivots) == len(letters):
+            return [entries[row] for row in pivots]
+    raise Rejected("the equalities leave the letters open")
+
+
+def slopes(check, entry, before, letters, field):
+    """The factors of the letters in a linear equality."""
+    angles = check.angles_of(before)
+
+    def at(one):
+        for letter in letters:
+            field.letters[letter] = int(letter == one)
+        return Evaluation(check.program, before, field, angles).value(entry)
+
+    constant = at(None)
+    return [field.add(at(letter), field.negative(constant)) for letter in letters]
+
+
+def pivots_of(rows, count, field):
+    """The rows that elimination takes as pivots."""
+    left = {place: list(row) for place, row in enumerate(rows)}
+    pivots = []
+    for column in range(count):
+        pivot = next((place for place, row in left.items() if row[column]), None)
+        if pivot is None:
+            return pivots
+        chosen = left.pop(pivot)
+        pivots.append(pivot)
+        for row in left.values():
+            factor = field.divide(row[column], chosen[column])
+            row[:] = [(a - factor * b) % field.p for a, b in zip(row, chosen)]
+    return pivots
+
