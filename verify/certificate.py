@@ -8,8 +8,8 @@ FORMAT = 1
 BINARY = {"+", "-", "*", "/", "atan2"}
 UNARY = {"neg", "cos", "sin", "root"}
 DOUBLE = {"exp", "ln", "tanh"}
-RELATIONS = {"=", "!=", ">"}
-PROOFS = {"identity", "combination", "signs", "counterexample", "example", "no_root", "undefined"}
+RELATIONS = {"=", "!=", ">", ">=", "rate"}
+PROOFS = {"identity", "combination", "signs", "counterexample", "example", "no_root", "undefined", "enclosure", "excluded"}
 
 
 class Malformed(Exception):
@@ -18,7 +18,7 @@ class Malformed(Exception):
 
 @dataclass(frozen=True)
 class Relation:
-    """`left` is equal to, different from or greater than `right`."""
+    """`left` beside `right`: =, !=, >, >=; `rate` says that the rate of `left` is `right`."""
 
     kind: str
     left: int
@@ -49,6 +49,7 @@ class Part:
 
     given: tuple
     steps: tuple
+    rates: tuple
     then: tuple
     proof: dict
 
@@ -126,8 +127,13 @@ def part(entry, program):
         raise Malformed(f"proof {proof['by']!r}")
     for leaf, value in proof.get("point", ()):
         place(leaf, size, "point"), place(value, size, "point")
+    rates = tuple((place(letter, size, "rate"), place(rate, size, "rate")) for letter, rate in entry.get("rates", ()))
+    if any(program[letter][0] != "letter" for letter, _ in rates):
+        raise Malformed("what has a rate is a letter")
     then = tuple(relation(each, size) for each in entry["then"])
-    return Part(given, tuple(step(each, program, given) for each in entry["steps"]), then, proof)
+    if any(each.kind == "rate" for each in given):
+        raise Malformed("a rate is not presupposed")
+    return Part(given, tuple(step(each, program, given) for each in entry["steps"]), rates, then, proof)
 
 
 def claim(entry):

@@ -1,7 +1,6 @@
 """A claim with its parts, and what the checker says of it."""
 
 from dataclasses import dataclass
-from random import Random
 
 from .certificate import Malformed, claim as read_claim
 from .evaluation import NotExpressible, Undefined
@@ -58,7 +57,7 @@ def checked(claim, part, exact):
     parts, room = {}, 1
     for _ in range(ATTEMPTS):
         try:
-            check = PartCheck(claim.program, part, Random(claim.id), exact, parts, room)
+            check = PartCheck(claim.program, part, exact, parts, room)
             show(check)
             return check
         except Finer:

@@ -2,8 +2,9 @@
 
 from .angles import Angles
 from .certificate import Rewrite, Solve
+from .derivative import rate
 from .evaluation import Evaluation, reached
-from .prime_field import MOST_ROOTS, Bounds, NoPoint, PrimeField, TooHigh, error
+from .prime_field import MOST_ROOTS, Bounds, NoPoint, PrimeField, TooHigh, error, root_modulo
 from .ring import Ring
 
 MOST_POINTS = 64
@@ -18,10 +19,9 @@ class Rejected(Exception):
 class PartCheck:
     """A part in the checking. With `exact` a difference is expanded; else it is looked at in prime fields."""
 
-    def __init__(self, program, part, random, exact, parts, room):
+    def __init__(self, program, part, exact, parts, room):
         self.program = list(program)
         self.part = part
-        self.random = random
         self.exact = exact
         self.room = room
         self.solves = [step for step in part.steps if isinstance(step, Solve)]
@@ -38,6 +38,7 @@ class PartCheck:
         """The entries that the part names."""
         part = self.part
         goals = [side for each in part.given + part.then for side in (each.left, each.right)]
+        goals += [entry for pair in part.rates for entry in pair]
         for solve in self.solves:
             goals += solve.letters + solve.values
         proof = part.proof
@@ -54,7 +55,10 @@ class PartCheck:
         return len(self.program) - 1
 
     def difference(self, relation):
-        return self.emit("-", relation.left, relation.right)
+        left = relation.left
+        if relation.kind == "rate":
+            left = rate(self.program, left, self.part.rates)
+        return self.emit("-", left, relation.right)
 
     # rings
 
@@ -99,15 +103,15 @@ class PartCheck:
         return order
 
     def add_rule(self, ring, lead):
-        """The rule of a letter, if the equality has only this power of it, with a number as its factor."""
+        """The rule of a letter, if the equality has no higher power of it, and this one with a number as its factor."""
         step = self.rule(lead)
         value = Evaluation(self.program, self.solves, ring, self.angles).value(self.difference(self.part.given[step.by]))
         place, factor = ring.place[f"l{lead}"], None
         for monomial, coefficient in value.above.to_dict().items():
             if monomial[place] == step.power and sum(monomial) == step.power:
                 factor = coefficient
-            elif monomial[place]:
-                raise Rejected("an equality has other powers of the letter that it rewrites")
+            elif monomial[place] >= step.power:
+                raise Rejected("an equality has higher powers of the letter that it rewrites, or factors beside its power")
         if factor is None:
             raise Rejected("an equality has not the power that it rewrites")
         ring.rewrite(f"l{lead}", step.power, value.above * (1 / factor))
@@ -147,9 +151,10 @@ class PartCheck:
             limit = error(bound.degree * 2**roots, bound.bits * 2**roots, roots)
         except TooHigh:
             limit = None
+        # with more roots than these not all signs are tried, and a zero shows nothing
         signs = 1 << min(bounds.roots, MOST_ROOTS)
-        values = [self.at_a_point(entry, steps, rules, angles, number) for number in range(signs)]
-        if None in values or not any(values) and bounds.roots > MOST_ROOTS:
+        values = self.at_a_point(entry, steps, rules, angles, signs)
+        if values is None or not any(values) and bounds.roots > MOST_ROOTS:
             return None
         if not any(values):
             return limit
@@ -157,14 +162,17 @@ class PartCheck:
         return False if all(values) else None
 
     def at_a_point(self, entry, steps, rules, angles, signs):
-        """The value at a point of a field; none where no point was found."""
+        """The values at a point of a field for each choice of roots; none where no point was found."""
         for _ in range(MOST_POINTS):
-            field = PrimeField(self.random, signs)
+            field = PrimeField()
             try:
                 self.set_leads(field, rules)
-                return Evaluation(self.program, steps, field, angles).value(entry)
+                points = (field.with_signs(each) for each in range(signs))
+                return [Evaluation(self.program, steps, point, angles).value(entry) for point in points]
             except NoPoint:
                 continue
+            except TooHigh:
+                return None
         return None
 
     def set_leads(self, field, rules):
@@ -174,17 +182,20 @@ class PartCheck:
             if step.power > 2:
                 raise TooHigh("a power beyond the square is rewritten")
             entry = self.difference(self.part.given[step.by])
-            at = []
-            for value in (0, 1):
+            trial, at = field.draw(), []
+            for value in (0, 1, trial):
                 field.letters[lead] = value
                 at.append(Evaluation(self.program, self.solves, field, self.angles).value(entry))
-            square = field.divide(field.negative(at[0]), field.add(at[1], field.negative(at[0])))
+            factor = field.add(at[1], field.negative(at[0]))
+            if field.add(field.multiply(factor, field.power(trial, step.power)), at[0]) != at[2]:
+                raise TooHigh("lower powers stand in an equality that rewrites one")
+            square = field.divide(field.negative(at[0]), factor)
             field.letters[lead] = square if step.power == 1 else self.drawn_root(field, square)
 
     @staticmethod
     def drawn_root(field, square):
-        root = pow(square, (field.p + 1) // 4, field.p)
-        if root * root % field.p != square:
+        root = root_modulo(square, field.p)
+        if root is None:
             raise NoPoint("a number without a root")
         return root if field.random.getrandbits(1) else field.p - root
 

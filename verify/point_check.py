@@ -64,11 +64,11 @@ def circle(half):
 def holds(check, relation, values):
     """Whether a relation holds at the point."""
     value = values.value(check.difference(relation))
-    if relation.kind == "=":
+    if relation.kind in ("=", "rate"):
         return value.is_zero()
     if relation.kind == "!=":
         return not value.is_zero()
-    return value.sign() == 1
+    return value.sign() == 1 or relation.kind == ">=" and value.is_zero()
 
 
 def all_given_hold(check, values):

@@ -5,7 +5,7 @@ import resource
 import time
 from multiprocessing.connection import wait
 
-from .claim_check import EXACT, REJECTED, TESTED, Outcome, check_claim
+from .claim_check import REJECTED, TESTED, Outcome, check_claim
 
 MEMORY = 4 << 30
 
@@ -14,16 +14,17 @@ def work(connection):
     """Checks claims as long as there are any: first in prime fields, then exactly."""
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
     while (entry := connection.recv()) is not None:
-        try:
-            tested = check_claim(entry, exact=False)
-        except MemoryError:
-            tested = Outcome(entry["id"], REJECTED, TESTED, why="out of memory")
-        connection.send(tested)
-        if tested.how == TESTED:
+        for exact in (False, True):
             try:
-                connection.send(check_claim(entry, exact=True))
+                outcome = check_claim(entry, exact)
             except MemoryError:
-                connection.send(Outcome(entry["id"], REJECTED, EXACT, why="out of memory"))
+                outcome = None if exact else Outcome(entry["id"], REJECTED, TESTED, why="more memory than is allowed")
+            except Exception as fault:  # whatever a certificate provokes is an outcome of its own claim alone
+                outcome = Outcome(entry["id"], REJECTED, why=f"the checker failed: {fault!r}")
+            if outcome is not None:
+                connection.send(outcome)
+            if outcome is None or outcome.how != TESTED:
+                break
         connection.send(None)
 
 
@@ -48,15 +49,13 @@ class Worker:
 
 
 def outcome_of(entry, outcomes, limit):
-    """The exact outcome; that in prime fields where the other one was not reached in time."""
-    tested, exact = (outcomes + [None, None])[:2]
-    if exact is not None and (exact.found != REJECTED or tested.found == REJECTED):
-        return exact
-    if tested is None:
-        return Outcome(entry["id"], REJECTED, EXACT, why=f"not checked in {limit:g} s")
-    if exact is None and tested.found == REJECTED and tested.how == TESTED:
-        tested.why += f"; not expanded in {limit:g} s"
-    return tested
+    """The exact outcome; that in prime fields where the other one was not reached in time and memory."""
+    if not outcomes:
+        return Outcome(entry["id"], REJECTED, why=f"not checked in {limit:g} s")
+    last = outcomes[-1]
+    if last.how == TESTED and last.found == REJECTED:
+        last.why += f"; not expanded in {limit:g} s"
+    return last
 
 
 def check_all(entries, workers, limit, told=lambda done: None):

@@ -3,15 +3,18 @@
 A prime p lies between 2^255 and 2^256. Letters are random numbers, each angle a random point of the circle by the tangent of its
 half. What is tested is a quotient of polynomials in these numbers; where its numerator is not zero, of degree d and with the sum
 of absolute values of its integer coefficients below 2^b, it vanishes at the point with a probability of at most
-d / 2^255 + (b / 255) / 2^246: no more than b / 255 primes of the more than 2^246 divide all its coefficients.
+d / 2^255 + (b / 255 + 1) / 2^245: no more than b / 255 of more than 2^245 such primes divide all its coefficients. The prime is drawn
+once for a process and the points for each test, from the system's source of random numbers, which no certificate can know.
 """
 
+from functools import cache
 from math import lcm, log2
+from random import SystemRandom
 
 from flint import fmpz
 
 LEAST = 1 << 255
-PRIMES = 246
+PRIMES = 245
 MOST_ROOTS = 4
 
 
@@ -23,22 +26,36 @@ class TooHigh(Exception):
     """The degree is too high for these fields."""
 
 
-def prime(random):
-    """A random prime that is 3 modulo 4, so that roots are powers."""
+@cache
+def prime():
+    """A random prime that is 5 modulo 8, so that -1 is a square and roots are found by powers (Atkin)."""
     while True:
-        candidate = LEAST + random.getrandbits(255) | 3
+        candidate = LEAST + SystemRandom().getrandbits(255) & ~7 | 5
         if fmpz(candidate).is_prime():
             return candidate
+
+
+def root_modulo(square, p):
+    """A root of a number modulo such a prime; none of a number without one."""
+    v = pow(2 * square, (p - 5) // 8, p)
+    root = square * v * (2 * square * v * v - 1) % p
+    return root if root * root % p == square else None
 
 
 class PrimeField:
     """A random point. `signs` chooses the root of each square."""
 
-    def __init__(self, random, signs=0):
-        self.p = prime(random)
-        self.random = random
-        self.signs = signs
+    def __init__(self):
+        self.p = prime()
+        self.random = SystemRandom()
+        self.signs = 0
         self.letters, self.circles, self.roots, self.functions = {}, {}, {}, {}
+
+    def with_signs(self, signs):
+        """The same point with other roots of squares."""
+        self.signs = signs
+        self.roots = {}
+        return self
 
     def draw(self):
         return self.random.randrange(1, self.p)
@@ -65,10 +82,9 @@ class PrimeField:
 
     def root(self, square):
         if square not in self.roots:
-            root = pow(square, (self.p + 1) // 4, self.p)
-            if root * root % self.p != square:
+            root = root_modulo(square, self.p)
+            if root is None:
                 raise NoPoint("a number without a root")
-            # which of the two roots is called the first is random
             turned = self.signs >> len(self.roots) & 1
             self.roots[square] = self.p - root if turned else root
         return self.roots[square]

@@ -1,5 +1,6 @@
 """The proofs of parts, each repeated from the program alone."""
 
+from .enclosures import enclosure, excluded
 from .evaluation import Evaluation, Undefined, reached
 from .part_check import Rejected
 from .point_check import counterexample, example, exact_point, holds
@@ -9,7 +10,8 @@ from .step_check import justify
 SHOWS = {
     "proved": {"identity", "combination", "signs", "example"},
     "tested": {"identity"},
-    "refuted": {"counterexample", "no_root"},
+    "enclosed": {"enclosure"},
+    "refuted": {"counterexample", "no_root", "excluded"},
     "undefined": {"undefined"},
 }
 
@@ -23,7 +25,7 @@ def show(check):
 def identity(check):
     """The sides of every conclusion are equal."""
     for relation in check.part.then:
-        if relation.kind != "=":
+        if relation.kind not in ("=", "rate"):
             raise Rejected("an identity shows equalities alone")
         if not check.vanishes(check.difference(relation)):
             raise Rejected("the sides of a conclusion differ")
@@ -99,12 +101,12 @@ def sign(check, ring, polynomial, positive, apart):
             vanishing.add(open_names[0])
     if not common:
         raise Rejected("it vanishes identically")
-    if not strict and not any(excluded(check, relation, ring, vanishing) for relation in check.part.given):
+    if not strict and not any(forbids(check, relation, ring, vanishing) for relation in check.part.given):
         raise Rejected("all terms may vanish together")
     return common
 
 
-def excluded(check, relation, ring, names):
+def forbids(check, relation, ring, names):
     """Whether a relation forbids that all these generators vanish."""
     if relation.kind == "=":
         return False
@@ -176,4 +178,6 @@ PROOFS = {
     "example": example,
     "no_root": no_root,
     "undefined": undefined,
+    "enclosure": enclosure,
+    "excluded": excluded,
 }

@@ -1,6 +1,6 @@
 """Fractions of polynomials over the rationals, modulo sin^2 = 1 - cos^2, squares of roots and powers that hypotheses rewrite."""
 
-from flint import Ordering, fmpq, fmpq_mpoly_ctx
+from flint import Ordering, fmpq, fmpq_mpoly_ctx, fmpz
 
 from .evaluation import Undefined
 
@@ -71,29 +71,40 @@ class Ring:
         return Fraction(self.generators[f"c{number}"], {}), Fraction(self.generators[f"s{number}"], {})
 
     def root(self, square):
-        """The root of N/D is R/D, and R^2 = N D."""
+        """The root of c N/D is root(c) R/D, where R is D root(N/D) and R^2 = N D; c is positive and D of one sign convention."""
         square = self.lowest(square)
         below = self.denominator(square)
-        if square.above.is_constant() and below.is_constant():
-            exact = self.root_of_number(square.above.leading_coefficient() if not square.above.is_zero() else fmpq(0), below)
-            if exact is not None:
-                return exact
-        inside = self.reduced(square.above * below)
+        if square.above.is_zero():
+            return square
+        content = content_of(square.above) / content_of(below)
+        above, below = square.above * (1 / content_of(square.above)), below * (1 / content_of(below))
+        front = self.root_of_number(content)
+        if above.is_one() and below.is_one():
+            return front
+        if above.is_constant() and below.is_constant():
+            raise Undefined("the root of a negative number")
+        return self.multiply(front, self.divide(self.root_generator(above, below), Fraction(below, {})))
+
+    def root_generator(self, above, below):
+        """The generator R; roots of other fractions with one product N D may differ in sign."""
         for number, known in enumerate(self.roots):
-            if known == inside:
+            if known == (above, below):
                 break
         else:
             number = self.taken("roots", len(self.roots))
-            self.roots.append(inside)
-            self.rewrite(f"r{number}", 2, self.generators[f"r{number}"] ** 2 - inside)
-        return self.divide(Fraction(self.generators[f"r{number}"], {}), Fraction(below, {}))
+            self.roots.append((above, below))
+            generator = self.generators[f"r{number}"]
+            self.rewrite(f"r{number}", 2, generator**2 - self.reduced(above * below))
+        return Fraction(self.generators[f"r{number}"], {})
 
-    def root_of_number(self, above, below):
-        value = above / below.leading_coefficient()
-        if value < 0:
-            raise Undefined("the root of a negative number")
-        top, bottom = value.p.isqrt(), value.q.isqrt()
-        return self.constant(fmpq(top, bottom)) if top * top == value.p and bottom * bottom == value.q else None
+    def root_of_number(self, value):
+        """A positive number: a rational times roots of primes."""
+        outside, result = fmpq(1, value.q), self.constant(fmpq(1))
+        for prime, power in (value.p * value.q).factor():
+            outside *= prime ** (power // 2)
+            if power % 2:
+                result = self.multiply(result, self.root_generator(self.context.constant(prime), self.one))
+        return self.multiply(self.constant(outside), result)
 
     def function(self, name, *arguments):
         key = (name, *(self.key(each) for each in arguments))
@@ -231,6 +242,15 @@ class Ring:
 
     def is_zero(self, one):
         return self.reduced(one.above).is_zero()
+
+
+def content_of(polynomial):
+    """The positive number that leaves whole coefficients without a common divisor."""
+    coefficients = polynomial.coeffs()
+    above, below = fmpz(0), fmpz(1)
+    for each in coefficients:
+        above, below = above.gcd(each.p), below * each.q // below.gcd(each.q)
+    return fmpq(above, below)
 
 
 def divided(one, other):

@@ -89,7 +89,7 @@ def angles_with(check, entry, letters):
 def independent(check, entries, before, letters):
     """As many of the equalities as letters, such that their determinant is not zero at a point of a prime field."""
     for _ in range(64):
-        field = PrimeField(check.random)
+        field = PrimeField()
         try:
             rows = [slopes(check, entry, before, letters, field) for entry in entries]
         except NoPoint:

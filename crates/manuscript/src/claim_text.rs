@@ -47,6 +47,17 @@ impl Kind {
             Self::Number => "number",
         }
     }
+
+    /// Why a verdict on such a claim may have no certificate.
+    pub(crate) fn without_certificate(self) -> &'static str {
+        match self {
+            Self::Stability => "stability: the criterion of the roots is not written as a certificate",
+            Self::Inequality => "an inequality by the signs of its terms as they are written",
+            Self::SteadyMotion => "a steady motion: the point is one of the equations of motion, which were combined",
+            Self::Number => "a number half a unit of its last digit from the value",
+            _ => "the verdict was reached by the signs of what stands below a root",
+        }
+    }
 }
 
 /// A claim of a paper.

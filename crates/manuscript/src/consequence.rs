@@ -12,10 +12,18 @@ use claims::{Condition, Verdict};
 use model::equations::Equations;
 use symbolic::{Hypotheses, Node, Sym, decide, normal};
 
+/// The way from a condition to its consequence.
+pub(crate) enum Way<'t, 'm> {
+    /// The consequence is the condition with this factor.
+    Multiple(Sym),
+    /// The motion that assumes the condition.
+    Solved(Box<Motion<'t, 'm>>),
+}
+
 /// Consequences of a condition.
-pub(crate) enum Step {
-    /// The other one; these divisors do not vanish.
-    Follows(Vec<Sym>),
+pub(crate) enum Step<'t, 'm> {
+    /// The other one, on this way; these divisors do not vanish.
+    Follows(Vec<Sym>, Way<'t, 'm>),
     /// Not the other one.
     Fails(Refutation),
     Open(Outcome),
@@ -31,7 +39,7 @@ pub(crate) fn written_divisors(expression: Sym) -> Vec<Sym> {
 }
 
 /// Whether `then` vanishes where `zero` does, and both are defined there.
-pub(crate) fn step(motion: &Motion<'_, '_>, zero: Sym, then: Sym, conditions: &[Condition]) -> Step {
+pub(crate) fn step<'t, 'm>(motion: &Motion<'t, 'm>, zero: Sym, then: Sym, conditions: &[Condition]) -> Step<'t, 'm> {
     let mut there = motion.clone();
     let written = [written_divisors(zero), written_divisors(then)].concat();
     if !written.is_empty() && there.assume(zero, None).is_ok() {
@@ -53,7 +61,7 @@ pub(crate) fn step(motion: &Motion<'_, '_>, zero: Sym, then: Sym, conditions: &[
     if let Ok(form) = normal(then / zero, &motion.hypotheses) {
         let below = factors(form.denominator());
         if !below.iter().any(open) {
-            return Step::Follows(below);
+            return Step::Follows(below, Way::Multiple(form.to_sym()));
         }
     }
     let Some(Solution { symbol, value, divisor }) = solution(motion.trace, zero, None) else {
@@ -67,7 +75,7 @@ pub(crate) fn step(motion: &Motion<'_, '_>, zero: Sym, then: Sym, conditions: &[
     let below = normal(divisor, &Hypotheses::none()).map_or(vec![divisor], |form| factors(form.numerator()));
     match vanishes(&there, then, &reduced(conditions, &there)) {
         Outcome::Zero(_) => match below.iter().copied().filter(open).collect::<Vec<_>>()[..] {
-            [] => Step::Follows(below),
+            [] => Step::Follows(below, Way::Solved(Box::new(there))),
             ref divided => {
                 let failing = divided.iter().find_map(|&factor| exhibit(motion, factor, zero, then, conditions));
                 failing.map_or_else(|| Step::Open(Outcome::Undecided(undivided(divided[0]))), Step::Fails)
@@ -167,7 +175,7 @@ fn has_value(symbol: Sym, motion: &Motion<'_, '_>) -> bool {
 
 /// Whether a step holds; else the verdict is told.
 pub(crate) fn followed(
-    step: Step,
+    step: Step<'_, '_>,
     own: [Sym; 2],
     motion: &Motion<'_, '_>,
     conditions: &[Condition],
@@ -175,7 +183,7 @@ pub(crate) fn followed(
     finding: &mut Finding,
 ) -> bool {
     match step {
-        Step::Follows(divided) => {
+        Step::Follows(divided, _) => {
             divided.into_iter().for_each(|divisor| require(divisor, conditions, letters, finding));
             true
         }

@@ -2,6 +2,7 @@
 
 use crate::change::{Correction, Search};
 use crate::claim_text::Kind;
+use claims::certificate::Certificate;
 use claims::{Judged, Verdict};
 use std::fmt::Write;
 
@@ -24,6 +25,8 @@ pub struct Finding {
     /// The smallest edits of a refuted claim that are proved, all of one size.
     pub corrections: Vec<Correction>,
     pub search: Search,
+    /// Where it was asked for.
+    pub certificate: Option<Certificate>,
 }
 
 /// Exact values at a counterexample.

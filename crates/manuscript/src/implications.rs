@@ -1,5 +1,6 @@
 //! Conditions that are equivalent.
 
+use crate::certificate::Record;
 use crate::claim_text::ClaimText;
 use crate::conditions::{Hypothesis, assume, conditions, scalar};
 use crate::consequence::{Step, followed, require, step, written_divisors};
@@ -31,6 +32,7 @@ pub(crate) fn equivalence(
     letters: &Letters<'_, '_>,
     assumed: &[Hypothesis],
     finding: &mut Finding,
+    record: &mut Record,
 ) -> Result<(), Issue> {
     let [first, second] = &statement.chains[..] else {
         let issue = Issue::at(claim.formula.span.clone(), "an equivalence has two conditions", "here");
@@ -51,7 +53,11 @@ pub(crate) fn equivalence(
     assume(&mut motion, assumed)?;
     let conditions = conditions(&motion, assumed);
     finding.allowed = "each condition is solved for one of its letters, and put into the other".to_owned();
-    let mut steps = [(one, other), (other, one)].map(|(zero, then)| step(&motion, zero, then, &conditions));
+    let mut steps = [(one, other), (other, one)].map(|(zero, then)| {
+        let step = step(&motion, zero, then, &conditions);
+        record.step(&motion, assumed, [zero, then], &step);
+        step
+    });
     // an exact point says more than a step that was not shown
     steps.sort_by_key(|step| !matches!(step, Step::Fails(_)));
     let own = [own[0] - own[1], other_own[0] - other_own[1]];

@@ -1,5 +1,6 @@
 //! Inequalities: proved by the signs of their terms, refuted at an exact point.
 
+use crate::certificate::Record;
 use crate::claim_text::ClaimText;
 use crate::conditions::{Hypothesis, assume, conditions, scalar};
 use crate::display::{Told, divisors};
@@ -65,6 +66,7 @@ pub(crate) fn inequality(
     letters: &Letters<'_, '_>,
     assumed: &[Hypothesis],
     finding: &mut Finding,
+    record: &mut Record,
 ) -> Result<(), Issue> {
     let Sides { greater, is_strict, left, right, own, text, latex } = sides(claim, statement, letters)?;
     (finding.judged.text, finding.judged.latex) = (vec![text], vec![latex]);
@@ -87,6 +89,9 @@ pub(crate) fn inequality(
     let told = Told(letters);
     let by_terms = shows(reduced, &motion, &conditions).or_else(|| shows(greater, &motion, &conditions));
     if let Some(found) = by_terms.filter(|found| found.is_strict || !is_strict) {
+        if found.is_of_normal_form {
+            record.positive(&motion, assumed, greater);
+        }
         (finding.judged.verdict, finding.judged.evidence) = (Verdict::Proved, found.evidence);
         finding.judged.requires.extend(divisors(&motion.divisors, told));
         return Ok(());
@@ -94,6 +99,7 @@ pub(crate) fn inequality(
     let fails = |sign: i8| sign == -1 || sign == 0 && is_strict;
     match search(&[reduced], &conditions, &motion, |signs| fails(signs[0])) {
         Some(refutation) => {
+            record.is_below(&motion, assumed, greater, is_strict, &refutation);
             finding.judged.verdict = Verdict::Refuted;
             let value = |side: Sym| refutation.value(motion.reduced(side)).map(|value| value.to_string());
             finding.sides = value(left).zip(value(right)).map(|(left, right)| Values { left, right });

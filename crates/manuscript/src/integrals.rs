@@ -1,5 +1,6 @@
 //! Integrals of motion: expressions whose rate vanishes along every motion.
 
+use crate::certificate::Record;
 use crate::claim_text::{ClaimText, Kind};
 use crate::conditions::{Hypothesis, assume, conditions, scalar};
 use crate::display::{Told, divisors};
@@ -60,6 +61,7 @@ pub(crate) fn integral(
     letters: &Letters<'_, '_>,
     assumed: &[Hypothesis],
     finding: &mut Finding,
+    record: &mut Record,
 ) -> Result<(), Issue> {
     let (is, own) = difference(claim, statement, letters)?;
     finding.judged.text = vec![format!("{own} = const")];
@@ -86,12 +88,14 @@ pub(crate) fn integral(
     }
     match vanishes(&motion, changing, &conditions(&motion, assumed)) {
         Outcome::Zero(found) => {
+            record.constant(&motion, assumed, is, None);
             finding.judged.verdict = Verdict::Proved;
             finding.judged.evidence = "normal form of its rate along every motion is zero".to_owned();
             let found = [&found[..], &motion.divisors].concat();
             finding.judged.requires.extend(divisors(&found, told));
         }
         Outcome::NonZero(refutation) => {
+            record.constant(&motion, assumed, is, Some(&refutation));
             let line = Line { model: [changing, Sym::ZERO], own: [own, Sym::ZERO] };
             refute(&line, &refutation, &motion, told, finding);
             let at = finding

@@ -1,5 +1,6 @@
 //! Every claim of a paper, decided.
 
+use crate::certificate::Record;
 use crate::change::Search;
 use crate::claim_text::{ClaimText, Kind};
 use crate::combination::told_combination;
@@ -46,12 +47,25 @@ impl PaperText {
         told: impl FnMut(&[Finding]) + Send,
         goes_on: impl Fn() -> bool + Send + Sync,
     ) -> Result<Vec<Finding>, SceneError> {
-        judged(self, told, goes_on)
+        judged(self, false, told, goes_on)
+    }
+
+    /// The same: each finding has the certificate of its verdict.
+    ///
+    /// # Errors
+    /// As those of [`PaperText::judge`].
+    pub fn certify_each(
+        &self,
+        told: impl FnMut(&[Finding]) + Send,
+        goes_on: impl Fn() -> bool + Send + Sync,
+    ) -> Result<Vec<Finding>, SceneError> {
+        judged(self, true, told, goes_on)
     }
 }
 
 fn judged(
     paper: &PaperText,
+    is_certified: bool,
     mut told: impl FnMut(&[Finding]) + Send,
     goes_on: impl Fn() -> bool + Send + Sync,
 ) -> Result<Vec<Finding>, SceneError> {
@@ -72,7 +86,7 @@ fn judged(
             .collect();
         for (claim, statement) in paper.claims.iter().zip(&statements) {
             let Some(statement) = statement else { continue };
-            match judge(paper, claim, statement, &letters) {
+            match judge(paper, claim, statement, &letters, is_certified) {
                 Ok(finding) => {
                     findings.push(finding);
                     told(&findings);
@@ -109,7 +123,7 @@ fn correct(
     let Ok(assumed) = hypotheses(&claim.given, letters) else { return };
     let decide = |claim: &ClaimText| {
         let statement = read(&claim.formula.text, &known(claim.kind, letters)).ok()?;
-        judge(paper, claim, &statement, letters).ok()
+        judge(paper, claim, &statement, letters, false).ok()
     };
     finding.corrections = corrections(claim, statement, letters, &assumed, &Judge { decide: &decide, goes_on });
     finding.search = if goes_on() { Search::Whole } else { Search::Cut };
@@ -128,6 +142,7 @@ fn judge(
     claim: &ClaimText,
     statement: &Statement,
     letters: &Letters<'_, '_>,
+    is_certified: bool,
 ) -> Result<Finding, Issue> {
     let assumed = hypotheses(&claim.given, letters)?;
     let there = where_they_hold(&assumed, letters)?;
@@ -158,23 +173,26 @@ fn judge(
         sides: None,
         corrections: Vec::new(),
         search: Search::None,
+        certificate: None,
     };
+    let mut record = Record::of(is_certified);
     match claim.kind {
         Kind::EquationOfMotion | Kind::Formula | Kind::Identity => {
-            equalities(claim, statement, letters, &assumed, &mut finding)?
+            equalities(claim, statement, letters, &assumed, &mut finding, &mut record)?
         }
-        Kind::IntegralOfMotion => integral(claim, statement, letters, &assumed, &mut finding)?,
-        Kind::Inequality => inequality(claim, statement, letters, &assumed, &mut finding)?,
-        Kind::Equivalence => equivalence(claim, statement, letters, &assumed, &mut finding)?,
-        Kind::SteadyMotion => steady_motion(claim, statement, letters, &assumed, &mut finding)?,
+        Kind::IntegralOfMotion => integral(claim, statement, letters, &assumed, &mut finding, &mut record)?,
+        Kind::Inequality => inequality(claim, statement, letters, &assumed, &mut finding, &mut record)?,
+        Kind::Equivalence => equivalence(claim, statement, letters, &assumed, &mut finding, &mut record)?,
+        Kind::SteadyMotion => steady_motion(claim, statement, letters, &assumed, &mut finding, &mut record)?,
         Kind::Stability => stability(claim, statement, letters, &assumed, &mut finding)?,
-        Kind::Number => number(claim, statement, letters, &assumed, &mut finding)?,
+        Kind::Number => number(claim, statement, letters, &assumed, &mut finding, &mut record)?,
     }
     if finding.judged.verdict == Verdict::Proved && !is_met(&there) {
         let why = "it follows from the hypotheses, but no exact point was found that satisfies them";
         neither(Outcome::Undecided(why.to_owned()), letters, &mut finding);
     }
     finding.judged.expected = claim.expected.unwrap_or(finding.judged.verdict);
+    finding.certificate = record.finished(&finding.judged, claim.kind.without_certificate());
     Ok(finding)
 }
 
@@ -212,6 +230,7 @@ fn equalities(
     letters: &Letters<'_, '_>,
     assumed: &[Hypothesis],
     finding: &mut Finding,
+    record: &mut Record,
 ) -> Result<(), Issue> {
     let lines = lines(claim, statement, letters)?;
     let told = Told(letters);
@@ -242,6 +261,7 @@ fn equalities(
     finding.judged.verdict = Verdict::Proved;
     for line in &lines {
         let difference = line.model[0] - line.model[1];
+        let equal = Condition::Equal(line.model[0], line.model[1]);
         let plain = vanishes(&by_constraints, difference, &conditions(&by_constraints, assumed));
         let (outcome, motion) = match (plain, &along) {
             (Outcome::Zero(divisors), _) => (Outcome::Zero(divisors), &by_constraints),
@@ -271,13 +291,18 @@ fn equalities(
             break;
         }
         match outcome {
-            Outcome::Zero(divisors) => requires.extend(divisors.into_iter().chain(motion.divisors.iter().copied())),
+            Outcome::Zero(divisors) => {
+                record.vanishes(motion, assumed, &[equal]);
+                requires.extend(divisors.into_iter().chain(motion.divisors.iter().copied()));
+            }
             Outcome::NonZero(refutation) => {
+                record.fails(motion, assumed, equal, &refutation);
                 refute(line, &refutation, motion, told, finding);
                 missing(claim.kind, line, motion, told, finding);
                 break;
             }
             other => {
+                record.undecided(motion, assumed, equal, &other);
                 neither(other, letters, finding);
                 break;
             }

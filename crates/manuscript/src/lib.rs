@@ -19,6 +19,7 @@
 //! | `stability` | a steady motion is stable in the first approximation where, and only where, the inequality holds |
 //! | `number` | the value of a quantity for given data agrees with every printed digit, by enclosures |
 
+mod certificate;
 mod change;
 mod claim_text;
 mod combination;

@@ -2,15 +2,25 @@
 //! constraints, and what hypotheses say beside.
 
 use model::Trace;
-use model::equations::{Characteristics, Equation, Level, Singular, constraints_of, solved};
+use model::equations::{Characteristics, Equation, Equations, Level, Singular, constraints_of, solved};
 use symbolic::{Hypotheses, Sym, coefficients, decide, normal, substitute_all};
+
+/// Symbols with their values.
+#[derive(Clone)]
+pub(crate) struct Round {
+    pub values: Vec<(Sym, Sym)>,
+    /// Expressions that vanish, linear in the symbols: they leave them these values. None of the equations of motion.
+    pub by: Option<Vec<Sym>>,
+}
 
 /// Replacements that hold, one round after the other, and rules.
 #[derive(Clone)]
 pub(crate) struct Motion<'t, 'm> {
     pub trace: &'t Trace<'m>,
     pub hypotheses: Hypotheses,
-    rounds: Vec<Vec<(Sym, Sym)>>,
+    pub rounds: Vec<Round>,
+    /// Squares of coordinates that are rewritten, with the constraints that give them.
+    pub squares: Vec<(Sym, Sym)>,
     /// Constraints that were not solved: a point that is found may not lie on them.
     pub open: Vec<String>,
     /// The divisors in hypotheses.
@@ -57,7 +67,7 @@ impl<'t, 'm> Motion<'t, 'm> {
         })?;
         let letters = constraints.iter().map(|one| one.multiplier);
         let of_accelerations = trace.accelerations.iter().copied().zip(accelerations);
-        motion.rounds.push(of_accelerations.chain(letters.zip(multipliers)).collect());
+        motion.rounds.push(Round { values: of_accelerations.chain(letters.zip(multipliers)).collect(), by: None });
         motion.keep(&constraints);
         motion.turn_freely();
         Ok(motion)
@@ -68,6 +78,7 @@ impl<'t, 'm> Motion<'t, 'm> {
             trace,
             hypotheses: Hypotheses::none(),
             rounds: Vec::new(),
+            squares: Vec::new(),
             open: Vec::new(),
             divisors: Vec::new(),
             held: Vec::new(),
@@ -77,10 +88,14 @@ impl<'t, 'm> Motion<'t, 'm> {
 
     /// Quaternions of free frames have length one.
     fn turn_freely(&mut self) {
+        self.hypotheses = self.with_free_frames(self.hypotheses.clone());
+    }
+
+    /// Hypotheses beside which the quaternions of free frames have length one.
+    pub fn with_free_frames(&self, hypotheses: Hypotheses) -> Hypotheses {
         let plain = self.trace.model.coordinates.len();
-        for parts in self.trace.coordinates[plain..].chunks_exact(4) {
-            self.hypotheses = self.hypotheses.clone().unit_vector([parts[0], parts[1], parts[2], parts[3]]);
-        }
+        let quaternions = self.trace.coordinates[plain..].chunks_exact(4);
+        quaternions.fold(hypotheses, |all, parts| all.unit_vector([parts[0], parts[1], parts[2], parts[3]]))
     }
 
     fn keep(&mut self, constraints: &[Equation]) {
@@ -92,7 +107,13 @@ impl<'t, 'm> Motion<'t, 'm> {
         self.held.extend(constraints.iter().flat_map(|one| [one.zero, one.rate]));
         let characteristics = Characteristics::of(self.trace, &constraints);
         match characteristics.motion(self.trace, &constraints) {
-            Ok(known) => self.rounds.extend([known.accelerations, known.speeds]),
+            Ok(known) => {
+                let rates = constraints.iter().map(|one| one.rate).collect();
+                let accelerated = constraints.iter().map(|one| accelerated(self.trace, one)).collect();
+                // the accelerations hold no speed that the others determine
+                self.rounds.push(Round { values: known.speeds, by: Some(rates) });
+                self.rounds.push(Round { values: known.accelerations, by: Some(accelerated) });
+            }
             Err(place) => {
                 self.open.push(format!("{}, which is not linear in the speeds", constraints[place].title(place)))
             }
@@ -116,7 +137,7 @@ impl<'t, 'm> Motion<'t, 'm> {
             match (highest, of(highest)) {
                 (1, Some(factor)) if !moves(factor) => {
                     let value = -of(0).unwrap_or(Sym::ZERO) / factor;
-                    self.rounds.push(vec![(coordinate, value)]);
+                    self.give((coordinate, value), zero);
                     return true;
                 }
                 (2, Some(factor)) if factor.as_constant().is_some() && of(1).is_none() => {
@@ -124,6 +145,7 @@ impl<'t, 'm> Motion<'t, 'm> {
                     let with = self.hypotheses.clone().rule(coordinate, 2, tail);
                     if with.check().is_ok() {
                         self.hypotheses = with;
+                        self.squares.push((coordinate, zero));
                         return true;
                     }
                 }
@@ -136,21 +158,26 @@ impl<'t, 'm> Motion<'t, 'm> {
             return false;
         };
         self.divisors.push(divisor);
-        self.rounds.push(vec![(symbol, value)]);
+        self.give((symbol, value), zero);
         true
+    }
+
+    /// A symbol by an expression that vanishes.
+    fn give(&mut self, known: (Sym, Sym), zero: Sym) {
+        self.rounds.push(Round { values: vec![known], by: Some(vec![zero]) });
     }
 
     /// Coordinates, speeds and parameters that were replaced.
     pub fn replaced(&self) -> Vec<Sym> {
         let trace = self.trace;
         let known = [&trace.coordinates, &trace.speeds, &trace.parameters];
-        let all = self.rounds.iter().flatten().map(|&(symbol, _)| symbol);
+        let all = self.rounds.iter().flat_map(|round| &round.values).map(|&(symbol, _)| symbol);
         all.filter(|symbol| known.iter().any(|list| list.contains(symbol))).collect()
     }
 
     /// An expression where all of this holds.
     pub fn reduced(&self, expression: Sym) -> Sym {
-        self.rounds.iter().fold(expression, |now, round| substitute_all(&[now], round)[0])
+        self.rounds.iter().fold(expression, |now, round| substitute_all(&[now], &round.values)[0])
     }
 
     /// A hypothesis: an expression that vanishes, solved for a symbol; for the one that is named first where it can be.
@@ -171,7 +198,7 @@ impl<'t, 'm> Motion<'t, 'm> {
                 if divisor.as_constant().is_none() {
                     self.divisors.push(divisor);
                 }
-                self.rounds.push(vec![(symbol, value)]);
+                self.give((symbol, value), zero);
                 self.keep_positions()
             }
             None => {
@@ -183,6 +210,7 @@ impl<'t, 'm> Motion<'t, 'm> {
     /// Constraints of positions are solved once more where a hypothesis took the letter by which they were solved.
     fn keep_positions(&mut self) -> Result<(), String> {
         self.hypotheses = Hypotheses::none();
+        self.squares.clear();
         self.turn_freely();
         for zero in self.positions.clone() {
             let left = self.reduced(zero);
@@ -198,7 +226,8 @@ impl<'t, 'm> Motion<'t, 'm> {
 
     /// Lets symbols have these values from here on.
     pub fn set(&mut self, values: Vec<(Sym, Sym)>) {
-        self.rounds.push(values);
+        let by = values.iter().map(|&(symbol, value)| symbol - value).collect();
+        self.rounds.push(Round { values, by: Some(by) });
     }
 
     /// Whether an expression holds what no motion determines: reactions of contacts, conditions.
@@ -214,6 +243,22 @@ impl<'t, 'm> Motion<'t, 'm> {
         };
         expression.symbols_of().into_iter().find(|symbol| !is_known(symbol))
     }
+}
+
+/// A constraint between accelerations.
+fn accelerated(trace: &Trace<'_>, one: &Equation) -> Sym {
+    one.row.iter().zip(&trace.accelerations).fold(one.bias, |sum, (&slope, &rate)| sum + slope * rate)
+}
+
+/// The equations of motion with the reactions of constraints, then the constraints between accelerations: expressions that vanish.
+pub(crate) fn equations_of_motion(trace: &Trace<'_>) -> Vec<Sym> {
+    let Equations { mass, bias, constraints } = Equations::of(trace);
+    let of_row = |(k, row): (usize, &Vec<Sym>)| {
+        let inertia = row.iter().zip(&trace.accelerations).fold(bias[k], |sum, (&entry, &rate)| sum + entry * rate);
+        constraints.iter().fold(inertia, |sum, one| sum - one.row[k] * one.multiplier)
+    };
+    let rows = mass.iter().enumerate().map(of_row);
+    rows.chain(constraints.iter().map(|one| accelerated(trace, one))).collect()
 }
 
 /// A symbol by the others.

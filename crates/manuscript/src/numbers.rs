@@ -1,5 +1,6 @@
 //! Printed numbers: the value of a quantity for given data, enclosed, beside the digits of the print.
 
+use crate::certificate::Record;
 use crate::claim_text::ClaimText;
 use crate::conditions::{Hypothesis, assume, scalar};
 use crate::equation::Outcome;
@@ -7,7 +8,8 @@ use crate::finding::{Finding, Sides};
 use crate::letters::Letters;
 use crate::motion::Motion;
 use crate::verdict::{allowed, neither};
-use claims::Verdict;
+use claims::certificate::PartProof;
+use claims::{Condition, Verdict};
 use field::{Interval, Rational};
 use latex::{Form, Relation, Statement, Term};
 use reader::Issue;
@@ -20,6 +22,7 @@ pub(crate) fn number(
     letters: &Letters<'_, '_>,
     assumed: &[Hypothesis],
     finding: &mut Finding,
+    record: &mut Record,
 ) -> Result<(), Issue> {
     let accepted = r"'\ddot{x} = -1.25', with the data in given = ['m = 2', 'x = 0.1']";
     let refused = |title: String| Issue::at(claim.formula.span.clone(), title, "here").accepted(accepted);
@@ -30,7 +33,7 @@ pub(crate) fn number(
     let Some((exact_half, half)) = half_of_last_digit(right, &claim.formula.text) else {
         return Err(refused("the right side of this claim is no decimal number".to_owned()));
     };
-    let ((quantity, own), (printed, printed_own)) =
+    let ((quantity, own), (printed_is, printed_own)) =
         (scalar(&claim.formula, left, letters)?, scalar(&claim.formula, right, letters)?);
     finding.judged.text = vec![format!("{own} = {}", printed_own.decimal_text())];
     finding.judged.latex = vec![format!("{} = {}", own.latex(), printed_own.decimal_latex())];
@@ -48,11 +51,11 @@ pub(crate) fn number(
     if !open.is_empty() {
         return Err(refused(format!("the value depends on {}, which `given` does not have", open.join(", "))));
     }
-    let apart = exactly(value - printed);
+    let apart = exactly(value - printed_is);
     let is_tie = apart.is_some_and(|missing| missing == exact_half || -missing == exact_half);
     let is_zero = |side: Sym| exactly(side).is_some_and(|side| side.sign() == Some(0));
-    let has_digits = !is_zero(printed) || is_zero(value);
-    let (Some(value), Some(printed)) = (enclosed(value), enclosed(printed)) else {
+    let has_digits = !is_zero(printed_is) || is_zero(value);
+    let (Some(value), Some(printed)) = (enclosed(value), enclosed(printed_is)) else {
         neither(Outcome::Undecided("the value was not enclosed".to_owned()), letters, finding);
         return Ok(());
     };
@@ -80,6 +83,14 @@ pub(crate) fn number(
         (Verdict::Undecided, format!("{range}, which leaves the last printed digit open"))
     };
     (finding.judged.verdict, finding.judged.evidence) = (verdict, evidence);
+    if !is_tie {
+        let half = Sym::constant(exact_half);
+        let within = [quantity - (printed_is - half), printed_is + half - quantity].map(Condition::Positive);
+        record.part(&motion, assumed, &within, |_| match verdict {
+            Verdict::Refuted => PartProof::Excluded,
+            _ => PartProof::Enclosure,
+        });
+    }
     Ok(())
 }
 

@@ -10,6 +10,8 @@ use symbolic::{Hypotheses, Node, Sym, normal};
 pub(crate) struct Shown {
     /// Whether zero is excluded.
     pub is_strict: bool,
+    /// Whether all terms of its normal form have this sign.
+    pub is_of_normal_form: bool,
     pub evidence: String,
 }
 
@@ -19,13 +21,13 @@ pub(crate) fn shows(expression: Sym, motion: &Motion<'_, '_>, conditions: &[Cond
     let draft = page.claim("", "", "").given(conditions.iter().copied()).under(&motion.hypotheses);
     draft.by_signs([Condition::Positive(expression)]);
     if let Some(judged) = page.judge().into_iter().find(|judged| judged.verdict == Verdict::Proved) {
-        return Some(Shown { is_strict: true, evidence: judged.evidence });
+        return Some(Shown { is_strict: true, is_of_normal_form: true, evidence: judged.evidence });
     }
     // a normal form may mix signs that the print keeps apart
     let evidence = "every term as written has this sign: squares, and letters that are positive".to_owned();
     match sign(expression, conditions)? {
-        Sign::Positive => Some(Shown { is_strict: true, evidence }),
-        Sign::NotNegative => Some(Shown { is_strict: false, evidence }),
+        Sign::Positive => Some(Shown { is_strict: true, is_of_normal_form: false, evidence }),
+        Sign::NotNegative => Some(Shown { is_strict: false, is_of_normal_form: false, evidence }),
         Sign::NotPositive | Sign::Negative => None,
     }
 }

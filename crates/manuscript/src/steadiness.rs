@@ -1,5 +1,6 @@
 //! Conditions of steady motions.
 
+use crate::certificate::Record;
 use crate::claim_text::ClaimText;
 use crate::conditions::{Hypothesis, assume, conditions};
 use crate::consequence::{Step, followed, is_apart, require, step, written_divisors};
@@ -27,6 +28,7 @@ pub(crate) fn steady_motion(
     letters: &Letters<'_, '_>,
     assumed: &[Hypothesis],
     finding: &mut Finding,
+    record: &mut Record,
 ) -> Result<(), Issue> {
     let [chain] = &statement.chains[..] else {
         let issue = Issue::at(claim.formula.span.clone(), "a steady motion has one condition", "here");
@@ -89,9 +91,12 @@ pub(crate) fn steady_motion(
     for (equation, name) in &equations {
         let reduced = motion.reduced(*equation);
         if let Outcome::Zero(_) = vanishes(&motion, reduced, &conditions) {
+            record.vanishes(&motion, assumed, &[Condition::Zero(*equation)]);
             continue;
         }
-        if !followed(step(&motion, printed, reduced, &conditions), own, &motion, &conditions, letters, finding) {
+        let of_equation = step(&motion, printed, reduced, &conditions);
+        record.step(&motion, assumed, [printed, reduced], &of_equation);
+        if !followed(of_equation, own, &motion, &conditions, letters, finding) {
             if finding.judged.verdict == Verdict::Refuted {
                 finding.judged.evidence =
                     format!("at the exact point the printed condition holds and the equation of {name} does not");
@@ -100,7 +105,9 @@ pub(crate) fn steady_motion(
             return Ok(());
         }
         match step(&motion, reduced, printed, &conditions) {
-            Step::Follows(divided) => {
+            of_print_itself @ Step::Follows(..) => {
+                record.step(&motion, assumed, [reduced, printed], &of_print_itself);
+                let Step::Follows(divided, _) = of_print_itself else { continue };
                 of_print.push(name.clone());
                 divided.into_iter().for_each(|divisor| require(divisor, &conditions, letters, finding));
             }

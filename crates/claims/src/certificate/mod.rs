@@ -59,6 +59,9 @@ pub struct Part {
     pub given: Vec<Relation>,
     /// What follows from equalities of `given` one after the other: values of letters, and powers that are rewritten.
     pub steps: Vec<Step>,
+    /// The rates of letters that move, where a conclusion is about a rate.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub rates: Vec<(usize, usize)>,
     pub then: Vec<Relation>,
     pub proof: PartProof,
 }

@@ -50,8 +50,13 @@ fn equalities(
     relations: &mut Relations,
 ) -> Vec<Part> {
     let (premises, steps) = premises(given, rules, relations);
-    let part =
-        |then: Vec<Relation>, proof: PartProof| Part { given: premises.clone(), steps: steps.clone(), then, proof };
+    let part = |then: Vec<Relation>, proof: PartProof| Part {
+        given: premises.clone(),
+        steps: steps.clone(),
+        rates: Vec::new(),
+        then,
+        proof,
+    };
     if verdict == Verdict::Proved {
         return vec![part(relations.all(&then), PartProof::Identity)];
     }
@@ -86,5 +91,5 @@ fn of_theorem(theorem: &Theorem, verdict: Verdict, relations: &mut Relations) ->
         }
         Proof::NormalForm => PartProof::Identity,
     };
-    vec![Part { given: premises, steps, then: relations.all(then), proof }]
+    vec![Part { given: premises, steps, rates: Vec::new(), then: relations.all(then), proof }]
 }

@@ -8,7 +8,7 @@ use symbolic::{Hypotheses, Node, Sym};
 /// A relation between two entries of a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 pub struct Relation {
-    /// `=`, `!=` or `>`.
+    /// `=`, `!=`, `>` or `>=`; `rate` says that the rate of the left side is the right side.
     pub is: &'static str,
     pub left: usize,
     pub right: usize,
@@ -42,6 +42,10 @@ pub enum PartProof {
     NoRoot { unknown: usize, point: Vec<(usize, usize)> },
     /// This divisor of a conclusion vanishes identically after the steps.
     Undefined { divisor: usize },
+    /// After the steps all sides are numbers, and enclosures of these show every conclusion.
+    Enclosure,
+    /// After the steps all sides are numbers, and enclosures of these show that a conclusion fails.
+    Excluded,
 }
 
 /// For a conclusion f = 0: m f is the sum of cofactors times equalities of `given`, where m is the product of relations that exclude
@@ -80,12 +84,15 @@ impl Relations {
 
     /// Adds the statements of hypotheses to what is given, and the steps that they allow.
     pub fn rules(&mut self, hypotheses: &Hypotheses, given: &mut Vec<Relation>, steps: &mut Vec<Step>) {
+        let mut known: Vec<(Sym, Sym)> = Vec::new();
         for &(left, right) in hypotheses.statements() {
             let by = given.len();
             given.push(self.of(Condition::Equal(left, right)));
             match power(left) {
                 Some((letter, 1)) => {
-                    let (letters, values) = (vec![self.recorder.place(letter)], vec![self.recorder.place(right)]);
+                    let value = right.substitute(&known);
+                    known.push((letter, value));
+                    let (letters, values) = (vec![self.recorder.place(letter)], vec![self.recorder.place(value)]);
                     steps.push(Step::Solve { letters, values, by: vec![by] });
                 }
                 Some((letter, power)) => {

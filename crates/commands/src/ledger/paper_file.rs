@@ -1,5 +1,6 @@
 //! `dalembert judge`: the claims of a paper that is a file.
 
+use super::certificates::CertificateFolder;
 use super::row;
 use crate::arguments::Format;
 use crate::clock;
@@ -7,7 +8,7 @@ use crate::exit::{Exit, print, warn};
 use crate::output::{Form, Maker, Writes};
 use charts::{PaperSection, Report};
 use claims::Verdict;
-use clap::Args;
+use clap::{ArgGroup, Args};
 use manuscript::{Change, Correction, Finding, PaperText};
 use serde_json::json;
 use std::path::PathBuf;
@@ -18,6 +19,7 @@ const KEPT: Duration = Duration::from_millis(500);
 
 /// Which paper is to be judged.
 #[derive(Args, Debug)]
+#[command(group(ArgGroup::new("written").args(["page", "certificates"]).multiple(true)))]
 pub struct Asked {
     /// The paper: a file with [letters] and [[claim]], beside the tables of its system or `model`, the name of their file
     #[arg(value_name = "PAPER.toml")]
@@ -31,8 +33,11 @@ pub struct Asked {
     /// Writes a page with every claim, for a browser
     #[arg(long, value_name = "FILE.html")]
     pub page: Option<PathBuf>,
-    /// Replaces the file of --page even where `judge` did not write what stands there
-    #[arg(long, requires = "page")]
+    /// Writes PAPER.json there: what a checker needs to repeat the proof of every verdict, see verify/README.md
+    #[arg(long, value_name = "DIR")]
+    pub certificates: Option<PathBuf>,
+    /// Replaces the file of --page or --certificates even where `judge` did not write what stands there
+    #[arg(long, requires = "written")]
     pub force: bool,
     /// Prints only how many verdicts are those that the file expects; each other one is an error, and the exit code is then 1
     #[arg(long)]
@@ -82,8 +87,14 @@ pub fn judge(asked: &Asked) -> Result<Exit, Exit> {
             clock::publish(findings.iter().map(Finding::text).collect());
         }
     };
+    let folder =
+        asked.certificates.as_deref().map(|path| CertificateFolder::of(path, "judge", asked.force)).transpose()?;
     // a verdict needs no correction: what is printed leaves time for itself
-    let findings = paper.judge_each(so_far, || !asked.test && clock::left() > KEPT)?;
+    let goes_on = || !asked.test && clock::left() > KEPT;
+    let mut findings = match folder {
+        Some(_) => paper.certify_each(so_far, goes_on)?,
+        None => paper.judge_each(so_far, goes_on)?,
+    };
     let wrong: Vec<String> = findings.iter().filter_map(|finding| finding.as_expected().err()).collect();
     print(&match (asked.json, asked.test) {
         (true, _) => format!("{:#}\n", findings.iter().map(object).collect::<serde_json::Value>()),
@@ -93,6 +104,11 @@ pub fn judge(asked: &Asked) -> Result<Exit, Exit> {
     if let Some(output) = output {
         let html = charts::page::render(&report(&paper, &findings)).html;
         output.write_text(&html)?.tell(if asked.json { Format::Json } else { Format::Text })?;
+    }
+    if let Some(folder) = folder {
+        let certificates = findings.iter_mut().filter_map(|finding| finding.certificate.take()).collect();
+        let format = if asked.json { Format::Json } else { Format::Text };
+        folder.write([&paper.key, &paper.title, &paper.citation], certificates, format)?;
     }
     for reason in &wrong {
         warn(reason);
@@ -123,7 +139,7 @@ fn tested(findings: &[Finding]) -> String {
 }
 
 fn object(finding: &Finding) -> serde_json::Value {
-    let Finding { judged, printed, given, expected, allowed, sides, kind, corrections, search } = finding;
+    let Finding { judged, printed, given, expected, allowed, sides, kind, corrections, search, .. } = finding;
     let told = |pairs: &[(String, String)]| pairs.iter().map(|(text, _)| text.clone()).collect::<Vec<_>>();
     json!({
         "id": judged.id,

@@ -1,0 +1,210 @@
+//! Certificates of findings: the sides as they were read, the equations of the model, and the steps from these to the verdict.
+
+use crate::conditions::Hypothesis;
+use crate::consequence::{Step, Way};
+use crate::equation::Outcome;
+use crate::motion::{Motion, equations_of_motion};
+use crate::refutation::Refutation;
+use claims::Condition;
+use claims::certificate::{Certificate, Combined, Part, PartProof, Relation, Relations, Step as PartStep};
+use claims::{Judged, Verdict};
+use symbolic::{Hypotheses, Sym};
+
+/// The proof of a finding in the making; nothing is recorded where nobody asks for a certificate.
+#[derive(Default)]
+pub(crate) struct Record {
+    is_wanted: bool,
+    relations: Relations,
+    parts: Vec<Part>,
+}
+
+impl Record {
+    pub fn of(is_wanted: bool) -> Self {
+        Record { is_wanted, ..Record::default() }
+    }
+
+    /// Conclusions on a motion, with their proof.
+    pub fn part(
+        &mut self,
+        motion: &Motion<'_, '_>,
+        assumed: &[Hypothesis],
+        then: &[Condition],
+        proof: impl FnOnce(&mut Relations) -> PartProof,
+    ) {
+        if self.is_wanted {
+            let (given, steps) = premises(motion, assumed, &mut self.relations);
+            let then = self.relations.all(then);
+            let proof = proof(&mut self.relations);
+            self.parts.push(Part { given, steps, rates: Vec::new(), then, proof });
+        }
+    }
+
+    /// One expression vanishes where the other one does, or does not at an exact point.
+    pub fn step(
+        &mut self,
+        motion: &Motion<'_, '_>,
+        assumed: &[Hypothesis],
+        [zero, then]: [Sym; 2],
+        step: &Step<'_, '_>,
+    ) {
+        let then = Condition::Zero(then);
+        match step {
+            Step::Follows(_, Way::Solved(there)) => return self.vanishes(there, assumed, &[then]),
+            Step::Follows(_, Way::Multiple(factor)) => self.part(motion, assumed, &[then], |relations| {
+                let one = Combined {
+                    multiplier: Vec::new(),
+                    cofactors: vec![(0, relations.recorder.place(*factor))],
+                    factor: None,
+                };
+                PartProof::Combination { combinations: vec![one] }
+            }),
+            Step::Fails(refutation) => self.fails(motion, assumed, then, refutation),
+            Step::Open(_) => return,
+        }
+        // what the step begins with is given last
+        if let (Some(part), true) = (self.parts.last_mut(), self.is_wanted) {
+            if let PartProof::Combination { combinations } = &mut part.proof {
+                combinations
+                    .iter_mut()
+                    .flat_map(|one| &mut one.cofactors)
+                    .for_each(|(place, _)| *place = part.given.len());
+            }
+            part.given.push(self.relations.of(Condition::Zero(zero)));
+        }
+    }
+
+    /// Conclusions whose differences vanish.
+    pub fn vanishes(&mut self, motion: &Motion<'_, '_>, assumed: &[Hypothesis], then: &[Condition]) {
+        self.part(motion, assumed, then, |_| PartProof::Identity);
+    }
+
+    /// An exact point at which a conclusion fails.
+    pub fn fails(&mut self, motion: &Motion<'_, '_>, assumed: &[Hypothesis], then: Condition, refutation: &Refutation) {
+        self.part(motion, assumed, &[then], |relations| PartProof::Counterexample {
+            point: relations.point(&refutation.point),
+        });
+    }
+
+    /// A divisor that vanishes on the motion, or a difference that was seen to vanish in prime fields alone.
+    pub fn undecided(&mut self, motion: &Motion<'_, '_>, assumed: &[Hypothesis], then: Condition, outcome: &Outcome) {
+        match outcome {
+            Outcome::Undefined(divisor) => self.part(motion, assumed, &[then], |relations| PartProof::Undefined {
+                divisor: relations.recorder.place(*divisor),
+            }),
+            Outcome::Identified(_) => self.vanishes(motion, assumed, &[then]),
+            _ => {}
+        }
+    }
+
+    /// An expression that is constant along the motion: its rate vanishes, or has another value at the point.
+    pub fn constant(
+        &mut self,
+        motion: &Motion<'_, '_>,
+        assumed: &[Hypothesis],
+        is: Sym,
+        refutation: Option<&Refutation>,
+    ) {
+        if self.is_wanted {
+            let (given, steps) = premises(motion, assumed, &mut self.relations);
+            let (left, right) = (self.relations.recorder.place(is), self.relations.recorder.place(Sym::ZERO));
+            let trace = motion.trace;
+            let moving = [&trace.coordinates[..], &trace.speeds, &[trace.time]].concat();
+            let rates = moving.into_iter().map(|letter| {
+                let recorder = &mut self.relations.recorder;
+                (recorder.place(letter), recorder.place(trace.rate_of(letter)))
+            });
+            let rates = rates.collect();
+            let proof = match refutation {
+                None => PartProof::Identity,
+                Some(found) => PartProof::Counterexample { point: self.relations.point(&found.point) },
+            };
+            self.parts.push(Part { given, steps, rates, then: vec![Relation { is: "rate", left, right }], proof });
+        }
+    }
+
+    /// An expression that is positive by the signs of the terms of its normal form.
+    pub fn positive(&mut self, motion: &Motion<'_, '_>, assumed: &[Hypothesis], greater: Sym) {
+        let positive = assumed.iter().filter_map(|hypothesis| match hypothesis.condition {
+            Some(Condition::Positive(letter)) if letter.symbol_name().is_some() => Some(letter),
+            _ => None,
+        });
+        self.part(motion, assumed, &[Condition::Positive(greater)], |relations| PartProof::Signs {
+            positive: relations.recorder.places(positive),
+        });
+    }
+
+    /// An exact point at which an expression is negative, or zero where it is said to be positive.
+    pub fn is_below(
+        &mut self,
+        motion: &Motion<'_, '_>,
+        assumed: &[Hypothesis],
+        greater: Sym,
+        is_strict: bool,
+        refutation: &Refutation,
+    ) {
+        self.fails(motion, assumed, Condition::Positive(greater), refutation);
+        if let (Some(part), false) = (self.parts.last_mut(), is_strict) {
+            part.then.iter_mut().for_each(|relation| relation.is = ">=");
+        }
+    }
+
+    /// The certificate of a claim with its final verdict.
+    pub fn finished(self, judged: &Judged, otherwise: &str) -> Option<Certificate> {
+        if !self.is_wanted {
+            return None;
+        }
+        let certificate = Certificate::for_claim(judged);
+        if let Some(reason) = Certificate::reason_without(judged.verdict).filter(|_| self.parts.is_empty()) {
+            return Some(certificate.proved_by(Vec::new(), Vec::new(), reason));
+        }
+        // the lines before the one that fails hold
+        let says = |part: &Part| match part.proof {
+            PartProof::Counterexample { .. } | PartProof::Excluded => judged.verdict == Verdict::Refuted,
+            PartProof::Undefined { .. } => judged.verdict == Verdict::Undefined,
+            _ => matches!(judged.verdict, Verdict::Proved | Verdict::Tested | Verdict::Enclosed),
+        };
+        let parts = self.parts.into_iter().filter(says).collect();
+        Some(certificate.proved_by(self.relations.recorder.finished(), parts, otherwise))
+    }
+}
+
+/// The equations that hold on a motion, and the steps from them to the values of its symbols.
+fn premises(
+    motion: &Motion<'_, '_>,
+    assumed: &[Hypothesis],
+    relations: &mut Relations,
+) -> (Vec<Relation>, Vec<PartStep>) {
+    let mut equalities: Vec<Sym> = motion.held.clone();
+    let mut given: Vec<Relation> = equalities.iter().map(|&zero| relations.of(Condition::Zero(zero))).collect();
+    let mut steps = Vec::new();
+    let mut known: Vec<Sym> = Vec::new();
+    for round in &motion.rounds {
+        let zeros = round.by.clone().unwrap_or_else(|| equations_of_motion(motion.trace));
+        let mut place = |zero: Sym, relations: &mut Relations| match equalities.iter().position(|one| *one == zero) {
+            Some(place) => place,
+            None => {
+                equalities.push(zero);
+                given.push(relations.of(Condition::Zero(zero)));
+                given.len() - 1
+            }
+        };
+        let by = zeros.into_iter().map(|zero| place(zero, relations)).collect();
+        // a symbol that was replaced before stands nowhere any more
+        let new: Vec<(Sym, Sym)> = round.values.iter().copied().filter(|(symbol, _)| !known.contains(symbol)).collect();
+        known.extend(new.iter().map(|&(symbol, _)| symbol));
+        if !new.is_empty() {
+            let letters = new.iter().map(|&(symbol, _)| relations.recorder.place(symbol)).collect();
+            let values = new.iter().map(|&(_, value)| relations.recorder.place(value)).collect();
+            steps.push(PartStep::Solve { letters, values, by });
+        }
+    }
+    for &(coordinate, zero) in &motion.squares {
+        let by = given.len();
+        given.push(relations.of(Condition::Zero(zero)));
+        steps.push(PartStep::Rewrite { letter: relations.recorder.place(coordinate), power: 2, by });
+    }
+    relations.rules(&motion.with_free_frames(Hypotheses::none()), &mut given, &mut steps);
+    let conditions: Vec<Condition> = assumed.iter().filter_map(|hypothesis| hypothesis.condition).collect();
+    given.extend(relations.all(&conditions));
+    (given, steps)
+}

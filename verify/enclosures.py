@@ -1,0 +1,101 @@
+"""Numbers in enclosures: balls of Arb, whose radius holds every rounding."""
+
+from flint import arb, ctx
+
+from .evaluation import Evaluation, NotExpressible, Undefined
+from .part_check import Rejected
+
+PRECISIONS = (128, 512, 2048)
+
+
+class WholeArguments:
+    """Angles as they are: a ball has a cosine itself."""
+
+    @staticmethod
+    def steps_of(argument, level):
+        return [((argument, level), 1)]
+
+
+class Balls:
+    """A domain without letters: every entry is a number."""
+
+    def __init__(self):
+        self.values = None
+
+    def letter(self, place):
+        raise NotExpressible("a letter without a value stands in a number")
+
+    def constant(self, value):
+        return arb(value)
+
+    def circle(self, key):
+        angle = self.values.value(*key)
+        return angle.cos(), angle.sin()
+
+    def root(self, square):
+        if square < 0:
+            raise Undefined("the root of a negative number")
+        return square.sqrt()
+
+    def function(self, name, *_):
+        raise NotExpressible(f"a value of {name}")
+
+    def elementary(self, name, one, other):
+        if name == "atan2":
+            return one.atan2(other)
+        return {"exp": one.exp, "ln": one.log, "tanh": one.tanh}[name]()
+
+    def negative(self, one):
+        return -one
+
+    def add(self, one, other):
+        return one + other
+
+    def multiply(self, one, other):
+        return one * other
+
+    def power(self, one, exponent):
+        return one**exponent
+
+    def divide(self, one, other):
+        if other.contains(0):
+            raise Undefined("a divisor may be zero")
+        return one / other
+
+
+def sign(check, entry):
+    """1 or -1 by an enclosure that excludes zero; none where none does."""
+    kept = ctx.prec
+    try:
+        for precision in PRECISIONS:
+            ctx.prec = precision
+            value = ball(check, entry)
+            if value > 0:
+                return 1
+            if value < 0:
+                return -1
+    finally:
+        ctx.prec = kept
+    return None
+
+
+def ball(check, entry):
+    """An entry after the steps."""
+    domain = Balls()
+    domain.values = Evaluation(check.program, check.solves, domain, WholeArguments)
+    return domain.values.value(entry)
+
+
+def enclosure(check):
+    """Every conclusion holds by enclosures."""
+    for relation in check.part.then:
+        if relation.kind != ">" or sign(check, check.difference(relation)) != 1:
+            raise Rejected("an enclosure does not show a conclusion")
+
+
+def excluded(check):
+    """A conclusion fails by enclosures."""
+    for relation in check.part.then:
+        if relation.kind == ">" and sign(check, check.difference(relation)) == -1:
+            return
+    raise Rejected("no enclosure shows that a conclusion fails")

@@ -1,0 +1,131 @@
+"""Combinations, signs, points, enclosures and steps: what does not follow is rejected."""
+
+import unittest
+
+from verify.claim_check import check_claim
+
+from .writing import Claim
+
+
+def outcome(entry):
+    return check_claim(entry, True).found
+
+
+def combination(cofactor="2"):
+    """From x - y = 0 follows 2 x - 2 y = 0."""
+    claim = Claim()
+    x, y, two, zero = claim.letter("x"), claim.letter("y"), claim.number(2), claim.number(0)
+    then = claim.put("-", claim.product(two, x), claim.product(two, y))
+    one = {"multiplier": [], "cofactors": [[0, claim.number(cofactor)]], "factor": None}
+    given = [("=", claim.put("-", x, y), zero)]
+    return claim.part([("=", then, zero)], {"by": "combination", "combinations": [one]}, given)
+
+
+def signs(sign="+"):
+    """m + x^2 > 0 where m > 0."""
+    claim = Claim()
+    m, x, zero = claim.letter("m"), claim.letter("x"), claim.number(0)
+    then = [(">", claim.put(sign, m, claim.put("pow", x, 2)), zero)]
+    return claim.part(then, {"by": "signs", "positive": [m]}, [(">", m, zero)])
+
+
+def counterexample(x="1/2", given=True):
+    """x^2 = x fails at x = 1/2, where x > 0."""
+    claim = Claim("refuted")
+    letter, zero = claim.letter("x"), claim.number(0)
+    point = {"by": "counterexample", "point": [[letter, claim.number(x)]]}
+    presupposed = [(">", letter, zero)] if given else []
+    return claim.part([("=", claim.put("pow", letter, 2), letter)], point, presupposed)
+
+
+def circle(sine="4/5"):
+    """cos x = sin x fails where they are 3/5 and 4/5."""
+    claim = Claim("refuted")
+    x = claim.letter("x")
+    cos, sin = claim.put("cos", x), claim.put("sin", x)
+    point = [[cos, claim.number("3/5")], [sin, claim.number(sine)]]
+    return claim.part([("=", cos, sin)], {"by": "counterexample", "point": point})
+
+
+def irrational(square="2"):
+    """root(2) root(3) = root(7) fails, root(2) root(3) = root(6) does not."""
+    claim = Claim("refuted")
+    left = claim.product(claim.put("root", claim.number(2)), claim.put("root", claim.number(3)))
+    right = claim.put("root", claim.number(square))
+    return claim.part([("=", left, right)], {"by": "counterexample", "point": []})
+
+
+def enclosure(digits):
+    """cos(1/10) is this number to four decimals."""
+    claim = Claim("enclosed")
+    value, printed = claim.put("cos", claim.number("1/10")), claim.number(digits)
+    half, zero = claim.number("1/20000"), claim.number(0)
+    above = claim.put("-", value, claim.put("-", printed, half))
+    below = claim.put("-", claim.put("+", printed, half), value)
+    return claim.part([(">", above, zero), (">", below, zero)], {"by": "enclosure"})
+
+
+def solved(value="3", given=True):
+    """From x - 3 = 0 follows x^2 = 9."""
+    claim = Claim()
+    x, three = claim.letter("x"), claim.number(3)
+    steps = [{"step": "solve", "letters": [x], "values": [claim.number(value)], "by": [0]}]
+    presupposed = [("=", claim.put("-", x, three) if given else claim.put("pow", x, 2), claim.number(0))]
+    nine = claim.number(9 if value == "3" else int(value) ** 2)
+    return claim.part([("=", claim.put("pow", x, 2), nine)], {"by": "identity"}, presupposed, steps)
+
+
+class Proofs(unittest.TestCase):
+    def test_what_follows_is_accepted(self):
+        for entry in (combination(), signs(), enclosure("9950/10000"), solved()):
+            self.assertEqual(outcome(entry), "accepted")
+        for entry in (counterexample(), circle(), irrational("7")):
+            self.assertEqual(outcome(entry), "confirmed")
+
+    def test_a_wrong_cofactor_is_rejected(self):
+        self.assertEqual(outcome(combination("-2")), "rejected")
+
+    def test_terms_that_differ_in_sign_are_rejected(self):
+        self.assertEqual(outcome(signs("-")), "rejected")
+
+    def test_a_letter_that_is_not_given_as_positive_is_rejected(self):
+        entry = signs()
+        entry["parts"][0]["given"] = []
+        self.assertEqual(outcome(entry), "rejected")
+
+    def test_a_point_at_which_the_claim_holds_is_rejected(self):
+        self.assertEqual(outcome(counterexample("1")), "rejected")
+        self.assertEqual(outcome(irrational("6")), "rejected")
+
+    def test_a_point_that_violates_the_hypotheses_is_rejected(self):
+        self.assertEqual(outcome(counterexample("-1/2")), "rejected")
+        self.assertEqual(outcome(counterexample("-1/2", given=False)), "confirmed")
+
+    def test_a_point_off_the_circle_is_rejected(self):
+        self.assertEqual(outcome(circle("1/2")), "rejected")
+
+    def test_a_number_with_a_wrong_digit_is_rejected(self):
+        self.assertEqual(outcome(enclosure("9951/10000")), "rejected")
+
+    def test_a_value_that_does_not_follow_is_rejected(self):
+        self.assertEqual(outcome(solved("4")), "rejected")
+        self.assertEqual(outcome(solved(given=False)), "rejected")
+
+    def test_a_proof_must_show_the_verdict(self):
+        entry = counterexample()
+        entry["verdict"] = "proved"
+        self.assertEqual(outcome(entry), "rejected")
+
+    def test_an_entry_that_is_none_is_rejected(self):
+        for bad in (["+", 0, 9], ["letter"], ["pow", 0, 1], ["unknown", 0], []):
+            entry = combination()
+            entry["program"].insert(0, bad)
+            self.assertEqual(outcome(entry), "rejected")
+
+    def test_a_claim_without_a_certificate_says_why(self):
+        self.assertEqual(outcome({"id": "test/eq1", "verdict": "definition", "none": "it makes no claim"}), "none")
+        self.assertEqual(outcome({"id": "test/eq1", "verdict": "proved"}), "rejected")
+
+
+if __name__ == "__main__":
+    unittest.main()
