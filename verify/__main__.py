@@ -7,6 +7,7 @@ import time
 from collections import Counter
 from pathlib import Path
 
+from .altered import altered
 from .certificate import Malformed, read
 from .claim_check import ACCEPTED, CONFIRMED, NONE, REJECTED, TESTED
 from .pool import check_all
@@ -26,6 +27,7 @@ def arguments():
     parser.add_argument("folder", type=Path, metavar="DIR", help="the folder of `dalembert ledger --certificates DIR`, or one file of it")
     parser.add_argument("--limit", type=float, default=20.0, metavar="SECONDS", help="the time for a claim (20); what is not expanded in it counts as tested")
     parser.add_argument("--workers", type=int, default=os.cpu_count() or 1, help="processes at work at once (one for each processor)")
+    parser.add_argument("--altered", action="store_true", help="checks every claim once more with one conclusion changed, which must be rejected")
     parser.add_argument("--claims", action="store_true", help="prints a line for every claim")
     return parser.parse_args()
 
@@ -60,13 +62,25 @@ def main():
                 rejected.append(outcome)
             if outcome.found == ACCEPTED and outcome.error is not None:
                 errors.append(outcome.error)
+    accepted = altered_and_accepted(files, asked) if asked.altered else []
     for reason, count in reasons.most_common():
         print(f"{count} without a certificate: {reason}")
     if errors:
         print(f"{len(errors)} accepted by identity testing: for each the probability of error is below 2^{max(errors):.0f}")
     for outcome in rejected:
         print(f"rejected: {outcome.id}: {outcome.why}")
-    return 1 if rejected else 0
+    for outcome in accepted:
+        print(f"accepted: {outcome.id}")
+    return 1 if rejected or accepted else 0
+
+
+def altered_and_accepted(files, asked):
+    """The claims that are accepted although a conclusion was changed."""
+    entries = [entry for file in files for entry in altered(read(file)[1])]
+    outcomes = [outcome for outcome, _ in check_all(entries, asked.workers, asked.limit)]
+    accepted = [outcome for outcome in outcomes if outcome.found != REJECTED]
+    print(f"{len(entries)} claims altered: {len(entries) - len(accepted)} rejected")
+    return accepted
 
 
 if __name__ == "__main__":

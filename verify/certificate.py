@@ -9,7 +9,10 @@ BINARY = {"+", "-", "*", "/", "atan2"}
 UNARY = {"neg", "cos", "sin", "root"}
 DOUBLE = {"exp", "ln", "tanh"}
 RELATIONS = {"=", "!=", ">", ">=", "rate"}
-PROOFS = {"identity", "combination", "signs", "counterexample", "example", "no_root", "undefined", "enclosure", "excluded"}
+PROOFS = {
+    *("identity", "combination", "signs", "written_signs", "counterexample"),
+    *("example", "no_root", "undefined", "enclosure", "excluded"),
+}
 
 
 class Malformed(Exception):

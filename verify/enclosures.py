@@ -2,6 +2,7 @@
 
 from flint import arb, ctx
 
+from .derivative import rate
 from .evaluation import Evaluation, NotExpressible, Undefined
 from .part_check import Rejected
 
@@ -17,13 +18,15 @@ class WholeArguments:
 
 
 class Balls:
-    """A domain without letters: every entry is a number."""
+    """A domain without letters: every entry is a number. A letter that is left counts as one."""
 
     def __init__(self):
         self.values = None
+        self.left = set()
 
     def letter(self, place):
-        raise NotExpressible("a letter without a value stands in a number")
+        self.left.add(place)
+        return arb(1)
 
     def constant(self, value):
         return arb(value)
@@ -80,10 +83,17 @@ def sign(check, entry):
 
 
 def ball(check, entry):
-    """An entry after the steps."""
+    """An entry after the steps. A letter that is left has no influence on it: the derivative by it vanishes."""
     domain = Balls()
     domain.values = Evaluation(check.program, check.solves, domain, WholeArguments)
-    return domain.values.value(entry)
+    value = domain.values.value(entry)
+    for letter in domain.left:
+        rates = {letter: check.emit("const", "1")}
+        for step in reversed(check.solves):
+            rates |= {each: rate(check.program, of, rates) for each, of in zip(step.letters, step.values)}
+        if not check.vanishes(rate(check.program, entry, rates)):
+            raise Rejected("a letter without a value stands in a number")
+    return value
 
 
 def enclosure(check):

@@ -6,9 +6,10 @@ from .part_check import Rejected
 from .point_check import counterexample, example, exact_point, holds
 from .ring import Ring
 from .step_check import justify
+from .written_signs import written_signs
 
 SHOWS = {
-    "proved": {"identity", "combination", "signs", "example"},
+    "proved": {"identity", "combination", "signs", "written_signs", "example"},
     "tested": {"identity"},
     "enclosed": {"enclosure"},
     "refuted": {"counterexample", "no_root", "excluded"},
@@ -174,6 +175,7 @@ PROOFS = {
     "identity": identity,
     "combination": combination,
     "signs": signs,
+    "written_signs": written_signs,
     "counterexample": counterexample,
     "example": example,
     "no_root": no_root,

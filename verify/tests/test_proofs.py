@@ -29,6 +29,14 @@ def signs(sign="+"):
     return claim.part(then, {"by": "signs", "positive": [m]}, [(">", m, zero)])
 
 
+def written(sign="+"):
+    """(x - y)^2 + m > 0 where m > 0: its expansion mixes signs."""
+    claim = Claim()
+    m, x, y, zero = (*(claim.letter(name) for name in "mxy"), claim.number(0))
+    then = [(">", claim.put(sign, claim.put("pow", claim.put("-", x, y), 2), m), zero)]
+    return claim.part(then, {"by": "written_signs"}, [(">", m, zero)])
+
+
 def counterexample(x="1/2", given=True):
     """x^2 = x fails at x = 1/2, where x > 0."""
     claim = Claim("refuted")
@@ -65,6 +73,14 @@ def enclosure(digits):
     return claim.part([(">", above, zero), (">", below, zero)], {"by": "enclosure"})
 
 
+def cancelling(power=1):
+    """m cos(1/10) / m is a number; m cos(1/10) / m^2 is none."""
+    claim = Claim("enclosed")
+    m = claim.letter("m")
+    quotient = claim.put("/", claim.product(m, claim.put("cos", claim.number("1/10"))), m if power == 1 else claim.put("pow", m, power))
+    return claim.part([(">", quotient, claim.number("99/100"))], {"by": "enclosure"})
+
+
 def solved(value="3", given=True):
     """From x - 3 = 0 follows x^2 = 9."""
     claim = Claim()
@@ -77,7 +93,7 @@ def solved(value="3", given=True):
 
 class Proofs(unittest.TestCase):
     def test_what_follows_is_accepted(self):
-        for entry in (combination(), signs(), enclosure("9950/10000"), solved()):
+        for entry in (combination(), signs(), written(), enclosure("9950/10000"), solved()):
             self.assertEqual(outcome(entry), "accepted")
         for entry in (counterexample(), circle(), irrational("7")):
             self.assertEqual(outcome(entry), "confirmed")
@@ -87,6 +103,7 @@ class Proofs(unittest.TestCase):
 
     def test_terms_that_differ_in_sign_are_rejected(self):
         self.assertEqual(outcome(signs("-")), "rejected")
+        self.assertEqual(outcome(written("-")), "rejected")
 
     def test_a_letter_that_is_not_given_as_positive_is_rejected(self):
         entry = signs()
@@ -106,6 +123,10 @@ class Proofs(unittest.TestCase):
 
     def test_a_number_with_a_wrong_digit_is_rejected(self):
         self.assertEqual(outcome(enclosure("9951/10000")), "rejected")
+
+    def test_a_letter_without_a_value_must_cancel(self):
+        self.assertEqual(outcome(cancelling()), "accepted")
+        self.assertEqual(outcome(cancelling(2)), "rejected")
 
     def test_a_value_that_does_not_follow_is_rejected(self):
         self.assertEqual(outcome(solved("4")), "rejected")

@@ -47,29 +47,39 @@ impl Record {
         [zero, then]: [Sym; 2],
         step: &Step<'_, '_>,
     ) {
-        let then = Condition::Zero(then);
         match step {
-            Step::Follows(_, Way::Solved(there)) => return self.vanishes(there, assumed, &[then]),
-            Step::Follows(_, Way::Multiple(factor)) => self.part(motion, assumed, &[then], |relations| {
-                let one = Combined {
-                    multiplier: Vec::new(),
-                    cofactors: vec![(0, relations.recorder.place(*factor))],
-                    factor: None,
-                };
-                PartProof::Combination { combinations: vec![one] }
-            }),
-            Step::Fails(refutation) => self.fails(motion, assumed, then, refutation),
-            Step::Open(_) => return,
+            Step::Follows(_, Way::Solved(there)) => self.vanishes(there, assumed, &[Condition::Zero(then)]),
+            Step::Follows(_, Way::Multiple(factor)) => self.multiple(motion, assumed, [zero, then], *factor),
+            Step::Fails(refutation) => self.fails_where(motion, assumed, &[zero], then, refutation),
+            Step::Open(_) => {}
         }
-        // what the step begins with is given last
-        if let (Some(part), true) = (self.parts.last_mut(), self.is_wanted) {
-            if let PartProof::Combination { combinations } = &mut part.proof {
-                combinations
-                    .iter_mut()
-                    .flat_map(|one| &mut one.cofactors)
-                    .for_each(|(place, _)| *place = part.given.len());
-            }
+    }
+
+    /// An expression that is a multiple of another one, which vanishes.
+    fn multiple(&mut self, motion: &Motion<'_, '_>, assumed: &[Hypothesis], [zero, then]: [Sym; 2], factor: Sym) {
+        let before = self.parts.len();
+        self.vanishes(motion, assumed, &[Condition::Zero(then)]);
+        for part in &mut self.parts[before..] {
+            let cofactors = vec![(part.given.len(), self.relations.recorder.place(factor))];
+            let one = Combined { multiplier: Vec::new(), cofactors, factor: None };
+            part.proof = PartProof::Combination { combinations: vec![one] };
             part.given.push(self.relations.of(Condition::Zero(zero)));
+        }
+    }
+
+    /// An exact point at which expressions vanish and another one does not.
+    pub fn fails_where(
+        &mut self,
+        motion: &Motion<'_, '_>,
+        assumed: &[Hypothesis],
+        zeros: &[Sym],
+        then: Sym,
+        refutation: &Refutation,
+    ) {
+        let before = self.parts.len();
+        self.fails(motion, assumed, Condition::Zero(then), refutation);
+        for part in &mut self.parts[before..] {
+            part.given.extend(zeros.iter().map(|&zero| self.relations.of(Condition::Zero(zero))));
         }
     }
 
@@ -133,6 +143,26 @@ impl Record {
         });
     }
 
+    /// The same by the signs of its terms as they are written; `side` is the expression after the steps.
+    pub fn positive_as_written(
+        &mut self,
+        motion: &Motion<'_, '_>,
+        assumed: &[Hypothesis],
+        [greater, side]: [Sym; 2],
+        is_strict: bool,
+    ) {
+        self.vanishes(motion, assumed, &[Condition::Equal(greater, side)]);
+        self.part(motion, assumed, &[Condition::Positive(side)], |_| PartProof::WrittenSigns);
+        self.weaken(is_strict);
+    }
+
+    /// The conclusion of the last part admits equality.
+    fn weaken(&mut self, is_strict: bool) {
+        if let (Some(part), false) = (self.parts.last_mut(), is_strict) {
+            part.then.iter_mut().for_each(|relation| relation.is = ">=");
+        }
+    }
+
     /// An exact point at which an expression is negative, or zero where it is said to be positive.
     pub fn is_below(
         &mut self,
@@ -143,9 +173,7 @@ impl Record {
         refutation: &Refutation,
     ) {
         self.fails(motion, assumed, Condition::Positive(greater), refutation);
-        if let (Some(part), false) = (self.parts.last_mut(), is_strict) {
-            part.then.iter_mut().for_each(|relation| relation.is = ">=");
-        }
+        self.weaken(is_strict);
     }
 
     /// The certificate of a claim with its final verdict.

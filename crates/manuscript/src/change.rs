@@ -1,6 +1,7 @@
 //! Changes of a printed formula that make a refuted claim true.
 
 use claims::Judged;
+use claims::certificate::Certificate;
 use std::ops::Range;
 
 /// The kind of an edit.
@@ -75,6 +76,8 @@ pub struct Correction {
     pub parts: Vec<Range<usize>>,
     /// The corrected claim with its verdict.
     pub judged: Judged,
+    /// Where it was asked for.
+    pub certificate: Option<Certificate>,
 }
 
 /// One edit.

@@ -52,10 +52,10 @@ impl Kind {
     pub(crate) fn without_certificate(self) -> &'static str {
         match self {
             Self::Stability => "stability: the criterion of the roots is not written as a certificate",
-            Self::Inequality => "an inequality by the signs of its terms as they are written",
-            Self::SteadyMotion => "a steady motion: the point is one of the equations of motion, which were combined",
-            Self::Number => "a number half a unit of its last digit from the value",
-            _ => "the verdict was reached by the signs of what stands below a root",
+            Self::Number => "the value lies exactly half a unit of the last printed digit from the print",
+            _ => {
+                "the verdict rests on a root without a real value, or on a point where a value by the equations of motion divides by zero"
+            }
         }
     }
 }

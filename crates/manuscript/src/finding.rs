@@ -51,6 +51,15 @@ impl Finding {
         }
     }
 
+    /// The certificates of the finding and of its corrections, where they were asked for.
+    pub fn certificates(&self) -> impl Iterator<Item = Certificate> {
+        let corrected = self.corrections.iter().enumerate().filter_map(|(place, one)| {
+            let id = format!("{} (correction {})", self.judged.id, place + 1);
+            one.certificate.clone().map(|certificate| Certificate { id, ..certificate })
+        });
+        self.certificate.clone().into_iter().chain(corrected)
+    }
+
     /// For reading: the printed formula, how it was read, the verdict with its grounds.
     pub fn text(&self) -> String {
         let Judged {

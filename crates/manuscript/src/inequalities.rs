@@ -87,10 +87,13 @@ pub(crate) fn inequality(
     let conditions = conditions(&motion, assumed);
     let reduced = motion.reduced(greater);
     let told = Told(letters);
-    let by_terms = shows(reduced, &motion, &conditions).or_else(|| shows(greater, &motion, &conditions));
-    if let Some(found) = by_terms.filter(|found| found.is_strict || !is_strict) {
-        if found.is_of_normal_form {
-            record.positive(&motion, assumed, greater);
+    let by_terms = |side: Sym| Some((side, shows(side, &motion, &conditions)?));
+    let shown = by_terms(reduced).or_else(|| by_terms(greater));
+    if let Some((side, found)) = shown.filter(|(_, found)| found.is_strict || !is_strict) {
+        match (found.is_of_normal_form, side == reduced) {
+            (true, true) => record.positive(&motion, assumed, greater),
+            (true, false) => {}
+            (false, _) => record.positive_as_written(&motion, assumed, [greater, side], is_strict),
         }
         (finding.judged.verdict, finding.judged.evidence) = (Verdict::Proved, found.evidence);
         finding.judged.requires.extend(divisors(&motion.divisors, told));

@@ -99,7 +99,7 @@ fn judged(
         }
         for (place, (claim, statement)) in paper.claims.iter().zip(statements.iter().flatten()).enumerate() {
             if findings[place].judged.verdict == Verdict::Refuted {
-                correct(paper, claim, statement, &letters, &goes_on, &mut findings[place]);
+                correct(paper, claim, statement, &letters, (&goes_on, is_certified), &mut findings[place]);
                 told(&findings);
             }
         }
@@ -113,7 +113,7 @@ fn correct(
     claim: &ClaimText,
     statement: &Statement,
     letters: &Letters<'_, '_>,
-    goes_on: &dyn Fn() -> bool,
+    (goes_on, is_certified): (&dyn Fn() -> bool, bool),
     finding: &mut Finding,
 ) {
     if !goes_on() {
@@ -123,7 +123,7 @@ fn correct(
     let Ok(assumed) = hypotheses(&claim.given, letters) else { return };
     let decide = |claim: &ClaimText| {
         let statement = read(&claim.formula.text, &known(claim.kind, letters)).ok()?;
-        judge(paper, claim, &statement, letters, false).ok()
+        judge(paper, claim, &statement, letters, is_certified).ok()
     };
     finding.corrections = corrections(claim, statement, letters, &assumed, &Judge { decide: &decide, goes_on });
     finding.search = if goes_on() { Search::Whole } else { Search::Cut };
@@ -302,7 +302,10 @@ fn equalities(
                 break;
             }
             other => {
-                record.undecided(motion, assumed, equal, &other);
+                // a divisor may vanish along motions alone
+                let dynamic = along.as_ref().and_then(|along| along.as_ref().ok()).unwrap_or(motion);
+                let where_undefined = if matches!(other, Outcome::Undefined(_)) { dynamic } else { motion };
+                record.undecided(where_undefined, assumed, equal, &other);
                 neither(other, letters, finding);
                 break;
             }

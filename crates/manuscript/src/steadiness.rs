@@ -126,6 +126,8 @@ pub(crate) fn steady_motion(
         };
         let rests = equations.iter().all(|(equation, _)| lasts(*equation, &rates, trace));
         if let Some(found) = failing.iter().find(|found| rests && is_steady(found)) {
+            let zeros: Vec<Sym> = equations.iter().map(|(equation, _)| motion.reduced(*equation)).collect();
+            record.fails_where(&motion, assumed, &zeros, printed, found);
             finding.judged.verdict = Verdict::Refuted;
             finding.judged.evidence =
                 "at the exact point the letters rest along a motion, and the printed condition does not hold"

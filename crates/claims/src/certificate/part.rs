@@ -34,6 +34,8 @@ pub enum PartProof {
     Combination { combinations: Vec<Combined> },
     /// All terms above and below have one sign where these letters are positive.
     Signs { positive: Vec<usize> },
+    /// The signs of squares and of what is given as positive show each conclusion as it is written, without the steps.
+    WrittenSigns,
     /// At this point everything given holds and a conclusion does not.
     Counterexample { point: Vec<(usize, usize)> },
     /// At this point everything holds.

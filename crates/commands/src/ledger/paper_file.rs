@@ -91,7 +91,7 @@ pub fn judge(asked: &Asked) -> Result<Exit, Exit> {
         asked.certificates.as_deref().map(|path| CertificateFolder::of(path, "judge", asked.force)).transpose()?;
     // a verdict needs no correction: what is printed leaves time for itself
     let goes_on = || !asked.test && clock::left() > KEPT;
-    let mut findings = match folder {
+    let findings = match folder {
         Some(_) => paper.certify_each(so_far, goes_on)?,
         None => paper.judge_each(so_far, goes_on)?,
     };
@@ -106,7 +106,7 @@ pub fn judge(asked: &Asked) -> Result<Exit, Exit> {
         output.write_text(&html)?.tell(if asked.json { Format::Json } else { Format::Text })?;
     }
     if let Some(folder) = folder {
-        let certificates = findings.iter_mut().filter_map(|finding| finding.certificate.take()).collect();
+        let certificates = findings.iter().flat_map(Finding::certificates).collect();
         let format = if asked.json { Format::Json } else { Format::Text };
         folder.write([&paper.key, &paper.title, &paper.citation], certificates, format)?;
     }
@@ -171,7 +171,7 @@ fn object(finding: &Finding) -> serde_json::Value {
 }
 
 fn corrected(correction: &Correction) -> serde_json::Value {
-    let Correction { changes, formula, parts, judged } = correction;
+    let Correction { changes, formula, parts, judged, .. } = correction;
     let change = |change: &Change| json!({ "kind": change.kind.name(), "says": change.words, "before": change.before, "after": change.after });
     json!({
         "says": correction.says(),

@@ -213,6 +213,7 @@ impl Search<'_, '_, '_> {
                     formula: self.claim.formula.text.clone(),
                     parts: Vec::new(),
                     judged: finding.judged,
+                    certificate: finding.certificate,
                 });
             }
         }
@@ -226,7 +227,8 @@ impl Search<'_, '_, '_> {
             before: self.claim.formula.text[edit.span.clone()].trim().to_owned(),
             after: edit.after.trim().to_owned(),
         };
-        Correction { changes: edits.iter().map(change).collect(), formula, parts, judged: finding.judged }
+        let Finding { judged, certificate, .. } = finding;
+        Correction { changes: edits.iter().map(change).collect(), formula, parts, judged, certificate }
     }
 }
 
