@@ -1,6 +1,6 @@
 """Exact points: whether relations hold there."""
 
-from .evaluation import Evaluation, NotExpressible, reached
+from .evaluation import Evaluation, NotExpressible, Undefined, reached
 from .numbers import ExactPoint, Number
 from .part_check import Rejected
 
@@ -35,7 +35,33 @@ def exact_point(check):
             key = (name, frozenset((d, str(c)) for d, c in inside.parts.items()))
             if not (functions.setdefault(key, numbers.value(value)) + -numbers.value(value)).is_zero():
                 raise Rejected("a function has two values at equal arguments")
+    formal |= left_open(check, point)
     return point, formal & set(letters)
+
+
+def left_open(check, point):
+    """The letters of angles whose coordinates the point does not give; an angle that is zero there has its own."""
+    open_letters = set()
+    for here in reached(check.program, check.goals):
+        if check.program[here][0] not in ("cos", "sin"):
+            continue
+        argument = check.program[here][1]
+        steps = check.angles.steps_of(argument, 0)
+        if len(steps) != 1 or steps[0][0] in point.circles:
+            continue
+        inside = {each for each in reached(check.program, [argument]) if check.program[each][0] == "letter"}
+        if inside <= set(point.letters) and is_zero_at(check, point, argument):
+            point.circles[steps[0][0]] = (Number.of(1), Number.of(0))
+        else:
+            open_letters |= inside
+    return open_letters
+
+
+def is_zero_at(check, point, argument):
+    try:
+        return Evaluation(check.program, check.solves, point, check.angles).value(argument).is_zero()
+    except (NotExpressible, Undefined):
+        return False
 
 
 def single_step(check, argument):

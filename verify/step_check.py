@@ -51,9 +51,11 @@ def justify(check):
     for place, step in enumerate(check.solves):
         before = check.solves[:place]
         differences = [check.difference(check.part.given[by]) for by in step.by]
-        if not all(is_linear(check, each, before, step.letters) for each in differences):
+        if all(is_linear(check, each, before, step.letters) for each in differences):
+            differences = independent(check, differences, before, step.letters)
+        elif not (len(differences) == 1 and has_linear_numerator(check, differences[0], before, step.letters)):
             raise Rejected("an equality is not linear in the letters that it is solved for")
-        for entry in independent(check, differences, before, step.letters):
+        for entry in differences:
             if not check.vanishes(entry, check.solves[: place + 1], rules=False):
                 raise Rejected("a value does not satisfy the equality that it is said to follow from")
 
@@ -61,19 +63,30 @@ def justify(check):
 def is_linear(check, entry, before, letters):
     """As it is written, or else by its expansion."""
     angles = check.angles_of(before)
-    inside = angles_with(check, entry, letters)
-    if not inside and Evaluation(check.program, before, LinearDegree(letters), angles).value(entry) <= 1:
-        return True
+    if not angles_with(check, entry, letters):
+        if Evaluation(check.program, before, LinearDegree(letters), angles).value(entry) <= 1:
+            return True
+    ring, value, places = expanded(check, entry, before, letters)
+    return value is not None and not any(ring.factors[f].degrees()[place] for f in value.below for place in places)
+
+
+def has_linear_numerator(check, entry, before, letters):
+    """An equality with one letter, which may stand below too: it vanishes where its numerator does."""
+    ring, value, places = expanded(check, entry, before, letters)
+    return len(letters) == 1 and value is not None and value.above.degrees()[places[0]] == 1
+
+
+def expanded(check, entry, before, letters):
+    """The entry as a fraction whose numerator is linear in the letters, with their places in the ring; none where it is not."""
     ring = check.ring(rules=False)
-    value = Evaluation(check.program, before, ring, angles).value(entry)
+    value = Evaluation(check.program, before, ring, check.angles_of(before)).value(entry)
     places = [ring.place[f"l{letter}"] for letter in letters]
-    moving = [name for name in ring.generators if name[0] in "rscf"]
-    if any(ring.factors[number].degrees()[place] for number in value.below for place in places):
-        return False
     degrees = value.above.degrees()
-    if inside and any(degrees[ring.place[name]] for name in moving):
-        return False
-    return all(sum(monomial[place] for place in places) <= 1 for monomial in value.above.monoms())
+    inside = angles_with(check, entry, letters)
+    is_moving = inside and any(degrees[ring.place[name]] for name in ring.generators if name[0] in "rscf")
+    if is_moving or any(sum(monomial[place] for place in places) > 1 for monomial in value.above.monoms()):
+        return ring, None, places
+    return ring, value, places
 
 
 def angles_with(check, entry, letters):

@@ -8,7 +8,7 @@ use crate::refutation::Refutation;
 use claims::Condition;
 use claims::certificate::{Certificate, Combined, Part, PartProof, Relation, Relations, Step as PartStep};
 use claims::{Judged, Verdict};
-use symbolic::{Hypotheses, Sym};
+use symbolic::{Hypotheses, NotNormal, Sym, normal};
 
 /// The proof of a finding in the making; nothing is recorded where nobody asks for a certificate.
 #[derive(Default)]
@@ -90,9 +90,17 @@ impl Record {
 
     /// An exact point at which a conclusion fails.
     pub fn fails(&mut self, motion: &Motion<'_, '_>, assumed: &[Hypothesis], then: Condition, refutation: &Refutation) {
-        self.part(motion, assumed, &[then], |relations| PartProof::Counterexample {
-            point: relations.point(&refutation.point),
-        });
+        // where a step divides by zero the point gives the letters of the step no values
+        let is_defined = |symbol: Sym| {
+            let value = motion.reduced(symbol).substitute(&refutation.point);
+            !matches!(normal(value, &Hypotheses::none()), Err(NotNormal::Undefined(_)))
+        };
+        let mut solved = motion.rounds.iter().flat_map(|round| &round.values);
+        if self.is_wanted && solved.all(|&(symbol, _)| is_defined(symbol)) {
+            self.part(motion, assumed, &[then], |relations| PartProof::Counterexample {
+                point: relations.point(&refutation.point),
+            });
+        }
     }
 
     /// A divisor that vanishes on the motion, or a difference that was seen to vanish in prime fields alone.
