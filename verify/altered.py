@@ -19,6 +19,11 @@ def change(program, part):
     proof = part["proof"]["by"]
     if proof == "undefined":
         return False
+    if proof == "stability":
+        # the other sign
+        of = part["proof"]
+        of["printed"] = put(program, "neg", of["printed"])
+        return True
     if proof in SHOWN_FALSE:
         # what holds is refuted
         part["then"] = [held(program)]

@@ -11,7 +11,7 @@ DOUBLE = {"exp", "ln", "tanh"}
 RELATIONS = {"=", "!=", ">", ">=", "rate"}
 PROOFS = {
     *("identity", "combination", "signs", "written_signs", "counterexample"),
-    *("example", "no_root", "undefined", "enclosure", "excluded"),
+    *("example", "no_root", "undefined", "stability", "enclosure", "excluded"),
 }
 
 
@@ -121,6 +121,26 @@ def step(entry, program, given):
     raise Malformed(f"step {entry!r}")
 
 
+def named(proof, size, given):
+    """Everything that a proof names is there."""
+    entries = [proof[key] for key in ("unknown", "divisor", "root", "scale", "printed") if key in proof]
+    for key in ("positive", "equations", "coordinates", "speeds", "accelerations", "coefficients"):
+        entries += proof.get(key, ())
+    entries += [each for pair in proof.get("point", ()) for each in pair]
+    relations = []
+    for one in proof.get("combinations", ()):
+        relations += list(one["multiplier"]) + [by for by, _ in one["cofactors"]]
+        entries += [cofactor for _, cofactor in one["cofactors"]] + [each for each in (one["factor"],) if each is not None]
+    if "ratio" in proof:
+        ratio, square = proof["ratio"]
+        entries.append(ratio)
+        relations += [square[0]] if square is not None else []
+    for each in entries:
+        place(each, size, "proof")
+    for each in relations:
+        place(each, given, "proof")
+
+
 def part(entry, program):
     """A part of a claim."""
     size = len(program)
@@ -128,12 +148,13 @@ def part(entry, program):
     proof = entry["proof"]
     if proof["by"] not in PROOFS:
         raise Malformed(f"proof {proof['by']!r}")
-    for leaf, value in proof.get("point", ()):
-        place(leaf, size, "point"), place(value, size, "point")
+    named(proof, size, len(given))
     rates = tuple((place(letter, size, "rate"), place(rate, size, "rate")) for letter, rate in entry.get("rates", ()))
     if any(program[letter][0] != "letter" for letter, _ in rates):
         raise Malformed("what has a rate is a letter")
     then = tuple(relation(each, size) for each in entry["then"])
+    if not then:
+        raise Malformed("a part concludes nothing")
     if any(each.kind == "rate" for each in given):
         raise Malformed("a rate is not presupposed")
     return Part(given, tuple(step(each, program, given) for each in entry["steps"]), rates, then, proof)

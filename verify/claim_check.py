@@ -58,7 +58,7 @@ def checked(claim, part, exact):
     for _ in range(ATTEMPTS):
         try:
             check = PartCheck(claim.program, part, exact, parts, room)
-            show(check)
+            show(check, claim.verdict)
             return check
         except Finer:
             continue

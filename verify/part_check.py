@@ -43,7 +43,10 @@ class PartCheck:
             goals += solve.letters + solve.values
         proof = part.proof
         goals += [leaf for leaf, _ in proof.get("point", ())] + list(proof.get("positive", ()))
-        goals += [proof[key] for key in ("unknown",) if key in proof]
+        goals += [proof[key] for key in ("unknown", "root", "scale", "printed") if key in proof]
+        for key in ("equations", "coordinates", "speeds", "accelerations", "coefficients"):
+            goals += proof.get(key, ())
+        goals += [proof["ratio"][0]] if "ratio" in proof else []
         for one in proof.get("combinations", ()):
             goals += [cofactor for _, cofactor in one["cofactors"]]
             goals += [] if one["factor"] is None else [one["factor"]]

@@ -2,23 +2,27 @@
 
 from .enclosures import enclosure, excluded
 from .evaluation import Evaluation, Undefined, reached
+from .expanded_signs import signs
 from .part_check import Rejected
 from .point_check import counterexample, example, exact_point, holds
 from .ring import Ring
+from .stability import stability
 from .step_check import justify
 from .written_signs import written_signs
 
 SHOWS = {
-    "proved": {"identity", "combination", "signs", "written_signs", "example"},
+    "proved": {"identity", "combination", "signs", "written_signs", "example", "stability"},
     "tested": {"identity"},
     "enclosed": {"enclosure"},
-    "refuted": {"counterexample", "no_root", "excluded"},
+    "refuted": {"counterexample", "no_root", "excluded", "stability"},
     "undefined": {"undefined"},
 }
 
 
-def show(check):
+def show(check, verdict):
     """Repeats the proof of a part."""
+    if check.part.proof["by"] == "stability" and ("point" in check.part.proof) != (verdict == "refuted"):
+        raise Rejected("a point refutes, and a ratio proves")
     justify(check)
     PROOFS[check.part.proof["by"]](check)
 
@@ -57,64 +61,6 @@ def combination(check):
             raise Rejected("no such combination shows this conclusion")
         if not check.vanishes(gap):
             raise Rejected("a combination is not what it is said to be")
-
-
-def signs(check):
-    """All terms above and below have one sign."""
-    part = check.part
-    positive = [each.left for each in part.given if each.kind == ">" and is_zero(check, each.right)]
-    if not set(part.proof["positive"]) <= set(positive):
-        raise Rejected("a letter is not given as positive")
-    apart = [each.left for each in part.given if each.kind == "!=" and is_zero(check, each.right)]
-    for relation in part.then:
-        ring = check.ring(rules=True)
-        value = Evaluation(check.program, check.solves, ring, check.angles).value(check.difference(relation))
-        value = ring.lowest(value)
-        names = [{f"l{entry}" for entry in entries} for entries in (part.proof["positive"], apart)]
-        above = sign(check, ring, value.above, *names)
-        below = sign(check, ring, ring.denominator(value), *names)
-        if not (relation.kind == "!=" or relation.kind == ">" and above * below > 0):
-            raise Rejected("the signs of terms do not show this conclusion")
-
-
-def is_zero(check, entry):
-    return check.program[entry] == ("const", "0")
-
-
-def sign(check, ring, polynomial, positive, apart):
-    """The common sign of all terms, which do not vanish together."""
-    common, strict, vanishing = 0, False, set()
-    names = list(ring.generators)
-    for monomial, coefficient in polynomial.to_dict().items():
-        here = 1 if coefficient > 0 else -1
-        open_names = []
-        for name, exponent in zip(names, monomial):
-            if exponent and name not in positive:
-                if exponent % 2:
-                    raise Rejected("a letter of unknown sign has an odd power")
-                if name not in apart:
-                    open_names.append(name)
-        if common and here != common:
-            raise Rejected("terms differ in sign")
-        common = here
-        strict = strict or not open_names
-        if len(open_names) == 1:
-            vanishing.add(open_names[0])
-    if not common:
-        raise Rejected("it vanishes identically")
-    if not strict and not any(forbids(check, relation, ring, vanishing) for relation in check.part.given):
-        raise Rejected("all terms may vanish together")
-    return common
-
-
-def forbids(check, relation, ring, names):
-    """Whether a relation forbids that all these generators vanish."""
-    if relation.kind == "=":
-        return False
-    value = Evaluation(check.program, check.solves, ring, check.angles).value(check.difference(relation))
-    at_zero = value.above.subs({name: 0 for name in names})
-    below = ring.denominator(value).subs({name: 0 for name in names})
-    return at_zero.is_zero() and not below.is_zero()
 
 
 class PointWithUnknown(Ring):
@@ -180,6 +126,7 @@ PROOFS = {
     "example": example,
     "no_root": no_root,
     "undefined": undefined,
+    "stability": stability,
     "enclosure": enclosure,
     "excluded": excluded,
 }

@@ -81,6 +81,20 @@ def cancelling(power=1):
     return claim.part([(">", quotient, claim.number("99/100"))], {"by": "enclosure"})
 
 
+def oscillator(printed="k", sign="+"):
+    """m q'' + c q' + k q = 0 with m, c > 0: the state of rest is stable where k > 0."""
+    claim = Claim()
+    m, c, k, q, u, a, s = (claim.letter(name) for name in ("m", "c", "k", "q", "u", "a", "s"))
+    zero, one = claim.number(0), claim.number(1)
+    equation = claim.sum(claim.product(m, a), claim.product(c, u), claim.product(k, q))
+    given = [("=", each, zero) for each in (q, u, a)] + [(">", each, zero) for each in (m, c)]
+    steps = [{"step": "solve", "letters": [each], "values": [zero], "by": [by]} for by, each in enumerate((q, u, a))]
+    proof = {"by": "stability", "equations": [equation], "coordinates": [q], "speeds": [u], "accelerations": [a]}
+    proof |= {"resting": [0], "root": s, "scale": one, "neutral": 0, "coefficients": [k, claim.put(sign, zero, c), m]}
+    proof |= {"printed": claim.letter(printed), "ratio": [m, None]}
+    return claim.part([(">", claim.letter(printed), zero)], proof, given, steps)
+
+
 def solved(value="3", given=True):
     """From x - 3 = 0 follows x^2 = 9."""
     claim = Claim()
@@ -124,6 +138,12 @@ class Proofs(unittest.TestCase):
     def test_a_number_with_a_wrong_digit_is_rejected(self):
         self.assertEqual(outcome(enclosure("9951/10000")), "rejected")
 
+    def test_the_condition_of_stability_is_that_of_the_roots(self):
+        self.assertEqual(outcome(oscillator()), "accepted")
+        self.assertEqual(outcome(oscillator("q")), "rejected")
+        # another polynomial
+        self.assertEqual(outcome(oscillator(sign="-")), "rejected")
+
     def test_a_letter_without_a_value_must_cancel(self):
         self.assertEqual(outcome(cancelling()), "accepted")
         self.assertEqual(outcome(cancelling(2)), "rejected")
@@ -141,6 +161,10 @@ class Proofs(unittest.TestCase):
         for bad in (["+", 0, 9], ["letter"], ["pow", 0, 1], ["unknown", 0], []):
             entry = combination()
             entry["program"].insert(0, bad)
+            self.assertEqual(outcome(entry), "rejected")
+        for key, bad in (("positive", [-1]), ("positive", ["m"]), ("by", "trust")):
+            entry = signs()
+            entry["parts"][0]["proof"][key] = bad
             self.assertEqual(outcome(entry), "rejected")
 
     def test_a_claim_without_a_certificate_says_why(self):

@@ -3,12 +3,17 @@
 use crate::conditions::Hypothesis;
 use crate::consequence::{Step, Way};
 use crate::equation::Outcome;
+use crate::linear_equations::{Comparison, LinearEquations, Multiple};
 use crate::motion::{Motion, equations_of_motion};
 use crate::refutation::Refutation;
 use claims::Condition;
-use claims::certificate::{Certificate, Combined, Part, PartProof, Relation, Relations, Step as PartStep};
+use claims::certificate::{Certificate, Combined, Part, PartProof, Relation, Relations, Stability, Step as PartStep};
 use claims::{Judged, Verdict};
 use symbolic::{Hypotheses, NotNormal, Sym, normal};
+
+/// The theorem that is cited on the roots of a polynomial.
+const HURWITZ: &str = "A. Hurwitz, Math. Ann. 46 (1895), 273-284: all roots have negative real parts where, and only where, all principal minors \
+    of the matrix of coefficients are positive; with even powers alone the squares of the roots must be negative numbers, each of its own";
 
 /// The proof of a finding in the making; nothing is recorded where nobody asks for a certificate.
 #[derive(Default)]
@@ -184,6 +189,50 @@ impl Record {
         self.weaken(is_strict);
     }
 
+    /// A printed condition of stability beside that of the roots.
+    pub fn stability(
+        &mut self,
+        motion: &Motion<'_, '_>,
+        assumed: &[Hypothesis],
+        linear: &LinearEquations,
+        printed: Sym,
+        shown: Option<Comparison>,
+    ) {
+        let Some(shown) = shown.filter(|_| self.is_wanted) else { return };
+        let (given, steps) = premises(motion, assumed, &mut self.relations);
+        let relations = &mut self.relations;
+        let conditions = assumed.iter().filter(|hypothesis| hypothesis.condition.is_some()).count();
+        // conditions are given last
+        let place = |place: usize| given.len() - conditions + place;
+        let (ratio, point) = match shown {
+            Comparison::Same(Multiple { ratio, square }) => {
+                let square = square.map(|(of, power)| (place(of), power));
+                (Some((relations.recorder.place(ratio), square)), None)
+            }
+            Comparison::Other(refutation) => (None, Some(relations.point(&refutation.point))),
+        };
+        let trace = motion.trace;
+        let mut places = |expressions: &[Sym]| relations.recorder.places(expressions.iter().copied());
+        let stability = Stability {
+            theorem: HURWITZ,
+            equations: places(&linear.equations),
+            coordinates: places(&trace.coordinates),
+            speeds: places(&trace.speeds),
+            accelerations: places(&trace.accelerations),
+            resting: linear.resting.clone(),
+            root: places(&[linear.root])[0],
+            scale: places(&[linear.scale])[0],
+            coefficients: places(&linear.coefficients),
+            neutral: linear.neutral,
+            printed: places(&[printed])[0],
+            ratio,
+            point,
+        };
+        let then = vec![relations.of(Condition::Positive(printed))];
+        let proof = PartProof::Stability(Box::new(stability));
+        self.parts.push(Part { given, steps, rates: Vec::new(), then, proof });
+    }
+
     /// The certificate of a claim with its final verdict.
     pub fn finished(self, judged: &Judged, otherwise: &str) -> Option<Certificate> {
         if !self.is_wanted {
@@ -196,6 +245,7 @@ impl Record {
         // the lines before the one that fails hold
         let says = |part: &Part| match part.proof {
             PartProof::Counterexample { .. } | PartProof::Excluded => judged.verdict == Verdict::Refuted,
+            PartProof::Stability(_) => true,
             PartProof::Undefined { .. } => judged.verdict == Verdict::Undefined,
             _ => matches!(judged.verdict, Verdict::Proved | Verdict::Tested | Verdict::Enclosed),
         };

@@ -51,7 +51,6 @@ impl Kind {
     /// Why a verdict on such a claim may have no certificate.
     pub(crate) fn without_certificate(self) -> &'static str {
         match self {
-            Self::Stability => "stability: the criterion of the roots is not written as a certificate",
             Self::Number => "the value lies exactly half a unit of the last printed digit from the print",
             _ => {
                 "the verdict rests on a root without a real value, or on a point where a value by the equations of motion divides by zero"

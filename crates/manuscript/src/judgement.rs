@@ -184,7 +184,7 @@ fn judge(
         Kind::Inequality => inequality(claim, statement, letters, &assumed, &mut finding, &mut record)?,
         Kind::Equivalence => equivalence(claim, statement, letters, &assumed, &mut finding, &mut record)?,
         Kind::SteadyMotion => steady_motion(claim, statement, letters, &assumed, &mut finding, &mut record)?,
-        Kind::Stability => stability(claim, statement, letters, &assumed, &mut finding)?,
+        Kind::Stability => stability(claim, statement, letters, &assumed, &mut finding, &mut record)?,
         Kind::Number => number(claim, statement, letters, &assumed, &mut finding, &mut record)?,
     }
     if finding.judged.verdict == Verdict::Proved && !is_met(&there) {

@@ -34,6 +34,7 @@ mod inequalities;
 mod integrals;
 mod judgement;
 mod letters;
+mod linear_equations;
 mod lines;
 mod motion;
 mod numbers;

@@ -1,5 +1,6 @@
 //! Stability of a steady motion in the first approximation: the printed inequality beside the roots of the linear equations.
 
+use crate::certificate::Record;
 use crate::claim_text::ClaimText;
 use crate::conditions::{Hypothesis, assume, conditions};
 use crate::display::{Told, divisors, point, told_difference};
@@ -7,6 +8,7 @@ use crate::equation::Outcome;
 use crate::finding::Finding;
 use crate::inequalities::sides;
 use crate::letters::Letters;
+use crate::linear_equations::{Comparison, LinearEquations, Multiple};
 use crate::motion::Motion;
 use crate::signs::{search, shows};
 use crate::steady_motion::Resting;
@@ -27,6 +29,7 @@ pub(crate) fn stability(
     letters: &Letters<'_, '_>,
     assumed: &[Hypothesis],
     finding: &mut Finding,
+    record: &mut Record,
 ) -> Result<(), Issue> {
     let sides = sides(claim, statement, letters)?;
     if !sides.is_strict {
@@ -48,7 +51,11 @@ pub(crate) fn stability(
         "roots of the linear equations about the steady motion, without the roots zero of speeds that stay as they are"
             .to_owned();
     match roots(&resting, letters, &motion) {
-        Ok(found) => compared(&found, motion.reduced(sides.greater), sides.own, &motion, &known, letters, finding),
+        Ok(found) => {
+            let printed = motion.reduced(sides.greater);
+            let shown = compared(&found, printed, sides.own, &motion, &known, letters, finding);
+            record.stability(&motion, assumed, &found.linear, printed, shown);
+        }
         Err(why) => neither(Outcome::Undecided(why), letters, finding),
     }
     Ok(())
@@ -56,6 +63,7 @@ pub(crate) fn stability(
 
 /// The expressions that must be positive for stability.
 struct Roots {
+    linear: LinearEquations,
     conditions: Vec<Sym>,
     /// Whether all roots are left of the imaginary axis there, and not on it.
     is_asymptotic: bool,
@@ -79,6 +87,7 @@ fn roots(resting: &Resting, letters: &Letters<'_, '_>, motion: &Motion<'_, '_>) 
     }
     let s = Sym::symbol("root of the linear equations");
     let mut matrix: Vec<Vec<Sym>> = Vec::new();
+    let mut equations: Vec<Sym> = Vec::new();
     for (k, row) in mass.iter().enumerate() {
         let equation = row.iter().zip(&trace.accelerations).fold(bias[k], |sum, (&entry, &rate)| sum + entry * rate);
         if !decide(motion.reduced(equation), &motion.hypotheses).is_zero() {
@@ -87,6 +96,7 @@ fn roots(resting: &Resting, letters: &Letters<'_, '_>, motion: &Motion<'_, '_>) 
                 trace.direction(k)
             ));
         }
+        equations.push(equation);
         let entry = |j: usize| -> Result<Sym, String> {
             let inertia = motion.reduced(row[j]);
             let damping = motion.reduced(trace.by_speed(equation, j));
@@ -116,11 +126,14 @@ fn roots(resting: &Resting, letters: &Letters<'_, '_>, motion: &Motion<'_, '_>) 
     let of =
         |power: u32| powers.iter().find(|(known, _)| *known == power + neutral).map_or(Sym::ZERO, |(_, value)| *value);
     let all: Vec<Sym> = (0..=degree).map(of).collect();
-    conditions_of(&all)
+    let (conditions, is_asymptotic) = conditions_of(&all)?;
+    let (resting, scale) = (coordinates.clone(), polynomial.denominator());
+    let linear = LinearEquations { equations, resting, root: s, scale, coefficients: all, neutral };
+    Ok(Roots { linear, conditions, is_asymptotic })
 }
 
 /// The conditions of a polynomial by rising powers: with even powers alone its squares are negative numbers, each of their own; else Hurwitz's.
-fn conditions_of(all: &[Sym]) -> Result<Roots, String> {
+fn conditions_of(all: &[Sym]) -> Result<(Vec<Sym>, bool), String> {
     let is_even = all.iter().skip(1).step_by(2).all(|odd| *odd == Sym::ZERO);
     let found = match (all, is_even) {
         ([], _) | ([_], _) => return Err("no root is left beside zero".to_owned()),
@@ -136,7 +149,7 @@ fn conditions_of(all: &[Sym]) -> Result<Roots, String> {
         }
         _ => return Err(format!("the characteristic polynomial has the degree {}: up to 4 is decided", all.len() - 1)),
     };
-    Ok(Roots { conditions: found, is_asymptotic: !is_even })
+    Ok((found, !is_even))
 }
 
 /// By its first row.
@@ -163,25 +176,25 @@ fn compared(
     known: &[Condition],
     letters: &Letters<'_, '_>,
     finding: &mut Finding,
-) {
+) -> Option<Comparison> {
     let kind = if found.is_asymptotic { "asymptotically stable" } else { "stable" };
     let is_positive = |condition: &&Sym| shows(**condition, motion, known).is_some_and(|shown| shown.is_strict);
     let open: Vec<Sym> = found.conditions.iter().filter(|condition| !is_positive(condition)).copied().collect();
     let same = |condition: Sym| {
         let ratio = condition / printed;
         // squares of what does not vanish have no sign of their own
-        let squares = known.iter().filter_map(|condition| match condition {
-            Condition::NonZero(e) | Condition::Positive(e) => Some(e.powi(2)),
+        let apart = known.iter().enumerate().filter_map(|(place, condition)| match condition {
+            Condition::NonZero(e) | Condition::Positive(e) => Some((place, *e)),
             _ => None,
         });
-        let without = squares.flat_map(|square| [ratio / square, ratio / square.powi(2)]);
-        std::iter::once(ratio).chain(without).any(|ratio| {
-            let form = normal(ratio, &Hypotheses::none());
-            form.is_ok_and(|form| shows(form.to_sym(), motion, known).is_some_and(|shown| shown.is_strict))
+        let without = apart.flat_map(|(place, e)| [2, 4].map(|power| (ratio / e.powi(power), Some((place, power)))));
+        std::iter::once((ratio, None)).chain(without).find_map(|(ratio, square)| {
+            let ratio = normal(ratio, &Hypotheses::none()).ok()?.to_sym();
+            shows(ratio, motion, known).filter(|shown| shown.is_strict).map(|_| Multiple { ratio, square })
         })
     };
     if let [condition] = open[..]
-        && same(condition)
+        && let Some(multiple) = same(condition)
     {
         finding.judged.verdict = Verdict::Proved;
         finding.judged.requires.extend(divisors(&motion.divisors, Told(letters)));
@@ -189,7 +202,7 @@ fn compared(
             "in the first approximation the motion is {kind} where the printed inequality holds, and not where its sides are exchanged: the \
              condition of the roots is a positive multiple of it"
         );
-        return;
+        return Some(Comparison::Same(multiple));
     }
     let all: Vec<Sym> = std::iter::once(printed).chain(found.conditions.iter().copied()).collect();
     let disagree = |signs: &[i8]| {
@@ -200,7 +213,7 @@ fn compared(
     let Some(refutation) = search(&all, known, motion, disagree) else {
         let why = "the condition of the roots is no positive multiple of the printed one, and no exact point was found at which they differ";
         neither(Outcome::Undecided(why.to_owned()), letters, finding);
-        return;
+        return None;
     };
     let holds = refutation.value(printed).and_then(Sym::as_constant).and_then(|value| value.sign()) == Some(1);
     finding.judged.verdict = Verdict::Refuted;
@@ -215,4 +228,5 @@ fn compared(
         told_difference(condition, motion, Told(letters), finding);
         finding.judged.evidence += "; the expression below must be positive";
     }
+    Some(Comparison::Other(refutation))
 }

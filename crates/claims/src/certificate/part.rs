@@ -1,6 +1,6 @@
 //! The pieces of a part of a certificate: relations, steps from equalities to values, and how the conclusions are shown.
 
-use super::Recorder;
+use super::program::Recorder;
 use crate::{Combination, Condition, Point};
 use serde::Serialize;
 use symbolic::{Hypotheses, Node, Sym};
@@ -44,10 +44,40 @@ pub enum PartProof {
     NoRoot { unknown: usize, point: Vec<(usize, usize)> },
     /// This divisor of a conclusion vanishes identically after the steps.
     Undefined { divisor: usize },
+    /// A steady motion is stable in the first approximation where, and only where, an expression is positive.
+    Stability(Box<Stability>),
     /// After the steps all sides are numbers, and enclosures of these show every conclusion.
     Enclosure,
     /// After the steps all sides are numbers, and enclosures of these show that a conclusion fails.
     Excluded,
+}
+
+/// The equations about a steady motion and their characteristic polynomial, the theorem on its roots, and the printed condition beside it.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Stability {
+    pub theorem: &'static str,
+    /// Expressions that vanish along every motion, as many as coordinates.
+    pub equations: Vec<usize>,
+    pub coordinates: Vec<usize>,
+    pub speeds: Vec<usize>,
+    pub accelerations: Vec<usize>,
+    /// Which of the coordinates rest, by their places in the list; of the others the speeds are constant.
+    pub resting: Vec<usize>,
+    /// The letter of the roots.
+    pub root: usize,
+    /// The determinant times this is the polynomial with these coefficients by rising powers, times the root to the power `neutral`.
+    pub scale: usize,
+    pub coefficients: Vec<usize>,
+    pub neutral: u32,
+    /// What is said to be positive.
+    pub printed: usize,
+    /// The ratio of the condition that the signs of terms leave open to the printed one, and the even power of a relation of `given`
+    /// by which it was divided.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ratio: Option<(usize, Option<(usize, i32)>)>,
+    /// A point at which the printed condition and the theorem differ.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub point: Option<Vec<(usize, usize)>>,
 }
 
 /// For a conclusion f = 0: m f is the sum of cofactors times equalities of `given`, where m is the product of relations that exclude

@@ -84,9 +84,12 @@ fn verdict(name: &str) -> Result<Verdict, Exit> {
     })
 }
 
+/// A claim with its certificates.
+type Certified = (Judged, Vec<Certificate>);
+
 /// The claims whose id contains this, decided, with their certificates where these are wanted; the others are not.
-fn those_with(filter: &str, certified: bool) -> Vec<(Judged, Vec<Certificate>)> {
-    let mut judged: Vec<Option<Vec<(Judged, Vec<Certificate>)>>> = papers().iter().map(|_| None).collect();
+fn those_with(filter: &str, certified: bool) -> Vec<Certified> {
+    let mut judged: Vec<Option<Vec<Certified>>> = papers().iter().map(|_| None).collect();
     let mut crew = JobPool::default();
     for (place, paper) in judged.iter_mut().zip(papers()) {
         crew.add(1.0, place, move || {
@@ -99,7 +102,7 @@ fn those_with(filter: &str, certified: bool) -> Vec<(Judged, Vec<Certificate>)> 
         });
     }
     crew.work(|_| ());
-    let mut all: Vec<(Judged, Vec<Certificate>)> = judged.into_iter().flatten().flatten().collect();
+    let mut all: Vec<Certified> = judged.into_iter().flatten().flatten().collect();
     // who names a page or the beginning of an id means these: what has the word elsewhere comes behind
     all.sort_by_key(|(claim, _)| !claim.id.starts_with(filter));
     all

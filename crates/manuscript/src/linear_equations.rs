@@ -1,0 +1,34 @@
+//! The linear equations about a steady motion, and the condition of their roots beside a printed one.
+
+use crate::refutation::Refutation;
+use symbolic::Sym;
+
+/// The equations about a steady motion, and their characteristic polynomial.
+pub(crate) struct LinearEquations {
+    /// Expressions that vanish along every motion.
+    pub equations: Vec<Sym>,
+    /// The coordinates that rest, by their places.
+    pub resting: Vec<usize>,
+    /// The unknown of the polynomial.
+    pub root: Sym,
+    /// The determinant times this is the polynomial.
+    pub scale: Sym,
+    /// By rising powers, without roots zero.
+    pub coefficients: Vec<Sym>,
+    /// So many roots zero.
+    pub neutral: u32,
+}
+
+/// A positive multiple: by this ratio, and the power of a known condition by its place.
+pub(crate) struct Multiple {
+    pub ratio: Sym,
+    pub square: Option<(usize, i32)>,
+}
+
+/// The condition of the roots beside the printed one.
+pub(crate) enum Comparison {
+    /// It is a positive multiple of the printed one.
+    Same(Multiple),
+    /// At this point they differ.
+    Other(Refutation),
+}
