@@ -99,8 +99,7 @@ impl Certificate {
             Verdict::Definition => Some("a definition makes no claim"),
             Verdict::Open => Some("the claim was not attempted"),
             Verdict::Undecided => Some("the claim was not decided"),
-            Verdict::Enclosed => Some("the verdict was reached by enclosures"),
-            Verdict::Refuted | Verdict::Undefined | Verdict::Proved | Verdict::Tested => None,
+            Verdict::Refuted | Verdict::Undefined | Verdict::Proved | Verdict::Enclosed | Verdict::Tested => None,
         }
     }
 }

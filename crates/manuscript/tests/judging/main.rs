@@ -1,5 +1,6 @@
 //! Papers of a few lines, and what is found of them.
 
+mod certificates;
 mod constraints;
 mod corrections;
 mod divisors;
