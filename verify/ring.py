@@ -4,7 +4,9 @@ from flint import Ordering, fmpq, fmpq_mpoly_ctx, fmpz
 
 from .evaluation import Undefined
 
+# longer polynomials are not divided on trial, and not factored
 MOST_DIVIDED = 3000
+MOST_FACTORED = 1000
 
 
 class Full(Exception):
@@ -158,35 +160,16 @@ class Ring:
         return self.cancelled(above, below)
 
     def factored(self, divisor):
-        """Generators, known factors and the rest; their product is the divisor up to a number."""
+        """Irreducible factors where the divisor is short; their product is the divisor up to a number."""
+        if divisor.is_constant():
+            return {}
+        if len(divisor) > MOST_FACTORED:
+            return {self.factor(divisor): 1}
         below = {}
-        rest = divisor
-        for place, exponent in enumerate(self.common(divisor)):
-            if exponent:
-                generator = self.context.gens()[place]
-                below[self.factor(generator)] = exponent
-                rest = divided(rest, generator**exponent)
-        for number, factor in enumerate(self.factors):
-            while number not in below and not rest.is_constant() and len(rest) <= MOST_DIVIDED:
-                quotient = divided(rest, factor)
-                if quotient is None:
-                    break
-                rest, below[number] = quotient, below.get(number, 0) + 1
-                if below[number] > 60:
-                    break
-        if not rest.is_constant():
-            number = self.factor(rest)
-            below[number] = below.get(number, 0) + 1
+        for factor, power in divisor.factor()[1]:
+            number = self.factor(factor)
+            below[number] = below.get(number, 0) + int(power)
         return below
-
-    def common(self, polynomial):
-        """The exponents of the monomial that divides every term."""
-        lowest = None
-        for monomial in polynomial.monoms():
-            lowest = monomial if lowest is None else [min(a, b) for a, b in zip(lowest, monomial)]
-            if not any(lowest):
-                break
-        return [int(each) for each in lowest]
 
     def factor(self, polynomial):
         """The number of a factor, which has the leading coefficient one."""
