@@ -15,6 +15,7 @@ CONFIRMED = "confirmed"
 NONE = "none"
 REJECTED = "rejected"
 ATTEMPTS = 40
+MOST_ROOM = 16
 
 
 @dataclass
@@ -64,4 +65,6 @@ def checked(claim, part, exact):
             continue
         except Full:
             room *= 2
-    raise Rejected("the angles of the part have no common steps")
+        if room > MOST_ROOM:
+            break
+    raise Rejected("the angles of the part have no common steps, or there are too many of them")

@@ -63,6 +63,17 @@ class PartCheck:
             left = rate(self.program, left, self.part.rates)
         return self.emit("-", left, relation.right)
 
+    def letters_inside(self, entries, steps):
+        """The letters on which entries depend, also through the values of solved ones."""
+        values = {letter: value for step in steps for letter, value in zip(step.letters, step.values)}
+        found, left = set(), list(entries)
+        while left:
+            for here in reached(self.program, [left.pop()]):
+                if self.program[here][0] == "letter" and here not in found:
+                    found.add(here)
+                    left += [values[here]] if here in values else []
+        return found
+
     # rings
 
     def angles_of(self, steps):
@@ -77,7 +88,7 @@ class PartCheck:
         """A ring with room for the angles of the part."""
         angles = self.angles.survey_of(self.goals, len(self.solves) + 1)
         leads = [lead for lead in self.leads] if rules else ()
-        ring = Ring(self.letters if letters is None else letters, leads, angles + 1, *self.sizes)
+        ring = Ring(self.letters if letters is None else letters, leads, self.room * (angles + 1), *self.sizes)
         if rules:
             for lead in reversed(self.leads):
                 self.add_rule(ring, lead)

@@ -47,6 +47,8 @@ def left_open(check, point):
             continue
         argument = check.program[here][1]
         steps = check.angles.steps_of(argument, 0)
+        if any(is_number(check, key) for key, _ in steps):
+            raise NotExpressible("the cosine of a number at a point")
         if len(steps) != 1 or steps[0][0] in point.circles:
             continue
         inside = {each for each in reached(check.program, [argument]) if check.program[each][0] == "letter"}
@@ -55,6 +57,12 @@ def left_open(check, point):
         else:
             open_letters |= inside
     return open_letters
+
+
+def is_number(check, key):
+    """Whether the term of an angle is a number, or a root of one: its coordinates are what they are, and no point chooses them."""
+    term = key.rsplit(" / ", 1)[0]
+    return not any(name in term for name in check.angles.ring.generators if name[0] != "r")
 
 
 def is_zero_at(check, point, argument):

@@ -63,7 +63,7 @@ def justify(check):
 def is_linear(check, entry, before, letters):
     """As it is written, or else by its expansion."""
     angles = check.angles_of(before)
-    if not angles_with(check, entry, letters):
+    if not angles_with(check, entry, before, letters):
         if Evaluation(check.program, before, LinearDegree(letters), angles).value(entry) <= 1:
             return True
     ring, value, places = expanded(check, entry, before, letters)
@@ -82,21 +82,28 @@ def expanded(check, entry, before, letters):
     value = Evaluation(check.program, before, ring, check.angles_of(before)).value(entry)
     places = [ring.place[f"l{letter}"] for letter in letters]
     degrees = value.above.degrees()
-    inside = angles_with(check, entry, letters)
+    inside = angles_with(check, entry, before, letters)
     is_moving = inside and any(degrees[ring.place[name]] for name in ring.generators if name[0] in "rscf")
     if is_moving or any(sum(monomial[place] for place in places) > 1 for monomial in value.above.monoms()):
         return ring, None, places
     return ring, value, places
 
 
-def angles_with(check, entry, letters):
-    """Whether one of the letters stands inside an angle of the entry."""
-    wanted = set(letters)
-    for here in reached(check.program, [entry]):
-        if check.program[here][0] in ("cos", "sin", "root", "function", "exp", "ln", "tanh", "atan2"):
-            if wanted & set(reached(check.program, operands(check.program[here]))):
-                return True
-    return False
+def angles_with(check, entry, before, letters):
+    """Whether one of the letters stands inside an angle, a root or a function, also through the values of steps before."""
+    opaque = ("cos", "sin", "root", "function", "exp", "ln", "tanh", "atan2")
+    inside, left = [], [entry]
+    values = {letter: value for step in before for letter, value in zip(step.letters, step.values)}
+    seen = set()
+    while left:
+        for here in reached(check.program, [left.pop()]):
+            if here in seen:
+                continue
+            seen.add(here)
+            if check.program[here][0] in opaque:
+                inside += operands(check.program[here])
+            left += [values[here]] if here in values else []
+    return bool(set(letters) & check.letters_inside(inside, before))
 
 
 def independent(check, entries, before, letters):

@@ -105,6 +105,24 @@ def solved(value="3", given=True):
     return claim.part([("=", claim.put("pow", x, 2), nine)], {"by": "identity"}, presupposed, steps)
 
 
+def cosine_of_one():
+    """cos 1 = sin 1 is false, but not since a point says that they are 3/5 and 4/5."""
+    claim = Claim("refuted")
+    one = claim.number(1)
+    cos, sin = claim.put("cos", one), claim.put("sin", one)
+    point = [[cos, claim.number("3/5")], [sin, claim.number("4/5")]]
+    return claim.part([("=", cos, sin)], {"by": "counterexample", "point": point})
+
+
+def hidden_angle():
+    """y + cos x = 1 does not give y the value 0 where x is y."""
+    claim = Claim()
+    x, y, zero, one = claim.letter("x"), claim.letter("y"), claim.number(0), claim.number(1)
+    given = [("=", x, y), ("=", claim.sum(y, claim.put("cos", x)), one)]
+    steps = [{"step": "solve", "letters": [each], "values": [value], "by": [by]} for by, each, value in ((0, x, y), (1, y, zero))]
+    return claim.part([("=", y, zero)], {"by": "identity"}, given, steps)
+
+
 class Proofs(unittest.TestCase):
     def test_what_follows_is_accepted(self):
         for entry in (combination(), signs(), written(), enclosure("9950/10000"), solved()):
@@ -147,6 +165,12 @@ class Proofs(unittest.TestCase):
     def test_a_letter_without_a_value_must_cancel(self):
         self.assertEqual(outcome(cancelling()), "accepted")
         self.assertEqual(outcome(cancelling(2)), "rejected")
+
+    def test_no_point_chooses_the_cosine_of_a_number(self):
+        self.assertEqual(outcome(cosine_of_one()), "rejected")
+
+    def test_an_equality_with_the_letter_inside_an_angle_is_not_linear(self):
+        self.assertEqual(outcome(hidden_angle()), "rejected")
 
     def test_a_value_that_does_not_follow_is_rejected(self):
         self.assertEqual(outcome(solved("4")), "rejected")
