@@ -5,7 +5,7 @@ from .certificate import Rewrite, Solve
 from .derivative import rate
 from .evaluation import Evaluation, reached
 from .prime_field import MOST_ROOTS, Bounds, NoPoint, PrimeField, TooHigh, error, root_modulo
-from .ring import Ring
+from .ring import HalfAngleRing, Ring
 
 MOST_POINTS = 64
 TESTED = "tested"
@@ -84,11 +84,11 @@ class PartCheck:
         ring = Ring(self.letters, (), count, *self.sizes)
         return Angles(self.program, steps, ring, self.parts)
 
-    def ring(self, rules, letters=None):
+    def ring(self, rules, letters=None, kind=Ring):
         """A ring with room for the angles of the part."""
         angles = self.angles.survey_of(self.goals, len(self.solves) + 1)
         leads = [lead for lead in self.leads] if rules else ()
-        ring = Ring(self.letters if letters is None else letters, leads, self.room * (angles + 1), *self.sizes)
+        ring = kind(self.letters if letters is None else letters, leads, self.room * (angles + 1), *self.sizes)
         if rules:
             for lead in reversed(self.leads):
                 self.add_rule(ring, lead)
@@ -147,7 +147,7 @@ class PartCheck:
         solved = {letter for step in steps for letter in step.letters}
         open_letters = [letter for letter in self.letters if letter not in solved]
         # what solved letters leave needs no generator of theirs
-        ring = self.ring(rules, open_letters if steps == self.solves else None)
+        ring = self.ring(rules, open_letters if steps == self.solves else None, HalfAngleRing)
         angles = self.angles if steps == self.solves else self.angles_of(steps)
         return ring.is_zero(Evaluation(self.program, steps, ring, angles).value(entry))
 

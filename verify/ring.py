@@ -227,6 +227,18 @@ class Ring:
         return self.reduced(one.above).is_zero()
 
 
+class HalfAngleRing(Ring):
+    """The same with the tangent t of half of each step: cos = (1 - t^2)/(1 + t^2), sin = 2 t/(1 + t^2), so that nothing is left modulo
+    cos^2 + sin^2 = 1, and every divisor that cancels is seen."""
+
+    def circle(self, key):
+        if key not in self.angles:
+            self.angles[key] = self.taken("angles", len(self.angles))
+        t = self.generators[f"c{self.angles[key]}"]
+        below = Fraction(1 + t**2, {})
+        return self.divide(Fraction(1 - t**2, {}), below), self.divide(Fraction(2 * t, {}), below)
+
+
 def content_of(polynomial):
     """The positive number that leaves whole coefficients without a common divisor."""
     coefficients = polynomial.coeffs()
