@@ -141,3 +141,21 @@ fn a_matrix_of_a_run_that_stopped_is_not_written_and_that_is_said() {
     assert!(String::from_utf8_lossy(&output.stderr).contains("matrix.csv is not written"));
     assert!(!Path::exists(&folder.at("matrix.csv")));
 }
+
+#[test]
+fn certificates_go_into_a_folder_and_over_no_file_of_others() {
+    let folder = Folder::new();
+    let paper = root().join("papers/cart_pole.toml").to_string_lossy().into_owned();
+    let judge = ["judge", &paper, "--test", "--certificates", "made/here"];
+    for _ in 0..2 {
+        assert_eq!(folder.run(&judge).status.code(), Some(0));
+    }
+    let written = folder.read("made/here/cart_pole.json");
+    assert!(written.starts_with(r#"{"made_by":"dalembert judge, "#), "{}", &written[..80]);
+    assert!(written.contains(r#""id":"cart_pole/eq2/sign","#) && written.contains(r#""by":"counterexample""#));
+    std::fs::write(folder.at("made/here/cart_pole.json"), "mine").expect("it can be written");
+    folder.refused(&judge, "exists and is no file of certificates of `dalembert judge`");
+    assert_eq!(folder.run(&[&judge[..], &["--force"]].concat()).status.code(), Some(0));
+    folder.refused(&["ledger", "synchronism", "--certificates", "scene.toml"], "the name of a folder is accepted");
+    folder.refused(&["judge", &paper, "--force"], "--page");
+}
