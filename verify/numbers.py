@@ -92,6 +92,7 @@ class ExactPoint:
     """A domain: letters, angles and functions have values at a point; what it leaves open takes a value of its own."""
 
     OPEN = fmpq(1)
+    LETTERS = (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47)
     OPEN_CIRCLE = (fmpq(3, 5), fmpq(4, 5))
 
     def __init__(self, letters, circles, functions):
@@ -103,8 +104,9 @@ class ExactPoint:
 
     def letter(self, place):
         if place not in self.letters:
+            # different ones, lest a determinant vanish
+            self.letters[place] = Number.of(self.LETTERS[len(self.opened) % len(self.LETTERS)])
             self.opened.add(place)
-            self.letters[place] = Number.of(self.OPEN)
         return self.letters[place]
 
     def circle(self, key):
