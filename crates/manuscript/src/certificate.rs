@@ -4,10 +4,11 @@ use crate::conditions::Hypothesis;
 use crate::consequence::{Step, Way};
 use crate::equation::Outcome;
 use crate::linear_equations::{Comparison, LinearEquations, Multiple};
-use crate::motion::{Motion, equations_of_motion};
+use crate::motion::Motion;
+use crate::premises::premises;
 use crate::refutation::Refutation;
 use claims::Condition;
-use claims::certificate::{Certificate, Combined, Part, PartProof, Relation, Relations, Stability, Step as PartStep};
+use claims::certificate::{Certificate, Combined, Part, PartProof, Relation, Relations, Stability};
 use claims::{Judged, Verdict};
 use symbolic::{Hypotheses, NotNormal, Sym, normal};
 
@@ -252,45 +253,4 @@ impl Record {
         let parts = self.parts.into_iter().filter(says).collect();
         Some(certificate.proved_by(self.relations.recorder.finished(), parts, otherwise))
     }
-}
-
-/// The equations that hold on a motion, and the steps from them to the values of its symbols.
-fn premises(
-    motion: &Motion<'_, '_>,
-    assumed: &[Hypothesis],
-    relations: &mut Relations,
-) -> (Vec<Relation>, Vec<PartStep>) {
-    let mut equalities: Vec<Sym> = motion.held.clone();
-    let mut given: Vec<Relation> = equalities.iter().map(|&zero| relations.of(Condition::Zero(zero))).collect();
-    let mut steps = Vec::new();
-    let mut known: Vec<Sym> = Vec::new();
-    for round in &motion.rounds {
-        let zeros = round.by.clone().unwrap_or_else(|| equations_of_motion(motion.trace));
-        let mut place = |zero: Sym, relations: &mut Relations| match equalities.iter().position(|one| *one == zero) {
-            Some(place) => place,
-            None => {
-                equalities.push(zero);
-                given.push(relations.of(Condition::Zero(zero)));
-                given.len() - 1
-            }
-        };
-        let by = zeros.into_iter().map(|zero| place(zero, relations)).collect();
-        // a symbol that was replaced before stands nowhere any more
-        let new: Vec<(Sym, Sym)> = round.values.iter().copied().filter(|(symbol, _)| !known.contains(symbol)).collect();
-        known.extend(new.iter().map(|&(symbol, _)| symbol));
-        if !new.is_empty() {
-            let letters = new.iter().map(|&(symbol, _)| relations.recorder.place(symbol)).collect();
-            let values = new.iter().map(|&(_, value)| relations.recorder.place(value)).collect();
-            steps.push(PartStep::Solve { letters, values, by });
-        }
-    }
-    for &(coordinate, zero) in &motion.squares {
-        let by = given.len();
-        given.push(relations.of(Condition::Zero(zero)));
-        steps.push(PartStep::Rewrite { letter: relations.recorder.place(coordinate), power: 2, by });
-    }
-    relations.rules(&motion.with_free_frames(Hypotheses::none()), &mut given, &mut steps);
-    let conditions: Vec<Condition> = assumed.iter().filter_map(|hypothesis| hypothesis.condition).collect();
-    given.extend(relations.all(&conditions));
-    (given, steps)
 }

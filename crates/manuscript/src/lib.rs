@@ -40,6 +40,7 @@ mod motion;
 mod numbers;
 mod paper_text;
 mod passage;
+mod premises;
 mod refutation;
 mod signs;
 mod stability;
