@@ -12,6 +12,7 @@ from .written_signs import written_signs
 
 SHOWS = {
     "proved": {"identity", "combination", "signs", "written_signs", "example", "stability"},
+    "identified": {"identity"},
     "tested": {"identity"},
     "enclosed": {"enclosure"},
     "refuted": {"counterexample", "no_root", "excluded", "stability"},

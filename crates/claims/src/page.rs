@@ -38,6 +38,11 @@ impl Page {
         self.paper
     }
 
+    /// The dimensions of its letters.
+    pub fn dimensions(&self) -> fn(&str) -> Option<Dimension> {
+        self.dimensions
+    }
+
     /// The dimension of a letter of the page.
     pub fn dimension(&self, name: &str) -> Option<Dimension> {
         (self.dimensions)(name)

@@ -8,6 +8,7 @@ pub enum Verdict {
     Undecided,
     Proved,
     Enclosed,
+    Identified,
     Tested,
     Definition,
     #[default]
@@ -16,12 +17,13 @@ pub enum Verdict {
 
 impl Verdict {
     /// All of them, the ones that ask for a reader's attention first.
-    pub const ALL: [Verdict; 8] = [
+    pub const ALL: [Verdict; 9] = [
         Verdict::Refuted,
         Verdict::Undefined,
         Verdict::Undecided,
         Verdict::Proved,
         Verdict::Enclosed,
+        Verdict::Identified,
         Verdict::Tested,
         Verdict::Definition,
         Verdict::Open,
@@ -35,6 +37,7 @@ impl Verdict {
             Verdict::Undecided => "undecided",
             Verdict::Proved => "proved",
             Verdict::Enclosed => "enclosed",
+            Verdict::Identified => "identified",
             Verdict::Tested => "tested",
             Verdict::Definition => "definition",
             Verdict::Open => "open",
@@ -49,6 +52,7 @@ impl Verdict {
             Verdict::Undecided => "?",
             Verdict::Proved => "✓",
             Verdict::Enclosed => "[ ]",
+            Verdict::Identified => "≡",
             Verdict::Tested => "≈",
             Verdict::Definition => "≔",
             Verdict::Open => "○",
@@ -63,6 +67,9 @@ impl Verdict {
             Verdict::Undecided => "the prover gave up",
             Verdict::Proved => "holds for all values within the stated hypotheses",
             Verdict::Enclosed => "shown on the stated set by interval or certificate arithmetic",
+            Verdict::Identified => {
+                "holds at random points of random prime fields, with a stated bound on the probability of error"
+            }
             Verdict::Tested => "held wherever it was tried; not a proof",
             Verdict::Definition => "introduces a name; makes no claim",
             Verdict::Open => "not attempted",

@@ -4,12 +4,13 @@
 //! * [`letter_name`]: the name of a letter in one spelling, whatever braces and spaces it was written with;
 //! * [`read`]: a formula as a [`Statement`]: sides with their relations, every part with its place; what is ambiguous is a
 //!   [`NotFormula`] that says which spellings are accepted;
+//! * [`formulas`]: the formulas of a display on several lines, and of double signs;
 //! * [`Meaning`], [`value`]: the sides over whatever the letters stand for.
 //!
 //! | accepted | refused, since it has two readings |
 //! |---|---|
 //! | `\sin\theta\cos\theta`, `\sin(2\theta)`, `\cos^2\theta` | `\sin x y`, `\sin x^2`, `\sin^{-1} x` |
-//! | `m(a + b)`, `2(a)`, `f\cdot(x)` | `f(x)`, `f(x, y)` |
+//! | `m(a + b)`, `2(a)`, `f\cdot(x)`; `f(q)`, `f'(q)` where `f(q)` is declared | `f(x)`, `f(x, y)` |
 //! | `\frac12 m v^2`, `(1/2) m v^2`, `m/(2l)` | `1/2 m v^2`, `a/b/c` |
 //! | `x^{10}`, `x_{12}` | `x^10`, `x_12` |
 //!
@@ -25,6 +26,7 @@
 //! # Ok::<(), dalembert_latex::NotFormula>(())
 //! ```
 
+mod display;
 mod fault;
 mod form;
 mod name;
@@ -32,8 +34,9 @@ mod reader;
 mod token;
 mod value;
 
+pub use display::{Displayed, formulas};
 pub use fault::NotFormula;
 pub use form::{Chain, Form, Function, Relation, Statement, Term};
-pub use name::{letter_name, plain_name};
+pub use name::{declared_name, letter_name, plain_name};
 pub use reader::read;
 pub use value::{Meaning, NoValue, Value, value};

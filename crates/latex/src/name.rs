@@ -183,8 +183,21 @@ pub fn letter_name(text: &str) -> Result<String, NotFormula> {
     Ok(name.spelt())
 }
 
+/// The name of a letter, or of a function of one: `f(q)`.
+///
+/// # Errors
+/// As those of [`letter_name`].
+pub fn declared_name(text: &str) -> Result<String, NotFormula> {
+    match text.trim_end().strip_suffix(')').and_then(|rest| rest.split_once('(')) {
+        Some((function, argument)) => Ok(format!("{}({})", letter_name(function)?, letter_name(argument)?)),
+        None => letter_name(text),
+    }
+}
+
 /// A name for plain text: `theta_1`, `m_p`, `x⋆`.
 pub fn plain_name(spelt: &str) -> String {
+    // of a function without its argument
+    let spelt = spelt.split_once('(').map_or(spelt, |(function, _)| function);
     let mut faces: Vec<&str> = FACES.split_whitespace().collect();
     // `textbf` before `text`
     faces.sort_by_key(|face| std::cmp::Reverse(face.len()));

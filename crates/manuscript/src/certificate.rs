@@ -248,7 +248,7 @@ impl Record {
             PartProof::Counterexample { .. } | PartProof::Excluded => judged.verdict == Verdict::Refuted,
             PartProof::Stability(_) => true,
             PartProof::Undefined { .. } => judged.verdict == Verdict::Undefined,
-            _ => matches!(judged.verdict, Verdict::Proved | Verdict::Tested | Verdict::Enclosed),
+            _ => matches!(judged.verdict, Verdict::Proved | Verdict::Identified | Verdict::Tested | Verdict::Enclosed),
         };
         let parts = self.parts.into_iter().filter(says).collect();
         Some(certificate.proved_by(self.relations.recorder.finished(), parts, otherwise))

@@ -18,6 +18,7 @@ pub enum EditKind {
     ExtraFactor,
     LostTerm,
     ExtraTerm,
+    Part,
     Hypothesis,
     Digits,
 }
@@ -37,6 +38,7 @@ impl EditKind {
             Self::ExtraFactor => "superfluous factor",
             Self::LostTerm => "lost term",
             Self::ExtraTerm => "superfluous term",
+            Self::Part => "part",
             Self::Hypothesis => "missing hypothesis",
             Self::Digits => "digits",
         }

@@ -2,6 +2,7 @@
 
 use crate::passage::Passage;
 use claims::Verdict;
+use latex::{Displayed, formulas};
 use reader::{Issue, Table};
 use std::ops::Range;
 use units::nearest;
@@ -10,6 +11,7 @@ use units::nearest;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     EquationOfMotion,
+    LinearisedEquation,
     Formula,
     Identity,
     Inequality,
@@ -21,8 +23,9 @@ pub enum Kind {
 }
 
 impl Kind {
-    pub const ALL: [Kind; 9] = [
+    pub const ALL: [Kind; 10] = [
         Kind::EquationOfMotion,
+        Kind::LinearisedEquation,
         Kind::Formula,
         Kind::Identity,
         Kind::Inequality,
@@ -37,6 +40,7 @@ impl Kind {
     pub fn name(self) -> &'static str {
         match self {
             Self::EquationOfMotion => "equation of motion",
+            Self::LinearisedEquation => "linearised equation",
             Self::Formula => "formula",
             Self::Identity => "identity",
             Self::Inequality => "inequality",
@@ -117,8 +121,8 @@ pub fn claims(top: &mut Table<'_>, source: &str) -> Vec<ClaimText> {
         let resting = written("resting", "['\\theta', '\\dot{\\varphi}']");
         let kind = kind(&mut table);
         let expected = expected(&mut table);
-        if matches!(kind, Some(Kind::SteadyMotion | Kind::Stability)) && resting.is_empty() {
-            let issue = Issue::at(at.clone(), "a steady motion names what rests on it", "no `resting` here");
+        if matches!(kind, Some(Kind::SteadyMotion | Kind::Stability | Kind::LinearisedEquation)) && resting.is_empty() {
+            let issue = Issue::at(at.clone(), "the letters that rest on the motion are not named", "no `resting` here");
             table.report(
                 issue.accepted("resting = ['\\theta', '\\dot{\\varphi}']: letters and rates that are constant"),
             );
@@ -126,14 +130,34 @@ pub fn claims(top: &mut Table<'_>, source: &str) -> Vec<ClaimText> {
         top.absorb(table);
         let Some(kind) = kind else { continue };
         let claim = ClaimText { at, equation, name, says, section, note, kind, formula, given, resting, expected };
-        if let Some(other) = all.iter().find(|other| other.key() == claim.key()) {
-            let title = format!("two claims have the name `{}`", other.key());
-            let issue = Issue::at(claim.at.clone(), title, "the second one");
-            top.report(issue.accepted("name = \"...\", which tells claims of one formula apart"));
+        for claim in taken_apart(claim, top) {
+            if let Some(other) = all.iter().find(|other| other.key() == claim.key()) {
+                let title = format!("two claims have the name `{}`", other.key());
+                let issue = Issue::at(claim.at.clone(), title, "the second one");
+                top.report(issue.accepted("name = \"...\", which tells claims of one formula apart"));
+            }
+            all.push(claim);
         }
-        all.push(claim);
     }
     all
+}
+
+/// A claim for each formula of a display.
+fn taken_apart(claim: ClaimText, top: &mut Table<'_>) -> Vec<ClaimText> {
+    let parts = match formulas(&claim.formula.text) {
+        Ok(parts) => parts,
+        Err(fault) => {
+            let issue = Issue::at(claim.formula.part(&fault.span), fault.title, fault.label);
+            top.report(issue.accepted(fault.accepted));
+            return Vec::new();
+        }
+    };
+    let of = |Displayed { name, text, start }: Displayed| {
+        let names = [claim.name.as_str(), &name].into_iter().filter(|name| !name.is_empty());
+        let name = names.collect::<Vec<_>>().join("/");
+        ClaimText { name, formula: claim.formula.from(text, start), ..claim.clone() }
+    };
+    parts.into_iter().map(of).collect()
 }
 
 fn kind(table: &mut Table<'_>) -> Option<Kind> {
@@ -157,12 +181,20 @@ fn kind(table: &mut Table<'_>) -> Option<Kind> {
 
 fn expected(table: &mut Table<'_>) -> Option<Verdict> {
     let found = table.optional_text("expect", "verdict that is expected: proved, enclosed or refuted")?;
-    let accepted = [Verdict::Proved, Verdict::Enclosed, Verdict::Refuted, Verdict::Undecided, Verdict::Undefined];
+    let accepted = [
+        Verdict::Proved,
+        Verdict::Enclosed,
+        Verdict::Identified,
+        Verdict::Refuted,
+        Verdict::Undecided,
+        Verdict::Undefined,
+    ];
     let verdict = accepted.into_iter().find(|verdict| verdict.name() == found.value);
     if verdict.is_none() && !found.value.is_empty() {
         let title = format!("no verdict is called `{}`", found.value);
         table.report(
-            Issue::at(found.span, title, "not known").accepted("proved, enclosed, refuted, undecided, undefined"),
+            Issue::at(found.span, title, "not known")
+                .accepted("proved, enclosed, identified, refuted, undecided, undefined"),
         );
     }
     verdict

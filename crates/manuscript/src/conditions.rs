@@ -12,6 +12,8 @@ use symbolic::Sym;
 pub(crate) struct Hypothesis {
     /// In the paper's letters, text and LaTeX.
     pub told: (String, String),
+    /// The difference of its sides in the paper's letters; none where one of them is a number, which is in SI units.
+    pub own: Option<Sym>,
     /// Over the model: an equality, and the symbol that stands alone on its left.
     pub equality: Option<(Sym, Option<Sym>)>,
     /// Whether a letter has a value other than zero: dimensions need not agree then.
@@ -82,7 +84,9 @@ fn hypothesis(text: &Passage, letters: &Letters<'_, '_>) -> Result<Hypothesis, I
         format!("{} {} {}", left_own.latex(), relation.latex(), right_own.latex()),
     );
     let scales = *relation == Relation::Equal && right_is != Sym::ZERO;
-    let mut found = Hypothesis { told, equality: None, scales, condition: None, at: text.span.clone() };
+    let is_number = |side: Sym| side.as_constant().is_some_and(|value| value.sign() != Some(0));
+    let own = (!is_number(left_own) && !is_number(right_own)).then_some(left_own - right_own);
+    let mut found = Hypothesis { told, own, equality: None, scales, condition: None, at: text.span.clone() };
     match relation {
         Relation::Equal => {
             let alone = matches!(left.form, Form::Letter(_) | Form::Rate(..)).then_some(left_is);

@@ -7,9 +7,11 @@ use crate::display::{Told, divisors};
 use crate::equation::Outcome;
 use crate::finding::{Finding, Sides as Values};
 use crate::letters::Letters;
+use crate::lines::Line;
 use crate::motion::Motion;
-use crate::signs::{search, shows};
-use crate::verdict::{allowed, neither};
+use crate::polynomial_signs;
+use crate::signs::{Shown, search, shows};
+use crate::verdict::{allowed, mixed, neither};
 use claims::Verdict;
 use latex::{Relation, Statement};
 use reader::Issue;
@@ -87,20 +89,29 @@ pub(crate) fn inequality(
     let conditions = conditions(&motion, assumed);
     let reduced = motion.reduced(greater);
     let told = Told(letters);
-    let by_terms = |side: Sym| Some((side, shows(side, &motion, &conditions)?));
-    let shown = by_terms(reduced).or_else(|| by_terms(greater));
-    if let Some((side, found)) = shown.filter(|(_, found)| found.is_strict || !is_strict) {
-        match (found.is_of_normal_form, side == reduced) {
-            (true, true) => record.positive(&motion, assumed, greater),
-            (true, false) => {}
-            (false, _) => record.positive_as_written(&motion, assumed, [greater, side], is_strict),
+    let is_enough = |found: &Shown| found.is_strict || !is_strict;
+    let by_terms = [reduced, greater]
+        .into_iter()
+        .find_map(|side| shows(side, &motion, &conditions).filter(is_enough).map(|found| (Some(side), found)));
+    let by_squares = || polynomial_signs::shows(reduced, &conditions).filter(is_enough).map(|found| (None, found));
+    if let Some((side, found)) = by_terms.or_else(by_squares) {
+        match side {
+            Some(side) if found.is_of_normal_form && side == reduced => record.positive(&motion, assumed, greater),
+            Some(side) if !found.is_of_normal_form => {
+                record.positive_as_written(&motion, assumed, [greater, side], is_strict);
+            }
+            _ => {}
         }
         (finding.judged.verdict, finding.judged.evidence) = (Verdict::Proved, found.evidence);
         finding.judged.requires.extend(divisors(&motion.divisors, told));
+        if !assumed.iter().any(|hypothesis| hypothesis.scales) {
+            mixed(&[Line { model: [left, right], own }], letters, finding);
+        }
         return Ok(());
     }
     let fails = |sign: i8| sign == -1 || sign == 0 && is_strict;
-    match search(&[reduced], &conditions, &motion, |signs| fails(signs[0])) {
+    let found = search(&[reduced], &conditions, &motion, |signs| fails(signs[0]));
+    match found.or_else(|| polynomial_signs::negative_point(reduced, &conditions, &motion)) {
         Some(refutation) => {
             record.is_below(&motion, assumed, greater, is_strict, &refutation);
             finding.judged.verdict = Verdict::Refuted;
@@ -115,7 +126,7 @@ pub(crate) fn inequality(
             finding.judged.counterexample = crate::display::point(own, &refutation, &motion, told);
         }
         None => {
-            let why = "the signs of its terms do not show it, and no exact point was found at which it fails";
+            let why = "neither the signs of its terms nor squares, discriminants and real roots show it, and no exact point was found at which it fails";
             neither(Outcome::Undecided(why.to_owned()), letters, finding);
         }
     }

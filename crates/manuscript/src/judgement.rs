@@ -7,12 +7,14 @@ use crate::combination::told_combination;
 use crate::conditions::{Hypothesis, assume, conditions, hypotheses, placed};
 use crate::correction::{Judge, corrections};
 use crate::display::{Told, divisors, missing, shown};
+use crate::domains::domains;
 use crate::equation::{Outcome, vanishes};
 use crate::finding::Finding;
 use crate::implications::equivalence;
 use crate::inequalities::inequality;
 use crate::integrals::{integral, known};
 use crate::letters::{Letters, model};
+use crate::linearisation::linearised;
 use crate::lines::{Line, lines};
 use crate::motion::Motion;
 use crate::numbers::number;
@@ -21,7 +23,7 @@ use crate::refutation::Refutation;
 use crate::signs::{completed, contradiction, without_real_value};
 use crate::stability::stability;
 use crate::steadiness::steady_motion;
-use crate::verdict::{allowed, mixed, neither, refute};
+use crate::verdict::{allowed, mixed, mixed_hypotheses, neither, refute};
 use ::model::Trace;
 use claims::{Condition, Judged, Verdict};
 use latex::{Statement, read};
@@ -180,6 +182,7 @@ fn judge(
         Kind::EquationOfMotion | Kind::Formula | Kind::Identity => {
             equalities(claim, statement, letters, &assumed, &mut finding, &mut record)?
         }
+        Kind::LinearisedEquation => linearised(claim, statement, letters, &assumed, &mut finding)?,
         Kind::IntegralOfMotion => integral(claim, statement, letters, &assumed, &mut finding, &mut record)?,
         Kind::Inequality => inequality(claim, statement, letters, &assumed, &mut finding, &mut record)?,
         Kind::Equivalence => equivalence(claim, statement, letters, &assumed, &mut finding, &mut record)?,
@@ -190,6 +193,25 @@ fn judge(
     if finding.judged.verdict == Verdict::Proved && !is_met(&there) {
         let why = "it follows from the hypotheses, but no exact point was found that satisfies them";
         neither(Outcome::Undecided(why.to_owned()), letters, &mut finding);
+    }
+    mixed_hypotheses(&assumed, letters, &mut finding);
+    if finding.judged.verdict == Verdict::Proved {
+        let constrained = || Motion::by_constraints(letters.trace);
+        let mut motion = match claim.kind {
+            Kind::Identity | Kind::Inequality | Kind::LinearisedEquation => constrained(),
+            _ => Motion::by_equations(letters.trace).unwrap_or_else(|_| constrained()),
+        };
+        // a kind of claim that cannot assume one has said so itself
+        if assume(&mut motion, &assumed).is_ok() {
+            match domains(statement, letters, &motion, &assumed, &there) {
+                Ok(found) => {
+                    let is_new = |line: &(String, String)| !finding.judged.requires.contains(line);
+                    let new: Vec<(String, String)> = found.into_iter().filter(is_new).collect();
+                    finding.judged.requires.extend(new);
+                }
+                Err(divisor) => neither(Outcome::Undefined(divisor), letters, &mut finding),
+            }
+        }
     }
     finding.judged.expected = claim.expected.unwrap_or(finding.judged.verdict);
     finding.certificate = record.finished(&finding.judged, claim.kind.without_certificate());

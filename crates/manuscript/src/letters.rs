@@ -311,7 +311,7 @@ impl Meaning for InModel<'_, '_, '_> {
 }
 
 /// The circle point of an angle, exact at quarters of pi.
-fn circle(angle: Sym, pi: Sym) -> (Sym, Sym) {
+pub(crate) fn circle(angle: Sym, pi: Sym) -> (Sym, Sym) {
     let part = angle.diff(pi).as_constant().filter(|part| part.sign() != Some(0));
     let rest = angle.substitute(&[(pi, Sym::ZERO)]);
     let twelfths = part.and_then(|part| {

@@ -10,6 +10,7 @@
 //! | kind of claim | stated |
 //! |---|---|
 //! | `equation of motion` | the printed equation holds along every motion: it is a combination of the model's equations |
+//! | `linearised equation` | the printed equation holds to the first order about a motion on which letters rest |
 //! | `formula` | the printed value of a quantity, identically or along every motion |
 //! | `identity` | both sides are equal for all positions, speeds and accelerations that the constraints allow |
 //! | `integral of motion` | the rate of the printed expression vanishes along every motion |
@@ -27,6 +28,7 @@ mod conditions;
 mod consequence;
 mod correction;
 mod display;
+mod domains;
 mod equation;
 mod finding;
 mod implications;
@@ -35,11 +37,13 @@ mod integrals;
 mod judgement;
 mod letters;
 mod linear_equations;
+mod linearisation;
 mod lines;
 mod motion;
 mod numbers;
 mod paper_text;
 mod passage;
+mod polynomial_signs;
 mod premises;
 mod refutation;
 mod signs;
@@ -50,5 +54,6 @@ mod verdict;
 
 pub use change::{Change, Correction, EditKind, Search};
 pub use claim_text::{ClaimText, Kind};
+pub use correction::{LineCorrection, NotRead, line_corrections, theorem_corrections};
 pub use finding::{Finding, Sides};
 pub use paper_text::{PaperText, is_paper};

@@ -1,9 +1,10 @@
 //! The equations that hold along every motion of a model: accelerations and multipliers by its equations, speeds and positions by its
 //! constraints, and what hypotheses say beside.
 
+use crate::letters::circle;
 use model::Trace;
 use model::equations::{Characteristics, Equation, Equations, Level, Singular, constraints_of, solved};
-use symbolic::{Hypotheses, Sym, coefficients, decide, normal, substitute_all};
+use symbolic::{Hypotheses, Node, Sym, coefficients, decide, normal, substitute_all};
 
 /// Symbols with their values.
 #[derive(Clone)]
@@ -73,7 +74,8 @@ impl<'t, 'm> Motion<'t, 'm> {
         Ok(motion)
     }
 
-    fn without_anything(trace: &'t Trace<'m>) -> Self {
+    /// No law, no constraint.
+    pub fn without_anything(trace: &'t Trace<'m>) -> Self {
         Motion {
             trace,
             hypotheses: Hypotheses::none(),
@@ -140,22 +142,14 @@ impl<'t, 'm> Motion<'t, 'm> {
                     self.give((coordinate, value), zero);
                     return true;
                 }
-                (2, Some(factor)) if factor.as_constant().is_some() && of(1).is_none() => {
-                    let tail = -of(0).unwrap_or(Sym::ZERO) / factor;
-                    let with = self.hypotheses.clone().rule(coordinate, 2, tail);
-                    if with.check().is_ok() {
-                        self.hypotheses = with;
-                        self.squares.push((coordinate, zero));
-                        return true;
-                    }
-                }
+                _ if self.solve_square(zero, coordinate) => return true,
                 _ => {}
             }
         }
         let Some(Solution { symbol, value, divisor }) =
             self.trace.parameters.iter().find_map(|&parameter| linear(zero, parameter))
         else {
-            return false;
+            return self.trace.parameters.iter().any(|&parameter| self.solve_square(zero, parameter));
         };
         self.divisors.push(divisor);
         self.give((symbol, value), zero);
@@ -165,6 +159,21 @@ impl<'t, 'm> Motion<'t, 'm> {
     /// A symbol by an expression that vanishes.
     fn give(&mut self, known: (Sym, Sym), zero: Sym) {
         self.rounds.push(Round { values: vec![known], by: Some(vec![zero]) });
+    }
+
+    /// The square of a symbol by the others, where it alone stands there and its factor is a number.
+    fn solve_square(&mut self, zero: Sym, symbol: Sym) -> bool {
+        let Ok(terms) = coefficients(zero, &[symbol]) else { return false };
+        let of = |power: u32| terms.iter().find(|(exponents, _)| exponents[0] == power).map(|(_, value)| *value);
+        let is_square = terms.iter().all(|(exponents, _)| matches!(exponents[0], 0 | 2));
+        let Some(factor) = of(2).filter(|factor| is_square && factor.as_constant().is_some()) else { return false };
+        let with = self.hypotheses.clone().rule(symbol, 2, -of(0).unwrap_or(Sym::ZERO) / factor);
+        let is_taken = with.check().is_ok();
+        if is_taken {
+            self.hypotheses = with;
+            self.squares.push((symbol, zero));
+        }
+        is_taken
     }
 
     /// Coordinates, speeds and parameters that were replaced.
@@ -177,7 +186,20 @@ impl<'t, 'm> Motion<'t, 'm> {
 
     /// An expression where all of this holds.
     pub fn reduced(&self, expression: Sym) -> Sym {
-        self.rounds.iter().fold(expression, |now, round| substitute_all(&[now], &round.values)[0])
+        let found = self.rounds.iter().fold(expression, |now, round| substitute_all(&[now], &round.values)[0]);
+        self.with_circles(found)
+    }
+
+    /// Cosines and sines of what became a part of pi have their values.
+    fn with_circles(&self, expression: Sym) -> Sym {
+        let pi = self.trace.pi;
+        let of = |leaf: Sym| match leaf.node() {
+            Node::Cos(angle) if angle.symbols_of().contains(&pi) => Some((leaf, circle(angle, pi).0)),
+            Node::Sin(angle) if angle.symbols_of().contains(&pi) => Some((leaf, circle(angle, pi).1)),
+            _ => None,
+        };
+        let known: Vec<(Sym, Sym)> = expression.leaves_of().into_iter().filter_map(of).collect();
+        if known.is_empty() { expression } else { expression.substitute(&known) }
     }
 
     /// A hypothesis: an expression that vanishes, solved for a symbol; for the one that is named first where it can be.

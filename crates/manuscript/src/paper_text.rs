@@ -2,7 +2,7 @@
 
 use crate::claim_text::{ClaimText, claims};
 use crate::passage::Passage;
-use latex::letter_name;
+use latex::declared_name;
 use reader::{Issue, SceneError, Table, read_text, tables};
 use scenes::SystemText;
 use std::path::Path;
@@ -146,7 +146,7 @@ fn letters(top: &mut Table<'_>, source: &str) -> Vec<LetterText> {
         let is_vector =
             table.place_of(&key.value).is_some_and(|place| found.first().is_some_and(|first| first.span != place));
         let meaning: Vec<Passage> = found.iter().map(|value| Passage::of(&table, source, value)).collect();
-        let name = match letter_name(&key.value) {
+        let name = match declared_name(&key.value) {
             Ok(name) => name,
             Err(fault) => {
                 let issue = Issue::at(key.span, format!("`{}` is no letter: {}", key.value, fault.title), fault.label);

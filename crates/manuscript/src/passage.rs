@@ -21,6 +21,11 @@ impl Passage {
         Passage { text: value.value.clone(), span: value.span.clone(), start: is_plain.then_some(start) }
     }
 
+    /// A part of the text that begins at this byte of it, in which places are kept.
+    pub(crate) fn from(&self, text: String, start: usize) -> Self {
+        Passage { text, span: self.span.clone(), start: self.start.map(|own| own + start) }
+    }
+
     /// Another text in its stead: it stands in no file.
     pub(crate) fn with_text(&self, text: String) -> Self {
         Passage { text, span: self.span.clone(), start: None }

@@ -1,5 +1,6 @@
 //! Verdicts with their grounds, as a finding holds them.
 
+use crate::conditions::Hypothesis;
 use crate::display::{Told, point};
 use crate::equation::Outcome;
 use crate::finding::{Finding, Sides};
@@ -24,7 +25,7 @@ pub(crate) fn neither(outcome: Outcome, letters: &Letters<'_, '_>, finding: &mut
             };
             (Verdict::Undefined, why)
         }
-        Outcome::Identified(why) => (Verdict::Tested, why),
+        Outcome::Identified(why) => (Verdict::Identified, why),
         Outcome::Undecided(why) => (Verdict::Undecided, why),
         Outcome::Zero(_) | Outcome::NonZero(_) => return,
     };
@@ -73,6 +74,17 @@ pub(crate) fn refute(
         if refutation.is_formal { "; sines and cosines are taken there as independent of their angles" } else { "" };
     finding.judged.evidence = format!("{sides}{formal}");
     finding.judged.counterexample = point(line.own, refutation, motion, told);
+}
+
+/// Hypotheses that mix dimensions are an objection to whatever rests on them.
+pub(crate) fn mixed_hypotheses(assumed: &[Hypothesis], letters: &Letters<'_, '_>, finding: &mut Finding) {
+    let of = |name: &str| letters.dimension(name);
+    for hypothesis in assumed {
+        let mismatch = hypothesis.own.and_then(|own| dimension(own, &of).err());
+        if let Some(mismatch) = mismatch.filter(|mismatch| !matches!(mismatch, Mismatch::Unknown(_))) {
+            finding.judged.objections.push(format!("in the hypothesis {}: {mismatch}", hypothesis.told.0));
+        }
+    }
 }
 
 /// Sides of mixed dimensions speak against what is false, and are an objection to whatever is said to hold.

@@ -99,7 +99,12 @@ impl Certificate {
             Verdict::Definition => Some("a definition makes no claim"),
             Verdict::Open => Some("the claim was not attempted"),
             Verdict::Undecided => Some("the claim was not decided"),
-            Verdict::Refuted | Verdict::Undefined | Verdict::Proved | Verdict::Enclosed | Verdict::Tested => None,
+            Verdict::Refuted
+            | Verdict::Undefined
+            | Verdict::Proved
+            | Verdict::Enclosed
+            | Verdict::Identified
+            | Verdict::Tested => None,
         }
     }
 }

@@ -58,14 +58,15 @@ pub const HELP: &str = r#"A paper's file:
 
   [[claim]]
   equation = "1"                 # the number in the paper
-  kind = "equation of motion"    # formula, identity, inequality, equivalence,
-                                 # integral of motion, steady motion, stability, number
+  kind = "equation of motion"    # linearised equation, formula, identity, inequality,
+                                 # equivalence, integral of motion, steady motion,
+                                 # stability, number
   formula = 'm l^2 \ddot{\theta} + m g l \sin\theta = 0'
   given = ['m > 0']              # hypotheses; may be left out
   expect = "proved"              # for --test; may be left out
 
-Rates of declared letters are known: \dot{\theta}, \ddot{\theta}. A formula with two readings is refused at its place, with the
-spellings that have one.
+Rates of declared letters are known: \dot{\theta}, \ddot{\theta}. A display on several lines is a claim for each of its formulas. A formula
+with two readings is refused at its place, with the spellings that have one.
 
 Where a claim is refuted, the smallest edits of its formula that make it true are told, each one proved."#;
 

@@ -58,8 +58,16 @@ impl Reader<'_> {
                 _ => break,
             }
         }
-        let form = self.resolved(&name, start, order)?;
-        let base = self.term(start, form);
+        let base = match self.function_of(&name) {
+            Some(declared) => self.declared_function(&declared, &name, start, power.is_some())?,
+            None => {
+                let form = self.resolved(&name, start, order)?;
+                self.term(start, form)
+            }
+        };
+        if power.is_none() && self.sign() == Some('^') && matches!(base.form, Form::Letter(_) | Form::Partial(..)) {
+            power = Some(self.script()?);
+        }
         let base = match order {
             0 => base,
             _ => self.term(start, Form::Rate(Box::new(base), order)),
@@ -71,6 +79,43 @@ impl Reader<'_> {
             }
             None => Ok(base),
         }
+    }
+
+    /// The declaration of a function, `f(q)`, by its name with or without primes.
+    fn function_of(&self, name: &Name) -> Option<String> {
+        let is_primed = name.marks.replace(r"\prime", "").is_empty();
+        let plain = Name { marks: String::new(), ..name.clone() }.spelt();
+        if !is_primed || self.known.contains(&name.spelt()) {
+            return None;
+        }
+        let of_it = |known: &&String| known.strip_prefix(&plain).is_some_and(|rest| rest.starts_with('('));
+        self.known.iter().find(of_it).cloned()
+    }
+
+    /// A function with its argument, which may be left out; each prime is a derivative.
+    fn declared_function(&mut self, declared: &str, name: &Name, start: usize, is_raised: bool) -> Read<Term> {
+        let argument = declared.split_once('(').map_or("", |(_, rest)| rest.trim_end_matches(')')).to_owned();
+        let value = self.term(start, Form::Letter(declared.to_owned()));
+        if self.sign() == Some('(') {
+            let open = self.at;
+            let close = self.partner(open);
+            let held = self.within(open + 1..close)?;
+            let plain = declared.split('(').next().unwrap_or_default();
+            if is_raised {
+                let title = format!("the power of `{plain}` reads as that of its value, and as the function twice");
+                return Err(self.refused(open, title, "of what?", format!("({declared})^2")));
+            }
+            if held.form != Form::Letter(argument.clone()) {
+                let title = format!("`{plain}` is declared as a function of `{argument}`, and has no value elsewhere");
+                let accepted = format!(r"{declared}, or {plain}\cdot(...) for a product");
+                return Err(NotFormula::at(held.span, title, "another argument", accepted));
+            }
+            self.at = close + 1;
+        }
+        let by = self.term(start, Form::Letter(argument));
+        let order = name.marks.matches(r"\prime").count();
+        let derived = |of: Term, _| self.term(start, Form::Partial(Box::new(of), Box::new(by.clone())));
+        Ok((0..order).fold(Term { span: self.term(start, value.form.clone()).span, ..value }, derived))
     }
 
     fn plain_base(&mut self) -> Read<Name> {

@@ -329,6 +329,11 @@ fn relation(token: &Token) -> Option<Relation> {
     }
 }
 
+/// Whether a side ends here, and another one begins.
+pub(crate) fn is_relation(token: &Token) -> bool {
+    relation(token).is_some() || is_equivalence(token)
+}
+
 fn is_equivalence(token: &Token) -> bool {
     ["iff", "Leftrightarrow", "Longleftrightarrow"].into_iter().any(|name| token.is_command(name))
 }

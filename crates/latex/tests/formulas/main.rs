@@ -1,5 +1,6 @@
 //! Formulas in LaTeX: what is read, what is refused, and that what is printed is read back.
 
+mod displays;
 mod readings;
 mod refusals;
 mod round_trip;

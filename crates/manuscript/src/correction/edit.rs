@@ -12,9 +12,23 @@ pub(super) struct Edit {
     pub after: String,
     /// The edit in words.
     pub words: String,
+    /// The part of the formula in which a reader is shown the edit.
+    pub around: Range<usize>,
 }
 
 impl Edit {
+    pub fn new(kind: EditKind, span: Range<usize>, after: impl Into<String>, words: String) -> Self {
+        Edit { kind, around: span.clone(), span, after: after.into(), words }
+    }
+
+    /// The part of the formula that is shown, before the edit and after it.
+    pub fn shown(&self, formula: &str) -> [String; 2] {
+        let part = |range: Range<usize>| formula.get(range).unwrap_or_default();
+        let before = part(self.around.clone());
+        let (left, right) = (part(self.around.start..self.span.start), part(self.span.end..self.around.end));
+        [before.trim().to_owned(), format!("{left}{}{right}", self.after).trim().to_owned()]
+    }
+
     /// The edited formula, and where the edit stands in it.
     pub fn applied(&self, formula: &str) -> (String, Range<usize>) {
         let (before, behind) = (&formula[..self.span.start], &formula[self.span.end..]);

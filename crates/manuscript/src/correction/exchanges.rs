@@ -1,28 +1,29 @@
 //! Edits of one sign in its place: a sign, a function, an exponent, a letter, a dot, a number.
 
 use super::edit::Edit;
-use super::letter_rates::{LetterRate, rates};
+use super::letter_rates::LetterRate;
 use super::places::{Atom, Places, Summand};
 use crate::change::EditKind;
-use crate::letters::Letters;
 use field::Rational;
 use latex::Function;
+use std::ops::Range;
 
 /// Printed numbers are exchanged for quotients of numbers up to this one.
 const MOST: i64 = 12;
 
 /// All of them, in the order of the formula.
-pub(super) fn exchanges(places: &Places, text: &str, letters: &Letters<'_, '_>) -> Vec<Edit> {
+pub(super) fn exchanges(places: &Places, text: &str, rates: &[LetterRate]) -> Vec<Edit> {
     let mut all = signs(places, text);
     all.extend(functions(places, text));
     all.extend(exponents(places, text));
-    let rates = rates(letters);
     for atom in &places.atoms {
-        all.extend(dots(atom, text, &rates));
-        all.extend(others(atom, text, &rates));
+        all.extend(dots(atom, text, rates));
+        all.extend(others(atom, text, rates));
     }
+    all.extend(powers_of_rates(places, text, rates));
+    all.extend(scripts(places, text, rates));
     all.extend(numbers(places, text));
-    all.extend(letters_for_numbers(places, text, &rates));
+    all.extend(letters_for_numbers(places, text, rates));
     all
 }
 
@@ -40,11 +41,8 @@ pub(super) fn directions(text: &str) -> Vec<Edit> {
         ("<", ">"),
         (">", "<"),
     ];
-    let edit = |at: usize, from: &str, to: &str| Edit {
-        kind: EditKind::Direction,
-        span: at..at + from.len(),
-        after: to.to_owned(),
-        words: format!("`{to}` for `{from}`"),
+    let edit = |at: usize, from: &str, to: &str| {
+        Edit::new(EditKind::Direction, at..at + from.len(), to, format!("`{to}` for `{from}`"))
     };
     let is_whole = |at: usize, from: &str| {
         !from.starts_with('\\') || !text[at + from.len()..].starts_with(|letter: char| letter.is_ascii_alphabetic())
@@ -68,15 +66,15 @@ pub(super) fn told(summand: &Summand, text: &str) -> String {
 /// The sign of each term that is not zero.
 pub(super) fn signs(places: &Places, text: &str) -> Vec<Edit> {
     let edit = |summand: &Summand| {
-        let term = &text[summand.span.clone()];
-        let (start, after) = match summand.sign {
-            Some((at, '-')) if summand.number == 1 => (at, term.to_owned()),
-            Some((at, '-')) => (at, format!("+ {term}")),
-            Some((at, _)) => (at, format!("- {term}")),
-            None => (summand.span.start, format!("-{term}")),
+        let (span, after) = match summand.sign {
+            Some((at, '-')) if summand.number == 1 => (at..at + 1, ""),
+            Some((at, '-')) => (at..at + 1, "+"),
+            Some((at, _)) => (at..at + 1, "-"),
+            None => (summand.span.start..summand.span.start, "-"),
         };
+        let around = span.start..summand.span.end;
         let words = format!("the sign of {}", told(summand, text));
-        Edit { kind: EditKind::Sign, span: start..summand.span.end, after, words }
+        Edit { around, ..Edit::new(EditKind::Sign, span, after, words) }
     };
     // a sign that is printed is exchanged more often than one that is not
     let of = |is_printed: bool| {
@@ -99,11 +97,9 @@ fn functions(places: &Places, text: &str) -> Vec<Edit> {
             _ => &[],
         }
     };
-    let of = |other: &str, before: &str, call: &super::places::Call| Edit {
-        kind: EditKind::Function,
-        span: call.command.clone(),
-        after: other.to_owned(),
-        words: format!("`{other}` for `{before}` of `{}`", &text[call.argument.clone()]),
+    let of = |other: &str, before: &str, call: &super::places::Call| {
+        let words = format!("`{other}` for `{before}` of `{}`", &text[call.argument.clone()]);
+        Edit::new(EditKind::Function, call.command.clone(), other, words)
     };
     let each = places.calls.iter();
     each.flat_map(|call| others(call.function).iter().map(move |other| of(other, &text[call.command.clone()], call)))
@@ -112,8 +108,8 @@ fn functions(places: &Places, text: &str) -> Vec<Edit> {
 
 fn exponents(places: &Places, text: &str) -> Vec<Edit> {
     let mut all = Vec::new();
-    let mut add = |span: std::ops::Range<usize>, after: String, words: String| {
-        all.push(Edit { kind: EditKind::Exponent, span, after, words });
+    let mut add = |span: Range<usize>, after: String, words: String| {
+        all.push(Edit::new(EditKind::Exponent, span, after, words));
     };
     for power in &places.powers {
         let script = &text[power.script.clone()];
@@ -146,13 +142,58 @@ fn exponents(places: &Places, text: &str) -> Vec<Edit> {
 fn dots(atom: &Atom, text: &str, rates: &[LetterRate]) -> Vec<Edit> {
     let of = |order: u32| rates.iter().find(|rate| rate.name == atom.name && rate.order == order);
     let orders = [atom.order.checked_sub(1), Some(atom.order + 1)];
-    let edit = |rate: &LetterRate| Edit {
-        kind: EditKind::Dot,
-        span: atom.span.clone(),
-        after: rate.latex.clone(),
-        words: format!("`{}` for `{}`", rate.latex, &text[atom.span.clone()]),
+    let edit = |rate: &LetterRate| {
+        let words = format!("`{}` for `{}`", rate.latex, &text[atom.span.clone()]);
+        Edit::new(EditKind::Dot, atom.span.clone(), rate.latex.as_str(), words)
     };
     orders.into_iter().flatten().filter_map(of).map(edit).collect()
+}
+
+/// The square of a rate for the second rate, and the other way round.
+fn powers_of_rates(places: &Places, text: &str, rates: &[LetterRate]) -> Vec<Edit> {
+    let rate = |atom: &Atom, order: u32| rates.iter().find(|rate| rate.name == atom.name && rate.order == order);
+    let edit = |span: Range<usize>, after: String| {
+        let words = format!("`{after}` for `{}`", &text[span.clone()]);
+        Edit::new(EditKind::Dot, span, after, words)
+    };
+    let of = |atom: &Atom| match (atom.order, square_of(atom, places)) {
+        (1, Some(script)) => rate(atom, 2).map(|rate| edit(atom.span.start..script.end, rate.latex.clone())),
+        (2, None) if !atom.is_powered => rate(atom, 1).map(|rate| edit(atom.span.clone(), format!("{}^2", rate.latex))),
+        _ => None,
+    };
+    places.atoms.iter().filter_map(of).collect()
+}
+
+/// The exponent 2 of an atom.
+fn square_of<'a>(atom: &Atom, places: &'a Places) -> Option<&'a Range<usize>> {
+    let is_its_own = |power: &&super::places::Raised| power.exponent == 2 && power.script.start == atom.span.end;
+    places.powers.iter().find(is_its_own).map(|power| &power.script)
+}
+
+/// A subscript for an exponent: `J_2` for `J^2`, and the other way round.
+fn scripts(places: &Places, text: &str, rates: &[LetterRate]) -> Vec<Edit> {
+    let known = |name: &str| rates.iter().any(|rate| rate.order == 0 && rate.name == name);
+    let edit = |span: Range<usize>, after: String| {
+        let words = format!("`{after}` for `{}`", &text[span.clone()]);
+        Edit::new(EditKind::Letter, span, after, words)
+    };
+    let mut all = Vec::new();
+    for atom in places.atoms.iter().filter(|atom| atom.order == 0) {
+        let power = places.powers.iter().find(|power| power.script.start == atom.span.end);
+        if let Some(power) = power.filter(|_| atom.is_powered) {
+            let name = format!("{}_{{{}}}", atom.name, power.exponent);
+            if known(&name) {
+                all.push(edit(atom.span.start..power.script.end, name));
+            }
+        } else if let Some((base, below)) = atom.name.strip_suffix('}').and_then(|name| name.split_once("_{"))
+            && !atom.is_powered
+            && known(base)
+            && below.parse::<u32>().is_ok_and(|exponent| exponent > 1)
+        {
+            all.push(edit(atom.span.clone(), format!("{base}^{{{below}}}")));
+        }
+    }
+    all
 }
 
 /// Letters and rates of the same dimension.
@@ -161,11 +202,9 @@ fn others(atom: &Atom, text: &str, rates: &[LetterRate]) -> Vec<Edit> {
         return Vec::new();
     };
     let fits = |rate: &&LetterRate| rate.name != atom.name && rate.dimension == own.dimension;
-    let edit = |rate: &LetterRate| Edit {
-        kind: EditKind::Letter,
-        span: atom.span.clone(),
-        after: rate.latex.clone(),
-        words: format!("`{}` for `{}`", rate.latex, &text[atom.span.clone()]),
+    let edit = |rate: &LetterRate| {
+        let words = format!("`{}` for `{}`", rate.latex, &text[atom.span.clone()]);
+        Edit::new(EditKind::Letter, atom.span.clone(), rate.latex.as_str(), words)
     };
     rates.iter().filter(fits).map(edit).collect()
 }
@@ -190,7 +229,7 @@ fn numbers(places: &Places, text: &str) -> Vec<Edit> {
             let plain = if below == 1 { above.to_string() } else { format!(r"\frac{{{above}}}{{{below}}}") };
             let after = if is_bare && (plain.len() > 1) { format!("{{{plain}}}") } else { plain.clone() };
             let words = format!("the number `{plain}` for `{}`", &text[span.clone()]);
-            all.push(Edit { kind: EditKind::Number, span: span.clone(), after, words });
+            all.push(Edit::new(EditKind::Number, span.clone(), after, words));
         }
     }
     all
@@ -198,11 +237,9 @@ fn numbers(places: &Places, text: &str) -> Vec<Edit> {
 
 /// A letter that was printed as a number: only one of them has the dimension that the formula asks for.
 fn letters_for_numbers(places: &Places, text: &str, rates: &[LetterRate]) -> Vec<Edit> {
-    let edit = |span: &std::ops::Range<usize>, rate: &LetterRate| Edit {
-        kind: EditKind::Letter,
-        span: span.clone(),
-        after: rate.latex.clone(),
-        words: format!("`{}` for `{}`", rate.latex, &text[span.clone()]),
+    let edit = |span: &Range<usize>, rate: &LetterRate| {
+        let words = format!("`{}` for `{}`", rate.latex, &text[span.clone()]);
+        Edit::new(EditKind::Letter, span.clone(), rate.latex.as_str(), words)
     };
     let printed = places.numbers.iter().filter(|(_, value)| *value != Rational::new(0, 1));
     printed.flat_map(|(span, _)| rates.iter().filter(|rate| rate.order == 0).map(|rate| edit(span, rate))).collect()

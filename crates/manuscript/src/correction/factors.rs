@@ -2,10 +2,10 @@
 
 use super::edit::Edit;
 use super::exchanges::told;
-use super::letter_rates::rates;
+use super::letter_rates::LetterRate;
 use super::places::Places;
 use crate::change::EditKind;
-use crate::letters::Letters;
+use symbolic::Dimension;
 
 /// Numeric factors that slip into formulas, and out of them.
 const NUMBERS: [&str; 10] = [
@@ -22,7 +22,7 @@ const NUMBERS: [&str; 10] = [
 ];
 
 /// A factor before each term, and each factor of a term away.
-pub(super) fn factors(places: &Places, text: &str, letters: &Letters<'_, '_>) -> Vec<Edit> {
+pub(super) fn factors(places: &Places, text: &str, rates: &[LetterRate]) -> Vec<Edit> {
     let mut candidates: Vec<String> = NUMBERS.map(str::to_owned).to_vec();
     for call in &places.calls {
         let name = &text[call.command.clone()];
@@ -35,9 +35,19 @@ pub(super) fn factors(places: &Places, text: &str, letters: &Letters<'_, '_>) ->
             }
         }
     }
-    let rates = rates(letters);
+    let inverse: Vec<String> =
+        candidates[NUMBERS.len()..].iter().map(|call| format!(r"\frac{{1}}{{{call}}}")).collect();
+    candidates.extend(inverse);
     candidates.extend(rates.iter().map(|rate| rate.latex.clone()));
     candidates.extend(rates.iter().map(|rate| format!(r"\frac{{1}}{{{}}}", rate.latex)));
+    candidates.extend(rates.iter().map(|rate| format!("{}^2", rate.latex)));
+    candidates.extend(rates.iter().map(|rate| format!(r"\frac{{1}}{{{}^2}}", rate.latex)));
+    // a factor that changes no dimension
+    let measured = || rates.iter().filter(|rate| rate.order == 0 && rate.dimension != Dimension::none());
+    for above in measured() {
+        let others = measured().filter(|below| below.dimension == above.dimension && below.name != above.name);
+        candidates.extend(others.map(|below| format!(r"\frac{{{}}}{{{}}}", above.latex, below.latex)));
+    }
     let mut all = Vec::new();
     for summand in places.summands.iter().filter(|summand| &text[summand.span.clone()] != "0") {
         for (place, factor) in summand.factors.iter().enumerate() {
@@ -51,7 +61,7 @@ pub(super) fn factors(places: &Places, text: &str, letters: &Letters<'_, '_>) ->
             };
             let words = format!("no factor `{}` in {}", &text[factor.clone()], told(summand, text));
             if text.get(span.clone()).is_some() && &text[factor.clone()] != "1" {
-                all.push(Edit { kind: EditKind::ExtraFactor, span, after, words });
+                all.push(Edit::new(EditKind::ExtraFactor, span, after, words));
             }
         }
         for factor in &candidates {
@@ -69,7 +79,7 @@ pub(super) fn factors(places: &Places, text: &str, letters: &Letters<'_, '_>) ->
                 || text[at..].starts_with(r"\left");
             let after = if needs_sign { format!(r"{factor} \cdot ") } else { format!("{factor} ") };
             let words = format!("the factor `{factor}` in {}", told(summand, text));
-            all.push(Edit { kind: EditKind::MissingFactor, span: at..at, after, words });
+            all.push(Edit::new(EditKind::MissingFactor, at..at, after, words));
         }
     }
     all

@@ -1,6 +1,6 @@
 //! Hypotheses that a print may have left out: a letter that is zero, a quantity that is constant.
 
-use super::letter_rates::{LetterRate, rates};
+use super::letter_rates::LetterRate;
 use super::places::Places;
 use super::probe::says_nothing;
 use crate::claim_text::ClaimText;
@@ -14,9 +14,9 @@ use symbolic::Sym;
 
 /// Letters and rates that are one symbol of the model, each as zero: inputs first, then what is differentiated most; those of the formula before
 /// the others.
-pub(super) fn candidates(places: &Places, letters: &Letters<'_, '_>) -> Vec<String> {
+pub(super) fn candidates(places: &Places, rates: &[LetterRate]) -> Vec<String> {
     let names: BTreeSet<&str> = places.atoms.iter().map(|atom| atom.name.as_str()).collect();
-    let mut all: Vec<LetterRate> = rates(letters).into_iter().filter(|rate| rate.is_symbol).collect();
+    let mut all: Vec<&LetterRate> = rates.iter().filter(|rate| rate.is_symbol).collect();
     all.sort_by_key(|rate| (!names.contains(rate.name.as_str()), !rate.is_input, Reverse(rate.order)));
     all.iter().map(|rate| format!("{} = 0", rate.latex)).collect()
 }

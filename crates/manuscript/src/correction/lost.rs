@@ -1,62 +1,102 @@
 //! Edits of one term that is lost: the missing terms exactly, where they are short.
 
 use super::edit::Edit;
-use super::letter_rates::{rates, ways_to_tell};
+use super::ground::Ground;
+use super::letter_rates::ways_to_tell;
 use super::places::Places;
 use super::probe::Probe;
+use super::search::edited;
+use super::text_claim::TextClaim;
 use crate::change::EditKind;
 use crate::claim_text::Kind;
 use crate::letters::Letters;
 use latex::{Chain, Meaning, Statement, Value, read, value};
 use model::equations::Equations;
+use std::ops::Range;
 use symbolic::{Hypotheses, Sym, normal};
 
 /// Lost terms with more characters are no slip of a print.
-const SHORT: usize = 90;
+const SHORT: usize = 140;
 
 /// The letter that stands for the term that is looked for.
-const SOUGHT: &str = r"\aleph";
+pub(super) const SOUGHT: &str = r"\aleph";
 
-/// The terms that each sum lacks, where that is so many short terms of the paper's letters at most; in an integral also a letter.
-pub(super) fn lost(
-    kind: Kind,
+/// The terms that each sum of a claim lacks; in an integral also a letter.
+pub(super) fn lost(ground: &TextClaim<'_, '_, '_>, places: &Places, probe: &Probe<'_, '_>, most: usize) -> Vec<Edit> {
+    let (kind, letters) = (ground.claim.kind, ground.letters);
+    if kind == Kind::IntegralOfMotion && most == 1 {
+        let plain = || ground.rates().iter().filter(|rate| rate.order == 0).map(|rate| rate.latex.clone());
+        let terms = || plain().flat_map(|latex| [("+", latex.clone()), ("-", latex)]).collect();
+        return added(open_sums(places, ground.text()).map(|sum| (sum, terms())));
+    }
+    lost_terms(places, ground.text(), letters.spelt(), most, &|statement| sought_values(ground, statement, probe))
+}
+
+/// The values of the sought letter in a claim.
+pub(super) fn sought_values(ground: &TextClaim<'_, '_, '_>, statement: &Statement, probe: &Probe<'_, '_>) -> Vec<Sym> {
+    let zero = one_difference(statement, ground.letters);
+    zero.map_or_else(Vec::new, |zero| missing(ground.claim.kind, zero, ground.letters, probe))
+}
+
+/// The terms that each sum lacks, where these are so many short terms at most: `of` has their values, by the formula in which
+/// the sought letter is added to the sum.
+pub(super) fn lost_terms(
     places: &Places,
     text: &str,
-    letters: &Letters<'_, '_>,
-    probe: &Probe<'_, '_>,
+    mut known: Vec<String>,
     most: usize,
+    of: &dyn Fn(&Statement) -> Vec<Sym>,
 ) -> Vec<Edit> {
-    let mut all: Vec<Edit> = Vec::new();
-    let mut known = letters.spelt();
     if known.iter().any(|name| name == SOUGHT) {
-        return all;
+        return Vec::new();
     }
     known.push(SOUGHT.to_owned());
-    for sum in &places.sums {
+    added(open_sums(places, text).map(|sum| {
+        let with = format!("{}+{SOUGHT}{}", &text[..sum.end], &text[sum.end..]);
+        let terms = read(&with, &known).map_or_else(|_| Vec::new(), |statement| of(&statement));
+        let is_short = |term: &Sym| {
+            let told = term.to_string();
+            *term != Sym::ZERO && told.chars().count() <= SHORT && count(&told) <= most
+        };
+        (sum, terms.into_iter().filter(is_short).map(signed).collect())
+    }))
+}
+
+/// One term that the last side lacks beside an edit.
+pub(super) fn lost_beside(ground: &impl Ground, edit: &Edit, end: usize) -> Vec<Edit> {
+    let mut known = ground.known();
+    if known.iter().any(|name| name == SOUGHT) || edit.span.end > end {
+        return Vec::new();
+    }
+    known.push(SOUGHT.to_owned());
+    let at = Edit::new(EditKind::LostTerm, end..end, format!(" + {SOUGHT}"), String::new());
+    let text = edited(ground.text(), &[edit.clone(), at]).0;
+    let terms = read(&text, &known).map_or_else(|_| Vec::new(), |statement| ground.sought(&statement));
+    let is_short = |term: &Sym| {
+        let told = term.to_string();
+        *term != Sym::ZERO && told.chars().count() <= SHORT / 2 && count(&told) == 1
+    };
+    added(std::iter::once((end..end, terms.into_iter().filter(is_short).map(signed).collect())))
+}
+
+/// The sums behind which a term may stand.
+fn open_sums<'a>(places: &'a Places, text: &'a str) -> impl Iterator<Item = Range<usize>> + 'a {
+    let may_hold = |sum: &&Range<usize>| {
         let behind = text[sum.end..].trim_start();
         let may_follow =
             behind.is_empty() || behind.starts_with([')', ']', '}', '=', '&']) || behind.starts_with(r"\right");
-        if !may_follow || &text[sum.clone()] == "0" {
-            continue;
-        }
-        let terms: Vec<(&str, String)> = match kind {
-            Kind::IntegralOfMotion if most == 1 => {
-                let plain = rates(letters).into_iter().filter(|rate| rate.order == 0);
-                plain.flat_map(|rate| [("+", rate.latex.clone()), ("-", rate.latex)]).collect()
-            }
-            _ => {
-                let with = format!("{}+{SOUGHT}{}", &text[..sum.end], &text[sum.end..]);
-                let read = read(&with, &known).ok().and_then(|statement| one_difference(&statement, letters));
-                read.map_or_else(Vec::new, |zero| missing(kind, zero, letters, probe, most))
-                    .into_iter()
-                    .map(signed)
-                    .collect()
-            }
-        };
+        may_follow && &text[(*sum).clone()] != "0"
+    };
+    places.sums.iter().filter(may_hold).cloned()
+}
+
+/// Edits that add a term behind a sum, the shortest first.
+fn added(terms: impl Iterator<Item = (Range<usize>, Vec<(&'static str, String)>)>) -> Vec<Edit> {
+    let mut all: Vec<Edit> = Vec::new();
+    for (sum, terms) in terms {
         for (sign, latex) in terms {
             let words = format!("the lost term `{sign} {latex}`");
-            let edit =
-                Edit { kind: EditKind::LostTerm, span: sum.end..sum.end, after: format!(" {sign} {latex}"), words };
+            let edit = Edit::new(EditKind::LostTerm, sum.end..sum.end, format!(" {sign} {latex}"), words);
             if !all.contains(&edit) {
                 all.push(edit);
             }
@@ -67,7 +107,7 @@ pub(super) fn lost(
 }
 
 /// A term with its sign in LaTeX; several of them in parentheses.
-fn signed(term: Sym) -> (&'static str, String) {
+pub(super) fn signed(term: Sym) -> (&'static str, String) {
     match (term.to_string().starts_with('-'), count(&term.to_string())) {
         (true, 1) => ("-", (-term).latex()),
         (false, 1) => ("+", term.latex()),
@@ -87,7 +127,7 @@ fn one_difference(statement: &Statement, letters: &Letters<'_, '_>) -> Option<Sy
 }
 
 /// The value that the sought term must have, in the paper's letters: by the motion, and by each equation of motion.
-fn missing(kind: Kind, difference: Sym, letters: &Letters<'_, '_>, probe: &Probe<'_, '_>, most: usize) -> Vec<Sym> {
+fn missing(kind: Kind, difference: Sym, letters: &Letters<'_, '_>, probe: &Probe<'_, '_>) -> Vec<Sym> {
     let sought = sought();
     let plain = difference.substitute(&[(sought, Sym::ZERO)]);
     let slope = difference.diff(sought);
@@ -117,8 +157,7 @@ fn missing(kind: Kind, difference: Sym, letters: &Letters<'_, '_>, probe: &Probe
         let told = ways_to_tell(letters, form.to_sym());
         for own in told {
             let Ok(own) = normal(own, &Hypotheses::none()).map(|form| form.to_sym()) else { continue };
-            let text = own.to_string();
-            if own != Sym::ZERO && text.chars().count() <= SHORT && count(&text) <= most && !found.contains(&own) {
+            if !found.contains(&own) {
                 found.push(own);
             }
         }
@@ -131,7 +170,7 @@ fn count(text: &str) -> usize {
     1 + text.matches(" + ").count() + text.matches(" - ").count()
 }
 
-fn sought() -> Sym {
+pub(super) fn sought() -> Sym {
     Sym::symbol("sought term")
 }
 

@@ -13,6 +13,8 @@ pub(super) struct Summand {
     /// Its number in the sum, and how many terms the sum has.
     pub number: usize,
     pub count: usize,
+    /// The place of its sum among all sums.
+    pub sum: usize,
     /// The side whose term it is; none where the sum stands in a group.
     pub side: Option<usize>,
     /// Its factors, each with its brackets.
@@ -73,6 +75,7 @@ struct Finder<'a> {
 
 impl Finder<'_> {
     fn sum(&mut self, term: &Term, side: Option<usize>) {
+        let sum = self.found.sums.len();
         self.found.sums.push(term.span.clone());
         let parts = self.terms(term);
         let count = parts.len();
@@ -83,7 +86,7 @@ impl Finder<'_> {
             let span = self.trimmed(from..to);
             let leaves = factors(part);
             let factors = leaves.iter().map(|leaf| self.with_brackets(&leaf.span, &span)).collect();
-            self.found.summands.push(Summand { sign, span, number: place + 1, count, side, factors });
+            self.found.summands.push(Summand { sign, span, number: place + 1, count, sum, side, factors });
             for leaf in leaves {
                 self.leaf(leaf);
             }

@@ -1,10 +1,13 @@
 //! Points of the motion at which a claim must hold: most candidates fail there, before anything is decided exactly.
 
+use super::ground::Look;
+use super::samples::Samples;
 use crate::claim_text::{ClaimText, Kind};
 use crate::conditions::{Hypothesis, assume, conditions};
 use crate::equation::{Outcome, vanishes};
 use crate::integrals::difference;
 use crate::letters::{Letters, rate};
+use crate::linearisation::Linearisation;
 use crate::lines::{Line, lines};
 use crate::motion::Motion;
 use crate::refutation::Refutation;
@@ -19,6 +22,10 @@ pub(super) struct Probe<'t, 'm> {
     kind: Kind,
     /// Lines that say nothing in the print itself.
     empty: usize,
+    samples: Option<Samples>,
+    linear: Option<Linearisation<'t, 'm>>,
+    /// The hypotheses alone.
+    assumed: Motion<'t, 'm>,
 }
 
 impl<'t, 'm> Probe<'t, 'm> {
@@ -29,12 +36,24 @@ impl<'t, 'm> Probe<'t, 'm> {
         letters: &Letters<'t, 'm>,
         assumed: &[Hypothesis],
     ) -> Option<Self> {
+        let linear = match claim.kind {
+            Kind::LinearisedEquation => Some(Linearisation::of(claim, letters, assumed).ok()?.ok()?),
+            _ => None,
+        };
         let is_static = claim.kind == Kind::Identity;
         let trace = letters.trace;
         let motion = if is_static { Ok(Motion::by_constraints(trace)) } else { Motion::by_equations(trace) };
-        let mut motion = motion.ok()?;
-        assume(&mut motion, assumed).ok()?;
-        let mut probe = Probe { motion, at: None, kind: claim.kind, empty: 0 };
+        let mut motion = match &linear {
+            Some(linear) => linear.base.clone(),
+            None => motion.ok()?,
+        };
+        if linear.is_none() {
+            assume(&mut motion, assumed).ok()?;
+        }
+        let samples = Samples::of(&motion.hypotheses);
+        let mut hypothetical = Motion::without_anything(trace);
+        assume(&mut hypothetical, assumed).ok()?;
+        let mut probe = Probe { motion, at: None, kind: claim.kind, empty: 0, samples, assumed: hypothetical, linear };
         let lines = probe.lines(claim, statement, letters)?;
         probe.empty = lines.iter().filter(|line| says_nothing(line)).count();
         let conditions = conditions(&probe.motion, assumed);
@@ -63,6 +82,15 @@ impl<'t, 'm> Probe<'t, 'm> {
     fn lines(&self, claim: &ClaimText, statement: &Statement, letters: &Letters<'_, '_>) -> Option<Vec<Line>> {
         match self.kind {
             Kind::EquationOfMotion | Kind::Formula | Kind::Identity => lines(claim, statement, letters).ok(),
+            Kind::LinearisedEquation => {
+                let linear = self.linear.as_ref()?;
+                let lines = lines(claim, statement, letters).ok()?;
+                let of = |line: Line| {
+                    let parts = linear.parts(line.model[0] - line.model[1]).into_iter();
+                    parts.map(move |(part, _)| Line { model: [part, Sym::ZERO], own: line.own }).collect::<Vec<_>>()
+                };
+                Some(lines.into_iter().flat_map(of).collect())
+            }
             Kind::IntegralOfMotion => {
                 let (is, own) = difference(claim, statement, letters).ok()?;
                 let changing = rate(letters.trace, is).ok()?;
@@ -70,6 +98,13 @@ impl<'t, 'm> Probe<'t, 'm> {
             }
             _ => None,
         }
+    }
+
+    /// What is left of a claim's lines at points in double precision.
+    pub fn residual(&self, claim: &ClaimText, statement: &Statement, letters: &Letters<'_, '_>) -> Option<Vec<f64>> {
+        let lines = self.lines(claim, statement, letters)?;
+        let zeros: Vec<Sym> = lines.iter().map(|line| self.motion.reduced(line.model[0] - line.model[1])).collect();
+        self.samples.as_ref()?.values(&zeros)
     }
 
     /// The verdict of points on an edited claim.
@@ -87,6 +122,14 @@ impl<'t, 'm> Probe<'t, 'm> {
         if matches!(self.kind, Kind::IntegralOfMotion | Kind::EquationOfMotion) && zeros.iter().any(is_empty) {
             return Look::Fails;
         }
+        // two sides that vanish by the hypotheses say nothing
+        let vanishes = |side: Sym| decide(self.assumed.reduced(side), &self.assumed.hypotheses).is_zero();
+        if self.linear.is_none()
+            && !self.assumed.held.is_empty()
+            && lines.iter().any(|line| line.model.into_iter().all(vanishes))
+        {
+            return Look::Fails;
+        }
         let reduced: Vec<Sym> = zeros.iter().map(|zero| self.motion.reduced(*zero)).collect();
         match identified(&reduced) {
             // rules of hypotheses hold in no prime field
@@ -96,15 +139,6 @@ impl<'t, 'm> Probe<'t, 'm> {
             _ => Look::Open,
         }
     }
-}
-
-/// The verdict of points on a claim.
-pub(super) enum Look {
-    /// It says nothing, or it is false.
-    Fails,
-    Holds,
-    /// The points give it no value.
-    Open,
 }
 
 /// Both sides are one expression of the letters.

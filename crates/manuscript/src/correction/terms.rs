@@ -13,9 +13,8 @@ pub(super) fn superfluous(places: &Places, text: &str) -> Vec<Edit> {
 /// Each term away that stands in its sum twice.
 pub(super) fn repeated(places: &Places, text: &str) -> Vec<Edit> {
     away(places, text, |place, summand| {
-        let first = place + 1 - summand.number;
-        let before = places.summands.get(first..place).unwrap_or_default();
-        before.iter().any(|other| text[other.span.clone()] == text[summand.span.clone()])
+        let before = places.summands[..place].iter().filter(|other| other.sum == summand.sum);
+        before.into_iter().any(|other| text[other.span.clone()] == text[summand.span.clone()])
     })
 }
 
@@ -35,7 +34,7 @@ fn away(places: &Places, text: &str, chosen: impl Fn(usize, &Summand) -> bool) -
             span.end = at + 1;
         }
         let words = format!("no `{}`, which is {}", &text[summand.span.clone()], told(summand, text));
-        all.push(Edit { kind: EditKind::ExtraTerm, span, after: String::new(), words });
+        all.push(Edit::new(EditKind::ExtraTerm, span, "", words));
     }
     all
 }

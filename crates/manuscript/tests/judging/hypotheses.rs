@@ -62,3 +62,15 @@ fn a_tie_is_told_and_a_printed_zero_confirms_nothing() {
     assert_eq!(verdict(&found), "undecided", "{}", found.text());
     assert!(found.text().contains("no significant digit"), "{}", found.text());
 }
+
+#[test]
+fn an_angle_that_is_a_part_of_pi_has_its_cosine() {
+    for (given, formula, expected) in [
+        (r"\theta = \pi", "V = m g l", "proved"),
+        (r"\theta = \pi", "V = -m g l", "refuted"),
+        (r"\theta = \frac{\pi}{3}", r"V = -\frac{1}{2} m g l", "proved"),
+    ] {
+        let found = on_pendulum("formula", formula, &format!("given = ['{given}']"));
+        assert_eq!(verdict(&found), expected, "{}", found.text());
+    }
+}

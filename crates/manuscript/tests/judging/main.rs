@@ -4,7 +4,11 @@ mod certificates;
 mod constraints;
 mod corrections;
 mod divisors;
+mod domains;
+mod functions;
 mod hypotheses;
+mod inequalities;
+mod linearised;
 mod messages;
 mod pendulum;
 

@@ -1,6 +1,6 @@
 //! Every kind of claim on a pendulum.
 
-use crate::{on_pendulum, verdict};
+use crate::{PENDULUM, judged, on_pendulum, verdict};
 
 #[test]
 fn an_equation_of_motion_holds_up_to_a_factor() {
@@ -92,7 +92,7 @@ fn inequalities_are_proved_by_signs_or_fail_at_a_point() {
         (r"m l^2 > 0", positive, "proved"),
         (r"\cos\theta > 0", "", "refuted"),
         (r"T \geq 0", "", "refuted"),
-        (r"1 + \cos\theta \geq 0", "", "undecided"),
+        (r"1 + \cos\theta \geq 0", "", "proved"),
     ] {
         assert_eq!(verdict(&on_pendulum("inequality", formula, given)), expected, "{formula}");
     }
@@ -162,4 +162,28 @@ fn a_printed_number_is_judged_to_its_last_digit() {
         let found = on_pendulum("number", formula, data);
         assert_eq!(verdict(&found), expected, "{}", found.text());
     }
+}
+
+#[test]
+fn a_display_is_a_claim_for_each_of_its_formulas() {
+    let display = r"
+\begin{aligned}
+T &= \tfrac12 m l^2 \dot{\theta}^2, \\
+V &= - m g l \cos\theta, \\
+m l \pm T &= m l \pm T \\
+\ddot\theta &= - \frac{g}{l}
+  \cos\theta
+\end{aligned}";
+    let claim = format!("[[claim]]\nequation = \"1\"\nkind = \"formula\"\nformula = '''{display}'''\n");
+    let found = judged(&format!("{PENDULUM}\n{claim}")).unwrap_or_else(|error| panic!("{error}"));
+    let told: Vec<(&str, &str)> = found.iter().map(|found| (found.judged.id.as_str(), verdict(found))).collect();
+    let expected = [
+        ("paper/eq1/1", "proved"),
+        ("paper/eq1/2", "proved"),
+        ("paper/eq1/3/upper", "proved"),
+        ("paper/eq1/3/lower", "proved"),
+        ("paper/eq1/4", "refuted"),
+    ];
+    assert_eq!(told, expected);
+    assert!(found[4].corrections[0].formula.contains(r"\sin\theta"), "{}", found[4].text());
 }

@@ -1,0 +1,192 @@
+//! Displays: one formula or several on lines, and double signs, taken apart into formulas of one line.
+
+use crate::NotFormula;
+use crate::name::argument_end;
+use crate::token::{Kind, Token, tokens};
+use std::ops::Range;
+
+/// Environments that hold lines of formulas.
+const ENVIRONMENTS: &str = "aligned align align* alignedat split gathered gather gather* multline multline* eqnarray eqnarray* \
+    equation equation* displaymath math";
+
+/// Commands for numbers of formulas, with the number of their arguments.
+const NUMBERS: [(&str, usize); 5] = [("tag", 1), ("label", 1), ("nonumber", 0), ("notag", 0), ("displaybreak", 0)];
+
+/// A formula of a display.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Displayed {
+    /// Tells it from the others: `1`, `upper`, `2/lower`; empty where it is the only one.
+    pub name: String,
+    /// As long as its part of the display, so that places in it are places there: what is no part of the formula is blank.
+    pub text: String,
+    /// The byte of the display at which it begins.
+    pub start: usize,
+}
+
+/// The formulas of a display. A line that begins with a relation goes on with the line before, and so does one behind a line that ends with
+/// an operator; `\pm` and `\mp` make two formulas of one, with all upper signs and with all lower ones.
+///
+/// # Errors
+/// The place at which it is not clear what belongs together.
+pub fn formulas(text: &str) -> Result<Vec<Displayed>, NotFormula> {
+    let plain = || vec![Displayed { name: String::new(), text: text.to_owned(), start: 0 }];
+    // whatever is wrong there is told where the formula is read
+    let Ok(tokens) = tokens(text) else { return Ok(plain()) };
+    let whole = unwrapped(&tokens);
+    let is_plain = |token: &Token| !["pm", "mp", "\\"].into_iter().any(|name| token.is_command(name));
+    let is_numbered = |token: &Token| NUMBERS.iter().any(|(name, _)| token.is_command(name));
+    if whole == (0..tokens.len()) && tokens.iter().all(|token| is_plain(token) && !is_numbered(token)) {
+        return Ok(plain());
+    }
+    let lines = lines(&tokens, whole, text)?;
+    if lines.is_empty() {
+        return Ok(plain());
+    }
+    let count = lines.len();
+    let mut all = Vec::new();
+    for (place, range) in lines.into_iter().enumerate() {
+        let number = if count > 1 { (place + 1).to_string() } else { String::new() };
+        let held = &tokens[range];
+        let (Some(first), Some(last)) = (held.first(), held.last()) else { continue };
+        let start = first.span.start;
+        let mut line = text[start..last.span.end].to_owned();
+        for span in blanks(held) {
+            let blank = " ".repeat(span.len());
+            line.replace_range(span.start - start..span.end - start, &blank);
+        }
+        let doubled = held.iter().any(|token| token.is_command("pm") || token.is_command("mp"));
+        if !doubled {
+            all.push(Displayed { name: number, text: line, start });
+            continue;
+        }
+        for (name, plus, minus) in [("upper", "pm", "mp"), ("lower", "mp", "pm")] {
+            let mut one = line.clone();
+            for token in held {
+                let sign = match &token.kind {
+                    Kind::Command(command) if command == plus => "+",
+                    Kind::Command(command) if command == minus => "-",
+                    _ => continue,
+                };
+                one.replace_range(token.span.start - start..token.span.end - start, &format!("{sign:<3}"));
+            }
+            let name = if number.is_empty() { name.to_owned() } else { format!("{number}/{name}") };
+            all.push(Displayed { name, text: one, start });
+        }
+    }
+    Ok(all)
+}
+
+/// The tokens inside of the environments about a display.
+fn unwrapped(tokens: &[Token]) -> Range<usize> {
+    let mut range = 0..tokens.len();
+    loop {
+        let Some(begin) = environment(tokens, range.start, "begin") else { return range };
+        let Some(end) = (range.start..range.end).rev().find(|&at| tokens[at].is_command("end")) else { return range };
+        let closes = environment(tokens, end, "end").is_some_and(|close| close.1 == range.end && close.0 == begin.0);
+        if !closes || !ENVIRONMENTS.split_whitespace().any(|known| known == begin.0) {
+            return range;
+        }
+        range = begin.1..end;
+        // the number of columns
+        if begin.0 == "alignedat" {
+            range.start = argument_end(tokens, range.start).unwrap_or(range.start);
+        }
+    }
+}
+
+/// The name of an environment that begins or ends at a place, and where its name ends.
+fn environment(tokens: &[Token], at: usize, command: &str) -> Option<(String, usize)> {
+    tokens.get(at).filter(|token| token.is_command(command))?;
+    let end = argument_end(tokens, at + 1)?;
+    let name = tokens[at + 1..end].iter().filter_map(|token| match token.kind {
+        Kind::Letter(letter) | Kind::Sign(letter) => Some(letter),
+        _ => None,
+    });
+    Some((name.collect(), end))
+}
+
+/// The ranges of tokens that are one formula each.
+fn lines(tokens: &[Token], whole: Range<usize>, text: &str) -> Result<Vec<Range<usize>>, NotFormula> {
+    let mut depth = 0usize;
+    let mut breaks = Vec::new();
+    for at in whole.clone() {
+        match &tokens[at].kind {
+            Kind::Open => depth += 1,
+            Kind::Close => depth = depth.saturating_sub(1),
+            Kind::Command(name) if name == "begin" => depth += 1,
+            Kind::Command(name) if name == "end" => depth = depth.saturating_sub(1),
+            Kind::Command(name) if name == "\\" && depth == 0 => breaks.push(at),
+            _ => {}
+        }
+    }
+    let mut all: Vec<Range<usize>> = Vec::new();
+    let mut start = whole.start;
+    for end in breaks.into_iter().chain([whole.end]) {
+        let line = start..end;
+        start = end + 1;
+        let content: Vec<&Token> = tokens[line.clone()].iter().filter(|token| is_content(token)).collect();
+        let Some(first) = content.first() else { continue };
+        let Some(last) = all.last_mut() else {
+            all.push(line);
+            continue;
+        };
+        let before: Vec<&Token> = tokens[last.clone()].iter().filter(|token| is_content(token)).collect();
+        let goes_on = super::reader::is_relation(first) || before.last().is_some_and(|last| is_open(last));
+        let is_signed = first.is_sign('+') || first.is_sign('-') || first.is_command("pm") || first.is_command("mp");
+        let relates = |tokens: &[&Token]| tokens.iter().any(|token| super::reader::is_relation(token));
+        match (goes_on, is_signed) {
+            (true, _) => last.end = line.end,
+            (false, true) if !relates(&content) => last.end = line.end,
+            (false, true) => {
+                let title = "a line that begins with a sign goes on with the line before, or is a formula of its own";
+                let accepted = "the sign at the end of the line before, or parentheses about the side: (-a) = b";
+                let written = &text[first.span.clone()];
+                return Err(NotFormula::at(first.span.clone(), title, format!("`{written}` of which line?"), accepted));
+            }
+            (false, false) => all.push(line),
+        }
+    }
+    Ok(all)
+}
+
+fn is_content(token: &Token) -> bool {
+    token.kind != Kind::Space && !token.is_sign('&')
+}
+
+/// Whether a formula cannot end here.
+fn is_open(token: &Token) -> bool {
+    let is_operator = ["cdot", "times", "pm", "mp"].into_iter().any(|name| token.is_command(name));
+    is_operator || ['+', '-', '/'].into_iter().any(|sign| token.is_sign(sign)) || super::reader::is_relation(token)
+}
+
+/// The places of a formula that are no part of it: ends of lines, marks of columns, numbers.
+fn blanks(tokens: &[Token]) -> Vec<Range<usize>> {
+    let mut depth = 0usize;
+    let mut all = Vec::new();
+    for (at, token) in tokens.iter().enumerate() {
+        match &token.kind {
+            Kind::Open => depth += 1,
+            Kind::Close => depth = depth.saturating_sub(1),
+            Kind::Command(name) if name == "begin" => depth += 1,
+            Kind::Command(name) if name == "end" => depth = depth.saturating_sub(1),
+            Kind::Command(name) if name == "\\" && depth == 0 => all.push(token.span.clone()),
+            Kind::Sign('&') if depth == 0 => all.push(token.span.clone()),
+            Kind::Command(name) => {
+                if let Some((_, arguments)) = NUMBERS.iter().find(|(known, _)| known == name) {
+                    let end = (0..*arguments).try_fold(at + 1, |at, _| argument_end(tokens, at));
+                    let last = end.and_then(|end| tokens.get(end.saturating_sub(1)));
+                    all.push(token.span.start..last.map_or(token.span.end, |last| last.span.end));
+                }
+            }
+            _ => {}
+        }
+    }
+    // punctuation at the end of a line
+    let is_end = |at: usize| tokens.get(at).is_none_or(|next| next.is_command("\\"));
+    let points = tokens
+        .iter()
+        .enumerate()
+        .filter(|(at, token)| [',', '.', ';'].into_iter().any(|sign| token.is_sign(sign)) && is_end(at + 1));
+    all.extend(points.map(|(_, token)| token.span.clone()));
+    all
+}

@@ -1,0 +1,147 @@
+//! Edits of different terms together: their changes add up, so that those which make up the residual are found without trying all.
+
+use super::edit::Edit;
+use crate::change::EditKind;
+use std::ops::Range;
+
+/// Edits of one term with the change of the residual that they make.
+pub(super) struct Effect {
+    pub edits: Vec<Edit>,
+    pub change: Vec<f64>,
+}
+
+/// Edits that are combined in threes.
+const MOST_IN_THREES: usize = 1_200;
+
+/// Combinations that are told.
+const MOST: usize = 400;
+
+/// Two residuals, or a residual and zero, agree to this part of their size.
+pub(super) const ROUNDING: f64 = 1e-8;
+
+/// Whether each entry is zero beside the size of what was added up.
+pub(super) fn is_small(residual: &[f64], sizes: &[f64]) -> bool {
+    residual.iter().zip(sizes).all(|(value, size)| value.abs() <= ROUNDING * (1.0 + size.abs()))
+}
+
+/// Edits of one term that are paired there.
+const MOST_OF_TERM: usize = 240;
+
+/// Pairs of edits of two factors of a term: by `gone`, the change of the residual where the term is zero, each edit multiplies the
+/// term by a number, and both by the product.
+pub(super) fn in_one_product(effects: &[Effect], term: &Range<usize>, gone: &[f64]) -> Vec<Effect> {
+    let holds = |edit: &Edit| term.start <= edit.span.start && edit.span.end <= term.end;
+    let own: Vec<&Effect> = effects.iter().filter(|effect| effect.edits.iter().all(holds)).take(MOST_OF_TERM).collect();
+    let mut all = Vec::new();
+    for (place, first) in own.iter().enumerate() {
+        for second in own[place + 1..].iter().filter(|second| are_apart(first, second)) {
+            let both = first.change.iter().zip(&second.change).zip(gone);
+            let change: Vec<f64> = both.map(|((a, b), gone)| a + b - a * b / gone).collect();
+            if change.iter().all(|change| change.is_finite()) {
+                all.push(Effect { edits: [&first.edits[..], &second.edits].concat(), change });
+            }
+        }
+    }
+    all
+}
+
+/// Pairs of edits of one term that make up the residual, the smallest edits first.
+pub(super) fn alone(effects: &[Effect], residual: &[f64]) -> Vec<Vec<Edit>> {
+    let is_it = |effect: &&Effect| {
+        let rest: Vec<f64> = effect.change.iter().zip(residual).map(|(change, rest)| change + rest).collect();
+        effect.edits.len() > 1 && is_small(&rest, residual)
+    };
+    by_size(effects.iter().filter(is_it).map(|effect| vec![effect]).collect())
+}
+
+/// Pairs of edits that stand apart and whose changes add up to the opposite of the residual, the smallest edits first.
+pub(super) fn pairs(effects: &[Effect], residual: &[f64]) -> Vec<Vec<Edit>> {
+    let sorted = Sorted::of(effects);
+    let mut found = Vec::new();
+    for (place, first) in effects.iter().enumerate() {
+        let sought: Vec<f64> = residual.iter().zip(&first.change).map(|(rest, change)| -rest - change).collect();
+        for other in sorted.near(&sought, residual) {
+            if other > place && are_apart(first, &effects[other]) {
+                found.push(vec![first, &effects[other]]);
+            }
+        }
+    }
+    by_size(found)
+}
+
+/// The same for three edits.
+pub(super) fn triples(effects: &[Effect], residual: &[f64]) -> Vec<Vec<Edit>> {
+    let effects = &effects[..effects.len().min(MOST_IN_THREES)];
+    let sorted = Sorted::of(effects);
+    let mut found = Vec::new();
+    for (place, first) in effects.iter().enumerate() {
+        for (next, second) in effects.iter().enumerate().skip(place + 1) {
+            if found.len() >= 10 * MOST || !are_apart(first, second) {
+                continue;
+            }
+            let changes = first.change.iter().zip(&second.change);
+            let sought: Vec<f64> = residual.iter().zip(changes).map(|(rest, (a, b))| -rest - a - b).collect();
+            for other in sorted.near(&sought, residual) {
+                let third = &effects[other];
+                if other > next && are_apart(first, third) && are_apart(second, third) {
+                    found.push(vec![first, second, third]);
+                }
+            }
+        }
+    }
+    by_size(found)
+}
+
+fn by_size(mut found: Vec<Vec<&Effect>>) -> Vec<Vec<Edit>> {
+    let edits = |effects: &[&Effect]| effects.iter().flat_map(|effect| effect.edits.clone()).collect::<Vec<_>>();
+    found.sort_by_key(|effects| edits(effects).iter().map(size).sum::<u32>());
+    found.truncate(MOST);
+    found.iter().map(|effects| edits(effects)).collect()
+}
+
+fn are_apart(first: &Effect, second: &Effect) -> bool {
+    first.edits.iter().all(|one| second.edits.iter().all(|other| apart(one, other)))
+}
+
+/// Slips of one sign before others, and plain factors before powers and quotients.
+pub(super) fn size(edit: &Edit) -> u32 {
+    let is_composed =
+        edit.after.contains("^2") || edit.after.starts_with(r"\frac{") && !edit.after.starts_with(r"\frac{1}");
+    match edit.kind {
+        EditKind::Sign | EditKind::Dot | EditKind::Function | EditKind::Exponent | EditKind::Direction => 2,
+        EditKind::MissingFactor if is_composed => 4,
+        EditKind::Letter | EditKind::Number | EditKind::MissingFactor | EditKind::ExtraFactor => 3,
+        _ => 4,
+    }
+}
+
+pub(super) fn apart(first: &Edit, second: &Edit) -> bool {
+    first.span.end <= second.span.start || second.span.end <= first.span.start
+}
+
+/// Effects by their first change.
+struct Sorted<'a> {
+    effects: &'a [Effect],
+    order: Vec<usize>,
+}
+
+impl<'a> Sorted<'a> {
+    fn of(effects: &'a [Effect]) -> Self {
+        let mut order: Vec<usize> = (0..effects.len()).collect();
+        order.sort_by(|&a, &b| effects[a].change[0].total_cmp(&effects[b].change[0]));
+        Sorted { effects, order }
+    }
+
+    /// Those with this change.
+    fn near<'c>(&'c self, sought: &'c [f64], sizes: &'c [f64]) -> impl Iterator<Item = usize> + 'c {
+        let width = ROUNDING * (1.0 + sizes[0].abs() + sought[0].abs());
+        let change = |place: usize| &self.effects[place].change;
+        let from = self.order.partition_point(|&place| change(place)[0] < sought[0] - width);
+        let near = self.order[from..].iter().copied().take_while(move |&place| change(place)[0] <= sought[0] + width);
+        near.filter(move |&place| {
+            let rest: Vec<f64> = change(place).iter().zip(sought).map(|(change, sought)| change - sought).collect();
+            let size: Vec<f64> = sizes.iter().zip(sought).map(|(size, sought)| size.abs() + sought.abs()).collect();
+            is_small(&rest, &size)
+        })
+    }
+}

@@ -1,0 +1,371 @@
+//! An equation that is recorded as expressions, beside what was derived: its print is edited as that of a text claim is.
+
+use super::edit::Edit;
+use super::ground::{Ground, Look, Proof, cleared};
+use super::letter_rates::LetterRate;
+use super::lost::{SOUGHT, lost_terms, sought};
+use super::places::Places;
+use super::samples::Samples;
+use super::search::Search;
+use crate::change::Correction;
+use crate::refutation::Refutation;
+use claims::examine::mixed_lines;
+use claims::{Line, Page, Verdict};
+use latex::{Chain, Meaning, Statement, Term, Value, letter_name, read, value};
+use symbolic::{Decision, Dimension, Hypotheses, Identity, Sym, coefficients, decide, identified, normal};
+
+/// A correction of a recorded equation.
+#[derive(Clone, Debug)]
+pub struct LineCorrection {
+    pub correction: Correction,
+    /// The corrected equation, in the letters of the page.
+    pub line: Line,
+}
+
+/// Why a recorded equation has no print to be edited.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct NotRead(pub String);
+
+/// The smallest edits by which an equation, which is not what was derived, becomes it: each is proved under the hypotheses.
+///
+/// # Errors
+/// The LaTeX of the equation is not read back as the equation.
+pub fn line_corrections(
+    line: &Line,
+    hypotheses: &Hypotheses,
+    dimension: fn(&str) -> Option<Dimension>,
+    goes_on: &dyn Fn() -> bool,
+) -> Result<Vec<LineCorrection>, NotRead> {
+    let ground = Recorded::of(line, hypotheses, dimension, goes_on)?;
+    let statement = read(&ground.text, &ground.known()).map_err(|fault| NotRead(fault.to_string()))?;
+    let sides = ground.sides(&statement).ok_or_else(|| NotRead("a side has no value".to_owned()))?;
+    let is_same = |read: Sym, recorded: Sym| read == recorded || decide(read - recorded, &Hypotheses::none()).is_zero();
+    if !is_same(sides.right, line.right) || !line.names && !is_same(sides.left, line.left) {
+        return Err(NotRead(format!("{} is read as {}", ground.text, sides.right)));
+    }
+    let search = Search::of(&ground, &statement);
+    let mut found = search.small();
+    if found.is_empty() {
+        found = search.large();
+    }
+    let edited = |correction: Correction| {
+        let statement = read(&correction.formula, &ground.known()).ok()?;
+        Some(LineCorrection { line: ground.sides(&statement)?, correction })
+    };
+    Ok(found.into_iter().filter_map(edited).collect())
+}
+
+/// A letter of a print, or its rate.
+struct Letter {
+    name: String,
+    order: u32,
+    latex: String,
+    symbol: Sym,
+    /// Whether the page has it; else it stands between a letter and its second rate.
+    is_recorded: bool,
+}
+
+struct Recorded<'a> {
+    line: &'a Line,
+    hypotheses: &'a Hypotheses,
+    dimension: fn(&str) -> Option<Dimension>,
+    goes_on: &'a dyn Fn() -> bool,
+    letters: Vec<Letter>,
+    rates: Vec<LetterRate>,
+    text: String,
+    /// A point at which the equation as printed is not what was derived.
+    at: Option<Refutation>,
+    samples: Option<Samples>,
+}
+
+/// The left side where it is a name alone: it stands for what was derived.
+const DERIVED: &str = r"\aleph_{0}";
+
+impl<'a> Recorded<'a> {
+    fn of(
+        line: &'a Line,
+        hypotheses: &'a Hypotheses,
+        dimension: fn(&str) -> Option<Dimension>,
+        goes_on: &'a dyn Fn() -> bool,
+    ) -> Result<Self, NotRead> {
+        let printed = if line.names { vec![line.right] } else { vec![line.left, line.right] };
+        let stated = hypotheses.statements().iter().flat_map(|&(left, right)| [left, right]);
+        let mut symbols: Vec<Sym> = Vec::new();
+        for symbol in printed.into_iter().chain([line.derived]).chain(stated).flat_map(Sym::symbols_of) {
+            if !symbols.contains(&symbol) {
+                symbols.push(symbol);
+            }
+        }
+        let letters = letters(&symbols);
+        let own = in_print(&letters);
+        let latex = |side: Sym| side.substitute(&own).latex();
+        let left = if line.names { DERIVED.to_owned() } else { latex(line.left) };
+        let text = format!("{left} = {}", latex(line.right));
+        let of_letter = |letter: &Letter| LetterRate {
+            name: letter.name.clone(),
+            order: letter.order,
+            latex: letter.latex.clone(),
+            dimension: dimension(&letter.symbol.to_string()).unwrap_or(Dimension::none()),
+            is_symbol: true,
+            is_input: false,
+        };
+        let rates = letters.iter().filter(|letter| letter.is_recorded).map(of_letter).collect();
+        let at = match decide(line.derived - line.printed(), hypotheses) {
+            Decision::NonZero(witness) => Some(completed(witness.point, &symbols, hypotheses)),
+            _ => None,
+        };
+        Ok(Recorded {
+            line,
+            hypotheses,
+            dimension,
+            goes_on,
+            letters,
+            rates,
+            text,
+            at,
+            samples: Samples::of(hypotheses),
+        })
+    }
+
+    fn values(&self, statement: &Statement) -> Option<[Sym; 2]> {
+        let [Chain { sides, .. }] = &statement.chains[..] else { return None };
+        let [left, right] = &sides[..] else { return None };
+        Some([self.value(left)?, self.value(right)?])
+    }
+
+    fn value(&self, term: &Term) -> Option<Sym> {
+        match value(term, &Letters(self)) {
+            Ok(Value::Scalar(value)) => Some(value),
+            _ => None,
+        }
+    }
+
+    /// An edited equation in the letters of the page; none where its name is edited.
+    fn sides(&self, statement: &Statement) -> Option<Line> {
+        let [left, right] = self.values(statement)?;
+        match self.line.names {
+            true => (left == self.line.derived).then_some(Line { right, ..*self.line }),
+            false => Some(Line { left, right, ..*self.line }),
+        }
+    }
+
+    /// An expression in its normal form, and by each letter that stands for another expression, solved for one of the symbols there.
+    fn ways_to_tell(&self, expression: Sym) -> Vec<Sym> {
+        let form = |expression: Sym| normal(expression, &Hypotheses::none()).map(|form| form.to_sym());
+        let Ok(plain) = normal(expression, self.hypotheses).map(|form| form.to_sym()) else { return Vec::new() };
+        // a letter that is set to a number keeps dimensions right
+        let lettered = with_letters(self.hypotheses).and_then(|known| normal(expression, &known).ok());
+        let mut all: Vec<Sym> = [plain].into_iter().chain(lettered.map(|form| form.to_sym())).collect();
+        for &(letter, stands_for) in self.hypotheses.statements() {
+            let known = plain.symbols_of();
+            if letter.symbol_name().is_none() {
+                continue;
+            }
+            for symbol in stands_for.symbols_of().into_iter().filter(|symbol| known.contains(symbol)) {
+                let zero = normal(stands_for - letter, &Hypotheses::none()).map(|form| form.numerator());
+                let Ok(terms) = zero.map_err(|_| ()).and_then(|zero| coefficients(zero, &[symbol]).map_err(|_| ()))
+                else {
+                    continue;
+                };
+                let of =
+                    |power: u32| terms.iter().find(|(exponents, _)| exponents[0] == power).map(|(_, value)| *value);
+                if let (Some(factor), true) = (of(1), terms.iter().all(|(exponents, _)| exponents[0] <= 1)) {
+                    let solved = -of(0).unwrap_or(Sym::ZERO) / factor;
+                    all.extend(form(plain.substitute(&[(symbol, solved)])));
+                }
+            }
+        }
+        all.sort_by_key(|told| told.to_string().len());
+        all.dedup();
+        all
+    }
+
+    fn difference(&self, statement: &Statement) -> Option<Sym> {
+        let [left, right] = self.values(statement)?;
+        // a name stands for what was derived
+        Some(if self.line.names { right - left } else { left - right - self.line.derived })
+    }
+}
+
+/// A point with the values of the letters that hypotheses give.
+fn completed(point: Vec<(Sym, Sym)>, symbols: &[Sym], hypotheses: &Hypotheses) -> Refutation {
+    let mut at = Refutation { point, is_formal: false };
+    for &symbol in symbols {
+        let is_known = at.point.iter().any(|(known, _)| *known == symbol);
+        let reduced = normal(symbol, hypotheses).map(|form| form.to_sym());
+        if let (false, Some(value)) = (is_known, reduced.ok().and_then(|reduced| at.value(reduced))) {
+            at.point.push((symbol, value));
+        }
+    }
+    at
+}
+
+/// Hypotheses without those that set a letter to a number; none where there are others than letters that stand for expressions.
+fn with_letters(hypotheses: &Hypotheses) -> Option<Hypotheses> {
+    hypotheses.statements().iter().try_fold(Hypotheses::none(), |known, &(letter, value)| match value.as_constant() {
+        Some(_) => Some(known),
+        None => letter.symbol_name().map(|_| known.given(letter, value)),
+    })
+}
+
+/// Letters for symbols: those of the page where its LaTeX is that of a letter, or of its rate.
+fn letters(symbols: &[Sym]) -> Vec<Letter> {
+    let mut all: Vec<Letter> = Vec::new();
+    for (place, &symbol) in symbols.iter().enumerate() {
+        let latex = symbol.latex();
+        let (order, below) = [(2, r"\ddot"), (1, r"\dot")]
+            .into_iter()
+            .find_map(|(order, dots)| Some((order, latex.strip_prefix(dots)?)))
+            .map_or((0, latex.clone()), |(order, rest)| (order, rest.trim_start().to_owned()));
+        // `\dot{x}_1` is the rate of `x_1`
+        let below = match below.strip_prefix('{').and_then(|rest| rest.split_once('}')) {
+            Some((held, behind)) if order > 0 => format!("{held}{behind}"),
+            _ => below,
+        };
+        let name = letter_name(&below).ok().filter(|name| name != SOUGHT && name != DERIVED && name != r"\pi");
+        let is_taken = |name: &str, order: u32| all.iter().any(|other| other.name == name && other.order == order);
+        let (name, order) = match name {
+            Some(name) if !is_taken(&name, order) => (name, order),
+            _ => (format!("z_{{{place}}}"), 0),
+        };
+        let dots = ["", r"\dot", r"\ddot"][order as usize];
+        let latex = if order == 0 { name.clone() } else { format!("{dots}{{{name}}}") };
+        all.push(Letter { name, order, latex, symbol, is_recorded: true });
+    }
+    let highest: Vec<(String, u32)> = all.iter().map(|letter| (letter.name.clone(), letter.order)).collect();
+    for (name, order) in highest.iter().flat_map(|(name, order)| (0..*order).map(move |below| (name, below))) {
+        if all.iter().all(|letter| letter.name != *name || letter.order != order) {
+            let symbol = Sym::symbol(&format!("letter {name} {order}"));
+            all.push(Letter { name: name.clone(), order, latex: String::new(), symbol, is_recorded: false });
+        }
+    }
+    all
+}
+
+/// The symbols of the page with the LaTeX of the print.
+fn in_print(letters: &[Letter]) -> Vec<(Sym, Sym)> {
+    let recorded = letters.iter().filter(|letter| letter.is_recorded);
+    recorded.map(|letter| (letter.symbol, Sym::named(&format!("·{}", letter.symbol), &letter.latex))).collect()
+}
+
+impl Ground for Recorded<'_> {
+    fn text(&self) -> &str {
+        &self.text
+    }
+
+    fn known(&self) -> Vec<String> {
+        let mut names: Vec<String> = self.letters.iter().map(|letter| letter.name.clone()).collect();
+        names.push(DERIVED.to_owned());
+        names.dedup();
+        names
+    }
+
+    fn rates(&self) -> &[LetterRate] {
+        &self.rates
+    }
+
+    fn own_difference(&self, statement: &Statement) -> Option<Sym> {
+        self.sides(statement).map(|line| line.printed())
+    }
+
+    fn has_points(&self) -> bool {
+        true
+    }
+
+    fn look(&self, _: &str, statement: &Statement) -> Look {
+        let (Some(line), Some(zero)) = (self.sides(statement), self.difference(statement)) else { return Look::Fails };
+        // beside zero an identity of the letters says nothing, and neither do sides that both vanish
+        let is_zero = |side: Sym, hypotheses: &Hypotheses| decide(side, hypotheses).is_zero();
+        let is_empty = is_zero(line.printed(), &Hypotheses::none())
+            || [line.left, line.right].into_iter().all(|side| is_zero(side, self.hypotheses));
+        if self.line.derived == Sym::ZERO && is_empty {
+            return Look::Fails;
+        }
+        let value = self.at.as_ref().and_then(|at| at.value(zero));
+        if value.is_some_and(|value| value != Sym::ZERO) {
+            return Look::Fails;
+        }
+        match identified(&[zero]) {
+            Identity::NotZero if self.hypotheses.statements().is_empty() => Look::Fails,
+            Identity::Identified { .. } => Look::Holds,
+            _ if value.is_some() => Look::Holds,
+            _ => Look::Open,
+        }
+    }
+
+    fn residual(&self, statement: &Statement) -> Option<Vec<f64>> {
+        let zero = match cleared(statement) {
+            Some((cleared, _)) if self.line.names => self.difference(&cleared)?,
+            Some((cleared, below)) => {
+                let ([left, right], below) = (self.values(&cleared)?, self.value(&below)?);
+                left - right - self.line.derived * below
+            }
+            None => self.difference(statement)?,
+        };
+        self.samples.as_ref()?.values(&[zero])
+    }
+
+    fn sought(&self, statement: &Statement) -> Vec<Sym> {
+        let Some(zero) = self.difference(statement) else { return Vec::new() };
+        let slope = zero.diff(sought());
+        if slope == Sym::ZERO || slope.symbols_of().contains(&sought()) {
+            return Vec::new();
+        }
+        let value = -zero.substitute(&[(sought(), Sym::ZERO)]) / slope;
+        let own = in_print(&self.letters);
+        self.ways_to_tell(value).into_iter().map(|value| value.substitute(&own)).collect()
+    }
+
+    fn lost(&self, places: &Places, most: usize) -> Vec<Edit> {
+        lost_terms(places, &self.text, self.known(), most, &|statement| self.sought(statement))
+    }
+
+    fn proved(&self, text: &str) -> Option<Proof> {
+        let line = self.sides(&read(text, &self.known()).ok()?)?;
+        if !mixed_lines(&[line], self.dimension).is_empty() {
+            return None;
+        }
+        let mut page = Page::of("print", self.dimension);
+        page.claim("print", "edited", "").under(self.hypotheses).holds([line]);
+        let judged = page.judge().into_iter().next().filter(|judged| judged.verdict == Verdict::Proved)?;
+        Some(Proof { judged, certificate: None })
+    }
+
+    fn goes_on(&self) -> bool {
+        (self.goes_on)()
+    }
+}
+
+/// The letters of a print over the symbols of the page.
+struct Letters<'a, 'b>(&'a Recorded<'b>);
+
+impl Meaning for Letters<'_, '_> {
+    fn letter(&self, name: &str) -> Option<Value> {
+        let own = || self.0.letters.iter().find(|letter| letter.name == name && letter.order == 0);
+        let symbol = match name {
+            SOUGHT => sought(),
+            DERIVED => self.0.line.derived,
+            r"\pi" => Sym::symbol("pi"),
+            _ => own()?.symbol,
+        };
+        Some(Value::Scalar(symbol))
+    }
+
+    fn rate(&self, of: Sym) -> Result<Sym, String> {
+        let letters = &self.0.letters;
+        let rate = letters
+            .iter()
+            .find(|letter| letter.symbol == of)
+            .and_then(|of| letters.iter().find(|letter| letter.name == of.name && letter.order == of.order + 1));
+        rate.map(|letter| letter.symbol).ok_or_else(|| "it has no rate here".to_owned())
+    }
+
+    fn partial(&self, _: Sym, _: Sym) -> Result<Sym, String> {
+        Err("no derivative is recorded".to_owned())
+    }
+
+    fn circle(&self, angle: Sym) -> (Sym, Sym) {
+        let point = angle.circle_as_written();
+        (point.cos, point.sin)
+    }
+}

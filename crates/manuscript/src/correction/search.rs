@@ -1,0 +1,295 @@
+//! The smallest edits of a formula that are proved, on any ground.
+
+use super::combinations::{self, Effect, apart, is_small, size};
+use super::edit::{Edit, is_whole};
+use super::ground::{Ground, Look, Proof};
+use super::lost::lost_beside;
+use super::places::Places;
+use super::values::values;
+use super::{exchanges, factors, terms};
+use crate::change::{Change, Correction, EditKind};
+use latex::{Statement, read};
+use std::cmp::Reverse;
+use std::collections::HashSet;
+use std::ops::Range;
+use symbolic::{Hypotheses, Sym, decide, normal};
+
+/// Corrections of one size that are told.
+pub(super) const MOST_TOLD: usize = 3;
+
+/// Edits that pass the points and are decided exactly, for each size.
+const MOST_DECIDED: usize = 24;
+
+/// Edits of formulas that no point can test, which are all decided exactly.
+const MOST_UNTESTED: usize = 160;
+
+/// Pairs of edits that are looked at.
+const MOST_PAIRS: usize = 20_000;
+
+/// Letters, numbers and functions of a formula in which two edits of any kind are looked for, and three.
+const LEAST_FOR_TWO: usize = 5;
+const LEAST_FOR_THREE: usize = 9;
+
+/// Edits that are measured, to be combined with others.
+const MOST_MEASURED: usize = 6_000;
+
+/// Effects of edits, and of pairs of edits of one term.
+const MOST_EFFECTS: usize = 300_000;
+
+/// Terms that a print may have lost together.
+const MOST_LOST: usize = 6;
+
+/// Edits beside which a term is looked for that is lost too.
+const MOST_BESIDE: usize = 120;
+
+/// Edits of one formula.
+pub(super) struct Search<'a, G> {
+    pub ground: &'a G,
+    pub places: Places,
+    exchanges: Vec<Edit>,
+    residual: Option<Vec<f64>>,
+    known: Vec<String>,
+    /// Whether the sides of the print differ by a number.
+    is_number: bool,
+}
+
+impl<'a, G: Ground> Search<'a, G> {
+    pub fn of(ground: &'a G, statement: &Statement) -> Self {
+        let (text, places) = (ground.text(), Places::of(statement, ground.text()));
+        let exchanges = [
+            exchanges::directions(text),
+            terms::repeated(&places, text),
+            exchanges::exchanges(&places, text, ground.rates()),
+        ]
+        .concat();
+        let residual = ground.residual(statement);
+        let is_number = ground.own_difference(statement).is_some_and(is_number);
+        Search { ground, places, exchanges, residual, known: ground.known(), is_number }
+    }
+
+    /// Edits of one sign, one factor or one term, the first of these sizes at which one is proved; then two signs.
+    pub fn small(&self) -> Vec<Correction> {
+        let (text, places) = (self.ground.text(), &self.places);
+        let sizes: [&dyn Fn() -> Vec<Edit>; 3] =
+            [&|| self.exchanges.clone(), &|| factors::factors(places, text, self.ground.rates()), &|| {
+                [terms::superfluous(places, text), self.ground.lost(places, 1)].concat()
+            }];
+        for edits in sizes {
+            let found = self.proved(edits().into_iter().map(|edit| vec![edit]));
+            if !found.is_empty() {
+                return found;
+            }
+        }
+        if !self.ground.has_points() {
+            return Vec::new();
+        }
+        let signs: Vec<&Edit> = self.exchanges.iter().filter(|edit| edit.kind == EditKind::Sign).collect();
+        self.proved(pairs(&signs))
+    }
+
+    /// Two edits; several lost terms; another value of a part; three edits.
+    pub fn large(&self) -> Vec<Correction> {
+        if !self.ground.has_points() {
+            return Vec::new();
+        }
+        let is_short = |edit: &&Edit| !matches!(edit.kind, EditKind::Number | EditKind::Letter);
+        let short: Vec<&Edit> = self.exchanges.iter().filter(is_short).collect();
+        let found = self.proved(pairs(&short));
+        if !found.is_empty() {
+            return found;
+        }
+        let (text, places) = (self.ground.text(), &self.places);
+        let factors = factors::factors(places, text, self.ground.rates());
+        let edits = [self.exchanges.clone(), factors, terms::superfluous(places, text)].concat();
+        // a few letters become a true formula by as many edits, which tells a reader nothing
+        let size = places.atoms.len() + places.numbers.len() + places.calls.len();
+        let edits = if size < LEAST_FOR_TWO { Vec::new() } else { edits };
+        let effects = self.residual.as_ref().map_or_else(Vec::new, |residual| self.effects(&edits, residual));
+        let residual = self.residual.clone().unwrap_or_default();
+        let most = (places.summands.len() + 1).min(MOST_LOST);
+        let one = |edits: Vec<Edit>| edits.into_iter().map(|edit| vec![edit]).collect::<Vec<_>>();
+        let sizes: [&dyn Fn() -> Vec<Vec<Edit>>; 6] = [
+            &|| combinations::alone(&effects, &residual),
+            &|| combinations::pairs(&effects, &residual),
+            &|| one(self.ground.lost(places, most)),
+            &|| values(self.ground, places),
+            &|| self.beside_lost(&effects),
+            &|| if size < LEAST_FOR_THREE { Vec::new() } else { combinations::triples(&effects, &residual) },
+        ];
+        sizes
+            .into_iter()
+            .map(|edits| self.proved(edits().into_iter()))
+            .find(|found| !found.is_empty())
+            .unwrap_or_default()
+    }
+
+    /// An edit and one lost term at the end of the last side.
+    fn beside_lost(&self, effects: &[Effect]) -> Vec<Vec<Edit>> {
+        let end = self.ground.text().trim_end().len();
+        let single = effects.iter().filter(|effect| effect.edits.len() == 1).take(MOST_BESIDE);
+        let going = single.take_while(|_| self.ground.goes_on());
+        let with = |effect: &Effect| {
+            let first = effect.edits[0].clone();
+            let terms = lost_beside(self.ground, &first, end);
+            terms.into_iter().map(move |term| vec![first.clone(), term]).collect::<Vec<_>>()
+        };
+        going.flat_map(with).collect()
+    }
+
+    /// Edits that can be measured with the change that each makes, the smallest first; behind them pairs of edits of one term.
+    fn effects(&self, edits: &[Edit], residual: &[f64]) -> Vec<Effect> {
+        let mut tried = HashSet::new();
+        let mut ordered: Vec<&Edit> = edits.iter().collect();
+        ordered.sort_by_key(|edit| size(edit));
+        let going = ordered.into_iter().take_while(|_| self.ground.goes_on());
+        let all = going.filter_map(|edit| {
+            let change = self.change(edit, residual, &mut tried)?;
+            (!is_small(&change, residual)).then(|| Effect { edits: vec![edit.clone()], change })
+        });
+        let mut all: Vec<Effect> = all.take(MOST_MEASURED).collect();
+        let single = all.len();
+        for term in &self.places.summands {
+            let none = Edit::new(EditKind::ExtraTerm, term.span.clone(), "0", String::new());
+            let Some(change) = self.change(&none, residual, &mut HashSet::new()) else { continue };
+            let pairs = combinations::in_one_product(&all[..single], &term.span, &change);
+            all.extend(pairs);
+            if all.len() > MOST_EFFECTS {
+                break;
+            }
+        }
+        all
+    }
+
+    /// The change of the residual by one edit; none where it was tried, or has no value.
+    fn change(&self, edit: &Edit, residual: &[f64], tried: &mut HashSet<String>) -> Option<Vec<f64>> {
+        let text = edited(self.ground.text(), std::slice::from_ref(edit)).0;
+        if !is_whole(&text) || !tried.insert(text.clone()) {
+            return None;
+        }
+        let statement = read(&text, &self.known).ok()?;
+        let after = self.ground.residual(&statement).filter(|after| after.len() == residual.len())?;
+        Some(after.iter().zip(residual).map(|(after, before)| after - before).collect())
+    }
+
+    /// The first corrections that are proved, no two of which are one formula. Those that hold at points are decided first.
+    pub fn proved(&self, candidates: impl Iterator<Item = Vec<Edit>>) -> Vec<Correction> {
+        let (mut found, mut open): (Vec<(Correction, Option<Sym>)>, Vec<Candidate>) = (Vec::new(), Vec::new());
+        let mut tried = HashSet::<String>::new();
+        let most = if self.ground.has_points() { MOST_DECIDED } else { MOST_UNTESTED };
+        let mut decided = 0;
+        for edits in candidates {
+            if found.len() >= MOST_TOLD || decided >= most || !self.ground.goes_on() {
+                break;
+            }
+            let (text, parts) = edited(self.ground.text(), &edits);
+            if !is_whole(&text) || !tried.insert(text.clone()) {
+                continue;
+            }
+            let Ok(statement) = read(&text, &self.known) else { continue };
+            if self.is_apart(&statement) {
+                continue;
+            }
+            let candidate = Candidate { own: self.ground.own_difference(&statement), text, edits, parts };
+            let is_empty = || candidate.own.is_some_and(|own| is_number(own) && !self.is_number);
+            match self.ground.has_points().then(|| self.ground.look(&candidate.text, &statement)) {
+                Some(Look::Fails) => {}
+                Some(Look::Open) => open.push(candidate),
+                // an identity of the letters says nothing, and neither does a number above another
+                None if is_empty() => {}
+                None | Some(Look::Holds) => {
+                    decided += 1;
+                    self.decide(candidate, &mut found);
+                }
+            }
+        }
+        if found.is_empty() {
+            for candidate in open.into_iter().take(MOST_DECIDED) {
+                if found.len() < MOST_TOLD && self.ground.goes_on() {
+                    self.decide(candidate, &mut found);
+                }
+            }
+        }
+        found.into_iter().map(|(correction, _)| correction).collect()
+    }
+
+    /// Whether an edited formula is measured not to hold.
+    fn is_apart(&self, statement: &Statement) -> bool {
+        let Some(before) = &self.residual else { return false };
+        let after = self.ground.residual(statement);
+        after.is_some_and(|after| after.len() == before.len() && !is_small(&after, before))
+    }
+
+    /// Keeps a candidate that is proved and differs from those before it by more than its sign.
+    fn decide(&self, candidate: Candidate, found: &mut Vec<(Correction, Option<Sym>)>) {
+        let Candidate { text, edits, parts, own } = candidate;
+        let is_one =
+            |a: Sym, b: Sym| [a - b, a + b].into_iter().any(|zero| decide(zero, &Hypotheses::none()).is_zero());
+        let is_known = |known: &Option<Sym>| known.zip(own).is_some_and(|(known, own)| is_one(known, own));
+        if found.iter().any(|(_, known)| is_known(known)) {
+            return;
+        }
+        if let Some(proof) = self.ground.proved(&text) {
+            found.push((self.correction(&edits, text, parts, proof), own));
+        }
+    }
+
+    fn correction(&self, edits: &[Edit], formula: String, parts: Vec<Range<usize>>, proof: Proof) -> Correction {
+        let change = |edit: &Edit| {
+            let [before, after] = edit.shown(self.ground.text());
+            Change { kind: edit.kind, words: edit.words.clone(), before, after }
+        };
+        let Proof { judged, certificate } = proof;
+        Correction { changes: edits.iter().map(change).collect(), formula, parts, judged, certificate }
+    }
+}
+
+/// Whether an expression has one value for all values of its letters.
+fn is_number(expression: Sym) -> bool {
+    normal(expression, &Hypotheses::none()).is_ok_and(|form| form.to_sym().as_constant().is_some())
+}
+
+/// An edited formula.
+struct Candidate {
+    text: String,
+    edits: Vec<Edit>,
+    parts: Vec<Range<usize>>,
+    /// The difference of its sides in the letters of the print.
+    own: Option<Sym>,
+}
+
+/// Two edits together that stand apart.
+fn pairs<'a>(edits: &'a [&Edit]) -> impl Iterator<Item = Vec<Edit>> + 'a {
+    let each = edits.iter().enumerate().flat_map(|(place, first)| {
+        edits[place + 1..]
+            .iter()
+            .filter(|second| apart(first, second))
+            .map(|second| vec![(*first).clone(), (*second).clone()])
+    });
+    each.take(MOST_PAIRS)
+}
+
+/// The formula after its edits, and where they stand in it.
+pub(super) fn edited(formula: &str, edits: &[Edit]) -> (String, Vec<Range<usize>>) {
+    let mut ordered: Vec<&Edit> = edits.iter().collect();
+    // what is added before a part comes after the edit of the part
+    ordered.sort_by_key(|edit| (Reverse((edit.span.start, edit.span.end)), edit.kind == EditKind::Sign));
+    let (mut text, mut parts) = (formula.to_owned(), Vec::<Range<usize>>::new());
+    for edit in ordered {
+        let (next, mut part) = edit.applied(&text);
+        // what is shown around an edit is marked with it, where no other edit stands there
+        let around = &edit.around;
+        let stands_there =
+            |other: &&Edit| *other != edit && around.start <= other.span.end && other.span.start <= around.end;
+        if !edits.iter().any(|other| stands_there(&other)) {
+            part = part.start - (edit.span.start - around.start)..part.end + (around.end - edit.span.end);
+        }
+        // what stands behind moves along
+        for behind in &mut parts {
+            *behind = behind.start + next.len() - text.len()..behind.end + next.len() - text.len();
+        }
+        parts.push(part);
+        text = next;
+    }
+    parts.reverse();
+    (text, parts)
+}

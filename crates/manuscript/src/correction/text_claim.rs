@@ -1,0 +1,121 @@
+//! A refuted claim of a paper as the ground of edits: it is judged over its model.
+
+use super::edit::Edit;
+use super::ground::{Ground, Look, Proof, cleared};
+use super::letter_rates::{LetterRate, rates};
+use super::lost::{lost, sought_values};
+use super::places::Places;
+use super::probe::{Probe, own_difference};
+use crate::claim_text::{ClaimText, Kind};
+use crate::conditions::Hypothesis;
+use crate::finding::Finding;
+use crate::integrals::known;
+use crate::letters::Letters;
+use claims::Verdict;
+use latex::Statement;
+use symbolic::Sym;
+
+/// Everything that a claim is judged with.
+pub(crate) struct Judge<'a> {
+    /// Reads and decides an edited claim; none where it cannot be read.
+    pub decide: &'a dyn Fn(&ClaimText) -> Option<Finding>,
+    /// Whether there is time left.
+    pub goes_on: &'a dyn Fn() -> bool,
+}
+
+/// A refuted claim with its letters.
+pub(super) struct TextClaim<'a, 't, 'm> {
+    pub claim: &'a ClaimText,
+    pub letters: &'a Letters<'t, 'm>,
+    pub judge: &'a Judge<'a>,
+    rates: Vec<LetterRate>,
+    probe: Option<Probe<'t, 'm>>,
+}
+
+impl<'a, 't, 'm> TextClaim<'a, 't, 'm> {
+    pub fn of(
+        claim: &'a ClaimText,
+        statement: &Statement,
+        letters: &'a Letters<'t, 'm>,
+        assumed: &[Hypothesis],
+        judge: &'a Judge<'a>,
+    ) -> Self {
+        let probe = match claim.kind {
+            Kind::Number => None,
+            _ => Probe::of(claim, statement, letters, assumed),
+        };
+        TextClaim { claim, letters, judge, rates: rates(letters), probe }
+    }
+
+    /// The claim with another formula.
+    pub fn edited(&self, text: &str) -> ClaimText {
+        let mut claim = self.claim.clone();
+        claim.formula = claim.formula.with_text(text.to_owned());
+        claim.expected = None;
+        claim
+    }
+
+    /// The verdict of its judge, where that is a proof.
+    pub fn proof(&self, claim: &ClaimText) -> Option<Proof> {
+        let found = (self.judge.decide)(claim).filter(|finding| is_sound(finding, claim));
+        found.map(|Finding { judged, certificate, .. }| Proof { judged, certificate })
+    }
+}
+
+impl Ground for TextClaim<'_, '_, '_> {
+    fn text(&self) -> &str {
+        &self.claim.formula.text
+    }
+
+    fn known(&self) -> Vec<String> {
+        known(self.claim.kind, self.letters)
+    }
+
+    fn rates(&self) -> &[LetterRate] {
+        &self.rates
+    }
+
+    fn own_difference(&self, statement: &Statement) -> Option<Sym> {
+        own_difference(statement, self.letters)
+    }
+
+    fn has_points(&self) -> bool {
+        self.probe.is_some()
+    }
+
+    fn look(&self, text: &str, statement: &Statement) -> Look {
+        self.probe.as_ref().map_or(Look::Open, |probe| probe.look(&self.edited(text), statement, self.letters))
+    }
+
+    fn residual(&self, statement: &Statement) -> Option<Vec<f64>> {
+        let probe = self.probe.as_ref()?;
+        // the rate of an integral is not that of its numerator
+        let cleared = cleared(statement).filter(|_| self.claim.kind != Kind::IntegralOfMotion);
+        let of = |statement: &Statement| probe.residual(self.claim, statement, self.letters);
+        cleared.as_ref().map_or_else(|| of(statement), |(cleared, _)| of(cleared))
+    }
+
+    fn sought(&self, statement: &Statement) -> Vec<Sym> {
+        self.probe.as_ref().map_or_else(Vec::new, |probe| sought_values(self, statement, probe))
+    }
+
+    fn lost(&self, places: &Places, most: usize) -> Vec<Edit> {
+        let probe = self.probe.as_ref();
+        probe.map_or_else(Vec::new, |probe| lost(self, places, probe, most))
+    }
+
+    fn proved(&self, text: &str) -> Option<Proof> {
+        self.proof(&self.edited(text))
+    }
+
+    fn goes_on(&self) -> bool {
+        (self.judge.goes_on)()
+    }
+}
+
+/// Proved without an objection; of printed numbers by enclosures.
+fn is_sound(finding: &Finding, claim: &ClaimText) -> bool {
+    let verdict = finding.judged.verdict;
+    let is_shown = verdict == Verdict::Proved || verdict == Verdict::Enclosed && claim.kind == Kind::Number;
+    is_shown && finding.judged.objections.is_empty()
+}

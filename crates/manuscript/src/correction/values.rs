@@ -1,0 +1,142 @@
+//! The value that a part of a formula must have, in place of the printed one: a factor, a number, one to three terms of a sum.
+
+use super::edit::Edit;
+use super::ground::Ground;
+use super::lost::{SOUGHT, signed};
+use super::places::{Places, Summand};
+use crate::change::EditKind;
+use latex::read;
+use std::ops::Range;
+use symbolic::{Node, Sym};
+
+/// Terms that are exchanged together.
+const MOST_TERMS: usize = 3;
+
+/// Letters, numbers and signs that a value may have.
+const MOST_WEIGHT: usize = 64;
+
+/// Terms that the value of a whole side may have: they are what it lacks exactly.
+const MOST_OF_SIDE: usize = 6;
+
+/// A part of the print.
+struct Part {
+    /// The value stands here.
+    span: Range<usize>,
+    /// Other terms of its sum, which go.
+    away: Vec<Range<usize>>,
+    /// Terms that its value may have.
+    most: usize,
+}
+
+/// Each part by the value that it must have, where that is short; the shortest first.
+pub(super) fn values(ground: &impl Ground, places: &Places) -> Vec<Vec<Edit>> {
+    let (text, mut known) = (ground.text(), ground.known());
+    if known.iter().any(|name| name == SOUGHT) {
+        return Vec::new();
+    }
+    known.push(SOUGHT.to_owned());
+    let mut found: Vec<(usize, Vec<Edit>)> = Vec::new();
+    for part in parts(places, text) {
+        if !ground.goes_on() {
+            break;
+        }
+        let gone = |span: &Range<usize>| {
+            Edit::new(EditKind::Part, span.clone(), "", format!("no `{}`", text[span.clone()].trim()))
+        };
+        let edit = |after: String| {
+            let words = format!("the value of `{}`", &text[part.span.clone()]);
+            Edit::new(EditKind::Part, part.span.clone(), after, words)
+        };
+        let with = |after: String| {
+            let mut edits: Vec<Edit> = part.away.iter().map(gone).collect();
+            edits.push(edit(after));
+            edits
+        };
+        let asked = super::search::edited(text, &with(SOUGHT.to_owned())).0;
+        let Ok(statement) = read(&asked, &known) else { continue };
+        for value in ground.sought(&statement) {
+            let weight = weight(value);
+            if weight > MOST_WEIGHT || terms(value) > part.most {
+                continue;
+            }
+            let (sign, latex) = signed(value);
+            let after = if sign == "-" { format!(r"\left(-{latex}\right)") } else { latex };
+            found.push((weight + 6 * part.away.len(), with(after)));
+        }
+    }
+    found.sort_by_key(|(size, _)| *size);
+    found.into_iter().map(|(_, edits)| edits).collect()
+}
+
+/// The number of letters, numbers and signs of an expression, as it is written.
+fn weight(expression: Sym) -> usize {
+    1 + expression.node().children().map(weight).sum::<usize>()
+}
+
+/// The number of terms of a sum, or of what stands above a divisor.
+fn terms(expression: Sym) -> usize {
+    match expression.node() {
+        Node::Sum(a, b) | Node::Difference(a, b) => terms(a) + terms(b),
+        Node::Quotient(a, _) | Node::Negation(a) => terms(a),
+        _ => 1,
+    }
+}
+
+/// Factors, numbers, terms, and terms together.
+fn parts(places: &Places, text: &str) -> Vec<Part> {
+    let mut all: Vec<Part> = Vec::new();
+    let mut add = |span: Range<usize>, away: Vec<Range<usize>>, terms: usize, is_side: bool| {
+        let most = if is_side { MOST_OF_SIDE } else { terms + 1 };
+        match all.iter_mut().find(|part| part.span == span && part.away == away) {
+            Some(part) => part.most = part.most.max(most),
+            None => all.push(Part { span, away, most }),
+        }
+    };
+    for (span, _) in &places.numbers {
+        add(span.clone(), Vec::new(), 1, false);
+    }
+    for summand in &places.summands {
+        for factor in &summand.factors {
+            add(factor.clone(), Vec::new(), 1, false);
+        }
+        add(summand.span.clone(), Vec::new(), 1, summand.count == 1 && summand.side.is_some());
+    }
+    for count in 2..=MOST_TERMS {
+        for sum in sums(places) {
+            for chosen in subsets(sum.len(), count) {
+                // the first of them keeps its sign, before the value
+                let away = chosen[1..].iter().map(|&place| whole(sum[place])).collect();
+                add(sum[chosen[0]].span.clone(), away, count, count == sum.len() && sum[0].side.is_some());
+            }
+        }
+    }
+    all.retain(|part| text.get(part.span.clone()).is_some());
+    all
+}
+
+/// A term behind the first with its sign.
+fn whole(summand: &Summand) -> Range<usize> {
+    summand.sign.map_or(summand.span.start, |(at, _)| at)..summand.span.end
+}
+
+/// The terms of each sum, in their order.
+fn sums(places: &Places) -> Vec<Vec<&Summand>> {
+    let of = |sum: usize| places.summands.iter().filter(|summand| summand.sum == sum).collect::<Vec<_>>();
+    let all = (0..places.sums.len()).map(of);
+    // a group at the beginning has signs of its own
+    all.filter(|sum| sum.iter().skip(1).all(|summand| summand.sign.is_some())).collect()
+}
+
+/// Choices of `count` among the first `of` numbers, each in its order.
+fn subsets(of: usize, count: usize) -> Vec<Vec<usize>> {
+    if count == 0 {
+        return vec![Vec::new()];
+    }
+    let with = |last: usize| {
+        subsets(last, count - 1).into_iter().map(move |mut chosen| {
+            chosen.push(last);
+            chosen
+        })
+    };
+    (count - 1..of).flat_map(with).collect()
+}

@@ -1,0 +1,128 @@
+//! Where a printed formula has a value: roots of what is not negative, logarithms of what is positive, divisors that do not vanish.
+
+use crate::conditions::Hypothesis;
+use crate::display::{Told, divisors};
+use crate::letters::Letters;
+use crate::motion::Motion;
+use crate::signs::shows;
+use claims::Condition;
+use latex::{Form, Function, Meaning, Statement, Term, Value, value};
+use symbolic::{Hypotheses, Sym, decide, normal};
+
+/// A part of a formula with the sign that it must have.
+struct Demand<'a> {
+    part: &'a Term,
+    sign: Sign,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Sign {
+    NotZero,
+    NotNegative,
+    Positive,
+    /// The cosine of the part does not vanish.
+    Cosine,
+    Sine,
+}
+
+/// Conditions under which every part of a formula has a value, in text and LaTeX, as far as hypotheses and constants do not show them.
+///
+/// # Errors
+/// The divisor that vanishes wherever the motion is.
+pub(crate) fn domains(
+    statement: &Statement,
+    letters: &Letters<'_, '_>,
+    motion: &Motion<'_, '_>,
+    assumed: &[Hypothesis],
+    conditions: &[Condition],
+) -> Result<Vec<(String, String)>, Sym> {
+    let mut demands = Vec::new();
+    for side in statement.chains.iter().flat_map(|chain| &chain.sides) {
+        collect(side, &mut demands);
+    }
+    let mut all: Vec<(String, String)> = Vec::new();
+    for Demand { part, sign } in demands {
+        let (Ok(Value::Scalar(model)), Ok(Value::Scalar(own))) =
+            (value(part, &letters.in_model()), value(part, &letters.in_paper()))
+        else {
+            continue;
+        };
+        let of = |angle: Sym| (letters.in_model().circle(angle), angle.circle_as_written());
+        let (model, own) = match sign {
+            Sign::Cosine => (of(model).0.0, of(own).1.cos),
+            Sign::Sine => (of(model).0.1, of(own).1.sin),
+            _ => (model, own),
+        };
+        let here = normal(motion.reduced(model), &Hypotheses::none()).map_or(model, |form| form.to_sym());
+        if sign != Sign::NotNegative && decide(here, &motion.hypotheses).is_zero() {
+            return Err(model);
+        }
+        let told = |relation: &str, latex: &str| (format!("{own} {relation} 0"), format!("{} {latex} 0", own.latex()));
+        let (is_shown, lines) = match sign {
+            Sign::NotNegative => (is_positive(here, motion, conditions, false), vec![told(">=", r"\geq")]),
+            Sign::Positive => (is_positive(here, motion, conditions, true), vec![told(">", ">")]),
+            Sign::NotZero | Sign::Cosine | Sign::Sine => {
+                let is_stated = conditions.contains(&Condition::NonZero(here));
+                let apart = |e: Sym| is_positive(e, motion, conditions, true);
+                // a product vanishes where one of its factors does
+                (is_stated || apart(here) || apart(-here), divisors(&[model], Told(letters)))
+            }
+        };
+        for line in lines.into_iter().filter(|_| !is_shown) {
+            let is_stated = assumed.iter().any(|hypothesis| hypothesis.told == line);
+            if !is_stated && !all.contains(&line) {
+                all.push(line);
+            }
+        }
+    }
+    Ok(all)
+}
+
+fn is_positive(expression: Sym, motion: &Motion<'_, '_>, conditions: &[Condition], is_strict: bool) -> bool {
+    if let Some(sign) = expression.as_constant().and_then(|value| value.sign()) {
+        return sign > 0 || sign == 0 && !is_strict;
+    }
+    shows(expression, motion, conditions).is_some_and(|shown| shown.is_strict || !is_strict)
+}
+
+/// The parts of a formula on which its value depends.
+fn collect<'a>(term: &'a Term, all: &mut Vec<Demand<'a>>) {
+    let mut add = |part: &'a Term, sign: Sign| all.push(Demand { part, sign });
+    match &term.form {
+        Form::Quotient(_, below) => factors(below).into_iter().for_each(|factor| add(factor, Sign::NotZero)),
+        Form::Power(base, exponent) if *exponent < 0 => add(base, Sign::NotZero),
+        Form::Root(of) => add(of, Sign::NotNegative),
+        Form::Function(Function::Ln, of) => add(of, Sign::Positive),
+        Form::Function(Function::Tan | Function::Sec, of) => add(of, Sign::Cosine),
+        Form::Function(Function::Cot | Function::Csc, of) => add(of, Sign::Sine),
+        _ => {}
+    }
+    match &term.form {
+        Form::Number(_) | Form::Letter(_) => {}
+        Form::Rate(of, _)
+        | Form::Negation(of)
+        | Form::Power(of, _)
+        | Form::Root(of)
+        | Form::Function(_, of)
+        | Form::Transposed(of) => collect(of, all),
+        Form::Partial(a, b)
+        | Form::Sum(a, b)
+        | Form::Difference(a, b)
+        | Form::Product(a, b)
+        | Form::Dot(a, b)
+        | Form::Cross(a, b)
+        | Form::Quotient(a, b) => {
+            collect(a, all);
+            collect(b, all);
+        }
+        Form::Matrix(rows) => rows.iter().flatten().for_each(|entry| collect(entry, all)),
+    }
+}
+
+/// The factors of a product as it is printed.
+fn factors(term: &Term) -> Vec<&Term> {
+    match &term.form {
+        Form::Product(a, b) | Form::Dot(a, b) => [factors(a), factors(b)].concat(),
+        _ => vec![term],
+    }
+}

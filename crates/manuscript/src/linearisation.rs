@@ -1,0 +1,142 @@
+//! Linearised equations of motion: the printed equation holds up to terms of the second order about a motion on which letters rest.
+
+use crate::claim_text::ClaimText;
+use crate::conditions::{Hypothesis, assume, conditions};
+use crate::display::{Told, divisors, shown, told_difference};
+use crate::equation::{Outcome, vanishes};
+use crate::finding::Finding;
+use crate::letters::Letters;
+use crate::lines::{Line, lines};
+use crate::motion::Motion;
+use crate::steady_motion::Resting;
+use crate::verdict::{mixed, neither, refute};
+use claims::Verdict;
+use latex::Statement;
+use reader::Issue;
+use symbolic::Sym;
+
+/// The equations of motion, and the motion about which they are linearised.
+pub(crate) struct Linearisation<'t, 'm> {
+    along: Motion<'t, 'm>,
+    pub base: Motion<'t, 'm>,
+    inputs: Vec<Sym>,
+}
+
+impl<'t, 'm> Linearisation<'t, 'm> {
+    /// An input is small where no hypothesis gives it a value.
+    ///
+    /// # Errors
+    /// What is wrong in the file; else, inside, why there are no linear equations.
+    pub fn of(
+        claim: &ClaimText,
+        letters: &Letters<'t, 'm>,
+        assumed: &[Hypothesis],
+    ) -> Result<Result<Self, String>, Issue> {
+        let trace = letters.trace;
+        let resting = Resting::of(claim, letters)?;
+        let mut base = Motion::without_anything(trace);
+        base.set(resting.rates(letters));
+        assume(&mut base, assumed)?;
+        let inputs = trace.model.inputs.iter().map(|input| Sym::symbol(&input.name));
+        let inputs: Vec<Sym> = inputs.filter(|input| base.reduced(*input) == *input).collect();
+        base.set(inputs.iter().map(|&input| (input, Sym::ZERO)).collect());
+        let along = match Motion::by_equations(trace) {
+            Ok(along) => along,
+            Err(why) => return Ok(Err(why)),
+        };
+        if !along.open.is_empty() || !along.hypotheses.statements().is_empty() {
+            return Ok(Err(
+                "constraints of positions are not solved for a coordinate, so that no small deviation is free"
+                    .to_owned(),
+            ));
+        }
+        Ok(Ok(Linearisation { along, base, inputs }))
+    }
+
+    /// The parts of an expression that a linear equation keeps: its value on the motion, and its derivatives there by each coordinate,
+    /// speed and input.
+    pub fn parts(&self, expression: Sym) -> Vec<(Sym, Option<Sym>)> {
+        let trace = self.base.trace;
+        let there = |part: Sym| self.base.reduced(part);
+        let along = self.along.reduced(expression);
+        let known = along.symbols_of();
+        let mut all = vec![(there(along), None)];
+        for (place, &coordinate) in trace.coordinates.iter().take(trace.speeds.len()).enumerate() {
+            if known.contains(&coordinate) {
+                all.push((there(trace.by_coordinate(along, place)), Some(coordinate)));
+            }
+            if known.contains(&trace.speeds[place]) {
+                all.push((there(trace.by_speed(along, place)), Some(trace.speeds[place])));
+            }
+        }
+        for &input in self.inputs.iter().filter(|input| known.contains(input)) {
+            all.push((there(along.diff(input)), Some(input)));
+        }
+        all
+    }
+}
+
+/// An equation that holds up to terms of the second order in the deviations from a motion on which the letters of `resting` rest.
+pub(crate) fn linearised(
+    claim: &ClaimText,
+    statement: &Statement,
+    letters: &Letters<'_, '_>,
+    assumed: &[Hypothesis],
+    finding: &mut Finding,
+) -> Result<(), Issue> {
+    let lines = lines(claim, statement, letters)?;
+    (finding.judged.text, finding.judged.latex) = lines.iter().map(|line| shown(line.own)).unzip();
+    let linearisation = match Linearisation::of(claim, letters, assumed)? {
+        Ok(linearisation) => linearisation,
+        Err(why) => {
+            neither(Outcome::Undecided(why), letters, finding);
+            return Ok(());
+        }
+    };
+    finding.allowed =
+        "along every motion up to terms of the second order in the deviations from the motion on which the letters of `resting` rest; inputs \
+         without a value are small too"
+            .to_owned();
+    let (base, told) = (&linearisation.base, Told(letters));
+    let known = conditions(base, assumed);
+    for line in &lines {
+        for (part, by) in linearisation.parts(line.model[0] - line.model[1]) {
+            match vanishes(base, part, &known) {
+                Outcome::Zero(found) => {
+                    let found = [&found[..], &base.divisors].concat();
+                    finding.judged.requires.extend(divisors(&found, told));
+                }
+                Outcome::NonZero(refutation) => {
+                    let of_part = Line { model: [part, Sym::ZERO], own: line.own };
+                    refute(&of_part, &refutation, base, told, finding);
+                    let at = finding
+                        .sides
+                        .take()
+                        .map_or_else(String::new, |sides| format!(": {} at the exact point", sides.left));
+                    finding.judged.evidence = match by {
+                        None => format!("on the motion itself the two sides differ{at}"),
+                        Some(by) => format!(
+                            "to the first order in {} the two sides differ by its multiple{at}",
+                            letters.told(by)
+                        ),
+                    };
+                    told_difference(part * by.unwrap_or(Sym::ONE), base, told, finding);
+                    return Ok(());
+                }
+                other => {
+                    neither(other, letters, finding);
+                    return Ok(());
+                }
+            }
+        }
+    }
+    if !assumed.iter().any(|hypothesis| hypothesis.scales) {
+        mixed(&lines, letters, finding);
+    }
+    finding.judged.requires.sort();
+    finding.judged.requires.dedup();
+    finding.judged.verdict = Verdict::Proved;
+    finding.judged.evidence =
+        "normal forms of the difference and of its first derivatives on the motion are zero".to_owned();
+    Ok(())
+}

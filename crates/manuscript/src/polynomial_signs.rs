@@ -1,0 +1,243 @@
+//! Signs of polynomials for all values: by squares and discriminants, and in one unknown by its real roots, exactly.
+
+use crate::motion::Motion;
+use crate::refutation::{Refutation, exact};
+use crate::signs::Shown;
+use algebra::real::{Polynomial, Root};
+use claims::Condition;
+use field::Rational;
+use symbolic::{Hypotheses, Node, Sym, coefficients, normal, univariate};
+
+/// Squares that are completed within each other.
+const DEPTH: usize = 4;
+
+/// Larger polynomials are not looked at.
+const MOST_TERMS: usize = 200;
+
+/// Whether a quotient of polynomials is positive, or not negative, wherever the conditions hold.
+pub(crate) fn shows(expression: Sym, conditions: &[Condition]) -> Option<Shown> {
+    let (expression, is_turned) = by_half_angles(expression);
+    let (expression, positive) = by_slacks(expression, conditions);
+    let form = normal(expression, &Hypotheses::none()).ok()?;
+    let of = |polynomial: Sym| is_at_least_zero(polynomial, &positive, DEPTH);
+    let is_strict = match of(form.denominator()) {
+        Some(true) => of(form.numerator())?,
+        _ if of(-form.denominator()) == Some(true) => of(-form.numerator())?,
+        _ => return None,
+    };
+    // the half of a straight angle has no tangent: there the value is a limit
+    let is_strict = is_strict && !is_turned;
+    let evidence =
+        "a polynomial without a negative value: by squares, discriminants and real roots, exactly".to_owned();
+    Some(Shown { is_strict, evidence, is_of_normal_form: true })
+}
+
+/// Cosines and sines by the tangent of half the angle, which may have any value; and whether there were any.
+fn by_half_angles(expression: Sym) -> (Sym, bool) {
+    let mut known: Vec<(Sym, Sym)> = Vec::new();
+    for leaf in expression.leaves_of() {
+        let (Node::Cos(angle) | Node::Sin(angle)) = leaf.node() else { continue };
+        let tangent = Sym::symbol(&format!("tangent of half of {angle}"));
+        let square = tangent * tangent;
+        let value = match leaf.node() {
+            Node::Cos(_) => (Sym::ONE - square) / (Sym::ONE + square),
+            _ => (tangent + tangent) / (Sym::ONE + square),
+        };
+        known.push((leaf, value));
+    }
+    (expression.substitute(&known), !known.is_empty())
+}
+
+/// Positive letters; of a condition that is linear in a letter the distance from its edge, which is positive, in the letter's place.
+fn by_slacks(mut expression: Sym, conditions: &[Condition]) -> (Sym, Vec<Sym>) {
+    let mut positive: Vec<Sym> = Vec::new();
+    let mut known: Vec<(Sym, Sym)> = Vec::new();
+    let stated = conditions.iter().filter_map(|condition| match condition {
+        Condition::Positive(of) => Some(*of),
+        _ => None,
+    });
+    let (letters, others): (Vec<Sym>, Vec<Sym>) = stated.partition(|of| of.symbol_name().is_some());
+    positive.extend(letters);
+    for (place, of) in others.into_iter().enumerate() {
+        let of = of.substitute(&known);
+        let free = |symbol: &Sym| !positive.contains(symbol);
+        let mut symbols = of.symbols_of();
+        // a letter whose own sign is known keeps it, where there is another one
+        symbols.sort_by_key(|symbol| !free(symbol));
+        let solved = symbols.into_iter().filter(|symbol| free(symbol)).find_map(|symbol| {
+            let terms = coefficients(of, &[symbol]).ok()?;
+            let part = |power: u32| terms.iter().find(|(exponents, _)| exponents[0] == power).map(|(_, value)| *value);
+            let factor = part(1)?.as_constant().filter(|_| terms.iter().all(|(exponents, _)| exponents[0] <= 1))?;
+            let slack = Sym::symbol(&format!("slack {place}"));
+            Some((symbol, (slack - part(0).unwrap_or(Sym::ZERO)) / Sym::constant(factor), slack))
+        });
+        if let Some((symbol, value, slack)) = solved {
+            known.iter_mut().for_each(|(_, held)| *held = held.substitute(&[(symbol, value)]));
+            known.push((symbol, value));
+            positive.push(slack);
+        }
+    }
+    expression = expression.substitute(&known);
+    (expression, positive)
+}
+
+/// Whether a polynomial is never negative where some letters are positive: none where that is not shown, else whether zero is excluded.
+fn is_at_least_zero(polynomial: Sym, positive: &[Sym], depth: usize) -> Option<bool> {
+    let form = normal(polynomial, &Hypotheses::none()).ok()?;
+    let polynomial = form.to_sym();
+    if let Some(value) = polynomial.as_constant() {
+        return value.sign().filter(|sign| *sign >= 0).map(|sign| sign > 0);
+    }
+    let symbols = polynomial.symbols_of();
+    let terms = coefficients(polynomial, &symbols).ok().filter(|terms| terms.len() <= MOST_TERMS)?;
+    let is_up = |(exponents, value): &(Vec<u32>, Sym)| {
+        let even = exponents.iter().zip(&symbols).all(|(power, symbol)| power % 2 == 0 || positive.contains(symbol));
+        even && value.as_constant().and_then(|value| value.sign()).is_some_and(|sign| sign > 0)
+    };
+    if terms.iter().all(is_up) {
+        let is_strict = |(exponents, _): &(Vec<u32>, Sym)| {
+            exponents.iter().zip(&symbols).all(|(power, symbol)| *power == 0 || positive.contains(symbol))
+        };
+        return Some(terms.iter().any(is_strict));
+    }
+    by_roots(polynomial, &symbols, positive).or_else(|| {
+        let one = |symbol: &Sym| by_square(polynomial, *symbol, positive, depth);
+        if depth == 0 { None } else { symbols.iter().find_map(one) }
+    })
+}
+
+/// `a s^2 + b s + c` by its discriminant, and sums of powers of `s` by their coefficients.
+fn by_square(polynomial: Sym, symbol: Sym, positive: &[Sym], depth: usize) -> Option<bool> {
+    let terms = coefficients(polynomial, &[symbol]).ok()?;
+    let of =
+        |power: u32| terms.iter().find(|(exponents, _)| exponents[0] == power).map_or(Sym::ZERO, |(_, value)| *value);
+    let shown = |part: Sym| is_at_least_zero(part, positive, depth - 1);
+    let is_positive = positive.contains(&symbol);
+    if terms.len() > 1 && terms.iter().all(|(exponents, _)| is_positive || exponents[0] % 2 == 0) {
+        let signs: Option<Vec<(u32, bool)>> =
+            terms.iter().map(|(exponents, value)| Some((exponents[0], shown(*value)?))).collect();
+        if let Some(signs) = signs {
+            return Some(signs.iter().any(|(power, is_strict)| *is_strict && (is_positive || *power == 0)));
+        }
+    }
+    let degree = terms.iter().map(|(exponents, _)| exponents[0]).max()?;
+    if degree != 2 || shown(of(2)) != Some(true) {
+        return None;
+    }
+    let four = Sym::constant(Rational::new(4, 1));
+    shown(four * of(2) * of(0) - of(1) * of(1))
+}
+
+/// A polynomial in one unknown, or of one degree in two, by its real roots.
+fn by_roots(polynomial: Sym, symbols: &[Sym], positive: &[Sym]) -> Option<bool> {
+    let is_up = |symbol: &Sym| positive.contains(symbol);
+    match symbols {
+        [one] => {
+            let signs = Signs::of(&univariate(polynomial, *one).ok()?, is_up(one))?;
+            signs.negative.is_none().then_some(!signs.vanishes)
+        }
+        &[first, second] => {
+            let degree = homogeneous(polynomial, symbols)?;
+            // by the ratio of both: the other sign of the second changes nothing where the degree is even
+            let (first, second) = if is_up(&second) { (first, second) } else { (second, first) };
+            if !is_up(&second) && degree % 2 == 1 {
+                return None;
+            }
+            let ratio = polynomial.substitute(&[(second, Sym::ONE)]);
+            let signs =
+                Signs::of(&univariate(normal(ratio, &Hypotheses::none()).ok()?.to_sym(), first).ok()?, is_up(&first))?;
+            signs.negative.is_none().then_some(is_up(&second) && !signs.vanishes)
+        }
+        _ => None,
+    }
+}
+
+/// The degree of a polynomial all of whose terms have it.
+fn homogeneous(polynomial: Sym, symbols: &[Sym]) -> Option<u32> {
+    let terms = coefficients(polynomial, symbols).ok()?;
+    let mut degrees = terms.iter().map(|(exponents, _)| exponents.iter().sum::<u32>());
+    let first = degrees.next()?;
+    degrees.all(|degree| degree == first).then_some(first)
+}
+
+/// The signs of a polynomial in one unknown, over all numbers or over those above zero.
+struct Signs {
+    /// A number at which it is negative.
+    negative: Option<Rational>,
+    vanishes: bool,
+}
+
+impl Signs {
+    fn of(dense: &[Rational], is_positive: bool) -> Option<Self> {
+        let zero = Rational::new(0, 1);
+        // zero is no value above zero
+        let skipped = if is_positive { dense.iter().take_while(|c| **c == zero).count() } else { 0 };
+        let dense = &dense[skipped..];
+        let roots: Vec<Root> = Polynomial::from_rationals(dense)?.square_free().real_roots();
+        let ends: Vec<[f64; 2]> = roots.iter().map(|root| root.enclosure(64).ends()).collect();
+        if is_positive && ends.iter().any(|[low, high]| *low <= 0.0 && *high >= 0.0) {
+            return None;
+        }
+        let inside: Vec<[f64; 2]> = ends.into_iter().filter(|[low, _]| !is_positive || *low > 0.0).collect();
+        let mut samples = Vec::new();
+        match (inside.first(), inside.last()) {
+            (Some(first), Some(last)) => {
+                samples.push(between(if is_positive { 0.0 } else { first[0] - 2.0 }, first[0])?);
+                for pair in inside.windows(2) {
+                    samples.push(between(pair[0][1], pair[1][0])?);
+                }
+                samples.push(between(last[1], last[1] + 2.0)?);
+            }
+            _ => samples.push(Rational::new(1, 1)),
+        }
+        let mut negative = None;
+        for at in samples {
+            let value = dense.iter().rev().fold(zero, |sum, c| sum * at + *c);
+            if value.sign()? < 0 {
+                negative = Some(at);
+                break;
+            }
+        }
+        Some(Signs { negative, vanishes: !inside.is_empty() })
+    }
+}
+
+/// A number with few digits in an open interval.
+fn between(low: f64, high: f64) -> Option<Rational> {
+    (0..60).find_map(|bits| {
+        let scale = 2_f64.powi(bits);
+        let above = (low * scale).floor() + 1.0;
+        let is_inside = above < high * scale && above.abs() < 9e15;
+        is_inside.then(|| Rational::new(above as i64, 1_i64 << bits))
+    })
+}
+
+/// An exact point at which a polynomial in one letter, or of one degree in two, is negative within the conditions.
+pub(crate) fn negative_point(expression: Sym, conditions: &[Condition], motion: &Motion<'_, '_>) -> Option<Refutation> {
+    let is_closed = motion.open.is_empty() && motion.hypotheses.statements().is_empty();
+    if !is_closed || motion.undetermined(expression).is_some() {
+        return None;
+    }
+    let form = normal(expression, &Hypotheses::none()).ok()?;
+    let product = normal(form.numerator() * form.denominator(), &Hypotheses::none()).ok()?.to_sym();
+    let symbols = product.symbols_of();
+    if product.leaves_of().len() != symbols.len() {
+        return None;
+    }
+    let is_positive = |symbol: Sym| conditions.contains(&Condition::Positive(symbol));
+    let one = Sym::ONE;
+    let (unknown, fixed) = match symbols[..] {
+        [unknown] => (unknown, None),
+        [first, second] if homogeneous(product, &symbols).is_some() => (first, Some(second)),
+        _ => return None,
+    };
+    let line = fixed.map_or(product, |second| product.substitute(&[(second, one)]));
+    let dense = univariate(normal(line, &Hypotheses::none()).ok()?.to_sym(), unknown).ok()?;
+    let at = Signs::of(&dense, is_positive(unknown))?.negative?;
+    let point: Vec<(Sym, Sym)> =
+        [(unknown, Sym::constant(at))].into_iter().chain(fixed.map(|second| (second, one))).collect();
+    let values = exact(&point);
+    let is_negative = values.value(expression).is_some_and(|value| value.is_defined() && value.sign() == Some(-1));
+    let holds = conditions.iter().all(|condition| condition.holds_at(&values) == Some(true));
+    (is_negative && holds).then_some(Refutation { point, is_formal: false })
+}

@@ -1,0 +1,65 @@
+//! Inequalities of polynomials: squares, discriminants, real roots, and what is given.
+
+use crate::{PENDULUM, on_pendulum, verdict};
+
+fn found(formula: &str, given: &str) -> (&'static str, String) {
+    let found = on_pendulum("inequality", formula, &format!("given = [{given}]"));
+    (verdict(&found), found.text())
+}
+
+#[test]
+fn squares_are_seen_behind_a_sum() {
+    for (formula, given, expected) in [
+        (r"m^2 - m l + l^2 \geq 0", "", "proved"),
+        (r"m^2 + l^2 \geq 2 m l", "", "proved"),
+        (r"m^2 - 2 m l + l^2 > 0", "", "refuted"),
+        (r"m^2 + l^2 + g^2 - m l - l g - g m \geq 0", "", "proved"),
+        (r"m^2 + l^2 + g^2 - 2 m l - 2 l g - 2 g m \geq 0", "", "refuted"),
+        (r"m^4 - m^2 l^2 + l^4 \geq 0", "", "proved"),
+        (r"\theta^2 - 2\theta + 2 > 0", "", "proved"),
+        (r"\theta^4 - 2\theta^2 + 1 \geq 0", "", "proved"),
+        (r"\theta^4 - 2\theta^2 + 1 > 0", "", "refuted"),
+        (r"1000\theta^2 - 2001\theta + 1001 > 0", "", "refuted"),
+    ] {
+        let (verdict, text) = found(formula, given);
+        assert_eq!(verdict, expected, "{text}");
+    }
+}
+
+#[test]
+fn hypotheses_about_signs_are_used() {
+    for (formula, given, expected) in [
+        (r"m^3 - 3 m l^2 + 2 l^3 \geq 0", "'m > 0', 'l > 0'", "proved"),
+        (r"m^3 - 3 m l^2 + 2 l^3 \geq 0", "", "refuted"),
+        (r"m > l", "'m > 2 l', 'l > 0'", "proved"),
+        (r"m > l", "'m > 2 l'", "refuted"),
+        (r"m l > l^2", "'m > l', 'l > 0'", "proved"),
+        (r"\frac{m}{m + l} < 1", "'m > 0', 'l > 0'", "proved"),
+        (r"T \geq 0", "'m > 0'", "proved"),
+        (r"V \leq m g l", "'m > 0', 'g > 0', 'l > 0'", "proved"),
+        (r"\sin\theta \leq 1", "", "proved"),
+        (r"\sin\theta < 1", "", "refuted"),
+        (r"\sin\theta + \cos\theta \leq 1", "", "refuted"),
+    ] {
+        let (verdict, text) = found(formula, given);
+        assert_eq!(verdict, expected, "{text}");
+    }
+}
+
+#[test]
+fn what_is_open_says_why() {
+    let (verdict, text) = found(r"m^2 l^4 + m^4 l^2 + g^6 - 3 m^2 l^2 g^2 \geq 0", "");
+    // Motzkin's form is no sum of squares
+    assert_eq!(verdict, "undecided", "{text}");
+    assert!(text.contains("neither the signs of its terms nor squares"), "{text}");
+    assert!(PENDULUM.contains("theta"));
+}
+
+#[test]
+fn an_inequality_has_one_dimension_and_its_correction_says_something() {
+    let found = on_pendulum("inequality", r"m + 1 > 0", "given = ['m > 0']");
+    assert!(!found.judged.objections.is_empty(), "{}", found.text());
+    let found = on_pendulum("inequality", r"\frac{1}{\theta} \geq 0", "");
+    assert_eq!(verdict(&found), "refuted", "{}", found.text());
+    assert!(found.corrections.iter().all(|one| one.formula != r"\frac{\theta}{\theta} \geq 0"), "{}", found.text());
+}
