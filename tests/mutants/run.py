@@ -36,7 +36,7 @@ import together
 ROOT = Path(__file__).resolve().parents[2]
 TABLES = ROOT / "snapshots" / "mutants"
 COPY = Path(os.environ.get("MUTANTS", Path(tempfile.gettempdir()) / "dalembert-mutants"))
-PARTS = ["Cargo.toml", "Cargo.lock", "crates", "derivations", "scenes", "tests", "benches", "book", "schema"]
+PARTS = ["Cargo.toml", "Cargo.lock", "crates", "derivations", "papers", "scenes", "tests", "benches", "book", "schema"]
 LEDGER = "ledger"
 # what else is tested: the house, its pages, and the program
 OTHERS = {"allocation", "house", "pages", "scenes"}

@@ -1,5 +1,6 @@
 //! What a reviewer reads: the ledger's pages and rows, the verdicts on motors.
 
+mod errata;
 mod ledger;
 mod ledger_rows;
 mod manuscripts;

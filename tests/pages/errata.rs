@@ -1,0 +1,117 @@
+//! Known errata of the papers in Rust: whether the program finds what was meant, the typed corrections withheld.
+
+use claims::catalogue::papers;
+use claims::{Claim, Condition, Line, Page, Statement, Verdict};
+use dalembert_derivations as _;
+use manuscript::{LineCorrection, line_corrections, theorem_corrections};
+use std::collections::BTreeMap;
+use std::time::{Duration, Instant};
+use symbolic::{Hypotheses, Sym, decide};
+
+/// The papers whose errata are typed in.
+const PAPERS: [&str; 3] = ["konosevich2022", "manglieva2022", "mukharlyamov2007"];
+
+/// One of so many errata is tried; all with `EVERY_ERRATUM=1`.
+const STEP: usize = 12;
+
+/// Time for one equation: what is not found by then counts as not found.
+const LIMIT: Duration = Duration::from_secs(60);
+
+/// The outcome for an entry of the ledger that is refuted.
+enum Outcome {
+    /// The entry is an implication, or an equation whose print was not recorded as an equation.
+    NoFormula(String),
+    Missed,
+    Found {
+        edits: String,
+        /// The typed correction says the same of every equation.
+        is_typed: bool,
+    },
+}
+
+fn outcome(page: &Page, claim: &Claim) -> Outcome {
+    if !is_equation(claim.correction.as_deref()) {
+        return Outcome::NoFormula("the typed correction is a statement".to_owned());
+    }
+    let start = Instant::now();
+    let goes_on = || start.elapsed() < LIMIT;
+    let tried: Vec<(Vec<LineCorrection>, &Hypotheses)> = match &claim.statement {
+        Statement::Equations { lines, hypotheses } => {
+            let wrong = |line: &&Line| !decide(line.derived - line.printed(), hypotheses).is_zero();
+            let of = |line: &Line| line_corrections(line, hypotheses, page.dimensions(), &goes_on);
+            match lines.iter().filter(wrong).map(of).collect::<Result<Vec<_>, _>>() {
+                Ok(found) => found.into_iter().map(|found| (found, hypotheses)).collect(),
+                Err(why) => return Outcome::NoFormula(why.0),
+            }
+        }
+        Statement::Theorem(theorem) => match theorem_corrections(theorem, page.dimensions(), &goes_on) {
+            Ok(found) => vec![(found, &theorem.rules)],
+            Err(why) => return Outcome::NoFormula(why.0),
+        },
+        Statement::Definition(_) => return Outcome::NoFormula("a definition".to_owned()),
+    };
+    if tried.iter().any(|(found, _)| found.is_empty()) {
+        return Outcome::Missed;
+    }
+    let kinds = tried.iter().flat_map(|(found, _)| &found[0].correction.changes).map(|change| change.kind.name());
+    let mut edits: Vec<&str> = kinds.collect();
+    edits.dedup();
+    let is_typed = tried.iter().all(|(found, known)| found.iter().any(|found| is_typed(claim, &found.line, known)));
+    Outcome::Found { edits: edits.join(", "), is_typed }
+}
+
+/// Whether what was typed as the correction has an equality that a formula could be edited into.
+fn is_equation(typed: Option<&Claim>) -> bool {
+    match typed.map(|typed| &typed.statement) {
+        Some(Statement::Equations { .. }) => true,
+        Some(Statement::Theorem(theorem)) => {
+            theorem.then.iter().any(|then| matches!(then, Condition::Equal(..) | Condition::Zero(_)))
+        }
+        _ => false,
+    }
+}
+
+/// Whether a corrected equation is one of the typed correction, up to a number.
+fn is_typed(claim: &Claim, found: &Line, known: &Hypotheses) -> bool {
+    let is_same = |typed: Sym, rules: &Hypotheses| {
+        [found.printed() - typed, found.printed() + typed].into_iter().any(|zero| decide(zero, rules).is_zero())
+    };
+    match claim.correction.as_ref().map(|correction| &correction.statement) {
+        Some(Statement::Equations { lines, hypotheses }) => {
+            let mut typed = lines.iter().map(Line::printed);
+            typed.any(|typed| is_same(typed, hypotheses) || is_same(typed, known))
+        }
+        Some(Statement::Theorem(theorem)) => theorem.then.iter().any(|conclusion| match conclusion {
+            Condition::Equal(left, right) => is_same(*left - *right, &theorem.rules) || is_same(*right, &theorem.rules),
+            Condition::Zero(zero) => is_same(*zero, &theorem.rules),
+            _ => false,
+        }),
+        _ => false,
+    }
+}
+
+#[test]
+fn known_errata_are_corrected_as_they_were_by_hand() {
+    let all = std::env::var_os("EVERY_ERRATUM").is_some();
+    let step = if all { 1 } else { STEP };
+    let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
+    for paper in papers().into_iter().filter(|paper| PAPERS.contains(&paper.key)) {
+        let page = (paper.page)();
+        let refuted = page.claims().iter().filter(|claim| claim.expected == Verdict::Refuted);
+        for claim in refuted.step_by(step) {
+            let (word, told) = match outcome(&page, claim) {
+                Outcome::NoFormula(why) => ("no formula", why),
+                Outcome::Missed => ("not found", claim.why.clone()),
+                Outcome::Found { edits, is_typed: true } => ("found", edits),
+                Outcome::Found { edits, is_typed: false } => ("found in another form", edits),
+            };
+            *counts.entry(word).or_default() += 1;
+            println!("| {} | {word} | {told} |", claim.id);
+        }
+    }
+    println!("{counts:?}");
+    let of = |word: &str| counts.get(word).copied().unwrap_or_default();
+    let found = of("found") + of("found in another form");
+    // most of those that have one; the table in the book has all of them
+    assert!(found > 0 && 4 * found >= 3 * (found + of("not found")), "{counts:?}");
+}
