@@ -1,7 +1,10 @@
 //! num-dual's numbers over `f64` as scalars: the Jacobians and Hessians of the simulation.
 
 use crate::{Analytic, Circle, Elementary, Over, Scalar};
-use num_dual::{Dual, Dual2, DualNum, DualSVec, HyperDual};
+use num_dual::{Dual, Dual2, DualNum, DualSVec, DualStruct, HyperDual};
+
+/// Beyond this argument the slope of tanh is below all numbers beside its value.
+const FLAT: f64 = 300.0;
 
 macro_rules! dual_field {
     ($(($type:ty, [$($generics:tt)*])),* $(,)?) => {$(
@@ -33,6 +36,8 @@ macro_rules! dual_field {
                 match function {
                     Elementary::Exp => DualNum::exp(&self),
                     Elementary::Ln => DualNum::ln(&self),
+                    // num-dual divides sinh by cosh, which are beyond all numbers there
+                    Elementary::Tanh if self.re().abs() > FLAT => Self::from(self.re().signum()),
                     Elementary::Tanh => DualNum::tanh(&self),
                     Elementary::Atan2 => DualNum::atan2(&self, other),
                 }
@@ -47,3 +52,20 @@ dual_field!(
     (HyperDual<f64>, []),
     (DualSVec<f64, N>, [const N: usize]),
 );
+
+#[cfg(test)]
+mod tests {
+    use crate::{Analytic, DoubleDouble, Elementary};
+    use num_dual::Dual64;
+
+    #[test]
+    fn tanh_is_flat_where_its_argument_is_large() {
+        for a in [299.0, 301.0, 800.0, 1e6, 1e300, -800.0, -1e6] {
+            let number = Dual64::from(a).derivative();
+            let tanh = number.elementary(Elementary::Tanh, number);
+            assert!(tanh.re == a.signum() && tanh.eps.abs() < 1e-12, "{a} {tanh}");
+            let exact = DoubleDouble::from(a);
+            assert_eq!(exact.elementary(Elementary::Tanh, exact), DoubleDouble::from(a.signum()), "{a}");
+        }
+    }
+}

@@ -9,6 +9,7 @@ mod propagation;
 mod record;
 mod run;
 mod source;
+mod time_parts;
 
 pub use algebraic::Algebraic;
 pub use propagation::Propagation;
