@@ -46,8 +46,8 @@ pub use batch::{Ensemble, LaneSeries, LaneStep, Members, SideBySide, fuses, lane
 pub use branches::{Branch, Curve, CurvePoint, Equilibria, Last, Repeating, Walk, eigenvalues, follow, spectrum};
 pub use events::{Event, Happening, Signal, Switches, integrate_to_event};
 pub use law::{
-    Composed, DIRECTIONS, Divisors, Dual8, Index2Dae, Index2DaeSystem, Jacobian, JacobianFn, Ode, Pieces, Projection,
-    Real, Splitting, System, TaylorSeries, Variations, Working, slope, variable,
+    Composed, DIRECTIONS, Divisors, Dual8, Haste, Index2Dae, Index2DaeSystem, Jacobian, JacobianFn, Ode, Pieces,
+    Projection, Real, Splitting, StepBounds, System, TaylorSeries, Variations, Working, slope, variable,
 };
 pub use methods::{
     Across, Attempt, Collocation, Family, Holding, MOST_STAGES, Means, Method, Taylor, Traits, Transition, compose,

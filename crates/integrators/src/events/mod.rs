@@ -102,6 +102,7 @@ pub fn integrate_to_event(
         known: Vec::new(),
         samples: Vec::new(),
         found: None,
+        long: LONG * (span.end - span.start).abs(),
         lost: None,
     };
     guard.arm();
@@ -138,6 +139,10 @@ const PARTS: usize = 8;
 
 /// Halvings of a step, or of such a part, over which a distance may come to zero by the bound of its rate.
 const MOST_HALVED: u32 = 8;
+
+/// A first step is long beyond this part of the span, and the doubt of a signal over it is this part of its values.
+const LONG: f64 = 1e-3;
+const UNKNOWN: f64 = 0.5;
 
 /// A state with its signals.
 #[derive(Clone, Debug)]
@@ -178,6 +183,8 @@ struct Guard<'a> {
     /// Outputs of the step that was not looked at yet.
     samples: Vec<(f64, Vec<f64>)>,
     found: Option<Found>,
+    /// A first step that is longer has nothing before it that would tell how the signals bend: they may have swung within.
+    long: f64,
     /// The last instant before a zero that cannot be computed.
     lost: Option<Instant>,
 }
@@ -261,7 +268,14 @@ impl Guard<'_> {
                 continue;
             }
             let earlier = self.earlier.as_ref().map(|at| (at.signals[signal], at.time));
-            let doubt = Search::doubt(earlier, ends.map(|at| (at.signals[signal], at.time)));
+            let mut doubt = Search::doubt(earlier, ends.map(|at| (at.signals[signal], at.time)));
+            let length = (self.after.time - self.before.time).abs();
+            if self.earlier.is_none() && length > self.long {
+                let [a, b] = ends.map(|at| at.signals[signal]);
+                let noise = a.noise.max(b.noise);
+                let rests = [length * a.rate, length * b.rate, b.value - a.value].iter().all(|by| by.abs() <= noise);
+                doubt = if rests { doubt } else { doubt.max(UNKNOWN * a.value.abs().max(b.value.abs())) };
+            }
             let mut search = Search { again: &mut self.again, step, known: &mut self.known, signal };
             match look(&mut search, ends, self.armed[signal], doubt) {
                 Seen::Nothing { armed } => self.armed[signal] = armed,

@@ -6,7 +6,8 @@
 //! * its Taylor coefficients ([`TaylorSeries`]);
 //! * the flows of its pieces ([`Pieces`]), in the order of a [`Splitting`];
 //! * a law that multipliers hold to constraints ([`Index2Dae`]);
-//! * the way back onto equations that its motions keep ([`Projection`]).
+//! * the way back onto equations that its motions keep ([`Projection`]);
+//! * the times about which it changes fast by itself ([`StepBounds`]).
 
 #[cfg(test)]
 pub(crate) mod bell;
@@ -17,6 +18,7 @@ mod pieces;
 mod projection;
 mod real;
 mod series;
+mod step_bounds;
 
 pub use composition::Splitting;
 pub use index2_dae::{Index2Dae, Index2DaeSystem};
@@ -25,6 +27,7 @@ pub use pieces::{Composed, Pieces};
 pub use projection::Projection;
 pub use real::Real;
 pub use series::TaylorSeries;
+pub use step_bounds::{Haste, StepBounds};
 
 use field::{Batch, DoubleDouble, Scalar, Tangent};
 use num_dual::DualSVec64;
@@ -70,6 +73,11 @@ pub trait System: Ode<f64> + Ode<Dual8> + Ode<DoubleDouble> {
     /// The divisors, radicands and angles of its rates, where they are known.
     fn divisors(&self) -> Option<&dyn Divisors> {
         None
+    }
+
+    /// Where the law changes fast by itself on the way from one time to another, known from its functions of the time alone.
+    fn step_bounds(&self, _from: f64, _to: f64) -> StepBounds {
+        StepBounds::default()
     }
 
     /// Bytes of the machine code of its rates in `f64`, with the constants in it, where such code is made at run time. Of a law that

@@ -29,8 +29,8 @@ pub fn integrate(
     observer: &mut dyn Observer<f64>,
 ) -> Outcome<f64> {
     let run = |meter: &BudgetedRhs<f64>, watch: Watch<'_, '_, f64>| match method {
-        Method::DormandPrince5 => run_pair(&FIVE, tolerance, meter, watch),
-        Method::DormandPrince8 => run_pair(&EIGHT, tolerance, meter, watch),
+        Method::DormandPrince5 => run_pair((system, &FIVE), tolerance, meter, watch),
+        Method::DormandPrince8 => run_pair((system, &EIGHT), tolerance, meter, watch),
         Method::Verner6 => ryan_gast::run(Choice::Verner6, system, tolerance, meter, watch),
         Method::Verner9 => ryan_gast::run(Choice::Verner9, system, tolerance, meter, watch),
         Method::Radau5 => ryan_gast::run(Choice::Radau5, system, tolerance, meter, watch),
@@ -85,13 +85,13 @@ pub(crate) fn collocate_gauss<S: Working>(
 
 /// Runs one of Dormand and Prince's pairs.
 fn run_pair(
-    pair: &'static Pair,
+    (system, pair): (&dyn System, &'static Pair),
     tolerance: &Tolerance,
     meter: &BudgetedRhs<f64>,
     watch: Watch<'_, '_, f64>,
 ) -> Outcome<f64> {
     let first = first_step(meter, watch.state(), tolerance, pair.order, watch.length());
-    drive(&mut DormandPrince::new(pair, tolerance, meter.dimension()), first, meter, watch)
+    drive(&mut DormandPrince::new(system, pair, tolerance, meter.dimension()), first, meter, watch)
 }
 
 /// The same method over another span, without an observer.
@@ -117,7 +117,11 @@ fn prepared<S: Working>(
         return refused(span, Refusal::RatesNotFinite { component });
     }
     let watch = Watch::new(span, observer, Within::new(again, followed)).projected(S::projection(system));
-    run(&BudgetedRhs::new(law, span), watch)
+    let meter = BudgetedRhs::new(law, span);
+    match followed.is_some() && !span.within_step {
+        true => run(&meter.bounded(system.step_bounds(span.start, span.end)), watch),
+        false => run(&meter, watch),
+    }
 }
 
 /// A run that did not begin.

@@ -4,7 +4,7 @@ use std::cell::Cell;
 use std::time::Instant;
 
 use crate::run::clock::{self, Over};
-use crate::{Failure, Ode, Real, Span, Work};
+use crate::{Failure, Ode, Real, Span, StepBounds, Work};
 
 /// The clock is read once in so many evaluations: reading it costs as much as a small system's rates.
 const CLOCK_EVERY: u64 = 64;
@@ -26,6 +26,7 @@ pub(crate) struct BudgetedRhs<'a, S> {
     /// See [`Span`].
     pub within_step: bool,
     pub longest_first: Option<f64>,
+    bounds: Option<StepBounds>,
     allowed: u64,
     deadline: Option<Instant>,
     rates: Cell<u64>,
@@ -45,6 +46,7 @@ impl<'a, S: Real> BudgetedRhs<'a, S> {
             backwards: span.direction() < 0.0,
             within_step: span.within_step,
             longest_first: span.longest_first,
+            bounds: None,
             allowed: span.budget.evaluations,
             deadline: span.budget.deadline,
             rates: Cell::new(0),
@@ -54,6 +56,17 @@ impl<'a, S: Real> BudgetedRhs<'a, S> {
             spent: Cell::new(None),
             undefined: Cell::new(false),
         }
+    }
+
+    /// The same with bounds of steps where the law changes fast by itself.
+    pub fn bounded(self, bounds: StepBounds) -> Self {
+        BudgetedRhs { bounds: Some(bounds).filter(|bounds| !bounds.is_empty()), ..self }
+    }
+
+    /// The longest step from tau that may be tried, of those that are at most as long as one.
+    #[inline]
+    pub fn longest(&self, tau: S, most: f64) -> f64 {
+        self.bounds.as_ref().map_or(most, |bounds| bounds.longest(tau.approx(), most))
     }
 
     pub fn dimension(&self) -> usize {
@@ -125,6 +138,11 @@ impl<'a, S: Real> BudgetedRhs<'a, S> {
     /// Counts one evaluation of the constraints with their derivatives.
     pub fn count_constraints(&self) {
         self.constraints.set(self.constraints.get() + 1);
+    }
+
+    /// Whether a rate was not finite since the last call of [`Self::was_undefined`].
+    pub fn is_undefined(&self) -> bool {
+        self.undefined.get()
     }
 
     /// Whether a rate was not finite since the last call.

@@ -6,6 +6,7 @@
 //!   them (`watch`), states between two (`within`), the [`clock`];
 //! * told: to an [`Observer`] on the way, as an [`Outcome`] or a [`Failure`] at the end.
 
+pub(crate) mod brink;
 pub(crate) mod budgeted_rhs;
 pub mod clock;
 pub(crate) mod failure;

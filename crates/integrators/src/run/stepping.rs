@@ -1,5 +1,6 @@
 //! The loop around the steps of the own methods.
 
+use crate::run::brink::Brink;
 use crate::run::budgeted_rhs::BudgetedRhs;
 use crate::run::watch::Watch;
 use crate::{Failure, Outcome, Real, Tolerance};
@@ -23,6 +24,9 @@ pub(crate) enum Attempt {
 /// A stiff problem is followed to its end by an explicit method where no more than so many steps are left: they cost less than it would to
 /// be asked for another method.
 const FEW: f64 = 5_000.0;
+
+/// So many roundings of the time are not divided.
+const AT_ONCE: f64 = 16.0;
 
 /// Why a step was rejected: if no shorter one succeeds, why the run failed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -78,7 +82,9 @@ pub(crate) fn drive<S: Real>(
     mut watch: Watch<'_, '_, S>,
 ) -> Outcome<S> {
     let (mut after, mut between) = (watch.state().to_vec(), watch.state().to_vec());
+    let first = first.max(AT_ONCE * S::EPSILON * watch.time().abs());
     let (mut tau, mut proposed, mut last_cause) = (S::zero(), first, Cause::Error);
+    let mut brink = Brink::default();
     let mut even = Even { plan: None, all: 0, done: 0 };
     // the longest step from here that may end in numbers, however far a series reaches
     let mut finite = f64::INFINITY;
@@ -90,7 +96,9 @@ pub(crate) fn drive<S: Real>(
         }
         let step = match stepper.fixed() {
             Some(fixed) => even.step(tau, stop, fixed),
-            None => shorten(proposed, remaining),
+            // a few roundings of the time are one step
+            None if remaining.approx() <= AT_ONCE * S::EPSILON * watch.time().abs() => remaining,
+            None => shorten(meter.longest(tau, proposed), remaining),
         };
         let at = watch.time();
         let lands = step == remaining || even.lands();
@@ -100,6 +108,17 @@ pub(crate) fn drive<S: Real>(
         let attempt = stepper.attempt(tau, watch.state(), step, &mut after, meter);
         if let Some(failure) = meter.exhausted(at) {
             return watch.fail(failure, meter);
+        }
+        let rejected = match attempt {
+            Attempt::Rejected { cause, .. } => Some(cause == Cause::Undefined),
+            Attempt::Accepted { .. } | Attempt::Limited { .. } => None,
+        };
+        if brink.creeps(rejected, (watch.length() - tau).approx() / step.approx()) {
+            let cause = match attempt {
+                Attempt::Rejected { cause, .. } => cause,
+                _ => last_cause,
+            };
+            return watch.fail(cause.failure(at, step.approx()), meter);
         }
         match attempt {
             Attempt::Limited { .. } if (watch.length() - tau).approx() > FEW * step.approx() => {

@@ -3,7 +3,9 @@
 use std::time::Instant;
 
 use crate::problems::{Explosion, Funnel, Growth, Kaps, Pendulum};
-use dalembert_integrators::{Absolute, Failure, Method, Outcome, Record, Refusal, Span, System, Tolerance, integrate};
+use dalembert_integrators::{
+    Absolute, Failure, Method, Ode, Outcome, Record, Refusal, Span, System, Tolerance, integrate,
+};
 
 const EXPLICIT: [Method; 5] =
     [Method::DormandPrince5, Method::DormandPrince8, Method::Verner6, Method::Verner9, Method::GraggBulirschStoer];
@@ -163,4 +165,27 @@ fn bad_data_are_refused_before_the_first_step() {
     assert!(matches!(refusal(&fine, &span().with_outputs(&[0.5, 0.2])), Refusal::Output { index: 1, .. }));
     assert!(matches!(refusal(&fine, &span().with_outputs(&[1.5])), Refusal::Output { index: 0, .. }));
     assert_eq!(refusal(&fine, &span().with_evaluations(0)), Refusal::NoBudget);
+}
+
+/// x'' = -w^2 x: the Lipschitz number of a step may be near w^2, the eigenvalue is w, and accuracy holds the steps far below the stable ones.
+#[test]
+fn fast_oscillations_that_accuracy_resolves_are_not_stiff() {
+    struct Fast;
+    impl<S: field::Scalar> Ode<S> for Fast {
+        fn dimension(&self) -> usize {
+            2
+        }
+
+        fn rates(&self, _: S, y: &[S], dy: &mut [S]) {
+            dy[0] = y[1];
+            dy[1] = -S::int(100_000_000) * y[0];
+        }
+    }
+    impl System for Fast {}
+    for method in [Method::DormandPrince5, Method::DormandPrince8] {
+        let span = Span::new(0.0, 1.0, &[1e-5, 0.0]);
+        let outcome = integrate(&Fast, method, &Tolerance::both(1e-11), &span, &mut ());
+        assert_eq!(outcome.failure(), None, "{method}");
+        assert!((outcome.state[0] - 1e-5 * 1e4_f64.cos()).abs() < 1e-7, "{method}");
+    }
 }

@@ -25,6 +25,7 @@ use differential_equations::status::Status;
 
 use super::components::{Components, Vector};
 use crate::law::jacobian::Jacobian;
+use crate::run::brink::Brink;
 use crate::run::budgeted_rhs::BudgetedRhs;
 use crate::run::stepping::first_step;
 use crate::run::watch::Watch;
@@ -163,9 +164,9 @@ fn in_form<Y: Components>(
     let absolute: Vec<f64> = (0..padded).map(|i| if i < n { tolerance.absolute(i) } else { 1.0 }).collect();
     let order = if choice == Choice::Verner9 { 9 } else { 5 };
     let mut step = first_step(meter, watch.state(), tolerance, order, watch.length());
-    let mut looser = 1.0;
+    let (mut looser, mut brink) = (1.0, Brink::default());
     while watch.goes_on() {
-        let first = step.min(watch.landing() - watch.tau());
+        let first = meter.longest(watch.tau(), step).min(watch.landing() - watch.tau());
         if first <= f64::EPSILON * watch.tau().max(f64::EPSILON * watch.length()) {
             let at = watch.time();
             return watch.fail(Failure::LeftTheNumbers { at }, meter);
@@ -175,22 +176,22 @@ fn in_form<Y: Components>(
         let result = match choice {
             Choice::Verner6 => {
                 let method = ExplicitRungeKutta::rkv655e().h0(first).max_steps(usize::MAX).max_rejects(usize::MAX);
-                stretch::<Y, _>(method.rtol(relative).atol(absolute), &law, left, &mut watch)
+                stretch::<Y, _>(method.rtol(relative).atol(absolute), &law, left, (&mut watch, &mut brink))
             }
             Choice::Verner9 => {
                 let method = ExplicitRungeKutta::rkv988e().h0(first).max_steps(usize::MAX).max_rejects(usize::MAX);
-                stretch::<Y, _>(method.rtol(relative).atol(absolute), &law, left, &mut watch)
+                stretch::<Y, _>(method.rtol(relative).atol(absolute), &law, left, (&mut watch, &mut brink))
             }
             Choice::Radau5 => {
                 let method = ImplicitRungeKutta::radau5().h0(first).max_steps(usize::MAX).max_rejects(usize::MAX);
                 let method = method.newton_tol(left.size);
-                stretch::<Y, _>(method.rtol(relative).atol(absolute), &law, left, &mut watch)
+                stretch::<Y, _>(method.rtol(relative).atol(absolute), &law, left, (&mut watch, &mut brink))
             }
             Choice::Kvaerno5 => {
                 let method =
                     DiagonallyImplicitRungeKutta::kvaerno745().h0(first).max_steps(usize::MAX).max_rejects(usize::MAX);
                 let method = method.newton_tol(left.size);
-                stretch::<Y, _>(method.rtol(relative).atol(absolute), &law, left, &mut watch)
+                stretch::<Y, _>(method.rtol(relative).atol(absolute), &law, left, (&mut watch, &mut brink))
             }
         };
         match result {
@@ -261,7 +262,7 @@ fn stretch<Y: Components, M: OrdinaryNumericalMethod<f64, Y>>(
     mut method: M,
     law: &Law<'_>,
     left: Left,
-    watch: &mut Watch<'_, '_, f64>,
+    (watch, brink): (&mut Watch<'_, '_, f64>, &mut Brink),
 ) -> Result<Next, Failure> {
     let (meter, n, stop) = (law.meter, law.meter.dimension(), watch.landing());
     // the method begins with the state of the law
@@ -277,7 +278,8 @@ fn stretch<Y: Components, M: OrdinaryNumericalMethod<f64, Y>>(
     while watch.tau() < stop && watch.goes_on() {
         let (at, remaining, step) = (watch.time(), stop - watch.tau(), method.h());
         let lands = step >= remaining * (1.0 - 1e-10);
-        if lands && !fresh {
+        let is_too_long = meter.longest(watch.tau(), step) < step;
+        if (lands || is_too_long) && !fresh {
             return Ok(Next { step, clean, stalled: false });
         }
         let mostly = attempts >= WINDOW && f64::from(rejected) > MOSTLY * f64::from(attempts);
@@ -306,9 +308,19 @@ fn stretch<Y: Components, M: OrdinaryNumericalMethod<f64, Y>>(
             meter.count_factorisation();
         }
         attempts += 1;
+        let is_rejected = matches!(method.status(), Status::RejectedStep);
+        let is_spoilt = !method.y().values().iter().all(|y| y.is_finite());
+        if brink.creeps((is_rejected || is_spoilt).then(|| meter.is_undefined()), (watch.length() - watch.tau()) / step)
+        {
+            return Err(if meter.is_undefined() {
+                Failure::LeftTheNumbers { at }
+            } else {
+                Failure::NewtonFailed { at, step }
+            });
+        }
         let keeps_factors = left.choice == Choice::Radau5 && work.decompositions == 0;
         let is_stale = |next: f64| keeps_factors && next != step;
-        if matches!(method.status(), Status::RejectedStep) {
+        if is_rejected {
             watch.reject();
             (rejections, rejected, clean) = (rejections + 1, rejected + 1, false);
             if is_stale(method.h()) && method.h().is_finite() {
@@ -317,7 +329,7 @@ fn stretch<Y: Components, M: OrdinaryNumericalMethod<f64, Y>>(
             continue;
         }
         // the crate's explicit pairs take an undefined error for none: back to the last good state
-        if !method.y().values().iter().all(|y| y.is_finite()) {
+        if is_spoilt {
             watch.reject();
             return Ok(Next { step: 0.25 * step, clean: false, stalled: false });
         }

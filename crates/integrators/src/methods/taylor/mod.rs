@@ -147,6 +147,8 @@ pub(crate) struct TaylorStepper<S, T> {
     /// The step from a point without a series, where the run has come to one; whether it was the last step.
     departure: Option<Departure<S>>,
     departed: bool,
+    /// Steps in a row that have ended on another branch of the law than they began on.
+    astray: u32,
 }
 
 impl<S: Real, T: TaylorSeries<S>> TaylorStepper<S, T> {
@@ -159,6 +161,7 @@ impl<S: Real, T: TaylorSeries<S>> TaylorStepper<S, T> {
             within: Default::default(),
             departure: None,
             departed: false,
+            astray: 0,
         }
     }
 }
@@ -166,15 +169,20 @@ impl<S: Real, T: TaylorSeries<S>> TaylorStepper<S, T> {
 /// Rates of a series that miss those of the law over a step by so many times what is allowed belong to another branch of it.
 const OFF: f64 = 1e3;
 
+/// A motion that crosses over to another branch does so in a few steps. One that ends so many steps in a row on another branch has come to
+/// where its law ends, such as the bottom of a tank, and is turned back by each series within the tolerance.
+const MOST_ASTRAY: u32 = 12;
+
 impl<S: Real, T: TaylorSeries<S>> TaylorStepper<S, T> {
     /// Whether the rates of the series are those of the law, in the middle of a step and at its end.
     fn follows(&mut self, (tau, step): (S, S), meter: &BudgetedRhs<S>) -> bool {
-        let TaylorStepper { method, direction, within: [state, rates, own], .. } = self;
+        let TaylorStepper { method, direction, within: [state, rates, own], astray, .. } = self;
         let states = method.source.coefficients(0).len();
         for room in [&mut *state, rates, own] {
             room.resize(states, S::zero());
         }
-        [step.half(), step].into_iter().all(|passed| {
+        let mut is_astray = false;
+        let follows = [step.half(), step].into_iter().all(|passed| {
             let h = passed * *direction;
             method.source.sum(h, state);
             meter.rates(tau + passed, state, rates);
@@ -189,9 +197,17 @@ impl<S: Real, T: TaylorSeries<S>> TaylorStepper<S, T> {
                 let value = state[i].approx().abs();
                 let allowed = method.tolerance.absolute(i) + method.tolerance.relative * value;
                 let rounding = S::EPSILON * (value + rates[i].approx().abs() * step.approx());
+                let sizes = own[i].approx().abs() + rates[i].approx().abs();
+                is_astray |= apart > OFF * rounding && apart > 0.5 * sizes * step.approx();
                 apart <= OFF * (allowed + rounding)
             })
-        })
+        });
+        *astray = match (follows, is_astray) {
+            (true, true) => *astray + 1,
+            (true, false) => 0,
+            (false, _) => *astray,
+        };
+        follows
     }
 }
 
@@ -221,6 +237,10 @@ impl<S: Real, T: TaylorSeries<S>> Stepper<S> for TaylorStepper<S, T> {
             // the same series is tried over a shorter step
             self.reach = step.approx() / 4.0;
             return Attempt::Rejected { next: self.reach, cause: Cause::Error };
+        }
+        if self.astray > MOST_ASTRAY {
+            self.reach = 0.0;
+            return Attempt::Rejected { next: 0.0, cause: Cause::Undefined };
         }
         self.method.source.sum(step * self.direction, after);
         Attempt::Accepted { next: self.reach }

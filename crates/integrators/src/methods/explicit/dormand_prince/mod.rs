@@ -10,11 +10,13 @@
 //! 15 slopes a step instead of 12, or 7 instead of 6, for a dense output that is not read, and takes states of static size only.
 
 mod pairs;
+mod stiffness;
 
-use crate::Tolerance;
 use crate::run::budgeted_rhs::BudgetedRhs;
 use crate::run::stepping::{Attempt, Cause, Stepper};
+use crate::{System, Tolerance};
 pub(crate) use pairs::{EIGHT, FIVE, Pair};
+use stiffness::Stiffness;
 
 /// Four components are combined at once: their sums stay in vector registers, whatever the dimension.
 type Four = [f64; 4];
@@ -27,7 +29,7 @@ const SAFETY: f64 = 0.9;
 const RETREAT: f64 = 0.25;
 
 /// One of the pairs with its stages, padded to multiples of four components.
-pub(crate) struct DormandPrince {
+pub(crate) struct DormandPrince<'a> {
     pair: &'static Pair,
     relative: f64,
     absolute: Vec<Four>,
@@ -40,7 +42,7 @@ pub(crate) struct DormandPrince {
     slope_at: Option<f64>,
     last_error: f64,
     after_rejection: bool,
-    stiffness: Stiffness,
+    stiffness: Stiffness<'a>,
 }
 
 /// k_1 to k_s, then f(t + h, y_1), one after another.
@@ -83,8 +85,8 @@ impl Slopes {
     }
 }
 
-impl DormandPrince {
-    pub fn new(pair: &'static Pair, tolerance: &Tolerance, dimension: usize) -> Self {
+impl<'a> DormandPrince<'a> {
+    pub fn new(system: &'a dyn System, pair: &'static Pair, tolerance: &Tolerance, dimension: usize) -> Self {
         let width = dimension.div_ceil(4);
         let zeros = || vec![[0.0; 4]; width];
         let mut absolute = vec![[1.0; 4]; width];
@@ -101,7 +103,7 @@ impl DormandPrince {
             slope_at: None,
             last_error: LEAST_ERROR,
             after_rejection: false,
-            stiffness: Stiffness::default(),
+            stiffness: Stiffness::of(system),
         }
     }
 
@@ -143,7 +145,7 @@ impl DormandPrince {
     }
 }
 
-impl Stepper<f64> for DormandPrince {
+impl Stepper<f64> for DormandPrince<'_> {
     fn attempt(&mut self, tau: f64, before: &[f64], step: f64, after: &mut [f64], meter: &BudgetedRhs<f64>) -> Attempt {
         let (pair, n) = (self.pair, before.len());
         let end = pair.stages.len() + 1;
@@ -182,40 +184,16 @@ impl Stepper<f64> for DormandPrince {
         if !pair.error_needs_end {
             slope_at_end(&mut self.slopes, &self.after);
         }
-        let is_stiff = self.stiffness.is_due() && self.stiffness.found(self.stretching(step) > pair.stretching);
+        let is_stiff = self.stiffness.is_due()
+            && self.stiffness.found(self.stretching(step) > pair.stretching)
+            && self.stiffness.is_confirmed(
+                (pair.stretching, step),
+                (meter, tau + step),
+                &self.after.as_flattened()[..n],
+            );
         self.slopes.begin_at(end);
         self.slope_at = Some(tau + step);
         after.copy_from_slice(&self.after.as_flattened()[..n]);
         if is_stiff { Attempt::Limited { next } } else { Attempt::Accepted { next } }
-    }
-}
-
-/// Hairer's test for stiffness: at every hundredth step, and from one that stability seems to have limited at each, until fifteen in all
-/// have been such, or six others in a row were not.
-#[derive(Default)]
-struct Stiffness {
-    accepted: u64,
-    limited: u32,
-    others: u32,
-}
-
-impl Stiffness {
-    /// Counts an accepted step; whether it is to be looked at.
-    fn is_due(&mut self) -> bool {
-        self.accepted += 1;
-        self.accepted.is_multiple_of(100) || self.limited > 0
-    }
-
-    /// Counts a step that was looked at; whether the problem is stiff.
-    fn found(&mut self, limited: bool) -> bool {
-        if limited {
-            (self.limited, self.others) = (self.limited + 1, 0);
-        } else {
-            self.others += 1;
-            if self.others == 6 {
-                self.limited = 0;
-            }
-        }
-        self.limited >= 15
     }
 }

@@ -1,0 +1,105 @@
+//! Bounds of steps where a law changes fast by itself.
+//!
+//! The error estimate of a step sees the law at its stages. A force that lasts for less time than lies between two stages is passed over,
+//! and every estimate is small. Where functions of the time alone show such places, steps are bounded there.
+
+use std::sync::Arc;
+
+/// A time about which a law changes fast.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Haste {
+    pub from: f64,
+    pub to: f64,
+    /// The longest step within.
+    pub step: f64,
+}
+
+/// Stretches of a run, one after another, with the longest step in each; none in between is bounded.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct StepBounds {
+    /// The beginning of each stretch, as time since the start of the run, and the longest step in it.
+    stretches: Arc<[(f64, f64)]>,
+}
+
+impl StepBounds {
+    /// Of a run from one time to another, which may lie before it; times of haste may lie within each other.
+    pub fn of(from: f64, to: f64, all: &[Haste]) -> Self {
+        let since = |time: f64| (time - from) * (to - from).signum();
+        let length = since(to);
+        let mut ends: Vec<(f64, f64, f64)> = Vec::new();
+        for haste in all {
+            let [a, b] = [since(haste.from), since(haste.to)];
+            let (begin, end) = (a.min(b).max(0.0), a.max(b).min(length));
+            if begin < end {
+                ends.push((begin, end, haste.step));
+            }
+        }
+        ends.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut times: Vec<f64> = ends.iter().flat_map(|(begin, end, _)| [*begin, *end]).collect();
+        times.sort_by(f64::total_cmp);
+        times.dedup();
+        let (mut open, mut next): (Vec<(f64, f64)>, usize) = (Vec::new(), 0);
+        let mut stretches: Vec<(f64, f64)> = Vec::new();
+        for time in times {
+            while let Some((_, end, step)) = ends.get(next).filter(|(begin, ..)| *begin <= time) {
+                open.push((*end, *step));
+                next += 1;
+            }
+            open.retain(|(end, _)| *end > time);
+            let step = open.iter().fold(f64::INFINITY, |least, (_, step)| least.min(*step));
+            if stretches.last().is_none_or(|(_, last)| *last != step) {
+                stretches.push((time, step));
+            }
+        }
+        StepBounds { stretches: stretches.into() }
+    }
+
+    /// The same of a run whose time goes so many times as fast.
+    pub fn paced(&self, factor: f64) -> Self {
+        StepBounds { stretches: self.stretches.iter().map(|(begin, step)| (begin * factor, step * factor)).collect() }
+    }
+
+    /// Whether no step is bounded.
+    pub fn is_empty(&self) -> bool {
+        self.stretches.is_empty()
+    }
+
+    /// The longest step from a time since the start, of those that are at most as long as one: it ends where a stretch begins, unless the way
+    /// there is shorter than what is allowed in it. A series from far away shows nothing of what happens in a stretch.
+    pub fn longest(&self, tau: f64, most: f64) -> f64 {
+        let behind = self.stretches.partition_point(|(begin, _)| *begin <= tau);
+        let own = behind.checked_sub(1).map_or(f64::INFINITY, |place| self.stretches[place].1);
+        let mut longest = most.min(own);
+        for (begin, step) in &self.stretches[behind..] {
+            if *begin >= tau + longest {
+                break;
+            }
+            longest = longest.min((begin - tau).max(*step));
+        }
+        longest
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Haste, StepBounds};
+
+    #[test]
+    fn a_step_ends_where_a_stretch_begins() {
+        let all = [Haste { from: 4.0, to: 4.4, step: 0.1 }, Haste { from: 4.1, to: 4.2, step: 0.01 }];
+        let bounds = StepBounds::of(0.0, 10.0, &all);
+        let longest = |tau: f64, most: f64| bounds.longest(tau, most);
+        assert_eq!([longest(0.0, 2.0), longest(0.0, 9.0), longest(5.0, 9.0)], [2.0, 4.0, 9.0]);
+        assert!((longest(4.05, 9.0) - 0.05).abs() < 1e-12 && longest(4.15, 9.0) == 0.01);
+        assert!((longest(4.3, 9.0) - 0.1).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_run_that_goes_back_has_the_stretches_of_its_way() {
+        let bounds = StepBounds::of(10.0, 2.0, &[Haste { from: 4.0, to: 5.0, step: 0.5 }]);
+        let paced = bounds.paced(0.1);
+        assert!((paced.longest(0.0, 0.9) - 0.5).abs() < 1e-12 && (paced.longest(0.52, 0.9) - 0.05).abs() < 1e-12);
+        assert_eq!([bounds.longest(0.0, 9.0), bounds.longest(5.2, 9.0), bounds.longest(6.5, 9.0)], [5.0, 0.5, 9.0]);
+        assert!(StepBounds::of(0.0, 1.0, &[Haste { from: 4.0, to: 5.0, step: 0.5 }]).is_empty());
+    }
+}

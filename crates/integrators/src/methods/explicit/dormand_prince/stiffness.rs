@@ -1,0 +1,85 @@
+//! Whether stability limits the steps of an explicit pair.
+
+use crate::System;
+use crate::law::jacobian::Jacobian;
+use crate::newton::SpectralRadius;
+use crate::run::budgeted_rhs::BudgetedRhs;
+
+/// The interval of steps at which one is looked at, where none seemed to be limited.
+const EVERY: u64 = 100;
+
+/// Steps that seem to be limited, after which the eigenvalues are asked, and others in a row that are not, after which all is forgotten.
+const LIMITED: u32 = 15;
+const OTHERS: u32 = 6;
+
+/// A step that stability limits is at least this part of the longest stable one of the fastest mode, which a bound of its eigenvalue from
+/// above shows.
+const OF_STABLE: f64 = 0.5;
+
+/// Larger systems are not asked for eigenvalues: their products cost too much.
+const MOST_STATES: usize = 400;
+
+/// Hairer's test for stiffness: at every hundredth step, and from one that stability seems to have limited at each, until fifteen in all
+/// have been such, or six others in a row were not.
+///
+/// The Lipschitz number that a step shows is at least the eigenvalue of the fastest mode, and may be much larger: of x'' = -w^2 x it is w^2
+/// where it is w. So the eigenvalues are asked before a run is given up. Where they deny it, the test rests twice as long as before.
+pub(super) struct Stiffness<'a> {
+    system: &'a dyn System,
+    accepted: u64,
+    limited: u32,
+    others: u32,
+    /// Steps before which nothing is looked at, and by how many they grow where the eigenvalues deny it.
+    rests_until: u64,
+    rest: u64,
+}
+
+impl<'a> Stiffness<'a> {
+    pub fn of(system: &'a dyn System) -> Self {
+        Stiffness { system, accepted: 0, limited: 0, others: 0, rests_until: 0, rest: EVERY }
+    }
+
+    /// Counts an accepted step; whether it is to be looked at.
+    pub fn is_due(&mut self) -> bool {
+        self.accepted += 1;
+        self.accepted >= self.rests_until && (self.accepted.is_multiple_of(EVERY) || self.limited > 0)
+    }
+
+    /// Counts a step that was looked at; whether the problem seems stiff.
+    pub fn found(&mut self, limited: bool) -> bool {
+        if limited {
+            (self.limited, self.others) = (self.limited + 1, 0);
+        } else {
+            self.others += 1;
+            if self.others == OTHERS {
+                self.limited = 0;
+            }
+        }
+        self.limited >= LIMITED
+    }
+
+    /// Whether a step is as long as the eigenvalues at its end allow: |h lambda| is at most `stable` for a mode that does not grow.
+    pub fn is_confirmed(
+        &mut self,
+        (stable, step): (f64, f64),
+        (meter, tau): (&BudgetedRhs<f64>, f64),
+        state: &[f64],
+    ) -> bool {
+        let n = state.len();
+        if n > MOST_STATES {
+            return true;
+        }
+        let mut matrix = vec![0.0; n * n];
+        Jacobian::of(self.system).matrix(meter.time(tau), state, &mut matrix);
+        meter.count_jacobian();
+        let radius = SpectralRadius::new(n).radius(&matrix);
+        // what is no number denies nothing
+        let is_denied = step * radius < OF_STABLE * stable;
+        if is_denied {
+            (self.limited, self.others) = (0, 0);
+            self.rests_until = self.accepted + self.rest;
+            self.rest *= 2;
+        }
+        !is_denied
+    }
+}
