@@ -58,7 +58,8 @@ pub use events::Margin;
 pub use ivp_scene::{IvpScene, RunNotes};
 pub use law::{
     CompiledDae, CompiledLaw, Differentiable, DirectionalProgram, Expandable, Exponents, JacobianProgram, Law,
-    LawSeries, Program, ProjectedLaw, Room, Running, Splittable, SymbolicDae, SymbolicLaw, TracedOde, traced,
+    LawSeries, Program, ProjectedLaw, Room, Running, Splittable, SymbolicDae, SymbolicLaw, TimeScales, TracedOde,
+    traced,
 };
 pub use problem::{Invariant, Problem};
 pub use references::Stored;

@@ -106,7 +106,8 @@ impl Follower<'_> {
     /// Follows a law to a time.
     fn go_to(&mut self, moded: &Moded, time: DoubleDouble) -> Result<(), Unknown> {
         let (from, state) = &mut self.at;
-        *state = self.means.flow(&*moded.system, [*from, time], state)?;
+        let bounds = moded.law.step_bounds(from.hi(), time.hi());
+        *state = self.means.flow((&*moded.system, &bounds), [*from, time], state)?;
         *from = time;
         Ok(())
     }

@@ -4,8 +4,11 @@ use crate::law::divisors::DivisorProgram;
 use crate::law::jacobian::JacobianProgram;
 use crate::law::program::Program;
 use crate::law::series::LawSeries;
+use crate::law::time_scales::TimeScales;
 use field::DoubleDouble;
-use integrators::{Composed, Divisors, Dual8, JacobianFn, Ode, Splitting, System, TaylorSeries, Variations};
+use integrators::{
+    Composed, Divisors, Dual8, JacobianFn, Ode, Splitting, StepBounds, System, TaylorSeries, Variations,
+};
 use std::sync::{Arc, OnceLock};
 use symbolic::Sym;
 
@@ -39,6 +42,8 @@ pub struct CompiledLaw {
     rates: OnceLock<Option<Program>>,
     /// `None` where the rates divide by constants only.
     divisors: OnceLock<Option<DivisorProgram>>,
+    /// `None` where the time stands in lines only.
+    time_scales: OnceLock<Option<TimeScales>>,
     series: LawSeries,
     jacobian: Arc<dyn Differentiable>,
     pieces: Option<Arc<dyn Splittable>>,
@@ -55,6 +60,7 @@ impl CompiledLaw {
         CompiledLaw {
             rates: OnceLock::new(),
             divisors: OnceLock::new(),
+            time_scales: OnceLock::new(),
             series: LawSeries::of(Arc::clone(&law)),
             jacobian: Arc::new(JacobianProgram::of(Arc::clone(&law))),
             pieces: None,
@@ -127,6 +133,11 @@ impl System for CompiledLaw {
     fn divisors(&self) -> Option<&dyn Divisors> {
         let made = self.divisors.get_or_init(|| self.program().and_then(DivisorProgram::of));
         made.as_ref().map(|program| program as &dyn Divisors)
+    }
+
+    fn step_bounds(&self, from: f64, to: f64) -> StepBounds {
+        let made = self.time_scales.get_or_init(|| self.program().and_then(TimeScales::of));
+        made.as_ref().map_or_else(StepBounds::default, |scales| scales.bounds(from, to))
     }
 
     fn taylor(&self) -> Option<Box<dyn TaylorSeries<f64> + '_>> {

@@ -9,6 +9,7 @@ mod jacobian;
 mod program;
 mod projected_law;
 mod series;
+mod time_scales;
 mod trace;
 
 pub use compiled_dae::{CompiledDae, SymbolicDae};
@@ -19,4 +20,5 @@ pub use jacobian::JacobianProgram;
 pub use program::{Program, Running};
 pub use projected_law::ProjectedLaw;
 pub use series::LawSeries;
+pub use time_scales::TimeScales;
 pub use trace::{TracedOde, traced};

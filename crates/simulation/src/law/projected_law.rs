@@ -3,7 +3,7 @@
 use crate::law::compiled_law::Law;
 use field::DoubleDouble;
 use integrators::{
-    Composed, Divisors, Dual8, JacobianFn, Ode, Projection, Splitting, System, TaylorSeries, Variations,
+    Composed, Divisors, Dual8, JacobianFn, Ode, Projection, Splitting, StepBounds, System, TaylorSeries, Variations,
 };
 use std::sync::Arc;
 
@@ -46,6 +46,10 @@ impl System for ProjectedLaw {
 
     fn divisors(&self) -> Option<&dyn Divisors> {
         self.law.divisors()
+    }
+
+    fn step_bounds(&self, from: f64, to: f64) -> StepBounds {
+        self.law.step_bounds(from, to)
     }
 
     fn taylor(&self) -> Option<Box<dyn TaylorSeries<f64> + '_>> {

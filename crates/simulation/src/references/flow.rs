@@ -1,12 +1,13 @@
 //! The flow of a law from a time to another, both known to more digits than an `f64` has.
 
 use field::{DoubleDouble, Over};
-use integrators::{Dual8, Failure, Method, Ode, Span, System, TIGHTEST, Tolerance, Work, integrate_in};
+use integrators::{Dual8, Failure, Method, Ode, Span, StepBounds, System, TIGHTEST, Tolerance, Work, integrate_in};
 use std::time::Instant;
 
 /// y' = L f(t + s L, y) for s from 0 to 1: a law over a stretch of its time.
 struct Paced<'a, L> {
     law: &'a L,
+    bounds: StepBounds,
     start: DoubleDouble,
     length: DoubleDouble,
 }
@@ -28,7 +29,11 @@ impl<S: Over<f64>, L: Ode<S>> Ode<S> for Paced<'_, L> {
     }
 }
 
-impl<L: Ode<f64> + Ode<Dual8> + Ode<DoubleDouble>> System for Paced<'_, L> {}
+impl<L: Ode<f64> + Ode<Dual8> + Ode<DoubleDouble>> System for Paced<'_, L> {
+    fn step_bounds(&self, _from: f64, _to: f64) -> StepBounds {
+        self.bounds.clone()
+    }
+}
 
 /// A method with its tolerance, and what it has cost.
 pub struct Means {
@@ -40,13 +45,13 @@ pub struct Means {
 }
 
 impl Means {
-    /// The state at `to` of the motion that is in `y` at `from`.
+    /// The state at `to` of the motion that is in `y` at `from`; the bounds of its steps belong to this way.
     ///
     /// # Errors
     /// Why the method stopped.
     pub fn flow<L>(
         &mut self,
-        law: &L,
+        (law, bounds): (&L, &StepBounds),
         [from, to]: [DoubleDouble; 2],
         y: &[DoubleDouble],
     ) -> Result<Vec<DoubleDouble>, Failure>
@@ -57,7 +62,8 @@ impl Means {
             return Ok(y.to_vec());
         }
         let length = to - from;
-        let found = self.run(&Paced { law, start: from, length }, 1.0, y, &[]);
+        let found =
+            self.run(&Paced { law, bounds: bounds.paced(1.0 / length.hi().abs()), start: from, length }, 1.0, y, &[]);
         found.map_err(|failure| failure.in_time(from.hi(), length.hi()))
     }
 

@@ -67,6 +67,11 @@ impl Program {
         self.tape.singular_places()
     }
 
+    /// Its functions of the time alone, as [`Tape::parts_of_last_input`].
+    pub(super) fn parts_of_time(&self) -> Vec<Tape> {
+        self.tape.parts_of_last_input()
+    }
+
     /// The program of a tape whose operations are followed one by one.
     pub(super) fn without_code(tape: Tape) -> Self {
         let (plain, slopes, exact) = (Table::of(&tape), Table::of(&tape), Table::of(&tape));

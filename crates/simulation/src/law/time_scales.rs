@@ -1,0 +1,282 @@
+//! Times about which functions of the time alone change fast, so that no step passes over them.
+//!
+//! Each function is enclosed over the whole run, and over halves of what is wide, until it changes by no more than a part of its range in
+//! any cell: the lengths of the cells are its time scale. Enclosures hold all values, so that no pulse is too short to be found. A function
+//! that swings all the time has equal cells, and bounds nothing: error estimates see it.
+
+use crate::law::program::Program;
+use field::Interval;
+use integrators::{Haste, StepBounds};
+use std::cmp::Ordering;
+use std::collections::BinaryHeap;
+use std::sync::{Arc, Mutex, PoisonError};
+use symbolic::Tape;
+
+/// The part of a function's range by which it may change within a cell.
+const PART: f64 = 0.25;
+
+/// Functions that are looked at, and enclosures of each.
+const MOST_FUNCTIONS: usize = 24;
+const MOST_ENCLOSURES: usize = 6_000;
+
+/// Halvings after which a cell is not divided.
+const MOST_HALVINGS: u32 = 40;
+
+/// At so many cells it is asked whether the function changes in cells that are half of the way: then it swings all the time.
+const LOOKED_AT: usize = 64;
+
+/// Cells are short where they are at most this part of the run.
+const SHORT: f64 = 1.0 / 32.0;
+
+/// Cells are found with steps that had no reason to be short where none of their length lies in so many lengths before them, or in so many
+/// from the start on.
+const QUIET: f64 = 24.0;
+const QUIET_AT_START: f64 = 8.0;
+
+/// The lengths of a cell over which steps are bounded, and the longest step.
+const BOUNDED: f64 = 16.0;
+const LONGEST: f64 = 2.0;
+
+/// The functions of the time alone in a program, and where they have been found to change fast.
+#[derive(Debug)]
+pub struct TimeScales {
+    functions: Vec<Tape>,
+    known: Mutex<Option<Known>>,
+}
+
+/// The way of a run with what was found on it.
+#[derive(Debug)]
+struct Known {
+    from: f64,
+    to: f64,
+    found: Arc<[Haste]>,
+}
+
+impl TimeScales {
+    /// None of a program in which the time stands in no function but lines.
+    pub fn of(program: &Program) -> Option<Self> {
+        let mut functions = program.parts_of_time();
+        functions.truncate(MOST_FUNCTIONS);
+        (!functions.is_empty()).then(|| TimeScales { functions, known: Mutex::new(None) })
+    }
+
+    /// The bounds of steps from one time to another.
+    pub fn bounds(&self, from: f64, to: f64) -> StepBounds {
+        let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
+        let holds = |known: &&Known| {
+            let way = (known.to - known.from).signum();
+            (to - from) * way > 0.0 && (from - known.from) * way >= 0.0 && (known.to - to) * way >= 0.0
+        };
+        let found = match known.as_ref().filter(holds) {
+            Some(known) => Arc::clone(&known.found),
+            None => {
+                let all = self.functions.iter().flat_map(|function| hastes(function, from, to));
+                let found: Arc<[Haste]> = all.collect();
+                *known = Some(Known { from, to, found: Arc::clone(&found) });
+                found
+            }
+        };
+        StepBounds::of(from, to, &found)
+    }
+}
+
+/// A part of the run, in whose direction it goes from 0 to 1, with the range of the function over it.
+#[derive(Clone, Copy, Debug)]
+struct Cell {
+    begin: f64,
+    halvings: u32,
+    width: f64,
+    /// The values at both ends.
+    ends: [f64; 2],
+}
+
+impl Cell {
+    fn length(&self) -> f64 {
+        (-f64::from(self.halvings)).exp2()
+    }
+}
+
+impl PartialEq for Cell {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other) == Ordering::Equal
+    }
+}
+
+impl Eq for Cell {}
+
+impl PartialOrd for Cell {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+/// The widest first, of these the longest.
+impl Ord for Cell {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.width
+            .total_cmp(&other.width)
+            .then(other.halvings.cmp(&self.halvings))
+            .then(other.begin.total_cmp(&self.begin))
+    }
+}
+
+/// Where a function changes fast on a way.
+fn hastes(function: &Tape, from: f64, to: f64) -> Vec<Haste> {
+    let at = |part: f64| from + (to - from) * part;
+    let cells = cells(|a, b| function.range_over_last_input(Interval::new(at(a), at(b))));
+    let length = (to - from).abs();
+    let bounded = |(begin, end, scale): (f64, f64, f64)| Haste {
+        from: at(begin),
+        to: at(end.min(begin + BOUNDED * scale)),
+        step: LONGEST * scale * length,
+    };
+    stretches(&cells).into_iter().map(bounded).collect()
+}
+
+/// The cells of a function on the way from 0 to 1, in order; none of one that swings all the time.
+fn cells(range: impl Fn(f64, f64) -> Interval) -> Vec<Cell> {
+    let value =
+        |at: f64| Some(range(at, at)).filter(|value| value.size().is_finite()).map_or(f64::NAN, Interval::middle);
+    let cell = |begin: f64, halvings: u32, ends: [f64; 2]| {
+        let mut cell = Cell { begin, halvings, width: 0.0, ends };
+        let over = range(begin, begin + cell.length());
+        // what is not divided any more changes at once, or has no value
+        cell.width = if halvings < MOST_HALVINGS { over.width() } else { 0.0 };
+        cell
+    };
+    let first = [value(0.0), value(1.0)];
+    let mut spread = first.iter().filter(|value| !value.is_nan()).fold(None, wider);
+    let mut open = BinaryHeap::from([cell(0.0, 0, first)]);
+    let mut enclosures = 1;
+    while let Some(widest) = open.peek().copied() {
+        let whole = spread.map_or(0.0, |[least, most]: [f64; 2]| most - least);
+        let rounding = f64::EPSILON.sqrt() * spread.map_or(0.0, |[least, most]| least.abs().max(most.abs()));
+        if widest.width <= PART * whole || widest.width <= rounding || enclosures >= MOST_ENCLOSURES {
+            break;
+        }
+        if open.len() == LOOKED_AT {
+            let changes = |cell: &&Cell| (cell.ends[1] - cell.ends[0]).abs() >= 0.5 * PART * whole;
+            if open.iter().filter(changes).map(Cell::length).sum::<f64>() > 0.5 {
+                return Vec::new();
+            }
+        }
+        open.pop();
+        let halvings = widest.halvings + 1;
+        let middle = widest.begin + 0.5 * widest.length();
+        let between = value(middle);
+        spread = Some(between).iter().filter(|value| !value.is_nan()).fold(spread, wider);
+        open.push(cell(widest.begin, halvings, [widest.ends[0], between]));
+        open.push(cell(middle, halvings, [between, widest.ends[1]]));
+        enclosures += 2;
+    }
+    let mut cells = open.into_vec();
+    cells.sort_by(|a, b| a.begin.total_cmp(&b.begin));
+    cells
+}
+
+fn wider(spread: Option<[f64; 2]>, value: &f64) -> Option<[f64; 2]> {
+    Some(spread.map_or([*value; 2], |[least, most]| [least.min(*value), most.max(*value)]))
+}
+
+/// Where cells as short as a length begin after a time without such, where these end, and the length.
+fn stretches(cells: &[Cell]) -> Vec<(f64, f64, f64)> {
+    let mut levels: Vec<u32> = cells.iter().map(|cell| cell.halvings).collect();
+    levels.sort_unstable();
+    levels.dedup();
+    let mut found = Vec::new();
+    for level in levels {
+        let scale = (-f64::from(level)).exp2();
+        if scale > SHORT {
+            continue;
+        }
+        let mut own: Vec<[f64; 2]> = Vec::new();
+        for cell in cells.iter().filter(|cell| cell.halvings >= level) {
+            let end = cell.begin + cell.length();
+            match own.last_mut() {
+                Some([_, last]) if cell.begin - *last < QUIET * scale => *last = end,
+                _ => own.push([cell.begin, end]),
+            }
+        }
+        let is_met = |[begin, _]: &[f64; 2]| *begin >= QUIET_AT_START * scale;
+        found.extend(own.into_iter().filter(is_met).map(|[begin, end]| (begin, end, scale)));
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::TimeScales;
+    use crate::law::program::Program;
+    use field::{Analytic, Elementary, Scalar};
+    use integrators::StepBounds;
+    use symbolic::Sym;
+
+    fn scales(function: impl FnOnce(Sym) -> Sym + Send) -> Option<TimeScales> {
+        TimeScales::of(&Program::of(1, |t, y| vec![function(t) - y[0]]).expect("it has values"))
+    }
+
+    fn bell(t: Sym, about: Sym, width: Sym) -> Sym {
+        (-((t - about) / width).squared()).elementary(Elementary::Exp, t)
+    }
+
+    #[test]
+    fn a_pulse_of_any_width_bounds_the_steps_that_come_to_it() {
+        for digits in 1..=6 {
+            let width = 10.0_f64.powi(-digits);
+            let scales = scales(|t| bell(t, Sym::ratio(33, 10), Sym::ratio(1, 10_i64.pow(digits as u32))));
+            let bounds = scales.expect("a function of time").bounds(0.0, 10.0);
+            for from in [0.0, 1.0, 3.0] {
+                assert!(from + bounds.longest(from, 10.0) < 3.3, "{width} {from}");
+            }
+            assert!(bounds.longest(3.3, 10.0) <= 2.0 * width && bounds.longest(5.0, 5.0) == 5.0, "{width} {bounds:?}");
+            let back = scales_back(digits);
+            assert!(back < 6.7 + 8.0 * width, "{width} {back}");
+        }
+    }
+
+    fn scales_back(digits: i32) -> f64 {
+        let scales = scales(|t| bell(t, Sym::ratio(33, 10), Sym::ratio(1, 10_i64.pow(digits as u32))));
+        scales.expect("a function of time").bounds(10.0, 0.0).longest(0.0, 10.0)
+    }
+
+    #[test]
+    fn what_swings_or_grows_all_the_time_bounds_nothing() {
+        let swings = scales(|t| (Sym::int(40) * t).circle().cos).expect("a function of time");
+        let fast = scales(|t| (Sym::int(4_000) * t).circle().sin).expect("a function of time");
+        let grows = scales(|t| t * t * t).expect("a function of time");
+        for one in [swings, fast, grows] {
+            let both = [one.bounds(0.0, 10.0), one.bounds(10.0, 0.0)];
+            assert!(both.iter().all(StepBounds::is_empty), "{both:?}");
+        }
+        assert!(scales(|t| Sym::int(3) * t).is_none());
+    }
+
+    #[test]
+    fn each_pulse_of_a_train_and_a_front_are_found() {
+        // sin(t)^256 has pulses of a tenth about odd multiples of pi/2
+        let train = scales(|t| (0..8).fold(t.circle().sin, |power, _| power.squared())).expect("a function of time");
+        let bounds = train.bounds(0.0, 100.0);
+        for pulse in 0..31 {
+            let about = std::f64::consts::PI * (f64::from(pulse) + 0.5);
+            assert!(bounds.longest(about - 1.0, 5.0) < 1.1, "{about}");
+            assert!(bounds.longest(about - 0.05, 5.0) < 0.3, "{about}");
+        }
+        let waves = scales(|t| (-Sym::int(400) * t.circle().sin.squared()).elementary(Elementary::Exp, t));
+        let bounds = waves.expect("a function of time").bounds(0.0, 10.0);
+        for pulse in 1..=3 {
+            let about = std::f64::consts::PI * f64::from(pulse);
+            assert!(bounds.longest(about - 1.0, 5.0) < 1.0 && bounds.longest(about, 5.0) < 0.1, "{about} {bounds:?}");
+        }
+        let front = scales(|t| (Sym::int(1_000) * (t - Sym::int(7))).elementary(Elementary::Tanh, t));
+        let bounds = front.expect("a function of time").bounds(0.0, 10.0);
+        assert!(bounds.longest(0.0, 10.0) < 7.0 && bounds.longest(7.0, 3.0) < 4e-3);
+    }
+
+    #[test]
+    fn a_part_of_a_way_that_is_known_has_its_bounds() {
+        let scales = scales(|t| bell(t, Sym::int(5), Sym::ratio(1, 100))).expect("a function of time");
+        let whole = scales.bounds(0.0, 10.0);
+        let rest = scales.bounds(2.0, 10.0);
+        assert!((whole.longest(2.0, 8.0) - rest.longest(0.0, 8.0)).abs() < 1e-12);
+    }
+}
