@@ -1,4 +1,5 @@
-//! Members whose law changes at conditions, at events or with contacts: each runs by itself, with laws of its own numbers.
+//! Members whose law changes at conditions, at events or with contacts, or fast by itself at some times: each runs by itself, with laws of its
+//! own numbers.
 
 use super::ModelEnsemble;
 use crate::changing_laws::is_watched;
@@ -13,9 +14,10 @@ use std::time::Duration;
 /// A member takes as long as it needs: the whole run is ended by its own time.
 const UNLIMITED: Duration = Duration::from_secs(1 << 30);
 
-/// All that decides the laws and the events of a model that has any, for its fingerprint; none of one without.
-pub(super) fn laws_of(model: &Model) -> Option<String> {
-    is_watched(model).then(|| described(model).unwrap_or_else(|reason| reason.to_string()))
+/// All that decides the laws and the events of a model that has any, or whose law changes fast by itself at some times, for its fingerprint;
+/// none of one without.
+pub(super) fn laws_of(model: &Model, has_haste: bool) -> Option<String> {
+    (is_watched(model) || has_haste).then(|| described(model).unwrap_or_else(|reason| reason.to_string()))
 }
 
 impl RunsAlone for ModelEnsemble {

@@ -177,7 +177,9 @@ impl ModelEnsemble {
         if model.equilibrium.is_some() {
             return Err(Unmet::NotCompiled(NotCompiled::Changes));
         }
-        let law = match laws_of(model) {
+        // series side by side know no bounds of steps
+        let has_haste = !scene.system.law().step_bounds(0.0, scene.run.span).is_empty();
+        let law = match laws_of(model, has_haste) {
             Some(laws) => Law::Alone(laws),
             None => Law::SideBySide(Box::new(ParametricLaw::of(model).map_err(Unmet::NotCompiled)?)),
         };

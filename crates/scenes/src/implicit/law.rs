@@ -3,21 +3,27 @@
 use super::slopes::ImplicitSlopes;
 use super::{Implicit, recurrence};
 use field::{DoubleDouble, Scalar};
-use integrators::{JacobianFn, Ode, System, TaylorSeries, Variations};
-use simulation::LawSeries;
-use std::sync::Arc;
+use integrators::{JacobianFn, Ode, StepBounds, System, TaylorSeries, Variations};
+use simulation::{LawSeries, TimeScales};
+use std::sync::{Arc, OnceLock};
 
 /// The law of a system whose accelerations are solved for.
 #[derive(Debug)]
 pub(crate) struct ImplicitLaw {
     pub equations: Arc<Implicit>,
     series: LawSeries,
+    /// `None` where the time stands in lines only.
+    time_scales: OnceLock<Option<TimeScales>>,
 }
 
 impl ImplicitLaw {
     pub fn new(equations: Implicit) -> Self {
         let model = Arc::clone(&equations.model);
-        ImplicitLaw { equations: Arc::new(equations), series: LawSeries::by(move || recurrence(&model, 0)) }
+        ImplicitLaw {
+            equations: Arc::new(equations),
+            series: LawSeries::by(move || recurrence(&model, 0)),
+            time_scales: OnceLock::new(),
+        }
     }
 }
 
@@ -37,6 +43,11 @@ where
 impl System for ImplicitLaw {
     fn code_size(&self) -> Option<usize> {
         self.equations.terms.code_size()
+    }
+
+    fn step_bounds(&self, from: f64, to: f64) -> StepBounds {
+        let made = self.time_scales.get_or_init(|| TimeScales::of(&self.equations.terms));
+        made.as_ref().map_or_else(StepBounds::default, |scales| scales.bounds(from, to))
     }
 
     fn taylor(&self) -> Option<Box<dyn TaylorSeries<f64> + '_>> {

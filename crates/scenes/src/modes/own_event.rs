@@ -37,15 +37,16 @@ impl Modes {
         if rate * from > 0.0 && !has_jumped {
             return Ok(After::Unchanged(before.clone()));
         }
-        let counts = match self.laws.model.events[number].direction {
+        let counts = |number: usize, from: f64| match self.laws.model.events[number].direction {
             Direction::Down => from > 0.0,
             Direction::Up => from < 0.0,
             Direction::Both => true,
         };
-        if !counts && has_jumped {
+        let is_counted = counts(number, from);
+        if !is_counted && has_jumped {
             return with_side(Side { sign: -from, is_open: false });
         }
-        if !counts {
+        if !is_counted {
             return with_side(side(&known.events[number], Past::Passed(from), SLACK));
         }
         let mut set = before.moded.signals.set_by(number, event.time, state, &before.glide_letters());
@@ -77,7 +78,10 @@ impl Modes {
         let past = |other: usize| match before.sides[other] {
             Side { sign: from, .. } if other == number => Past::Set { from, near: before.near_events[other] },
             Side { sign: from, is_open: false } if known.events[other].sign_of(0, SLACK) == 0.0 => {
-                Past::Side { from, near: before.near_events[other] }
+                // one that passes here in the other direction has passed, wherever the state that is set leads
+                let jet = &known.events[other];
+                let has_passed = jet.way(SLACK * jet.doubts[0], SLACK) == -from && !counts(other, from);
+                Past::Side { from: if has_passed { -from } else { from }, near: before.near_events[other] }
             }
             _ => Past::None,
         };

@@ -5,7 +5,7 @@
 
 use super::Current;
 use field::DoubleDouble;
-use integrators::{Divisors, Dual8, JacobianFn, Ode, Projection, System};
+use integrators::{Divisors, Dual8, JacobianFn, Ode, Projection, StepBounds, System};
 use simulation::Law;
 use std::sync::Arc;
 
@@ -42,6 +42,10 @@ runs!(f64, Dual8, DoubleDouble);
 impl System for WithoutSeries {
     fn divisors(&self) -> Option<&dyn Divisors> {
         self.0.divisors()
+    }
+
+    fn step_bounds(&self, from: f64, to: f64) -> StepBounds {
+        self.0.step_bounds(from, to)
     }
 
     fn jacobian_fn(&self) -> Option<Box<dyn JacobianFn + '_>> {

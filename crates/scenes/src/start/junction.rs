@@ -17,6 +17,9 @@ const MOST_STEPS: usize = 20;
 /// Residuals below this are met.
 const MET: f64 = 1e-13;
 
+/// What is left of a sum by rounding, in parts of its terms, is none.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
+
 /// A state moved so that the constraints of a model hold, by the matrix M there; none of free frames, and where M does not determine it.
 pub(crate) fn joined(model: &Model, mut state: Vec<f64>, mass: DMatrix<f64>) -> Option<Vec<f64>> {
     if !model.free.is_empty() || !model.start_speeds.is_empty() {
@@ -35,7 +38,10 @@ pub(crate) fn joined(model: &Model, mut state: Vec<f64>, mass: DMatrix<f64>) -> 
         }
         let slopes = slopes.svd(true, true);
         let rank = RANK * slopes.singular_values.max();
-        Some(by_reactions * slopes.solve(&-residual, rank).ok()?)
+        let reactions = slopes.solve(&-residual, rank).ok()?;
+        let sizes = by_reactions.abs() * reactions.abs();
+        let by = by_reactions * reactions;
+        Some(by.iter().copied().zip(sizes.iter().copied()).collect::<Vec<_>>())
     };
     for _ in 0..MOST_STEPS {
         let at = constraints.at(&state, &parameters, Some(Level::Position));
@@ -43,9 +49,27 @@ pub(crate) fn joined(model: &Model, mut state: Vec<f64>, mass: DMatrix<f64>) -> 
             break;
         }
         let by = moved(at)?;
-        state[..n].iter_mut().zip(by.iter()).for_each(|(own, by)| *own += by);
+        state[..n].iter_mut().zip(by).for_each(|(own, by)| *own = sum(*own, by));
     }
     let by = moved(constraints.at(&state, &parameters, None))?;
-    state[n..].iter_mut().zip(by.iter()).for_each(|(own, by)| *own += by);
+    state[n..].iter_mut().zip(by).for_each(|(own, by)| *own = sum(*own, by));
     state.iter().all(|value| value.is_finite()).then_some(state)
+}
+
+/// A number moved by another, which is put together from terms of a size; zero where nothing is left but rounding, so that what comes to rest
+/// has no energy that a run could lose.
+fn sum(own: f64, (by, size): (f64, f64)) -> f64 {
+    let sum = own + by;
+    if sum.abs() <= ROUNDING * (own.abs() + size) { 0.0 } else { sum }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::sum;
+
+    #[test]
+    fn what_cancels_but_for_rounding_is_zero() {
+        assert_eq!([sum(1.0, (-1.0 + 1e-15, 1.0)), sum(0.0, (3e-16, 2.0))], [0.0, 0.0]);
+        assert_eq!([sum(1.0, (1e-12, 1e-12)), sum(0.0, (3e-16, 3e-16))], [1.0 + 1e-12, 3e-16]);
+    }
 }

@@ -13,6 +13,9 @@ pub struct Region {
     pub hull: Vec<[f64; 2]>,
     pub boxes: usize,
     pub near: Near,
+    /// Whether there is one steady motion at least, by enclosures: the equations change their signs between opposite faces (Poincare,
+    /// Miranda). Singular equations may be so too.
+    pub holds_one: bool,
 }
 
 /// The result of Newton's method in a region, from some of its boxes: a guess by numbers alone.
@@ -27,6 +30,10 @@ pub enum Near {
     /// In so many directions others stand beside it: a curve, a surface.
     Family(usize),
 }
+
+/// Unknowns up to which each is given an equation of its own, and the part of a region by which its faces lie outside.
+const MOST_FACES: usize = 6;
+const FACE: f64 = 0.25;
 
 /// Cells along each unknown to which boxes are assigned, where these are no larger.
 const CELLS: f64 = 48.0;
@@ -48,6 +55,9 @@ const ROUNDING: f64 = 1e-9;
 
 /// Singular values below this part of the largest are taken for zero.
 const RANK: f64 = 1e-6;
+
+/// Of rows in parts of their largest slopes over the ranges, the largest singular value that is none of a singular place.
+const LEAST_REGULAR: f64 = 1e-4;
 
 /// The part of a box at which Newton's method begins.
 const ASIDE_OF_MIDDLE: f64 = 0.43;
@@ -113,7 +123,46 @@ fn region(equations: &SteadyEquations, known: &[Zero], (boxes, beginnings): (&[&
     let between = boxes.len().div_ceil(beginnings);
     let begun = boxes.iter().skip(boxes.len() / 2 % between).step_by(between);
     let near = begun.map(|from| near(equations, known, from, &hull)).max().unwrap_or(Near::Nothing);
-    Region { hull: hull.into_iter().map(|at| [at.low(), at.high()]).collect(), boxes: boxes.len(), near }
+    let holds_one = holds_one(equations, &hull);
+    Region { hull: hull.into_iter().map(|at| [at.low(), at.high()]).collect(), boxes: boxes.len(), near, holds_one }
+}
+
+/// Whether each unknown has an equation of its own that is positive on one of its two faces and negative on the other, of a box a little
+/// larger than this.
+fn holds_one(equations: &SteadyEquations, hull: &[Interval]) -> bool {
+    let unknowns = hull.len();
+    if equations.reactions > 0 || equations.rows != unknowns || unknowns > MOST_FACES || !equations.sides.1.is_empty() {
+        return false;
+    }
+    let wider: Vec<Interval> =
+        hull.iter().map(|at| Interval::new(at.low() - FACE * at.width(), at.high() + FACE * at.width())).collect();
+    let mut program = equations.values.over::<Interval>();
+    let mut signs_on = |k: usize, face: f64| {
+        let (mut at, mut values) = (wider.clone(), vec![Interval::EVERYTHING; unknowns]);
+        at[k] = Interval::point(face);
+        program.evaluate(&at, &mut values);
+        values.into_iter().map(|value| value.sign().unwrap_or(0)).collect::<Vec<_>>()
+    };
+    let faces: Vec<[Vec<i32>; 2]> =
+        (0..unknowns).map(|k| [wider[k].low(), wider[k].high()].map(|face| signs_on(k, face))).collect();
+    let changes = |k: usize, row: usize| faces[k][0][row] * faces[k][1][row] < 0;
+    matched(unknowns, &changes, 0, &mut vec![false; unknowns])
+}
+
+/// Whether the unknowns from one on have each an equation that is not taken.
+fn matched(count: usize, changes: &impl Fn(usize, usize) -> bool, from: usize, taken: &mut Vec<bool>) -> bool {
+    if from == count {
+        return true;
+    }
+    (0..count).any(|row| {
+        if taken[row] || !changes(from, row) {
+            return false;
+        }
+        taken[row] = true;
+        let all = matched(count, changes, from + 1, taken);
+        taken[row] = false;
+        all
+    })
 }
 
 fn near(equations: &SteadyEquations, known: &[Zero], from: &[Interval], hull: &[Interval]) -> Near {
@@ -132,9 +181,17 @@ fn near(equations: &SteadyEquations, known: &[Zero], from: &[Interval], hull: &[
     if is_known || !is_there(&found) {
         return Near::Nothing;
     }
-    let svd = slopes(equations, &found).svd(false, true);
+    // a row that is small at the zero alone, beside what it is elsewhere, is singular too, though all may be
+    let mut scaled = slopes(equations, &found);
+    let largest = largest_slopes(equations);
+    for (row, largest) in largest.iter().enumerate().filter(|(_, largest)| **largest > 0.0 && largest.is_finite()) {
+        scaled.row_mut(row).unscale_mut(*largest);
+    }
+    let svd = scaled.svd(false, true);
     let Some(rows) = svd.v_t else { return Near::Nothing };
-    let is_zero = |k: usize| svd.singular_values[k] <= RANK * svd.singular_values[0];
+    let regular =
+        svd.singular_values[0].max(if largest.iter().all(|one| one.is_finite()) { LEAST_REGULAR } else { 0.0 });
+    let is_zero = |k: usize| svd.singular_values[k] <= RANK * regular;
     let singular: Vec<usize> = (0..svd.singular_values.len()).filter(|&k| is_zero(k)).collect();
     let stands_beside = |&k: &usize| {
         let direction = rows.row(k).transpose();
@@ -170,6 +227,15 @@ fn zero(equations: &SteadyEquations, mut at: DVector<f64>) -> Option<DVector<f64
     program.evaluate(at.as_slice(), &mut values[..equations.rows]);
     let size = slopes(equations, &at).norm() * (1.0 + at.norm());
     values.iter().all(|value| value.abs() <= 1e-9 * size).then_some(at)
+}
+
+/// The largest slope of each equation over the ranges of the unknowns, by enclosures; infinite where it is not bounded.
+fn largest_slopes(equations: &SteadyEquations) -> Vec<f64> {
+    let ranges = equations.unknowns.iter().map(|unknown| unknown.range.interval());
+    let all: Vec<Interval> = ranges.chain((0..equations.reactions).map(|_| Interval::EVERYTHING)).collect();
+    let mut slopes = vec![Interval::EVERYTHING; equations.rows * all.len()];
+    equations.slopes.over::<Interval>().evaluate(&all, &mut slopes);
+    slopes.chunks(all.len()).map(|row| row.iter().fold(0.0, |largest: f64, slope| largest.max(slope.size()))).collect()
 }
 
 fn slopes(equations: &SteadyEquations, at: &DVector<f64>) -> DMatrix<f64> {

@@ -4,6 +4,7 @@ mod contacts;
 mod draws;
 mod friction;
 mod poles;
+mod relays;
 mod shares;
 mod starts;
 

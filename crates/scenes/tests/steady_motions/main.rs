@@ -101,6 +101,21 @@ fn where_motions_merge_boxes_are_told_as_undecided() {
     assert_eq!(found.regions.iter().map(|region| region.near).collect::<Vec<_>>(), [Near::Merging(1)]);
 }
 
+/// Slopes of x^3 and y^3 vanish at their zero, and signs on the faces show that there is one; of x^2 they do not.
+#[test]
+fn degenerate_motions_are_singular_in_every_direction_and_shown_by_signs() {
+    let of = |force: &str| {
+        let text = format!(
+            "title = \"Cubes\"\n[parameters]\nm = \"1 kg\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n[bodies.a]\n\
+             centre = \"O + x*N.x + y*N.y\"\nmass = \"m\"\n[[force]]\non = \"a\"\nis = \"{force}*N.x + (2 N/m^3)*y^3*N.y\"\n[run]\nspan = \"1 s\"\n"
+        );
+        let found = all(&text, &[("x", -1.0, 1.0), ("y", -1.0, 1.0)]);
+        found.regions.iter().map(|region| (region.near, region.holds_one)).collect::<Vec<_>>()
+    };
+    assert_eq!(of("-(1 N/m^3)*x^3"), [(Near::Merging(2), true)]);
+    assert!(of("-(1 N/m^2)*x^2").iter().all(|(near, shown)| *near != Near::Regular && !shown));
+}
+
 /// Two links, in angles and in places.
 const ANGLES: &str = r#"
 title = "Two links"
