@@ -255,11 +255,11 @@ fn a_stiff_run_that_is_given_up_is_told_as_stiff() {
 
 /// A push of 1 N s within 2 ms at t = 5.03 s.
 #[test]
-fn a_smooth_push_between_two_long_steps_is_told() {
+fn a_smooth_push_between_two_long_steps_is_told_under_constant_ones() {
     let text = format!(
         "{MASS}[[force]]\non = \"mass\"\nis = \"(1000 N)*exp(-((t - (5.03 s))/(0.0005 s))^2)*N.x\"\n[run]\nspan = \"10 s\"\n"
     );
-    let (found, code, _) = ran("push", &text, &[]);
+    let (found, code, _) = ran("push", &text, &["--method", "runge_kutta_4:400"]);
     let (kind, at, evidence, remedy) = failure(&found);
     assert_eq!((kind.as_str(), code), ("missed event", Some(1)), "{found}");
     assert!((at - 5.03).abs() < 2e-3 && evidence.contains("the rate of `x'` changes by itself"), "{found}");
@@ -294,7 +294,10 @@ fn a_pulse_between_two_long_steps_is_a_missed_event() {
     let text = format!(
         "{MASS}[[event]]\nname = \"kick\"\nwhen = \"exp(-((t - (5.03 s))/(0.002 s))^2) - 0.5\"\ndirection = \"up\"\nset = {{ \"x'\" = \"x' + (1 m/s)\" }}\n[start]\n\"x'\" = \"1 m/s\"\n[run]\nspan = \"10 s\"\n"
     );
-    let (found, code, _) = ran("pulse", &text, &[]);
+    // a method that follows a tolerance comes to it
+    let (found, code, _) = ran("pulse_seen", &text, &[]);
+    assert_eq!((code, found["events"].as_array().map(Vec::len)), (Some(0), Some(2)), "{found}");
+    let (found, code, _) = ran("pulse", &text, &["--method", "runge_kutta_4:100"]);
     let (kind, at, evidence, remedy) = failure(&found);
     assert_eq!((kind.as_str(), code), ("missed event", Some(1)), "{found}");
     assert!((at - 5.03).abs() < 2e-3 && evidence.contains("the event `kick`"), "{found}");

@@ -13,6 +13,8 @@ mod models;
 mod motors;
 mod odd_data;
 mod outputs;
+mod plain_answers;
+mod pulses;
 mod references;
 mod refusals;
 mod reviews;

@@ -11,11 +11,11 @@ use crate::output::{Form, Writes};
 use crate::run::{refuse, with_model};
 use clap::Args;
 use reader::Family;
-use simulation::{Axes, Stored, references};
+use simulation::{Axes, Choice, IvpScene, RunFailure, Stored, references};
 use std::path::PathBuf;
 use std::time::Duration;
 use studies::AnyScene;
-use studies::model_reduction::{Forms, Hierarchy, Models, TextModels, Wish, choose};
+use studies::model_reduction::{Forms, Hierarchy, Models, Receipt, TextModels, Wish, choose};
 use studies::scene::Setup;
 
 /// What is to be met, and in what.
@@ -27,7 +27,8 @@ pub struct Asked {
     /// Largest error allowed, relative to the size of each output
     #[arg(long = "tol", value_name = "T", value_parser = tolerance, allow_negative_numbers = true, default_value = "1e-6")]
     pub tolerance: f64,
-    /// What matters, by the names of a run's columns; without it the outputs of the scene
+    /// What matters, by the names of a run's columns; without it the `outputs` of [run], and all columns where it names none. The answer says
+    /// which were taken
     #[arg(long, value_name = "A,B", value_delimiter = ',')]
     pub outputs: Vec<String>,
     /// The model that is taken for exact: another machine, made of the scene's data
@@ -71,7 +72,7 @@ pub fn show(asked: &Asked) -> Result<Exit, Exit> {
         }
     };
     let title = scene.title();
-    let outputs = outputs(asked, given, models.columns())?;
+    let (outputs, origin) = outputs(asked, given, models.columns())?;
     let allowed = if asked.times { MEASURING.min(clock::left() / 8) } else { Duration::ZERO };
     let wish = Wish { tolerance: asked.tolerance, outputs, allowed };
     let kept = references::place(&asked.scene);
@@ -84,13 +85,20 @@ pub fn show(asked: &Asked) -> Result<Exit, Exit> {
             return Ok(Exit::Stopped);
         }
     };
+    if let AnyScene::Model(scene) = &scene
+        && let Some(failure) = missed(&**scene, &receipt)
+    {
+        let why = format!("the run that meets the tolerance has missed something at t = {:.9} s", failure.at);
+        print(&format!("{title}\n\nnothing can be chosen: {why}: {}; {}\n", failure.evidence, failure.remedy))?;
+        return Ok(Exit::Stopped);
+    }
     let command = receipt.taken.and_then(|at| {
         let formed = matches!(scene, AnyScene::Driven(_));
         command::of(&asked.scene, asked.model.as_deref(), at, &receipt.lines[at], formed)
     });
     print(&match asked.format {
-        Format::Text => receipt::text(title, &receipt, command.as_deref()),
-        Format::Json => format!("{:#}\n", receipt::object(title, &receipt, command.as_deref())),
+        Format::Text => receipt::text(title, (&receipt, origin), command.as_deref()),
+        Format::Json => format!("{:#}\n", receipt::object(title, (&receipt, origin), command.as_deref())),
     })?;
     if let Some(output) = output {
         output.write_text(&picture::of(title, &*models, &wish, receipt.clone()).svg())?.tell(asked.format)?;
@@ -98,10 +106,19 @@ pub fn show(asked: &Asked) -> Result<Exit, Exit> {
     Ok(if receipt.taken.is_some() { Exit::Done } else { Exit::Stopped })
 }
 
+/// What the run that was taken has passed over, of the scene's own model: no error estimate has seen it.
+fn missed(scene: &dyn IvpScene, receipt: &Receipt) -> Option<RunFailure> {
+    let plan = &receipt.lines.get(receipt.taken.filter(|at| *at == 0)?)?.choice.as_ref()?.plan;
+    let choice = Choice { method: plan.method, tolerance: plan.tolerance, ..scene.run().choice() };
+    let trajectory = scene.problem(choice.axes).simulate_while(&choice, |_| clock::goes_on());
+    let failures = scene.told(&choice, &trajectory).failures;
+    failures.into_iter().find(|failure| failure.kind.spoils())
+}
+
 const AXES: [Axes; 2] = [Axes::First, Axes::Second];
 
-/// Those that are asked for, or those of the scene, or all states that its own model shows.
-fn outputs(asked: &Asked, given: Vec<String>, known: &[String]) -> Result<Vec<String>, Exit> {
+/// Those that are asked for, or those of the scene, or all states that its own model shows; and which of these they are.
+fn outputs(asked: &Asked, given: Vec<String>, known: &[String]) -> Result<(Vec<String>, &'static str), Exit> {
     // the work that a mechanism's run meters is none of its hierarchy's
     if let Some(wrong) = asked.outputs.iter().find(|name| !known.contains(name) || *name == "work") {
         let known: Vec<&str> = known.iter().map(String::as_str).filter(|name| *name != "work").collect();
@@ -112,6 +129,9 @@ fn outputs(asked: &Asked, given: Vec<String>, known: &[String]) -> Result<Vec<St
         )));
     }
     let state = |name: &&String| *name != "work";
-    let all = || known.iter().filter(state).cloned().collect();
-    Ok([asked.outputs.clone(), given].into_iter().find(|names| !names.is_empty()).unwrap_or_else(all))
+    Ok(match (&asked.outputs[..], &given[..]) {
+        ([], []) => (known.iter().filter(state).cloned().collect(), "all columns of the run; --outputs names others"),
+        ([], _) => (given, "as `outputs` of [run] names them; --outputs names others"),
+        (asked, _) => (asked.to_vec(), "as --outputs names them"),
+    })
 }

@@ -10,8 +10,9 @@ use studies::model_reduction::switching::STRETCHES;
 use studies::model_reduction::{Line, Loss, Receipt, Sufficiency};
 
 /// For readers.
-pub fn text(title: &str, receipt: &Receipt, command: Option<&[String]>) -> String {
-    let mut out = format!("{title}\n\nto {:.0e} in {}\n\n", receipt.tolerance, receipt.watched.names.join(", "));
+pub fn text(title: &str, (receipt, origin): (&Receipt, &str), command: Option<&[String]>) -> String {
+    let mut out =
+        format!("{title}\n\nto {:.0e} in {} ({origin})\n\n", receipt.tolerance, receipt.watched.names.join(", "));
     let head = ["model", "states", "estimate", "small", "evaluations", "time", "promised", "measured"];
     let longest = receipt.lines.iter().filter(|line| !hopeless(line)).map(|line| line.name.chars().count()).max();
     let widths = [longest.unwrap_or(0).max(30) + 5, 8, 11, 11, 13, 8, 11, 10];
@@ -151,7 +152,7 @@ fn said(line: &Line) -> String {
 }
 
 /// For programs.
-pub fn object(title: &str, receipt: &Receipt, command: Option<&[String]>) -> Value {
+pub fn object(title: &str, (receipt, origin): (&Receipt, &str), command: Option<&[String]>) -> Value {
     let line = |line: &Line| {
         let model = line.model.as_ref().ok();
         let loss = match line.loss {
@@ -189,6 +190,7 @@ pub fn object(title: &str, receipt: &Receipt, command: Option<&[String]>) -> Val
         "title": title,
         "tolerance": receipt.tolerance,
         "outputs": receipt.watched.names,
+        "outputs_from": origin,
         "taken": receipt.taken.map(|at| &receipt.lines[at].name),
         "command": command,
         "cheapest": receipt.cheapest().map(|at| &receipt.lines[at].name),

@@ -50,6 +50,8 @@ struct Found {
     integrals: Vec<Integral>,
     sizes: Vec<f64>,
     rows: Vec<Row>,
+    /// Whether the work of loads is metered beside the state.
+    is_metered: bool,
 }
 
 pub(super) fn goes_on() -> ControlFlow<()> {
@@ -110,7 +112,8 @@ pub(super) fn show(asked: &Asked) -> Result<Exit, Exit> {
         }
     };
     let sizes = motion.sizes(window).map_err(failed)?;
-    let mut found = Found { title, window, sizes, rows: Vec::new(), integrals: Vec::new() };
+    let is_metered = kept.problem.metered > 0;
+    let mut found = Found { title, window, sizes, rows: Vec::new(), integrals: Vec::new(), is_metered };
     for (method, steps) in methods(asked) {
         if goes_on().is_break() {
             break;
@@ -151,6 +154,9 @@ impl Found {
                 "the motion from the start does not return within its span of {span} s: changes are told over the span, and no drift of a million periods follows"
             ),
         };
+        if self.is_metered {
+            out += "loads without a potential energy do work: the energy alone is not kept, the energy less this work is\n";
+        }
         for (place, integral) in self.integrals.iter().enumerate() {
             let size = self.sizes[place];
             let unit = if integral.unit.is_empty() { "in SI units" } else { &integral.unit };

@@ -7,7 +7,8 @@ use crate::exit::{Exit, print};
 use crate::spectrum;
 use ::scenes::linearisation::{Linear, Stability, Standing};
 use ::scenes::steady_motions::{
-    Eigenvalues, EnclosedSpectrum, EnclosedVerdict, Family, Member, Near, SteadyMotion, SteadyMotions, SteadyStability,
+    Eigenvalues, EnclosedSpectrum, EnclosedVerdict, Family, Member, Near, Region, SteadyMotion, SteadyMotions,
+    SteadyStability,
 };
 use ::scenes::unit_of;
 use serde_json::{Value, json};
@@ -57,8 +58,8 @@ pub(super) fn body(all: &Found) -> String {
         let _ = writeln!(out, "cyclic, nothing depends on them: {}", found.cyclic.join(", "));
     }
     let count = match (found.motions.len(), found.families.len()) {
-        (0, 0) if !found.is_complete() => "no steady motion was found".to_owned(),
-        (0, 0) => "no steady motion".to_owned(),
+        (0, 0) if found.is_complete() => "no steady motion".to_owned(),
+        (0, 0) => "no steady motion that is shown to be alone in a box".to_owned(),
         (0, 1) => "one family of steady motions".to_owned(),
         (0, families) => format!("{families} families of steady motions"),
         (1, 0) => "one steady motion, alone in a box".to_owned(),
@@ -100,7 +101,8 @@ pub(super) fn body(all: &Found) -> String {
             format!("{} from {low} to {high}{}", unknown.name, unit(&unknown.name))
         });
         let _ = writeln!(out, "  ?  {}", ranges.collect::<Vec<_>>().join(", "));
-        let _ = writeln!(out, "     undecided boxes: {}; a guess by numbers: {}", region.boxes, near(region.near));
+        let shown = if region.holds_one { "by enclosures there is one steady motion at least; " } else { "" };
+        let _ = writeln!(out, "     undecided boxes: {}; {shown}a guess by numbers: {}", region.boxes, near(region));
     }
     if found.regions.len() > MOST_LISTED {
         let _ =
@@ -209,14 +211,15 @@ fn short(value: f64) -> String {
     number(format!("{value:.4e}").parse().unwrap_or(value))
 }
 
-fn near(near: Near) -> String {
+fn near(region: &Region) -> String {
     let directions = |count: usize| if count == 1 { "one direction".to_owned() } else { format!("{count} directions") };
-    match near {
+    match region.near {
         Near::Nothing => "no other steady motion is found there".to_owned(),
         Near::Regular => "there is one steady motion at least, which more boxes would show".to_owned(),
-        Near::Merging(count) => {
-            format!("steady motions merge there: the equations are singular in {}", directions(count))
-        }
+        Near::Merging(count) => format!(
+            "a degenerate steady motion, or several that merge: the equations are singular in {}; more boxes do not decide it",
+            directions(count)
+        ),
         Near::Family(count) => format!("a family: steady motions stand side by side in {}", directions(count)),
     }
 }
@@ -342,7 +345,8 @@ pub(super) fn object(Found { title, model, motions: found }: &Found) -> Value {
         "regions": found.regions.iter().map(|region| json!({
             "hull": region.hull,
             "boxes": region.boxes,
-            "near": near(region.near),
+            "near": near(region),
+            "holds_one": region.holds_one,
         })).collect::<Vec<_>>(),
         "undecided_part": found.undecided_part,
         "families": found.families.iter().map(|(family, members)| family_object(found, family, members)).collect::<Vec<_>>(),

@@ -4,7 +4,7 @@ use crate::arguments::finite;
 use crate::clock::has_time;
 use crate::exit::{Exit, placed, warn};
 use crate::progress::Progress;
-use ::scenes::steady_motions::{Along, Asked, Case, NoSteadyMotions, Range, SteadyMotions, conditions_of};
+use ::scenes::steady_motions::{Along, Asked, Case, Near, NoSteadyMotions, Range, SteadyMotions, conditions_of};
 use ::scenes::{Task, independent_start, read_titled, unit_of, without_law};
 use clap::Args;
 use clap::builder::RangedU64ValueParser;
@@ -218,6 +218,13 @@ impl SteadyBox {
     pub fn ended(&self, path: &Path, found: &SteadyMotions) -> Exit {
         if found.is_complete() {
             return Exit::Done;
+        }
+        if found.regions.iter().all(|region| matches!(region.near, Near::Merging(_))) {
+            let (path, boxes) = (path.display(), found.undecided.len());
+            warn(&format!(
+                "warning: {path}: undecided boxes: {boxes}, about degenerate steady motions, by numbers: more boxes would not decide them"
+            ));
+            return Exit::Stopped;
         }
         let remedy = match has_time() {
             true => format!("or more boxes (--boxes {}) decide more", 10 * self.boxes),
