@@ -109,16 +109,8 @@ pub(crate) fn drive<S: Real>(
         if let Some(failure) = meter.exhausted(at) {
             return watch.fail(failure, meter);
         }
-        let rejected = match attempt {
-            Attempt::Rejected { cause, .. } => Some(cause == Cause::Undefined),
-            Attempt::Accepted { .. } | Attempt::Limited { .. } => None,
-        };
-        if brink.creeps(rejected, (watch.length() - tau).approx() / step.approx()) {
-            let cause = match attempt {
-                Attempt::Rejected { cause, .. } => cause,
-                _ => last_cause,
-            };
-            return watch.fail(cause.failure(at, step.approx()), meter);
+        if brink.creeps(matches!(attempt, Attempt::Rejected { cause: Cause::Undefined, .. })) {
+            return watch.fail(Failure::LeftTheNumbers { at }, meter);
         }
         match attempt {
             Attempt::Limited { .. } if (watch.length() - tau).approx() > FEW * step.approx() => {

@@ -310,13 +310,8 @@ fn stretch<Y: Components, M: OrdinaryNumericalMethod<f64, Y>>(
         attempts += 1;
         let is_rejected = matches!(method.status(), Status::RejectedStep);
         let is_spoilt = !method.y().values().iter().all(|y| y.is_finite());
-        if brink.creeps((is_rejected || is_spoilt).then(|| meter.is_undefined()), (watch.length() - watch.tau()) / step)
-        {
-            return Err(if meter.is_undefined() {
-                Failure::LeftTheNumbers { at }
-            } else {
-                Failure::NewtonFailed { at, step }
-            });
+        if brink.creeps((is_rejected || is_spoilt) && meter.is_undefined()) {
+            return Err(Failure::LeftTheNumbers { at });
         }
         let keeps_factors = left.choice == Choice::Radau5 && work.decompositions == 0;
         let is_stale = |next: f64| keeps_factors && next != step;
