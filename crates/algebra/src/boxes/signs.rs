@@ -24,7 +24,7 @@ const GAINS: usize = 8;
 /// One box of so many is seen by signs where few gain by it.
 const SELDOM: usize = 32;
 
-/// What signs have been worth in a search.
+/// The worth of signs in a search.
 #[derive(Default)]
 pub(super) struct Worth {
     asked: usize,

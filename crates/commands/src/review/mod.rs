@@ -1,6 +1,6 @@
 //! `dalembert review`: changes of the reviewed pages, of a system in its file, or of a paper in its file, as mechanics.
 
-mod earlier;
+mod earlier_text;
 mod pages;
 mod paper;
 mod system;
@@ -51,9 +51,9 @@ pub fn review(asked: &Asked) -> Result<Exit, Exit> {
         return pages::show(&asked.against, asked.format);
     };
     let now = read_text(file)?;
-    let before = earlier::text(file, &asked.against)?;
+    let before = earlier_text::of(file, &asked.against)?;
     let parts: Vec<Part> = match is_paper(&now) {
-        true => paper::changes(file, (before, now), &|file| earlier::text(file, &asked.against))?,
+        true => paper::changes(file, (before, now), &|file| earlier_text::of(file, &asked.against))?,
         false => system::changes(file, (before, now), &asked.range)?,
     }
     .into_iter()

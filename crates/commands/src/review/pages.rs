@@ -1,6 +1,6 @@
 //! Changes of the reviewed pages, as mechanics.
 
-use super::earlier::git;
+use super::earlier_text::git;
 use crate::arguments::Format;
 use crate::exit::{Exit, print};
 use claims::catalogue::papers;

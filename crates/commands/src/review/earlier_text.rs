@@ -6,7 +6,7 @@ use std::path::Path;
 use std::process::Command;
 
 /// The text of a file before: that of another file where one has this name, else its own at a commit.
-pub(super) fn text(file: &Path, against: &str) -> Result<String, Exit> {
+pub(super) fn of(file: &Path, against: &str) -> Result<String, Exit> {
     let other = Path::new(against);
     if other.is_file() {
         return Ok(read_text(other)?);
