@@ -15,7 +15,7 @@ pub(crate) struct LinearEquations {
     pub scale: Sym,
     /// By rising powers, without roots zero.
     pub coefficients: Vec<Sym>,
-    /// So many roots zero.
+    /// A number of roots that are zero.
     pub neutral: u32,
 }
 

@@ -26,7 +26,7 @@ impl<'t, 'm> Linearisation<'t, 'm> {
     /// An input is small where no hypothesis gives it a value.
     ///
     /// # Errors
-    /// What is wrong in the file; else, inside, why there are no linear equations.
+    /// All that is wrong in the file; else, inside, why there are no linear equations.
     pub fn of(
         claim: &ClaimText,
         letters: &Letters<'t, 'm>,

@@ -39,7 +39,7 @@ pub struct Certificate {
     /// The formulas, for reading only.
     pub formulas: Vec<String>,
     pub verdict: String,
-    /// How the verdict was reached, in a sentence.
+    /// The way to the verdict, in a sentence.
     pub evidence: String,
     /// Divisors and hypotheses as the ledger lists them, for reading only.
     pub requires: Vec<String>,
@@ -57,7 +57,7 @@ pub struct Certificate {
 pub struct Part {
     /// Relations that are presupposed.
     pub given: Vec<Relation>,
-    /// What follows from equalities of `given` one after the other: values of letters, and powers that are rewritten.
+    /// Consequences of equalities of `given`, one after the other: values of letters, and powers that are rewritten.
     pub steps: Vec<Step>,
     /// The rates of letters that move, where a conclusion is about a rate.
     #[serde(skip_serializing_if = "Vec::is_empty")]

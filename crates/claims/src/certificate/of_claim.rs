@@ -33,7 +33,7 @@ impl Certificate {
     }
 }
 
-/// What is given beside the rules, and the steps by the rules.
+/// Relations given beside the rules, and the steps by the rules.
 fn premises(given: &[Condition], rules: &Hypotheses, relations: &mut Relations) -> (Vec<Relation>, Vec<Step>) {
     let mut all = relations.all(given);
     let mut steps = Vec::new();

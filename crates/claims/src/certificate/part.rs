@@ -14,7 +14,7 @@ pub struct Relation {
     pub right: usize,
 }
 
-/// What follows from equalities of the list `given`, by their places.
+/// A consequence of equalities of the list `given`, by their places.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[serde(tag = "step", rename_all = "snake_case")]
 pub enum Step {
@@ -24,7 +24,7 @@ pub enum Step {
     Rewrite { letter: usize, power: u32, by: usize },
 }
 
-/// How the conclusions of a part are shown, or shown to fail.
+/// The proof of the conclusions of a part, or of their failure.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[serde(tag = "by", rename_all = "snake_case")]
 pub enum PartProof {
@@ -69,7 +69,7 @@ pub struct Stability {
     pub scale: usize,
     pub coefficients: Vec<usize>,
     pub neutral: u32,
-    /// What is said to be positive.
+    /// The expression that is said to be positive.
     pub printed: usize,
     /// The ratio of the condition that the signs of terms leave open to the printed one, and the even power of a relation of `given`
     /// by which it was divided.

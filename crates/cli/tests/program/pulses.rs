@@ -59,7 +59,7 @@ fn no_method_steps_over_a_pulse_of_the_time() {
     }
 }
 
-/// What a shorter start would miss: a method's own choice agrees with its promise.
+/// Everything that a shorter start would miss: a method's own choice agrees with its promise.
 #[test]
 fn a_choice_keeps_its_promise_about_a_pulse() {
     let text = mass("(10 N)*exp(-((t - (3.3 s))/(20 ms))^2)");

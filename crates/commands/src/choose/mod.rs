@@ -27,7 +27,7 @@ pub struct Asked {
     /// Largest error allowed, relative to the size of each output
     #[arg(long = "tol", value_name = "T", value_parser = tolerance, allow_negative_numbers = true, default_value = "1e-6")]
     pub tolerance: f64,
-    /// What matters, by the names of a run's columns; without it the `outputs` of [run], and all columns where it names none. The answer says
+    /// The quantities that matter, by the names of a run's columns; without it the `outputs` of [run], and all columns where it names none. The answer says
     /// which were taken
     #[arg(long, value_name = "A,B", value_delimiter = ',')]
     pub outputs: Vec<String>,
@@ -106,7 +106,7 @@ pub fn show(asked: &Asked) -> Result<Exit, Exit> {
     Ok(if receipt.taken.is_some() { Exit::Done } else { Exit::Stopped })
 }
 
-/// What the run that was taken has passed over, of the scene's own model: no error estimate has seen it.
+/// Pushes that the run that was taken has passed over, of the scene's own model: no error estimate has seen them.
 fn missed(scene: &dyn IvpScene, receipt: &Receipt) -> Option<RunFailure> {
     let plan = &receipt.lines.get(receipt.taken.filter(|at| *at == 0)?)?.choice.as_ref()?.plan;
     let choice = Choice { method: plan.method, tolerance: plan.tolerance, ..scene.run().choice() };

@@ -23,7 +23,7 @@ pub(super) fn of(file: &Path, against: &str) -> Result<String, Exit> {
     })
 }
 
-/// What git prints.
+/// The output of git.
 pub(super) fn git(arguments: &[&str]) -> Result<String, Exit> {
     let output = Command::new("git").args(arguments).output();
     let output = output.map_err(|error| Exit::refused(format!("git, which keeps earlier texts: {error}")))?;

@@ -22,7 +22,7 @@ pub struct StepBounds {
 }
 
 impl StepBounds {
-    /// Of a run from one time to another, which may lie before it; times of haste may lie within each other.
+    /// Those of a run from one time to another, which may lie before it; times of haste may lie within each other.
     pub fn of(from: f64, to: f64, all: &[Haste]) -> Self {
         let since = |time: f64| (time - from) * (to - from).signum();
         let length = since(to);

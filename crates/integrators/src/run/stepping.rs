@@ -25,7 +25,7 @@ pub(crate) enum Attempt {
 /// be asked for another method.
 const FEW: f64 = 5_000.0;
 
-/// So many roundings of the time are not divided.
+/// A stretch of so many roundings of the time is not divided.
 const AT_ONCE: f64 = 16.0;
 
 /// Why a step was rejected: if no shorter one succeeds, why the run failed.

@@ -44,7 +44,7 @@ pub(super) trait Ground {
     /// Their verdict.
     fn look(&self, text: &str, statement: &Statement) -> Look;
 
-    /// What is left of the formula at some points, in double precision: zero where it is true. None where nothing can be measured.
+    /// The residual of the formula at some points, in double precision: zero where it is true. None where nothing can be measured.
     fn residual(&self, statement: &Statement) -> Option<Vec<f64>>;
 
     /// The values that the sought letter must have, in the letters of the print.

@@ -100,7 +100,7 @@ impl<'t, 'm> Probe<'t, 'm> {
         }
     }
 
-    /// What is left of a claim's lines at points in double precision.
+    /// The residual of a claim's lines at points, in double precision.
     pub fn residual(&self, claim: &ClaimText, statement: &Statement, letters: &Letters<'_, '_>) -> Option<Vec<f64>> {
         let lines = self.lines(claim, statement, letters)?;
         let zeros: Vec<Sym> = lines.iter().map(|line| self.motion.reduced(line.model[0] - line.model[1])).collect();

@@ -17,7 +17,7 @@ const MOST_STEPS: usize = 20;
 /// Residuals below this are met.
 const MET: f64 = 1e-13;
 
-/// What is left of a sum by rounding, in parts of its terms, is none.
+/// A sum below this part of its terms is rounding.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
 
 /// A state moved so that the constraints of a model hold, by the matrix M there; none of free frames, and where M does not determine it.

@@ -56,7 +56,7 @@ const ROUNDING: f64 = 1e-9;
 /// Singular values below this part of the largest are taken for zero.
 const RANK: f64 = 1e-6;
 
-/// Of rows in parts of their largest slopes over the ranges, the largest singular value that is none of a singular place.
+/// The least singular value, of rows in parts of their largest slopes over the ranges, that is none of a singular place.
 const LEAST_REGULAR: f64 = 1e-4;
 
 /// The part of a box at which Newton's method begins.

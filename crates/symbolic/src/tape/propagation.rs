@@ -38,7 +38,7 @@ impl<'a> Propagation<'a> {
 
     /// Narrows a box to where zeros of the outputs may be; false where there are none.
     ///
-    /// What is known of a result in between, as of a difference of two inputs, is kept while the box is narrowed: no box tells it.
+    /// The range of a result in between, as of a difference of two inputs, is kept while the box is narrowed: no box tells it.
     pub fn narrow(&mut self, inputs: &mut [Interval]) -> bool {
         let Tape { inputs: given, operations, outputs, .. } = self.tape;
         self.registers.fill(Interval::EVERYTHING);

@@ -118,7 +118,7 @@ fn allowed(run: &Samples<'_>, size: f64) -> f64 {
     (TOLD * TOLERANCE.max(tolerance) * size).max(ABSOLUTE * tolerance)
 }
 
-/// What energies and loads are made of.
+/// The parts of energies and loads.
 struct Loads {
     /// Whether the time stands in them.
     by_time: bool,
