@@ -32,11 +32,13 @@ pub(super) struct Stiffness<'a> {
     /// Steps before which nothing is looked at, and by how many they grow where the eigenvalues deny it.
     rests_until: u64,
     rest: u64,
+    /// Steps before which a confirmation holds: a run may go on in spite of it.
+    confirmed_until: u64,
 }
 
 impl<'a> Stiffness<'a> {
     pub fn of(system: &'a dyn System) -> Self {
-        Stiffness { system, accepted: 0, limited: 0, others: 0, rests_until: 0, rest: EVERY }
+        Stiffness { system, accepted: 0, limited: 0, others: 0, rests_until: 0, rest: EVERY, confirmed_until: 0 }
     }
 
     /// Counts an accepted step; whether it is to be looked at.
@@ -66,7 +68,7 @@ impl<'a> Stiffness<'a> {
         state: &[f64],
     ) -> bool {
         let n = state.len();
-        if n > MOST_STATES {
+        if n > MOST_STATES || self.accepted < self.confirmed_until {
             return true;
         }
         let mut matrix = vec![0.0; n * n];
@@ -79,6 +81,8 @@ impl<'a> Stiffness<'a> {
             (self.limited, self.others) = (0, 0);
             self.rests_until = self.accepted + self.rest;
             self.rest *= 2;
+        } else {
+            self.confirmed_until = self.accepted + EVERY;
         }
         !is_denied
     }
