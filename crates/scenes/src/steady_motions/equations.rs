@@ -122,16 +122,14 @@ impl SteadyEquations {
     pub fn near(model: &Model, state: &[f64]) -> Result<Self, NoSteadyMotions> {
         Self::checked(model)?;
         let written = |is_pinned| Self::written(model, &Asked::default(), Some(state), is_pinned, &[]);
-        let is_square = |own: &Self| own.rows == own.unknowns.len() + own.reactions || own.is_unbalanced;
+        let is_square = |own: &Self| {
+            own.is_unbalanced || own.rows == own.unknowns.len() + own.reactions && own.surplus.outputs() == 0
+        };
         symbolic::apart(|| {
             let pinned = written(true).ok().filter(|own| !own.is_unbalanced && is_square(own));
             let own = pinned.map_or_else(|| written(false), Ok)?;
             let counts = [own.rows + own.surplus.outputs(), own.unknowns.len() + own.reactions];
-            if is_square(&own) && own.surplus.outputs() == 0 {
-                Ok(own)
-            } else {
-                Err(NoSteadyMotions::Unequal { counts, idle: Vec::new() })
-            }
+            if is_square(&own) { Ok(own) } else { Err(NoSteadyMotions::Unequal { counts, idle: Vec::new() }) }
         })
     }
 

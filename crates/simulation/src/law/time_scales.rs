@@ -37,6 +37,9 @@ const QUIET_AT_START: f64 = 8.0;
 const BOUNDED: f64 = 16.0;
 const LONGEST: f64 = 2.0;
 
+/// Ways shorter than this part of the time are not looked at: roundings of the time would be seen as changes.
+const LEAST_WAY: f64 = 1e-7;
+
 /// The functions of the time alone in a program, and where they have been found to change fast.
 #[derive(Debug)]
 pub struct TimeScales {
@@ -62,6 +65,9 @@ impl TimeScales {
 
     /// The bounds of steps from one time to another.
     pub fn bounds(&self, from: f64, to: f64) -> StepBounds {
+        if (to - from).abs() <= LEAST_WAY * from.abs().max(to.abs()) {
+            return StepBounds::default();
+        }
         let mut known = self.known.lock().unwrap_or_else(PoisonError::into_inner);
         let holds = |known: &&Known| {
             let way = (known.to - known.from).signum();
