@@ -55,7 +55,11 @@ impl Kind {
     /// Why a verdict on such a claim may have no certificate.
     pub(crate) fn without_certificate(self) -> &'static str {
         match self {
-            Self::Number => "the value lies exactly half a unit of the last printed digit from the print",
+            Self::Number => "the verdict rests on a tie of the last printed digit, or on a number that is not real",
+            Self::LinearisedEquation => "linearised equations have no steps for the second checker yet",
+            Self::Inequality => {
+                "the verdict rests on squares or real roots of a polynomial, or on a point, for which the second checker has no steps yet"
+            }
             _ => {
                 "the verdict rests on a root without a real value, or on a point where a value by the equations of motion divides by zero"
             }

@@ -80,6 +80,11 @@ impl PaperText {
         Ok(paper)
     }
 
+    /// Its system.
+    pub fn system(&self) -> &SystemText {
+        &self.system
+    }
+
     /// The file of its system, where it names one.
     pub fn model_file(&self) -> Option<&Path> {
         (self.system.name != self.path).then(|| Path::new(&self.system.name))

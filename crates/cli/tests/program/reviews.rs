@@ -30,7 +30,7 @@ fn a_term_of_another_sign_is_told_with_the_motions_and_the_run_that_moved() {
     // one equation, the same by every principle
     assert!(told.contains("equations, by virtual-power, lagrange, ") && told.contains("newton-euler"), "{told}");
     let same = run(&["review", &before, "--against", &before]);
-    assert!(String::from_utf8_lossy(&same.stdout).contains("nothing that a run or an equation shows differs"));
+    assert!(String::from_utf8_lossy(&same.stdout).contains("no equation, run or other entry differs"));
     [old, new].iter().for_each(|file| std::fs::remove_file(file).expect("it is there"));
 }
 
@@ -45,6 +45,17 @@ fn a_claim_whose_formula_is_broken_is_told_with_its_verdict_and_correction() {
     let told = found.to_string();
     assert!(told.contains("proved before, refuted now") && told.contains("correction: none before"), "{told}");
     [old, new].iter().for_each(|file| std::fs::remove_file(file).expect("it is there"));
+}
+
+#[test]
+fn a_paper_is_compared_with_its_system_and_a_system_with_no_paper() {
+    let [paper, scene] = ["papers/cart_pole.toml", "scenes/foreign/pushed_cart_pole.toml"];
+    let same = run(&["review", paper, "--against", paper]);
+    let told = String::from_utf8_lossy(&same.stdout).into_owned();
+    assert!(same.status.code() == Some(0) && told.contains("no equation, run or other entry differs"), "{told}");
+    let mixed = run(&["review", paper, "--against", scene]);
+    let why = String::from_utf8_lossy(&mixed.stderr).into_owned();
+    assert!(mixed.status.code() == Some(2) && why.contains("two systems, or two papers, are accepted"), "{why}");
 }
 
 #[test]

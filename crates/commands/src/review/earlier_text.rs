@@ -1,26 +1,31 @@
 //! Earlier texts of a file: at a commit, or in another file.
 
 use crate::exit::Exit;
-use reader::read_text;
+use scenes::SystemText;
 use std::path::Path;
 use std::process::Command;
 
-/// The text of a file before: that of another file where one has this name, else its own at a commit.
-pub(super) fn of(file: &Path, against: &str) -> Result<String, Exit> {
-    let other = Path::new(against);
-    if other.is_file() {
-        return Ok(read_text(other)?);
+/// The file that a name stands for, where it stands for no commit.
+pub(super) fn other_file(against: &str) -> Option<&Path> {
+    Some(Path::new(against)).filter(|other| other.is_file())
+}
+
+/// The text of a file before, with the name that messages have: that of another file where one has this name, else its own at a commit.
+pub(super) fn of(file: &Path, against: &str) -> Result<SystemText, Exit> {
+    if let Some(other) = other_file(against) {
+        return Ok(SystemText::read(other)?);
     }
     let folder = file.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let name = file.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
     let folder = folder.to_string_lossy();
-    git(&["-C", &folder, "show", &format!("{against}:./{name}")]).map_err(|why| match why {
+    let text = git(&["-C", &folder, "show", &format!("{against}:./{name}")]).map_err(|why| match why {
         Exit::Refused(why) => Exit::refused(format!(
             "{}: --against {against}: {why}; a commit that has this file, or another file, is accepted",
             file.display()
         )),
         other => other,
-    })
+    })?;
+    Ok(SystemText { name: format!("{} at {against}", file.display()), text, values: Vec::new() })
 }
 
 /// The output of git.

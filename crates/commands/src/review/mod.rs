@@ -4,14 +4,15 @@ mod earlier_text;
 mod pages;
 mod paper;
 mod system;
+mod tables;
 
 use crate::arguments::Format;
 use crate::exit::{Exit, print};
 use crate::stationary::steady_box::named_range;
+use ::scenes::SystemText;
 use ::scenes::steady_motions::Range;
 use clap::Args;
 use manuscript::is_paper;
-use reader::read_text;
 use serde_json::json;
 use std::path::PathBuf;
 
@@ -50,19 +51,29 @@ pub fn review(asked: &Asked) -> Result<Exit, Exit> {
         }
         return pages::show(&asked.against, asked.format);
     };
-    let now = read_text(file)?;
+    let now = SystemText::read(file)?;
     let before = earlier_text::of(file, &asked.against)?;
-    let parts: Vec<Part> = match is_paper(&now) {
-        true => paper::changes(file, (before, now), &|file| earlier_text::of(file, &asked.against))?,
-        false => system::changes(file, (before, now), &asked.range)?,
+    let kinds = [is_paper(&before.text), is_paper(&now.text)];
+    if kinds[0] != kinds[1] {
+        let kind = |is_paper: bool| if is_paper { "a paper" } else { "a system" };
+        return Err(Exit::refused(format!(
+            "{} is {}, and {} {}; two systems, or two papers, are accepted",
+            before.name,
+            kind(kinds[0]),
+            now.name,
+            kind(kinds[1])
+        )));
     }
-    .into_iter()
-    .map(|(title, told)| Part { title, told })
-    .collect();
+    let mut parts = vec![("text".to_owned(), tables::changes([&before.text, &now.text]))];
+    parts.extend(match kinds[1] {
+        true => paper::changes(file, &asked.against, [before, now])?,
+        false => system::changes([before, now], &asked.range)?,
+    });
+    let parts: Vec<Part> = parts.into_iter().map(|(title, told)| Part { title, told }).collect();
     let changed = || parts.iter().filter(|part| !part.told.is_empty());
     print(&match asked.format {
         Format::Text if changed().next().is_none() => {
-            format!("{}: nothing that a run or an equation shows differs from {}\n", file.display(), asked.against)
+            format!("{}: no equation, run or other entry differs from {}\n", file.display(), asked.against)
         }
         Format::Text => changed().map(|part| format!("{}\n  {}\n", part.title, part.told.join("\n  "))).collect(),
         Format::Json => {

@@ -1,26 +1,26 @@
 //! Changes of a paper in its file: which claims came, went, or have another verdict, formula, correction or hypothesis.
 
-use super::system::Changes;
+use super::earlier_text::{self, other_file};
+use super::system::{Changes, of_equations};
 use crate::clock;
 use crate::exit::Exit;
 use claims::review::compare;
 use manuscript::{Finding, PaperText};
+use scenes::SystemText;
 use std::path::Path;
 
 /// All changes between two texts, each with the system that it had.
-pub(super) fn changes(
-    file: &Path,
-    (before, now): (String, String),
-    earlier: &dyn Fn(&Path) -> Result<String, Exit>,
-) -> Result<Changes, Exit> {
-    let mut old = PaperText::parse(file, before)?;
-    if let Some(model) = old.model_file().map(earlier) {
-        old = old.with_model(model?);
+pub(super) fn changes(file: &Path, against: &str, [before, now]: [SystemText; 2]) -> Result<Changes, Exit> {
+    let mut old = PaperText::parse(other_file(against).unwrap_or(file), before.text)?;
+    let model = old.model_file().filter(|_| other_file(against).is_none()).map(Path::to_owned);
+    if let Some(model) = model {
+        old = old.with_model(earlier_text::of(&model, against)?.text);
     }
-    let new = PaperText::parse(file, now)?;
+    let new = PaperText::parse(file, now.text)?;
+    old.key.clone_from(&new.key);
+    let mut all = of_equations(&[old.system().clone(), new.system().clone()])?;
     let judge = |paper: &PaperText| paper.judge_each(|_| {}, clock::has_time);
     let [old, new] = [judge(&old)?, judge(&new)?];
-    let mut all: Changes = Vec::new();
     for finding in &new {
         let id = &finding.judged.id;
         let told = match old.iter().find(|before| before.judged.id == *id) {
@@ -60,7 +60,7 @@ fn changed(before: &Finding, now: &Finding) -> Vec<String> {
     });
     told.extend(gained.iter().map(|each| format!("needs now: {each}")));
     told.extend(lost.iter().map(|each| format!("no longer needs: {each}")));
-    let corrections = |of: &Finding| of.corrections.iter().map(|one| one.formula.clone()).collect::<Vec<_>>();
+    let corrections = |of: &Finding| of.corrections.iter().map(|one| one.says()).collect::<Vec<_>>();
     let [old, new] = [corrections(before), corrections(now)];
     if old != new {
         let none = |all: Vec<String>| if all.is_empty() { "none".to_owned() } else { all.join("; ") };

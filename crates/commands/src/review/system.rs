@@ -3,7 +3,7 @@
 use crate::clock;
 use crate::exit::{Exit, warn};
 use crate::stationary::model::verdict;
-use crate::stationary::steady_box::Found;
+use crate::stationary::steady_box::{Found, refused};
 use ::scenes::derivation::{NamedPrinciple, derived};
 use ::scenes::steady_motions::{Asked, Range, SteadyMotions};
 use ::scenes::{ModelScene, SystemText, Task};
@@ -21,20 +21,22 @@ pub(super) type Changes = Vec<(String, Vec<String>)>;
 const ROUNDING: f64 = 1e-9;
 
 /// All changes between two texts.
-pub(super) fn changes(
-    file: &Path,
-    (before, now): (String, String),
-    ranges: &[(String, Range)],
-) -> Result<Changes, Exit> {
-    let name = file.display().to_string();
-    let texts = [before, now].map(|text| SystemText { name: name.clone(), text, values: Vec::new() });
+pub(super) fn changes(texts: [SystemText; 2], ranges: &[(String, Range)]) -> Result<Changes, Exit> {
+    let mut all = of_equations(&texts)?;
     let [old, new] = [texts[0].model(Task::Vary)?, texts[1].model(Task::Vary)?];
-    let mut all: Changes = vec![("parameters".to_owned(), parameters([&old, &new]))];
-    all.extend(equations(&texts, [&old, &new]));
     let asked = Asked { ranges: ranges.to_vec(), boxes: MOST_BOXES };
-    all.push(("steady motions".to_owned(), steady_motions(&name, [old, new], &asked)));
-    let [old, new] = [ModelScene::parse(&name, &texts[0].text)?, ModelScene::parse(&name, &texts[1].text)?];
+    all.push(("steady motions".to_owned(), steady_motions(&texts[1].name, [old, new], &asked)));
+    let [old, new] =
+        [ModelScene::parse(&texts[0].name, &texts[0].text)?, ModelScene::parse(&texts[1].name, &texts[1].text)?];
     all.push(("run".to_owned(), run([&old, &new])));
+    Ok(all)
+}
+
+/// Parameters and equations that differ.
+pub(super) fn of_equations(texts: &[SystemText; 2]) -> Result<Changes, Exit> {
+    let [old, new] = [texts[0].for_equations()?, texts[1].for_equations()?];
+    let mut all: Changes = vec![("parameters".to_owned(), parameters([&old, &new]))];
+    all.extend(equations(texts, [&old, &new]));
     Ok(all)
 }
 
@@ -134,10 +136,17 @@ fn dimensions(models: [&Model; 2]) -> BTreeMap<String, Dimension> {
 fn steady_motions(name: &str, models: [Model; 2], asked: &Asked) -> Vec<String> {
     let found = models.map(|mut model| {
         model.close_inputs();
-        let motions = SteadyMotions::of(&model, asked, clock::has_time).ok()?;
-        Some(Found { title: String::new(), model, motions })
+        match SteadyMotions::of(&model, asked, clock::has_time) {
+            Ok(motions) => Ok(Found { title: String::new(), model, motions }),
+            Err(why) => Err(refused(Path::new(name), &model, why)),
+        }
     });
-    let [Some(old), Some(new)] = &found else { return Vec::new() };
+    let [Ok(old), Ok(new)] = &found else {
+        if let Some(Exit::Refused(why)) = found.into_iter().find_map(Result::err) {
+            warn(&format!("warning: steady motions are not compared: {why}"));
+        }
+        return Vec::new();
+    };
     for found in [old, new].into_iter().filter(|found| !found.motions.is_complete()) {
         let count = found.motions.undecided.len();
         warn(&format!("warning: {name}: the search for steady motions leaves {count} boxes undecided"));
@@ -197,11 +206,20 @@ fn run(scenes: [&ModelScene; 2]) -> Vec<String> {
         }
         let where_most =
             largest.map_or_else(String::new, |(most, time)| format!("; {most:.3e} {unit} apart at t = {time} s"));
-        told.push(format!("{name}: {first:.9} {unit} before, {second:.9} {unit} now at the end{where_most}"));
+        told.push(format!(
+            "{name}: {} {unit} before, {} {unit} now at the end{where_most}",
+            short(first),
+            short(second)
+        ));
     }
     let gone = old.names.iter().filter(|name| !new.names.contains(name));
     told.extend(gone.map(|name| format!("{name}: no longer a column")));
     told
+}
+
+/// Nine digits.
+fn short(value: f64) -> String {
+    if value != 0.0 && !(1e-4..1e9).contains(&value.abs()) { format!("{value:.8e}") } else { format!("{value:.9}") }
 }
 
 fn last(trajectory: &Trajectory, column: usize) -> f64 {

@@ -70,7 +70,18 @@ pub(super) fn body(all: &Found) -> String {
         (count, families) => format!("{count} steady motions, each alone in a box, and {families} families"),
     };
     let boxes = if found.examined == 1 { "one box".to_owned() } else { format!("{} boxes", found.examined) };
+    let branches: Vec<String> =
+        all.model.implied.iter().filter(|one| one.branch.is_some()).map(|one| one.title.clone()).collect();
     let _ = match found.is_complete() {
+        true if !branches.is_empty() => writeln!(
+            out,
+            "\n{count}; {} from other constraints on the branch of the start, and on it there is no other; other branches are not searched",
+            if branches.len() == 1 {
+                format!("{} follows", branches[0])
+            } else {
+                format!("{} follow", branches.join(", "))
+            }
+        ),
         true => writeln!(out, "\n{count}, and no other: the search over {boxes} decides everything"),
         false => writeln!(
             out,
@@ -339,7 +350,7 @@ pub(super) fn object(Found { title, model, motions: found }: &Found) -> Value {
         })).collect::<Vec<_>>(),
         "given": found.given.iter().map(|(name, value)| (name.clone(), json!(value))).collect::<serde_json::Map<_, _>>(),
         "cyclic": found.cyclic,
-        "complete": found.is_complete(),
+        "complete": found.is_complete() && model.implied.iter().all(|one| one.branch.is_none()),
         "boxes": found.examined,
         "undecided": found.undecided,
         "regions": found.regions.iter().map(|region| json!({

@@ -72,6 +72,18 @@ pub(crate) fn held_of(trace: &Trace<'_>, place: usize) -> Vec<ScalarConstraint> 
     held
 }
 
+/// The constraints of positions that follow from others near the start, where they are left out: expressions that vanish along every motion.
+pub fn implied(trace: &Trace<'_>) -> Vec<Sym> {
+    let of = |[place, component]: [usize; 2]| match trace.model.constraints[place].zero {
+        Zero::Scalar(zero) => Some(trace.scalar(zero)),
+        Zero::Vector(zero) => {
+            let all = independent(trace, trace.vector(zero));
+            all.into_iter().find(|held| held.component == component).map(|held| held.zero)
+        }
+    };
+    trace.model.implied.iter().filter_map(|one| of(one.of)).collect()
+}
+
 /// One for each scalar, and for each component of a vector that does not vanish identically.
 pub fn equations(trace: &Trace<'_>) -> Vec<Equation> {
     let mut all = Vec::new();

@@ -14,7 +14,7 @@ use super::surplus::Selection;
 use super::{Asked, NoSteadyMotions, Range};
 use crate::compiled_system::has_values;
 use crate::letters::Letters;
-use model::equations::vanishes;
+use model::equations::{implied_constraints, vanishes};
 use model::{Contact, Model, Trace};
 use symbolic::{Sym, Tape, substitute_all};
 
@@ -75,6 +75,8 @@ pub(super) struct SteadyEquations {
     pub masses: Option<Tape>,
     /// Equations beyond the number of unknowns.
     pub surplus: Tape,
+    /// Constraints that were left out, since they follow from others near the start: elsewhere they may not.
+    pub implied: Tape,
     /// Places in the state of speeds that constraints of speeds determine, and these by the unknowns.
     pub determined: (Vec<usize>, Tape),
 }
@@ -327,6 +329,7 @@ impl SteadyEquations {
             is_unbalanced,
             have_potential: rows.have_potential,
             surplus: recorded(&inputs, &surplus)?,
+            implied: recorded(&inputs, &put(&substitute_all(&implied_constraints(&trace), &at_rest)))?,
             values: recorded(&inputs, &values)?,
             slopes: recorded(&inputs, &slopes)?,
             loads: recorded(&letters, &loads)?,

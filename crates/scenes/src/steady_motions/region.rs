@@ -47,6 +47,9 @@ const MOST_REGIONS: usize = 16;
 /// Boxes of all regions together from which it begins, of six unknowns: each takes the cube of their number.
 const BEGINNINGS: usize = 96;
 
+/// Iterations of a singular value decomposition.
+const MOST_ITERATIONS: usize = 1_000;
+
 /// Steps of Newton's method.
 const STEPS: usize = 60;
 
@@ -182,12 +185,12 @@ fn near(equations: &SteadyEquations, known: &[Zero], from: &[Interval], hull: &[
         return Near::Nothing;
     }
     // a row that is small at the zero alone, beside what it is elsewhere, is singular too, though all may be
-    let mut scaled = slopes(equations, &found);
+    let Some(mut scaled) = slopes(equations, &found) else { return Near::Nothing };
     let largest = largest_slopes(equations);
     for (row, largest) in largest.iter().enumerate().filter(|(_, largest)| **largest > 0.0 && largest.is_finite()) {
         scaled.row_mut(row).unscale_mut(*largest);
     }
-    let svd = scaled.svd(false, true);
+    let Some(svd) = scaled.try_svd(false, true, f64::EPSILON, MOST_ITERATIONS) else { return Near::Nothing };
     let Some(rows) = svd.v_t else { return Near::Nothing };
     let regular =
         svd.singular_values[0].max(if largest.iter().all(|one| one.is_finite()) { LEAST_REGULAR } else { 0.0 });
@@ -213,7 +216,7 @@ fn zero(equations: &SteadyEquations, mut at: DVector<f64>) -> Option<DVector<f64
     // fewer equations than unknowns leave zeros behind
     for _ in 0..STEPS {
         program.evaluate(at.as_slice(), &mut values[..equations.rows]);
-        let svd = slopes(equations, &at).svd(true, true);
+        let svd = slopes(equations, &at)?.try_svd(true, true, f64::EPSILON, MOST_ITERATIONS)?;
         let largest = svd.singular_values.max();
         let step = svd.solve(&DVector::from_column_slice(&values), RANK * largest).ok()?;
         at -= &step;
@@ -225,7 +228,7 @@ fn zero(equations: &SteadyEquations, mut at: DVector<f64>) -> Option<DVector<f64
         }
     }
     program.evaluate(at.as_slice(), &mut values[..equations.rows]);
-    let size = slopes(equations, &at).norm() * (1.0 + at.norm());
+    let size = slopes(equations, &at)?.norm() * (1.0 + at.norm());
     values.iter().all(|value| value.abs() <= 1e-9 * size).then_some(at)
 }
 
@@ -238,8 +241,10 @@ fn largest_slopes(equations: &SteadyEquations) -> Vec<f64> {
     slopes.chunks(all.len()).map(|row| row.iter().fold(0.0, |largest: f64, slope| largest.max(slope.size()))).collect()
 }
 
-fn slopes(equations: &SteadyEquations, at: &DVector<f64>) -> DMatrix<f64> {
+/// None where one is no number, as that of a distance that is zero.
+fn slopes(equations: &SteadyEquations, at: &DVector<f64>) -> Option<DMatrix<f64>> {
     let mut slopes = vec![0.0; at.len() * at.len()];
     equations.slopes.over::<f64>().evaluate(at.as_slice(), &mut slopes[..equations.rows * at.len()]);
-    DMatrix::from_row_slice(at.len(), at.len(), &slopes)
+    let are_numbers = slopes.iter().all(|slope| slope.is_finite());
+    are_numbers.then(|| DMatrix::from_row_slice(at.len(), at.len(), &slopes))
 }

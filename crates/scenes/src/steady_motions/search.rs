@@ -14,6 +14,8 @@ pub(super) struct Boxes<'a> {
     through: Propagation<'a>,
     surplus: Program<'a, Interval>,
     left: Vec<Interval>,
+    implied: Program<'a, Interval>,
+    implies: Vec<Interval>,
     through_surplus: Propagation<'a>,
     slopes: Program<'a, Interval>,
     loads: Program<'a, Interval>,
@@ -27,8 +29,9 @@ pub(super) struct Boxes<'a> {
 
 impl<'a> Boxes<'a> {
     pub fn of(equations: &'a SteadyEquations) -> Self {
-        let SteadyEquations { values, slopes, loads, reactions, unknowns, sides: (sides, holds), surplus, .. } =
-            equations;
+        let SteadyEquations {
+            values, slopes, loads, reactions, unknowns, sides: (sides, holds), surplus, implied, ..
+        } = equations;
         Boxes {
             divided: unknowns.len(),
             reactions: *reactions,
@@ -36,6 +39,8 @@ impl<'a> Boxes<'a> {
             through: Propagation::of(values),
             surplus: surplus.over(),
             left: vec![Interval::EVERYTHING; surplus.outputs()],
+            implied: implied.over(),
+            implies: vec![Interval::EVERYTHING; implied.outputs()],
             through_surplus: Propagation::of(surplus),
             slopes: slopes.over(),
             loads: loads.over(),
@@ -48,8 +53,13 @@ impl<'a> Boxes<'a> {
 }
 
 impl Boxes<'_> {
-    /// Whether every condition has its side all over a box; none where that is open.
+    /// Whether every condition has its side all over a box; none where that is open. Where a constraint that was left out is not fulfilled
+    /// there is no motion of the system.
     pub fn lies_aside(&mut self, at: &[Interval]) -> Option<bool> {
+        self.implied.evaluate(at, &mut self.implies);
+        if self.implies.iter().any(|value| !value.contains(0.0)) {
+            return Some(false);
+        }
         if self.holds.is_empty() {
             return Some(true);
         }

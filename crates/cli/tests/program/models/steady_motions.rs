@@ -78,6 +78,32 @@ fn what_is_asked_of_another_kind_of_scene_is_refused() {
     refused(&["stationary", MODEL, "--boxes", "0"], "--boxes");
 }
 
+/// Of y (y - 1) = 0 and y = 0, on a circle, the first follows from the second at the start, and allows y = 1 elsewhere.
+#[test]
+fn motions_fulfil_the_constraints_that_follow_from_others_near_the_start() {
+    let file = temporary("double_floor.toml");
+    let text = "title = \"Bead\"\n[parameters]\nm = \"1 kg\"\nk = \"3 N/m\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n[bodies.bead]\ncentre = \"O + x*N.x + y*N.y\"\n\
+        mass = \"m\"\n[energies]\npotential = \"k/2*(x^2 - (1 m^2))^2/(1 m^2)\"\n[[constraint]]\nname = \"steps\"\nzero = \"y*(y - (1 m))\"\n\
+        [[constraint]]\nname = \"floor\"\nzero = \"y\"\n[start]\nx = \"0.5 m\"\n[run]\nspan = \"1 s\"\n";
+    std::fs::write(&file, text).expect("it can be written");
+    let told = printed(&["stationary", &file.to_string_lossy(), "--range", "x=-2.1..2.3", "--range", "y=-2.2..2.1"]);
+    assert!(told.contains("3 steady motions") && !told.contains("y = 1 m"), "{told}");
+    std::fs::remove_file(&file).expect("it is there");
+}
+
+/// The distance of a spring has no slope where it is zero: a box about it is undecided, and nothing else.
+#[test]
+fn a_place_without_slopes_is_told_as_undecided() {
+    let file = temporary("no_slope.toml");
+    let text = "title = \"Mass on a spring\"\n[parameters]\nm = \"1 kg\"\nk = \"3 N/m\"\nl = \"1 m\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n[points]\n\
+        P = \"O + x*N.x + y*N.y\"\n[bodies.mass]\ncentre = \"P\"\nmass = \"m\"\n[energies]\npotential = \"k/2*(distance(O, P) - l)^2 + (2 N)*y\"\n[run]\nspan = \"1 s\"\n";
+    std::fs::write(&file, text).expect("it can be written");
+    let output = run(&["stationary", &file.to_string_lossy(), "--range", "x=-2..2", "--range", "y=-2..2"]);
+    let told = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(output.status.code() == Some(1) && told.contains("undecided"), "{told}");
+    std::fs::remove_file(&file).expect("it is there");
+}
+
 #[test]
 fn motions_between_events_are_those_without_them() {
     let pendulum = temporary("watched_pendulum.toml");

@@ -28,6 +28,9 @@ const MOST_UNKNOWNS: usize = 6;
 /// Larger denominators are no coefficients of an identity.
 const LARGEST: u16 = 10_000;
 
+/// Iterations of a singular value decomposition.
+const MOST_ITERATIONS: usize = 1_000;
+
 /// Singular values below this part of the largest are zero.
 const RANK: f64 = 1e-10;
 
@@ -130,7 +133,7 @@ fn candidates(products: &[Sym], letters: &[Sym], unknowns: &[Unknown]) -> Vec<Ve
     for (column, size) in sizes.iter().enumerate().filter(|(_, size)| **size > 0.0) {
         values.column_mut(column).unscale_mut(*size);
     }
-    let svd = values.svd(false, true);
+    let Some(svd) = values.try_svd(false, true, f64::EPSILON, MOST_ITERATIONS) else { return Vec::new() };
     let Some(v) = svd.v_t else { return Vec::new() };
     let largest = svd.singular_values.max();
     let zero: Vec<usize> = (0..wide).filter(|&k| svd.singular_values[k] <= RANK * largest).collect();
