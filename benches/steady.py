@@ -20,7 +20,7 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PROGRAM = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT / "target" / "release" / "dalembert"
 TOLERANCE = "1e-4"
-SECONDS = "60"
+SECONDS = "20"
 METHOD = "Runge-Kutta 4"
 
 # the ranges in which steady motions are sought, in SI units; a circle needs none
