@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Problems of others: all steady motions with their stability, the steps that tell it, and the smallest model that keeps a tolerance.
 
-    cargo build --release && python3 benches/steady.py
+    cargo build --release && python3 benches/steady.py          # with GNU time
 
 Of each model `stationary` searches the ranges below, `numerical-stability` gives numerical eigenvalues at each motion and the longest step
 with which the Runge-Kutta method of order 4 tells its stability, and `choose` keeps 1e-4 in the scene's outputs. Times and the largest memory
@@ -15,7 +15,6 @@ import platform
 import subprocess
 import sys
 import tempfile
-import time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 PROGRAM = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT / "target" / "release" / "dalembert"
@@ -40,16 +39,14 @@ RANGES = {
 
 def run(*words):
     """The output of a command as JSON, else its first line; seconds, and the largest memory in MB."""
-    begin = time.monotonic()
-    # a file takes any length, where a full pipe waits
-    with tempfile.TemporaryFile("w+") as output, tempfile.TemporaryFile("w+") as errors:
-        command = [PROGRAM, *words, "--format", "json", "--quiet", "--seconds", SECONDS]
-        process = subprocess.Popen(command, stdout=output, stderr=errors, text=True)
-        _, _, usage = os.wait4(process.pid, 0)
-        output.seek(0), errors.seek(0)
-        told, why = output.read(), errors.read()
+    with tempfile.NamedTemporaryFile("r") as measured:
+        # GNU time, since the memory of a process counts that of the one that starts it
+        command = ["time", "--quiet", "--format", "%e %M", "--output", measured.name, PROGRAM, *words]
+        done = subprocess.run([*command, "--format", "json", "--quiet", "--seconds", SECONDS], capture_output=True, text=True)
+        seconds, kilobytes = measured.read().split()[-2:]
+    told, why = done.stdout, done.stderr
     found = json.loads(told) if told.startswith("{") else (why or told).strip().splitlines()[0]
-    return found, time.monotonic() - begin, usage.ru_maxrss / 1024
+    return found, float(seconds), int(kilobytes) / 1024
 
 
 def cases(found):
@@ -78,7 +75,7 @@ def steps(found):
     if isinstance(found, str):
         return found.split(": ", 2)[-1]
     told = []
-    for motion in found["motions"]:
+    for motion in (motion for case in cases(found) for motion in case["motions"]):
         largest = max((value[0] for value in motion["eigenvalues"]), default=0.0)
         method = next(one for one in motion["methods"] if one["method"] == METHOD)
         first = method["stretches"][0]

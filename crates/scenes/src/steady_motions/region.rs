@@ -41,6 +41,9 @@ const CELLS: f64 = 48.0;
 /// More cells than these are one region.
 const MOST_CELLS: usize = 2_000;
 
+/// More boxes than these are one region: they would be told apart for longer than they were searched.
+const MOST_BOXES: usize = 20_000;
+
 /// With more regions than these the cells are twice as large.
 const MOST_REGIONS: usize = 16;
 
@@ -71,8 +74,8 @@ const ASIDE: f64 = 1e-3;
 /// The regions of undecided boxes, the largest first.
 pub(super) fn regions(equations: &SteadyEquations, known: &[Zero], undecided: &[Vec<Interval>]) -> Vec<Region> {
     let ranges: Vec<Interval> = equations.unknowns.iter().map(|unknown| unknown.range.interval()).collect();
-    let mut groups = grouped(&ranges, undecided, CELLS);
-    let mut cells = CELLS;
+    let mut cells = if undecided.len() > MOST_BOXES { 1.0 } else { CELLS };
+    let mut groups = grouped(&ranges, undecided, cells);
     while groups.len() > MOST_REGIONS {
         cells *= 0.5;
         groups = grouped(&ranges, undecided, cells);
