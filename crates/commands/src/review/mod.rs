@@ -30,7 +30,7 @@ pub struct Asked {
     /// The range of a coordinate in which steady motions of a system are compared, in SI units; without it angles alone are sought
     #[arg(long, value_name = "NAME=FROM..TO", value_parser = named_range, num_args = 1)]
     pub range: Vec<(String, Range)>,
-    /// How to print the changes
+    /// The form in which the changes are printed
     #[arg(long, value_enum, default_value_t)]
     pub format: Format,
 }

@@ -4,7 +4,7 @@
 //! * [`places`]: terms, factors, letters, numbers and powers with their places in the print;
 //! * [`exchanges`], [`factors`], [`terms`], [`lost`]: the edits, by their size;
 //! * [`ground`]: letters, points and judge of a formula: of a claim over its model ([`text_claim`], with [`probe`]), or of a recorded equation
-//!   beside what was derived ([`recorded`]);
+//!   beside what was derived ([`recorded_equation`]);
 //! * [`search`]: the edits of the first size at which one is proved.
 
 mod combinations;
@@ -17,7 +17,7 @@ mod letter_rates;
 mod lost;
 mod places;
 mod probe;
-mod recorded;
+mod recorded_equation;
 mod recorded_theorem;
 mod samples;
 mod search;
@@ -25,7 +25,7 @@ mod terms;
 mod text_claim;
 mod values;
 
-pub use recorded::{LineCorrection, NotRead, line_corrections};
+pub use recorded_equation::{LineCorrection, NotRead, line_corrections};
 pub use recorded_theorem::theorem_corrections;
 pub(crate) use text_claim::Judge;
 

@@ -1,6 +1,6 @@
 //! The conclusion of a theorem that is refuted as an equation under what is given.
 
-use super::recorded::{LineCorrection, NotRead, line_corrections};
+use super::recorded_equation::{LineCorrection, NotRead, line_corrections};
 use claims::{Condition, Line, Page, Theorem, Verdict};
 use symbolic::{Dimension, Hypotheses, Node, Sym, coefficients, normal};
 

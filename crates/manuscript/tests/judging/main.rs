@@ -8,7 +8,7 @@ mod domains;
 mod functions;
 mod hypotheses;
 mod inequalities;
-mod linearised;
+mod linearisation;
 mod messages;
 mod pendulum;
 

@@ -78,7 +78,7 @@ fn what_is_asked_of_another_kind_of_scene_is_refused() {
     refused(&["stationary", MODEL, "--boxes", "0"], "--boxes");
 }
 
-/// Of y (y - 1) = 0 and y = 0, on a circle, the first follows from the second at the start, and allows y = 1 elsewhere.
+/// Two constraints, y (y - 1) = 0 and y = 0: one follows from the other near the start, and the first allows y = 1 elsewhere.
 #[test]
 fn motions_fulfil_the_constraints_that_follow_from_others_near_the_start() {
     let file = temporary("double_floor.toml");

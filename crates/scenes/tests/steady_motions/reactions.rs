@@ -1,0 +1,54 @@
+//! Reactions of either sign, equations beyond the number of unknowns, events.
+
+use super::{all, assert_are, values};
+
+/// Rods in a row hang or stand: with each at its lowest or highest, and no other, although each reaction may have either sign.
+#[test]
+fn rods_in_cartesian_coordinates_rest_upright_alone() {
+    const RODS: &str = include_str!("../../../../scenes/foreign/triple_pendulum.toml");
+    let ranges = ["x1", "y1", "x2", "y2", "x3", "y3"].map(|name| (name, -1.6, 1.6));
+    let found = all(RODS, &ranges);
+    assert!(found.examined < 100, "{}", found.examined);
+    let mut wanted: Vec<Vec<f64>> = Vec::new();
+    for signs in 0..8 {
+        let mut at = 0.0;
+        let heights = (0..3).map(|rod| {
+            at += if signs >> rod & 1 == 0 { -0.5 } else { 0.5 };
+            [0.0, at]
+        });
+        wanted.push(heights.flatten().collect());
+    }
+    let own: Vec<Vec<f64>> = values(&found).into_iter().map(|(values, _)| values).collect();
+    assert_eq!(own.len(), 8);
+    for wanted in &wanted {
+        let is_near = |own: &&Vec<f64>| own.iter().zip(wanted).all(|(a, b)| (a - b).abs() < 1e-9);
+        assert_eq!(own.iter().filter(is_near).count(), 1, "{wanted:?}");
+    }
+}
+
+/// A body along a line whose push depends on the angle of a pendulum beside it: two equations ask for the one angle.
+fn pushed(push: &str) -> String {
+    format!(
+        "title = \"A pushed carriage\"\n[parameters]\nm = \"1 kg\"\nk = \"2 N m\"\n[coordinates]\nx = \"m\"\ntheta = \"rad\"\n[points]\nP = \"O + x*N.x\"\n\
+         [energies]\nkinetic = \"m/2*x'^2 + m/2*(1 m^2)*theta'^2\"\npotential = \"k*(1 - cos(theta))\"\n[[force]]\non = \"P\"\n\
+         is = \"(1 N)*({push})*N.x\"\n[run]\nspan = \"1 s\"\n"
+    )
+}
+
+#[test]
+fn more_equations_than_unknowns_are_fulfilled_together_or_not() {
+    let none = all(&pushed("cos(theta) - 1/2"), &[]);
+    assert!(none.motions.is_empty() && none.is_complete(), "{none:?}");
+    // one of both fulfils the other by numbers, which proves nothing
+    let open = all(&pushed("cos(theta) - 1"), &[]);
+    assert!(open.motions.is_empty() && !open.undecided.is_empty(), "{open:?}");
+    assert!(open.undecided.iter().all(|at| at[0][0].abs() < 1e-6 && at[0][1].abs() < 1e-6), "{open:?}");
+}
+
+#[test]
+fn events_leave_the_equations_between_them_as_they_are() {
+    let bead = "title = \"A bead on a spring\"\n[parameters]\nm = \"1 kg\"\nk = \"4 N/m\"\na = \"0.5 m\"\n[coordinates]\nx = \"m\"\n\
+        [energies]\nkinetic = \"m/2*x'^2\"\npotential = \"k/2*(x - a)^2\"\n[[event]]\nwhen = \"x\"\ndirection = \"down\"\nset = { \"x'\" = \"-x'\" }\n\
+        [run]\nspan = \"1 s\"\n";
+    assert_are(&all(bead, &[("x", -2.0, 2.0)]), &[(&[0.5], Some(true))]);
+}
