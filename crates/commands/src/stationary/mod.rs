@@ -4,6 +4,7 @@
 mod along;
 mod branches;
 mod cases;
+mod families;
 mod json;
 mod map;
 pub mod model;

@@ -1,5 +1,6 @@
 //! Steady motions of a system that is written in its file.
 
+use super::families::{count, ends, family_lines, family_object, is_one_place};
 use super::steady_box::{Found, number};
 use super::{Asked, cases};
 use crate::arguments::Format;
@@ -7,15 +8,11 @@ use crate::exit::{Exit, print};
 use crate::spectrum;
 use ::scenes::linearisation::{Linear, Stability, Standing};
 use ::scenes::steady_motions::{
-    Eigenvalues, EnclosedSpectrum, EnclosedVerdict, Family, Member, Near, Region, SteadyMotion, SteadyMotions,
-    SteadyStability,
+    Eigenvalues, EnclosedSpectrum, EnclosedVerdict, Near, Region, SteadyMotion, SteadyMotions, SteadyStability,
 };
 use ::scenes::unit_of;
 use serde_json::{Value, json};
 use std::fmt::Write;
-
-/// Enclosures that are no wider, as a part of one in SI units and of the value, are printed as numbers.
-const NARROW: f64 = 1e-9;
 
 /// Undecided regions that are listed; of the others the number is told.
 const MOST_LISTED: usize = 6;
@@ -57,18 +54,8 @@ pub(super) fn body(all: &Found) -> String {
     if !found.cyclic.is_empty() {
         let _ = writeln!(out, "cyclic, nothing depends on them: {}", found.cyclic.join(", "));
     }
-    let count = match (found.motions.len(), found.families.len()) {
-        (0, 0) if found.is_complete() => "no steady motion".to_owned(),
-        (0, 0) => "no steady motion that is shown to be alone in a box".to_owned(),
-        (0, 1) => "one family of steady motions".to_owned(),
-        (0, families) => format!("{families} families of steady motions"),
-        (1, 0) => "one steady motion, alone in a box".to_owned(),
-        (count, 0) => format!("{count} steady motions, each alone in a box"),
-        (1, 1) => "one steady motion, alone in a box, and one family".to_owned(),
-        (1, families) => format!("one steady motion, alone in a box, and {families} families"),
-        (count, 1) => format!("{count} steady motions, each alone in a box, and one family"),
-        (count, families) => format!("{count} steady motions, each alone in a box, and {families} families"),
-    };
+    let open = found.families.iter().filter(|(family, _)| is_one_place(found, family)).count();
+    let count = count(found.motions.len(), open, found.families.len() - open, found.is_complete());
     let boxes = if found.examined == 1 { "one box".to_owned() } else { format!("{} boxes", found.examined) };
     let branches: Vec<String> =
         all.model.implied.iter().filter(|one| one.branch.is_some()).map(|one| one.title.clone()).collect();
@@ -122,110 +109,18 @@ pub(super) fn body(all: &Found) -> String {
     out
 }
 
-fn family_lines(all: &Found, place: usize, family: &Family, members: &[Member]) -> String {
-    let found = &all.motions;
-    let shape = match family.dimension {
-        1 => "a curve".to_owned(),
-        2 => "a surface".to_owned(),
-        dimension => format!("of {dimension} dimensions"),
-    };
-    let ranges = found.unknowns.iter().zip(&family.hull).enumerate().map(|(place, (unknown, at))| {
-        let [low, high] = ends(*at);
-        // the others are enclosed, which is wider than where they are
-        let runs = family.pieces.iter().all(|(parameters, _)| parameters.contains(&place));
-        let word = if runs { "from" } else { "within" };
-        let middle = 0.5 * (at[0] + at[1]);
-        match at[1] - at[0] <= NARROW * (1.0 + middle.abs()) {
-            true => format!("{} = {}{}", unknown.name, number(middle), all.unit(&unknown.name)),
-            false => format!("{} {word} {low} to {high}{}", unknown.name, all.unit(&unknown.name)),
-        }
-    });
-    let mut out = format!("  {place}  a family, {shape}: {}\n", ranges.collect::<Vec<_>>().join(", "));
-    // writing to a String cannot fail
-    let pieces =
-        if family.pieces.len() == 1 { "one piece".to_owned() } else { format!("{} pieces", family.pieces.len()) };
-    let _ = writeln!(
-        out,
-        "     enclosed in {pieces}: in each there is one motion, and no other, for every value of {}",
-        running(found, family).join(" or ")
-    );
-    if !family.along.is_empty() {
-        let _ = writeln!(
-            out,
-            "     the cause is an identity: the forces do no work along the displacement {}",
-            family.along.join(", nor along ")
-        );
-    }
-    let judged: Vec<bool> = members
-        .iter()
-        .filter_map(|member| member.linear.as_ref())
-        .filter(|linear| linear.standing != Standing::Moving)
-        .map(|linear| matches!(linear.stability, Stability::Unstable(_)))
-        .collect();
-    if !judged.is_empty() {
-        let unstable = judged.iter().filter(|is_unstable| **is_unstable).count();
-        let _ = writeln!(
-            out,
-            "     of {} motions of it that were tested {unstable} have an eigenvalue with a positive real part, by numbers",
-            judged.len()
-        );
-    }
-    out
-}
-
-/// Unknowns that are the parameter of a piece, by their names.
-fn running(found: &SteadyMotions, family: &Family) -> Vec<String> {
-    let mut all: Vec<String> = family
-        .pieces
-        .iter()
-        .map(|(parameters, _)| {
-            let own = parameters.iter().filter_map(|&place| found.unknowns.get(place));
-            own.map(|unknown| unknown.name.clone()).collect::<Vec<_>>().join(", ")
-        })
-        .collect();
-    all.sort();
-    all.dedup();
-    all
-}
-
-fn family_object(found: &SteadyMotions, family: &Family, members: &[Member]) -> Value {
-    json!({
-        "dimension": family.dimension,
-        "hull": family.hull,
-        "along": family.along,
-        "parameters": running(found, family),
-        "pieces": family.pieces.iter().map(|(parameters, at)| json!({
-            "parameters": parameters.iter().filter_map(|&place| found.unknowns.get(place)).map(|unknown| unknown.name.clone()).collect::<Vec<_>>(),
-            "enclosure": at,
-        })).collect::<Vec<_>>(),
-        "members": members.iter().map(|member| json!({
-            "values": member.values,
-            "state": member.state,
-            "eigenvalues": member.linear.as_ref().map(|linear| &linear.eigenvalues),
-        })).collect::<Vec<_>>(),
-    })
-}
-
 /// A part of the whole; below the range of numbers as such.
 fn part(part: f64) -> String {
     if part < 1e-300 { "less than 1e-300".to_owned() } else { format!("{part:.1e}") }
-}
-
-/// The ends of a range, in five digits where these tell them apart.
-fn ends([low, high]: [f64; 2]) -> [String; 2] {
-    let few = [low, high].map(short);
-    if few[0] == few[1] { [low, high].map(number) } else { few }
-}
-
-/// Five digits.
-fn short(value: f64) -> String {
-    number(format!("{value:.4e}").parse().unwrap_or(value))
 }
 
 fn near(region: &Region) -> String {
     let directions = |count: usize| if count == 1 { "one direction".to_owned() } else { format!("{count} directions") };
     match region.near {
         Near::Nothing => "no other steady motion is found there".to_owned(),
+        Near::Undefined => {
+            "the equations have no values at some place there, such as a distance of zero, where a force has no direction".to_owned()
+        }
         Near::Regular => "there is one steady motion at least, which more boxes would show".to_owned(),
         Near::Merging(count) => format!(
             "a degenerate steady motion, or several that merge: the equations are singular in {}; more boxes do not decide it",
@@ -272,6 +167,14 @@ pub(super) fn stability(motion: &SteadyMotion, cyclic: &[String]) -> String {
                 false => format!("{}; the largest real part is {largest:.6e} 1/s, by numbers", linear.stability),
             }
         }
+        SteadyStability::AtCondition { .. } => {
+            "stability is not known: a condition of the law is zero there".to_owned()
+        }
+        SteadyStability::MinimumOnSides => {
+            "stable, by enclosures: the potential energy has a strict minimum on both sides of the condition that is \
+             zero there (Lagrange, Dirichlet)"
+                .to_owned()
+        }
         SteadyStability::Unknown(why) => format!("stability is not known: {why}"),
     }
 }
@@ -298,7 +201,7 @@ fn fades(linear: &Linear, cyclic: usize) -> bool {
 /// The stability of a motion in a word, and whether enclosures show it.
 pub fn verdict(motion: &SteadyMotion, cyclic: &[String]) -> (&'static str, bool) {
     match &motion.stability {
-        SteadyStability::Minimum => ("stable", true),
+        SteadyStability::Minimum | SteadyStability::MinimumOnSides => ("stable", true),
         SteadyStability::Falls(_) | SteadyStability::FallsOdd(_) => ("unstable", true),
         SteadyStability::Linear(found) if decides(found).is_some() => {
             let word = decides(found).map_or("not decided", spectrum::word);
@@ -311,7 +214,7 @@ pub fn verdict(motion: &SteadyMotion, cyclic: &[String]) -> (&'static str, bool)
             Stability::Asymptotic { .. } => ("asymptotically stable", false),
             _ => ("not decided", false),
         },
-        SteadyStability::Unknown(_) => ("not known", false),
+        SteadyStability::AtCondition { .. } | SteadyStability::Unknown(_) => ("not known", false),
     }
 }
 

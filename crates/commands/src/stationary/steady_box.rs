@@ -102,7 +102,7 @@ impl Cases {
         let told = |(case, text): (&Case, &String)| match case {
             Case::Holds => format!("{text} > 0"),
             Case::Fails => format!("{text} < 0"),
-            Case::Between => format!("{text} = 0"),
+            Case::Between | Case::Meeting => format!("{text} = 0"),
             Case::Forward => format!("{text} = 0, sliding along its tangent"),
             Case::Backward => format!("{text} = 0, sliding against its tangent"),
         };
@@ -219,10 +219,14 @@ impl SteadyBox {
         if found.is_complete() {
             return Exit::Done;
         }
-        if found.regions.iter().all(|region| matches!(region.near, Near::Merging(_))) {
+        if found.regions.iter().all(|region| matches!(region.near, Near::Merging(_) | Near::Undefined)) {
             let (path, boxes) = (path.display(), found.undecided.len());
+            let about = match found.regions.iter().any(|region| region.near == Near::Undefined) {
+                true => "places where the equations have no values, or degenerate steady motions",
+                false => "degenerate steady motions",
+            };
             warn(&format!(
-                "warning: {path}: undecided boxes: {boxes}, about degenerate steady motions, by numbers: more boxes would not decide them"
+                "warning: {path}: undecided boxes: {boxes}, about {about}, by numbers: more boxes would not decide them"
             ));
             return Exit::Stopped;
         }

@@ -197,7 +197,10 @@ fn unstable(motion: &SteadyMotion) -> usize {
                 _ => 0,
             }
         }
-        SteadyStability::Minimum | SteadyStability::Unknown(_) => 0,
+        SteadyStability::Minimum
+        | SteadyStability::AtCondition { .. }
+        | SteadyStability::MinimumOnSides
+        | SteadyStability::Unknown(_) => 0,
     }
 }
 

@@ -1,6 +1,10 @@
 //! Angles that occur as points of a circle alone: a whole turn holds everything.
 
+use super::Unknown;
+use algebra::boxes::Zero;
+use field::Interval;
 use std::collections::HashSet;
+use std::f64::consts::PI;
 use symbolic::{Node, Sym};
 
 /// Whether an expression is the same after a whole turn of an angle: it occurs in cosines and sines of whole multiples alone.
@@ -41,4 +45,23 @@ mod tests {
         assert!(!is_periodic(a.half().circle().cos, a));
         assert!(!is_periodic((a * b).circle().cos, a));
     }
+}
+
+/// The turns, as an angle, that bring an angle to the one between minus half a turn and half a turn.
+pub(super) fn turns_to_zero(angle: f64) -> f64 {
+    let turns = (angle / (2.0 * PI)).round() * -2.0 * PI;
+    // minus half a turn is half a turn
+    if angle + turns < -PI + 1e-9 { turns + 2.0 * PI } else { turns }
+}
+
+/// Whether two zeros differ by whole turns of angles: then one lies, turned, where the other is alone.
+pub(super) fn is_same(unknowns: &[Unknown], known: &Zero, other: &Zero) -> bool {
+    let is_same = |(k, (at, alone)): (usize, (&Interval, &Interval))| {
+        let turns = match unknowns.get(k) {
+            Some(unknown) if unknown.is_circle => ((alone.middle() - at.middle()) / (2.0 * PI)).round() * 2.0 * PI,
+            _ => 0.0,
+        };
+        (*at + Interval::new(turns.next_down(), turns.next_up())).is_part_of(*alone)
+    };
+    other.enclosure.iter().zip(&known.alone).enumerate().all(is_same)
 }

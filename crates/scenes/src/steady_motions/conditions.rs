@@ -20,6 +20,8 @@ pub enum Case {
     /// A contact is in touch, and slides along its tangent, or against it.
     Forward,
     Backward,
+    /// The value is zero, and the searches on both sides found the same motion there.
+    Meeting,
 }
 
 /// More combinations of cases are not tried.
@@ -87,8 +89,8 @@ pub(super) struct Laws {
     pub touching: Vec<Sym>,
     /// Tangential reactions by these.
     pub forces: Vec<(Sym, Sym)>,
-    /// Values that shall be positive, or negative.
-    pub sides: Vec<(Sym, bool)>,
+    /// Values that shall be positive, or negative, each with the place of its case.
+    pub sides: Vec<(Sym, bool, usize)>,
     /// Values that shall be zero.
     pub at_zero: Vec<Sym>,
 }
@@ -100,11 +102,11 @@ impl Laws {
         let mut laws = Laws::default();
         for (place, case) in cases.iter().enumerate() {
             let is_open = match place.checked_sub(rows.condition_letters.len()) {
-                None => laws.add_condition(rows.condition_letters[place], *case, state + place),
-                Some(own) => laws.add_contact(&rows.contacts[own], *case, at_rest, state + place),
+                None => laws.add_condition(rows, (place, *case), at_rest, state + place),
+                Some(own) => laws.add_contact(&rows.contacts[own], (place, *case), at_rest, state + place),
             };
             match is_open {
-                true => laws.sides.push((held[place], *case == Case::Holds)),
+                true => laws.sides.push((held[place], *case == Case::Holds, place)),
                 false if vanishes(held[place]) => {}
                 false => laws.at_zero.push(held[place]),
             }
@@ -113,17 +115,29 @@ impl Laws {
     }
 
     /// Whether the condition has a side.
-    fn add_condition(&mut self, letter: Sym, case: Case, place: usize) -> bool {
+    fn add_condition(&mut self, rows: &Rows, (own, case): (usize, Case), at_rest: &[(Sym, Sym)], place: usize) -> bool {
+        let letter = rows.condition_letters[own];
+        let all = || rows.residuals.iter().chain(&rows.zeros);
         match case {
             Case::Holds => self.known.push((letter, Sym::ONE)),
             Case::Fails => self.known.push((letter, Sym::ZERO)),
+            // a part of a factor that is zero itself, as a coefficient of damping is at rest: no equation asks for it
+            _ if all().all(|row| vanishes(row.diff(letter).substitute(at_rest))) => {
+                self.known.push((letter, Sym::ZERO))
+            }
             _ => self.unknowns.push((letter, sought(letter, place, BETWEEN))),
         }
         matches!(case, Case::Holds | Case::Fails)
     }
 
     /// Whether the contact is open.
-    fn add_contact(&mut self, contact: &Touching, case: Case, at_rest: &[(Sym, Sym)], place: usize) -> bool {
+    fn add_contact(
+        &mut self,
+        contact: &Touching,
+        (own, case): (usize, Case),
+        at_rest: &[(Sym, Sym)],
+        place: usize,
+    ) -> bool {
         let Some((&normal, tangential)) = contact.reactions.split_first() else { return false };
         if case == Case::Holds {
             self.known.extend(contact.reactions.iter().map(|letter| (*letter, Sym::ZERO)));
@@ -131,7 +145,7 @@ impl Laws {
         }
         self.touching.push(normal);
         if contact.is_one_sided {
-            self.sides.push((normal, true));
+            self.sides.push((normal, true, own));
         }
         let Some(friction) = contact.friction else {
             self.known.extend(tangential.iter().map(|letter| (*letter, Sym::ZERO)));
@@ -147,14 +161,14 @@ impl Laws {
                 rest -= share * share;
             }
             if tangential.len() > 1 {
-                self.sides.push((rest, true));
+                self.sides.push((rest, true, own));
             }
             self.at_zero.extend(slides.into_iter().filter(|slide| !vanishes(*slide)));
             return false;
         }
-        let own = if case == Case::Forward { -friction } else { friction };
-        self.forces.extend(tangential.iter().map(|letter| (*letter, own * normal)));
-        self.sides.extend(slides.first().map(|slide| (*slide, case == Case::Forward)));
+        let against = if case == Case::Forward { -friction } else { friction };
+        self.forces.extend(tangential.iter().map(|letter| (*letter, against * normal)));
+        self.sides.extend(slides.first().map(|slide| (*slide, case == Case::Forward, own)));
         false
     }
 }

@@ -56,6 +56,8 @@ pub(super) struct SteadyEquations {
     pub rows: usize,
     /// Conditions by the unknowns, and whether each shall be positive, else negative.
     pub sides: (Tape, Vec<bool>),
+    /// The case of each of these, by its place in the combination.
+    pub side_places: Vec<usize>,
     /// Whether a condition is zero.
     pub is_at_condition: bool,
     /// Identities between them, where none holds reactions.
@@ -260,6 +262,7 @@ impl SteadyEquations {
         };
         let is_open = |row: &Sym| *row != Sym::ZERO && is_constant(row);
         let open = asking_all.iter().zip(residuals.iter().chain(&zeros)).filter(|(_, row)| is_open(row));
+        let side_places = sides.iter().map(|(.., place)| *place).collect();
         let letters_of: Vec<Sym> = open.flat_map(|(row, _)| row.symbols_of()).collect();
         if let Some((_, name, value)) = valued.into_iter().find(|(symbol, ..)| letters_of.contains(symbol)) {
             return Err(NoSteadyMotions::Sought { name, value });
@@ -312,9 +315,11 @@ impl SteadyEquations {
         Ok(SteadyEquations {
             rows: values.len(),
             sides: {
-                let (values, holds): (Vec<Sym>, Vec<bool>) = sides.into_iter().unzip();
+                let (values, holds): (Vec<Sym>, Vec<bool>) =
+                    sides.into_iter().map(|(value, holds, _)| (value, holds)).unzip();
                 (recorded(&inputs, &put(&values))?, holds)
             },
+            side_places,
             is_at_condition: cases.contains(&Case::Between),
             identities,
             free_speeds,

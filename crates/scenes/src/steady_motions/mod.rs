@@ -9,6 +9,7 @@ mod determinacy;
 mod energy_row;
 mod equations;
 mod families;
+mod kinks;
 mod plane;
 mod potential;
 mod quasi_velocities;
@@ -34,6 +35,7 @@ pub use stability::{Eigenvalues, SteadyStability};
 use crate::compiled_system::NotCompiled;
 use crate::linearisation::{Linear, VariedEquations};
 use algebra::boxes::{Found, Limits, Zero, zeros};
+use circles::{is_same, turns_to_zero};
 use equations::SteadyEquations;
 use field::Interval;
 use model::Model;
@@ -164,6 +166,8 @@ pub struct SteadyMotion {
     /// Quasi-velocities among the independent speeds.
     pub quasi_velocities: Vec<(String, f64)>,
     pub stability: SteadyStability,
+    /// The conditions that may be zero there, by their places in the combination of cases.
+    pub at_conditions: Vec<usize>,
 }
 
 /// One of a family.
@@ -180,6 +184,8 @@ pub struct Member {
 #[derive(Clone, Debug)]
 pub struct SteadyMotions {
     pub unknowns: Vec<Unknown>,
+    /// The number of coordinates and speeds: unknowns from this place on are shares of friction, or of a law between two sides.
+    pub state_size: usize,
     /// Coordinates and speeds with given values.
     pub given: Vec<(String, f64)>,
     /// Coordinates that occur nowhere.
@@ -237,7 +243,7 @@ impl SteadyMotions {
             let equations = SteadyEquations::in_cases(model, asked, &cases)?;
             Ok((cases, Self::found(model, (equations, None), asked.boxes, &mut goes_on)))
         });
-        each.collect()
+        Ok(kinks::joined(each.collect::<Result<_, NoSteadyMotions>>()?))
     }
 
     fn found(
@@ -285,7 +291,10 @@ impl SteadyMotions {
                 let state = equations.state_at(enclosure.iter().map(|[low, high]| 0.5 * (low + high)));
                 let stability = judged(model, &equations, &mut boxes, (&zero.enclosure, &state));
                 let (state, quasi_velocities) = original(state);
-                SteadyMotion { enclosure, state, quasi_velocities, stability }
+                let mut at_conditions: Vec<usize> =
+                    boxes.open_sides(&zero.enclosure).into_iter().map(|side| equations.side_places[side]).collect();
+                at_conditions.dedup();
+                SteadyMotion { enclosure, state, quasi_velocities, stability, at_conditions }
             })
             .collect();
         motions.sort_by(|a, b| {
@@ -314,9 +323,10 @@ impl SteadyMotions {
             })
             .collect();
         let ends = |at: Vec<Interval>| at.into_iter().map(|at| [at.low(), at.high()]).collect();
-        let SteadyEquations { unknowns, given, cyclic, have_potential, free_speeds, .. } = equations;
+        let SteadyEquations { unknowns, state, given, cyclic, have_potential, free_speeds, .. } = equations;
         SteadyMotions {
             unknowns,
+            state_size: state.len(),
             given,
             cyclic,
             have_potential,
@@ -371,27 +381,8 @@ fn rounded(value: f64) -> f64 {
     (value * 1e9).round() + 0.0
 }
 
-/// The turns, as an angle, that bring an angle to the one between minus half a turn and half a turn.
-fn turns_to_zero(angle: f64) -> f64 {
-    let turns = (angle / (2.0 * PI)).round() * -2.0 * PI;
-    // minus half a turn is half a turn
-    if angle + turns < -PI + 1e-9 { turns + 2.0 * PI } else { turns }
-}
-
 /// Whether a zero may lie in the ranges that are asked for.
 fn is_in_range(unknowns: &[Unknown], zero: &Zero) -> bool {
     let meets = |(unknown, at): (&Unknown, &Interval)| unknown.is_circle || at.and(unknown.range.interval()).is_some();
     unknowns.iter().zip(&zero.enclosure).all(meets)
-}
-
-/// Whether two zeros differ by whole turns of angles: then one lies, turned, where the other is alone.
-fn is_same(unknowns: &[Unknown], known: &Zero, other: &Zero) -> bool {
-    let is_same = |(k, (at, alone)): (usize, (&Interval, &Interval))| {
-        let turns = match unknowns.get(k) {
-            Some(unknown) if unknown.is_circle => ((alone.middle() - at.middle()) / (2.0 * PI)).round() * 2.0 * PI,
-            _ => 0.0,
-        };
-        (*at + Interval::new(turns.next_down(), turns.next_up())).is_part_of(*alone)
-    };
-    other.enclosure.iter().zip(&known.alone).enumerate().all(is_same)
 }

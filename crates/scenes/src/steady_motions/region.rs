@@ -1,6 +1,6 @@
 //! Regions of boxes that are not decided, and what numbers tell of each: whether motions merge there, or stand side by side.
 
-use super::equations::SteadyEquations;
+use super::equations::{SteadyEquations, Unknown};
 use algebra::boxes::Zero;
 use field::Interval;
 use nalgebra::{DMatrix, DVector};
@@ -23,6 +23,8 @@ pub struct Region {
 pub enum Near {
     /// It comes to no steady motion there that is not among the others.
     Nothing,
+    /// The equations have no values in a part of it, however small its boxes are: there a distance is zero, or a divisor.
+    Undefined,
     /// To one at least about which the equations are regular: more boxes would show it.
     Regular,
     /// To one about which they are singular in so many directions, and none stands beside it along these: motions merge.
@@ -67,6 +69,9 @@ const LEAST_REGULAR: f64 = 1e-4;
 
 /// The part of a box at which Newton's method begins.
 const ASIDE_OF_MIDDLE: f64 = 0.43;
+
+/// The part of a range up to which a region is small.
+const SMALL: f64 = 1e-5;
 
 /// The part of a range by which one goes along a singular direction.
 const ASIDE: f64 = 1e-3;
@@ -128,9 +133,23 @@ fn region(equations: &SteadyEquations, known: &[Zero], (boxes, beginnings): (&[&
     }
     let between = boxes.len().div_ceil(beginnings);
     let begun = boxes.iter().skip(boxes.len() / 2 % between).step_by(between);
-    let near = begun.map(|from| near(equations, known, from, &hull)).max().unwrap_or(Near::Nothing);
+    let near = match has_values(equations, &hull) {
+        true => begun.map(|from| near(equations, known, from, &hull)).max().unwrap_or(Near::Nothing),
+        false => Near::Undefined,
+    };
     let holds_one = holds_one(equations, &hull);
     Region { hull: hull.into_iter().map(|at| [at.low(), at.high()]).collect(), boxes: boxes.len(), near, holds_one }
+}
+
+/// Whether loads are bounded in a region, unless it is so large that this tells nothing.
+fn has_values(equations: &SteadyEquations, hull: &[Interval]) -> bool {
+    let is_large = |(at, unknown): (&Interval, &Unknown)| at.width() > SMALL * unknown.range.interval().width();
+    if hull.iter().zip(&equations.unknowns).any(is_large) {
+        return true;
+    }
+    let mut loads = vec![Interval::EVERYTHING; equations.loads.outputs()];
+    equations.loads.over::<Interval>().evaluate(hull, &mut loads);
+    loads.iter().all(|load| load.size().is_finite())
 }
 
 /// Whether each unknown has an equation of its own that is positive on one of its two faces and negative on the other, of a box a little

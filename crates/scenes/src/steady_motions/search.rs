@@ -73,6 +73,12 @@ impl Boxes<'_> {
 }
 
 impl Boxes<'_> {
+    /// The conditions that may be zero in a box, by their numbers.
+    pub fn open_sides(&mut self, at: &[Interval]) -> Vec<usize> {
+        self.sides.evaluate(at, &mut self.side);
+        (0..self.side.len()).filter(|&k| self.side[k].contains(0.0)).collect()
+    }
+
     /// Whether a zero in a box fulfils the equations beyond the number of unknowns; none where that is open.
     pub fn fulfils_all(&mut self, at: &[Interval]) -> Option<bool> {
         self.surplus.evaluate(at, &mut self.left);

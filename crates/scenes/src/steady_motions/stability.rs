@@ -20,6 +20,11 @@ pub enum SteadyStability {
     Falls(usize),
     /// The amended potential energy falls in an odd number of directions: unstable, whatever gyroscopic forces there are (Thomson and Tait).
     FallsOdd(usize),
+    /// A condition of the law is zero there, and of this side of it alone is known whether the potential energy has a strict minimum.
+    AtCondition { is_minimum: bool },
+    /// The law has a kink there, and the potential energy has a strict minimum on each of its sides: a strict minimum, since its slope does
+    /// not jump (Lagrange and Dirichlet).
+    MinimumOnSides,
     /// By eigenvalues of the linear equations.
     Linear(Box<Eigenvalues>),
     /// There are no linear equations.
@@ -41,21 +46,29 @@ pub(super) fn judged(
     (enclosure, state): (&[Interval], &[f64]),
 ) -> SteadyStability {
     let n = model.speeds();
-    if equations.is_at_condition || boxes.lies_aside(enclosure) != Some(true) {
-        return SteadyStability::Unknown("a condition of the law is zero there".to_owned());
+    if equations.is_at_condition {
+        return SteadyStability::AtCondition { is_minimum: false };
     }
+    let is_open = boxes.lies_aside(enclosure) != Some(true);
     // what is held fixed by hand might move
     let is_whole =
         equations.coordinates == equations.unknowns.len() && equations.coordinates + equations.cyclic.len() == n;
     let keeps_energy = equations.have_potential || keeps_energy(model);
     if is_whole && keeps_energy && has_inertia(equations, &enclosure[..equations.unknowns.len()], n) {
         let rests = state[n..].iter().all(|speed| *speed == 0.0);
-        match falls(equations, boxes, enclosure) {
+        let falls = falls(equations, boxes, enclosure);
+        if is_open {
+            return SteadyStability::AtCondition { is_minimum: falls == Some(0) };
+        }
+        match falls {
             Some(0) => return SteadyStability::Minimum,
             Some(falls) if rests => return SteadyStability::Falls(falls),
             Some(falls) if falls % 2 == 1 => return SteadyStability::FallsOdd(falls),
             _ => {}
         }
+    }
+    if is_open {
+        return SteadyStability::AtCondition { is_minimum: false };
     }
     // inputs have their values, with all derivatives of these
     let varied = match VariedEquations::with_inputs(model, &[], &[]) {

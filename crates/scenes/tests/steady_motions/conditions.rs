@@ -1,7 +1,7 @@
 //! Rest and steady motions with conditions, dry friction and contacts.
 
 use super::{asked, model};
-use dalembert_scenes::steady_motions::{Case, SteadyMotions, SteadyStability};
+use dalembert_scenes::steady_motions::{Case, Near, SteadyMotions, SteadyStability};
 
 /// k x = F s with a part s of the friction from -1 to 1: a block rests for |x| <= F/k.
 #[test]
@@ -81,4 +81,56 @@ fn a_pulled_block_slides_at_the_speed_at_which_drag_takes_the_rest_of_the_pull()
         let [found] = speeds[..] else { panic!("{speeds:?}") };
         assert!((found - speed.unwrap_or(0.0)).abs() < 1e-9, "{found}");
     }
+}
+
+/// A mass that is pushed to the very place where a second spring begins to act: both sides have that equilibrium, and it is one. The potential
+/// energy k x^2/2 - F x, and k2 (x - d)^2/2 beyond d, has its minimum there.
+#[test]
+fn an_equilibrium_at_a_kink_is_one_and_a_minimum_of_both_sides() {
+    let found = |second: &str| {
+        let text = format!(
+            "title = \"Kink\"\n[parameters]\nm = \"1 kg\"\n[coordinates]\nx = \"m\"\n[bodies]\nb = {{ centre = \"O + x*N.x\", mass = \"m\" }}\n\
+             [[force]]\nalong = \"x\"\nis = \"(0.4 N) - (4 N/m)*x - if(x > (0.1 m), {second}, 0)\"\n[run]\nspan = \"1 s\"\n"
+        );
+        let all = SteadyMotions::of_cases(&model(&text), &asked(&[("x", -1.0, 1.0)], 1_000), || true);
+        let all = all.unwrap_or_else(|why| panic!("{why:?}"));
+        assert!(all.iter().all(|(_, own)| own.is_complete() && own.families.is_empty()), "{all:?}");
+        all.into_iter()
+            .flat_map(|(cases, own)| own.motions.into_iter().map(move |motion| (cases.clone(), motion)))
+            .collect::<Vec<_>>()
+    };
+    let [(cases, motion)] = &found("(100 N/m)*(x - (0.1 m))")[..] else { panic!("not one") };
+    assert_eq!(cases, &[Case::Meeting]);
+    assert!((motion.state[0] - 0.1).abs() < 1e-12);
+    assert!(matches!(motion.stability, SteadyStability::MinimumOnSides), "{motion:?}");
+    // a spring that pulls away from there beyond it: a minimum of one side alone
+    let [(_, motion)] = &found("(-100 N/m)*(x - (0.1 m))")[..] else { panic!("not one") };
+    assert!(matches!(motion.stability, SteadyStability::AtCondition { .. }), "{motion:?}");
+    // a force that jumps is one between both sides
+    let [(cases, _)] = &found("(1 N)")[..] else { panic!("not one") };
+    assert_eq!(cases, &[Case::Between]);
+}
+
+/// A coefficient of damping that depends on the direction of a speed is a factor of zero at rest: one equilibrium, and no range of
+/// coefficients.
+#[test]
+fn a_condition_that_no_equation_asks_for_is_no_unknown() {
+    let text = "title = \"Damped\"\n[parameters]\nm = \"1 kg\"\n[coordinates]\nx = \"m\"\n[bodies]\nb = { centre = \"O + x*N.x\", mass = \"m\" }\n\
+        [[force]]\nalong = \"x\"\nis = \"-(4 N/m)*x - if(x' > (0 m/s), (1 N s/m), (3 N s/m))*x'\"\n[run]\nspan = \"1 s\"\n";
+    let found = SteadyMotions::of_cases(&model(text), &asked(&[("x", -1.0, 1.0)], 1_000), || true);
+    let found = found.unwrap_or_else(|why| panic!("{why:?}"));
+    let [(_, own)] = &found[..] else { panic!("{found:?}") };
+    assert!(own.is_complete() && own.families.is_empty() && own.motions.len() == 1, "{own:?}");
+}
+
+/// A spring whose end meets its other end: no force has a direction there, which is told in the place of a guess.
+#[test]
+fn a_distance_of_zero_is_told_as_a_place_without_values() {
+    let text = "title = \"Distance\"\n[parameters]\nm = \"1 kg\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n[points]\nP = \"O + x*N.x + y*N.y\"\n\
+        [bodies]\nb = { centre = \"P\", mass = \"m\" }\n[energies]\npotential = \"(10 N/m)*(distance(O, P) - (0.5 m))^2 + (9.81 N)*y\"\n\
+        [run]\nspan = \"1 s\"\n";
+    let found = SteadyMotions::of(&model(text), &asked(&[("x", -1.2, 1.1), ("y", -1.1, 1.2)], 2_000), || true);
+    let found = found.unwrap_or_else(|why| panic!("{why:?}"));
+    assert!(!found.is_complete() && found.motions.len() == 2, "{found:?}");
+    assert!(found.regions.iter().all(|region| region.near == Near::Undefined), "{:?}", found.regions);
 }

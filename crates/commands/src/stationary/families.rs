@@ -1,0 +1,154 @@
+//! Families of steady motions, and motions whose friction the equations leave open.
+
+use super::steady_box::{Found, number};
+use ::scenes::linearisation::{Stability, Standing};
+use ::scenes::steady_motions::{Family, Member, SteadyMotions};
+use serde_json::{Value, json};
+use std::fmt::Write;
+
+/// Enclosures that are no wider, as a part of one in SI units and of the value, are printed as numbers.
+const NARROW: f64 = 1e-9;
+
+/// The numbers of motions that are alone, of those whose friction the equations leave open, and of families.
+pub(super) fn count(alone: usize, open: usize, families: usize, is_complete: bool) -> String {
+    let motions = |count: usize| match count {
+        1 => "one steady motion".to_owned(),
+        count => format!("{count} steady motions"),
+    };
+    let alone = match alone {
+        0 => None,
+        1 => Some("one steady motion, alone in a box".to_owned()),
+        count => Some(format!("{}, each alone in a box", motions(count))),
+    };
+    let open = (open > 0).then(|| format!("{} with friction that the equations leave open", motions(open)));
+    let is_first = alone.is_none() && open.is_none();
+    let families = match families {
+        0 => None,
+        1 if is_first => Some("one family of steady motions".to_owned()),
+        1 => Some("one family".to_owned()),
+        count if is_first => Some(format!("{count} families of steady motions")),
+        count => Some(format!("{count} families")),
+    };
+    let all: Vec<String> = [alone, open, families].into_iter().flatten().collect();
+    match all.is_empty() {
+        false => all.join(", and "),
+        true if is_complete => "no steady motion".to_owned(),
+        true => "no steady motion that is shown to be alone in a box".to_owned(),
+    }
+}
+
+pub(super) fn family_lines(all: &Found, place: usize, family: &Family, members: &[Member]) -> String {
+    let found = &all.motions;
+    let shape = match family.dimension {
+        1 => "a curve".to_owned(),
+        2 => "a surface".to_owned(),
+        dimension => format!("of {dimension} dimensions"),
+    };
+    let ranges = found.unknowns.iter().zip(&family.hull).enumerate().map(|(place, (unknown, at))| {
+        let [low, high] = ends(*at);
+        // the others are enclosed, which is wider than where they are
+        let runs = family.pieces.iter().all(|(parameters, _)| parameters.contains(&place));
+        let word = if runs { "from" } else { "within" };
+        let middle = 0.5 * (at[0] + at[1]);
+        match at[1] - at[0] <= NARROW * (1.0 + middle.abs()) {
+            true => format!("{} = {}{}", unknown.name, number(middle), all.unit(&unknown.name)),
+            false => format!("{} {word} {low} to {high}{}", unknown.name, all.unit(&unknown.name)),
+        }
+    });
+    let is_placed = is_one_place(found, family);
+    let (ranges, kind) = (ranges.collect::<Vec<_>>().join(", "), format!("a family, {shape}: "));
+    let mut out = format!("  {place}  {}{ranges}\n", if is_placed { "" } else { &kind });
+    if is_placed {
+        // writing to a String cannot fail
+        let _ = writeln!(
+            out,
+            "     one state, in which the equations leave {} open: friction balances with every such value",
+            running(found, family).join(" or ")
+        );
+        return out;
+    }
+    // writing to a String cannot fail
+    let pieces =
+        if family.pieces.len() == 1 { "one piece".to_owned() } else { format!("{} pieces", family.pieces.len()) };
+    let _ = writeln!(
+        out,
+        "     enclosed in {pieces}: in each there is one motion, and no other, for every value of {}",
+        running(found, family).join(" or ")
+    );
+    if !family.along.is_empty() {
+        let _ = writeln!(
+            out,
+            "     the cause is an identity: the forces do no work along the displacement {}",
+            family.along.join(", nor along ")
+        );
+    }
+    let judged: Vec<bool> = members
+        .iter()
+        .filter_map(|member| member.linear.as_ref())
+        .filter(|linear| linear.standing != Standing::Moving)
+        .map(|linear| matches!(linear.stability, Stability::Unstable(_)))
+        .collect();
+    if !judged.is_empty() {
+        let unstable = judged.iter().filter(|is_unstable| **is_unstable).count();
+        let _ = writeln!(
+            out,
+            "     of {} motions of it that were tested {unstable} have an eigenvalue with a positive real part, by numbers",
+            judged.len()
+        );
+    }
+    out
+}
+
+/// Whether a family is one state with shares of friction, or of a law between two sides, that the equations leave open.
+pub(super) fn is_one_place(found: &SteadyMotions, family: &Family) -> bool {
+    let state = found.state_size;
+    found
+        .unknowns
+        .iter()
+        .zip(&family.hull)
+        .all(|(unknown, [low, high])| unknown.place >= state || high - low <= NARROW * (1.0 + 0.5 * (low + high).abs()))
+}
+
+/// Unknowns that are the parameter of a piece, by their names.
+fn running(found: &SteadyMotions, family: &Family) -> Vec<String> {
+    let mut all: Vec<String> = family
+        .pieces
+        .iter()
+        .map(|(parameters, _)| {
+            let own = parameters.iter().filter_map(|&place| found.unknowns.get(place));
+            own.map(|unknown| unknown.name.clone()).collect::<Vec<_>>().join(", ")
+        })
+        .collect();
+    all.sort();
+    all.dedup();
+    all
+}
+
+pub(super) fn family_object(found: &SteadyMotions, family: &Family, members: &[Member]) -> Value {
+    json!({
+        "dimension": family.dimension,
+        "hull": family.hull,
+        "along": family.along,
+        "parameters": running(found, family),
+        "pieces": family.pieces.iter().map(|(parameters, at)| json!({
+            "parameters": parameters.iter().filter_map(|&place| found.unknowns.get(place)).map(|unknown| unknown.name.clone()).collect::<Vec<_>>(),
+            "enclosure": at,
+        })).collect::<Vec<_>>(),
+        "members": members.iter().map(|member| json!({
+            "values": member.values,
+            "state": member.state,
+            "eigenvalues": member.linear.as_ref().map(|linear| &linear.eigenvalues),
+        })).collect::<Vec<_>>(),
+    })
+}
+
+/// The ends of a range, in five digits where these tell them apart.
+pub(super) fn ends([low, high]: [f64; 2]) -> [String; 2] {
+    let few = [low, high].map(short);
+    if few[0] == few[1] { [low, high].map(number) } else { few }
+}
+
+/// Five digits.
+fn short(value: f64) -> String {
+    number(format!("{value:.4e}").parse().unwrap_or(value))
+}

@@ -1,0 +1,108 @@
+//! Motions at the zero of a condition, which the searches on its sides find each for itself: they are one motion.
+
+use super::conditions::Case;
+use super::stability::SteadyStability;
+use super::{SteadyMotion, SteadyMotions};
+
+type Combination = (Vec<Case>, SteadyMotions);
+
+/// The same with each of these told once: where the law lies between its sides, else at a combination of its own.
+pub(super) fn joined(mut all: Vec<Combination>) -> Vec<Combination> {
+    // where no such case was tried, the law is the same on both sides of the zero
+    let jumps: Vec<bool> = (0..all.first().map_or(0, |(cases, _)| cases.len()))
+        .map(|place| all.iter().any(|(cases, _)| !matches!(cases[place], Case::Holds | Case::Fails)))
+        .collect();
+    while let Some((places, members)) = meeting(&all) {
+        let is_between = |(at, _): &&(usize, usize)| places.iter().any(|&place| !is_side(all[*at].0[place]));
+        let kept = members.iter().find(is_between).copied();
+        let is_minimum = members.len() == 1 << places.len()
+            && places.iter().all(|&place| !jumps[place])
+            && members.iter().all(|&(at, own)| {
+                matches!(all[at].1.motions[own].stability, SteadyStability::AtCondition { is_minimum: true })
+            });
+        let examined = members.iter().map(|&(at, _)| all[at].1.examined).sum();
+        let (first, own) = members[0];
+        let mut cases = all[first].0.clone();
+        places.iter().for_each(|&place| cases[place] = Case::Meeting);
+        let mut motion = all[first].1.motions[own].clone();
+        motion.at_conditions.clear();
+        if is_minimum {
+            motion.stability = SteadyStability::MinimumOnSides;
+        }
+        let alone = all[first].1.alone(motion.clone(), examined);
+        for &(at, own) in members.iter().rev() {
+            match kept == Some((at, own)) {
+                true => all[at].1.motions[own].at_conditions.clear(),
+                false => drop(all[at].1.motions.remove(own)),
+            }
+        }
+        if kept.is_none() {
+            match all.iter_mut().find(|(own, _)| *own == cases) {
+                Some((_, found)) => found.motions.push(motion),
+                None => all.push((cases, alone)),
+            }
+        }
+    }
+    all
+}
+
+/// The places of conditions that are zero at a motion which several combinations have, and where these have it, in rising order.
+fn meeting(all: &[Combination]) -> Option<(Vec<usize>, Vec<(usize, usize)>)> {
+    let motions = || {
+        all.iter().enumerate().flat_map(|(at, (cases, found))| {
+            found.motions.iter().enumerate().map(move |(own, motion)| ((at, own), cases, found, motion))
+        })
+    };
+    motions().filter(|(.., motion)| !motion.at_conditions.is_empty()).find_map(|(first, cases, found, motion)| {
+        let mut places = motion.at_conditions.clone();
+        let mut members = vec![first];
+        for (other, others, found_there, there) in motions().filter(|(other, ..)| other.0 != first.0) {
+            let is_open = |place: usize| motion.at_conditions.contains(&place) || there.at_conditions.contains(&place);
+            let agree = (0..cases.len()).all(|place| cases[place] == others[place] || is_open(place));
+            if agree && is_same((found, motion), (found_there, there)) {
+                members.push(other);
+                places.extend(&there.at_conditions);
+            }
+        }
+        places.sort_unstable();
+        places.dedup();
+        members.sort_unstable();
+        (members.len() > 1).then_some((places, members))
+    })
+}
+
+fn is_side(case: Case) -> bool {
+    matches!(case, Case::Holds | Case::Fails)
+}
+
+/// Whether the coordinates and speeds of two motions may be the same.
+fn is_same((found, motion): (&SteadyMotions, &SteadyMotion), (others, other): (&SteadyMotions, &SteadyMotion)) -> bool {
+    let ends = |all: &SteadyMotions, of: &SteadyMotion, place: usize| {
+        let own = all.unknowns.iter().position(|unknown| unknown.place == place);
+        own.map_or([of.state[place]; 2], |own| of.enclosure[own])
+    };
+    (0..motion.state.len()).all(|place| {
+        let ([low, high], [from, to]) = (ends(found, motion, place), ends(others, other, place));
+        low <= to && from <= high
+    })
+}
+
+impl SteadyMotions {
+    /// Of the same search, with one motion and nothing else.
+    fn alone(&self, motion: SteadyMotion, examined: usize) -> Self {
+        SteadyMotions {
+            unknowns: self.unknowns.clone(),
+            state_size: self.state_size,
+            given: self.given.clone(),
+            cyclic: self.cyclic.clone(),
+            motions: vec![motion],
+            have_potential: self.have_potential,
+            families: Vec::new(),
+            free_speeds: self.free_speeds.clone(),
+            undecided: Vec::new(),
+            regions: Vec::new(),
+            undecided_part: 0.0,
+            examined,
+        }
+    }
+}
