@@ -55,8 +55,8 @@ pub use elaboration::{HALF_TURN, bare_angle, is_reserved, misplaced};
 pub use fault::Fault;
 pub use judgements::{Judgement, Subject, judged_mistake, judgements};
 pub use parts::{
-    Along, Assignment, Body, BodyId, Constraint, Contact, Coordinate, Defined, Direction, Domain, Energies, Event,
-    Force, Frame, FrameId, GeneralisedForce, Implied, Inertia, Input, Material, Model, Moves, OneWay, Output,
+    Along, Assignment, Body, BodyId, Constraint, Contact, Coordinate, Defined, Direction, Domain, DomainEnd, Energies,
+    Event, Force, Frame, FrameId, GeneralisedForce, Implied, Inertia, Input, Material, Model, Moves, OneWay, Output,
     Parameter, Point, PointId, QuasiVelocity, Regulator, Restitution, Sides, StartSpeed, StartValue, Torque, Turn,
     UnsolvedLaw, Zero,
 };
@@ -66,8 +66,8 @@ pub use presentation::{
 };
 pub use quasi_velocities::{Coefficient, INTEGRAL, QuasiPrinciple, QuasiVelocities, quasi_agreement};
 pub use source::{
-    BodySource, ConstraintSource, ContactSource, DriveSource, Entry, EventSource, InertiaSource, InputSource,
-    LoadSource, OneWaySource, RegulatorSource, Source, Text, WindingSource,
+    BodySource, ConstraintSource, ContactSource, DriveSource, Entry, EventSource, FrameAngles, InertiaSource,
+    InputSource, LoadSource, OneWaySource, RegulatorSource, Source, Text, WindingSource,
 };
 pub use statements::{Mistake, Mistaken, PowerBalance, Statement, kept_momenta, mistaken, statements};
 pub use trace::{Trace, Vector, quaternion_rates, turned_further};

@@ -90,6 +90,16 @@ pub struct Source {
     pub absent: Vec<String>,
     /// Parameters of springs and viscous forces that it takes for rigid.
     pub rigid: Vec<String>,
+    /// Angles in the place of free turns, for each free frame in the order of the file; where this is shorter, frames turn freely.
+    pub angles: Vec<FrameAngles>,
+}
+
+/// Three angles that place a frame in its parent: turns one after the other, each about an axis, x, y or z, of the frame before.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct FrameAngles {
+    pub axes: [usize; 3],
+    /// The names of the angles behind that of the frame: `F.nutation`.
+    pub names: [String; 3],
 }
 
 /// A body: with a mass and a centre a particle, with an inertia it turns with its frame.

@@ -76,5 +76,7 @@ pub use row_units::{unit_of, unit_of_rate};
 pub use scene::{Given, ModelScene, register};
 pub use size::{Task, too_large};
 pub use start::{Completed, Open, Unmet, consistent};
-pub use system_text::{SystemText, completed_start, parse_titled, read_model, read_titled, set_values};
+pub use system_text::{
+    SystemText, completed_start, parse_titled, parse_with_source, read_model, read_titled, read_with_source, set_values,
+};
 pub use warnings::Warn;

@@ -109,6 +109,7 @@ pub fn with_tables(base: Source, top: &mut Table<'_>) -> Source {
         equilibrium: own.equilibrium.or(base.equilibrium),
         absent: base.absent,
         rigid: base.rigid,
+        angles: base.angles,
     }
 }
 

@@ -9,7 +9,7 @@ use crate::scene::{KNOWN_AS, TITLE, VALUES, model_with, written};
 use crate::size::{Task, too_large};
 use crate::text::OF_PAPERS;
 use crate::warnings::warn_of;
-use model::{Entry, Model};
+use model::{Entry, Model, Source};
 use reader::{SceneError, read_text, tables};
 use simulation::models::holds_model;
 use std::path::Path;
@@ -81,7 +81,7 @@ impl SystemText {
     /// # Errors
     /// The same, and all that is wrong with these outputs.
     pub fn for_judgement_with(&self, outputs: Vec<Entry>) -> Result<Model, SceneError> {
-        let (_, model) = parse_with(&self.name, &self.text, Task::Write, outputs)?;
+        let (_, model, _) = parse_with(&self.name, &self.text, Task::Write, outputs)?;
         let mut model = self.with_its_values(model)?;
         without_implied((&self.name, &self.text), &mut model.clone())?;
         // off the branch the constraints leave other motions
@@ -114,10 +114,29 @@ pub fn read_titled(path: &Path, task: Task) -> Result<(String, Model), SceneErro
 /// # Errors
 /// All that is wrong with the system, each at its place.
 pub fn parse_titled(name: &str, text: &str, task: Task) -> Result<(String, Model), SceneError> {
+    parse_with(name, text, task, Vec::new()).map(|(title, model, _)| (title, model))
+}
+
+/// A title, a model, and what was read of it.
+type Read = (String, Model, Source);
+
+/// The title of a file, its model, and what was read of it.
+///
+/// # Errors
+/// All that is wrong with the system, each at its place.
+pub fn read_with_source(path: &Path, task: Task) -> Result<Read, SceneError> {
+    parse_with_source(&path.display().to_string(), &read_text(path)?, task)
+}
+
+/// The same of a text; `name` is what messages call it.
+///
+/// # Errors
+/// All that is wrong with the system, each at its place.
+pub fn parse_with_source(name: &str, text: &str, task: Task) -> Result<Read, SceneError> {
     parse_with(name, text, task, Vec::new())
 }
 
-fn parse_with(name: &str, text: &str, task: Task, outputs: Vec<Entry>) -> Result<(String, Model), SceneError> {
+fn parse_with(name: &str, text: &str, task: Task, outputs: Vec<Entry>) -> Result<Read, SceneError> {
     let read = tables(name, text, |top, issues| {
         top.known(&["description", "run", "ensemble", "failure"]);
         if top.has("letters") || top.has("claim") {
@@ -129,17 +148,17 @@ fn parse_with(name: &str, text: &str, task: Task, outputs: Vec<Entry>) -> Result
             top.report(issue);
         }
         let title = top.optional_text("title", TITLE).map_or_else(String::new, |title| title.value);
-        let (model, _) = model_with(top, issues, outputs)?;
+        let (model, source) = model_with(top, issues, outputs)?;
         let large = too_large(&model, task);
         issues.extend(large.clone());
         let bodies = impossible(&model);
         let exist = bodies.is_empty();
         issues.extend(bodies);
-        (exist && large.is_none()).then_some((title.split_whitespace().collect::<Vec<_>>().join(" "), model))
+        (exist && large.is_none()).then_some((title.split_whitespace().collect::<Vec<_>>().join(" "), model, source))
     });
-    let (title, model) = read.map_err(with_quoted_primes)?;
+    let (title, model, source) = read.map_err(with_quoted_primes)?;
     warn_of(name, text, &model.warnings);
-    Ok((title, model))
+    Ok((title, model, source))
 }
 
 /// Gives parameters, coordinates and speeds at the start other values, in SI units.

@@ -23,12 +23,13 @@ pub enum FailureKind {
     ExponentialGrowth,
     Pole,
     EndOfDomain,
+    Overflow,
     MissedEvent,
 }
 
 impl FailureKind {
     /// Every way that a run can show. What is refused before it has messages with places in the file.
-    pub const ALL: [Self; 16] = [
+    pub const ALL: [Self; 17] = [
         Self::SingularChart,
         Self::SingularMassMatrix,
         Self::DependentConstraints,
@@ -44,6 +45,7 @@ impl FailureKind {
         Self::ExponentialGrowth,
         Self::Pole,
         Self::EndOfDomain,
+        Self::Overflow,
         Self::MissedEvent,
     ];
 
@@ -65,6 +67,7 @@ impl FailureKind {
             Self::ExponentialGrowth => "exponential growth",
             Self::Pole => "pole of the law",
             Self::EndOfDomain => "end of the domain of the law",
+            Self::Overflow => "overflow in the law",
             Self::MissedEvent => "missed event",
         }
     }

@@ -3,7 +3,8 @@
 use super::{Asked, method};
 use crate::arguments::Format;
 use crate::exit::{Exit, print, warn};
-use crate::stationary::steady_box::{Combination, Found};
+use crate::stationary::combinations::{Combination, Combinations};
+use crate::stationary::steady_box::Found;
 use ::scenes::linearisation::VariedEquations;
 use ::scenes::steady_motions::SteadyMotion;
 use mechanics::one_step_stability::Mode;
@@ -37,7 +38,7 @@ pub(super) fn show(asked: &Asked) -> Result<Exit, Exit> {
             "{option} is about the built-in machines; of a system that is written in its file --range NAME=FROM..TO says where motions are sought"
         )));
     }
-    let Some(cases) = asked.steady.find_cases(&asked.scene)? else {
+    let Some(parts) = Combinations::of(&asked.steady, &asked.scene)? else {
         let found = asked.steady.find(&asked.scene)?;
         let all = judged(asked, &found, false);
         print(&match asked.format {
@@ -50,21 +51,21 @@ pub(super) fn show(asked: &Asked) -> Result<Exit, Exit> {
         })?;
         return Ok(asked.steady.ended(&asked.scene, &found.motions));
     };
-    let (title, count) = (cases.title.clone(), cases.all.len());
+    let Combinations { title, count, kind, filled } = parts;
     let (mut out, mut objects, mut last) = (format!("{title}\n"), Vec::new(), Exit::Done);
-    for Combination { conditions, is_at_condition, found } in cases.with_motions() {
+    for Combination { held, is_at_condition, found } in filled {
         let all = judged(asked, &found, is_at_condition);
         // writing to a String cannot fail
-        let _ = write!(out, "\nwhere {}\n{}", conditions.join(", "), text(&found, &all));
+        let _ = write!(out, "\nwhere {}\n{}", held.join(", "), text(&found, &all));
         let mut own = object(&found, &all);
-        own.insert("where".to_owned(), json!(conditions));
+        own.insert("where".to_owned(), json!(held));
         objects.push(own);
         if let Exit::Stopped = asked.steady.ended(&asked.scene, &found.motions) {
             last = Exit::Stopped;
         }
     }
     if objects.is_empty() {
-        let _ = writeln!(out, "\nno steady motion in any of {count} combinations of its conditions");
+        let _ = writeln!(out, "\nno steady motion in any of {count} {kind}");
     }
     print(&match asked.format {
         Format::Text => out,

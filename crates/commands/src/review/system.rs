@@ -24,7 +24,7 @@ const ROUNDING: f64 = 1e-9;
 pub(super) fn changes(texts: [SystemText; 2], ranges: &[(String, Range)]) -> Result<Changes, Exit> {
     let mut all = of_equations(&texts)?;
     let [old, new] = [texts[0].model(Task::Vary)?, texts[1].model(Task::Vary)?];
-    let asked = Asked { ranges: ranges.to_vec(), boxes: MOST_BOXES };
+    let asked = Asked { ranges: ranges.to_vec(), boxes: MOST_BOXES, ..Asked::default() };
     all.push(("steady motions".to_owned(), steady_motions(&texts[1].name, [old, new], &asked)));
     let [old, new] =
         [ModelScene::parse(&texts[0].name, &texts[0].text)?, ModelScene::parse(&texts[1].name, &texts[1].text)?];

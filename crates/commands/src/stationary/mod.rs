@@ -4,6 +4,7 @@
 mod along;
 mod branches;
 mod cases;
+pub mod combinations;
 mod families;
 mod json;
 mod map;

@@ -1,5 +1,6 @@
 //! Steady motions of a system that is written in its file.
 
+use super::combinations::Combinations;
 use super::families::{count, ends, family_lines, family_object, is_one_place};
 use super::steady_box::{Found, number};
 use super::{Asked, cases};
@@ -19,8 +20,8 @@ const MOST_LISTED: usize = 6;
 
 /// Prints all steady motions.
 pub(super) fn show(asked: &Asked) -> Result<Exit, Exit> {
-    if let Some(cases) = asked.steady.find_cases(&asked.scene)? {
-        return cases::show(asked, cases);
+    if let Some(parts) = Combinations::of(&asked.steady, &asked.scene)? {
+        return cases::show(asked, parts);
     }
     let found = asked.steady.find(&asked.scene)?;
     print(&match asked.format {
@@ -44,7 +45,14 @@ pub(super) fn body(all: &Found) -> String {
         let _ = match unknown.is_circle {
             true => writeln!(out, "sought: {}, the whole circle", unknown.name),
             false => {
-                writeln!(out, "sought: {} from {} to {}{}", unknown.name, range.from, range.to, unit(&unknown.name))
+                writeln!(
+                    out,
+                    "sought: {} from {} to {}{}",
+                    unknown.name,
+                    number(range.from),
+                    number(range.to),
+                    unit(&unknown.name)
+                )
             }
         };
     }

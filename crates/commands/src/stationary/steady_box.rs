@@ -4,11 +4,11 @@ use crate::arguments::finite;
 use crate::clock::has_time;
 use crate::exit::{Exit, placed, warn};
 use crate::progress::Progress;
-use ::scenes::steady_motions::{Along, Asked, Case, Near, NoSteadyMotions, Range, SteadyMotions, conditions_of};
-use ::scenes::{Task, independent_start, read_titled, unit_of, without_law};
+use ::scenes::steady_motions::{Along, Asked, Near, NoSteadyMotions, Range, SteadyMotions};
+use ::scenes::{Task, independent_start, read_with_source, unit_of, without_law};
 use clap::Args;
 use clap::builder::RangedU64ValueParser;
-use model::Model;
+use model::{Model, Source};
 use reader::Issue;
 use std::path::Path;
 use units::nearest;
@@ -56,15 +56,6 @@ pub struct Found {
     pub motions: SteadyMotions,
 }
 
-/// Steady motions of a law that changes at conditions.
-pub struct Cases {
-    pub title: String,
-    pub model: Model,
-    /// The conditions in words.
-    pub conditions: Vec<String>,
-    pub all: Vec<(Vec<Case>, SteadyMotions)>,
-}
-
 /// Steady motions along a parameter.
 pub struct AlongFound {
     pub title: String,
@@ -76,45 +67,18 @@ pub struct AlongFound {
     pub along: Along,
 }
 
+/// The system of a file, as steady motions of it are sought.
 fn read(path: &Path) -> Result<(String, Model), Exit> {
-    let (title, mut model) = read_titled(path, Task::Vary)?;
+    read_with_text(path).map(|(title, model, _)| (title, model))
+}
+
+/// The same with what was read of it.
+pub(super) fn read_with_text(path: &Path) -> Result<(String, Model, Source), Exit> {
+    let (title, mut model, source) = read_with_source(path, Task::Vary)?;
     model.close_inputs();
     // constraints that follow from others have no reactions of their own; a start that is missing is no obstacle
     let _ = independent_start(&mut model);
-    Ok((title, model))
-}
-
-/// A combination of cases of the conditions of a law.
-pub struct Combination {
-    /// As texts.
-    pub conditions: Vec<String>,
-    /// Whether one of them is zero: then the law is linear on neither side.
-    pub is_at_condition: bool,
-    pub found: Found,
-}
-
-impl Cases {
-    /// The combinations in which there is something.
-    pub fn with_motions(self) -> Vec<Combination> {
-        let Cases { title, conditions, model, all } = self;
-        let is_empty =
-            |found: &SteadyMotions| found.motions.is_empty() && found.families.is_empty() && found.is_complete();
-        let told = |(case, text): (&Case, &String)| match case {
-            Case::Holds => format!("{text} > 0"),
-            Case::Fails => format!("{text} < 0"),
-            Case::Between | Case::Meeting => format!("{text} = 0"),
-            Case::Forward => format!("{text} = 0, sliding along its tangent"),
-            Case::Backward => format!("{text} = 0, sliding against its tangent"),
-        };
-        let filled = all.into_iter().filter(|(_, found)| !is_empty(found));
-        filled
-            .map(|(own, motions)| Combination {
-                conditions: own.iter().zip(&conditions).map(told).collect(),
-                is_at_condition: own.iter().any(|case| !matches!(case, Case::Holds | Case::Fails)),
-                found: Found { title: title.clone(), model: model.clone(), motions },
-            })
-            .collect()
-    }
+    Ok((title, model, source))
 }
 
 /// The unit of a number, with a space before it.
@@ -133,19 +97,6 @@ impl SteadyBox {
         let _progress = Progress::new("steady motions");
         let motions = SteadyMotions::of(&model, &self.wanted(), has_time).map_err(|why| refused(path, &model, why))?;
         Ok(Found { title, model, motions })
-    }
-
-    /// The same of a law that changes at conditions: in each combination of their cases; none where the law does not change.
-    pub fn find_cases(&self, path: &Path) -> Result<Option<Cases>, Exit> {
-        self.checked()?;
-        let (title, model) = read(path)?;
-        if model.switches.is_empty() && model.contacts.is_empty() {
-            return Ok(None);
-        }
-        let _progress = Progress::new("steady motions");
-        let all =
-            SteadyMotions::of_cases(&model, &self.wanted(), has_time).map_err(|why| refused(path, &model, why))?;
-        Ok(Some(Cases { title, conditions: conditions_of(&model), model, all }))
     }
 
     /// The same at values of a parameter, or of the speed of a cyclic coordinate.
@@ -202,7 +153,7 @@ impl SteadyBox {
     }
 
     /// Refuses a name with two ranges.
-    fn checked(&self) -> Result<(), Exit> {
+    pub(super) fn checked(&self) -> Result<(), Exit> {
         let names = self.range.iter().map(|(name, _)| name).enumerate();
         match names.clone().find(|(place, name)| self.range[..*place].iter().any(|(before, _)| before == *name)) {
             None => Ok(()),
@@ -211,7 +162,7 @@ impl SteadyBox {
     }
 
     pub fn wanted(&self) -> Asked {
-        Asked { ranges: self.range.clone(), boxes: self.boxes }
+        Asked { ranges: self.range.clone(), boxes: self.boxes, ..Asked::default() }
     }
 
     /// Says what is not decided, and how more would be: the exit.
@@ -291,9 +242,9 @@ pub fn refused(path: &Path, model: &Model, why: NoSteadyMotions) -> Exit {
         NoSteadyMotions::ManyConditions { conditions, most } => told(format!(
             "its law has {conditions} conditions, which have more than {most} combinations of cases; fewer conditions are accepted"
         )),
-        NoSteadyMotions::FreeFrame => told(
-            "a frame turns freely, where steady motions are not sought yet; a frame with an axis, or with three angles, is accepted".to_owned(),
-        ),
+        NoSteadyMotions::FreeFrame { why } => told(format!(
+            "a frame turns freely, and steady motions are not sought here: {why}; a frame with an axis, or with three angles, is accepted"
+        )),
         NoSteadyMotions::OfTime => {
             told("its forces or constraints depend on time: no motion is steady; without time in them they are sought".to_owned())
         }

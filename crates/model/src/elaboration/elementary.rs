@@ -18,13 +18,16 @@ impl Elaborator<'_> {
         let of = self.as_scalar(span, "the argument", of)?;
         self.must_measure(span, of.0, &format!("the argument of `{name}`"), Some(Dimension::none()))?;
         Ok(Value::Scalar(match name {
-            "exp" => self.called(Elementary::Exp, of, of),
+            "exp" => {
+                self.must_not_be_large(span, of);
+                self.called(Elementary::Exp, of, of)
+            }
             "ln" | "log" => {
                 self.must_not_be_negative(span, of);
                 self.called(Elementary::Ln, of, of)
             }
             "tanh" => self.called(Elementary::Tanh, of, of),
-            "sinh" | "cosh" => self.hyperbolic(of, name == "cosh"),
+            "sinh" | "cosh" => self.hyperbolic(span, of, name == "cosh"),
             "atan" => {
                 let one = self.pure(1.0);
                 self.called(Elementary::Atan2, of, one)
@@ -50,8 +53,9 @@ impl Elaborator<'_> {
     }
 
     /// (e^a -+ e^-a)/2
-    fn hyperbolic(&mut self, of: ScalarId, even: bool) -> ScalarId {
+    fn hyperbolic(&mut self, span: &Range<usize>, of: ScalarId, even: bool) -> ScalarId {
         let back = self.unmeasured(Scalar::Negation(of));
+        [of, back].into_iter().for_each(|exponent| self.must_not_be_large(span, exponent));
         let (grows, falls) = (self.called(Elementary::Exp, of, of), self.called(Elementary::Exp, back, back));
         let both = self.unmeasured(if even { Scalar::Sum(grows, falls) } else { Scalar::Difference(grows, falls) });
         let two = self.pure(2.0);

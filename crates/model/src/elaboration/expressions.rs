@@ -216,13 +216,21 @@ impl Elaborator<'_> {
         let frame = self.frame(&Text::at(of, span.start))?;
         let per_second = Some(Dimension::none() / Dimension::time());
         if name == "w" {
-            let seen = self.model.frames[frame.0].parent.map_or(FrameId::GROUND, |(parent, _)| parent);
+            let seen = match self.by_angles.contains(&frame) {
+                true => self.parent_before_angles(frame),
+                false => self.model.frames[frame.0].parent.map_or(FrameId::GROUND, |(parent, _)| parent),
+            };
             return Ok(Value::Vector(self.vector(Vector::AngularVelocity { of: frame, seen }, per_second)));
         }
         if let (Some(part), Some(number)) = (TURNING.iter().position(|part| *part == name), self.number_of_free(frame))
         {
             let coordinate = self.model.free_speed(number) + part;
             return Ok(Value::Scalar(self.scalar(Scalar::Rate { coordinate, order: 1 }, per_second)));
+        }
+        if let Some(part) = TURNING.iter().position(|part| *part == name)
+            && self.by_angles.contains(&frame)
+        {
+            return Ok(self.turning_by_angles(frame, part));
         }
         let Some(axis) = ["x", "y", "z"].iter().position(|axis| *axis == name) else {
             let title = format!("a frame has no part `{name}`");

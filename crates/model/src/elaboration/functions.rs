@@ -8,7 +8,7 @@ use super::value::Value;
 use super::{Elaborator, Sound, unknown};
 use crate::arena::{Function, Scalar, Vector};
 use crate::expression::{Argument, Preposition};
-use crate::{Domain, Fault, FrameId, Material, ScalarId, Text};
+use crate::{Domain, DomainEnd, Fault, FrameId, Material, ScalarId, Text};
 use field::Rational;
 use std::ops::Range;
 use symbolic::Dimension;
@@ -214,7 +214,15 @@ impl Elaborator<'_> {
 
     /// Notes an expression on one side of whose zeros alone a function has values.
     pub(super) fn must_not_be_negative(&mut self, span: &Range<usize>, margin: ScalarId) {
-        let domain = Domain { margin, at: span.clone() };
+        self.note(Domain { margin, end: DomainEnd::Negative, at: span.clone() });
+    }
+
+    /// Notes the exponent of an exponential.
+    pub(super) fn must_not_be_large(&mut self, span: &Range<usize>, margin: ScalarId) {
+        self.note(Domain { margin, end: DomainEnd::Large, at: span.clone() });
+    }
+
+    fn note(&mut self, domain: Domain) {
         if !self.model.domains.contains(&domain) {
             self.model.domains.push(domain);
         }

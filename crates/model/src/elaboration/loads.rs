@@ -223,6 +223,9 @@ impl Elaborator<'_> {
 
     pub(super) fn start(&mut self) {
         for entry in &self.source.start {
+            if self.places_by_angles(&entry.name.text) {
+                continue;
+            }
             if let Some(of) = self.quasi_velocity_of(&entry.name.text) {
                 // a number that does not fit a wrong definition is no fault of its own
                 if self.is_faulty(&entry.name.text) {

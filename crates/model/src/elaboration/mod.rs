@@ -15,6 +15,7 @@ mod energies_shown;
 mod events;
 mod expressions;
 mod forces;
+mod frame_angles;
 mod functions;
 mod guides;
 mod headings;
@@ -127,6 +128,8 @@ struct Elaborator<'s> {
     reaction_letters: Vec<ReactionLetter>,
     /// Names of constraints that are read for their reactions.
     constraints_read: Vec<String>,
+    /// Free frames that angles place.
+    by_angles: Vec<FrameId>,
 }
 
 impl<'s> Elaborator<'s> {
@@ -153,6 +156,7 @@ impl<'s> Elaborator<'s> {
             headless: Vec::new(),
             reaction_letters,
             constraints_read: Vec::new(),
+            by_angles: Vec::new(),
         };
         let time = made.scalar(Scalar::Time, Some(Dimension::time()));
         made.names.insert("t".to_owned(), Named::Value(Value::Scalar(time)));

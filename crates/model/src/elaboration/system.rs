@@ -261,6 +261,9 @@ impl Elaborator<'_> {
         };
         if let Some(parent) = text.text.trim_end().strip_suffix(" free") {
             let parent = self.frame(&text.slice(0..parent.len()))?;
+            if let Some(angles) = self.source.angles.get(self.by_angles.len()) {
+                return Ok(self.turned_by_angles(&entry.name, parent, angles));
+            }
             let frame = self.new_frame(&entry.name.text, parent, Turn::Free { number: self.model.free.len() });
             self.model.free.push(frame);
             return Ok(frame);

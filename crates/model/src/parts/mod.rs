@@ -234,13 +234,23 @@ pub struct Model {
     pub(crate) ahead: Vec<ScalarId>,
 }
 
-/// A function that has values on one side of zero of an expression alone.
+/// A function that has values, or values that a number holds, on one side of a value of an expression alone.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Domain {
-    /// Not negative where the function has a value.
+    /// The expression.
     pub margin: ScalarId,
+    pub end: DomainEnd,
     /// The bytes of the file at which the function stands.
     pub at: Range<usize>,
+}
+
+/// The end of a domain.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DomainEnd {
+    /// No value where the expression is negative.
+    Negative,
+    /// The exponential of the expression: beyond every number where that is large.
+    Large,
 }
 
 impl Model {

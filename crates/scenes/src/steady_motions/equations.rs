@@ -14,6 +14,7 @@ use super::surplus::Selection;
 use super::{Asked, NoSteadyMotions, Range};
 use crate::compiled_system::has_values;
 use crate::letters::Letters;
+use field::Analytic;
 use model::equations::{implied_constraints, vanishes};
 use model::{Contact, Model, Trace};
 use symbolic::{Sym, Tape, substitute_all};
@@ -150,7 +151,9 @@ impl SteadyEquations {
             return Err(NoSteadyMotions::Changes);
         }
         if model.positions() != model.speeds() {
-            return Err(NoSteadyMotions::FreeFrame);
+            return Err(NoSteadyMotions::FreeFrame {
+                why: "angles place it for one search alone, without --along".to_owned(),
+            });
         }
         Ok(())
     }
@@ -239,8 +242,9 @@ impl SteadyEquations {
                 }
             }
         }
-        let Laws { known: of_cases, unknowns: shares, touching, forces, sides, at_zero } =
+        let Laws { known: of_cases, unknowns: shares, touching, forces, mut sides, at_zero } =
             Laws::of(&rows, cases, &at_rest, 2 * n);
+        sides.extend(steep(&trace, &names, asked).into_iter().map(|side| (side, true, NO_CASE)));
         known.extend(of_cases);
         unknowns.extend(shares);
         if !without_range.is_empty() {
@@ -360,6 +364,20 @@ impl SteadyEquations {
         places.iter().zip(speeds).for_each(|(&place, speed)| state[place] = speed);
         state
     }
+}
+
+/// The place of a side that belongs to no case.
+pub(super) const NO_CASE: usize = usize::MAX;
+
+/// The square of the product of the cosines of two angles less its least value, for each such pair.
+fn steep(trace: &Trace<'_>, names: &[String], asked: &Asked) -> Vec<Sym> {
+    let pairs = asked.steep.iter().filter_map(|steep| {
+        let cosine =
+            |name: &String| names.iter().position(|own| own == name).map(|k| trace.coordinates[k].circle().cos);
+        let product = cosine(&steep.angles[0])? * cosine(&steep.angles[1])?;
+        Some(product * product - Sym::constant(field::Rational::exactly(steep.least * steep.least)))
+    });
+    pairs.collect()
 }
 
 /// Speeds that are zero where only cyclic coordinates move.

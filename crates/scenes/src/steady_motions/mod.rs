@@ -10,6 +10,7 @@ mod energy_row;
 mod equations;
 mod families;
 mod kinks;
+mod orientations;
 mod plane;
 mod potential;
 mod quasi_velocities;
@@ -24,6 +25,7 @@ pub use along::{Along, Bifurcation, Change, Sample};
 pub use conditions::{Case, conditions_of};
 pub use equations::Unknown;
 pub use families::Family;
+pub use orientations::{Orientation, Steep};
 pub use plane::{Direction, PlaneCell, middles};
 pub use region::{Near, Region};
 pub use spectrum::{
@@ -79,6 +81,8 @@ pub struct Asked {
     pub ranges: Vec<(String, Range)>,
     /// Boxes that are looked at, at most.
     pub boxes: usize,
+    /// Angles that are small together.
+    pub steep: Vec<Steep>,
 }
 
 impl Asked {
@@ -120,8 +124,10 @@ pub enum NoSteadyMotions {
         conditions: usize,
         most: usize,
     },
-    /// A frame turns freely.
-    FreeFrame,
+    /// A frame turns freely, and is not placed by angles.
+    FreeFrame {
+        why: String,
+    },
     /// The law depends on time.
     OfTime,
     /// A constraint of speeds that is not solved as it is written, or one that is led to zero.
@@ -293,6 +299,7 @@ impl SteadyMotions {
                 let (state, quasi_velocities) = original(state);
                 let mut at_conditions: Vec<usize> =
                     boxes.open_sides(&zero.enclosure).into_iter().map(|side| equations.side_places[side]).collect();
+                at_conditions.retain(|place| *place != equations::NO_CASE);
                 at_conditions.dedup();
                 SteadyMotion { enclosure, state, quasi_velocities, stability, at_conditions }
             })

@@ -5,6 +5,7 @@
 //! most coordinates have no part in the equations. A chosen one is the rate of a coordinate that is added, so that everything else stays as
 //! it is for coordinates.
 
+use super::NoSteadyMotions;
 use super::determinacy::Wanted;
 use super::rows::Rows;
 use crate::changing_laws::changes;
@@ -155,6 +156,14 @@ pub(super) fn is_integral(model: &Model, place: usize) -> bool {
 }
 
 /// Coordinates on which nothing depends, whether the determined speeds are determined at the state, and the most that there may be.
+/// Whether each coordinate has no part in the equations.
+pub(super) fn without_part(model: &Model) -> Result<Vec<bool>, NoSteadyMotions> {
+    let trace = Trace::of(model);
+    let start = model.start_state();
+    let wanted = Wanted { free: Vec::new(), state: &start, is_near: false };
+    Rows::of(model, &trace, &wanted).map(|rows| rows.is_cyclic)
+}
+
 fn score(model: &Model, asked: &[&str], state: Option<&[f64]>) -> Option<(usize, bool, usize)> {
     let trace = Trace::of(model);
     let n = trace.speeds.len();

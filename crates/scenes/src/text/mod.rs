@@ -57,6 +57,7 @@ pub fn source(top: &mut Table<'_>) -> Source {
         equilibrium,
         absent: Vec::new(),
         rigid: Vec::new(),
+        angles: Vec::new(),
     }
 }
 

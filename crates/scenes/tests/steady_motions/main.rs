@@ -2,6 +2,7 @@
 
 mod along;
 mod conditions;
+mod orientations;
 mod quasi_velocities;
 mod reactions;
 
@@ -18,7 +19,7 @@ fn model(text: &str) -> Model {
 
 fn asked(ranges: &[(&str, f64, f64)], boxes: usize) -> Asked {
     let ranges = ranges.iter().map(|&(name, from, to)| (name.to_owned(), Range { from, to })).collect();
-    Asked { ranges, boxes }
+    Asked { ranges, boxes, ..Asked::default() }
 }
 
 fn all(text: &str, ranges: &[(&str, f64, f64)]) -> SteadyMotions {

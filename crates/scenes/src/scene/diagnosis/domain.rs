@@ -4,7 +4,7 @@ use super::samples::Samples;
 use crate::letters::Letters;
 use crate::program::recorded;
 use integrators::{Failure, Ode};
-use model::{Domain, Model, Trace};
+use model::{Domain, DomainEnd, Model, Trace};
 use simulation::{FailureKind, RunFailure};
 
 /// Parts of the time of the run that are looked ahead, from the shortest on.
@@ -20,7 +20,8 @@ pub(super) fn crossed(run: &Samples<'_>) -> Option<RunFailure> {
     }
     let (at, state) = run.last();
     let here = rates(run, at, state);
-    run.model().domains.iter().zip(run.scene.domain_texts()).find_map(|(domain, (text, line))| {
+    let bounded = run.model().domains.iter().zip(run.scene.domain_texts());
+    bounded.filter(|(domain, _)| domain.end == DomainEnd::Negative).find_map(|(domain, (text, line))| {
         let margin = margin(run.model(), domain)?;
         let value = margin(at, state);
         let left = if value > 0.0 {
@@ -62,7 +63,7 @@ pub(super) fn crossed(run: &Samples<'_>) -> Option<RunFailure> {
 }
 
 /// Whether a run has stopped where rates or steps have no numbers.
-fn has_lost_numbers(run: &Samples<'_>) -> bool {
+pub(super) fn has_lost_numbers(run: &Samples<'_>) -> bool {
     matches!(
         run.trajectory.outcome.failure(),
         Some(Failure::LeftTheNumbers { .. } | Failure::StepCollapsed { .. } | Failure::NewtonFailed { .. })
@@ -80,8 +81,8 @@ fn needed(text: &str) -> (&'static str, Option<&str>) {
     }
 }
 
-/// A margin as a function of time and state; none where it depends on accelerations or reactions.
-fn margin(model: &Model, domain: &Domain) -> Option<impl Fn(f64, &[f64]) -> f64> {
+/// The expression of a domain as a function of time and state; none where it depends on accelerations or reactions.
+pub(super) fn margin(model: &Model, domain: &Domain) -> Option<impl Fn(f64, &[f64]) -> f64> {
     let program = recorded(model.positions() + model.speeds(), |time, state| {
         let trace = Trace::of(model);
         Letters::with_data(time, state).put_into(&trace, &[trace.scalar(domain.margin)])

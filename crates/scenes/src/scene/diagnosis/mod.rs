@@ -4,7 +4,8 @@
 //! * `recorded`: the states that a run has shown, with what lies between them;
 //! * `reasons`: failures that the reason of an ended law names by itself;
 //! * `inertia`: singular charts and mass matrices; `rank`: constraints that depend on each other;
-//! * `stiffness`, `growth`, `domain`: steps held by stability, motions that grow without bound, laws that end;
+//! * `stiffness`, `growth`, `domain`: steps held by stability, motions that grow without bound, laws that end; `overflow`: exponentials
+//!   beyond every number;
 //! * `drift`, `accumulation`, `missed_events`, `pulses`: residuals, event times, events and forces of short duration between the samples.
 //!
 //! All is computed where a run has ended, from its samples: no step of a run does more for it.
@@ -15,6 +16,7 @@ mod drift;
 mod growth;
 mod inertia;
 mod missed_events;
+mod overflow;
 mod pulses;
 mod rank;
 mod reasons;
@@ -35,6 +37,7 @@ pub(super) fn failures(scene: &ModelScene, choice: &Choice, trajectory: &Traject
     let cause = match has_stopped {
         true => reasons::named(&run)
             .or_else(|| domain::crossed(&run))
+            .or_else(|| overflow::found(&run))
             .or_else(|| inertia::singular(&run))
             .or_else(|| rank::lost(&run))
             .or_else(|| stiffness::found(&run))

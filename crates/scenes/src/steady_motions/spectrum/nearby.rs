@@ -75,7 +75,7 @@ impl ExactAlong {
 fn why_not(why: &NoSteadyMotions) -> &'static str {
     match why {
         NoSteadyMotions::Changes => "the law changes at conditions or with contacts",
-        NoSteadyMotions::FreeFrame => "a frame turns freely",
+        NoSteadyMotions::FreeFrame { .. } => "a frame turns freely",
         NoSteadyMotions::OfTime => "the law depends on time",
         NoSteadyMotions::OfSpeeds { .. } => "a constraint of speeds is led, or not solved as it is written",
         NoSteadyMotions::Singular => "no inertia resists a coordinate",

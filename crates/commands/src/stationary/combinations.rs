@@ -1,0 +1,82 @@
+//! Steady motions by parts: in each combination of the cases of the conditions of a law, and by each set of angles of frames that turn freely.
+
+use super::steady_box::{Found, SteadyBox, read_with_text, refused};
+use crate::clock::has_time;
+use crate::exit::Exit;
+use crate::progress::Progress;
+use ::scenes::steady_motions::{Case, Orientation, SteadyMotions, conditions_of};
+use model::Model;
+use std::path::Path;
+
+/// Steady motions by parts.
+pub struct Combinations {
+    pub title: String,
+    /// The number of parts that were searched.
+    pub count: usize,
+    /// A part in words: a combination of conditions, a set of angles.
+    pub kind: &'static str,
+    /// Those in which there is something.
+    pub filled: Vec<Combination>,
+}
+
+/// A part.
+pub struct Combination {
+    /// Its conditions and angles, as texts.
+    pub held: Vec<String>,
+    /// Whether a condition is zero: then the law is linear on neither side.
+    pub is_at_condition: bool,
+    pub found: Found,
+}
+
+impl Combinations {
+    /// Those of the system in a file; none where its law is one, and no frame turns freely.
+    pub fn of(steady: &SteadyBox, path: &Path) -> Result<Option<Self>, Exit> {
+        steady.checked()?;
+        let (title, model, source) = read_with_text(path)?;
+        let changes = !model.switches.is_empty() || !model.contacts.is_empty();
+        if !changes && model.free.is_empty() {
+            return Ok(None);
+        }
+        let _progress = Progress::new("steady motions");
+        let kind = if changes { "combinations of its conditions" } else { "sets of angles" };
+        let mut all = Combinations { title, count: 0, kind, filled: Vec::new() };
+        let asked = steady.wanted();
+        if model.free.is_empty() {
+            let cases = SteadyMotions::of_cases(&model, &asked, has_time).map_err(|why| refused(path, &model, why))?;
+            all.add(&model, &[], cases);
+            return Ok(Some(all));
+        }
+        let orientations = Orientation::all(&source, &model, &asked).map_err(|why| refused(path, &model, why))?;
+        let found = SteadyMotions::of_orientations(orientations, has_time).map_err(|why| refused(path, &model, why))?;
+        for (orientation, cases) in found {
+            let angles = orientation.in_words();
+            all.add(&orientation.model, &angles, cases);
+        }
+        Ok(Some(all))
+    }
+
+    fn add(&mut self, model: &Model, angles: &[String], cases: Vec<(Vec<Case>, SteadyMotions)>) {
+        self.count += cases.len();
+        let conditions = conditions_of(model);
+        let is_empty =
+            |found: &SteadyMotions| found.motions.is_empty() && found.families.is_empty() && found.is_complete();
+        // a set of angles is told with its ranges, whatever there is in it
+        let is_told = |found: &SteadyMotions| conditions.is_empty() || !is_empty(found);
+        let filled = cases.into_iter().filter(|(_, found)| is_told(found));
+        self.filled.extend(filled.map(|(own, motions)| Combination {
+            held: angles.iter().cloned().chain(own.iter().zip(&conditions).map(told)).collect(),
+            is_at_condition: own.iter().any(|case| !matches!(case, Case::Holds | Case::Fails)),
+            found: Found { title: self.title.clone(), model: model.clone(), motions },
+        }));
+    }
+}
+
+fn told((case, text): (&Case, &String)) -> String {
+    match case {
+        Case::Holds => format!("{text} > 0"),
+        Case::Fails => format!("{text} < 0"),
+        Case::Between | Case::Meeting => format!("{text} = 0"),
+        Case::Forward => format!("{text} = 0, sliding along its tangent"),
+        Case::Backward => format!("{text} = 0, sliding against its tangent"),
+    }
+}

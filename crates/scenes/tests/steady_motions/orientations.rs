@@ -1,0 +1,119 @@
+//! Steady motions of bodies that turn freely, beside one polynomial that has them all.
+
+use super::asked;
+use algebra::real::Root;
+use dalembert_scenes::steady_motions::{Orientation, SteadyMotions, SteadyStability};
+use dalembert_scenes::{Task, parse_with_source};
+use field::Rational;
+use mechanics::steady_rotations::Body;
+use nalgebra::{Matrix3, Vector3};
+
+/// All by all sets of angles.
+fn found(text: &str, ranges: &[(&str, f64, f64)]) -> Vec<(Orientation, SteadyMotions)> {
+    let (_, model, source) =
+        parse_with_source("scene.toml", text, Task::Vary).unwrap_or_else(|error| panic!("{error}"));
+    let all = Orientation::all(&source, &model, &asked(ranges, 50_000)).unwrap_or_else(|why| panic!("{why:?}"));
+    let all = SteadyMotions::of_orientations(all, || true).unwrap_or_else(|why| panic!("{why:?}"));
+    all.into_iter().flat_map(|(own, cases)| cases.into_iter().map(move |(_, found)| (own.clone(), found))).collect()
+}
+
+/// A gyrostat about a fixed point, by whole numbers: centre of mass in cm, moments of inertia in g m^2, the wheel's speed in rad/s.
+struct Gyrostat {
+    centre: [i64; 3],
+    moments: [i64; 6],
+    speed: i64,
+}
+
+impl Gyrostat {
+    fn text(&self) -> String {
+        let Gyrostat { centre: [a, b, c], moments: [xx, yy, zz, xy, xz, yz], .. } = self;
+        format!(
+            "title = \"Gyrostat\"\ngravity = \"-g*N.z\"\n[parameters]\ng = \"10 m/s^2\"\n[coordinates]\nphi = \"rad\"\n[frames]\nF = \"N free\"\n\
+             R = \"F turned phi about z\"\n[points]\nG = \"O + ({a} cm)*F.x + ({b} cm)*F.y + ({c} cm)*F.z\"\n\
+             [bodies.carrier]\nframe = \"F\"\ncentre = \"G\"\nmass = \"2 kg\"\n\
+             inertia = {{ xx = \"{xx} g m^2\", yy = \"{yy} g m^2\", zz = \"{zz} g m^2\", xy = \"{xy} g m^2\", xz = \"{xz} g m^2\", yz = \"{yz} g m^2\" }}\n\
+             [bodies.wheel]\nframe = \"R\"\ncentre = \"O\"\nmass = \"1 kg\"\ninertia = {{ principal = [\"3 g m^2\", \"3 g m^2\", \"5 g m^2\"] }}\n\
+             [run]\nspan = \"1 s\"\n"
+        )
+    }
+
+    /// The directions of the vertical in the body, by the polynomial of the multiplier.
+    fn directions(&self, turning: i64) -> Vec<Vector3<f64>> {
+        let milli = |number: i64| Rational::new(number.into(), 1_000);
+        let [xx, yy, zz, xy, xz, yz] = self.moments;
+        // m (c.c - c c^T), of 2 kg and centimetres, in g m^2 fifths: 2 kg cm^2 = 0.2 g m^2
+        let own = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
+        let c = self.centre;
+        let square: i64 = c.iter().map(|part| part * part).sum();
+        let wheel = [3, 3, 5];
+        let tensor = Matrix3::from_fn(|i, j| {
+            let unit = i64::from(i == j);
+            let steiner = Rational::new((2 * (square * unit - c[i] * c[j])).into(), 10_000);
+            milli(own[i][j] + unit * wheel[i]) + steiner
+        });
+        // 2 kg times 10 m/s^2 times centimetres, down
+        let weight = Vector3::from_fn(|i, _| Rational::new((-20 * c[i]).into(), 100));
+        let momentum = Vector3::new(milli(0), milli(0), milli(5));
+        let speed = Root::rational(Rational::new(self.speed.into(), 1)).expect("a number");
+        let body = Body::new(&tensor, &momentum, &speed, &weight).expect("all are numbers");
+        let rotations = body.rotations(Rational::new(turning.into(), 1)).expect("a number");
+        let boxes = rotations.boxes(60).expect("they are told apart");
+        boxes.into_iter().map(|own| Vector3::from_fn(|i, _| own[i].to_f64())).collect()
+    }
+}
+
+/// The same number of motions in the same directions, none missing, at rest and turning, of random gyrostats; `GYROSTATS=1000` asks for more
+/// than twelve.
+#[test]
+fn a_free_gyrostat_has_the_motions_of_its_polynomial() {
+    let mut seed = 7_u64;
+    let mut next = |most: i64| {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        ((seed >> 33) % (2 * most as u64 + 1)) as i64 - most
+    };
+    let count = std::env::var("GYROSTATS").map_or(12, |count| count.parse().expect("GYROSTATS is a number"));
+    for _ in 0..count {
+        let own = Gyrostat {
+            centre: std::array::from_fn(|_| next(12)),
+            moments: [60 + next(15), 60 + next(15), 60 + next(15), next(6), next(6), next(6)],
+            speed: next(90),
+        };
+        let turning = next(12);
+        let expected = own.directions(turning);
+        let (w, speed) = (turning as f64, own.speed as f64);
+        let all = found(&own.text(), &[("F.precession'", w, w), ("phi'", speed, speed)]);
+        assert!(all.iter().all(|(_, found)| found.is_complete() && found.families.is_empty()), "{}", own.text());
+        let mut directions: Vec<Vector3<f64>> = all
+            .iter()
+            .flat_map(|(orientation, found)| found.motions.iter().map(|motion| orientation.vertical(motion)))
+            .collect();
+        assert_eq!(directions.len(), expected.len(), "{} {turning}: {directions:?} {expected:?}", own.text());
+        for one in expected {
+            let (place, off) = directions
+                .iter()
+                .map(|own| (own - one).norm())
+                .enumerate()
+                .min_by(|a, b| a.1.total_cmp(&b.1))
+                .expect("one is left");
+            assert!(off < 1e-9, "{} {turning}: {off}", own.text());
+            directions.remove(place);
+        }
+    }
+}
+
+/// A heavy body rests with its centre of mass below the fixed point, stable, and above it, unstable, however the body lies.
+#[test]
+fn a_heavy_body_rests_hanging_and_upright() {
+    for centre in ["(3 cm)*F.x + (4 cm)*F.y", "(5 cm)*F.z", "(-2 cm)*F.y + (5 cm)*F.z"] {
+        let text = format!(
+            "title = \"Body\"\ngravity = \"-(9.81 m/s^2)*N.y\"\n[frames]\nF = \"N free\"\n[points]\nG = \"O + {centre}\"\n\
+             [bodies.b]\nframe = \"F\"\ncentre = \"G\"\nmass = \"1 kg\"\ninertia = {{ principal = [\"2 g m^2\", \"3 g m^2\", \"4 g m^2\"] }}\n[run]\nspan = \"1 s\"\n"
+        );
+        let all = found(&text, &[]);
+        assert!(all.iter().all(|(_, found)| found.is_complete()), "{centre}");
+        let motions: Vec<_> = all.iter().flat_map(|(_, found)| &found.motions).collect();
+        assert_eq!(motions.len(), 2, "{centre}: {motions:?}");
+        let stable = motions.iter().filter(|own| matches!(own.stability, SteadyStability::Minimum)).count();
+        assert_eq!(stable, 1, "{centre}: {motions:?}");
+    }
+}
