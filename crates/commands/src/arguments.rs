@@ -111,9 +111,9 @@ pub enum Command {
     Regulate(regulate::Asked),
     /// What the bodies of a scene come to: both inertia tensors, principal axes, centre of mass, weight
     Bodies(bodies::Asked),
-    /// All stationary motions of a scene's gyrostat with its motor, and why none is missing
+    /// All steady motions of a system in a box, equilibria and those with constant speeds, none missing, and whether each is stable
     Stationary(stationary::Asked),
-    /// For which steps each method tells a scene's stationary motions stable or unstable as they are, and for which not
+    /// The steps for which each method keeps a steady motion stable or unstable as it is, and for which it does not
     #[command(alias = "phantom")]
     NumericalStability(numerical_stability::Asked),
     /// A synchronous motor under load: pull-out, pull-in, what lies between, and which starts come into step

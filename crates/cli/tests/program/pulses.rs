@@ -95,6 +95,24 @@ fn a_narrow_force_along_the_motion_is_followed_or_told() {
     assert!(told_of > 0);
 }
 
+/// 1/cosh by exponentials is zero far from its peak, and has no derivatives there, since one of the exponentials is larger than any number. The
+/// form that the remedy names gives the impulse F w pi.
+#[test]
+fn an_exponential_beyond_every_number_is_named_and_its_remedy_helps() {
+    let by = |force: &str, method: &str| told("overflow", &mass(force), &["run", "--method", method]);
+    let u = "((t - (3.3 s))/(1 ms))";
+    for method in ["taylor", "rodas_4", "bader_deuflhard"] {
+        let found = by(&format!("(20 N)/(exp({u}) + exp(-{u}))"), method);
+        let failure = &found["failures"][0];
+        assert_eq!(failure["kind"], "overflow in the law", "{method}: {found}");
+        let evidence = failure["evidence"].as_str().expect("a text");
+        assert!(evidence.contains("in line 10") && evidence.contains("3.3000e3"), "{evidence}");
+        let found = by(&format!("(20 N)*exp(-abs({u}))/(1 + exp(-2*abs({u})))"), method);
+        let speed = found["state"]["x'"].as_f64().expect("a speed");
+        assert!((speed - 1.0 - 0.01 * PI).abs() < 1e-4, "{method}: {found}");
+    }
+}
+
 /// The force of a spring and of a damper is smooth along the motion: nothing is told.
 #[test]
 fn ordinary_motions_are_not_told_to_have_missed_something() {

@@ -22,6 +22,9 @@ const MOST_ENCLOSURES: usize = 6_000;
 /// Halvings after which a cell is not divided.
 const MOST_HALVINGS: u32 = 40;
 
+/// Halvings after which a cell is not divided at whose ends the function has no value.
+const LOOKED_FOR_VALUES: u32 = 6;
+
 /// At so many cells it is asked whether the function changes in cells that are half of the way: then it swings all the time.
 const LOOKED_AT: usize = 64;
 
@@ -146,8 +149,10 @@ fn cells(range: impl Fn(f64, f64) -> Interval) -> Vec<Cell> {
     let cell = |begin: f64, halvings: u32, ends: [f64; 2]| {
         let mut cell = Cell { begin, halvings, width: 0.0, ends };
         let over = range(begin, begin + cell.length());
+        // an exponential may be beyond every number over a part of the way, where a condition has long chosen another law
+        let has_no_value = halvings >= LOOKED_FOR_VALUES && ends.iter().all(|end| end.is_nan());
         // what is not divided any more changes at once, or has no value
-        cell.width = if halvings < MOST_HALVINGS { over.width() } else { 0.0 };
+        cell.width = if halvings < MOST_HALVINGS && !has_no_value { over.width() } else { 0.0 };
         cell
     };
     let first = [value(0.0), value(1.0)];
@@ -276,6 +281,17 @@ mod tests {
         let front = scales(|t| (Sym::int(1_000) * (t - Sym::int(7))).elementary(Elementary::Tanh, t));
         let bounds = front.expect("a function of time").bounds(0.0, 10.0);
         assert!(bounds.longest(0.0, 10.0) < 7.0 && bounds.longest(7.0, 3.0) < 4e-3);
+    }
+
+    /// exp(u)/(1 + exp(2 u)) is a pulse about u = 0, and no number of it is known for u > 709.
+    #[test]
+    fn a_pulse_before_a_part_without_values_is_found() {
+        let pulse = |t: Sym| {
+            let grows = |times: i64| (Sym::int(1_000 * times) * (t - Sym::ratio(33, 10))).elementary(Elementary::Exp, t);
+            grows(1) / (Sym::int(1) + grows(2))
+        };
+        let bounds = scales(pulse).expect("a function of time").bounds(0.0, 10.0);
+        assert!(bounds.longest(0.0, 10.0) < 3.3 && bounds.longest(3.3, 1.0) < 4e-3, "{bounds:?}");
     }
 
     #[test]
