@@ -47,7 +47,9 @@ pub(super) fn show(asked: &Asked, along: &(String, Range)) -> Result<Exit, Exit>
 
 pub(super) fn named(change: Change) -> &'static str {
     match change {
-        Change::Fold => "two motions appear or vanish together (a fold, or constraints that become dependent)",
+        Change::Fold => {
+            "two motions appear or vanish together (a fold, a condition that is met, or constraints that become dependent)"
+        }
         Change::Pitchfork => "two motions leave a third (pitchfork)",
         Change::Pair => "a pair of eigenvalues crosses the imaginary axis (Hopf, or gyroscopic stability ends)",
         Change::Exchange => "stability is exchanged",
@@ -55,6 +57,7 @@ pub(super) fn named(change: Change) -> &'static str {
         Change::LeaveTogether => {
             "two motions or more leave the ranges, or enter them, at their ends: wider ranges (--range) tell what becomes of them"
         }
+        Change::Families => "families of motions appear or vanish, or places at which friction holds",
         Change::Several => "several changes at once",
     }
 }

@@ -231,8 +231,8 @@ pub fn refused(path: &Path, model: &Model, why: NoSteadyMotions) -> Exit {
             placed(path, issue.accepted("constraints of positions, and up to six that are linear in the speeds, quasi-velocities among them; `linearise --about equilibrium` finds one equilibrium near the start"))
         }
         NoSteadyMotions::Changes => told(
-"its law changes at conditions or with contacts, and --along is asked for: steady motions are not sought there; \
-             `stationary` seeks places of rest with conditions, and `linearise --about equilibrium` finds one equilibrium near the start"
+            "some of its speeds have no inertia, and equations of their own determine them: steady motions are not sought there; \
+             `linearise --about equilibrium` finds one equilibrium near the start"
                 .to_owned(),
         ),
         NoSteadyMotions::Contacts { at } => {

@@ -33,6 +33,8 @@ pub enum Change {
     Leaves,
     /// Two or more leave the ranges, or enter them, at their ends.
     LeaveTogether,
+    /// Families appear or vanish, as places at which friction holds, and no motion that is alone.
+    Families,
     /// Several of these at once.
     Several,
 }
@@ -124,7 +126,10 @@ pub(super) fn found_at(
     }
     let point = |(name, value): (&str, f64)| (name.to_owned(), Range { from: value, to: value });
     asked.ranges.extend(speeds.into_iter().map(point));
-    SteadyMotions::of(&model, &asked, goes_on)
+    match model.switches.is_empty() && model.contacts.is_empty() {
+        true => SteadyMotions::of(&model, &asked, goes_on),
+        false => Ok(SteadyMotions::united(SteadyMotions::of_cases(&model, &asked, goes_on)?)),
+    }
 }
 
 /// The changes between two values, each enclosed.
@@ -175,11 +180,11 @@ fn merged(all: Vec<Bifurcation>, near: f64) -> Vec<Bifurcation> {
     merged
 }
 
-/// In how many directions each motion is unstable, as far as that is known, in the order of these numbers.
-pub(super) fn kinds(found: &SteadyMotions) -> Vec<usize> {
+/// In how many directions each motion is unstable, as far as that is known, in the order of these numbers, and the number of families.
+pub(super) fn kinds(found: &SteadyMotions) -> (Vec<usize>, usize) {
     let mut kinds: Vec<usize> = found.motions.iter().map(unstable).collect();
     kinds.sort_unstable();
-    kinds
+    (kinds, found.families.len())
 }
 
 fn unstable(motion: &SteadyMotion) -> usize {
@@ -210,6 +215,10 @@ fn change(before: &Sample, after: &Sample) -> Change {
         false => (after, before),
     };
     let leaving = at_ends(more).saturating_sub(at_ends(fewer));
+    let [(alone, families), (others, other_families)] = [kinds(&before.found), kinds(&after.found)];
+    if families != other_families {
+        return if alone == others { Change::Families } else { Change::Several };
+    }
     match more.found.motions.len() - fewer.found.motions.len() {
         0 => exchanged(before, after),
         1 => Change::Leaves,

@@ -88,6 +88,42 @@ fn is_same((found, motion): (&SteadyMotions, &SteadyMotion), (others, other): (&
 }
 
 impl SteadyMotions {
+    /// The motions of all combinations, by the unknowns that they have in common: shares of friction, and parts of a law between two sides,
+    /// are left out.
+    pub(super) fn united(all: Vec<Combination>) -> Self {
+        let mut all = all.into_iter().map(|(_, found)| found.of_state());
+        let Some(mut united) = all.next() else { return SteadyMotions::default() };
+        for found in all {
+            united.motions.extend(found.motions);
+            united.families.extend(found.families);
+            united.undecided.extend(found.undecided);
+            united.regions.extend(found.regions);
+            united.undecided_part += found.undecided_part;
+            united.examined += found.examined;
+            united.free_speeds.retain(|name| found.free_speeds.contains(name));
+        }
+        united.motions.sort_by(|a, b| {
+            let differing = a.state.iter().zip(&b.state).map(|(a, b)| a.total_cmp(b)).find(|order| order.is_ne());
+            differing.unwrap_or(std::cmp::Ordering::Equal)
+        });
+        united
+    }
+
+    /// Without unknowns that are no part of the state.
+    fn of_state(mut self) -> Self {
+        let is_state: Vec<bool> = self.unknowns.iter().map(|unknown| unknown.place < self.state_size).collect();
+        let kept = |ends: &mut Vec<[f64; 2]>| {
+            let mut keep = is_state.iter().copied();
+            ends.retain(|_| keep.next().unwrap_or(false));
+        };
+        self.motions.iter_mut().for_each(|motion| kept(&mut motion.enclosure));
+        self.families.iter_mut().for_each(|(family, _)| kept(&mut family.hull));
+        self.undecided.iter_mut().for_each(kept);
+        self.regions.iter_mut().for_each(|region| kept(&mut region.hull));
+        self.unknowns.retain(|unknown| unknown.place < self.state_size);
+        self
+    }
+
     /// Of the same search, with one motion and nothing else.
     fn alone(&self, motion: SteadyMotion, examined: usize) -> Self {
         SteadyMotions {

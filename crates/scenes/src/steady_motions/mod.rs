@@ -187,7 +187,7 @@ pub struct Member {
 }
 
 /// All of them.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct SteadyMotions {
     pub unknowns: Vec<Unknown>,
     /// The number of coordinates and speeds: unknowns from this place on are shares of friction, or of a law between two sides.

@@ -1,7 +1,7 @@
 //! Rest and steady motions with conditions, dry friction and contacts.
 
 use super::{asked, model};
-use dalembert_scenes::steady_motions::{Case, Near, SteadyMotions, SteadyStability};
+use dalembert_scenes::steady_motions::{Along, Case, Near, Range, SteadyMotions, SteadyStability};
 
 /// k x = F s with a part s of the friction from -1 to 1: a block rests for |x| <= F/k.
 #[test]
@@ -133,4 +133,37 @@ fn a_distance_of_zero_is_told_as_a_place_without_values() {
     let found = found.unwrap_or_else(|why| panic!("{why:?}"));
     assert!(!found.is_complete() && found.motions.len() == 2, "{found:?}");
     assert!(found.regions.iter().all(|region| region.near == Near::Undefined), "{:?}", found.regions);
+}
+
+/// A spring pushes a block against a wall by F - k d: the block lies at the wall for F > k d, and free of it at x = F/k below. Both are one
+/// equilibrium for every F, and no change is one of its number.
+#[test]
+fn a_block_comes_to_a_wall_along_a_parameter() {
+    let text = "title = \"Wall\"\n[parameters]\nm = \"1 kg\"\nF = \"1 N\"\n[coordinates]\nx = \"m\"\n[bodies]\nb = { centre = \"O + x*N.x\", mass = \"m\" }\n\
+        [[force]]\nalong = \"x\"\nis = \"F - (10 N/m)*x\"\n\
+        [[contact]]\nname = \"wall\"\nof = \"b\"\nthrough = \"O + (0.15 m)*N.x\"\nnormal = \"-N.x\"\n[run]\nspan = \"1 s\"\n";
+    let range = Range { from: 0.5, to: 2.5 };
+    let found = Along::of(&model(text), &asked(&[("x", -1.0, 1.0)], 1_000), ("F", range), 9, || true);
+    let found = found.unwrap_or_else(|why| panic!("{why:?}"));
+    for sample in &found.samples {
+        let [motion] = &sample.found.motions[..] else { panic!("{sample:?}") };
+        let expected = (sample.value / 10.0).min(0.15);
+        assert!((motion.state[0] - expected).abs() < 1e-9, "{} {:?}", sample.value, motion.state);
+        assert_eq!(sample.found.unknowns.len(), 1);
+    }
+    assert!(found.bifurcations.is_empty(), "{:?}", found.bifurcations);
+}
+
+/// Friction that is smaller than the pull mu m g < F holds nothing: the places at which it does vanish at mu = F/(m g).
+#[test]
+fn places_at_which_friction_holds_vanish_along_its_coefficient() {
+    let text = "title = \"Pull\"\n[parameters]\nm = \"1 kg\"\nF = \"2 N\"\nc = \"5 N\"\n[coordinates]\nx = \"m\"\n[bodies]\nb = { centre = \"O + x*N.x\", mass = \"m\" }\n\
+        [[force]]\nalong = \"x\"\nis = \"F - c*sign(x')\"\n[run]\nspan = \"1 s\"\n";
+    let range = Range { from: 1.0, to: 4.0 };
+    let found = Along::of(&model(text), &asked(&[], 1_000), ("c", range), 6, || true);
+    let found = found.unwrap_or_else(|why| panic!("{why:?}"));
+    assert!(found.samples.iter().all(|sample| sample.found.is_complete()), "{found:?}");
+    let counts: Vec<usize> =
+        found.samples.iter().map(|sample| sample.found.motions.len() + sample.found.families.len()).collect();
+    assert_eq!(counts, [0, 0, 1, 1, 1, 1], "{found:?}");
 }

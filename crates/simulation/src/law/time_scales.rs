@@ -287,7 +287,8 @@ mod tests {
     #[test]
     fn a_pulse_before_a_part_without_values_is_found() {
         let pulse = |t: Sym| {
-            let grows = |times: i64| (Sym::int(1_000 * times) * (t - Sym::ratio(33, 10))).elementary(Elementary::Exp, t);
+            let grows =
+                |times: i64| (Sym::int(1_000 * times) * (t - Sym::ratio(33, 10))).elementary(Elementary::Exp, t);
             grows(1) / (Sym::int(1) + grows(2))
         };
         let bounds = scales(pulse).expect("a function of time").bounds(0.0, 10.0);
