@@ -53,6 +53,7 @@ pub(super) fn named(change: Change) -> &'static str {
         Change::Pitchfork => "two motions leave a third (pitchfork)",
         Change::Pair => "a pair of eigenvalues crosses the imaginary axis (Hopf, or gyroscopic stability ends)",
         Change::Exchange => "stability is exchanged",
+        Change::Ends => "a motion ends or begins: a condition is met, or friction lets go",
         Change::Leaves => "a motion leaves the ranges",
         Change::LeaveTogether => {
             "two motions or more leave the ranges, or enter them, at their ends: wider ranges (--range) tell what becomes of them"

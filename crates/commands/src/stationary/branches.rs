@@ -164,7 +164,7 @@ fn of_change(Bifurcation { before, after, change }: &Bifurcation, place: usize) 
         Change::Pitchfork => 3,
         Change::Several => 4,
         // a branch that ends at the end of a range changes nothing, and families are not drawn
-        Change::Leaves | Change::LeaveTogether | Change::Families => return Vec::new(),
+        Change::Leaves | Change::LeaveTogether | Change::Ends | Change::Families => return Vec::new(),
     };
     let value = 0.5 * (before.value + after.value);
     let (fewer, more) = match before.found.motions.len() <= after.found.motions.len() {

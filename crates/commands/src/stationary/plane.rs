@@ -9,7 +9,7 @@ use crate::exit::{Exit, print, warn};
 use crate::job_pool::JobPool;
 use crate::output::{Form, Writes};
 use crate::progress::Progress;
-use ::scenes::steady_motions::{Direction, NoSteadyMotions, PlaneCell, Range, SteadyMotions, middles};
+use ::scenes::steady_motions::{Asked as Wanted, Direction, NoSteadyMotions, PlaneCell, Range, SteadyMotions, middles};
 use charts::{AreaCurve, Areas};
 use model::Model;
 use serde_json::{Value, json};
@@ -44,11 +44,11 @@ pub(super) fn show(asked: &Asked, [first, second]: [&(String, Range); 2]) -> Res
     }
     let writes = Writes { command: "stationary", force: asked.force, reads: vec![&asked.scene] };
     let output = writes.optional(asked.out.as_deref(), &[Form::Picture])?;
-    let (title, model) = asked.steady.along(&asked.scene, &[&first.0, &second.0])?;
+    let (title, model, wanted) = asked.steady.along(&asked.scene, &[&first.0, &second.0])?;
     let names = [first.0.as_str(), second.0.as_str()];
     let directions = [(names[0], first.1), (names[1], second.1)];
-    let found = cells(asked, &model, directions).and_then(|columns| {
-        let borders = borders(asked, &model, names, &columns)?;
+    let found = cells((&wanted, asked.values.unwrap_or(CELLS)), &model, directions).and_then(|columns| {
+        let borders = borders(&wanted, &model, names, &columns)?;
         let units = names.map(|name| unit(&model, name));
         Ok(Map { title, names, ranges: [first.1, second.1], units, columns, borders })
     });
@@ -73,14 +73,15 @@ pub(super) fn show(asked: &Asked, [first, second]: [&(String, Range); 2]) -> Res
 }
 
 /// All cells, column by column.
-fn cells(asked: &Asked, model: &Model, directions: [Direction<'_>; 2]) -> Result<Vec<Vec<PlaneCell>>, NoSteadyMotions> {
-    let count = asked.values.unwrap_or(CELLS);
-    let wanted = asked.steady.wanted();
+fn cells(
+    (wanted, count): (&Wanted, usize),
+    model: &Model,
+    directions: [Direction<'_>; 2],
+) -> Result<Vec<Vec<PlaneCell>>, NoSteadyMotions> {
     let mut progress = Progress::new("the map");
     let mut columns: Vec<Option<Result<Vec<PlaneCell>, NoSteadyMotions>>> = (0..count).map(|_| None).collect();
     let mut crew = JobPool::default();
     for (value, place) in middles(directions[0].1, count).into_iter().zip(&mut columns) {
-        let wanted = &wanted;
         crew.add(1.0, place, move || PlaneCell::column(model, wanted, directions, (value, count), has_time));
     }
     crew.work(|done| progress.set(done));
@@ -89,12 +90,11 @@ fn cells(asked: &Asked, model: &Model, directions: [Direction<'_>; 2]) -> Result
 
 /// Where neighbours differ, two values near to each other.
 fn borders(
-    asked: &Asked,
+    wanted: &Wanted,
     model: &Model,
     names: [&str; 2],
     columns: &[Vec<PlaneCell>],
 ) -> Result<Vec<[[f64; 2]; 2]>, NoSteadyMotions> {
-    let wanted = asked.steady.wanted();
     let beside = columns.windows(2).flat_map(|pair| pair[0].iter().zip(&pair[1]));
     let above = columns.iter().flat_map(|column| column.iter().zip(column.iter().skip(1)));
     let pairs: Vec<_> = beside.chain(above).filter(|(a, b)| !a.is_like(b)).collect();
@@ -102,7 +102,6 @@ fn borders(
     let mut found: Vec<Option<Result<[[f64; 2]; 2], NoSteadyMotions>>> = pairs.iter().map(|_| None).collect();
     let mut crew = JobPool::default();
     for ((one, other), place) in pairs.into_iter().zip(&mut found) {
-        let wanted = &wanted;
         crew.add(1.0, place, move || one.border(other, model, wanted, names, has_time));
     }
     crew.work(|done| progress.set(done));

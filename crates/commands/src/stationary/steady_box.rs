@@ -8,9 +8,10 @@ use ::scenes::steady_motions::{Along, Asked, Near, NoSteadyMotions, Range, Stead
 use ::scenes::{Task, independent_start, read_with_source, unit_of, without_law};
 use clap::Args;
 use clap::builder::RangedU64ValueParser;
-use model::{Model, Source};
+use model::{FrameId, Model, Source};
 use reader::Issue;
 use std::path::Path;
+use std::sync::Arc;
 use units::nearest;
 
 /// Where steady motions are sought.
@@ -101,9 +102,9 @@ impl SteadyBox {
 
     /// The same at values of a parameter, or of the speed of a cyclic coordinate.
     pub fn find_along(&self, path: &Path, (name, range): &(String, Range), values: usize) -> Result<AlongFound, Exit> {
-        let (title, model) = self.along(path, &[name])?;
+        let (title, model, asked) = self.along(path, &[name])?;
         let _progress = Progress::new("steady motions");
-        let along = Along::of(&model, &self.wanted(), (name, *range), values, has_time);
+        let along = Along::of(&model, &asked, (name, *range), values, has_time);
         let along = along.map_err(|why| refused(path, &model, why))?;
         let unit = unit(&model, name);
         let units = along.samples.first().map_or_else(Vec::new, |sample| {
@@ -113,11 +114,11 @@ impl SteadyBox {
     }
 
     /// The system of a file whose parameters, or speeds of cyclic coordinates, with these names take other values.
-    pub fn along(&self, path: &Path, names: &[&String]) -> Result<(String, Model), Exit> {
+    pub fn along(&self, path: &Path, names: &[&String]) -> Result<(String, Model, Asked), Exit> {
         self.checked()?;
-        let (title, model) = read(path)?;
+        let (title, model, source) = read_with_text(path)?;
         names.iter().try_for_each(|name| self.must_vary(path, &model, name))?;
-        Ok((title, model))
+        Ok((title, model, Asked { text: Some(Arc::new(source)), ..self.wanted() }))
     }
 
     fn must_vary(&self, path: &Path, model: &Model, name: &String) -> Result<(), Exit> {
@@ -128,6 +129,13 @@ impl SteadyBox {
         }
         let states: Vec<String> = model.state_names().into_iter().map(|(name, _)| name).collect();
         let (coordinates, speeds) = states.split_at(model.positions());
+        let is_of_frame = |frame: &FrameId| {
+            let rest = name.strip_prefix(model.frames[frame.0].name.as_str());
+            matches!(rest, Some(".precession'" | ".yaw'" | ".spin'"))
+        };
+        if model.free.iter().any(is_of_frame) {
+            return Ok(());
+        }
         if coordinates.contains(name) {
             return Err(Exit::refused(format!(
                 "--along {name}: {}: `{name}` is a coordinate; a parameter, or the speed of a cyclic coordinate, is accepted",

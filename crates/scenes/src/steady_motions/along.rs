@@ -5,7 +5,7 @@
 
 use super::spectrum::{EnclosedSpectrum, EnclosedVerdict};
 use super::stability::SteadyStability;
-use super::{Asked, NoSteadyMotions, Range, SteadyMotion, SteadyMotions};
+use super::{Asked, NoSteadyMotions, Orientation, Range, SteadyMotion, SteadyMotions};
 use crate::admissible::impossible;
 use crate::linearisation::{Stability, Standing};
 use model::Model;
@@ -31,6 +31,8 @@ pub enum Change {
     Exchange,
     /// A motion leaves the ranges, or enters them.
     Leaves,
+    /// One appears or vanishes within the ranges: a condition is met there, or friction lets go.
+    Ends,
     /// Two or more leave the ranges, or enter them, at their ends.
     LeaveTogether,
     /// Families appear or vanish, as places at which friction holds, and no motion that is alone.
@@ -126,6 +128,10 @@ pub(super) fn found_at(
     }
     let point = |(name, value): (&str, f64)| (name.to_owned(), Range { from: value, to: value });
     asked.ranges.extend(speeds.into_iter().map(point));
+    if let Some(source) = asked.text.as_ref().filter(|_| !model.free.is_empty()) {
+        let all = Orientation::all(source, &model, &asked)?;
+        return Ok(SteadyMotions::united_orientations(SteadyMotions::of_orientations(all, goes_on)?));
+    }
     match model.switches.is_empty() && model.contacts.is_empty() {
         true => SteadyMotions::of(&model, &asked, goes_on),
         false => Ok(SteadyMotions::united(SteadyMotions::of_cases(&model, &asked, goes_on)?)),
@@ -221,7 +227,8 @@ fn change(before: &Sample, after: &Sample) -> Change {
     }
     match more.found.motions.len() - fewer.found.motions.len() {
         0 => exchanged(before, after),
-        1 => Change::Leaves,
+        1 if leaving > 0 => Change::Leaves,
+        1 => Change::Ends,
         gap if leaving >= gap => Change::LeaveTogether,
         2 if leaving == 0 && has_three_together(more) => Change::Pitchfork,
         2 if leaving == 0 => Change::Fold,

@@ -8,13 +8,13 @@ use super::conditions::{self, Case, Laws};
 use super::determinacy::Wanted;
 use super::energy_row::implied;
 use super::families::Identity;
+use super::orientations::steep;
 use super::quasi_velocities::{is_integral, state_names};
 use super::rows::{Rows, Touching};
 use super::surplus::Selection;
 use super::{Asked, NoSteadyMotions, Range};
 use crate::compiled_system::has_values;
 use crate::letters::Letters;
-use field::Analytic;
 use model::equations::{implied_constraints, vanishes};
 use model::{Contact, Model, Trace};
 use symbolic::{Sym, Tape, substitute_all};
@@ -151,9 +151,7 @@ impl SteadyEquations {
             return Err(NoSteadyMotions::Changes);
         }
         if model.positions() != model.speeds() {
-            return Err(NoSteadyMotions::FreeFrame {
-                why: "angles place it for one search alone, without --along".to_owned(),
-            });
+            return Err(NoSteadyMotions::FreeFrame { why: "no angles place it".to_owned() });
         }
         Ok(())
     }
@@ -368,17 +366,6 @@ impl SteadyEquations {
 
 /// The place of a side that belongs to no case.
 pub(super) const NO_CASE: usize = usize::MAX;
-
-/// The square of the product of the cosines of two angles less its least value, for each such pair.
-fn steep(trace: &Trace<'_>, names: &[String], asked: &Asked) -> Vec<Sym> {
-    let pairs = asked.steep.iter().filter_map(|steep| {
-        let cosine =
-            |name: &String| names.iter().position(|own| own == name).map(|k| trace.coordinates[k].circle().cos);
-        let product = cosine(&steep.angles[0])? * cosine(&steep.angles[1])?;
-        Some(product * product - Sym::constant(field::Rational::exactly(steep.least * steep.least)))
-    });
-    pairs.collect()
-}
 
 /// Speeds that are zero where only cyclic coordinates move.
 fn at_rest(trace: &Trace<'_>, is_cyclic: &[bool]) -> Vec<(Sym, Sym)> {

@@ -9,6 +9,7 @@ mod determinacy;
 mod energy_row;
 mod equations;
 mod families;
+mod frame_angles;
 mod kinks;
 mod orientations;
 mod plane;
@@ -40,12 +41,13 @@ use algebra::boxes::{Found, Limits, Zero, zeros};
 use circles::{is_same, turns_to_zero};
 use equations::SteadyEquations;
 use field::Interval;
-use model::Model;
+use model::{Model, Source};
 use quasi_velocities::Extended;
 use search::Boxes;
 use stability::judged;
 use std::f64::consts::PI;
 use std::ops;
+use std::sync::Arc;
 use units::nearest;
 
 /// A range of an unknown, in SI units; one number where both ends are the same.
@@ -83,6 +85,8 @@ pub struct Asked {
     pub boxes: usize,
     /// Angles that are small together.
     pub steep: Vec<Steep>,
+    /// The text of the model, for frames that turn freely, along a parameter.
+    pub text: Option<Arc<Source>>,
 }
 
 impl Asked {

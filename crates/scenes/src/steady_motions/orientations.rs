@@ -8,18 +8,17 @@
 //! the first (Euler) is regular where e . R e is not one in size, the second (Tait, Bryan) where e . R e is not zero. A motion in which the
 //! frame turns about e alone at a constant speed rests in both but for the first angle.
 
+use super::frame_angles::{Angles, EULER, TAIT_BRYAN};
 use super::quasi_velocities::without_part;
-use super::{Asked, Case, NoSteadyMotions, Range, SteadyMotion, SteadyMotions};
+use super::{Asked, Case, NoSteadyMotions, Range, SteadyMotion, SteadyMotions, Unknown};
 use crate::branch::settled;
 use crate::changing_laws::changes;
 use crate::readiness::independent_start;
-use model::{FrameAngles, Model, Source, StartValue};
-use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
+use field::Analytic;
+use model::{FrameAngles, FrameId, Model, Source, Trace};
+use nalgebra::Vector3;
 use std::f64::consts::{FRAC_PI_4, PI};
-
-/// Names of the angles of both sets.
-const EULER: [&str; 3] = ["precession", "nutation", "spin"];
-const TAIT_BRYAN: [&str; 3] = ["yaw", "pitch", "roll"];
+use symbolic::Sym;
 
 /// Frames that turn freely, at most: each doubles the number of searches.
 const MOST_FRAMES: usize = 2;
@@ -46,17 +45,6 @@ pub struct Orientation {
     pub model: Model,
     pub asked: Asked,
     frames: Vec<Angles>,
-}
-
-/// The angles of one frame.
-#[derive(Clone, Debug)]
-struct Angles {
-    frame: String,
-    /// Those of the parent and of the frames between.
-    axes: [usize; 3],
-    names: [&'static str; 3],
-    /// The place of the first angle among the coordinates.
-    first: usize,
 }
 
 impl Orientation {
@@ -126,7 +114,11 @@ impl Orientation {
         let plain = model.coordinates.len() - 3 * frames.len();
         let own = frames.iter().zip(sets).enumerate();
         let frames: Vec<Angles> = own
-            .map(|(at, (frame, (axes, names)))| Angles { frame: frame.clone(), axes, names, first: plain + 3 * at })
+            .map(|(at, (frame, (axes, names)))| {
+                let parent = original.frames[original.free[at].0].parent.map_or(FrameId::GROUND, |(parent, _)| parent);
+                let parent = original.frames[parent.0].name.clone();
+                Angles { parent, frame: frame.clone(), axes, names, first: plain + 3 * at }
+            })
             .collect();
         Ok(Orientation { model, asked: Asked::default(), frames })
     }
@@ -203,86 +195,6 @@ impl Orientation {
     }
 }
 
-impl Angles {
-    /// The angles and their rates at the start of a model in which the frame turns freely.
-    fn start(&self, original: &Model, number: usize, is_spinning: bool) -> Vec<StartValue> {
-        let state = original.start_state();
-        let at = original.free_position(number);
-        let quaternion = nalgebra::Quaternion::new(state[at], state[at + 1], state[at + 2], state[at + 3]);
-        let matrix = *UnitQuaternion::from_quaternion(quaternion).to_rotation_matrix().matrix();
-        let angles = self.of(&matrix);
-        let first = original.positions() + original.free_speed(number);
-        let own = Vector3::new(state[first], state[first + 1], state[first + 2]);
-        let turning = matrix * own;
-        // at a pole the rates are those of a frame that rests
-        let rates = match is_spinning {
-            true => self.turns(angles).lu().solve(&turning).unwrap_or_default(),
-            false => Vector3::new(turning[self.axes[0]], 0.0, 0.0),
-        };
-        let value = |order: usize, values: [f64; 3]| {
-            values.into_iter().enumerate().map(move |(k, value)| StartValue {
-                coordinate: self.first + k,
-                order,
-                value,
-                is_guess: true,
-            })
-        };
-        value(0, angles).chain(value(1, rates.into())).collect()
-    }
-
-    /// The angles of a rotation.
-    fn of(&self, matrix: &Matrix3<f64>) -> [f64; 3] {
-        let [e, a, last] = self.axes;
-        let b = 3 - e - a;
-        let entry = |row: usize, column: usize| matrix[(row, column)];
-        match last == e {
-            true => {
-                [entry(a, e).atan2(-entry(b, e)), entry(e, e).clamp(-1.0, 1.0).acos(), entry(e, a).atan2(entry(e, b))]
-            }
-            false => [
-                (-entry(a, b)).atan2(entry(b, b)),
-                entry(e, b).clamp(-1.0, 1.0).asin(),
-                (-entry(e, a)).atan2(entry(e, e)),
-            ],
-        }
-    }
-
-    fn turn(&self, place: usize, angle: f64) -> Matrix3<f64> {
-        *Rotation3::from_axis_angle(&Vector3::ith_axis(self.axes[place]), angle).matrix()
-    }
-
-    /// The rotation.
-    fn matrix(&self, angles: [f64; 3]) -> Matrix3<f64> {
-        (0..3).fold(Matrix3::identity(), |own, place| own * self.turn(place, angles[place]))
-    }
-
-    /// The angular velocities of the three rates, along the axes of the parent.
-    fn turns(&self, angles: [f64; 3]) -> Matrix3<f64> {
-        let mut own = Matrix3::identity();
-        let columns: Vec<Vector3<f64>> = (0..3)
-            .map(|place| {
-                let column = own * Vector3::ith(self.axes[place], 1.0);
-                own *= self.turn(place, angles[place]);
-                column
-            })
-            .collect();
-        Matrix3::from_columns(&columns)
-    }
-
-    /// The axes of the parent by those of the frame, the first alone where the first angle is none of the motion's, and the angular velocity.
-    fn seen(&self, motion: &SteadyMotion, is_whole: bool) -> Vec<f64> {
-        let n = motion.state.len() / 2;
-        let of = |from: usize| -> [f64; 3] { std::array::from_fn(|k| motion.state[from + self.first + k]) };
-        let (angles, rates) = (of(0), Vector3::from(of(n)));
-        let matrix = self.matrix(angles);
-        let turning = matrix.transpose() * (self.turns(angles) * rates);
-        let rows = (0..3).filter(|row| is_whole || *row == self.axes[0]);
-        rows.flat_map(|row| matrix.row(row).iter().copied().collect::<Vec<_>>())
-            .chain(turning.iter().copied())
-            .collect()
-    }
-}
-
 impl Orientation {
     /// The axis of the parent of the first frame about which its first angle turns, by the axes of the frame.
     pub fn vertical(&self, motion: &SteadyMotion) -> Vector3<f64> {
@@ -295,10 +207,7 @@ impl Orientation {
     fn seen(&self, found: &SteadyMotions, motion: &SteadyMotion) -> Vec<f64> {
         let n = motion.state.len() / 2;
         let plain = self.frames.first().map_or(n, |angles| angles.first);
-        let of_frames = self.frames.iter().flat_map(|angles| {
-            let first = format!("{}.{}", angles.frame, angles.names[0]);
-            angles.seen(motion, !found.cyclic.contains(&first))
-        });
+        let of_frames = self.frames.iter().flat_map(|angles| angles.seen(motion, self.is_whole(angles, found)));
         motion.state[..plain].iter().chain(&motion.state[n..n + plain]).copied().chain(of_frames).collect()
     }
 }
@@ -337,27 +246,63 @@ impl SteadyMotions {
         }
         Ok(told)
     }
+
+    /// The motions of all sets of angles, by direction cosines in the place of angles.
+    pub(super) fn united_orientations(all: Vec<(Orientation, Vec<(Vec<Case>, Self)>)>) -> Self {
+        let by_cosines = |(own, cases): (Orientation, Vec<(Vec<Case>, Self)>)| {
+            let mut found = Self::united(cases);
+            let unknowns = own.cosines(&found);
+            for place in 0..found.motions.len() {
+                found.motions[place].state = own.seen(&found, &found.motions[place]);
+            }
+            for motion in &mut found.motions {
+                motion.enclosure = unknowns.iter().map(|unknown| [motion.state[unknown.place]; 2]).collect();
+            }
+            found.unknowns = unknowns;
+            (Vec::new(), found)
+        };
+        Self::united(all.into_iter().map(by_cosines).collect())
+    }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// R is put together again from its angles, and the rates give the angular velocity, for every first axis and both sets.
-    #[test]
-    fn angles_of_a_rotation_give_it_again() {
-        let rotation = *Rotation3::from_euler_angles(0.3, -0.8, 1.9).matrix();
-        for e in 0..3 {
-            let (a, b) = ((e + 1) % 3, (e + 2) % 3);
-            for (axes, names) in [([e, a, e], EULER), ([e, a, b], TAIT_BRYAN)] {
-                let own = Angles { frame: "F".to_owned(), axes, names, first: 0 };
-                let angles = own.of(&rotation);
-                assert!((own.matrix(angles) - rotation).amax() < 1e-14, "{axes:?}");
-                let by = |h: f64| own.matrix([angles[0] + 0.3 * h, angles[1] - 0.2 * h, angles[2] + 0.7 * h]);
-                let rate = (by(1e-6) - by(-1e-6)) / 2e-6 * rotation.transpose();
-                let w = own.turns(angles) * Vector3::new(0.3, -0.2, 0.7);
-                assert!((rate - w.cross_matrix()).amax() < 1e-9, "{axes:?}");
+impl Orientation {
+    /// The unknowns of a search with direction cosines in the place of angles, by their places in what is seen of a motion.
+    fn cosines(&self, found: &SteadyMotions) -> Vec<Unknown> {
+        let n = found.state_size / 2;
+        let plain = self.frames.first().map_or(n, |angles| angles.first);
+        let kept = found.unknowns.iter().filter(|unknown| unknown.place % n < plain);
+        let mut all: Vec<Unknown> = kept
+            .map(|unknown| Unknown { place: unknown.place % n + unknown.place / n * plain, ..unknown.clone() })
+            .collect();
+        let mut place = 2 * plain;
+        for angles in &self.frames {
+            let rows = angles.rows(self.is_whole(angles, found));
+            for (row, column) in rows.flat_map(|row| (0..3).map(move |column| (row, column))) {
+                let axis = |at: usize| ["x", "y", "z"][at];
+                let name = format!("{}.{} . {}.{}", angles.parent, axis(row), angles.frame, axis(column));
+                // no motion leaves it
+                let range = Range { from: -2.0, to: 2.0 };
+                all.push(Unknown { name, place, is_circle: false, range });
+                place += 1;
             }
+            // the angular velocity
+            place += 3;
         }
+        all
     }
+
+    fn is_whole(&self, angles: &Angles, found: &SteadyMotions) -> bool {
+        !found.cyclic.contains(&format!("{}.{}", angles.frame, angles.names[0]))
+    }
+}
+
+/// The square of the product of the cosines of two angles less its least value, for each such pair.
+pub(super) fn steep(trace: &Trace<'_>, names: &[String], asked: &Asked) -> Vec<Sym> {
+    let pairs = asked.steep.iter().filter_map(|steep| {
+        let cosine =
+            |name: &String| names.iter().position(|own| own == name).map(|k| trace.coordinates[k].circle().cos);
+        let product = cosine(&steep.angles[0])? * cosine(&steep.angles[1])?;
+        Some(product * product - Sym::constant(field::Rational::exactly(steep.least * steep.least)))
+    });
+    pairs.collect()
 }

@@ -1,7 +1,7 @@
 //! Rest and steady motions with conditions, dry friction and contacts.
 
 use super::{asked, model};
-use dalembert_scenes::steady_motions::{Along, Case, Near, Range, SteadyMotions, SteadyStability};
+use dalembert_scenes::steady_motions::{Along, Case, Change, Near, Range, SteadyMotions, SteadyStability};
 
 /// k x = F s with a part s of the friction from -1 to 1: a block rests for |x| <= F/k.
 #[test]
@@ -166,4 +166,8 @@ fn places_at_which_friction_holds_vanish_along_its_coefficient() {
     let counts: Vec<usize> =
         found.samples.iter().map(|sample| sample.found.motions.len() + sample.found.families.len()).collect();
     assert_eq!(counts, [0, 0, 1, 1, 1, 1], "{found:?}");
+    assert!(found.samples.iter().all(|sample| sample.found.unknowns.is_empty()), "{found:?}");
+    let [bifurcation] = &found.bifurcations[..] else { panic!("{found:?}") };
+    assert_eq!(bifurcation.change, Change::Ends);
+    assert!((bifurcation.before.value - 2.0).abs() < 1e-6 && (bifurcation.after.value - 2.0).abs() < 1e-6);
 }

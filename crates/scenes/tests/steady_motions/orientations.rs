@@ -2,11 +2,12 @@
 
 use super::asked;
 use algebra::real::Root;
-use dalembert_scenes::steady_motions::{Orientation, SteadyMotions, SteadyStability};
+use dalembert_scenes::steady_motions::{Along, Asked, Change, Orientation, Range, SteadyMotions, SteadyStability};
 use dalembert_scenes::{Task, parse_with_source};
 use field::Rational;
 use mechanics::steady_rotations::Body;
 use nalgebra::{Matrix3, Vector3};
+use std::sync::Arc;
 
 /// All by all sets of angles.
 fn found(text: &str, ranges: &[(&str, f64, f64)]) -> Vec<(Orientation, SteadyMotions)> {
@@ -115,5 +116,39 @@ fn a_heavy_body_rests_hanging_and_upright() {
         assert_eq!(motions.len(), 2, "{centre}: {motions:?}");
         let stable = motions.iter().filter(|own| matches!(own.stability, SteadyStability::Minimum)).count();
         assert_eq!(stable, 1, "{centre}: {motions:?}");
+    }
+}
+
+/// A body that turns with its pivot about the vertical hangs alone up to w^2 = m g l/(B - C); beyond that it may stand aside too, and beyond
+/// m g l/(A - C) in one more plane.
+#[test]
+fn a_turning_body_leaves_the_vertical_along_its_speed() {
+    let text = "title = \"Body\"\ngravity = \"-(10 m/s^2)*N.z\"\n[frames]\nF = \"N free\"\n[points]\nG = \"O + (10 cm)*F.z\"\n\
+        [bodies.b]\nframe = \"F\"\ncentre = \"G\"\nmass = \"1 kg\"\ninertia = { principal = [\"20 g m^2\", \"25 g m^2\", \"15 g m^2\"] }\n[run]\nspan = \"1 s\"\n";
+    let (_, model, source) =
+        parse_with_source("scene.toml", text, Task::Vary).unwrap_or_else(|error| panic!("{error}"));
+    let asked = Asked { text: Some(Arc::new(source)), ..asked(&[], 50_000) };
+    let range = Range { from: 4.0, to: 9.0 };
+    let along = Along::of(&model, &asked, ("F.precession'", range), 6, || true).unwrap_or_else(|why| panic!("{why:?}"));
+    // about the pivot 0.03, 0.035 and 0.015 kg m^2: motions aside appear at w^2 = m g l/(B - C) and m g l/(A - C)
+    let thresholds = [(1.0_f64 / 0.02).sqrt(), (1.0_f64 / 0.015).sqrt()];
+    let found: Vec<f64> = along.bifurcations.iter().map(|one| 0.5 * (one.before.value + one.after.value)).collect();
+    assert!(along.bifurcations.iter().all(|one| one.change == Change::Pitchfork), "{found:?}");
+    assert_eq!(found.len(), 2, "{found:?}");
+    assert!(found.iter().zip(thresholds).all(|(own, known)| (own - known).abs() < 1e-4), "{found:?}");
+    let counts: Vec<usize> = along.samples.iter().map(|sample| sample.found.motions.len()).collect();
+    assert_eq!(counts, [2, 2, 2, 2, 4, 6]);
+}
+
+/// Without a range the body turns about the vertical as it does at the start: by the component of its angular velocity.
+#[test]
+fn the_speed_about_the_vertical_is_that_of_the_start() {
+    let text = "title = \"Body\"\ngravity = \"-(10 m/s^2)*N.z\"\n[frames]\nF = \"N free\"\n[points]\nG = \"O + (10 cm)*F.x\"\n\
+        [bodies.b]\nframe = \"F\"\ncentre = \"G\"\nmass = \"1 kg\"\ninertia = { principal = [\"20 g m^2\", \"25 g m^2\", \"15 g m^2\"] }\n\
+        [start]\nF = \"60 deg about x\"\n\"F.wz\" = \"3 rad/s\"\n[run]\nspan = \"1 s\"\n";
+    for (orientation, own) in found(text, &[]) {
+        let given = own.given.iter().find(|(name, _)| name.ends_with(".precession'") || name.ends_with(".yaw'"));
+        let speed = given.expect("it is given").1;
+        assert!((speed - 1.5).abs() < 1e-14, "{speed} {:?}", orientation.in_words());
     }
 }
