@@ -1,13 +1,16 @@
 //! Families of steady motions, and motions whose friction the equations leave open.
 
 use super::steady_box::{Found, number};
-use ::scenes::linearisation::{Stability, Standing};
+use ::scenes::linearisation::{Linear, Stability, Standing};
 use ::scenes::steady_motions::{Family, Member, SteadyMotions};
 use serde_json::{Value, json};
 use std::fmt::Write;
 
 /// Enclosures that are no wider, as a part of one in SI units and of the value, are printed as numbers.
 const NARROW: f64 = 1e-9;
+
+/// Rounding moves a double eigenvalue of zero by a part of the largest such as this.
+const ZEROS: f64 = 1e-6;
 
 /// The numbers of motions that are alone, of those whose friction the equations leave open, and of families.
 pub(super) fn count(alone: usize, open: usize, families: usize, is_complete: bool) -> String {
@@ -20,7 +23,7 @@ pub(super) fn count(alone: usize, open: usize, families: usize, is_complete: boo
         1 => Some("one steady motion, alone in a box".to_owned()),
         count => Some(format!("{}, each alone in a box", motions(count))),
     };
-    let open = (open > 0).then(|| format!("{} with friction that the equations leave open", motions(open)));
+    let open = (open > 0).then(|| format!("{} with a share that the equations leave open", motions(open)));
     let is_first = alone.is_none() && open.is_none();
     let families = match families {
         0 => None,
@@ -62,7 +65,7 @@ pub(super) fn family_lines(all: &Found, place: usize, family: &Family, members: 
         // writing to a String cannot fail
         let _ = writeln!(
             out,
-            "     one state, in which the equations leave {} open: friction balances with every such value",
+            "     one state, in which the equations leave {} open: every such value balances",
             running(found, family).join(" or ")
         );
         return out;
@@ -86,17 +89,23 @@ pub(super) fn family_lines(all: &Found, place: usize, family: &Family, members: 
         .iter()
         .filter_map(|member| member.linear.as_ref())
         .filter(|linear| linear.standing != Standing::Moving)
-        .map(|linear| matches!(linear.stability, Stability::Unstable(_)))
+        .map(|linear| matches!(linear.stability, Stability::Unstable(_)) && grows(linear))
         .collect();
     if !judged.is_empty() {
         let unstable = judged.iter().filter(|is_unstable| **is_unstable).count();
         let _ = writeln!(
             out,
-            "     of {} motions of it that were tested {unstable} have an eigenvalue with a positive real part, by numbers",
+            "     tested motions of it: {}; of these {unstable} have an eigenvalue with a positive real part, by numbers",
             judged.len()
         );
     }
     out
+}
+
+/// Whether a real part is more than what rounding leaves of the zeros that a family has.
+fn grows(linear: &Linear) -> bool {
+    let largest = linear.eigenvalues.iter().map(|[re, im]| re.hypot(*im)).fold(0.0, f64::max);
+    linear.eigenvalues.iter().any(|[re, _]| *re > ZEROS * largest)
 }
 
 /// Whether a family is one state with shares of friction, or of a law between two sides, that the equations leave open.

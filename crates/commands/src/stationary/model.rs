@@ -77,6 +77,9 @@ pub(super) fn body(all: &Found) -> String {
                 format!("{} follow", branches.join(", "))
             }
         ),
+        true if found.motions.is_empty() && found.families.is_empty() => {
+            writeln!(out, "\n{count}: the search over {boxes} decides everything")
+        }
         true => writeln!(out, "\n{count}, and no other: the search over {boxes} decides everything"),
         false => writeln!(
             out,

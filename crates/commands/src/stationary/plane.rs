@@ -22,8 +22,9 @@ const CELLS: usize = 24;
 /// Kinds of cells that have a colour of their own; those of few cells are one beyond.
 const COLOURS: usize = 12;
 
-/// The motions of a cell: how many, how many of them stable, how many neither stable nor unstable; none where the search is not complete.
-type Count = Option<[usize; 3]>;
+/// The motions of a cell: how many, how many of them stable, how many neither stable nor unstable, and how many families; none where the search
+/// is not complete.
+type Count = Option<[usize; 4]>;
 
 /// A map.
 struct Map<'a> {
@@ -112,14 +113,22 @@ fn count(found: &SteadyMotions) -> Count {
     let told: Vec<&str> = found.motions.iter().map(|motion| verdict(motion, &found.cyclic).0).collect();
     let of = |words: &[&str]| told.iter().filter(|told| words.contains(told)).count();
     let (stable, unstable) = (of(&["stable", "asymptotically stable"]), of(&["unstable"]));
-    found.is_complete().then_some([told.len(), stable, told.len() - stable - unstable])
+    let open = told.len() - stable - unstable;
+    found.is_complete().then_some([told.len(), stable, open, found.families.len()])
 }
 
 fn said(count: Count) -> String {
-    let Some([all, stable, open]) = count else { return "not decided".to_owned() };
+    let Some([all, stable, open, families]) = count else { return "not decided".to_owned() };
     let motions = if all == 1 { "1 steady motion".to_owned() } else { format!("{all} steady motions") };
     let open = if open == 0 { String::new() } else { format!(", {open} neither known to be stable nor unstable") };
-    if all == 0 { "no steady motion".to_owned() } else { format!("{motions}: {stable} stable{open}") }
+    match (all, families) {
+        (0, 0) => "no steady motion".to_owned(),
+        (0, 1) => "one family of steady motions".to_owned(),
+        (0, families) => format!("{families} families of steady motions"),
+        (_, 0) => format!("{motions}: {stable} stable{open}"),
+        (_, 1) => format!("{motions}: {stable} stable{open}; and one family"),
+        (_, families) => format!("{motions}: {stable} stable{open}; and {families} families"),
+    }
 }
 
 impl Map<'_> {
@@ -209,8 +218,9 @@ impl Map<'_> {
                 "values": cell.values,
                 "complete": count.is_some(),
                 "motions": count.map(|[all, ..]| all),
-                "stable": count.map(|[_, stable, _]| stable),
-                "undecided": count.map(|[.., open]| open),
+                "stable": count.map(|[_, stable, ..]| stable),
+                "undecided": count.map(|[.., open, _]| open),
+                "families": count.map(|[.., families]| families),
             })
         };
         json!({

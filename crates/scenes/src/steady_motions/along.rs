@@ -97,12 +97,13 @@ impl Along {
         let value = |k: usize| range.from + (range.to - range.from) * k as f64 / last as f64;
         let samples = (0..=last).map(|k| at(value(k))).collect::<Result<Vec<Sample>, _>>()?;
         let complete: Vec<&Sample> = samples.iter().filter(|sample| sample.found.is_complete()).collect();
-        let mut bifurcations = Vec::new();
+        let mut bifurcations: Vec<Bifurcation> = Vec::new();
         let size = range.to - range.from;
         for pair in complete.windows(2).filter(|pair| kinds(&pair[0].found) != kinds(&pair[1].found)) {
             let found = enclosed([pair[0].clone(), pair[1].clone()], size, &mut at)?;
-            bifurcations.extend(merged(found, ONE * size.abs()));
+            bifurcations.extend(found);
         }
+        let bifurcations = merged(bifurcations, ONE * size.abs());
         let mut visited = visited.into_inner();
         visited.sort_by(|a, b| a.value.total_cmp(&b.value));
         Ok(Along { samples, visited, bifurcations })

@@ -61,6 +61,8 @@ pub(super) struct SteadyEquations {
     pub side_places: Vec<usize>,
     /// Whether a condition is zero.
     pub is_at_condition: bool,
+    /// For each condition of the law 1 where it holds, else 0.
+    pub switches: Vec<f64>,
     /// Identities between them, where none holds reactions.
     pub identities: Vec<Identity>,
     /// Speeds that are given, for every other value of which there are steady motions too.
@@ -323,6 +325,11 @@ impl SteadyEquations {
             },
             side_places,
             is_at_condition: cases.contains(&Case::Between),
+            switches: cases
+                .iter()
+                .take(model.switches.len())
+                .map(|case| if *case == Case::Holds { 1.0 } else { 0.0 })
+                .collect(),
             identities,
             free_speeds,
             coordinates: unknowns.iter().filter(|unknown| unknown.place < n).count(),

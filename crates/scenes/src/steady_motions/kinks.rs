@@ -2,7 +2,10 @@
 
 use super::conditions::Case;
 use super::stability::SteadyStability;
-use super::{SteadyMotion, SteadyMotions};
+use super::{Family, SteadyMotion, SteadyMotions};
+
+/// The part of a number by which the end of a family may lie off.
+const NEAR: f64 = 1e-9;
 
 type Combination = (Vec<Case>, SteadyMotions);
 
@@ -43,7 +46,42 @@ pub(super) fn joined(mut all: Vec<Combination>) -> Vec<Combination> {
             }
         }
     }
+    let ends: Vec<Vec<bool>> = all.iter().map(|(cases, found)| ends_of_families(&all, (cases, found))).collect();
+    for ((_, found), ends) in all.iter_mut().zip(ends) {
+        let mut ends = ends.into_iter();
+        found.motions.retain(|_| !ends.next().unwrap_or(false));
+    }
     all
+}
+
+/// Whether each motion of a combination, at the zero of a condition, is the end of a family of another combination: it is told there.
+fn ends_of_families(all: &[Combination], (cases, found): (&Vec<Case>, &SteadyMotions)) -> Vec<bool> {
+    let is_end = |motion: &SteadyMotion| {
+        !motion.at_conditions.is_empty()
+            && all.iter().any(|(others, there)| {
+                let agree = (0..cases.len())
+                    .all(|place| cases[place] == others[place] || motion.at_conditions.contains(&place));
+                agree && others != cases && there.families.iter().any(|(family, _)| holds(there, family, motion))
+            })
+    };
+    debug_assert!(found.motions.iter().all(|motion| motion.state.len() == found.state_size));
+    found.motions.iter().map(is_end).collect()
+}
+
+/// Whether a family comes to a motion, by the enclosures of its pieces or of what is not decided beside them.
+fn holds(there: &SteadyMotions, family: &Family, motion: &SteadyMotion) -> bool {
+    let known = there.unknowns.iter().enumerate().filter(|(_, unknown)| unknown.place < there.state_size);
+    let known: Vec<(usize, usize)> = known.map(|(own, unknown)| (own, unknown.place)).collect();
+    let meets = |at: &[[f64; 2]]| {
+        known.iter().all(|&(own, place)| {
+            let near = NEAR * (1.0 + motion.state[place].abs());
+            at[own][0] <= motion.state[place] + near && motion.state[place] - near <= at[own][1]
+        })
+    };
+    let touches =
+        |a: &[[f64; 2]], b: &[[f64; 2]]| known.iter().all(|&(own, _)| a[own][0] <= b[own][1] && b[own][0] <= a[own][1]);
+    family.pieces.iter().any(|(_, at)| meets(at))
+        || there.undecided.iter().any(|open| meets(open) && family.pieces.iter().any(|(_, at)| touches(at, open)))
 }
 
 /// The places of conditions that are zero at a motion which several combinations have, and where these have it, in rising order.

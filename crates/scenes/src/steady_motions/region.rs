@@ -156,7 +156,8 @@ fn has_values(equations: &SteadyEquations, hull: &[Interval]) -> bool {
 /// larger than this.
 fn holds_one(equations: &SteadyEquations, hull: &[Interval]) -> bool {
     let unknowns = hull.len();
-    if equations.reactions > 0 || equations.rows != unknowns || unknowns > MOST_FACES || !equations.sides.1.is_empty() {
+    let others = equations.surplus.outputs() + equations.implied.outputs() + equations.sides.1.len();
+    if equations.reactions > 0 || equations.rows != unknowns || unknowns > MOST_FACES || others > 0 {
         return false;
     }
     let wider: Vec<Interval> =

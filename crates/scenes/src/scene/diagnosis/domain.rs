@@ -96,7 +96,7 @@ pub(super) fn margin(model: &Model, domain: &Domain) -> Option<impl Fn(f64, &[f6
     })
 }
 
-fn rates(run: &Samples<'_>, time: f64, state: &[f64]) -> Vec<f64> {
+pub(super) fn rates(run: &Samples<'_>, time: f64, state: &[f64]) -> Vec<f64> {
     let mut rates = vec![0.0; state.len()];
     Ode::<f64>::rates(&*run.scene.system, time, state, &mut rates);
     rates

@@ -1,32 +1,42 @@
-//! Exponentials that are larger than every number: a law that divides by one has the value zero there, and no derivatives.
+//! Exponentials beyond every number, or with squares beyond: a law that divides by one may have a value there, and no derivatives.
 
-use super::domain::{has_lost_numbers, margin};
+use super::domain::{has_lost_numbers, margin, rates};
 use super::samples::Samples;
 use model::DomainEnd;
 use simulation::{FailureKind, RunFailure};
 
-/// The first exponential of the law that is too large where a run has stopped.
+/// Exponents from this part of the largest one on are told: derivatives of quotients take squares, and steps end a little before.
+const LARGE: f64 = 0.48;
+
+/// The largest exponential of the law where a run has lost its numbers.
 pub(super) fn found(run: &Samples<'_>) -> Option<RunFailure> {
     if !has_lost_numbers(run) {
         return None;
     }
     let (at, state) = run.last();
     let exponentials = run.model().domains.iter().zip(run.scene.domain_texts());
-    let mut large = exponentials.filter(|(domain, _)| domain.end == DomainEnd::Large).filter_map(|(domain, own)| {
+    let large = exponentials.filter(|(domain, _)| domain.end == DomainEnd::Large).filter_map(|(domain, own)| {
         let exponent = margin(run.model(), domain)?(at, state);
-        (exponent > f64::MAX.ln()).then_some((exponent, own))
+        (exponent > LARGE * f64::MAX.ln()).then_some((exponent, own))
     });
-    let (exponent, (text, line)) = large.next()?;
+    let (exponent, (text, line)) = large.max_by(|a, b| a.0.total_cmp(&b.0))?;
+    let has_rates = exponent > f64::MAX.ln() && rates(run, at, state).iter().all(|rate| rate.is_finite());
+    let what = match exponent > f64::MAX.ln() {
+        true => "beyond every number",
+        false => "so large that its square, or the next step, is beyond every number",
+    };
+    let why = match has_rates {
+        true => "; the law divides by it and has a value, but no derivatives, which this method takes",
+        false => "",
+    };
+    let other = if has_rates { "; or `--method dormand_prince_8`, which takes no derivatives" } else { "" };
     Some(RunFailure {
         kind: FailureKind::Overflow,
         at,
-        evidence: format!(
-            "`{text}` in line {line} holds the exponential of {exponent:.4e} there, beyond every number; where the law divides by it, it has a \
-             value, and its derivatives have none, which this method takes"
+        evidence: format!("`{text}` in line {line} holds the exponential of {exponent:.4e} there, {what}{why}"),
+        remedy: format!(
+            "a form of the law without large exponents: 1/cosh(u) is 2*exp(-abs(u))/(1 + exp(-2*abs(u))), sinh(u)/cosh(u) is tanh(u), \
+             ln(1 + exp(u)) is max(u, 0) + ln(1 + exp(-abs(u))){other}"
         ),
-        remedy:
-            "a form of the law without large exponents: 1/cosh(u) is 2*exp(-abs(u))/(1 + exp(-2*abs(u))); or `--method \
-                 dormand_prince_8`, which takes no derivatives"
-                .to_owned(),
     })
 }

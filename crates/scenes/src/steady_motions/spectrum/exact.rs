@@ -21,16 +21,16 @@ pub struct Routh {
     pub unexplained: usize,
 }
 
-/// The exact count at a state; so many zeros of the reduced equations have reasons. None where a number is no fraction, or the state is not
+/// The exact count at a state, with the cases of conditions; so many zeros of the reduced equations have reasons. None where a number is no fraction, or the state is not
 /// a steady motion exactly.
 pub(super) fn routh(
     model: &Model,
     with_numbers: &VariedEquations,
     layout: &Layout,
-    state: &[f64],
+    (state, switches): (&[f64], &[f64]),
     reasons: usize,
 ) -> Option<Routh> {
-    if model.speeds() > MOST_SPEEDS || !are_fractions(with_numbers, state) {
+    if model.speeds() > MOST_SPEEDS || !are_fractions(with_numbers, (state, switches)) {
         return None;
     }
     let all: Vec<usize> = (0..model.parameters.len()).collect();
@@ -40,7 +40,8 @@ pub(super) fn routh(
     let one = Rational::int(1);
     let exactly = |point: &[Rational]| {
         symbolic::apart(|| {
-            let numbers: Vec<Sym> = point.iter().chain(&data).map(|value| Sym::constant(*value)).collect();
+            let cases = switches.iter().map(|value| Rational::exactly(*value));
+            let numbers: Vec<Sym> = point.iter().chain(&data).copied().chain(cases).map(Sym::constant).collect();
             varied
                 .over(&numbers, Sym::ZERO)
                 .through(|value: Sym| value.as_constant().filter(|value| value.is_defined()))
@@ -58,11 +59,12 @@ pub(super) fn routh(
 }
 
 /// Whether every derivative is a fraction where nothing accelerates: no sine of a number stands in them.
-fn are_fractions(varied: &VariedEquations, state: &[f64]) -> bool {
+fn are_fractions(varied: &VariedEquations, (state, switches): (&[f64], &[f64])) -> bool {
     let [n, m, ..] = varied.counts();
     symbolic::apart(|| {
         let numbers = state.iter().map(|value| Sym::constant(Rational::exactly(*value)));
-        let numbers: Vec<Sym> = numbers.chain(std::iter::repeat_n(Sym::ZERO, n + m)).collect();
+        let cases = switches.iter().map(|value| Sym::constant(Rational::exactly(*value)));
+        let numbers: Vec<Sym> = numbers.chain(std::iter::repeat_n(Sym::ZERO, n + m)).chain(cases).collect();
         varied.over(&numbers, Sym::ZERO).through(|value: Sym| value.as_constant()).is_some()
     })
 }

@@ -137,8 +137,8 @@ impl EnclosedSpectrum {
         zeros.extend(own);
         let is_even = keeps_energy && m == layout.positions;
         let found = Self::of_matrix(&reduced.matrix, zeros, forced, is_even).ok_or(NotEnclosed::Undetermined)?;
-        let exact =
-            decimals(equations, enclosure, state).and_then(|state| routh(model, varied, &layout, &state, forced));
+        let exact = decimals(equations, enclosure, state)
+            .and_then(|state| routh(model, varied, &layout, (&state, &equations.switches), forced));
         Ok(EnclosedSpectrum { exact, ..found })
     }
 

@@ -28,13 +28,14 @@ pub(super) fn slopes_at(
     let mut speeds = vec![Ball::zero(); places.len()];
     rates.over::<Ball>().evaluate(&unknowns[..positions], &mut speeds);
     places.iter().zip(speeds).for_each(|(&place, speed)| point[place] = speed);
-    point.resize(point.len() + n + m, Ball::zero());
+    let first = point.len();
+    point.resize(first + n + m, Ball::zero());
+    point.extend(equations.switches.iter().map(|value| Ball::constant(*value)));
     let open = varied.over(&point, Ball::zero());
     let right = open.motion.values.iter().chain(&open.acceleration.values).map(|value| vec![-*value]).collect();
     let found = solved(whole(&open, &Ball::zero()), right)?;
     // accelerations, then multipliers
-    let first = point.len() - n - m;
-    point[first..].iter_mut().zip(found).for_each(|(own, found)| *own = found[0]);
+    point[first..first + n + m].iter_mut().zip(found).for_each(|(own, found)| *own = found[0]);
     let speeds = point[first - n..first].to_vec();
     Some((varied.over(&point, Ball::zero()), speeds))
 }
