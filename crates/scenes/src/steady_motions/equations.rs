@@ -17,6 +17,7 @@ use crate::compiled_system::has_values;
 use crate::letters::Letters;
 use model::equations::{implied_constraints, vanishes};
 use model::{Contact, Model, Trace};
+use std::f64::consts::PI;
 use symbolic::{Sym, Tape, substitute_all};
 
 /// An unknown of the search: a coordinate, or the constant speed of a cyclic one.
@@ -231,6 +232,10 @@ impl SteadyEquations {
                     known.push((symbol, Sym::constant(field::Rational::exactly(range.from))));
                     given.push((name, range.from));
                 }
+                // more than a turn holds every place more than once
+                Some(range) if is_circle && range.to - range.from >= 2.0 * PI => {
+                    unknowns.push((symbol, Unknown { name, place, is_circle, range: Range::TURN }));
+                }
                 Some(range) => unknowns.push((symbol, Unknown { name, place, is_circle: false, range })),
                 None if is_sought && is_circle => {
                     unknowns.push((symbol, Unknown { name, place, is_circle, range: Range::TURN }));
@@ -244,7 +249,7 @@ impl SteadyEquations {
         }
         let Laws { known: of_cases, unknowns: shares, touching, forces, mut sides, at_zero } =
             Laws::of(&rows, cases, &at_rest, 2 * n);
-        sides.extend(steep(&trace, &names, asked).into_iter().map(|side| (side, true, NO_CASE)));
+        sides.extend(steep(&trace, &names, asked, is_cyclic).into_iter().map(|side| (side, true, NO_CASE)));
         known.extend(of_cases);
         unknowns.extend(shares);
         if !without_range.is_empty() {

@@ -4,9 +4,92 @@ use super::SteadyMotion;
 use model::{Model, StartValue};
 use nalgebra::{Matrix3, Quaternion, Rotation3, UnitQuaternion, Vector3};
 
-/// Names of the angles of both sets.
-pub(super) const EULER: [&str; 3] = ["precession", "nutation", "spin"];
-pub(super) const TAIT_BRYAN: [&str; 3] = ["yaw", "pitch", "roll"];
+/// A factor of what tells how a set lies: the sine or the cosine of an angle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Factor {
+    Sine,
+    Cosine,
+}
+
+/// A set of angles by its axes.
+#[derive(Clone, Debug)]
+pub(super) struct Set {
+    pub axes: [usize; 3],
+    pub names: [&'static str; 3],
+    /// The names of the other set.
+    pub other: [&'static str; 3],
+    /// The axis of the frame, and whether nothing depends on the turn about it.
+    pub own: usize,
+    pub is_spinning: bool,
+    /// The first of both sets, whose last axis is that of the frame.
+    pub is_main: bool,
+    /// The side of the second set, where both turns are one: along the axis of the parent, or against it.
+    pub is_positive: Option<bool>,
+    /// The function of the second angle that is zero where the set is singular.
+    pub regular: Factor,
+    /// Whether the second angle is a quarter turn in the middle of where the set is used.
+    pub has_angle_from_axis: bool,
+    /// The cosine of the angle between both axes, up to its sign, of the second set.
+    pub alignment: Vec<(usize, Factor)>,
+}
+
+const EULER: [&str; 3] = ["precession", "nutation", "spin"];
+const ELEVATED: [&str; 3] = ["precession", "elevation", "spin"];
+const TAIT_BRYAN: [&str; 3] = ["yaw", "pitch", "roll"];
+
+impl Set {
+    /// The first set for an axis of the parent and one of the frame.
+    pub fn main((parent, own): (usize, usize), is_spinning: bool) -> Self {
+        let is_euler = parent == own;
+        let between = if is_euler { (parent + 1) % 3 } else { 3 - parent - own };
+        Set {
+            axes: [parent, between, own],
+            names: if is_euler { EULER } else { ELEVATED },
+            other: TAIT_BRYAN,
+            own,
+            is_spinning,
+            is_main: true,
+            is_positive: None,
+            regular: if is_euler { Factor::Sine } else { Factor::Cosine },
+            has_angle_from_axis: is_euler,
+            alignment: Vec::new(),
+        }
+    }
+
+    /// Both sets; the second on both sides where both turns are one.
+    pub fn all((parent, own): (usize, usize), is_spinning: bool) -> Vec<Self> {
+        let main = Set::main((parent, own), is_spinning);
+        let (next, last) = ((parent + 1) % 3, (parent + 2) % 3);
+        let is_euler = parent != own;
+        let alignment = match (is_euler, own == next) {
+            (false, _) => vec![(1, Factor::Cosine), (2, Factor::Cosine)],
+            (true, true) => vec![(1, Factor::Sine), (2, Factor::Sine)],
+            (true, false) => vec![(1, Factor::Sine), (2, Factor::Cosine)],
+        };
+        let second = |is_positive: Option<bool>| Set {
+            axes: [parent, next, if is_euler { parent } else { last }],
+            names: TAIT_BRYAN,
+            other: main.names,
+            is_main: false,
+            is_positive,
+            regular: if is_euler { Factor::Sine } else { Factor::Cosine },
+            has_angle_from_axis: is_euler,
+            alignment: alignment.clone(),
+            ..main.clone()
+        };
+        let seconds = match is_spinning {
+            true => vec![second(Some(true)), second(Some(false))],
+            false => vec![second(None)],
+        };
+        std::iter::once(main.clone()).chain(seconds).collect()
+    }
+}
+
+/// Turns whose determinant is smaller do not tell two of them apart.
+const SINGULAR: f64 = 1e-6;
+
+/// Components of an angular velocity that are smaller parts of it are rounding.
+const ROUNDING: f64 = 1e-13;
 
 /// The angles of one frame.
 #[derive(Clone, Debug)]
@@ -21,7 +104,14 @@ pub(super) struct Angles {
 }
 
 impl Angles {
-    /// The angles and their rates at the start of a model in which the frame turns freely.
+    /// The same frame by the first set.
+    pub fn as_main(&self, set: &Set) -> Angles {
+        let main = Set::main((self.axes[0], set.own), set.is_spinning);
+        Angles { axes: main.axes, names: main.names, ..self.clone() }
+    }
+
+    /// The angles at the start of a model in which the frame turns freely, then their rates: those that make up its angular velocity where the
+    /// spin is a motion of its own, else the component of that along the axis of the parent.
     pub fn start(&self, original: &Model, number: usize, is_spinning: bool) -> Vec<StartValue> {
         let state = original.start_state();
         let at = original.free_position(number);
@@ -31,11 +121,15 @@ impl Angles {
         let first = original.positions() + original.free_speed(number);
         let own = Vector3::new(state[first], state[first + 1], state[first + 2]);
         let turning = matrix * own;
-        // at a pole the rates are those of a frame that rests
-        let rates = match is_spinning {
-            true => self.turns(angles).lu().solve(&turning).unwrap_or_default(),
+        let turns = self.turns(angles);
+        let mut rates = match is_spinning {
+            true if turns.determinant().abs() > SINGULAR => turns.lu().solve(&turning).unwrap_or_default(),
+            // both turns are one
+            true => Vector3::new(0.0, 0.0, own[self.axes[2]]),
             false => Vector3::new(turning[self.axes[0]], 0.0, 0.0),
         };
+        let size = own.norm();
+        rates.iter_mut().filter(|rate| rate.abs() <= ROUNDING * size).for_each(|rate| *rate = 0.0);
         let value = |order: usize, values: [f64; 3]| {
             values.into_iter().enumerate().map(move |(k, value)| StartValue {
                 coordinate: self.first + k,
@@ -48,11 +142,11 @@ impl Angles {
     }
 
     /// The angles of a rotation.
-    pub fn of(&self, matrix: &Matrix3<f64>) -> [f64; 3] {
+    fn of(&self, matrix: &Matrix3<f64>) -> [f64; 3] {
         let [e, a, last] = self.axes;
         let b = 3 - e - a;
         let entry = |row: usize, column: usize| matrix[(row, column)];
-        match last == e {
+        let angles = match last == e {
             true => {
                 [entry(a, e).atan2(-entry(b, e)), entry(e, e).clamp(-1.0, 1.0).acos(), entry(e, a).atan2(entry(e, b))]
             }
@@ -61,7 +155,9 @@ impl Angles {
                 entry(e, b).clamp(-1.0, 1.0).asin(),
                 (-entry(e, a)).atan2(entry(e, e)),
             ],
-        }
+        };
+        // in the other order of axes turns have the other sense
+        if a == (e + 1) % 3 { angles } else { angles.map(|angle| -angle) }
     }
 
     fn turn(&self, place: usize, angle: f64) -> Matrix3<f64> {
@@ -116,8 +212,8 @@ mod tests {
         let rotation = *Rotation3::from_euler_angles(0.3, -0.8, 1.9).matrix();
         for e in 0..3 {
             let (a, b) = ((e + 1) % 3, (e + 2) % 3);
-            for (axes, names) in [([e, a, e], EULER), ([e, a, b], TAIT_BRYAN)] {
-                let own = Angles { parent: "N".to_owned(), frame: "F".to_owned(), axes, names, first: 0 };
+            for axes in [[e, a, e], [e, a, b], [e, b, a]] {
+                let own = Angles { parent: "N".to_owned(), frame: "F".to_owned(), axes, names: EULER, first: 0 };
                 let angles = own.of(&rotation);
                 assert!((own.matrix(angles) - rotation).amax() < 1e-14, "{axes:?}");
                 let by = |h: f64| own.matrix([angles[0] + 0.3 * h, angles[1] - 0.2 * h, angles[2] + 0.7 * h]);
@@ -125,6 +221,24 @@ mod tests {
                 let w = own.turns(angles) * Vector3::new(0.3, -0.2, 0.7);
                 assert!((rate - w.cross_matrix()).amax() < 1e-9, "{axes:?}");
             }
+        }
+    }
+
+    /// The cosine of the angle between both axes by the second set of angles, for each pair of axes.
+    #[test]
+    fn the_second_set_tells_how_both_axes_lie() {
+        let rotation = *Rotation3::from_euler_angles(0.3, -0.8, 1.9).matrix();
+        for (parent, own) in (0..3).flat_map(|parent| (0..3).map(move |own| (parent, own))) {
+            let [_, set] = &Set::all((parent, own), false)[..] else { panic!("two sets") };
+            let angles =
+                Angles { parent: "N".to_owned(), frame: "F".to_owned(), axes: set.axes, names: set.names, first: 0 };
+            let angles = angles.of(&rotation);
+            let factor = |&(at, factor): &(usize, Factor)| {
+                let (sin, cos) = f64::sin_cos(angles[at]);
+                if factor == Factor::Sine { sin } else { cos }
+            };
+            let product: f64 = set.alignment.iter().map(factor).product();
+            assert!((product - rotation[(parent, own)]).abs() < 1e-14, "{parent} {own}: {product}");
         }
     }
 }

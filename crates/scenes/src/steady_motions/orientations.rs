@@ -1,14 +1,15 @@
 //! Steady motions of systems with frames that turn freely: by two sets of angles, each regular where the other is not.
 //!
-//! With the axis e of the parent about which the law asks for nothing, and the next ones a and b,
+//! With the axis e of the parent about which the law asks for nothing, such as the vertical, and an axis s of the frame, that of a body of
+//! revolution or else the same letter,
 //!
-//!   R = R_e R_a(nutation) R_e(spin) :     e . R e = cos nutation ,
-//!   R = R_e R_a(pitch) R_b(roll) :        e . R e = cos pitch cos roll ,
+//!   R = R_e R_a R_s :    c = e . R s ,
 //!
-//! the first (Euler) is regular where e . R e is not one in size, the second (Tait, Bryan) where e . R e is not zero. A motion in which the
-//! frame turns about e alone at a constant speed rests in both but for the first angle.
+//! is regular where c is not one in size. With s = e these are Euler's angles, c = cos(nutation), and the other set is that of Tait and Bryan;
+//! else it is the other way round, with c the sine of an elevation. A motion in which the frame turns about e alone, or about s too where
+//! nothing depends on that spin, rests in the first set but for these angles. Where s lies along e both turns are one.
 
-use super::frame_angles::{Angles, EULER, TAIT_BRYAN};
+use super::frame_angles::{Angles, Factor, Set};
 use super::quasi_velocities::without_part;
 use super::{Asked, Case, NoSteadyMotions, Range, SteadyMotion, SteadyMotions, Unknown};
 use crate::branch::settled;
@@ -17,7 +18,7 @@ use crate::readiness::independent_start;
 use field::Analytic;
 use model::{FrameAngles, FrameId, Model, Source, Trace};
 use nalgebra::Vector3;
-use std::f64::consts::{FRAC_PI_4, PI};
+use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 use symbolic::Sym;
 
 /// Frames that turn freely, at most: each doubles the number of searches.
@@ -26,17 +27,18 @@ const MOST_FRAMES: usize = 2;
 /// An angle by which both sets overlap.
 const OVERLAP: f64 = 0.01;
 
-/// The nutation from which on Euler's angles serve where nothing depends on the spin.
-const LEAST_NUTATION: f64 = 1e-3;
+/// The angle from where a set is singular within which it is not used.
+const LEAST: f64 = 1e-3;
 
 /// Numbers of two motions that differ by no more are those of one.
 const SAME: f64 = 1e-7;
 
-/// Two angles, the product of whose cosines is at least so large in size.
+/// A product of sines and cosines of angles that is at least so large: in size, or itself, or its opposite.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Steep {
-    pub angles: [String; 2],
-    pub least: f64,
+    factors: Vec<(String, Factor)>,
+    least: f64,
+    is_positive: Option<bool>,
 }
 
 /// A set of angles of each free frame, with its model, and where motions are sought by it.
@@ -45,6 +47,14 @@ pub struct Orientation {
     pub model: Model,
     pub asked: Asked,
     frames: Vec<Angles>,
+    /// Where they are sought, in words.
+    held: Vec<String>,
+}
+
+/// The axis of the parents, and for each frame its own axis, and whether nothing depends on the turn about that.
+struct Axes {
+    parent: usize,
+    own: Vec<(usize, bool)>,
 }
 
 impl Orientation {
@@ -53,55 +63,33 @@ impl Orientation {
     /// # Errors
     /// There are too many free frames, or a part of the text asks for the free turn itself.
     pub fn all(source: &Source, model: &Model, asked: &Asked) -> Result<Vec<Self>, NoSteadyMotions> {
-        let frames: Vec<String> = model.free.iter().map(|frame| model.frames[frame.0].name.clone()).collect();
-        if frames.len() > MOST_FRAMES {
-            let why = format!("{} frames turn freely, and angles are tried for {MOST_FRAMES}", frames.len());
+        let count = model.free.len();
+        if count > MOST_FRAMES {
+            let why = format!("{count} frames turn freely, and angles are tried for {MOST_FRAMES}");
             return Err(NoSteadyMotions::FreeFrame { why });
         }
-        let with = |axis: usize, is_euler: &[bool]| Self::with(source, model, &frames, (axis, is_euler));
-        let euler = vec![true; frames.len()];
-        // the first axis of those about which the law asks for the least
-        let mut best: Option<(usize, Self, Vec<bool>)> = None;
-        for axis in [2, 1, 0] {
-            let own = with(axis, &euler)?;
-            let idle = symbolic::apart(|| without_part(&own.model))?;
-            let count = |idle: &[bool]| idle.iter().filter(|is_idle| **is_idle).count();
-            if best.as_ref().is_none_or(|(.., known)| count(&idle) > count(known)) {
-                best = Some((axis, own, idle));
-            }
+        let axes = Axes::of(source, model)?;
+        let mut sets: Vec<Vec<Set>> = vec![Vec::new()];
+        for &(own, is_spinning) in &axes.own {
+            let each = Set::all((axes.parent, own), is_spinning);
+            sets =
+                sets.iter().flat_map(|before| each.iter().map(|set| [&before[..], &[set.clone()]].concat())).collect();
         }
-        let Some((axis, own, idle)) = best else { return Ok(Vec::new()) };
-        let spins: Vec<bool> = own.frames.iter().map(|angles| idle[angles.first + 2]).collect();
         let mut all = Vec::new();
-        for set in 0..1 << frames.len() {
-            let is_euler: Vec<bool> = (0..frames.len()).map(|at| set >> at & 1 == 0).collect();
-            let mut own = with(axis, &is_euler)?;
-            own.begin(model, &spins);
-            if own.take(asked, &spins) {
+        for sets in sets {
+            let mut own = Self::with(source, model, &sets)?;
+            if own.take(model, &sets, asked) {
                 all.push(own);
             }
         }
         Ok(all)
     }
 
-    fn with(
-        source: &Source,
-        original: &Model,
-        frames: &[String],
-        (axis, is_euler): (usize, &[bool]),
-    ) -> Result<Self, NoSteadyMotions> {
+    fn with(source: &Source, original: &Model, sets: &[Set]) -> Result<Self, NoSteadyMotions> {
         let mut source = source.clone();
         source.outputs.clear();
-        source.angles.clear();
-        let next = |by: usize| (axis + by) % 3;
-        let sets = is_euler.iter().map(|is_euler| match is_euler {
-            true => ([axis, next(1), axis], EULER),
-            false => ([axis, next(1), next(2)], TAIT_BRYAN),
-        });
-        let sets: Vec<([usize; 3], [&str; 3])> = sets.collect();
-        source
-            .angles
-            .extend(sets.iter().map(|(axes, names)| FrameAngles { axes: *axes, names: names.map(str::to_owned) }));
+        let texts = sets.iter().map(|set| FrameAngles { axes: set.axes, names: set.names.map(str::to_owned) });
+        source.angles = texts.collect();
         let read = Model::of(&source).and_then(settled);
         let mut model = read.map_err(|faults| {
             let why = faults.first().map_or_else(String::new, |fault| format!("{}: {}", fault.title, fault.label));
@@ -111,87 +99,135 @@ impl Orientation {
             own.clone_from(given);
         }
         model.close_inputs();
-        let plain = model.coordinates.len() - 3 * frames.len();
-        let own = frames.iter().zip(sets).enumerate();
-        let frames: Vec<Angles> = own
-            .map(|(at, (frame, (axes, names)))| {
-                let parent = original.frames[original.free[at].0].parent.map_or(FrameId::GROUND, |(parent, _)| parent);
-                let parent = original.frames[parent.0].name.clone();
-                Angles { parent, frame: frame.clone(), axes, names, first: plain + 3 * at }
-            })
-            .collect();
-        Ok(Orientation { model, asked: Asked::default(), frames })
+        let plain = model.coordinates.len() - 3 * sets.len();
+        let frame = |(at, set): (usize, &Set)| {
+            let own = &original.frames[original.free[at].0];
+            let parent = own.parent.map_or(FrameId::GROUND, |(parent, _)| parent);
+            let parent = original.frames[parent.0].name.clone();
+            Angles { parent, frame: own.name.clone(), axes: set.axes, names: set.names, first: plain + 3 * at }
+        };
+        let frames = sets.iter().enumerate().map(frame).collect();
+        Ok(Orientation { model, asked: Asked::default(), frames, held: Vec::new() })
     }
 
-    /// Begins where the frames begin that turn freely. A speed about the axis of the parent is the component of the angular velocity along it,
-    /// the same for both sets, unless the spin is a motion of its own.
-    fn begin(&mut self, original: &Model, spins: &[bool]) {
-        for (number, (angles, &is_spinning)) in self.frames.iter().zip(spins).enumerate() {
-            self.model.start.extend(angles.start(original, number, is_spinning && angles.names == EULER));
+    /// Takes the start, and the ranges that are asked for; false where these are of other sets.
+    fn take(&mut self, original: &Model, sets: &[Set], asked: &Asked) -> bool {
+        self.asked = Asked { steep: Vec::new(), ..asked.clone() };
+        for (number, (angles, set)) in self.frames.iter().zip(sets).enumerate() {
+            let of = |name: &str, primes: &str| format!("{}.{name}{primes}", angles.frame);
+            let range = |name: String| asked.ranges.iter().rev().find(|(own, _)| *own == name).map(|(_, range)| *range);
+            let is_asked = |names: [&str; 3]| names.into_iter().any(|name| range(of(name, "")).is_some());
+            let is_doubled = set.is_positive == Some(false) && is_asked(set.names);
+            if is_asked(set.other) || is_doubled {
+                return false;
+            }
+            let main = angles.as_main(set);
+            let start = main.start(original, number, set.is_spinning);
+            let rates: [f64; 3] = std::array::from_fn(|k| start[3 + k].value);
+            // turns about the axis of the parent, and about the axis of the frame where that is no coordinate of this set
+            let (main_names, first) = (main.names, of(set.names[0], "'"));
+            let about = range(of(main_names[0], "'")).or_else(|| range(first.clone()));
+            let spin = if set.is_spinning { range(of(main_names[2], "'")) } else { None };
+            let turning = [of(set.names[0], "'"), of(set.other[0], "'")];
+            self.asked.ranges.retain(|(own, _)| !turning.contains(own));
+            if set.is_main {
+                self.model.start.extend(start);
+                self.asked.ranges.extend(about.map(|about| (first, about)));
+            } else {
+                // both turns are one, or opposite
+                let point = |value: f64| Range { from: value, to: value };
+                let about_ends = about.unwrap_or(point(rates[0]));
+                let spin_ends = spin.unwrap_or(point(if set.is_spinning { rates[2] } else { 0.0 }));
+                let ends = match set.is_positive {
+                    Some(false) => [about_ends.from - spin_ends.to, about_ends.to - spin_ends.from],
+                    _ => [about_ends.from + spin_ends.from, about_ends.to + spin_ends.to],
+                };
+                let mut start = angles.start(original, number, false);
+                start[3].value = ends[0];
+                self.model.start.extend(start);
+                self.asked.ranges.retain(|(own, _)| *own != of(main_names[2], "'"));
+                if about.is_some() || spin.is_some() {
+                    self.asked.ranges.push((first, Range { from: ends[0], to: ends[1] }));
+                }
+            }
+            let steep = |factors: &[(usize, Factor)], least: f64, is_positive: Option<bool>| Steep {
+                factors: factors.iter().map(|&(at, factor)| (of(set.names[at], ""), factor)).collect(),
+                least,
+                is_positive,
+            };
+            // not where the set itself is singular
+            self.asked.steep.push(steep(&[(1, set.regular)], LEAST.sin(), None));
+            if is_asked(set.names) {
+                continue;
+            }
+            let narrow = if set.is_spinning { 2.0 * LEAST } else { FRAC_PI_4 };
+            let aside = match (set.is_main, set.is_spinning) {
+                (true, true) => FRAC_PI_2 - LEAST,
+                (true, false) => FRAC_PI_2 - FRAC_PI_4 + OVERLAP,
+                (false, _) => narrow + LEAST,
+            };
+            let middle = if set.has_angle_from_axis { FRAC_PI_2 } else { 0.0 };
+            self.asked.ranges.push((of(set.names[1], ""), Range { from: middle - aside, to: middle + aside }));
+            if !set.is_main {
+                self.asked.steep.push(steep(&set.alignment, narrow.cos(), set.is_positive));
+                let letter = |at: usize| ["x", "y", "z"][at];
+                let from = format!("{}.{}", angles.parent, letter(set.axes[0]));
+                let from = match set.is_positive {
+                    None => format!("{from} or its opposite"),
+                    Some(true) => from,
+                    Some(false) => format!("the opposite of {from}"),
+                };
+                self.held.push(format!(
+                    "{}.{} is at most {:.3} deg from {from}",
+                    angles.frame,
+                    letter(set.own),
+                    narrow.to_degrees()
+                ));
+            }
         }
         // a start that is missing is no obstacle
         let _ = independent_start(&mut self.model);
-    }
-
-    /// Takes the ranges that are asked for; false where these are of other sets.
-    fn take(&mut self, asked: &Asked, spins: &[bool]) -> bool {
-        self.asked = Asked { steep: Vec::new(), ..asked.clone() };
-        for (angles, is_spinning) in self.frames.iter().zip(spins) {
-            let name = |at: usize| format!("{}.{}", angles.frame, angles.names[at]);
-            let is_euler = angles.names == EULER;
-            let other = if is_euler { TAIT_BRYAN } else { EULER };
-            let is_asked = |names: [&str; 3], primes: &str| {
-                let all = names.map(|own| format!("{}.{own}{primes}", angles.frame));
-                asked.ranges.iter().any(|(name, _)| all.contains(name))
-            };
-            if is_asked(other, "") || !is_euler && is_asked([EULER[1], EULER[2], EULER[2]], "'") {
-                return false;
-            }
-            // the speed about the axis of the parent is the same
-            let first = (format!("{}.{}'", angles.frame, other[0]), format!("{}'", name(0)));
-            for (own, _) in &mut self.asked.ranges {
-                if *own == first.0 {
-                    own.clone_from(&first.1);
-                }
-            }
-            let mut within = |at: usize, from: f64, to: f64| {
-                if !self.asked.ranges.iter().any(|(own, _)| *own == name(at)) {
-                    self.asked.ranges.push((name(at), Range { from, to }));
-                }
-            };
-            match (is_euler, is_spinning) {
-                (true, true) => within(1, LEAST_NUTATION, PI - LEAST_NUTATION),
-                (true, false) => within(1, FRAC_PI_4 - OVERLAP, PI - FRAC_PI_4 + OVERLAP),
-                (false, _) if is_asked(angles.names, "") => {}
-                (false, _) => {
-                    let most = if *is_spinning { 2.0 * LEAST_NUTATION } else { FRAC_PI_4 };
-                    within(1, -most - LEAST_NUTATION, most + LEAST_NUTATION);
-                    self.asked.steep.push(Steep { angles: [name(1), name(2)], least: most.cos() });
-                }
-            }
-        }
         true
     }
 
-    /// The angles in words.
+    /// The angles in words, and where they are sought.
     pub fn in_words(&self) -> Vec<String> {
-        let axis = |at: usize| ["x", "y", "z"][at];
+        let letter = |at: usize| ["x", "y", "z"][at];
         let frames = self.frames.iter().map(|own| {
-            let turns =
-                own.axes.iter().zip(own.names).map(|(&at, name)| format!("{}.{name} about {}", own.frame, axis(at)));
-            let steep =
-                self.asked.steep.iter().find(|steep| steep.angles[0] == format!("{}.{}", own.frame, own.names[1]));
-            let held = steep.map_or_else(String::new, |steep| {
-                format!(
-                    " and {}.{} at most {:.3} deg from that of its parent or from its opposite",
-                    own.frame,
-                    axis(own.axes[0]),
-                    steep.least.acos().to_degrees()
-                )
-            });
-            format!("{} turns by {}{held}", own.frame, turns.collect::<Vec<_>>().join(", "))
+            let turns = own.axes.iter().zip(own.names);
+            let turns: Vec<String> =
+                turns.map(|(&at, name)| format!("{}.{name} about {}", own.frame, letter(at))).collect();
+            format!("{} turns by {}", own.frame, turns.join(", "))
         });
-        frames.collect()
+        frames.chain(self.held.iter().cloned()).collect()
+    }
+}
+
+impl Axes {
+    /// The axis of the parents about which the law asks for the least, the first of several; and of each frame one about which nothing depends
+    /// on its turn, or else the same.
+    fn of(source: &Source, model: &Model) -> Result<Self, NoSteadyMotions> {
+        let count = model.free.len();
+        let mut best: Option<(usize, Axes)> = None;
+        for parent in [2, 1, 0] {
+            let (mut about, mut own) = (0, vec![(parent, false); count]);
+            for axis in [parent, (parent + 1) % 3, (parent + 2) % 3] {
+                let sets: Vec<Set> = (0..count).map(|_| Set::main((parent, axis), false)).collect();
+                let found = Orientation::with(source, model, &sets)?;
+                let idle = symbolic::apart(|| without_part(&found.model))?;
+                for (own, angles) in own.iter_mut().zip(&found.frames) {
+                    about += usize::from(axis == parent && idle[angles.first]);
+                    if !own.1 && idle[angles.first + 2] {
+                        *own = (axis, true);
+                    }
+                }
+            }
+            let worth = 4 * about + own.iter().filter(|(_, is_spinning)| *is_spinning).count();
+            if best.as_ref().is_none_or(|(known, _)| worth > *known) {
+                best = Some((worth, Axes { parent, own }));
+            }
+        }
+        Ok(best.map_or(Axes { parent: 2, own: vec![(2, false); count] }, |(_, axes)| axes))
     }
 }
 
@@ -296,13 +332,21 @@ impl Orientation {
     }
 }
 
-/// The square of the product of the cosines of two angles less its least value, for each such pair.
-pub(super) fn steep(trace: &Trace<'_>, names: &[String], asked: &Asked) -> Vec<Sym> {
-    let pairs = asked.steep.iter().filter_map(|steep| {
-        let cosine =
-            |name: &String| names.iter().position(|own| own == name).map(|k| trace.coordinates[k].circle().cos);
-        let product = cosine(&steep.angles[0])? * cosine(&steep.angles[1])?;
-        Some(product * product - Sym::constant(field::Rational::exactly(steep.least * steep.least)))
+/// What shall not be negative of each such product.
+pub(super) fn steep(trace: &Trace<'_>, names: &[String], asked: &Asked, is_cyclic: &[bool]) -> Vec<Sym> {
+    let each = asked.steep.iter().filter_map(|steep| {
+        let mut product = Sym::ONE;
+        for (name, factor) in &steep.factors {
+            let place = names.iter().position(|own| own == name).filter(|&place| !is_cyclic[place])?;
+            let circle = trace.coordinates[place].circle();
+            product *= if *factor == Factor::Sine { circle.sin } else { circle.cos };
+        }
+        let least = Sym::constant(field::Rational::exactly(steep.least));
+        Some(match steep.is_positive {
+            None => product * product - least * least,
+            Some(true) => product - least,
+            Some(false) => -product - least,
+        })
     });
-    pairs.collect()
+    each.collect()
 }

@@ -1,7 +1,9 @@
 //! Rest and steady motions with conditions, dry friction and contacts.
 
 use super::{asked, model};
-use dalembert_scenes::steady_motions::{Along, Case, Change, Near, Range, SteadyMotions, SteadyStability};
+use dalembert_scenes::steady_motions::{
+    Along, Case, Change, EnclosedVerdict, Near, Range, SteadyMotions, SteadyStability,
+};
 
 /// k x = F s with a part s of the friction from -1 to 1: a block rests for |x| <= F/k.
 #[test]
@@ -170,4 +172,29 @@ fn places_at_which_friction_holds_vanish_along_its_coefficient() {
     let [bifurcation] = &found.bifurcations[..] else { panic!("{found:?}") };
     assert_eq!(bifurcation.change, Change::Ends);
     assert!((bifurcation.before.value - 2.0).abs() < 1e-6 && (bifurcation.after.value - 2.0).abs() < 1e-6);
+}
+
+/// A drag c w |w| that a torque M overcomes at w = sqrt(M/c): the derivative -2 c w of the side that holds decides.
+#[test]
+fn stability_beside_a_condition_is_that_of_its_own_side() {
+    for (drag, speed) in [
+        ("(1 N m s^2)*theta'*abs(theta')", 2.0),
+        ("if(theta' < (0 rad/s), -(1 N m s^2)*theta'^2, (1 N m s^2)*theta'^2)", 2.0),
+    ] {
+        let text = format!(
+            "title = \"Fan\"\n[parameters]\nJ = \"1 kg m^2\"\n[coordinates]\ntheta = \"rad\"\n[bodies.fan]\nturns = \"theta\"\ninertia = \"J\"\n\
+             [[force]]\nalong = \"theta\"\nis = \"(4 N m) - {drag}\"\n[run]\nspan = \"1 s\"\n"
+        );
+        let found = SteadyMotions::of_cases(&model(&text), &asked(&[("theta'", -10.0, 10.0)], 1_000), || true);
+        let found = found.unwrap_or_else(|why| panic!("{why:?}"));
+        let motions: Vec<_> = found.iter().flat_map(|(_, own)| &own.motions).collect();
+        let [motion] = motions[..] else { panic!("{motions:?}") };
+        assert!((motion.state[1] - speed).abs() < 1e-12);
+        let SteadyStability::Linear(eigenvalues) = &motion.stability else { panic!("{motion:?}") };
+        let enclosed = eigenvalues.enclosed.as_ref().expect("they are enclosed");
+        assert_eq!(enclosed.verdict(), EnclosedVerdict::Asymptotic, "{enclosed:?}");
+        assert!(enclosed.discs.iter().all(|disc| (disc.centre[0] + 4.0).abs() < 1e-6), "{enclosed:?}");
+        let exact = enclosed.exact.expect("its data are fractions");
+        assert_eq!((exact.left, exact.right), (1, 0));
+    }
 }

@@ -152,3 +152,67 @@ fn the_speed_about_the_vertical_is_that_of_the_start() {
         assert!((speed - 1.5).abs() < 1e-14, "{speed} {:?}", orientation.in_words());
     }
 }
+
+/// A top: its energy and both momenta give the fast and the slow precession at a nutation of 60 degrees, cos n A p^2 - C r p + m g l = 0 with
+/// r = spin' + p cos n the spin about its axis; upright it sleeps at any spin. With gravity along another axis of space there is the same.
+#[test]
+fn a_top_precesses_and_sleeps_however_space_is_turned() {
+    let (moment, axial, weight) = (0.03_f64, 0.004, 1.0);
+    for vertical in ["x", "y", "z"] {
+        let text = format!(
+            "title = \"Top\"\ngravity = \"-(10 m/s^2)*N.{vertical}\"\n[frames]\nF = \"N free\"\n[points]\nG = \"O + (10 cm)*F.z\"\n\
+             [bodies.b]\nframe = \"F\"\ncentre = \"G\"\nmass = \"1 kg\"\ninertia = {{ principal = [\"20 g m^2\", \"20 g m^2\", \"4 g m^2\"] }}\n[run]\nspan = \"1 s\"\n"
+        );
+        // the axis at 60 degrees from the vertical: an elevation of 30 degrees, with one sign or the other by the order of axes
+        let (angle, from, to) = if vertical == "z" {
+            ("F.nutation", 1.0471975511965976, 1.0471975511965976)
+        } else {
+            ("F.elevation", 0.0, 1.2)
+        };
+        let spin = 200.0;
+        let ranges = [(angle, from, to), ("F.spin'", spin, spin), ("F.precession'", 0.01, 80.0)];
+        let speeds: Vec<f64> = found(&text, &ranges)
+            .iter()
+            .flat_map(|(_, own)| own.motions.iter().map(|motion| motion.state[3]).collect::<Vec<_>>())
+            .collect();
+        if vertical == "z" {
+            // (A - C) cos n p^2 - C spin' p + m g l = 0
+            let (a, b) = ((moment - axial) * 0.5, axial * spin);
+            let root = (b * b - 4.0 * a * weight).sqrt();
+            let known = [(b - root) / (2.0 * a), (b + root) / (2.0 * a)];
+            assert_eq!(speeds.len(), 2, "{speeds:?}");
+            let is_there = |known: &f64| speeds.iter().any(|own| (own - known).abs() < 1e-6 * known);
+            assert!(known.iter().all(is_there), "{speeds:?} {known:?}");
+        }
+        let asleep = found(&text, &[("F.spin'", spin, spin), ("F.precession'", 0.0, 0.0)]);
+        let upright: Vec<Vector3<f64>> = asleep
+            .iter()
+            .flat_map(|(orientation, own)| {
+                own.motions.iter().map(|motion| orientation.vertical(motion)).collect::<Vec<_>>()
+            })
+            .collect();
+        assert_eq!(upright.len(), 2, "{vertical}: {upright:?}");
+        assert!(upright.iter().all(|own| (own.z.abs() - 1.0).abs() < 1e-12), "{vertical}: {upright:?}");
+    }
+}
+
+/// Where a set of angles is singular its equations lose their moments: no rest is found there that is none.
+#[test]
+fn poles_of_the_angles_are_no_motions() {
+    let text = "title = \"Body\"\ngravity = \"-(10 m/s^2)*N.z\"\n[frames]\nF = \"N free\"\n[points]\nG = \"O + (10 cm)*F.x + (5 cm)*F.y + (2 cm)*F.z\"\n\
+        [bodies.b]\nframe = \"F\"\ncentre = \"G\"\nmass = \"1 kg\"\ninertia = { principal = [\"20 g m^2\", \"25 g m^2\", \"15 g m^2\"] }\n[run]\nspan = \"1 s\"\n";
+    for range in [("F.nutation", 0.0, 3.2), ("F.pitch", -1.6, 1.6)] {
+        let all = found(text, &[range]);
+        let count: usize = all.iter().map(|(_, own)| own.motions.len()).sum();
+        assert_eq!(count, 2, "{range:?}");
+    }
+}
+
+/// A ball about its centre rests in every orientation: a family, whose ends are those of each set of angles.
+#[test]
+fn a_ball_rests_in_every_orientation() {
+    let text = "title = \"Ball\"\n[frames]\nF = \"N free\"\n[bodies.b]\nframe = \"F\"\ncentre = \"O\"\nmass = \"1 kg\"\n\
+        inertia = { principal = [\"20 g m^2\", \"20 g m^2\", \"20 g m^2\"] }\n[run]\nspan = \"1 s\"\n";
+    let all = found(text, &[]);
+    assert!(all.iter().any(|(_, own)| !own.families.is_empty()) && all.iter().all(|(_, own)| own.motions.is_empty()));
+}
