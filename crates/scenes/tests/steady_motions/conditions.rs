@@ -198,3 +198,18 @@ fn stability_beside_a_condition_is_that_of_its_own_side() {
         assert_eq!((exact.left, exact.right), (1, 0));
     }
 }
+
+/// Dry friction F holds a block on a spring where |p - k x| < F: a family, which leaves the range of x at p = k x + F.
+#[test]
+fn a_family_that_leaves_the_range_is_a_change() {
+    let text = "title = \"Held\"\n[parameters]\nm = \"1 kg\"\np = \"0 N\"\n[coordinates]\nx = \"m\"\n[bodies]\nb = { centre = \"O + x*N.x\", mass = \"m\" }\n\
+        [[force]]\nalong = \"x\"\nis = \"p - (1 N/m)*x - (0.3 N)*sign(x')\"\n[run]\nspan = \"1 s\"\n";
+    let range = Range { from: 0.13, to: 2.0 };
+    let found = Along::of(&model(text), &asked(&[("x", -1.0, 1.0)], 1_000), ("p", range), 5, || true);
+    let found = found.unwrap_or_else(|why| panic!("{why:?}"));
+    let families: Vec<usize> = found.samples.iter().map(|sample| sample.found.families.len()).collect();
+    assert_eq!(families, [1, 1, 1, 0, 0], "{found:?}");
+    let [bifurcation] = &found.bifurcations[..] else { panic!("{:?}", found.bifurcations) };
+    assert_eq!(bifurcation.change, Change::Families);
+    assert!((0.5 * (bifurcation.before.value + bifurcation.after.value) - 1.3).abs() < 1e-2, "{bifurcation:?}");
+}
