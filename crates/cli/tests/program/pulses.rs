@@ -106,7 +106,7 @@ fn an_exponential_beyond_every_number_is_named_and_its_remedy_helps() {
         let failure = &found["failures"][0];
         assert_eq!(failure["kind"], "overflow in the law", "{method}: {found}");
         let evidence = failure["evidence"].as_str().expect("a text");
-        assert!(evidence.contains("in line 10") && evidence.contains("3.3000e3"), "{evidence}");
+        assert!(evidence.contains("in line 11") && evidence.contains("3.3000e3"), "{evidence}");
         let found = by(&format!("(20 N)*exp(-abs({u}))/(1 + exp(-2*abs({u})))"), method);
         let speed = found["state"]["x'"].as_f64().expect("a speed");
         assert!((speed - 1.0 - 0.01 * PI).abs() < 1e-4, "{method}: {found}");

@@ -209,6 +209,8 @@ fn a_family_that_leaves_the_range_is_a_change() {
     let found = found.unwrap_or_else(|why| panic!("{why:?}"));
     let families: Vec<usize> = found.samples.iter().map(|sample| sample.found.families.len()).collect();
     assert_eq!(families, [1, 1, 1, 0, 0], "{found:?}");
+    // the share of the friction is none of the unknowns that are told
+    assert!(found.samples.iter().all(|sample| sample.found.unknowns.len() == 1), "{found:?}");
     let [bifurcation] = &found.bifurcations[..] else { panic!("{:?}", found.bifurcations) };
     assert_eq!(bifurcation.change, Change::Families);
     assert!((0.5 * (bifurcation.before.value + bifurcation.after.value) - 1.3).abs() < 1e-2, "{bifurcation:?}");
