@@ -90,11 +90,15 @@ fn every_mutant_breaks_one_place() {
     }
 }
 
-/// The page on which a mutant stands: its crate's, or its study's.
+/// The page on which a mutant stands: its crate's, its study's, or its folder's in a crate with many.
 fn page_of(mutant: &Mutant) -> String {
     let parts: Vec<&str> = mutant.file.split('/').collect();
-    let [_, name, _, study, ..] = parts[..] else { panic!("{} lies in no crate", mutant.file) };
-    (if name == "studies" { study.trim_end_matches(".rs") } else { name }).to_owned()
+    match parts[..] {
+        [_, "studies", _, study, ..] => study.trim_end_matches(".rs").to_owned(),
+        [_, name @ ("model" | "scenes"), _, folder, _, ..] => format!("{name}_{folder}"),
+        [_, name, ..] => name.to_owned(),
+        _ => panic!("{} lies in no crate", mutant.file),
+    }
 }
 
 #[test]

@@ -35,6 +35,8 @@ import together
 
 ROOT = Path(__file__).resolve().parents[2]
 TABLES = ROOT / "snapshots" / "mutants"
+# crates whose mutants have a page for each folder
+BY_FOLDER = ("model", "scenes")
 COPY = Path(os.environ.get("MUTANTS", Path(tempfile.gettempdir()) / "dalembert-mutants"))
 PARTS = ["Cargo.toml", "Cargo.lock", "crates", "derivations", "papers", "scenes", "tests", "benches", "book", "schema"]
 LEDGER = "ledger"
@@ -470,9 +472,11 @@ def write_tables(listed: list[tuple[str, str]], rows: dict[tuple[str, str], str]
 
 
 def page_of(file: str) -> str:
-    """The page on which the mutants of a file stand: its crate's, or its study's."""
+    """The page on which the mutants of a file stand: its crate's, its study's, or its folder's in a crate with many."""
     parts = Path(file).parts
-    return Path(parts[3]).stem if parts[1] == "studies" else parts[1]
+    if parts[1] == "studies":
+        return Path(parts[3]).stem
+    return f"{parts[1]}_{parts[3]}" if parts[1] in BY_FOLDER and len(parts) > 4 else parts[1]
 
 
 def listed(words: list[str]) -> tuple[list[tuple[str, str]], list[Mutant]]:

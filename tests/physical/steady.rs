@@ -115,7 +115,11 @@ pub fn compared(bodies: &Gyrostat<Rational>, w: Rational, speed: Rational) -> Op
     let (_, model) = parse_titled("gyrostat.toml", &text, Task::Vary).unwrap_or_else(|error| panic!("{error}"));
     let point = |value: Rational| Range { from: value.to_f64(), to: value.to_f64() };
     let ranges = [("theta", Range { from: POLE, to: PI - POLE }), ("psi'", point(w)), ("spin'", point(speed))];
-    let asked = Asked { ranges: ranges.map(|(name, range)| (name.to_owned(), range)).to_vec(), boxes: BOXES };
+    let asked = Asked {
+        ranges: ranges.map(|(name, range)| (name.to_owned(), range)).to_vec(),
+        boxes: BOXES,
+        ..Asked::default()
+    };
     let found = SteadyMotions::of(&model, &asked, || true).expect("steady motions are sought");
     let direction = |state: &[f64]| {
         let ((sin, cos), (s, c)) = (state[1].sin_cos(), state[2].sin_cos());
