@@ -21,6 +21,7 @@ const LAYERS: &[(&str, i32)] = &[
     ("dalembert-simulation", 5),
     ("dalembert-model", 4),
     ("dalembert-claims", 4),
+    ("dalembert-exchange", 4),
     ("dalembert-charts", 5),
     ("dalembert-motor", 6),
     ("dalembert-systems", 7),

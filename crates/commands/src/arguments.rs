@@ -1,11 +1,12 @@
 //! What can be asked on the command line.
 
 use crate::clock::Keeps;
+pub use crate::output::Format;
 use crate::{
-    bodies, chart, choose, conform, derive, ensemble, failures, inverse, ledger, linearise, motor, new,
+    bodies, chart, choose, conform, derive, ensemble, export, failures, inverse, ledger, linearise, motor, new,
     numerical_stability, prove, reference, regimes, regulate, report, review, run, scenes, stationary,
 };
-use clap::{Parser, Subcommand, ValueEnum};
+use clap::{Parser, Subcommand};
 use clap_complete::Shell;
 use simulation::run::check_tolerance;
 use std::fmt::Display;
@@ -21,7 +22,7 @@ use std::str::FromStr;
 /// not acceptable; 130 Ctrl-C ended it. Where the time is over, or at Ctrl-C, `run`, `ensemble`, `chart` and `reference` keep what
 /// there is; a second Ctrl-C ends them at once.
 ///
-/// A file is whole under its name or is not there. The end of its name says the form: .csv, .svg, .html or .reference. Folders that
+/// A file is whole under its name or is not there. The end of its name says the form: .csv, .npz, .svg, .html, .reference or .fmu. Folders that
 /// are missing are made. A file that stands there is replaced only if the command wrote it, or with --force; a file that the command
 /// reads is never replaced.
 #[derive(Debug, Parser)]
@@ -56,6 +57,7 @@ impl Arguments {
             Some(Command::Review(asked)) if asked.file.is_some() => ("review", Part, Some(USUAL)),
             Some(Command::Review(_)) => ("review", Nothing, None),
             Some(Command::Derive(_)) => ("derive", Nothing, Some(USUAL)),
+            Some(Command::Export(_)) => ("export", Nothing, Some(USUAL)),
             Some(Command::Inverse(_)) => ("inverse", Nothing, Some(USUAL)),
             Some(Command::Linearise(_)) => ("linearise", Nothing, Some(USUAL)),
             Some(Command::Regulate(_)) => ("regulate", Nothing, Some(USUAL)),
@@ -100,6 +102,9 @@ pub enum Command {
     Review(review::Asked),
     /// Equations of motion by a chosen principle
     Derive(derive::Asked),
+    /// A system that is written in its file, for other programs: a unit of FMI 3.0, a Modelica model, code that runs
+    #[command(after_long_help = export::HELP)]
+    Export(export::Asked),
     /// Whether every principle gives the same equations of motion, for a system that is written in its file
     Prove(prove::Asked),
     /// Linear equations about a point or along a run, for a system that is written in its file: A, B, C, D, eigenvalues, stability
@@ -133,16 +138,6 @@ pub enum Command {
         /// The shell
         shell: Shell,
     },
-}
-
-/// How results are printed.
-#[derive(Clone, Copy, Debug, Default, ValueEnum)]
-pub enum Format {
-    /// For reading
-    #[default]
-    Text,
-    /// For programs
-    Json,
 }
 
 /// A number that is one.

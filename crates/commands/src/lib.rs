@@ -33,6 +33,7 @@ mod csv;
 mod derive;
 mod ensemble;
 mod exit;
+mod export;
 mod failures;
 mod inverse;
 mod job_pool;
@@ -98,6 +99,7 @@ pub fn run() -> ExitCode {
         Some(Command::Judge(asked)) => ledger::paper_file::judge(&asked),
         Some(Command::Review(asked)) => review::review(&asked),
         Some(Command::Derive(asked)) => derive::derive(&asked),
+        Some(Command::Export(asked)) => export::export(&asked),
         Some(Command::Inverse(asked)) => inverse::show(&asked),
         Some(Command::Linearise(asked)) => linearise::linearise(&asked),
         Some(Command::Regulate(asked)) => regulate::show(&asked),

@@ -16,7 +16,7 @@ mod turns;
 mod vectors;
 
 pub use axes::{axes, titles};
-pub use code::code;
+pub use code::{casadi, code, code_from, exchange, modelica};
 pub use conditions::left_out;
 pub use cosines::Cosine;
 pub use latex::{Typeset, equations as typeset, latex};

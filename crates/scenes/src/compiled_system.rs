@@ -313,7 +313,7 @@ pub(crate) fn speed_name(model: &Model, speed: usize) -> String {
 }
 
 /// The first condition or event that depends on accelerations or reactions.
-fn of_accelerations(model: &Model) -> Option<Range<usize>> {
+pub(crate) fn of_accelerations(model: &Model) -> Option<Range<usize>> {
     if !is_watched(model) {
         return None;
     }

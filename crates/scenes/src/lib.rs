@@ -4,6 +4,7 @@
 //! * [`ModelScene`]: a file with `[coordinates]`, read and checked; every command that runs a scene runs it;
 //! * [`SystemText`], [`derivation`]: the equations of motion of a text by a principle;
 //! * [`text`]: the tables of a file as a [`model::Source`];
+//! * [`exchange`]: the system as a functional mock-up unit, and as a program of other languages;
 //! * [`linearisation`]: x' = A x + B w about a point; [`equilibrium()`]: a point of rest near a guess;
 //! * [`parse_ensemble`]: the same file with `[ensemble]`: many members, parameters and starts of their own;
 //! * [`CompiledSystem`]: the equations of motion as machine code, as series, and over every field that runs.
@@ -19,6 +20,7 @@ pub mod derivation;
 mod elimination;
 mod ensemble;
 mod equilibrium;
+pub mod exchange;
 mod failure_entry;
 mod first_motion;
 mod formulations;

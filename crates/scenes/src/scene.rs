@@ -314,7 +314,7 @@ fn line_of(text: &str, byte: usize) -> usize {
 }
 
 /// An event by its name, or by its line.
-fn called(event: &Event, text: &str) -> String {
+pub(crate) fn called(event: &Event, text: &str) -> String {
     match event.name.as_str() {
         "" => format!("the event in line {}", line_of(text, event.at.start)),
         name => format!("the event `{name}`"),

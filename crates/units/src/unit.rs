@@ -147,6 +147,11 @@ impl Dimension {
         Unit::parse(unit).map_or(Dimension { exponents: NUMBER }, Unit::dimension)
     }
 
+    /// The exponents of kg, m, s and A.
+    pub fn exponents(self) -> [i32; 4] {
+        self.exponents
+    }
+
     /// As expressions have it.
     pub fn of_expressions(self) -> symbolic::Dimension {
         let [kg, m, s, a] = self.exponents.map(i64::from);

@@ -21,6 +21,25 @@ pub enum Form {
     Table(String),
     /// The certificates of a paper, JSON.
     Certificates,
+    /// A functional mock-up unit.
+    Unit,
+    /// A program of a language, by the end of its name and the sign of its comments.
+    Program(Source),
+}
+
+/// A language of programs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Source {
+    ends: &'static [&'static str],
+    /// Before a comment.
+    pub comment: &'static str,
+}
+
+impl Source {
+    pub const C: Source = Source { ends: &["c"], comment: "//" };
+    pub const MODELICA: Source = Source { ends: &["mo"], comment: "//" };
+    pub const PYTHON: Source = Source { ends: &["py"], comment: "#" };
+    pub const RUST: Source = Source { ends: &["rs"], comment: "//" };
 }
 
 /// The command that writes; the main job has no name.
@@ -51,6 +70,8 @@ impl Form {
             Form::Reference => &["reference"],
             Form::Table(_) => &["csv"],
             Form::Certificates => &["json"],
+            Form::Unit => &["fmu"],
+            Form::Program(source) => source.ends,
         }
     }
 
@@ -68,6 +89,8 @@ impl Form {
             Form::Reference => "reference",
             Form::Table(_) => "table",
             Form::Certificates => "file of certificates",
+            Form::Unit => "unit",
+            Form::Program(_) => "program",
         }
     }
 
@@ -96,6 +119,8 @@ impl Form {
                 Form::Reference => {
                     text.starts_with("# Reference of ") && text.contains(&format!("\n# Made by: {name} "))
                 }
+                Form::Unit => text.contains(&format!("generationTool=\"{name}, version ")),
+                Form::Program(source) => text.starts_with(&format!("{} made by: {name}, version ", source.comment)),
                 Form::Certificates => text.starts_with(&format!("{{\"made_by\":\"{name}, version ")),
                 Form::Table(heading) => text.strip_prefix(heading.as_str()).is_some_and(|rest| rest.starts_with('\n')),
             })

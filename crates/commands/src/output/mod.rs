@@ -10,17 +10,29 @@
 
 mod form;
 mod place;
+mod provenance;
 
-pub use form::{Form, Maker};
+pub use form::{Form, Maker, Source};
+pub use provenance::Provenance;
 
-use crate::arguments::Format;
 use crate::atomic_write::{self, Beside, Untaken};
 use crate::clock;
 use crate::exit::{Exit, is_quiet, print};
+use clap::ValueEnum;
 use place::Target;
 use std::fs::File;
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
+
+/// How results are printed.
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+pub enum Format {
+    /// For reading
+    #[default]
+    Text,
+    /// For programs
+    Json,
+}
 
 /// The rights of a command over files.
 pub struct Writes<'a> {
@@ -92,7 +104,8 @@ impl Writes<'_> {
         }
     }
 
-    fn maker(&self) -> Maker {
+    /// The command, as files name it.
+    pub fn maker(&self) -> Maker {
         Maker(self.command)
     }
 }
@@ -127,6 +140,11 @@ impl Rights {
 }
 
 impl Output {
+    /// As it was named.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
     /// The content to be written.
     pub fn form(&self) -> &Form {
         &self.form

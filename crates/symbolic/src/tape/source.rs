@@ -10,6 +10,7 @@ pub enum Language {
     C,
     Python,
     Rust,
+    Modelica,
 }
 
 /// A tape as a function of a language, for display.
@@ -19,6 +20,7 @@ pub enum Language {
 /// | C | `void NAME(const double *y, double *dy)` | `math.h` |
 /// | Python | `def NAME(y, cos=cos, sin=sin, sqrt=sqrt)`, gives a list | the three functions: of floats, arrays or symbols |
 /// | Rust | `pub fn NAME(y: &[f64; N], dy: &mut [f64; M])` | |
+/// | Modelica | `function NAME`, from y to dy | |
 ///
 /// The constants are rounded to `f64`; so the code agrees with the law to round-off.
 #[derive(Clone, Copy, Debug)]
@@ -45,7 +47,8 @@ impl Tape {
         Source { tape: self, language, name, inputs: None }
     }
 
-    /// The tape as statements over inputs with these texts, one for each; results are called r0, r1, ...
+    /// The tape as statements over inputs with these texts, one for each; results are called r0, r1, ...; in Modelica the statements are
+    /// equations of a model, which declares the results.
     pub fn statements(&self, language: Language, inputs: &[String]) -> Statements {
         let source = Source { tape: self, language, name: "", inputs: Some(inputs) };
         let outputs = self.outputs.iter().map(|&output| source.number(output)).collect();
@@ -77,7 +80,7 @@ impl Source<'_> {
         match number.checked_sub(*inputs) {
             None => match self.inputs.and_then(|inputs| inputs.get(number)) {
                 Some(name) => name.clone(),
-                None => format!("y[{number}]"),
+                None => format!("y[{}]", number + usize::from(self.language == Language::Modelica)),
             },
             Some(place) => match rounded.get(place) {
                 Some(value) => format!("{value:?}"),
@@ -103,15 +106,15 @@ impl Source<'_> {
     /// A call of an elementary function.
     fn elementary(&self, function: Elementary, a: &str, b: &str) -> String {
         let name = match (self.language, function) {
-            (Language::C | Language::Python, Elementary::Ln) => "log",
+            (Language::C | Language::Python | Language::Modelica, Elementary::Ln) => "log",
             _ => function.name(),
         };
         match (self.language, function.arguments()) {
             // a literal has no methods
             (Language::Rust, 1) => format!("f64::{name}({a})"),
             (Language::Rust, _) => format!("f64::{name}({a}, {b})"),
-            (Language::C | Language::Python, 1) => format!("{name}({a})"),
-            (Language::C | Language::Python, _) => format!("{name}({a}, {b})"),
+            (_, 1) => format!("{name}({a})"),
+            (_, _) => format!("{name}({a}, {b})"),
         }
     }
 
@@ -132,8 +135,11 @@ impl Source<'_> {
         let (start, end) = match self.language {
             Language::C => ("const double ", ";"),
             Language::Python => ("", ""),
+            Language::Modelica => ("", ";"),
             Language::Rust => ("let ", ";"),
         };
+        // equations of a model, statements of a function
+        let is = if self.language == Language::Modelica && self.inputs.is_none() { ":=" } else { "=" };
         let value = match operation {
             Operation::Sum(..) => format!("{a} + {b}"),
             Operation::Difference(..) => format!("{a} - {b}"),
@@ -149,14 +155,14 @@ impl Source<'_> {
             Operation::Root(_) => format!("sqrt({a})"),
             Operation::Circle(_) => {
                 let part = |function: &str, register: usize| match self.language {
-                    Language::Rust => format!("{start}r{register} = f64::{function}({a}){end}"),
-                    Language::C | Language::Python => format!("{start}r{register} = {function}({a}){end}"),
+                    Language::Rust => format!("{start}r{register} {is} f64::{function}({a}){end}"),
+                    _ => format!("{start}r{register} {is} {function}({a}){end}"),
                 };
                 let parts = [("cos", next), ("sin", next + 1)].into_iter().filter(|(_, register)| used[*register]);
                 return parts.map(|(function, register)| part(function, register)).collect::<Vec<_>>().join("\n    ");
             }
         };
-        format!("{start}r{next} = {value}{end}")
+        format!("{start}r{next} {is} {value}{end}")
     }
 }
 
@@ -168,6 +174,12 @@ impl fmt::Display for Source<'_> {
             Language::C => writeln!(f, "void {name}(const double *y, double *dy)\n{{")?,
             Language::Python => writeln!(f, "def {name}(y, cos=cos, sin=sin, sqrt=sqrt):")?,
             Language::Rust => writeln!(f, "pub fn {name}(y: &[f64; {n}], dy: &mut [f64; {m}]) {{")?,
+            Language::Modelica => {
+                writeln!(f, "function {name}\n  input Real y[{n}];\n  output Real dy[{m}];\nprotected")?;
+                let results = self.used().into_iter().enumerate().filter(|(_, used)| *used);
+                results.map(|(result, _)| writeln!(f, "  Real r{result};")).collect::<fmt::Result>()?;
+                writeln!(f, "algorithm")?;
+            }
         }
         for line in self.lines() {
             writeln!(f, "    {line}")?;
@@ -178,8 +190,14 @@ impl fmt::Display for Source<'_> {
         }
         let mut text = String::new();
         for (place, output) in outputs.enumerate() {
-            writeln!(text, "    dy[{place}] = {output};")?;
+            match language {
+                Language::Modelica => writeln!(text, "    dy[{}] := {output};", place + 1)?,
+                _ => writeln!(text, "    dy[{place}] = {output};")?,
+            }
         }
-        writeln!(f, "{text}}}")
+        match language {
+            Language::Modelica => writeln!(f, "{text}end {name};"),
+            _ => writeln!(f, "{text}}}"),
+        }
     }
 }

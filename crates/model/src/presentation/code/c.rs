@@ -7,10 +7,53 @@ pub(super) const WORDS: &str = "auto break case char const continue default do d
     register restrict return short signed sizeof static struct switch typedef union unsigned void volatile while _Bool _Complex \
     _Imaginary asm bool true false nullptr constexpr thread_local typeof alignas alignof static_assert";
 
+/// The way in which functions stand in a file.
+#[derive(Clone, Copy)]
+pub(super) struct Form {
+    /// Before the name of a function or of a constant.
+    pub storage: &'static str,
+    /// Whether cases of conditions are given to each function, and not found by it.
+    pub has_cases: bool,
+}
+
+impl Form {
+    /// A file of its own.
+    pub const ALONE: Form = Form { storage: "", has_cases: false };
+    /// A part of a file whose other functions choose the cases of conditions.
+    pub const PART: Form = Form { storage: "static ", has_cases: true };
+
+    /// The arguments of a function of the state, as it declares them.
+    pub fn declared(self) -> &'static str {
+        match self.has_cases {
+            false => "double t, const double *q, const double *u, const struct parameters *p",
+            true => "double t, const double *q, const double *u, const struct parameters *p, const double *s",
+        }
+    }
+
+    /// The same as they are handed on.
+    pub fn handed(self) -> &'static str {
+        if self.has_cases { "t, q, u, p, s" } else { "t, q, u, p" }
+    }
+
+    /// Statements for arguments that no statement needs.
+    pub fn unused(self) -> &'static str {
+        if self.has_cases {
+            "(void)t; (void)q; (void)u; (void)p; (void)s;"
+        } else {
+            "(void)t; (void)q; (void)u; (void)p;"
+        }
+    }
+}
+
 pub(super) fn written(program: &Program) -> String {
-    let Program { positions, n, m, parameters, conditions, terms, zeros, position_rates, .. } = program;
-    let mut text = program.heading("//");
-    text += "#include <math.h>\n\nstruct parameters {\n";
+    program.heading("//") + "#include <math.h>\n\n" + &functions(program, Form::ALONE)
+}
+
+/// Parameters, and functions from the matrices of the equations to the rates of the state.
+pub(super) fn functions(program: &Program, form: Form) -> String {
+    let Program { positions, n, m, parameters, conditions, terms, zeros, position_rates, start, .. } = program;
+    let (storage, declared, handed, unused) = (form.storage, form.declared(), form.handed(), form.unused());
+    let mut text = "struct parameters {\n".to_owned();
     for named in parameters {
         let _ = writeln!(text, "    double {}; // {}", named.name, named.unit);
     }
@@ -24,11 +67,17 @@ pub(super) fn written(program: &Program) -> String {
             .map(|named| format!("    {:?}, // {}", named.value.unwrap_or_default(), named.name))
             .collect();
         let values = if values.is_empty() { "    0,".to_owned() } else { values.join("\n") };
-        let _ = writeln!(text, "const struct parameters defaults = {{\n{values}\n}};\n");
+        let _ = writeln!(text, "{storage}const struct parameters defaults = {{\n{values}\n}};\n");
+    }
+    if let Some(start) = start {
+        let values: Vec<String> = start.iter().map(|value| format!("{value:?}")).collect();
+        let _ =
+            writeln!(text, "// y = (q, u) at the start\n{storage}const double start[] = {{{}}};\n", values.join(", "));
     }
     let _ = writeln!(text, "enum {{ COORDINATES = {positions}, SPEEDS = {n}, CONSTRAINTS = {m} }};\n");
     // conditions first, each in a block of its own
     let mut chosen = String::new();
+    let conditions = if form.has_cases { &[] } else { &conditions[..] };
     if !conditions.is_empty() {
         let _ = writeln!(chosen, "    double s[{}];", conditions.len());
     }
@@ -46,55 +95,72 @@ pub(super) fn written(program: &Program) -> String {
     let _ = writeln!(
         text,
         "// M row after row, h - Q, J row after row, c: one array\n\
-         void terms(double t, const double *q, const double *u, const struct parameters *p, double *out)\n{{\n    \
-         (void)t; (void)q; (void)u; (void)p;\n{chosen}{}{}}}\n",
+         {storage}void terms({declared}, double *out)\n{{\n    \
+         {unused}\n{chosen}{}{}}}\n",
         indented(&terms.lines),
         indented(&assigned("out", &terms.outputs)),
     );
-    if *m > 0 {
+    if *m > 0 || form.has_cases {
         let _ = writeln!(
             text,
             "// f, zero where the constraints hold\n\
-             void constraints(double t, const double *q, const double *u, const struct parameters *p, double *out)\n{{\n    \
-             (void)t; (void)q; (void)u; (void)p;\n{chosen}{}{}}}\n",
+             {storage}void constraints({declared}, double *out)\n{{\n    \
+             {unused}\n{chosen}{}{}}}\n",
             indented(&zeros.lines),
             indented(&assigned("out", &zeros.outputs)),
         );
     }
     let _ = writeln!(
         text,
-        "{SOLVE}\n// dy/dt of y = (q, u); gives 0, or 1 where the accelerations are not determined\n\
-         int rates(double t, const double *y, const struct parameters *p, double *dy)\n{{\n    \
+        "{}\n// u' and lambda; gives 0, or 1 where they are not determined\n\
+         {storage}int accelerations({declared}, double *acceleration, double *lambda)\n{}\n\
+         // dy/dt of y = (q, u); gives 0, or 1 where the accelerations are not determined\n\
+         {storage}int rates(double t, const double *y, {}, double *dy)\n{{\n    \
          const double *q = y, *u = y + COORDINATES;\n    double lambda[CONSTRAINTS + 1];\n{}{}    \
-         return accelerations(t, q, u, p, dy + COORDINATES, lambda);\n}}",
+         return accelerations({handed}, dy + COORDINATES, lambda);\n}}",
+        SOLVE.replace("int solve", &format!("{storage}int solve")),
+        ACCELERATIONS.replace("HANDED", handed),
+        if form.has_cases { "const struct parameters *p, const double *s" } else { "const struct parameters *p" },
         indented(&position_rates.lines),
         indented(&assigned("dy", &position_rates.outputs)),
     );
     text
 }
 
+/// The right side from the terms, and the solution in its two parts.
+const ACCELERATIONS: &str = "\
+{
+    enum { N = SPEEDS, M = CONSTRAINTS };
+    double v[N * N + N + M * N + M], right[N + M], x[N + M];
+    terms(HANDED, v);
+    for (int i = 0; i < N; ++i) right[i] = -v[N * N + i];
+    for (int k = 0; k < M; ++k) right[N + k] = -v[N * N + N + M * N + k];
+    if (solve(v, right, x)) return 1;
+    for (int i = 0; i < N; ++i) acceleration[i] = x[i];
+    for (int k = 0; k < M; ++k) lambda[k] = x[N + k];
+    return 0;
+}
+";
+
 /// Gaussian elimination with row pivots of [M, -J^T; J, 0], rows scaled.
 const SOLVE: &str = "\
-// u' and lambda; gives 0, or 1 where they are not determined
-int accelerations(double t, const double *q, const double *u, const struct parameters *p, double *acceleration, double *lambda)
+// x of [M, -J^T; J, 0] x = right, M and J from the terms v; gives 0, or 1 where it is not determined
+int solve(const double *v, const double *right, double *x)
 {
     enum { N = SPEEDS, M = CONSTRAINTS, S = N + M };
-    double v[N * N + N + M * N + M], a[S][S + 1], scale[S];
-    terms(t, q, u, p, v);
-    const double *load = v + N * N, *jacobian = load + N, *bias = jacobian + M * N;
-    for (int i = 0; i < S; ++i)
-        for (int j = 0; j <= S; ++j) a[i][j] = 0.0;
-    for (int i = 0; i < N; ++i) {
-        for (int j = 0; j < N; ++j) a[i][j] = v[N * i + j];
-        a[i][S] = -load[i];
+    double a[S][S + 1], scale[S];
+    const double *jacobian = v + N * N + N;
+    for (int i = 0; i < S; ++i) {
+        for (int j = 0; j < S; ++j) a[i][j] = 0.0;
+        a[i][S] = right[i];
     }
-    for (int k = 0; k < M; ++k) {
+    for (int i = 0; i < N; ++i)
+        for (int j = 0; j < N; ++j) a[i][j] = v[N * i + j];
+    for (int k = 0; k < M; ++k)
         for (int j = 0; j < N; ++j) {
             a[N + k][j] = jacobian[N * k + j];
             a[j][N + k] = -jacobian[N * k + j];
         }
-        a[N + k][S] = -bias[k];
-    }
     for (int i = 0; i < S; ++i) {
         scale[i] = 0.0;
         for (int j = 0; j < S; ++j) scale[i] = fmax(scale[i], fabs(a[i][j]));
@@ -120,8 +186,7 @@ int accelerations(double t, const double *q, const double *u, const struct param
         for (int j = i + 1; j < S; ++j) a[i][S] -= a[i][j] * a[j][S];
         a[i][S] /= a[i][i];
     }
-    for (int i = 0; i < N; ++i) acceleration[i] = a[i][S];
-    for (int k = 0; k < M; ++k) lambda[k] = a[N + k][S];
+    for (int i = 0; i < S; ++i) x[i] = a[i][S];
     return 0;
 }
 ";

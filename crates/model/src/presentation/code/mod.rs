@@ -4,17 +4,24 @@
 //! A free frame has four coordinates, a quaternion, which stand behind the others, and three speeds, its angular velocity in its own axes.
 
 mod c;
+mod casadi;
+mod exchange;
+mod letters;
+mod modelica;
 mod python;
 mod rust;
+
+pub use casadi::casadi;
+pub use exchange::exchange;
+pub use modelica::modelica;
 
 use super::axes::along;
 use super::conditions::left_out;
 use super::contacts::open_letters;
-use super::identifiers::identifiers;
 use super::matrix_form::MatrixForm;
 use crate::Trace;
-use std::f64::consts::PI;
-use symbolic::{Language, Statements, Sym, Tape};
+use letters::Letters;
+use symbolic::{Language, Statements, Sym};
 
 /// The written program: sizes, names and statements.
 struct Program {
@@ -25,6 +32,8 @@ struct Program {
     /// Constraints.
     m: usize,
     parameters: Vec<Named>,
+    /// The state at the start, where the code has it.
+    start: Option<Vec<f64>>,
     /// Letters in their order, for a reader.
     coordinates: Vec<String>,
     speeds: Vec<String>,
@@ -60,81 +69,90 @@ struct Named {
 /// # Errors
 /// Where an expression divides by the constant zero, or a constant is beyond the range of double precision.
 pub fn code(trace: &Trace<'_>, form: &MatrixForm, language: Language) -> Result<String, String> {
-    let words = match language {
-        Language::C => c::WORDS,
-        Language::Python => "",
-        Language::Rust => rust::WORDS,
-    };
-    let given: Vec<Sym> = form.parameters.iter().chain(&form.inputs).copied().collect();
-    let names = identifiers(&given, words);
-    let texts = |letters: &[Sym]| letters.iter().map(Sym::to_string).collect::<Vec<_>>();
-    let quoted = texts(&given);
-    let access = |place: usize| match language {
-        Language::C => format!("p->{}", names[place]),
-        Language::Python => format!("p[{:?}]", quoted[place]),
-        Language::Rust => format!("p.{}", names[place]),
-    };
-    let component = |name: &'static str, count: usize| (0..count).map(move |i| format!("{name}[{i}]"));
-    let inputs: Vec<String> = std::iter::once("t".to_owned())
-        .chain(component("q", form.positions.len()))
-        .chain(component("u", form.speeds.len()))
-        .chain((0..names.len()).map(access))
-        .chain((0..form.switches.len()).map(|k| format!("s[{k}]")))
-        .chain([format!("{PI:?}")])
-        .collect();
-    let letters: Vec<Sym> = std::iter::once(form.time)
-        .chain([&form.positions, &form.speeds, &given].into_iter().flatten().copied())
-        .chain(form.switches.iter().map(|(letter, _)| *letter))
-        .chain([trace.pi])
-        .collect();
-    let statements = |expressions: &[Sym]| -> Result<Statements, String> {
-        let tape = Tape::record(&letters, expressions).map_err(|error| error.to_string())?;
-        match tape.beyond_range() {
-            None => Ok(tape.statements(language, &inputs)),
-            Some(_) => Err("a constant of the equations is beyond the range of double precision".to_owned()),
+    written(trace, form, language, None)
+}
+
+/// The same with the state at the start as a constant: coordinates, then speeds.
+///
+/// # Errors
+/// As [`code`].
+pub fn code_from(trace: &Trace<'_>, form: &MatrixForm, language: Language, start: &[f64]) -> Result<String, String> {
+    written(trace, form, language, Some(start))
+}
+
+fn written(trace: &Trace<'_>, form: &MatrixForm, language: Language, start: Option<&[f64]>) -> Result<String, String> {
+    let program =
+        || Ok::<Program, String>(Program { start: start.map(<[f64]>::to_vec), ..Program::of(trace, form, language)? });
+    Ok(match language {
+        Language::C => c::written(&program()?),
+        Language::Python => python::written(&program()?),
+        Language::Rust => rust::written(&program()?),
+        Language::Modelica => {
+            let zero = trace.model.start_state();
+            modelica::modelica(trace, form, "System", start.unwrap_or(&zero))?
         }
-    };
-    let loads = form.inertia.iter().zip(&form.forces).map(|(&inertia, &force)| inertia - force);
+    })
+}
+
+impl Program {
+    fn of(trace: &Trace<'_>, form: &MatrixForm, language: Language) -> Result<Program, String> {
+        let letters = Letters::of(trace, form, language);
+        let Letters { names, quoted, .. } = &letters;
+        let statements = |expressions: &[Sym]| letters.statements(expressions);
+        let zeros: Vec<Sym> = form.constraints.iter().map(|held| held.zero).collect();
+        let units = trace.model.parameters.iter().map(|parameter| (parameter.unit.clone(), parameter.value));
+        let units = units.chain(open_letters(trace).into_iter().map(|(_, unit)| (unit, None)));
+        let parameters = names.iter().zip(quoted).zip(units);
+        let meanings = trace.model.quasi_velocities.iter().zip(form.quasi.iter().flat_map(|quasi| &quasi.definitions));
+        let cosines: Vec<(Sym, Sym)> = form.cosines.iter().map(|cosine| (cosine.value, cosine.letter)).collect();
+        let in_letters = |is: Sym| is.substitute(&cosines).decimal_text();
+        let meanings = meanings.map(|(speed, is)| format!("{} = {}", speed.name, in_letters(*is)));
+        let meanings: Vec<String> = meanings.collect();
+        // the first of them tells the others
+        let used = form.cosines.iter().filter(|cosine| {
+            let letter = cosine.letter.to_string();
+            letter.ends_with(".Rxx") && meanings.iter().any(|line| line.contains(letter.trim_end_matches("xx")))
+        });
+        let told = used.map(|cosine| format!("{} = {}, and so on: direction cosines", cosine.letter, cosine.meaning));
+        let told: Vec<String> = told.collect();
+        let texts = |letters: &[Sym]| letters.iter().map(Sym::to_string).collect::<Vec<_>>();
+        let named = |((name, letter), (unit, value)): ((&String, &String), (String, Option<f64>))| Named {
+            name: name.clone(),
+            letter: letter.clone(),
+            unit,
+            value,
+        };
+        Ok(Program {
+            positions: form.positions.len(),
+            n: form.speeds.len(),
+            m: form.constraints.len(),
+            coordinates: texts(&form.positions),
+            speeds: texts(&form.speeds),
+            turns: !trace.model.free.is_empty(),
+            meanings: [meanings, told].concat(),
+            constraints: form.constraints.iter().map(|held| (held.name.clone(), held.axis.clone())).collect(),
+            left_out: left_out(trace, form),
+            terms: statements(&terms(form))?,
+            zeros: statements(&zeros)?,
+            position_rates: statements(&form.position_rates)?,
+            conditions: form
+                .switches
+                .iter()
+                .map(|(_, condition)| statements(&[*condition]))
+                .collect::<Result<_, _>>()?,
+            parameters: parameters.map(named).collect(),
+            start: None,
+        })
+    }
+}
+
+/// M row after row, h - Q, J row after row, c.
+fn terms(form: &MatrixForm) -> Vec<Sym> {
     let mass = form.mass.iter().flatten().copied();
+    let loads = form.inertia.iter().zip(&form.forces).map(|(&inertia, &force)| inertia - force);
     let rows = form.constraints.iter().flat_map(|held| held.row.iter().copied());
     let biases = form.constraints.iter().map(|held| held.bias);
-    let zeros: Vec<Sym> = form.constraints.iter().map(|held| held.zero).collect();
-    let units = trace.model.parameters.iter().map(|parameter| (parameter.unit.clone(), parameter.value));
-    let units = units.chain(open_letters(trace).into_iter().map(|(_, unit)| (unit, None)));
-    let parameters = names.into_iter().zip(quoted).zip(units);
-    let meanings = trace.model.quasi_velocities.iter().zip(form.quasi.iter().flat_map(|quasi| &quasi.definitions));
-    let cosines: Vec<(Sym, Sym)> = form.cosines.iter().map(|cosine| (cosine.value, cosine.letter)).collect();
-    let in_letters = |is: Sym| is.substitute(&cosines).decimal_text();
-    let meanings = meanings.map(|(speed, is)| format!("{} = {}", speed.name, in_letters(*is)));
-    let meanings: Vec<String> = meanings.collect();
-    // the first of them tells the others
-    let used = form.cosines.iter().filter(|cosine| {
-        let letter = cosine.letter.to_string();
-        letter.ends_with(".Rxx") && meanings.iter().any(|line| line.contains(letter.trim_end_matches("xx")))
-    });
-    let told = used.map(|cosine| format!("{} = {}, and so on: direction cosines", cosine.letter, cosine.meaning));
-    let told: Vec<String> = told.collect();
-    let program = Program {
-        positions: form.positions.len(),
-        n: form.speeds.len(),
-        m: form.constraints.len(),
-        coordinates: texts(&form.positions),
-        speeds: texts(&form.speeds),
-        turns: !trace.model.free.is_empty(),
-        meanings: [meanings, told].concat(),
-        constraints: form.constraints.iter().map(|held| (held.name.clone(), held.axis.clone())).collect(),
-        left_out: left_out(trace, form),
-        terms: statements(&mass.chain(loads).chain(rows).chain(biases).collect::<Vec<_>>())?,
-        zeros: statements(&zeros)?,
-        position_rates: statements(&form.position_rates)?,
-        conditions: form.switches.iter().map(|(_, condition)| statements(&[*condition])).collect::<Result<_, _>>()?,
-        parameters: parameters.map(|((name, letter), (unit, value))| Named { name, letter, unit, value }).collect(),
-    };
-    Ok(match language {
-        Language::C => c::written(&program),
-        Language::Python => python::written(&program),
-        Language::Rust => rust::written(&program),
-    })
+    mass.chain(loads).chain(rows).chain(biases).collect()
 }
 
 impl Program {

@@ -4,7 +4,7 @@ use super::{Program, indented};
 use std::fmt::Write;
 
 pub(super) fn written(program: &Program) -> String {
-    let Program { positions, n, m, parameters, conditions, terms, zeros, position_rates, .. } = program;
+    let Program { positions, n, m, parameters, conditions, terms, zeros, position_rates, start, .. } = program;
     let mut text = program.heading("#");
     text +=
         "import numpy as np\nfrom numpy import arctan2 as atan2, cos, exp, log, sin, sqrt, tanh\n\nPARAMETERS = {\n";
@@ -13,6 +13,10 @@ pub(super) fn written(program: &Program) -> String {
             Some(value) => writeln!(text, "    {:?}: {value:?},  # {}", named.letter, named.unit),
             None => writeln!(text, "    # {:?} has no value: {}", named.letter, named.unit),
         };
+    }
+    text += "}\n";
+    if let Some(start) = start {
+        let _ = writeln!(text, "# y = (q, u) at the start\nSTART = np.array({start:?})");
     }
     let mut chosen = String::new();
     if !conditions.is_empty() {
@@ -34,7 +38,7 @@ pub(super) fn written(program: &Program) -> String {
     let (jacobian, bias) = rest.split_at(m * n);
     let _ = writeln!(
         text,
-        "}}\n\n\ndef terms(t, q, u, p=PARAMETERS):\n    \"\"\"M, h - Q, J and c.\"\"\"\n{}    mass = {}\n    load = {}\n    jacobian = {}\n    bias = {}\n    \
+        "\n\ndef terms(t, q, u, p=PARAMETERS):\n    \"\"\"M, h - Q, J and c.\"\"\"\n{}    mass = {}\n    load = {}\n    jacobian = {}\n    bias = {}\n    \
          return mass, load, jacobian, bias\n\n",
         lines(&terms.lines),
         rows(mass, *n),

@@ -8,7 +8,7 @@ pub(super) const WORDS: &str = "as break const continue crate dyn else enum exte
     override priv typeof unsized virtual yield try gen _";
 
 pub(super) fn written(program: &Program) -> String {
-    let Program { positions, n, m, parameters, conditions, terms, zeros, position_rates, .. } = program;
+    let Program { positions, n, m, parameters, conditions, terms, zeros, position_rates, start, .. } = program;
     let mut text = program.heading("//");
     let _ = writeln!(
         text,
@@ -24,6 +24,10 @@ pub(super) fn written(program: &Program) -> String {
             let _ = writeln!(text, "            {}: {:?},", named.name, named.value.unwrap_or_default());
         }
         text += "        }\n    }\n}\n";
+    }
+    if let Some(start) = start {
+        let _ =
+            writeln!(text, "\n/// y = (q, u) at the start.\npub const START: [f64; COORDINATES + SPEEDS] = {start:?};");
     }
     // conditions first, each in a block of its own
     let mut chosen = String::new();

@@ -1,0 +1,113 @@
+//! `dalembert export`: a system for other simulators.
+
+use crate::clock;
+use crate::exit::{Exit, is_quiet, warn};
+use crate::output::{Form, Format, Output, Provenance, Source, Writes};
+use ::scenes::SystemText;
+use ::scenes::exchange::{Program, program, unit};
+use clap::Args;
+use exchange::fmu::{Binary, NoBinary};
+use std::path::{Path, PathBuf};
+
+/// The compiler of a unit's sources.
+const COMPILER: &str = "cc";
+
+/// What the long help adds.
+pub const HELP: &str = "\
+A unit of FMI 3.0 is for model exchange and for co-simulation. Its parameters can be changed, its inputs are those of the file that have no
+value, its events are those of the file and the conditions of `if`, `sign`, `abs`, `min`, `max` and `table`; it has directional derivatives.
+It holds its sources, and a binary for this platform where the C compiler `cc` is found.
+
+Left to `run`, and refused with the line of the file: contacts, diodes, dry friction that may stick, laws that are implicit.";
+
+/// What is to be written.
+#[derive(Args, Debug)]
+pub struct Asked {
+    /// The scene, a file with `[coordinates]`
+    #[arg(value_name = "SCENE.toml")]
+    pub scene: PathBuf,
+    #[command(flatten)]
+    pub target: Target,
+    /// Replaces a file even where `export` did not write what stands there
+    #[arg(long)]
+    pub force: bool,
+}
+
+/// One file.
+#[derive(Args, Debug)]
+#[group(required = true, multiple = false)]
+pub struct Target {
+    /// A functional mock-up unit of FMI 3.0
+    #[arg(long, value_name = "FILE.fmu")]
+    pub fmu: Option<PathBuf>,
+    /// A flat Modelica model with its events; its name is that of the file
+    #[arg(long, value_name = "FILE.mo")]
+    pub modelica: Option<PathBuf>,
+    /// Rates and accelerations in C99, with the start
+    #[arg(long, value_name = "FILE.c")]
+    pub c: Option<PathBuf>,
+    /// Rates and accelerations in Python over NumPy, with the start
+    #[arg(long, value_name = "FILE.py")]
+    pub python: Option<PathBuf>,
+    /// Rates and accelerations in Rust, with the start
+    #[arg(long, value_name = "FILE.rs")]
+    pub rust: Option<PathBuf>,
+    /// Rates and constraints as functions of CasADi, with the start
+    #[arg(long, value_name = "FILE.py")]
+    pub casadi: Option<PathBuf>,
+}
+
+/// Writes the file.
+pub fn export(asked: &Asked) -> Result<Exit, Exit> {
+    let writes = Writes { command: "export", force: asked.force, reads: vec![&asked.scene] };
+    let Target { fmu, modelica, c, python, rust, casadi } = &asked.target;
+    let programs = [
+        (modelica, Program::Modelica, Source::MODELICA),
+        (c, Program::C, Source::C),
+        (python, Program::Python, Source::PYTHON),
+        (rust, Program::Rust, Source::RUST),
+        (casadi, Program::Casadi, Source::PYTHON),
+    ];
+    let text = || SystemText::read(&asked.scene).map_err(Exit::from);
+    let provenance = Provenance::of(writes.maker(), &asked.scene);
+    let written = if let Some(path) = fmu {
+        let output = writes.output(path, &[Form::Unit])?;
+        let unit = unit(&text()?, &identifier(path), &provenance.line(), &writes.maker().generator())?;
+        let binary = compiled(&output, &unit)?;
+        output.write(|out| unit.write(out, binary.as_ref()))?
+    } else {
+        let found = programs.iter().find_map(|(path, program, source)| Some((path.as_deref()?, *program, *source)));
+        let Some((path, target, source)) = found else {
+            return Err(Exit::refused("one file to be written is accepted"));
+        };
+        let output = writes.output(path, &[Form::Program(source)])?;
+        let code = program(&text()?, target, &identifier(path))?;
+        output.write_text(&(provenance.comment(source.comment) + &code))?
+    };
+    written.tell(Format::Text)?;
+    Ok(Exit::Done)
+}
+
+/// The binary of a unit; none, which is told, where there is no compiler.
+fn compiled(output: &Output, unit: &exchange::fmu::Unit) -> Result<Option<Binary>, Exit> {
+    match Binary::of(unit, COMPILER, || clock::goes_on().is_continue()) {
+        Ok(binary) => Ok(Some(binary)),
+        Err(why @ NoBinary::NoCompiler(_)) => {
+            if !is_quiet() {
+                warn(&format!("warning: {}: {why}: the unit has its sources alone", output.path().display()));
+            }
+            Ok(None)
+        }
+        Err(why) => Err(Exit::refused(format!("{}: {why}", output.path().display()))),
+    }
+}
+
+/// The name of a file as an identifier.
+fn identifier(path: &Path) -> String {
+    let stem = path.file_stem().map_or_else(|| "system".to_owned(), |stem| stem.to_string_lossy().into_owned());
+    let plain: String = stem.chars().map(|letter| if letter.is_ascii_alphanumeric() { letter } else { '_' }).collect();
+    match plain.chars().next() {
+        Some(first) if !first.is_ascii_digit() => plain,
+        _ => format!("_{plain}"),
+    }
+}

@@ -1,0 +1,50 @@
+//! The origin of a result: the program, the scene with its hash, the method and the tolerance, so that it can be made again.
+
+use super::Maker;
+use hmac_sha256::Hash;
+use std::fmt::Display;
+use std::path::Path;
+
+/// The origin of a file that a command writes.
+#[derive(Clone, Debug)]
+pub struct Provenance {
+    lines: Vec<String>,
+}
+
+impl Provenance {
+    /// Of a file that follows from a scene alone; the hash is that of the file, as `sha256sum` prints it.
+    pub fn of(maker: Maker, scene: &Path) -> Self {
+        let hash = std::fs::read(scene).map(|bytes| Hash::hash(&bytes));
+        let hash =
+            hash.map_or_else(|_| "unknown".to_owned(), |hash| hash.iter().map(|byte| format!("{byte:02x}")).collect());
+        let lines = vec![
+            format!("made by: {}", maker.generator()),
+            format!("scene: {}", scene.display()),
+            format!("sha256 of the scene: {hash}"),
+        ];
+        // a line is a line
+        Provenance { lines: lines.into_iter().map(|line| line.replace(['\n', '\r'], " ")).collect() }
+    }
+
+    /// With one more fact, such as the method.
+    #[must_use]
+    pub fn with(mut self, name: &str, value: impl Display) -> Self {
+        self.lines.push(format!("{name}: {value}").replace(['\n', '\r'], " "));
+        self
+    }
+
+    /// Lines of comments.
+    pub fn comment(&self, sign: &str) -> String {
+        self.lines.iter().map(|line| format!("{sign} {line}\n")).collect()
+    }
+
+    /// One line.
+    pub fn line(&self) -> String {
+        self.lines.join("; ")
+    }
+
+    /// All lines.
+    pub fn lines(&self) -> &[String] {
+        &self.lines
+    }
+}

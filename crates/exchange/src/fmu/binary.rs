@@ -1,0 +1,103 @@
+//! The binary of a unit, by the C compiler of this machine.
+
+use super::Unit;
+use std::env::consts::{ARCH, DLL_EXTENSION, OS};
+use std::fmt;
+use std::io;
+use std::process::{Command, Stdio};
+use std::time::Duration;
+
+/// A shared library for this platform.
+#[derive(Clone, Debug)]
+pub struct Binary {
+    pub bytes: Vec<u8>,
+}
+
+/// Why there is no binary.
+#[derive(Debug)]
+pub enum NoBinary {
+    /// No compiler of this name is found.
+    NoCompiler(String),
+    /// The compiler refuses the sources, with its words.
+    Refused(String),
+    /// It was broken off.
+    BrokenOff,
+    /// A file cannot be written or read.
+    Failed(io::Error),
+}
+
+impl fmt::Display for NoBinary {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::NoCompiler(name) => write!(f, "no C compiler `{name}` is found on this machine"),
+            Self::Refused(said) => write!(f, "the C compiler refuses the sources: {said}"),
+            Self::BrokenOff => write!(f, "the C compiler was broken off"),
+            Self::Failed(error) => write!(f, "the binary is not written: {error}"),
+        }
+    }
+}
+
+impl From<io::Error> for NoBinary {
+    fn from(error: io::Error) -> Self {
+        NoBinary::Failed(error)
+    }
+}
+
+/// This platform as FMI 3.0 calls it.
+pub fn platform() -> String {
+    format!("{ARCH}-{}", if OS == "macos" { "darwin" } else { OS })
+}
+
+impl Binary {
+    /// The place among the binaries.
+    pub(super) fn path(&self, identifier: &str) -> String {
+        format!("{}/{identifier}.{DLL_EXTENSION}", platform())
+    }
+
+    /// Compiles a unit; it is asked again and again whether this may go on.
+    ///
+    /// # Errors
+    /// Why there is no binary.
+    pub fn of(unit: &Unit, compiler: &str, goes_on: impl Fn() -> bool) -> Result<Self, NoBinary> {
+        let folder = tempfile::tempdir()?;
+        for (name, text) in unit.sources() {
+            std::fs::write(folder.path().join(name), text)?;
+        }
+        let (library, said) = (format!("unit.{DLL_EXTENSION}"), folder.path().join("said"));
+        let mut command = Command::new(compiler);
+        command.args([
+            "-std=c99",
+            "-O2",
+            "-fPIC",
+            "-shared",
+            "-fvisibility=hidden",
+            "-ffp-contract=off",
+            "-w",
+            "-o",
+            &library,
+        ]);
+        command.args(["fmi3.c", "-lm"]).current_dir(folder.path()).stdin(Stdio::null()).stdout(Stdio::null());
+        command.stderr(std::fs::File::create(&said)?);
+        let mut child = command.spawn().map_err(|error| match error.kind() {
+            io::ErrorKind::NotFound => NoBinary::NoCompiler(compiler.to_owned()),
+            _ => NoBinary::Failed(error),
+        })?;
+        let status = loop {
+            if let Some(status) = child.try_wait()? {
+                break status;
+            }
+            if !goes_on() {
+                child.kill()?;
+                child.wait()?;
+                return Err(NoBinary::BrokenOff);
+            }
+            std::thread::sleep(Duration::from_millis(10));
+        };
+        if !status.success() {
+            let said = std::fs::read_to_string(&said).unwrap_or_default();
+            let first = said.lines().find(|line| line.contains("error")).unwrap_or_default();
+            return Err(NoBinary::Refused(first.to_owned()));
+        }
+        Ok(Binary { bytes: std::fs::read(folder.path().join(library))? })
+    }
+}

@@ -1,0 +1,114 @@
+//! A functional mock-up unit of FMI 3.0: its description, its sources, and its binary.
+//!
+//! The functions of the system are C that somebody else has written; the functions of the standard over them stand in `sources/`.
+
+mod binary;
+mod description;
+
+pub use binary::{Binary, NoBinary, platform};
+
+use crate::archive::{self, Entry};
+use siphasher::sip128::{Hasher128, SipHasher13};
+use std::fmt::Write as _;
+use std::hash::Hasher;
+use std::io::{self, Write};
+
+/// A quantity of a unit.
+#[derive(Clone, Debug)]
+pub struct Variable {
+    pub name: String,
+    /// The coherent unit of SI; `1` of a number.
+    pub unit: String,
+    pub description: String,
+    /// At the start; of what follows from others zero.
+    pub value: f64,
+}
+
+/// A system as a unit.
+#[derive(Clone, Debug)]
+pub struct Unit {
+    /// An identifier of C.
+    pub identifier: String,
+    pub title: String,
+    /// The origin of the unit, in one line.
+    pub origin: String,
+    /// The program that wrote it.
+    pub tool: String,
+    /// The error allowed in a step where an importer gives none.
+    pub tolerance: f64,
+    pub span: f64,
+    pub states: Vec<Variable>,
+    pub parameters: Vec<Variable>,
+    pub inputs: Vec<Variable>,
+    /// Outputs of the system.
+    pub outputs: Vec<Variable>,
+    /// Quantities behind the outputs that are no outputs of the unit, such as energies.
+    pub locals: Vec<Variable>,
+    /// Conditions, then events, as messages call them.
+    pub indicators: Vec<Variable>,
+    /// The functions of the system.
+    pub source: String,
+}
+
+/// The functions of the standard.
+const SOURCES: [(&str, &str); 6] = [
+    ("fmi3.c", include_str!("sources/fmi3.c")),
+    ("types.h", include_str!("sources/types.h")),
+    ("instance.h", include_str!("sources/instance.h")),
+    ("events.h", include_str!("sources/events.h")),
+    ("steps.h", include_str!("sources/steps.h")),
+    ("others.h", include_str!("sources/others.h")),
+];
+
+impl Unit {
+    /// A token that only this unit has.
+    fn token(&self) -> String {
+        let mut hasher = SipHasher13::new();
+        hasher.write(self.source.as_bytes());
+        hasher.write(self.origin.as_bytes());
+        format!("{{{:032x}}}", hasher.finish128().as_u128())
+    }
+
+    /// The sources with their names.
+    pub fn sources(&self) -> Vec<(&'static str, String)> {
+        let mut system = format!("/* {} */\n\n", self.origin.replace("*/", "* /"));
+        let _ = writeln!(system, "#define TOKEN {}\n#define TOLERANCE {:?}\n", quoted(&self.token()), self.tolerance);
+        system += &self.source;
+        let names = self.indicators.iter().map(|indicator| format!("    {},\n", quoted(&indicator.description)));
+        let _ = writeln!(
+            system,
+            "\nstatic const char *const indicator_names[] = {{\n{}    \"\"\n}};",
+            names.collect::<String>()
+        );
+        let own = SOURCES.iter().map(|&(name, text)| (name, text.to_owned()));
+        own.chain([("system.h", system)]).collect()
+    }
+
+    /// Writes the archive.
+    ///
+    /// # Errors
+    /// The output fails.
+    pub fn write(&self, out: impl Write, binary: Option<&Binary>) -> io::Result<()> {
+        let (model, build) = (self.description()?, self.build_description()?);
+        let sources = self.sources();
+        let mut entries = vec![Entry { path: "modelDescription.xml".to_owned(), bytes: &model }];
+        if let Some(binary) = binary {
+            entries.push(Entry { path: format!("binaries/{}", binary.path(&self.identifier)), bytes: &binary.bytes });
+        }
+        entries.push(Entry { path: "sources/buildDescription.xml".to_owned(), bytes: &build });
+        let files = sources.iter();
+        entries.extend(files.map(|(name, text)| Entry { path: format!("sources/{name}"), bytes: text.as_bytes() }));
+        archive::write(out, &entries)
+    }
+}
+
+/// A text as a literal of C.
+fn quoted(text: &str) -> String {
+    let escaped = |letter: char| match letter {
+        '"' | '\\' => format!("\\{letter}"),
+        '?' => "\\?".to_owned(),
+        letter if letter.is_control() => " ".to_owned(),
+        letter => letter.to_string(),
+    };
+    format!("\"{}\"", text.chars().map(escaped).collect::<String>())
+}

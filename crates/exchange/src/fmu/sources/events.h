@@ -1,0 +1,131 @@
+/* The sides of the indicators: which case of each condition holds, which events have passed, and what they set. */
+
+static void indicator_values(const Instance *instance, double time, const double *y, double *z)
+{
+    indicators(time, y, y + COORDINATES, &instance->p, instance->s, z);
+    for (int i = 0; i < INDICATORS; ++i) z[i] -= instance->counted_from[i];
+}
+
+/* the rate of an indicator along the motion, with the cases as they stand */
+static double indicator_rate(Instance *instance, int i)
+{
+    double dy[STATES], dz[INDICATORS + 1];
+    if (rates_of(instance, instance->time, instance->y, dy)) return 0.0;
+    indicators_along(instance->time, instance->y, speeds(instance), &instance->p, instance->s, 1.0, dy, dy + COORDINATES, &unchanged, dz);
+    return dz[i];
+}
+
+static void set_side(Instance *instance, int i, int side)
+{
+    instance->side[i] = side;
+    if (i < CONDITIONS) instance->s[i] = side > 0 ? 1.0 : 0.0;
+}
+
+/* the side of an indicator that is at its zero: the one to which the motion takes it; zero where each drives it back */
+static int side_from_zero(Instance *instance, int i, int first)
+{
+    set_side(instance, i, first);
+    if (indicator_rate(instance, i) * first >= 0.0) return first;
+    set_side(instance, i, -first);
+    return indicator_rate(instance, i) * -first >= 0.0 ? -first : 0;
+}
+
+static fmi3Status stays(const Instance *instance, int i)
+{
+    return tell(instance, fmi3Error, "at t = %.17g s %s stays at zero, as dry friction that sticks: this unit has no law for it", instance->time,
+                indicator_names[i]);
+}
+
+/* the sides at a state of which nothing is known yet */
+static fmi3Status find_sides(Instance *instance)
+{
+    double z[INDICATORS + 1];
+    for (int i = 0; i < INDICATORS; ++i) instance->counted_from[i] = 0.0;
+    /* a condition may hold those before it */
+    for (int i = 0; i < INDICATORS; ++i) set_side(instance, i, -1);
+    for (int i = 0; i < INDICATORS; ++i) {
+        indicator_values(instance, instance->time, instance->y, z);
+        if (z[i] != 0.0) {
+            set_side(instance, i, z[i] > 0.0 ? 1 : -1);
+            continue;
+        }
+        const int side = side_from_zero(instance, i, -1);
+        if (side == 0) return stays(instance, i);
+        set_side(instance, i, side);
+    }
+    instance->has_sides = true;
+    changed(instance);
+    return fmi3OK;
+}
+
+/* whether an indicator has left its side */
+static bool has_left(const Instance *instance, const double *z, int i)
+{
+    return z[i] * instance->side[i] < 0.0;
+}
+
+static bool any_has_left(const Instance *instance, double time, const double *y)
+{
+    double z[INDICATORS + 1];
+    indicator_values(instance, time, y, z);
+    for (int i = 0; i < INDICATORS; ++i)
+        if (has_left(instance, z, i)) return true;
+    return false;
+}
+
+/* the events that have passed set the state, and each indicator has its side after them */
+static fmi3Status pass_events(Instance *instance, bool *sets)
+{
+    double z[INDICATORS + 1], y[STATES];
+    bool left[INDICATORS + 1];
+    *sets = false;
+    indicator_values(instance, instance->time, instance->y, z);
+    memcpy(y, instance->y, sizeof y);
+    for (int i = 0; i < INDICATORS; ++i) {
+        left[i] = has_left(instance, z, i);
+        const int event = i - CONDITIONS;
+        if (!left[i] || event < 0 || directions[event] == instance->side[i]) continue;
+        /* every event has the state before all of them */
+        set_by_event(event, instance->time, instance->y, speeds(instance), &instance->p, instance->s, y);
+        if (ends[event]) {
+            instance->ended = true;
+            tell(instance, fmi3OK, "at t = %.17g s %s ends the run", instance->time, indicator_names[i]);
+        }
+    }
+    *sets = memcmp(y, instance->y, sizeof y) != 0;
+    memcpy(instance->y, y, sizeof y);
+    changed(instance);
+    for (int i = 0; i < INDICATORS; ++i) {
+        if (left[i]) instance->counted_from[i] = 0.0;
+        indicator_values(instance, instance->time, instance->y, z);
+        if (!left[i] && !(*sets && has_left(instance, z, i))) continue;
+        const int before = instance->side[i];
+        if (left[i] && z[i] * before <= 0.0) {
+            /* at its zero: the motion may take it on, or back */
+            const int side = side_from_zero(instance, i, -before);
+            if (side == 0 && i < CONDITIONS) return stays(instance, i);
+            set_side(instance, i, side == 0 ? before : side);
+            if (instance->side[i] == before) instance->counted_from[i] = z[i];
+        } else {
+            set_side(instance, i, z[i] > 0.0 ? 1 : z[i] < 0.0 ? -1 : before);
+        }
+    }
+    changed(instance);
+    if (*sets && CONSTRAINTS > 0) {
+        memcpy(y, instance->y, sizeof y);
+        if (onto_constraints(instance)) return tell(instance, fmi3Error, "at t = %.17g s an event leaves the constraints", instance->time);
+        for (int i = 0; i < STATES; ++i)
+            if (fabs(instance->y[i] - y[i]) > 1e-6 * (1.0 + fabs(y[i])))
+                return tell(instance, fmi3Error, "at t = %.17g s an event sets a state that breaks the constraints", instance->time);
+    }
+    return fmi3OK;
+}
+
+/* an indicator that is beyond its zero again is counted from there */
+static void recount(Instance *instance)
+{
+    double z[INDICATORS + 1];
+    indicators(instance->time, instance->y, speeds(instance), &instance->p, instance->s, z);
+    for (int i = 0; i < INDICATORS; ++i)
+        if (z[i] * instance->side[i] > 0.0) instance->counted_from[i] = 0.0;
+}

@@ -1,0 +1,190 @@
+//! Modelica: a flat model with every quantity of the system, its conditions and its events.
+
+use super::exchange::Shown;
+use super::letters::Letters;
+use super::{Program, terms};
+use crate::presentation::identifiers::identifiers;
+use crate::presentation::matrix_form::MatrixForm;
+use crate::{Direction, Trace};
+use std::fmt::Write;
+use symbolic::{Language, Statements, Sym};
+
+pub(super) const WORDS: &str = "algorithm and annotation block break class connect connector constant constrainedby der discrete each else \
+    elseif elsewhen encapsulated end enumeration equation expandable extends external false final flow for function if import impure in \
+    initial inner input loop model not operator or outer output package parameter partial protected public pure record redeclare \
+    replaceable return stream then true type when while within time sin cos tan asin acos atan atan2 sinh cosh tanh exp log log10 sqrt \
+    abs sign min max sum product mod rem div ceil floor integer pre edge change reinit assert terminate sample noEvent smooth delay \
+    cardinality homotopy semiLinear inStream actualStream spatialDistribution getInstanceName size fill zeros ones vector matrix scalar \
+    transpose cross skew identity diagonal linspace cat String Real Integer Boolean ExternalObject";
+
+/// Identifiers of a model's quantities.
+struct Names {
+    given: Vec<String>,
+    state: Vec<String>,
+    outputs: Vec<String>,
+    accelerations: Vec<String>,
+    multipliers: Vec<String>,
+    /// The cases of conditions.
+    cases: Vec<String>,
+}
+
+impl Names {
+    fn of(trace: &Trace<'_>, form: &MatrixForm) -> Self {
+        let texts = |letters: &[Sym]| letters.iter().map(Sym::to_string).collect::<Vec<_>>();
+        let mut outputs: Vec<String> = trace.model.outputs.iter().map(|output| output.name.clone()).collect();
+        outputs.extend(["kinetic_energy", "potential_energy"].map(str::to_owned));
+        let cases = (1..=form.switches.len()).map(|k| format!("condition{k}"));
+        let parts = [
+            texts(&[&form.parameters[..], &form.inputs].concat()),
+            texts(&[&form.positions[..], &form.speeds].concat()),
+            outputs,
+            texts(&form.accelerations),
+            texts(&form.multipliers),
+            cases.collect(),
+        ];
+        let letters: Vec<Sym> = parts.iter().flatten().map(|name| Sym::symbol(name)).collect();
+        // the names of intermediate results
+        let is_result = |name: &String| name.strip_prefix('r').is_some_and(|number| number.parse::<u64>().is_ok());
+        let results = letters.iter().filter_map(|letter| letter.identifier()).filter(is_result);
+        let taken = results.fold(WORDS.to_owned(), |words, name| words + " " + &name);
+        let mut names = identifiers(&letters, &taken).into_iter();
+        let [given, state, outputs, accelerations, multipliers, cases] =
+            parts.map(|part| names.by_ref().take(part.len()).collect());
+        Names { given, state, outputs, accelerations, multipliers, cases }
+    }
+}
+
+/// A declaration, with the name of the file where the identifier is another one.
+fn declared(kind: &str, name: &str, (attributes, own): (&[String], &str)) -> String {
+    let attributes = if attributes.is_empty() { String::new() } else { format!("({})", attributes.join(", ")) };
+    let comment = if own == name { String::new() } else { format!(" {}", quoted(own)) };
+    format!("  {kind}Real {name}{attributes}{comment};\n")
+}
+
+/// A text in quotes.
+fn quoted(text: &str) -> String {
+    format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""))
+}
+
+fn unit(unit: &str) -> String {
+    format!("unit = {}", quoted(unit))
+}
+
+/// A flat model; the units of the state stand in the order of the start.
+///
+/// # Errors
+/// As [`super::code`].
+pub fn modelica(trace: &Trace<'_>, form: &MatrixForm, name: &str, start: &[f64]) -> Result<String, String> {
+    let program = Program::of(trace, form, Language::Modelica)?;
+    let Names { given, state, outputs, accelerations, multipliers, cases } = Names::of(trace, form);
+    let (n, parameters) = (form.speeds.len(), form.parameters.len());
+    let letters = [&form.parameters[..], &form.inputs, &form.positions, &form.speeds].concat();
+    let texts = letters.into_iter().zip(given.iter().chain(&state).cloned());
+    let solved = form.accelerations.iter().chain(&form.multipliers).copied();
+    let texts = texts.chain(solved.zip(accelerations.iter().chain(&multipliers).cloned()));
+    let texts = texts.chain(form.switches.iter().map(|(letter, _)| *letter).zip(cases.iter().cloned()));
+    let letters = Letters::of(trace, form, Language::Modelica).with(texts.chain([(form.time, "time".to_owned())]));
+
+    let shown = Shown::of(trace, form);
+    let sets: Vec<Sym> = shown.sets.iter().flatten().map(|(_, value)| *value).collect();
+    let parts = [
+        terms(form),
+        form.position_rates.clone(),
+        form.switches.iter().map(|(_, condition)| *condition).collect(),
+        shown.outputs.clone(),
+        shown.events.clone(),
+        sets,
+    ];
+    let Statements { lines, outputs: values } = letters.statements(&parts.concat())?;
+    let mut values = values.into_iter();
+    let [terms, rates, conditions, shown_values, events, sets] =
+        parts.map(|part| values.by_ref().take(part.len()).collect::<Vec<String>>());
+
+    let mut text = program.heading("//") + &format!("model {name}\n");
+    for (named, name) in program.parameters[..parameters].iter().zip(&given) {
+        let value = named.value.map_or_else(String::new, |value| format!(" = {value:?}"));
+        let own = if named.letter == *name { String::new() } else { format!(" {}", quoted(&named.letter)) };
+        let _ = writeln!(text, "  parameter Real {name}({}){value}{own};", unit(&named.unit));
+    }
+    for (named, name) in program.parameters[parameters..].iter().zip(&given[parameters..]) {
+        text += &declared("input ", name, (&[unit(&named.unit), "start = 0".to_owned()], &named.letter));
+    }
+    for ((name, (own, measure)), value) in state.iter().zip(trace.model.state_names()).zip(start) {
+        let attributes = [unit(&measure), format!("start = {value:?}"), "fixed = true".to_owned()];
+        text += &declared("", name, (&attributes, &own));
+    }
+    let own =
+        trace.model.outputs.iter().map(|output| output.name.as_str()).chain(["kinetic_energy", "potential_energy"]);
+    for (name, own) in outputs.iter().zip(own) {
+        text += &declared("output ", name, (&[], own));
+    }
+    text += "protected\n";
+    let results = lines.iter().flat_map(|line| line.lines()).filter_map(|line| line.trim().split_once(" = "));
+    let inner = results
+        .map(|(result, _)| result)
+        .chain(accelerations.iter().chain(&multipliers).chain(&cases).map(String::as_str));
+    for name in inner {
+        let _ = writeln!(text, "  Real {name};");
+    }
+    text += "equation\n";
+    let lines = lines.iter().flat_map(|line| line.lines()).map(|line| format!("  {}\n", line.trim()));
+    text.extend(lines);
+    for (case, condition) in cases.iter().zip(&conditions) {
+        let _ = writeln!(text, "  {case} = if {condition} > 0 then 1 else 0;");
+    }
+    for (name, rate) in state.iter().zip(rates.iter().chain(&accelerations)) {
+        let _ = writeln!(text, "  der({name}) = {rate};");
+    }
+    // what is zero for good is left out
+    let sum = |terms: Vec<(&String, &String)>, last: &String| {
+        let kept = terms.into_iter().filter(|(factor, _)| !is_zero(factor));
+        let terms = kept.map(|(factor, of)| format!("({factor})*{of}"));
+        terms.chain((!is_zero(last)).then(|| format!("({last})"))).collect::<Vec<_>>().join(" + ")
+    };
+    let or_zero = |sum: String| if sum.is_empty() { "0".to_owned() } else { sum };
+    let (mass, rest) = terms.split_at(n * n);
+    let (loads, rest) = rest.split_at(n);
+    let (rows, biases) = rest.split_at(multipliers.len() * n);
+    let zero = "0".to_owned();
+    for (i, load) in loads.iter().enumerate() {
+        let left = sum(mass[n * i..n * i + n].iter().zip(&accelerations).collect(), load);
+        let right =
+            sum(multipliers.iter().enumerate().map(|(k, multiplier)| (&rows[n * k + i], multiplier)).collect(), &zero);
+        let _ = writeln!(text, "  {} = {};", or_zero(left), or_zero(right));
+    }
+    for (k, bias) in biases.iter().enumerate() {
+        let _ = writeln!(
+            text,
+            "  {} = 0;",
+            or_zero(sum(rows[n * k..n * k + n].iter().zip(&accelerations).collect(), bias))
+        );
+    }
+    for (name, value) in outputs.iter().zip(&shown_values) {
+        let _ = writeln!(text, "  {name} = {value};");
+    }
+    let mut sets = sets.iter();
+    for ((event, set), expression) in trace.model.events.iter().zip(&shown.sets).zip(&events) {
+        let passes = match event.direction {
+            Direction::Up => format!("{expression} > 0"),
+            Direction::Down => format!("{expression} < 0"),
+            Direction::Both => format!("{{{expression} > 0, {expression} < 0}}"),
+        };
+        let _ = writeln!(text, "  when {passes} then");
+        for ((place, _), value) in set.iter().zip(&mut sets) {
+            let _ = writeln!(text, "    reinit({}, {value});", state[*place]);
+        }
+        if event.ends {
+            let told = if event.name.is_empty() { "an event ends the run" } else { &event.name };
+            let _ = writeln!(text, "    terminate({});", quoted(told));
+        }
+        text += "  end when;\n";
+    }
+
+    let _ = writeln!(text, "end {name};");
+    Ok(text)
+}
+
+/// Whether a number stands there, and it is zero.
+fn is_zero(text: &str) -> bool {
+    text.parse::<f64>().is_ok_and(|value| value == 0.0)
+}

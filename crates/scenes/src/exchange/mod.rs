@@ -1,0 +1,165 @@
+//! A text as other simulators run it: its equations with data that may be changed, its events, and what they have no law for.
+
+mod jumps;
+mod refusals;
+
+use crate::readiness::ready;
+use crate::row_units::unit_of;
+use crate::scene::called;
+use crate::system_text::SystemText;
+use exchange::fmu::{Unit, Variable};
+use jumps::sticking;
+use model::principles::Principle;
+use model::{MatrixForm, Model, Trace};
+use reader::{Issue, SceneError, tables};
+use refusals::refused;
+use simulation::{Run, run};
+use std::sync::Arc;
+
+/// A program that another simulator reads.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Program {
+    C,
+    Python,
+    Rust,
+    Casadi,
+    Modelica,
+}
+
+/// The error allowed in a step, and the time, of a text that says nothing of its run.
+const TOLERANCE: f64 = 1e-8;
+const SPAN: f64 = 10.0;
+
+/// A system with its start, as it is written for others.
+struct Exported<'a> {
+    text: &'a SystemText,
+    model: Model,
+    start: Vec<f64>,
+}
+
+impl<'a> Exported<'a> {
+    /// The system of a text; all that it takes to run it there has values.
+    fn of(text: &'a SystemText) -> Result<Self, SceneError> {
+        let model = text.for_equations()?;
+        let told = |issue: Issue| told(text, issue);
+        if let Some(issue) = refused(&model) {
+            return Err(told(issue));
+        }
+        // inputs are zero until somebody sets them
+        let mut closed = Arc::new(model.clone());
+        Arc::make_mut(&mut closed).close_inputs();
+        let found = ready(&mut closed).map_err(told)?;
+        match found.without_motion {
+            Some(issue) => Err(told(issue)),
+            None => Ok(Exported { text, model, start: found.start }),
+        }
+    }
+
+    /// Shows its equations in the rates of coordinates.
+    fn shown<R: Send>(
+        &self,
+        show: impl FnOnce(&Trace<'_>, &MatrixForm) -> Result<R, String> + Send,
+    ) -> Result<R, SceneError> {
+        let written = symbolic::apart(|| {
+            let trace = Trace::of(&self.model);
+            let form = MatrixForm::of(&trace, Principle::VirtualPower).map_err(|why| why.to_string());
+            let form = form.or_else(|_| MatrixForm::of(&trace, Principle::Lagrange).map_err(|why| why.to_string()))?;
+            show(&trace, &form.in_file(&self.model, &self.text.text))
+        });
+        written.map_err(|why: String| {
+            SceneError::whole(
+                &self.text.name,
+                format!("its equations cannot be written for another program: {why}"),
+                "`dalembert run` runs it",
+            )
+        })
+    }
+}
+
+fn told(text: &SystemText, issue: Issue) -> SceneError {
+    SceneError { path: text.name.clone(), text: text.text.clone(), issues: vec![issue] }
+}
+
+/// The run of a text, where it says one.
+fn run_of(text: &SystemText) -> Option<Run> {
+    let mut found = None;
+    // what else stands in the file has been read
+    let _ = tables(&text.name, &text.text, |top, issues| {
+        found = run::read(top, issues, None);
+        Some(())
+    });
+    found
+}
+
+/// A text as a unit of FMI: model exchange and co-simulation. The origin is one line on where it came from, the tool the program.
+///
+/// # Errors
+/// All that is wrong with the text, and what a unit cannot carry, at its place in the file.
+pub fn unit(text: &SystemText, identifier: &str, origin: &str, tool: &str) -> Result<Unit, SceneError> {
+    let exported = Exported::of(text)?;
+    let Exported { model, start, .. } = &exported;
+    let (source, sticks) = exported.shown(|trace, form| Ok((model::exchange(trace, form, start)?, sticking(form))))?;
+    if let Some(condition) = sticks {
+        let place = model.switch_places[condition].clone();
+        let title = "a force jumps where this condition changes with a speed, and may keep it there, as dry friction that sticks";
+        let issue = Issue::at(place, title, "a unit of FMI has no law for that");
+        return Err(told(text, issue.accepted("a force without a jump, such as -F*tanh(v/v0)")));
+    }
+    let titled = crate::system_text::parse_titled(&text.name, &text.text, crate::size::Task::Write)?.0;
+    let run = run_of(text);
+    let named = |name: &str, description: String, value: f64| Variable {
+        name: name.to_owned(),
+        unit: unit_of(model, name),
+        description,
+        value,
+    };
+    let states =
+        model.state_names().into_iter().zip(start).map(|((name, _), value)| named(&name, String::new(), *value));
+    let parameters = model.parameters.iter();
+    let parameters = parameters.map(|each| named(&each.name, each.written.clone(), each.value.unwrap_or_default()));
+    let open = model.inputs.iter().filter(|input| input.value.is_none());
+    let line = |at: usize| 1 + text.text.get(..at).unwrap_or_default().matches('\n').count();
+    let conditions = model.switch_places.iter().enumerate().map(|(place, at)| Variable {
+        name: format!("condition {}", place + 1),
+        unit: model.switch_units[place].clone(),
+        description: format!("condition {} in line {}", place + 1, line(at.start)),
+        value: 0.0,
+    });
+    let events = model.events.iter().enumerate().map(|(place, event)| Variable {
+        name: if event.name.is_empty() { format!("event {}", place + 1) } else { event.name.clone() },
+        unit: "1".to_owned(),
+        description: called(event, &text.text),
+        value: 0.0,
+    });
+    Ok(Unit {
+        identifier: identifier.to_owned(),
+        title: if titled.is_empty() { identifier.to_owned() } else { titled },
+        origin: origin.to_owned(),
+        tool: tool.to_owned(),
+        tolerance: run.as_ref().map_or(TOLERANCE, |run| run.tolerance),
+        span: run.as_ref().map_or(SPAN, |run| run.span),
+        states: states.collect(),
+        parameters: parameters.collect(),
+        inputs: open.map(|input| named(&input.name, String::new(), 0.0)).collect(),
+        outputs: model.outputs.iter().map(|output| named(&output.name, String::new(), 0.0)).collect(),
+        locals: ["kinetic_energy", "potential_energy"].map(|name| named(name, String::new(), 0.0)).to_vec(),
+        indicators: conditions.chain(events).collect(),
+        source,
+    })
+}
+
+/// A text as a program of another language, with its start.
+///
+/// # Errors
+/// All that is wrong with the text, and what the language cannot carry, at its place in the file.
+pub fn program(text: &SystemText, program: Program, identifier: &str) -> Result<String, SceneError> {
+    let exported = Exported::of(text)?;
+    let start = &exported.start;
+    exported.shown(|trace, form| match program {
+        Program::C => model::code_from(trace, form, symbolic::Language::C, start),
+        Program::Python => model::code_from(trace, form, symbolic::Language::Python, start),
+        Program::Rust => model::code_from(trace, form, symbolic::Language::Rust, start),
+        Program::Casadi => model::casadi(trace, form, start),
+        Program::Modelica => model::modelica(trace, form, identifier, start),
+    })
+}
