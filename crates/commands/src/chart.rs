@@ -226,7 +226,7 @@ fn drawn(
     match form {
         Form::Page => page(vec![counted, timed]),
         Form::Table(_) => runs(atlas),
-        Form::Picture | Form::Reference | Form::Certificates => {
+        Form::Picture | Form::Reference | Form::Certificates | Form::Unit | Form::Program(_) => {
             let mut chart = match asked.x {
                 None | Some(Axis::Evaluations) => counted,
                 Some(Axis::Time) => timed,

@@ -51,10 +51,11 @@ pub struct Unit {
 }
 
 /// The functions of the standard.
-const SOURCES: [(&str, &str); 6] = [
+const SOURCES: [(&str, &str); 7] = [
     ("fmi3.c", include_str!("sources/fmi3.c")),
     ("types.h", include_str!("sources/types.h")),
     ("instance.h", include_str!("sources/instance.h")),
+    ("pair.h", include_str!("sources/pair.h")),
     ("events.h", include_str!("sources/events.h")),
     ("steps.h", include_str!("sources/steps.h")),
     ("others.h", include_str!("sources/others.h")),

@@ -6,13 +6,19 @@ static void indicator_values(const Instance *instance, double time, const double
     for (int i = 0; i < INDICATORS; ++i) z[i] -= instance->counted_from[i];
 }
 
-/* the rate of an indicator along the motion, with the cases as they stand */
-static double indicator_rate(Instance *instance, int i)
+/* the rate of an indicator along the motion, with the cases as they stand; where it is zero, the indicator a moment later */
+static double indicator_trend(Instance *instance, int i)
 {
     double dy[STATES], dz[INDICATORS + 1];
     if (rates_of(instance, instance->time, instance->y, dy)) return 0.0;
     indicators_along(instance->time, instance->y, speeds(instance), &instance->p, instance->s, 1.0, dy, dy + COORDINATES, &unchanged, dz);
-    return dz[i];
+    if (dz[i] != 0.0) return dz[i];
+    const double moment = 1e-6 * (1.0 + fabs(instance->time));
+    double now[INDICATORS + 1], later[INDICATORS + 1], y[STATES], error;
+    if (try_step(instance, moment, y, &error)) return 0.0;
+    indicator_values(instance, instance->time, instance->y, now);
+    indicator_values(instance, instance->time + moment, y, later);
+    return (later[i] - now[i]) / moment;
 }
 
 static void set_side(Instance *instance, int i, int side)
@@ -25,9 +31,9 @@ static void set_side(Instance *instance, int i, int side)
 static int side_from_zero(Instance *instance, int i, int first)
 {
     set_side(instance, i, first);
-    if (indicator_rate(instance, i) * first >= 0.0) return first;
+    if (indicator_trend(instance, i) * first >= 0.0) return first;
     set_side(instance, i, -first);
-    return indicator_rate(instance, i) * -first >= 0.0 ? -first : 0;
+    return indicator_trend(instance, i) * -first >= 0.0 ? -first : 0;
 }
 
 static fmi3Status stays(const Instance *instance, int i)
@@ -58,18 +64,18 @@ static fmi3Status find_sides(Instance *instance)
     return fmi3OK;
 }
 
-/* whether an indicator has left its side */
-static bool has_left(const Instance *instance, const double *z, int i)
+/* whether an indicator is beyond its side */
+static bool is_beyond(const Instance *instance, const double *z, int i)
 {
     return z[i] * instance->side[i] < 0.0;
 }
 
-static bool any_has_left(const Instance *instance, double time, const double *y)
+static bool any_is_beyond(const Instance *instance, double time, const double *y)
 {
     double z[INDICATORS + 1];
     indicator_values(instance, time, y, z);
     for (int i = 0; i < INDICATORS; ++i)
-        if (has_left(instance, z, i)) return true;
+        if (is_beyond(instance, z, i)) return true;
     return false;
 }
 
@@ -82,7 +88,7 @@ static fmi3Status pass_events(Instance *instance, bool *sets)
     indicator_values(instance, instance->time, instance->y, z);
     memcpy(y, instance->y, sizeof y);
     for (int i = 0; i < INDICATORS; ++i) {
-        left[i] = has_left(instance, z, i);
+        left[i] = is_beyond(instance, z, i) || (z[i] == 0.0 && indicator_trend(instance, i) * instance->side[i] < 0.0);
         const int event = i - CONDITIONS;
         if (!left[i] || event < 0 || directions[event] == instance->side[i]) continue;
         /* every event has the state before all of them */
@@ -98,7 +104,7 @@ static fmi3Status pass_events(Instance *instance, bool *sets)
     for (int i = 0; i < INDICATORS; ++i) {
         if (left[i]) instance->counted_from[i] = 0.0;
         indicator_values(instance, instance->time, instance->y, z);
-        if (!left[i] && !(*sets && has_left(instance, z, i))) continue;
+        if (!left[i] && !(*sets && is_beyond(instance, z, i))) continue;
         const int before = instance->side[i];
         if (left[i] && z[i] * before <= 0.0) {
             /* at its zero: the motion may take it on, or back */

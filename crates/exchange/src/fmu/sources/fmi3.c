@@ -3,6 +3,7 @@
 #include "types.h"
 #include "system.h"
 #include "instance.h"
+#include "pair.h"
 #include "events.h"
 #include "steps.h"
 
@@ -213,7 +214,9 @@ EXPORT fmi3Status FMI(fmi3CompletedIntegratorStep)(fmi3Instance handle, fmi3Bool
     OF(handle);
     UNUSED(no_return);
     recount(instance);
-    *event = *terminate = false;
+    /* an importer may have stepped over a zero near the beginning of its step */
+    *event = any_is_beyond(instance, instance->time, instance->y);
+    *terminate = false;
     return fmi3OK;
 }
 
@@ -326,7 +329,7 @@ EXPORT fmi3Status FMI(fmi3DoStep)(fmi3Instance handle, fmi3Float64 time, fmi3Flo
     UNUSED(no_return);
     /* data that were set may have moved an indicator across its zero */
     bool sets;
-    fmi3Status status = any_has_left(instance, instance->time, instance->y) ? pass_events(instance, &sets) : fmi3OK;
+    fmi3Status status = any_is_beyond(instance, instance->time, instance->y) ? pass_events(instance, &sets) : fmi3OK;
     if (status <= fmi3Warning) status = run_to(instance, time + length);
     *event = *early = false;
     *terminate = instance->ended;

@@ -1,5 +1,7 @@
 /* Types of FMI 3.0, as the standard defines them; its own headers may be included before. */
 
+#include <math.h>
+
 #ifndef fmi3Functions_h
 #include <stdbool.h>
 #include <stddef.h>

@@ -38,7 +38,7 @@ impl Form {
     /// Statements for arguments that no statement needs.
     pub fn unused(self) -> &'static str {
         if self.has_cases {
-            "(void)t; (void)q; (void)u; (void)p; (void)s;"
+            "(void)t; (void)q; (void)u; (void)p; (void)s; (void)out;"
         } else {
             "(void)t; (void)q; (void)u; (void)p;"
         }

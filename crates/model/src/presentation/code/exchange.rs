@@ -67,7 +67,7 @@ impl Writer {
         let more = if more.is_empty() { String::new() } else { format!(", {more}") };
         let _ = writeln!(
             self.text,
-            "\n// {told}\n{}void {name}({}{more}, double *out)\n{{\n    {} {unused} (void)out;\n{}{}}}",
+            "\n// {told}\n{}void {name}({}{more}, double *out)\n{{\n    {} {unused}\n{}{}}}",
             form.storage,
             form.declared(),
             form.unused(),
@@ -167,12 +167,12 @@ pub fn exchange(trace: &Trace<'_>, form: &MatrixForm, start: &[f64]) -> Result<S
          // the direction in which an event passes zero: up, down, or zero for both\nstatic const int directions[] = {{{}}};\n\
          // one for an event that ends the run\nstatic const int ends[] = {{{}}};\n\n\
          // the state after an event, from that before it\n\
-         static void set_by_event(int event, {}, double *y)\n{{\n    (void)event; {} (void)y;",
+         static void set_by_event(int event, {}, double *y)\n{{\n    (void)event; {}",
         kept,
         listed(directions.collect()),
         listed(ends),
         Form::PART.declared(),
-        Form::PART.unused(),
+        Form::PART.unused().replace("out", "y"),
     );
     for (event, set) in sets.iter().enumerate().filter(|(_, set)| !set.is_empty()) {
         let (places, values): (Vec<usize>, Vec<Sym>) = set.iter().copied().unzip();

@@ -66,8 +66,19 @@ fn quoted(text: &str) -> String {
     format!("\"{}\"", text.replace('\\', "\\\\").replace('"', "\\\""))
 }
 
+/// A unit as Modelica writes it: `kg.m2/s2`, one quotient at most.
 fn unit(unit: &str) -> String {
-    format!("unit = {}", quoted(unit))
+    let plain = unit.replace('^', "").replace("ohm", "Ohm");
+    let product = |part: &str| part.split_whitespace().collect::<Vec<_>>().join(".");
+    let mut parts = plain.split('/').map(product);
+    let above = parts.next().filter(|above| !above.is_empty()).unwrap_or_else(|| "1".to_owned());
+    let below: Vec<String> = parts.collect();
+    let written = match &below[..] {
+        [] => above,
+        [one] if !one.contains('.') => format!("{above}/{one}"),
+        several => format!("{above}/({})", several.join(".")),
+    };
+    format!("unit = {}", quoted(&written))
 }
 
 /// A flat model; the units of the state stand in the order of the start.
@@ -138,8 +149,8 @@ pub fn modelica(trace: &Trace<'_>, form: &MatrixForm, name: &str, start: &[f64])
     // what is zero for good is left out
     let sum = |terms: Vec<(&String, &String)>, last: &String| {
         let kept = terms.into_iter().filter(|(factor, _)| !is_zero(factor));
-        let terms = kept.map(|(factor, of)| format!("({factor})*{of}"));
-        terms.chain((!is_zero(last)).then(|| format!("({last})"))).collect::<Vec<_>>().join(" + ")
+        let terms = kept.map(|(factor, of)| format!("{}*{of}", signed(factor)));
+        terms.chain((!is_zero(last)).then(|| signed(last))).collect::<Vec<_>>().join(" + ")
     };
     let or_zero = |sum: String| if sum.is_empty() { "0".to_owned() } else { sum };
     let (mass, rest) = terms.split_at(n * n);
@@ -182,6 +193,11 @@ pub fn modelica(trace: &Trace<'_>, form: &MatrixForm, name: &str, start: &[f64])
 
     let _ = writeln!(text, "end {name};");
     Ok(text)
+}
+
+/// In parentheses where it begins with a sign.
+fn signed(text: &str) -> String {
+    if text.starts_with('-') { format!("({text})") } else { text.to_owned() }
 }
 
 /// Whether a number stands there, and it is zero.
