@@ -2,7 +2,7 @@
 
 use crate::arguments::Format;
 use crate::exit::{Exit, print};
-use crate::output::{Form, Output, Writes};
+use crate::output::{Form, Maker, Output, Provenance, Writes};
 use crate::reference::following;
 use crate::report;
 use crate::run::{one_form, refuse, with_model};
@@ -225,8 +225,8 @@ fn drawn(
     let [counted, timed] = pictures::work_precision(atlas);
     match form {
         Form::Page => page(vec![counted, timed]),
-        Form::Table(_) => runs(atlas),
-        Form::Picture | Form::Reference | Form::Certificates | Form::Unit | Form::Program(_) => {
+        Form::Table(_) => Provenance::of(Maker("chart"), &asked.scene).comment("#") + &runs(atlas),
+        Form::Picture | Form::Reference | Form::Certificates | Form::Unit | Form::Program(_) | Form::Archive => {
             let mut chart = match asked.x {
                 None | Some(Axis::Evaluations) => counted,
                 Some(Axis::Time) => timed,

@@ -1,8 +1,10 @@
-//! Tables: names of columns with their units, then rows, every number with all its digits; a cell is empty where there is none.
+//! Tables: their origin as comments, names of columns with their units, then rows, every number with all its digits; a cell is empty
+//! where there is none. A trajectory may be an archive of NumPy as well.
 
 use crate::exit::Exit;
-use crate::output::{Form, Output, Writes, Written};
+use crate::output::{Form, Output, Provenance, Writes, Written};
 use csv::{ByteRecord, Terminator, Writer, WriterBuilder};
+use exchange::npz::{self, Array};
 use std::io::{self, Write};
 use std::path::Path;
 
@@ -10,14 +12,20 @@ use std::path::Path;
 pub struct Table {
     output: Option<Output>,
     heading: Vec<String>,
+    provenance: Provenance,
 }
 
 impl Table {
     /// Before the work, so that a wrong name does not cost it: names with their units, time first.
-    pub fn at(writes: &Writes<'_>, path: Option<&Path>, columns: &[String]) -> Result<Self, Exit> {
+    pub fn at(
+        writes: &Writes<'_>,
+        path: Option<&Path>,
+        columns: &[String],
+        provenance: Provenance,
+    ) -> Result<Self, Exit> {
         let heading: Vec<String> = std::iter::once(headed("time", "s")).chain(columns.iter().cloned()).collect();
-        let output = writes.optional(path, &[Form::Table(line(&heading))])?;
-        Ok(Table { output, heading })
+        let output = writes.optional(path, &[Form::Table(line(&heading)), Form::Archive])?;
+        Ok(Table { output, heading, provenance })
     }
 
     /// Where it goes.
@@ -27,35 +35,65 @@ impl Table {
 
     /// Writes it: the samples of a run, then its end where that comes after the last of them, as at an event.
     pub fn write(self, times: &[f64], rows: &[Vec<f64>], end: (f64, &[f64])) -> Result<Option<Written>, Exit> {
-        let Table { output, heading } = self;
+        let Table { output, heading, provenance } = self;
+        let samples = times.iter().copied().zip(rows.iter().map(Vec::as_slice));
+        let after = Some(end).filter(|(time, _)| times.last().is_none_or(|last| last < time));
+        let rows: Vec<(f64, &[f64])> = samples.chain(after).collect();
         let content = |out: &mut dyn Write| {
+            out.write_all(provenance.comment("#").as_bytes())?;
             let mut table = table(out);
             table.write_record(&heading).map_err(of_system)?;
             let mut record = ByteRecord::new();
-            let samples = times.iter().copied().zip(rows.iter().map(Vec::as_slice));
-            let after = Some(end).filter(|(time, _)| times.last().is_none_or(|last| last < time));
-            for (time, row) in samples.chain(after) {
+            for (time, row) in &rows {
                 record.clear();
-                std::iter::once(&time).chain(row).for_each(|value| record.push_field(cell(*value).as_bytes()));
+                std::iter::once(time).chain(*row).for_each(|value| record.push_field(cell(*value).as_bytes()));
                 table.write_byte_record(&record).map_err(of_system)?;
             }
             table.flush()
         };
-        output.map(|output| output.write(content)).transpose()
+        let arrays = |out: &mut dyn Write| npz::write(out, &columns(&heading, &rows, &provenance));
+        let written = |output: Output| match output.form() {
+            Form::Archive => output.write(arrays),
+            _ => output.write(content),
+        };
+        output.map(written).transpose()
     }
+}
+
+/// The origin, the names with their units, then each column under its name.
+fn columns(heading: &[String], rows: &[(f64, &[f64])], provenance: &Provenance) -> Vec<(String, Array)> {
+    let split = |name: &String| {
+        let (name, unit) = name.rsplit_once(" [").unwrap_or((name, ""));
+        (name.to_owned(), unit.trim_end_matches(']').to_owned())
+    };
+    let (names, units): (Vec<String>, Vec<String>) = heading.iter().map(split).unzip();
+    let column = |place: usize| {
+        let value = |(time, row): &(f64, &[f64])| place.checked_sub(1).map_or(Some(*time), |own| row.get(own).copied());
+        Array::Numbers(rows.iter().map(|row| value(row).unwrap_or(f64::NAN)).collect())
+    };
+    let values = names.iter().enumerate().map(|(place, name)| (name.clone(), column(place)));
+    let told = [("provenance", provenance.lines().to_vec()), ("columns", names.clone()), ("units", units)];
+    let told = told.map(|(name, texts)| (name.to_owned(), Array::Texts(texts)));
+    told.into_iter().chain(values).collect()
 }
 
 /// A square table of how each quantity at the end depends on each at the start, or none.
 pub struct Matrix {
     output: Option<Output>,
     columns: Vec<String>,
+    provenance: Provenance,
 }
 
 impl Matrix {
     /// Before the work: names with their units.
-    pub fn at(writes: &Writes<'_>, path: Option<&Path>, columns: &[String]) -> Result<Self, Exit> {
+    pub fn at(
+        writes: &Writes<'_>,
+        path: Option<&Path>,
+        columns: &[String],
+        provenance: Provenance,
+    ) -> Result<Self, Exit> {
         let output = writes.optional(path, &[Form::Table(line(&heading(columns)))])?;
-        Ok(Matrix { output, columns: columns.to_vec() })
+        Ok(Matrix { output, columns: columns.to_vec(), provenance })
     }
 
     /// Where it goes.
@@ -65,8 +103,9 @@ impl Matrix {
 
     /// Writes it, a row for each quantity at the end; the unit of an entry is that of its row over that of its column.
     pub fn write(self, rows: &[Vec<f64>]) -> Result<Option<Written>, Exit> {
-        let Matrix { output, columns } = self;
+        let Matrix { output, columns, provenance } = self;
         let content = |out: &mut dyn Write| {
+            out.write_all(provenance.comment("#").as_bytes())?;
             let mut table = table(out);
             table.write_record(heading(&columns)).map_err(of_system)?;
             for (name, row) in columns.iter().zip(rows) {

@@ -81,7 +81,10 @@ pub fn export(asked: &Asked) -> Result<Exit, Exit> {
             return Err(Exit::refused("one file to be written is accepted"));
         };
         let output = writes.output(path, &[Form::Program(source)])?;
-        let code = program(&text()?, target, &identifier(path))?;
+        let (code, left_out) = program(&text()?, target, &identifier(path))?;
+        if !is_quiet() {
+            left_out.iter().for_each(|told| warn(&format!("warning: {}: {told}", asked.scene.display())));
+        }
         output.write_text(&(provenance.comment(source.comment) + &code))?
     };
     written.tell(Format::Text)?;

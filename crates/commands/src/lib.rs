@@ -14,6 +14,7 @@
 //! * `arguments`: the command line; what can be asked of a command stands beside it;
 //! * `report`, `ledger` with `judge`, `review`, `derive`, `linearise`, `inverse`, `regulate`, `bodies`, `run`, `ensemble`, `regimes`, `stationary`, `numerical-stability`, `motor`, `conform`, `new`,
 //!   `failures`, `chart`, `choose`, `reference`, `scenes`: one file for each command;
+//! * `export`: a system for other simulators;
 //! * `summary`, `csv`, `pictures`, `sphere`: a run as text, JSON, a table and the data of pictures;
 //! * `speed`: the atlas of a scene as pictures, tables and advice;
 //! * `crew`: work shared among the processors;

@@ -2,11 +2,11 @@
 
 use crate::arguments::Format;
 use crate::exit::{Exit, placed, print};
-use crate::output::Writes;
+use crate::output::{Provenance, Writes};
 use crate::progress::Progress;
 use crate::summary::{passed, told_passages};
 use crate::{clock, csv};
-use ::scenes::regulator::{ClosedRun, Controllability, Regulated, States, regulated};
+use ::scenes::regulator::{ClosedRun, Controllability, Regulated, States, loop_choice, regulated};
 use ::scenes::{ModelScene, unit_of};
 use clap::Args;
 use model::{Model, Regulator};
@@ -47,7 +47,8 @@ pub fn show(asked: &Asked) -> Result<Exit, Exit> {
     let headed = |name: &String| csv::headed(name, &unit_of(model, name));
     let columns: Vec<String> = names.iter().chain(&chosen).map(headed).chain(["cost".to_owned()]).collect();
     let writes = Writes { command: "regulate", force: asked.force, reads: vec![path] };
-    let table = csv::Table::at(&writes, asked.out.as_deref(), &columns)?;
+    let provenance = Provenance::of(writes.maker(), path).of_run(&loop_choice(&scene));
+    let table = csv::Table::at(&writes, asked.out.as_deref(), &columns, provenance)?;
     let work = Progress::new("the regulator");
     let found = regulated(&scene, clock::left()).map_err(|issue| placed(path, issue))?;
     drop(work);

@@ -2,7 +2,7 @@
 
 use crate::arguments::{Format, tolerance, whole};
 use crate::exit::{Exit, print, warn};
-use crate::output::{self, Form, Writes};
+use crate::output::{self, Form, Provenance, Writes};
 use crate::pictures;
 use crate::progress::Progress;
 use crate::summary::Summary;
@@ -40,9 +40,9 @@ pub struct Asked {
     /// The equations in the axes of A (first) or of A* (second); results are in the axes of the data either way
     #[arg(long)]
     pub form: Option<Axes>,
-    /// Writes the trajectory as a table, each column with its unit: time, states, rotor's speed; of a mechanism time, states, work
+    /// Writes the trajectory as a table, or as arrays of NumPy, with the scene, its hash, the method and the tolerance; each column with its unit: time, states, rotor's speed; of a mechanism time, states, work
     /// and what follows from them; of a system that is written in its file time, states, outputs, energies
-    #[arg(long, value_name = "FILE.csv")]
+    #[arg(long, value_name = "FILE.csv|FILE.npz")]
     pub out: Option<PathBuf>,
     /// Writes how the end depends on the start as a table: a row for each state at the end, a column for each at the start
     #[arg(long, value_name = "FILE.csv")]
@@ -188,7 +188,10 @@ fn follow(scene: &dyn IvpScene, asked: &Asked, form: Option<Axes>) -> Result<Exi
     }
     let headed = |names: &[String]| names.iter().map(|name| csv::headed(name, &scene.unit(name))).collect::<Vec<_>>();
     let writes = writes(asked);
-    let table = csv::Table::at(&writes, asked.out.as_deref(), &headed(&problem.columns))?;
+    let provenance = Provenance::of(writes.maker(), &asked.scene).of_run(&choice);
+    let provenance = asked.model.iter().fold(provenance, |told, model| told.with("model", model));
+    let provenance = asked.form.iter().fold(provenance, |told, form| told.with("form", form));
+    let table = csv::Table::at(&writes, asked.out.as_deref(), &headed(&problem.columns), provenance.clone())?;
     let plot = writes.optional(asked.plot.as_deref(), &[Form::Picture])?;
     if asked.transition.is_some() && scene.hybrid().is_some() {
         let why = "the law of this system changes at events: its transition matrix is not computed yet";
@@ -196,7 +199,7 @@ fn follow(scene: &dyn IvpScene, asked: &Asked, form: Option<Axes>) -> Result<Exi
     }
     let states = asked.transition.as_ref().map(|_| scene.problem(choice.axes));
     let states = states.map(|states| headed(&states.columns[..states.state.len().min(states.columns.len())]));
-    let matrix = csv::Matrix::at(&writes, asked.transition.as_deref(), &states.unwrap_or_default())?;
+    let matrix = csv::Matrix::at(&writes, asked.transition.as_deref(), &states.unwrap_or_default(), provenance)?;
     output::apart(table.output(), matrix.output())?;
     output::apart(table.output(), plot.as_ref())?;
     output::apart(matrix.output(), plot.as_ref())?;

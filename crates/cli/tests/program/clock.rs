@@ -1,6 +1,6 @@
 //! The deadline of a command and Ctrl-C: obeyed by work of every kind, and what was found until then is there.
 
-use crate::{program, root, run, temporary};
+use crate::{program, root, run, table_at, temporary};
 use std::process::Output;
 use std::time::{Duration, Instant};
 
@@ -34,7 +34,7 @@ fn a_run_is_kept_where_its_transition_matrix_takes_too_long() {
     let asked = ["run", "scenes/stiff_damper.toml", "--seconds", "4"];
     let (code, out, error) =
         soon(|| program(&asked).arg("--out").arg(&table).arg("--transition").arg(&matrix).output().expect("it starts"));
-    let rows = std::fs::read_to_string(&table).expect("it was written");
+    let rows = table_at(&table);
     std::fs::remove_file(&table).expect("it is there");
     assert_eq!(code, Some(1), "{out}{error}");
     assert!(error.contains("out of time: `run` (the transition matrix)"), "{error}");

@@ -135,7 +135,7 @@ fn a_run_that_is_interrupted_keeps_what_there_is() {
     let arguments = ["run", "scenes/bench.toml", "--method", "runge_kutta_4:10000000", "--samples", "100000"];
     let output = interrupted(&arguments, &path);
     let told = String::from_utf8_lossy(&output.stdout);
-    let table = std::fs::read_to_string(&path).expect("it was written");
+    let table = crate::table_at(&path);
     std::fs::remove_file(&path).expect("it is there");
     assert_eq!(output.status.code(), Some(130), "{told}");
     assert!(told.contains("stopped              interrupted; the last good state is at t = "), "{told}");

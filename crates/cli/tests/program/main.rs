@@ -5,6 +5,7 @@ mod choice;
 mod clock;
 mod documents;
 mod ensembles;
+mod exports;
 mod failures;
 mod formats;
 mod killed;
@@ -50,6 +51,16 @@ fn run(arguments: &[&str]) -> Output {
 /// A file for one test.
 fn temporary(name: &str) -> PathBuf {
     std::env::temp_dir().join(format!("dalembert_{}_{name}", std::process::id()))
+}
+
+/// A table that a command wrote, without the comments before it, which say its origin.
+fn table_at(path: impl AsRef<Path>) -> String {
+    let text = std::fs::read_to_string(path).expect("it was written");
+    let (comments, rows): (Vec<&str>, Vec<&str>) = text.split_inclusive('\n').partition(|line| line.starts_with("# "));
+    for fact in ["# made by: dalembert ", "# scene: ", "# sha256 of the scene: ", "# method: "] {
+        assert!(comments.iter().any(|comment| comment.starts_with(fact)), "{fact}: {comments:?}");
+    }
+    rows.concat()
 }
 
 fn json(output: &Output) -> Value {

@@ -1,6 +1,6 @@
 //! Runs, charts and lists.
 
-use crate::{json, program, root, run, temporary};
+use crate::{json, program, root, run, table_at, temporary};
 use serde_json::Value;
 use std::io::Read;
 use std::process::Stdio;
@@ -39,7 +39,7 @@ fn the_table_has_a_row_for_the_start_and_for_every_sample() {
     let path = temporary("table.csv");
     let output = run(&["run", "scenes/bench.toml", "--samples", "8", "--out", &path.to_string_lossy()]);
     assert_eq!(output.status.code(), Some(0));
-    let table = std::fs::read_to_string(&path).expect("it was written");
+    let table = table_at(&path);
     std::fs::remove_file(&path).expect("it is there");
     let lines: Vec<&str> = table.lines().collect();
     assert_eq!(lines.len(), 10);
@@ -54,7 +54,7 @@ fn a_run_that_stops_says_why_and_keeps_what_it_has() {
     let path = temporary("stopped.csv");
     let asked = ["run", "scenes/stiff_damper.toml", "--method", "runge_kutta_4:2000", "--format", "json", "--out"];
     let output = run(&[&asked[..], &[&path.to_string_lossy()]].concat());
-    let table = std::fs::read_to_string(&path).expect("it was written");
+    let table = table_at(&path);
     std::fs::remove_file(&path).expect("it is there");
     assert_eq!(output.status.code(), Some(1));
     let run = json(&output);
@@ -157,7 +157,7 @@ fn a_run_across_events_writes_its_table_and_its_log() {
     // each event with the state and the reactions there
     assert!(log.iter().all(|event| event["state"]["N_floor"].as_f64().is_some_and(|normal| normal > 0.0)), "{run}");
     assert_eq!((&log[4]["what"], &log[4]["then"]), (&"contact `top` closes".into(), &Value::Null));
-    let table = std::fs::read_to_string(&path).expect("it was written");
+    let table = table_at(&path);
     std::fs::remove_file(&path).expect("it is there");
     let head = "time [s],x [m],y [m],alpha [rad],x' [m/s],y' [m/s],alpha' [rad/s],N_wall [N],T_wall [N],";
     assert!(table.starts_with(head), "{table}");
@@ -331,7 +331,7 @@ fn a_mechanism_writes_its_table_and_takes_another_method() {
         ["run", "scenes/drive/euler_bears.toml", "--method", "radau_5", "--tol", "1e-6", "--samples", "5", "--out"];
     let output = run(&[&asked[..], &[&path.to_string_lossy()]].concat());
     assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
-    let table = std::fs::read_to_string(&path).expect("it was written");
+    let table = table_at(&path);
     std::fs::remove_file(&path).expect("it is there");
     let columns = "time [s],q1 [C],q2 [C],q4 [C],q5 [C],q6 [rad],q7 [m],q1' [A],q2' [A],q4' [A],q5' [A],q6' [rad/s],q7' [m/s],\
                    q3 [s A],violation [m^2],violation_rate [m^2 s^-1],kinetic_energy [J],potential_energy [J],work [J]\n";

@@ -1,8 +1,8 @@
 //! The forms in which commands write, and how a command knows a file of its own.
 //!
 //! A picture begins with a comment that names the command, a page has the command as its generator, a reference says which
-//! command made it. A table has no room for a mark that every reader bears, since a line of comment or of units turns numbers
-//! into texts in pandas; a table is known by its first line, the names of its columns with their units.
+//! command made it. A table begins with lines of comment, `# ...`, which say its origin (`pandas.read_csv(..., comment="#")`); it is
+//! known by the line behind them, the names of its columns with their units.
 
 use std::fs::File;
 use std::io::{self, Read};
@@ -17,8 +17,10 @@ pub enum Form {
     Page,
     /// A solution with its digits.
     Reference,
-    /// A table, CSV, with this first line.
+    /// A table, CSV, with this first line behind its comments.
     Table(String),
+    /// Arrays of NumPy.
+    Archive,
     /// The certificates of a paper, JSON.
     Certificates,
     /// A functional mock-up unit.
@@ -69,6 +71,7 @@ impl Form {
             Form::Page => &["html", "htm"],
             Form::Reference => &["reference"],
             Form::Table(_) => &["csv"],
+            Form::Archive => &["npz"],
             Form::Certificates => &["json"],
             Form::Unit => &["fmu"],
             Form::Program(source) => source.ends,
@@ -88,6 +91,7 @@ impl Form {
             Form::Page => "page",
             Form::Reference => "reference",
             Form::Table(_) => "table",
+            Form::Archive => "archive",
             Form::Certificates => "file of certificates",
             Form::Unit => "unit",
             Form::Program(_) => "program",
@@ -106,7 +110,7 @@ impl Form {
     pub fn is_of(&self, maker: Maker, file: &Path) -> io::Result<bool> {
         let mut head = Vec::new();
         let room = match self {
-            Form::Table(heading) => HEAD.max(heading.len() as u64 + 1),
+            Form::Table(heading) => HEAD + heading.len() as u64 + 1,
             _ => HEAD,
         };
         File::open(file)?.take(room).read_to_end(&mut head)?;
@@ -122,7 +126,14 @@ impl Form {
                 Form::Unit => text.contains(&format!("generationTool=\"{name}, version ")),
                 Form::Program(source) => text.starts_with(&format!("{} made by: {name}, version ", source.comment)),
                 Form::Certificates => text.starts_with(&format!("{{\"made_by\":\"{name}, version ")),
-                Form::Table(heading) => text.strip_prefix(heading.as_str()).is_some_and(|rest| rest.starts_with('\n')),
+                // letters of an array of texts have four bytes each
+                Form::Archive => text.replace('\0', "").contains(&format!("made by: {name}, version ")),
+                Form::Table(heading) => {
+                    let comments: usize =
+                        text.split_inclusive('\n').take_while(|line| line.starts_with("# ")).map(str::len).sum();
+                    let table = text[comments..].strip_prefix(heading.as_str());
+                    table.is_some_and(|rest| rest.starts_with('\n'))
+                }
             })
     }
 }

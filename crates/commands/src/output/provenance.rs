@@ -2,6 +2,7 @@
 
 use super::Maker;
 use hmac_sha256::Hash;
+use simulation::{Choice, methods};
 use std::fmt::Display;
 use std::path::Path;
 
@@ -31,6 +32,16 @@ impl Provenance {
     pub fn with(mut self, name: &str, value: impl Display) -> Self {
         self.lines.push(format!("{name}: {value}").replace(['\n', '\r'], " "));
         self
+    }
+
+    /// With the method and the tolerance of a run; constant steps follow no tolerance.
+    #[must_use]
+    pub fn of_run(self, choice: &Choice) -> Self {
+        let told = self.with("method", methods::written(choice.method));
+        match choice.method.steps() {
+            Some(_) => told,
+            None => told.with("tolerance", format!("{:e}", choice.tolerance)),
+        }
     }
 
     /// Lines of comments.

@@ -7,6 +7,9 @@ use std::io;
 use std::process::{Command, Stdio};
 use std::time::Duration;
 
+/// Longer sources are compiled faster, and run slower.
+const LONG: usize = 300_000;
+
 /// A shared library for this platform.
 #[derive(Clone, Debug)]
 pub struct Binary {
@@ -65,9 +68,10 @@ impl Binary {
         }
         let (library, said) = (format!("unit.{DLL_EXTENSION}"), folder.path().join("said"));
         let mut command = Command::new(compiler);
+        let optimised = if unit.source.len() > LONG { "-O1" } else { "-O2" };
         command.args([
             "-std=c99",
-            "-O2",
+            optimised,
             "-fPIC",
             "-shared",
             "-fvisibility=hidden",

@@ -41,6 +41,11 @@ pub(super) fn conditions(trace: &Trace<'_>, form: &MatrixForm) -> Vec<Condition>
 
 /// Sentences on the parts of a model that its equations leave out, and on states at which these have no value.
 pub fn left_out(trace: &Trace<'_>, form: &MatrixForm) -> Vec<String> {
+    [left_out_between_events(trace, form), events(trace, form)].concat()
+}
+
+/// The same of equations that stand beside the events.
+pub(super) fn left_out_between_events(trace: &Trace<'_>, form: &MatrixForm) -> Vec<String> {
     let implied = |implied: &crate::Implied| match &implied.branch {
         None => format!("{} follows from the others and is left out.", implied.title),
         Some(start) => format!(
@@ -64,6 +69,12 @@ pub fn left_out(trace: &Trace<'_>, form: &MatrixForm) -> Vec<String> {
         );
         sentences.extend(laws(trace, form).into_iter().map(|line| format!("  {line}")));
     }
+    sentences
+}
+
+/// Sentences on each event.
+fn events(trace: &Trace<'_>, form: &MatrixForm) -> Vec<String> {
+    let mut sentences = Vec::new();
     if trace.model.events.is_empty() {
         return sentences;
     }

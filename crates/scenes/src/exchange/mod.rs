@@ -76,6 +76,17 @@ impl<'a> Exported<'a> {
     }
 }
 
+impl Exported<'_> {
+    /// What is written, where no condition may keep itself at zero.
+    fn without_sticking<R>(&self, (written, sticks): (R, Option<usize>)) -> Result<R, SceneError> {
+        let Some(condition) = sticks else { return Ok(written) };
+        let place = self.model.switch_places[condition].clone();
+        let title = "a force jumps where this condition changes with a speed, and may keep it there, as dry friction that sticks";
+        let issue = Issue::at(place, title, "no law for that can be written for another simulator");
+        Err(told(self.text, issue.accepted("a force without a jump, such as -F*tanh(v/v0)")))
+    }
+}
+
 fn told(text: &SystemText, issue: Issue) -> SceneError {
     SceneError { path: text.name.clone(), text: text.text.clone(), issues: vec![issue] }
 }
@@ -98,13 +109,8 @@ fn run_of(text: &SystemText) -> Option<Run> {
 pub fn unit(text: &SystemText, identifier: &str, origin: &str, tool: &str) -> Result<Unit, SceneError> {
     let exported = Exported::of(text)?;
     let Exported { model, start, .. } = &exported;
-    let (source, sticks) = exported.shown(|trace, form| Ok((model::exchange(trace, form, start)?, sticking(form))))?;
-    if let Some(condition) = sticks {
-        let place = model.switch_places[condition].clone();
-        let title = "a force jumps where this condition changes with a speed, and may keep it there, as dry friction that sticks";
-        let issue = Issue::at(place, title, "a unit of FMI has no law for that");
-        return Err(told(text, issue.accepted("a force without a jump, such as -F*tanh(v/v0)")));
-    }
+    let source = exported.shown(|trace, form| Ok((model::exchange(trace, form, start)?, sticking(form))))?;
+    let source = exported.without_sticking(source)?;
     let titled = crate::system_text::parse_titled(&text.name, &text.text, crate::size::Task::Write)?.0;
     let run = run_of(text);
     let named = |name: &str, description: String, value: f64| Variable {
@@ -148,18 +154,26 @@ pub fn unit(text: &SystemText, identifier: &str, origin: &str, tool: &str) -> Re
     })
 }
 
-/// A text as a program of another language, with its start.
+/// A text as a program of another language, with its start; and sentences on what the program leaves out.
 ///
 /// # Errors
 /// All that is wrong with the text, and what the language cannot carry, at its place in the file.
-pub fn program(text: &SystemText, program: Program, identifier: &str) -> Result<String, SceneError> {
+pub fn program(text: &SystemText, program: Program, identifier: &str) -> Result<(String, Vec<String>), SceneError> {
     let exported = Exported::of(text)?;
     let start = &exported.start;
-    exported.shown(|trace, form| match program {
-        Program::C => model::code_from(trace, form, symbolic::Language::C, start),
-        Program::Python => model::code_from(trace, form, symbolic::Language::Python, start),
-        Program::Rust => model::code_from(trace, form, symbolic::Language::Rust, start),
-        Program::Casadi => model::casadi(trace, form, start),
-        Program::Modelica => model::modelica(trace, form, identifier, start),
+    if program == Program::Modelica {
+        let shown =
+            exported.shown(|trace, form| Ok((model::modelica(trace, form, identifier, start)?, sticking(form))))?;
+        return Ok((exported.without_sticking(shown)?, Vec::new()));
+    }
+    exported.shown(|trace, form| {
+        let written = match program {
+            Program::C => model::code_from(trace, form, symbolic::Language::C, start),
+            Program::Python => model::code_from(trace, form, symbolic::Language::Python, start),
+            Program::Rust => model::code_from(trace, form, symbolic::Language::Rust, start),
+            Program::Casadi => model::casadi(trace, form, start),
+            Program::Modelica => model::modelica(trace, form, identifier, start),
+        };
+        Ok((written?, model::left_out(trace, form)))
     })
 }

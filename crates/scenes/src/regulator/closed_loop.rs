@@ -1,5 +1,6 @@
 //! The closed loop on the nonlinear model: the motion from the start beside the one that is displaced and regulated, and its cost.
 
+use super::METHOD;
 use super::criterion::opened;
 use super::horizon::Backwards;
 use super::states::States;
@@ -8,7 +9,7 @@ use crate::letters::Letters;
 use crate::modes::Mode;
 use crate::program::recorded;
 use field::{DoubleDouble, Over, Rational};
-use integrators::{Dual8, Method, Ode, Outcome, Real, Record, Span, System, Tolerance, integrate};
+use integrators::{Dual8, Ode, Outcome, Real, Record, Span, System, Tolerance, integrate};
 use model::{Model, Regulator, Trace};
 use nalgebra::DMatrix;
 use simulation::Program;
@@ -174,7 +175,7 @@ pub(super) fn run(
     let mut span = Span::new(0.0, span, &both).with_deadline(deadline);
     span.outputs = (1..=samples).map(|k| span.end * k as f64 / samples as f64).collect();
     let mut record = Record::new();
-    let outcome = integrate(&law, Method::DormandPrince8, &Tolerance::both(tolerance), &span, &mut record);
+    let outcome = integrate(&law, METHOD, &Tolerance::both(tolerance), &span, &mut record);
     let (mut times, mut all) = (record.times, record.states);
     if times.first().is_none_or(|first| *first > 0.0) {
         times.insert(0, 0.0);

@@ -24,9 +24,11 @@ use crate::start::displaced;
 use closed_loop::{Gains, MOST};
 use criterion::{Form, forms};
 use horizon::Backwards;
+use integrators::Method;
 use model::{Feedback, Model, Regulator};
 use nalgebra::{Complex, DMatrix, DVector};
 use reader::Issue;
+use simulation::Choice;
 use std::time::{Duration, Instant};
 
 /// An optimal regulator of a model, and its run.
@@ -70,6 +72,14 @@ const LASTS: f64 = 1e-6;
 
 /// The largest error of a step of the closed loop.
 const RUN: f64 = 1e-10;
+
+/// The method of the loop's run.
+pub(crate) const METHOD: Method = Method::DormandPrince8;
+
+/// The method and the tolerance by which the loop of a scene runs.
+pub fn loop_choice(scene: &ModelScene) -> Choice {
+    Choice { method: METHOD, tolerance: scene.run.tolerance.min(RUN), ..scene.run.choice() }
+}
 
 /// Gains, with all that is told of them.
 struct Found {
@@ -120,7 +130,7 @@ pub fn regulated(scene: &ModelScene, allowed: Duration) -> Result<Regulated, Iss
         issue.accepted("deviations that constraints leave free; coordinates without one follow")
     })?;
     let predicted = cost(&varied(&moved, &scene.start), &found.value);
-    let tolerance = scene.run.tolerance.min(RUN);
+    let tolerance = loop_choice(scene).tolerance;
     let run = match (&found.gains, is_watched(model)) {
         (Gains::Lasting(gains), true) => {
             let feedback = task.feedback(&first, &places, states, gains);

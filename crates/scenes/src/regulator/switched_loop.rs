@@ -2,11 +2,12 @@
 //!
 //! The gains are those of the law at the start. A force that saturates, a stop and dry friction act as they stand in the file.
 
+use super::METHOD;
 use super::closed_loop::ClosedRun;
 use crate::modes::Modes;
 use crate::refused_start::not_started;
 use crate::scene::ModelScene;
-use integrators::{Method, Record, Span, Tolerance};
+use integrators::{Record, Span, Tolerance};
 use model::Feedback;
 use reader::Issue;
 use simulation::events::Switching;
@@ -40,7 +41,7 @@ pub(super) fn run(
     let mut span = Span::new(0.0, scene.run.span, &start).with_even_outputs(scene.run.samples).with_deadline(deadline);
     span.outputs.insert(0, 0.0);
     let mut record = Record::new();
-    let (outcome, left) = problem.integrate(Method::DormandPrince8, &Tolerance::both(tolerance), &span, &mut record);
+    let (outcome, left) = problem.integrate(METHOD, &Tolerance::both(tolerance), &span, &mut record);
     let (mut times, mut all) = (record.times, record.states);
     if times.last().is_none_or(|last| *last < outcome.time) {
         times.push(outcome.time);

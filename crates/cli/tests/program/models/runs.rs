@@ -1,7 +1,7 @@
 //! Runs and members of a system that is text.
 
 use super::{MODEL, PENDULUM, SPRING, printed};
-use crate::{json, program, root, run, temporary};
+use crate::{json, program, root, run, table_at, temporary};
 use std::path::Path;
 
 #[test]
@@ -10,7 +10,7 @@ fn rows_of_a_run_have_the_units_of_their_values() {
     std::fs::write(&path, SPRING.replace("F = \"N\"", "F = \"1 N\"")).expect("it is written");
     let (path, table) = (path.display().to_string(), table.display().to_string());
     printed(&["run", &path, "--out", &table]);
-    let rows = std::fs::read_to_string(&table).expect("it is there");
+    let rows = table_at(&table);
     let heading = rows.lines().next().unwrap_or_default();
     // x is written in millimetres, and runs in metres
     assert_eq!(heading, "time [s],x [m],x' [m/s],pull [N],kinetic_energy [J],potential_energy [J],work [J]");
@@ -89,7 +89,7 @@ fn the_table_of_a_run_ends_where_the_run_ends() {
     let (file, out) = (scene.to_string_lossy().into_owned(), table.to_string_lossy().into_owned());
     let output = run(&["run", &file, "--samples", "3", "--format", "json", "--out", &out]);
     let found = json(&output);
-    let text = std::fs::read_to_string(&table).expect("it was written");
+    let text = table_at(&table);
     let last: Vec<f64> = text.lines().last().expect("rows").split(',').filter_map(|cell| cell.parse().ok()).collect();
     let end = found["time"].as_f64().expect("a number");
     assert!(last[0].to_bits() == end.to_bits() && end % 3.0 != 0.0, "{text}");

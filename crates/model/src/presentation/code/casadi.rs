@@ -11,14 +11,15 @@ use symbolic::Language;
 /// # Errors
 /// As [`super::code`].
 pub fn casadi(trace: &Trace<'_>, form: &MatrixForm, start: &[f64]) -> Result<String, String> {
-    let program = Program::of(trace, form, Language::Python)?;
+    let mut program = Program::of(trace, form, Language::Python)?;
+    program.close_inputs(trace);
     let Program { positions, n, m, parameters, conditions, terms, zeros, position_rates, .. } = &program;
     let mut text = program.heading("#");
     text += "import casadi\nfrom casadi import atan2, cos, exp, log, sin, sqrt, tanh\n\n";
     let names: Vec<String> = parameters.iter().map(|named| format!("{:?}", named.letter)).collect();
     let values = parameters.iter().map(|named| match named.value {
         Some(value) => format!("    {:?}: {value:?},  # {}\n", named.letter, named.unit),
-        None => format!("    {:?}: 0.0,  # {}: an input, or without a value\n", named.letter, named.unit),
+        None => format!("    {:?}: float(\"nan\"),  # {}: without a value\n", named.letter, named.unit),
     });
     let _ = writeln!(text, "PARAMETERS = {{\n{}}}\nSTART = {start:?}  # y = (q, u)\n", values.collect::<String>());
     let _ = writeln!(

@@ -87,7 +87,7 @@ pub fn exchange(trace: &Trace<'_>, form: &MatrixForm, start: &[f64]) -> Result<S
     let mut program = Program::of(trace, form, Language::C)?;
     program.start = Some(start.to_vec());
     let parameters = trace.model.parameters.len();
-    program.parameters[parameters..].iter_mut().for_each(|input| input.value = Some(0.0));
+    program.close_inputs(trace);
     let inputs = program.parameters.len() - parameters;
     let letters = Letters::of(trace, form, Language::C);
     let solved: Vec<Sym> = form.accelerations.iter().chain(&form.multipliers).copied().collect();

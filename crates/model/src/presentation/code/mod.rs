@@ -81,8 +81,14 @@ pub fn code_from(trace: &Trace<'_>, form: &MatrixForm, language: Language, start
 }
 
 fn written(trace: &Trace<'_>, form: &MatrixForm, language: Language, start: Option<&[f64]>) -> Result<String, String> {
-    let program =
-        || Ok::<Program, String>(Program { start: start.map(<[f64]>::to_vec), ..Program::of(trace, form, language)? });
+    let program = || {
+        let mut program = Program::of(trace, form, language)?;
+        program.start = start.map(<[f64]>::to_vec);
+        if start.is_some() {
+            program.close_inputs(trace);
+        }
+        Ok::<Program, String>(program)
+    };
     Ok(match language {
         Language::C => c::written(&program()?),
         Language::Python => python::written(&program()?),
@@ -156,6 +162,11 @@ fn terms(form: &MatrixForm) -> Vec<Sym> {
 }
 
 impl Program {
+    /// Inputs without a value are zero until somebody sets them.
+    fn close_inputs(&mut self, trace: &Trace<'_>) {
+        self.parameters[trace.model.parameters.len()..].iter_mut().for_each(|input| input.value = Some(0.0));
+    }
+
     /// Whether every parameter has a value.
     fn has_values(&self) -> bool {
         self.parameters.iter().all(|named| named.value.is_some())

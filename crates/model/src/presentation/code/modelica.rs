@@ -3,6 +3,7 @@
 use super::exchange::Shown;
 use super::letters::Letters;
 use super::{Program, terms};
+use crate::presentation::conditions::left_out_between_events;
 use crate::presentation::identifiers::identifiers;
 use crate::presentation::matrix_form::MatrixForm;
 use crate::{Direction, Trace};
@@ -86,7 +87,8 @@ fn unit(unit: &str) -> String {
 /// # Errors
 /// As [`super::code`].
 pub fn modelica(trace: &Trace<'_>, form: &MatrixForm, name: &str, start: &[f64]) -> Result<String, String> {
-    let program = Program::of(trace, form, Language::Modelica)?;
+    let mut program = Program::of(trace, form, Language::Modelica)?;
+    program.left_out = left_out_between_events(trace, form);
     let Names { given, state, outputs, accelerations, multipliers, cases } = Names::of(trace, form);
     let (n, parameters) = (form.speeds.len(), form.parameters.len());
     let letters = [&form.parameters[..], &form.inputs, &form.positions, &form.speeds].concat();

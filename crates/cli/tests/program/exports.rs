@@ -1,0 +1,182 @@
+//! Files for other simulators: what stands in them, and what is refused at its place.
+
+use crate::{program_in, root};
+use std::fs;
+use std::path::PathBuf;
+use std::process::Output;
+
+/// A folder with scenes, and what is written there.
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new(name: &str) -> Self {
+        let folder = crate::temporary(name);
+        fs::create_dir_all(&folder).expect("a folder can be made");
+        Folder(folder)
+    }
+
+    fn scene(&self, text: &str) {
+        fs::write(self.0.join("scene.toml"), text).expect("it can be written");
+    }
+
+    fn export(&self, arguments: &[&str]) -> Output {
+        program_in(&self.0, &[&["export", "scene.toml"], arguments].concat()).output().expect("the program starts")
+    }
+
+    /// The text of a file that the export of the scene has written.
+    fn text(&self, option: &str, file: &str) -> String {
+        let output = self.export(&[option, file]);
+        assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+        String::from_utf8_lossy(&fs::read(self.0.join(file)).expect("it was written")).into_owned()
+    }
+
+    /// The message of a refusal.
+    fn refused(&self, arguments: &[&str]) -> String {
+        let output = self.export(arguments);
+        assert_eq!(output.status.code(), Some(2), "{}", String::from_utf8_lossy(&output.stdout));
+        String::from_utf8_lossy(&output.stderr).into_owned()
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+fn of_repository(name: &str) -> String {
+    fs::read_to_string(root().join("scenes").join(name)).expect("a scene")
+}
+
+/// A mass that slides with a force along x, and rows of the file behind it.
+fn sliding(force: &str, rows: &str) -> String {
+    format!(
+        "title = \"A <mass> & a \\\"force\\\"\"\n[parameters]\nm = \"2 kg\"\nF = \"3 N\"\nv0 = \"1 m/s\"\n[coordinates]\nx = \"m\"\n\
+         [energies]\nkinetic = \"m*x'^2/2\"\n[[force]]\nalong = \"x\"\nis = \"{force}\"\n{rows}[start]\nx = \"1 m\"\n[run]\nspan = \"1 s\"\n"
+    )
+}
+
+#[test]
+fn a_unit_holds_its_description_its_sources_and_its_origin() {
+    let folder = Folder::new("unit");
+    folder.scene(&of_repository("models/bouncing_ball.toml"));
+    let unit = folder.text("--fmu", "ball.fmu");
+    for file in ["modelDescription.xml", "sources/buildDescription.xml", "sources/fmi3.c", "sources/system.h"] {
+        assert!(unit.contains(file), "{file}");
+    }
+    for part in [
+        "<ModelExchange modelIdentifier=\"ball\"",
+        "<CoSimulation modelIdentifier=\"ball\"",
+        "name=\"y&apos;\"",
+        "name=\"e\" valueReference=\"7\" description=\"0.8\" causality=\"parameter\" variability=\"tunable\"",
+        "<EventIndicator valueReference=\"10\"/>",
+        "sha256 of the scene: ",
+        "generationTool=\"dalembert export, version ",
+    ] {
+        assert!(unit.contains(part), "{part}");
+    }
+    // the same scene is the same file, and a file of ours is replaced
+    let [first, second] = [(); 2].map(|()| {
+        folder.text("--fmu", "ball.fmu");
+        fs::read(folder.0.join("ball.fmu")).expect("it is there")
+    });
+    assert!(first == second, "the same bytes");
+}
+
+#[test]
+fn a_title_with_signs_of_xml_is_written_right() {
+    let folder = Folder::new("title");
+    folder.scene(&sliding("-F*tanh(x'/v0)", ""));
+    let unit = folder.text("--fmu", "mass.fmu");
+    assert!(unit.contains("modelName=\"A &lt;mass&gt; &amp; a &quot;force&quot;\""), "the title");
+}
+
+#[test]
+fn programs_say_their_origin_and_hold_the_start() {
+    let folder = Folder::new("programs");
+    folder.scene(&of_repository("models/bouncing_ball.toml"));
+    for (option, file, start) in [
+        ("--c", "ball.c", "const double start[] = {1.0, 0.0};"),
+        ("--python", "ball.py", "START = np.array([1.0, 0.0])"),
+        ("--rust", "ball.rs", "START: [f64; COORDINATES + SPEEDS] = [1.0, 0.0];"),
+        ("--casadi", "ball_casadi.py", "START = [1.0, 0.0]"),
+        ("--modelica", "Ball.mo", "reinit(yprime, "),
+    ] {
+        let text = folder.text(option, file);
+        assert!(text.contains(start), "{option}: {text}");
+        let first = text.lines().next().unwrap_or_default();
+        assert!(
+            first.trim_start_matches(['/', '#', ' ']).starts_with("made by: dalembert export, version "),
+            "{first}"
+        );
+        assert!(text.lines().any(|line| line.ends_with("scene: scene.toml")), "{text}");
+    }
+    let told = String::from_utf8_lossy(&folder.export(&["--c", "ball.c"]).stderr).into_owned();
+    assert!(told.contains("Events are not part of these equations"), "{told}");
+}
+
+#[test]
+fn what_no_other_simulator_has_a_law_for_is_refused_at_its_line() {
+    let folder = Folder::new("refused");
+    for (text, line, why) in [
+        (of_repository("models/dry_friction.toml"), None, "as dry friction that sticks"),
+        (of_repository("models/leaning_ladder.toml"), None, "a contact is left to `run`"),
+        (of_repository("models/bridge_rectifier.toml"), None, "a diode or a freewheel is left to `run`"),
+        (sliding("-F*sign(x')", ""), Some("scene.toml:12:"), "as dry friction that sticks"),
+        (
+            sliding("-F*tanh(x'/v0)", "").replace("\"3 N\"", "\"N\""),
+            Some("scene.toml:4:"),
+            "the parameter `F` has no value",
+        ),
+    ] {
+        folder.scene(&text);
+        for (option, file) in [("--fmu", "unit.fmu"), ("--modelica", "Model.mo")] {
+            let message = folder.refused(&[option, file]);
+            assert!(message.contains(why) && message.contains(line.unwrap_or("scene.toml:")), "{message}");
+            assert!(!folder.0.join(file).exists(), "nothing is written");
+        }
+    }
+}
+
+#[test]
+fn forces_that_bend_at_a_speed_and_do_not_jump_are_carried() {
+    let folder = Folder::new("bends");
+    for force in ["-F*abs(x')*x'/v0^2", "-min(F, max(-F, F*x'/v0))", "if(x > (1 m), -F, F)"] {
+        folder.scene(&sliding(force, ""));
+        assert!(folder.text("--fmu", "unit.fmu").contains("name=\"condition 1\""), "{force}");
+    }
+}
+
+#[test]
+fn one_file_is_asked_for_and_its_name_has_the_end_of_its_form() {
+    let folder = Folder::new("asked");
+    folder.scene(&sliding("-F*tanh(x'/v0)", ""));
+    assert!(folder.refused(&[]).contains("--fmu"));
+    assert!(folder.refused(&["--fmu", "a.fmu", "--c", "a.c"]).contains("cannot be used with"));
+    assert!(folder.refused(&["--fmu", "a.zip"]).contains("ends in .fmu is accepted"));
+    fs::write(folder.0.join("mine.c"), "int main(void) { return 0; }\n").expect("it can be written");
+    assert!(folder.refused(&["--c", "mine.c"]).contains("--force"));
+}
+
+#[test]
+fn a_run_is_an_archive_of_numpy_too() {
+    let folder = Folder::new("archive");
+    folder.scene(&sliding("-F*tanh(x'/v0)", ""));
+    let run = |arguments: &[&str]| {
+        let output = program_in(&folder.0, &[&["run", "scene.toml", "--samples", "4"], arguments].concat()).output();
+        assert_eq!(output.expect("the program starts").status.code(), Some(0), "{arguments:?}");
+    };
+    // the second time over a file of our own
+    for _ in 0..2 {
+        run(&["--out", "run.npz"]);
+    }
+    let bytes = fs::read(folder.0.join("run.npz")).expect("it was written");
+    let text = String::from_utf8_lossy(&bytes).replace('\0', "");
+    for part in
+        ["provenance.npy", "columns.npy", "units.npy", "time.npy", "x'.npy", "method: dormand_prince_8", "tolerance: "]
+    {
+        assert!(text.contains(part), "{part}");
+    }
+    let first = text.find("time.npy").map(|at| &text[at..]).expect("times");
+    assert!(first.contains("{'descr': '<f8', 'fortran_order': False, 'shape': (5,), }"), "{first}");
+}
