@@ -223,16 +223,17 @@ fn drawn(
     page: impl FnOnce(Vec<WorkPrecision>) -> String,
 ) -> String {
     let [counted, timed] = pictures::work_precision(atlas);
+    let provenance = Provenance::of(Maker("chart"), &asked.scene);
     match form {
         Form::Page => page(vec![counted, timed]),
-        Form::Table(_) => Provenance::of(Maker("chart"), &asked.scene).comment("#") + &runs(atlas),
+        Form::Table(_) => provenance.comment("#") + &runs(atlas),
         Form::Picture | Form::Reference | Form::Certificates | Form::Unit | Form::Program(_) | Form::Archive => {
             let mut chart = match asked.x {
                 None | Some(Axis::Evaluations) => counted,
                 Some(Axis::Time) => timed,
             };
             chart.title = title.to_owned();
-            chart.svg()
+            provenance.markup() + &chart.svg()
         }
     }
 }

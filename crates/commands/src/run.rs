@@ -199,7 +199,8 @@ fn follow(scene: &dyn IvpScene, asked: &Asked, form: Option<Axes>) -> Result<Exi
     }
     let states = asked.transition.as_ref().map(|_| scene.problem(choice.axes));
     let states = states.map(|states| headed(&states.columns[..states.state.len().min(states.columns.len())]));
-    let matrix = csv::Matrix::at(&writes, asked.transition.as_deref(), &states.unwrap_or_default(), provenance)?;
+    let matrix =
+        csv::Matrix::at(&writes, asked.transition.as_deref(), &states.unwrap_or_default(), provenance.clone())?;
     output::apart(table.output(), matrix.output())?;
     output::apart(table.output(), plot.as_ref())?;
     output::apart(matrix.output(), plot.as_ref())?;
@@ -230,7 +231,9 @@ fn follow(scene: &dyn IvpScene, asked: &Asked, form: Option<Axes>) -> Result<Exi
 
     // what follows may take longer than the run, and the run is not lost by it
     let table = table.write(&trajectory.times, &trajectory.rows, (trajectory.outcome.time, &trajectory.last));
-    let plot = plot.map(|plot| plot.write_text(&pictures::sheet(scene, &trajectory).svg())).transpose();
+    let plot = plot
+        .map(|plot| plot.write_text(&(provenance.markup() + &pictures::sheet(scene, &trajectory).svg())))
+        .transpose();
     clock::publish(text(&RunNotes::default(), None));
     let told = phase("what theory says of the run", || scene.told(&choice, &trajectory));
     clock::publish(text(&told, None));

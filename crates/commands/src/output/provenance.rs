@@ -49,6 +49,11 @@ impl Provenance {
         self.lines.iter().map(|line| format!("{sign} {line}\n")).collect()
     }
 
+    /// A comment of SVG, which may hold no two hyphens in a row.
+    pub fn markup(&self) -> String {
+        format!("<!-- {} -->\n", self.line().replace("--", "- -").replace("--", "- -"))
+    }
+
     /// One line.
     pub fn line(&self) -> String {
         self.lines.join("; ")
