@@ -29,3 +29,33 @@ pub fn write(out: impl Write, entries: &[Entry<'_>]) -> io::Result<()> {
     };
     written().map_err(io::Error::other)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rawzip::ZipArchive;
+    use std::io::Read;
+
+    #[test]
+    fn files_come_back_and_the_same_files_are_the_same_bytes() {
+        let files = [("a.txt", &b"one"[..]), ("folder/b.bin", &[0, 255, 13, 10][..]), ("empty", &b""[..])];
+        let entries = || files.map(|(path, bytes)| Entry { path: path.to_owned(), bytes });
+        let mut archive = Vec::new();
+        write(&mut archive, &entries()).expect("memory takes it");
+        let read = ZipArchive::from_slice(&archive).expect("it is one");
+        let mut found = Vec::new();
+        let mut listed = read.entries();
+        while let Some(entry) = listed.next_entry().expect("an entry") {
+            let path = entry.file_path().try_normalize().expect("a plain path").as_ref().to_owned();
+            let stored = read.get_entry(entry.wayfinder()).expect("its data");
+            let mut bytes = Vec::new();
+            stored.verifying_reader(stored.data()).read_to_end(&mut bytes).expect("its sum is right");
+            found.push((path, bytes));
+        }
+        let wanted = files.map(|(path, bytes)| (path.to_owned(), bytes.to_vec()));
+        assert_eq!(found, wanted);
+        let mut again = Vec::new();
+        write(&mut again, &entries()).expect("memory takes it");
+        assert!(archive == again);
+    }
+}

@@ -63,3 +63,42 @@ impl Array {
         bytes
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_array_has_its_header_and_its_data_behind_a_multiple_of_64_bytes() {
+        for array in [
+            Array::Numbers(vec![1.5, -2.0, f64::NAN]),
+            Array::Rows(vec![vec![1.0, 2.0], vec![3.0, 4.0]]),
+            Array::Texts(vec!["theta'".to_owned(), "\u{3b8}".to_owned()]),
+            Array::Texts(Vec::new()),
+        ] {
+            let bytes = array.bytes();
+            assert!(bytes.starts_with(b"\x93NUMPY\x01\x00"));
+            let length = 10 + usize::from(u16::from_le_bytes([bytes[8], bytes[9]]));
+            assert_eq!((length % 64, bytes[length - 1]), (0, b'\n'));
+            let data = &bytes[length..];
+            match &array {
+                Array::Numbers(values) => {
+                    let found =
+                        data.chunks_exact(8).map(|part| f64::from_le_bytes(part.try_into().expect("eight bytes")));
+                    assert!(found.zip(values).all(|(found, value)| found.to_bits() == value.to_bits()));
+                }
+                Array::Rows(rows) => assert_eq!(data.len(), 8 * rows.len() * 2),
+                Array::Texts(texts) => assert_eq!(data.len(), 4 * 6 * texts.len()),
+            }
+        }
+    }
+
+    #[test]
+    fn of_two_arrays_with_one_name_the_later_is_marked() {
+        let mut archive = Vec::new();
+        let arrays = ["x", "x", "m/s"].map(|name| (name.to_owned(), Array::Numbers(vec![0.0])));
+        write(&mut archive, &arrays).expect("memory takes it");
+        let text = String::from_utf8_lossy(&archive);
+        assert!(["x.npy", "x_.npy", "m per s.npy"].iter().all(|name| text.contains(name)));
+    }
+}

@@ -141,7 +141,7 @@ fn what_no_other_simulator_has_a_law_for_is_refused_at_its_line() {
 #[test]
 fn forces_that_bend_at_a_speed_and_do_not_jump_are_carried() {
     let folder = Folder::new("bends");
-    for force in ["-F*abs(x')*x'/v0^2", "-min(F, max(-F, F*x'/v0))", "if(x > (1 m), -F, F)"] {
+    for force in ["-F*abs(x')*x'/v0^2", "-min(F, max(-F, F*x'/v0))", "if(x > (0 m), -F, F)"] {
         folder.scene(&sliding(force, ""));
         assert!(folder.text("--fmu", "unit.fmu").contains("name=\"condition 1\""), "{force}");
     }
