@@ -176,8 +176,8 @@ impl fmt::Display for Source<'_> {
             Language::Rust => writeln!(f, "pub fn {name}(y: &[f64; {n}], dy: &mut [f64; {m}]) {{")?,
             Language::Modelica => {
                 writeln!(f, "function {name}\n  input Real y[{n}];\n  output Real dy[{m}];\nprotected")?;
-                let results = self.used().into_iter().enumerate().filter(|(_, used)| *used);
-                results.map(|(result, _)| writeln!(f, "  Real r{result};")).collect::<fmt::Result>()?;
+                let mut results = self.used().into_iter().enumerate().filter(|(_, used)| *used);
+                results.try_for_each(|(result, _)| writeln!(f, "  Real r{result};"))?;
                 writeln!(f, "algorithm")?;
             }
         }
