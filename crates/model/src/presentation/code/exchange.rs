@@ -120,7 +120,7 @@ pub fn exchange(trace: &Trace<'_>, form: &MatrixForm, start: &[f64]) -> Result<S
         sets.len(),
     );
     let mut writer = Writer { letters, text };
-    let solved = format!("(void)a; (void)lambda;");
+    let solved = "(void)a; (void)lambda;";
     writer.function(
         "what is positive where a condition holds; then what passes zero at events",
         "indicators",
@@ -128,7 +128,7 @@ pub fn exchange(trace: &Trace<'_>, form: &MatrixForm, start: &[f64]) -> Result<S
         "",
         &indicators,
     )?;
-    writer.function("outputs, kinetic and potential energy", "outputs", SOLVED, &solved, &outputs)?;
+    writer.function("outputs, kinetic and potential energy", "outputs", SOLVED, solved, &outputs)?;
     writer.function("dy/dt, coordinates alone", "position_rates", "", "", &form.position_rates)?;
     let mut changes = |expressions: &[Sym]| expressions.iter().map(|each| along.of(*each)).collect::<Vec<_>>();
     let told = |of: &str| format!("the change of {of} along a direction");
