@@ -6,7 +6,7 @@ use std::path::Path;
 
 /// Folders with the number of their modules that stand in circles; every other folder has none.
 const KNOWN: &[(&str, usize)] = &[
-    ("crates/commands/src", 28),
+    ("crates/commands/src", 25),
     ("crates/model/src", 11),
     ("crates/motor/src", 2),
     ("crates/native/src", 2),

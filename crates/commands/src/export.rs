@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 /// The compiler of a unit's sources.
 const COMPILER: &str = "cc";
 
-/// What the long help adds.
+/// Lines behind the options.
 pub const HELP: &str = "\
 A unit of FMI 3.0 is for model exchange and for co-simulation. Its parameters can be changed, its inputs are those of the file that have no
 value, its events are those of the file and the conditions of `if`, `sign`, `abs`, `min`, `max` and `table`; it has directional derivatives.
@@ -20,7 +20,7 @@ It holds its sources, and a binary for this platform where the C compiler `cc` i
 
 Left to `run`, and refused with the line of the file: contacts, diodes, dry friction that may stick, laws that are implicit.";
 
-/// What is to be written.
+/// A scene, and the file to be written.
 #[derive(Args, Debug)]
 pub struct Asked {
     /// The scene, a file with `[coordinates]`

@@ -77,7 +77,7 @@ impl<'a> Exported<'a> {
 }
 
 impl Exported<'_> {
-    /// What is written, where no condition may keep itself at zero.
+    /// A result that was written, where no condition may keep itself at zero.
     fn without_sticking<R>(&self, (written, sticks): (R, Option<usize>)) -> Result<R, SceneError> {
         let Some(condition) = sticks else { return Ok(written) };
         let place = self.model.switch_places[condition].clone();

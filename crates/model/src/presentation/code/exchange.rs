@@ -16,7 +16,7 @@ pub(super) struct Shown {
     pub outputs: Vec<Sym>,
     /// Expressions of events.
     pub events: Vec<Sym>,
-    /// What each event sets: places in the state, with the values.
+    /// Places in the state that each event sets, with the values.
     pub sets: Vec<Vec<(usize, Sym)>>,
 }
 
@@ -122,7 +122,7 @@ pub fn exchange(trace: &Trace<'_>, form: &MatrixForm, start: &[f64]) -> Result<S
     let mut writer = Writer { letters, text };
     let solved = "(void)a; (void)lambda;";
     writer.function(
-        "what is positive where a condition holds; then what passes zero at events",
+        "expressions that are positive where conditions hold; then those that pass zero at events",
         "indicators",
         "",
         "",
