@@ -1,5 +1,6 @@
-//! A zip archive of files, uncompressed and without times, so that the same files are the same bytes.
+//! A zip archive of files, uncompressed and all of one time, so that the same files are the same bytes.
 
+use rawzip::time::UtcDateTime;
 use rawzip::{Error, ZipArchiveWriter};
 use std::io::{self, Write};
 
@@ -10,6 +11,9 @@ pub struct Entry<'a> {
     pub bytes: &'a [u8],
 }
 
+/// The first instant that archives know, the beginning of 1980.
+const FIRST: i64 = 315_532_800;
+
 /// Writes an archive.
 ///
 /// # Errors
@@ -18,7 +22,8 @@ pub fn write(out: impl Write, entries: &[Entry<'_>]) -> io::Result<()> {
     let written = || -> Result<(), Error> {
         let mut archive = ZipArchiveWriter::new(out);
         for entry in entries {
-            let (mut file, config) = archive.new_file(entry.path.as_str()).start()?;
+            let (mut file, config) =
+                archive.new_file(entry.path.as_str()).last_modified(UtcDateTime::from_unix(FIRST)).start()?;
             let mut data = config.wrap(&mut file);
             data.write_all(entry.bytes)?;
             let (_, descriptor) = data.finish()?;

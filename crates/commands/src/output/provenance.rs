@@ -13,7 +13,7 @@ pub struct Provenance {
 }
 
 impl Provenance {
-    /// Of a file that follows from a scene alone; the hash is that of the file, as `sha256sum` prints it.
+    /// The origin of a file that follows from a scene alone; the hash is that of the file, as `sha256sum` prints it.
     pub fn of(maker: Maker, scene: &Path) -> Self {
         let hash = std::fs::read(scene).map(|bytes| Hash::hash(&bytes));
         let hash =

@@ -20,7 +20,7 @@ struct Listed<'a> {
 enum Kind {
     Time,
     State,
-    /// Of the state with this value reference.
+    /// The rate of the state with this value reference.
     Derivative(usize),
     Parameter,
     Input,
