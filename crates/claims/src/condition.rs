@@ -16,14 +16,27 @@ pub enum Condition {
     NonZero(Sym),
     /// It is positive.
     Positive(Sym),
+    /// It is positive or zero.
+    NotNegative(Sym),
 }
 
 impl Condition {
     /// The expression that the condition is about: the difference of the sides of an equality.
     pub fn expression(self) -> Sym {
         match self {
-            Self::Zero(e) | Self::NonZero(e) | Self::Positive(e) => e,
+            Self::Zero(e) | Self::NonZero(e) | Self::Positive(e) | Self::NotNegative(e) => e,
             Self::Equal(a, b) => a - b,
+        }
+    }
+
+    /// The same condition on other expressions.
+    pub fn mapped(self, of: impl Fn(Sym) -> Sym) -> Self {
+        match self {
+            Self::Zero(e) => Self::Zero(of(e)),
+            Self::Equal(a, b) => Self::Equal(of(a), of(b)),
+            Self::NonZero(e) => Self::NonZero(of(e)),
+            Self::Positive(e) => Self::Positive(of(e)),
+            Self::NotNegative(e) => Self::NotNegative(of(e)),
         }
     }
 
@@ -34,6 +47,7 @@ impl Condition {
             Self::Zero(_) | Self::Equal(..) => value.is_zero(),
             Self::NonZero(_) => !value.is_zero(),
             Self::Positive(_) => value.sign() == Some(1),
+            Self::NotNegative(_) => value.sign().is_some_and(|sign| sign >= 0),
         })
     }
 
@@ -46,6 +60,8 @@ impl Condition {
             Self::Equal(a, b) => Self::Equal(a, b + b + one),
             Self::NonZero(_) => Self::NonZero(Sym::ZERO),
             Self::Positive(e) => Self::Positive(-e),
+            // it can be shown beside its opposite: where both hold it vanishes
+            Self::NotNegative(e) => Self::Positive(-e),
         }
     }
 
@@ -61,6 +77,7 @@ impl Condition {
             Self::Zero(e) => one(e, "=", "="),
             Self::NonZero(e) => one(e, "!=", "\\neq"),
             Self::Positive(e) => one(e, ">", ">"),
+            Self::NotNegative(e) => one(e, ">=", "\\geq"),
             Self::Equal(a, b) => {
                 let (left, right) = (Side::of(a, rules), Side::of(b, rules));
                 let differ = left.text != right.text;
@@ -80,6 +97,7 @@ impl Condition {
             Self::Equal(a, b) => format!("{} = {}", a.latex(), b.latex()),
             Self::NonZero(e) => format!("{} \\neq 0", e.latex()),
             Self::Positive(e) => format!("{} > 0", e.latex()),
+            Self::NotNegative(e) => format!("{} \\geq 0", e.latex()),
         }
     }
 }
@@ -91,6 +109,7 @@ impl fmt::Display for Condition {
             Self::Equal(a, b) => write!(f, "{a} = {b}"),
             Self::NonZero(e) => write!(f, "{e} != 0"),
             Self::Positive(e) => write!(f, "{e} > 0"),
+            Self::NotNegative(e) => write!(f, "{e} >= 0"),
         }
     }
 }

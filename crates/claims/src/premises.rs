@@ -11,7 +11,8 @@ impl Judged {
     /// Lists a given condition; signs have a list of their own.
     pub(crate) fn presuppose(&mut self, condition: Condition) {
         let stated = told(condition);
-        let list = if matches!(condition, Condition::Positive(_)) { &mut self.signs } else { &mut self.requires };
+        let is_sign = matches!(condition, Condition::Positive(_) | Condition::NotNegative(_));
+        let list = if is_sign { &mut self.signs } else { &mut self.requires };
         if !list.contains(&stated) {
             list.push(stated);
         }
@@ -52,7 +53,7 @@ const MOST_POWER: i32 = 4;
 fn differs_from_zero(divisor: Sym, known: &[Condition]) -> bool {
     let excluded = known.iter().filter_map(|condition| match condition {
         Condition::NonZero(e) | Condition::Positive(e) => Some(*e),
-        Condition::Zero(_) | Condition::Equal(..) => None,
+        Condition::Zero(_) | Condition::Equal(..) | Condition::NotNegative(_) => None,
     });
     let excluded: Vec<Sym> = excluded.collect();
     let positive: Vec<Sym> = known
@@ -86,6 +87,7 @@ pub(crate) fn told(condition: Condition) -> (String, String) {
         Condition::Zero(_) | Condition::Equal(..) => ("= 0", "= 0"),
         Condition::NonZero(_) => ("!= 0", "\\neq 0"),
         Condition::Positive(_) => ("> 0", "> 0"),
+        Condition::NotNegative(_) => (">= 0", "\\geq 0"),
     };
     let of = format!("an expression of {} characters in", text.chars().count());
     (format!("[{of} {}] {relation}", names.join(" ")), format!(r"[\text{{{of} }}{}] {sign}", latex.join(r"\;")))

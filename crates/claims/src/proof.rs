@@ -254,6 +254,6 @@ fn excludes(condition: Condition, all: &[Sym]) -> bool {
     let zero: Vec<(Sym, Sym)> = all.iter().map(|symbol| (*symbol, Sym::ZERO)).collect();
     match condition {
         Condition::NonZero(e) | Condition::Positive(e) => decide(e.substitute(&zero), &Hypotheses::none()).is_zero(),
-        Condition::Zero(_) | Condition::Equal(..) => false,
+        Condition::Zero(_) | Condition::Equal(..) | Condition::NotNegative(_) => false,
     }
 }

@@ -95,11 +95,8 @@ fn hypothesis(text: &Passage, letters: &Letters<'_, '_>) -> Result<Hypothesis, I
         Relation::NotEqual => found.condition = Some(Condition::NonZero(left_is - right_is)),
         Relation::Greater => found.condition = Some(Condition::Positive(left_is - right_is)),
         Relation::Less => found.condition = Some(Condition::Positive(right_is - left_is)),
-        Relation::GreaterOrEqual | Relation::LessOrEqual => {
-            let title = "a hypothesis of this kind is not used";
-            return Err(Issue::at(text.span.clone(), title, "not strict")
-                .accepted("> or <, and the equality as a claim of its own"));
-        }
+        Relation::GreaterOrEqual => found.condition = Some(Condition::NotNegative(left_is - right_is)),
+        Relation::LessOrEqual => found.condition = Some(Condition::NotNegative(right_is - left_is)),
     }
     Ok(found)
 }
@@ -122,10 +119,6 @@ pub(crate) fn assume(motion: &mut Motion<'_, '_>, hypotheses: &[Hypothesis]) -> 
 
 /// The conditions where the motion is.
 pub(crate) fn conditions(motion: &Motion<'_, '_>, hypotheses: &[Hypothesis]) -> Vec<Condition> {
-    let reduced = |condition: Condition| match condition {
-        Condition::Positive(e) => Condition::Positive(motion.reduced(e)),
-        Condition::NonZero(e) => Condition::NonZero(motion.reduced(e)),
-        other => other,
-    };
+    let reduced = |condition: Condition| condition.mapped(|e| motion.reduced(e));
     hypotheses.iter().filter_map(|hypothesis| hypothesis.condition.map(reduced)).collect()
 }

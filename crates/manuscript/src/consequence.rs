@@ -101,12 +101,7 @@ fn undivided(factor: Sym) -> String {
 }
 
 fn reduced(conditions: &[Condition], motion: &Motion<'_, '_>) -> Vec<Condition> {
-    let all = conditions.iter().map(|condition| match condition {
-        Condition::Positive(e) => Condition::Positive(motion.reduced(*e)),
-        Condition::NonZero(e) => Condition::NonZero(motion.reduced(*e)),
-        other => *other,
-    });
-    all.collect()
+    conditions.iter().map(|condition| condition.mapped(|e| motion.reduced(e))).collect()
 }
 
 /// A point at which a divisor vanishes, a condition holds and the other one does not.

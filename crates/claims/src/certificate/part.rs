@@ -105,6 +105,7 @@ impl Relations {
             Condition::Equal(a, b) => ("=", a, b),
             Condition::NonZero(e) => ("!=", e, Sym::ZERO),
             Condition::Positive(e) => (">", e, Sym::ZERO),
+            Condition::NotNegative(e) => (">=", e, Sym::ZERO),
         };
         Relation { is, left: self.recorder.place(left), right: self.recorder.place(right) }
     }
