@@ -4,6 +4,9 @@ use claims::Judged;
 use claims::certificate::Certificate;
 use std::ops::Range;
 
+/// Edits that a reader sees at a glance; more are counted.
+const FEW: usize = 3;
+
 /// The kind of an edit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum EditKind {
@@ -101,7 +104,9 @@ impl Correction {
             let told = |part: &str| if part.is_empty() { "nothing".to_owned() } else { format!("`{part}`") };
             format!("{words}: {} -> {}", told(before), told(after))
         });
-        each.collect::<Vec<_>>().join("; ")
+        let each = each.collect::<Vec<_>>();
+        let count = if each.len() > FEW { format!("{} places differ: ", each.len()) } else { String::new() };
+        count + &each.join("; ")
     }
 
     /// The same with its formulas between dollar signs.

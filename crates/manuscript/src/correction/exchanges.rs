@@ -65,24 +65,26 @@ pub(super) fn told(summand: &Summand, text: &str) -> String {
 
 /// The sign of each term that is not zero.
 pub(super) fn signs(places: &Places, text: &str) -> Vec<Edit> {
-    let edit = |summand: &Summand| {
-        let (span, after) = match summand.sign {
-            Some((at, '-')) if summand.number == 1 => (at..at + 1, ""),
-            Some((at, '-')) => (at..at + 1, "+"),
-            Some((at, _)) => (at..at + 1, "-"),
-            None => (summand.span.start..summand.span.start, "-"),
-        };
-        let around = span.start..summand.span.end;
-        let words = format!("the sign of {}", told(summand, text));
-        Edit { around, ..Edit::new(EditKind::Sign, span, after, words) }
-    };
     // a sign that is printed is exchanged more often than one that is not
     let of = |is_printed: bool| {
         let chosen =
             move |summand: &&Summand| summand.sign.is_some() == is_printed && &text[summand.span.clone()] != "0";
-        places.summands.iter().filter(chosen).map(edit)
+        places.summands.iter().filter(chosen).map(|summand| sign(summand, text))
     };
     of(true).chain(of(false)).collect()
+}
+
+/// The other sign of a term.
+pub(super) fn sign(summand: &Summand, text: &str) -> Edit {
+    let (span, after) = match summand.sign {
+        Some((at, '-')) if summand.number == 1 => (at..at + 1, ""),
+        Some((at, '-')) => (at..at + 1, "+"),
+        Some((at, _)) => (at..at + 1, "-"),
+        None => (summand.span.start..summand.span.start, "-"),
+    };
+    let around = span.start..summand.span.end;
+    let words = format!("the sign of {}", told(summand, text));
+    Edit { around, ..Edit::new(EditKind::Sign, span, after, words) }
 }
 
 fn functions(places: &Places, text: &str) -> Vec<Edit> {

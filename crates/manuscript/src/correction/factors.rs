@@ -3,7 +3,7 @@
 use super::edit::Edit;
 use super::exchanges::told;
 use super::letter_rates::LetterRate;
-use super::places::Places;
+use super::places::{Places, Summand};
 use crate::change::EditKind;
 use symbolic::Dimension;
 
@@ -65,22 +65,27 @@ pub(super) fn factors(places: &Places, text: &str, rates: &[LetterRate]) -> Vec<
             }
         }
         for factor in &candidates {
-            let at = summand.span.start;
             let below = factor.strip_prefix(r"\frac{1}{").and_then(|rest| rest.strip_suffix('}'));
             // a factor that would cancel is one that is superfluous
             if summand.factors.iter().any(|own| Some(&text[own.clone()]) == below) {
                 continue;
             }
-            // after a function a product needs its sign, and so does a number after a number
-            let needs_sign = factor.starts_with(r"\cos")
-                || factor.starts_with(r"\sin")
-                || text[at..].starts_with(|letter: char| letter.is_ascii_digit())
-                || text[at..].starts_with(['(', '['])
-                || text[at..].starts_with(r"\left");
-            let after = if needs_sign { format!(r"{factor} \cdot ") } else { format!("{factor} ") };
-            let words = format!("the factor `{factor}` in {}", told(summand, text));
-            all.push(Edit::new(EditKind::MissingFactor, at..at, after, words));
+            all.push(before(summand, factor, text));
         }
     }
     all
+}
+
+/// A factor before a term.
+pub(super) fn before(summand: &Summand, factor: &str, text: &str) -> Edit {
+    let at = summand.span.start;
+    // after a function a product needs its sign, and so does a number after a number
+    let needs_sign = factor.starts_with(r"\cos")
+        || factor.starts_with(r"\sin")
+        || text[at..].starts_with(|letter: char| letter.is_ascii_digit())
+        || text[at..].starts_with(['(', '['])
+        || text[at..].starts_with(r"\left");
+    let after = if needs_sign { format!(r"{factor} \cdot ") } else { format!("{factor} ") };
+    let words = format!("the factor `{factor}` in {}", told(summand, text));
+    Edit::new(EditKind::MissingFactor, at..at, after, words)
 }

@@ -47,6 +47,9 @@ pub(super) trait Ground {
     /// The residual of the formula at some points, in double precision: zero where it is true. None where nothing can be measured.
     fn residual(&self, statement: &Statement) -> Option<Vec<f64>>;
 
+    /// The value that the sought letter must have, in normal form over what the formula is judged by.
+    fn lack(&self, statement: &Statement) -> Option<Sym>;
+
     /// The values that the sought letter must have, in the letters of the print.
     fn sought(&self, statement: &Statement) -> Vec<Sym>;
 

@@ -10,7 +10,7 @@ use crate::lines::lines;
 use latex::read;
 use std::cmp::Reverse;
 use std::collections::BTreeSet;
-use symbolic::Sym;
+use symbolic::{Hypotheses, Node, Sym, decide};
 
 /// Letters and rates that are one symbol of the model, each as zero: inputs first, then what is differentiated most; those of the formula before
 /// the others.
@@ -21,7 +21,7 @@ pub(super) fn candidates(places: &Places, rates: &[LetterRate]) -> Vec<String> {
     all.iter().map(|rate| format!("{} = 0", rate.latex)).collect()
 }
 
-/// Whether a formula still states something where a letter is zero.
+/// Whether a formula still states something where a letter is zero: not all of its sides, and most of its terms, stay.
 pub(super) fn leaves_something(claim: &ClaimText, hypothesis: &str, letters: &Letters<'_, '_>) -> bool {
     let zero =
         read(hypothesis, &letters.spelt()).ok().and_then(|statement| super::probe::own_difference(&statement, letters));
@@ -29,6 +29,19 @@ pub(super) fn leaves_something(claim: &ClaimText, hypothesis: &str, letters: &Le
     let (Some(zero), Some(statement)) = (zero, statement) else { return false };
     // claims of other kinds have sides that are read otherwise
     let Ok(mut lines) = lines(claim, &statement, letters) else { return true };
-    lines.iter_mut().for_each(|line| line.own = line.own.map(|own| own.substitute(&[(zero, Sym::ZERO)])));
-    !lines.iter().any(says_nothing)
+    let there = |own: Sym| own.substitute(&[(zero, Sym::ZERO)]);
+    let terms: Vec<Sym> = lines.iter().flat_map(|line| line.own).flat_map(terms).collect();
+    let staying = terms.iter().filter(|term| !decide(there(**term), &Hypotheses::none()).is_zero()).count();
+    lines.iter_mut().for_each(|line| line.own = line.own.map(there));
+    2 * staying >= terms.len() && !lines.iter().any(says_nothing)
+}
+
+/// The terms of a sum, as it is written.
+fn terms(sum: Sym) -> Vec<Sym> {
+    match sum.node() {
+        Node::Sum(a, b) | Node::Difference(a, b) => [terms(a), terms(b)].concat(),
+        Node::Negation(a) => terms(a),
+        _ if sum == Sym::ZERO => Vec::new(),
+        _ => vec![sum],
+    }
 }

@@ -16,7 +16,7 @@ use std::ops::Range;
 use symbolic::{Hypotheses, Sym, normal};
 
 /// Lost terms with more characters are no slip of a print.
-const SHORT: usize = 140;
+pub(super) const SHORT: usize = 140;
 
 /// The letter that stands for the term that is looked for.
 pub(super) const SOUGHT: &str = r"\aleph";
@@ -166,12 +166,26 @@ fn missing(kind: Kind, difference: Sym, letters: &Letters<'_, '_>, probe: &Probe
 }
 
 /// The number of terms of a sum, as it is written.
-fn count(text: &str) -> usize {
+pub(super) fn count(text: &str) -> usize {
     1 + text.matches(" + ").count() + text.matches(" - ").count()
 }
 
 pub(super) fn sought() -> Sym {
     Sym::symbol("sought term")
+}
+
+/// The sought letter from an expression that vanishes; none where it does not stand there linearly.
+pub(super) fn solved(zero: Sym) -> Option<Sym> {
+    let slope = zero.diff(sought());
+    let is_linear = slope != Sym::ZERO && !slope.symbols_of().contains(&sought());
+    is_linear.then(|| -zero.substitute(&[(sought(), Sym::ZERO)]) / slope)
+}
+
+/// The value of the sought letter in a claim, by the motion.
+pub(super) fn lack(statement: &Statement, letters: &Letters<'_, '_>, probe: &Probe<'_, '_>) -> Option<Sym> {
+    let motion = probe.motion();
+    let value = motion.reduced(solved(one_difference(statement, letters)?)?);
+    normal(value, &motion.hypotheses).ok().map(|form| form.to_sym())
 }
 
 /// The letters of the paper, and the one that is sought.

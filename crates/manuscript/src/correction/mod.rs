@@ -8,6 +8,7 @@
 //! * [`search`]: the edits of the first size at which one is proved.
 
 mod combinations;
+mod comparison;
 mod edit;
 mod exchanges;
 mod factors;
@@ -19,10 +20,12 @@ mod places;
 mod probe;
 mod recorded_equation;
 mod recorded_theorem;
+mod renamings;
 mod samples;
 mod search;
 mod terms;
 mod text_claim;
+mod theorem_premises;
 mod values;
 
 pub use recorded_equation::{LineCorrection, NotRead, line_corrections};

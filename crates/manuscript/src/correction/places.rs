@@ -142,7 +142,10 @@ impl Finder<'_> {
                 match &base.form {
                     Form::Letter(_) | Form::Rate(..) => {
                         let end = script.map_or(term.span.end, |script| script.start);
-                        self.atom(base, term.span.start..end.min(base.span.end), true);
+                        // without the bracket that a power may need
+                        let bracket = self.text.get(term.span.start..base.span.start).unwrap_or_default();
+                        let start = if bracket.contains(['(', '[']) { base.span.start } else { term.span.start };
+                        self.atom(base, start..end.min(base.span.end), true);
                     }
                     Form::Function(function, argument) => self.call(base, *function, argument, true),
                     Form::Number(_) => {}

@@ -3,10 +3,11 @@
 use super::edit::Edit;
 use super::ground::{Ground, Look, Proof, cleared};
 use super::letter_rates::LetterRate;
-use super::lost::{SOUGHT, lost_terms, sought};
+use super::lost::{SOUGHT, lost_terms, solved, sought};
 use super::places::Places;
 use super::samples::Samples;
 use super::search::Search;
+use super::values::weight;
 use crate::change::Correction;
 use crate::refutation::Refutation;
 use claims::examine::mixed_lines;
@@ -36,23 +37,20 @@ pub fn line_corrections(
     dimension: fn(&str) -> Option<Dimension>,
     goes_on: &dyn Fn() -> bool,
 ) -> Result<Vec<LineCorrection>, NotRead> {
-    let ground = Recorded::of(line, hypotheses, dimension, goes_on)?;
-    let statement = read(&ground.text, &ground.known()).map_err(|fault| NotRead(fault.to_string()))?;
-    let sides = ground.sides(&statement).ok_or_else(|| NotRead("a side has no value".to_owned()))?;
-    let is_same = |read: Sym, recorded: Sym| read == recorded || decide(read - recorded, &Hypotheses::none()).is_zero();
-    if !is_same(sides.right, line.right) || !line.names && !is_same(sides.left, line.left) {
-        return Err(NotRead(format!("{} is read as {}", ground.text, sides.right)));
-    }
-    let search = Search::of(&ground, &statement);
-    let mut found = search.small();
-    if found.is_empty() {
-        found = search.large();
-    }
-    let edited = |correction: Correction| {
-        let statement = read(&correction.formula, &ground.known()).ok()?;
-        Some(LineCorrection { line: ground.sides(&statement)?, correction })
-    };
-    Ok(found.into_iter().filter_map(edited).collect())
+    let is_identity = line.derived == Sym::ZERO && hypotheses.statements().is_empty();
+    let ground = Recorded { is_identity, ..Recorded::of(line, hypotheses, dimension, goes_on)? };
+    ground.corrections()
+}
+
+/// The same of a conclusion in which letters stand for other expressions.
+pub(super) fn conclusion_corrections(
+    stand_for: &[(Sym, Sym)],
+    line: &Line,
+    hypotheses: &Hypotheses,
+    dimension: fn(&str) -> Option<Dimension>,
+    goes_on: &dyn Fn() -> bool,
+) -> Result<Vec<LineCorrection>, NotRead> {
+    Recorded { stand_for, ..Recorded::of(line, hypotheses, dimension, goes_on)? }.corrections()
 }
 
 /// A letter of a print, or its rate.
@@ -66,6 +64,9 @@ struct Letter {
 }
 
 struct Recorded<'a> {
+    stand_for: &'a [(Sym, Sym)],
+    /// Whether nothing was derived and nothing is assumed: the print can be an identity of its letters alone.
+    is_identity: bool,
     line: &'a Line,
     hypotheses: &'a Hypotheses,
     dimension: fn(&str) -> Option<Dimension>,
@@ -115,6 +116,8 @@ impl<'a> Recorded<'a> {
             _ => None,
         };
         Ok(Recorded {
+            stand_for: &[],
+            is_identity: false,
             line,
             hypotheses,
             dimension,
@@ -125,6 +128,27 @@ impl<'a> Recorded<'a> {
             at,
             samples: Samples::of(hypotheses),
         })
+    }
+
+    fn corrections(&self) -> Result<Vec<LineCorrection>, NotRead> {
+        let line = self.line;
+        let statement = read(&self.text, &self.known()).map_err(|fault| NotRead(fault.to_string()))?;
+        let sides = self.sides(&statement).ok_or_else(|| NotRead("a side has no value".to_owned()))?;
+        let is_same =
+            |read: Sym, recorded: Sym| read == recorded || decide(read - recorded, &Hypotheses::none()).is_zero();
+        if !is_same(sides.right, line.right) || !line.names && !is_same(sides.left, line.left) {
+            return Err(NotRead(format!("{} is read as {}", self.text, sides.right)));
+        }
+        let search = Search::of(self, &statement);
+        let mut found = search.small();
+        if found.is_empty() {
+            found = search.large();
+        }
+        let edited = |correction: Correction| {
+            let statement = read(&correction.formula, &self.known()).ok()?;
+            Some(LineCorrection { line: self.sides(&statement)?, correction })
+        };
+        Ok(found.into_iter().filter_map(edited).collect())
     }
 
     fn values(&self, statement: &Statement) -> Option<[Sym; 2]> {
@@ -274,9 +298,10 @@ impl Ground for Recorded<'_> {
 
     fn look(&self, _: &str, statement: &Statement) -> Look {
         let (Some(line), Some(zero)) = (self.sides(statement), self.difference(statement)) else { return Look::Fails };
-        // beside zero an identity of the letters says nothing, and neither do sides that both vanish
+        // beside zero an identity of the letters says nothing where it is not asked for, and neither do sides that both vanish
         let is_zero = |side: Sym, hypotheses: &Hypotheses| decide(side, hypotheses).is_zero();
-        let is_empty = is_zero(line.printed(), &Hypotheses::none())
+        let is_told_twice = !self.is_identity || weight(line.left) == weight(line.right);
+        let is_empty = is_told_twice && is_zero(line.printed(), &Hypotheses::none())
             || [line.left, line.right].into_iter().all(|side| is_zero(side, self.hypotheses));
         if self.line.derived == Sym::ZERO && is_empty {
             return Look::Fails;
@@ -305,13 +330,14 @@ impl Ground for Recorded<'_> {
         self.samples.as_ref()?.values(&[zero])
     }
 
+    fn lack(&self, statement: &Statement) -> Option<Sym> {
+        normal(solved(self.difference(statement)?)?, self.hypotheses).ok().map(|form| form.to_sym())
+    }
+
     fn sought(&self, statement: &Statement) -> Vec<Sym> {
-        let Some(zero) = self.difference(statement) else { return Vec::new() };
-        let slope = zero.diff(sought());
-        if slope == Sym::ZERO || slope.symbols_of().contains(&sought()) {
-            return Vec::new();
-        }
-        let value = -zero.substitute(&[(sought(), Sym::ZERO)]) / slope;
+        // a term that is sought makes an identity of anything
+        let zero = self.difference(statement).filter(|_| !self.is_identity);
+        let Some(value) = zero.and_then(solved) else { return Vec::new() };
         let own = in_print(&self.letters);
         self.ways_to_tell(value).into_iter().map(|value| value.substitute(&own)).collect()
     }
@@ -322,7 +348,9 @@ impl Ground for Recorded<'_> {
 
     fn proved(&self, text: &str) -> Option<Proof> {
         let line = self.sides(&read(text, &self.known()).ok()?)?;
-        if !mixed_lines(&[line], self.dimension).is_empty() {
+        let of = |side: Sym| side.substitute(self.stand_for);
+        let told = Line { derived: of(line.derived), left: of(line.left), right: of(line.right), ..line };
+        if !mixed_lines(&[told], self.dimension).is_empty() {
             return None;
         }
         let mut page = Page::of("print", self.dimension);

@@ -1,8 +1,10 @@
 //! The conclusion of a theorem that is refuted as an equation under what is given.
 
-use super::recorded_equation::{LineCorrection, NotRead, line_corrections};
+use super::recorded_equation::{LineCorrection, NotRead, conclusion_corrections};
+use super::theorem_premises::Premises;
+use crate::change::{Change, Correction, EditKind};
 use claims::{Condition, Line, Page, Theorem, Verdict};
-use symbolic::{Dimension, Hypotheses, Node, Sym, coefficients, normal};
+use symbolic::{Dimension, Hypotheses, Node, Sym, decide, normal};
 
 /// The smallest edits by which the conclusion of a theorem, one equality, follows from the equalities that are given.
 ///
@@ -16,56 +18,62 @@ pub fn theorem_corrections(
     let [Condition::Equal(left, right)] = theorem.then[..] else {
         return Err(NotRead("the conclusion is not one equality".to_owned()));
     };
-    let hypotheses = solved(theorem, left);
+    let circles = letters_for_circles(left, right);
+    let of = |side: Sym| side.substitute(&circles);
+    let given: Vec<Condition> = theorem.given.iter().map(|one| one.mapped(of)).collect();
+    let (left, right) = (of(left), of(right));
+    let Premises { hypotheses, divisors } = Premises::of(&theorem.rules, &given, left);
     // a side that was derived is no print
     let is_derived = |side: Sym| side.symbol_name().is_none() && theorem.given.is_empty();
     let line = match (is_derived(left), left.symbol_name()) {
         (true, _) => Line::formula(left, left, right),
         _ => Line::equation(Sym::ZERO, left, right),
     };
-    line_corrections(&line, &hypotheses, dimension, goes_on)
-}
-
-/// The rules of a theorem with its equalities, each solved for a symbol in which it is linear: for the one that is asked for where it can be.
-fn solved(theorem: &Theorem, asked: Sym) -> Hypotheses {
-    let mut hypotheses = theorem.rules.clone();
-    for condition in &theorem.given {
-        let (Condition::Zero(_) | Condition::Equal(..)) = condition else { continue };
-        // a square that is given
-        if let Condition::Equal(square, value) = condition
-            && let Node::Power(lead, power) = square.node()
-            && lead.symbol_name().is_some()
-        {
-            let with = hypotheses.clone().rule(lead, power, *value);
-            if with.check().is_ok() {
-                hypotheses = with;
-                continue;
-            }
-        }
-        let Ok(zero) = normal(condition.expression(), &hypotheses).map(|form| form.numerator()) else { continue };
-        let mut symbols = zero.symbols_of();
-        symbols.sort_by_key(|symbol| *symbol != asked);
-        let linear = symbols.into_iter().find_map(|symbol| Some((symbol, solution(zero, symbol, &theorem.given)?)));
-        if let Some((symbol, value)) = linear {
-            let with = hypotheses.clone().given(symbol, value);
-            if with.check().is_ok() {
-                hypotheses = with;
-            }
-        }
+    if !divisors.is_empty() && decide(line.printed(), &hypotheses).is_zero() {
+        return Ok(apart(&line, &hypotheses, &divisors, dimension).into_iter().collect());
     }
-    hypotheses
+    let back: Vec<(Sym, Sym)> = circles.iter().map(|&(leaf, letter)| (letter, leaf)).collect();
+    let mut found = conclusion_corrections(&back, &line, &hypotheses, dimension, goes_on)?;
+    // where a divisor of the premises vanishes the corrected equation has no value
+    found.retain(|found| divisors.iter().all(|&divisor| is_divided_by(&found.line, divisor)));
+    for LineCorrection { line, .. } in &mut found {
+        (line.left, line.right) = (line.left.substitute(&back), line.right.substitute(&back));
+    }
+    Ok(found)
 }
 
-/// A symbol by the others, where an expression that is linear in it vanishes, and its factor does not by what is given.
-fn solution(zero: Sym, symbol: Sym, given: &[Condition]) -> Option<Sym> {
-    let terms = coefficients(zero, &[symbol]).ok()?;
-    let of = |power: u32| terms.iter().find(|(exponents, _)| exponents[0] == power).map(|(_, value)| *value);
-    let factor = of(1).filter(|_| terms.iter().all(|(exponents, _)| exponents[0] <= 1))?;
-    let is_apart = factor.as_constant().is_some() || {
-        let mut page = Page::of("print", |_| None);
-        let premises = given.iter().copied().filter(|one| !matches!(one, Condition::Zero(_) | Condition::Equal(..)));
-        page.claim("print", "divisor", "").given(premises).by_signs([Condition::NonZero(factor)]);
-        page.judge().iter().all(|judged| judged.verdict == Verdict::Proved)
-    };
-    is_apart.then(|| -of(0).unwrap_or(Sym::ZERO) / factor)
+/// Letters for cosines and sines of the conclusion, where one of them is asked for: an equality can be solved for a letter.
+fn letters_for_circles(asked: Sym, right: Sym) -> Vec<(Sym, Sym)> {
+    let is_circle = |leaf: &Sym| matches!(leaf.node(), Node::Cos(_) | Node::Sin(_));
+    if !is_circle(&asked) {
+        return Vec::new();
+    }
+    let leaves = [asked, right].into_iter().flat_map(Sym::leaves_of).filter(is_circle);
+    leaves.map(|leaf| (leaf, Sym::symbol(&format!("letter for {leaf}")))).collect()
+}
+
+fn is_divided_by(line: &Line, divisor: Sym) -> bool {
+    let form = |e: Sym| normal(e, &Hypotheses::none()).ok();
+    let rest = form(line.printed()).and_then(|printed| form(printed.denominator() / divisor));
+    rest.is_some_and(|rest| rest.denominator().as_constant().is_some())
+}
+
+/// The conclusion as it is printed, under the hypothesis that what was divided by does not vanish.
+fn apart(
+    line: &Line,
+    hypotheses: &Hypotheses,
+    divisors: &[Sym],
+    dimension: fn(&str) -> Option<Dimension>,
+) -> Option<LineCorrection> {
+    let changes = divisors.iter().map(|divisor| {
+        let after = format!(r"{} \neq 0", divisor.latex());
+        Change { kind: EditKind::Hypothesis, words: format!("the hypothesis `{after}`"), before: String::new(), after }
+    });
+    let mut page = Page::of("print", dimension);
+    let given = divisors.iter().map(|&divisor| Condition::NonZero(divisor));
+    page.claim("print", "edited", "").under(hypotheses).given(given).follows([Condition::Equal(line.left, line.right)]);
+    let judged = page.judge().into_iter().next().filter(|judged| judged.verdict == Verdict::Proved)?;
+    let correction =
+        Correction { changes: changes.collect(), formula: line.latex(), parts: Vec::new(), judged, certificate: None };
+    Some(LineCorrection { correction, line: *line })
 }

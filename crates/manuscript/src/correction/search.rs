@@ -6,9 +6,10 @@ use super::ground::{Ground, Look, Proof};
 use super::lost::lost_beside;
 use super::places::Places;
 use super::values::values;
-use super::{exchanges, factors, terms};
+use super::{comparison, exchanges, factors, renamings, terms};
 use crate::change::{Change, Correction, EditKind};
 use latex::{Statement, read};
+use std::cell::OnceCell;
 use std::cmp::Reverse;
 use std::collections::HashSet;
 use std::ops::Range;
@@ -107,14 +108,22 @@ impl<'a, G: Ground> Search<'a, G> {
         let effects = self.residual.as_ref().map_or_else(Vec::new, |residual| self.effects(&edits, residual));
         let residual = self.residual.clone().unwrap_or_default();
         let most = (places.summands.len() + 1).min(MOST_LOST);
+        let kept = OnceCell::new();
+        let compared = || kept.get_or_init(|| comparison::compared(self.ground, places));
+        // several lost terms that stand for as many wrong ones tell a reader less than these
+        let fewest = || compared().iter().map(Vec::len).min().map_or(most, |edits| edits.saturating_sub(1));
+        let adds_nothing = |edits: &[Edit]| edits.iter().all(|edit| edit.kind != EditKind::LostTerm);
         let one = |edits: Vec<Edit>| edits.into_iter().map(|edit| vec![edit]).collect::<Vec<_>>();
-        let sizes: [&dyn Fn() -> Vec<Vec<Edit>>; 6] = [
+        let sizes: [&dyn Fn() -> Vec<Vec<Edit>>; 9] = [
             &|| combinations::alone(&effects, &residual),
             &|| combinations::pairs(&effects, &residual),
-            &|| one(self.ground.lost(places, most)),
+            &|| renamings::renamings(places, text, self.ground.rates()),
+            &|| one(self.ground.lost(places, most.min(fewest()))),
+            &|| compared().iter().filter(|edits| adds_nothing(edits)).cloned().collect(),
             &|| values(self.ground, places),
             &|| self.beside_lost(&effects),
             &|| if size < LEAST_FOR_THREE { Vec::new() } else { combinations::triples(&effects, &residual) },
+            &|| compared().clone(),
         ];
         sizes
             .into_iter()
@@ -239,7 +248,14 @@ impl<'a, G: Ground> Search<'a, G> {
             Change { kind: edit.kind, words: edit.words.clone(), before, after }
         };
         let Proof { judged, certificate } = proof;
-        Correction { changes: edits.iter().map(change).collect(), formula, parts, judged, certificate }
+        let mut changes: Vec<Change> = Vec::new();
+        for change in edits.iter().map(change) {
+            // an edit of every place of a letter is told once
+            if !changes.contains(&change) {
+                changes.push(change);
+            }
+        }
+        Correction { changes, formula, parts, judged, certificate }
     }
 }
 

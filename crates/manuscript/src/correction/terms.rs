@@ -18,7 +18,8 @@ pub(super) fn repeated(places: &Places, text: &str) -> Vec<Edit> {
     })
 }
 
-fn away(places: &Places, text: &str, chosen: impl Fn(usize, &Summand) -> bool) -> Vec<Edit> {
+/// Each chosen term away, by its place among all terms.
+pub(super) fn away(places: &Places, text: &str, chosen: impl Fn(usize, &Summand) -> bool) -> Vec<Edit> {
     let mut all = Vec::new();
     for (place, summand) in places.summands.iter().enumerate() {
         if summand.count == 1 || !chosen(place, summand) {

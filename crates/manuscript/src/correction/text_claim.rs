@@ -3,7 +3,7 @@
 use super::edit::Edit;
 use super::ground::{Ground, Look, Proof, cleared};
 use super::letter_rates::{LetterRate, rates};
-use super::lost::{lost, sought_values};
+use super::lost::{lack, lost, sought_values};
 use super::places::Places;
 use super::probe::{Probe, own_difference};
 use crate::claim_text::{ClaimText, Kind};
@@ -93,6 +93,10 @@ impl Ground for TextClaim<'_, '_, '_> {
         let cleared = cleared(statement).filter(|_| self.claim.kind != Kind::IntegralOfMotion);
         let of = |statement: &Statement| probe.residual(self.claim, statement, self.letters);
         cleared.as_ref().map_or_else(|| of(statement), |(cleared, _)| of(cleared))
+    }
+
+    fn lack(&self, statement: &Statement) -> Option<Sym> {
+        lack(statement, self.letters, self.probe.as_ref()?)
     }
 
     fn sought(&self, statement: &Statement) -> Vec<Sym> {

@@ -15,6 +15,10 @@ const MOST_TERMS: usize = 3;
 /// Letters, numbers and signs that a value may have.
 const MOST_WEIGHT: usize = 64;
 
+/// The same of a value for a printed zero.
+const MOST_WEIGHT_FOR_ZERO: usize = 120;
+const MOST_TERMS_FOR_ZERO: usize = 8;
+
 /// Terms that the value of a whole side may have: they are what it lacks exactly.
 const MOST_OF_SIDE: usize = 6;
 
@@ -37,6 +41,8 @@ pub(super) fn values(ground: &impl Ground, places: &Places) -> Vec<Vec<Edit>> {
     known.push(SOUGHT.to_owned());
     let mut found: Vec<(usize, Vec<Edit>)> = Vec::new();
     for part in parts(places, text) {
+        let is_zero = &text[part.span.clone()] == "0" && part.away.is_empty();
+        let most = if is_zero { (MOST_WEIGHT_FOR_ZERO, MOST_TERMS_FOR_ZERO) } else { (MOST_WEIGHT, part.most) };
         if !ground.goes_on() {
             break;
         }
@@ -56,7 +62,7 @@ pub(super) fn values(ground: &impl Ground, places: &Places) -> Vec<Vec<Edit>> {
         let Ok(statement) = read(&asked, &known) else { continue };
         for value in ground.sought(&statement) {
             let weight = weight(value);
-            if weight > MOST_WEIGHT || terms(value) > part.most {
+            if weight > most.0 || terms(value) > most.1 {
                 continue;
             }
             let (sign, latex) = signed(value);
@@ -69,7 +75,7 @@ pub(super) fn values(ground: &impl Ground, places: &Places) -> Vec<Vec<Edit>> {
 }
 
 /// The number of letters, numbers and signs of an expression, as it is written.
-fn weight(expression: Sym) -> usize {
+pub(super) fn weight(expression: Sym) -> usize {
     1 + expression.node().children().map(weight).sum::<usize>()
 }
 

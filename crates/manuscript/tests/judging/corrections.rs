@@ -92,3 +92,34 @@ fn brackets_keep_their_sizes() {
     let found = on(CART, "formula", r"\left(\ddot{y}\right) m = \left( m g \right)", "");
     assert!(found.corrections.iter().all(|one| !one.formula.contains(r"\left-")), "{}", found.text());
 }
+
+#[test]
+fn many_slips_of_one_side_are_told_one_by_one() {
+    let system = CART.replace("'T' =", "'S' = \"(x + y)^5\"\n'T' =");
+    let printed = r"S = 2 x^5 + 5 x^4 y + 5 x^3 y^2 + 20 x^2 y^3 - 5 x y^4 + y^5";
+    let found = on(&system, "formula", printed, "");
+    let [first] = &found.corrections[..] else { panic!("{}", found.text()) };
+    assert_eq!(first.changes.len(), 4, "{}", found.text());
+    assert!(first.changes.iter().all(|change| matches!(change.kind, EditKind::MissingFactor | EditKind::Sign)));
+    assert!(first.says().starts_with("4 places differ: "), "{}", first.says());
+    // less than half of the print would stay
+    let printed = r"S = x^4 y + 5 x^3 y^2 + 10 x^2 y^3 - 7 x^2 y^4 + 3 x^5 y^4 + x^5 y^5 - x^5 y^6";
+    assert!(on(&system, "formula", printed, "").corrections.is_empty());
+}
+
+#[test]
+fn dots_that_are_lost_wherever_a_letter_stands_are_one_edit() {
+    let printed = r"T = \frac{1}{4} m (x^2 + y^2) + \frac{1}{4} m (x^2 + y^2)";
+    let found = on(CART, "formula", printed, "");
+    let [first, ..] = &found.corrections[..] else { panic!("{}", found.text()) };
+    let words: Vec<&str> = first.changes.iter().map(|change| change.words.as_str()).collect();
+    let expected = ["x", "y"].map(|x| format!(r"`\dot{{{x}}}` for `{x}` wherever it stands on the right side"));
+    assert_eq!(words, expected, "{}", found.text());
+}
+
+#[test]
+fn the_bracket_of_a_power_stays_where_its_letter_is_exchanged() {
+    let found = on(CART, "formula", r"T = \frac{1}{2} m ((x)^2 + (\dot{y})^2)", "");
+    let formulas: Vec<&str> = found.corrections.iter().map(|one| one.formula.as_str()).collect();
+    assert_eq!(formulas, [r"T = \frac{1}{2} m ((\dot{x})^2 + (\dot{y})^2)"], "{}", found.text());
+}

@@ -61,7 +61,7 @@ fn law(page: &mut Page, s: &RodLetters) {
             .why("On a floor the printed sign makes friction push along the velocity.")
             .reading("The source does not say from which side the guide holds $M$. A floor is judged, $R_y<0$ with $y$ downwards; of a guide that holds $M$ down the printed formula is right.")
             .given([
-                Positive(way_of * s.dx), Positive(-(rx * way_of)), Positive(-ry),
+                Positive(s.f), Positive(way_of * s.dx), Positive(-(rx * way_of)), Positive(-ry),
                 Equal(rx.powi(2), s.f.powi(2) * ry.powi(2)), Equal(s.lambda, lambda),
             ])
             .refuted([Equal(s.mu, -way_of * s.f * s.lambda / denominator(way))], at);
