@@ -1,7 +1,6 @@
 //! Conditions on expressions, and exact points at which they are looked at.
 
 use field::Rational;
-use num_traits::Zero;
 use std::fmt;
 use symbolic::{Hypotheses, Sym, normal};
 
@@ -43,12 +42,17 @@ impl Condition {
     /// Whether it holds at a point; `None` where the point leaves it open or a denominator vanishes there.
     pub fn holds_at(self, point: &Point) -> Option<bool> {
         let value = point.value(self.expression()).filter(|value| value.is_defined())?;
-        Some(match self {
-            Self::Zero(_) | Self::Equal(..) => value.is_zero(),
-            Self::NonZero(_) => !value.is_zero(),
-            Self::Positive(_) => value.sign() == Some(1),
-            Self::NotNegative(_) => value.sign().is_some_and(|sign| sign >= 0),
-        })
+        Some(self.allows(value.sign()?))
+    }
+
+    /// Whether its expression may have this sign: -1, 0 or 1.
+    pub fn allows(self, sign: i32) -> bool {
+        match self {
+            Self::Zero(_) | Self::Equal(..) => sign == 0,
+            Self::NonZero(_) => sign != 0,
+            Self::Positive(_) => sign > 0,
+            Self::NotNegative(_) => sign >= 0,
+        }
     }
 
     /// A condition that should not hold where this one does for a reason: the expression shifted by one, doubled and

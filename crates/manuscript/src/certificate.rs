@@ -20,6 +20,8 @@ const HURWITZ: &str = "A. Hurwitz, Math. Ann. 46 (1895), 273-284: all roots have
 #[derive(Default)]
 pub(crate) struct Record {
     is_wanted: bool,
+    /// Whether a step of the proof is told by no part.
+    is_incomplete: bool,
     relations: Relations,
     parts: Vec<Part>,
 }
@@ -27,6 +29,11 @@ pub(crate) struct Record {
 impl Record {
     pub fn of(is_wanted: bool) -> Self {
         Record { is_wanted, ..Record::default() }
+    }
+
+    /// A step of the proof has no certificate.
+    pub fn leave_out(&mut self) {
+        self.is_incomplete = true;
     }
 
     /// Conclusions on a motion, with their proof.
@@ -250,7 +257,7 @@ impl Record {
             PartProof::Undefined { .. } => judged.verdict == Verdict::Undefined,
             _ => matches!(judged.verdict, Verdict::Proved | Verdict::Identified | Verdict::Tested | Verdict::Enclosed),
         };
-        let parts = self.parts.into_iter().filter(says).collect();
+        let parts = self.parts.into_iter().filter(says).filter(|_| !self.is_incomplete).collect();
         Some(certificate.proved_by(self.relations.recorder.finished(), parts, otherwise))
     }
 }

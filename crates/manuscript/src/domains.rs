@@ -4,7 +4,8 @@ use crate::conditions::Hypothesis;
 use crate::display::{Told, divisors};
 use crate::letters::Letters;
 use crate::motion::Motion;
-use crate::signs::shows;
+use crate::real_signs;
+use crate::signs::{Shown, shows};
 use claims::Condition;
 use latex::{Form, Function, Meaning, Statement, Term, Value, value};
 use symbolic::{Hypotheses, Sym, decide, normal};
@@ -82,7 +83,9 @@ fn is_positive(expression: Sym, motion: &Motion<'_, '_>, conditions: &[Condition
     if let Some(sign) = expression.as_constant().and_then(|value| value.sign()) {
         return sign > 0 || sign == 0 && !is_strict;
     }
-    shows(expression, motion, conditions).is_some_and(|shown| shown.is_strict || !is_strict)
+    let is_enough = |shown: Shown| shown.is_strict || !is_strict;
+    shows(expression, motion, conditions).is_some_and(is_enough)
+        || real_signs::shows(expression, conditions).is_some_and(is_enough)
 }
 
 /// The parts of a formula on which its value depends.

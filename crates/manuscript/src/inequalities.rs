@@ -7,15 +7,19 @@ use crate::display::{Told, divisors};
 use crate::equation::Outcome;
 use crate::finding::{Finding, Sides as Values};
 use crate::letters::Letters;
+use crate::line_signs::least;
 use crate::lines::Line;
 use crate::motion::Motion;
+use crate::natural_domain::natural_domain;
 use crate::polynomial_signs;
-use crate::signs::{Shown, search, shows};
+use crate::real_signs;
+use crate::refutation::Refutation;
+use crate::signs::{Shown, completed, search, shows};
 use crate::verdict::{allowed, mixed, neither};
-use claims::Verdict;
+use claims::{Condition, Verdict};
 use latex::{Relation, Statement};
 use reader::Issue;
-use symbolic::Sym;
+use symbolic::{Sym, normal};
 
 /// The sides of an inequality.
 pub(crate) struct Sides {
@@ -93,7 +97,12 @@ pub(crate) fn inequality(
     let by_terms = [reduced, greater]
         .into_iter()
         .find_map(|side| shows(side, &motion, &conditions).filter(is_enough).map(|found| (Some(side), found)));
-    let by_squares = || polynomial_signs::shows(reduced, &conditions).filter(is_enough).map(|found| (None, found));
+    // constraints of positions may give a square
+    let form = || normal(reduced, &motion.hypotheses).map_or(reduced, |form| form.to_sym());
+    let by_squares = || {
+        let shown = |side: Sym| real_signs::shows(side, &conditions).filter(is_enough);
+        shown(reduced).or_else(|| shown(form())).map(|found| (None, found))
+    };
     if let Some((side, found)) = by_terms.or_else(by_squares) {
         match side {
             Some(side) if found.is_of_normal_form && side == reduced => record.positive(&motion, assumed, greater),
@@ -111,7 +120,10 @@ pub(crate) fn inequality(
     }
     let fails = |sign: i8| sign == -1 || sign == 0 && is_strict;
     let found = search(&[reduced], &conditions, &motion, |signs| fails(signs[0]));
-    match found.or_else(|| polynomial_signs::negative_point(reduced, &conditions, &motion)) {
+    let found = found
+        .or_else(|| polynomial_signs::negative_point(reduced, &conditions, &motion))
+        .or_else(|| failing_point([greater, reduced], &conditions, &motion, fails));
+    match found {
         Some(refutation) => {
             record.is_below(&motion, assumed, greater, is_strict, &refutation);
             finding.judged.verdict = Verdict::Refuted;
@@ -131,4 +143,27 @@ pub(crate) fn inequality(
         }
     }
     Ok(())
+}
+
+/// A point at which an expression in one unknown has a sign that fails: a fraction, or by a square root of one.
+fn failing_point(
+    [greater, reduced]: [Sym; 2],
+    conditions: &[Condition],
+    motion: &Motion<'_, '_>,
+    fails: impl Fn(i8) -> bool,
+) -> Option<Refutation> {
+    if !motion.open.is_empty() || !motion.hypotheses.statements().is_empty() || motion.undetermined(reduced).is_some() {
+        return None;
+    }
+    let all = [conditions, &natural_domain(&[greater, reduced])].concat();
+    let least = least(reduced, &all).filter(|least| fails(least.sign.signum() as i8))?;
+    let is_rational = |found: &Refutation| found.point.iter().all(|(_, value)| value.as_constant().is_some());
+    let holds = |found: &Refutation| {
+        let sign = |of: Sym| found.value(of).and_then(crate::refutation::sign);
+        conditions.iter().all(|condition| sign(condition.expression()).is_some_and(|sign| condition.allows(sign)))
+    };
+    least.points.into_iter().find_map(|found| match is_rational(&found) {
+        true => completed(found, conditions),
+        false => holds(&found).then_some(found),
+    })
 }

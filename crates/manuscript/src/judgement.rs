@@ -19,6 +19,7 @@ use crate::lines::{Line, lines};
 use crate::motion::Motion;
 use crate::numbers::number;
 use crate::paper_text::PaperText;
+use crate::real_signs::are_equal_by_squares;
 use crate::refutation::Refutation;
 use crate::signs::{completed, contradiction, without_real_value};
 use crate::stability::stability;
@@ -279,7 +280,7 @@ fn equalities(
         assume(motion, assumed)?;
     }
     let mut requires: Vec<Sym> = Vec::new();
-    let mut is_dynamic = false;
+    let (mut is_dynamic, mut by_squares) = (false, false);
     finding.judged.verdict = Verdict::Proved;
     for line in &lines {
         let difference = line.model[0] - line.model[1];
@@ -305,6 +306,12 @@ fn equalities(
             }
             (outcome, _) => outcome,
         };
+        let is_open = matches!(outcome, Outcome::Undecided(_) | Outcome::Identified(_));
+        if is_open && are_equal_by_squares(line.model, motion, &conditions(motion, assumed)) {
+            by_squares = true;
+            record.leave_out();
+            continue;
+        }
         let unreal =
             line.model.into_iter().find_map(|side| without_real_value(side, motion, &conditions(motion, assumed)));
         if let Some(root) = unreal {
@@ -334,7 +341,12 @@ fn equalities(
         }
     }
     if finding.judged.verdict == Verdict::Proved {
-        finding.judged.evidence = "normal form of the difference is zero".to_owned();
+        finding.judged.evidence = match by_squares {
+            true => {
+                "both sides have one sign, and the normal form of the difference of their squares is zero".to_owned()
+            }
+            false => "normal form of the difference is zero".to_owned(),
+        };
         finding.judged.requires.extend(divisors(&requires, told));
     }
     finding.allowed = allowed(trace, is_dynamic);

@@ -1,8 +1,8 @@
 //! Signs of polynomials for all values: by squares and discriminants, and in one unknown by its real roots, exactly.
 
+use crate::line_signs::number_between;
 use crate::motion::Motion;
 use crate::refutation::{Refutation, exact};
-use crate::signs::Shown;
 use algebra::real::{Polynomial, Root};
 use claims::Condition;
 use field::Rational;
@@ -14,22 +14,38 @@ const DEPTH: usize = 4;
 /// Larger polynomials are not looked at.
 const MOST_TERMS: usize = 200;
 
-/// Whether a quotient of polynomials is positive, or not negative, wherever the conditions hold.
-pub(crate) fn shows(expression: Sym, conditions: &[Condition]) -> Option<Shown> {
+/// What is known of letters.
+#[derive(Clone, Default)]
+struct Known {
+    positive: Vec<Sym>,
+    not_negative: Vec<Sym>,
+    not_zero: Vec<Sym>,
+}
+
+impl Known {
+    /// Whether odd powers of a letter have no negative value.
+    fn is_up(&self, letter: &Sym) -> bool {
+        self.positive.contains(letter) || self.not_negative.contains(letter)
+    }
+
+    fn is_apart(&self, letter: &Sym) -> bool {
+        self.positive.contains(letter) || self.not_zero.contains(letter)
+    }
+}
+
+/// Whether a quotient of polynomials is never negative wherever the conditions hold: none where that is not shown, else whether zero is excluded.
+pub(crate) fn shows(expression: Sym, conditions: &[Condition]) -> Option<bool> {
     let (expression, is_turned) = by_half_angles(expression);
-    let (expression, positive) = by_slacks(expression, conditions);
+    let (expression, known) = by_slacks(expression, conditions);
     let form = normal(expression, &Hypotheses::none()).ok()?;
-    let of = |polynomial: Sym| is_at_least_zero(polynomial, &positive, DEPTH);
+    let of = |polynomial: Sym| is_at_least_zero(polynomial, &known, DEPTH);
     let is_strict = match of(form.denominator()) {
         Some(true) => of(form.numerator())?,
         _ if of(-form.denominator()) == Some(true) => of(-form.numerator())?,
         _ => return None,
     };
     // the half of a straight angle has no tangent: there the value is a limit
-    let is_strict = is_strict && !is_turned;
-    let evidence =
-        "a polynomial without a negative value: by squares, discriminants and real roots, exactly".to_owned();
-    Some(Shown { is_strict, evidence, is_of_normal_form: true })
+    Some(is_strict && !is_turned)
 }
 
 /// Cosines and sines by the tangent of half the angle, which may have any value; and whether there were any.
@@ -48,19 +64,24 @@ fn by_half_angles(expression: Sym) -> (Sym, bool) {
     (expression.substitute(&known), !known.is_empty())
 }
 
-/// Positive letters; of a condition that is linear in a letter the distance from its edge, which is positive, in the letter's place.
-fn by_slacks(mut expression: Sym, conditions: &[Condition]) -> (Sym, Vec<Sym>) {
-    let mut positive: Vec<Sym> = Vec::new();
+/// Letters with signs; of a condition that is linear in a letter the distance from its edge, which has a sign, in the letter's place.
+fn by_slacks(mut expression: Sym, conditions: &[Condition]) -> (Sym, Known) {
+    let mut signs = Known::default();
     let mut known: Vec<(Sym, Sym)> = Vec::new();
-    let stated = conditions.iter().filter_map(|condition| match condition {
-        Condition::Positive(of) => Some(*of),
-        _ => None,
-    });
-    let (letters, others): (Vec<Sym>, Vec<Sym>) = stated.partition(|of| of.symbol_name().is_some());
-    positive.extend(letters);
-    for (place, of) in others.into_iter().enumerate() {
+    let mut others: Vec<(Sym, bool)> = Vec::new();
+    for condition in conditions {
+        match *condition {
+            Condition::NonZero(of) if of.symbol_name().is_some() => signs.not_zero.push(of),
+            Condition::Positive(of) if of.symbol_name().is_some() => signs.positive.push(of),
+            Condition::NotNegative(of) if of.symbol_name().is_some() => signs.not_negative.push(of),
+            Condition::Positive(of) => others.push((of, true)),
+            Condition::NotNegative(of) => others.push((of, false)),
+            _ => {}
+        }
+    }
+    for (place, (of, is_strict)) in others.into_iter().enumerate() {
         let of = of.substitute(&known);
-        let free = |symbol: &Sym| !positive.contains(symbol);
+        let free = |symbol: &Sym| !signs.is_up(symbol);
         let mut symbols = of.symbols_of();
         // a letter whose own sign is known keeps it, where there is another one
         symbols.sort_by_key(|symbol| !free(symbol));
@@ -74,15 +95,15 @@ fn by_slacks(mut expression: Sym, conditions: &[Condition]) -> (Sym, Vec<Sym>) {
         if let Some((symbol, value, slack)) = solved {
             known.iter_mut().for_each(|(_, held)| *held = held.substitute(&[(symbol, value)]));
             known.push((symbol, value));
-            positive.push(slack);
+            if is_strict { &mut signs.positive } else { &mut signs.not_negative }.push(slack);
         }
     }
     expression = expression.substitute(&known);
-    (expression, positive)
+    (expression, signs)
 }
 
-/// Whether a polynomial is never negative where some letters are positive: none where that is not shown, else whether zero is excluded.
-fn is_at_least_zero(polynomial: Sym, positive: &[Sym], depth: usize) -> Option<bool> {
+/// Whether a polynomial is never negative where letters have signs: none where that is not shown, else whether zero is excluded.
+fn is_at_least_zero(polynomial: Sym, known: &Known, depth: usize) -> Option<bool> {
     let form = normal(polynomial, &Hypotheses::none()).ok()?;
     let polynomial = form.to_sym();
     if let Some(value) = polynomial.as_constant() {
@@ -91,33 +112,33 @@ fn is_at_least_zero(polynomial: Sym, positive: &[Sym], depth: usize) -> Option<b
     let symbols = polynomial.symbols_of();
     let terms = coefficients(polynomial, &symbols).ok().filter(|terms| terms.len() <= MOST_TERMS)?;
     let is_up = |(exponents, value): &(Vec<u32>, Sym)| {
-        let even = exponents.iter().zip(&symbols).all(|(power, symbol)| power % 2 == 0 || positive.contains(symbol));
+        let even = exponents.iter().zip(&symbols).all(|(power, symbol)| power % 2 == 0 || known.is_up(symbol));
         even && value.as_constant().and_then(|value| value.sign()).is_some_and(|sign| sign > 0)
     };
     if terms.iter().all(is_up) {
         let is_strict = |(exponents, _): &(Vec<u32>, Sym)| {
-            exponents.iter().zip(&symbols).all(|(power, symbol)| *power == 0 || positive.contains(symbol))
+            exponents.iter().zip(&symbols).all(|(power, symbol)| *power == 0 || known.is_apart(symbol))
         };
         return Some(terms.iter().any(is_strict));
     }
-    by_roots(polynomial, &symbols, positive).or_else(|| {
-        let one = |symbol: &Sym| by_square(polynomial, *symbol, positive, depth);
+    by_roots(polynomial, &symbols, known).or_else(|| {
+        let one = |symbol: &Sym| by_square(polynomial, *symbol, known, depth);
         if depth == 0 { None } else { symbols.iter().find_map(one) }
     })
 }
 
 /// `a s^2 + b s + c` by its discriminant, and sums of powers of `s` by their coefficients.
-fn by_square(polynomial: Sym, symbol: Sym, positive: &[Sym], depth: usize) -> Option<bool> {
+fn by_square(polynomial: Sym, symbol: Sym, known: &Known, depth: usize) -> Option<bool> {
     let terms = coefficients(polynomial, &[symbol]).ok()?;
     let of =
         |power: u32| terms.iter().find(|(exponents, _)| exponents[0] == power).map_or(Sym::ZERO, |(_, value)| *value);
-    let shown = |part: Sym| is_at_least_zero(part, positive, depth - 1);
-    let is_positive = positive.contains(&symbol);
-    if terms.len() > 1 && terms.iter().all(|(exponents, _)| is_positive || exponents[0] % 2 == 0) {
+    let shown = |part: Sym| is_at_least_zero(part, known, depth - 1);
+    let is_up = known.is_up(&symbol);
+    if terms.len() > 1 && terms.iter().all(|(exponents, _)| is_up || exponents[0] % 2 == 0) {
         let signs: Option<Vec<(u32, bool)>> =
             terms.iter().map(|(exponents, value)| Some((exponents[0], shown(*value)?))).collect();
         if let Some(signs) = signs {
-            return Some(signs.iter().any(|(power, is_strict)| *is_strict && (is_positive || *power == 0)));
+            return Some(signs.iter().any(|(power, is_strict)| *is_strict && (*power == 0 || known.is_apart(&symbol))));
         }
     }
     let degree = terms.iter().map(|(exponents, _)| exponents[0]).max()?;
@@ -129,12 +150,14 @@ fn by_square(polynomial: Sym, symbol: Sym, positive: &[Sym], depth: usize) -> Op
 }
 
 /// A polynomial in one unknown, or of one degree in two, by its real roots.
-fn by_roots(polynomial: Sym, symbols: &[Sym], positive: &[Sym]) -> Option<bool> {
-    let is_up = |symbol: &Sym| positive.contains(symbol);
+fn by_roots(polynomial: Sym, symbols: &[Sym], known: &Known) -> Option<bool> {
+    let is_up = |symbol: &Sym| known.is_up(symbol);
     match symbols {
         [one] => {
             let signs = Signs::of(&univariate(polynomial, *one).ok()?, is_up(one))?;
-            signs.negative.is_none().then_some(!signs.vanishes)
+            // a letter that may be zero is the limit of positive ones
+            let is_closed = is_up(one) && !known.positive.contains(one);
+            signs.negative.is_none().then_some(!signs.vanishes && !is_closed)
         }
         &[first, second] => {
             let degree = homogeneous(polynomial, symbols)?;
@@ -146,7 +169,8 @@ fn by_roots(polynomial: Sym, symbols: &[Sym], positive: &[Sym]) -> Option<bool> 
             let ratio = polynomial.substitute(&[(second, Sym::ONE)]);
             let signs =
                 Signs::of(&univariate(normal(ratio, &Hypotheses::none()).ok()?.to_sym(), first).ok()?, is_up(&first))?;
-            signs.negative.is_none().then_some(is_up(&second) && !signs.vanishes)
+            let is_open = known.positive.contains(&second) && (!is_up(&first) || known.positive.contains(&first));
+            signs.negative.is_none().then_some(is_open && !signs.vanishes)
         }
         _ => None,
     }
@@ -182,11 +206,11 @@ impl Signs {
         let mut samples = Vec::new();
         match (inside.first(), inside.last()) {
             (Some(first), Some(last)) => {
-                samples.push(between(if is_positive { 0.0 } else { first[0] - 2.0 }, first[0])?);
+                samples.push(number_between(if is_positive { 0.0 } else { first[0] - 2.0 }, first[0])?);
                 for pair in inside.windows(2) {
-                    samples.push(between(pair[0][1], pair[1][0])?);
+                    samples.push(number_between(pair[0][1], pair[1][0])?);
                 }
-                samples.push(between(last[1], last[1] + 2.0)?);
+                samples.push(number_between(last[1], last[1] + 2.0)?);
             }
             _ => samples.push(Rational::new(1, 1)),
         }
@@ -200,16 +224,6 @@ impl Signs {
         }
         Some(Signs { negative, vanishes: !inside.is_empty() })
     }
-}
-
-/// A number with few digits in an open interval.
-fn between(low: f64, high: f64) -> Option<Rational> {
-    (0..60).find_map(|bits| {
-        let scale = 2_f64.powi(bits);
-        let above = (low * scale).floor() + 1.0;
-        let is_inside = above < high * scale && above.abs() < 9e15;
-        is_inside.then(|| Rational::new(above as i64, 1_i64 << bits))
-    })
 }
 
 /// An exact point at which a polynomial in one letter, or of one degree in two, is negative within the conditions.

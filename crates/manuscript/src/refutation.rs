@@ -68,6 +68,12 @@ fn enclosed(value: Sym) -> Option<Interval> {
     value.evaluate_analytic(&|_: &str| None::<Interval>).ok()
 }
 
+/// The sign of a number: of a fraction exactly, of others where an enclosure shows it.
+pub(crate) fn sign(value: Sym) -> Option<i32> {
+    let exactly = value.as_constant().map(|value| value.sign());
+    exactly.unwrap_or_else(|| enclosed(value)?.sign().filter(|sign| *sign != 0))
+}
+
 /// Whether a number is not zero: by its enclosure, or as the normal form of one root with rational factors.
 fn is_apart(value: Sym) -> bool {
     let has_one_root = || match value.leaves_of()[..] {

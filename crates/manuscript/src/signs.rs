@@ -25,11 +25,17 @@ pub(crate) fn shows(expression: Sym, motion: &Motion<'_, '_>, conditions: &[Cond
     }
     // a normal form may mix signs that the print keeps apart
     let evidence = "every term as written has this sign: squares, and letters that are positive".to_owned();
-    match sign(expression, conditions)? {
-        Sign::Positive => Some(Shown { is_strict: true, is_of_normal_form: false, evidence }),
-        Sign::NotNegative => Some(Shown { is_strict: false, is_of_normal_form: false, evidence }),
+    let is_strict = is_written_as_positive(expression, conditions)?;
+    Some(Shown { is_strict, is_of_normal_form: false, evidence })
+}
+
+/// Whether an expression is never negative as it is written: none where that is not seen, else whether zero is excluded.
+pub(crate) fn is_written_as_positive(expression: Sym, conditions: &[Condition]) -> Option<bool> {
+    sign(expression, conditions).and_then(|sign| match sign {
+        Sign::Positive => Some(true),
+        Sign::NotNegative => Some(false),
         Sign::NotPositive | Sign::Negative => None,
-    }
+    })
 }
 
 /// Knowledge of the sign of an expression.
@@ -87,8 +93,18 @@ fn sign(expression: Sym, conditions: &[Condition]) -> Option<Sign> {
     {
         return Some(Sign::Negative);
     }
-    let is_apart =
-        |part: Sym| conditions.contains(&Condition::NonZero(part)) || of(part).is_some_and(|sign| sign.parts().1);
+    if conditions.contains(&Condition::NotNegative(expression)) {
+        return Some(Sign::NotNegative);
+    }
+    if conditions.contains(&Condition::NotNegative(-expression))
+        || conditions.contains(&Condition::NotNegative(Sym::ZERO - expression))
+    {
+        return Some(Sign::NotPositive);
+    }
+    let is_apart = |part: Sym| {
+        [part, -part, Sym::ZERO - part].into_iter().any(|part| conditions.contains(&Condition::NonZero(part)))
+            || of(part).is_some_and(|sign| sign.parts().1)
+    };
     let square = |part: Sym| Some(if is_apart(part) { Sign::Positive } else { Sign::NotNegative });
     let sum = |a: Sign, b: Sign| {
         let ((up, strict), (other_up, other_strict)) = (a.parts(), b.parts());
@@ -126,6 +142,9 @@ pub(crate) fn contradiction(conditions: &[Condition]) -> Option<usize> {
             Condition::Positive(e) => {
                 let is_up = |e: Sym| sign(e, &others).is_some_and(|sign| !sign.parts().0);
                 is_up(e) || value().is_some_and(|sign| sign != 1)
+            }
+            Condition::NotNegative(e) => {
+                sign(e, &others) == Some(Sign::Negative) || value().is_some_and(|sign| sign < 0)
             }
             Condition::NonZero(_) => value() == Some(0),
             _ => false,
@@ -165,8 +184,14 @@ pub(crate) fn search(
         let values = exact(point);
         let holds = || conditions.iter().all(|condition| condition.holds_at(&values) == Some(true));
         let signs = || -> Option<Vec<i8>> {
-            let sign =
-                |each: &Sym| values.value(*each).filter(|value| value.is_defined())?.sign().map(|sign| sign as i8);
+            let rational = |each: Sym| values.value(each).filter(|value| value.is_defined())?.sign();
+            let by_roots = |each: Sym| {
+                let has_root = each.leaves_of().iter().any(|leaf| matches!(leaf.node(), Node::Root(_)));
+                let there =
+                    || Refutation { point: point.to_vec(), is_formal: false }.value(each)?.as_constant()?.sign();
+                if has_root { there() } else { None }
+            };
+            let sign = |each: &Sym| rational(*each).or_else(|| by_roots(*each)).map(|sign| sign as i8);
             expressions.iter().map(sign).collect()
         };
         holds() && signs().is_some_and(|signs| asked(&signs))
@@ -196,24 +221,31 @@ pub(crate) fn completed(found: Refutation, conditions: &[Condition]) -> Option<R
 /// Small numbers for letters, in a fixed order.
 struct Draw<'a> {
     leaves: Vec<Sym>,
+    /// Whether roots are asked for, which squares have.
+    has_roots: bool,
     conditions: &'a [Condition],
 }
 
 impl<'a> Draw<'a> {
     /// The letters of expressions; none where one of them depends on others.
     fn of(expressions: impl Iterator<Item = Sym>, conditions: &'a [Condition]) -> Option<Self> {
-        let mut leaves: Vec<Sym> = Vec::new();
-        for leaf in expressions.flat_map(Sym::leaves_of) {
-            if !leaves.contains(&leaf) {
+        let (mut leaves, mut has_roots): (Vec<Sym>, bool) = (Vec::new(), false);
+        let mut open: Vec<Sym> = expressions.flat_map(Sym::leaves_of).collect();
+        while let Some(leaf) = open.pop() {
+            if let Node::Root(inside) = leaf.node() {
+                has_roots = true;
+                open.extend(inside.leaves_of());
+            } else if !leaves.contains(&leaf) {
                 leaves.push(leaf);
             }
         }
+        leaves.reverse();
         let is_plain = |leaf: &Sym| match leaf.node() {
             Node::Symbol(_) => true,
             Node::Cos(angle) | Node::Sin(angle) => angle.symbol_name().is_some() && !leaves.contains(&angle),
             _ => false,
         };
-        leaves.iter().all(is_plain).then_some(Draw { leaves, conditions })
+        leaves.iter().all(is_plain).then_some(Draw { leaves, has_roots, conditions })
     }
 
     /// The first point that is as asked.
@@ -231,6 +263,9 @@ impl<'a> Draw<'a> {
                 let is_positive = self.conditions.contains(&Condition::Positive(leaf));
                 let above = if is_positive { 1 + draw % size } else { draw % (2 * size + 1) - size };
                 let number = Rational::new(above, below);
+                // the root of a square is a fraction
+                let is_squared = self.has_roots && attempt % 2 == 1;
+                let number = if is_squared { number * number } else { number };
                 let (Node::Cos(angle) | Node::Sin(angle)) = leaf.node() else {
                     point.push((leaf, Sym::constant(number)));
                     continue;

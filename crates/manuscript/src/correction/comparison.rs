@@ -244,7 +244,7 @@ fn summands(sum: Sym) -> Vec<Sym> {
 }
 
 /// The number of letters and numbers of an expression as it is written.
-fn letters(expression: Sym) -> usize {
+pub(super) fn letters(expression: Sym) -> usize {
     let below: usize = expression.node().children().map(letters).sum();
     below.max(1)
 }

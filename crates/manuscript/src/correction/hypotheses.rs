@@ -4,9 +4,11 @@ use super::letter_rates::LetterRate;
 use super::places::Places;
 use super::probe::says_nothing;
 use crate::claim_text::ClaimText;
+use crate::conditions::{assume, hypotheses};
 use crate::integrals::known;
 use crate::letters::Letters;
 use crate::lines::lines;
+use crate::motion::Motion;
 use latex::read;
 use std::cmp::Reverse;
 use std::collections::BTreeSet;
@@ -14,21 +16,38 @@ use symbolic::{Hypotheses, Node, Sym, decide};
 
 /// Letters and rates that are one symbol of the model, each as zero: inputs first, then what is differentiated most; those of the formula before
 /// the others.
-pub(super) fn candidates(places: &Places, rates: &[LetterRate]) -> Vec<String> {
+pub(super) fn candidates(places: &Places, text: &str, rates: &[LetterRate]) -> Vec<String> {
     let names: BTreeSet<&str> = places.atoms.iter().map(|atom| atom.name.as_str()).collect();
     let mut all: Vec<&LetterRate> = rates.iter().filter(|rate| rate.is_symbol).collect();
     all.sort_by_key(|rate| (!names.contains(rate.name.as_str()), !rate.is_input, Reverse(rate.order)));
-    all.iter().map(|rate| format!("{} = 0", rate.latex)).collect()
+    let zeros = all.iter().map(|rate| format!("{} = 0", rate.latex));
+    // a root of a square has the sign of a letter
+    let has_root = text.contains(r"\sqrt");
+    let signed = all.iter().filter(|rate| has_root && rate.order == 0 && names.contains(rate.name.as_str()));
+    let signs = signed.flat_map(|rate| [r"\geq", r"\leq"].map(|sign| format!("{} {sign} 0", rate.latex)));
+    signs.chain(zeros).collect()
 }
 
 /// Whether a formula still states something where a letter is zero: not all of its sides, and most of its terms, stay.
 pub(super) fn leaves_something(claim: &ClaimText, hypothesis: &str, letters: &Letters<'_, '_>) -> bool {
+    if !hypothesis.ends_with("= 0") {
+        return true;
+    }
     let zero =
         read(hypothesis, &letters.spelt()).ok().and_then(|statement| super::probe::own_difference(&statement, letters));
     let statement = read(&claim.formula.text, &known(claim.kind, letters)).ok();
     let (Some(zero), Some(statement)) = (zero, statement) else { return false };
     // claims of other kinds have sides that are read otherwise
     let Ok(mut lines) = lines(claim, &statement, letters) else { return true };
+    // two sides that vanish by the hypothesis and the constraints say nothing either
+    let mut motion = Motion::by_constraints(letters.trace);
+    if !hypotheses(&claim.given, letters).is_ok_and(|assumed| assume(&mut motion, &assumed).is_ok()) {
+        return false;
+    }
+    let vanishes = |side: Sym| decide(motion.reduced(side), &motion.hypotheses).is_zero();
+    if lines.iter().any(|line| line.model.into_iter().all(vanishes)) {
+        return false;
+    }
     let there = |own: Sym| own.substitute(&[(zero, Sym::ZERO)]);
     let terms: Vec<Sym> = lines.iter().flat_map(|line| line.own).flat_map(terms).collect();
     let staying = terms.iter().filter(|term| !decide(there(**term), &Hypotheses::none()).is_zero()).count();

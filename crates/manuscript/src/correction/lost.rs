@@ -1,5 +1,6 @@
 //! Edits of one term that is lost: the missing terms exactly, where they are short.
 
+use super::comparison::letters;
 use super::edit::Edit;
 use super::ground::Ground;
 use super::letter_rates::ways_to_tell;
@@ -51,12 +52,15 @@ pub(super) fn lost_terms(
         return Vec::new();
     }
     known.push(SOUGHT.to_owned());
+    let printed = places.atoms.len() + places.numbers.len();
     added(open_sums(places, text).map(|sum| {
         let with = format!("{}+{SOUGHT}{}", &text[..sum.end], &text[sum.end..]);
         let terms = read(&with, &known).map_or_else(|_| Vec::new(), |statement| of(&statement));
         let is_short = |term: &Sym| {
             let told = term.to_string();
-            *term != Sym::ZERO && told.chars().count() <= SHORT && count(&told) <= most
+            // several terms that are longer than the print are a formula of their own
+            let is_less = count(&told) == 1 || letters(*term) <= printed;
+            *term != Sym::ZERO && told.chars().count() <= SHORT && count(&told) <= most && is_less
         };
         (sum, terms.into_iter().filter(is_short).map(signed).collect())
     }))

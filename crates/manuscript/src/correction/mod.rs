@@ -58,10 +58,11 @@ pub(crate) fn corrections(
         let edits = exchanges::signs(&search.places, ground.text()).into_iter().chain(digits);
         return search.proved(edits.map(|edit| vec![edit])).into_iter().take(1).collect();
     }
-    let sizes: [&dyn Fn() -> Vec<Correction>; 3] =
-        [&|| search.small(), &|| under(&ground, hypotheses::candidates(&search.places, ground.rates())), &|| {
-            search.large()
-        }];
+    let sizes: [&dyn Fn() -> Vec<Correction>; 3] = [
+        &|| search.small(),
+        &|| under(&ground, hypotheses::candidates(&search.places, ground.text(), ground.rates())),
+        &|| search.large(),
+    ];
     sizes.into_iter().map(|found| found()).find(|found| !found.is_empty()).unwrap_or_default()
 }
 

@@ -95,15 +95,15 @@ impl<'a, G: Ground> Search<'a, G> {
         }
         let is_short = |edit: &&Edit| !matches!(edit.kind, EditKind::Number | EditKind::Letter);
         let short: Vec<&Edit> = self.exchanges.iter().filter(is_short).collect();
-        let found = self.proved(pairs(&short));
+        let (text, places) = (self.ground.text(), &self.places);
+        // a few letters become a true formula by as many edits, which tells a reader nothing
+        let size = places.atoms.len() + places.numbers.len() + places.calls.len();
+        let found = if size < LEAST_FOR_TWO { Vec::new() } else { self.proved(pairs(&short)) };
         if !found.is_empty() {
             return found;
         }
-        let (text, places) = (self.ground.text(), &self.places);
         let factors = factors::factors(places, text, self.ground.rates());
         let edits = [self.exchanges.clone(), factors, terms::superfluous(places, text)].concat();
-        // a few letters become a true formula by as many edits, which tells a reader nothing
-        let size = places.atoms.len() + places.numbers.len() + places.calls.len();
         let edits = if size < LEAST_FOR_TWO { Vec::new() } else { edits };
         let effects = self.residual.as_ref().map_or_else(Vec::new, |residual| self.effects(&edits, residual));
         let residual = self.residual.clone().unwrap_or_default();

@@ -11,6 +11,7 @@ mod inequalities;
 mod linearisation;
 mod messages;
 mod pendulum;
+mod real_signs;
 
 use dalembert_manuscript::{Finding, PaperText};
 use reader::SceneError;

@@ -1,0 +1,34 @@
+//! Conditions without which an expression has no value: divisors that do not vanish, radicands that are not negative.
+
+use claims::Condition;
+use symbolic::{Node, Sym};
+
+/// The conditions of all parts of some expressions.
+pub(crate) fn natural_domain(expressions: &[Sym]) -> Vec<Condition> {
+    let mut all: Vec<Condition> = Vec::new();
+    let mut add = |condition: Condition| {
+        if condition.expression().as_constant().is_none() && !all.contains(&condition) {
+            all.push(condition);
+        }
+    };
+    for each in Sym::ascending(expressions) {
+        match each.node() {
+            Node::Quotient(_, below) => factors(below).into_iter().for_each(|factor| match factor.node() {
+                Node::Root(inside) => add(Condition::Positive(inside)),
+                _ => add(Condition::NonZero(factor)),
+            }),
+            Node::Root(inside) => add(Condition::NotNegative(inside)),
+            _ => {}
+        }
+    }
+    all
+}
+
+/// What a product is made of, without exponents.
+pub(crate) fn factors(product: Sym) -> Vec<Sym> {
+    match product.node() {
+        Node::Product(a, b) => [factors(a), factors(b)].concat(),
+        Node::Power(of, _) | Node::Negation(of) => factors(of),
+        _ => vec![product],
+    }
+}

@@ -1,0 +1,142 @@
+//! Signs of expressions over real letters: in one unknown by roots of polynomials, of roots by squares, by conditions that are factors, and by
+//! squares and discriminants.
+
+use crate::line_signs::least;
+use crate::motion::Motion;
+use crate::natural_domain::{factors, natural_domain};
+use crate::polynomial_signs;
+use crate::signs::{Shown, is_written_as_positive};
+use claims::Condition;
+use symbolic::{Hypotheses, Node, Sym, coefficients, decide, normal};
+
+/// Rules that are used within each other.
+const DEPTH: usize = 2;
+
+/// Letters, numbers and signs of an expression, as it is written; longer ones are not looked at.
+const LONGEST: usize = 600;
+
+/// Whether an expression is positive, or not negative, wherever it has a value and the conditions hold.
+pub(crate) fn shows(expression: Sym, conditions: &[Condition]) -> Option<Shown> {
+    if length(expression) > LONGEST {
+        return None;
+    }
+    let short = |condition: &Condition| length(condition.expression()) <= LONGEST;
+    let known: Vec<Condition> = conditions.iter().copied().chain(natural_domain(&[expression])).filter(short).collect();
+    let known = with_factors(&known);
+    let is_strict = is_at_least_zero(expression, &known, DEPTH)?;
+    let evidence =
+        "an expression without a negative value: by squares, discriminants and real roots, exactly".to_owned();
+    Some(Shown { is_strict, evidence, is_of_normal_form: true })
+}
+
+/// Conditions with those of their factors: none of these vanishes where their product does not.
+fn with_factors(conditions: &[Condition]) -> Vec<Condition> {
+    let mut all = conditions.to_vec();
+    for condition in conditions {
+        if let Condition::NonZero(of) | Condition::Positive(of) = condition {
+            let parts = factors(*of).into_iter().map(Condition::NonZero);
+            all.extend(parts.filter(|part| part.expression().as_constant().is_none()));
+        }
+    }
+    all.dedup();
+    all
+}
+
+/// The length of an expression as it is written, up to a little more than the longest that is looked at.
+fn length(expression: Sym) -> usize {
+    let (mut open, mut length) = (vec![expression], 0);
+    while let Some(part) = open.pop().filter(|_| length <= LONGEST) {
+        length += 1;
+        open.extend(part.node().children());
+    }
+    length
+}
+
+/// None where that is not shown, else whether zero is excluded.
+fn is_at_least_zero(expression: Sym, known: &[Condition], depth: usize) -> Option<bool> {
+    if length(expression) > LONGEST {
+        return None;
+    }
+    if let Some(value) = expression.as_constant() {
+        return value.sign().filter(|sign| *sign >= 0).map(|sign| sign > 0);
+    }
+    if let Some(root) = Sym::ascending(&[expression]).into_iter().find(|part| matches!(part.node(), Node::Root(_))) {
+        return if depth == 0 { None } else { by_root(expression, root, known, depth) };
+    }
+    // the first rule that excludes zero
+    let rules: [&dyn Fn() -> Option<bool>; 4] = [
+        &|| is_written_as_positive(expression, known),
+        &|| least(expression, known).filter(|least| least.sign >= 0).map(|least| least.sign > 0),
+        &|| polynomial_signs::shows(expression, known),
+        &|| by_factor(expression, known, depth),
+    ];
+    let mut shown = None;
+    for rule in rules {
+        match rule() {
+            Some(true) => return Some(true),
+            found => shown = shown.or(found),
+        }
+    }
+    shown
+}
+
+/// P + Q sqrt(a): by the signs of both parts, or of the difference of their squares.
+fn by_root(expression: Sym, root: Sym, known: &[Condition], depth: usize) -> Option<bool> {
+    let Node::Root(inside) = root.node() else { return None };
+    let form = normal(expression, &Hypotheses::none()).ok()?;
+    let of = |part: Sym| is_at_least_zero(part, known, depth - 1);
+    let below = form.denominator();
+    let (above, below) = match of(below) {
+        Some(true) => (form.numerator(), below),
+        _ => (-form.numerator(), -below),
+    };
+    if of(below) != Some(true) {
+        return None;
+    }
+    let terms = coefficients(above, &[root]).ok()?;
+    if terms.iter().any(|(exponents, _)| exponents[0] > 1) {
+        return None;
+    }
+    let part = |power: u32| terms.iter().find(|(exponents, _)| exponents[0] == power).map_or(Sym::ZERO, |(_, c)| *c);
+    let (plain, factor) = (part(0), part(1));
+    let (plain_sign, factor_sign) = (of(plain), of(factor));
+    if let (Some(plain_is), Some(factor_is)) = (plain_sign, factor_sign) {
+        return Some(plain_is || factor_is && of(inside) == Some(true));
+    }
+    let difference = factor * factor * inside - plain * plain;
+    let by_larger = |is_larger: bool, difference: Sym| if is_larger { of(difference) } else { None };
+    by_larger(factor_sign.is_some(), difference).or_else(|| by_larger(plain_sign.is_some(), -difference))
+}
+
+/// A condition, or the square of what does not vanish, times an expression whose sign is shown.
+fn by_factor(expression: Sym, known: &[Condition], depth: usize) -> Option<bool> {
+    if depth == 0 {
+        return None;
+    }
+    let divided = |by: Sym| normal(expression / by, &Hypotheses::none()).ok().map(|form| form.to_sym());
+    let longest = length(expression);
+    known.iter().find_map(|condition| {
+        let (by, is_strict) = match *condition {
+            Condition::Positive(of) => (of, true),
+            Condition::NotNegative(of) => (of, false),
+            Condition::NonZero(of) => (of * of, true),
+            _ => return None,
+        };
+        if by.symbols_of().iter().any(|symbol| !expression.symbols_of().contains(symbol)) {
+            return None;
+        }
+        // a quotient that is longer has not that factor
+        let rest = divided(by).filter(|rest| length(*rest) <= longest)?;
+        is_at_least_zero(rest, known, depth - 1).map(|rest| rest && is_strict)
+    })
+}
+
+/// Whether two sides have one square and one sign.
+pub(crate) fn are_equal_by_squares(sides: [Sym; 2], motion: &Motion<'_, '_>, conditions: &[Condition]) -> bool {
+    let [left, right] = sides.map(|side| motion.reduced(side));
+    let known = [conditions, &natural_domain(&[left, right])].concat();
+    let is_up = |side: Sym| shows(side, &known).is_some();
+    let squares = left * left - right * right;
+    let have_one_sign = || is_up(left) && is_up(right) || is_up(-left) && is_up(-right);
+    decide(squares, &motion.hypotheses).is_zero() && have_one_sign()
+}
