@@ -32,11 +32,13 @@ class WrittenSigns:
 
     def __init__(self, check):
         self.program = check.program
-        self.positive, self.apart = set(), set()
+        self.positive, self.not_negative, self.apart = set(), set(), set()
         for relation in check.part.given:
             if self.program[relation.right] == ("const", "0"):
                 if relation.kind == ">":
                     self.positive.add(relation.left)
+                elif relation.kind == ">=":
+                    self.not_negative.add(relation.left)
                 elif relation.kind == "!=":
                     self.apart.add(relation.left)
         self.known = {}
@@ -45,8 +47,13 @@ class WrittenSigns:
         """The sign of an entry; none where it is not seen."""
         for here in reached(self.program, [entry], self.known):
             if here not in self.known:
-                self.known[here] = (1, True) if here in self.positive else self.single(self.program[here])
+                self.known[here] = self.given(here) or self.single(self.program[here])
         return self.known[entry]
+
+    def given(self, entry):
+        if entry in self.positive:
+            return 1, True
+        return (1, False) if entry in self.not_negative else None
 
     def single(self, operation):
         name, *rest = operation

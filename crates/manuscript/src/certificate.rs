@@ -7,6 +7,7 @@ use crate::linear_equations::{Comparison, LinearEquations, Multiple};
 use crate::motion::Motion;
 use crate::premises::premises;
 use crate::refutation::Refutation;
+use crate::square_sums::{SquareSum, square_sum};
 use claims::Condition;
 use claims::certificate::{Certificate, Combined, Part, PartProof, Relation, Relations, Stability};
 use claims::{Judged, Verdict};
@@ -153,6 +154,44 @@ impl Record {
         }
     }
 
+    /// An expression that along every motion has another form, whose value and whose first derivatives by letters vanish on a motion; or one of
+    /// them does not at a point: the derivative by the letter that is named, else the value.
+    pub fn linear(
+        &mut self,
+        [along, base]: [&Motion<'_, '_>; 2],
+        assumed: &[Hypothesis],
+        [printed, form]: [Sym; 2],
+        letters: &[Sym],
+        failure: Option<(Option<Sym>, &Refutation)>,
+    ) {
+        if !self.is_wanted {
+            return;
+        }
+        match failure {
+            None => {
+                self.vanishes(along, &[], &[Condition::Equal(printed, form)]);
+                self.vanishes(base, assumed, &[Condition::Zero(form)]);
+            }
+            Some((None, refutation)) => return self.fails(base, assumed, Condition::Zero(form), refutation),
+            Some(_) => {}
+        }
+        let deviation = |letter: Sym| Sym::symbol(&format!("deviation of {letter}"));
+        let (given, steps) = premises(base, assumed, &mut self.relations);
+        let recorder = &mut self.relations.recorder;
+        let then = Relation { is: "rate", left: recorder.place(form), right: recorder.place(Sym::ZERO) };
+        let rates = letters.iter().map(|&letter| (recorder.place(letter), recorder.place(deviation(letter)))).collect();
+        let proof = match failure {
+            Some((by, refutation)) => {
+                let one = |letter: &Sym| if Some(*letter) == by { Sym::ONE } else { Sym::ZERO };
+                let mut point = refutation.point.clone();
+                point.extend(letters.iter().map(|letter| (deviation(*letter), one(letter))));
+                PartProof::Counterexample { point: self.relations.point(&point) }
+            }
+            None => PartProof::Identity,
+        };
+        self.parts.push(Part { given, steps, rates, then: vec![then], proof });
+    }
+
     /// An expression that is positive by the signs of the terms of its normal form.
     pub fn positive(&mut self, motion: &Motion<'_, '_>, assumed: &[Hypothesis], greater: Sym) {
         let positive = assumed.iter().filter_map(|hypothesis| match hypothesis.condition {
@@ -175,6 +214,27 @@ impl Record {
         self.vanishes(motion, assumed, &[Condition::Equal(greater, side)]);
         self.part(motion, assumed, &[Condition::Positive(side)], |_| PartProof::WrittenSigns);
         self.weaken(is_strict);
+    }
+
+    /// The same where the form was found as a sum of squares, by conditions without which the expression has no value besides.
+    pub fn positive_by_squares(
+        &mut self,
+        motion: &Motion<'_, '_>,
+        assumed: &[Hypothesis],
+        [greater, reduced]: [Sym; 2],
+        is_strict: bool,
+        conditions: &[Condition],
+    ) {
+        if !self.is_wanted {
+            return;
+        }
+        if let Some(SquareSum { written, known }) = square_sum(reduced, is_strict, conditions) {
+            self.positive_as_written(motion, assumed, [greater, written], is_strict);
+            let known = self.relations.all(&known);
+            if let Some(part) = self.parts.last_mut() {
+                part.given.extend(known);
+            }
+        }
     }
 
     /// The conclusion of the last part admits equality.

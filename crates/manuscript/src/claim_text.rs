@@ -56,9 +56,11 @@ impl Kind {
     pub(crate) fn without_certificate(self) -> &'static str {
         match self {
             Self::Number => "the verdict rests on a tie of the last printed digit, or on a number that is not real",
-            Self::LinearisedEquation => "linearised equations have no steps for the second checker yet",
+            Self::LinearisedEquation => {
+                "the verdict rests on a free frame, or on half a turn, for which the second checker has no steps yet"
+            }
             Self::Inequality => {
-                "the verdict rests on squares or real roots of a polynomial, or on a point, for which the second checker has no steps yet"
+                "the verdict rests on real roots of a polynomial, on squares of roots, or on a point, for which the second checker has no steps yet"
             }
             _ => {
                 "the verdict rests on a root without a real value, or on a point where a value by the equations of motion divides by zero"

@@ -109,7 +109,7 @@ pub(crate) fn inequality(
             Some(side) if !found.is_of_normal_form => {
                 record.positive_as_written(&motion, assumed, [greater, side], is_strict);
             }
-            _ => {}
+            _ => record.positive_by_squares(&motion, assumed, [greater, reduced], is_strict, &conditions),
         }
         (finding.judged.verdict, finding.judged.evidence) = (Verdict::Proved, found.evidence);
         finding.judged.requires.extend(divisors(&motion.divisors, told));

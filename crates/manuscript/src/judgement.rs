@@ -183,7 +183,7 @@ fn judge(
         Kind::EquationOfMotion | Kind::Formula | Kind::Identity => {
             equalities(claim, statement, letters, &assumed, &mut finding, &mut record)?
         }
-        Kind::LinearisedEquation => linearised(claim, statement, letters, &assumed, &mut finding)?,
+        Kind::LinearisedEquation => linearised(claim, statement, letters, &assumed, &mut finding, &mut record)?,
         Kind::IntegralOfMotion => integral(claim, statement, letters, &assumed, &mut finding, &mut record)?,
         Kind::Inequality => inequality(claim, statement, letters, &assumed, &mut finding, &mut record)?,
         Kind::Equivalence => equivalence(claim, statement, letters, &assumed, &mut finding, &mut record)?,

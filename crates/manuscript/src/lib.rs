@@ -50,6 +50,7 @@ mod premises;
 mod real_signs;
 mod refutation;
 mod signs;
+mod square_sums;
 mod stability;
 mod steadiness;
 mod steady_motion;

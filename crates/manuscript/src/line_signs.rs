@@ -158,6 +158,11 @@ fn samples(roots: &[(Root, Polynomial)]) -> Option<Vec<(Root, Rational)>> {
     gaps.into_iter().map(|value| Some((Root::rational(value?)?, value?))).collect()
 }
 
+/// A whole number.
+pub(crate) fn number(value: i64) -> Sym {
+    Sym::constant(Rational::new(value, 1))
+}
+
 /// A number with few digits in an open interval.
 pub(crate) fn number_between(low: f64, high: f64) -> Option<Rational> {
     (0..60).find_map(|bits| {
@@ -177,7 +182,7 @@ fn exact(root: &Root, polynomial: &Polynomial) -> Option<Sym> {
     let numbers =
         polynomial.integers()?.into_iter().map(|n| Some(Sym::constant(Rational::new(i64::try_from(n).ok()?, 1))));
     let [c, b, a] = numbers.collect::<Option<Vec<Sym>>>()?[..] else { return None };
-    let four = Sym::constant(Rational::new(4, 1));
+    let four = number(4);
     let discriminant = normal(b * b - four * a * c, &Hypotheses::none()).ok()?.to_sym();
     let spread = field::Analytic::sqrt(discriminant);
     let value = root.enclosure(64).to_f64();

@@ -1,5 +1,6 @@
 //! Linearised equations of motion: the printed equation holds up to terms of the second order about a motion on which letters rest.
 
+use crate::certificate::Record;
 use crate::claim_text::ClaimText;
 use crate::conditions::{Hypothesis, assume, conditions};
 use crate::display::{Told, divisors, shown, told_difference};
@@ -8,6 +9,7 @@ use crate::finding::Finding;
 use crate::letters::Letters;
 use crate::lines::{Line, lines};
 use crate::motion::Motion;
+use crate::refutation::Refutation;
 use crate::steady_motion::Resting;
 use crate::verdict::{mixed, neither, refute};
 use claims::Verdict;
@@ -74,6 +76,31 @@ impl<'t, 'm> Linearisation<'t, 'm> {
         }
         all
     }
+
+    /// The letters by which is differentiated; none where a free frame has other deviations than its coordinates, or pi is a letter.
+    fn letters(&self) -> Option<Vec<Sym>> {
+        let trace = self.base.trace;
+        let values = self.base.rounds.iter().flat_map(|round| &round.values);
+        let has_pi = values.flat_map(|(_, value)| value.symbols_of()).any(|symbol| symbol == trace.pi);
+        let is_plain = trace.coordinates.len() == trace.speeds.len();
+        (is_plain && !has_pi).then(|| [&trace.coordinates[..], &trace.speeds, &self.inputs].concat())
+    }
+
+    fn record(
+        &self,
+        difference: Sym,
+        assumed: &[Hypothesis],
+        failure: Option<(Option<Sym>, &Refutation)>,
+        record: &mut Record,
+    ) {
+        match self.letters() {
+            Some(letters) => {
+                let sides = [difference, self.along.reduced(difference)];
+                record.linear([&self.along, &self.base], assumed, sides, &letters, failure);
+            }
+            None => record.leave_out(),
+        }
+    }
 }
 
 /// An equation that holds up to terms of the second order in the deviations from a motion on which the letters of `resting` rest.
@@ -83,6 +110,7 @@ pub(crate) fn linearised(
     letters: &Letters<'_, '_>,
     assumed: &[Hypothesis],
     finding: &mut Finding,
+    record: &mut Record,
 ) -> Result<(), Issue> {
     let lines = lines(claim, statement, letters)?;
     (finding.judged.text, finding.judged.latex) = lines.iter().map(|line| shown(line.own)).unzip();
@@ -100,13 +128,15 @@ pub(crate) fn linearised(
     let (base, told) = (&linearisation.base, Told(letters));
     let known = conditions(base, assumed);
     for line in &lines {
-        for (part, by) in linearisation.parts(line.model[0] - line.model[1]) {
+        let difference = line.model[0] - line.model[1];
+        for (part, by) in linearisation.parts(difference) {
             match vanishes(base, part, &known) {
                 Outcome::Zero(found) => {
                     let found = [&found[..], &base.divisors].concat();
                     finding.judged.requires.extend(divisors(&found, told));
                 }
                 Outcome::NonZero(refutation) => {
+                    linearisation.record(difference, assumed, Some((by, &refutation)), record);
                     let of_part = Line { model: [part, Sym::ZERO], own: line.own };
                     refute(&of_part, &refutation, base, told, finding);
                     let at = finding
@@ -129,6 +159,7 @@ pub(crate) fn linearised(
                 }
             }
         }
+        linearisation.record(difference, assumed, None, record);
     }
     if !assumed.iter().any(|hypothesis| hypothesis.scales) {
         mixed(&lines, letters, finding);

@@ -47,3 +47,38 @@ fn a_verdict_without_a_certificate_says_why() {
     let tie = certificate("number", "h = 0.3", "given = ['l = 0.125']");
     assert!(tie.parts.is_empty() && tie.none.is_some(), "{tie:?}");
 }
+
+#[test]
+fn an_inequality_by_squares_has_its_sum_of_squares() {
+    for (formula, more) in [
+        (r"m^2 + l^2 \geq 2 m l", ""),
+        (r"m^2 - m l + l^2 \geq 0", ""),
+        (r"\theta^2 - 2 \theta + 2 > 0", ""),
+        (r"m^4 - m^2 l^2 + l^4 \geq 0", ""),
+        (r"\frac{1}{m^2} > 0", ""),
+        (r"m > l", "given = ['m > 2 l', 'l > 0']"),
+        (r"\frac{g}{m} \geq \frac{l^2}{4 m^2}", r"given = ['l^2 \leq 4 g m', 'm > 0']"),
+    ] {
+        let found = certificate("inequality", formula, more);
+        let proofs: Vec<&PartProof> = found.parts.iter().map(|part| &part.proof).collect();
+        let is_shown = matches!(proofs[..], [PartProof::Identity, PartProof::WrittenSigns] | [PartProof::Signs { .. }]);
+        assert_eq!((found.verdict.as_str(), is_shown), ("proved", true), "{formula}: {proofs:?} {:?}", found.none);
+    }
+}
+
+#[test]
+fn a_linearised_equation_has_its_first_derivatives() {
+    let rest = r"resting = ['\theta']
+given = ['\theta = 0']";
+    let found = certificate("linearised equation", r"l \ddot\theta + g \theta = 0", rest);
+    let kinds: Vec<&str> = found.parts.iter().map(|part| part.then[0].is).collect();
+    assert_eq!((found.verdict.as_str(), &kinds[..]), ("proved", &["=", "=", "rate"][..]), "{found:?}");
+    let found = certificate("linearised equation", r"l \ddot\theta - g \theta = 0", rest);
+    assert_eq!((found.verdict.as_str(), found.parts.len()), ("refuted", 1), "{found:?}");
+    assert!(matches!(found.parts[0].proof, PartProof::Counterexample { .. }));
+    // the second checker knows no letter pi
+    let upright = r"resting = ['\theta']
+given = ['\theta = \pi']";
+    let found = certificate("linearised equation", r"l \ddot\theta - g (\theta - \pi) = 0", upright);
+    assert!(found.verdict == "proved" && found.parts.is_empty() && found.none.is_some(), "{found:?}");
+}

@@ -1,0 +1,104 @@
+//! Expressions as sums of squares and products of what is given: written so, their signs are seen without a search.
+
+use crate::line_signs::number;
+use crate::natural_domain::natural_domain;
+use crate::signs::is_written_as_positive;
+use claims::Condition;
+use symbolic::{Hypotheses, Sym, coefficients, normal};
+
+/// Squares that are completed within each other.
+const DEPTH: usize = 4;
+
+/// The expression in another form, whose sign is seen as it is written, and the conditions by which it is.
+pub(crate) struct SquareSum {
+    pub written: Sym,
+    pub known: Vec<Condition>,
+}
+
+/// None where no such form was found.
+pub(crate) fn square_sum(expression: Sym, is_strict: bool, conditions: &[Condition]) -> Option<SquareSum> {
+    let known = [conditions, &natural_domain(&[expression])].concat();
+    let form = normal(expression, &Hypotheses::none()).ok()?;
+    let of = |part: Sym| sum(part, &known, DEPTH);
+    let (above, below) = match of(form.denominator()) {
+        Some(below) => (of(form.numerator())?, below),
+        None => (of(-form.numerator())?, of(-form.denominator())?),
+    };
+    let written = if below == Sym::ONE { above } else { above / below };
+    let is_shown = is_written_as_positive(written, &known)? || !is_strict;
+    let is_same = normal(written - expression, &Hypotheses::none()).ok()?.is_zero();
+    (is_shown && is_same).then_some(SquareSum { written, known })
+}
+
+fn sum(polynomial: Sym, known: &[Condition], depth: usize) -> Option<Sym> {
+    let polynomial = normal(polynomial, &Hypotheses::none()).ok()?.to_sym();
+    if is_written_as_positive(polynomial, known).is_some() {
+        return Some(polynomial);
+    }
+    if depth == 0 || polynomial.as_constant().is_some() {
+        return None;
+    }
+    let letters = || polynomial.symbols_of().into_iter();
+    letters()
+        .find_map(|letter| by_powers(polynomial, letter, known, depth))
+        .or_else(|| letters().find_map(|letter| by_square(polynomial, letter, known, depth)))
+        .or_else(|| known.iter().find_map(|condition| by_factor(polynomial, *condition, known, depth)))
+        .or_else(|| known.iter().find_map(|condition| by_edge(polynomial, *condition, known, depth)))
+}
+
+/// Powers of a letter that are not negative, with coefficients that are not.
+fn by_powers(polynomial: Sym, letter: Sym, known: &[Condition], depth: usize) -> Option<Sym> {
+    let terms = coefficients(polynomial, &[letter]).ok().filter(|terms| terms.len() > 1)?;
+    let term = |(exponents, value): (Vec<u32>, Sym)| {
+        let power = letter.powi(exponents[0] as i32);
+        is_written_as_positive(power, known)?;
+        Some(sum(value, known, depth - 1)? * power)
+    };
+    terms.into_iter().map(term).try_fold(Sym::ZERO, |sum, term| Some(sum + term?))
+}
+
+/// a s^2n + b s^n + c as a (s^n + b/2a)^2 + (4 a c - b^2)/4a.
+fn by_square(polynomial: Sym, letter: Sym, known: &[Condition], depth: usize) -> Option<Sym> {
+    let terms = coefficients(polynomial, &[letter]).ok()?;
+    let degree = terms.iter().map(|(exponents, _)| exponents[0]).max().filter(|degree| degree % 2 == 0)?;
+    let is_quadratic = terms.iter().all(|(exponents, _)| [0, degree / 2, degree].contains(&exponents[0]));
+    if !is_quadratic || degree == 0 {
+        return None;
+    }
+    let of =
+        |power: u32| terms.iter().find(|(exponents, _)| exponents[0] == power).map_or(Sym::ZERO, |(_, value)| *value);
+    let (a, b, c) = (of(degree), of(degree / 2), of(0));
+    let lead = sum(a, known, depth - 1).filter(|lead| is_written_as_positive(*lead, known) == Some(true))?;
+    let rest = sum(number(4) * a * c - b * b, known, depth - 1)?;
+    let square = (letter.powi((degree / 2) as i32) + b / (number(2) * a)).powi(2);
+    Some(lead * square + rest / (number(4) * lead))
+}
+
+/// A condition, or the square of what does not vanish, times another sum.
+fn by_factor(polynomial: Sym, condition: Condition, known: &[Condition], depth: usize) -> Option<Sym> {
+    let by = match condition {
+        Condition::Positive(of) | Condition::NotNegative(of) => of,
+        Condition::NonZero(of) => of.powi(2),
+        _ => return None,
+    };
+    let rest = normal(polynomial / by, &Hypotheses::none()).ok().filter(|rest| rest.denominator() == Sym::ONE)?;
+    Some(by * sum(rest.to_sym(), known, depth - 1)?)
+}
+
+/// A letter in which a condition is linear by the distance from the edge of the condition.
+fn by_edge(polynomial: Sym, condition: Condition, known: &[Condition], depth: usize) -> Option<Sym> {
+    let (Condition::Positive(of) | Condition::NotNegative(of)) = condition else { return None };
+    if of.symbol_name().is_some() {
+        return None;
+    }
+    let edge = Sym::symbol("distance from an edge");
+    of.symbols_of().into_iter().find_map(|letter| {
+        let terms = coefficients(of, &[letter]).ok()?;
+        let part = |power: u32| terms.iter().find(|(exponents, _)| exponents[0] == power).map(|(_, value)| *value);
+        let factor = part(1)?.as_constant().filter(|_| terms.iter().all(|(exponents, _)| exponents[0] <= 1))?;
+        let value = (edge - part(0).unwrap_or(Sym::ZERO)) / Sym::constant(factor);
+        let others = known.iter().filter(|other| **other != condition).copied();
+        let with = others.chain([condition.mapped(|_| edge)]).collect::<Vec<_>>();
+        Some(sum(polynomial.substitute(&[(letter, value)]), &with, depth - 1)?.substitute(&[(edge, of)]))
+    })
+}
