@@ -10,6 +10,7 @@ use charts::{PaperSection, Report};
 use claims::Verdict;
 use clap::{ArgGroup, Args};
 use manuscript::{Change, Correction, Finding, PaperText};
+use reader::SceneError;
 use serde_json::json;
 use std::path::PathBuf;
 use std::time::Duration;
@@ -187,19 +188,35 @@ fn corrected(correction: &Correction) -> serde_json::Value {
 }
 
 fn report(paper: &PaperText, findings: &[Finding]) -> Report {
-    let claims = findings.iter().map(|finding| row(&finding.judged)).collect();
-    let section = PaperSection {
-        id: paper.key.clone(),
-        title: paper.title.clone(),
-        citation: paper.citation.clone(),
-        summary: paper.summary.clone(),
-        claims,
-    };
     Report {
         title: paper.title.clone(),
         summary: counted(findings),
         generated_by: Maker("judge").generator(),
-        papers: vec![section],
+        papers: vec![section(paper, findings)],
         ..Report::default()
     }
+}
+
+fn section(paper: &PaperText, findings: &[Finding]) -> PaperSection {
+    PaperSection {
+        id: paper.key.clone(),
+        title: paper.title.clone(),
+        citation: paper.citation.clone(),
+        summary: paper.summary.clone(),
+        claims: findings.iter().map(|finding| row(&finding.judged)).collect(),
+    }
+}
+
+/// A paper's section of the report, and whether every verdict is the one that its file expects.
+///
+/// # Errors
+/// All that is wrong in the file.
+pub fn judged(paper: &PaperText) -> Result<(PaperSection, bool), SceneError> {
+    let findings = paper.judge_each(|_| (), || clock::left() > KEPT)?;
+    let mut section = section(paper, &findings);
+    // the report is to stay small: what is proved reads as it is printed, and `judge --page` sets it
+    for row in section.claims.iter_mut().filter(|row| row.verdict == Verdict::Proved && !row.reading.is_empty()) {
+        row.latex.clear();
+    }
+    Ok((section, findings.iter().all(|finding| finding.as_expected().is_ok())))
 }

@@ -11,6 +11,7 @@ use crate::progress::Progress;
 use crate::speed::{advice::advice, pictures, tables};
 use charts::{Report, SceneSection, WorkPrecision};
 use clap::Args;
+use manuscript::{PaperText, is_paper};
 use parts::Parts;
 use reader::Family;
 use scene::{Read, described};
@@ -25,6 +26,9 @@ pub struct Asked {
     /// Where the scene files are
     #[arg(long, value_name = "FOLDER", default_value = "scenes")]
     pub scenes: PathBuf,
+    /// Where papers as files are; the folder may be missing
+    #[arg(long, value_name = "FOLDER", default_value = "papers")]
+    pub papers: PathBuf,
     /// The page
     #[arg(long, value_name = "FILE.html", default_value = "report/index.html")]
     pub out: PathBuf,
@@ -53,9 +57,19 @@ pub fn write(asked: &Asked, files: &[PathBuf]) -> Result<Exit, Exit> {
             }
         }
     }
-    let mut parts = Parts::of(&scenes, folder);
+    let mut papers = Vec::new();
+    for file in paper_files(&asked.papers) {
+        match PaperText::read(&file) {
+            Ok(paper) => papers.push(paper),
+            Err(error) => {
+                warn_of(&error);
+                unread.push(error);
+            }
+        }
+    }
+    let mut parts = Parts::of(&scenes, &papers, folder);
     let mut progress = Progress::new("ledger, runs, references, maps");
-    parts.compute(&scenes, folder, |done| progress.set(done));
+    parts.compute(&scenes, &papers, folder, |done| progress.set(done));
     drop(progress);
     let mut progress = Progress::new("methods timed");
     parts.take_times(|done| progress.set(done));
@@ -67,6 +81,16 @@ pub fn write(asked: &Asked, files: &[PathBuf]) -> Result<Exit, Exit> {
     report.studies.splice(0..0, unread::study(&unread));
     output.write_text(&charts::page::render(&report).html)?.tell(Format::Text)?;
     Ok(if whole { Exit::Done } else { Exit::Stopped })
+}
+
+/// The papers of a folder, in their order; the systems beside them are none.
+fn paper_files(folder: &Path) -> Vec<PathBuf> {
+    let entries = folder.read_dir().into_iter().flatten().flatten();
+    let mut files: Vec<PathBuf> = entries.map(|entry| entry.path()).collect();
+    let is_paper = |path: &Path| std::fs::read_to_string(path).map_or(true, |text| is_paper(&text));
+    files.retain(|path| path.extension().is_some_and(|extension| extension == "toml") && is_paper(path));
+    files.sort();
+    files
 }
 
 /// The folders, among scenes, of examples of the language of systems and of problems of others.

@@ -3,7 +3,7 @@
 use super::scene::{NoReference, Prepared, Read, prepare};
 use super::{REPORT, explained, titled};
 use crate::job_pool::JobPool;
-use crate::ledger;
+use crate::ledger::{self, paper_file};
 use crate::pictures;
 use crate::speed;
 use crate::sphere::Stationary;
@@ -13,6 +13,8 @@ use crate::studies::{
 use crate::timings;
 use charts::{Areas, PaperSection, Report, SceneSection, Verdict};
 use claims::catalogue::papers;
+use manuscript::PaperText;
+use reader::SceneError;
 use std::path::Path;
 use studies::AnyScene;
 use studies::governors;
@@ -23,6 +25,7 @@ use studies::scene::Scene;
 /// while nothing else runs.
 pub struct Parts {
     papers: Vec<Option<(PaperSection, bool)>>,
+    texts: Vec<Option<Result<(PaperSection, bool), SceneError>>>,
     prepared: Vec<Option<Prepared>>,
     stability: Option<Vec<Areas>>,
     approximations: Option<charts::Trajectory>,
@@ -39,9 +42,10 @@ pub struct Parts {
 
 impl Parts {
     /// None yet.
-    pub fn of(scenes: &[Read], folder: &Path) -> Self {
+    pub fn of(scenes: &[Read], texts: &[PaperText], folder: &Path) -> Self {
         Parts {
             papers: papers().iter().map(|_| None).collect(),
+            texts: texts.iter().map(|_| None).collect(),
             prepared: scenes.iter().map(|_| None).collect(),
             stability: None,
             approximations: None,
@@ -58,10 +62,13 @@ impl Parts {
     }
 
     /// All that need not be timed.
-    pub fn compute(&mut self, scenes: &[Read], folder: &Path, done: impl FnMut(f64)) {
+    pub fn compute(&mut self, scenes: &[Read], texts: &[PaperText], folder: &Path, done: impl FnMut(f64)) {
         let mut crew = JobPool::default();
         for (place, paper) in self.papers.iter_mut().zip(papers()) {
             crew.add(1.0, place, move || ledger::judged(paper));
+        }
+        for (place, paper) in self.texts.iter_mut().zip(texts) {
+            crew.add(0.5, place, move || paper_file::judged(paper));
         }
         for (place, scene) in self.prepared.iter_mut().zip(scenes) {
             crew.add(3.0, place, move || prepare(scene));
@@ -102,8 +109,16 @@ impl Parts {
         let unsound = self.papers.iter().flatten().filter(|(_, sound)| !sound);
         let unsound =
             unsound.map(|(paper, _)| format!("{}: a claim is not sound; `dalembert ledger` tells which", paper.id));
+        let texts = self.texts.iter().flatten().filter_map(|judged| match judged {
+            Ok((_, true)) => None,
+            Ok((paper, false)) => Some(format!(
+                "{}: a verdict is not the one that its file expects; `dalembert judge` tells which",
+                paper.id
+            )),
+            Err(error) => Some(error.to_string()),
+        });
         let unreached = self.prepared.iter().flatten().filter_map(|one| one.unreached.clone());
-        unsound.chain(unreached).collect()
+        unsound.chain(texts).chain(unreached).collect()
     }
 
     /// The page.
@@ -137,7 +152,8 @@ impl Parts {
         // of these there are the tables alone: the page is to stay small, `dalembert chart` draws them
         let tabled = |prepared| SceneSection { work: Vec::new(), ..charted(prepared) };
         report.rough = across.into_iter().map(tabled).collect();
-        report.papers = self.papers.into_iter().flatten().map(|(section, _)| section).collect();
+        let texts = self.texts.into_iter().flatten().flatten();
+        report.papers = self.papers.into_iter().flatten().chain(texts).map(|(section, _)| section).collect();
         report.stability = self.stability.unwrap_or_default();
         report.approximations = self.approximations.into_iter().collect();
         report.friction = self.friction.unwrap_or_default();
