@@ -309,6 +309,7 @@ fn equalities(
         let is_open = matches!(outcome, Outcome::Undecided(_) | Outcome::Identified(_));
         if is_open && are_equal_by_squares(line.model, motion, &conditions(motion, assumed)) {
             by_squares = true;
+            requires.extend(motion.divisors.iter().copied());
             record.leave_out();
             continue;
         }

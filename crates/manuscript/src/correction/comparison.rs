@@ -95,7 +95,7 @@ impl<G: Ground> Side<'_, G> {
                 // two terms that are one and the same do not both go
                 for (product, number) in term {
                     let rest = lacking.entry(product).or_insert(Rational::new(0, 1));
-                    *rest = *rest + number * (Rational::new(1, 1) - one.by);
+                    *rest += number * (Rational::new(1, 1) - one.by);
                 }
             }
             scaled.extend(chosen);

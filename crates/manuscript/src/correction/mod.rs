@@ -17,6 +17,7 @@ mod hypotheses;
 mod letter_rates;
 mod lost;
 mod places;
+mod printed_letters;
 mod probe;
 mod recorded_equation;
 mod recorded_theorem;

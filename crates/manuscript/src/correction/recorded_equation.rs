@@ -5,6 +5,7 @@ use super::ground::{Ground, Look, Proof, cleared};
 use super::letter_rates::LetterRate;
 use super::lost::{SOUGHT, lost_terms, solved, sought};
 use super::places::Places;
+use super::printed_letters::{DERIVED, Letter, in_print, letters};
 use super::samples::Samples;
 use super::search::Search;
 use super::values::weight;
@@ -12,7 +13,7 @@ use crate::change::Correction;
 use crate::refutation::Refutation;
 use claims::examine::mixed_lines;
 use claims::{Line, Page, Verdict};
-use latex::{Chain, Meaning, Statement, Term, Value, letter_name, read, value};
+use latex::{Chain, Meaning, Statement, Term, Value, read, value};
 use symbolic::{Decision, Dimension, Hypotheses, Identity, Sym, coefficients, decide, identified, normal};
 
 /// A correction of a recorded equation.
@@ -53,16 +54,6 @@ pub(super) fn conclusion_corrections(
     Recorded { stand_for, ..Recorded::of(line, hypotheses, dimension, goes_on)? }.corrections()
 }
 
-/// A letter of a print, or its rate.
-struct Letter {
-    name: String,
-    order: u32,
-    latex: String,
-    symbol: Sym,
-    /// Whether the page has it; else it stands between a letter and its second rate.
-    is_recorded: bool,
-}
-
 struct Recorded<'a> {
     stand_for: &'a [(Sym, Sym)],
     /// Whether nothing was derived and nothing is assumed: the print can be an identity of its letters alone.
@@ -78,9 +69,6 @@ struct Recorded<'a> {
     at: Option<Refutation>,
     samples: Option<Samples>,
 }
-
-/// The left side where it is a name alone: it stands for what was derived.
-const DERIVED: &str = r"\aleph_{0}";
 
 impl<'a> Recorded<'a> {
     fn of(
@@ -230,46 +218,6 @@ fn with_letters(hypotheses: &Hypotheses) -> Option<Hypotheses> {
         Some(_) => Some(known),
         None => letter.symbol_name().map(|_| known.given(letter, value)),
     })
-}
-
-/// Letters for symbols: those of the page where its LaTeX is that of a letter, or of its rate.
-fn letters(symbols: &[Sym]) -> Vec<Letter> {
-    let mut all: Vec<Letter> = Vec::new();
-    for (place, &symbol) in symbols.iter().enumerate() {
-        let latex = symbol.latex();
-        let (order, below) = [(2, r"\ddot"), (1, r"\dot")]
-            .into_iter()
-            .find_map(|(order, dots)| Some((order, latex.strip_prefix(dots)?)))
-            .map_or((0, latex.clone()), |(order, rest)| (order, rest.trim_start().to_owned()));
-        // `\dot{x}_1` is the rate of `x_1`
-        let below = match below.strip_prefix('{').and_then(|rest| rest.split_once('}')) {
-            Some((held, behind)) if order > 0 => format!("{held}{behind}"),
-            _ => below,
-        };
-        let name = letter_name(&below).ok().filter(|name| name != SOUGHT && name != DERIVED && name != r"\pi");
-        let is_taken = |name: &str, order: u32| all.iter().any(|other| other.name == name && other.order == order);
-        let (name, order) = match name {
-            Some(name) if !is_taken(&name, order) => (name, order),
-            _ => (format!("z_{{{place}}}"), 0),
-        };
-        let dots = ["", r"\dot", r"\ddot"][order as usize];
-        let latex = if order == 0 { name.clone() } else { format!("{dots}{{{name}}}") };
-        all.push(Letter { name, order, latex, symbol, is_recorded: true });
-    }
-    let highest: Vec<(String, u32)> = all.iter().map(|letter| (letter.name.clone(), letter.order)).collect();
-    for (name, order) in highest.iter().flat_map(|(name, order)| (0..*order).map(move |below| (name, below))) {
-        if all.iter().all(|letter| letter.name != *name || letter.order != order) {
-            let symbol = Sym::symbol(&format!("letter {name} {order}"));
-            all.push(Letter { name: name.clone(), order, latex: String::new(), symbol, is_recorded: false });
-        }
-    }
-    all
-}
-
-/// The symbols of the page with the LaTeX of the print.
-fn in_print(letters: &[Letter]) -> Vec<(Sym, Sym)> {
-    let recorded = letters.iter().filter(|letter| letter.is_recorded);
-    recorded.map(|letter| (letter.symbol, Sym::named(&format!("·{}", letter.symbol), &letter.latex))).collect()
 }
 
 impl Ground for Recorded<'_> {
