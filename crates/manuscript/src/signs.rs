@@ -165,8 +165,9 @@ pub(crate) fn without_real_value(expression: Sym, motion: &Motion<'_, '_>, condi
     expression.node().children().find_map(|part| without_real_value(part, motion, conditions))
 }
 
-/// Points that are tried.
+/// Points that are tried, and those of roots, whose values take longer.
 const POINTS: u32 = 4_000;
+const POINTS_OF_ROOTS: u32 = 600;
 
 /// An exact point at which the conditions hold and the signs of expressions are as asked.
 pub(crate) fn search(
@@ -179,17 +180,18 @@ pub(crate) fn search(
     if !motion.open.is_empty() || expressions.iter().any(is_open) || !motion.hypotheses.statements().is_empty() {
         return None;
     }
+    let has_root = |e: &Sym| e.leaves_of().iter().any(|leaf| matches!(leaf.node(), Node::Root(_)));
+    let points = if expressions.iter().any(has_root) { POINTS_OF_ROOTS } else { POINTS };
     let all = expressions.iter().copied().chain(conditions.iter().map(|condition| condition.expression()));
-    Draw::of(all, conditions)?.find(POINTS, |point| {
+    Draw::of(all, conditions)?.find(points, |point| {
         let values = exact(point);
         let holds = || conditions.iter().all(|condition| condition.holds_at(&values) == Some(true));
         let signs = || -> Option<Vec<i8>> {
             let rational = |each: Sym| values.value(each).filter(|value| value.is_defined())?.sign();
             let by_roots = |each: Sym| {
-                let has_root = each.leaves_of().iter().any(|leaf| matches!(leaf.node(), Node::Root(_)));
                 let there =
                     || Refutation { point: point.to_vec(), is_formal: false }.value(each)?.as_constant()?.sign();
-                if has_root { there() } else { None }
+                if has_root(&each) { there() } else { None }
             };
             let sign = |each: &Sym| rational(*each).or_else(|| by_roots(*each)).map(|sign| sign as i8);
             expressions.iter().map(sign).collect()
