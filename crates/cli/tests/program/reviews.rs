@@ -35,6 +35,18 @@ fn a_term_of_another_sign_is_told_with_the_motions_and_the_run_that_moved() {
 }
 
 #[test]
+fn a_coordinate_with_another_name_is_told_as_renamed() {
+    let text = CART.replace("x = \"m\"", "s = \"m\"").replace("x*N", "s*N").replace("k*x - d*x'", "k*s - d*s'");
+    let (old, before) = written("review_x.toml", CART);
+    let (new, now) = written("review_s.toml", &text);
+    let output = run(&["review", &now, "--against", &before]);
+    let told = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(told.contains("x: s now, and the same in its equation"), "{told}");
+    assert!(!told.contains("equation of s: new") && !told.contains("s: a new column"), "{told}");
+    [old, new].iter().for_each(|file| std::fs::remove_file(file).expect("it is there"));
+}
+
+#[test]
 fn a_claim_whose_formula_is_broken_is_told_with_its_verdict_and_correction() {
     let paper = CART.split("[[force]]").next().expect("a beginning").to_owned()
         + "[letters]\n'm' = \"m\"\n'M' = \"M\"\n'l' = \"l\"\n'g' = \"g\"\n'x' = \"x\"\n'\\theta' = \"theta\"\n[[claim]]\nequation = \"1\"\nkind = \"equation of motion\"\n\

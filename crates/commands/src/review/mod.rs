@@ -3,6 +3,7 @@
 mod earlier_text;
 mod pages;
 mod paper;
+mod renamed_coordinates;
 mod system;
 mod tables;
 

@@ -1,5 +1,6 @@
 //! Changes of a system in its file: which term of which equation by which principle, which steady motions and which columns of its run moved.
 
+use super::renamed_coordinates::{Renamed, candidates, with_new_names};
 use crate::clock;
 use crate::exit::{Exit, warn};
 use crate::stationary::model::verdict;
@@ -22,22 +23,47 @@ const ROUNDING: f64 = 1e-9;
 
 /// All changes between two texts.
 pub(super) fn changes(texts: [SystemText; 2], ranges: &[(String, Range)]) -> Result<Changes, Exit> {
+    let renamed = renamed(&texts)?;
     let mut all = of_equations(&texts)?;
     let [old, new] = [texts[0].model(Task::Vary)?, texts[1].model(Task::Vary)?];
     let asked = Asked { ranges: ranges.to_vec(), boxes: MOST_BOXES, ..Asked::default() };
-    all.push(("steady motions".to_owned(), steady_motions(&texts[1].name, [old, new], &asked)));
+    all.push(("steady motions".to_owned(), steady_motions(&texts[1].name, [old, new], &asked, &renamed)));
     let [old, new] =
         [ModelScene::parse(&texts[0].name, &texts[0].text)?, ModelScene::parse(&texts[1].name, &texts[1].text)?];
-    all.push(("run".to_owned(), run([&old, &new])));
+    all.push(("run".to_owned(), run([&old, &new], &renamed)));
     Ok(all)
 }
 
 /// Parameters and equations that differ.
 pub(super) fn of_equations(texts: &[SystemText; 2]) -> Result<Changes, Exit> {
     let [old, new] = [texts[0].for_equations()?, texts[1].for_equations()?];
-    let mut all: Changes = vec![("parameters".to_owned(), parameters([&old, &new]))];
-    all.extend(equations(texts, [&old, &new]));
+    let renamed = renamed(texts)?;
+    let told = renamed.iter().map(|(old, new)| format!("{old}: {new} now, and the same in its equation"));
+    let mut all: Changes =
+        vec![("coordinates".to_owned(), told.collect()), ("parameters".to_owned(), parameters([&old, &new]))];
+    all.extend(equations(texts, [&old, &new], &renamed));
     Ok(all)
+}
+
+/// Coordinates with another name whose equations are what they were.
+fn renamed(texts: &[SystemText; 2]) -> Result<Renamed, Exit> {
+    let [old, new] = [texts[0].for_equations()?, texts[1].for_equations()?];
+    let renamed = candidates([&old, &new]);
+    if renamed.is_empty() {
+        return Ok(renamed);
+    }
+    let dimensions = dimensions([&old, &new]);
+    let dimension = |letter: &str| dimensions.get(letter).copied();
+    let usual = NamedPrinciple::usual(&new);
+    let rows = [0, 1].map(|at| rows(&texts[at], usual));
+    let [Some(before), Some(now)] = rows else { return Ok(Vec::new()) };
+    let is_same = |(old, new): &(String, String)| {
+        let sides = before.get(old).map(|before| with_new_names(before, &renamed)).zip(now.get(new));
+        sides.is_some_and(|(before, now)| {
+            before == *now || compare(&before, now, &dimension).is_some_and(|terms| terms.is_empty())
+        })
+    };
+    Ok(if renamed.iter().all(is_same) { renamed } else { Vec::new() })
 }
 
 /// Boxes of a search for steady motions.
@@ -57,7 +83,7 @@ fn parameters(models: [&Model; 2]) -> Vec<String> {
 }
 
 /// Changes of each equation, with the principles that show the same ones.
-fn equations(texts: &[SystemText; 2], models: [&Model; 2]) -> Changes {
+fn equations(texts: &[SystemText; 2], models: [&Model; 2], renamed: &Renamed) -> Changes {
     let dimensions = dimensions(models);
     let dimension = |letter: &str| dimensions.get(letter).copied();
     let mut all: Vec<(Vec<String>, Vec<&'static str>)> = Vec::new();
@@ -65,6 +91,8 @@ fn equations(texts: &[SystemText; 2], models: [&Model; 2]) -> Changes {
     let others = NamedPrinciple::all().into_iter().filter(|one| *one != usual);
     for principle in std::iter::once(usual).chain(others) {
         let [Some(old), Some(new)] = [0, 1].map(|at| rows(&texts[at], principle)) else { continue };
+        let now = |text: &String| with_new_names(text, renamed);
+        let old: BTreeMap<String, String> = old.iter().map(|(label, row)| (now(label), now(row))).collect();
         let mut told = Vec::new();
         for (label, equation) in &new {
             match old.get(label) {
@@ -133,7 +161,7 @@ fn dimensions(models: [&Model; 2]) -> BTreeMap<String, Dimension> {
 }
 
 /// Motions that came, went, moved, or have another stability.
-fn steady_motions(name: &str, models: [Model; 2], asked: &Asked) -> Vec<String> {
+fn steady_motions(name: &str, models: [Model; 2], asked: &Asked, renamed: &Renamed) -> Vec<String> {
     let found = models.map(|mut model| {
         model.close_inputs();
         match SteadyMotions::of(&model, asked, clock::has_time) {
@@ -147,16 +175,23 @@ fn steady_motions(name: &str, models: [Model; 2], asked: &Asked) -> Vec<String> 
         }
         return Vec::new();
     };
-    for found in [old, new].into_iter().filter(|found| !found.motions.is_complete()) {
-        let count = found.motions.undecided.len();
-        warn(&format!("warning: {name}: the search for steady motions leaves {count} boxes undecided"));
-    }
+    let open = [old, new].into_iter().filter(|found| !found.motions.is_complete());
+    let mut warnings: Vec<String> = open
+        .map(|found| {
+            let count = found.motions.undecided.len();
+            format!("warning: {name}: the search for steady motions leaves {count} boxes undecided")
+        })
+        .collect();
+    // both texts may leave as many
+    warnings.dedup();
+    warnings.iter().for_each(|warning| warn(warning));
     let told = |found: &Found| -> Vec<String> {
         let each = found.motions.motions.iter();
         each.map(|motion| format!("{}: {}", found.values(&motion.enclosure), verdict(motion, &found.motions.cyclic).0))
             .collect()
     };
-    let [old, new] = [told(old), told(new)];
+    let old: Vec<String> = told(old).iter().map(|one| with_new_names(one, renamed)).collect();
+    let new = told(new);
     let without = |these: &[String], those: &[String]| -> Vec<String> {
         these.iter().filter(|one| !those.contains(one)).cloned().collect()
     };
@@ -171,7 +206,7 @@ fn steady_motions(name: &str, models: [Model; 2], asked: &Asked) -> Vec<String> 
 }
 
 /// Columns whose values moved.
-fn run(scenes: [&ModelScene; 2]) -> Vec<String> {
+fn run(scenes: [&ModelScene; 2], renamed: &Renamed) -> Vec<String> {
     let [old, new] = scenes.map(|scene| {
         let own = scene.run().choice();
         let choice = Choice { allowed: clock::left(), ..own };
@@ -184,9 +219,10 @@ fn run(scenes: [&ModelScene; 2]) -> Vec<String> {
         told.push(format!("{} before; {} now", outcomes[0], outcomes[1]));
     }
     let is_alike = old.times == new.times;
+    let names: Vec<String> = old.names.iter().map(|name| with_new_names(name, renamed)).collect();
     for (column, name) in new.names.iter().enumerate() {
         let unit = scenes[1].unit(name);
-        let Some(before) = old.names.iter().position(|own| own == name) else {
+        let Some(before) = names.iter().position(|own| own == name) else {
             told.push(format!("{name}: a new column, {} {unit} at the end", last(&new, column)));
             continue;
         };
@@ -212,7 +248,7 @@ fn run(scenes: [&ModelScene; 2]) -> Vec<String> {
             short(second)
         ));
     }
-    let gone = old.names.iter().filter(|name| !new.names.contains(name));
+    let gone = names.iter().filter(|name| !new.names.contains(name));
     told.extend(gone.map(|name| format!("{name}: no longer a column")));
     told
 }
