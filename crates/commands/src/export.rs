@@ -93,7 +93,8 @@ pub fn export(asked: &Asked) -> Result<Exit, Exit> {
 
 /// The binary of a unit; none, which is told, where there is no compiler.
 fn compiled(output: &Output, unit: &exchange::fmu::Unit) -> Result<Option<Binary>, Exit> {
-    match Binary::of(unit, COMPILER, || clock::goes_on().is_continue()) {
+    let folder = tempfile::tempdir().map_err(Exit::refused)?;
+    match Binary::of(unit, COMPILER, folder.path(), || clock::goes_on().is_continue()) {
         Ok(binary) => Ok(Some(binary)),
         Err(why @ NoBinary::NoCompiler(_)) => {
             if !is_quiet() {

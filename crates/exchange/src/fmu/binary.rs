@@ -4,6 +4,7 @@ use super::Unit;
 use std::env::consts::{ARCH, DLL_EXTENSION, OS};
 use std::fmt;
 use std::io;
+use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::Duration;
 
@@ -57,16 +58,15 @@ impl Binary {
         format!("{}/{identifier}.{DLL_EXTENSION}", platform())
     }
 
-    /// Compiles a unit; it is asked again and again whether this may go on.
+    /// Compiles a unit in an empty folder; it is asked again and again whether this may go on.
     ///
     /// # Errors
     /// Why there is no binary.
-    pub fn of(unit: &Unit, compiler: &str, goes_on: impl Fn() -> bool) -> Result<Self, NoBinary> {
-        let folder = tempfile::tempdir()?;
+    pub fn of(unit: &Unit, compiler: &str, folder: &Path, goes_on: impl Fn() -> bool) -> Result<Self, NoBinary> {
         for (name, text) in unit.sources() {
-            std::fs::write(folder.path().join(name), text)?;
+            std::fs::write(folder.join(name), text)?;
         }
-        let (library, said) = (format!("unit.{DLL_EXTENSION}"), folder.path().join("said"));
+        let (library, said) = (format!("unit.{DLL_EXTENSION}"), folder.join("said"));
         let mut command = Command::new(compiler);
         let optimised = if unit.source.len() > LONG { "-O1" } else { "-O2" };
         command.args([
@@ -80,7 +80,7 @@ impl Binary {
             "-o",
             &library,
         ]);
-        command.args(["fmi3.c", "-lm"]).current_dir(folder.path()).stdin(Stdio::null()).stdout(Stdio::null());
+        command.args(["fmi3.c", "-lm"]).current_dir(folder).stdin(Stdio::null()).stdout(Stdio::null());
         command.stderr(std::fs::File::create(&said)?);
         let mut child = command.spawn().map_err(|error| match error.kind() {
             io::ErrorKind::NotFound => NoBinary::NoCompiler(compiler.to_owned()),
@@ -102,6 +102,6 @@ impl Binary {
             let first = said.lines().find(|line| line.contains("error")).unwrap_or_default();
             return Err(NoBinary::Refused(first.to_owned()));
         }
-        Ok(Binary { bytes: std::fs::read(folder.path().join(library))? })
+        Ok(Binary { bytes: std::fs::read(folder.join(library))? })
     }
 }
