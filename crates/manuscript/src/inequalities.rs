@@ -14,7 +14,7 @@ use crate::natural_domain::natural_domain;
 use crate::polynomial_signs;
 use crate::real_signs;
 use crate::refutation::Refutation;
-use crate::signs::{Shown, completed, search, shows};
+use crate::signs::{Shown, completed, is_half_turn, search, shows};
 use crate::verdict::{allowed, mixed, neither};
 use claims::{Condition, Verdict};
 use latex::{Relation, Statement};
@@ -153,6 +153,10 @@ fn failing_point(
     fails: impl Fn(i8) -> bool,
 ) -> Option<Refutation> {
     if !motion.open.is_empty() || !motion.hypotheses.statements().is_empty() || motion.undetermined(reduced).is_some() {
+        return None;
+    }
+    let holds_half_turn = |of: Sym| of.leaves_of().into_iter().any(is_half_turn);
+    if holds_half_turn(reduced) || conditions.iter().any(|condition| holds_half_turn(condition.expression())) {
         return None;
     }
     let all = [conditions, &natural_domain(&[greater, reduced])].concat();

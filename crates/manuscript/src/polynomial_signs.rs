@@ -3,6 +3,7 @@
 use crate::line_signs::number_between;
 use crate::motion::Motion;
 use crate::refutation::{Refutation, exact};
+use crate::signs::is_half_turn;
 use algebra::real::{Polynomial, Root};
 use claims::Condition;
 use field::Rational;
@@ -235,7 +236,7 @@ pub(crate) fn negative_point(expression: Sym, conditions: &[Condition], motion: 
     let form = normal(expression, &Hypotheses::none()).ok()?;
     let product = normal(form.numerator() * form.denominator(), &Hypotheses::none()).ok()?.to_sym();
     let symbols = product.symbols_of();
-    if product.leaves_of().len() != symbols.len() {
+    if product.leaves_of().len() != symbols.len() || symbols.iter().any(|symbol| is_half_turn(*symbol)) {
         return None;
     }
     let is_positive = |symbol: Sym| conditions.contains(&Condition::Positive(symbol));

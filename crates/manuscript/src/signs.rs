@@ -202,7 +202,9 @@ pub(crate) fn search(
 
 /// A point with values for the letters that conditions alone have, so that all of them hold; none where it has none.
 pub(crate) fn completed(found: Refutation, conditions: &[Condition]) -> Option<Refutation> {
-    if conditions.iter().any(|condition| found.satisfies(*condition) == Some(false)) {
+    if !may_be_real(&found.point, conditions)
+        || conditions.iter().any(|condition| found.satisfies(*condition) == Some(false))
+    {
         return None;
     }
     let open: Vec<Condition> =
@@ -218,6 +220,22 @@ pub(crate) fn completed(found: Refutation, conditions: &[Condition]) -> Option<R
         open.iter().all(|condition| condition.holds_at(&values) == Some(true))
     })?;
     Some(Refutation { point: whole(&more.point), is_formal: found.is_formal })
+}
+
+/// Whether a point can be one of real numbers where the conditions hold. Beside an equation an angle, its sine and its cosine may have any values
+/// of their own, as may a half turn: what does not vanish there does not vanish for all angles. A condition that asks for the angle, or for the half
+/// turn, ties them together.
+fn may_be_real(point: &[(Sym, Sym)], conditions: &[Condition]) -> bool {
+    let asked = |letter: Sym| conditions.iter().any(|condition| condition.expression().leaves_of().contains(&letter));
+    point.iter().all(|(letter, _)| match letter.node() {
+        Node::Cos(angle) | Node::Sin(angle) => !asked(angle),
+        _ => !is_half_turn(*letter) || !asked(*letter),
+    })
+}
+
+/// Whether a symbol is the half turn, which no point gives another value.
+pub(crate) fn is_half_turn(symbol: Sym) -> bool {
+    symbol.symbol_name().is_some_and(|name| name == "pi")
 }
 
 /// Small numbers for letters, in a fixed order.
@@ -243,7 +261,7 @@ impl<'a> Draw<'a> {
         }
         leaves.reverse();
         let is_plain = |leaf: &Sym| match leaf.node() {
-            Node::Symbol(_) => true,
+            Node::Symbol(_) => !is_half_turn(*leaf),
             Node::Cos(angle) | Node::Sin(angle) => angle.symbol_name().is_some() && !leaves.contains(&angle),
             _ => false,
         };

@@ -67,7 +67,7 @@ fn row(claim: &ClaimRow, set: &mut Typesetter) -> Markup {
     set.at(&claim.id);
     let anchor = anchor(&claim.id);
     html! {
-        article class={ "claim " (claim.verdict.name()) } id=(anchor) data-verdict=(claim.verdict.name()) {
+        article class={ "claim " (claim.verdict.name()) } id=(anchor) {
             div.margin { (chip(claim.verdict)) span.label { (claim.equation_label) } }
             div.body {
                 div.title { h4 { (set.text(&claim.title)) } a.id href={ "#" (anchor) } { (claim.id) } }

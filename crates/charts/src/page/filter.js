@@ -15,7 +15,7 @@ for (const ledger of document.querySelectorAll(".ledger")) {
     let shown = 0;
     for (const claim of claims) {
       const visible =
-        (chosen.size === 0 || chosen.has(claim.dataset.verdict)) &&
+        (chosen.size === 0 || chosen.has(claim.classList[1])) &&
         words.every((word) => texts.get(claim).includes(word));
       claim.hidden = !visible;
       shown += visible;

@@ -29,7 +29,9 @@ pub(super) fn whole(claim: &ClaimRow, set: &mut Typesetter) -> Markup {
 
 /// How it is known.
 pub(super) fn evidence(claim: &ClaimRow, set: &mut Typesetter) -> Markup {
-    html! { @if !claim.evidence.is_empty() { p.evidence { (set.text(&claim.evidence)) } } }
+    // the most frequent sentence in its short form, as hundreds of rows have it
+    let told = claim.evidence.replace("normal form of the difference is zero", "normal form zero");
+    html! { @if !told.is_empty() { p.evidence { (set.text(&told)) } } }
 }
 
 /// Why the print fails, how it was read, and anything else.

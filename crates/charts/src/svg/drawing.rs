@@ -79,6 +79,8 @@ impl Drawing {
     }
 
     pub fn path(&mut self, d: &str, class: &str) {
+        // a sign parts numbers
+        let d = d.replace(" -", "-");
         if !d.is_empty() {
             let _ = write!(self.body, "<path class=\"{class}\" d=\"{d}\"/>");
         }
@@ -88,6 +90,7 @@ impl Drawing {
         if d.is_empty() {
             return;
         }
+        let d = d.replace(" -", "-");
         let tooltip = html! { @if !tooltip.is_empty() { title { (tooltip) } } }.0;
         let _ = write!(self.body, "<path class=\"{class}\" d=\"{d}\">{tooltip}</path>");
     }

@@ -111,7 +111,7 @@ impl Typesetter {
     fn convert(&self, latex: &str, display: MathDisplay) -> Result<String, String> {
         let converted = catch_unwind(AssertUnwindSafe(|| self.converter.convert_with_local_state(latex, display)));
         match converted {
-            Ok(Ok(converted)) => Ok(converted.mathml),
+            Ok(Ok(converted)) => Ok(shortened(&converted.mathml)),
             Ok(Err(error)) => Err(error.to_string()),
             Err(_) => Err("the converter gave up".to_owned()),
         }
@@ -122,6 +122,13 @@ impl Typesetter {
         self.unset.push(Unset { place: self.place.clone(), latex: latex.to_owned(), reason });
         shown
     }
+}
+
+/// The same with fewer digits of its spaces, hundredths of an em: a page holds thousands of them.
+fn shortened(mathml: &str) -> String {
+    let shorter = [("0.16666667em", ".17em"), ("0.1667em", ".17em"), ("0.2222em", ".22em"), ("0.2777778em", ".28em")];
+    let spaces = shorter.into_iter().fold(mathml.to_owned(), |all, (long, short)| all.replace(long, short));
+    spaces.replace("></mspace>", "/>")
 }
 
 /// A displayed formula as MathML Core.

@@ -63,3 +63,26 @@ fn an_inequality_has_one_dimension_and_its_correction_says_something() {
     assert_eq!(verdict(&found), "refuted", "{}", found.text());
     assert!(found.corrections.iter().all(|one| one.formula != r"\frac{\theta}{\theta} \geq 0"), "{}", found.text());
 }
+
+/// No point gives pi another value, nor an angle a sine that is none of its own, where a hypothesis or an inequality asks for it.
+#[test]
+fn a_point_that_refutes_is_one_of_real_numbers() {
+    for (formula, given) in [
+        (r"\pi > 3", ""),
+        (r"\pi m > 3 m", r"'m > 0'"),
+        (r"l > 3 m", r"'l > \pi m', 'm > 0'"),
+        (r"\theta > 1", r"'\theta > \pi/3'"),
+        (r"\cos\theta > 0", r"'\theta > -1', '\theta < 1'"),
+        (r"\sin\theta > 0", r"'\theta > 0', '\theta < \pi'"),
+    ] {
+        let (verdict, text) = found(formula, given);
+        assert_ne!(verdict, "refuted", "{text}");
+    }
+    // both sides are the same within the hypothesis
+    let found =
+        on_pendulum("identity", r"\sqrt{1 - \sin^2\theta} = \cos\theta", r"given = ['\theta \geq 0', '\theta \leq 1']");
+    assert_ne!(verdict(&found), "refuted", "{}", found.text());
+    // without one an angle and its sine may have any values of their own: some angle does not fulfil this
+    let found = on_pendulum("identity", r"\sin\theta = \theta", "");
+    assert_eq!(verdict(&found), "refuted", "{}", found.text());
+}

@@ -7,6 +7,9 @@ use super::{Family, SteadyMotion, SteadyMotions};
 /// The part of a number by which the end of a family may lie off.
 const NEAR: f64 = 1e-9;
 
+/// A combination and a motion of it, by their places.
+type Place = (usize, usize);
+
 type Combination = (Vec<Case>, SteadyMotions);
 
 /// The same with each of these told once: where the law lies between its sides, else at a combination of its own.
@@ -85,7 +88,7 @@ fn holds(there: &SteadyMotions, family: &Family, motion: &SteadyMotion) -> bool 
 }
 
 /// The places of conditions that are zero at a motion which several combinations have, and where these have it, in rising order.
-fn meeting(all: &[Combination]) -> Option<(Vec<usize>, Vec<(usize, usize)>)> {
+fn meeting(all: &[Combination]) -> Option<(Vec<usize>, Vec<Place>)> {
     let motions = || {
         all.iter().enumerate().flat_map(|(at, (cases, found))| {
             found.motions.iter().enumerate().map(move |(own, motion)| ((at, own), cases, found, motion))

@@ -26,7 +26,7 @@ pub use along::{Along, Bifurcation, Change, Sample};
 pub use conditions::{Case, conditions_of};
 pub use equations::Unknown;
 pub use families::Family;
-pub use orientations::{Orientation, Steep};
+pub use orientations::{InOrientation, Orientation, Steep};
 pub use plane::{Direction, PlaneCell, middles};
 pub use region::{Near, Region};
 pub use spectrum::{

@@ -72,8 +72,10 @@ impl Orientation {
         let mut sets: Vec<Vec<Set>> = vec![Vec::new()];
         for &(own, is_spinning) in &axes.own {
             let each = Set::all((axes.parent, own), is_spinning);
-            sets =
-                sets.iter().flat_map(|before| each.iter().map(|set| [&before[..], &[set.clone()]].concat())).collect();
+            sets = sets
+                .iter()
+                .flat_map(|before| each.iter().map(|set| [&before[..], std::slice::from_ref(set)].concat()))
+                .collect();
         }
         let mut all = Vec::new();
         for sets in sets {
@@ -248,6 +250,9 @@ impl Orientation {
     }
 }
 
+/// A set of angles with the motions in each combination of the cases of conditions.
+pub type InOrientation = (Orientation, Vec<(Vec<Case>, SteadyMotions)>);
+
 impl SteadyMotions {
     /// All by sets of angles, each with the cases of its conditions; a motion that two sets have is told in the first.
     ///
@@ -256,7 +261,7 @@ impl SteadyMotions {
     pub fn of_orientations(
         all: Vec<Orientation>,
         mut goes_on: impl FnMut() -> bool,
-    ) -> Result<Vec<(Orientation, Vec<(Vec<Case>, Self)>)>, NoSteadyMotions> {
+    ) -> Result<Vec<InOrientation>, NoSteadyMotions> {
         let (mut known, mut told): (Vec<Vec<f64>>, Vec<_>) = (Vec::new(), Vec::new());
         for own in all {
             let found = match changes(&own.model) {
@@ -284,8 +289,8 @@ impl SteadyMotions {
     }
 
     /// The motions of all sets of angles, by direction cosines in the place of angles.
-    pub(super) fn united_orientations(all: Vec<(Orientation, Vec<(Vec<Case>, Self)>)>) -> Self {
-        let by_cosines = |(own, cases): (Orientation, Vec<(Vec<Case>, Self)>)| {
+    pub(super) fn united_orientations(all: Vec<InOrientation>) -> Self {
+        let by_cosines = |(own, cases): InOrientation| {
             let mut found = Self::united(cases);
             let unknowns = own.cosines(&found);
             for place in 0..found.motions.len() {
