@@ -18,7 +18,8 @@ A unit of FMI 3.0 is for model exchange and for co-simulation. Its parameters ca
 value, its events are those of the file and the conditions of `if`, `sign`, `abs`, `min`, `max` and `table`; it has directional derivatives.
 It holds its sources, and a binary for this platform where the C compiler `cc` is found.
 
-Left to `run`, and refused with the line of the file: contacts, diodes, dry friction that may stick, laws that are implicit.";
+Left to `run`, and refused with the line of the file: contacts, diodes, laws that are implicit; by --fmu and --modelica dry friction too, which
+may stick.";
 
 /// A scene, and the file to be written.
 #[derive(Args, Debug)]

@@ -82,6 +82,11 @@ fn unit(unit: &str) -> String {
     format!("unit = {}", quoted(&written))
 }
 
+/// The name of the model: another one where the language has it for a word of its own.
+fn model_name(name: &str) -> String {
+    if WORDS.split_whitespace().any(|word| word == name) { format!("{name}_") } else { name.to_owned() }
+}
+
 /// A flat model; the units of the state stand in the order of the start.
 ///
 /// # Errors
@@ -113,6 +118,7 @@ pub fn modelica(trace: &Trace<'_>, form: &MatrixForm, name: &str, start: &[f64])
     let [terms, rates, conditions, shown_values, events, sets] =
         parts.map(|part| values.by_ref().take(part.len()).collect::<Vec<String>>());
 
+    let name = &model_name(name);
     let mut text = program.heading("//") + &format!("model {name}\n");
     for (named, name) in program.parameters[..parameters].iter().zip(&given) {
         let value = named.value.map_or_else(String::new, |value| format!(" = {value:?}"));
