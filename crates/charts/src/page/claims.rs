@@ -51,7 +51,7 @@ fn filter(paper: &PaperSection) -> Markup {
         div.filter role="group" aria-label={ "Show claims of " (paper.id) } hidden {
             @for verdict in present {
                 button type="button" data-verdict=(verdict.name()) aria-pressed="false" class={ "chip " (verdict.name()) }
-                    title=(verdict.meaning()) {
+                    title={ (verdict.meaning()) @if verdict == Verdict::Proved { (statement::UNTOLD) } } {
                     (verdict.name()) " "
                     span.count { (paper.count(verdict)) }
                 }
