@@ -29,24 +29,6 @@ pub(super) fn is_periodic(expression: Sym, angle: Sym) -> bool {
     !open.contains(&expression)
 }
 
-#[cfg(test)]
-mod tests {
-    use super::is_periodic;
-    use field::{Analytic, Scalar};
-    use symbolic::symbols;
-
-    #[test]
-    fn angles_in_points_of_a_circle_are_periodic_and_turned_springs_are_not() {
-        let [a, b, k] = symbols(["a", "b", "k"]);
-        assert!(is_periodic((a + b).circle().cos * k + a.circle().sin, a));
-        assert!(is_periodic((a + a - b).circle().sin, a));
-        assert!(is_periodic(b * k, a));
-        assert!(!is_periodic(k * a + a.circle().cos, a));
-        assert!(!is_periodic(a.half().circle().cos, a));
-        assert!(!is_periodic((a * b).circle().cos, a));
-    }
-}
-
 /// The turns, as an angle, that bring an angle to the one between minus half a turn and half a turn.
 pub(super) fn turns_to_zero(angle: f64) -> f64 {
     let turns = (angle / (2.0 * PI)).round() * -2.0 * PI;
@@ -64,4 +46,22 @@ pub(super) fn is_same(unknowns: &[Unknown], known: &Zero, other: &Zero) -> bool 
         (*at + Interval::new(turns.next_down(), turns.next_up())).is_part_of(*alone)
     };
     other.enclosure.iter().zip(&known.alone).enumerate().all(is_same)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::is_periodic;
+    use field::{Analytic, Scalar};
+    use symbolic::symbols;
+
+    #[test]
+    fn angles_in_points_of_a_circle_are_periodic_and_turned_springs_are_not() {
+        let [a, b, k] = symbols(["a", "b", "k"]);
+        assert!(is_periodic((a + b).circle().cos * k + a.circle().sin, a));
+        assert!(is_periodic((a + a - b).circle().sin, a));
+        assert!(is_periodic(b * k, a));
+        assert!(!is_periodic(k * a + a.circle().cos, a));
+        assert!(!is_periodic(a.half().circle().cos, a));
+        assert!(!is_periodic((a * b).circle().cos, a));
+    }
 }

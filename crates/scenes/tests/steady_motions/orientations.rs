@@ -40,7 +40,7 @@ impl Gyrostat {
 
     /// The directions of the vertical in the body, by the polynomial of the multiplier.
     fn directions(&self, turning: i64) -> Vec<Vector3<f64>> {
-        let milli = |number: i64| Rational::new(number.into(), 1_000);
+        let milli = |number: i64| Rational::new(number, 1_000);
         let [xx, yy, zz, xy, xz, yz] = self.moments;
         // m (c.c - c c^T), of 2 kg and centimetres, in g m^2 fifths: 2 kg cm^2 = 0.2 g m^2
         let own = [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]];
@@ -49,15 +49,15 @@ impl Gyrostat {
         let wheel = [3, 3, 5];
         let tensor = Matrix3::from_fn(|i, j| {
             let unit = i64::from(i == j);
-            let steiner = Rational::new((2 * (square * unit - c[i] * c[j])).into(), 10_000);
+            let steiner = Rational::new(2 * (square * unit - c[i] * c[j]), 10_000);
             milli(own[i][j] + unit * wheel[i]) + steiner
         });
         // 2 kg times 10 m/s^2 times centimetres, down
-        let weight = Vector3::from_fn(|i, _| Rational::new((-20 * c[i]).into(), 100));
+        let weight = Vector3::from_fn(|i, _| Rational::new(-20 * c[i], 100));
         let momentum = Vector3::new(milli(0), milli(0), milli(5));
-        let speed = Root::rational(Rational::new(self.speed.into(), 1)).expect("a number");
+        let speed = Root::rational(Rational::new(self.speed, 1)).expect("a number");
         let body = Body::new(&tensor, &momentum, &speed, &weight).expect("all are numbers");
-        let rotations = body.rotations(Rational::new(turning.into(), 1)).expect("a number");
+        let rotations = body.rotations(Rational::new(turning, 1)).expect("a number");
         let boxes = rotations.boxes(60).expect("they are told apart");
         boxes.into_iter().map(|own| Vector3::from_fn(|i, _| own[i].to_f64())).collect()
     }
