@@ -24,7 +24,7 @@ pub(crate) fn natural_domain(expressions: &[Sym]) -> Vec<Condition> {
     all
 }
 
-/// What a product is made of, without exponents.
+/// The factors of a product, without exponents.
 pub(crate) fn factors(product: Sym) -> Vec<Sym> {
     match product.node() {
         Node::Product(a, b) => [factors(a), factors(b)].concat(),

@@ -15,7 +15,7 @@ const DEPTH: usize = 4;
 /// Larger polynomials are not looked at.
 const MOST_TERMS: usize = 200;
 
-/// What is known of letters.
+/// Signs of letters that are known.
 #[derive(Clone, Default)]
 struct Known {
     positive: Vec<Sym>,

@@ -148,7 +148,7 @@ impl<G: Ground> Side<'_, G> {
         best
     }
 
-    /// What a term adds to the side, over its denominator.
+    /// The part of a side that a term makes up, over its denominator.
     fn products(&self, place: usize, lack: Sym, below: Sym) -> Option<Products> {
         let none = Edit::new(EditKind::ExtraTerm, self.places.summands[place].span.clone(), "0", String::new());
         let without = self.ground.lack(&self.asked(&[none])?)?;

@@ -3,7 +3,7 @@
 use claims::{Condition, Page, Verdict};
 use symbolic::{Hypotheses, Node, Sym, coefficients, normal};
 
-/// What is given, as values of letters.
+/// The premises, as values of letters.
 pub(super) struct Premises {
     pub hypotheses: Hypotheses,
     /// Factors by which was divided, and which are not given as other than zero.

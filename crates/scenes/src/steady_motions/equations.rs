@@ -8,13 +8,13 @@ use super::conditions::{self, Case, Laws};
 use super::determinacy::Wanted;
 use super::energy_row::implied;
 use super::families::Identity;
+use super::momenta::momenta;
 use super::orientations::steep;
 use super::quasi_velocities::{is_integral, state_names};
 use super::rows::{Rows, Touching};
 use super::surplus::Selection;
 use super::{Asked, NoSteadyMotions, Range};
 use crate::compiled_system::has_values;
-use crate::letters::Letters;
 use model::equations::{implied_constraints, vanishes};
 use model::{Contact, Model, Trace};
 use std::f64::consts::PI;
@@ -383,21 +383,4 @@ pub(super) const NO_CASE: usize = usize::MAX;
 fn at_rest(trace: &Trace<'_>, is_cyclic: &[bool]) -> Vec<(Sym, Sym)> {
     let rests = trace.speeds.iter().zip(is_cyclic).filter(|(_, cyclic)| !**cyclic);
     rests.map(|(speed, _)| (*speed, Sym::ZERO)).collect()
-}
-
-/// Derivatives of the momenta of cyclic coordinates, all other speeds being zero: by letters, then by their speeds; and the mass matrix.
-fn momenta(trace: &Trace<'_>, is_cyclic: &[bool], (letters, known): (&[Sym], &[(Sym, Sym)])) -> [Vec<Sym>; 2] {
-    let chosen = |cyclic: bool| -> Vec<Sym> {
-        trace.speeds.iter().zip(is_cyclic).filter(|(_, own)| **own == cyclic).map(|(speed, _)| *speed).collect()
-    };
-    let (speeds, others) = (chosen(true), chosen(false));
-    let state = [&trace.coordinates[..], &trace.speeds].concat();
-    let energy = Letters::with_data(trace.time, &state).put_into(trace, &[trace.kinetic_energy()])[0];
-    let by = |energy: Sym, of: &[Sym], all: &[Sym]| -> Vec<Sym> {
-        of.iter().flat_map(|&speed| all.iter().map(move |&by| energy.diff(speed).diff(by))).collect()
-    };
-    let rests: Vec<(Sym, Sym)> = others.iter().map(|speed| (*speed, Sym::ZERO)).collect();
-    let moving = energy.substitute(&rests);
-    let of_cyclic = [by(moving, &speeds, letters), by(moving, &speeds, &speeds)].concat();
-    [of_cyclic, by(energy, &trace.speeds, &trace.speeds)].map(|all| substitute_all(&all, known))
 }

@@ -165,7 +165,7 @@ impl SteadyMotions {
         self
     }
 
-    /// Of the same search, with one motion and nothing else.
+    /// One motion of the same search, and nothing else.
     fn alone(&self, motion: SteadyMotion, examined: usize) -> Self {
         SteadyMotions {
             unknowns: self.unknowns.clone(),

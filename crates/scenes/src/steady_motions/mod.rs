@@ -11,6 +11,7 @@ mod equations;
 mod families;
 mod frame_angles;
 mod kinks;
+mod momenta;
 mod orientations;
 mod plane;
 mod potential;

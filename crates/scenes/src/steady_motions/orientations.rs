@@ -337,7 +337,7 @@ impl Orientation {
     }
 }
 
-/// What shall not be negative of each such product.
+/// An expression for each such product, which shall not be negative.
 pub(super) fn steep(trace: &Trace<'_>, names: &[String], asked: &Asked, is_cyclic: &[bool]) -> Vec<Sym> {
     let each = asked.steep.iter().filter_map(|steep| {
         let mut product = Sym::ONE;

@@ -1,0 +1,26 @@
+//! Momenta of cyclic coordinates, and the mass matrix, of steady motions.
+
+use crate::letters::Letters;
+use model::Trace;
+use symbolic::{Sym, substitute_all};
+
+/// Derivatives of the momenta of cyclic coordinates, all other speeds being zero: by letters, then by their speeds; and the mass matrix.
+pub(super) fn momenta(
+    trace: &Trace<'_>,
+    is_cyclic: &[bool],
+    (letters, known): (&[Sym], &[(Sym, Sym)]),
+) -> [Vec<Sym>; 2] {
+    let chosen = |cyclic: bool| -> Vec<Sym> {
+        trace.speeds.iter().zip(is_cyclic).filter(|(_, own)| **own == cyclic).map(|(speed, _)| *speed).collect()
+    };
+    let (speeds, others) = (chosen(true), chosen(false));
+    let state = [&trace.coordinates[..], &trace.speeds].concat();
+    let energy = Letters::with_data(trace.time, &state).put_into(trace, &[trace.kinetic_energy()])[0];
+    let by = |energy: Sym, of: &[Sym], all: &[Sym]| -> Vec<Sym> {
+        of.iter().flat_map(|&speed| all.iter().map(move |&by| energy.diff(speed).diff(by))).collect()
+    };
+    let rests: Vec<(Sym, Sym)> = others.iter().map(|speed| (*speed, Sym::ZERO)).collect();
+    let moving = energy.substitute(&rests);
+    let of_cyclic = [by(moving, &speeds, letters), by(moving, &speeds, &speeds)].concat();
+    [of_cyclic, by(energy, &trace.speeds, &trace.speeds)].map(|all| substitute_all(&all, known))
+}
