@@ -169,12 +169,18 @@ fn a_force_as_the_square_of_its_speed_blows_up_at_a_finite_time() {
 }
 
 #[test]
-fn a_stiffness_of_the_wrong_sign_is_exponential_growth_and_no_blow_up() {
+fn a_stiffness_of_the_wrong_sign_and_a_power_of_time_grow_without_bound_and_do_not_blow_up() {
     let text = format!(
         "{MASS}[[force]]\non = \"mass\"\nis = \"(10000 N/m)*x*N.x\"\n[start]\nx = \"1 m\"\n[run]\nspan = \"20 s\"\nmethod = \"runge_kutta_4:20000\"\n"
     );
     let (found, code, _) = ran("growth", &text, &[]);
-    assert_eq!((failure(&found).0.as_str(), code), ("exponential growth", Some(1)), "{found}");
+    assert_eq!((failure(&found).0.as_str(), code), ("growth without bound", Some(1)), "{found}");
+    assert!(failure(&found).2.contains("did so all along"), "{found}");
+    // t^66
+    let text = format!("{MASS}[[force]]\non = \"mass\"\nis = \"(1 N)*(t/(1 s))^64*N.x\"\n[run]\nspan = \"100000 s\"\n");
+    let (found, ..) = ran("power", &text, &[]);
+    let (kind, _, evidence, _) = failure(&found);
+    assert!(kind == "growth without bound" && evidence.contains("more slowly than an exponential"), "{found}");
 }
 
 #[test]

@@ -1,7 +1,7 @@
-//! Motions that grow without bound: in finite time, or exponentially.
+//! Motions that grow without bound: in finite time, or for ever.
 //!
-//! The time |y|/|y'| in which a component grows by its own size goes to zero like t* - t where it blows up at t*, and stays what it is
-//! where it grows exponentially.
+//! The time |y|/|y'| in which a component grows by its own size goes to zero like t* - t where it blows up at t*, stays what it is where it
+//! grows exponentially, and is t/p where it grows as t^p.
 
 use super::samples::Samples;
 use integrators::Ode;
@@ -15,6 +15,9 @@ const FAST: f64 = 1e-3;
 
 /// The part of its value in the middle of the run to which the time of growth has come down, where it goes to zero.
 const SHRUNK: f64 = 0.02;
+
+/// The time of growth over its value in the middle of the run from which on a growth is slower than an exponential.
+const STEADY: f64 = 1.5;
 
 /// The component that has grown most.
 pub(super) fn found(run: &Samples<'_>) -> Option<RunFailure> {
@@ -54,14 +57,21 @@ pub(super) fn found(run: &Samples<'_>) -> Option<RunFailure> {
                 .to_owned(),
         });
     }
-    (grown > GROWN && matches!(run.trajectory.outcome.failure(), Some(integrators::Failure::LeftTheNumbers { .. }))).then(
-        || RunFailure {
-            kind: FailureKind::ExponentialGrowth,
-            at,
-            evidence: format!("{told} grows by its own size in {now:.1e} s, and did so all along: an unstable motion"),
-            remedy: "signs of the forces: a damping or a stiffness that is negative feeds this growth; `dalembert linearise` has its \
-                     eigenvalues; or a shorter `span`"
-                .to_owned(),
-        },
-    )
+    if !matches!(run.trajectory.outcome.failure(), Some(integrators::Failure::LeftTheNumbers { .. })) {
+        return None;
+    }
+    let rate = match now > STEADY * then {
+        false => format!("grows by its own size in {now:.1e} s, and did so all along: an unstable motion"),
+        true => format!(
+            "grows by its own size in {now:.1e} s, and in {then:.1e} s in the middle of the run: more slowly than an exponential"
+        ),
+    };
+    Some(RunFailure {
+        kind: FailureKind::UnboundedGrowth,
+        at,
+        evidence: format!("{told} {rate}"),
+        remedy: "signs of the forces: a damping or a stiffness that is negative feeds this growth; `dalembert linearise` has its \
+                 eigenvalues; or a shorter `span`"
+            .to_owned(),
+    })
 }
