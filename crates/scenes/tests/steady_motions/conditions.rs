@@ -113,6 +113,35 @@ fn an_equilibrium_at_a_kink_is_one_and_a_minimum_of_both_sides() {
     assert_eq!(cases, &[Case::Between]);
 }
 
+/// Beyond a play d to both sides a spring acts: a mass rests everywhere between -d and d, and nothing else is left open.
+#[test]
+fn a_play_is_an_interval_of_equilibria_that_ends_where_the_springs_begin() {
+    let text = "title = \"Play\"\n[parameters]\nm = \"1 kg\"\nd = \"0.1 m\"\n[coordinates]\nx = \"m\"\n[bodies]\nb = { centre = \"O + x*N.x\", mass = \"m\" }\n\
+        [[force]]\nalong = \"x\"\nis = \"-if(x > d, (4 N/m)*(x - d), 0) - if(x < -d, (4 N/m)*(x + d), 0)\"\n[run]\nspan = \"1 s\"\n";
+    let found = SteadyMotions::of_cases(&model(text), &asked(&[("x", -1.3, 1.0)], 2_000), || true);
+    let found = found.unwrap_or_else(|why| panic!("{why:?}"));
+    assert!(found.iter().all(|(_, own)| own.is_complete() && own.motions.is_empty()), "{found:?}");
+    let families: Vec<_> = found.iter().flat_map(|(_, own)| &own.families).collect();
+    let [(rest, _)] = families[..] else { panic!("{families:?}") };
+    let [low, high] = rest.hull[0];
+    assert!((low + 0.1).abs() < 1e-8 && (high - 0.1).abs() < 1e-8, "{low} {high}");
+}
+
+/// Springs that are stiffer on one side, along two axes: two conditions are zero at the one equilibrium, a minimum of all four combinations.
+#[test]
+fn an_equilibrium_at_two_kinks_is_a_minimum_of_all_sides() {
+    let text = "title = \"Two kinks\"\n[parameters]\nm = \"1 kg\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n\
+        [bodies]\nb = { centre = \"O + x*N.x + y*N.y\", mass = \"m\" }\n\
+        [[force]]\nalong = \"x\"\nis = \"-if(x > (0 m), (4 N/m)*x, (1 N/m)*x)\"\n\
+        [[force]]\nalong = \"y\"\nis = \"-if(y > (0 m), (2 N/m)*y, (9 N/m)*y)\"\n[run]\nspan = \"1 s\"\n";
+    let found = SteadyMotions::of_cases(&model(text), &asked(&[("x", -1.3, 1.0), ("y", -1.0, 1.2)], 2_000), || true);
+    let found = found.unwrap_or_else(|why| panic!("{why:?}"));
+    assert!(found.iter().all(|(_, own)| own.is_complete() && own.families.is_empty()), "{found:?}");
+    let motions: Vec<_> = found.iter().flat_map(|(_, own)| &own.motions).collect();
+    let [motion] = motions[..] else { panic!("{motions:?}") };
+    assert!(matches!(motion.stability, SteadyStability::MinimumOnSides), "{motion:?}");
+}
+
 /// A coefficient of damping that depends on the direction of a speed is a factor of zero at rest: one equilibrium, and no range of
 /// coefficients.
 #[test]

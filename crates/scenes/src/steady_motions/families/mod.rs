@@ -199,10 +199,11 @@ fn family(equations: &SteadyEquations, pieces: &[&(Piece, Vec<String>)]) -> Fami
     };
     let all: Vec<(Vec<usize>, Vec<[f64; 2]>)> =
         pieces.iter().map(|(piece, _)| (piece.parameters.clone(), ends(piece))).collect();
-    let mut hull = all[0].1.clone();
-    for (_, at) in &all {
-        hull.iter_mut().zip(at).for_each(|(hull, at)| *hull = [hull[0].min(at[0]), hull[1].max(at[1])]);
-    }
+    let hull = (0..positions).map(|k| {
+        let ends = all.iter().map(|(_, at)| at[k]);
+        if equations.unknowns[k].is_circle { arc(ends.collect()) } else { around(ends) }
+    });
+    let hull = hull.collect();
     let mut along: Vec<String> = pieces.iter().flat_map(|(_, along)| along.iter().cloned()).collect();
     along.sort();
     along.dedup();
@@ -215,4 +216,50 @@ fn family(equations: &SteadyEquations, pieces: &[&(Piece, Vec<String>)]) -> Fami
         middle
     });
     Family { dimension: pieces[0].0.parameters.len(), members: members.collect(), pieces: all, hull, along }
+}
+
+/// A gap between pieces that is none.
+const JOINT: f64 = 1e-9;
+
+/// The smallest range around some ranges.
+fn around(ends: impl Iterator<Item = [f64; 2]>) -> [f64; 2] {
+    ends.fold([f64::INFINITY, f64::NEG_INFINITY], |all, own| [all[0].min(own[0]), all[1].max(own[1])])
+}
+
+/// The smallest arc around arcs of a circle, which begins within half a turn of zero.
+fn arc(mut ends: Vec<[f64; 2]>) -> [f64; 2] {
+    ends.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    let first = ends[0][0];
+    let mut last = f64::NEG_INFINITY;
+    let (mut widest, mut begin) = (0.0, first);
+    for own in &ends {
+        if own[0] - last > widest && last.is_finite() {
+            (widest, begin) = (own[0] - last, own[0]);
+        }
+        last = last.max(own[1]);
+    }
+    if widest <= JOINT || first + 2.0 * PI - last >= widest {
+        return [first, last];
+    }
+    // on behind the turn, from behind the widest gap
+    let end = ends.iter().map(|own| own[1]).filter(|end| *end < begin).fold(f64::NEG_INFINITY, f64::max) + 2.0 * PI;
+    let turns = turns_to_zero(begin);
+    [begin + turns, end + turns]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::arc;
+    use std::f64::consts::PI;
+
+    #[test]
+    fn an_arc_over_the_cut_of_a_circle_is_as_wide_as_its_pieces() {
+        let near =
+            |found: [f64; 2], from: f64, to: f64| (found[0] - from).abs() < 1e-12 && (found[1] - to).abs() < 1e-12;
+        assert!(near(arc(vec![[2.0, 2.6], [-3.7, -3.5]]), 2.0, 2.0 * PI - 3.5));
+        assert!(near(arc(vec![[-0.5, 0.1], [0.1, 0.4]]), -0.5, 0.4));
+        // all around but for a gap
+        assert!(near(arc(vec![[-3.7, -1.0], [-0.5, 2.6]]), -0.5, 2.0 * PI - 1.0));
+        assert!(near(arc(vec![[-3.7586, 1.0], [0.9, 2.5247]]), -3.7586, 2.5247));
+    }
 }

@@ -73,6 +73,9 @@ const WIDTHS: [f64; 3] = [1.25, 2.0, 4.0];
 /// A box that is left narrower than this part is narrowed again.
 const WORTH: f64 = 0.75;
 
+/// The part of the smallest box in which the end of a piece is told: what ends it has a zero there.
+const END: f64 = 1e-3;
+
 /// Boxes between two questions whether to go on.
 const BETWEEN: usize = 8;
 
@@ -95,22 +98,33 @@ pub(in crate::steady_motions) fn pieces(
             break;
         }
         found.examined += 1;
-        let Some((left, blamed)) = examined(equations, next, &mut found.pieces, &least) else { continue };
-        match halves(&left, domain, blamed, limits.smallest) {
-            Some(halves) => open.extend(halves),
-            None => found.undecided.push(left),
+        let Some(Open { left, blamed, end }) = examined(equations, next, &mut found.pieces, &least) else { continue };
+        let smallest = if end.is_some() { END * limits.smallest } else { limits.smallest };
+        match (halves(&left, domain, blamed, smallest), end) {
+            (Some(halves), _) => open.extend(halves),
+            (None, Some(end)) => found.pieces.push(end),
+            (None, None) => found.undecided.push(left),
         }
     }
     found
 }
 
-/// The part of a box that is still open, and the unknown to divide where one is to blame; none where all of it is decided.
+/// The part of a box that is still open.
+struct Open {
+    left: Vec<Interval>,
+    /// The unknown to divide, where one is to blame.
+    blamed: Option<usize>,
+    /// Its solutions, where nothing is open but whether the rest holds for all of them.
+    end: Option<Piece>,
+}
+
+/// None where all of a box is decided.
 fn examined(
     equations: &mut dyn Underdetermined,
     mut at: Vec<Interval>,
     pieces: &mut Vec<Piece>,
     least: &[f64],
-) -> Option<(Vec<Interval>, Option<usize>)> {
+) -> Option<Open> {
     let [n, bounded] = equations.unknowns();
     let rows = equations.rows();
     loop {
@@ -121,7 +135,7 @@ fn examined(
         }
         if !equations.bound(&mut at) {
             at.truncate(n);
-            return Some((at, None));
+            return Some(Open { left: at, blamed: None, end: None });
         }
         if equations.holds(&at) == Some(false) {
             return None;
@@ -136,17 +150,21 @@ fn examined(
         }
         let Some(local) = Local::of(equations, &at) else {
             at.truncate(n);
-            return Some((at, None));
+            return Some(Open { left: at, blamed: None, end: None });
         };
         at = local.narrowed(&at)?;
+        let mut end = None;
         if let Some(piece) = shown(equations, &local, &at) {
             let is_covered = at.iter().zip(&piece.alone).all(|(at, alone)| at.is_part_of(*alone));
             let meets = at.iter().zip(&piece.enclosure).all(|(at, own)| at.and(*own).is_some());
-            if is_covered && (!meets || equations.holds(&piece.enclosure) == Some(true)) {
-                if meets {
-                    pieces.push(piece);
+            let holds = if meets { equations.holds(&piece.enclosure) } else { Some(false) };
+            match holds {
+                Some(holds) if is_covered => {
+                    pieces.extend(holds.then_some(piece));
+                    return None;
                 }
-                return None;
+                None if is_covered => end = Some(piece),
+                _ => {}
             }
         }
         let is_narrower = |((left, before), least): ((&Interval, &Interval), &f64)| {
@@ -155,7 +173,7 @@ fn examined(
         if !at[..n].iter().zip(&before).zip(least).any(is_narrower) {
             let blamed = blamed(equations, &local.parameters, &at);
             at.truncate(n);
-            return Some((at, blamed));
+            return Some(Open { left: at, blamed, end });
         }
         at.truncate(n);
     }
