@@ -32,6 +32,7 @@
 //! known. Rules rewrite powers of single symbols; anything else enters a proof through cofactors ([`decide_modulo`]).
 
 mod analytic;
+mod angles;
 mod calculus;
 mod coefficients;
 mod differential;
@@ -50,6 +51,7 @@ mod sym;
 mod tape;
 
 pub use analytic::HIGHEST_MULTIPLE;
+pub use angles::{substitute_in_angles, with_sums_of_angles};
 pub use calculus::{Derivation, substitute_all};
 pub use coefficients::{NotPolynomial, coefficients, degree, univariate};
 pub use differential::{Differential, Weighted};

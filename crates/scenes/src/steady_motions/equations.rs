@@ -3,6 +3,7 @@
 //!
 //!   J^T lambda - h(q, w) = 0 ,    f(q) = 0 .
 
+use super::angle_sums::AngleSums;
 use super::circles::is_periodic;
 use super::conditions::{self, Case, Laws};
 use super::determinacy::Wanted;
@@ -13,12 +14,13 @@ use super::orientations::steep;
 use super::quasi_velocities::{is_integral, state_names};
 use super::rows::{Rows, Touching};
 use super::surplus::Selection;
+use super::tapes::{self, Expressions, Tapes};
 use super::{Asked, NoSteadyMotions, Range};
 use crate::compiled_system::has_values;
 use model::equations::{implied_constraints, vanishes};
 use model::{Contact, Model, Trace};
 use std::f64::consts::PI;
-use symbolic::{Sym, Tape, substitute_all};
+use symbolic::{Sym, Tape, substitute_all, substitute_in_angles, with_sums_of_angles};
 
 /// An unknown of the search: a coordinate, or the constant speed of a cyclic one.
 #[derive(Clone, Debug, PartialEq)]
@@ -56,8 +58,8 @@ pub(super) struct SteadyEquations {
     pub coordinates: usize,
     /// The number of residuals.
     pub rows: usize,
-    /// Conditions by the unknowns, and whether each shall be positive, else negative.
-    pub sides: (Tape, Vec<bool>),
+    /// Whether each condition shall be positive, else negative.
+    pub holds: Vec<bool>,
     /// The case of each of these, by its place in the combination.
     pub side_places: Vec<usize>,
     /// Whether a condition is zero.
@@ -68,21 +70,15 @@ pub(super) struct SteadyEquations {
     pub identities: Vec<Identity>,
     /// Speeds that are given, for every other value of which there are steady motions too.
     pub free_speeds: Vec<String>,
-    /// Residuals by unknowns, then multipliers.
-    pub values: Tape,
-    /// Their derivatives, row after row.
-    pub slopes: Tape,
-    /// J^T, row after row, then -h, by unknowns alone.
-    pub loads: Tape,
     /// Derivatives of the momenta of cyclic coordinates by the unknowns, row after row, then by their speeds; none where these depend on
     /// anything else, and where constraints hold speeds.
     pub momenta: Option<Tape>,
     /// The mass matrix, row after row, by the unknowns; none where it depends on anything else.
     pub masses: Option<Tape>,
-    /// Equations beyond the number of unknowns.
-    pub surplus: Tape,
-    /// Constraints that were left out, since they follow from others near the start: elsewhere they may not.
-    pub implied: Tape,
+    /// The programs of the search.
+    pub tapes: Tapes,
+    /// The same by sums of angles, where these occur more simply.
+    pub by_sums: Option<(AngleSums, Tapes)>,
     /// Places in the state of speeds that constraints of speeds determine, and these by the unknowns.
     pub determined: (Vec<usize>, Tape),
 }
@@ -131,12 +127,12 @@ impl SteadyEquations {
         Self::checked(model)?;
         let written = |is_pinned| Self::written(model, &Asked::default(), Some(state), is_pinned, &[]);
         let is_square = |own: &Self| {
-            own.is_unbalanced || own.rows == own.unknowns.len() + own.reactions && own.surplus.outputs() == 0
+            own.is_unbalanced || own.rows == own.unknowns.len() + own.reactions && own.tapes.surplus.outputs() == 0
         };
         symbolic::apart(|| {
             let pinned = written(true).ok().filter(|own| !own.is_unbalanced && is_square(own));
             let own = pinned.map_or_else(|| written(false), Ok)?;
-            let counts = [own.rows + own.surplus.outputs(), own.unknowns.len() + own.reactions];
+            let counts = [own.rows + own.tapes.surplus.outputs(), own.unknowns.len() + own.reactions];
             if is_square(&own) { Ok(own) } else { Err(NoSteadyMotions::Unequal { counts, idle: Vec::new() }) }
         })
     }
@@ -308,26 +304,35 @@ impl SteadyEquations {
             true => Identity::of(&values, (&letters, &unknowns), &along),
             false => Vec::new(),
         };
-        let slopes: Vec<Sym> = values.iter().flat_map(|row| inputs.iter().map(|&by| row.diff(by))).collect();
-        let recorded = |inputs: &[Sym], outputs: &[Sym]| {
-            Tape::record(inputs, outputs).map_err(|why| NoSteadyMotions::Undefined { why: why.to_string() })
+        let (sides, holds): (Vec<Sym>, Vec<bool>) = sides.into_iter().map(|(value, holds, _)| (value, holds)).unzip();
+        let expressions = Expressions {
+            loads,
+            surplus,
+            implied: put(&substitute_all(&implied_constraints(&trace), &at_rest)),
+            sides: put(&sides),
+            values,
         };
+        let tapes = expressions.recorded(&letters, &multipliers)?;
+        let in_sums = expressions.rewritten(with_sums_of_angles);
+        let by_sums = AngleSums::of(&in_sums.values, &letters, &unknowns).filter(|_| near.is_none());
+        let turned = |sums: AngleSums| {
+            let replacements = sums.replacements(&letters);
+            let own = in_sums.rewritten(|rows| substitute_in_angles(rows, &replacements));
+            Ok((sums, own.recorded(&letters, &multipliers)?))
+        };
+        let by_sums = by_sums.map(turned).transpose()?;
         let [momenta, masses] = match rows.determined.is_empty() {
             true => momenta(&trace, is_cyclic, (&letters, &known)).map(|all| Tape::record(&letters, &all).ok()),
             false => [None, None],
         };
         let (places, rates): (Vec<usize>, Vec<Sym>) = rows.determined.iter().copied().unzip();
-        let rates = substitute_all(&substitute_all(&rates, &at_rest), &known);
+        let rates = tapes::recorded(&letters, &substitute_all(&substitute_all(&rates, &at_rest), &known))?;
         let cyclic_places: Vec<usize> = (0..n).filter(|&k| is_cyclic[k]).collect();
         let cyclic = cyclic_places.iter().filter(|&&k| !is_integral(model, k)).map(|&k| names[k].clone()).collect();
         let kept_momenta = rows.kept_momenta.iter().map(|&k| (k, names[k].clone())).collect();
         Ok(SteadyEquations {
-            rows: values.len(),
-            sides: {
-                let (values, holds): (Vec<Sym>, Vec<bool>) =
-                    sides.into_iter().map(|(value, holds, _)| (value, holds)).unzip();
-                (recorded(&inputs, &put(&values))?, holds)
-            },
+            rows: expressions.values.len(),
+            holds,
             side_places,
             is_at_condition: cases.contains(&Case::Between),
             switches: cases
@@ -347,14 +352,11 @@ impl SteadyEquations {
             reactions: multipliers.len(),
             is_unbalanced,
             have_potential: rows.have_potential,
-            surplus: recorded(&inputs, &surplus)?,
-            implied: recorded(&inputs, &put(&substitute_all(&implied_constraints(&trace), &at_rest)))?,
-            values: recorded(&inputs, &values)?,
-            slopes: recorded(&inputs, &slopes)?,
-            loads: recorded(&letters, &loads)?,
+            tapes,
+            by_sums,
             momenta,
             masses,
-            determined: (places.into_iter().map(|k| n + k).collect(), recorded(&letters, &rates)?),
+            determined: (places.into_iter().map(|k| n + k).collect(), rates),
         })
     }
 }

@@ -2,8 +2,10 @@
 //! speed. None is missing: [`algebra::boxes`] leaves out boxes in which an equation has no zero, shows zeros, and tells the rest.
 
 mod along;
+mod angle_sums;
 mod circles;
 mod conditions;
+mod decision;
 mod definiteness;
 mod determinacy;
 mod energy_row;
@@ -22,6 +24,7 @@ mod search;
 mod spectrum;
 mod stability;
 mod surplus;
+mod tapes;
 
 pub use along::{Along, Bifurcation, Change, Sample};
 pub use conditions::{Case, conditions_of};
@@ -38,8 +41,9 @@ pub use stability::{Eigenvalues, SteadyStability};
 
 use crate::compiled_system::NotCompiled;
 use crate::linearisation::{Linear, VariedEquations};
-use algebra::boxes::{Found, Limits, Zero, zeros};
+use algebra::boxes::Zero;
 use circles::{is_same, turns_to_zero};
+use decision::{Decision, is_in_range};
 use equations::SteadyEquations;
 use field::Interval;
 use model::{Model, Source};
@@ -221,12 +225,6 @@ pub struct SteadyMotions {
 /// Near a state, as a part of one in SI units and of the value itself, steady motions are the one that is meant.
 const ASIDE: f64 = 1e-6;
 
-/// Boxes that are looked at before families are sought by identities.
-const FIRST: usize = 2_000;
-
-/// Along each unknown, a part of its range below which a box is not divided.
-const SMALLEST: f64 = 1e-7;
-
 impl SteadyMotions {
     /// All in a box; `goes_on` is asked now and then.
     ///
@@ -264,8 +262,9 @@ impl SteadyMotions {
         goes_on: &mut dyn FnMut() -> bool,
     ) -> Self {
         let domain: Vec<Interval> = equations.unknowns.iter().map(|unknown| unknown.range.interval()).collect();
-        let mut boxes = Boxes::of(&equations);
-        let (mut found, families) = searched(&equations, &mut boxes, &domain, most, &mut *goes_on);
+        let mut boxes = Boxes::of(&equations, &equations.tapes);
+        let Decision { mut found, families, undecided_part } =
+            Decision::of(&equations, &mut boxes, &domain, most, &mut *goes_on);
         let mut zeros = Vec::new();
         for zero in std::mem::take(&mut found.zeros) {
             match boxes.fulfils_all(&zero.enclosure) {
@@ -274,9 +273,6 @@ impl SteadyMotions {
                 None => found.undecided.push(zero.enclosure[..domain.len()].to_vec()),
             }
         }
-        let volume =
-            |at: &[Interval]| at.iter().zip(&domain).map(|(at, whole)| at.width() / whole.width()).product::<f64>();
-        let undecided_part = found.undecided.iter().map(|at| volume(at)).sum::<f64>().clamp(0.0, 1.0) + 0.0;
         let regions = region::regions(&equations, &zeros, &found.undecided);
         let mut inside: Vec<Zero> = Vec::new();
         for zero in zeros {
@@ -358,43 +354,7 @@ impl SteadyMotions {
     }
 }
 
-/// The search: motions that are alone, families where the equations are fewer than the unknowns or one follows from the others, and the
-/// boxes that neither decides.
-fn searched(
-    equations: &SteadyEquations,
-    boxes: &mut Boxes<'_>,
-    domain: &[Interval],
-    most: usize,
-    mut goes_on: impl FnMut() -> bool,
-) -> (Found, Vec<Family>) {
-    if equations.is_unbalanced {
-        return (Found::default(), Vec::new());
-    }
-    let is_fewer = equations.rows < equations.unknowns.len() + equations.reactions;
-    let mut found = match is_fewer {
-        true => Found { undecided: vec![domain.to_vec()], ..Found::default() },
-        false => {
-            let first = if equations.identities.is_empty() { most } else { most.min(FIRST) };
-            zeros(boxes, domain, Limits { boxes: first, smallest: SMALLEST }, &mut goes_on)
-        }
-    };
-    if !is_fewer && (found.undecided.is_empty() || equations.identities.is_empty()) {
-        return (found, Vec::new());
-    }
-    let open = std::mem::take(&mut found.undecided);
-    let own = families::families(equations, boxes, (domain, open), most.saturating_sub(found.examined), goes_on);
-    found.examined += own.examined;
-    found.undecided = own.undecided;
-    (found, own.families)
-}
-
 /// Values that differ by rounding alone sort as one.
 fn rounded(value: f64) -> f64 {
     (value * 1e9).round() + 0.0
-}
-
-/// Whether a zero may lie in the ranges that are asked for.
-fn is_in_range(unknowns: &[Unknown], zero: &Zero) -> bool {
-    let meets = |(unknown, at): (&Unknown, &Interval)| unknown.is_circle || at.and(unknown.range.interval()).is_some();
-    unknowns.iter().zip(&zero.enclosure).all(meets)
 }

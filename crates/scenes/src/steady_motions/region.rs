@@ -147,8 +147,8 @@ fn has_values(equations: &SteadyEquations, hull: &[Interval]) -> bool {
     if hull.iter().zip(&equations.unknowns).any(is_large) {
         return true;
     }
-    let mut loads = vec![Interval::EVERYTHING; equations.loads.outputs()];
-    equations.loads.over::<Interval>().evaluate(hull, &mut loads);
+    let mut loads = vec![Interval::EVERYTHING; equations.tapes.loads.outputs()];
+    equations.tapes.loads.over::<Interval>().evaluate(hull, &mut loads);
     loads.iter().all(|load| load.size().is_finite())
 }
 
@@ -156,13 +156,13 @@ fn has_values(equations: &SteadyEquations, hull: &[Interval]) -> bool {
 /// larger than this.
 fn holds_one(equations: &SteadyEquations, hull: &[Interval]) -> bool {
     let unknowns = hull.len();
-    let others = equations.surplus.outputs() + equations.implied.outputs() + equations.sides.1.len();
+    let others = equations.tapes.surplus.outputs() + equations.tapes.implied.outputs() + equations.holds.len();
     if equations.reactions > 0 || equations.rows != unknowns || unknowns > MOST_FACES || others > 0 {
         return false;
     }
     let wider: Vec<Interval> =
         hull.iter().map(|at| Interval::new(at.low() - FACE * at.width(), at.high() + FACE * at.width())).collect();
-    let mut program = equations.values.over::<Interval>();
+    let mut program = equations.tapes.values.over::<Interval>();
     let mut signs_on = |k: usize, face: f64| {
         let (mut at, mut values) = (wider.clone(), vec![Interval::EVERYTHING; unknowns]);
         at[k] = Interval::point(face);
@@ -234,7 +234,7 @@ fn near(equations: &SteadyEquations, known: &[Zero], from: &[Interval], hull: &[
 
 /// A zero near a point, by steps of least size.
 fn zero(equations: &SteadyEquations, mut at: DVector<f64>) -> Option<DVector<f64>> {
-    let mut program = equations.values.over::<f64>();
+    let mut program = equations.tapes.values.over::<f64>();
     let mut values = vec![0.0; at.len()];
     // fewer equations than unknowns leave zeros behind
     for _ in 0..STEPS {
@@ -260,14 +260,14 @@ fn largest_slopes(equations: &SteadyEquations) -> Vec<f64> {
     let ranges = equations.unknowns.iter().map(|unknown| unknown.range.interval());
     let all: Vec<Interval> = ranges.chain((0..equations.reactions).map(|_| Interval::EVERYTHING)).collect();
     let mut slopes = vec![Interval::EVERYTHING; equations.rows * all.len()];
-    equations.slopes.over::<Interval>().evaluate(&all, &mut slopes);
+    equations.tapes.slopes.over::<Interval>().evaluate(&all, &mut slopes);
     slopes.chunks(all.len()).map(|row| row.iter().fold(0.0, |largest: f64, slope| largest.max(slope.size()))).collect()
 }
 
 /// None where one is no number, as that of a distance that is zero.
 fn slopes(equations: &SteadyEquations, at: &DVector<f64>) -> Option<DMatrix<f64>> {
     let mut slopes = vec![0.0; at.len() * at.len()];
-    equations.slopes.over::<f64>().evaluate(at.as_slice(), &mut slopes[..equations.rows * at.len()]);
+    equations.tapes.slopes.over::<f64>().evaluate(at.as_slice(), &mut slopes[..equations.rows * at.len()]);
     let are_numbers = slopes.iter().all(|slope| slope.is_finite());
     are_numbers.then(|| DMatrix::from_row_slice(at.len(), at.len(), &slopes))
 }

@@ -1,6 +1,7 @@
 //! The search over boxes of unknowns: reactions are determined by positions, where these let them be.
 
 use super::SteadyEquations;
+use super::tapes::Tapes;
 use algebra::boxes::Equations;
 use field::Interval;
 use nalgebra::DMatrix;
@@ -28,10 +29,10 @@ pub(super) struct Boxes<'a> {
 }
 
 impl<'a> Boxes<'a> {
-    pub fn of(equations: &'a SteadyEquations) -> Self {
-        let SteadyEquations {
-            values, slopes, loads, reactions, unknowns, sides: (sides, holds), surplus, implied, ..
-        } = equations;
+    /// The programs of equations, by their unknowns or by others.
+    pub fn of(equations: &'a SteadyEquations, tapes: &'a Tapes) -> Self {
+        let SteadyEquations { reactions, unknowns, holds, .. } = equations;
+        let Tapes { values, slopes, loads, surplus, implied, sides } = tapes;
         Boxes {
             divided: unknowns.len(),
             reactions: *reactions,

@@ -2,6 +2,7 @@
 
 mod along;
 mod conditions;
+mod loops;
 mod orientations;
 mod quasi_velocities;
 mod reactions;

@@ -44,7 +44,7 @@ pub(super) fn slopes_at(
 fn refined(equations: &SteadyEquations, enclosure: &[Interval]) -> Vec<Ball> {
     let size = enclosure.len();
     let mut at: Vec<Ball> = enclosure.iter().map(|part| Ball::over_range(part.low(), part.high())).collect();
-    let (mut values, mut slopes) = (equations.values.over::<Ball>(), equations.slopes.over::<Ball>());
+    let (mut values, mut slopes) = (equations.tapes.values.over::<Ball>(), equations.tapes.slopes.over::<Ball>());
     let (mut value, mut slope) = (vec![Ball::zero(); size], vec![Ball::zero(); size * size]);
     for _ in 0..STEPS {
         let middle: Vec<Ball> = at.iter().map(|part| part.polynomial()).collect();

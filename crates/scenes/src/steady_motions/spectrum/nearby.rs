@@ -33,7 +33,7 @@ impl EnclosedSpectrum {
         }
         let domain: Vec<Interval> = equations.unknowns.iter().map(|unknown| unknown.range.interval()).collect();
         let limits = Limits { boxes: BOXES, smallest: 1e-3 };
-        let found = zeros(&mut Boxes::of(&equations), &domain, limits, goes_on);
+        let found = zeros(&mut Boxes::of(&equations, &equations.tapes), &domain, limits, goes_on);
         let [zero] = &found.zeros[..] else { return Err(NotEnclosed::NoMotion) };
         if !moves_as(&equations, &zero.enclosure, state) {
             return Err(NotEnclosed::NoMotion);

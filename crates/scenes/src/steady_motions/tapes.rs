@@ -1,0 +1,71 @@
+//! The programs of a search, by its unknowns and then by reactions.
+
+use super::NoSteadyMotions;
+use symbolic::{Sym, Tape};
+
+/// Equations as expressions.
+#[derive(Clone)]
+pub(super) struct Expressions {
+    /// As many as are solved.
+    pub values: Vec<Sym>,
+    /// J^T, row after row, then -h.
+    pub loads: Vec<Sym>,
+    pub surplus: Vec<Sym>,
+    pub implied: Vec<Sym>,
+    pub sides: Vec<Sym>,
+}
+
+/// The same as programs.
+#[derive(Debug)]
+pub(super) struct Tapes {
+    /// Residuals by unknowns, then multipliers.
+    pub values: Tape,
+    /// Their derivatives, row after row.
+    pub slopes: Tape,
+    /// J^T, row after row, then -h, by unknowns alone.
+    pub loads: Tape,
+    /// Equations beyond the number of unknowns.
+    pub surplus: Tape,
+    /// Constraints that were left out, since they follow from others near the start: elsewhere they may not.
+    pub implied: Tape,
+    /// Conditions.
+    pub sides: Tape,
+}
+
+impl Expressions {
+    /// Each list rewritten.
+    pub fn rewritten(&self, put: impl Fn(&[Sym]) -> Vec<Sym>) -> Self {
+        Expressions {
+            values: put(&self.values),
+            loads: put(&self.loads),
+            surplus: put(&self.surplus),
+            implied: put(&self.implied),
+            sides: put(&self.sides),
+        }
+    }
+
+    /// By letters of unknowns, and of reactions.
+    ///
+    /// # Errors
+    /// An expression without values.
+    pub fn recorded(&self, letters: &[Sym], multipliers: &[Sym]) -> Result<Tapes, NoSteadyMotions> {
+        let inputs = [letters, multipliers].concat();
+        let slopes: Vec<Sym> = self.values.iter().flat_map(|row| inputs.iter().map(|&by| row.diff(by))).collect();
+        Ok(Tapes {
+            values: recorded(&inputs, &self.values)?,
+            slopes: recorded(&inputs, &slopes)?,
+            loads: recorded(letters, &self.loads)?,
+            surplus: recorded(&inputs, &self.surplus)?,
+            implied: recorded(&inputs, &self.implied)?,
+            sides: recorded(&inputs, &self.sides)?,
+        })
+    }
+}
+
+/// A program of expressions.
+///
+/// # Errors
+/// An expression without values.
+pub(super) fn recorded(inputs: &[Sym], outputs: &[Sym]) -> Result<Tape, NoSteadyMotions> {
+    Tape::record(inputs, outputs).map_err(|why| NoSteadyMotions::Undefined { why: why.to_string() })
+}

@@ -1,0 +1,29 @@
+//! Closed loops of links whose angles are counted from one another.
+
+use super::{all, values};
+use std::f64::consts::PI;
+
+const ANDREWS: &str = include_str!("../../../../scenes/foreign/andrews_mechanism.toml");
+
+/// An angle within half a turn of zero.
+fn turned(angle: f64) -> f64 {
+    angle - (angle / (2.0 * PI)).round() * 2.0 * PI
+}
+
+/// Of Andrews' mechanism the crank's two sides and two shapes of each loop balance the torque; they are the same where all angles are counted from
+/// the ground.
+#[test]
+fn a_mechanism_of_three_loops_has_all_its_equilibria_however_its_angles_are_counted() {
+    let from_ground = ["K1 turned Theta", "K5 turned Phi", "K7 turned Omega"]
+        .iter()
+        .fold(ANDREWS.to_owned(), |text, turn| text.replace(turn, &format!("N{}", &turn[2..])));
+    let (found, absolute) = (values(&all(ANDREWS, &[])), values(&all(&from_ground, &[])));
+    assert_eq!((found.len(), absolute.len()), (8, 8));
+    for (own, verdict) in &found {
+        // beta, Theta, gamma, Phi, delta, Omega, epsilon
+        let mut directions = own.clone();
+        [(1, 0), (3, 4), (5, 6)].into_iter().for_each(|(link, before)| directions[link] += own[before]);
+        let is_same = |other: &Vec<f64>| other.iter().zip(&directions).all(|(a, b)| turned(a - b).abs() < 1e-9);
+        assert_eq!(absolute.iter().filter(|(other, known)| is_same(other) && known == verdict).count(), 1, "{own:?}");
+    }
+}
