@@ -134,6 +134,111 @@ fn a_table_whose_last_member_never_started_is_told_from_that_of_another_scene() 
     assert!(folder.read("table.csv").starts_with(&before));
 }
 
+/// The table of a part, by its number of three.
+fn part(folder: &Folder, scene: &Path, number: u32) -> PathBuf {
+    let path = folder.0.join(format!("part{number}.csv"));
+    let output = run(scene, &path, &["--part", &format!("{number}/3")]);
+    assert!(output.status.success(), "{output:?}");
+    path
+}
+
+/// The command with tables behind a flag: its exit code, and what it prints.
+fn of_tables(scene: &Path, flag: &str, tables: &[&PathBuf], more: &[&str]) -> (Option<i32>, String) {
+    let output = program(&["ensemble"]).arg(scene).arg(flag).args(tables).args(more).output().expect("it starts");
+    let told = [output.stdout, output.stderr].map(|said| String::from_utf8_lossy(&said).into_owned());
+    (output.status.code(), told.concat())
+}
+
+#[test]
+fn parts_are_joined_to_the_table_of_one_run_whatever_was_killed() {
+    let folder = Folder::new("parts");
+    let scene = folder.scene(20, SAME);
+    assert!(run(&scene, &folder.0.join("whole.csv"), &[]).status.success());
+    let parts: Vec<PathBuf> = (1..=3).map(|number| part(&folder, &scene, number)).collect();
+    let [first, second, third] = &parts[..] else { panic!("three") };
+    assert_eq!(of_tables(&scene, "--missing", &[first, second, third], &[]), (Some(0), String::new()));
+    assert_eq!(of_tables(&scene, "--missing", &[third, first], &[]), (Some(1), "7-13\n".to_owned()));
+    // a row that was cut is missing
+    let text = std::fs::read_to_string(second).expect("it is there");
+    std::fs::write(second, &text[..text.len() - 4]).expect("it can be written");
+    assert_eq!(of_tables(&scene, "--missing", &[first, second, third], &[]), (Some(1), "13\n".to_owned()));
+    let joined = folder.0.join("joined.csv");
+    let out = ["--out", joined.to_str().expect("a name")];
+    let (code, said) = of_tables(&scene, "--merge", &[first, second, third], &out);
+    assert!(code == Some(2) && said.contains("no table has member 13") && !joined.exists(), "{said}");
+    part(&folder, &scene, 2);
+    // in any order, and with a table twice
+    let (code, said) = of_tables(&scene, "--merge", &[third, second, first, second], &out);
+    assert!(code == Some(0) && said.starts_with("20 members: 20 reached the end"), "{said}");
+    assert_eq!(folder.read("joined.csv"), folder.read("whole.csv"));
+    assert!(run(&scene, &joined, &[]).status.success(), "it is a table like any other");
+}
+
+#[test]
+fn tables_that_do_not_belong_together_are_not_joined() {
+    let folder = Folder::new("unlike");
+    let scene = folder.scene(9, SAME);
+    let parts: Vec<PathBuf> = (1..=3).map(|number| part(&folder, &scene, number)).collect();
+    let [first, second, third] = &parts[..] else { panic!("three") };
+    let joined = folder.0.join("joined.csv");
+    let out = ["--out", joined.to_str().expect("a name")];
+    let refused = |tables: &[&PathBuf], why: &str| {
+        let (code, said) = of_tables(&scene, "--merge", tables, &out);
+        assert!(code == Some(2) && said.contains(why) && !joined.exists(), "{said}");
+    };
+    let text = std::fs::read_to_string(second).expect("it is there");
+    let write = |text: &str| std::fs::write(second, text).expect("it can be written");
+    // the last digit of a number in the middle of a row
+    let other = text.replacen(",0.", ",0.9", 1);
+    write(&other);
+    refused(&[first, second, third], "line 2");
+    let changed = text.lines().map(|line| line.replace("-fused", "-other").replace("-unfused", "-other") + "\n");
+    write(&changed.collect::<String>());
+    refused(&[first, second, third], "whose last digits may differ");
+    assert_eq!(of_tables(&scene, "--missing", &[first, second, third], &["--any-processor"]).0, Some(0));
+    assert_eq!(
+        of_tables(&scene, "--merge", &[first, second, third], &[&out[..], &["--any-processor"]].concat()).0,
+        Some(0)
+    );
+    std::fs::remove_file(&joined).expect("it was written");
+    write(&text);
+    // the table is one of those that are read
+    let own = ["--out", first.to_str().expect("a name"), "--force"];
+    let (code, said) = of_tables(&scene, "--merge", &[first, second, third], &own);
+    assert!(code == Some(2) && said.contains("that is read"), "{said}");
+    let lost = folder.0.join("lost.csv");
+    refused(&[first, second, &lost], "lost.csv");
+    let seed = folder.scene(10, ["seed = 1", "seed = 2"]);
+    let (code, said) = of_tables(&seed, "--missing", &[first], &[]);
+    assert!(code == Some(2) && said.contains("line 2: another ensemble"), "{said}");
+}
+
+#[test]
+fn a_part_goes_on_in_its_own_table_alone() {
+    let folder = Folder::new("part");
+    let scene = folder.scene(9, SAME);
+    let second = part(&folder, &scene, 2);
+    let output = run(&scene, &second, &["--part", "1/3"]);
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.code() == Some(2) && said.contains("line 2: member 4 belongs to another part"), "{said}");
+    let output = run(&scene, &second, &[]);
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(said.contains("line 2: member 4 stands where member 1 belongs"), "{said}");
+    for (wrong, why) in [("4/3", "a part and the number of all parts"), ("1/10", "the ensemble has 9 members")] {
+        let output = run(&scene, &folder.0.join("wrong.csv"), &["--part", wrong]);
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert!(
+            output.status.code() == Some(2) && said.contains(why) && !folder.0.join("wrong.csv").exists(),
+            "{said}"
+        );
+    }
+    let output = run(&scene, &folder.0.join("wrong.csv"), &["--any-processor"]);
+    assert!(
+        String::from_utf8_lossy(&output.stderr).contains("--any-processor is for --merge and --missing"),
+        "{output:?}"
+    );
+}
+
 #[test]
 fn rows_that_another_processor_rounded_are_told_apart() {
     let folder = Folder::new("rounded");

@@ -22,11 +22,11 @@ struct Counted {
 }
 
 impl Fates {
-    /// One more member, with the reason for which it stopped, where it did.
-    pub fn add(&mut self, stopped: Option<&str>) {
+    /// One more member by its number, with the reason for which it stopped, where it did.
+    pub fn add(&mut self, member: u64, stopped: Option<&str>) {
         self.members += 1;
         if let Some(why) = stopped {
-            let first = || Counted { count: 0, member: self.members, why: why.to_owned() };
+            let first = || Counted { count: 0, member, why: why.to_owned() };
             self.stopped.entry(Stopped::kind_in(why).to_owned()).or_insert_with(first).count += 1;
         }
     }
@@ -69,8 +69,8 @@ mod tests {
         let [first, second] =
             [2.0, 1.5].map(|value| Stopped::Impossible(format!("A' > 0 is broken: it is {}", -value)).to_string());
         let late = Stopped::Run(Failure::OutOfTime { at: 3.0 }).to_string();
-        for why in [None, Some(first.as_str()), Some(&second), Some(&late)] {
-            told.add(why);
+        for (member, why) in (1..).zip([None, Some(first.as_str()), Some(&second), Some(&late)]) {
+            told.add(member, why);
         }
         assert_eq!(told.reached(), 1);
         let text = told.text(Path::new("t.csv"), 0, |_| Vec::new());

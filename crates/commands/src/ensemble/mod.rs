@@ -1,6 +1,9 @@
-//! `dalembert ensemble`: many members of one scene, their results in a table that survives a kill.
+//! `dalembert ensemble`: many members of one scene, their results in a table that survives a kill; in parts on many machines too.
 
 mod fates;
+mod merge;
+mod part;
+mod rows;
 mod table;
 
 use crate::arguments::whole;
@@ -9,8 +12,10 @@ use crate::exit::{Exit, print};
 use crate::output::Writes;
 use crate::progress::Progress;
 use clap::Args;
+use part::Part;
+use rows::Makers;
 use std::ops::ControlFlow;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use table::Table;
 
 /// Which members are to be run, and where the results go.
@@ -28,23 +33,67 @@ pub struct Asked {
     /// Threads; without it as many as there are processors. The results do not depend on it
     #[arg(long, value_name = "N", value_parser = whole::<u16>(1..=1024))]
     pub threads: Option<u16>,
+    /// One part of so many: its members stand side by side, and its rows are those of a run of all. Without --out its table is NAME.I-of-N.csv
+    #[arg(long, value_name = "I/N", conflicts_with_all = ["merge", "missing"])]
+    pub part: Option<Part>,
+    /// Writes the rows of these tables as one table of all members, as a run of all would have written it
+    #[arg(long, value_name = "FILE.csv", num_args = 1.., conflicts_with = "missing")]
+    pub merge: Vec<PathBuf>,
+    /// Prints the members that none of these tables has, a range in each line; the exit code is 0 where none is missing, else 1
+    #[arg(long, value_name = "FILE.csv", num_args = 1.., conflicts_with_all = ["out", "force", "threads"])]
+    pub missing: Vec<PathBuf>,
+    /// With --merge and --missing: takes rows of other versions of the program, and of processors that round otherwise
+    #[arg(long)]
+    pub any_processor: bool,
+}
+
+impl Asked {
+    /// The name of the table, where none is given.
+    fn usual(&self) -> PathBuf {
+        let end = self.part.map_or_else(|| "csv".to_owned(), |part| format!("{part}.csv"));
+        let path = self.scene.with_extension(end);
+        path.file_name().map_or_else(|| path.clone(), PathBuf::from)
+    }
 }
 
 /// Runs what is not done yet, and says what became of all.
 pub fn run(asked: &Asked) -> Result<Exit, Exit> {
+    if asked.any_processor && asked.merge.is_empty() && asked.missing.is_empty() {
+        return Err(Exit::refused(
+            "--any-processor is for --merge and --missing: rows that are computed now are of this processor",
+        ));
+    }
     let scene = studies::ensemble::open(&asked.scene)?;
-    let usual = asked.scene.with_extension("csv");
-    let path = asked.out.as_deref().unwrap_or_else(|| Path::new(usual.file_name().unwrap_or(usual.as_os_str())));
-    let writes = Writes { command: "ensemble", force: asked.force, reads: vec![&asked.scene] };
-    let (mut table, mut told) = Table::open(&writes, path, &scene)?;
-    let (done, all) = (told.members, scene.members);
+    let usual = asked.usual();
+    let path = asked.out.as_deref().unwrap_or(&usual);
+    let reads = std::iter::once(&asked.scene).chain(&asked.merge).map(PathBuf::as_path).collect();
+    let writes = Writes { command: "ensemble", force: asked.force, reads };
+    let makers = if asked.any_processor { Makers::Any } else { Makers::This };
+    if !asked.missing.is_empty() {
+        return merge::missing(&scene, &asked.missing, makers);
+    }
+    if !asked.merge.is_empty() {
+        return merge::merge(&scene, &asked.merge, makers, (&writes, path));
+    }
+    let members = match asked.part {
+        Some(part) => part.of(scene.members).ok_or_else(|| {
+            Exit::refused(format!(
+                "--part {part}: the ensemble has {} members, and each part has one at least",
+                scene.members
+            ))
+        })?,
+        None => 1..=scene.members,
+    };
+    let (mut table, mut told) = Table::open(&writes, path, (&scene, &members))?;
+    let (before, all) = (told.members, members.end() + 1 - members.start());
+    let next = |done: u64| members.start() + done;
     let threads =
         asked.threads.map_or_else(|| std::thread::available_parallelism().map_or(1, usize::from), usize::from);
 
     let mut progress = Progress::new(scene.system.title());
     let mut wrong = Ok(());
-    scene.run(done + 1..=all, threads, |row| {
-        told.add(row.stopped.as_deref());
+    scene.run(next(before)..=*members.end(), threads, |row| {
+        told.add(row.number, row.stopped.as_deref());
         wrong = table.push(&row);
         progress.set(told.members as f64 / all as f64);
         if wrong.is_ok() { clock::goes_on() } else { ControlFlow::Break(()) }
@@ -52,11 +101,11 @@ pub fn run(asked: &Asked) -> Result<Exit, Exit> {
     wrong?;
     table.settle()?;
     drop(progress);
-    print(&told.text(path, done, |member| scene.failures(member, &|| clock::goes_on().is_continue())))?;
+    print(&told.text(path, before, |member| scene.failures(member, &|| clock::goes_on().is_continue())))?;
     if told.members == all {
         // as of a run that stops, where none came to its end
         return Ok(if told.reached() > 0 { Exit::Done } else { Exit::Stopped });
     }
-    print(&format!("broken off: the same command goes on with member {}\n", told.members + 1))?;
+    print(&format!("broken off: the same command goes on with member {}\n", next(told.members)))?;
     Ok(Exit::Stopped)
 }

@@ -5,16 +5,16 @@
 //! cut is taken away, and the last whole row is computed again: it must come out the same.
 
 use super::fates::Fates;
+use super::rows::{Foreign, Makers, Rows};
 use crate::atomic_write;
 use crate::csv;
 use crate::exit::Exit;
 use crate::output::Writes;
-use ::csv::{ReaderBuilder, StringRecord};
 use same_file::Handle;
 use simulation::ensemble::{EnsembleScene, Fingerprint, Row};
 use std::fs::{File, OpenOptions, TryLockError};
-use std::io::{self, BufRead, BufReader, Read, Write};
-use std::ops::ControlFlow;
+use std::io::{self, BufRead, BufReader, Write};
+use std::ops::{ControlFlow, RangeInclusive};
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
@@ -23,9 +23,6 @@ const BLOCK: usize = 1 << 14;
 
 /// The interval at which written rows are brought to the disk.
 const CHUNK: Duration = Duration::from_millis(500);
-
-/// No row is as long.
-const LONGEST: u64 = 1 << 24;
 
 /// The table on the disk.
 pub struct Table {
@@ -41,12 +38,13 @@ pub struct Table {
     settled: Instant,
 }
 
-/// Why a file is no table of an ensemble: its line, and the reason.
-type Foreign = (usize, String);
-
 impl Table {
-    /// Makes it, or goes on with the one that is there.
-    pub fn open(writes: &Writes<'_>, path: &Path, scene: &EnsembleScene) -> Result<(Self, Fates), Exit> {
+    /// Makes the table of some members, or goes on with the one that is there.
+    pub fn open(
+        writes: &Writes<'_>,
+        path: &Path,
+        (scene, members): (&EnsembleScene, &RangeInclusive<u64>),
+    ) -> Result<(Self, Fates), Exit> {
         let unwritable = |error: io::Error| Exit::unwritable(path, &error);
         let place = writes.continued(path)?;
         std::fs::create_dir_all(atomic_write::folder(&place)).map_err(unwritable)?;
@@ -60,7 +58,7 @@ impl Table {
             Ok(()) | Err(TryLockError::Error(_)) => {}
         }
         let fingerprint = Fingerprint::of(scene);
-        let (whole, told) = match read(BufReader::new(&file), scene, &fingerprint) {
+        let (whole, told) = match read(BufReader::new(&file), scene, &fingerprint, members) {
             Ok(found) => found,
             Err(_) if writes.force => (0, Fates::default()),
             Err((line, why)) => {
@@ -130,68 +128,46 @@ impl Table {
     }
 }
 
-/// The number of bytes of a file that are whole rows of the ensemble, and their summary. One line is held at a time.
-fn read(mut table: impl BufRead, scene: &EnsembleScene, fingerprint: &Fingerprint) -> Result<(u64, Fates), Foreign> {
-    let headings = scene.headings();
-    let heading = csv::line(&headings) + "\n";
+/// The number of bytes of a file that are whole rows of the members, which it has from the first one on, and their summary.
+fn read(
+    table: impl BufRead,
+    scene: &EnsembleScene,
+    fingerprint: &Fingerprint,
+    members: &RangeInclusive<u64>,
+) -> Result<(u64, Fates), Foreign> {
     let mut told = Fates::default();
-    let unreadable = |error: io::Error| (1, error.to_string());
-    let mut head = Vec::new();
-    table.by_ref().take(heading.len() as u64).read_to_end(&mut head).map_err(unreadable)?;
-    if head.len() < heading.len() && heading.as_bytes().starts_with(&head) {
-        return Ok((0, told));
-    }
-    if head != heading.as_bytes() {
-        return Err((1, "these are not the columns of this ensemble's table".to_owned()));
-    }
-    let mut whole = heading.len() as u64;
-    let (mut last, mut found) = (Vec::new(), Vec::new());
-    for number in 1.. {
-        let foreign = |why: String| (number + 1, why);
-        found.clear();
-        let length =
-            table.by_ref().take(LONGEST).read_until(b'\n', &mut found).map_err(|error| foreign(error.to_string()))?;
-        if !found.ends_with(b"\n") && (length as u64) < LONGEST {
-            break;
+    let Some(mut rows) = Rows::of(table, scene, Makers::This)? else { return Ok((0, told)) };
+    let mut whole = rows.heading().len() as u64;
+    let (mut last, mut next) = (Vec::new(), *members.start());
+    while let Some(row) = rows.next_row()? {
+        let foreign = |why: String| Err((rows.line(), why));
+        if row.member > *members.end() {
+            return foreign(match *members.end() == scene.members {
+                true => format!("there are more than the {} members", scene.members),
+                false => format!("member {} belongs to another part", row.member),
+            });
         }
-        let cells = cells(&found).filter(|cells| cells.len() == headings.len());
-        let cells = cells.ok_or_else(|| foreign("this is no row of the table".to_owned()))?;
-        if let Some(why) = fingerprint.differs_from(&cells[cells.len() - 1]) {
-            return Err(foreign(why));
+        if row.member != next {
+            return foreign(format!("member {} stands where member {next} belongs", row.member));
         }
-        let drawn = scene.drawn(number as u64);
-        let begins = std::iter::once(number.to_string()).chain(drawn.iter().map(f64::to_string));
-        if !begins.zip(&cells).all(|(own, found)| own == found) {
-            return Err(foreign(format!("member {number} has other data here")));
-        }
-        if told.members == scene.members {
-            return Err(foreign(format!("there are more than the {} members", scene.members)));
-        }
-        told.add(Some(&cells[1 + drawn.len()]).filter(|why| !why.is_empty()));
-        whole += length as u64;
-        std::mem::swap(&mut last, &mut found);
+        next += 1;
+        told.add(row.member, row.stopped.as_deref());
+        whole += rows.text().len() as u64;
+        last.clear();
+        last.extend_from_slice(rows.text());
     }
     if told.members > 0 {
         let mut again = String::new();
-        scene.run(told.members..=told.members, 1, |row| {
-            again = line(&row, headings.len(), &fingerprint.to_string());
+        scene.run(next - 1..=next - 1, 1, |row| {
+            again = line(&row, rows.columns(), &fingerprint.to_string());
             ControlFlow::Continue(())
         });
         // a member that the clock broke off comes out in no way
         if !again.is_empty() && again.as_bytes() != last {
-            let why = format!("member {} comes out otherwise today", told.members);
-            return Err((told.members as usize + 1, why));
+            return Err((rows.line() - 1, format!("member {} comes out otherwise today", next - 1)));
         }
     }
     Ok((whole, told))
-}
-
-/// The cells of one line; none where it is not one row.
-fn cells(line: &[u8]) -> Option<StringRecord> {
-    let mut reader = ReaderBuilder::new().has_headers(false).buffer_capacity(1 << 10).from_reader(line);
-    let mut records = reader.records();
-    let record = records.next()?.ok()?;
-    records.next().is_none().then_some(record)
 }
 
 /// A row of so many columns, with its end; what a member has not is empty.

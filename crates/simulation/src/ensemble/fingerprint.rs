@@ -54,6 +54,13 @@ impl Fingerprint {
     }
 }
 
+impl Fingerprint {
+    /// Whether a row with another fingerprint is of the same law, data, span, tolerance and seed, whoever computed it.
+    pub fn is_of_same_members(&self, found: &str) -> bool {
+        found.split_once(':').is_some_and(|(of_members, _)| of_members == self.of_members)
+    }
+}
+
 impl Display for Fingerprint {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}:{}", self.of_members, self.maker)

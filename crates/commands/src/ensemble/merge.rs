@@ -1,0 +1,162 @@
+//! The tables of the parts of an ensemble: which members they lack, and one table of all, row by row as one run would have written it.
+
+use super::fates::Fates;
+use super::rows::{Makers, RowOfMember, Rows};
+use crate::clock;
+use crate::exit::{Exit, print};
+use crate::output::{Form, Writes};
+use simulation::ensemble::EnsembleScene;
+use std::fs::File;
+use std::io::{self, BufReader};
+use std::ops::RangeInclusive;
+use std::path::{Path, PathBuf};
+
+/// Members between two looks at the clock.
+const BETWEEN: u64 = 1 << 12;
+
+/// A table at one of its rows.
+struct Part<'a> {
+    path: &'a Path,
+    rows: Rows<'a, BufReader<File>>,
+    row: Option<RowOfMember>,
+}
+
+impl Part<'_> {
+    fn step(&mut self) -> Result<(), Exit> {
+        self.row = self.rows.next_row().map_err(|(line, why)| foreign(self.path, line, &why))?;
+        Ok(())
+    }
+}
+
+fn foreign(path: &Path, line: usize, why: &str) -> Exit {
+    Exit::refused(format!(
+        "{}, line {line}: {why}; tables of the parts of this very ensemble are accepted",
+        path.display()
+    ))
+}
+
+/// The rows of all parts by their members, each once: `take` gets the row of a member, or the members that no part has.
+fn joined(
+    scene: &EnsembleScene,
+    paths: &[PathBuf],
+    makers: Makers,
+    mut take: impl FnMut(Joined<'_>) -> Result<(), Exit>,
+) -> Result<(), Exit> {
+    let mut parts = Vec::new();
+    for path in paths {
+        let file = File::open(path).map_err(|error| Exit::refused(format!("{}: {error}", path.display())))?;
+        let rows = Rows::of(BufReader::new(file), scene, makers).map_err(|(line, why)| foreign(path, line, &why))?;
+        let Some(rows) = rows else { continue };
+        let mut part = Part { path, rows, row: None };
+        part.step()?;
+        parts.push(part);
+    }
+    let mut next = 1;
+    while next <= scene.members {
+        if next % BETWEEN == 0 && clock::goes_on().is_break() {
+            return Err(Exit::Stopped);
+        }
+        let first = parts.iter().filter_map(|part| part.row.as_ref()).map(|row| row.member).min();
+        let until = first.unwrap_or(scene.members + 1);
+        if until > next {
+            take(Joined::Missing(next..=until - 1))?;
+            next = until;
+            continue;
+        }
+        let here = |part: &Part<'_>| part.row.as_ref().is_some_and(|row| row.member == next);
+        let own: Vec<usize> = (0..parts.len()).filter(|&k| here(&parts[k])).collect();
+        if let Some(&other) = own.iter().skip(1).find(|&&k| parts[k].rows.text() != parts[own[0]].rows.text()) {
+            let (line, first) = (parts[other].rows.line(), parts[own[0]].path.display());
+            return Err(foreign(
+                parts[other].path,
+                line,
+                &format!("member {next} comes out otherwise than in {first}"),
+            ));
+        }
+        let (part, row) = (&parts[own[0]], parts[own[0]].row.as_ref());
+        take(Joined::Row(part.rows.text(), next, row.and_then(|row| row.stopped.as_deref())))?;
+        own.into_iter().try_for_each(|k| parts[k].step())?;
+        next += 1;
+    }
+    Ok(())
+}
+
+enum Joined<'a> {
+    Row(&'a [u8], u64, Option<&'a str>),
+    Missing(RangeInclusive<u64>),
+}
+
+/// Prints the members that no part has, a range in each line.
+pub fn missing(scene: &EnsembleScene, paths: &[PathBuf], makers: Makers) -> Result<Exit, Exit> {
+    let mut any = false;
+    joined(scene, paths, makers, |joined| match joined {
+        Joined::Row(..) => Ok(()),
+        Joined::Missing(members) => {
+            any = true;
+            print(&format!("{}\n", told(&members)))
+        }
+    })?;
+    Ok(if any { Exit::Stopped } else { Exit::Done })
+}
+
+/// Writes one table of all members.
+pub fn merge(
+    scene: &EnsembleScene,
+    paths: &[PathBuf],
+    makers: Makers,
+    (writes, out): (&Writes<'_>, &Path),
+) -> Result<Exit, Exit> {
+    let heading = crate::csv::line(&scene.headings()) + "\n";
+    let output = writes.output(out, &[Form::Table(heading.trim_end().to_owned())])?;
+    // all are looked at before anything is written
+    let (mut absent, mut fates) = (Vec::new(), Fates::default());
+    joined(scene, paths, makers, |joined| {
+        match joined {
+            Joined::Row(_, member, stopped) => fates.add(member, stopped),
+            Joined::Missing(members) => absent.push(told(&members)),
+        }
+        Ok(())
+    })?;
+    if !absent.is_empty() {
+        let which = absent.join(", ");
+        return Err(Exit::refused(format!(
+            "{} cannot be written: no table has member {which}; the parts that have them go on where they are asked for again",
+            out.display()
+        )));
+    }
+    let mut wrong = None;
+    let written = output.write(|file| {
+        file.write_all(heading.as_bytes())?;
+        let mut failed = None;
+        let all = joined(scene, paths, makers, |joined| match joined {
+            Joined::Row(text, ..) => file.write_all(text).map_err(|error| {
+                failed = Some(error);
+                Exit::Stopped
+            }),
+            Joined::Missing(_) => {
+                Err(Exit::refused("a table was changed while it was read; the same command tries again"))
+            }
+        });
+        match (failed, all) {
+            (Some(error), _) => Err(error),
+            (None, Ok(())) => Ok(()),
+            (None, Err(exit)) => {
+                wrong = Some(exit);
+                Err(io::ErrorKind::Interrupted.into())
+            }
+        }
+    });
+    if let Some(wrong) = wrong {
+        return Err(wrong);
+    }
+    let _ = written?;
+    print(&fates.text(out, 0, |member| scene.failures(member, &|| clock::goes_on().is_continue())))?;
+    Ok(if fates.reached() > 0 { Exit::Done } else { Exit::Stopped })
+}
+
+fn told(members: &RangeInclusive<u64>) -> String {
+    match members.start() == members.end() {
+        true => members.start().to_string(),
+        false => format!("{}-{}", members.start(), members.end()),
+    }
+}

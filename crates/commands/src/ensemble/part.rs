@@ -1,0 +1,62 @@
+//! One part of an ensemble: members that stand side by side, as many as in the other parts, or one fewer.
+
+use std::fmt;
+use std::ops::RangeInclusive;
+use std::str::FromStr;
+
+/// A part by its number, of so many.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Part {
+    number: u64,
+    parts: u64,
+}
+
+impl Part {
+    /// Its members; none where there are fewer members than parts.
+    pub fn of(self, members: u64) -> Option<RangeInclusive<u64>> {
+        let end = |number: u64| (u128::from(number) * u128::from(members) / u128::from(self.parts)) as u64;
+        (self.parts <= members).then(|| end(self.number - 1) + 1..=end(self.number))
+    }
+}
+
+impl FromStr for Part {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let numbers =
+            text.split_once('/').and_then(|(number, parts)| Some((number.parse().ok()?, parts.parse().ok()?)));
+        match numbers {
+            Some((number, parts)) if 1 <= number && number <= parts => Ok(Part { number, parts }),
+            _ => Err("a part and the number of all parts are accepted, from 1/1 on: 3/8".to_owned()),
+        }
+    }
+}
+
+/// As names of files say it.
+impl fmt::Display for Part {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}-of-{}", self.number, self.parts)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Part;
+
+    #[test]
+    fn parts_have_every_member_once() {
+        for (members, parts) in [(10, 3), (7, 7), (1_000_000_007, 13)] {
+            let mut next = 1;
+            for number in 1..=parts {
+                let own = Part { number, parts }.of(members).expect("there are enough");
+                assert!(*own.start() == next && own.end() >= own.start(), "{own:?}");
+                next = own.end() + 1;
+            }
+            assert_eq!(next, members + 1);
+        }
+        assert!(Part { number: 1, parts: 8 }.of(7).is_none());
+        for wrong in ["0/3", "4/3", "3", "1/0", "a/b", "-1/2", "1/2/3"] {
+            assert!(wrong.parse::<Part>().is_err(), "{wrong}");
+        }
+    }
+}

@@ -1,0 +1,121 @@
+//! The rows of a table of an ensemble as they stand in a file, one after the other: each is of this ensemble, or the file is refused.
+
+use crate::csv;
+use ::csv::{ReaderBuilder, StringRecord};
+use simulation::ensemble::{EnsembleScene, Fingerprint};
+use std::io::{self, BufRead, Read};
+
+/// No row is as long.
+const LONGEST: u64 = 1 << 24;
+
+/// Why a file is no table of an ensemble: its line, and the reason.
+pub type Foreign = (usize, String);
+
+/// Whose rows are accepted.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum Makers {
+    /// Rows of this version of the program, on a processor that rounds as this one does.
+    This,
+    Any,
+}
+
+/// What a row tells of its member.
+pub struct RowOfMember {
+    pub member: u64,
+    /// Why it stopped, where it did.
+    pub stopped: Option<String>,
+}
+
+/// A table that is read. One line is held at a time.
+pub struct Rows<'a, R> {
+    table: R,
+    scene: &'a EnsembleScene,
+    fingerprint: Fingerprint,
+    makers: Makers,
+    heading: String,
+    columns: usize,
+    /// The last row, with its end of line.
+    text: Vec<u8>,
+    line: usize,
+    before: u64,
+}
+
+impl<'a, R: BufRead> Rows<'a, R> {
+    /// None where not even the headings are whole: a run was killed before its first row.
+    pub fn of(mut table: R, scene: &'a EnsembleScene, makers: Makers) -> Result<Option<Self>, Foreign> {
+        let headings = scene.headings();
+        let heading = csv::line(&headings) + "\n";
+        let unreadable = |error: io::Error| (1, error.to_string());
+        let mut head = Vec::new();
+        table.by_ref().take(heading.len() as u64).read_to_end(&mut head).map_err(unreadable)?;
+        if head.len() < heading.len() && heading.as_bytes().starts_with(&head) {
+            return Ok(None);
+        }
+        if head != heading.as_bytes() {
+            return Err((1, "these are not the columns of this ensemble's table".to_owned()));
+        }
+        let (fingerprint, columns) = (Fingerprint::of(scene), headings.len());
+        Ok(Some(Rows { table, scene, fingerprint, makers, heading, columns, text: Vec::new(), line: 1, before: 0 }))
+    }
+
+    pub fn heading(&self) -> &str {
+        &self.heading
+    }
+
+    pub fn columns(&self) -> usize {
+        self.columns
+    }
+
+    /// The last row as it stands in the file.
+    pub fn text(&self) -> &[u8] {
+        &self.text
+    }
+
+    /// The line of the last row.
+    pub fn line(&self) -> usize {
+        self.line
+    }
+
+    /// The next row that is whole.
+    pub fn next_row(&mut self) -> Result<Option<RowOfMember>, Foreign> {
+        self.line += 1;
+        let line = self.line;
+        let foreign = |why: String| (line, why);
+        self.text.clear();
+        let length = self.table.by_ref().take(LONGEST).read_until(b'\n', &mut self.text);
+        let length = length.map_err(|error| foreign(error.to_string()))?;
+        if !self.text.ends_with(b"\n") && (length as u64) < LONGEST {
+            return Ok(None);
+        }
+        let cells = cells(&self.text).filter(|cells| cells.len() == self.columns);
+        let no_row = || foreign("this is no row of the table".to_owned());
+        let cells = cells.ok_or_else(no_row)?;
+        let fingerprint = &cells[cells.len() - 1];
+        let is_accepted = self.makers == Makers::Any && self.fingerprint.is_of_same_members(fingerprint);
+        if let Some(why) = self.fingerprint.differs_from(fingerprint).filter(|_| !is_accepted) {
+            return Err(foreign(why));
+        }
+        let member: u64 = cells[0].parse().map_err(|_| no_row())?;
+        if member <= self.before {
+            return Err(foreign(format!("member {member} stands behind member {}", self.before)));
+        }
+        if member > self.scene.members {
+            return Err(foreign(format!("there are more than the {} members", self.scene.members)));
+        }
+        let drawn = self.scene.drawn(member);
+        if !drawn.iter().map(f64::to_string).zip(cells.iter().skip(1)).all(|(own, found)| own == found) {
+            return Err(foreign(format!("member {member} has other data here")));
+        }
+        self.before = member;
+        let stopped = Some(&cells[1 + drawn.len()]).filter(|why| !why.is_empty()).map(str::to_owned);
+        Ok(Some(RowOfMember { member, stopped }))
+    }
+}
+
+/// The cells of one line; none where it is not one row.
+fn cells(line: &[u8]) -> Option<StringRecord> {
+    let mut reader = ReaderBuilder::new().has_headers(false).buffer_capacity(1 << 10).from_reader(line);
+    let mut records = reader.records();
+    let record = records.next()?.ok()?;
+    records.next().is_none().then_some(record)
+}
