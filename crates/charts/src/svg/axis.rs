@@ -75,6 +75,26 @@ impl Axis {
         Axis { logarithmic: false, low, high, from, to, ticks }
     }
 
+    /// The power of ten that ticks have in common where they are too long with one each; they are left with what stands before it.
+    pub fn share_power(&mut self) -> Option<String> {
+        let has_power = |tick: &Tick| tick.label.as_deref().is_some_and(|label| label.contains('·'));
+        if self.logarithmic || !self.ticks.iter().any(has_power) {
+            return None;
+        }
+        let largest = self.ticks.iter().fold(0.0, |most: f64, tick| most.max(tick.at.abs()));
+        let exponent = largest.log10().floor();
+        let power = 10_f64.powf(exponent);
+        let apart = self.ticks.windows(2).map(|pair| (pair[1].at - pair[0].at) / power).fold(f64::INFINITY, f64::min);
+        let digits = decimals(apart * (1.0 + 1e-9));
+        if digits > 4 {
+            return None;
+        }
+        for tick in &mut self.ticks {
+            tick.label = Some(tick_label(tick.at / power, apart, digits));
+        }
+        Some(format!("10{}", superscript(exponent as i32)))
+    }
+
     /// Where a value lies, in pixels.
     pub fn place(&self, value: f64) -> f64 {
         self.place_tick(if self.logarithmic { value.max(FLOOR).log10() } else { value })
@@ -128,6 +148,20 @@ mod tests {
     fn ticks_of_small_numbers_are_told_apart() {
         let axis = Axis::linear([0.0, -2.3e-12].into_iter(), 0.0, 150.0, 26.0, 0.0);
         assert_eq!(labels(&axis), ["−2·10⁻¹²", "−1.5·10⁻¹²", "−1·10⁻¹²", "−5·10⁻¹³", "0"]);
+    }
+
+    #[test]
+    fn ticks_of_small_and_large_numbers_share_their_power() {
+        let shared = |values: [f64; 2]| {
+            let mut axis = Axis::linear(values.into_iter(), 0.0, 150.0, 26.0, 0.0);
+            let power = axis.share_power();
+            (power, labels(&axis).join(" "))
+        };
+        assert_eq!(shared([0.0, -2.3e-8]), (Some("10⁻⁸".to_owned()), "−2.0 −1.5 −1.0 −0.5 0.0".to_owned()));
+        assert_eq!(shared([1e6, 3e6]), (Some("10⁶".to_owned()), "1.0 1.5 2.0 2.5 3.0".to_owned()));
+        assert_eq!(shared([0.0, 5.0]).0, None);
+        // of numbers that are almost the same each keeps all its digits
+        assert_eq!(shared([1e7, 1e7 + 20.0]).0, None);
     }
 
     #[test]

@@ -43,6 +43,9 @@ const LEFT: f64 = 66.0;
 const RIGHT: f64 = WIDTH - 12.0;
 const HEADING: f64 = 22.0;
 
+/// The height of one of many panels.
+const ROOM: f64 = 92.0;
+
 impl Trajectory {
     /// The chart as an SVG file.
     pub fn svg(&self) -> String {
@@ -52,11 +55,12 @@ impl Trajectory {
     pub(crate) fn drawing(&self) -> Drawing {
         let names = self.names();
         let times = self.tracks().flat_map(|track| finite(track).map(|point| point.0));
-        let x = Axis::linear(times, LEFT, RIGHT, 62.0, 0.0);
+        let mut x = Axis::linear(times, LEFT, RIGHT, 62.0, 0.0);
+        let below = headed(&self.x, x.share_power());
         let room = match self.panels.len() {
             0..=2 => 150.0,
             3 => 116.0,
-            _ => 92.0,
+            _ => ROOM,
         };
         let mut drawing = Drawing::default();
         let stops = self.stops();
@@ -66,9 +70,8 @@ impl Trajectory {
             let own = panel.names();
             let legend = if shared { &names } else { &own };
             let look = |track: &Track| Look::of(legend.iter().position(|name| *name == track.name).unwrap_or(0));
-            self.head(&mut drawing, panel, top - 7.0, if shared { &[] } else { &own }, &stops);
-            let values = panel.series.iter().flat_map(|track| finite(track).map(|point| point.1));
-            let y = Axis::linear(values, bottom, top, 26.0, 0.06);
+            let (y, heading) = panel.axis(bottom, top);
+            self.head(&mut drawing, &heading, top - 7.0, if shared { &[] } else { &own }, &stops);
             frame(&mut drawing, &x, &y, top, bottom);
             for track in &panel.series {
                 track::draw(&mut drawing, track, look(track), &x, &y);
@@ -78,7 +81,7 @@ impl Trajectory {
             }
             drawing.height = bottom + 2.0;
         }
-        self.foot(&mut drawing, &x, if shared { &names } else { &[] }, &stops);
+        self.foot(&mut drawing, (&x, &below), if shared { &names } else { &[] }, &stops);
         drawing
     }
 
@@ -87,17 +90,22 @@ impl Trajectory {
         let names = self.names();
         let same = self.panels.iter().all(|panel| panel.names() == names);
         let fits = |panel: &Panel| {
-            legend::in_a_row(&mut Drawing::default(), &entries(&panel.names()), (beyond(&panel.y), 0.0), RIGHT)
+            legend::in_a_row(
+                &mut Drawing::default(),
+                &entries(&panel.names()),
+                (beyond(&panel.axis(ROOM, 0.0).1), 0.0),
+                RIGHT,
+            )
         };
         (same && (self.panels.len() > 1 || names.len() < 2)) || !self.panels.iter().all(fits)
     }
 
     /// The line above a panel: what it shows, its legend, and why the only run that stopped did.
-    fn head(&self, drawing: &mut Drawing, panel: &Panel, y: f64, legend: &[&str], stops: &[Stop]) {
-        drawing.text((LEFT, y), Anchor::Start, "heading", &panel.y);
-        legend::in_a_row(drawing, &entries(legend), (beyond(&panel.y), y), RIGHT);
+    fn head(&self, drawing: &mut Drawing, heading: &str, y: f64, legend: &[&str], stops: &[Stop]) {
+        drawing.text((LEFT, y), Anchor::Start, "heading", heading);
+        legend::in_a_row(drawing, &entries(legend), (beyond(heading), y), RIGHT);
         if let ([stop], true) = (stops, drawing.height == 0.0) {
-            let taken = panel.y.chars().count() + legend.iter().map(|name| name.chars().count() + 7).sum::<usize>();
+            let taken = heading.chars().count() + legend.iter().map(|name| name.chars().count() + 7).sum::<usize>();
             let room = ((RIGHT - LEFT) / 7.0) as usize;
             let reason = shorten(&format!("✕ {}", stop.reason), room.saturating_sub(taken + 4));
             drawing.text((RIGHT, y), Anchor::End, "small", &reason);
@@ -105,7 +113,7 @@ impl Trajectory {
     }
 
     /// What stands below the last panel: times, legend, who stopped and why, what was left out.
-    fn foot(&self, drawing: &mut Drawing, x: &Axis, names: &[&str], stops: &[Stop]) {
+    fn foot(&self, drawing: &mut Drawing, (x, below): (&Axis, &str), names: &[&str], stops: &[Stop]) {
         for Tick { at, label } in &x.ticks {
             drawing.text(
                 (x.place_tick(*at), drawing.height + 17.0),
@@ -114,7 +122,7 @@ impl Trajectory {
                 label.as_deref().unwrap_or(""),
             );
         }
-        drawing.text((0.5 * (LEFT + RIGHT), drawing.height + 38.0), Anchor::Middle, "", &self.x);
+        drawing.text((0.5 * (LEFT + RIGHT), drawing.height + 38.0), Anchor::Middle, "", below);
         drawing.height += 50.0;
         if names.len() > 1 {
             legend::draw(drawing, &entries(names), false);
@@ -155,6 +163,14 @@ impl Panel {
     fn names(&self) -> Vec<&str> {
         once(self.series.iter())
     }
+
+    /// The axis of its values between two pixels, and its heading.
+    fn axis(&self, from: f64, to: f64) -> (Axis, String) {
+        let values = self.series.iter().flat_map(|track| finite(track).map(|point| point.1));
+        let mut axis = Axis::linear(values, from, to, 26.0, 0.06);
+        let power = axis.share_power();
+        (axis, headed(&self.y, power))
+    }
 }
 
 fn once<'a>(tracks: impl Iterator<Item = &'a Track>) -> Vec<&'a str> {
@@ -169,6 +185,11 @@ fn once<'a>(tracks: impl Iterator<Item = &'a Track>) -> Vec<&'a str> {
 
 fn entries<'a>(names: &[&'a str]) -> Vec<Entry<'a>> {
     names.iter().enumerate().map(|(at, name)| Entry { look: Look::of(at), name }).collect()
+}
+
+/// A heading, with the power of ten by which its ticks are to be multiplied.
+fn headed(heading: &str, power: Option<String>) -> String {
+    power.map_or_else(|| heading.to_owned(), |power| format!("{heading} ×{power}"))
 }
 
 /// Where a panel's heading ends.
