@@ -3,5 +3,6 @@
 mod circles;
 mod contributing;
 mod features;
+mod licences;
 mod mutants;
 mod rules;
