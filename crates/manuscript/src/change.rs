@@ -11,6 +11,8 @@ const FEW: usize = 3;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum EditKind {
     Sign,
+    /// A relation that admits equality.
+    Strictness,
     Direction,
     Function,
     Exponent,
@@ -31,6 +33,7 @@ impl EditKind {
     pub fn name(self) -> &'static str {
         match self {
             Self::Sign => "sign",
+            Self::Strictness => "strictness",
             Self::Direction => "direction",
             Self::Function => "function",
             Self::Exponent => "exponent",

@@ -9,6 +9,7 @@ use reader::Issue;
 use symbolic::Sym;
 
 /// A hypothesis as it was read.
+#[derive(Clone)]
 pub(crate) struct Hypothesis {
     /// In the paper's letters, text and LaTeX.
     pub told: (String, String),

@@ -154,7 +154,7 @@ pub(crate) fn is_apart(factor: Sym, motion: &Motion<'_, '_>, conditions: &[Condi
 }
 
 /// Whether a model without this parameter has a coordinate without inertia.
-fn is_of_inertia(symbol: Sym, motion: &Motion<'_, '_>) -> bool {
+pub(crate) fn is_of_inertia(symbol: Sym, motion: &Motion<'_, '_>) -> bool {
     if !motion.trace.parameters.contains(&symbol) {
         return false;
     }

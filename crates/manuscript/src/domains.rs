@@ -2,6 +2,7 @@
 
 use crate::conditions::Hypothesis;
 use crate::display::{Told, divisors};
+use crate::extent::Demand;
 use crate::letters::Letters;
 use crate::motion::Motion;
 use crate::real_signs;
@@ -11,7 +12,7 @@ use latex::{Form, Function, Meaning, Statement, Term, Value, value};
 use symbolic::{Hypotheses, Sym, decide, normal};
 
 /// A part of a formula with the sign that it must have.
-struct Demand<'a> {
+struct Asked<'a> {
     part: &'a Term,
     sign: Sign,
 }
@@ -26,7 +27,7 @@ enum Sign {
     Sine,
 }
 
-/// Conditions under which every part of a formula has a value, in text and LaTeX, as far as hypotheses and constants do not show them.
+/// Conditions under which every part of a formula has a value.
 ///
 /// # Errors
 /// The divisor that vanishes wherever the motion is.
@@ -36,13 +37,13 @@ pub(crate) fn domains(
     motion: &Motion<'_, '_>,
     assumed: &[Hypothesis],
     conditions: &[Condition],
-) -> Result<Vec<(String, String)>, Sym> {
-    let mut demands = Vec::new();
+) -> Result<Vec<Demand>, Sym> {
+    let mut asked = Vec::new();
     for side in statement.chains.iter().flat_map(|chain| &chain.sides) {
-        collect(side, &mut demands);
+        collect(side, &mut asked);
     }
-    let mut all: Vec<(String, String)> = Vec::new();
-    for Demand { part, sign } in demands {
+    let mut all: Vec<Demand> = Vec::new();
+    for Asked { part, sign } in asked {
         let (Ok(Value::Scalar(model)), Ok(Value::Scalar(own))) =
             (value(part, &letters.in_model()), value(part, &letters.in_paper()))
         else {
@@ -69,10 +70,15 @@ pub(crate) fn domains(
                 (is_stated || apart(here) || apart(-here), divisors(&[model], Told(letters)))
             }
         };
-        for line in lines.into_iter().filter(|_| !is_shown) {
+        let condition = match sign {
+            Sign::NotNegative => Condition::NotNegative(model),
+            Sign::Positive => Condition::Positive(model),
+            Sign::NotZero | Sign::Cosine | Sign::Sine => Condition::NonZero(model),
+        };
+        for line in lines {
             let is_stated = assumed.iter().any(|hypothesis| hypothesis.told == line);
-            if !is_stated && !all.contains(&line) {
-                all.push(line);
+            if all.iter().all(|known| known.told != line) {
+                all.push(Demand { told: line, condition, is_shown: is_shown || is_stated });
             }
         }
     }
@@ -89,8 +95,8 @@ fn is_positive(expression: Sym, motion: &Motion<'_, '_>, conditions: &[Condition
 }
 
 /// The parts of a formula on which its value depends.
-fn collect<'a>(term: &'a Term, all: &mut Vec<Demand<'a>>) {
-    let mut add = |part: &'a Term, sign: Sign| all.push(Demand { part, sign });
+fn collect<'a>(term: &'a Term, all: &mut Vec<Asked<'a>>) {
+    let mut add = |part: &'a Term, sign: Sign| all.push(Asked { part, sign });
     match &term.form {
         Form::Quotient(_, below) => factors(below).into_iter().for_each(|factor| add(factor, Sign::NotZero)),
         Form::Power(base, exponent) if *exponent < 0 => add(base, Sign::NotZero),

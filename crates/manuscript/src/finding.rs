@@ -25,6 +25,8 @@ pub struct Finding {
     /// The smallest edits of a refuted claim that are proved, all of one size.
     pub corrections: Vec<Correction>,
     pub search: Search,
+    /// Of a claim that is proved: whether an exact point was found inside everything that it presupposes.
+    pub(crate) has_inside: bool,
     /// Where it was asked for.
     pub certificate: Option<Certificate>,
 }

@@ -1,14 +1,14 @@
 //! Every claim of a paper, decided.
 
 use crate::certificate::Record;
-use crate::change::Search;
+use crate::change::{EditKind, Search};
 use crate::claim_text::{ClaimText, Kind};
 use crate::combination::told_combination;
 use crate::conditions::{Hypothesis, assume, conditions, hypotheses, placed};
 use crate::correction::{Judge, corrections};
 use crate::display::{Told, divisors, missing, shown};
-use crate::domains::domains;
 use crate::equation::{Outcome, vanishes};
+use crate::extent::is_met;
 use crate::finding::Finding;
 use crate::implications::equivalence;
 use crate::inequalities::inequality;
@@ -19,9 +19,9 @@ use crate::lines::{Line, lines};
 use crate::motion::Motion;
 use crate::numbers::number;
 use crate::paper_text::PaperText;
+use crate::presuppositions::{presupposed, where_they_hold};
 use crate::real_signs::are_equal_by_squares;
-use crate::refutation::Refutation;
-use crate::signs::{completed, contradiction, without_real_value};
+use crate::signs::without_real_value;
 use crate::stability::stability;
 use crate::steadiness::steady_motion;
 use crate::verdict::{allowed, mixed, mixed_hypotheses, neither, refute};
@@ -130,6 +130,13 @@ fn correct(
     };
     finding.corrections = corrections(claim, statement, letters, &assumed, &Judge { decide: &decide, goes_on });
     finding.search = if goes_on() { Search::Whole } else { Search::Cut };
+    let values = finding.judged.counterexample.iter().map(|(name, value)| format!("{name} = {value}"));
+    let at = values.collect::<Vec<_>>().join(", ");
+    // where the sides are in the right order, the point at which the print fails is one of equality
+    let loose = finding.corrections.iter_mut().flat_map(|one| &mut one.changes);
+    for change in loose.filter(|change| change.kind == EditKind::Strictness && !at.is_empty()) {
+        change.words += &format!(" (both sides are equal at {at})");
+    }
     finding.judged.correction = finding.corrections.first().map(|first| {
         let several = match finding.corrections.len() {
             1 => String::new(),
@@ -148,7 +155,7 @@ fn judge(
     is_certified: bool,
 ) -> Result<Finding, Issue> {
     let assumed = hypotheses(&claim.given, letters)?;
-    let there = where_they_hold(&assumed, letters)?;
+    let there = where_they_hold(paper, &assumed, letters)?;
     let mut judged = Judged {
         id: format!("{}/{}", paper.key, claim.key()),
         section: claim.section.clone(),
@@ -176,6 +183,7 @@ fn judge(
         sides: None,
         corrections: Vec::new(),
         search: Search::None,
+        has_inside: false,
         certificate: None,
     };
     let mut record = Record::of(is_certified);
@@ -196,55 +204,12 @@ fn judge(
         neither(Outcome::Undecided(why.to_owned()), letters, &mut finding);
     }
     mixed_hypotheses(&assumed, letters, &mut finding);
-    if finding.judged.verdict == Verdict::Proved {
-        let constrained = || Motion::by_constraints(letters.trace);
-        let mut motion = match claim.kind {
-            Kind::Identity | Kind::Inequality | Kind::LinearisedEquation => constrained(),
-            _ => Motion::by_equations(letters.trace).unwrap_or_else(|_| constrained()),
-        };
-        // a kind of claim that cannot assume one has said so itself
-        if assume(&mut motion, &assumed).is_ok() {
-            match domains(statement, letters, &motion, &assumed, &there) {
-                Ok(found) => {
-                    let is_new = |line: &(String, String)| !finding.judged.requires.contains(line);
-                    let new: Vec<(String, String)> = found.into_iter().filter(is_new).collect();
-                    finding.judged.requires.extend(new);
-                }
-                Err(divisor) => neither(Outcome::Undefined(divisor), letters, &mut finding),
-            }
-        }
+    if matches!(finding.judged.verdict, Verdict::Proved | Verdict::Identified | Verdict::Undecided) {
+        presupposed(paper, claim, statement, letters, (&assumed, &there), &mut finding);
     }
     finding.judged.expected = claim.expected.unwrap_or(finding.judged.verdict);
     finding.certificate = record.finished(&finding.judged, claim.kind.without_certificate());
     Ok(finding)
-}
-
-/// Signs and what must not vanish, where the equalities hold.
-///
-/// # Errors
-/// One of them contradicts the others.
-fn where_they_hold(assumed: &[Hypothesis], letters: &Letters<'_, '_>) -> Result<Vec<Condition>, Issue> {
-    let mut motion = Motion::by_constraints(letters.trace);
-    // a kind of claim that cannot assume one says so itself
-    let is_assumed = assume(&mut motion, assumed).is_ok();
-    let stated: Vec<&Hypothesis> = assumed.iter().filter(|hypothesis| hypothesis.condition.is_some()).collect();
-    let there = match is_assumed {
-        true => conditions(&motion, assumed),
-        false => stated.iter().filter_map(|hypothesis| hypothesis.condition).collect(),
-    };
-    match contradiction(&there) {
-        Some(place) => {
-            let title = "these hypotheses contradict each other, so that nothing is claimed";
-            let issue = Issue::at(stated[place].at.clone(), title, "excluded by the others");
-            Err(issue.accepted("hypotheses that hold together"))
-        }
-        None => Ok(there),
-    }
-}
-
-/// Whether an exact point satisfies the signs and what must not vanish.
-fn is_met(conditions: &[Condition]) -> bool {
-    completed(Refutation { point: Vec::new(), is_formal: false }, conditions).is_some()
 }
 
 fn equalities(

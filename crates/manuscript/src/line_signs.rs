@@ -28,6 +28,21 @@ type Fraction = [Polynomial; 2];
 
 /// The least sign; none where there are more unknowns, or the conditions leave no point.
 pub(crate) fn least(expression: Sym, conditions: &[Condition]) -> Option<Least> {
+    let found = signs(expression, conditions)?;
+    let sign = found.iter().map(|(sign, _)| *sign).min()?;
+    let points = found.into_iter().filter(|(each, _)| *each == sign).filter_map(|(_, point)| point);
+    Some(Least { sign, points: points.collect() })
+}
+
+/// Whether the conditions on one unknown leave it no value.
+pub(crate) fn exclude_each_other(conditions: &[Condition]) -> bool {
+    let leaves_none = |of: &Condition| signs(of.expression(), conditions).is_some_and(|found| found.is_empty());
+    conditions.iter().any(leaves_none)
+}
+
+/// The signs of an expression where the conditions on its unknown hold, each with a point that is a number with few digits or a root; none where
+/// there are more unknowns.
+fn signs(expression: Sym, conditions: &[Condition]) -> Option<Vec<(i32, Option<Refutation>)>> {
     let unknown = Unknown::of(expression)?;
     let own = unknown.fraction(expression)?;
     let stated: Vec<Condition> =
@@ -56,9 +71,7 @@ pub(crate) fn least(expression: Sym, conditions: &[Condition]) -> Option<Least> 
     if let Unknown::Angle { angle, .. } = unknown {
         found.extend(at_half_turn(expression, angle, &sides));
     }
-    let sign = found.iter().map(|(sign, _)| *sign).min()?;
-    let points = found.into_iter().filter(|(each, _)| *each == sign).filter_map(|(_, point)| point);
-    Some(Least { sign, points: points.collect() })
+    Some(found)
 }
 
 impl Unknown {

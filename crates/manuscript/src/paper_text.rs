@@ -5,6 +5,7 @@ use crate::passage::Passage;
 use latex::declared_name;
 use reader::{Issue, SceneError, Table, read_text, tables};
 use scenes::SystemText;
+use std::ops::Range;
 use std::path::Path;
 
 /// A letter as it is declared.
@@ -42,6 +43,11 @@ pub struct PaperText {
 }
 
 impl PaperText {
+    /// The line of the file at which a part of it begins, from 1.
+    pub(crate) fn line_of(&self, at: &Range<usize>) -> usize {
+        1 + self.text.bytes().take(at.start).filter(|byte| *byte == b'\n').count()
+    }
+
     /// Reads a file, and that of its system where it names one.
     ///
     /// # Errors

@@ -4,7 +4,7 @@ use crate::motion::Motion;
 use crate::refutation::{Refutation, exact};
 use claims::{Condition, Page, Verdict};
 use field::Rational;
-use symbolic::{Hypotheses, Node, Sym, normal};
+use symbolic::{Node, Sym};
 
 /// The sign that an expression is shown to have.
 pub(crate) struct Shown {
@@ -131,25 +131,6 @@ fn sign(expression: Sym, conditions: &[Condition]) -> Option<Sign> {
         Node::Root(a) => Some(if of(a) == Some(Sign::Positive) { Sign::Positive } else { Sign::NotNegative }),
         _ => None,
     }
-}
-
-/// The first condition that the others, or its own value, exclude.
-pub(crate) fn contradiction(conditions: &[Condition]) -> Option<usize> {
-    (0..conditions.len()).rev().find(|&place| {
-        let others = [&conditions[..place], &conditions[place + 1..]].concat();
-        let value = || normal(conditions[place].expression(), &Hypotheses::none()).ok()?.to_sym().as_constant()?.sign();
-        match conditions[place] {
-            Condition::Positive(e) => {
-                let is_up = |e: Sym| sign(e, &others).is_some_and(|sign| !sign.parts().0);
-                is_up(e) || value().is_some_and(|sign| sign != 1)
-            }
-            Condition::NotNegative(e) => {
-                sign(e, &others) == Some(Sign::Negative) || value().is_some_and(|sign| sign < 0)
-            }
-            Condition::NonZero(_) => value() == Some(0),
-            _ => false,
-        }
-    })
 }
 
 /// A part of an expression that is the root of what is negative for all values.

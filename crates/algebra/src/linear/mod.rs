@@ -5,7 +5,8 @@
 //! * [`Factors`]: A z = b by elimination, in an order that the [`Pattern`] of A gives, and where the pivots of this order are
 //!   too small, by the largest entry of the rest. The order is a function of the pattern and the choice between both ways one
 //!   of the entries, so that equal entries give equal bits;
-//! * [`Magnitude`]: the size of a number, by which pivots are chosen.
+//! * [`Magnitude`]: the size of a number, by which pivots are chosen;
+//! * [`nonnegative_combination`]: factors that are not negative, exactly, by which columns make up another one.
 //!
 //! Over enclosures ([`Kind::Enclosed`]) the unknowns enclose those of every matrix and right side that the entries enclose, or there is
 //! no solution where a pivot may be zero.
@@ -17,10 +18,12 @@
 mod factors;
 mod magnitude;
 mod minors;
+mod nonnegative;
 mod order;
 mod pattern;
 
 pub use factors::{Factors, NotSolved};
 pub use magnitude::{Kind, Magnitude};
 pub use minors::{LARGEST, determinant, minors};
+pub use nonnegative::nonnegative_combination;
 pub use pattern::Pattern;

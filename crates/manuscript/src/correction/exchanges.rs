@@ -27,9 +27,10 @@ pub(super) fn exchanges(places: &Places, text: &str, rates: &[LetterRate]) -> Ve
     all
 }
 
-/// The other direction of an inequality.
-pub(super) fn directions(text: &str) -> Vec<Edit> {
-    const PAIRS: [(&str, &str); 10] = [
+/// Relations of an inequality that admits equality, or has the other direction.
+pub(super) fn relations(text: &str) -> Vec<Edit> {
+    const LOOSE: [(&str, &str); 4] = [(r"\lt", r"\leq"), (r"\gt", r"\geq"), ("<", r"\leq"), (">", r"\geq")];
+    const TURNED: [(&str, &str); 10] = [
         (r"\leqslant", r"\geqslant"),
         (r"\geqslant", r"\leqslant"),
         (r"\leq", r"\geq"),
@@ -41,16 +42,16 @@ pub(super) fn directions(text: &str) -> Vec<Edit> {
         ("<", ">"),
         (">", "<"),
     ];
-    let edit = |at: usize, from: &str, to: &str| {
-        Edit::new(EditKind::Direction, at..at + from.len(), to, format!("`{to}` for `{from}`"))
-    };
     let is_whole = |at: usize, from: &str| {
         !from.starts_with('\\') || !text[at + from.len()..].starts_with(|letter: char| letter.is_ascii_alphabetic())
     };
-    let of = |(from, to): (&'static str, &'static str)| {
-        text.match_indices(from).filter(move |(at, _)| is_whole(*at, from)).map(move |(at, _)| edit(at, from, to))
+    let of = |kind: EditKind, (from, to): (&'static str, &'static str)| {
+        text.match_indices(from)
+            .filter(move |(at, _)| is_whole(*at, from))
+            .map(move |(at, _)| Edit::new(kind, at..at + from.len(), to, format!("`{to}` for `{from}`")))
     };
-    PAIRS.into_iter().flat_map(of).collect()
+    let loose = LOOSE.into_iter().flat_map(|pair| of(EditKind::Strictness, pair));
+    loose.chain(TURNED.into_iter().flat_map(|pair| of(EditKind::Direction, pair))).collect()
 }
 
 /// `the second term of the right side`, or the term itself.

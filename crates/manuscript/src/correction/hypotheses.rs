@@ -5,10 +5,12 @@ use super::places::Places;
 use super::probe::says_nothing;
 use crate::claim_text::ClaimText;
 use crate::conditions::{assume, hypotheses};
+use crate::consequence::is_of_inertia;
 use crate::integrals::known;
 use crate::letters::Letters;
 use crate::lines::lines;
 use crate::motion::Motion;
+use crate::passage::Passage;
 use latex::read;
 use std::cmp::Reverse;
 use std::collections::BTreeSet;
@@ -37,6 +39,10 @@ pub(super) fn leaves_something(claim: &ClaimText, hypothesis: &str, letters: &Le
         read(hypothesis, &letters.spelt()).ok().and_then(|statement| super::probe::own_difference(&statement, letters));
     let statement = read(&claim.formula.text, &known(claim.kind, letters)).ok();
     let (Some(zero), Some(statement)) = (zero, statement) else { return false };
+    // a model without its inertia has no motion
+    if has_no_inertia(&claim.formula.with_text(hypothesis.to_owned()), letters) {
+        return false;
+    }
     // claims of other kinds have sides that are read otherwise
     let Ok(mut lines) = lines(claim, &statement, letters) else { return true };
     // two sides that vanish by the hypothesis and the constraints say nothing either
@@ -53,6 +59,13 @@ pub(super) fn leaves_something(claim: &ClaimText, hypothesis: &str, letters: &Le
     let staying = terms.iter().filter(|term| !decide(there(**term), &Hypotheses::none()).is_zero()).count();
     lines.iter_mut().for_each(|line| line.own = line.own.map(there));
     2 * staying >= terms.len() && !lines.iter().any(says_nothing)
+}
+
+/// Whether a letter that is zero leaves a coordinate of the model without inertia.
+fn has_no_inertia(hypothesis: &Passage, letters: &Letters<'_, '_>) -> bool {
+    let read = hypotheses(std::slice::from_ref(hypothesis), letters);
+    let zero = read.ok().and_then(|all| all.first().and_then(|one| one.equality));
+    zero.is_some_and(|(zero, _)| is_of_inertia(zero, &Motion::without_anything(letters.trace)))
 }
 
 /// The terms of a sum, as it is written.

@@ -57,24 +57,21 @@ pub(super) struct Search<'a, G> {
 impl<'a, G: Ground> Search<'a, G> {
     pub fn of(ground: &'a G, statement: &Statement) -> Self {
         let (text, places) = (ground.text(), Places::of(statement, ground.text()));
-        let exchanges = [
-            exchanges::directions(text),
-            terms::repeated(&places, text),
-            exchanges::exchanges(&places, text, ground.rates()),
-        ]
-        .concat();
+        let exchanges = [terms::repeated(&places, text), exchanges::exchanges(&places, text, ground.rates())].concat();
         let residual = ground.residual(statement);
         let is_number = ground.own_difference(statement).is_some_and(is_number);
         Search { ground, places, exchanges, residual, known: ground.known(), is_number }
     }
 
-    /// Edits of one sign, one factor or one term, the first of these sizes at which one is proved; then two signs.
+    /// Edits of a relation, one sign, one factor or one term, the first of these sizes at which one is proved; then two signs.
     pub fn small(&self) -> Vec<Correction> {
         let (text, places) = (self.ground.text(), &self.places);
-        let sizes: [&dyn Fn() -> Vec<Edit>; 3] =
-            [&|| self.exchanges.clone(), &|| factors::factors(places, text, self.ground.rates()), &|| {
-                [terms::superfluous(places, text), self.ground.lost(places, 1)].concat()
-            }];
+        let sizes: [&dyn Fn() -> Vec<Edit>; 4] = [
+            &|| exchanges::relations(text),
+            &|| self.exchanges.clone(),
+            &|| factors::factors(places, text, self.ground.rates()),
+            &|| [terms::superfluous(places, text), self.ground.lost(places, 1)].concat(),
+        ];
         for edits in sizes {
             let found = self.proved(edits().into_iter().map(|edit| vec![edit]));
             if !found.is_empty() {

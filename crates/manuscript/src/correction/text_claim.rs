@@ -117,9 +117,10 @@ impl Ground for TextClaim<'_, '_, '_> {
     }
 }
 
-/// Proved without an objection; of printed numbers by enclosures.
+/// Proved without an objection, at more than the edges of what its parts ask for; of printed numbers by enclosures.
 fn is_sound(finding: &Finding, claim: &ClaimText) -> bool {
     let verdict = finding.judged.verdict;
-    let is_shown = verdict == Verdict::Proved || verdict == Verdict::Enclosed && claim.kind == Kind::Number;
+    let is_shown =
+        verdict == Verdict::Proved && finding.has_inside || verdict == Verdict::Enclosed && claim.kind == Kind::Number;
     is_shown && finding.judged.objections.is_empty()
 }

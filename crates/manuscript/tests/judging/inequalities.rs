@@ -1,6 +1,7 @@
 //! Inequalities of polynomials: squares, discriminants, real roots, and what is given.
 
 use crate::{PENDULUM, on_pendulum, verdict};
+use dalembert_manuscript::EditKind;
 
 fn found(formula: &str, given: &str) -> (&'static str, String) {
     let found = on_pendulum("inequality", formula, &format!("given = [{given}]"));
@@ -85,4 +86,25 @@ fn a_point_that_refutes_is_one_of_real_numbers() {
     // without one an angle and its sine may have any values of their own: some angle does not fulfil this
     let found = on_pendulum("identity", r"\sin\theta = \theta", "");
     assert_eq!(verdict(&found), "refuted", "{}", found.text());
+}
+
+#[test]
+fn a_relation_that_admits_equality_is_a_correction_with_the_point_of_equality() {
+    for (formula, given, corrected, at) in [
+        ("T > 0", "'m > 0'", r"T \geq 0", "T = 0"),
+        (r"\theta^2 + 1 > 2 \theta", "", r"\theta^2 + 1 \geq 2 \theta", "theta = 1"),
+        (r"2 \cos\theta < 2", "", r"2 \cos\theta \leq 2", "cos(theta) = 1"),
+        (r"\sqrt{m^2} > m", "", r"\sqrt{m^2} \geq m", "m = "),
+    ] {
+        let found = on_pendulum("inequality", formula, &format!("given = [{given}]"));
+        let [first] = &found.corrections[..] else { panic!("{}", found.text()) };
+        assert_eq!((verdict(&found), first.formula.as_str()), ("refuted", corrected), "{}", found.text());
+        assert_eq!(first.changes[0].kind, EditKind::Strictness);
+        let words = &first.changes[0].words;
+        assert!(words.contains("both sides are equal at") && words.contains(at), "{words}");
+    }
+    // where equality is not all that is wrong, the direction is
+    let found = on_pendulum("inequality", r"\theta^2 + 2 < 2 \theta", "");
+    let directions: Vec<EditKind> = found.corrections.iter().map(|one| one.changes[0].kind).collect();
+    assert_eq!(directions, [EditKind::Direction], "{}", found.text());
 }

@@ -1,0 +1,105 @@
+//! The points at which a claim says something: hypotheses and the parts of its formula may leave none.
+
+use crate::conditions::{Hypothesis, assume, conditions};
+use crate::motion::Motion;
+use crate::natural_domain::natural_domain;
+use crate::real_signs;
+use crate::refutation::Refutation;
+use crate::signs::completed;
+use crate::{condition_products, line_signs};
+use claims::Condition;
+use symbolic::Sym;
+
+/// A condition under which a part of a formula has a value.
+pub(crate) struct Demand {
+    /// In the paper's letters, text and LaTeX.
+    pub told: (String, String),
+    /// Over the model.
+    pub condition: Condition,
+    /// Whether hypotheses and constants show it.
+    pub is_shown: bool,
+}
+
+/// Hypotheses and demands, by their places, that exclude each other.
+pub(crate) struct Contradiction {
+    pub hypotheses: Vec<usize>,
+    pub demands: Vec<usize>,
+}
+
+/// Hypotheses and demands that no point of a motion satisfies together: if one of them is left out, a contradiction of the others is not shown.
+pub(crate) fn contradiction(
+    base: &Motion<'_, '_>,
+    assumed: &[Hypothesis],
+    demands: &[Demand],
+) -> Option<Contradiction> {
+    let is_empty = |hypotheses: &[usize], demanded: &[usize]| {
+        let kept: Vec<Hypothesis> = hypotheses.iter().map(|&place| assumed[place].clone()).collect();
+        let demanded = demanded.iter().map(|&place| demands[place].condition);
+        conditions_there(base, &kept, demanded).is_some_and(|all| exclude_each_other(&all))
+    };
+    let mut found = Contradiction { hypotheses: (0..assumed.len()).collect(), demands: (0..demands.len()).collect() };
+    if !is_empty(&found.hypotheses, &found.demands) {
+        return None;
+    }
+    for place in 0..demands.len() {
+        let fewer: Vec<usize> = found.demands.iter().copied().filter(|one| *one != place).collect();
+        if is_empty(&found.hypotheses, &fewer) {
+            found.demands = fewer;
+        }
+    }
+    for place in 0..assumed.len() {
+        let fewer: Vec<usize> = found.hypotheses.iter().copied().filter(|one| *one != place).collect();
+        if is_empty(&fewer, &found.demands) {
+            found.hypotheses = fewer;
+        }
+    }
+    Some(found)
+}
+
+/// The conditions where the equalities hold; none where one of these is not solved.
+fn conditions_there(
+    base: &Motion<'_, '_>,
+    assumed: &[Hypothesis],
+    demanded: impl Iterator<Item = Condition>,
+) -> Option<Vec<Condition>> {
+    let mut motion = base.clone();
+    assume(&mut motion, assumed).ok()?;
+    let squares = motion.squares.iter().map(|&(_, zero)| Condition::Zero(zero));
+    let demanded = demanded.chain(squares).map(|condition| condition.mapped(|e| motion.reduced(e)));
+    let divisors = motion.divisors.iter().map(|&divisor| Condition::NonZero(motion.reduced(divisor)));
+    Some(conditions(&motion, assumed).into_iter().chain(demanded).chain(divisors).collect())
+}
+
+/// Whether it is shown that no point satisfies all conditions: in one unknown by real roots, else by the sign that the others give the expression of
+/// one, or by products of them.
+fn exclude_each_other(conditions: &[Condition]) -> bool {
+    let expressions: Vec<Sym> = conditions.iter().map(|condition| condition.expression()).collect();
+    let all = [conditions, &natural_domain(&expressions)].concat();
+    let is_excluded = |place: usize| {
+        let others = [&all[..place], &all[place + 1..]].concat();
+        let opposite = Sym::ZERO - all[place].expression();
+        match all[place] {
+            Condition::Positive(_) => real_signs::shows(opposite, &others).is_some(),
+            Condition::NotNegative(_) => real_signs::shows(opposite, &others).is_some_and(|shown| shown.is_strict),
+            _ => false,
+        }
+    };
+    line_signs::exclude_each_other(&all)
+        || (0..all.len()).any(is_excluded)
+        || condition_products::exclude_each_other(&all)
+}
+
+/// Whether an exact point satisfies all conditions.
+pub(crate) fn is_met(conditions: &[Condition]) -> bool {
+    completed(Refutation { point: Vec::new(), is_formal: false }, conditions).is_some()
+}
+
+/// Whether an exact point satisfies the hypotheses and, at none of their edges, what the parts of a formula ask for.
+pub(crate) fn has_inside(motion: &Motion<'_, '_>, there: &[Condition], demands: &[Demand]) -> bool {
+    let inside = demands.iter().map(|demand| match demand.condition.mapped(|e| motion.reduced(e)) {
+        Condition::NotNegative(e) if e.as_constant().is_none() => Condition::Positive(e),
+        condition => condition,
+    });
+    let all: Vec<Condition> = there.iter().copied().chain(inside).collect();
+    is_met(&all)
+}

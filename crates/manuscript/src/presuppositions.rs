@@ -1,0 +1,99 @@
+//! What a claim presupposes: its hypotheses, and the values that the parts of its formula must have. Where these leave no point, nothing is claimed.
+
+use crate::claim_text::{ClaimText, Kind};
+use crate::conditions::{Hypothesis, assume, conditions};
+use crate::domains::domains;
+use crate::equation::Outcome;
+use crate::extent::{Contradiction, contradiction, has_inside, is_met};
+use crate::finding::Finding;
+use crate::letters::Letters;
+use crate::motion::Motion;
+use crate::paper_text::PaperText;
+use crate::verdict::neither;
+use claims::{Condition, Verdict};
+use latex::Statement;
+use reader::Issue;
+
+/// Signs and what must not vanish, where the equalities hold.
+///
+/// # Errors
+/// They contradict each other.
+pub(crate) fn where_they_hold(
+    paper: &PaperText,
+    assumed: &[Hypothesis],
+    letters: &Letters<'_, '_>,
+) -> Result<Vec<Condition>, Issue> {
+    let base = Motion::by_constraints(letters.trace);
+    let mut motion = base.clone();
+    // a kind of claim that cannot assume one says so itself
+    let is_assumed = assume(&mut motion, assumed).is_ok();
+    let there = match is_assumed {
+        true => conditions(&motion, assumed),
+        false => assumed.iter().filter_map(|hypothesis| hypothesis.condition).collect(),
+    };
+    if there.is_empty() || motion.squares.is_empty() && is_met(&there) {
+        return Ok(there);
+    }
+    match contradiction(&base, assumed, &[]) {
+        Some(Contradiction { hypotheses, .. }) => {
+            let each = hypotheses.iter().map(|&place| of_line(paper, &assumed[place]));
+            let each = each.collect::<Vec<_>>().join(", ");
+            let title = format!("these hypotheses contradict each other, so that nothing is claimed: {each}");
+            let last = hypotheses.last().map_or(0..0, |&place| assumed[place].at.clone());
+            Err(Issue::at(last, title, "excluded by the others").accepted("hypotheses that hold together"))
+        }
+        None => Ok(there),
+    }
+}
+
+/// A hypothesis with the line at which it stands.
+fn of_line(paper: &PaperText, hypothesis: &Hypothesis) -> String {
+    format!("`{}` (line {})", hypothesis.told.0, paper.line_of(&hypothesis.at))
+}
+
+/// What a formula presupposes beside its hypotheses: it is listed, and a formula that has a value nowhere within them says nothing.
+pub(crate) fn presupposed(
+    paper: &PaperText,
+    claim: &ClaimText,
+    statement: &Statement,
+    letters: &Letters<'_, '_>,
+    (assumed, there): (&[Hypothesis], &[Condition]),
+    finding: &mut Finding,
+) {
+    let constrained = || Motion::by_constraints(letters.trace);
+    let base = match claim.kind {
+        Kind::Identity | Kind::Inequality | Kind::LinearisedEquation => constrained(),
+        _ => Motion::by_equations(letters.trace).unwrap_or_else(|_| constrained()),
+    };
+    let mut motion = base.clone();
+    // a kind of claim that cannot assume one has said so itself
+    if assume(&mut motion, assumed).is_err() {
+        return;
+    }
+    let demands = match domains(statement, letters, &motion, assumed, there) {
+        Ok(demands) => demands,
+        Err(divisor) if finding.judged.verdict == Verdict::Proved => {
+            return neither(Outcome::Undefined(divisor), letters, finding);
+        }
+        Err(_) => return,
+    };
+    let found = (!demands.is_empty()).then(|| contradiction(&base, assumed, &demands)).flatten();
+    if let Some(Contradiction { hypotheses, demands: demanded }) = found {
+        let asked: Vec<&str> = demanded.iter().map(|&place| demands[place].told.0.as_str()).collect();
+        let given: Vec<String> = hypotheses.iter().map(|&place| of_line(paper, &assumed[place])).collect();
+        let beside = match given.is_empty() {
+            true => "which no point satisfies".to_owned(),
+            false => format!("which is satisfied nowhere together with {}", given.join(", ")),
+        };
+        finding.judged.verdict = Verdict::Undefined;
+        finding.judged.evidence =
+            format!("the formula has a value nowhere: its parts ask for {}, {beside}", asked.join(" and "));
+    } else if finding.judged.verdict == Verdict::Proved {
+        finding.has_inside = has_inside(&motion, there, &demands);
+        for demand in demands.into_iter().filter(|demand| !demand.is_shown) {
+            if !finding.judged.requires.contains(&demand.told) {
+                finding.judged.requires.push(demand.told);
+            }
+        }
+    }
+}
