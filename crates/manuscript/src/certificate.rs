@@ -264,9 +264,11 @@ impl Record {
         assumed: &[Hypothesis],
         linear: &LinearEquations,
         printed: Sym,
-        shown: Option<Comparison>,
+        shown: Comparison,
     ) {
-        let Some(shown) = shown.filter(|_| self.is_wanted) else { return };
+        if !self.is_wanted {
+            return;
+        }
         let (given, steps) = premises(motion, assumed, &mut self.relations);
         let relations = &mut self.relations;
         let conditions = assumed.iter().filter(|hypothesis| hypothesis.condition.is_some()).count();

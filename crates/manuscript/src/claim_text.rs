@@ -62,6 +62,9 @@ impl Kind {
             Self::Inequality => {
                 "the verdict rests on real roots of a polynomial, on squares of roots, or on a point, for which the second checker has no steps yet"
             }
+            Self::Stability => {
+                "the verdict rests on several conditions of the roots, or on the energy, for which the second checker has no steps yet"
+            }
             _ => {
                 "the verdict rests on a root without a real value, or on a point where a value by the equations of motion divides by zero"
             }

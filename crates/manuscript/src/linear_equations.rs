@@ -1,5 +1,6 @@
 //! The linear equations about a steady motion, and the condition of their roots beside a printed one.
 
+use crate::linear_motion::{Characteristic, LinearMotion};
 use crate::refutation::Refutation;
 use symbolic::Sym;
 
@@ -17,6 +18,14 @@ pub(crate) struct LinearEquations {
     pub coefficients: Vec<Sym>,
     /// A number of roots that are zero.
     pub neutral: u32,
+}
+
+impl LinearEquations {
+    pub fn of(linear: &LinearMotion, found: Characteristic) -> Self {
+        let Characteristic { root, scale, coefficients, neutral } = found;
+        let LinearMotion { equations, resting, .. } = linear;
+        LinearEquations { equations: equations.clone(), resting: resting.clone(), root, scale, coefficients, neutral }
+    }
 }
 
 /// A positive multiple: by this ratio, and the power of a known condition by its place.

@@ -1,7 +1,8 @@
-//! Stability of a steady motion in the first approximation: the printed inequality beside the roots of the linear equations.
+//! Stability of a steady motion: the printed inequality beside the roots of the linear equations, and beside the energy of a conservative system.
 
 use crate::certificate::Record;
 use crate::claim_text::ClaimText;
+use crate::condition_products;
 use crate::conditions::{Hypothesis, assume, conditions};
 use crate::display::{Told, divisors, point, told_difference};
 use crate::equation::Outcome;
@@ -9,20 +10,20 @@ use crate::finding::Finding;
 use crate::inequalities::sides;
 use crate::letters::Letters;
 use crate::linear_equations::{Comparison, LinearEquations, Multiple};
+use crate::linear_motion::LinearMotion;
 use crate::motion::Motion;
-use crate::signs::{search, shows};
+use crate::real_signs;
+use crate::refutation::Refutation;
+use crate::signs::{Shown, search, shows};
+use crate::stability_region::{Criterion, Region, Theorem};
 use crate::steady_motion::Resting;
 use crate::verdict::neither;
 use claims::{Condition, Verdict};
 use latex::Statement;
-use model::equations::Equations;
 use reader::Issue;
-use symbolic::{Hypotheses, Sym, coefficients, decide, normal};
+use symbolic::{Hypotheses, Sym, coefficients, normal};
 
-/// Larger systems are not expanded into a polynomial.
-const MOST_SPEEDS: usize = 4;
-
-/// `a > b` where, and only where, the motion on which the letters of `resting` are constant is stable in the first approximation.
+/// `a > b` where, and only where, the motion on which the letters of `resting` are constant is stable.
 pub(crate) fn stability(
     claim: &ClaimText,
     statement: &Statement,
@@ -48,185 +49,203 @@ pub(crate) fn stability(
     assume(&mut motion, assumed)?;
     let known = conditions(&motion, assumed);
     finding.allowed =
-        "roots of the linear equations about the steady motion, without the roots zero of speeds that stay as they are"
+        "the linear equations about the steady motion, without the roots zero of speeds that stay as they are; the energy of a conservative system"
             .to_owned();
-    match roots(&resting, letters, &motion) {
-        Ok(found) => {
+    let linear = LinearMotion::of(&resting, letters, &motion);
+    match linear.and_then(|linear| Ok((Region::of(&linear, &motion, &known)?, linear))) {
+        Ok((region, linear)) => {
             let printed = motion.reduced(sides.greater);
-            let shown = compared(&found, printed, sides.own, &motion, &known, letters, finding);
-            record.stability(&motion, assumed, &found.linear, printed, shown);
+            let compared = Compared { region: &region, printed, own: sides.own, motion: &motion, known: &known };
+            let shown = compared.judged(letters, finding);
+            let equations = region.roots.map(|roots| LinearEquations::of(&linear, roots));
+            match (equations, shown) {
+                (Some(equations), Some(shown)) => record.stability(&motion, assumed, &equations, printed, shown),
+                _ => record.leave_out(),
+            }
         }
         Err(why) => neither(Outcome::Undecided(why), letters, finding),
     }
     Ok(())
 }
 
-/// The expressions that must be positive for stability.
-struct Roots {
-    linear: LinearEquations,
-    conditions: Vec<Sym>,
-    /// Whether all roots are left of the imaginary axis there, and not on it.
-    is_asymptotic: bool,
-}
-
-/// The conditions on the coefficients of the characteristic polynomial.
-fn roots(resting: &Resting, letters: &Letters<'_, '_>, motion: &Motion<'_, '_>) -> Result<Roots, String> {
-    let trace = letters.trace;
-    let Equations { mass, bias, constraints } = Equations::of(trace);
-    let n = mass.len();
-    if !constraints.is_empty() || n != trace.coordinates.len() {
-        return Err("stability is decided of systems without constraints and without free frames".to_owned());
-    }
-    if n > MOST_SPEEDS {
-        return Err(format!("stability is decided of up to {MOST_SPEEDS} coordinates, and this system has {n}"));
-    }
-    let Resting { coordinates, speeds } = resting;
-    if let Some(free) = (0..n).find(|place| !coordinates.contains(place) && !speeds.contains(place)) {
-        let name = &trace.coordinates[free];
-        return Err(format!("neither {name} nor its rate rests, so that the linear equations change with the time"));
-    }
-    let s = Sym::symbol("root of the linear equations");
-    let mut matrix: Vec<Vec<Sym>> = Vec::new();
-    let mut equations: Vec<Sym> = Vec::new();
-    for (k, row) in mass.iter().enumerate() {
-        let equation = row.iter().zip(&trace.accelerations).fold(bias[k], |sum, (&entry, &rate)| sum + entry * rate);
-        if !decide(motion.reduced(equation), &motion.hypotheses).is_zero() {
-            return Err(format!(
-                "the equation of {} does not hold on this motion: its condition is missing in `given`",
-                trace.direction(k)
-            ));
-        }
-        equations.push(equation);
-        let entry = |j: usize| -> Result<Sym, String> {
-            let inertia = motion.reduced(row[j]);
-            let damping = motion.reduced(trace.by_speed(equation, j));
-            let stiffness = motion.reduced(trace.by_coordinate(equation, j));
-            if coordinates.contains(&j) {
-                return Ok(inertia * s * s + damping * s + stiffness);
-            }
-            match decide(stiffness, &motion.hypotheses).is_zero() {
-                // of a speed that stays as it is
-                true => Ok(inertia * s + damping),
-                false => Err(format!("the linear equations know {} itself, which does not rest", trace.coordinates[j])),
-            }
-        };
-        matrix.push((0..n).map(entry).collect::<Result<_, _>>()?);
-    }
-    let polynomial = normal(determinant(&matrix), &motion.hypotheses).map_err(|why| why.to_string())?;
-    let terms = coefficients(polynomial.numerator(), &[s])
-        .map_err(|_| "the characteristic polynomial was not formed".to_owned())?;
-    let mut powers: Vec<(u32, Sym)> = terms.into_iter().map(|(exponents, value)| (exponents[0], value)).collect();
-    powers.sort_by_key(|(power, _)| *power);
-    let neutral = powers.first().map_or(0, |(power, _)| *power);
-    // each such speed leaves a root zero: a neighbouring motion with other constants
-    if neutral as usize > n - coordinates.len() {
-        return Err("the linear equations have a root zero beside those of speeds that stay as they are".to_owned());
-    }
-    let degree = powers.last().map_or(0, |(power, _)| *power) - neutral;
-    let of =
-        |power: u32| powers.iter().find(|(known, _)| *known == power + neutral).map_or(Sym::ZERO, |(_, value)| *value);
-    let all: Vec<Sym> = (0..=degree).map(of).collect();
-    let (conditions, is_asymptotic) = conditions_of(&all)?;
-    let (resting, scale) = (coordinates.clone(), polynomial.denominator());
-    let linear = LinearEquations { equations, resting, root: s, scale, coefficients: all, neutral };
-    Ok(Roots { linear, conditions, is_asymptotic })
-}
-
-/// The conditions of a polynomial by rising powers: with even powers alone its squares are negative numbers, each of their own; else Hurwitz's.
-fn conditions_of(all: &[Sym]) -> Result<(Vec<Sym>, bool), String> {
-    let is_even = all.iter().skip(1).step_by(2).all(|odd| *odd == Sym::ZERO);
-    let found = match (all, is_even) {
-        ([], _) | ([_], _) => return Err("no root is left beside zero".to_owned()),
-        ([c, _, a], true) => vec![*a * *c],
-        ([e, _, c, _, a], true) => {
-            vec![*a * *c, *a * *e, *c * *c - Sym::constant(field::Rational::new(4, 1)) * *a * *e]
-        }
-        ([b, a], _) => vec![*a * *b],
-        ([c, b, a], _) => vec![*a * *b, *a * *c],
-        ([d, c, b, a], _) => vec![*a * *b, *a * *d, *b * *c - *a * *d],
-        ([e, d, c, b, a], _) => {
-            vec![*a * *b, *a * *c, *a * *e, *a * (*d * (*b * *c - *a * *d) - *b * *b * *e)]
-        }
-        _ => return Err(format!("the characteristic polynomial has the degree {}: up to 4 is decided", all.len() - 1)),
-    };
-    Ok((found, !is_even))
-}
-
-/// By its first row.
-pub(crate) fn determinant(matrix: &[Vec<Sym>]) -> Sym {
-    let [first, rest @ ..] = matrix else { return Sym::ONE };
-    let mut sum = Sym::ZERO;
-    for (j, &entry) in first.iter().enumerate() {
-        let minor: Vec<Vec<Sym>> = rest
-            .iter()
-            .map(|row| row.iter().enumerate().filter(|(k, _)| *k != j).map(|(_, value)| *value).collect())
-            .collect();
-        let term = entry * determinant(&minor);
-        sum = if j % 2 == 0 { sum + term } else { sum - term };
-    }
-    sum
-}
-
-/// The condition that its signs leave open beside the printed one.
-fn compared(
-    found: &Roots,
+/// A printed condition beside the region of stability.
+struct Compared<'a, 't, 'm> {
+    region: &'a Region,
     printed: Sym,
     own: [Sym; 2],
-    motion: &Motion<'_, '_>,
-    known: &[Condition],
-    letters: &Letters<'_, '_>,
-    finding: &mut Finding,
-) -> Option<Comparison> {
-    let kind = if found.is_asymptotic { "asymptotically stable" } else { "stable" };
-    let is_positive = |condition: &&Sym| shows(**condition, motion, known).is_some_and(|shown| shown.is_strict);
-    let open: Vec<Sym> = found.conditions.iter().filter(|condition| !is_positive(condition)).copied().collect();
-    let same = |condition: Sym| {
-        let ratio = condition / printed;
+    motion: &'a Motion<'t, 'm>,
+    known: &'a [Condition],
+}
+
+impl Compared<'_, '_, '_> {
+    /// The verdict; what the second checker can repeat of it.
+    fn judged(&self, letters: &Letters<'_, '_>, finding: &mut Finding) -> Option<Comparison> {
+        let told = Told(letters);
+        if let Some((criterion, multiple)) = self.multiple() {
+            finding.judged.verdict = Verdict::Proved;
+            finding.judged.requires.extend(divisors(&self.motion.divisors, told));
+            finding.judged.evidence = format!(
+                "in the first approximation the motion is {} where the printed inequality holds, and not where its sides are exchanged: the \
+                 condition of the roots is a positive multiple of it{}",
+                criterion.theorem.kind(),
+                self.beyond_roots()
+            );
+            return Some(Comparison::Same(multiple));
+        }
+        if let Some(evidence) = self.by_signs() {
+            finding.judged.verdict = Verdict::Proved;
+            finding.judged.requires.extend(divisors(&self.motion.divisors, told));
+            finding.judged.evidence = evidence;
+            return None;
+        }
+        let Some((refutation, holds, by_roots)) = self.refutation() else {
+            let why = "neither the signs of the conditions of stability show the printed one, nor was an exact point found at which they differ";
+            neither(Outcome::Undecided(why.to_owned()), letters, finding);
+            return None;
+        };
+        finding.judged.verdict = Verdict::Refuted;
+        finding.judged.evidence = match holds {
+            true => "at the exact point the printed inequality holds, and a root has a positive real part, so that the motion is unstable \
+                     (A. M. Lyapunov)"
+                .to_owned(),
+            false => format!("at the exact point the printed inequality fails, and {}", self.region.told_stable(by_roots)),
+        };
+        finding.judged.counterexample = point(self.own, &refutation, self.motion, told);
+        // with gyroscopic terms no minimum is needed
+        let is_needed = |one: &&Criterion| one.theorem.is_of_roots() || !self.region.is_gyroscopic;
+        let needed = self.region.criteria.iter().filter(is_needed).map(|one| self.open(one));
+        if let Some([condition]) = needed.map(|open| <[Sym; 1]>::try_from(open).ok()).next().flatten() {
+            told_difference(condition, self.motion, told, finding);
+            finding.judged.evidence += "; the expression below must be positive";
+        }
+        by_roots.then_some(Comparison::Other(refutation))
+    }
+
+    /// The conditions of a criterion that are not positive within the hypotheses alone.
+    fn open(&self, criterion: &Criterion) -> Vec<Sym> {
+        let is_positive = |of: &Sym| shows(*of, self.motion, self.known).is_some_and(|shown| shown.is_strict);
+        criterion.conditions.iter().copied().filter(|condition| !is_positive(condition)).collect()
+    }
+
+    /// The criterion by roots, whose one condition that hypotheses leave open is a positive multiple of the printed one.
+    fn multiple(&self) -> Option<(&Criterion, Multiple)> {
+        let criterion = self.region.criteria.iter().find(|one| one.theorem.is_of_roots())?;
+        let [condition] = self.open(criterion)[..] else { return None };
+        let ratio = condition / self.printed;
         // squares of what does not vanish have no sign of their own
-        let apart = known.iter().enumerate().filter_map(|(place, condition)| match condition {
+        let apart = self.known.iter().enumerate().filter_map(|(place, condition)| match condition {
             Condition::NonZero(e) | Condition::Positive(e) => Some((place, *e)),
             _ => None,
         });
         let without = apart.flat_map(|(place, e)| [2, 4].map(|power| (ratio / e.powi(power), Some((place, power)))));
-        std::iter::once((ratio, None)).chain(without).find_map(|(ratio, square)| {
+        let multiple = std::iter::once((ratio, None)).chain(without).find_map(|(ratio, square)| {
             let ratio = normal(ratio, &Hypotheses::none()).ok()?.to_sym();
-            shows(ratio, motion, known).filter(|shown| shown.is_strict).map(|_| Multiple { ratio, square })
+            let is_positive = shows(ratio, self.motion, self.known).is_some_and(|shown| shown.is_strict);
+            is_positive.then_some(Multiple { ratio, square })
+        });
+        multiple.map(|multiple| (criterion, multiple))
+    }
+
+    /// The energy says more than roots on the imaginary axis; without it these say little.
+    fn beyond_roots(&self) -> String {
+        let is_minimum = |one: &&Criterion| one.theorem == Theorem::Minimum && self.shows_all(&one.conditions);
+        let is_asymptotic = self.region.criteria.iter().any(|one| one.theorem == Theorem::Hurwitz);
+        match self.region.criteria.iter().find(is_minimum) {
+            _ if is_asymptotic => String::new(),
+            Some(_) if self.region.is_lagrangian => "; the potential energy has a minimum there, so that the motion is stable without an approximation (Lagrange, Dirichlet); \
+                        where both sides are equal nothing is decided"
+                .to_owned(),
+            _ if self.region.is_gyroscopic => "; gyroscopic terms hold roots on the imaginary axis, which decide the linear equations alone".to_owned(),
+            _ => String::new(),
+        }
+    }
+
+    /// Whether all of these are positive where the printed inequality holds.
+    fn shows_all(&self, conditions: &[Sym]) -> bool {
+        let there = [self.known, &[Condition::Positive(self.printed)]].concat();
+        conditions.iter().all(|&condition| has_sign(condition, true, self.motion, &there))
+    }
+
+    /// The evidence where the conditions of a criterion follow from the printed one, and the printed one from what no stable motion lacks.
+    fn by_signs(&self) -> Option<String> {
+        let criterion = self.region.criteria.iter().find(|one| self.shows_all(&one.conditions))?;
+        let stable =
+            self.region.necessary.iter().map(|&condition| without_positive(condition, self.motion, self.known));
+        let stable: Vec<Condition> = stable.map(Condition::NotNegative).collect();
+        let follows = has_sign(self.printed, false, self.motion, &[self.known, &stable].concat());
+        let against = [self.known, &[Condition::Positive(Sym::ZERO - self.printed)]].concat();
+        let fails = || {
+            let opposite = self.region.necessary.iter().map(|&condition| Sym::ZERO - condition);
+            opposite.into_iter().any(|one| has_sign(one, true, self.motion, &against))
+        };
+        (follows || fails()).then(|| {
+            format!(
+                "where the printed inequality holds {}; where its sides are exchanged a root has a positive real part, so that the motion is \
+                 unstable (A. M. Lyapunov); where they are equal nothing is decided",
+                self.region.told(criterion.theorem)
+            )
         })
-    };
-    if let [condition] = open[..]
-        && let Some(multiple) = same(condition)
-    {
-        finding.judged.verdict = Verdict::Proved;
-        finding.judged.requires.extend(divisors(&motion.divisors, Told(letters)));
-        finding.judged.evidence = format!(
-            "in the first approximation the motion is {kind} where the printed inequality holds, and not where its sides are exchanged: the \
-             condition of the roots is a positive multiple of it"
-        );
-        return Some(Comparison::Same(multiple));
     }
-    let all: Vec<Sym> = std::iter::once(printed).chain(found.conditions.iter().copied()).collect();
-    let disagree = |signs: &[i8]| {
-        let is_stable = signs[1..].iter().all(|sign| *sign == 1);
-        let is_unstable = signs[1..].contains(&-1);
-        signs[0] == 1 && is_unstable || signs[0] == -1 && is_stable
-    };
-    let Some(refutation) = search(&all, known, motion, disagree) else {
-        let why = "the condition of the roots is no positive multiple of the printed one, and no exact point was found at which they differ";
-        neither(Outcome::Undecided(why.to_owned()), letters, finding);
-        return None;
-    };
-    let holds = refutation.value(printed).and_then(Sym::as_constant).and_then(|value| value.sign()) == Some(1);
-    finding.judged.verdict = Verdict::Refuted;
-    finding.judged.evidence = match holds {
-        true => "at the exact point the printed inequality holds, and a root has a positive real part".to_owned(),
-        false => format!(
-            "at the exact point the printed inequality fails, and the motion is {kind} in the first approximation"
-        ),
-    };
-    finding.judged.counterexample = point(own, &refutation, motion, Told(letters));
-    if let [condition] = open[..] {
-        told_difference(condition, motion, Told(letters), finding);
-        finding.judged.evidence += "; the expression below must be positive";
+
+    /// A point at which the printed inequality and stability differ, whether it holds there, and whether roots alone tell both apart.
+    fn refutation(&self) -> Option<(Refutation, bool, bool)> {
+        let of_roots = |one: &&Criterion| one.theorem.is_of_roots();
+        let roots: Vec<&Criterion> = self.region.criteria.iter().filter(of_roots).collect();
+        let all: Vec<&Criterion> = self.region.criteria.iter().collect();
+        let by_roots = roots.first().map(|one| one.conditions.clone()).unwrap_or_default();
+        let found = |criteria: &[&Criterion], necessary: &[Sym]| {
+            let mut expressions = vec![self.printed];
+            let mut parts: Vec<std::ops::Range<usize>> = Vec::new();
+            for list in criteria.iter().map(|one| &one.conditions[..]).chain([necessary]) {
+                parts.push(expressions.len()..expressions.len() + list.len());
+                expressions.extend(list);
+            }
+            let last = parts.pop()?;
+            let disagree = |signs: &[i8]| {
+                let is_stable = parts.iter().any(|part| signs[part.clone()].iter().all(|sign| *sign == 1));
+                let is_unstable = signs[last.clone()].contains(&-1);
+                signs[0] == 1 && is_unstable || signs[0] == -1 && is_stable
+            };
+            search(&expressions, self.known, self.motion, disagree)
+        };
+        let with_roots = || if by_roots.is_empty() { None } else { found(&roots, &by_roots) };
+        let (refutation, is_by_roots) = match with_roots() {
+            Some(refutation) => (refutation, true),
+            None => (found(&all, &self.region.necessary)?, false),
+        };
+        let value = refutation.value(self.printed).and_then(Sym::as_constant).and_then(|value| value.sign());
+        Some((refutation, value == Some(1), is_by_roots))
     }
-    Some(Comparison::Other(refutation))
+}
+
+/// Whether an expression is positive, or not negative, where conditions hold: by itself, or by the signs of its factors.
+fn has_sign(expression: Sym, is_strict: bool, motion: &Motion<'_, '_>, known: &[Condition]) -> bool {
+    let shown = |of: Sym| {
+        let is_enough = |found: Shown| found.is_strict || !is_strict;
+        shows(of, motion, known).is_some_and(is_enough)
+            || real_signs::shows(of, known).is_some_and(is_enough)
+            || condition_products::show(of, is_strict, known)
+    };
+    let left = without_positive(expression, motion, known);
+    shown(left) || left != expression && shown(expression)
+}
+
+/// An expression without the powers of letters that are positive.
+fn without_positive(expression: Sym, motion: &Motion<'_, '_>, known: &[Condition]) -> Sym {
+    let is_positive = |of: Sym| {
+        shows(of, motion, known).is_some_and(|shown| shown.is_strict) || condition_products::show(of, true, known)
+    };
+    let Ok(form) = normal(expression, &Hypotheses::none()) else { return expression };
+    let (above, below) = (form.numerator(), form.denominator());
+    let mut left = above;
+    for letter in above.symbols_of() {
+        let Ok(terms) = coefficients(above, &[letter]) else { continue };
+        let least = terms.iter().map(|(exponents, _)| exponents[0]).min().unwrap_or(0);
+        let power = if is_positive(letter) { least } else { least - least % 2 };
+        if power > 0 && is_positive(letter.powi(power as i32)) {
+            left = left / letter.powi(power as i32);
+        }
+    }
+    let whole = if is_positive(below) { left } else { left / below };
+    normal(whole, &Hypotheses::none()).map_or(expression, |form| form.to_sym())
 }

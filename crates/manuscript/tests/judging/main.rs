@@ -12,6 +12,7 @@ mod linearisation;
 mod messages;
 mod pendulum;
 mod real_signs;
+mod stability;
 mod vacuity;
 
 use dalembert_manuscript::{Finding, PaperText};

@@ -1,0 +1,133 @@
+//! The linear equations about a steady motion: inertia, damping and stiffness of every coordinate, and their characteristic polynomial.
+
+use crate::letters::Letters;
+use crate::motion::Motion;
+use crate::steady_motion::Resting;
+use model::equations::Equations;
+use symbolic::{Sym, coefficients, decide, normal};
+
+/// Larger systems are not looked at.
+const MOST_SPEEDS: usize = 4;
+
+/// The coefficients of the linear equations, row by row.
+pub(crate) struct LinearMotion {
+    /// Expressions that vanish along every motion.
+    pub equations: Vec<Sym>,
+    /// The coordinates that rest, by their places; of the others the speeds stay as they are.
+    pub resting: Vec<usize>,
+    pub inertia: Vec<Vec<Sym>>,
+    pub damping: Vec<Vec<Sym>>,
+    /// Of a coordinate that does not rest it vanishes.
+    pub stiffness: Vec<Vec<Sym>>,
+}
+
+/// The determinant of the linear equations.
+pub(crate) struct Characteristic {
+    /// The unknown.
+    pub root: Sym,
+    /// The determinant times this is a polynomial.
+    pub scale: Sym,
+    /// By rising powers, without roots zero.
+    pub coefficients: Vec<Sym>,
+    /// A number of roots that are zero.
+    pub neutral: u32,
+}
+
+impl LinearMotion {
+    /// About the motion on which the letters of a claim rest.
+    ///
+    /// # Errors
+    /// There are no such equations, or they change with the time.
+    pub fn of(resting: &Resting, letters: &Letters<'_, '_>, motion: &Motion<'_, '_>) -> Result<Self, String> {
+        let trace = letters.trace;
+        let Equations { mass, bias, constraints } = Equations::of(trace);
+        let n = mass.len();
+        if !constraints.is_empty() || n != trace.coordinates.len() {
+            return Err("stability is decided of systems without constraints and without free frames".to_owned());
+        }
+        if n > MOST_SPEEDS {
+            return Err(format!("stability is decided of up to {MOST_SPEEDS} coordinates, and this system has {n}"));
+        }
+        let Resting { coordinates, speeds } = resting;
+        if let Some(free) = (0..n).find(|place| !coordinates.contains(place) && !speeds.contains(place)) {
+            let name = &trace.coordinates[free];
+            return Err(format!(
+                "neither {name} nor its rate rests, so that the linear equations change with the time"
+            ));
+        }
+        let rows = || Vec::with_capacity(n);
+        let mut found = LinearMotion {
+            equations: Vec::new(),
+            resting: coordinates.clone(),
+            inertia: rows(),
+            damping: rows(),
+            stiffness: rows(),
+        };
+        for (k, row) in mass.iter().enumerate() {
+            let equation =
+                row.iter().zip(&trace.accelerations).fold(bias[k], |sum, (&entry, &rate)| sum + entry * rate);
+            if !decide(motion.reduced(equation), &motion.hypotheses).is_zero() {
+                return Err(format!(
+                    "the equation of {} does not hold on this motion: its condition is missing in `given`",
+                    trace.direction(k)
+                ));
+            }
+            let of = |part: &dyn Fn(usize) -> Sym| (0..n).map(|j| motion.reduced(part(j))).collect::<Vec<Sym>>();
+            let stiffness = of(&|j| trace.by_coordinate(equation, j));
+            let moves = |j: &usize| !coordinates.contains(j) && !decide(stiffness[*j], &motion.hypotheses).is_zero();
+            if let Some(j) = (0..n).find(moves) {
+                return Err(format!("the linear equations know {} itself, which does not rest", trace.coordinates[j]));
+            }
+            found.inertia.push(of(&|j| row[j]));
+            found.damping.push(of(&|j| trace.by_speed(equation, j)));
+            found.stiffness.push(stiffness);
+            found.equations.push(equation);
+        }
+        Ok(found)
+    }
+
+    /// The characteristic polynomial.
+    ///
+    /// # Errors
+    /// It has roots zero beside those of speeds that stay as they are, or is none.
+    pub fn characteristic(&self, motion: &Motion<'_, '_>) -> Result<Characteristic, String> {
+        let n = self.equations.len();
+        let s = Sym::symbol("root of the linear equations");
+        let entry = |k: usize, j: usize| {
+            let of_speed = self.inertia[k][j] * s + self.damping[k][j];
+            if self.resting.contains(&j) { of_speed * s + self.stiffness[k][j] } else { of_speed }
+        };
+        let matrix: Vec<Vec<Sym>> = (0..n).map(|k| (0..n).map(|j| entry(k, j)).collect()).collect();
+        let polynomial = normal(determinant(&matrix), &motion.hypotheses).map_err(|why| why.to_string())?;
+        let terms = coefficients(polynomial.numerator(), &[s])
+            .map_err(|_| "the characteristic polynomial was not formed".to_owned())?;
+        let mut powers: Vec<(u32, Sym)> = terms.into_iter().map(|(exponents, value)| (exponents[0], value)).collect();
+        powers.sort_by_key(|(power, _)| *power);
+        let neutral = powers.first().map_or(0, |(power, _)| *power);
+        // each such speed leaves a root zero: a neighbouring motion with other constants
+        if neutral as usize > n - self.resting.len() {
+            return Err("the linear equations have a root zero beside those of speeds that stay as they are".to_owned());
+        }
+        let degree = powers.last().map_or(0, |(power, _)| *power) - neutral;
+        let of = |power: u32| {
+            powers.iter().find(|(known, _)| *known == power + neutral).map_or(Sym::ZERO, |(_, value)| *value)
+        };
+        let coefficients = (0..=degree).map(of).collect();
+        Ok(Characteristic { root: s, scale: polynomial.denominator(), coefficients, neutral })
+    }
+}
+
+/// By its first row.
+pub(crate) fn determinant(matrix: &[Vec<Sym>]) -> Sym {
+    let [first, rest @ ..] = matrix else { return Sym::ONE };
+    let mut sum = Sym::ZERO;
+    for (j, &entry) in first.iter().enumerate().filter(|(_, entry)| **entry != Sym::ZERO) {
+        let minor: Vec<Vec<Sym>> = rest
+            .iter()
+            .map(|row| row.iter().enumerate().filter(|(k, _)| *k != j).map(|(_, value)| *value).collect())
+            .collect();
+        let term = entry * determinant(&minor);
+        sum = if j % 2 == 0 { sum + term } else { sum - term };
+    }
+    sum
+}
