@@ -32,6 +32,11 @@ impl Record {
         Record { is_wanted, ..Record::default() }
     }
 
+    /// Another proof begins.
+    pub fn restart(&mut self) {
+        *self = Record::of(self.is_wanted);
+    }
+
     /// A step of the proof has no certificate.
     pub fn leave_out(&mut self) {
         self.is_incomplete = true;
@@ -65,6 +70,7 @@ impl Record {
             Step::Follows(_, Way::Solved(there)) => self.vanishes(there, assumed, &[Condition::Zero(then)]),
             Step::Follows(_, Way::Multiple(factor)) => self.multiple(motion, assumed, [zero, then], *factor),
             Step::Fails(refutation) => self.fails_where(motion, assumed, &[zero], then, refutation),
+            Step::Follows(_, Way::Signs) => self.leave_out(),
             Step::Open(_) => {}
         }
     }

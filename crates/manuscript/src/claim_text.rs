@@ -4,6 +4,7 @@ use crate::passage::Passage;
 use claims::Verdict;
 use latex::{Displayed, formulas};
 use reader::{Issue, Table};
+use std::collections::BTreeSet;
 use std::ops::Range;
 use units::nearest;
 
@@ -96,6 +97,19 @@ pub struct ClaimText {
 }
 
 impl ClaimText {
+    /// Whether another claim is about the same steady motion.
+    pub(crate) fn has_motion_of(&self, other: &Self) -> bool {
+        let is_one = |own: &[Passage], others: &[Passage]| {
+            let texts = |list: &[Passage]| list.iter().map(|one| one.text.replace(' ', "")).collect::<BTreeSet<_>>();
+            texts(own) == texts(others)
+        };
+        let are_steady = [self, other].iter().all(|one| one.kind == Kind::SteadyMotion);
+        are_steady
+            && self.key() != other.key()
+            && is_one(&self.resting, &other.resting)
+            && is_one(&self.given, &other.given)
+    }
+
     /// The end of its id: `eq5`, `eq5/sign`, or `power` for what has no number.
     pub fn key(&self) -> String {
         let plain: String =

@@ -5,6 +5,7 @@ use crate::equation::{Outcome, vanishes};
 use crate::finding::Finding;
 use crate::letters::Letters;
 use crate::motion::{Motion, Solution, solution};
+use crate::real_signs::vanishes_by_signs;
 use crate::refutation::Refutation;
 use crate::signs::{completed, shows};
 use crate::verdict::neither;
@@ -18,6 +19,8 @@ pub(crate) enum Way<'t, 'm> {
     Multiple(Sym),
     /// The motion that assumes the condition.
     Solved(Box<Motion<'t, 'm>>),
+    /// The same, where the consequence vanishes by its signs: roots of squares.
+    Signs,
 }
 
 /// Consequences of a condition.
@@ -51,7 +54,8 @@ pub(crate) fn step<'t, 'm>(motion: &Motion<'t, 'm>, zero: Sym, then: Sym, condit
     let (zero, then) = (motion.reduced(zero), motion.reduced(then));
     // a model without its inertia has no motion; a point with masses below zero tells a reader little
     let inertia = [zero, then].into_iter().flat_map(Sym::symbols_of).filter(|symbol| is_of_inertia(*symbol, motion));
-    let conditions = &[conditions, &inertia.map(Condition::Positive).collect::<Vec<_>>()].concat()[..];
+    let inertia: Vec<Condition> = inertia.map(Condition::Positive).collect();
+    let conditions = &[conditions, &inertia].concat()[..];
     let open = |factor: &Sym| !is_apart(*factor, motion, conditions);
     let parts = normal(zero, &motion.hypotheses).map_or(vec![zero], |form| factors(form.numerator()));
     if zero != Sym::ZERO && !parts.iter().any(open) {
@@ -73,7 +77,13 @@ pub(crate) fn step<'t, 'm>(motion: &Motion<'t, 'm>, zero: Sym, then: Sym, condit
         return Step::Open(Outcome::Undecided(format!("the printed condition was not solved: {why}")));
     }
     let below = normal(divisor, &Hypotheses::none()).map_or(vec![divisor], |form| factors(form.numerator()));
-    match vanishes(&there, then, &reduced(conditions, &there)) {
+    let known = reduced(conditions, &there);
+    let outcome = vanishes(&there, then, &known);
+    let is_zero = matches!(outcome, Outcome::Zero(_));
+    if !is_zero && below.iter().all(|factor| !open(factor)) && vanishes_by_signs(there.reduced(then), &known) {
+        return Step::Follows(below, Way::Signs);
+    }
+    match outcome {
         Outcome::Zero(_) => match below.iter().copied().filter(open).collect::<Vec<_>>()[..] {
             [] => Step::Follows(below, Way::Solved(Box::new(there))),
             ref divided => {
@@ -140,24 +150,31 @@ pub(crate) fn is_apart(factor: Sym, motion: &Motion<'_, '_>, conditions: &[Condi
     if factor.as_constant().is_some() {
         return true;
     }
-    let is_stated = conditions.iter().any(|condition| match condition {
+    let by_model = |symbol: &Sym| is_of_inertia(*symbol, motion) || has_value(*symbol, motion);
+    let all = conditions.iter().copied();
+    let by_model = factor.symbols_of().into_iter().filter(by_model).map(Condition::Positive);
+    let known: Vec<Condition> = all.chain(by_model).collect();
+    let is_stated = known.iter().any(|condition| match condition {
         Condition::NonZero(e) | Condition::Positive(e) => normal(*e, &motion.hypotheses)
             .is_ok_and(|form| factors(form.numerator()).into_iter().any(|part| part == factor || part == -factor)),
         _ => false,
     });
-    let by_model = |symbol: &Sym| is_of_inertia(*symbol, motion) || has_value(*symbol, motion);
-    let all = conditions.iter().copied();
-    let of_model = factor.symbols_of().into_iter().filter(by_model).map(Condition::Positive);
-    let known: Vec<Condition> = all.chain(of_model).collect();
     let shown = |e: Sym| shows(e, motion, &known).is_some_and(|shown| shown.is_strict);
     is_stated || shown(factor) || shown(-factor)
 }
 
 /// Whether a model without this parameter has a coordinate without inertia.
 pub(crate) fn is_of_inertia(symbol: Sym, motion: &Motion<'_, '_>) -> bool {
-    if !motion.trace.parameters.contains(&symbol) {
-        return false;
-    }
+    motion.trace.parameters.contains(&symbol) && takes_inertia(symbol, motion)
+}
+
+/// Whether the coordinates have no inertia of their own where this one vanishes: at the pole of polar coordinates.
+pub(crate) fn is_pole(symbol: Sym, motion: &Motion<'_, '_>) -> bool {
+    motion.trace.coordinates.contains(&symbol) && takes_inertia(symbol, motion)
+}
+
+/// Whether a coordinate has no inertia where a symbol is zero.
+fn takes_inertia(symbol: Sym, motion: &Motion<'_, '_>) -> bool {
     let mass = Equations::of(motion.trace).mass;
     (0..mass.len()).any(|k| mass[k][k].substitute(&[(symbol, Sym::ZERO)]) == Sym::ZERO)
 }

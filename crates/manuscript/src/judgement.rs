@@ -195,7 +195,10 @@ fn judge(
         Kind::IntegralOfMotion => integral(claim, statement, letters, &assumed, &mut finding, &mut record)?,
         Kind::Inequality => inequality(claim, statement, letters, &assumed, &mut finding, &mut record)?,
         Kind::Equivalence => equivalence(claim, statement, letters, &assumed, &mut finding, &mut record)?,
-        Kind::SteadyMotion => steady_motion(claim, statement, letters, &assumed, &mut finding, &mut record)?,
+        Kind::SteadyMotion => {
+            let beside: Vec<&ClaimText> = paper.claims.iter().filter(|other| claim.has_motion_of(other)).collect();
+            steady_motion(claim, &beside, statement, letters, &assumed, &mut finding, &mut record)?;
+        }
         Kind::Stability => stability(claim, statement, letters, &assumed, &mut finding, &mut record)?,
         Kind::Number => number(claim, statement, letters, &assumed, &mut finding, &mut record)?,
     }

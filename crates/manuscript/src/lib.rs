@@ -59,6 +59,7 @@ mod square_sums;
 mod stability;
 mod stability_region;
 mod steadiness;
+mod steady_conditions;
 mod steady_motion;
 mod verdict;
 

@@ -131,6 +131,12 @@ fn by_factor(expression: Sym, known: &[Condition], depth: usize) -> Option<bool>
     })
 }
 
+/// Whether an expression with roots is neither positive nor negative where the conditions hold.
+pub(crate) fn vanishes_by_signs(expression: Sym, conditions: &[Condition]) -> bool {
+    let has_root = Sym::ascending(&[expression]).into_iter().any(|part| matches!(part.node(), Node::Root(_)));
+    has_root && [expression, -expression].into_iter().all(|side| shows(side, conditions).is_some())
+}
+
 /// Whether two sides have one square and one sign.
 pub(crate) fn are_equal_by_squares(sides: [Sym; 2], motion: &Motion<'_, '_>, conditions: &[Condition]) -> bool {
     let [left, right] = sides.map(|side| motion.reduced(side));

@@ -12,6 +12,8 @@ pub(super) struct LetterRate {
     /// Whether it is one symbol of the model.
     pub is_symbol: bool,
     pub is_input: bool,
+    /// Over the model.
+    pub value: Sym,
 }
 
 /// Every letter that is a scalar, and its rates as far as they have a meaning of their own.
@@ -25,7 +27,7 @@ pub(super) fn rates(letters: &Letters<'_, '_>) -> Vec<LetterRate> {
             let latex = if order == 0 { name.to_owned() } else { format!("{dots}{{{name}}}") };
             let is_symbol = value.symbol_name().is_some();
             let is_input = trace.model.inputs.iter().any(|input| Sym::symbol(&input.name) == value);
-            all.push(LetterRate { name: name.to_owned(), order, latex, dimension, is_symbol, is_input });
+            all.push(LetterRate { name: name.to_owned(), order, latex, dimension, is_symbol, is_input, value });
             next = rate(trace, value).ok();
             dimension = dimension / Dimension::time();
         }

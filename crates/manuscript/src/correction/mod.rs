@@ -69,10 +69,15 @@ pub(crate) fn corrections(
 
 /// Hypotheses under which the claim as printed is proved.
 fn under(ground: &TextClaim<'_, '_, '_>, candidates: Vec<String>) -> Vec<Correction> {
-    let mut found = Vec::new();
+    let mut found: Vec<Correction> = Vec::new();
     for hypothesis in candidates {
         if found.len() >= MOST_TOLD || !ground.goes_on() {
             break;
+        }
+        // what holds for one sign of a letter need not be told for its zero
+        let letter = hypothesis.split(' ').next();
+        if hypothesis.ends_with("= 0") && found.iter().any(|one| one.changes[0].after.split(' ').next() == letter) {
+            continue;
         }
         let mut claim = ground.claim.clone();
         claim.given.push(claim.formula.with_text(hypothesis.clone()));

@@ -97,6 +97,7 @@ impl<'a> Recorded<'a> {
             dimension: dimension(&letter.symbol.to_string()).unwrap_or(Dimension::none()),
             is_symbol: true,
             is_input: false,
+            value: letter.symbol,
         };
         let rates = letters.iter().filter(|letter| letter.is_recorded).map(of_letter).collect();
         let at = match decide(line.derived - line.printed(), hypotheses) {

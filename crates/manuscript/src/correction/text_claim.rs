@@ -11,6 +11,7 @@ use crate::conditions::Hypothesis;
 use crate::finding::Finding;
 use crate::integrals::known;
 use crate::letters::Letters;
+use crate::steady_motion::Resting;
 use claims::Verdict;
 use latex::Statement;
 use symbolic::Sym;
@@ -44,7 +45,15 @@ impl<'a, 't, 'm> TextClaim<'a, 't, 'm> {
             Kind::Number => None,
             _ => Probe::of(claim, statement, letters, assumed),
         };
-        TextClaim { claim, letters, judge, rates: rates(letters), probe }
+        // a rate that vanishes on a steady motion says nothing of it
+        let resting = match claim.kind {
+            Kind::SteadyMotion | Kind::Stability => Resting::of(claim, letters).map(|rests| rests.rates(letters)),
+            _ => Ok(Vec::new()),
+        };
+        let resting = resting.unwrap_or_default();
+        let rests = |rate: &LetterRate| resting.iter().any(|(symbol, _)| *symbol == rate.value);
+        let rates = rates(letters).into_iter().filter(|rate| !rests(rate)).collect();
+        TextClaim { claim, letters, judge, rates, probe }
     }
 
     /// The claim with another formula.

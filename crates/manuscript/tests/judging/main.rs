@@ -13,6 +13,7 @@ mod messages;
 mod pendulum;
 mod real_signs;
 mod stability;
+mod steady_motions;
 mod vacuity;
 
 use dalembert_manuscript::{Finding, PaperText};

@@ -1,0 +1,152 @@
+//! Several printed conditions of one steady motion: each holds wherever the equations of motion do, and together they ask for all of these.
+
+use crate::certificate::Record;
+use crate::conditions::Hypothesis;
+use crate::consequence::{is_apart, is_pole, require};
+use crate::display::factors;
+use crate::equation::{Outcome, vanishes};
+use crate::extent::is_met;
+use crate::finding::Finding;
+use crate::letters::Letters;
+use crate::motion::Motion;
+use crate::steadiness::SteadyMotion;
+use crate::verdict::neither;
+use claims::{Condition, Verdict};
+use symbolic::{Sym, decide, normal};
+
+/// The first of several conditions beside the others.
+pub(crate) enum Joint {
+    /// With these others it is the condition of the motion; what was divided by.
+    Whole { others: Vec<String>, divided: Vec<Sym> },
+    /// It holds on every such motion, and these others were not shown to.
+    Part { failing: Vec<String> },
+}
+
+/// The first printed condition together with those of the others that hold on every such motion; none where that shows nothing.
+pub(crate) fn together(
+    steady: &SteadyMotion<'_, '_>,
+    names: &[&str],
+    assumed: &[Hypothesis],
+    record: &mut Record,
+) -> Option<Joint> {
+    let SteadyMotion { motion, equations, printed, conditions, .. } = steady;
+    let is_open = |equation: &Sym| !decide(motion.reduced(*equation), &motion.hypotheses).is_zero();
+    let equations: Vec<Sym> = equations.iter().map(|(equation, _)| *equation).filter(is_open).collect();
+    let of_equations = Solved::of(motion, &equations, conditions)?;
+    let holds = |&place: &usize| of_equations.vanishes(printed[place], conditions);
+    let (holding, failing): (Vec<usize>, Vec<usize>) = (0..printed.len()).partition(holds);
+    let named = |places: &[usize]| -> Vec<String> {
+        places.iter().filter(|place| **place > 0).map(|&place| names[place - 1].to_owned()).collect()
+    };
+    if holding.first() != Some(&0) {
+        return None;
+    }
+    let zeros: Vec<Sym> = holding.iter().map(|&place| printed[place]).collect();
+    let of_print = Solved::of(motion, &zeros, conditions);
+    let is_enough = |solved: &Solved<'_, '_>| equations.iter().all(|&equation| solved.vanishes(equation, conditions));
+    match of_print.filter(is_enough) {
+        Some(of_print) if holding.len() > 1 && of_print.is_somewhere(conditions) => {
+            record.restart();
+            record.vanishes(&of_equations.motion, assumed, &[Condition::Zero(printed[0])]);
+            for &equation in &equations {
+                record.vanishes(&of_print.motion, assumed, &[Condition::Zero(equation)]);
+            }
+            let divided = [of_equations.divided, of_print.divided].concat();
+            Some(Joint::Whole { others: named(&holding), divided })
+        }
+        _ if failing.is_empty() => None,
+        _ => {
+            record.restart();
+            Some(Joint::Part { failing: named(&failing) })
+        }
+    }
+}
+
+/// A motion on which expressions vanish.
+struct Solved<'t, 'm> {
+    motion: Motion<'t, 'm>,
+    /// None of these vanishes.
+    divided: Vec<Sym>,
+}
+
+impl<'t, 'm> Solved<'t, 'm> {
+    /// None where one of them is not solved, or by a division by what may vanish.
+    fn of(motion: &Motion<'t, 'm>, zeros: &[Sym], conditions: &[Condition]) -> Option<Self> {
+        let mut solved = Solved { motion: motion.clone(), divided: Vec::new() };
+        let is_apart = |factor: Sym| is_apart(factor, motion, conditions) || is_pole(factor, motion);
+        for &zero in zeros {
+            let left = solved.motion.reduced(zero);
+            if decide(left, &solved.motion.hypotheses).is_zero() {
+                continue;
+            }
+            let numerator = normal(left, &solved.motion.hypotheses).ok()?.numerator();
+            let (apart, open): (Vec<Sym>, Vec<Sym>) =
+                factors(numerator).into_iter().partition(|factor| is_apart(*factor));
+            if open.is_empty() {
+                return None;
+            }
+            let known = solved.motion.divisors.len();
+            let essential = open.into_iter().reduce(|product, factor| product * factor)?;
+            solved.motion.assume(essential, None).ok()?;
+            let new = solved.motion.divisors[known..].iter().copied();
+            let new: Vec<Sym> = new
+                .flat_map(|divisor| {
+                    normal(divisor, &solved.motion.hypotheses).map_or(vec![divisor], |form| factors(form.numerator()))
+                })
+                .collect();
+            if !new.iter().all(|divisor| is_apart(*divisor)) {
+                return None;
+            }
+            solved.divided.extend(apart.into_iter().chain(new));
+        }
+        Some(solved)
+    }
+
+    /// Whether an exact point satisfies the conditions there, where nothing is divided by zero.
+    fn is_somewhere(&self, conditions: &[Condition]) -> bool {
+        let apart = self.divided.iter().map(|&divisor| Condition::NonZero(divisor));
+        let all = conditions.iter().copied().chain(apart);
+        is_met(&all.map(|condition| condition.mapped(|e| self.motion.reduced(e))).collect::<Vec<_>>())
+    }
+
+    fn vanishes(&self, zero: Sym, conditions: &[Condition]) -> bool {
+        let there: Vec<Condition> =
+            conditions.iter().map(|condition| condition.mapped(|e| self.motion.reduced(e))).collect();
+        matches!(vanishes(&self.motion, zero, &there), Outcome::Zero(_))
+    }
+}
+
+impl Joint {
+    /// Tells the verdict.
+    pub fn told(
+        self,
+        steady: &SteadyMotion<'_, '_>,
+        written: &[Sym],
+        letters: &Letters<'_, '_>,
+        finding: &mut Finding,
+    ) {
+        finding.judged.counterexample.clear();
+        finding.judged.difference = None;
+        match self {
+            Joint::Whole { others, divided } => {
+                for &divisor in divided.iter().chain(&steady.motion.divisors).chain(written) {
+                    require(divisor, &steady.conditions, letters, finding);
+                }
+                finding.judged.verdict = Verdict::Proved;
+                finding.judged.evidence = format!(
+                    "together with {} the printed condition is that of the motion: all of them follow from the equations of motion there, and these \
+                     from them",
+                    others.join(", ")
+                );
+            }
+            Joint::Part { failing } => {
+                let why = format!(
+                    "the printed condition holds on every such motion; it is a part of the condition of the motion, of which {} as printed was not \
+                     shown to hold",
+                    failing.join(", ")
+                );
+                neither(Outcome::Undecided(why), letters, finding);
+            }
+        }
+    }
+}

@@ -1,0 +1,111 @@
+//! Conditions of steady motions: several of them name one motion together.
+
+use crate::{judged, on, verdict};
+use dalembert_manuscript::Finding;
+
+/// A pendulum with a spring for its rod, in a plane that turns about the vertical.
+const SPRING: &str = r#"
+title = "Spring"
+gravity = "-g*N.y"
+[parameters]
+m = "kg"
+k = "N/m"
+l = "m"
+g = "m/s^2"
+W = "rad/s"
+[coordinates]
+r = "m"
+theta = "rad"
+[frames]
+B = "N turned W*t about y"
+A = "B turned theta about z"
+[points]
+P = "O - r*A.y"
+[bodies.bob]
+centre = "P"
+mass = "m"
+[energies]
+potential = "k/2*(r - l)^2"
+[letters]
+'m' = "m"
+'k' = "k"
+'l' = "l"
+'g' = "g"
+'\Omega' = "W"
+'r' = "r"
+'\theta' = "theta"
+"#;
+
+const RESTING: &str = r"resting = ['r', '\theta']
+given = ['\sin\theta \neq 0', 'k > 0']";
+
+fn claims(formulas: &[&str]) -> Vec<Finding> {
+    let claim = |(place, formula): (usize, &&str)| {
+        format!("[[claim]]\nequation = \"{}\"\nkind = \"steady motion\"\nformula = '{formula}'\n{RESTING}\n", place + 1)
+    };
+    let text = format!("{SPRING}\n{}", formulas.iter().enumerate().map(claim).collect::<String>());
+    judged(&text).unwrap_or_else(|error| panic!("{error}"))
+}
+
+const ANGLE: &str = r"r \Omega^2 \cos\theta = g";
+const LENGTH: &str = r"k (r - l) = m r \Omega^2";
+
+#[test]
+fn two_displays_of_one_motion_say_one_thing() {
+    for found in claims(&[ANGLE, LENGTH]) {
+        assert_eq!(verdict(&found), "proved", "{}", found.text());
+        assert!(found.judged.evidence.contains("together with eq"), "{}", found.text());
+        assert!(found.judged.requires.iter().any(|(told, _)| told == "r != 0"), "{}", found.text());
+    }
+    // one of them alone is no condition of the motion
+    for formula in [ANGLE, LENGTH] {
+        assert_eq!(verdict(&claims(&[formula])[0]), "refuted");
+    }
+}
+
+#[test]
+fn lines_of_one_display_say_one_thing() {
+    let display = format!("\\begin{{aligned}} {ANGLE}, \\\\\\\\ {LENGTH} \\end{{aligned}}");
+    let found = claims(&[&display.replace("\\\\\\\\", "\\\\")]);
+    assert_eq!(found.iter().map(verdict).collect::<Vec<_>>(), ["proved", "proved"], "{}", found[0].text());
+}
+
+#[test]
+fn a_wrong_partner_is_refuted_and_corrected_and_the_other_one_is_a_part() {
+    let found = claims(&[ANGLE, r"k (r - l) = 2 m r \Omega^2"]);
+    assert_eq!(found.iter().map(verdict).collect::<Vec<_>>(), ["undecided", "refuted"], "{}", found[0].text());
+    assert!(found[0].judged.evidence.contains("a part of the condition"), "{}", found[0].text());
+    let [first, ..] = &found[1].corrections[..] else { panic!("{}", found[1].text()) };
+    assert_eq!(first.formula, r"k (r - l) = 1 m r \Omega^2", "{}", found[1].text());
+}
+
+#[test]
+fn a_rate_that_rests_corrects_nothing() {
+    let found = claims(&[ANGLE, r"k (r - l) = m g + m r \Omega^2"]);
+    let offered: Vec<&str> = found[1].corrections.iter().map(|one| one.formula.as_str()).collect();
+    assert!(offered.iter().all(|formula| !formula.contains("dot")), "{offered:?}");
+    assert!(offered.iter().any(|formula| !formula.contains("m g")), "{offered:?}");
+}
+
+#[test]
+fn motions_with_other_hypotheses_are_not_joined() {
+    let claim = |given: &str, formula: &str, number: u32| {
+        format!(
+            "[[claim]]\nequation = \"{number}\"\nkind = \"steady motion\"\nformula = '{formula}'\nresting = ['r', '\\theta']\ngiven = [{given}]\n"
+        )
+    };
+    let text = format!(
+        "{SPRING}\n{}{}",
+        claim(r"'\sin\theta \neq 0', 'k > 0'", ANGLE, 1),
+        claim(r"'\cos\theta \neq 0', 'k > 0'", LENGTH, 2)
+    );
+    let found = judged(&text).unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(found.iter().map(verdict).collect::<Vec<_>>(), ["refuted", "refuted"]);
+}
+
+#[test]
+fn a_root_is_the_square_root_of_one_sign() {
+    let found = on(SPRING, "equivalence", r"\Omega^2 r = g \iff \Omega = \sqrt{\frac{g}{r}}", "given = ['r > 0']");
+    let offered: Vec<&str> = found.corrections.iter().map(|one| one.changes[0].after.as_str()).collect();
+    assert_eq!((verdict(&found), &offered[..]), ("refuted", &[r"\Omega \geq 0"][..]), "{}", found.text());
+}
