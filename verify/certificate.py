@@ -10,7 +10,7 @@ UNARY = {"neg", "cos", "sin", "root"}
 DOUBLE = {"exp", "ln", "tanh"}
 RELATIONS = {"=", "!=", ">", ">=", "rate"}
 PROOFS = {
-    *("identity", "combination", "signs", "written_signs", "counterexample"),
+    *("identity", "combination", "signs", "written_signs", "products", "real_roots", "counterexample"),
     *("example", "no_root", "undefined", "stability", "enclosure", "excluded"),
 }
 
@@ -131,6 +131,11 @@ def named(proof, size, given):
     for one in proof.get("combinations", ()):
         relations += list(one["multiplier"]) + [by for by, _ in one["cofactors"]]
         entries += [cofactor for _, cofactor in one["cofactors"]] + [each for each in (one["factor"],) if each is not None]
+    for one in proof.get("products", ()):
+        entries += [one["number"], *one["roots"], *one["squares"]]
+        for each in one["of"]:
+            # the opposite of the conclusion stands behind the last one
+            place(each, given + 1, "proof")
     if "ratio" in proof:
         ratio, square = proof["ratio"]
         entries.append(ratio)

@@ -6,6 +6,15 @@ from .certificate import Solve
 
 HIGHEST_MULTIPLE = 64
 
+# the squares of cosine and sine of pi/n, with their signs
+HALF_TURN = {
+    1: (fmpq(-1), fmpq(0)),
+    2: (fmpq(0), fmpq(1)),
+    3: (fmpq(1, 4), fmpq(3, 4)),
+    4: (fmpq(1, 2), fmpq(1, 2)),
+    6: (fmpq(3, 4), fmpq(1, 4)),
+}
+
 
 class Undefined(Exception):
     """A division by what vanishes identically, or a root of a negative number."""
@@ -115,11 +124,30 @@ class Evaluation:
         for key, times in self.angles.steps_of(argument, level):
             if abs(times) > HIGHEST_MULTIPLE:
                 raise NotExpressible(f"{times} times an angle")
-            cos, sin = domain.circle(key)
+            cos, sin = self.part_of_half_turn(key) or domain.circle(key)
             single = (cos, sin if times > 0 else domain.negative(sin))
             for _ in range(abs(times)):
                 point = turned(domain, point, single)
         return point
+
+    def part_of_half_turn(self, key):
+        """Cosine and sine of the letter pi over a whole number, as far as square roots give them."""
+        if not isinstance(key, str):
+            return None
+        term, _, parts = key.rpartition(" / ")
+        place = term[1:]
+        if term[:1] != "l" or not place.isdigit() or self.program[int(place)] != ("letter", "pi"):
+            return None
+        if int(parts) not in HALF_TURN:
+            raise NotExpressible(f"the cosine of pi/{parts}")
+        domain = self.domain
+
+        def signed_root(square):
+            root = domain.root(domain.constant(abs(square)))
+            return domain.negative(root) if square < 0 else root
+
+        cos, sin = HALF_TURN[int(parts)]
+        return signed_root(cos), signed_root(sin)
 
 
 def turned(domain, one, other):

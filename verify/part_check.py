@@ -47,6 +47,8 @@ class PartCheck:
         for key in ("equations", "coordinates", "speeds", "accelerations", "coefficients"):
             goals += proof.get(key, ())
         goals += [proof["ratio"][0]] if "ratio" in proof else []
+        for one in proof.get("products", ()):
+            goals += [*one["roots"], *one["squares"]]
         for one in proof.get("combinations", ()):
             goals += [cofactor for _, cofactor in one["cofactors"]]
             goals += [] if one["factor"] is None else [one["factor"]]

@@ -5,13 +5,15 @@ from .evaluation import Evaluation, Undefined, reached
 from .expanded_signs import signs
 from .part_check import Rejected
 from .point_check import counterexample, example, exact_point, holds
+from .products import products
+from .real_roots import real_roots
 from .ring import Ring
 from .stability import stability
 from .step_check import justify
 from .written_signs import written_signs
 
 SHOWS = {
-    "proved": {"identity", "combination", "signs", "written_signs", "example", "stability"},
+    "proved": {"identity", "combination", "signs", "written_signs", "products", "real_roots", "example", "stability"},
     "identified": {"identity"},
     "tested": {"identity"},
     "enclosed": {"enclosure"},
@@ -123,6 +125,8 @@ PROOFS = {
     "combination": combination,
     "signs": signs,
     "written_signs": written_signs,
+    "products": products,
+    "real_roots": real_roots,
     "counterexample": counterexample,
     "example": example,
     "no_root": no_root,

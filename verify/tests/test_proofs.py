@@ -37,6 +37,42 @@ def written(sign="+"):
     return claim.part(then, {"by": "written_signs"}, [(">", m, zero)])
 
 
+def products(number="1", edge=">"):
+    """root(x) < x where x > 1: with r = root(x) and the opposite r - x >= 0 the products (r - x) r, (r - x) (x - 1), r - x, (x - 1)^2 and x - 1 add up
+    to zero."""
+    claim = Claim()
+    x, zero = claim.letter("x"), claim.number(0)
+    root, distance = claim.put("root", x), claim.put("-", x, claim.number(1))
+    factors = [([1], [root]), ([0, 1], []), ([1], []), ([0, 0], []), ([0], [])]
+    listed = [{"number": claim.number(1), "of": of, "roots": roots, "squares": []} for of, roots in factors]
+    listed[-1]["number"] = claim.number(number)
+    return claim.part([(">", x, root)], {"by": "products", "products": listed}, [(edge, distance, zero)])
+
+
+def real_roots(edge="-21/10", kind=">"):
+    """x^3 - 3 x + 3 > 0 where x > -2.1: its one real root is below -2.1."""
+    claim = Claim()
+    x, zero = claim.letter("x"), claim.number(0)
+    cube = claim.sum(claim.put("pow", x, 3), claim.product(claim.number(-3), x), claim.number(3))
+    return claim.part([(kind, cube, zero)], {"by": "real_roots"}, [(">", x, claim.number(edge))])
+
+
+def secant(is_square=True):
+    """1/cos^2 x >= 1 for every angle at which it has a value; 1/cos x >= 1 fails."""
+    claim = Claim()
+    cos, one = claim.put("cos", claim.letter("x")), claim.number(1)
+    below = claim.put("pow", cos, 2) if is_square else cos
+    return claim.part([(">=", claim.put("/", one, below), one)], {"by": "real_roots"}, [("!=", cos, claim.number(0))])
+
+
+def half_turn(value="-1"):
+    """cos x = -1 where x = pi."""
+    claim = Claim()
+    x, pi = claim.letter("x"), claim.letter("pi")
+    step = {"step": "solve", "letters": [x], "values": [pi], "by": [0]}
+    return claim.part([("=", claim.put("cos", x), claim.number(value))], {"by": "identity"}, [("=", x, pi)], [step])
+
+
 def counterexample(x="1/2", given=True):
     """x^2 = x fails at x = 1/2, where x > 0."""
     claim = Claim("refuted")
@@ -136,6 +172,21 @@ class Proofs(unittest.TestCase):
     def test_terms_that_differ_in_sign_are_rejected(self):
         self.assertEqual(outcome(signs("-")), "rejected")
         self.assertEqual(outcome(written("-")), "rejected")
+
+    def test_products_add_up_to_zero_and_one_of_them_is_positive(self):
+        self.assertEqual(outcome(products()), "accepted")
+        for wrong in (products("2"), products("-1"), products(edge=">="), products(edge="!=")):
+            self.assertEqual(outcome(wrong), "rejected")
+
+    def test_real_roots_decide_an_expression_in_one_unknown(self):
+        self.assertEqual(outcome(real_roots()), "accepted")
+        self.assertEqual(outcome(real_roots("-2104/1000")), "rejected")
+        self.assertEqual(outcome(secant()), "accepted")
+        self.assertEqual(outcome(secant(is_square=False)), "rejected")
+
+    def test_half_a_turn_has_its_cosine(self):
+        self.assertEqual(outcome(half_turn()), "accepted")
+        self.assertEqual(outcome(half_turn("1")), "rejected")
 
     def test_a_letter_that_is_not_given_as_positive_is_rejected(self):
         entry = signs()

@@ -1,15 +1,18 @@
 //! Certificates of findings: the sides as they were read, the equations of the model, and the steps from these to the verdict.
 
+use crate::condition_products::{self, Origin};
 use crate::conditions::Hypothesis;
 use crate::consequence::{Step, Way};
 use crate::equation::Outcome;
+use crate::line_signs::least;
 use crate::linear_equations::{Comparison, LinearEquations, Multiple};
 use crate::motion::Motion;
+use crate::natural_domain::natural_domain;
 use crate::premises::premises;
 use crate::refutation::Refutation;
 use crate::square_sums::{SquareSum, square_sum};
 use claims::Condition;
-use claims::certificate::{Certificate, Combined, Part, PartProof, Relation, Relations, Stability};
+use claims::certificate::{Certificate, Combined, Part, PartProof, Product, Relation, Relations, Stability};
 use claims::{Judged, Verdict};
 use symbolic::{Hypotheses, NotNormal, Sym, normal};
 
@@ -243,6 +246,51 @@ impl Record {
         }
     }
 
+    /// The same by products of conditions, the opposite of the conclusion among them.
+    pub fn positive_by_products(
+        &mut self,
+        motion: &Motion<'_, '_>,
+        assumed: &[Hypothesis],
+        reduced: Sym,
+        is_strict: bool,
+        conditions: &[Condition],
+    ) {
+        if !self.is_wanted {
+            return;
+        }
+        let Some((known, products)) = condition_products::proof(reduced, is_strict, conditions) else {
+            return self.positive_by_roots(motion, assumed, reduced, is_strict, conditions);
+        };
+        self.part(motion, assumed, &[Condition::Positive(reduced)], |_| PartProof::Products { products: Vec::new() });
+        self.weaken(is_strict);
+        if let Some(part) = self.parts.last_mut() {
+            let before = part.given.len();
+            part.given.extend(self.relations.all(&known[..known.len() - 1]));
+            let told = products.iter().map(|one| told_product(one, before, &mut self.relations)).collect();
+            part.proof = PartProof::Products { products: told };
+        }
+    }
+
+    /// The same in one unknown, by real roots.
+    fn positive_by_roots(
+        &mut self,
+        motion: &Motion<'_, '_>,
+        assumed: &[Hypothesis],
+        reduced: Sym,
+        is_strict: bool,
+        conditions: &[Condition],
+    ) {
+        let known = [conditions, &natural_domain(&[reduced])].concat();
+        if least(reduced, &known).is_some_and(|least| least.sign > 0 || least.sign == 0 && !is_strict) {
+            self.part(motion, assumed, &[Condition::Positive(reduced)], |_| PartProof::RealRoots);
+            self.weaken(is_strict);
+            let known = self.relations.all(&known);
+            if let Some(part) = self.parts.last_mut() {
+                part.given.extend(known);
+            }
+        }
+    }
+
     /// The conclusion of the last part admits equality.
     fn weaken(&mut self, is_strict: bool) {
         if let (Some(part), false) = (self.parts.last_mut(), is_strict) {
@@ -328,4 +376,18 @@ impl Record {
         let parts = self.parts.into_iter().filter(says).filter(|_| !self.is_incomplete).collect();
         Some(certificate.proved_by(self.relations.recorder.finished(), parts, otherwise))
     }
+}
+
+/// A product as a certificate has it; places of conditions begin behind those that were given before.
+fn told_product(one: &condition_products::Product, before: usize, relations: &mut Relations) -> Product {
+    let mut told = Product { number: relations.recorder.place(Sym::constant(one.number)), ..Product::default() };
+    for origin in &one.of {
+        match *origin {
+            Origin::Condition(place) => told.of.push(before + place),
+            Origin::Square(place) => told.of.extend([before + place; 2]),
+            Origin::Root(root) => told.roots.push(relations.recorder.place(root)),
+            Origin::SquareOf(letter) => told.squares.push(relations.recorder.place(letter)),
+        }
+    }
+    told
 }

@@ -58,10 +58,10 @@ impl Kind {
         match self {
             Self::Number => "the verdict rests on a tie of the last printed digit, or on a number that is not real",
             Self::LinearisedEquation => {
-                "the verdict rests on a free frame, or on half a turn, for which the second checker has no steps yet"
+                "the verdict rests on a free frame, or on a point at half a turn, for which the second checker has no steps yet"
             }
             Self::Inequality => {
-                "the verdict rests on real roots of a polynomial, on squares of roots, or on a point, for which the second checker has no steps yet"
+                "the verdict rests on several rules at once, or on a point, for which the second checker has no steps yet"
             }
             Self::Stability => {
                 "the verdict rests on several conditions of the roots, or on the energy, for which the second checker has no steps yet"

@@ -22,39 +22,85 @@ const HIGHEST: u32 = 12;
 /// Products of letters by their exponents, each with a number.
 type Terms = BTreeMap<Vec<u32>, Rational>;
 
+/// The origin of a factor.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Origin {
+    /// The expression of a condition, by its place.
+    Condition(usize),
+    /// The square of that.
+    Square(usize),
+    /// A root, which is not negative.
+    Root(Sym),
+    /// The square of a letter, a root, a cosine or a sine.
+    SquareOf(Sym),
+}
+
+/// A product of factors that are not negative, with a number that is positive.
+pub(crate) struct Product {
+    pub number: Rational,
+    pub of: Vec<Origin>,
+}
+
 /// A polynomial that is not negative where the conditions hold.
 #[derive(Clone)]
 struct Factor {
     terms: Terms,
     /// Whether zero is excluded.
     is_strict: bool,
+    of: Vec<Origin>,
+    /// The polynomial is so many times the product of its origins; none where a condition has a denominator with letters.
+    scale: Option<Rational>,
 }
 
 impl Factor {
     fn times(&self, other: &Self) -> Option<Self> {
         let terms = product(&self.terms, &other.terms)?;
-        Some(Factor { terms, is_strict: self.is_strict && other.is_strict })
+        let scale = self.scale.zip(other.scale).map(|(a, b)| a * b);
+        let of = [&self.of[..], &other.of].concat();
+        Some(Factor { terms, is_strict: self.is_strict && other.is_strict, of, scale })
     }
 }
 
 /// Whether products of the conditions show that no point satisfies all of them.
 pub(crate) fn exclude_each_other(conditions: &[Condition]) -> bool {
+    contradiction(conditions).is_some()
+}
+
+/// Products whose sum vanishes, although one of them is positive where all conditions hold.
+fn contradiction(conditions: &[Condition]) -> Option<Vec<(Rational, Factor)>> {
     let Polynomials { factors, zeros } = Polynomials::of(conditions);
-    (1..=MOST_FACTORS).any(|count| {
+    (1..=MOST_FACTORS).find_map(|count| {
         let fits = match count {
             1 => true,
             2 => factors.len() <= MOST_FOR_TWO,
             _ => factors.len() <= MOST_FOR_THREE,
         };
-        fits && vanishes_with_a_positive_term(&products(&factors, count), &zeros)
+        if fits { sum_with_a_positive_term(products(&factors, count), &zeros) } else { None }
     })
 }
 
 /// Whether an expression is not negative where the conditions hold, or positive where that is asked for.
 pub(crate) fn show(expression: Sym, is_strict: bool, conditions: &[Condition]) -> bool {
+    exclude_each_other(&with_opposite(expression, is_strict, conditions))
+}
+
+/// The products that show it, with the conditions by whose places they are told; the last one is the opposite of what is shown.
+pub(crate) fn proof(
+    expression: Sym,
+    is_strict: bool,
+    conditions: &[Condition],
+) -> Option<(Vec<Condition>, Vec<Product>)> {
+    let all = with_opposite(expression, is_strict, conditions);
+    let found = contradiction(&all)?.into_iter();
+    let told = |(number, Factor { of, scale, .. })| Some(Product { number: number * scale?, of });
+    let products = found.map(told).collect::<Option<Vec<Product>>>()?;
+    Some((all, products))
+}
+
+fn with_opposite(expression: Sym, is_strict: bool, conditions: &[Condition]) -> Vec<Condition> {
     let opposite = Sym::ZERO - expression;
     let against = if is_strict { Condition::NotNegative(opposite) } else { Condition::Positive(opposite) };
-    exclude_each_other(&[conditions, &natural_domain(&[expression]), &[against]].concat())
+    [conditions, &natural_domain(&[expression]), &[against]].concat()
 }
 
 /// Conditions as polynomials in their letters, angles and roots.
@@ -66,15 +112,15 @@ struct Polynomials {
 
 impl Polynomials {
     fn of(conditions: &[Condition]) -> Self {
-        let mut conditions = conditions.to_vec();
+        let mut open: Vec<(Condition, Origin)> =
+            conditions.iter().enumerate().map(|(place, condition)| (*condition, Origin::Condition(place))).collect();
         let mut letters: Vec<Sym> = Vec::new();
         let mut place = 0;
-        let mut known: Vec<(Condition, Sym)> = Vec::new();
-        while let Some(&condition) = conditions.get(place) {
+        let mut known: Vec<(Condition, Origin, Whole)> = Vec::new();
+        while let Some(&(condition, origin)) = open.get(place) {
             place += 1;
-            let Some(whole) = over_nothing(condition.expression()) else { continue };
-            known.push((condition, whole));
-            for leaf in whole.leaves_of().into_iter().filter(|leaf| leaf.as_constant().is_none()) {
+            let Some(whole) = Whole::of(condition.expression()) else { continue };
+            for leaf in whole.polynomial.leaves_of().into_iter().filter(|leaf| leaf.as_constant().is_none()) {
                 // an angle is told by its cosine and its sine together
                 let together = match leaf.node() {
                     Node::Cos(angle) | Node::Sin(angle) => {
@@ -85,24 +131,34 @@ impl Polynomials {
                 };
                 for leaf in together.into_iter().filter(|leaf| !letters.contains(leaf)).collect::<Vec<_>>() {
                     letters.push(leaf);
-                    conditions.extend(own_conditions(leaf));
+                    if let Node::Root(inside) = leaf.node() {
+                        open.push((Condition::NotNegative(leaf), Origin::Root(leaf)));
+                        open.push((Condition::NotNegative(inside), Origin::SquareOf(leaf)));
+                    }
                 }
             }
+            known.push((condition, origin, whole));
         }
         let zeros = letters.iter().filter_map(|&leaf| own_equality(leaf, &letters)).collect();
         let mut found = Polynomials { factors: Vec::new(), zeros };
         let mut with_sign: BTreeSet<usize> = BTreeSet::new();
-        for (condition, whole) in known {
-            let Some(terms) = terms(whole, &letters) else { continue };
-            let of = |terms: Terms, is_strict: bool| Factor { terms, is_strict };
-            match condition {
-                Condition::Positive(_) => found.factors.push(of(terms, true)),
-                Condition::NotNegative(_) => found.factors.push(of(terms, false)),
-                Condition::NonZero(_) => found.factors.extend(product(&terms, &terms).map(|square| of(square, true))),
-                Condition::Zero(_) | Condition::Equal(..) => found.zeros.push(terms),
+        for (condition, origin, Whole { polynomial, scale }) in known {
+            let Some(terms) = terms(polynomial, &letters) else { continue };
+            let of = |terms: Terms, is_strict: bool| Factor { terms, is_strict, of: vec![origin], scale };
+            match (condition, origin) {
+                (Condition::Positive(_), _) => found.factors.push(of(terms, true)),
+                (Condition::NotNegative(_), _) => found.factors.push(of(terms, false)),
+                (Condition::NonZero(_), Origin::Condition(place)) => {
+                    let scale = scale.map(|scale| scale * scale);
+                    let square = product(&terms, &terms);
+                    let of = vec![Origin::Square(place)];
+                    found.factors.extend(square.map(|terms| Factor { terms, is_strict: true, of, scale }));
+                }
+                (Condition::Zero(_) | Condition::Equal(..), _) => found.zeros.push(terms),
+                _ => {}
             }
             if let (Condition::Positive(_) | Condition::NotNegative(_), Some(letter)) =
-                (condition, letters.iter().position(|letter| *letter == whole))
+                (condition, letters.iter().position(|letter| *letter == polynomial))
             {
                 with_sign.insert(letter);
             }
@@ -110,10 +166,11 @@ impl Polynomials {
         for letter in (0..letters.len()).filter(|letter| !with_sign.contains(letter)) {
             let mut exponents = vec![0; letters.len()];
             exponents[letter] = 2;
-            let square = Factor { terms: Terms::from([(exponents, Rational::new(1, 1))]), is_strict: false };
-            let is_known = found.factors.iter().any(|factor| factor.terms == square.terms);
-            if !is_known {
-                found.factors.push(square);
+            let one = Rational::new(1, 1);
+            let terms = Terms::from([(exponents, one)]);
+            if found.factors.iter().all(|factor| factor.terms != terms) {
+                let of = vec![Origin::SquareOf(letters[letter])];
+                found.factors.push(Factor { terms, is_strict: false, of, scale: Some(one) });
             }
         }
         found
@@ -121,17 +178,18 @@ impl Polynomials {
 }
 
 /// The polynomial that has the sign of an expression, wherever that has a value.
-fn over_nothing(expression: Sym) -> Option<Sym> {
-    let form = normal(expression, &Hypotheses::none()).ok()?;
-    let whole = normal(form.numerator() * form.denominator(), &Hypotheses::none()).ok()?;
-    Some(whole.to_sym())
+struct Whole {
+    polynomial: Sym,
+    /// The polynomial is so many times the expression, where that has no letters below.
+    scale: Option<Rational>,
 }
 
-/// The signs that a root has by itself.
-fn own_conditions(leaf: Sym) -> Vec<Condition> {
-    match leaf.node() {
-        Node::Root(inside) => vec![Condition::NotNegative(leaf), Condition::NotNegative(inside)],
-        _ => Vec::new(),
+impl Whole {
+    fn of(expression: Sym) -> Option<Self> {
+        let form = normal(expression, &Hypotheses::none()).ok()?;
+        let (above, below) = (form.numerator(), form.denominator());
+        let polynomial = normal(above * below, &Hypotheses::none()).ok()?.to_sym();
+        Some(Whole { polynomial, scale: below.as_constant().map(|below| below * below) })
     }
 }
 
@@ -212,12 +270,13 @@ fn products(factors: &[Factor], count: usize) -> Vec<Factor> {
     all
 }
 
-/// Whether a sum of products with factors that are not negative, one of them before a positive product, and of multiples of zeros vanishes
-/// identically.
-fn vanishes_with_a_positive_term(products: &[Factor], zeros: &[Terms]) -> bool {
+/// Products with positive numbers, one of them a positive product, whose sum with multiples of zeros vanishes identically.
+fn sum_with_a_positive_term(products: Vec<Factor>, zeros: &[Terms]) -> Option<Vec<(Rational, Factor)>> {
     let mut known = products.iter().map(|product| &product.terms).chain(zeros).flat_map(|terms| terms.keys());
     let unit = vec![0; known.next().map_or(0, Vec::len)];
-    let one = Factor { terms: Terms::from([(unit.clone(), Rational::new(1, 1))]), is_strict: true };
+    let (zero, one) = (Rational::new(0, 1), Rational::new(1, 1));
+    let plain = |terms: Terms| Factor { terms, is_strict: false, of: Vec::new(), scale: Some(one) };
+    let number = Factor { is_strict: true, ..plain(Terms::from([(unit.clone(), one)])) };
     // an equality times anything, with either sign
     let multipliers: BTreeSet<Vec<u32>> = products
         .iter()
@@ -226,22 +285,25 @@ fn vanishes_with_a_positive_term(products: &[Factor], zeros: &[Terms]) -> bool {
         .cloned()
         .chain([unit])
         .collect();
-    let multiples = zeros.iter().flat_map(|zero| {
-        multipliers.iter().filter_map(|powers| product(zero, &Terms::from([(powers.clone(), Rational::new(1, 1))])))
-    });
+    let multiples = zeros
+        .iter()
+        .flat_map(|zero| multipliers.iter().filter_map(|powers| product(zero, &Terms::from([(powers.clone(), one)]))));
     let signed = multiples.flat_map(|terms| {
         let opposite = terms.iter().map(|(powers, value)| (powers.clone(), -*value)).collect();
-        [terms, opposite].map(|terms| Factor { terms, is_strict: false })
+        [terms, opposite].map(plain)
     });
-    let all: Vec<Factor> = products.iter().cloned().chain([one]).chain(signed).collect();
+    let signed: Vec<Factor> = signed.collect();
+    let all: Vec<Factor> = products.into_iter().chain([number]).chain(signed.iter().cloned()).collect();
     let monomials: BTreeSet<&Vec<u32>> = all.iter().flat_map(|each| each.terms.keys()).collect();
-    let zero = Rational::new(0, 1);
     let column = |each: &Factor| {
         let entries = monomials.iter().map(|powers| each.terms.get(*powers).copied().unwrap_or(zero));
         entries.chain([Rational::new(i64::from(each.is_strict), 1)]).collect::<Vec<_>>()
     };
     let columns: Vec<Vec<Rational>> = all.iter().map(column).collect();
     let mut target = vec![zero; monomials.len()];
-    target.push(Rational::new(1, 1));
-    nonnegative_combination(&columns, &target).is_some()
+    target.push(one);
+    let numbers = nonnegative_combination(&columns, &target)?;
+    let own = all.len() - signed.len();
+    let told = numbers.into_iter().zip(all).take(own).filter(|(number, _)| number.sign() == Some(1));
+    Some(told.collect())
 }

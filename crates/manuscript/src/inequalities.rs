@@ -2,6 +2,7 @@
 
 use crate::certificate::Record;
 use crate::claim_text::ClaimText;
+use crate::condition_products;
 use crate::conditions::{Hypothesis, assume, conditions, scalar};
 use crate::display::{Told, divisors};
 use crate::equation::Outcome;
@@ -15,6 +16,7 @@ use crate::polynomial_signs;
 use crate::real_signs;
 use crate::refutation::Refutation;
 use crate::signs::{Shown, completed, is_half_turn, search, shows};
+use crate::square_sums::square_sum;
 use crate::verdict::{allowed, mixed, neither};
 use claims::{Condition, Verdict};
 use latex::{Relation, Statement};
@@ -109,7 +111,14 @@ pub(crate) fn inequality(
             Some(side) if !found.is_of_normal_form => {
                 record.positive_as_written(&motion, assumed, [greater, side], is_strict);
             }
-            _ => record.positive_by_squares(&motion, assumed, [greater, reduced], is_strict, &conditions),
+            _ if square_sum(reduced, is_strict, &conditions).is_some() => {
+                record.positive_by_squares(&motion, assumed, [greater, reduced], is_strict, &conditions);
+            }
+            // a constraint of positions may give the square
+            _ if !motion.squares.is_empty() => {
+                record.positive_by_squares(&motion, assumed, [greater, form()], is_strict, &conditions);
+            }
+            _ => record.positive_by_products(&motion, assumed, reduced, is_strict, &conditions),
         }
         (finding.judged.verdict, finding.judged.evidence) = (Verdict::Proved, found.evidence);
         finding.judged.requires.extend(divisors(&motion.divisors, told));
@@ -136,6 +145,16 @@ pub(crate) fn inequality(
                 None => "it fails at the exact point".to_owned(),
             };
             finding.judged.counterexample = crate::display::point(own, &refutation, &motion, told);
+        }
+        None if condition_products::show(reduced, is_strict, &conditions) => {
+            record.positive_by_products(&motion, assumed, reduced, is_strict, &conditions);
+            finding.judged.verdict = Verdict::Proved;
+            finding.judged.evidence =
+                "products of the hypotheses with its opposite add up to a negative number, exactly".to_owned();
+            finding.judged.requires.extend(divisors(&motion.divisors, told));
+            if !assumed.iter().any(|hypothesis| hypothesis.scales) {
+                mixed(&[Line { model: [left, right], own }], letters, finding);
+            }
         }
         None => {
             let why = "neither the signs of its terms nor squares, discriminants and real roots show it, and no exact point was found at which it fails";

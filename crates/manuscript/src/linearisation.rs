@@ -77,13 +77,14 @@ impl<'t, 'm> Linearisation<'t, 'm> {
         all
     }
 
-    /// The letters by which is differentiated; none where a free frame has other deviations than its coordinates, or pi is a letter.
-    fn letters(&self) -> Option<Vec<Sym>> {
+    /// The letters by which is differentiated; none where a free frame has other deviations than its coordinates, or where a point would have to give
+    /// the letter pi a value.
+    fn letters(&self, is_refuted: bool) -> Option<Vec<Sym>> {
         let trace = self.base.trace;
         let values = self.base.rounds.iter().flat_map(|round| &round.values);
         let has_pi = values.flat_map(|(_, value)| value.symbols_of()).any(|symbol| symbol == trace.pi);
         let is_plain = trace.coordinates.len() == trace.speeds.len();
-        (is_plain && !has_pi).then(|| [&trace.coordinates[..], &trace.speeds, &self.inputs].concat())
+        (is_plain && !(is_refuted && has_pi)).then(|| [&trace.coordinates[..], &trace.speeds, &self.inputs].concat())
     }
 
     fn record(
@@ -93,7 +94,7 @@ impl<'t, 'm> Linearisation<'t, 'm> {
         failure: Option<(Option<Sym>, &Refutation)>,
         record: &mut Record,
     ) {
-        match self.letters() {
+        match self.letters(failure.is_some()) {
             Some(letters) => {
                 let sides = [difference, self.along.reduced(difference)];
                 record.linear([&self.along, &self.base], assumed, sides, &letters, failure);

@@ -60,7 +60,14 @@ impl Refutation {
 
     /// Whether a condition holds there; none where the point leaves it open.
     pub fn satisfies(&self, condition: Condition) -> Option<bool> {
-        condition.holds_at(&exact(&self.point))
+        let of = condition.expression();
+        let has_root = || of.leaves_of().iter().any(|leaf| matches!(leaf.node(), Node::Root(_)));
+        // the root of a square is a fraction
+        let by_roots = || {
+            let value = if has_root() { self.value(of)?.as_constant()? } else { return None };
+            value.is_defined().then(|| condition.allows(value.sign().unwrap_or_default()))
+        };
+        condition.holds_at(&exact(&self.point)).or_else(by_roots)
     }
 }
 

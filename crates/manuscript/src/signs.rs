@@ -4,7 +4,7 @@ use crate::motion::Motion;
 use crate::refutation::{Refutation, exact};
 use claims::{Condition, Page, Verdict};
 use field::Rational;
-use symbolic::{Node, Sym};
+use symbolic::{Hypotheses, Node, Sym, normal, univariate};
 
 /// The sign that an expression is shown to have.
 pub(crate) struct Shown {
@@ -158,26 +158,49 @@ pub(crate) fn search(
     asked: impl Fn(&[i8]) -> bool,
 ) -> Option<Refutation> {
     let is_open = |expression: &Sym| motion.undetermined(*expression).is_some();
-    if !motion.open.is_empty() || expressions.iter().any(is_open) || !motion.hypotheses.statements().is_empty() {
+    // rules beside squares of coordinates are those of free frames
+    let has_rules = motion.hypotheses.statements().len() != motion.squares.len();
+    if !motion.open.is_empty() || expressions.iter().any(is_open) || has_rules {
         return None;
     }
+    let squares: Vec<(Sym, Sym)> = motion.squares.iter().map(|&(of, zero)| (of, motion.reduced(zero))).collect();
     let has_root = |e: &Sym| e.leaves_of().iter().any(|leaf| matches!(leaf.node(), Node::Root(_)));
     let points = if expressions.iter().any(has_root) { POINTS_OF_ROOTS } else { POINTS };
     let all = expressions.iter().copied().chain(conditions.iter().map(|condition| condition.expression()));
-    Draw::of(all, conditions)?.find(points, |point| {
-        let values = exact(point);
-        let holds = || conditions.iter().all(|condition| condition.holds_at(&values) == Some(true));
-        let signs = || -> Option<Vec<i8>> {
-            let rational = |each: Sym| values.value(each).filter(|value| value.is_defined())?.sign();
-            let by_roots = |each: Sym| {
-                let there =
-                    || Refutation { point: point.to_vec(), is_formal: false }.value(each)?.as_constant()?.sign();
-                if has_root(&each) { there() } else { None }
+    let mut draw = Draw::of(all.chain(squares.iter().map(|(_, zero)| *zero)), conditions)?;
+    draw.leaves.retain(|leaf| squares.iter().all(|(of, _)| of != leaf));
+    draw.find(
+        points,
+        |point| with_squares(point, &squares),
+        |point| {
+            let values = exact(point);
+            let holds = || conditions.iter().all(|condition| condition.holds_at(&values) == Some(true));
+            let signs = || -> Option<Vec<i8>> {
+                let rational = |each: Sym| values.value(each).filter(|value| value.is_defined())?.sign();
+                let by_roots = |each: Sym| {
+                    let there =
+                        || Refutation { point: point.to_vec(), is_formal: false }.value(each)?.as_constant()?.sign();
+                    if has_root(&each) { there() } else { None }
+                };
+                let sign = |each: &Sym| rational(*each).or_else(|| by_roots(*each)).map(|sign| sign as i8);
+                expressions.iter().map(sign).collect()
             };
-            let sign = |each: &Sym| rational(*each).or_else(|| by_roots(*each)).map(|sign| sign as i8);
-            expressions.iter().map(sign).collect()
-        };
-        holds() && signs().is_some_and(|signs| asked(&signs))
+            holds() && signs().is_some_and(|signs| asked(&signs))
+        },
+    )
+}
+
+/// A point with the coordinates whose squares constraints give; none where these are no fractions.
+fn with_squares(point: Vec<(Sym, Sym)>, squares: &[(Sym, Sym)]) -> Option<Vec<(Sym, Sym)>> {
+    squares.iter().try_fold(point, |mut point, &(of, zero)| {
+        let left = normal(zero.substitute(&point), &Hypotheses::none()).ok()?.numerator();
+        let dense = univariate(left, of).ok()?;
+        let &[constant, _, leading] = &dense[..] else { return None };
+        let root = field::Analytic::sqrt(Sym::constant(-constant / leading));
+        let value = normal(root, &Hypotheses::none()).ok()?.to_sym();
+        value.as_constant().filter(|value| value.is_defined())?;
+        point.push((of, value));
+        Some(point)
     })
 }
 
@@ -196,9 +219,9 @@ pub(crate) fn completed(found: Refutation, conditions: &[Condition]) -> Option<R
     let left = open.iter().map(|condition| condition.expression().substitute(&found.point));
     let draw = Draw::of(left, conditions)?;
     let whole = |point: &[(Sym, Sym)]| [&found.point[..], point].concat();
-    let more = draw.find(POINTS, |point| {
-        let values = exact(&whole(point));
-        open.iter().all(|condition| condition.holds_at(&values) == Some(true))
+    let more = draw.find(POINTS, Some, |point| {
+        let there = Refutation { point: whole(point), is_formal: false };
+        open.iter().all(|condition| there.satisfies(*condition) == Some(true))
     })?;
     Some(Refutation { point: whole(&more.point), is_formal: found.is_formal })
 }
@@ -249,8 +272,13 @@ impl<'a> Draw<'a> {
         leaves.iter().all(is_plain).then_some(Draw { leaves, has_roots, conditions })
     }
 
-    /// The first point that is as asked.
-    fn find(&self, points: u32, is_asked: impl Fn(&[(Sym, Sym)]) -> bool) -> Option<Refutation> {
+    /// The first point, completed, that is as asked.
+    fn find(
+        &self,
+        points: u32,
+        completed: impl Fn(Vec<(Sym, Sym)>) -> Option<Vec<(Sym, Sym)>>,
+        is_asked: impl Fn(&[(Sym, Sym)]) -> bool,
+    ) -> Option<Refutation> {
         let mut state = 1u32;
         let mut next = || {
             state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
@@ -279,7 +307,8 @@ impl<'a> Draw<'a> {
                     point.push((Sym::from_node(Node::Sin(angle)), Sym::constant(two * number / norm)));
                 }
             }
-            is_asked(&point).then_some(Refutation { point, is_formal: false })
+            let point = completed(point).filter(|point| is_asked(point))?;
+            Some(Refutation { point, is_formal: false })
         })
     }
 }

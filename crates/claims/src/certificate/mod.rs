@@ -8,7 +8,7 @@ mod of_claim;
 mod part;
 mod program;
 
-pub use part::{Combined, PartProof, Relation, Relations, Stability, Step};
+pub use part::{Combined, PartProof, Product, Relation, Relations, Stability, Step};
 pub use program::{Operation, Recorder};
 
 use crate::{Judged, Verdict};

@@ -36,6 +36,10 @@ pub enum PartProof {
     Signs { positive: Vec<usize> },
     /// The signs of squares and of what is given as positive show each conclusion as it is written, without the steps.
     WrittenSigns,
+    /// The sum of products of what is given, and of the opposite of the one conclusion, vanishes, although one of them would be positive.
+    Products { products: Vec<Product> },
+    /// All that is given and the one conclusion hold one unknown, a letter or an angle: real roots of polynomials show the conclusion.
+    RealRoots,
     /// At this point everything given holds and a conclusion does not.
     Counterexample { point: Vec<(usize, usize)> },
     /// At this point everything holds.
@@ -89,6 +93,20 @@ pub struct Combined {
     /// Places in `given`, and entries of the program.
     pub cofactors: Vec<(usize, usize)>,
     pub factor: Option<usize>,
+}
+
+/// A positive number times factors that are not negative.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Product {
+    /// The entry of the number.
+    pub number: usize,
+    /// Differences of relations of `given`, by their places; the place behind the last one is the opposite of the conclusion. A relation that
+    /// excludes zero stands there twice.
+    pub of: Vec<usize>,
+    /// Entries that are roots.
+    pub roots: Vec<usize>,
+    /// Entries whose squares are factors.
+    pub squares: Vec<usize>,
 }
 
 /// Relations with the program that they are about.

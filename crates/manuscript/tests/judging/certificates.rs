@@ -76,9 +76,28 @@ given = ['\theta = 0']";
     let found = certificate("linearised equation", r"l \ddot\theta - g \theta = 0", rest);
     assert_eq!((found.verdict.as_str(), found.parts.len()), ("refuted", 1), "{found:?}");
     assert!(matches!(found.parts[0].proof, PartProof::Counterexample { .. }));
-    // the second checker knows no letter pi
     let upright = r"resting = ['\theta']
 given = ['\theta = \pi']";
     let found = certificate("linearised equation", r"l \ddot\theta - g (\theta - \pi) = 0", upright);
-    assert!(found.verdict == "proved" && found.parts.is_empty() && found.none.is_some(), "{found:?}");
+    assert_eq!((found.verdict.as_str(), found.parts.len()), ("proved", 3), "{found:?}");
+}
+
+#[test]
+fn an_inequality_with_roots_has_its_products_and_one_in_one_unknown_its_real_roots() {
+    for (formula, more) in [
+        (r"\sqrt{\theta} < \theta", r"given = ['\theta > 1']"),
+        (r"\sqrt{1 - \theta^2} \leq 1", ""),
+        (r"m < l", r"given = ['\sqrt{m} < \sqrt{l}']"),
+    ] {
+        let found = certificate("inequality", formula, more);
+        let is_product = matches!(&found.parts[..], [part] if matches!(part.proof, PartProof::Products { .. }));
+        assert_eq!((found.verdict.as_str(), is_product), ("proved", true), "{formula}: {found:?}");
+    }
+    for (formula, more) in
+        [(r"\theta^3 - 3 \theta + 3 > 0", r"given = ['\theta > -2.1']"), (r"\frac{1}{\cos^2\theta} \geq 1", "")]
+    {
+        let found = certificate("inequality", formula, more);
+        let is_by_roots = matches!(&found.parts[..], [part] if part.proof == PartProof::RealRoots);
+        assert_eq!((found.verdict.as_str(), is_by_roots), ("proved", true), "{formula}: {found:?}");
+    }
 }

@@ -1,6 +1,6 @@
 //! Inequalities of polynomials: squares, discriminants, real roots, and what is given.
 
-use crate::{PENDULUM, on_pendulum, verdict};
+use crate::{PENDULUM, on, on_pendulum, verdict};
 use dalembert_manuscript::EditKind;
 
 fn found(formula: &str, given: &str) -> (&'static str, String) {
@@ -107,4 +107,34 @@ fn a_relation_that_admits_equality_is_a_correction_with_the_point_of_equality() 
     let found = on_pendulum("inequality", r"\theta^2 + 2 < 2 \theta", "");
     let directions: Vec<EditKind> = found.corrections.iter().map(|one| one.changes[0].kind).collect();
     assert_eq!(directions, [EditKind::Direction], "{}", found.text());
+}
+
+/// A rod pendulum in Cartesian coordinates.
+const ROD: &str = r#"
+title = "Rod"
+[parameters]
+m = "kg"
+l = "m"
+[coordinates]
+x = "m"
+y = "m"
+[bodies.bob]
+centre = "O + x*N.x + y*N.y"
+mass = "m"
+[[constraint]]
+name = "rod"
+zero = "x^2 + y^2 - l^2"
+[letters]
+'l' = "l"
+'x' = "x"
+'y' = "y"
+"#;
+
+#[test]
+fn points_on_a_constraint_of_squares_refute() {
+    let found = on(ROD, "inequality", "x^2 < l^2", "");
+    let [first] = &found.corrections[..] else { panic!("{}", found.text()) };
+    assert_eq!((verdict(&found), first.formula.as_str()), ("refuted", r"x^2 \leq l^2"), "{}", found.text());
+    assert!(found.judged.counterexample.contains(&("y".to_owned(), "0".to_owned())), "{}", found.text());
+    assert_eq!(verdict(&on(ROD, "inequality", "x < y", "")), "refuted");
 }
