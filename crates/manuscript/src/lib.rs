@@ -5,7 +5,8 @@
 //! * `letters`: what each letter stands for, over the symbols of the model;
 //! * `motion`: what holds along every motion: accelerations, multipliers, constraints, hypotheses;
 //! * [`PaperText::judge`]: a [`Finding`] for each claim. Nobody types the derived side: it comes from the model;
-//! * [`Correction`]: the smallest edit of a refuted formula that is proved.
+//! * [`Correction`]: the smallest edit of a refuted formula that is proved;
+//! * [`PeerEquations`]: equations of motion that another program has derived, beside those of the model.
 //!
 //! | kind of claim | stated |
 //! |---|---|
@@ -49,6 +50,7 @@ mod natural_domain;
 mod numbers;
 mod paper_text;
 mod passage;
+mod peer_equations;
 mod polynomial_signs;
 mod premises;
 mod presuppositions;
@@ -68,3 +70,4 @@ pub use claim_text::{ClaimText, Kind};
 pub use correction::{LineCorrection, NotRead, line_corrections, theorem_corrections};
 pub use finding::{Finding, Sides};
 pub use paper_text::{PaperText, is_paper};
+pub use peer_equations::{PeerEquation, PeerEquations, PeerFinding, TermDifference};

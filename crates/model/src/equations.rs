@@ -21,9 +21,8 @@ pub use constraints::{Equation, Level, equations as constraints_of, implied as i
 pub(crate) use constraints::{held_of, independent};
 pub(crate) use elimination::solve_sparse;
 pub use elimination::{Pushes, Singular};
-pub(crate) use generic_point::{
-    Dependence, circuits as generic_circuits, courses, depends, generic_rank, pivots as generic_pivots,
-};
+pub(crate) use generic_point::{Dependence, circuits as generic_circuits, courses, depends};
+pub use generic_point::{generic_rank, pivots as generic_pivots};
 pub use guides::balances;
 pub use integrability::{Integrability, Undecided};
 pub use residuals::Residuals;

@@ -61,6 +61,14 @@ impl Equations {
         self.written(py, Notation::Sympy)
     }
 
+    /// The same as objects of SymPy, which must be installed: q, mass_matrix, inertia, forces and equations, with constraints their jacobian,
+    /// bias, constraints and multipliers; `letters` by their names, `values` of parameters.
+    #[getter]
+    fn sympy_expressions<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let program = self.written(py, Notation::Sympy)?;
+        py.import("dalembert._sympy")?.call_method1("to_sympy", (program,))
+    }
+
     /// Straight-line code: language "c", "python" or "rust".
     fn code(&self, py: Python<'_>, language: &str) -> PyResult<String> {
         let language = match language.to_lowercase().as_str() {

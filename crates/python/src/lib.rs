@@ -6,6 +6,7 @@ mod errors;
 mod judgement;
 mod linear;
 mod model;
+mod peer;
 mod trajectory;
 
 // they bring motors and knowledge, by being linked

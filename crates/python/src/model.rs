@@ -5,8 +5,10 @@ use crate::equations::Equations;
 use crate::errors::{refused, scene_error};
 use crate::judgement::Judgement;
 use crate::linear::LinearEquations;
+use crate::peer::checked;
 use crate::trajectory::{Beside, NativeTrajectory};
 use dalembert::integrators::Method;
+use dalembert::manuscript::PeerEquations;
 use dalembert::model::{self, Trace, judgements};
 use dalembert::scenes::{Given, ModelScene, SystemText, Task};
 use dalembert::simulation::models::Modelled;
@@ -14,6 +16,7 @@ use dalembert::simulation::run::most_samples;
 use dalembert::simulation::{Axes, Choice, Run, methods, run};
 use dalembert::symbolic;
 use pyo3::prelude::*;
+use pyo3::types::PyDict;
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::sync::{Arc, OnceLock};
@@ -112,6 +115,12 @@ impl NativeModel {
         self.model.state_names()
     }
 
+    /// Inputs by their names.
+    #[getter]
+    fn inputs(&self) -> Vec<String> {
+        self.model.inputs.iter().map(|input| input.name.clone()).collect()
+    }
+
     /// The number of coordinates among the states.
     #[getter]
     fn positions(&self) -> usize {
@@ -153,6 +162,34 @@ impl NativeModel {
         let model = py.detach(|| self.text.for_judgement()).map_err(|error| scene_error(py, &error))?;
         let found = py.detach(|| symbolic::apart(|| judgements(&Trace::of(&model))));
         Ok(found.into_iter().map(Judgement).collect())
+    }
+
+    /// Compares equations of motion of another program, texts in the language of models, with those of this model: verdict, sentence,
+    /// divisors that must not vanish, and what is found of each equation.
+    #[allow(clippy::too_many_arguments)]
+    fn check<'py>(
+        &self,
+        py: Python<'py>,
+        letters: Vec<(String, String)>,
+        speeds: Vec<String>,
+        accelerations: Vec<String>,
+        multipliers: Vec<String>,
+        abbreviations: Vec<(String, String)>,
+        kinematics: Vec<String>,
+        constraints: Vec<String>,
+        equations: Vec<(String, String)>,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let peer = PeerEquations {
+            letters,
+            speeds,
+            accelerations,
+            multipliers,
+            abbreviations,
+            kinematics,
+            constraints,
+            equations,
+        };
+        checked(py, &self.text, &peer)
     }
 
     fn linearise(&self, py: Python<'_>, equilibrium: bool, inputs: Vec<String>) -> PyResult<LinearEquations> {

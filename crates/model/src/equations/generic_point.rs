@@ -146,7 +146,7 @@ pub(crate) fn courses(expressions: &[Sym], stay: &[Sym]) -> Vec<Dependence> {
 }
 
 /// The rank of a matrix at the point.
-pub(crate) fn generic_rank(rows: &[Vec<Sym>]) -> usize {
+pub fn generic_rank(rows: &[Vec<Sym>]) -> usize {
     let columns = rows.first().map_or(0, Vec::len);
     pivots(rows, &(0..columns).collect::<Vec<_>>()).len()
 }
@@ -159,7 +159,7 @@ pub(crate) fn depends(row: &[Sym], others: &[Vec<Sym>]) -> bool {
 
 /// The pivots of a matrix at the point, (row, column) of each: rows from the first, in each the first column of an order that has
 /// one. A row without a pivot depends on those before it.
-pub(crate) fn pivots(rows: &[Vec<Sym>], order: &[usize]) -> Vec<(usize, usize)> {
+pub fn pivots(rows: &[Vec<Sym>], order: &[usize]) -> Vec<(usize, usize)> {
     Elimination::of(rows, order).pivots
 }
 

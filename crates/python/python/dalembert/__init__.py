@@ -30,8 +30,10 @@ from inspect import Parameter, Signature
 
 from ._model import Model
 from ._builder import ModelBuilder
+from ._check import Check, CheckedEquation, check
 from ._native import METHODS, PRINCIPLES, VERSION, Equations, Judgement, LinearEquations, ModelError, JacobianMatrix, RightHandSide
 from ._proofs import Judgements
+from ._sympy import from_sympy
 from ._trajectory import Trajectory
 
 __version__ = VERSION
@@ -43,6 +45,8 @@ for _callable in (RightHandSide, JacobianMatrix):
 __all__ = [
     "METHODS",
     "PRINCIPLES",
+    "Check",
+    "CheckedEquation",
     "Equations",
     "JacobianMatrix",
     "Judgement",
@@ -53,4 +57,6 @@ __all__ = [
     "ModelError",
     "RightHandSide",
     "Trajectory",
+    "check",
+    "from_sympy",
 ]

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable
-from typing import Literal
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy
 
@@ -12,6 +12,9 @@ from ._builder import ModelBuilder
 from ._native import Equations, JacobianMatrix, LinearEquations, NativeModel, RightHandSide
 from ._proofs import Judgements
 from ._trajectory import Trajectory
+
+if TYPE_CHECKING:
+    from ._check import Check
 
 __all__ = ["Model"]
 
@@ -115,6 +118,12 @@ class Model:
     def prove(self) -> Judgements:
         """Whether all principles give the same equations, and what these keep: a list of statements with their verdicts."""
         return Judgements(self._native.prove())
+
+    def check(self, method: Any, names: Mapping[Any, str] | None = None, *, seconds: float | None = 300.0) -> Check:
+        """Whether the equations of motion of a KanesMethod or a LagrangesMethod of SymPy are those of this model: as `dalembert.check`."""
+        from ._check import check
+
+        return check(method, self, names, seconds=seconds)
 
     def run(
         self,

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from html import escape
 
+from ._html import COLOURS, table
 from ._native import Judgement
 
 __all__ = ["Judgements"]
-
-_COLOURS = {"proved": "#1a7f37", "identified": "#1a7f37", "tested": "#9a6700", "refuted": "#cf222e"}
 
 
 class Judgements(list[Judgement]):
@@ -25,11 +24,6 @@ class Judgements(list[Judgement]):
     def _repr_html_(self) -> str:
         rows = []
         for judgement in self:
-            colour = _COLOURS.get(judgement.verdict, "#656d76")
             grounds = "".join(f"<br><small>{escape(line)}</small>" for line in judgement.grounds)
-            rows.append(
-                f'<tr><td style="text-align:left">{escape(judgement.statement)}</td>'
-                f'<td style="text-align:left;color:{colour}"><b>{escape(judgement.verdict)}</b></td>'
-                f'<td style="text-align:left">{escape(judgement.sentence)}{grounds}</td></tr>'
-            )
-        return "<table><tr><th>statement</th><th>verdict</th><th>ground</th></tr>" + "".join(rows) + "</table>"
+            rows.append([escape(judgement.statement), (judgement.verdict, COLOURS.get(judgement.verdict)), escape(judgement.sentence) + grounds])
+        return table(["statement", "verdict", "ground"], rows)

@@ -1,0 +1,153 @@
+//! Equations of motion that another program has derived, beside those of a model.
+//!
+//! The letters of the other program have meanings in the model. Its equations are those of the model where each of them vanishes with
+//! the model's accelerations put in, its constraints hold wherever the model's do, it determines all accelerations, and both have as
+//! many degrees of freedom. So it does not matter which combinations of equations it writes, and along which speeds.
+
+mod differences;
+mod finding;
+mod rates;
+mod reading;
+
+pub use differences::TermDifference;
+pub use finding::{PeerEquation, PeerFinding};
+
+use crate::motion::Motion;
+use crate::verdict::allowed;
+use claims::Verdict;
+use differences::Projected;
+use finding::{divisors, judged, untold, whole};
+use model::equations::{Characteristics, constraints_of, generic_rank};
+use model::{Entry, Text, Trace};
+use rates::{PeerRates, without_multipliers};
+use reader::SceneError;
+use scenes::SystemText;
+use symbolic::{Sym, decide};
+
+/// Equations of motion as texts in the language of models, without units.
+#[derive(Clone, Debug, Default)]
+pub struct PeerEquations {
+    /// Letters with their meanings in the model: coordinates, parameters, inputs. Rates of a letter carry primes.
+    pub letters: Vec<(String, String)>,
+    /// Speeds that are no rates of coordinates: the kinematic equations determine them.
+    pub speeds: Vec<String>,
+    /// The accelerations in the equations, `q''` or `u'`.
+    pub accelerations: Vec<String>,
+    pub multipliers: Vec<String>,
+    /// Abbreviations, each over letters and those before it.
+    pub abbreviations: Vec<(String, String)>,
+    /// Expressions that vanish, linear in the speeds: rates of coordinates by speeds.
+    pub kinematics: Vec<String>,
+    /// Expressions that vanish: constraints between speeds, or between coordinates.
+    pub constraints: Vec<String>,
+    /// Expressions that vanish, linear in accelerations and multipliers, each with its name.
+    pub equations: Vec<(String, String)>,
+}
+
+impl PeerEquations {
+    /// Compares them with the equations of a system.
+    ///
+    /// # Errors
+    /// The system or the meaning of a letter is wrong, or the equations cannot be compared.
+    pub fn compared(&self, system: &SystemText) -> Result<PeerFinding, SceneError> {
+        // faults of the system are told as such, and not as those of the letters
+        system.for_judgement()?;
+        let offset = system.text.len() + 1;
+        let (mut written, mut outputs) = (String::new(), Vec::new());
+        for (name, meaning) in &self.letters {
+            let at = offset + written.len() + name.len() + 3;
+            outputs.push(Entry { name: Text::at(output_name(name), at), value: Text::at(meaning.clone(), at) });
+            written += &format!("{name} = {meaning}\n");
+        }
+        let model = system.for_judgement_with(outputs).map_err(|mut error| {
+            for issue in &mut error.issues {
+                issue.title = issue.title.replace("the output `letter ", "the letter `").replace("`letter ", "`");
+                issue.span =
+                    issue.span.clone().map(|span| span.start.saturating_sub(offset)..span.end.saturating_sub(offset));
+            }
+            SceneError { path: "meanings of letters".to_owned(), text: written.clone(), issues: error.issues }
+        })?;
+        symbolic::apart(|| {
+            let trace = Trace::of(&model);
+            self.beside(&trace).map_err(|(why, accepted)| SceneError::whole(&system.name, why, accepted))
+        })
+    }
+
+    fn beside(&self, trace: &Trace<'_>) -> Result<PeerFinding, (String, &'static str)> {
+        let meaning = |name: &str| {
+            let output = trace.model.outputs.iter().find(|output| output.name == output_name(name));
+            output.map_or(Sym::ZERO, |output| trace.scalar(output.is))
+        };
+        let along = Motion::by_equations(trace)
+            .map_err(|why| (why, "a system whose accelerations follow from its equations"))?;
+        let held = Motion::by_constraints(trace);
+        let rates = PeerRates::of(self, trace, meaning)?;
+        let constraints = constraints_of(trace);
+        let free = Characteristics::of(trace, &constraints);
+        let unknowns = [&rates.accelerations[..], &rates.multipliers].concat();
+        // the matrix of their accelerations and multipliers, on the constraints
+        let matrix: Vec<Vec<Sym>> =
+            rates.equations.iter().map(|&row| unknowns.iter().map(|&z| held.reduced(row.diff(z))).collect()).collect();
+        let is_linear = |entry: &Sym| entry.symbols_of().iter().all(|symbol| !unknowns.contains(symbol));
+        if !matrix.iter().flatten().all(is_linear) {
+            return Err((
+                "an equation is not linear in the accelerations".to_owned(),
+                "equations that are linear in accelerations and multipliers",
+            ));
+        }
+        let determined = matrix.len() == unknowns.len() && generic_rank(&matrix) == unknowns.len();
+        // the model's independent speeds by theirs
+        let directions = free.directions(trace.speeds.len());
+        let by_direction = |speed: Sym| -> Vec<Sym> {
+            let along = |direction: &Vec<Sym>| {
+                direction.iter().enumerate().fold(Sym::ZERO, |sum, (k, &part)| match part {
+                    Sym::ZERO => sum,
+                    part => sum + trace.by_speed(speed, k) * part,
+                })
+            };
+            directions.iter().map(|direction| held.reduced(along(direction))).collect()
+        };
+        let slopes: Vec<Vec<Sym>> = rates.speeds.iter().map(|&speed| by_direction(speed)).collect();
+        let freedom = directions.len();
+        if generic_rank(&slopes) < freedom {
+            return Err((untold(trace, &free, &slopes), "coordinates that determine the motion of the model"));
+        }
+        let rows: Vec<Sym> = rates.equations.iter().map(|row| row.substitute(&rates.values)).collect();
+        let vanishes_there = |row: Sym| {
+            let row = held.reduced(row);
+            row == Sym::ZERO || (generic_rank(&[vec![row]]) == 0 && decide(row, &held.hypotheses).is_zero())
+        };
+        let is_constraint: Vec<bool> = rows
+            .iter()
+            .map(|&row| rates.multipliers.iter().all(|z| !row.symbols_of().contains(z)) && vanishes_there(row))
+            .collect();
+        let theirs =
+            rates.accelerations.len() - is_constraint.iter().filter(|is| **is).count().min(rates.accelerations.len());
+        let projected = Projected { trace, held: &held, free: &free, slopes: &slopes };
+
+        let mut requires: Vec<Sym> = along.divisors.clone();
+        let mut found = Vec::new();
+        for (place, constraint) in rates.constraints.iter().enumerate() {
+            found.push(judged(format!("constraint {}", place + 1), *constraint, &held, None, &mut requires));
+        }
+        let names: Vec<&String> = self.equations.iter().map(|(name, _)| name).collect();
+        let (left, used) = without_multipliers(&rows, &rates.multipliers, &along)?;
+        for (place, row) in left.iter().enumerate().filter(|(place, _)| !used.contains(place)) {
+            let of = rates.multipliers.is_empty().then_some((&projected, place));
+            found.push(judged(names[place].clone(), *row, &along, of, &mut requires));
+        }
+        let used: Vec<&str> = used.iter().map(|&place| names[place].as_str()).collect();
+        let (verdict, mut sentence) = whole(&found, determined, [theirs, freedom]);
+        if matches!(verdict, Verdict::Proved | Verdict::Identified) {
+            sentence += &format!("; {}", allowed(trace, true));
+        }
+        if !used.is_empty() {
+            sentence += &format!("; the multipliers were found from {}", used.join(", "));
+        }
+        Ok(PeerFinding { verdict, sentence, equations: found, requires: divisors(&requires) })
+    }
+}
+
+fn output_name(letter: &str) -> String {
+    format!("letter {letter}")
+}

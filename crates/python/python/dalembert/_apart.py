@@ -1,0 +1,119 @@
+"""Work in a process of its own: it ends at its time and at Ctrl-C, wherever it is.
+
+Exact computing has no steps between which it could look at a clock. A process can be ended at any moment, and its limit of time is no limit
+of what other threads do here.
+"""
+
+from __future__ import annotations
+
+import os
+import pickle
+import struct
+import subprocess
+import sys
+import threading
+import time
+import warnings
+from collections.abc import Callable
+from typing import Any
+
+__all__ = ["apart"]
+
+_PROGRAM = "from dalembert._apart import _work; _work()"
+_HEAD = struct.Struct("<cQ")
+# a process that ends by itself is given so many seconds beyond its time
+_GRACE = 1.5
+# seconds, where there is no limit
+_LONGEST = 1e9
+
+
+def apart(task: str, arguments: tuple, seconds: float | None, told: Callable[[Any], None] | None = None) -> Any:
+    """The value of a function `_tasks.task(left, tell, *arguments)` in another process.
+
+    `told` hears what the function tells before its end. Raises TimeoutError after `seconds`, and KeyboardInterrupt at Ctrl-C; the other
+    process has ended then.
+    """
+    if seconds is not None and not 0 < seconds < float("inf"):
+        raise ValueError(f"`seconds` is {seconds!r}; a positive time in seconds is accepted, and None for no limit")
+    if not sys.executable:
+        raise RuntimeError("this Python is part of another program, and no other process of it can be begun; the program `dalembert` does the same")
+    given = pickle.dumps((sys.path, task, seconds, arguments))
+    # it hears of Ctrl-C from here alone
+    process = subprocess.Popen([sys.executable, "-c", _PROGRAM], stdin=subprocess.PIPE, stdout=subprocess.PIPE, start_new_session=True)
+    late = threading.Event()
+
+    def end() -> None:
+        late.set()
+        process.kill()
+
+    timer = None if seconds is None else threading.Timer(seconds + _GRACE, end)
+    if timer is not None:
+        timer.daemon = True
+        timer.start()
+    try:
+        process.stdin.write(struct.pack("<Q", len(given)) + given)
+        process.stdin.flush()
+        while True:
+            head = process.stdout.read(_HEAD.size)
+            if len(head) < _HEAD.size:
+                if late.is_set():
+                    raise TimeoutError(f"{task}: broken off after {seconds:g} s; more time is given by `seconds`")
+                raise RuntimeError(f"{task}: its process ended with the code {process.wait()}")
+            kind, size = _HEAD.unpack(head)
+            body = process.stdout.read(size)
+            if len(body) < size:
+                continue
+            value = pickle.loads(body)
+            if kind == b"t" and told is not None:
+                told(value)
+            elif kind == b"w":
+                warnings.warn(value, stacklevel=4)
+            elif kind == b"e":
+                raise value
+            elif kind == b"v":
+                return value
+    finally:
+        if timer is not None:
+            timer.cancel()
+        process.kill()
+        process.stdin.close()
+        process.stdout.close()
+        process.wait()
+
+
+def _work() -> None:
+    """The other process: reads what is asked from its input, and ends with it."""
+    begin = time.monotonic()
+    source, sink = sys.stdin.buffer, sys.stdout.buffer
+    # what is printed by others must not come between the answers
+    sys.stdout = sys.stderr
+    (size,) = struct.unpack("<Q", source.read(8))
+    path, task, seconds, arguments = pickle.loads(source.read(size))
+    sys.path[:] = path
+
+    def answer(kind: bytes, value: Any) -> None:
+        body = pickle.dumps(value, protocol=pickle.HIGHEST_PROTOCOL)
+        sink.write(_HEAD.pack(kind, len(body)) + body)
+        sink.flush()
+
+    def watch() -> None:
+        source.read()
+        os._exit(1)
+
+    # whoever asked may be gone
+    threading.Thread(target=watch, daemon=True).start()
+    from dalembert import _tasks
+
+    warnings.simplefilter("always")
+    warnings.showwarning = lambda message, *_: answer(b"w", str(message))
+    # importing took a part of the time
+    left = _LONGEST if seconds is None else max(begin + seconds - time.monotonic(), 0.01)
+    try:
+        value = getattr(_tasks, task)(left, lambda told: answer(b"t", told), *arguments)
+    except BaseException as error:
+        answer(b"e", error)
+    else:
+        answer(b"v", value)
+    # threads that still compute are of no use to anybody
+    sink.close()
+    os._exit(0)

@@ -1,0 +1,276 @@
+"""Equations of motion of SymPy beside those of a model."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from html import escape
+from typing import Any
+
+from ._apart import apart
+from ._html import COLOURS, table
+from ._model import Model
+from ._sympy import needed, plain, written
+
+__all__ = ["Check", "CheckedEquation", "check"]
+
+# longer equations are handed over with their common parts by themselves
+_LONG = 200
+
+
+@dataclass(frozen=True)
+class CheckedEquation:
+    """The finding on one equation of motion of SymPy.
+
+    name: the speed along which it is written, or the constraint. verdict: proved, identified, refuted, undecided or undefined; sentence says on
+    what ground. printed: SymPy's left side in LaTeX. left: the value of the left side with the model's accelerations put in, text and LaTeX, where it
+    is not zero and can be read. terms: the terms that differ from the model's equation along the same speed, dictionaries with `of` (the acceleration
+    whose coefficient differs; None of terms without accelerations), `theirs`, `ours` and `difference`, theirs less ours, each text and LaTeX. point:
+    exact numbers at which the equation does not hold.
+    """
+
+    name: str
+    verdict: str
+    sentence: str
+    printed: str = field(repr=False)
+    left: tuple[str, str] | None
+    terms: list[dict[str, Any]]
+    point: dict[str, str]
+
+    def __str__(self) -> str:
+        lines = [f"{self.name}: {self.verdict}: {self.sentence}"]
+        for term in self.terms:
+            lines.append(f"  {_place(term)}: theirs less ours is {_text(term['difference'])}" + (f" (theirs {_text(term['theirs'])}, ours {_text(term['ours'])})" if term["of"] else ""))
+        if self.left is not None and not self.terms:
+            lines.append(f"  left side with the model's accelerations: {self.left[0]}")
+        if self.point:
+            lines.append("  at " + ", ".join(f"{name} = {value}" for name, value in self.point.items()))
+        return "\n".join(lines)
+
+
+def _text(side: tuple[str, str] | None) -> str:
+    return "too long to be read" if side is None else side[0]
+
+
+def _place(term: dict[str, Any]) -> str:
+    return "terms without accelerations" if term["of"] is None else f"the coefficient of {term['of']}"
+
+
+@dataclass(frozen=True)
+class Check:
+    """Whether SymPy's equations of motion are those of a model.
+
+    same: True where they are, which is proved, or identified with a stated probability of error; False where they are not; None where it is not
+    decided. verdict, sentence: the same in a word and in a sentence. equations: a CheckedEquation for each; `failed` those that do not hold.
+    requires: divisors that must not vanish.
+    """
+
+    verdict: str
+    sentence: str
+    equations: list[CheckedEquation]
+    requires: list[str]
+    _requires_latex: list[str] = field(repr=False)
+
+    @property
+    def same(self) -> bool | None:
+        """Whether they are the same equations of motion; None where that is not decided."""
+        return {"proved": True, "identified": True, "refuted": False}.get(self.verdict)
+
+    @property
+    def failed(self) -> list[CheckedEquation]:
+        """The equations that do not hold along every motion of the model, or were not decided."""
+        return [one for one in self.equations if one.verdict not in ("proved", "identified")]
+
+    def __bool__(self) -> bool:
+        raise TypeError("a check has no truth value of its own; `.same` is True, False, or None where nothing is decided")
+
+    def __repr__(self) -> str:
+        lines = [f"{self.verdict}: {self.sentence}"] + [str(one) for one in self.equations]
+        if self.requires:
+            lines.append("where " + ", ".join(self.requires))
+        return "\n".join(lines)
+
+    def _repr_html_(self) -> str:
+        rows = []
+        for one in self.equations:
+            ground = escape(one.sentence)
+            for term in one.terms:
+                sides = "" if term["of"] is None else f" (theirs {_formula(term['theirs'])}, ours {_formula(term['ours'])})"
+                ground += f"<br>{escape(_place(term))}: theirs less ours is {_formula(term['difference'])}{sides}"
+            if one.left is not None and not one.terms:
+                ground += f"<br>its left side is {_formula(one.left)}"
+            if one.point:
+                ground += "<br><small>at " + escape(", ".join(f"{name} = {value}" for name, value in one.point.items())) + "</small>"
+            rows.append([f"{escape(one.name)}<br>${one.printed} = 0$", (one.verdict, COLOURS.get(one.verdict)), ground])
+        where = "<br>where " + ", ".join(f"${latex}$" for latex in self._requires_latex) if self.requires else ""
+        colour = COLOURS.get(self.verdict, "#656d76")
+        return f'<b style="color:{colour}">{escape(self.verdict)}</b>: {escape(self.sentence)}{where}' + table(["equation", "verdict", "ground"], rows)
+
+
+def _formula(side: tuple[str, str] | None) -> str:
+    return "too long to be read" if side is None else f"${side[1]}$"
+
+
+def check(method: Any, model: Model, names: Mapping[Any, str] | None = None, *, seconds: float | None = 300.0) -> Check:
+    """Whether equations of motion of SymPy are those of a model.
+
+    method: a KanesMethod or a LagrangesMethod of sympy.physics.mechanics whose equations are formed (or what has q, u, mass_matrix_full and
+    forcing_full as these have).
+    names: what SymPy's coordinates and symbols are in the model, by symbol or by name; what is left out has the same name there. A meaning is a
+    letter of the model or an expression of its language: {q1: "theta", "I": "m*l^2/12"}. Speeds of Kane's method need none: its kinematic
+    equations say what they are.
+    seconds: the check is broken off then, with TimeoutError; None for no limit. So does Ctrl-C.
+
+    The equations may be other combinations, along other speeds, with multipliers or with dependent speeds. Raises ModelError where a letter has no
+    partner, or where SymPy's coordinates do not determine the motion of the model.
+    """
+    if not isinstance(model, Model):
+        raise TypeError(f"`model` is {model!r}; a dalembert.Model is accepted")
+    equations, printed = _Equations(method, model, names or {}).parts()
+    found = apart("check", (model, equations), seconds)
+    titles = [name for name, _ in equations["equations"]]
+    of = dict(zip(titles, printed))
+    checked = [CheckedEquation(**one, printed=of.get(one["name"], r"\text{" + one["name"] + "}")) for one in found["equations"]]
+    requires = found["requires"]
+    return Check(found["verdict"], found["sentence"], checked, [text for text, _ in requires], [latex for _, latex in requires])
+
+
+class _Equations:
+    """The parts of a method of SymPy, in letters that no name of a model is."""
+
+    def __init__(self, method: Any, model: Model, names: Mapping[Any, str]) -> None:
+        sympy = needed()
+        from sympy.physics.vector import dynamicsymbols
+
+        # JointsMethod and its like hold the method that they used
+        method = getattr(method, "method", method)
+        missing = [name for name in ("q", "mass_matrix_full", "forcing_full") if not hasattr(type(method), name) and not hasattr(method, name)]
+        if missing:
+            raise TypeError(f"{type(method).__name__} has no {', '.join(missing)}; a KanesMethod or a LagrangesMethod of sympy.physics.mechanics is accepted")
+        try:
+            self.matrix, self.right = sympy.Matrix(method.mass_matrix_full), sympy.Matrix(method.forcing_full)
+        except (ValueError, TypeError, AttributeError) as error:
+            raise ValueError(f"the equations of this {type(method).__name__} are not formed yet: kanes_equations() or form_lagranges_equations() forms them") from error
+        self.time = dynamicsymbols._t
+        self.model, self.sympy = model, sympy
+        self.q = list(method.q)
+        rates = [one.diff(self.time) for one in self.q]
+        u = list(getattr(method, "u", rates))
+        self.multipliers = list(getattr(method, "lam_vec", None) or [])
+        self.by_rates = u == rates
+        self.u = [] if self.by_rates else u
+        self.unknown = ([one.diff(self.time) for one in rates] if self.by_rates else [one.diff(self.time) for one in u]) + self.multipliers
+        if self.matrix.shape != (len(self.q) + len(self.unknown),) * 2 or self.right.shape[0] != self.matrix.shape[0]:
+            raise ValueError(
+                f"the full matrix has the shape {self.matrix.shape}, and there are {len(self.q)} coordinates, {len(u)} speeds and {len(self.multipliers)} multipliers; "
+                "a square matrix over the rates of all of these is accepted"
+            )
+        self.constraints = self._constraints(method)
+        self.names: dict[str, str] = {}
+        self.letters = self._letters({_key(known): value for known, value in names.items()})
+
+    def _constraints(self, method: Any) -> list[Any]:
+        """Constraints between coordinates and between speeds, as far as the method knows them."""
+        known = list(getattr(method, "coneqs", None) or [])
+        for name in ("_f_h", "_hol_coneqs"):
+            known += list(getattr(method, name, None) or [])
+        slopes, rest = getattr(method, "_k_nh", None), getattr(method, "_f_nh", None)
+        if slopes is not None and rest is not None and len(rest):
+            known += list(self.sympy.Matrix(slopes) * self.sympy.Matrix(method.u) + self.sympy.Matrix(rest))
+        return [self.sympy.sympify(one) for one in known]
+
+    def _letters(self, given: dict[str, str]) -> list[tuple[str, str]]:
+        sympy = self.sympy
+        from sympy.core.function import AppliedUndef
+
+        expressions = [*self.matrix, *self.right, *self.constraints, *self.q]
+        found: dict[str, None] = {}
+        for expression in expressions:
+            for atom in expression.atoms(sympy.Symbol, AppliedUndef):
+                if atom != self.time:
+                    found.setdefault(atom.name if atom.is_Symbol else atom.func.__name__, None)
+        own = {_key(one) for one in [*self.u, *self.multipliers]}
+        found = {name: None for name in sorted(found) if name not in own}
+        native = self.model._native
+        states = [name for name, _ in native.states]
+        known = states[: native.positions] + list(self.model.parameters) + native.inputs
+        meanings = {name: given.get(name, plain(name)) for name in found}
+        unmatched = [name for name in found if name not in given and plain(name) not in known]
+        unused = [name for name in given if name not in found and name not in own]
+        if unmatched or unused:
+            from ._native import ModelError
+
+            what = f"no letter of the model is called {', '.join(unmatched)}" if unmatched else f"SymPy's equations hold no {', '.join(unused)}"
+            raise ModelError(
+                f"{what}; `names` says what a letter of SymPy is in the model: "
+                f"SymPy has {', '.join(found)}; the model has {', '.join(known)}"
+            )
+        letters = []
+        for place, (name, meaning) in enumerate(meanings.items(), 1):
+            if not isinstance(meaning, str):
+                raise TypeError(f"`names` gives {name!r} the meaning {meaning!r}; the text of an expression of the model is accepted")
+            # messages show it
+            own = plain(name)
+            taken = not own.isidentifier() or own in (*self.names.values(), "t", "pi")
+            self.names[name] = f"letter_{place}" if taken else own
+            letters.append((self.names[name], meaning))
+        for place, one in enumerate(self.u, 1):
+            self.names[_key(one)] = f"speed_of_method_{place}"
+        for place, one in enumerate(self.multipliers, 1):
+            self.names[_key(one)] = f"multiplier_of_method_{place}"
+        return letters
+
+    def _text(self, expression: Any) -> str:
+        return written(expression, lambda name, order: self.names.get(name, name) + "'" * order)
+
+    def _lettered(self, expression: Any) -> Any:
+        """The expression with plain symbols for functions of the time and their derivatives."""
+        from sympy.core.function import AppliedUndef
+
+        for kind in (self.sympy.Derivative, AppliedUndef):
+            found = expression.atoms(kind)
+            expression = expression.xreplace({one: self.sympy.Symbol(self._text(one)) for one in found if one != self.time})
+        return expression
+
+    def parts(self) -> tuple[dict[str, Any], list[str]]:
+        """The texts that the model is handed, and the left sides in LaTeX."""
+        sympy, n = self.sympy, len(self.q)
+        rates = sympy.Matrix([one.diff(self.time) for one in self.q] + self.unknown)
+        # the rows of rates of coordinates hold no accelerations
+        rows = list(self.matrix * rates - self.right)
+        kinematics, dynamics = rows[:n], rows[n:]
+        if self.by_rates:
+            kinematics = [row for row in kinematics if sympy.expand(row) != 0]
+        everything = [self._lettered(row) for row in kinematics + self.constraints + dynamics]
+        abbreviations: list[tuple[str, str]] = []
+        if sum(row.count_ops() for row in everything) > _LONG:
+            common, everything = sympy.cse(everything, symbols=(sympy.Symbol(f"common_part_{k}") for k in range(10**9)), optimizations=None, list=True)
+            abbreviations = [(symbol.name, self._text(value)) for symbol, value in common]
+        texts = [self._text(row) for row in everything]
+        k, m = len(kinematics), len(kinematics) + len(self.constraints)
+        titles = self._titles(len(dynamics))
+        equations = {
+            "letters": self.letters,
+            "speeds": [self.names[_key(one)] for one in self.u],
+            "accelerations": [self._text(one) for one in self.unknown[: len(self.unknown) - len(self.multipliers)]],
+            "multipliers": [self.names[_key(one)] for one in self.multipliers],
+            "abbreviations": abbreviations,
+            "kinematics": texts[:k],
+            "constraints": texts[k:m],
+            "equations": list(zip(titles, texts[m:])),
+        }
+        return equations, [sympy.latex(row) for row in dynamics]
+
+    def _titles(self, count: int) -> list[str]:
+        along = [str(one).replace(f"({self.time})", "") for one in (self.u or self.q)]
+        return [f"equation {place + 1}" + (f" ({along[place]})" if place < len(along) else "") for place in range(count)]
+
+
+def _key(known: Any) -> str:
+    if isinstance(known, str):
+        return known
+    if getattr(known, "is_Symbol", False):
+        return known.name
+    if hasattr(known, "func"):
+        return known.func.__name__
+    raise TypeError(f"`names` has the key {known!r}; a symbol of SymPy, a function of the time, or a name is accepted")
