@@ -10,9 +10,10 @@ use crate::speed::{advice::advice, family, model, pictures, tables};
 use crate::{clock, csv};
 use charts::{Table, WorkPrecision};
 use clap::{Args, ValueEnum};
-use integrators::{Failure, Method, Point};
+use integrators::{Failure, Point};
 use reader::Family;
 use serde_json::{Value, json};
+use simulation::models::Modelled;
 use simulation::references::Unknown;
 use simulation::work_precision::Hybrid;
 use simulation::work_precision::judged_across_events;
@@ -21,6 +22,7 @@ use simulation::{Atlas, Axes, IvpScene, Stored, Trajectory, Trials, judged, refe
 use std::fmt::Write;
 use std::path::PathBuf;
 use std::sync::Arc;
+use std::time::Duration;
 use studies::AnyScene;
 use studies::model_reduction::Hierarchy;
 use studies::scene::Setup;
@@ -75,59 +77,91 @@ pub fn chart(asked: &Asked) -> Result<Exit, Exit> {
         }
         AnyScene::Driven(scene) => one_form(scene, asked.form.is_some(), &asked.scene)?,
     }
-    if let Some(hybrid) = smooth.hybrid() {
-        let page = |atlas: &Atlas, work| report::of_scene(smooth, atlas, work);
-        return across_events(hybrid, (smooth.title(), smooth.run().method), asked, page);
-    }
     let output = output(asked)?;
-    let allowed = clock::left() / 3;
+    let kept = Stored::beside(&asked.scene);
+    match measured(&scene, asked.form, kept.as_ref(), clock::left) {
+        Ok(atlas) => told(smooth.title(), &atlas, asked, output, |work| report::of_scene(smooth, &atlas, work)),
+        Err(why) => {
+            print(&format!("{}\n\n{why}", smooth.title()))?;
+            Ok(Exit::Stopped)
+        }
+    }
+}
+
+/// Every run of a scene beside its reference, in the time that is left.
+///
+/// # Errors
+/// Why there is no reference, on lines of their own.
+fn measured(
+    scene: &AnyScene,
+    form: Option<Axes>,
+    kept: Option<&Stored>,
+    left: impl Fn() -> Duration,
+) -> Result<Atlas, String> {
+    let smooth = scene.smooth();
+    let allowed = left() / 3;
     let trials = Trials { allowed, ..Trials::default() }.with(smooth.run().method);
-    let problem = smooth.problem(asked.form.unwrap_or_default());
+    if let Some(hybrid) = smooth.hybrid() {
+        return across_events(hybrid, &trials, kept, left);
+    }
+    let problem = smooth.problem(form.unwrap_or_default());
     let mut ways = smooth.ways();
     // behind the scene's own: other formulations may spend all the time, and what a model is off would not be known
-    let models = smaller(&scene, &ways);
+    let models = smaller(scene, &ways);
     ways.splice(1..1, models);
-    ways.retain(|way| asked.form.is_none_or(|form| written_in(way, form)));
-    let kept = Stored::beside(&asked.scene);
+    ways.retain(|way| form.is_none_or(|form| written_in(way, form)));
     // beyond the end of its law there is no motion for methods to find
     let run = problem.simulate(&following(smooth.run().choice()), |_| ());
     if run.left.is_some() || run.ends_before(problem.span) {
         let ends = || format!("the run ends at t = {} s, before its span", run.outcome.time);
-        return no_reference(smooth, &run, &run.stopped().unwrap_or_else(ends));
+        return Err(no_reference(smooth, &run, &run.stopped().unwrap_or_else(ends)));
     }
-    match judged(&|reference| smooth.observed(reference), &problem, ways, &trials, kept.as_ref(), allowed) {
+    match judged(&|reference| smooth.observed(reference), &problem, ways, &trials, kept, allowed) {
         Ok(mut atlas) => {
-            atlas.take_times(&trials, clock::left() / 2);
-            told(smooth.title(), &atlas, asked, output, |work| report::of_scene(smooth, &atlas, work))
+            atlas.take_times(&trials, left() / 2);
+            Ok(atlas)
         }
-        Err(failure) => no_reference(smooth, &run, &with_share(&failure)),
+        Err(failure) => Err(no_reference(smooth, &run, &with_share(&failure))),
     }
 }
 
 /// The same of a scene whose law changes at events, which each method finds itself.
 fn across_events(
     scene: &dyn Hybrid,
-    (title, method): (&str, Method),
-    asked: &Asked,
-    page: impl FnOnce(&Atlas, Vec<WorkPrecision>) -> String,
-) -> Result<Exit, Exit> {
-    let output = output(asked)?;
-    let allowed = clock::left() / 3;
-    let trials = Trials { allowed, ..Trials::default() }.with(method);
-    match judged_across_events(scene, &trials, Stored::beside(&asked.scene).as_ref(), allowed) {
+    trials: &Trials,
+    kept: Option<&Stored>,
+    left: impl Fn() -> Duration,
+) -> Result<Atlas, String> {
+    match judged_across_events(scene, trials, kept, trials.allowed) {
         Ok(mut atlas) => {
-            atlas.take_times(&trials, clock::left() / 2);
-            told(title, &atlas, asked, output, |work| page(&atlas, work))
+            atlas.take_times(trials, left() / 2);
+            Ok(atlas)
         }
-        Err(unknown) => {
-            let unknown = match unknown {
-                Unknown::Failed(failure) => with_share(&failure),
-                other => other.to_string(),
-            };
-            print(&format!("{title}\n\nno reference: {unknown}\n"))?;
-            Ok(Exit::Stopped)
-        }
+        Err(Unknown::Failed(failure)) => Err(format!("no reference: {}\n", with_share(&failure))),
+        Err(other) => Err(format!("no reference: {other}\n")),
     }
+}
+
+/// Every run of a scene beside its reference: as text, as an object for programs, and as pictures by evaluations and by time.
+#[derive(Debug)]
+pub struct Charted {
+    pub text: String,
+    pub object: Value,
+    pub pictures: [String; 2],
+}
+
+/// Speed against accuracy of a system that is written in its file; `left` is the time for all of it.
+///
+/// # Errors
+/// Why there is no reference.
+pub fn charted(scene: &Arc<dyn Modelled>, left: impl Fn() -> Duration) -> Result<Charted, String> {
+    let title = scene.title().to_owned();
+    let atlas = measured(&AnyScene::Model(Arc::clone(scene)), None, None, left)?;
+    let pictures = pictures::work_precision(&atlas).map(|mut picture| {
+        picture.title.clone_from(&title);
+        picture.svg()
+    });
+    Ok(Charted { text: text(&title, &atlas), object: object(&title, &atlas), pictures })
 }
 
 /// Prints what came out, and draws it where that is asked for.
@@ -159,14 +193,13 @@ fn with_share(failure: &Failure) -> String {
     }
 }
 
-fn no_reference(scene: &dyn IvpScene, run: &Trajectory, reason: &str) -> Result<Exit, Exit> {
+fn no_reference(scene: &dyn IvpScene, run: &Trajectory, reason: &str) -> String {
     let told = scene.told(&scene.run().choice(), run);
     let mut diagnosis = told.diagnosis.map_or_else(String::new, |diagnosis| format!("{diagnosis}\n"));
     for failure in &told.failures {
         diagnosis += &format!("failure: {failure}\nremedy: {}\n", failure.remedy);
     }
-    print(&format!("{}\n\nno reference: {reason}\n{diagnosis}", scene.title()))?;
-    Ok(Exit::Stopped)
+    format!("no reference: {reason}\n{diagnosis}")
 }
 
 /// The models of the hierarchy that are no machines of their own: windings lumped, currents that are not followed.

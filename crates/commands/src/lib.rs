@@ -21,6 +21,7 @@
 //! * `values`, `timings`: exact values and measured times for a reader;
 //! * `ending`: exit codes, and writing that survives a closed pipe; `whole`: files that survive a kill; `output`: one rule
 //!   for what a command may write, and over what;
+//! * [`charted`], [`chosen_model`], [`steady_motions`], [`finding_object`]: results of commands as values, for other programs;
 //! * `clock`, which is the deadline and Ctrl-C; `progress`, which it draws.
 
 mod arguments;
@@ -65,6 +66,11 @@ mod studies;
 mod summary;
 mod timings;
 mod values;
+
+pub use chart::{Charted, charted};
+pub use choose::{ChosenModel, chosen_model};
+pub use ledger::paper_file::object as finding_object;
+pub use stationary::model::{SteadyTold, steady_motions};
 
 use arguments::{Arguments, Command};
 use clap::{CommandFactory, Parser};

@@ -7,6 +7,7 @@ mod judgement;
 mod linear;
 mod model;
 mod peer;
+mod results;
 mod trajectory;
 
 // they bring motors and knowledge, by being linked
@@ -38,6 +39,8 @@ fn _native(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<linear::LinearEquations>()?;
     module.add_class::<callables::RightHandSide>()?;
     module.add_class::<callables::JacobianMatrix>()?;
+    module.add_function(wrap_pyfunction!(results::judge_paper, module)?)?;
+    module.add_function(wrap_pyfunction!(results::end_process_after, module)?)?;
     errors::add(module)?;
     module.add("METHODS", dalembert::simulation::methods::list().map(|(name, _)| name).collect::<Vec<_>>())?;
     let principles = NamedPrinciple::all().into_iter().map(NamedPrinciple::name);

@@ -6,6 +6,7 @@ use crate::errors::{refused, scene_error};
 use crate::judgement::Judgement;
 use crate::linear::LinearEquations;
 use crate::peer::checked;
+use crate::results;
 use crate::trajectory::{Beside, NativeTrajectory};
 use dalembert::integrators::Method;
 use dalembert::manuscript::PeerEquations;
@@ -190,6 +191,32 @@ impl NativeModel {
             equations,
         };
         checked(py, &self.text, &peer)
+    }
+
+    /// Steady motions in ranges of coordinates and speeds: JSON, and a text.
+    fn stationary(
+        &self,
+        py: Python<'_>,
+        ranges: Vec<(String, f64, f64)>,
+        boxes: usize,
+        seconds: f64,
+    ) -> PyResult<(String, String)> {
+        results::steady(py, &self.text, ranges, boxes, seconds)
+    }
+
+    /// The smallest model that meets a tolerance in outputs: JSON, a text and a picture.
+    fn choose(&self, py: Python<'_>, tolerance: f64, outputs: Vec<String>) -> PyResult<(String, String, String)> {
+        results::chosen(py, (self.scene(py)?, &self.text.name), tolerance, outputs)
+    }
+
+    /// Work against precision: JSON, a text, and pictures by evaluations and by time.
+    fn chart(&self, py: Python<'_>, seconds: f64) -> PyResult<(String, String, [String; 2])> {
+        results::chart(py, (self.scene(py)?, &self.text.name), seconds)
+    }
+
+    /// The members of the text's table [ensemble].
+    fn ensemble<'py>(&self, py: Python<'py>, threads: Option<usize>, seconds: f64) -> PyResult<Bound<'py, PyDict>> {
+        results::ensemble(py, &self.text, usual(), threads, seconds)
     }
 
     fn linearise(&self, py: Python<'_>, equilibrium: bool, inputs: Vec<String>) -> PyResult<LinearEquations> {

@@ -64,7 +64,7 @@ pub use inventory::submit;
 
 pub use compiled_system::{CompiledSystem, NotCompiled};
 pub use conservation::keeps_energy;
-pub use ensemble::parse_ensemble;
+pub use ensemble::{parse_ensemble, parse_ensemble_with};
 pub use equilibrium::{Equilibrium, NoEquilibrium, equilibrium};
 pub use failure_entry::{FailureEntry, TriedEntry};
 pub use integrals::KeptScene;

@@ -121,12 +121,7 @@ impl ModelScene {
         scene.map_err(with_quoted_primes)
     }
 
-    /// Reads the tables of a file; what is wrong goes into the list.
-    pub(crate) fn read(top: &mut Table<'_>, issues: &mut Vec<Issue>, text: &str) -> Option<Self> {
-        ModelScene::read_with(top, issues, text, Given::default())
-    }
-
-    /// The same, with what a program gives beside the text.
+    /// Reads the tables of a file, with what a program gives beside the text; what is wrong goes into the list.
     pub(crate) fn read_with(top: &mut Table<'_>, issues: &mut Vec<Issue>, text: &str, given: Given) -> Option<Self> {
         let title = match &given.run {
             None => top.text("title", TITLE).value,

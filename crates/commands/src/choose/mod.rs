@@ -11,8 +11,11 @@ use crate::output::{Form, Writes};
 use crate::run::{refuse, with_model};
 use clap::Args;
 use reader::Family;
-use simulation::{Axes, Choice, IvpScene, RunFailure, Stored, references};
+use serde_json::Value;
+use simulation::models::Modelled;
+use simulation::{Axes, Choice, RunFailure, Stored, references};
 use std::path::PathBuf;
+use std::sync::Arc;
 use std::time::Duration;
 use studies::AnyScene;
 use studies::model_reduction::{Forms, Hierarchy, Models, Receipt, TextModels, Wish, choose};
@@ -73,25 +76,22 @@ pub fn show(asked: &Asked) -> Result<Exit, Exit> {
     };
     let title = scene.title();
     let (outputs, origin) = outputs(asked, given, models.columns())?;
+    let own = match &scene {
+        AnyScene::Model(scene) => Some(&**scene),
+        AnyScene::Driven(_) => None,
+    };
     let allowed = if asked.times { MEASURING.min(clock::left() / 8) } else { Duration::ZERO };
     let wish = Wish { tolerance: asked.tolerance, outputs, allowed };
     let kept = references::place(&asked.scene);
     let writes = Writes { command: "choose", force: asked.force, reads: vec![&asked.scene, &kept] };
     let output = writes.optional(asked.out.as_deref(), &[Form::Picture])?;
-    let receipt = match choose(&*models, &wish) {
+    let receipt = match decided(&*models, &wish, own) {
         Ok(receipt) => receipt,
         Err(why) => {
-            print(&format!("{title}\n\nnothing can be chosen: {why}\n"))?;
+            print(&format!("{title}\n\n{why}\n"))?;
             return Ok(Exit::Stopped);
         }
     };
-    if let AnyScene::Model(scene) = &scene
-        && let Some(failure) = missed(&**scene, &receipt)
-    {
-        let why = format!("the run that meets the tolerance has missed something at t = {:.9} s", failure.at);
-        print(&format!("{title}\n\nnothing can be chosen: {why}: {}; {}\n", failure.evidence, failure.remedy))?;
-        return Ok(Exit::Stopped);
-    }
     let command = receipt.taken.and_then(|at| {
         let formed = matches!(scene, AnyScene::Driven(_));
         command::of(&asked.scene, asked.model.as_deref(), at, &receipt.lines[at], formed)
@@ -106,8 +106,47 @@ pub fn show(asked: &Asked) -> Result<Exit, Exit> {
     Ok(if receipt.taken.is_some() { Exit::Done } else { Exit::Stopped })
 }
 
+/// The choice among models.
+///
+/// # Errors
+/// Why nothing is chosen, in a sentence.
+fn decided(models: &dyn Models, wish: &Wish, own: Option<&dyn Modelled>) -> Result<Receipt, String> {
+    let receipt = choose(models, wish).map_err(|why| format!("nothing can be chosen: {why}"))?;
+    match own.and_then(|scene| missed(scene, &receipt)) {
+        None => Ok(receipt),
+        Some(failure) => Err(format!(
+            "nothing can be chosen: the run that meets the tolerance has missed something at t = {:.9} s: {}; {}",
+            failure.at, failure.evidence, failure.remedy
+        )),
+    }
+}
+
+/// The choice of a model as text, as an object for programs, and as a picture.
+#[derive(Debug)]
+pub struct ChosenModel {
+    pub text: String,
+    pub object: Value,
+    pub picture: String,
+}
+
+/// The smallest model of a system that is written in its file that meets a tolerance in outputs; all columns where none are named.
+///
+/// # Errors
+/// An output is not known, or nothing is chosen.
+pub fn chosen_model(scene: &Arc<dyn Modelled>, tolerance: f64, outputs: Vec<String>) -> Result<ChosenModel, String> {
+    let models = TextModels::of(scene, None);
+    let (outputs, origin) = watched(&outputs, scene.run().outputs.clone(), models.columns(), ORIGINS)?;
+    let wish = Wish { tolerance, outputs, allowed: Duration::ZERO };
+    let (title, receipt) = (scene.title(), decided(&models, &wish, Some(&**scene))?);
+    Ok(ChosenModel {
+        text: receipt::text(title, (&receipt, origin), None),
+        object: receipt::object(title, (&receipt, origin), None),
+        picture: picture::of(title, &models, &wish, receipt).svg(),
+    })
+}
+
 /// Pushes that the run that was taken has passed over, of the scene's own model: no error estimate has seen them.
-fn missed(scene: &dyn IvpScene, receipt: &Receipt) -> Option<RunFailure> {
+fn missed(scene: &dyn Modelled, receipt: &Receipt) -> Option<RunFailure> {
     let plan = &receipt.lines.get(receipt.taken.filter(|at| *at == 0)?)?.choice.as_ref()?.plan;
     let choice = Choice { method: plan.method, tolerance: plan.tolerance, ..scene.run().choice() };
     let trajectory = scene.problem(choice.axes).simulate_while(&choice, |_| clock::goes_on());
@@ -117,21 +156,37 @@ fn missed(scene: &dyn IvpScene, receipt: &Receipt) -> Option<RunFailure> {
 
 const AXES: [Axes; 2] = [Axes::First, Axes::Second];
 
-/// Those that are asked for, or those of the scene, or all states that its own model shows; and which of these they are.
+/// Outputs of the scene's columns, of its `outputs`, and those that were asked for: where they come from, in words.
+type Origins = [&'static str; 3];
+
+const ORIGINS: Origins = ["all columns of the run", "as `outputs` of [run] names them", "as `outputs` names them"];
+const ORIGINS_OF_OPTIONS: Origins = [
+    "all columns of the run; --outputs names others",
+    "as `outputs` of [run] names them; --outputs names others",
+    "as --outputs names them",
+];
+
 fn outputs(asked: &Asked, given: Vec<String>, known: &[String]) -> Result<(Vec<String>, &'static str), Exit> {
+    watched(&asked.outputs, given, known, ORIGINS_OF_OPTIONS)
+        .map_err(|why| Exit::refused(format!("{}: {why}", asked.scene.display())))
+}
+
+/// Those that are asked for, or those of the scene, or all states that its own model shows; and which of these they are.
+fn watched(
+    asked: &[String],
+    given: Vec<String>,
+    known: &[String],
+    [all, of_scene, named]: Origins,
+) -> Result<(Vec<String>, &'static str), String> {
     // the work that a mechanism's run meters is none of its hierarchy's
-    if let Some(wrong) = asked.outputs.iter().find(|name| !known.contains(name) || *name == "work") {
+    if let Some(wrong) = asked.iter().find(|name| !known.contains(name) || *name == "work") {
         let known: Vec<&str> = known.iter().map(String::as_str).filter(|name| *name != "work").collect();
-        return Err(Exit::refused(format!(
-            "{}: unknown output `{wrong}`; known: {}",
-            asked.scene.display(),
-            known.join(", ")
-        )));
+        return Err(format!("unknown output `{wrong}`; known: {}", known.join(", ")));
     }
     let state = |name: &&String| *name != "work";
-    Ok(match (&asked.outputs[..], &given[..]) {
-        ([], []) => (known.iter().filter(state).cloned().collect(), "all columns of the run; --outputs names others"),
-        ([], _) => (given, "as `outputs` of [run] names them; --outputs names others"),
-        (asked, _) => (asked.to_vec(), "as --outputs names them"),
+    Ok(match (asked, &given[..]) {
+        ([], []) => (known.iter().filter(state).cloned().collect(), all),
+        ([], _) => (given, of_scene),
+        (asked, _) => (asked.to_vec(), named),
     })
 }

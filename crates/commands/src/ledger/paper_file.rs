@@ -140,7 +140,8 @@ fn tested(findings: &[Finding]) -> String {
     format!("{met} of {} verdicts as expected{rest}\n", expected.len())
 }
 
-fn object(finding: &Finding) -> serde_json::Value {
+/// A claim with its verdict, for programs.
+pub fn object(finding: &Finding) -> serde_json::Value {
     let Finding { judged, printed, given, expected, allowed, sides, kind, corrections, search, .. } = finding;
     let told = |pairs: &[(String, String)]| pairs.iter().map(|(text, _)| text.clone()).collect::<Vec<_>>();
     json!({

@@ -5,25 +5,38 @@ use super::combinations::{Combination, Combinations};
 use super::model::{body, object};
 use crate::arguments::Format;
 use crate::exit::{Exit, print};
-use serde_json::json;
+use serde_json::{Value, json};
 use std::fmt::Write;
 
 /// Prints the parts in which there is something.
-pub(super) fn show(asked: &Asked, parts: Combinations) -> Result<Exit, Exit> {
-    let Combinations { title, count, kind, filled } = parts;
-    let (mut out, mut objects, mut last) = (format!("{title}\n"), Vec::new(), Exit::Done);
-    let empty = count - filled.len();
-    for Combination { held, found, .. } in filled {
-        // writing to a String cannot fail
-        let _ = write!(out, "\nwhere {}\n{}", held.join(", "), body(&found));
-        let mut object = object(&found);
-        object["where"] = json!(held);
-        objects.push(object);
+pub(super) fn show(asked: &Asked, parts: &Combinations) -> Result<Exit, Exit> {
+    let mut last = Exit::Done;
+    for Combination { found, .. } in &parts.filled {
         if let Exit::Stopped = asked.steady.ended(&asked.scene, &found.motions) {
             last = Exit::Stopped;
         }
     }
-    let _ = match (count, empty) {
+    let (text, object) = told(parts);
+    print(&match asked.format {
+        Format::Text => text,
+        Format::Json => format!("{object:#}\n"),
+    })?;
+    Ok(last)
+}
+
+/// The parts in which there is something, for readers and for programs.
+pub(super) fn told(parts: &Combinations) -> (String, Value) {
+    let Combinations { title, count, kind, filled } = parts;
+    let (mut out, mut objects) = (format!("{title}\n"), Vec::new());
+    let empty = count - filled.len();
+    for Combination { held, found, .. } in filled {
+        // writing to a String cannot fail
+        let _ = write!(out, "\nwhere {}\n{}", held.join(", "), body(found));
+        let mut object = object(found);
+        object["where"] = json!(held);
+        objects.push(object);
+    }
+    let _ = match (*count, empty) {
         (_, 0) => Ok(()),
         (count, empty) if count == empty => {
             writeln!(out, "\nno steady motion in any of {count} {kind}: the searches decide everything")
@@ -31,9 +44,5 @@ pub(super) fn show(asked: &Asked, parts: Combinations) -> Result<Exit, Exit> {
         (_, 1) => writeln!(out, "\nno steady motion in one other of {count} {kind}"),
         (_, empty) => writeln!(out, "\nno steady motion in {empty} others of {count} {kind}"),
     };
-    print(&match asked.format {
-        Format::Text => out,
-        Format::Json => format!("{:#}\n", json!({ "title": title, "combinations": count, "cases": objects })),
-    })?;
-    Ok(last)
+    (out, json!({ "title": title, "combinations": count, "cases": objects }))
 }

@@ -1,11 +1,12 @@
 //! Steady motions by parts: in each combination of the cases of the conditions of a law, and by each set of angles of frames that turn freely.
 
-use super::steady_box::{Found, SteadyBox, read_with_text, refused};
+use super::steady_box::{Found, SoughtSystem, SteadyBox, read_with_text, reason, unsought};
 use crate::clock::has_time;
 use crate::exit::Exit;
 use crate::progress::Progress;
-use ::scenes::steady_motions::{Case, Orientation, SteadyMotions, conditions_of};
+use ::scenes::steady_motions::{Asked, Case, Orientation, SteadyMotions, conditions_of};
 use model::Model;
+use reader::Issue;
 use std::path::Path;
 
 /// Steady motions by parts.
@@ -32,22 +33,33 @@ impl Combinations {
     /// Those of the system in a file; none where its law is one, and no frame turns freely.
     pub fn of(steady: &SteadyBox, path: &Path) -> Result<Option<Self>, Exit> {
         steady.checked()?;
-        let (title, model, source) = read_with_text(path)?;
+        let system = read_with_text(path)?;
+        let _progress = Progress::new("steady motions");
+        Combinations::of_system(&system, &steady.wanted(), has_time).map_err(|issue| unsought(path, issue))
+    }
+
+    /// The same of a system that was read.
+    ///
+    /// # Errors
+    /// Why they are not sought.
+    pub fn of_system(
+        (title, model, source): &SoughtSystem,
+        asked: &Asked,
+        has_time: impl Fn() -> bool + Copy + Sync,
+    ) -> Result<Option<Self>, Issue> {
         let changes = !model.switches.is_empty() || !model.contacts.is_empty();
         if !changes && model.free.is_empty() {
             return Ok(None);
         }
-        let _progress = Progress::new("steady motions");
         let kind = if changes { "combinations of its conditions" } else { "sets of angles" };
-        let mut all = Combinations { title, count: 0, kind, filled: Vec::new() };
-        let asked = steady.wanted();
+        let mut all = Combinations { title: title.clone(), count: 0, kind, filled: Vec::new() };
         if model.free.is_empty() {
-            let cases = SteadyMotions::of_cases(&model, &asked, has_time).map_err(|why| refused(path, &model, why))?;
-            all.add(&model, &[], cases);
+            let cases = SteadyMotions::of_cases(model, asked, has_time).map_err(|why| reason(model, why))?;
+            all.add(model, &[], cases);
             return Ok(Some(all));
         }
-        let orientations = Orientation::all(&source, &model, &asked).map_err(|why| refused(path, &model, why))?;
-        let found = SteadyMotions::of_orientations(orientations, has_time).map_err(|why| refused(path, &model, why))?;
+        let orientations = Orientation::all(source, model, asked).map_err(|why| reason(model, why))?;
+        let found = SteadyMotions::of_orientations(orientations, has_time).map_err(|why| reason(model, why))?;
         for (orientation, cases) in found {
             let angles = orientation.in_words();
             all.add(&orientation.model, &angles, cases);

@@ -2,16 +2,18 @@
 
 use super::combinations::Combinations;
 use super::families::{count, ends, family_lines, family_object, is_one_place};
-use super::steady_box::{Found, number};
+use super::steady_box::{Found, number, reason, sought};
 use super::{Asked, cases};
 use crate::arguments::Format;
 use crate::exit::{Exit, print};
 use crate::spectrum;
 use ::scenes::linearisation::{Linear, Stability, Standing};
 use ::scenes::steady_motions::{
-    Eigenvalues, EnclosedSpectrum, EnclosedVerdict, Near, Region, SteadyMotion, SteadyMotions, SteadyStability,
+    Asked as Sought, Eigenvalues, EnclosedSpectrum, EnclosedVerdict, Near, Region, SteadyMotion, SteadyMotions,
+    SteadyStability,
 };
-use ::scenes::unit_of;
+use ::scenes::{SystemText, unit_of};
+use reader::{Issue, SceneError};
 use serde_json::{Value, json};
 use std::fmt::Write;
 
@@ -21,7 +23,7 @@ const MOST_LISTED: usize = 6;
 /// Prints all steady motions.
 pub(super) fn show(asked: &Asked) -> Result<Exit, Exit> {
     if let Some(parts) = Combinations::of(&asked.steady, &asked.scene)? {
-        return cases::show(asked, parts);
+        return cases::show(asked, &parts);
     }
     let found = asked.steady.find(&asked.scene)?;
     print(&match asked.format {
@@ -29,6 +31,38 @@ pub(super) fn show(asked: &Asked) -> Result<Exit, Exit> {
         Format::Json => format!("{:#}\n", object(&found)),
     })?;
     Ok(asked.steady.ended(&asked.scene, &found.motions))
+}
+
+/// Steady motions as text, and as an object for programs.
+#[derive(Debug)]
+pub struct SteadyTold {
+    pub text: String,
+    pub object: Value,
+}
+
+/// The steady motions of a text, in every combination of the cases of its law; `has_time` ends the search.
+///
+/// # Errors
+/// The text is wrong, or no steady motions of it are sought.
+pub fn steady_motions(
+    text: &SystemText,
+    asked: &Sought,
+    has_time: impl Fn() -> bool + Copy + Sync,
+) -> Result<SteadyTold, SceneError> {
+    let system = sought(text)?;
+    let name = &text.name;
+    let fault = |issue: Issue| {
+        let text = if issue.span.is_some() { text.text.clone() } else { String::new() };
+        SceneError { path: name.clone(), text, issues: vec![issue] }
+    };
+    if let Some(parts) = Combinations::of_system(&system, asked, has_time).map_err(fault)? {
+        let (text, object) = cases::told(&parts);
+        return Ok(SteadyTold { text, object });
+    }
+    let (title, model, _) = &system;
+    let motions = SteadyMotions::of(model, asked, has_time).map_err(|why| fault(reason(model, why)))?;
+    let found = Found { title: title.clone(), model: model.clone(), motions };
+    Ok(SteadyTold { text: self::text(&found), object: object(&found) })
 }
 
 fn text(all: &Found) -> String {

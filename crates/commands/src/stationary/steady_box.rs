@@ -5,11 +5,11 @@ use crate::clock::has_time;
 use crate::exit::{Exit, placed, warn};
 use crate::progress::Progress;
 use ::scenes::steady_motions::{Along, Asked, Near, NoSteadyMotions, Range, SteadyMotions};
-use ::scenes::{Task, independent_start, read_with_source, unit_of, without_law};
+use ::scenes::{SystemText, Task, independent_start, parse_with_source, unit_of, without_law};
 use clap::Args;
 use clap::builder::RangedU64ValueParser;
 use model::{FrameId, Model, Source};
-use reader::Issue;
+use reader::{Issue, SceneError};
 use std::path::Path;
 use std::sync::Arc;
 use units::nearest;
@@ -74,8 +74,17 @@ fn read(path: &Path) -> Result<(String, Model), Exit> {
 }
 
 /// The same with what was read of it.
-pub(super) fn read_with_text(path: &Path) -> Result<(String, Model, Source), Exit> {
-    let (title, mut model, source) = read_with_source(path, Task::Vary)?;
+pub(super) fn read_with_text(path: &Path) -> Result<SoughtSystem, Exit> {
+    Ok(sought(&SystemText::read(path)?)?)
+}
+
+/// A title, a model, and what was read of it.
+pub(super) type SoughtSystem = (String, Model, Source);
+
+/// The system of a text, as steady motions of it are sought.
+pub(super) fn sought(text: &SystemText) -> Result<SoughtSystem, SceneError> {
+    let (title, model, source) = parse_with_source(&text.name, &text.text, Task::Vary)?;
+    let mut model = text.with_its_values(model)?;
     model.close_inputs();
     // constraints that follow from others have no reactions of their own; a start that is missing is no obstacle
     let _ = independent_start(&mut model);
@@ -228,15 +237,28 @@ impl Found {
 }
 
 pub fn refused(path: &Path, model: &Model, why: NoSteadyMotions) -> Exit {
-    let told = |why: String| Exit::refused(format!("{}: {why}", path.display()));
+    unsought(path, reason(model, why))
+}
+
+/// A fault of a system at its place, or of what is asked of it.
+pub(super) fn unsought(path: &Path, issue: Issue) -> Exit {
+    match issue.span {
+        Some(_) => placed(path, issue),
+        None => Exit::refused(format!("{}: {}", path.display(), issue.title)),
+    }
+}
+
+/// Why steady motions are not sought: at a place of the text, or as a title alone.
+pub(super) fn reason(model: &Model, why: NoSteadyMotions) -> Issue {
+    let told = |why: String| Issue { span: None, title: why, label: String::new(), help: None };
     let listed = |names: &[String]| names.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ");
     match why {
         NoSteadyMotions::NotCompiled(reason) => {
-            placed(path, without_law(model, &reason, "steady motions cannot be sought"))
+            without_law(model, &reason, "steady motions cannot be sought")
         }
         NoSteadyMotions::OfSpeeds { at } => {
             let issue = Issue::at(at, "steady motions are not sought with this constraint", "it holds speeds, or is led to zero");
-            placed(path, issue.accepted("constraints of positions, and up to six that are linear in the speeds, quasi-velocities among them; `linearise --about equilibrium` finds one equilibrium near the start"))
+            issue.accepted("constraints of positions, and up to six that are linear in the speeds, quasi-velocities among them; `linearise --about equilibrium` finds one equilibrium near the start")
         }
         NoSteadyMotions::Changes => told(
             "some of its speeds have no inertia, and equations of their own determine them: steady motions are not sought there; \
@@ -245,7 +267,7 @@ pub fn refused(path: &Path, model: &Model, why: NoSteadyMotions) -> Exit {
         ),
         NoSteadyMotions::Contacts { at } => {
             let issue = Issue::at(at, "steady motions are not sought with this contact", "a diode, a freewheel, a guide that the coordinates keep, or a contact that slides in two directions or on two sides");
-            placed(path, issue.accepted("contacts that coordinates can open, and friction as a force with `sign` of a speed; `linearise --about equilibrium` finds one equilibrium near the start"))
+            issue.accepted("contacts that coordinates can open, and friction as a force with `sign` of a speed; `linearise --about equilibrium` finds one equilibrium near the start")
         }
         NoSteadyMotions::ManyConditions { conditions, most } => told(format!(
             "its law has {conditions} conditions, which have more than {most} combinations of cases; fewer conditions are accepted"

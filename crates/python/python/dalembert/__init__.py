@@ -31,8 +31,10 @@ from inspect import Parameter, Signature
 from ._model import Model
 from ._builder import ModelBuilder
 from ._check import Check, CheckedEquation, check
+from ._ledger import Claim, Correction, Ledger, judge
 from ._native import METHODS, PRINCIPLES, VERSION, Equations, Judgement, LinearEquations, ModelError, JacobianMatrix, RightHandSide
 from ._proofs import Judgements
+from ._results import Chart, Ensemble, ModelChoice, SteadyMotion, SteadyMotions
 from ._sympy import from_sympy
 from ._trajectory import Trajectory
 
@@ -45,18 +47,27 @@ for _callable in (RightHandSide, JacobianMatrix):
 __all__ = [
     "METHODS",
     "PRINCIPLES",
+    "Chart",
     "Check",
     "CheckedEquation",
+    "Claim",
+    "Correction",
+    "Ensemble",
     "Equations",
     "JacobianMatrix",
     "Judgement",
     "Judgements",
+    "Ledger",
     "LinearEquations",
     "Model",
     "ModelBuilder",
+    "ModelChoice",
     "ModelError",
     "RightHandSide",
+    "SteadyMotion",
+    "SteadyMotions",
     "Trajectory",
     "check",
     "from_sympy",
+    "judge",
 ]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from numbers import Integral
 from typing import TYPE_CHECKING, Any
 
@@ -43,6 +44,23 @@ def _value(value: Any) -> str:
 
 def _plain(name: str) -> str:
     return name[:-1] if name.endswith("_") and len(name) > 1 else name
+
+
+def ensemble_text(members: int, vary: Mapping[str, Mapping[str, Any]], seed: int, units: dict[str, str], parameters: set[str]) -> str:
+    """The tables of an ensemble; numbers without units are in SI units."""
+    lines = ["", "[ensemble]", f"members = {_value(members)}", f"seed = {_value(seed)}", "", "[ensemble.vary]"]
+    for name, distribution in vary.items():
+        unit = units.get(name, "1")
+
+        def with_unit(value: Any) -> Any:
+            if isinstance(value, str):
+                return value
+            numbers = list(value) if hasattr(value, "__iter__") else [value]
+            return " ".join(_value(float(number)) for number in numbers) + ("" if unit == "1" else f" {unit}")
+
+        table = "parameters" if name in parameters else "start"
+        lines.append(f"{table}.{_key(name)} = {_value({key: with_unit(value) for key, value in distribution.items()})}")
+    return "\n".join(lines) + "\n"
 
 
 # tables that may stand more than once

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import json
 import os
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, Literal
 
 import numpy
 
-from ._builder import ModelBuilder
+from ._apart import apart
+from ._builder import ModelBuilder, ensemble_text
 from ._native import Equations, JacobianMatrix, LinearEquations, NativeModel, RightHandSide
 from ._proofs import Judgements
+from ._results import Chart, Ensemble, ModelChoice, SteadyMotions
 from ._trajectory import Trajectory
 
 if TYPE_CHECKING:
@@ -124,6 +127,80 @@ class Model:
         from ._check import check
 
         return check(method, self, names, seconds=seconds)
+
+    def stationary(
+        self,
+        ranges: Mapping[str, tuple[float, float] | float] | None = None,
+        *,
+        boxes: int = 200_000,
+        seconds: float | None = 300.0,
+    ) -> SteadyMotions:
+        """All steady motions in ranges of coordinates and of speeds of cyclic ones, each with its stability, and whether there are others.
+
+        ranges: {"x": (-1, 1), "psi'": 2.0} in SI units: an interval, or one value. Angles are sought on the whole circle without one.
+        boxes: so many are looked at, at most. seconds: the search ends then with what is decided; None for no limit. Ctrl-C breaks it off.
+        """
+        asked = []
+        for name, range_ in (ranges or {}).items():
+            ends = tuple(range_) if isinstance(range_, (tuple, list)) else (range_, range_)
+            if len(ends) != 2:
+                raise ValueError(f"the range of `{name}` is {range_!r}; a number, or a pair of numbers is accepted")
+            low, high = (_number(name, end) for end in ends)
+            if not low <= high < float("inf") or low == float("-inf"):
+                raise ValueError(f"the range of `{name}` is {range_!r}; two finite numbers that rise are accepted")
+            asked.append((name, low, high))
+        if isinstance(boxes, bool) or int(boxes) != boxes or boxes < 1:
+            raise ValueError(f"`boxes` is {boxes!r}; a whole number from 1 on is accepted")
+        return SteadyMotions(*apart("stationary", (self, asked, int(boxes)), seconds))
+
+    def choose(self, tolerance: float = 1e-6, outputs: Iterable[str] = (), *, seconds: float | None = 300.0) -> ModelChoice:
+        """The smallest model of this system that meets a tolerance in the outputs that matter, and the method that runs it the cheapest.
+
+        tolerance: the largest error allowed, relative to the size of each output. outputs: names of columns of a run; without them the `outputs` of
+        [run], or all columns. seconds: TimeoutError is raised then; None for no limit. Ctrl-C breaks it off.
+        """
+        tolerance = _number("tolerance", tolerance)
+        if not 0 < tolerance < 1:
+            raise ValueError(f"`tolerance` is {tolerance}; a number above 0 and below 1 is accepted")
+        names = [outputs] if isinstance(outputs, str) else list(outputs)
+        written, text, svg = apart("choose", (self, tolerance, names), seconds)
+        return ModelChoice(json.loads(written), text, svg)
+
+    def chart(self, *, seconds: float | None = 60.0) -> Chart:
+        """Speed against accuracy: every method at every tolerance beside a reference in double-double.
+
+        seconds: a third is for the reference, a third for the runs, a part of the rest for taking times; what does not fit is left out. None for no
+        limit. Ctrl-C breaks it off.
+        """
+        written, text, (svg, svg_time) = apart("chart", (self,), seconds)
+        return Chart(json.loads(written), text, svg, svg_time)
+
+    def ensemble(
+        self,
+        members: int | None = None,
+        vary: Mapping[str, Mapping[str, Any]] | None = None,
+        *,
+        seed: int = 1,
+        threads: int | None = None,
+        seconds: float | None = 300.0,
+    ) -> Ensemble:
+        """Runs many members of this system, whose parameters and starts vary.
+
+        Without `members` and `vary` the table [ensemble] of the text says which. vary: for each parameter, and each coordinate and speed of the start, its
+        distribution in SI units: {"m": {"from": 0.9, "to": 1.1}, "x'": {"mean": 0, "deviation": 0.1}, "k": {"values": [1, 2, 3]}}, or as in a text with units.
+        The numbers of a member depend on `seed`, its number and the name of the datum alone. threads: as many as there are processors without
+        it; the numbers do not depend on them. seconds: members that have not run by then are left out; None for no limit. Ctrl-C breaks it off.
+        """
+        model = self
+        if members is not None or vary is not None:
+            if members is None or not vary:
+                raise ValueError("`members`, their number, and `vary`, what varies, are accepted together")
+            model = Model._with_text(self, self.text + ensemble_text(members, vary, seed, self.units, set(self.parameters)))
+        return Ensemble(apart("ensemble", (model, threads), seconds), self.title)
+
+    @staticmethod
+    def _with_text(model: Model, text: str) -> Model:
+        return _restored(text, model._native.name, model._native.values)
 
     def run(
         self,

@@ -1,5 +1,6 @@
 """Parts of the package; use the names of `dalembert`."""
 
+from collections.abc import Callable
 from os import PathLike
 from types import SimpleNamespace
 from typing import Any
@@ -10,6 +11,12 @@ from numpy.typing import ArrayLike, NDArray
 METHODS: list[str]
 PRINCIPLES: list[str]
 VERSION: str
+
+def judge_paper(path: str, text: str | None, seconds: float, tell: Callable[[Any], None]) -> dict[str, Any]:
+    """Judges the claims of a paper."""
+
+def end_process_after(seconds: float) -> None:
+    """Ends every run of this process after so many seconds."""
 
 class ModelError(ValueError):
     """A model that cannot be read, or that cannot do what is asked of it."""
@@ -122,6 +129,10 @@ class NativeModel:
         constraints: list[str],
         equations: list[tuple[str, str]],
     ) -> dict[str, Any]: ...
+    def stationary(self, ranges: list[tuple[str, float, float]], boxes: int, seconds: float) -> tuple[str, str]: ...
+    def choose(self, tolerance: float, outputs: list[str]) -> tuple[str, str, str]: ...
+    def chart(self, seconds: float) -> tuple[str, str, tuple[str, str]]: ...
+    def ensemble(self, threads: int | None, seconds: float) -> dict[str, Any]: ...
     def linearise(self, equilibrium: bool, inputs: list[str]) -> LinearEquations: ...
     def rhs(self) -> RightHandSide: ...
     def jacobian(self) -> JacobianMatrix: ...

@@ -8,8 +8,9 @@ from collections.abc import Callable
 from typing import Any
 
 from ._model import Model
+from ._native import end_process_after, judge_paper
 
-__all__ = ["check"]
+__all__ = ["chart", "check", "choose", "ensemble", "judge", "stationary"]
 
 Tell = Callable[[Any], None]
 
@@ -17,3 +18,30 @@ Tell = Callable[[Any], None]
 def check(seconds: float, tell: Tell, model: Model, equations: dict[str, Any]) -> dict[str, Any]:
     """Equations of motion of another program beside those of a model."""
     return model._native.check(**equations)
+
+
+def judge(seconds: float, tell: Tell, path: str, text: str | None) -> dict[str, Any]:
+    """The claims of a paper."""
+    return judge_paper(path, text, seconds, tell)
+
+
+def stationary(seconds: float, tell: Tell, model: Model, ranges: list[tuple[str, float, float]], boxes: int) -> tuple[str, str]:
+    """Steady motions of a model."""
+    return model._native.stationary(ranges, boxes, seconds)
+
+
+def choose(seconds: float, tell: Tell, model: Model, tolerance: float, outputs: list[str]) -> tuple[str, str, str]:
+    """The smallest model that meets a tolerance."""
+    end_process_after(seconds)
+    return model._native.choose(tolerance, outputs)
+
+
+def chart(seconds: float, tell: Tell, model: Model) -> tuple[str, str, tuple[str, str]]:
+    """Speed against accuracy."""
+    end_process_after(seconds)
+    return model._native.chart(seconds)
+
+
+def ensemble(seconds: float, tell: Tell, model: Model, threads: int | None) -> dict[str, Any]:
+    """The members of an ensemble."""
+    return model._native.ensemble(threads, seconds)

@@ -10,7 +10,7 @@ use crate::constraint_projection::{ConstraintProjection, OfMember};
 use crate::parametric_law::ParametricLaw;
 use crate::readiness::{Ready, changes, ready, refused, starting, unmet_at};
 use crate::row_units::columns;
-use crate::scene::ModelScene;
+use crate::scene::{Given, ModelScene};
 use crate::start::{Completed, SingularPositions, StartSolver, Unmet, given, in_touch, start_speeds};
 use crate::warnings::warn_of;
 use integrators::{LaneSeries, Method, Projection};
@@ -67,9 +67,17 @@ enum Target {
 /// # Errors
 /// All that is wrong with it, each at its place.
 pub fn parse_ensemble(name: &str, text: &str) -> Result<EnsembleScene, SceneError> {
+    parse_ensemble_with(name, text, Given::default())
+}
+
+/// The same, with what a program gives beside the text.
+///
+/// # Errors
+/// All that is wrong with it, each at its place.
+pub fn parse_ensemble_with(name: &str, text: &str, given: Given) -> Result<EnsembleScene, SceneError> {
     tables(name, text, |top, issues| {
         top.known(&["failure"]);
-        let scene = ModelScene::read(top, issues, text);
+        let scene = ModelScene::read_with(top, issues, text, given);
         let known = scene.as_ref().map(variables);
         let example = scene.as_ref().map_or_else(String::new, |scene| example(&scene.model));
         let variation = vary::read(top, issues, known.as_ref().map(|(variables, _)| &variables[..]), &example);

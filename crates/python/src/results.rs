@@ -1,0 +1,184 @@
+//! Results of longer computing as plain data, which goes from one process to another. Objects come as JSON, as the commands of the program
+//! print it.
+
+use crate::errors::{refused, scene_error};
+use dalembert::commands::{Charted, ChosenModel, SteadyTold, charted, chosen_model, finding_object, steady_motions};
+use dalembert::manuscript::{Finding, PaperText};
+use dalembert::scenes::steady_motions::{Asked, Range};
+use dalembert::scenes::{Given, SystemText, parse_ensemble_with};
+use dalembert::simulation::Run;
+use dalembert::simulation::ensemble::Row;
+use dalembert::simulation::models::Modelled;
+use numpy::{PyArray1, PyArrayMethods};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use std::ops::ControlFlow;
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::thread::available_parallelism;
+use std::time::{Duration, Instant};
+
+/// What computes ends so long before its time is over, so that the results can be handed on.
+const KEPT: Duration = Duration::from_millis(400);
+
+/// The moment at which so many seconds are over, in a year at the latest.
+fn end_after(seconds: f64) -> Instant {
+    Instant::now() + Duration::try_from_secs_f64(seconds).unwrap_or_default().min(Duration::from_secs(366 * 86_400))
+}
+
+/// Ends every run of this process after so many seconds: for processes that do one thing.
+#[pyfunction]
+pub fn end_process_after(seconds: f64) {
+    dalembert::integrators::clock::set_deadline(end_after(seconds) - KEPT);
+}
+
+/// Judges the claims of a paper: a file, or a text beside whose name files lie. `tell` hears of each claim as soon as it has a verdict.
+#[pyfunction]
+pub fn judge_paper<'py>(
+    py: Python<'py>,
+    path: PathBuf,
+    text: Option<String>,
+    seconds: f64,
+    tell: Py<PyAny>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let paper = py.detach(|| match text {
+        Some(text) => PaperText::parse(&path, text),
+        None => PaperText::read(&path),
+    });
+    let paper = paper.map_err(|error| scene_error(py, &error))?;
+    let about = PyDict::new(py);
+    about.set_item("title", &paper.title)?;
+    about.set_item("citation", &paper.citation)?;
+    about.set_item("summary", &paper.summary)?;
+    about.set_item("claims", paper.claims.len())?;
+    tell.call1(py, (about.clone(),))?;
+    let end = end_after(seconds);
+    let (mut told, mut failed) = (0, None);
+    let hear = |findings: &[Finding]| {
+        for finding in findings.iter().skip(told) {
+            let heard = Python::attach(|py| tell.call1(py, (object(finding),)).map(drop));
+            failed = failed.take().or(heard.err());
+        }
+        told = findings.len();
+    };
+    let goes_on = || Instant::now() + KEPT < end;
+    let findings = py.detach(|| paper.judge_each(hear, goes_on)).map_err(|error| scene_error(py, &error))?;
+    if let Some(failed) = failed {
+        return Err(failed);
+    }
+    about.set_item("findings", findings.iter().map(object).collect::<Vec<_>>())?;
+    Ok(about)
+}
+
+/// A claim as JSON, and why its verdict is not the one that the file expects.
+fn object(finding: &Finding) -> (String, Option<String>) {
+    (finding_object(finding).to_string(), finding.as_expected().err())
+}
+
+/// Steady motions: JSON, and the same for reading.
+pub fn steady(
+    py: Python<'_>,
+    text: &SystemText,
+    ranges: Vec<(String, f64, f64)>,
+    boxes: usize,
+    seconds: f64,
+) -> PyResult<(String, String)> {
+    let ranges = ranges.into_iter().map(|(name, from, to)| (name, Range { from, to })).collect();
+    let asked = Asked { ranges, boxes, ..Asked::default() };
+    let end = end_after(seconds);
+    let found = py.detach(|| steady_motions(text, &asked, || Instant::now() + KEPT < end));
+    let SteadyTold { text, object } = found.map_err(|mut error| {
+        error.issues.iter_mut().for_each(|issue| issue.title = in_python(&issue.title));
+        scene_error(py, &error)
+    })?;
+    Ok((object.to_string(), text))
+}
+
+/// A sentence for readers of a command line, in words of Python: `--range "x=-1..1"` is ranges={"x": (-1, 1)}.
+fn in_python(said: &str) -> String {
+    let mut parts = said.split("--range \"");
+    let mut told = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        let range = part.split_once('"').and_then(|(range, rest)| {
+            let (name, ends) = range.split_once('=')?;
+            let (from, to) = ends.split_once("..")?;
+            Some((format!("ranges={{\"{name}\": ({from}, {to})}}"), rest))
+        });
+        match range {
+            Some((range, rest)) => told += &format!("{range}{rest}"),
+            None => told += part,
+        }
+    }
+    told.replace("--range ", "range of ").replace("--seconds", "`seconds`").replace("--boxes ", "boxes=")
+}
+
+/// The choice of a model: JSON, the same for reading, and a picture.
+pub fn chosen(
+    py: Python<'_>,
+    (scene, name): (&Arc<dyn Modelled>, &str),
+    tolerance: f64,
+    outputs: Vec<String>,
+) -> PyResult<(String, String, String)> {
+    let found = py.detach(|| chosen_model(scene, tolerance, outputs));
+    let ChosenModel { text, object, picture } = found.map_err(|why| refused(py, name, why))?;
+    Ok((object.to_string(), text, picture))
+}
+
+/// Work against precision: JSON, the same for reading, and pictures by evaluations and by time.
+pub fn chart(
+    py: Python<'_>,
+    (scene, name): (&Arc<dyn Modelled>, &str),
+    seconds: f64,
+) -> PyResult<(String, String, [String; 2])> {
+    let end = end_after(seconds) - KEPT;
+    let found = py.detach(|| charted(scene, || end.saturating_duration_since(Instant::now())));
+    let Charted { text, object, pictures } = found.map_err(|why| refused(py, name, in_python(why.trim_end())))?;
+    Ok((object.to_string(), text, pictures))
+}
+
+/// An ensemble: its columns with their units, a row of numbers for each member, and why members stopped.
+pub fn ensemble<'py>(
+    py: Python<'py>,
+    text: &SystemText,
+    run: Run,
+    threads: Option<usize>,
+    seconds: f64,
+) -> PyResult<Bound<'py, PyDict>> {
+    let given = Given { run: Some(run), values: text.values.clone(), ..Given::default() };
+    let scene = py.detach(|| parse_ensemble_with(&text.name, &text.text, given));
+    let scene = scene.map_err(|error| scene_error(py, &error))?;
+    let threads = threads.unwrap_or_else(|| available_parallelism().map_or(1, usize::from));
+    let end = end_after(seconds);
+    let (mut numbers, mut stopped) = (Vec::new(), Vec::new());
+    let columns: Vec<(String, String)> = scene
+        .headings()
+        .into_iter()
+        .filter(|heading| !matches!(heading.as_str(), "member" | "stopped" | "fingerprint"))
+        .map(|heading| match heading.strip_suffix(']').and_then(|heading| heading.rsplit_once(" [")) {
+            Some((name, unit)) => (name.to_owned(), unit.to_owned()),
+            None => (heading, "1".to_owned()),
+        })
+        .collect();
+    let width = columns.len();
+    let take = |row: Row| {
+        let length = numbers.len() + width;
+        numbers.extend(&row.drawn);
+        numbers.push(row.last.as_ref().map_or(f64::NAN, |last| last.time));
+        numbers.push(row.steps as f64);
+        if let Some(last) = &row.last {
+            numbers.extend(&last.state);
+            numbers.extend(last.derived.iter().map(|value| value.unwrap_or(f64::NAN)));
+        }
+        numbers.resize(length, f64::NAN);
+        stopped.push(row.stopped);
+        if Instant::now() + KEPT < end { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    };
+    py.detach(|| scene.run(1..=scene.members, threads, take));
+    let told = PyDict::new(py);
+    let rows = stopped.len();
+    told.set_item("members", scene.members)?;
+    told.set_item("columns", columns)?;
+    told.set_item("rows", PyArray1::from_vec(py, numbers).reshape([rows, width])?)?;
+    told.set_item("stopped", stopped)?;
+    Ok(told)
+}
