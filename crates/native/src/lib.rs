@@ -8,6 +8,7 @@
 //! This is the one crate with unsafe code. Its conditions are few: the code is whole before it becomes executable, it lives as long as
 //! [`Code`] does, its frame on the stack is bounded and touched page by page, and [`Code::run`] checks every length that it relies on.
 
+mod c_entry;
 mod live;
 mod pieces;
 mod write;
@@ -18,6 +19,7 @@ use memmap2::{Mmap, MmapMut};
 use pieces::Pieces;
 use std::cell::RefCell;
 use std::fmt;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::OnceLock;
 use symbolic::Tape;
 
@@ -63,10 +65,7 @@ impl Code {
             begins.push(instructions.len());
             instructions.extend(written.instructions);
         }
-        let mut pages = MmapMut::map_anon(instructions.len()).ok()?;
-        pages.copy_from_slice(&instructions);
-        let pages = pages.make_exec().ok()?;
-        fetch_anew(&pages)?;
+        let pages = executable(&instructions)?;
         let entry = |begin: usize| {
             let first: *const u8 = &pages[begin];
             // SAFETY: at `begin` stands the first instruction of one whole function. Cranelift wrote it for this processor, in the
@@ -130,6 +129,78 @@ impl fmt::Debug for Code {
         let [inputs, outputs, pieces] = [self.inputs + 1, self.outputs, self.entries.len()];
         write!(f, "Code of {inputs} inputs, {outputs} outputs, {pieces} pieces, {} bytes", self.pages.len())
     }
+}
+
+/// A function of numbers: of the time, a state, and room for the values.
+type Law = dyn Fn(f64, &[f64], &mut [f64]) + Send + Sync;
+
+/// A function of numbers with its lengths.
+struct Called {
+    inputs: usize,
+    outputs: usize,
+    law: Box<Law>,
+}
+
+/// A function of numbers at an address, as C calls it: `void f(double time, const double *state, double *values)`.
+///
+/// The address may be called as long as this lives, by many threads at a time. Where the function panics, all values are not a number.
+pub struct CFunction {
+    pages: Mmap,
+    /// The machine code holds its address.
+    _called: Box<Called>,
+}
+
+impl CFunction {
+    /// Gives an address to a function of so many numbers of a state that writes so many values.
+    ///
+    /// None where this processor or system is not known, or gives no executable pages.
+    pub fn of(
+        [inputs, outputs]: [usize; 2],
+        law: impl Fn(f64, &[f64], &mut [f64]) + Send + Sync + 'static,
+    ) -> Option<Self> {
+        let called = Box::new(Called { inputs, outputs, law: Box::new(law) });
+        let context: *const Called = &raw const *called;
+        let target: extern "C" fn(*const Called, f64, *const f64, *mut f64) = call;
+        let instructions = c_entry::instructions(context.addr(), target as usize, processor()?)?;
+        Some(CFunction { pages: executable(&instructions)?, _called: called })
+    }
+
+    /// Where it stands. Whoever calls it hands over as many numbers as the function takes, and room for as many as it writes.
+    pub fn address(&self) -> usize {
+        self.pages.as_ptr().addr()
+    }
+}
+
+impl fmt::Debug for CFunction {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "CFunction at {:#x}", self.address())
+    }
+}
+
+/// Calls a function of numbers for C.
+extern "C" fn call(called: *const Called, time: f64, state: *const f64, values: *mut f64) {
+    // SAFETY: the code of a `CFunction` alone has this address, and hands over the context that lives as long as its pages.
+    let Called { inputs, outputs, law } = unsafe { &*called };
+    let is_shared =
+        state < values.cast_const().wrapping_add(*outputs) && values.cast_const() < state.wrapping_add(*inputs);
+    // SAFETY: whoever calls promises `inputs` readable numbers, aligned as those of C are, and room for `outputs` values. Where both
+    // share memory the state is copied, and the slice of the caller's is gone before the values are borrowed.
+    let copied = is_shared.then(|| unsafe { std::slice::from_raw_parts(state, *inputs) }.to_vec());
+    let values = unsafe { std::slice::from_raw_parts_mut(values, *outputs) };
+    let state = copied.as_deref().unwrap_or_else(|| unsafe { std::slice::from_raw_parts(state, *inputs) });
+    // nothing may unwind into C
+    if catch_unwind(AssertUnwindSafe(|| law(time, state, values))).is_err() {
+        values.fill(f64::NAN);
+    }
+}
+
+/// Pages with these instructions, which may run and no longer be written.
+fn executable(instructions: &[u8]) -> Option<Mmap> {
+    let mut pages = MmapMut::map_anon(instructions.len()).ok()?;
+    pages.copy_from_slice(instructions);
+    let pages = pages.make_exec().ok()?;
+    fetch_anew(&pages)?;
+    Some(pages)
 }
 
 /// Where `extern "C"` gives two numbers back in two registers, as the code expects of [`write::circle`].
@@ -223,6 +294,26 @@ mod tests {
             assert_ne!(own.map(f64::to_bits), all.map(f64::to_bits), "{code:?}");
         }
         assert!(pieces_of[0] == 1 && pieces_of[1] > 1 && pieces_of[2] > 100, "{pieces_of:?}");
+    }
+
+    #[test]
+    fn a_function_with_an_address_is_called_as_c_calls_it() {
+        let law = |time: f64, state: &[f64], values: &mut [f64]| {
+            assert!(time >= 0.0, "a law that panics");
+            values[0] = time * state[1];
+            values[1] = state[0] - state[1];
+        };
+        let Some(function) = CFunction::of([2, 2], law) else { return };
+        // SAFETY: at the address stands a function with this signature.
+        let entry: extern "C" fn(f64, *const f64, *mut f64) = unsafe { std::mem::transmute(function.address()) };
+        let (state, mut values) = ([3.0, 5.0], [0.0; 2]);
+        entry(2.0, state.as_ptr(), values.as_mut_ptr());
+        assert_eq!(values, [10.0, -2.0]);
+        let mut shared = state;
+        entry(2.0, shared.as_ptr(), shared.as_mut_ptr());
+        assert_eq!(shared, values);
+        entry(-1.0, state.as_ptr(), values.as_mut_ptr());
+        assert!(values.iter().all(|value| value.is_nan()));
     }
 
     #[test]

@@ -3,9 +3,10 @@
 use crate::errors::refused;
 use dalembert::integrators::{Jacobian, Ode};
 use dalembert::simulation::Law;
+use dalembert_native::CFunction;
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyUntypedArrayMethods};
 use pyo3::prelude::*;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// A law of motion y' = f(t, y) with the names of its states.
 #[derive(Clone)]
@@ -44,16 +45,48 @@ impl NamedLaw {
     }
 }
 
+/// A law with the function by which C calls it, made when it is first asked for.
+pub struct Callable {
+    named: NamedLaw,
+    entry: OnceLock<Option<CFunction>>,
+}
+
+impl From<NamedLaw> for Callable {
+    fn from(named: NamedLaw) -> Self {
+        Callable { named, entry: OnceLock::new() }
+    }
+}
+
+impl Callable {
+    /// The address of a function of so many values.
+    fn address(
+        &self,
+        py: Python<'_>,
+        outputs: usize,
+        evaluate: impl Fn(&dyn Law, f64, &[f64], &mut [f64]) + Send + Sync + 'static,
+    ) -> PyResult<usize> {
+        let NamedLaw { law, file, states } = &self.named;
+        let made = self.entry.get_or_init(|| {
+            let law = Arc::clone(law);
+            CFunction::of([states.len(), outputs], move |t, y, values| evaluate(&*law, t, y, values))
+        });
+        made.as_ref().map(CFunction::address).ok_or_else(|| {
+            let why = "no machine code is made for this processor or system, so that there is no address; the object itself is called from Python";
+            refused(py, file, why)
+        })
+    }
+}
+
 /// The right-hand side of the equations of motion: f(t, y) gives y', y being coordinates, then speeds, in SI units.
 #[pyclass(frozen, module = "dalembert")]
-pub struct RightHandSide(pub NamedLaw);
+pub struct RightHandSide(pub Callable);
 
 #[pymethods]
 impl RightHandSide {
     /// Names of the components of y.
     #[getter]
     fn states(&self) -> Vec<String> {
-        self.0.states.clone()
+        self.0.named.states.clone()
     }
 
     /// Bytes of its machine code and of the constants in it; None where it is not machine code.
@@ -61,50 +94,67 @@ impl RightHandSide {
     /// Where accelerations are solved for at each call, the bytes are those of the linear equations, without the solve.
     #[getter]
     fn code_size(&self) -> Option<usize> {
-        self.0.law.code_size()
+        self.0.named.law.code_size()
+    }
+
+    /// The address of the function for C, `void f(double t, const double *y, double *rates)`: t in seconds, y and rates as in `states`.
+    ///
+    /// It may be called by many threads at a time, without Python's lock, and as long as this object lives.
+    #[getter]
+    fn address(&self, py: Python<'_>) -> PyResult<usize> {
+        self.0.address(py, self.0.named.states.len(), |law, t, y, rates| Ode::<f64>::rates(law, t, y, rates))
     }
 
     /// The rates of the state y at the time t in seconds.
     fn __call__<'py>(&self, py: Python<'py>, t: f64, y: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        let y = self.0.state(y)?;
-        let mut rates = vec![f64::NAN; self.0.states.len()];
-        Ode::<f64>::rates(&*self.0.law, t, y.as_slice()?, &mut rates);
+        let y = self.0.named.state(y)?;
+        let mut rates = vec![f64::NAN; self.0.named.states.len()];
+        Ode::<f64>::rates(&*self.0.named.law, t, y.as_slice()?, &mut rates);
         Ok(PyArray1::from_vec(py, rates))
     }
 
     fn __repr__(&self) -> String {
-        format!("<right-hand side f(t, y) of {}, y = ({})>", self.0.file, self.0.states.join(", "))
+        format!("<right-hand side f(t, y) of {}, y = ({})>", self.0.named.file, self.0.named.states.join(", "))
     }
 }
 
 /// The derivatives of the right-hand side by the state: J(t, y), exact.
 #[pyclass(frozen, module = "dalembert")]
-pub struct JacobianMatrix(pub NamedLaw);
+pub struct JacobianMatrix(pub Callable);
 
 #[pymethods]
 impl JacobianMatrix {
     /// Names of the components of y.
     #[getter]
     fn states(&self) -> Vec<String> {
-        self.0.states.clone()
+        self.0.named.states.clone()
     }
 
     /// Bytes of its machine code and of the constants in it; None where the right-hand side is differentiated in numbers instead.
     #[getter]
     fn code_size(&self) -> Option<usize> {
-        Jacobian::of(&*self.0.law).code_size()
+        Jacobian::of(&*self.0.named.law).code_size()
+    }
+
+    /// The address of the function for C, `void jacobian(double t, const double *y, double *matrix)`: row after row df_i/dy_j.
+    ///
+    /// It may be called by many threads at a time, without Python's lock, and as long as this object lives.
+    #[getter]
+    fn address(&self, py: Python<'_>) -> PyResult<usize> {
+        let size = self.0.named.states.len();
+        self.0.address(py, size * size, |law, t, y, matrix| Jacobian::of(law).matrix(t, y, matrix))
     }
 
     /// The matrix of the derivatives df_i/dy_j at the time t in seconds and the state y.
     fn __call__<'py>(&self, py: Python<'py>, t: f64, y: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let y = self.0.state(y)?;
-        let n = self.0.states.len();
+        let y = self.0.named.state(y)?;
+        let n = self.0.named.states.len();
         let mut matrix = vec![f64::NAN; n * n];
-        Jacobian::of(&*self.0.law).matrix(t, y.as_slice()?, &mut matrix);
+        Jacobian::of(&*self.0.named.law).matrix(t, y.as_slice()?, &mut matrix);
         PyArray1::from_vec(py, matrix).reshape([n, n])
     }
 
     fn __repr__(&self) -> String {
-        format!("<Jacobian J(t, y) of {}, y = ({})>", self.0.file, self.0.states.join(", "))
+        format!("<Jacobian J(t, y) of {}, y = ({})>", self.0.named.file, self.0.named.states.join(", "))
     }
 }

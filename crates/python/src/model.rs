@@ -224,11 +224,11 @@ impl NativeModel {
     }
 
     fn rhs(&self, py: Python<'_>) -> PyResult<RightHandSide> {
-        self.law(py).map(RightHandSide)
+        Ok(RightHandSide(self.law(py)?.into()))
     }
 
     fn jacobian(&self, py: Python<'_>) -> PyResult<JacobianMatrix> {
-        self.law(py).map(JacobianMatrix)
+        Ok(JacobianMatrix(self.law(py)?.into()))
     }
 
     /// Runs; what is left out, the text says.
