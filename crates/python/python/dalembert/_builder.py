@@ -84,7 +84,7 @@ class ModelBuilder:
         )
 
     Every call takes the keys of the table of the same name in a text, and gives the builder back. A key that is a word of Python
-    has an underscore behind it: is_="-k*x*N.x". `text` shows what was written; `table` writes a table that has no call of its own.
+    has an underscore behind it: is_="-k*x*N.x". `text` shows what was written; `table` writes a table by its name.
     """
 
     def __init__(self, title: str) -> None:
@@ -112,6 +112,16 @@ class ModelBuilder:
         self._top["description"] = text
         return self
 
+    def known_as(self, name: str) -> ModelBuilder:
+        """The name of a system of which more is known than its equations: its theory, its closed form."""
+        self._top["known_as"] = name
+        return self
+
+    def language(self, version: int) -> ModelBuilder:
+        """The version of the language, for a text that is kept for years."""
+        self._top["language"] = version
+        return self
+
     def parameters(self, values: dict[str, Any] | None = None, **more: Any) -> ModelBuilder:
         """Letters with values and units, m="2 kg"; a unit alone, "kg", leaves a letter without a value."""
         return self._set("parameters", values, more)
@@ -119,6 +129,10 @@ class ModelBuilder:
     def coordinates(self, values: dict[str, Any] | None = None, **more: Any) -> ModelBuilder:
         """Coordinates with their units: theta="rad"."""
         return self._set("coordinates", values, more)
+
+    def speeds(self, values: dict[str, Any] | None = None, **more: Any) -> ModelBuilder:
+        """Quasi-velocities: v="velocity(G) . A.x"."""
+        return self._set("speeds", values, more)
 
     def definitions(self, values: dict[str, Any] | None = None, **more: Any) -> ModelBuilder:
         """Abbreviations of any kind: I="m*r^2/2"."""
@@ -161,9 +175,30 @@ class ModelBuilder:
         """A contact with Coulomb's friction."""
         return self._add("contact", keys)
 
+    def diode(self, **keys: Any) -> ModelBuilder:
+        """A diode: .diode(current="i", drop="0.7 V")."""
+        return self._add("diode", keys)
+
+    def freewheel(self, **keys: Any) -> ModelBuilder:
+        """A freewheel: .freewheel(speed="wheel' - shaft'")."""
+        return self._add("freewheel", keys)
+
     def drive(self, **keys: Any) -> ModelBuilder:
-        """A drive by a motor."""
+        """A drive: .drive(turns="theta", inertia="J"), with .machine or .winding behind it."""
         return self._add("drive", keys)
+
+    def machine(self, **keys: Any) -> ModelBuilder:
+        """The motor of the drive that was added last: .machine(model="dc_motor", ...), its model and its data."""
+        return self._of_drive("drive.machine", keys)
+
+    def winding(self, **keys: Any) -> ModelBuilder:
+        """A winding of the drive that was added last: .winding(inductance="L", resistance="R", supply="U")."""
+        return self._of_drive("drive.winding", keys)
+
+    def _of_drive(self, table: str, keys: dict[str, Any]) -> ModelBuilder:
+        if all(known != "drive" for known, _ in self._lists):
+            raise ValueError(f"[{table}] is a part of a drive, and there is none yet; .drive(...) is called before")
+        return self._add(table, keys)
 
     def event(self, **keys: Any) -> ModelBuilder:
         """An event: .event(when="x - a", direction="up", set={"x'": "-e*x'"})."""
@@ -177,6 +212,10 @@ class ModelBuilder:
         """A scalar that runs show beside the state: .output("height", "(P - O) . N.y")."""
         return self._set("outputs", {name: is_}, {})
 
+    def regulator(self, **keys: Any) -> ModelBuilder:
+        """An optimal regulator: .regulator(cost="x^2 + u^2", inputs=["u"])."""
+        return self._set("regulator", keys, {})
+
     def start(self, values: dict[str, Any] | None = None, **more: Any) -> ModelBuilder:
         """The state at time zero: {"theta": "0.3 rad", "theta'": "1 rad/s"}; what is left out is zero."""
         return self._set("start", values, more)
@@ -185,14 +224,27 @@ class ModelBuilder:
         """The run of the model where a call of `run` says nothing: span, method, tolerance, samples."""
         return self._set("run", keys, {})
 
+    def ensemble(self, **keys: Any) -> ModelBuilder:
+        """The number of members of an ensemble, and its seed: .ensemble(members=1000); .vary says what varies."""
+        return self._set("ensemble", keys, {})
+
+    def vary(self, name: str, **keys: Any) -> ModelBuilder:
+        """What varies in an ensemble: .vary("parameters.m", mean="1 kg", deviation="1 g"), .vary("start.x'", values="0 1 m/s"), from_ and to."""
+        table, dot, name = name.partition(".")
+        if not dot or table not in ("parameters", "start"):
+            raise ValueError('the name of what varies begins with "parameters." or "start."')
+        return self._set(f"ensemble.vary.{table}", {name: {_plain(key): value for key, value in keys.items()}}, {})
+
+    def failure(self, **keys: Any) -> ModelBuilder:
+        """An entry of the catalogue of failure: what is varied, and where it fails."""
+        return self._set("failure", {_plain(key): value for key, value in keys.items()}, {})
+
     def table(self, table: str, values: dict[str, Any]) -> ModelBuilder:
-        """A table that has no call of its own: .table("diode", {...}), .table("drive.machine", {...}) of the last drive."""
+        """A table by its name: .table("diode", {...}), .table("drive.machine", {...}) of the last drive."""
         if table in _LISTS:
             return self._add(table, values)
         if table.startswith("drive."):
-            # a table of the drive that was added last
-            self._lists.append((table, dict(values)))
-            return self
+            return self._of_drive(table, values)
         return self._set(table, values, {})
 
     @property
