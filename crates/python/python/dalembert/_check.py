@@ -8,7 +8,7 @@ from html import escape
 from typing import Any
 
 from ._apart import apart
-from ._html import COLOURS, table
+from ._html import COLOURS, formula, table
 from ._model import Model
 from ._sympy import needed, plain, written
 
@@ -101,14 +101,14 @@ class Check:
                 ground += f"<br>its left side is {_formula(one.left)}"
             if one.point:
                 ground += "<br><small>at " + escape(", ".join(f"{name} = {value}" for name, value in one.point.items())) + "</small>"
-            rows.append([f"{escape(one.name)}<br>${one.printed} = 0$", (one.verdict, COLOURS.get(one.verdict)), ground])
-        where = "<br>where " + ", ".join(f"${latex}$" for latex in self._requires_latex) if self.requires else ""
+            rows.append([f"{escape(one.name)}<br>{formula(one.printed + ' = 0')}", (one.verdict, COLOURS.get(one.verdict)), ground])
+        where = "<br>where " + ", ".join(map(formula, self._requires_latex)) if self.requires else ""
         colour = COLOURS.get(self.verdict, "#656d76")
         return f'<b style="color:{colour}">{escape(self.verdict)}</b>: {escape(self.sentence)}{where}' + table(["equation", "verdict", "ground"], rows)
 
 
 def _formula(side: tuple[str, str] | None) -> str:
-    return "too long to be read" if side is None else f"${side[1]}$"
+    return "too long to be read" if side is None else formula(side[1])
 
 
 def check(method: Any, model: Model, names: Mapping[Any, str] | None = None, *, seconds: float | None = 300.0) -> Check:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from html import escape
 from typing import Any
 
-__all__ = ["COLOURS", "table"]
+__all__ = ["COLOURS", "formula", "table"]
 
 COLOURS = {
     "proved": "#1a7f37",
@@ -16,6 +16,11 @@ COLOURS = {
     "undefined": "#9a6700",
     "refuted": "#cf222e",
 }
+
+
+def formula(latex: str) -> str:
+    """A formula that a notebook typesets."""
+    return f"${escape(latex)}$"
 
 
 def table(head: list[str], rows: list[list[Any]]) -> str:

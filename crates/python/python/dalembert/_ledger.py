@@ -5,12 +5,12 @@ from __future__ import annotations
 import json
 import os
 from collections import Counter
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from html import escape
 from typing import Any
 
 from ._apart import apart
-from ._html import COLOURS, table
+from ._html import COLOURS, formula, table
 
 __all__ = ["Claim", "Correction", "Ledger", "judge"]
 
@@ -125,11 +125,11 @@ class Ledger(list[Claim]):
             if claim.counterexample:
                 ground += "<br><small>at " + escape(", ".join(f"{name} = {value}" for name, value in claim.counterexample.items())) + "</small>"
             if claim.missing:
-                ground += f"<br>missing: ${claim.missing[1]}$"
+                ground += f"<br>missing: {formula(claim.missing[1])}"
             for correction in claim.corrections:
-                ground += f"<br>corrected: ${correction.formula}$<br><small>{escape(correction.verdict)}: {escape(correction.sentence)}</small>"
+                ground += f"<br>corrected: {formula(correction.formula)}<br><small>{escape(correction.verdict)}: {escape(correction.sentence)}</small>"
             said = f"<br>{escape(claim.says)}" if claim.says else ""
-            rows.append([escape(claim.name) + said, f"${claim.printed}$", (claim.verdict, COLOURS.get(claim.verdict)), ground])
+            rows.append([escape(claim.name) + said, formula(claim.printed), (claim.verdict, COLOURS.get(claim.verdict)), ground])
         head = f"<b>{escape(self.title)}</b><br>{escape(self.citation)}<br>{escape(self._counted())}"
         return head + table(["claim", "printed", "verdict", "ground"], rows)
 
