@@ -61,6 +61,8 @@ pub(super) fn found(run: &Samples<'_>) -> Option<RunFailure> {
         return None;
     }
     let rate = match now > STEADY * then {
+        // nothing is known of the time before
+        _ if middle.0 >= near.0 => format!("grows by its own size in {now:.1e} s: an unstable motion"),
         false => format!("grows by its own size in {now:.1e} s, and did so all along: an unstable motion"),
         true => format!(
             "grows by its own size in {now:.1e} s, and in {then:.1e} s in the middle of the run: more slowly than an exponential"
