@@ -180,3 +180,20 @@ fn a_run_is_an_archive_of_numpy_too() {
     let first = text.find("time.npy").map(|at| &text[at..]).expect("times");
     assert!(first.contains("{'descr': '<f8', 'fortran_order': False, 'shape': (5,), }"), "{first}");
 }
+
+#[test]
+fn a_program_that_was_changed_by_hand_is_left_alone() {
+    let folder = Folder::new("changed");
+    folder.scene(&of_repository("models/double_pendulum.toml"));
+    for (option, file) in [("--c", "law.c"), ("--modelica", "law.mo"), ("--python", "law.py"), ("--rust", "law.rs")] {
+        let first = folder.text(option, file);
+        assert_eq!(folder.text(option, file), first, "its own file is written again");
+        let changed = first.replacen('1', "2", 1) + "mine\n";
+        fs::write(folder.0.join(file), &changed).expect("it can be written");
+        let said = folder.refused(&[option, file]);
+        assert!(said.contains("exists and is no unchanged program of `dalembert export`"), "{said}");
+        assert_eq!(fs::read_to_string(folder.0.join(file)).expect("it is there"), changed);
+        let output = folder.export(&[option, file, "--force"]);
+        assert_eq!(output.status.code(), Some(0), "{output:?}");
+    }
+}

@@ -1,9 +1,11 @@
 //! The forms in which commands write, and how a command knows a file of its own.
 //!
+//! A program of another language ends with a hash of its lines, so that one that was changed by hand is nobody's but its author's.
 //! A picture begins with a comment that names the command, a page has the command as its generator, a reference says which
 //! command made it. A table begins with lines of comment, `# ...`, which say its origin (`pandas.read_csv(..., comment="#")`); it is
 //! known by the line behind them, the names of its columns with their units.
 
+use super::seal::is_whole;
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::Path;
@@ -94,7 +96,7 @@ impl Form {
             Form::Archive => "archive",
             Form::Certificates => "file of certificates",
             Form::Unit => "unit",
-            Form::Program(_) => "program",
+            Form::Program(_) => "unchanged program",
         }
     }
 
@@ -124,7 +126,10 @@ impl Form {
                     text.starts_with("# Reference of ") && text.contains(&format!("\n# Made by: {name} "))
                 }
                 Form::Unit => text.contains(&format!("generationTool=\"{name}, version ")),
-                Form::Program(source) => text.starts_with(&format!("{} made by: {name}, version ", source.comment)),
+                Form::Program(source) => {
+                    text.starts_with(&format!("{} made by: {name}, version ", source.comment))
+                        && is_whole(&std::fs::read(file)?, source.comment)
+                }
                 Form::Certificates => text.starts_with(&format!("{{\"made_by\":\"{name}, version ")),
                 // letters of an array of texts have four bytes each
                 Form::Archive => text.replace('\0', "").contains(&format!("made by: {name}, version ")),

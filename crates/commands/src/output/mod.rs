@@ -11,6 +11,7 @@
 mod form;
 mod place;
 mod provenance;
+mod seal;
 
 pub use form::{Form, Maker, Source};
 pub use provenance::Provenance;
@@ -158,7 +159,10 @@ impl Output {
         let mark = form.mark(rights.maker);
         let marked = |out: &mut dyn Write| {
             out.write_all(mark.as_bytes())?;
-            content(out)
+            match &form {
+                Form::Program(source) => seal::sealed(out, source.comment, content),
+                _ => content(out),
+            }
         };
         match place {
             Target::Device(device) => to_device(device, marked).map_err(unwritable)?,
