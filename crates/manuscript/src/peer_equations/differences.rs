@@ -5,7 +5,7 @@ use crate::motion::Motion;
 use model::Trace;
 use model::equations::{Characteristics, Equations, generic_rank};
 use symbolic::linear::solve;
-use symbolic::{Hypotheses, Sym, decide, substitute_all};
+use symbolic::{Decision, Hypotheses, Sym, decide};
 
 /// A term that differs, each side in text and LaTeX.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -31,31 +31,60 @@ pub(super) struct Projected<'a, 't, 'm> {
 }
 
 impl Projected<'_, '_, '_> {
-    /// The terms by which an equation at a place differs: it is the one along the speed at this place, all others at rest. Empty where
-    /// this has no meaning.
-    pub fn differences(&self, row: Sym, place: usize) -> Vec<TermDifference> {
-        let Projected { trace, held, free, slopes } = self;
-        let size = free.independent.len();
-        let Some(square) = slopes.get(..size).filter(|square| place < size && generic_rank(square) == size) else {
-            return Vec::new();
-        };
-        let unit: Vec<Sym> = (0..size).map(|r| if r == place { Sym::ONE } else { Sym::ZERO }).collect();
-        let Ok(direction) = solve(square, &unit, &Hypotheses::none()) else { return Vec::new() };
+    /// An equation at a place, and the model's along the speed at this place, all other speeds at rest: on the constraints, with free
+    /// accelerations. None where that direction has no meaning.
+    pub fn sides(&self, row: Sym, place: usize) -> Option<[Sym; 2]> {
+        let square = self.slopes.get(..self.free.independent.len())?;
+        Some(self.beside(row, &self.free.along(&self.equations()), direction(square, place)?))
+    }
+
+    /// The same without the reactions of either, where all speeds are independent to the other program: equal where the equations are,
+    /// and no ground for a verdict.
+    pub fn sides_without_reactions(&self, row: Sym, place: usize, speeds: &[Sym]) -> Option<[Sym; 2]> {
+        let Projected { trace, held, .. } = self;
+        let by_speeds =
+            |speed: &Sym| (0..trace.speeds.len()).map(|k| held.reduced(trace.by_speed(*speed, k))).collect();
+        let square: Vec<Vec<Sym>> = speeds.iter().map(by_speeds).collect();
+        Some(self.beside(row, &self.equations(), direction(&square, place)?))
+    }
+
+    fn beside(&self, row: Sym, equations: &[Sym], direction: Vec<Sym>) -> [Sym; 2] {
+        let ours = equations.iter().zip(direction).fold(Sym::ZERO, |sum, (&row, part)| sum + part * row);
+        [self.held.reduced(row), self.held.reduced(ours)]
+    }
+
+    /// The model's equations, without reactions.
+    fn equations(&self) -> Vec<Sym> {
+        let trace = self.trace;
         let Equations { mass, bias, .. } = Equations::of(trace);
         let inertia = |(row, &bias): (&Vec<Sym>, &Sym)| {
             row.iter().zip(&trace.accelerations).fold(bias, |sum, (&entry, &rate)| sum + entry * rate)
         };
-        let rows: Vec<Sym> = mass.iter().zip(&bias).map(inertia).collect();
-        let ours =
-            free.along(&rows).into_iter().zip(direction.values()).fold(Sym::ZERO, |sum, (row, part)| sum + part * row);
-        let [theirs, ours] = [row, ours].map(|side| held.reduced(side));
+        mass.iter().zip(&bias).map(inertia).collect()
+    }
+
+    /// Their difference where no acceleration stands in it, with the divisors that must not vanish for that.
+    pub fn without_accelerations(&self, [theirs, ours]: [Sym; 2], requires: &mut Vec<Sym>) -> Option<Sym> {
+        let difference = theirs - ours;
+        for &k in &self.free.independent {
+            let slope = self.trace.by_acceleration(difference, k);
+            match decide(slope, &self.held.hypotheses) {
+                Decision::Zero(proof) => requires.extend(proof.requires),
+                _ => return None,
+            }
+        }
+        Some(at_rest(self.trace, difference))
+    }
+
+    /// The terms by which two sides differ.
+    pub fn differences(&self, [theirs, ours]: [Sym; 2]) -> Vec<TermDifference> {
+        let Projected { trace, free, .. } = self;
         let mut all = Vec::new();
         for &k in &free.independent {
             let [a, b] = [theirs, ours].map(|side| trace.by_acceleration(side, k));
             all.extend(self.difference(Some(trace.accelerations[k].to_string()), a, b));
         }
-        let rest: Vec<(Sym, Sym)> = trace.accelerations.iter().map(|&rate| (rate, Sym::ZERO)).collect();
-        let [a, b] = [0, 1].map(|side| substitute_all(&[theirs, ours], &rest)[side]);
+        let [a, b] = [theirs, ours].map(|side| at_rest(trace, side));
         all.extend(self.difference(None, a, b));
         all
     }
@@ -67,5 +96,24 @@ impl Projected<'_, '_, '_> {
         }
         let [theirs, ours, difference] = [theirs, ours, difference].map(|side| readable(side, self.held));
         Some(TermDifference { of, theirs, ours, difference })
+    }
+}
+
+/// An expression without its terms with accelerations.
+fn at_rest(trace: &Trace<'_>, expression: Sym) -> Sym {
+    let rest: Vec<(Sym, Sym)> = trace.accelerations.iter().map(|&rate| (rate, Sym::ZERO)).collect();
+    expression.substitute(&rest)
+}
+
+/// The speeds along which the one at a place alone moves; none where the matrix determines none.
+fn direction(square: &[Vec<Sym>], place: usize) -> Option<Vec<Sym>> {
+    let size = square.len();
+    let unit = |place: usize| (0..size).map(|r| if r == place { Sym::ONE } else { Sym::ZERO }).collect::<Vec<Sym>>();
+    if place >= size || square.iter().any(|row| row.len() != size) || generic_rank(square) < size {
+        return None;
+    }
+    match square.iter().enumerate().all(|(r, row)| *row == unit(r)) {
+        true => Some(unit(place)),
+        false => solve(square, &unit(place), &Hypotheses::none()).ok().map(|solution| solution.values()),
     }
 }

@@ -1,6 +1,6 @@
 //! Findings on the equations of another program, as text.
 
-use super::differences::{Projected, TermDifference};
+use super::differences::TermDifference;
 use crate::display::factors;
 use crate::equation::{Outcome, vanishes};
 use crate::motion::Motion;
@@ -38,12 +38,13 @@ pub struct PeerFinding {
 /// A longer expression is not written out.
 const READABLE: usize = 600;
 
-/// An equation that should vanish where the motion is.
+/// An expression that should vanish where the motion is, in words too; `along` has the accelerations.
 pub(super) fn judged(
     name: String,
-    row: Sym,
-    motion: &Motion<'_, '_>,
-    of: Option<(&Projected<'_, '_, '_>, usize)>,
+    zero: Sym,
+    [motion, along]: [&Motion<'_, '_>; 2],
+    zero_is: &str,
+    terms: impl FnOnce() -> Vec<TermDifference>,
     requires: &mut Vec<Sym>,
 ) -> PeerEquation {
     let mut found = PeerEquation {
@@ -54,11 +55,10 @@ pub(super) fn judged(
         left: None,
         point: Vec::new(),
     };
-    match vanishes(motion, row, &[]) {
+    match vanishes(motion, zero, &[]) {
         Outcome::Zero(divisors) => {
             requires.extend(divisors);
-            found.sentence =
-                "the normal form of its left side, with the model's accelerations put in, is zero".to_owned();
+            found.sentence = format!("the normal form of {zero_is} is zero");
         }
         Outcome::Identified(why) => (found.verdict, found.sentence) = (Verdict::Identified, why),
         Outcome::Undecided(why) => (found.verdict, found.sentence) = (Verdict::Undecided, why),
@@ -68,18 +68,17 @@ pub(super) fn judged(
         }
         Outcome::NonZero(refutation) => {
             found.verdict = Verdict::Refuted;
-            let left = motion.reduced(row);
+            let left = motion.reduced(zero);
             let value = refutation.value(left).map_or_else(|| "not zero".to_owned(), |value| value.to_string());
             let formal = if refutation.is_formal {
                 "; sines and cosines are taken there as independent of their angles"
             } else {
                 ""
             };
-            found.sentence =
-                format!("at the exact point its left side, with the model's accelerations put in, is {value}{formal}");
-            found.point = point(&refutation, motion);
+            found.sentence = format!("at the exact point {zero_is} is {value}{formal}");
+            found.point = point(&refutation, along);
             found.left = readable(left, motion);
-            found.terms = of.map(|(projected, place)| projected.differences(row, place)).unwrap_or_default();
+            found.terms = terms();
         }
     }
     found

@@ -44,6 +44,10 @@ pub struct PeerEquations {
     pub equations: Vec<(String, String)>,
 }
 
+const ON_CONSTRAINTS: &str = "its left side on the constraints of the model";
+const BESIDE_OURS: &str = "its difference to the model's equation along the same speed";
+const ALONG_MOTIONS: &str = "its left side, with the model's accelerations put in,";
+
 impl PeerEquations {
     /// Compares them with the equations of a system.
     ///
@@ -128,13 +132,38 @@ impl PeerEquations {
         let mut requires: Vec<Sym> = along.divisors.clone();
         let mut found = Vec::new();
         for (place, constraint) in rates.constraints.iter().enumerate() {
-            found.push(judged(format!("constraint {}", place + 1), *constraint, &held, None, &mut requires));
+            let name = format!("constraint {}", place + 1);
+            found.push(judged(name, *constraint, [&held, &along], ON_CONSTRAINTS, Vec::new, &mut requires));
         }
+        let idle: Vec<(Sym, Sym)> = rates.multipliers.iter().map(|&z| (z, Sym::ZERO)).collect();
         let names: Vec<&String> = self.equations.iter().map(|(name, _)| name).collect();
-        let (left, used) = without_multipliers(&rows, &rates.multipliers, &along)?;
+        // without reactions an equation is told by its terms, and one that differs is not to give a multiplier
+        let of_rows: Vec<Vec<TermDifference>> = match rates.multipliers.is_empty() {
+            true => Vec::new(),
+            false => {
+                let sides = |(place, row): (usize, &Sym)| {
+                    projected.sides_without_reactions(row.substitute(&idle), place, &rates.speeds)
+                };
+                let terms = |sides: Option<[Sym; 2]>| sides.map_or_else(Vec::new, |sides| projected.differences(sides));
+                rows.iter().enumerate().map(sides).map(terms).collect()
+            }
+        };
+        let differs = |place: usize| of_rows.get(place).is_some_and(|terms| !terms.is_empty());
+        let (left, used) = without_multipliers(&rows, &rates.multipliers, &along, differs)?;
         for (place, row) in left.iter().enumerate().filter(|(place, _)| !used.contains(place)) {
-            let of = rates.multipliers.is_empty().then_some((&projected, place));
-            found.push(judged(names[place].clone(), *row, &along, of, &mut requires));
+            let sides = rates.multipliers.is_empty().then(|| projected.sides(*row, place)).flatten();
+            // along every motion the model's side vanishes; without accelerations less has to be put in
+            let rest = sides.and_then(|sides| projected.without_accelerations(sides, &mut requires));
+            let (zero, motion, is) = match (rest, sides) {
+                (Some(rest), _) => (rest, &held, BESIDE_OURS),
+                (None, Some([theirs, ours])) => (theirs - ours, &along, ALONG_MOTIONS),
+                (None, None) => (*row, &along, ALONG_MOTIONS),
+            };
+            let terms = || match sides {
+                Some(sides) => projected.differences(sides),
+                None => of_rows.get(place).cloned().unwrap_or_default(),
+            };
+            found.push(judged(names[place].clone(), zero, [motion, &along], is, terms, &mut requires));
         }
         let used: Vec<&str> = used.iter().map(|&place| names[place].as_str()).collect();
         let (verdict, mut sentence) = whole(&found, determined, [theirs, freedom]);

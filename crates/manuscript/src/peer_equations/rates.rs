@@ -122,11 +122,12 @@ fn solved_speeds(kinematics: &[Sym], speeds: &[Sym]) -> Result<(Vec<Sym>, Vec<Sy
 }
 
 /// The equations with the multipliers put in that some of them give, and the places of these: those that leave the fewest of the others
-/// wrong.
+/// wrong, and of these such that do not differ from the model's if there are any.
 pub(super) fn without_multipliers(
     rows: &[Sym],
     multipliers: &[Sym],
     along: &Motion<'_, '_>,
+    differs: impl Fn(usize) -> bool,
 ) -> Result<(Vec<Sym>, Vec<usize>), Refusal> {
     if multipliers.is_empty() {
         return Ok((rows.to_vec(), Vec::new()));
@@ -147,11 +148,10 @@ pub(super) fn without_multipliers(
         taken.iter().map(|&row| columns.iter().map(|&column| slopes[row][column]).collect()).collect()
     };
     let mut best: Option<(usize, Vec<Sym>, Vec<usize>)> = None;
-    for taken in choices(rows.len(), columns.len())
-        .into_iter()
-        .filter(|taken| generic_rank(&square(taken)) == columns.len())
-        .take(MOST_CHOICES)
-    {
+    let mut all = choices(rows.len(), columns.len());
+    all.retain(|taken| generic_rank(&square(taken)) == columns.len());
+    all.sort_by_key(|taken| taken.iter().filter(|&&row| differs(row)).count());
+    for taken in all.into_iter().take(MOST_CHOICES) {
         let at_rest: Vec<(Sym, Sym)> = columns.iter().map(|&column| (multipliers[column], Sym::ZERO)).collect();
         let right: Vec<Sym> = taken.iter().map(|&row| -rows[row].substitute(&at_rest)).collect();
         let Ok(solution) = solve(&square(&taken), &right, &Hypotheses::none()) else { continue };

@@ -19,7 +19,14 @@ from typing import Any
 
 __all__ = ["apart"]
 
-_PROGRAM = "from dalembert._apart import _work; _work()"
+# modules are looked for where this process finds them, this package too
+_PROGRAM = """
+import pickle, struct, sys
+source = sys.stdin.buffer
+sys.path[:] = pickle.loads(source.read(*struct.unpack("<Q", source.read(8))))
+from dalembert._apart import _work
+_work()
+"""
 _HEAD = struct.Struct("<cQ")
 # a process that ends by itself is given so many seconds beyond its time
 _GRACE = 1.5
@@ -37,7 +44,8 @@ def apart(task: str, arguments: tuple, seconds: float | None, told: Callable[[An
         raise ValueError(f"`seconds` is {seconds!r}; a positive time in seconds is accepted, and None for no limit")
     if not sys.executable:
         raise RuntimeError("this Python is part of another program, and no other process of it can be begun; the program `dalembert` does the same")
-    given = pickle.dumps((sys.path, task, seconds, arguments))
+    seconds = None if seconds is None else min(seconds, _LONGEST)
+    given = b"".join(struct.pack("<Q", len(part)) + part for part in map(pickle.dumps, (sys.path, (task, seconds, arguments))))
     # it hears of Ctrl-C from here alone
     process = subprocess.Popen([sys.executable, "-c", _PROGRAM], stdin=subprocess.PIPE, stdout=subprocess.PIPE, start_new_session=True)
     late = threading.Event()
@@ -51,7 +59,7 @@ def apart(task: str, arguments: tuple, seconds: float | None, told: Callable[[An
         timer.daemon = True
         timer.start()
     try:
-        process.stdin.write(struct.pack("<Q", len(given)) + given)
+        process.stdin.write(given)
         process.stdin.flush()
         while True:
             head = process.stdout.read(_HEAD.size)
@@ -88,8 +96,7 @@ def _work() -> None:
     # what is printed by others must not come between the answers
     sys.stdout = sys.stderr
     (size,) = struct.unpack("<Q", source.read(8))
-    path, task, seconds, arguments = pickle.loads(source.read(size))
-    sys.path[:] = path
+    task, seconds, arguments = pickle.loads(source.read(size))
 
     def answer(kind: bytes, value: Any) -> None:
         body = pickle.dumps(value, protocol=pickle.HIGHEST_PROTOCOL)

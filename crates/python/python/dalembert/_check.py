@@ -42,7 +42,7 @@ class CheckedEquation:
         for term in self.terms:
             lines.append(f"  {_place(term)}: theirs less ours is {_text(term['difference'])}" + (f" (theirs {_text(term['theirs'])}, ours {_text(term['ours'])})" if term["of"] else ""))
         if self.left is not None and not self.terms:
-            lines.append(f"  left side with the model's accelerations: {self.left[0]}")
+            lines.append(f"  value along the motions of the model: {self.left[0]}")
         if self.point:
             lines.append("  at " + ", ".join(f"{name} = {value}" for name, value in self.point.items()))
         return "\n".join(lines)
@@ -98,7 +98,7 @@ class Check:
                 sides = "" if term["of"] is None else f" (theirs {_formula(term['theirs'])}, ours {_formula(term['ours'])})"
                 ground += f"<br>{escape(_place(term))}: theirs less ours is {_formula(term['difference'])}{sides}"
             if one.left is not None and not one.terms:
-                ground += f"<br>its left side is {_formula(one.left)}"
+                ground += f"<br>along the motions of the model its value is {_formula(one.left)}"
             if one.point:
                 ground += "<br><small>at " + escape(", ".join(f"{name} = {value}" for name, value in one.point.items())) + "</small>"
             rows.append([f"{escape(one.name)}<br>{formula(one.printed + ' = 0')}", (one.verdict, COLOURS.get(one.verdict)), ground])
@@ -128,8 +128,7 @@ def check(method: Any, model: Model, names: Mapping[Any, str] | None = None, *, 
         raise TypeError(f"`model` is {model!r}; a dalembert.Model is accepted")
     equations, printed = _Equations(method, model, names or {}).parts()
     found = apart("check", (model, equations), seconds)
-    titles = [name for name, _ in equations["equations"]]
-    of = dict(zip(titles, printed))
+    of = dict(zip([f"constraint {k + 1}" for k in range(len(equations["constraints"]))] + [name for name, _ in equations["equations"]], printed))
     checked = [CheckedEquation(**one, printed=of.get(one["name"], r"\text{" + one["name"] + "}")) for one in found["equations"]]
     requires = found["requires"]
     return Check(found["verdict"], found["sentence"], checked, [text for text, _ in requires], [latex for _, latex in requires])
@@ -259,7 +258,7 @@ class _Equations:
             "constraints": texts[k:m],
             "equations": list(zip(titles, texts[m:])),
         }
-        return equations, [sympy.latex(row) for row in dynamics]
+        return equations, [sympy.latex(row) for row in self.constraints + dynamics]
 
     def _titles(self, count: int) -> list[str]:
         along = [str(one).replace(f"({self.time})", "") for one in (self.u or self.q)]

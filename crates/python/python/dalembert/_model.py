@@ -157,7 +157,7 @@ class Model:
         """The smallest model of this system that meets a tolerance in the outputs that matter, and the method that runs it the cheapest.
 
         tolerance: the largest error allowed, relative to the size of each output. outputs: names of columns of a run; without them the `outputs` of
-        [run], or all columns. seconds: TimeoutError is raised then; None for no limit. Ctrl-C breaks it off.
+        [run], or all columns. seconds: nothing is chosen then, and ModelError says so; None for no limit. Ctrl-C breaks it off.
         """
         tolerance = _number("tolerance", tolerance)
         if not 0 < tolerance < 1:
