@@ -15,6 +15,7 @@ import threading
 import time
 import warnings
 from collections.abc import Callable
+from contextlib import suppress
 from typing import Any
 
 __all__ = ["apart"]
@@ -48,6 +49,8 @@ def apart(task: str, arguments: tuple, seconds: float | None, told: Callable[[An
     given = b"".join(struct.pack("<Q", len(part)) + part for part in map(pickle.dumps, (sys.path, (task, seconds, arguments))))
     # it hears of Ctrl-C from here alone
     process = subprocess.Popen([sys.executable, "-c", _PROGRAM], stdin=subprocess.PIPE, stdout=subprocess.PIPE, start_new_session=True)
+    source, sink = process.stdout, process.stdin
+    assert source is not None and sink is not None
     late = threading.Event()
 
     def end() -> None:
@@ -59,16 +62,18 @@ def apart(task: str, arguments: tuple, seconds: float | None, told: Callable[[An
         timer.daemon = True
         timer.start()
     try:
-        process.stdin.write(given)
-        process.stdin.flush()
+        # a process that ended at once takes nothing, and its end is told below
+        with suppress(BrokenPipeError):
+            sink.write(given)
+            sink.flush()
         while True:
-            head = process.stdout.read(_HEAD.size)
+            head = source.read(_HEAD.size)
             if len(head) < _HEAD.size:
                 if late.is_set():
                     raise TimeoutError(f"{task}: broken off after {seconds:g} s; more time is given by `seconds`")
                 raise RuntimeError(f"{task}: its process ended with the code {process.wait()}")
             kind, size = _HEAD.unpack(head)
-            body = process.stdout.read(size)
+            body = source.read(size)
             if len(body) < size:
                 continue
             value = pickle.loads(body)
@@ -84,8 +89,9 @@ def apart(task: str, arguments: tuple, seconds: float | None, told: Callable[[An
         if timer is not None:
             timer.cancel()
         process.kill()
-        process.stdin.close()
-        process.stdout.close()
+        for pipe in (sink, source):
+            with suppress(OSError):
+                pipe.close()
         process.wait()
 
 
@@ -118,7 +124,11 @@ def _work() -> None:
     try:
         value = getattr(_tasks, task)(left, lambda told: answer(b"t", told), *arguments)
     except BaseException as error:
-        answer(b"e", error)
+        try:
+            answer(b"e", error)
+        except Exception:
+            # what is no class of a module cannot be handed over
+            answer(b"e", RuntimeError(f"{task}: {type(error).__name__}: {error}"))
     else:
         answer(b"v", value)
     # threads that still compute are of no use to anybody

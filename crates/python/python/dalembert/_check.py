@@ -16,6 +16,8 @@ __all__ = ["Check", "CheckedEquation", "check"]
 
 # longer equations are handed over with their common parts by themselves
 _LONG = 200
+# longer ones are not printed
+_PRINTED = 2000
 
 
 @dataclass(frozen=True)
@@ -209,9 +211,9 @@ class _Equations:
             if not isinstance(meaning, str):
                 raise TypeError(f"`names` gives {name!r} the meaning {meaning!r}; the text of an expression of the model is accepted")
             # messages show it
-            own = plain(name)
-            taken = not own.isidentifier() or own in (*self.names.values(), "t", "pi")
-            self.names[name] = f"letter_{place}" if taken else own
+            shown = plain(name)
+            taken = not shown.isidentifier() or shown in (*self.names.values(), "t", "pi")
+            self.names[name] = f"letter_{place}" if taken else shown
             letters.append((self.names[name], meaning))
         for place, one in enumerate(self.u, 1):
             self.names[_key(one)] = f"speed_of_method_{place}"
@@ -258,7 +260,7 @@ class _Equations:
             "constraints": texts[k:m],
             "equations": list(zip(titles, texts[m:])),
         }
-        return equations, [sympy.latex(row) for row in self.constraints + dynamics]
+        return equations, [sympy.latex(row) if row.count_ops() < _PRINTED else r"\text{too long to be printed}" for row in self.constraints + dynamics]
 
     def _titles(self, count: int) -> list[str]:
         along = [str(one).replace(f"({self.time})", "") for one in (self.u or self.q)]

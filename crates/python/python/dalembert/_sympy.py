@@ -142,7 +142,8 @@ def written(expression: Any, name_of: Callable[[str, int], str]) -> str:
         if coefficient.is_number and coefficient.is_negative:
             text, level = told(-coefficient * rest)
             return "-" + (text if level >= 2 else f"({text})"), 1
-        above, below = [], []
+        above: list[str] = []
+        below: list[str] = []
         for one in part.args:
             if one.is_Pow and one.exp.is_Rational and one.exp.is_negative:
                 below.append(held(one.base ** -one.exp, 3))
