@@ -10,6 +10,7 @@ from typing import Any
 from ._apart import apart
 from ._html import COLOURS, formula, table
 from ._model import Model
+from ._native import ModelError
 from ._sympy import needed, plain, written
 
 __all__ = ["Check", "CheckedEquation", "check"]
@@ -199,13 +200,9 @@ class _Equations:
         unmatched = [name for name in found if name not in given and plain(name) not in known]
         unused = [name for name in given if name not in found and name not in own]
         if unmatched or unused:
-            from ._native import ModelError
-
             what = f"no letter of the model is called {', '.join(unmatched)}" if unmatched else f"SymPy's equations hold no {', '.join(unused)}"
-            raise ModelError(
-                f"{what}; `names` says what a letter of SymPy is in the model: "
-                f"SymPy has {', '.join(found)}; the model has {', '.join(known)}"
-            )
+            both = f"SymPy has {', '.join(found)}; the model has {', '.join(known)}"
+            raise _refusal(native.name, f"{what}; {both}", "`names` says what a letter of SymPy is in the model")
         letters = []
         for place, (name, meaning) in enumerate(meanings.items(), 1):
             if not isinstance(meaning, str):
@@ -265,6 +262,16 @@ class _Equations:
     def _titles(self, count: int) -> list[str]:
         along = [str(one).replace(f"({self.time})", "") for one in (self.u or self.q)]
         return [f"equation {place + 1}" + (f" ({along[place]})" if place < len(along) else "") for place in range(count)]
+
+
+def _refusal(name: str, title: str, remedy: str) -> ModelError:
+    """An error without a place in a text."""
+    error = ModelError(f"{title}; {remedy}")
+    issue = {"file": name, "line": None, "column": None, "title": title, "label": "", "remedy": remedy}
+    for key, value in issue.items():
+        setattr(error, key, value)
+    error.issues = [issue]
+    return error
 
 
 def _key(known: Any) -> str:
