@@ -243,7 +243,7 @@ fn without_positive(expression: Sym, motion: &Motion<'_, '_>, known: &[Condition
         let least = terms.iter().map(|(exponents, _)| exponents[0]).min().unwrap_or(0);
         let power = if is_positive(letter) { least } else { least - least % 2 };
         if power > 0 && is_positive(letter.powi(power as i32)) {
-            left = left / letter.powi(power as i32);
+            left /= letter.powi(power as i32);
         }
     }
     let whole = if is_positive(below) { left } else { left / below };

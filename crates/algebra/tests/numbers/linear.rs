@@ -1,6 +1,6 @@
 //! Linear equations over fields: determinants, and elimination beside exact solutions.
 
-use dalembert_algebra::linear::{Factors, Magnitude, NotSolved, Pattern, determinant};
+use dalembert_algebra::linear::{Factors, Magnitude, NotSolved, Pattern, determinant, nonnegative_combination};
 use dalembert_algebra::real::Ball;
 use field::{Rational, Scalar};
 
@@ -132,4 +132,34 @@ fn of_enclosed_equations_no_unknown_is_left_free() {
     let enclosed = Factors::<Ball>::new(&pattern).factor(&[Ball::constant(3.0); 4]);
     assert_eq!(rounded, Ok(()));
     assert!(matches!(enclosed, Err(NotSolved::Undetermined(_))));
+}
+
+fn rationals(numbers: &[i64]) -> Vec<Rational> {
+    numbers.iter().map(|&number| Rational::new(number, 1)).collect()
+}
+
+#[test]
+fn a_combination_with_factors_that_are_not_negative_is_found_or_there_is_none() {
+    let columns: Vec<Vec<Rational>> =
+        [[1, 0, 2], [0, 1, 1], [-1, 2, 0], [3, -1, 5]].iter().map(|column| rationals(column)).collect();
+    let target = rationals(&[3, 4, 10]);
+    let found =
+        nonnegative_combination(&columns, &target).expect("three times the first and four times the second are one");
+    assert!(found.iter().all(|factor| factor.sign() != Some(-1)), "{found:?}");
+    for row in 0..3 {
+        let sum = columns.iter().zip(&found).fold(Rational::new(0, 1), |sum, (column, &by)| sum + column[row] * by);
+        assert_eq!(sum, target[row]);
+    }
+    // the sum of the first two entries is never negative
+    let columns = vec![rationals(&[1, 0]), rationals(&[2, -1]), rationals(&[-1, 3])];
+    assert_eq!(nonnegative_combination(&columns, &rationals(&[-1, 0])), None);
+    // tables in which other rules of exchange may go round in circles (E. M. L. Beale)
+    let columns =
+        vec![rationals(&[1, 2, 0]), rationals(&[-60, -90, 0]), rationals(&[-1, -1, 25]), rationals(&[9, 3, 0])];
+    assert!(nonnegative_combination(&columns, &rationals(&[0, 0, 25])).is_some());
+}
+
+#[test]
+fn columns_of_other_lengths_have_no_combination() {
+    assert_eq!(nonnegative_combination(&[rationals(&[1])], &rationals(&[1, 2])), None);
 }
