@@ -214,9 +214,26 @@ impl NativeModel {
         results::chart(py, (self.scene(py)?, &self.text.name), seconds)
     }
 
-    /// The members of the text's table [ensemble].
-    fn ensemble<'py>(&self, py: Python<'py>, threads: Option<usize>, seconds: f64) -> PyResult<Bound<'py, PyDict>> {
-        results::ensemble(py, &self.text, usual(), threads, seconds)
+    /// The number of members of the text's table [ensemble].
+    fn ensemble_members(&self, py: Python<'_>) -> PyResult<u64> {
+        Ok(results::ensemble_scene(py, &self.text, usual())?.members)
+    }
+
+    /// Members of the text's table [ensemble], from one to another; all without these.
+    fn ensemble<'py>(
+        &self,
+        py: Python<'py>,
+        members: Option<(u64, u64)>,
+        threads: Option<usize>,
+        seconds: f64,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let scene = results::ensemble_scene(py, &self.text, usual())?;
+        let (first, last) = members.unwrap_or((1, scene.members));
+        if !(1 <= first && first <= last && last <= scene.members) {
+            let why = format!("members from {first} to {last} are asked for; from 1 to {} are there", scene.members);
+            return Err(refused(py, &self.text.name, why));
+        }
+        results::ensemble(py, &scene, first..=last, threads, seconds)
     }
 
     fn linearise(&self, py: Python<'_>, equilibrium: bool, inputs: Vec<String>) -> PyResult<LinearEquations> {

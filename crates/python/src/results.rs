@@ -7,12 +7,12 @@ use dalembert::manuscript::{Finding, PaperText};
 use dalembert::scenes::steady_motions::{Asked, Range};
 use dalembert::scenes::{Given, SystemText, parse_ensemble_with};
 use dalembert::simulation::Run;
-use dalembert::simulation::ensemble::Row;
+use dalembert::simulation::ensemble::{EnsembleScene, Row};
 use dalembert::simulation::models::Modelled;
 use numpy::{PyArray1, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use std::ops::ControlFlow;
+use std::ops::{ControlFlow, RangeInclusive};
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::thread::available_parallelism;
@@ -136,17 +136,21 @@ pub fn chart(
     Ok((object.to_string(), text, pictures))
 }
 
-/// An ensemble: its columns with their units, a row of numbers for each member, and why members stopped.
+/// An ensemble as its text says.
+pub fn ensemble_scene(py: Python<'_>, text: &SystemText, run: Run) -> PyResult<EnsembleScene> {
+    let given = Given { run: Some(run), values: text.values.clone(), ..Given::default() };
+    let scene = py.detach(|| parse_ensemble_with(&text.name, &text.text, given));
+    scene.map_err(|error| scene_error(py, &error))
+}
+
+/// Some members of an ensemble: its columns with their units, a row of numbers for each member, and why members stopped.
 pub fn ensemble<'py>(
     py: Python<'py>,
-    text: &SystemText,
-    run: Run,
+    scene: &EnsembleScene,
+    members: RangeInclusive<u64>,
     threads: Option<usize>,
     seconds: f64,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let given = Given { run: Some(run), values: text.values.clone(), ..Given::default() };
-    let scene = py.detach(|| parse_ensemble_with(&text.name, &text.text, given));
-    let scene = scene.map_err(|error| scene_error(py, &error))?;
     let threads = threads.unwrap_or_else(|| available_parallelism().map_or(1, usize::from));
     let end = end_after(seconds);
     let (mut numbers, mut stopped) = (Vec::new(), Vec::new());
@@ -173,10 +177,11 @@ pub fn ensemble<'py>(
         stopped.push(row.stopped);
         if Instant::now() + KEPT < end { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
     };
-    py.detach(|| scene.run(1..=scene.members, threads, take));
+    let asked = members.end() + 1 - members.start();
+    py.detach(|| scene.run(members, threads, take));
     let told = PyDict::new(py);
     let rows = stopped.len();
-    told.set_item("members", scene.members)?;
+    told.set_item("members", asked)?;
     told.set_item("columns", columns)?;
     told.set_item("rows", PyArray1::from_vec(py, numbers).reshape([rows, width])?)?;
     told.set_item("stopped", stopped)?;

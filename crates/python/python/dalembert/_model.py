@@ -12,11 +12,14 @@ import numpy
 from ._apart import apart
 from ._builder import ModelBuilder, ensemble_text
 from ._native import Equations, JacobianMatrix, LinearEquations, NativeModel, RightHandSide
+from ._parts import in_parts
 from ._proofs import Judgements
 from ._results import Chart, Ensemble, ModelChoice, SteadyMotions
 from ._trajectory import Trajectory
 
 if TYPE_CHECKING:
+    from concurrent.futures import Executor
+
     from ._check import Check
 
 __all__ = ["Model"]
@@ -183,6 +186,8 @@ class Model:
         seed: int = 1,
         threads: int | None = None,
         seconds: float | None = 300.0,
+        executor: Executor | None = None,
+        parts: int | None = None,
     ) -> Ensemble:
         """Runs many members of this system, whose parameters and starts vary.
 
@@ -190,13 +195,20 @@ class Model:
         distribution in SI units: {"m": {"from": 0.9, "to": 1.1}, "x'": {"mean": 0, "deviation": 0.1}, "k": {"values": [1, 2, 3]}}, or as in a text with units.
         The numbers of a member depend on `seed`, its number and the name of the datum alone. threads: as many as there are processors without
         it; the numbers do not depend on them. seconds: members that have not run by then are left out; None for no limit. Ctrl-C breaks it off.
+        executor: any of `concurrent.futures`, or of Dask (`client.get_executor()`), whose workers run parts of the members, by one thread each where
+        `threads` is not given; parts: their number, by default four for each processor here. The numbers are those of one run here. What a worker that
+        was killed leaves undone is computed here.
         """
         model = self
         if members is not None or vary is not None:
             if members is None or not vary:
                 raise ValueError("`members`, their number, and `vary`, what varies, are accepted together")
             model = Model._with_text(self, self.text + ensemble_text(members, vary, seed, self.units, set(self.parameters)))
-        return Ensemble(apart("ensemble", (model, threads), seconds), self.title)
+        if executor is None:
+            if parts is not None:
+                raise ValueError("`parts` is for an `executor`, whose workers run them")
+            return Ensemble(apart("ensemble", (model, None, threads), seconds), self.title)
+        return Ensemble(in_parts(model, executor, parts, threads or 1, seconds), self.title)
 
     @staticmethod
     def _with_text(model: Model, text: str) -> Model:

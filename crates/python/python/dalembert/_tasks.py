@@ -42,6 +42,6 @@ def chart(seconds: float, tell: Tell, model: Model) -> tuple[str, str, tuple[str
     return model._native.chart(seconds)
 
 
-def ensemble(seconds: float, tell: Tell, model: Model, threads: int | None) -> dict[str, Any]:
-    """The members of an ensemble."""
-    return model._native.ensemble(threads, seconds)
+def ensemble(seconds: float, tell: Tell, model: Model, members: tuple[int, int] | None, threads: int | None) -> dict[str, Any]:
+    """Members of an ensemble, from one to another."""
+    return model._native.ensemble(members, threads, seconds)
