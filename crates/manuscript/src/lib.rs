@@ -56,6 +56,7 @@ mod premises;
 mod presuppositions;
 mod real_signs;
 mod refutation;
+mod resting_equations;
 mod signs;
 mod square_sums;
 mod stability;

@@ -9,7 +9,7 @@ use crate::extent::is_met;
 use crate::finding::Finding;
 use crate::letters::Letters;
 use crate::motion::Motion;
-use crate::steadiness::SteadyMotion;
+use crate::resting_equations::SteadyMotion;
 use crate::verdict::neither;
 use claims::{Condition, Verdict};
 use symbolic::{Sym, decide, normal};

@@ -22,6 +22,8 @@ pub(super) struct Probe<'t, 'm> {
     kind: Kind,
     /// Lines that say nothing in the print itself.
     empty: usize,
+    /// Letters for sums and products of others that the print does not have, with what they stand for.
+    foreign: Vec<(Sym, Sym)>,
     samples: Option<Samples>,
     linear: Option<Linearisation<'t, 'm>>,
     /// The hypotheses alone.
@@ -53,8 +55,14 @@ impl<'t, 'm> Probe<'t, 'm> {
         let samples = Samples::of(&motion.hypotheses);
         let mut hypothetical = Motion::without_anything(trace);
         assume(&mut hypothetical, assumed).ok()?;
-        let mut probe = Probe { motion, at: None, kind: claim.kind, empty: 0, samples, assumed: hypothetical, linear };
+        let foreign = Vec::new();
+        let mut probe =
+            Probe { motion, at: None, kind: claim.kind, empty: 0, foreign, samples, assumed: hypothetical, linear };
         let lines = probe.lines(claim, statement, letters)?;
+        let printed: Vec<Sym> = lines.iter().flat_map(|line| line.own).flat_map(Sym::symbols_of).collect();
+        let is_foreign = |value: Sym, own: Sym| value.symbol_name().is_none() && !printed.contains(&own);
+        let foreign = letters.scalars().filter(|(_, value, own, _)| is_foreign(*value, *own));
+        probe.foreign = foreign.map(|(_, value, own, _)| (own, letters.told(value))).collect();
         probe.empty = lines.iter().filter(|line| says_nothing(line)).count();
         let conditions = conditions(&probe.motion, assumed);
         let refuted =
@@ -114,7 +122,9 @@ impl<'t, 'm> Probe<'t, 'm> {
         let at = |zero: &Sym| self.at.as_ref().and_then(|at| at.value(*zero));
         let values: Vec<Option<Sym>> = zeros.iter().map(at).collect();
         let fails = values.iter().flatten().any(|value| *value != Sym::ZERO);
-        if fails || lines.iter().filter(|line| says_nothing(line)).count() > self.empty {
+        // a letter of the paper that stands for others says nothing new by itself
+        let plain = |line: &Line| Line { model: line.model, own: line.own.map(|own| own.substitute(&self.foreign)) };
+        if fails || lines.iter().filter(|line| says_nothing(&plain(line))).count() > self.empty {
             return Look::Fails;
         }
         // a constant of the letters alone is no integral, and no equation of motion holds without the equations

@@ -1,6 +1,6 @@
 //! The smallest edit that makes a refuted claim true.
 
-use crate::{on, verdict};
+use crate::{on, on_pendulum, verdict};
 use dalembert_manuscript::{EditKind, Finding};
 
 const CART: &str = r#"
@@ -122,4 +122,12 @@ fn the_bracket_of_a_power_stays_where_its_letter_is_exchanged() {
     let found = on(CART, "formula", r"T = \frac{1}{2} m ((x)^2 + (\dot{y})^2)", "");
     let formulas: Vec<&str> = found.corrections.iter().map(|one| one.formula.as_str()).collect();
     assert_eq!(formulas, [r"T = \frac{1}{2} m ((\dot{x})^2 + (\dot{y})^2)"], "{}", found.text());
+}
+
+#[test]
+fn a_letter_for_others_does_not_hide_that_a_correction_says_nothing() {
+    // the left side by the right one, with l as h/2
+    let found = on_pendulum("identity", r"\sqrt{l^2 + m^2} = \sqrt{l^2} + m", r"given = ['l \geq 0', 'm \geq 0']");
+    assert_eq!(verdict(&found), "refuted", "{}", found.text());
+    assert!(found.corrections.iter().all(|one| !one.formula.contains('h')), "{}", found.text());
 }

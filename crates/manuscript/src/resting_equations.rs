@@ -1,0 +1,183 @@
+//! The equations of motion where letters rest: what they ask of such a motion, without reactions and accelerations.
+
+use crate::claim_text::ClaimText;
+use crate::conditions::{Hypothesis, assume, conditions};
+use crate::consequence::{is_apart, require};
+use crate::finding::Finding;
+use crate::letters::Letters;
+use crate::linear_motion::determinant;
+use crate::motion::{Motion, solution};
+use crate::steady_motion::Resting;
+use claims::Condition;
+use model::Trace;
+use model::equations::{Characteristics, Equation, Equations, constraints_of, solved};
+use reader::Issue;
+use symbolic::Sym;
+
+/// Motions on which letters rest: what the equations of motion ask of them.
+pub(crate) struct SteadyMotion<'t, 'm> {
+    pub motion: Motion<'t, 'm>,
+    /// With the coordinates of their equations.
+    pub equations: Vec<(Sym, String)>,
+    /// The printed conditions.
+    pub printed: Vec<Sym>,
+    pub conditions: Vec<Condition>,
+    pub rates: Vec<(Sym, Sym)>,
+}
+
+impl<'t, 'm> SteadyMotion<'t, 'm> {
+    /// The equations that hold no reaction and no acceleration. What was divided by is listed in the finding.
+    ///
+    /// # Errors
+    /// All that is wrong in the file; else, inside, why there are no such equations.
+    pub fn of(
+        claim: &ClaimText,
+        printed: &[Sym],
+        letters: &Letters<'t, 'm>,
+        assumed: &[Hypothesis],
+        finding: &mut Finding,
+    ) -> Result<Result<Self, String>, Issue> {
+        let trace = letters.trace;
+        let rates = Resting::of(claim, letters)?.rates(letters);
+        let mut motion = Motion::at_rest(trace, &rates);
+        assume(&mut motion, assumed)?;
+        let conditions = conditions(&motion, assumed);
+        let all = Equations::of(trace);
+        let inertia: Vec<Sym> = (all.mass.iter().zip(&all.bias))
+            .map(|(row, &bias)| {
+                row.iter().zip(&trace.accelerations).fold(bias, |sum, (&entry, &rate)| sum + entry * rate)
+            })
+            .collect();
+        let places = connected(&all, |k| rates.iter().any(|(rate, _)| *rate == trace.accelerations[k]));
+        let mut equations: Vec<(Sym, String)> = match all.constraints.is_empty() {
+            true => places.iter().map(|&k| (inertia[k], trace.direction(k))).collect(),
+            false => without_reactions(trace, &all.constraints, &inertia, &places),
+        };
+        equations.iter_mut().for_each(|(equation, _)| *equation = motion.reduced(*equation));
+        let mut printed: Vec<Sym> = printed.iter().map(|&one| motion.reduced(one)).collect();
+        let moving: Vec<Sym> =
+            trace.accelerations.iter().copied().filter(|one| rates.iter().all(|(rate, _)| rate != one)).collect();
+        // as many equations as such accelerations give these, and state nothing else
+        let holds_one = |equation: Sym| moving.iter().any(|one| equation.symbols_of().contains(one));
+        let is_held = |one: &&Sym| equations.iter().any(|(equation, _)| equation.symbols_of().contains(one));
+        let held = moving.iter().filter(is_held).count();
+        if held == equations.iter().filter(|(equation, _)| holds_one(*equation)).count()
+            && !printed.iter().any(|one| holds_one(*one))
+        {
+            equations.retain(|(equation, _)| !holds_one(*equation));
+        }
+        match determined(&moving, &mut equations, &mut motion, &mut printed, &conditions) {
+            Ok(divided) => divided.into_iter().for_each(|pivot| require(pivot, &conditions, letters, finding)),
+            Err(acceleration) => {
+                let told = letters.told(acceleration);
+                return Ok(Err(format!("{told} was not given by the equations of motion")));
+            }
+        }
+        for one in &mut printed {
+            if let Some(reaction) = motion.undetermined(*one) {
+                match reactions(trace) {
+                    Some(values) => *one = motion.reduced(one.substitute(&values)),
+                    None => {
+                        let told = letters.told(reaction);
+                        return Ok(Err(format!("{told} is not given by the equations of motion")));
+                    }
+                }
+            }
+        }
+        Ok(Ok(SteadyMotion { motion, equations, printed, conditions, rates }))
+    }
+}
+
+/// Combinations of more equations divide.
+const MOST_SPEEDS: usize = 7;
+
+/// Equations of motion without the reactions of constraints: determinants of the rows of constraints with the equations below them, which
+/// divide by nothing; where those are many, the combinations along the speeds that stay free.
+fn without_reactions(
+    trace: &Trace<'_>,
+    constraints: &[Equation],
+    inertia: &[Sym],
+    places: &[usize],
+) -> Vec<(Sym, String)> {
+    let acts = |one: &&Equation| places.iter().any(|&k| one.row[k] != Sym::ZERO);
+    let rows: Vec<&Equation> = constraints.iter().filter(acts).collect();
+    if places.len() > MOST_SPEEDS || rows.len() > MOST_CONSTRAINTS {
+        let along = Characteristics::of(trace, constraints).along(inertia);
+        return along.into_iter().enumerate().map(|(k, equation)| (equation, trace.direction(k))).collect();
+    }
+    let of = |columns: Vec<usize>| {
+        let above = rows.iter().map(|one| columns.iter().map(|&k| one.row[k]).collect());
+        let all: Vec<Vec<Sym>> = above.chain([columns.iter().map(|&k| inertia[k]).collect()]).collect();
+        let names: Vec<String> = columns.iter().map(|&k| trace.direction(k)).collect();
+        (determinant(&all), names.join(" and "))
+    };
+    let choices = chosen(0, places.len(), rows.len() + 1).into_iter();
+    choices
+        .map(|choice| of(choice.into_iter().map(|place| places[place]).collect()))
+        .filter(|(equation, _)| *equation != Sym::ZERO)
+        .collect()
+}
+
+/// Determinants of more rows are not expanded.
+const MOST_CONSTRAINTS: usize = 3;
+
+/// Every choice of so many places from here on.
+fn chosen(from: usize, end: usize, count: usize) -> Vec<Vec<usize>> {
+    if count == 0 {
+        return vec![Vec::new()];
+    }
+    let after =
+        |first: usize| chosen(first + 1, end, count - 1).into_iter().map(move |rest| [vec![first], rest].concat());
+    (from..end).flat_map(after).collect()
+}
+
+/// Accelerations that do not rest are given by equations of motion, which state nothing else then. What was divided by.
+///
+/// # Errors
+/// One of them is given by no equation without a divisor that may vanish.
+fn determined(
+    moving: &[Sym],
+    equations: &mut Vec<(Sym, String)>,
+    motion: &mut Motion<'_, '_>,
+    printed: &mut [Sym],
+    conditions: &[Condition],
+) -> Result<Vec<Sym>, Sym> {
+    let mut divided = Vec::new();
+    for &acceleration in moving {
+        let holds_it = |expression: Sym| expression.symbols_of().contains(&acceleration);
+        if !printed.iter().any(|one| holds_it(*one)) && !equations.iter().any(|(equation, _)| holds_it(*equation)) {
+            continue;
+        }
+        let found = equations.iter().enumerate().find_map(|(place, (equation, _))| {
+            let found = solution(motion.trace, *equation, Some(acceleration))?;
+            (found.symbol == acceleration && is_apart(found.divisor, motion, conditions)).then_some((place, found))
+        });
+        let (place, found) = found.ok_or(acceleration)?;
+        equations.remove(place);
+        divided.push(found.divisor);
+        motion.set(vec![(acceleration, found.value)]);
+        equations.iter_mut().for_each(|(equation, _)| *equation = motion.reduced(*equation));
+        printed.iter_mut().for_each(|one| *one = motion.reduced(*one));
+    }
+    Ok(divided)
+}
+
+/// Directions that inertia or a constraint connects with one that rests, from one to the next.
+fn connected(all: &Equations, rests: impl Fn(usize) -> bool) -> Vec<usize> {
+    let n = all.mass.len();
+    let mut is_in: Vec<bool> = (0..n).map(rests).collect();
+    let is_linked = |k: usize, j: usize| {
+        let by_constraint = |one: &Equation| one.row[k] != Sym::ZERO && one.row[j] != Sym::ZERO;
+        all.mass[k][j] != Sym::ZERO || all.constraints.iter().any(by_constraint)
+    };
+    while let Some(next) = (0..n).find(|&k| !is_in[k] && (0..n).any(|j| is_in[j] && is_linked(k, j))) {
+        is_in[next] = true;
+    }
+    (0..n).filter(|&k| is_in[k]).collect()
+}
+
+/// The multipliers of constraints along every motion.
+fn reactions(trace: &Trace<'_>) -> Option<Vec<(Sym, Sym)>> {
+    let (_, multipliers) = solved(trace).ok()?;
+    Some(constraints_of(trace).iter().map(|one| one.multiplier).zip(multipliers).collect())
+}
