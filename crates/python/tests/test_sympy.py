@@ -139,6 +139,14 @@ def test_a_pendulum_is_the_same_and_a_wrong_sign_is_told_with_its_term():
         bool(wrong)
 
 
+def test_a_number_in_the_place_of_a_letter_is_told():
+    theta, (m, l) = dynamicsymbols("theta"), sympy.symbols("m l")
+    method = LagrangesMethod(m * l**2 * theta.diff() ** 2 / 2 + m * 9.81 * l * sympy.cos(theta), [theta])
+    method.form_lagranges_equations()
+    check = dalembert.Model.from_text(PENDULUM).check(method)
+    assert check.same is False and "no letter of SymPy stands for g of the model" in check.sentence
+
+
 def test_a_wrong_coefficient_of_an_acceleration_is_told():
     wrong = dalembert.Model.from_text(PENDULUM).check(pendulum(extra=sympy.Symbol("m") * sympy.Symbol("l") ** 2))
     [term] = wrong.equations[0].terms

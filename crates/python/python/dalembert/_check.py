@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from html import escape
@@ -134,7 +135,12 @@ def check(method: Any, model: Model, names: Mapping[Any, str] | None = None, *, 
     of = dict(zip([f"constraint {k + 1}" for k in range(len(equations["constraints"]))] + [name for name, _ in equations["equations"]], printed))
     checked = [CheckedEquation(**one, printed=of.get(one["name"], r"\text{" + one["name"] + "}")) for one in found["equations"]]
     requires = found["requires"]
-    return Check(found["verdict"], found["sentence"], checked, [text for text, _ in requires], [latex for _, latex in requires])
+    sentence = found["sentence"]
+    meant = {word for _, meaning in equations["letters"] for word in re.findall(r"[^\W\d]\w*", meaning)}
+    silent = [name for name in model.parameters if name not in meant]
+    if found["verdict"] == "refuted" and silent:
+        sentence += f"; no letter of SymPy stands for {', '.join(silent)} of the model, whose equations hold for all values of its letters"
+    return Check(found["verdict"], sentence, checked, [text for text, _ in requires], [latex for _, latex in requires])
 
 
 class _Equations:
