@@ -304,6 +304,14 @@ def test_a_chain_of_six_links_is_proved():
     assert all("the same speed" in one.sentence for one in check.equations)
 
 
+def test_long_equations_are_taken_in_parts(monkeypatch):
+    monkeypatch.setattr("dalembert._check._LONG", 5)
+    monkeypatch.setattr("dalembert._check._LONGEST_TEXT", 12)
+    model = dalembert.Model.from_text(TWO_LINKS)
+    assert model.check(two_links(), RELATIVE).verdict == "proved"
+    assert len(model.check(two_links(second=2), RELATIVE).failed) == 2
+
+
 def test_a_check_ends_at_its_time():
     with pytest.raises(ValueError, match="seconds"):
         dalembert.Model.from_text(PENDULUM).check(pendulum(), seconds=-1)

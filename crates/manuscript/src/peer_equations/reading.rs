@@ -33,7 +33,7 @@ impl Vocabulary {
     /// # Errors
     /// It cannot be read, or holds what is not known.
     pub fn read(&self, text: &str) -> Result<Sym, String> {
-        let expression = read(text).map_err(|fault| format!("`{}`: {:?}", shortened(text), fault.reason))?;
+        let expression = read(text).map_err(|fault| format!("`{}`: {}", shortened(text), fault.reason))?;
         let mut values: Vec<Sym> = Vec::with_capacity(expression.parts.len());
         for part in &expression.parts {
             let value = self.value(part, &values)?;

@@ -20,6 +20,8 @@ __all__ = ["Check", "CheckedEquation", "check"]
 _LONG = 200
 # longer ones are not printed
 _PRINTED = 2000
+# characters of a text of the language
+_LONGEST_TEXT = 10_000
 
 
 @dataclass(frozen=True)
@@ -236,6 +238,25 @@ class _Equations:
             expression = expression.xreplace({one: self.sympy.Symbol(self._text(one)) for one in found if one != self.time})
         return expression
 
+    def _short(self, expression: Any, abbreviations: list[tuple[str, str]]) -> str:
+        """The text of an expression, with abbreviations for parts of it where it would be too long for the language."""
+        text = self._text(expression)
+        if len(text) <= _LONGEST_TEXT:
+            return text
+
+        def named(part: Any) -> Any:
+            inside = self._short(part, abbreviations)
+            name = f"long_part_{len(abbreviations)}"
+            abbreviations.append((name, inside))
+            return self.sympy.Symbol(name)
+
+        if (expression.is_Add or expression.is_Mul) and len(expression.args) > 2:
+            half = len(expression.args) // 2
+            parts = [expression.func(*expression.args[:half]), expression.func(*expression.args[half:])]
+        else:
+            parts = list(expression.args)
+        return self._text(expression.func(*(part if part.is_Atom else named(part) for part in parts)))
+
     def parts(self) -> tuple[dict[str, Any], list[str]]:
         """The texts that the model is handed, and the left sides in LaTeX."""
         sympy, n = self.sympy, len(self.q)
@@ -249,8 +270,9 @@ class _Equations:
         abbreviations: list[tuple[str, str]] = []
         if sum(row.count_ops() for row in everything) > _LONG:
             common, everything = sympy.cse(everything, symbols=(sympy.Symbol(f"common_part_{k}") for k in range(10**9)), optimizations=None, list=True)
-            abbreviations = [(symbol.name, self._text(value)) for symbol, value in common]
-        texts = [self._text(row) for row in everything]
+            for symbol, value in common:
+                abbreviations.append((symbol.name, self._short(value, abbreviations)))
+        texts = [self._short(row, abbreviations) for row in everything]
         k, m = len(kinematics), len(kinematics) + len(self.constraints)
         titles = self._titles(len(dynamics))
         equations = {
