@@ -19,7 +19,7 @@ def change(program, part):
     proof = part["proof"]["by"]
     if proof == "undefined":
         return False
-    if proof == "stability":
+    if proof in ("stability", "minimum"):
         # the other sign
         of = part["proof"]
         of["printed"] = put(program, "neg", of["printed"])

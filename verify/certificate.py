@@ -11,8 +11,10 @@ DOUBLE = {"exp", "ln", "tanh"}
 RELATIONS = {"=", "!=", ">", ">=", "rate"}
 PROOFS = {
     *("identity", "combination", "signs", "written_signs", "products", "real_roots", "counterexample"),
-    *("example", "no_root", "undefined", "stability", "enclosure", "excluded"),
+    *("example", "no_root", "undefined", "stability", "minimum", "enclosure", "excluded"),
 }
+
+MINORS = ("inertia", "leading", "principal")
 
 
 class Malformed(Exception):
@@ -124,7 +126,7 @@ def step(entry, program, given):
 def named(proof, size, given):
     """Everything that a proof names is there."""
     entries = [proof[key] for key in ("unknown", "divisor", "root", "scale", "printed") if key in proof]
-    for key in ("positive", "equations", "coordinates", "speeds", "accelerations", "coefficients"):
+    for key in ("positive", "equations", "coordinates", "speeds", "accelerations", "coefficients", *MINORS):
         entries += proof.get(key, ())
     entries += [each for pair in proof.get("point", ()) for each in pair]
     relations = []
@@ -154,6 +156,8 @@ def part(entry, program):
     if proof["by"] not in PROOFS:
         raise Malformed(f"proof {proof['by']!r}")
     named(proof, size, len(given))
+    for each in proof.get("implied", ()):
+        part(each, program)
     rates = tuple((place(letter, size, "rate"), place(rate, size, "rate")) for letter, rate in entry.get("rates", ()))
     if any(program[letter][0] != "letter" for letter, _ in rates):
         raise Malformed("what has a rate is a letter")

@@ -1,7 +1,7 @@
 """What a part of a claim is about: its program, the values of its letters, and whether a difference vanishes."""
 
 from .angles import Angles
-from .certificate import Rewrite, Solve
+from .certificate import MINORS, Rewrite, Solve
 from .derivative import rate
 from .evaluation import Evaluation, reached
 from .prime_field import MOST_ROOTS, Bounds, NoPoint, PrimeField, TooHigh, error, root_modulo
@@ -44,7 +44,7 @@ class PartCheck:
         proof = part.proof
         goals += [leaf for leaf, _ in proof.get("point", ())] + list(proof.get("positive", ()))
         goals += [proof[key] for key in ("unknown", "root", "scale", "printed") if key in proof]
-        for key in ("equations", "coordinates", "speeds", "accelerations", "coefficients"):
+        for key in ("equations", "coordinates", "speeds", "accelerations", "coefficients", *MINORS):
             goals += proof.get(key, ())
         goals += [proof["ratio"][0]] if "ratio" in proof else []
         for one in proof.get("products", ()):

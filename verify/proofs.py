@@ -3,6 +3,7 @@
 from .enclosures import enclosure, excluded
 from .evaluation import Evaluation, Undefined, reached
 from .expanded_signs import signs
+from .minimum import minimum
 from .part_check import Rejected
 from .point_check import counterexample, example, exact_point, holds
 from .products import products
@@ -13,7 +14,7 @@ from .step_check import justify
 from .written_signs import written_signs
 
 SHOWS = {
-    "proved": {"identity", "combination", "signs", "written_signs", "products", "real_roots", "example", "stability"},
+    "proved": {"identity", "combination", "signs", "written_signs", "products", "real_roots", "example", "stability", "minimum"},
     "identified": {"identity"},
     "tested": {"identity"},
     "enclosed": {"enclosure"},
@@ -132,6 +133,7 @@ PROOFS = {
     "no_root": no_root,
     "undefined": undefined,
     "stability": stability,
+    "minimum": minimum,
     "enclosure": enclosure,
     "excluded": excluded,
 }

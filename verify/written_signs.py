@@ -32,16 +32,24 @@ class WrittenSigns:
 
     def __init__(self, check):
         self.program = check.program
-        self.positive, self.not_negative, self.apart = set(), set(), set()
+        self.positive, self.not_negative, self.apart, self.negative = set(), set(), set(), set()
         for relation in check.part.given:
             if self.program[relation.right] == ("const", "0"):
                 if relation.kind == ">":
                     self.positive.add(relation.left)
+                    self.negative |= self.opposite_of(relation.left)
                 elif relation.kind == ">=":
                     self.not_negative.add(relation.left)
                 elif relation.kind == "!=":
                     self.apart.add(relation.left)
         self.known = {}
+
+    def opposite_of(self, entry):
+        """The entry whose opposite this one is."""
+        name, *rest = self.program[entry]
+        if name == "neg":
+            return {rest[0]}
+        return {rest[1]} if name == "-" and self.program[rest[0]] == ("const", "0") else set()
 
     def of(self, entry):
         """The sign of an entry; none where it is not seen."""
@@ -53,6 +61,8 @@ class WrittenSigns:
     def given(self, entry):
         if entry in self.positive:
             return 1, True
+        if entry in self.negative:
+            return -1, True
         return (1, False) if entry in self.not_negative else None
 
     def single(self, operation):

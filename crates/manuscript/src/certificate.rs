@@ -1,24 +1,20 @@
 //! Certificates of findings: the sides as they were read, the equations of the model, and the steps from these to the verdict.
 
-use crate::condition_products::{self, Origin};
+use crate::condition_products;
 use crate::conditions::Hypothesis;
 use crate::consequence::{Step, Way};
 use crate::equation::Outcome;
 use crate::line_signs::least;
-use crate::linear_equations::{Comparison, LinearEquations, Multiple};
+use crate::linear_equations::{Comparison, HURWITZ, LinearEquations, Multiple};
 use crate::motion::Motion;
 use crate::natural_domain::natural_domain;
 use crate::premises::premises;
 use crate::refutation::Refutation;
 use crate::square_sums::{SquareSum, square_sum};
 use claims::Condition;
-use claims::certificate::{Certificate, Combined, Part, PartProof, Product, Relation, Relations, Stability};
+use claims::certificate::{Certificate, Combined, Part, PartProof, Relation, Relations, Stability};
 use claims::{Judged, Verdict};
 use symbolic::{Hypotheses, NotNormal, Sym, normal};
-
-/// The theorem that is cited on the roots of a polynomial.
-const HURWITZ: &str = "A. Hurwitz, Math. Ann. 46 (1895), 273-284: all roots have negative real parts where, and only where, all principal minors \
-    of the matrix of coefficients are positive; with even powers alone the squares of the roots must be negative numbers, each of its own";
 
 /// The proof of a finding in the making; nothing is recorded where nobody asks for a certificate.
 #[derive(Default)]
@@ -38,6 +34,10 @@ impl Record {
     /// Another proof begins.
     pub fn restart(&mut self) {
         *self = Record::of(self.is_wanted);
+    }
+
+    pub fn is_wanted(&self) -> bool {
+        self.is_wanted
     }
 
     /// A step of the proof has no certificate.
@@ -258,17 +258,35 @@ impl Record {
         if !self.is_wanted {
             return;
         }
-        let Some((known, products)) = condition_products::proof(reduced, is_strict, conditions) else {
-            return self.positive_by_roots(motion, assumed, reduced, is_strict, conditions);
-        };
-        self.part(motion, assumed, &[Condition::Positive(reduced)], |_| PartProof::Products { products: Vec::new() });
-        self.weaken(is_strict);
-        if let Some(part) = self.parts.last_mut() {
-            let before = part.given.len();
-            part.given.extend(self.relations.all(&known[..known.len() - 1]));
-            let told = products.iter().map(|one| told_product(one, before, &mut self.relations)).collect();
-            part.proof = PartProof::Products { products: told };
+        match condition_products::proof(reduced, is_strict, conditions) {
+            Some((known, products)) => {
+                let known = &known[..known.len() - 1];
+                let part = self.shown_by_signs(motion, assumed, (reduced, is_strict), known, Some(&products));
+                self.parts.push(part);
+            }
+            None => self.positive_by_roots(motion, assumed, reduced, is_strict, conditions),
         }
+    }
+
+    /// An expression that is positive, or not negative, where conditions hold: by these products, else as it is written.
+    pub fn shown_by_signs(
+        &mut self,
+        motion: &Motion<'_, '_>,
+        assumed: &[Hypothesis],
+        (expression, is_strict): (Sym, bool),
+        known: &[Condition],
+        products: Option<&[condition_products::Product]>,
+    ) -> Part {
+        let (mut given, steps) = premises(motion, assumed, &mut self.relations);
+        let before = given.len();
+        given.extend(self.relations.all(known));
+        let mut then = self.relations.of(Condition::Positive(expression));
+        then.is = if is_strict { ">" } else { ">=" };
+        let proof = products.map_or(PartProof::WrittenSigns, |products| {
+            let told = products.iter().map(|one| one.told(before, &mut self.relations)).collect();
+            PartProof::Products { products: told }
+        });
+        Part { given, steps, rates: Vec::new(), then: vec![then], proof }
     }
 
     /// The same in one unknown, by real roots.
@@ -376,18 +394,4 @@ impl Record {
         let parts = self.parts.into_iter().filter(says).filter(|_| !self.is_incomplete).collect();
         Some(certificate.proved_by(self.relations.recorder.finished(), parts, otherwise))
     }
-}
-
-/// A product as a certificate has it; places of conditions begin behind those that were given before.
-fn told_product(one: &condition_products::Product, before: usize, relations: &mut Relations) -> Product {
-    let mut told = Product { number: relations.recorder.place(Sym::constant(one.number)), ..Product::default() };
-    for origin in &one.of {
-        match *origin {
-            Origin::Condition(place) => told.of.push(before + place),
-            Origin::Square(place) => told.of.extend([before + place; 2]),
-            Origin::Root(root) => told.roots.push(relations.recorder.place(root)),
-            Origin::SquareOf(letter) => told.squares.push(relations.recorder.place(letter)),
-        }
-    }
-    told
 }

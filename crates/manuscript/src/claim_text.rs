@@ -64,7 +64,7 @@ impl Kind {
                 "the verdict rests on several rules at once, or on a point, for which the second checker has no steps yet"
             }
             Self::Stability => {
-                "the verdict rests on several conditions of the roots, or on the energy, for which the second checker has no steps yet"
+                "the verdict rests on several conditions of the roots, or on kept momenta, for which the second checker has no steps yet"
             }
             _ => {
                 "the verdict rests on a root without a real value, or on a point where a value by the equations of motion divides by zero"

@@ -4,6 +4,7 @@
 use crate::natural_domain::natural_domain;
 use algebra::linear::nonnegative_combination;
 use claims::Condition;
+use claims::certificate::{self, Relations};
 use field::Rational;
 use std::collections::{BTreeMap, BTreeSet};
 use symbolic::{Hypotheses, Node, Sym, coefficients, normal};
@@ -39,6 +40,23 @@ pub(crate) enum Origin {
 pub(crate) struct Product {
     pub number: Rational,
     pub of: Vec<Origin>,
+}
+
+impl Product {
+    /// As a certificate has it; places of conditions begin behind those that were given before.
+    pub fn told(&self, before: usize, relations: &mut Relations) -> certificate::Product {
+        let number = relations.recorder.place(Sym::constant(self.number));
+        let mut told = certificate::Product { number, ..certificate::Product::default() };
+        for origin in &self.of {
+            match *origin {
+                Origin::Condition(place) => told.of.push(before + place),
+                Origin::Square(place) => told.of.extend([before + place; 2]),
+                Origin::Root(root) => told.roots.push(relations.recorder.place(root)),
+                Origin::SquareOf(letter) => told.squares.push(relations.recorder.place(letter)),
+            }
+        }
+        told
+    }
 }
 
 /// A polynomial that is not negative where the conditions hold.

@@ -45,6 +45,7 @@ mod linear_equations;
 mod linear_motion;
 mod linearisation;
 mod lines;
+mod minimum_certificate;
 mod motion;
 mod natural_domain;
 mod numbers;

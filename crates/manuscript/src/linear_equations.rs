@@ -4,6 +4,10 @@ use crate::linear_motion::{Characteristic, LinearMotion};
 use crate::refutation::Refutation;
 use symbolic::Sym;
 
+/// The theorem that is cited on the roots of a polynomial.
+pub(crate) const HURWITZ: &str = "A. Hurwitz, Math. Ann. 46 (1895), 273-284: all roots have negative real parts where, and only where, all principal minors \
+    of the matrix of coefficients are positive; with even powers alone the squares of the roots must be negative numbers, each of its own";
+
 /// The equations about a steady motion, and their characteristic polynomial.
 pub(crate) struct LinearEquations {
     /// Expressions that vanish along every motion.

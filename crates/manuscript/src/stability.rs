@@ -11,6 +11,7 @@ use crate::inequalities::sides;
 use crate::letters::Letters;
 use crate::linear_equations::{Comparison, LinearEquations, Multiple};
 use crate::linear_motion::LinearMotion;
+use crate::minimum_certificate::minimum;
 use crate::motion::Motion;
 use crate::real_signs;
 use crate::refutation::Refutation;
@@ -58,8 +59,11 @@ pub(crate) fn stability(
             let compared = Compared { region: &region, printed, own: sides.own, motion: &motion, known: &known };
             let shown = compared.judged(letters, finding);
             let equations = region.roots.map(|roots| LinearEquations::of(&linear, roots));
-            match (equations, shown) {
-                (Some(equations), Some(shown)) => record.stability(&motion, assumed, &equations, printed, shown),
+            match (equations, shown, &region.energy) {
+                (Some(equations), Some(shown), _) => record.stability(&motion, assumed, &equations, printed, shown),
+                (_, None, Some(form)) if finding.judged.verdict == Verdict::Proved => {
+                    minimum(record, (&motion, assumed, &known), &linear, form, printed);
+                }
                 _ => record.leave_out(),
             }
         }

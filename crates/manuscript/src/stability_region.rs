@@ -49,6 +49,8 @@ pub(crate) struct Region {
     has_momenta: bool,
     /// Where its conditions are written down.
     pub roots: Option<Characteristic>,
+    /// Of a conservative system.
+    pub energy: Option<EnergyForm>,
 }
 
 impl Region {
@@ -70,6 +72,7 @@ impl Region {
             is_lagrangian: has(|form| form.is_lagrangian),
             has_momenta: has(|form| form.has_momenta),
             roots: None,
+            energy: None,
         };
         let why = match roots {
             Ok((criterion, characteristic)) => {
@@ -80,13 +83,14 @@ impl Region {
             }
             Err(why) => Some(why),
         };
-        if let Some(EnergyForm { potential, principal, is_gyroscopic, .. }) = energy {
+        if let Some(EnergyForm { potential, principal, is_gyroscopic, .. }) = &energy {
             // the energy says more than roots on the imaginary axis
-            region.criteria.insert(0, Criterion { theorem: Theorem::Minimum, conditions: potential });
+            region.criteria.insert(0, Criterion { theorem: Theorem::Minimum, conditions: potential.clone() });
             if !is_gyroscopic {
-                region.necessary = principal;
+                region.necessary.clone_from(principal);
             }
         }
+        region.energy = energy;
         match why {
             Some(why) if region.criteria.is_empty() || region.necessary.is_empty() => Err(why),
             _ => Ok(region),

@@ -8,7 +8,7 @@ mod of_claim;
 mod part;
 mod program;
 
-pub use part::{Combined, PartProof, Product, Relation, Relations, Stability, Step};
+pub use part::{Combined, Minimum, PartProof, Product, Relation, Relations, Stability, Step};
 pub use program::{Operation, Recorder};
 
 use crate::{Judged, Verdict};
@@ -53,7 +53,7 @@ pub struct Certificate {
 }
 
 /// A statement with its proof; numbers are places in the program.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Part {
     /// Relations that are presupposed.
     pub given: Vec<Relation>,

@@ -1,5 +1,6 @@
 //! The pieces of a part of a certificate: relations, steps from equalities to values, and how the conclusions are shown.
 
+use super::Part;
 use super::program::Recorder;
 use crate::{Combination, Condition, Point};
 use serde::Serialize;
@@ -50,6 +51,8 @@ pub enum PartProof {
     Undefined { divisor: usize },
     /// A steady motion is stable in the first approximation where, and only where, an expression is positive.
     Stability(Box<Stability>),
+    /// A steady motion is stable where an expression is positive, since the energy has a minimum there, and unstable where it is negative.
+    Minimum(Box<Minimum>),
     /// After the steps all sides are numbers, and enclosures of these show every conclusion.
     Enclosure,
     /// After the steps all sides are numbers, and enclosures of these show that a conclusion fails.
@@ -82,6 +85,26 @@ pub struct Stability {
     /// A point at which the printed condition and the theorem differ.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub point: Option<Vec<(usize, usize)>>,
+}
+
+/// The equations about a steady motion on which all coordinates rest, M q'' + K q = 0 with symmetric matrices, and what shows the signs of both forms.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Minimum {
+    pub theorem: &'static str,
+    /// Expressions that vanish along every motion, as many as coordinates.
+    pub equations: Vec<usize>,
+    pub coordinates: Vec<usize>,
+    pub speeds: Vec<usize>,
+    pub accelerations: Vec<usize>,
+    /// The expression that is said to be positive.
+    pub printed: usize,
+    /// Leading principal minors of M, and of K.
+    pub inertia: Vec<usize>,
+    pub leading: Vec<usize>,
+    /// All principal minors of K, by the binary numbers of their rows.
+    pub principal: Vec<usize>,
+    /// Those of M are positive; those of K are where the printed expression is; that is not negative where no principal minor of K is.
+    pub implied: Vec<Part>,
 }
 
 /// For a conclusion f = 0: m f is the sum of cofactors times equalities of `given`, where m is the product of relations that exclude

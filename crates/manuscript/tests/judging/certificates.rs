@@ -101,3 +101,28 @@ fn an_inequality_with_roots_has_its_products_and_one_in_one_unknown_its_real_roo
         assert_eq!((found.verdict.as_str(), is_by_roots), ("proved", true), "{formula}: {found:?}");
     }
 }
+
+#[test]
+fn a_minimum_of_the_energy_has_its_minors_and_their_signs() {
+    let system = PENDULUM
+        .replace("theta = \"rad\"\n", "theta = \"rad\"\nphi = \"rad\"\n")
+        .replace("[bodies.bob]", "[bodies.other]\ncentre = \"P - l*B.y\"\nmass = \"m\"\n[bodies.bob]")
+        .replace("[points]", "B = \"N turned phi about z\"\n[points]")
+        .replace("[letters]", "[letters]\n'\\varphi' = \"phi\"");
+    let claim = r"
+[[claim]]
+equation = '1'
+kind = 'stability'
+formula = 'g > 0'
+resting = ['\theta', '\varphi']
+given = ['\theta = 0', '\varphi = 0', 'm > 0', 'l > 0']
+";
+    let paper = PaperText::parse(Path::new("paper.toml"), format!("{system}{claim}"));
+    let paper = paper.unwrap_or_else(|error| panic!("{error}"));
+    let found = paper.certify_each(|_| (), || true).unwrap_or_else(|error| panic!("{error}"));
+    let certificate = found[0].certificate.clone().expect("it was asked for");
+    let [part] = &certificate.parts[..] else { panic!("{certificate:?}") };
+    let PartProof::Minimum(minimum) = &part.proof else { panic!("{certificate:?}") };
+    assert_eq!((minimum.inertia.len(), minimum.leading.len(), minimum.principal.len()), (2, 2, 3));
+    assert_eq!(minimum.implied.len(), 5);
+}
