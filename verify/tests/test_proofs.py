@@ -131,6 +131,26 @@ def oscillator(printed="k", sign="+"):
     return claim.part([(">", claim.letter(printed), zero)], proof, given, steps)
 
 
+def minimum(printed="k", spring="+", trusted=False):
+    """m q'' + k q = 0 with m > 0: the state of rest is stable where k > 0, and unstable where k < 0."""
+    claim = Claim()
+    m, k, q, u, a = (claim.letter(name) for name in "mkqua")
+    zero = claim.number(0)
+    equation = claim.put(spring, claim.product(m, a), claim.product(k, q))
+    given = [("=", each, zero) for each in (q, u, a)] + [(">", m, zero)]
+    steps = [{"step": "solve", "letters": [each], "values": [zero], "by": [by]} for by, each in enumerate((q, u, a))]
+    told = claim.letter(printed)
+    implied = [([], (">", m, zero)), ([(">", told, zero)], (">", k, zero)), ([(">=", k, zero)], (">=", told, zero))]
+    parts = []
+    for more, then in implied:
+        relations = [{"is": kind, "left": left, "right": right} for kind, left, right in given + more + ([(">", k, zero)] if trusted else [])]
+        then = [{"is": then[0], "left": then[1], "right": then[2]}]
+        parts.append({"given": relations, "steps": steps, "rates": [], "then": then, "proof": {"by": "written_signs"}})
+    proof = {"by": "minimum", "equations": [equation], "coordinates": [q], "speeds": [u], "accelerations": [a]}
+    proof |= {"printed": told, "inertia": [m], "leading": [k], "principal": [k], "implied": parts}
+    return claim.part([(">", told, zero)], proof, given, steps)
+
+
 def solved(value="3", given=True):
     """From x - 3 = 0 follows x^2 = 9."""
     claim = Claim()
@@ -183,6 +203,12 @@ class Proofs(unittest.TestCase):
         self.assertEqual(outcome(real_roots("-2104/1000")), "rejected")
         self.assertEqual(outcome(secant()), "accepted")
         self.assertEqual(outcome(secant(is_square=False)), "rejected")
+
+    def test_a_minimum_has_the_minors_of_its_equations_and_their_signs(self):
+        self.assertEqual(outcome(minimum()), "accepted")
+        # another letter, the other sign of the spring, a hypothesis that is not given
+        for wrong in (minimum("w"), minimum(spring="-"), minimum(trusted=True)):
+            self.assertEqual(outcome(wrong), "rejected")
 
     def test_half_a_turn_has_its_cosine(self):
         self.assertEqual(outcome(half_turn()), "accepted")
