@@ -72,7 +72,7 @@ fn conditions_there(
 
 /// Whether it is shown that no point satisfies all conditions: in one unknown by real roots, else by the sign that the others give the expression of
 /// one, or by products of them.
-fn exclude_each_other(conditions: &[Condition]) -> bool {
+pub(crate) fn exclude_each_other(conditions: &[Condition]) -> bool {
     let expressions: Vec<Sym> = conditions.iter().map(|condition| condition.expression()).collect();
     let all = [conditions, &natural_domain(&expressions)].concat();
     let is_excluded = |place: usize| {

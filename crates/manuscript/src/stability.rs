@@ -6,6 +6,7 @@ use crate::condition_products;
 use crate::conditions::{Hypothesis, assume, conditions};
 use crate::display::{Told, divisors, point, told_difference};
 use crate::equation::Outcome;
+use crate::extent::{exclude_each_other, is_met};
 use crate::finding::Finding;
 use crate::inequalities::sides;
 use crate::letters::Letters;
@@ -56,6 +57,14 @@ pub(crate) fn stability(
     match linear.and_then(|linear| Ok((Region::of(&linear, &motion, &known)?, linear))) {
         Ok((region, linear)) => {
             let printed = motion.reduced(sides.greater);
+            let there = [&known[..], &[Condition::Positive(printed)]].concat();
+            if !is_met(&there) && exclude_each_other(&there) {
+                finding.judged.verdict = Verdict::Undefined;
+                finding.judged.evidence =
+                    "the printed inequality holds nowhere within the hypotheses, so that no stable motion is claimed"
+                        .to_owned();
+                return Ok(());
+            }
             let compared = Compared { region: &region, printed, own: sides.own, motion: &motion, known: &known };
             let shown = compared.judged(letters, finding);
             let equations = region.roots.map(|roots| LinearEquations::of(&linear, roots));

@@ -65,6 +65,18 @@ fn the_edge_of_a_minimum_is_told_to_be_open() {
 }
 
 #[test]
+fn an_inequality_that_the_hypotheses_exclude_claims_no_stable_motion() {
+    let system = plane(BOTH, "k/2*x^2 + q/2*y^2");
+    for (formula, given) in [("k > 0", "'k < 0'"), ("k > q", "'q > 0', 'k < 0'")] {
+        let found = claimed(&system, formula, given);
+        assert_eq!(verdict(&found), "undefined", "{}", found.text());
+        assert!(found.judged.evidence.contains("no stable motion is claimed"), "{}", found.text());
+    }
+    let found = claimed(&system, "q > k", "'k < 0', 'q > 0'");
+    assert_eq!(verdict(&found), "refuted", "{}", found.text());
+}
+
+#[test]
 fn gyroscopic_stability_is_linear_alone_and_gyroscopic_instability_is_not() {
     let system = plane(&format!("{BOTH} + c/2*(x*y' - y*x')"), "-k/2*(x^2 + y^2)");
     for (formula, given, expected, told) in [
