@@ -24,6 +24,8 @@ pub(super) struct Boxes<'a> {
     sides: Program<'a, Interval>,
     holds: &'a [bool],
     side: Vec<Interval>,
+    /// Parts of friction and of laws between two sides, by their places, with their ranges: beyond these there is no motion.
+    shares: Vec<(usize, Interval)>,
     /// J^T and -h.
     load: Vec<Interval>,
 }
@@ -48,6 +50,10 @@ impl<'a> Boxes<'a> {
             sides: sides.over(),
             holds,
             side: vec![Interval::EVERYTHING; holds.len()],
+            shares: (unknowns.iter().enumerate())
+                .filter(|(_, unknown)| unknown.place >= equations.state.len())
+                .map(|(k, unknown)| (k, unknown.range.interval()))
+                .collect(),
             load: vec![Interval::EVERYTHING; loads.outputs()],
         }
     }
@@ -61,15 +67,20 @@ impl Boxes<'_> {
         if self.implies.iter().any(|value| !value.contains(0.0)) {
             return Some(false);
         }
+        if self.shares.iter().any(|(k, range)| at[*k].and(*range).is_none()) {
+            return Some(false);
+        }
+        let are_within = self.shares.iter().all(|(k, range)| at[*k].is_part_of(*range));
         if self.holds.is_empty() {
-            return Some(true);
+            return are_within.then_some(true);
         }
         self.sides.evaluate(at, &mut self.side);
         let sides = || self.side.iter().zip(self.holds);
         if sides().any(|(value, holds)| if *holds { value.high() < 0.0 } else { value.low() > 0.0 }) {
             return Some(false);
         }
-        sides().all(|(value, holds)| if *holds { value.low() > 0.0 } else { value.high() < 0.0 }).then_some(true)
+        let has_side = |(value, holds): (&Interval, &bool)| if *holds { value.low() > 0.0 } else { value.high() < 0.0 };
+        (are_within && sides().all(has_side)).then_some(true)
     }
 }
 

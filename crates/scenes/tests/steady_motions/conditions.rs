@@ -113,6 +113,30 @@ fn an_equilibrium_at_a_kink_is_one_and_a_minimum_of_both_sides() {
     assert_eq!(cases, &[Case::Between]);
 }
 
+/// A pendulum with dry friction at its joint rests where the torque of gravity is smaller: |sin a| <= F/(m g l), on two arcs that end there.
+#[test]
+fn friction_holds_a_pendulum_where_gravity_is_weaker_and_nowhere_else() {
+    for (friction, half) in
+        [(2.4, (2.4_f64 / 4.905).asin()), (3.0, (3.0_f64 / 4.905).asin()), (4.8, (4.8_f64 / 4.905).asin())]
+    {
+        let text = format!(
+            "title = \"Rough joint\"\ngravity = \"-(9.81 m/s^2)*N.y\"\n[parameters]\nm = \"1 kg\"\nF = \"{friction:?} N m\"\n[coordinates]\na = \"rad\"\n\
+             [bodies]\nb = {{ centre = \"O + (0.5 m)*(sin(a)*N.x - cos(a)*N.y)\", mass = \"m\" }}\n\
+             [[force]]\nalong = \"a\"\nis = \"-F*sign(a')\"\n[run]\nspan = \"1 s\"\n"
+        );
+        let found = SteadyMotions::of_cases(&model(&text), &asked(&[], 5_000), || true);
+        let found = found.unwrap_or_else(|why| panic!("{why:?}"));
+        assert!(found.iter().all(|(_, own)| own.is_complete() && own.motions.is_empty()), "{found:?}");
+        let families: Vec<[f64; 2]> =
+            found.iter().flat_map(|(_, own)| own.families.iter().map(|(family, _)| family.hull[0])).collect();
+        assert_eq!(families.len(), 2, "{friction}: {families:?}");
+        for [low, high] in families {
+            let middle = 0.5 * (low + high);
+            assert!((high - low - 2.0 * half).abs() < 1e-6 && middle.sin().abs() < 1e-6, "{friction}: {low} {high}");
+        }
+    }
+}
+
 /// Beyond a play d to both sides a spring acts: a mass rests everywhere between -d and d, and nothing else is left open.
 #[test]
 fn a_play_is_an_interval_of_equilibria_that_ends_where_the_springs_begin() {
