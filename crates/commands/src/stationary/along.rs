@@ -53,6 +53,7 @@ pub(super) fn named(change: Change) -> &'static str {
         Change::Pitchfork => "two motions leave a third (pitchfork)",
         Change::Pair => "a pair of eigenvalues crosses the imaginary axis (Hopf, or gyroscopic stability ends)",
         Change::Exchange => "stability is exchanged",
+        Change::Directions => "a motion that is unstable on both sides becomes so in one direction more, or fewer",
         Change::Ends => "a motion ends or begins: a condition is met, or friction lets go",
         Change::Leaves => "a motion leaves the ranges",
         Change::LeaveTogether => {

@@ -163,8 +163,10 @@ fn of_change(Bifurcation { before, after, change }: &Bifurcation, place: usize) 
         Change::Exchange => 2,
         Change::Pitchfork => 3,
         Change::Several => 4,
-        // a branch that ends at the end of a range changes nothing, and families are not drawn
-        Change::Leaves | Change::LeaveTogether | Change::Ends | Change::Families => return Vec::new(),
+        // a branch that ends at the end of a range changes nothing, and families are not drawn; nor is what stays unstable
+        Change::Leaves | Change::LeaveTogether | Change::Ends | Change::Families | Change::Directions => {
+            return Vec::new();
+        }
     };
     let value = 0.5 * (before.value + after.value);
     let (fewer, more) = match before.found.motions.len() <= after.found.motions.len() {

@@ -29,6 +29,8 @@ pub enum Change {
     Pair,
     /// None appears or vanishes; stability is exchanged otherwise.
     Exchange,
+    /// None appears or vanishes, or becomes stable or unstable: one that is unstable becomes so in more directions, or in fewer.
+    Directions,
     /// A motion leaves the ranges, or enters them.
     Leaves,
     /// One appears or vanishes within the ranges: a condition is met there, or friction lets go.
@@ -240,7 +242,12 @@ fn change(before: &Sample, after: &Sample) -> Change {
 /// The change where motions are as many, by the directions that become unstable.
 fn exchanged(before: &Sample, after: &Sample) -> Change {
     let unstable = |sample: &Sample| -> usize { sample.found.motions.iter().map(unstable).sum() };
-    if unstable(before).abs_diff(unstable(after)) == 2 { Change::Pair } else { Change::Exchange }
+    let stable = |sample: &Sample| kinds(&sample.found).0.iter().filter(|directions| **directions == 0).count();
+    match unstable(before).abs_diff(unstable(after)) {
+        2 => Change::Pair,
+        1.. if stable(before) == stable(after) => Change::Directions,
+        _ => Change::Exchange,
+    }
 }
 
 /// The number of motions that touch an end of a range.

@@ -6,8 +6,7 @@
 
 use super::Unknown;
 use algebra::boxes::Zero;
-use field::Interval;
-use field::Scalar;
+use field::{Interval, Scalar};
 use nalgebra::DMatrix;
 use std::f64::consts::PI;
 use symbolic::{Node, Sym};
@@ -26,6 +25,12 @@ pub(super) struct AngleSums {
 const LARGEST: f64 = 64.0;
 
 impl AngleSums {
+    /// The unknowns themselves.
+    pub fn none(count: usize) -> Self {
+        let own: Vec<Sum> = (0..count).map(|k| vec![(k, 1)]).collect();
+        AngleSums { unknowns: own.clone(), sums: own }
+    }
+
     /// None where the angles themselves occur most simply.
     pub fn of(rows: &[Sym], letters: &[Sym], unknowns: &[Unknown]) -> Option<Self> {
         let places: Vec<usize> = (0..letters.len()).filter(|&k| unknowns[k].is_circle).collect();

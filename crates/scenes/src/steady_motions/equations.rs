@@ -20,7 +20,7 @@ use crate::compiled_system::has_values;
 use model::equations::{implied_constraints, vanishes};
 use model::{Contact, Model, Trace};
 use std::f64::consts::PI;
-use symbolic::{Sym, Tape, substitute_all, substitute_in_angles, with_sums_of_angles};
+use symbolic::{Sym, Tape, substitute_all};
 
 /// An unknown of the search: a coordinate, or the constant speed of a cyclic one.
 #[derive(Clone, Debug, PartialEq)]
@@ -313,14 +313,10 @@ impl SteadyEquations {
             values,
         };
         let tapes = expressions.recorded(&letters, &multipliers)?;
-        let in_sums = expressions.rewritten(with_sums_of_angles);
-        let by_sums = AngleSums::of(&in_sums.values, &letters, &unknowns).filter(|_| near.is_none());
-        let turned = |sums: AngleSums| {
-            let replacements = sums.replacements(&letters);
-            let own = in_sums.rewritten(|rows| substitute_in_angles(rows, &replacements));
-            Ok((sums, own.recorded(&letters, &multipliers)?))
+        let by_sums = match near {
+            None => expressions.by_sums((&letters, &multipliers), &unknowns)?,
+            Some(_) => None,
         };
-        let by_sums = by_sums.map(turned).transpose()?;
         let [momenta, masses] = match rows.determined.is_empty() {
             true => momenta(&trace, is_cyclic, (&letters, &known)).map(|all| Tape::record(&letters, &all).ok()),
             false => [None, None],

@@ -1,7 +1,8 @@
 //! The programs of a search, by its unknowns and then by reactions.
 
-use super::NoSteadyMotions;
-use symbolic::{Sym, Tape};
+use super::angle_sums::AngleSums;
+use super::{NoSteadyMotions, Unknown};
+use symbolic::{Sym, Tape, substitute_in_angles, with_sums_of_angles};
 
 /// Equations as expressions.
 #[derive(Clone)]
@@ -33,8 +34,31 @@ pub(super) struct Tapes {
 }
 
 impl Expressions {
+    /// The same by sums of angles, where these occur more simply.
+    ///
+    /// # Errors
+    /// An expression without values.
+    pub fn by_sums(
+        &self,
+        (letters, multipliers): (&[Sym], &[Sym]),
+        unknowns: &[Unknown],
+    ) -> Result<Option<(AngleSums, Tapes)>, NoSteadyMotions> {
+        // one angle has no sums
+        if unknowns.iter().filter(|unknown| unknown.is_circle).count() < 2 {
+            return Ok(None);
+        }
+        let in_sums = self.rewritten(with_sums_of_angles);
+        let sums = AngleSums::of(&in_sums.values, letters, unknowns);
+        // written out, equations may be shorter without any sum
+        let is_shorter = || Sym::operations_of(&in_sums.values) < Sym::operations_of(&self.values);
+        let Some(sums) = sums.or_else(|| is_shorter().then(|| AngleSums::none(letters.len()))) else { return Ok(None) };
+        let replacements = sums.replacements(letters);
+        let own = in_sums.rewritten(|rows| substitute_in_angles(rows, &replacements));
+        Ok(Some((sums, own.recorded(letters, multipliers)?)))
+    }
+
     /// Each list rewritten.
-    pub fn rewritten(&self, put: impl Fn(&[Sym]) -> Vec<Sym>) -> Self {
+    fn rewritten(&self, put: impl Fn(&[Sym]) -> Vec<Sym>) -> Self {
         Expressions {
             values: put(&self.values),
             loads: put(&self.loads),
