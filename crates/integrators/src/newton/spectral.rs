@@ -19,6 +19,7 @@ impl SpectralRadius {
     pub fn radius(&mut self, matrix: &[f64]) -> f64 {
         let n = self.size;
         self.power.copy_from_slice(matrix);
+        self.cut_off();
         let mut logarithm = self.normalise().ln();
         for squaring in 1..=SQUARINGS {
             self.square.fill(0.0);
@@ -32,6 +33,27 @@ impl SpectralRadius {
             logarithm += self.normalise().ln() / f64::from(1_u32 << squaring);
         }
         logarithm.exp()
+    }
+
+    /// Without the couplings of states on which no other depends, as of a work that is counted beside the motion, or which depend on no other: the
+    /// eigenvalues do not know them, and their powers would.
+    fn cut_off(&mut self) {
+        let n = self.size;
+        let mut is_open = true;
+        while std::mem::take(&mut is_open) {
+            for state in 0..n {
+                let others = || (0..n).filter(|&other| other != state);
+                let is_asked = others().any(|other| self.power[other * n + state] != 0.0);
+                let asks = others().any(|other| self.power[state * n + other] != 0.0);
+                if is_asked != asks {
+                    is_open = true;
+                    others().for_each(|other| {
+                        self.power[other * n + state] = 0.0;
+                        self.power[state * n + other] = 0.0;
+                    });
+                }
+            }
+        }
     }
 
     /// Divides the power by its largest row sum, and returns that.
@@ -53,6 +75,13 @@ mod tests {
     fn an_oscillator_has_its_frequency_for_radius_in_any_units() {
         let radius = SpectralRadius::new(2).radius(&[0.0, 1.0, -9e4, 0.0]);
         assert!((299.9..450.0).contains(&radius), "{radius}");
+    }
+
+    #[test]
+    fn a_work_beside_the_motion_does_not_count() {
+        // of a state of size 1e76
+        let radius = SpectralRadius::new(3).radius(&[0.0, 1.0, 0.0, -100.0, 0.2, 0.0, 0.0, 1e76, 0.0]);
+        assert!((9.9..20.0).contains(&radius), "{radius}");
     }
 
     #[test]

@@ -16,8 +16,11 @@ const FAST: f64 = 1e-3;
 /// The part of its value in the middle of the run to which the time of growth has come down, where it goes to zero.
 const SHRUNK: f64 = 0.02;
 
-/// The time of growth over its value in the middle of the run from which on a growth is slower than an exponential.
-const STEADY: f64 = 1.5;
+/// The logarithm of the growth in the last quarter of a run, over that in the quarter before, below which it is slower than an exponential's.
+const SLOWER: f64 = 0.85;
+
+/// The same beyond which it is faster.
+const FASTER: f64 = 1.3;
 
 /// The component that has grown most.
 pub(super) fn found(run: &Samples<'_>) -> Option<RunFailure> {
@@ -60,13 +63,26 @@ pub(super) fn found(run: &Samples<'_>) -> Option<RunFailure> {
     if !matches!(run.trajectory.outcome.failure(), Some(integrators::Failure::LeftTheNumbers { .. })) {
         return None;
     }
-    let rate = match now > STEADY * then {
-        // nothing is known of the time before
-        _ if middle.0 >= near.0 => format!("grows by its own size in {now:.1e} s: an unstable motion"),
-        false => format!("grows by its own size in {now:.1e} s, and did so all along: an unstable motion"),
-        true => format!(
-            "grows by its own size in {now:.1e} s, and in {then:.1e} s in the middle of the run: more slowly than an exponential"
+    // an oscillation grows by its largest values
+    let largest = |from: f64, to: f64| {
+        let own = run.states.iter().filter(|(time, _)| from * at < *time && *time <= to * at);
+        own.map(|(_, state)| state[place].abs()).fold(0.0, f64::max)
+    };
+    let logarithms = [(0.25, 0.5), (0.5, 0.75), (0.75, 1.0)].map(|(from, to)| largest(from, to).ln());
+    let [earlier, later] = [logarithms[1] - logarithms[0], logarithms[2] - logarithms[1]];
+    let rate = match later / earlier {
+        ratio if !ratio.is_finite() || ratio <= 0.0 => "grows without bound".to_owned(),
+        ratio if ratio < SLOWER => format!(
+            "grows {:.1e} times in the last quarter of the run, and {:.1e} times in the one before: more slowly than an exponential",
+            later.exp(),
+            earlier.exp()
         ),
+        ratio if ratio > FASTER => format!(
+            "grows {:.1e} times in the last quarter of the run, and {:.1e} times in the one before: faster than an exponential",
+            later.exp(),
+            earlier.exp()
+        ),
+        _ => format!("grows e times in {:.1e} s, as it did before: an unstable motion", 0.25 * at / later),
     };
     Some(RunFailure {
         kind: FailureKind::UnboundedGrowth,

@@ -47,7 +47,7 @@ pub(super) fn found(run: &Samples<'_>) -> Option<RunFailure> {
             // one that swings holds the steps as one that fades
             let is_kept = |mode: &Mode| mode.value.re <= ROUNDING * mode.value.norm();
             let mode = fastest(run, |mode| if is_kept(mode) { mode.value.norm() } else { -mode.value.re })?;
-            Some(of(run, &mode, at))
+            is_kept(&mode).then(|| of(run, &mode, at))
         }
         Failure::LeftTheNumbers { .. } => unstable(run),
         Failure::OutOfTime { .. } | Failure::Interrupted { .. } | Failure::TooManyEvaluations { .. } => given_up(run),
