@@ -1,5 +1,6 @@
 //! The fates of the members of an ensemble.
 
+use crate::exit::is_quiet;
 use simulation::RunFailure;
 use simulation::ensemble::Stopped;
 use std::collections::BTreeMap;
@@ -53,7 +54,8 @@ impl Fates {
         if before > 0 {
             text += &format!("the first {before} were there already\n");
         }
-        text + &format!("{}\n", path.display())
+        // the name of a file is no result
+        if is_quiet() { text } else { text + &format!("{}\n", path.display()) }
     }
 }
 

@@ -120,7 +120,7 @@ pub fn merge(
     if !absent.is_empty() {
         let which = absent.join(", ");
         return Err(Exit::refused(format!(
-            "{} cannot be written: no table has member {which}; the parts that have them go on where they are asked for again",
+            "{} cannot be written: no table has member {which}; --part runs what its table lacks, and all tables together are accepted",
             out.display()
         )));
     }

@@ -32,10 +32,11 @@ impl FromStr for Part {
     }
 }
 
-/// As names of files say it.
+/// As names of files say it; `{:#}` as it is asked for.
 impl fmt::Display for Part {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}-of-{}", self.number, self.parts)
+        let between = if f.alternate() { "/" } else { "-of-" };
+        write!(f, "{}{between}{}", self.number, self.parts)
     }
 }
 
