@@ -37,10 +37,13 @@ pub(crate) fn steady_motion(
         claim.resting.iter().map(|one| one.text.as_str()).collect::<Vec<_>>().join(", ")
     );
     let presupposed = finding.judged.requires.clone();
-    match SteadyMotion::of(claim, &[printed], letters, assumed, finding)? {
+    let is_too_little = match SteadyMotion::of(claim, &[printed], letters, assumed, finding)? {
         Ok(steady) => alone(&steady, printed, own, letters, assumed, finding, record),
-        Err(why) => neither(Outcome::Undecided(why), letters, finding),
-    }
+        Err(why) => {
+            neither(Outcome::Undecided(why), letters, finding);
+            false
+        }
+    };
     if beside.is_empty() || finding.judged.verdict == Verdict::Proved {
         return Ok(());
     }
@@ -51,13 +54,29 @@ pub(crate) fn steady_motion(
     let beside: Vec<(Sym, String)> = beside.iter().filter_map(of).collect();
     let all: Vec<Sym> = [printed].into_iter().chain(beside.iter().map(|(zero, _)| *zero)).collect();
     let mut trial = Finding { judged: Judged { requires: presupposed, ..finding.judged.clone() }, ..finding.clone() };
-    if let Ok(steady) = SteadyMotion::of(claim, &all, letters, assumed, &mut trial)? {
-        let names: Vec<&str> = beside.iter().map(|(_, name)| name.as_str()).collect();
+    let names: Vec<&str> = beside.iter().map(|(_, name)| name.as_str()).collect();
+    if let Ok(mut steady) = SteadyMotion::of(claim, &all, letters, assumed, &mut trial)? {
         let written: Vec<Sym> = all.iter().copied().flat_map(written_divisors).collect();
+        // a line says nothing where it has no value
+        let have_values = written.iter().map(|&divisor| Condition::NonZero(steady.motion.reduced(divisor)));
+        let have_values: Vec<Condition> = have_values.collect();
+        steady.conditions.extend(have_values);
         if let Some(found) = together(&steady, &names, assumed, record) {
             found.told(&steady, &written, letters, &mut trial);
             *finding = trial;
+            return Ok(());
         }
+    }
+    if is_too_little {
+        // the point at which it alone fails need not satisfy the others
+        record.restart();
+        finding.judged.counterexample.clear();
+        finding.judged.difference = None;
+        let why = format!(
+            "the printed condition alone is not that of the motion, and it was not decided together with {}",
+            names.join(", ")
+        );
+        neither(Outcome::Undecided(why), letters, finding);
     }
     Ok(())
 }
@@ -73,7 +92,8 @@ fn of_statement(claim: &ClaimText, statement: &Statement, letters: &Letters<'_, 
     }
 }
 
-/// The verdict on the first of the printed conditions by itself; `is` is that over the model, as it was read.
+/// The verdict on the first of the printed conditions by itself; `is` is that over the model, as it was read. Whether it was refuted since it asks for
+/// too little.
 fn alone(
     steady: &SteadyMotion<'_, '_>,
     is: Sym,
@@ -82,7 +102,7 @@ fn alone(
     assumed: &[Hypothesis],
     finding: &mut Finding,
     record: &mut Record,
-) {
+) -> bool {
     let SteadyMotion { motion, equations, printed, conditions, rates } = steady;
     let (printed, own) = (printed[0], [own[0] - own[1], Sym::ZERO]);
     let mut of_print: Vec<String> = Vec::new();
@@ -102,7 +122,7 @@ fn alone(
                     format!("at the exact point the printed condition holds and the equation of {name} does not");
                 crate::display::told_difference(reduced, motion, Told(letters), finding);
             }
-            return;
+            return finding.judged.verdict == Verdict::Refuted;
         }
         match step(motion, reduced, printed, conditions) {
             of_print_itself @ Step::Follows(..) => {
@@ -133,12 +153,12 @@ fn alone(
                 "at the exact point the letters rest along a motion, and the printed condition does not hold"
                     .to_owned();
             finding.judged.counterexample = point(own, found, motion, Told(letters));
-            return;
+            return false;
         }
         let why = "the equations of motion hold there whenever the printed condition does, and it was not shown that they ask for it";
         let why = open.pop().map_or_else(|| why.to_owned(), |reason| format!("{why}: {reason}"));
         neither(Outcome::Undecided(why), letters, finding);
-        return;
+        return false;
     }
     for divisor in motion.divisors.iter().copied().chain(written_divisors(is)) {
         require(divisor, conditions, letters, finding);
@@ -146,6 +166,7 @@ fn alone(
     finding.judged.verdict = Verdict::Proved;
     finding.judged.evidence =
         format!("the printed condition is the equation of {} there, and the others hold", of_print.join(" and of "));
+    false
 }
 
 /// Whether an expression stays as it is where these rates vanish.

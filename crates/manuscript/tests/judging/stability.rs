@@ -184,3 +184,20 @@ potential = "k/2*x^2 + q/2*(y - x)^2 + q/2*(z - y)^2"
         assert_eq!(verdict(&found), expected, "{}", found.text());
     }
 }
+
+/// An inequality that no value satisfies names no stable motion.
+#[test]
+fn an_inequality_that_holds_nowhere_is_no_condition_of_stability() {
+    let stiff = plane(BOTH, "k/2*x^2 + q/2*y^2");
+    for (formula, given) in [
+        ("c > 0", "'k > 0', 'q > 0', 'c = 0'"),
+        ("k > k", "'q > 0'"),
+        ("x > 0", "'q > 0'"),
+        ("k > 3 q", "'q > 0', 'k = 0'"),
+        ("c < 0", "'k < 0', 'q < 0', 'c = 0'"),
+    ] {
+        let found = claimed(&stiff, formula, given);
+        assert_eq!(verdict(&found), "undefined", "{formula}: {}", found.text());
+        assert!(found.text().contains("holds nowhere"), "{}", found.text());
+    }
+}

@@ -63,6 +63,18 @@ fn two_displays_of_one_motion_say_one_thing() {
     }
 }
 
+/// With the first line k (r - l) = m r W^2 sin^2 theta + m g cos theta is m g/cos theta: the line has no value where cos theta is zero.
+#[test]
+fn a_line_that_divides_is_judged_where_it_has_values() {
+    for found in claims(&[ANGLE, r"k (r - l) = \frac{m g}{\cos\theta}"]) {
+        assert_eq!(verdict(&found), "proved", "{}", found.text());
+        assert!(found.judged.requires.iter().any(|(told, _)| told.contains("cos")), "{}", found.text());
+    }
+    // a point at which one line fails alone refutes nothing where the other does not hold
+    let lines = claims(&[ANGLE, r"k (r - l) \cos\theta = m g"]);
+    assert!(lines.iter().all(|found| verdict(found) != "refuted"), "{}", lines[1].text());
+}
+
 #[test]
 fn lines_of_one_display_say_one_thing() {
     let display = format!("\\begin{{aligned}} {ANGLE}, \\\\\\\\ {LENGTH} \\end{{aligned}}");
