@@ -96,7 +96,7 @@ fn put_together(sum: Sym) -> Sym {
         terms.remove(j);
         terms.remove(i);
         match terms.iter_mut().find(|(known, _)| *known == one.0) {
-            Some((_, factor)) => *factor = *factor + one.1,
+            Some((_, factor)) => *factor += one.1,
             None => terms.push(one),
         }
         terms.retain(|(_, factor)| !factor.is_zero());
@@ -145,7 +145,7 @@ fn factors(term: Sym, mut number: Rational) -> (Vec<Sym>, Rational) {
                 open.push(a);
             }
             _ => match next.as_constant() {
-                Some(value) => number = number * value,
+                Some(value) => number *= value,
                 None => found.push(next),
             },
         }

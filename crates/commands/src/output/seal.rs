@@ -54,7 +54,6 @@ impl Write for Hashed<'_> {
 #[cfg(test)]
 mod tests {
     use super::{is_whole, sealed};
-    use std::io::Write;
 
     #[test]
     fn a_seal_breaks_where_a_line_is_changed_added_or_lost() {
