@@ -11,7 +11,7 @@ use crate::implications::condition;
 use crate::letters::Letters;
 use crate::refutation::Refutation;
 use crate::resting_equations::SteadyMotion;
-use crate::steady_conditions::together;
+use crate::steady_conditions::{Joint, together};
 use crate::verdict::neither;
 use claims::{Condition, Judged, Verdict};
 use latex::{Statement, read};
@@ -60,11 +60,19 @@ pub(crate) fn steady_motion(
         // a line says nothing where it has no value
         let have_values = written.iter().map(|&divisor| Condition::NonZero(steady.motion.reduced(divisor)));
         let have_values: Vec<Condition> = have_values.collect();
+        let given = steady.conditions.len();
         steady.conditions.extend(have_values);
-        if let Some(found) = together(&steady, &names, assumed, record) {
-            found.told(&steady, &written, letters, &mut trial);
-            *finding = trial;
-            return Ok(());
+        match together(&steady, &names, assumed, record) {
+            // no partner makes it right
+            Some(Joint::Other) => return Ok(()),
+            Some(found) => {
+                // what was not given is listed
+                steady.conditions.truncate(given);
+                found.told(&steady, &written, letters, &mut trial);
+                *finding = trial;
+                return Ok(());
+            }
+            None => {}
         }
     }
     if is_too_little {

@@ -20,6 +20,8 @@ pub(crate) enum Joint {
     Whole { others: Vec<String>, divided: Vec<Sym> },
     /// It holds on every such motion, and these others were not shown to.
     Part { failing: Vec<String> },
+    /// It does not hold on every such motion.
+    Other,
 }
 
 /// The first printed condition together with those of the others that hold on every such motion; none where that shows nothing.
@@ -39,7 +41,7 @@ pub(crate) fn together(
         places.iter().filter(|place| **place > 0).map(|&place| names[place - 1].to_owned()).collect()
     };
     if holding.first() != Some(&0) {
-        return None;
+        return Some(Joint::Other);
     }
     let zeros: Vec<Sym> = holding.iter().map(|&place| printed[place]).collect();
     let of_print = Solved::of(motion, &zeros, conditions);
@@ -125,9 +127,8 @@ impl Joint {
         letters: &Letters<'_, '_>,
         finding: &mut Finding,
     ) {
-        finding.judged.counterexample.clear();
-        finding.judged.difference = None;
         match self {
+            Joint::Other => return,
             Joint::Whole { others, divided } => {
                 for &divisor in divided.iter().chain(&steady.motion.divisors).chain(written) {
                     require(divisor, &steady.conditions, letters, finding);
@@ -148,5 +149,7 @@ impl Joint {
                 neither(Outcome::Undecided(why), letters, finding);
             }
         }
+        finding.judged.counterexample.clear();
+        finding.judged.difference = None;
     }
 }
