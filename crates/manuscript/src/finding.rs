@@ -25,7 +25,7 @@ pub struct Finding {
     /// The smallest edits of a refuted claim that are proved, all of one size.
     pub corrections: Vec<Correction>,
     pub search: Search,
-    /// Of a claim that is proved: whether an exact point was found inside everything that it presupposes.
+    /// Whether an exact point was found inside everything that a proved claim presupposes.
     pub(crate) has_inside: bool,
     /// Where it was asked for.
     pub certificate: Option<Certificate>,

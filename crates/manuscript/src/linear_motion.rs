@@ -17,7 +17,7 @@ pub(crate) struct LinearMotion {
     pub resting: Vec<usize>,
     pub inertia: Vec<Vec<Sym>>,
     pub damping: Vec<Vec<Sym>>,
-    /// Of a coordinate that does not rest it vanishes.
+    /// It vanishes for a coordinate that does not rest.
     pub stiffness: Vec<Vec<Sym>>,
 }
 

@@ -1,4 +1,4 @@
-//! What a claim presupposes: its hypotheses, and the values that the parts of its formula must have. Where these leave no point, nothing is claimed.
+//! Presuppositions of a claim: its hypotheses, and the values that the parts of its formula must have. Where these leave no point, nothing is claimed.
 
 use crate::claim_text::{ClaimText, Kind};
 use crate::conditions::{Hypothesis, assume, conditions};
@@ -51,7 +51,7 @@ fn of_line(paper: &PaperText, hypothesis: &Hypothesis) -> String {
     format!("`{}` (line {})", hypothesis.told.0, paper.line_of(&hypothesis.at))
 }
 
-/// What a formula presupposes beside its hypotheses: it is listed, and a formula that has a value nowhere within them says nothing.
+/// Presuppositions of a formula beside its hypotheses: they are listed, and a formula that has a value nowhere within them says nothing.
 pub(crate) fn presupposed(
     paper: &PaperText,
     claim: &ClaimText,

@@ -49,12 +49,12 @@ pub(crate) struct Region {
     has_momenta: bool,
     /// Where its conditions are written down.
     pub roots: Option<Characteristic>,
-    /// Of a conservative system.
+    /// Present for a conservative system.
     pub energy: Option<EnergyForm>,
 }
 
 impl Region {
-    /// Of the linear equations about a motion.
+    /// The region of the linear equations about a motion.
     ///
     /// # Errors
     /// Neither the roots nor an energy give conditions.

@@ -19,7 +19,7 @@ pub enum Makers {
     Any,
 }
 
-/// What a row tells of its member.
+/// The member of a row, and its fate.
 pub struct RowOfMember {
     pub member: u64,
     /// Why it stopped, where it did.

@@ -14,7 +14,7 @@ type Refusal = (String, &'static str);
 
 const LINEAR: &str = "kinematic equations that are linear in the speeds and determine them";
 
-/// So many choices of equations are tried for finding multipliers.
+/// The most choices of equations that are tried for finding multipliers.
 const MOST_CHOICES: usize = 64;
 
 /// The equations of another program, over the symbols of the model and letters for its unknowns.
