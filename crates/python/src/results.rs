@@ -18,7 +18,7 @@ use std::sync::Arc;
 use std::thread::available_parallelism;
 use std::time::{Duration, Instant};
 
-/// What computes ends so long before its time is over, so that the results can be handed on.
+/// A computation ends so long before its time is over, so that its results can be handed on.
 const KEPT: Duration = Duration::from_millis(400);
 
 /// The moment at which so many seconds are over, in a year at the latest.

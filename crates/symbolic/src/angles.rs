@@ -2,7 +2,7 @@
 //!
 //!   cos a cos b - sin a sin b = cos (a + b) ,   sin a cos b + cos a sin b = sin (a + b) .
 //!
-//! What decides and what runs works with the products; the range of a sum is narrower where it stands once. Polynomials are written out before, so
+//! Proofs and runs work with the products; the range of a sum is narrower where it stands once. Polynomials are written out before, so
 //! that turns there and back again have left them.
 
 use crate::Sym;
