@@ -6,6 +6,7 @@ use crate::letters::Letters;
 use crate::lines::Line;
 use crate::motion::Motion;
 use crate::refutation::Refutation;
+use crate::retelling::ways_to_tell;
 use model::equations::Equations;
 use symbolic::{Hypotheses, Node, Sym, normal};
 
@@ -81,9 +82,7 @@ pub(crate) fn point(
 pub(crate) fn missing(kind: Kind, line: &Line, motion: &Motion<'_, '_>, told: Told<'_, '_, '_>, finding: &mut Finding) {
     let short = |expression: Sym| {
         let form = normal(expression, &motion.hypotheses).ok()?;
-        let own = normal(told.0.told(form.to_sym()), &Hypotheses::none())
-            .map_or_else(|_| told.0.told(form.to_sym()), |form| form.to_sym());
-        Some(own)
+        plainest(form.to_sym(), motion, told)
     };
     let [left, right] = line.model;
     let value = short(motion.reduced(left) - motion.reduced(right)).map(|own| (own, String::new()));
@@ -102,10 +101,18 @@ pub(crate) fn missing(kind: Kind, line: &Line, motion: &Motion<'_, '_>, told: To
 /// The rest of an expression that should vanish, where it can be read.
 pub(crate) fn told_difference(left: Sym, motion: &Motion<'_, '_>, told: Told<'_, '_, '_>, finding: &mut Finding) {
     let Ok(form) = normal(left, &motion.hypotheses) else { return };
-    let own = told.0.told(form.to_sym());
-    if length(own) <= READABLE {
+    let own = plainest(form.to_sym(), motion, told).filter(|own| length(*own) <= READABLE);
+    if let Some(own) = own {
         finding.judged.difference = Some((own.to_string(), own.latex()));
     }
+}
+
+/// The way to tell an expression of the model that has the fewest symbols which the paper has no letter for; the first of these.
+fn plainest(expression: Sym, motion: &Motion<'_, '_>, told: Told<'_, '_, '_>) -> Option<Sym> {
+    let plain = |way: Sym| normal(way, &Hypotheses::none()).map_or(way, |form| form.to_sym());
+    let has_no_letter = |symbol: &Sym| symbol.symbol_name().is_none_or(|name| told.0.dimension(&name).is_none());
+    let foreign = |way: &Sym| way.symbols_of().iter().filter(|symbol| has_no_letter(symbol)).count();
+    ways_to_tell(told.0, expression, &motion.hypotheses).into_iter().map(plain).min_by_key(foreign)
 }
 
 fn length(expression: Sym) -> usize {

@@ -34,22 +34,3 @@ pub(super) fn rates(letters: &Letters<'_, '_>) -> Vec<LetterRate> {
     }
     all
 }
-
-/// An expression of the model in the paper's letters: as it is, and by each letter that stands for a sum, solved for one of its symbols.
-pub(super) fn ways_to_tell(letters: &Letters<'_, '_>, expression: Sym) -> Vec<Sym> {
-    let mut all = vec![letters.told(expression)];
-    let known = expression.symbols_of();
-    for (_, value, own, _) in letters.scalars() {
-        for symbol in value.symbols_of().into_iter().filter(|symbol| known.contains(symbol) && *symbol != value) {
-            let factor = value.diff(symbol);
-            if factor.as_constant().is_none() {
-                continue;
-            }
-            let letter = Sym::symbol("letter that is told");
-            let solved = (letter - value.substitute(&[(symbol, Sym::ZERO)])) / factor;
-            let by_letter = expression.substitute(&[(symbol, solved)]);
-            all.push(letters.told(by_letter).substitute(&[(letter, own)]));
-        }
-    }
-    all
-}

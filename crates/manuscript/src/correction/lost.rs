@@ -3,7 +3,6 @@
 use super::comparison::letters;
 use super::edit::Edit;
 use super::ground::Ground;
-use super::letter_rates::ways_to_tell;
 use super::places::Places;
 use super::probe::Probe;
 use super::search::edited;
@@ -11,6 +10,7 @@ use super::text_claim::TextClaim;
 use crate::change::EditKind;
 use crate::claim_text::Kind;
 use crate::letters::Letters;
+use crate::retelling::ways_to_tell;
 use latex::{Chain, Meaning, Statement, Value, read, value};
 use model::equations::Equations;
 use std::ops::Range;
@@ -58,8 +58,8 @@ pub(super) fn lost_terms(
         let terms = read(&with, &known).map_or_else(|_| Vec::new(), |statement| of(&statement));
         let is_short = |term: &Sym| {
             let told = term.to_string();
-            // several terms that are longer than the print are a formula of their own
-            let is_less = count(&told) == 1 || letters(*term) <= printed;
+            // several terms that are much longer than the print are a formula of their own
+            let is_less = count(&told) == 1 || 2 * letters(*term) <= 3 * printed;
             *term != Sym::ZERO && told.chars().count() <= SHORT && count(&told) <= most && is_less
         };
         (sum, terms.into_iter().filter(is_short).map(signed).collect())
@@ -158,7 +158,7 @@ fn missing(kind: Kind, difference: Sym, letters: &Letters<'_, '_>, probe: &Probe
     for residual in residuals {
         let Ok(form) = normal(-residual / slope, &motion.hypotheses) else { continue };
         // as it is, or by a letter that stands for more than one symbol
-        let told = ways_to_tell(letters, form.to_sym());
+        let told = ways_to_tell(letters, form.to_sym(), &motion.hypotheses);
         for own in told {
             let Ok(own) = normal(own, &Hypotheses::none()).map(|form| form.to_sym()) else { continue };
             if !found.contains(&own) {

@@ -156,14 +156,25 @@ pub(super) fn says_nothing(line: &Line) -> bool {
     decide(line.own[0] - line.own[1], &Hypotheses::none()).is_zero()
 }
 
-/// The difference of the sides in the paper's letters, of a formula with one equality.
+/// The difference of the sides in the paper's letters, of a formula with one equality; zero where two equivalent conditions are one.
 pub(super) fn own_difference(statement: &Statement, letters: &Letters<'_, '_>) -> Option<Sym> {
-    let [Chain { sides, .. }] = &statement.chains[..] else { return None };
+    match &statement.chains[..] {
+        [chain] => sides_apart(chain, letters),
+        [one, other] => {
+            let (one, other) = (sides_apart(one, letters)?, sides_apart(other, letters)?);
+            let is_one = [one - other, one + other].into_iter().any(|zero| decide(zero, &Hypotheses::none()).is_zero());
+            is_one.then_some(Sym::ZERO)
+        }
+        _ => None,
+    }
+}
+
+fn sides_apart(chain: &Chain, letters: &Letters<'_, '_>) -> Option<Sym> {
     let own = |term: &Term| match value(term, &letters.in_paper()).ok()? {
         Value::Scalar(own) => Some(own),
         Value::Matrix(_) => None,
     };
-    match &sides[..] {
+    match &chain.sides[..] {
         [left, right] => Some(own(left)? - own(right)?),
         _ => None,
     }

@@ -108,8 +108,13 @@ impl<'a, G: Ground> Search<'a, G> {
         let kept = OnceCell::new();
         let compared = || kept.get_or_init(|| comparison::compared(self.ground, places));
         // several lost terms that stand for as many wrong ones tell a reader less than these
-        let fewest = || compared().iter().map(Vec::len).min().map_or(most, |edits| edits.saturating_sub(1));
-        let adds_nothing = |edits: &[Edit]| edits.iter().all(|edit| edit.kind != EditKind::LostTerm);
+        let adds = |edit: &Edit| edit.kind == EditKind::LostTerm;
+        let changes_some = |edits: &&Vec<Edit>| !edits.iter().all(adds);
+        let fewest = || {
+            let changing = compared().iter().filter(changes_some).map(Vec::len).min();
+            changing.map_or(most, |edits| edits.saturating_sub(1))
+        };
+        let adds_nothing = |edits: &[Edit]| !edits.iter().any(adds);
         let one = |edits: Vec<Edit>| edits.into_iter().map(|edit| vec![edit]).collect::<Vec<_>>();
         let sizes: [&dyn Fn() -> Vec<Vec<Edit>>; 9] = [
             &|| combinations::alone(&effects, &residual),

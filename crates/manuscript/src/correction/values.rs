@@ -1,5 +1,6 @@
 //! The value that a part of a formula must have, in place of the printed one: a factor, a number, one to three terms of a sum.
 
+use super::comparison::letters;
 use super::edit::Edit;
 use super::ground::Ground;
 use super::lost::{SOUGHT, signed};
@@ -40,6 +41,7 @@ pub(super) fn values(ground: &impl Ground, places: &Places) -> Vec<Vec<Edit>> {
     }
     known.push(SOUGHT.to_owned());
     let mut found: Vec<(usize, Vec<Edit>)> = Vec::new();
+    let printed = places.atoms.len() + places.numbers.len();
     for part in parts(places, text) {
         let is_zero = &text[part.span.clone()] == "0" && part.away.is_empty();
         let most = if is_zero { (MOST_WEIGHT_FOR_ZERO, MOST_TERMS_FOR_ZERO) } else { (MOST_WEIGHT, part.most) };
@@ -62,7 +64,9 @@ pub(super) fn values(ground: &impl Ground, places: &Places) -> Vec<Vec<Edit>> {
         let Ok(statement) = read(&asked, &known) else { continue };
         for value in ground.sought(&statement) {
             let weight = weight(value);
-            if weight > most.0 || terms(value) > most.1 {
+            // a sum in the place of several terms that is much longer than the print is a formula of its own
+            let is_new = !part.away.is_empty() && 2 * letters(value) > 3 * printed;
+            if weight > most.0 || terms(value) > most.1 || is_new {
                 continue;
             }
             let (sign, latex) = signed(value);

@@ -131,3 +131,70 @@ fn a_letter_for_others_does_not_hide_that_a_correction_says_nothing() {
     assert_eq!(verdict(&found), "refuted", "{}", found.text());
     assert!(found.corrections.iter().all(|one| !one.formula.contains('h')), "{}", found.text());
 }
+
+#[test]
+fn no_condition_is_corrected_to_be_equivalent_to_itself() {
+    for print in [r"g = l \iff m = l", r"\dot\theta = 0 \iff \theta = 0", r"g = 0 \iff l = 0"] {
+        let found = on_pendulum("equivalence", print, "");
+        assert_eq!(verdict(&found), "refuted", "{}", found.text());
+        for correction in &found.corrections {
+            let [one, other] = correction.formula.split(r"\iff").map(str::trim).collect::<Vec<_>>()[..] else {
+                panic!("{}", correction.formula)
+            };
+            assert_ne!(one, other, "{print}");
+        }
+    }
+}
+
+/// A symmetric body about its centre of mass, whose inertia is any function of the time to the first order.
+const BODY: &str = r#"
+title = "A free body"
+[parameters]
+A0 = "kg m^2"
+A1 = "kg m^2/s"
+C = "kg m^2"
+[inputs]
+X = "N m"
+Y = "N m"
+Z = "N m"
+[coordinates]
+[frames]
+F = "N free"
+[definitions]
+A = "A0 + A1*t"
+gamma1 = "F.x . N.z"
+gamma2 = "F.y . N.z"
+gamma3 = "F.z . N.z"
+[bodies.body]
+frame = "F"
+inertia = { principal = ["A", "A", "C"] }
+[[torque]]
+on = "body"
+is = "X*F.x + Y*F.y + Z*F.z"
+[letters]
+'A' = "A"
+'C' = "C"
+'X' = "X"
+'Y' = "Y"
+'Z' = "Z"
+'p' = "F.wx"
+'q' = "F.wy"
+'r' = "F.wz"
+'\gamma_1' = "gamma1"
+'\gamma_2' = "gamma2"
+'\gamma_3' = "gamma3"
+'G' = "A*(F.wx*gamma1 + F.wy*gamma2) + C*F.wz*gamma3"
+'H' = "gamma3^2"
+"#;
+
+#[test]
+fn terms_of_direction_cosines_are_told_by_the_letters_that_a_paper_has_for_them() {
+    let printed = r"\dot{G} = \gamma_1 X + \gamma_2 Y + \gamma_3 Z";
+    let found = on(BODY, "equation of motion", printed, "");
+    let missing = found.judged.difference.as_ref().map(|(text, _)| text.as_str());
+    assert_eq!(missing, Some("A'*gamma_1*p + A'*gamma_2*q"), "{}", found.text());
+    // a product of two of them
+    let found = on(BODY, "formula", r"\dot{H} = 2\gamma_3 q \gamma_1", "");
+    let missing = found.judged.difference.as_ref().map(|(text, _)| text.as_str());
+    assert_eq!(missing, Some("-2*p*gamma_2*gamma_3"), "{}", found.text());
+}

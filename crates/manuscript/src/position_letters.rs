@@ -1,0 +1,115 @@
+//! Expressions of positions by the letters that a paper has for them: direction cosines in the place of the four coordinates of a frame that
+//! turns freely, or of products of sines and cosines.
+
+use crate::letters::Letters;
+use algebra::linear::nonnegative_combination;
+use field::Rational;
+use std::collections::{BTreeMap, BTreeSet};
+use symbolic::{Hypotheses, Sym, coefficients, normal};
+
+/// More letters, and longer expressions, are left as the model has them.
+const MOST_LETTERS: usize = 9;
+const MOST_TERMS: usize = 200;
+
+/// A polynomial in the leaves of positions: the factor of each product of these, by its exponents.
+type Terms = BTreeMap<Vec<u32>, Rational>;
+
+/// A product of letters, as the paper has it and over the positions.
+struct Product {
+    own: Sym,
+    terms: Terms,
+}
+
+/// An expression of the model in the paper's letters: a polynomial of the second degree at most in letters that are functions of the position.
+/// None where it is none under the hypotheses.
+pub(crate) fn by_position_letters(letters: &Letters<'_, '_>, expression: Sym, hypotheses: &Hypotheses) -> Option<Sym> {
+    let coordinates = &letters.trace.coordinates;
+    let varies = |leaf: &Sym| leaf.as_constant().is_none();
+    let is_position = |leaf: &Sym| varies(leaf) && leaf.symbols_of().iter().all(|symbol| coordinates.contains(symbol));
+    let of_positions: Vec<(Sym, Sym)> = letters
+        .scalars()
+        .filter(|(_, value, ..)| value.symbol_name().is_none() && is_position(value))
+        .map(|(_, value, own, _)| (own, value))
+        .collect();
+    if of_positions.is_empty() || of_positions.len() > MOST_LETTERS {
+        return None;
+    }
+    let form = normal(expression, hypotheses).ok()?;
+    let (above, below) = (form.numerator(), form.denominator());
+    let values = of_positions.iter().map(|(_, value)| *value);
+    let (mut leaves, mut others): (Vec<Sym>, Vec<Sym>) =
+        values.chain([above]).flat_map(Sym::leaves_of).filter(varies).partition(is_position);
+    for each in [&mut leaves, &mut others] {
+        each.sort_unstable();
+        each.dedup();
+    }
+    if below.leaves_of().iter().any(|leaf| leaves.contains(leaf)) {
+        return None;
+    }
+    // for each product of all other letters the polynomial that it is multiplied by
+    let mut wanted: BTreeMap<Vec<u32>, Terms> = BTreeMap::new();
+    for (mut exponents, value) in terms(above, &[&leaves[..], &others].concat())? {
+        let of_others = exponents.split_off(leaves.len());
+        wanted.entry(of_others).or_default().insert(exponents, value);
+    }
+    let product = |own: Sym, value: Sym| {
+        let form = normal(value, hypotheses).ok()?;
+        form.denominator().as_constant()?;
+        Some(Product { own, terms: terms(form.to_sym(), &leaves)? })
+    };
+    let mut products = vec![product(Sym::ONE, Sym::ONE)?];
+    products.extend(of_positions.iter().filter_map(|&(own, value)| product(own, value)));
+    let found = combinations(&wanted, &products).or_else(|| {
+        for (place, &(own, value)) in of_positions.iter().enumerate() {
+            let pairs = of_positions[place..].iter();
+            products.extend(pairs.filter_map(|&(other, factor)| product(own * other, value * factor)));
+        }
+        combinations(&wanted, &products)
+    })?;
+    // names of the paper may be those of the model for something else
+    let kept: Vec<(Sym, Sym)> = products
+        .iter()
+        .enumerate()
+        .map(|(place, product)| (Sym::symbol(&format!("product {place}")), product.own))
+        .collect();
+    let mut sum = Sym::ZERO;
+    for (of_others, factors) in wanted.keys().zip(found) {
+        let other = others
+            .iter()
+            .zip(of_others)
+            .fold(Sym::ONE, |all, (&leaf, &power)| (0..power).fold(all, |all, _| all * leaf));
+        for (factor, (letter, _)) in factors.into_iter().zip(&kept).filter(|(factor, _)| factor.sign() != Some(0)) {
+            sum = sum + Sym::constant(factor) * other * *letter;
+        }
+    }
+    Some(letters.told(sum / below).substitute(&kept))
+}
+
+/// Factors of the products whose sum is each of the polynomials; none where one of them is no such sum.
+fn combinations(wanted: &BTreeMap<Vec<u32>, Terms>, products: &[Product]) -> Option<Vec<Vec<Rational>>> {
+    let zero = Rational::new(0, 1);
+    wanted
+        .values()
+        .map(|target| {
+            let all = products.iter().map(|product| &product.terms).chain([target]);
+            let rows: BTreeSet<&Vec<u32>> = all.flat_map(BTreeMap::keys).collect();
+            let column = |terms: &Terms| -> Vec<Rational> {
+                rows.iter().map(|exponents| terms.get(*exponents).copied().unwrap_or(zero)).collect()
+            };
+            // a factor of either sign is the difference of two that are not negative
+            let columns: Vec<Vec<Rational>> = products.iter().map(|product| column(&product.terms)).collect();
+            let opposite = columns.iter().map(|own| own.iter().map(|entry| -*entry).collect());
+            let both: Vec<Vec<Rational>> = columns.iter().cloned().chain(opposite).collect();
+            let found = nonnegative_combination(&both, &column(target))?;
+            let (up, down) = found.split_at(products.len());
+            Some(up.iter().zip(down).map(|(up, down)| *up - *down).collect())
+        })
+        .collect()
+}
+
+/// A polynomial in leaves by its exponents; none where it is long, or no polynomial.
+fn terms(polynomial: Sym, leaves: &[Sym]) -> Option<Terms> {
+    let found = coefficients(polynomial, leaves).ok().filter(|found| found.len() <= MOST_TERMS)?;
+    let number = |value: Sym| normal(value, &Hypotheses::none()).ok()?.as_constant();
+    found.into_iter().map(|(exponents, value)| Some((exponents, number(value)?))).collect()
+}
