@@ -66,7 +66,7 @@ pub(super) fn show(asked: &Asked, [first, second]: [&(String, Range); 2]) -> Res
         return Ok(Exit::Done);
     }
     warn(&format!(
-        "warning: {}: {open} cells are not decided: more time (--seconds), more boxes (--boxes {}) or narrower ranges (--range) decide more",
+        "warning: {}: {open} cells are not decided: more time (--seconds), more boxes (--boxes {}) or narrower ranges (--range) may decide more",
         asked.scene.display(),
         10 * asked.steady.boxes
     ));

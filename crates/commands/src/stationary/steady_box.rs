@@ -199,8 +199,8 @@ impl SteadyBox {
             return Exit::Stopped;
         }
         let remedy = match has_time() {
-            true => format!("or more boxes (--boxes {}) decide more", 10 * self.boxes),
-            false => "or more time (--seconds) decide more: the time was over".to_owned(),
+            true => format!("or more boxes (--boxes {}) may decide more", 10 * self.boxes),
+            false => "or more time (--seconds) may decide more: the time was over".to_owned(),
         };
         warn(&format!(
             "warning: {}: undecided boxes: {}; narrower ranges (--range NAME=FROM..TO) {remedy}",

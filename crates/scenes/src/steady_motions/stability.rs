@@ -54,7 +54,7 @@ pub(super) fn judged(
     let is_whole =
         equations.coordinates == equations.unknowns.len() && equations.coordinates + equations.cyclic.len() == n;
     let keeps_energy = equations.have_potential || keeps_energy(model);
-    if is_whole && keeps_energy && has_inertia(equations, &enclosure[..equations.unknowns.len()], n) {
+    if is_whole && keeps_energy && has_inertia(equations, boxes, enclosure, n) {
         let rests = state[n..].iter().all(|speed| *speed == 0.0);
         let falls = falls(equations, boxes, enclosure);
         if is_open {
@@ -84,12 +84,38 @@ pub(super) fn judged(
     }
 }
 
-/// Whether the mass matrix is positive definite, of everything that is enclosed.
-fn has_inertia(equations: &SteadyEquations, unknowns: &[Interval], n: usize) -> bool {
+/// Whether the kinetic energy is positive in every direction that constraints leave, of everything that is enclosed: bodies without mass may
+/// hang between those that have one. With as many constraints as f has rows the matrix
+///
+///   | M   f'^T |
+///   | f'   0   |
+///
+/// has then as many negative eigenvalues as there are constraints, and all others are positive.
+fn has_inertia(equations: &SteadyEquations, boxes: &mut Boxes<'_>, enclosure: &[Interval], n: usize) -> bool {
     let Some(tape) = &equations.masses else { return false };
+    let (own, positions) = (enclosure.len(), equations.unknowns.len());
     let mut masses = vec![Interval::EVERYTHING; n * n];
-    tape.over::<Interval>().evaluate(unknowns, &mut masses);
-    signs(&masses, n) == Some([0, n])
+    tape.over::<Interval>().evaluate(&enclosure[..positions], &mut masses);
+    if signs(&masses, n) == Some([0, n]) {
+        return true;
+    }
+    let mut slopes = vec![Interval::EVERYTHING; own * own];
+    boxes.slopes(enclosure, &mut slopes);
+    let unknown_at: Vec<Option<usize>> =
+        (0..n).map(|place| equations.unknowns.iter().position(|unknown| unknown.place == place)).collect();
+    let (reactions, zero) = (equations.reactions, Interval::point(0.0));
+    // cyclic coordinates are in no constraint
+    let push =
+        |place: usize, reaction: usize| unknown_at[place].map_or(zero, |row| slopes[row * own + positions + reaction]);
+    let size = n + reactions;
+    let entry = |row: usize, column: usize| match (row < n, column < n) {
+        (true, true) => masses[row * n + column],
+        (true, false) => push(row, column - n),
+        (false, true) => push(column, row - n),
+        (false, false) => zero,
+    };
+    let matrix: Vec<Interval> = (0..size * size).map(|at| entry(at / size, at % size)).collect();
+    signs(&matrix, size) == Some([reactions, n])
 }
 
 /// In how many directions the amended potential energy falls; none where that is not decided. The matrix

@@ -27,3 +27,23 @@ fn a_mechanism_of_three_loops_has_all_its_equilibria_however_its_angles_are_coun
         assert_eq!(absolute.iter().filter(|(other, known)| is_same(other) && known == verdict).count(), 1, "{own:?}");
     }
 }
+
+/// Two rods without mass from the origin to a slider on the x axis, which a spring draws to the distance of one rod.
+const RODS: &str = r#"
+title = "A slider on two rods"
+parameters = { m = "2 kg", k = "50 N/m", l = "0.5 m" }
+coordinates = { a = "rad", b = "rad" }
+frames = { A = "N turned a about z", B = "A turned b about z" }
+points = { knee = "O + l*A.x", tip = "knee + l*B.x" }
+bodies = { slider = { centre = "tip", mass = "m" } }
+energies = { potential = "k*(distance(O, tip) - l)^2/2" }
+[[constraint]]
+zero = "(tip - O) . N.y"
+"#;
+
+/// At a knee of 60 degrees the slider rests; the rods have no kinetic energy of their own.
+#[test]
+fn an_equilibrium_of_links_without_mass_is_a_minimum_of_the_energy() {
+    let found = all(RODS, &[("a", 0.3, 1.5), ("b", -3.0, -0.3)]);
+    super::assert_are(&found, &[(&[PI / 3.0, -2.0 * PI / 3.0], Some(true))]);
+}
