@@ -196,5 +196,5 @@ fn terms_of_direction_cosines_are_told_by_the_letters_that_a_paper_has_for_them(
     // a product of two of them
     let found = on(BODY, "formula", r"\dot{H} = 2\gamma_3 q \gamma_1", "");
     let missing = found.judged.difference.as_ref().map(|(text, _)| text.as_str());
-    assert_eq!(missing, Some("-2*p*gamma_2*gamma_3"), "{}", found.text());
+    assert_eq!(missing, Some("-2*gamma_2*gamma_3*p"), "{}", found.text());
 }
