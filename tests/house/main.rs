@@ -4,5 +4,6 @@ mod circles;
 mod contributing;
 mod features;
 mod licences;
+mod links;
 mod mutants;
 mod rules;

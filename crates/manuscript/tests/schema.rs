@@ -18,11 +18,37 @@ fn read(name: &str) -> Value {
 }
 
 fn text(says: &str) -> Value {
-    json!({ "type": "string", "description": says })
+    json!({ "type": "string", "description": says, "unit": "text" })
 }
 
-fn texts(says: &str) -> Value {
-    json!({ "type": "array", "items": { "type": "string" }, "description": says })
+fn formula(says: &str) -> Value {
+    json!({ "type": "string", "description": says, "unit": "LaTeX" })
+}
+
+fn formulas(says: &str) -> Value {
+    json!({ "type": "array", "items": { "type": "string" }, "description": says, "unit": "list of LaTeX" })
+}
+
+/// Claims with every key, about a pendulum.
+fn claims() -> Value {
+    json!([
+        {
+            "equation": "1",
+            "section": "2.1",
+            "name": "damped",
+            "kind": "equation of motion",
+            "formula": r"m l^2 \ddot{\theta} + m g l \sin\theta = 0",
+            "says": "The equation of motion of the pendulum.",
+            "note": "Without damping.",
+            "given": [r"l > 0"],
+            "expect": "proved",
+        },
+        { "equation": "2", "kind": "steady motion", "formula": r"\sin\theta = 0", "resting": [r"\theta"] },
+    ])
+}
+
+fn letters() -> Value {
+    json!({ "m": "m", "l": "l", "g": "g", r"\theta": "theta", r"\mathbf{v}": ["l*theta'*cos(theta)", "l*theta'*sin(theta)"] })
 }
 
 /// The tables of a paper beside those of its system.
@@ -38,34 +64,42 @@ fn own() -> Value {
     ];
     let claim = json!({
         "equation": text("Number of the formula in the paper, such as \"5\" or \"2.3\"."),
-        "formula": text("Formula in LaTeX as printed, in single quotes; a display on several lines is a claim for each of them."),
+        "formula": formula("Formula in LaTeX as printed, in single quotes; a display on several lines is a claim for each of them."),
         "kind": { "enum": kinds, "description": "Kind of statement." },
-        "name": text("Tells claims of one formula apart."),
+        "name": text("A name that tells claims of one formula apart."),
         "says": text("A sentence that the formula states."),
         "section": text("Section of the paper."),
         "note": text("Remark for a reader."),
-        "given": texts("Hypotheses in LaTeX: equalities, signs, what does not vanish."),
-        "resting": texts("Letters and rates that are constant on a steady motion, or on the motion of a linearised equation."),
+        "given": formulas("Hypotheses in LaTeX: equalities, signs, expressions that do not vanish."),
+        "resting": formulas("Letters and rates that are constant on a steady motion, or on the motion of a linearised equation."),
         "expect": { "enum": verdicts.map(Verdict::name), "description": "Verdict that `judge --test` asks for." },
     });
     json!({
         "citation": text("Authors, title, journal, year."),
         "summary": text("Subject of the paper."),
-        "model": text("File of the system, by its way from this file's folder, where its tables do not stand here."),
+        "model": text("File of the system, by its path from the folder of this file, where the tables of the system do not stand here."),
         "letters": {
             "type": "object",
             "description": "Each letter of the formulas in LaTeX with its meaning, an expression of the model; a vector has a list of them; 'f(q)' is a function.",
-            "additionalProperties": { "type": ["string", "array"], "items": { "type": "string" } },
+            "examples": [letters()],
+            "additionalProperties": {
+                "type": ["string", "array"],
+                "items": { "type": "string" },
+                "description": "The meaning of the letter.",
+                "unit": "expression, or a list of such",
+            },
         },
         "claim": {
             "type": "array",
             "minItems": 1,
-            "description": "What the paper claims, one table for each formula.",
+            "description": "The statements of the paper, one [[claim]] for each formula.",
             "items": {
                 "type": "object",
+                "description": "A claim is a formula with its kind and its hypotheses.",
                 "required": ["equation", "kind", "formula"],
                 "additionalProperties": false,
                 "properties": claim,
+                "examples": claims(),
             },
         },
     })
@@ -78,6 +112,11 @@ fn made() -> Value {
         "A paper with [letters] and [[claim]] beside the tables of its system, or `model`, the file that has them: dalembert judge decides each claim."
     );
     schema["required"] = json!(["title", "letters", "claim"]);
+    schema["examples"] = json!([{
+        "citation": "A. Author, Pendula, Journal of Examples 1 (2020) 1-9",
+        "summary": "Small and large oscillations of a pendulum.",
+        "model": "../scenes/models/cart_pole.toml",
+    }]);
     for (key, value) in own().as_object().expect("tables") {
         schema["properties"][key] = value.clone();
     }
@@ -111,6 +150,31 @@ fn every_paper_has_keys_of_the_schema() {
             let known = &schema["properties"]["claim"]["items"]["properties"];
             assert!(claim.keys().all(|key| known[key.get_ref().as_ref()].is_object()), "{}", path.display());
         }
+    }
+}
+
+#[test]
+fn every_example_of_a_paper_is_read() {
+    let line = |(key, value): (&String, &Value)| format!("{} = {value}\n", Value::from(key.as_str()));
+    let lines = |table: &Value| table.as_object().expect("keys").iter().map(line).collect::<String>();
+    let claim = |claim: &Value| format!("[[claim]]\n{}", lines(claim));
+    let claims: String = claims().as_array().expect("claims").iter().map(claim).collect();
+    let system = "[parameters]\nm = \"kg\"\nl = \"m\"\ng = \"m/s^2\"\n[coordinates]\ntheta = \"rad\"\n[energies]\nkinetic = \"m*l^2*theta'^2/2\"\npotential = \"-m*g*l*cos(theta)\"\n";
+    let keys = |keys: &Value| {
+        let mut keys = keys.clone();
+        keys.as_object_mut().expect("keys").shift_remove("model").expect("a file is named");
+        format!("title = \"A pendulum\"\n{}", lines(&keys))
+    };
+    let examples = &made()["examples"][0];
+    let own = format!("{}{system}[letters]\n{}{claims}", keys(examples), lines(&letters()));
+    let other = format!(
+        "title = \"A cart\"\n{}[letters]\nm = \"m\"\n[[claim]]\nequation = \"1\"\nkind = \"formula\"\nformula = \"m = m\"\n",
+        lines(examples)
+    );
+    for text in [own, other] {
+        let path = schemas().join("../papers/example.toml");
+        let read = PaperText::parse(&path, text);
+        assert!(read.is_ok(), "{}", read.err().expect("a reason"));
     }
 }
 

@@ -1,19 +1,35 @@
-//! Every file that the book shows is read and runs to its end; so does every piece of one, put into the file before it.
+//! Every file that the book shows is read and runs to its end; so does every piece of one, put into the file before it, or into the
+//! crane that serves chapters without a file of their own.
 
 // the motors that scenes name
-use dalembert_scenes::ModelScene;
+use dalembert_scenes::{ModelScene, parse_ensemble};
 use machines as _;
 use model::Fault;
 use simulation::{Choice, IvpScene};
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-const BOOK: &str = include_str!("../../../book/src/models.md");
+/// Chapters whose pieces are no systems, or belong to files of the repository: papers, and entries of the catalogue of failures.
+const OTHERS: [&str; 3] = ["judging.md", "failures.md", "adding.md"];
 
-/// The blocks of a language.
-fn blocks(language: &str) -> Vec<&'static str> {
-    let parts = BOOK.split("\n```").collect::<Vec<_>>();
+fn book() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../book/src")
+}
+
+/// The chapters in the order of the book, each with its name.
+fn chapters() -> Vec<(String, String)> {
+    let read =
+        |name: &str| std::fs::read_to_string(book().join(name)).unwrap_or_else(|error| panic!("{name}: {error}"));
+    let summary = read("SUMMARY.md");
+    let names = summary.lines().filter_map(|line| line.split_once("](")?.1.strip_suffix(')'));
+    names.filter(|name| !OTHERS.contains(name)).map(|name| (name.to_owned(), read(name))).collect()
+}
+
+/// The blocks of a language in a chapter.
+fn blocks<'a>(chapter: &'a str, language: &str) -> Vec<&'a str> {
     // outside and inside in turn
-    let inside = parts.iter().skip(1).step_by(2);
+    let inside = chapter.split("\n```").skip(1).step_by(2);
     inside.filter_map(|block| block.strip_prefix(language)?.strip_prefix('\n')).collect()
 }
 
@@ -42,59 +58,46 @@ fn with(file: &str, piece: &str) -> String {
     format!("{kept}\n{piece}\n")
 }
 
-#[test]
-fn every_file_and_piece_of_the_book_runs() {
-    let (mut file, mut count, mut open) = ("", 0, Vec::<String>::new());
-    for block in blocks("toml") {
-        let text = match block.contains("[coordinates]") {
-            true => {
-                file = block;
-                block.to_owned()
-            }
-            false => with(file, block),
-        };
-        let scene = ModelScene::parse("book", &text).unwrap_or_else(|error| panic!("{error}"));
-        let (unused, others): (Vec<&Fault>, Vec<&Fault>) =
-            scene.model.warnings.iter().partition(|warning| warning.title.starts_with("nothing uses the parameter `"));
-        assert!(others.is_empty(), "{others:?}\n{block}");
-        // parameters of a file are used by it, or by a piece that is put into it
-        let name = |warning: &&Fault| text[warning.span.clone()].to_owned();
-        match block.contains("[coordinates]") {
-            true => {
-                assert!(open.is_empty(), "no piece uses {open:?}");
-                open = unused.iter().map(name).collect();
-            }
-            false => {
-                let still: Vec<String> = unused.iter().map(name).collect();
-                open.retain(|parameter| still.contains(parameter));
-            }
-        }
-        let choice = Choice { allowed: Duration::from_secs(60), ..scene.run().choice() };
-        let trajectory = scene.problem(choice.axes).simulate(&choice, |_| {});
-        assert_eq!(trajectory.stopped(), None, "{block}");
-        assert!(trajectory.last.iter().all(|value| value.is_finite()), "{block}");
-        count += 1;
+/// A block as a file runs to its end; the parameters that nothing in it uses.
+fn unused_in(text: &str, block: &str) -> BTreeSet<String> {
+    let scene = ModelScene::parse("book", text).unwrap_or_else(|error| panic!("{error}"));
+    let (unused, others): (Vec<&Fault>, Vec<&Fault>) =
+        scene.model.warnings.iter().partition(|warning| warning.title.starts_with("nothing uses the parameter `"));
+    assert!(others.is_empty(), "{others:?}\n{block}");
+    let choice = Choice { allowed: Duration::from_secs(60), ..scene.run().choice() };
+    let trajectory = scene.problem(choice.axes).simulate(&choice, |_| {});
+    assert_eq!(trajectory.stopped(), None, "{block}");
+    assert!(trajectory.last.iter().all(|value| value.is_finite()), "{block}");
+    if text.contains("members = ") {
+        assert!(parse_ensemble("book", text).is_ok(), "{block}");
     }
-    assert!(open.is_empty(), "no piece uses {open:?}");
-    assert!(count >= 14, "only {count} blocks were found");
+    unused.iter().map(|warning| text[warning.span.clone()].to_owned()).collect()
 }
 
-/// The table of units in the book is the one of the reader.
 #[test]
-fn the_book_lists_every_unit_that_is_read() {
-    let section = BOOK.split("\n### Units\n").nth(1).and_then(|rest| rest.split("\n#").next()).expect("it is there");
-    let listed = |row: &str| -> Vec<String> {
-        let line = section.lines().find(|line| line.starts_with(&format!("| {row} |"))).expect("the row is there");
-        let mut names: Vec<String> = line.split('`').skip(1).step_by(2).map(str::to_owned).collect();
-        names.sort();
-        names
-    };
-    let read = |names: &mut dyn Iterator<Item = &'static str>| -> Vec<String> {
-        let mut names: Vec<String> = names.map(str::to_owned).collect();
-        names.sort();
-        names
-    };
-    assert_eq!(listed("with a prefix or without"), read(&mut units::Unit::with_prefixes()));
-    assert_eq!(listed("without prefixes"), read(&mut units::Unit::without_prefixes()));
-    assert_eq!(listed("prefixes"), read(&mut units::Unit::prefixes()));
+fn every_file_and_piece_of_the_book_runs() {
+    let chapters = chapters();
+    let is_file = |block: &&str| block.contains("coordinates]") || block.contains("\ncoordinates = ");
+    let crane = chapters.iter().flat_map(|(_, text)| blocks(text, "toml")).find(|block| block.contains("A crane"));
+    let crane = crane.expect("the book has the crane");
+    // parameters of the crane are used by it, or by a piece that is put into it
+    let (mut open, mut count) = (unused_in(crane, crane), 0);
+    for (_, chapter) in &chapters {
+        let mut file = crane;
+        for block in blocks(chapter, "toml") {
+            count += 1;
+            if is_file(&block) {
+                file = block;
+                let unused = unused_in(block, block);
+                assert!(file == crane || unused.is_empty(), "nothing uses {unused:?}\n{block}");
+            } else {
+                let still = unused_in(&with(file, block), block);
+                if file == crane {
+                    open.retain(|parameter| still.contains(parameter));
+                }
+            }
+        }
+    }
+    assert!(open.is_empty(), "no piece uses {open:?}");
+    assert!(count >= 30, "only {count} blocks were found");
 }

@@ -1,4 +1,4 @@
-//! The asynchronous motor without currents, moment linear in the slip.
+//! The asynchronous motor without currents, torque linear in the slip.
 
 use field::{Base, Over};
 use motor::{Entry, Machine, RotorState, letter};
@@ -9,7 +9,7 @@ reader::quantities! {
     pub struct Asynchronous {
         /// speed of the stator's field
         field_speed: "rad/s",
-        /// slope of the moment against slip
+        /// slope of the torque against slip
         k: "N m s" in friction,
         /// viscous friction in the bearings
         f: "N m s" in friction,
@@ -37,7 +37,7 @@ impl<P: Base> Machine<P> for Asynchronous<P> {
 /// Among the motors of the catalogue.
 pub const ENTRY: Entry = Entry {
     name: "asynchronous",
-    summary: "asynchronous without currents, moment linear in the slip",
+    summary: "asynchronous without currents, torque linear in the slip",
     data: Asynchronous::<Sym>::QUANTITIES,
     counts: &[],
     write: |given| given.laws(&Asynchronous::read(letter)?),

@@ -10,7 +10,7 @@ reader::quantities! {
     pub struct Brushed {
         /// voltage at the brushes
         voltage: "V",
-        /// flux of the magnets: voltage per speed of the rotor, and moment per current
+        /// flux of the magnets: voltage per speed of the rotor, and torque per current
         flux: "Wb",
         /// inductance of the armature
         inductance: "H" > 0,

@@ -1,4 +1,4 @@
-//! The asynchronous motor without currents, moment after Kloss.
+//! The asynchronous motor without currents, torque after Kloss.
 
 use field::{Base, Over};
 use motor::{Entry, Machine, RotorState, letter};
@@ -10,9 +10,9 @@ reader::quantities! {
     pub struct Kloss {
         /// speed of the stator's field
         field_speed: "rad/s" != 0,
-        /// pull-out moment
+        /// pull-out torque
         pull_out: "N m",
-        /// slip ratio at the pull-out moment
+        /// slip ratio at the pull-out torque
         pull_out_slip: "1" > 0,
         /// viscous friction in the bearings
         f: "N m s" in friction,
@@ -41,7 +41,7 @@ impl<P: Base> Machine<P> for Kloss<P> {
 /// Among the motors of the catalogue.
 pub const ENTRY: Entry = Entry {
     name: "kloss",
-    summary: "asynchronous without currents, moment after Kloss",
+    summary: "asynchronous without currents, torque after Kloss",
     data: Kloss::<Sym>::QUANTITIES,
     counts: &[],
     write: |given| given.laws(&Kloss::read(letter)?),

@@ -9,7 +9,7 @@ reader::quantities! {
     pub struct Windings {
         /// speed of the stator's field
         field_speed: "rad/s",
-        /// greatest moment of the field on the rotor with the constant part of the excitation
+        /// greatest torque of the field on the rotor with the constant part of the excitation
         b0: "N m",
         /// flux of the field through the excitation winding
         a1: "Wb",

@@ -9,7 +9,7 @@ reader::quantities! {
     pub struct Synchronous {
         /// speed of the stator's field
         field_speed: "rad/s",
-        /// greatest moment of the field on the rotor
+        /// greatest torque of the field on the rotor
         b0: "N m",
         /// viscous friction in the bearings
         f: "N m s" in friction,

@@ -1,10 +1,10 @@
 //! Energies and momenta of the whole system, in outputs.
 
-use super::functions::usage;
 use super::loads::joule;
 use super::value::Value;
 use super::{Elaborator, Sound};
 use crate::arena::Scalar;
+use crate::expression::usage;
 use crate::{Fault, ScalarId};
 use std::ops::Range;
 

@@ -7,42 +7,11 @@ use super::orders::ACCELERATIONS;
 use super::value::Value;
 use super::{Elaborator, Sound, unknown};
 use crate::arena::{Function, Scalar, Vector};
-use crate::expression::{Argument, Preposition};
+use crate::expression::{Argument, FUNCTIONS, Preposition, usage};
 use crate::{Domain, DomainEnd, Fault, FrameId, Material, ScalarId, Text};
 use field::Rational;
 use std::ops::Range;
 use symbolic::Dimension;
-
-/// Functions that the language has.
-const FUNCTIONS: [&str; 27] = [
-    "sin",
-    "cos",
-    "tan",
-    "sqrt",
-    "atan2",
-    "abs",
-    "sign",
-    "min",
-    "max",
-    "if",
-    "table",
-    "dot",
-    "cross",
-    "norm",
-    "unit",
-    "distance",
-    "velocity",
-    "acceleration",
-    "angular_velocity",
-    "rate",
-    "reaction",
-    "friction",
-    "gap",
-    "sliding",
-    "joint_force",
-    "joint_torque",
-    "momentum",
-];
 
 /// Functions that the language will have.
 const LATER: [&str; 1] = ["angular_acceleration"];
@@ -192,7 +161,7 @@ impl Elaborator<'_> {
                 span.clone(),
                 other,
                 "function",
-                FUNCTIONS.into_iter().chain(OF_ONE),
+                FUNCTIONS.iter().map(|function| function.name),
             ))),
         }
     }
@@ -330,26 +299,5 @@ impl Elaborator<'_> {
             }
             _ => Err(Box::new(Fault::at(span.clone(), "a scalar or a vector has a rate", "here", usage("rate")))),
         }
-    }
-}
-
-pub(super) fn usage(function: &str) -> &'static str {
-    match function {
-        "if" => "if(t < (2 s), a, b)",
-        "abs" | "sign" => "abs(a), sign(a) of a scalar",
-        "min" | "max" => "min(a, b), max(a, b) of two scalars",
-        "atan2" => "atan2(y, x) of two scalars",
-        "table" => "table(x, x1, y1, x2, y2, ...)",
-        "dot" | "cross" => "dot(a, b), cross(a, b) of two vectors",
-        "norm" | "unit" => "norm(a), unit(a) of a vector",
-        "distance" => "distance(P, Q) of two points",
-        "velocity" => "velocity(P), velocity(disc at P), velocity(P in B)",
-        "acceleration" => "acceleration(P), acceleration(disc at P), acceleration(P in B)",
-        "angular_velocity" => "angular_velocity(B), angular_velocity(B in A) of a frame or a body",
-        "joint_force" | "joint_torque" => "joint_force(disc), joint_torque(disc) of a body",
-        "friction" | "gap" | "sliding" => "friction(floor), gap(floor), sliding(floor) of a named [[contact]]",
-        "momentum" => "momentum(theta) of a coordinate, dT/d(theta'); momentum(F.wx) of a free frame, dT/d(F.wx)",
-        "rate" => "rate(e) of a scalar, rate(v in B) of a vector",
-        _ => "one scalar",
     }
 }

@@ -12,9 +12,12 @@
 //!
 //! Two letters side by side are no product: `2x` and `a b` are refused, since a name may hold digits.
 
+mod functions;
 mod reader;
 mod token;
 
+pub(crate) use functions::usage;
+pub use functions::{FUNCTIONS, NamedFunction};
 pub use reader::read;
 pub use token::is_name;
 

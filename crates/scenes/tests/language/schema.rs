@@ -1,36 +1,14 @@
 //! The JSON schema for editors has the keys that the reader knows, and accepts every file that the project holds.
 
+use super::values::of_text;
 use dalembert_scenes::ModelScene;
-use serde_json::{Map, Value, json};
+use serde_json::Value;
 use std::collections::BTreeSet;
-use toml::de::{DeTable, DeValue};
 
-const SCHEMA: &str = include_str!("../../../schema/model.schema.json");
+pub const SCHEMA: &str = include_str!("../../../../schema/model.schema.json");
 
-fn schema() -> Value {
+pub fn schema() -> Value {
     serde_json::from_str(SCHEMA).expect("it is JSON")
-}
-
-/// TOML as JSON has it.
-fn of_table(table: &DeTable<'_>) -> Value {
-    let entries = table.iter().map(|(key, value)| (key.get_ref().to_string(), of_value(value.get_ref())));
-    Value::Object(entries.collect::<Map<_, _>>())
-}
-
-fn of_value(value: &DeValue<'_>) -> Value {
-    match value {
-        DeValue::String(text) => json!(text),
-        DeValue::Integer(number) => json!(number.as_str().parse::<i64>().expect("a decimal number")),
-        DeValue::Float(number) => json!(number.as_str().parse::<f64>().expect("a number")),
-        DeValue::Boolean(value) => json!(value),
-        DeValue::Datetime(time) => json!(time.to_string()),
-        DeValue::Array(items) => items.iter().map(|item| of_value(item.get_ref())).collect(),
-        DeValue::Table(table) => of_table(table),
-    }
-}
-
-fn of_text(text: &str) -> Value {
-    of_table(DeTable::parse(text).unwrap_or_else(|error| panic!("{error}\n{text}")).get_ref())
 }
 
 /// Whether a value is of a type of JSON schemas.
@@ -47,13 +25,13 @@ fn is_of(kind: &str, value: &Value) -> bool {
 }
 
 /// Parts of a value that a schema refuses, with the way to it. A keyword that is not known here fails, so that none goes unchecked.
-fn refused(schema: &Value, value: &Value, way: &str) -> Vec<String> {
+pub fn refused(schema: &Value, value: &Value, way: &str) -> Vec<String> {
     let mut all = Vec::new();
     let number = |limit: &Value| limit.as_f64().expect("a limit");
     let length = value.as_array().map(Vec::len);
     for (keyword, says) in schema.as_object().expect("a schema") {
         let own = match keyword.as_str() {
-            "title" | "description" | "$schema" | "$defs" => Vec::new(),
+            "title" | "description" | "$schema" | "$defs" | "examples" | "default" | "unit" | "absent" => Vec::new(),
             "$ref" => {
                 let place = says.as_str().and_then(|place| place.strip_prefix('#')).expect("a place in this schema");
                 let root = self::schema();

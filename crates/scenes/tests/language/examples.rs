@@ -1,0 +1,103 @@
+//! Every example of the reference is read, in one of a few systems.
+
+use super::expressions::{CONSTANTS, OPERATORS};
+use super::schema::{refused, schema};
+use super::values::{file, of_text};
+use dalembert_scenes::{FailureEntry, ModelScene, Task, parse_ensemble, parse_titled};
+use model::expression::FUNCTIONS;
+use serde_json::{Value, json};
+
+pub const CRANE: &str = include_str!("crane.toml");
+const CIRCUIT: &str = include_str!("circuit.toml");
+/// A system with a free frame, one of which more is known, and one that fails.
+const OTHERS: [&str; 3] = [
+    include_str!("../../../../scenes/models/tumbling_body.toml"),
+    include_str!("../../../../scenes/drive/stiff_diode.toml"),
+    include_str!("../../../../scenes/failures/bounces.toml"),
+];
+
+/// What keeps a file from being read by every command that its tables are for.
+fn wrong(text: &str, tables: &Value) -> Option<String> {
+    let failed = |error: reader::SceneError| error.to_string();
+    let is_valued = !text.contains("[N/m]") && tables["inputs"]["u"] != "N";
+    match () {
+        () if tables.get("failure").is_some() => FailureEntry::parse("scene.toml", text).map(drop).map_err(failed),
+        () if tables.get("ensemble").is_some() => parse_ensemble("scene.toml", text).map(drop).map_err(failed),
+        () if is_valued => ModelScene::parse("scene.toml", text).map(drop).map_err(failed),
+        () => parse_titled("scene.toml", text, Task::Write).map(drop).map_err(failed),
+    }
+    .err()
+}
+
+/// The tables of a system with these entries in a table of its own, or behind those that it has of a list.
+fn with(system: &str, table: &str, entries: &Value, several: bool) -> Value {
+    let mut tables = of_text(system);
+    let own = &mut tables[table];
+    match (own, entries) {
+        (Value::Array(own), entries) => own.push(entries.clone()),
+        (Value::Object(own), Value::Object(entries)) => own.extend(entries.clone()),
+        (own, entries) if several => *own = json!([entries]),
+        (own, entries) => *own = entries.clone(),
+    }
+    tables
+}
+
+fn is_read(of: &str, systems: &[Value]) {
+    let mut reasons = Vec::new();
+    for tables in systems {
+        match wrong(&file(tables), tables) {
+            None => return,
+            Some(reason) => reasons.push(reason),
+        }
+    }
+    panic!("{of} is read in no system:\n{}", reasons.join("\n"));
+}
+
+#[test]
+fn every_example_of_the_schema_is_read() {
+    let schema = schema();
+    let systems = || [CRANE, CIRCUIT].into_iter().chain(OTHERS);
+    for example in schema["examples"].as_array().expect("examples") {
+        let with_keys = |system: &str| {
+            let mut tables = of_text(system);
+            tables.as_object_mut().expect("tables").extend(example.as_object().expect("keys").clone());
+            tables
+        };
+        is_read(&example.to_string(), &systems().map(with_keys).collect::<Vec<_>>());
+    }
+    for (table, of_table) in schema["properties"].as_object().expect("tables") {
+        let several = of_table["type"] == "array";
+        let examples = if several { &of_table["items"]["examples"] } else { &of_table["examples"] };
+        for example in examples.as_array().into_iter().flatten() {
+            let told = format!("[{table}] {example}");
+            let schema = if several { &of_table["items"] } else { of_table };
+            assert_eq!(refused(schema, example, ""), Vec::<String>::new(), "{told}");
+            is_read(&told, &systems().map(|system| with(system, table, example, several)).collect::<Vec<_>>());
+        }
+    }
+}
+
+/// The crane, also with a constraint, or with a contact, of the schema's own examples, and a free body.
+fn systems_of_expressions() -> [Value; 4] {
+    let schema = schema();
+    let first = |table: &str| schema["properties"][table]["items"]["examples"][0].clone();
+    let with = |table: &str| with(CRANE, table, &first(table), true);
+    [of_text(CRANE), with("constraint"), with("contact"), of_text(OTHERS[0])]
+}
+
+#[test]
+fn every_example_of_an_expression_is_read() {
+    let functions = FUNCTIONS.iter().map(|function| (function.name, function.example));
+    let operators = OPERATORS.iter().chain(CONSTANTS).map(|row| (row.name, row.example));
+    for (name, example) in functions.chain(operators) {
+        assert!(!example.is_empty(), "{name} has no example");
+        let shown = |mut tables: Value| {
+            tables["outputs"] = json!({ "shown": example });
+            tables
+        };
+        is_read(&format!("`{example}`"), &systems_of_expressions().map(shown));
+    }
+    for function in &FUNCTIONS {
+        assert!(function.example.contains(&format!("{}(", function.name)), "{}", function.name);
+    }
+}

@@ -1,0 +1,14 @@
+//! The language of texts: its schema for editors and its reference in the book have the keys that the reader knows, and every example
+//! that they give is read.
+
+mod examples;
+mod expressions;
+mod motors;
+mod page;
+mod schema;
+mod sections;
+mod values;
+
+// motors that drives name, and systems of which more is known
+use machines as _;
+use studies as _;
