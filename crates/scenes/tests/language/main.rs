@@ -3,6 +3,7 @@
 
 mod examples;
 mod expressions;
+mod gyrostat;
 mod motors;
 mod page;
 mod schema;
@@ -11,4 +12,3 @@ mod values;
 
 // motors that drives name, and systems of which more is known
 use machines as _;
-use studies as _;

@@ -2,6 +2,7 @@
 
 use super::examples::CRANE;
 use super::expressions::{functions, operators, units};
+use super::gyrostat::stored;
 use super::motors::motors;
 use super::schema::schema;
 use super::sections::{Cell, Section, sections};
@@ -12,8 +13,11 @@ use std::path::{Path, PathBuf};
 
 const HEAD: &str = "# Reference of the language
 
-Every table and key of a system as text, in the order in which a file is usually written, then expressions, units and motors. [Your own system](own-system.md) is
-the way in; this chapter is for looking up. A test makes it of the tables that the reader of files is checked against: it lists all keys, and each example is read.
+This chapter lists every table and key of a system as text, in the order in which a file is usually written, then expressions, functions, units, motors, and the tables of a paper. It is for looking up;
+[Your own system](own-system.md) introduces the language. A test makes the chapter of the tables with which the reader of files is compared: no key is missing, and each example is read.
+The [index](#index-of-keys-and-tables) leads from a key to its tables.
+
+Scenes of a built-in gyrostat or bench have [tables of their own](#tables-of-a-gyrostat-or-a-bench).
 
 Examples belong to this system, to a circuit with the charge `q`, or to a body with the free frame `F`:
 
@@ -29,9 +33,14 @@ The column \"kind, unit\" says what a key holds. A scalar, a vector, a point is 
 /// The page as the schemas, the functions, the units and the motors have it.
 fn page() -> String {
     let (model, paper) = (schema(), paper());
-    let (of_systems, of_papers) = (sections(&model, &json!({})), sections(&paper, &model));
+    let all = [
+        sections(&model, &json!({}), ""),
+        sections(&stored(), &shared(), OF_GYROSTATS),
+        sections(&paper, &model, OF_PAPERS),
+    ];
+    let [of_systems, of_gyrostats, of_papers] = &all;
     let mut page = format!("{HEAD}{CRANE}```\n{COLUMNS}## Tables of a system\n");
-    of_systems.iter().for_each(|section| write(&mut page, section, "Keys above all tables"));
+    of_systems.iter().for_each(|section| write(&mut page, section));
     page.push_str("\n## Expressions\n\n");
     operators(&mut page);
     page.push_str("\n## Functions\n\n");
@@ -41,9 +50,11 @@ fn page() -> String {
     page.push_str("\n## Motors\n\n`[drive.machine]` has the name of one of these motors as `model`, and the motor's data as keys. They become parameters of the system, `winch_voltage` of the drive `winch`.\n\n");
     motors(&mut page);
     page.push_str("## Tables of a paper\n\n[Check a paper's equations](judging.md) has the meaning of letters and kinds. The tables of the system stand in the same file, or in the file that `model` names.\n");
-    of_papers.iter().for_each(|section| write(&mut page, section, "Keys of a paper above all tables"));
+    of_papers.iter().for_each(|section| write(&mut page, section));
+    page.push_str("\n## Tables of a gyrostat or a bench\n\nScenes with `system = \"gyrostat\"` or `system = \"bench\"`, such as `scenes/spin_up.toml` and `scenes/bench.toml`, have the tables below, `[run]` as above, and `[ensemble]` whose `vary` names data by their tables: `rotor.axial`, `start.rotor_angle`.\n");
+    of_gyrostats.iter().for_each(|section| write(&mut page, section));
     page.push_str("\n## Index of keys and tables\n\n");
-    index(&mut page, of_systems.iter().chain(&of_papers));
+    index(&mut page, all.iter().flatten());
     page
 }
 
@@ -53,21 +64,39 @@ fn paper() -> Value {
     serde_json::from_str(&text).expect("it is JSON")
 }
 
+/// Behind the headings of files that are no systems as text.
+const OF_GYROSTATS: &str = " of a gyrostat or a bench";
+const OF_PAPERS: &str = " of a paper";
+
+/// Tables of gyrostats that stand among those of systems.
+fn shared() -> Value {
+    json!({ "properties": { "title": {}, "description": {}, "run": {}, "ensemble": {} } })
+}
+
+impl Section {
+    fn title(&self) -> String {
+        match &self.heading {
+            Some(heading) => format!("`{heading}`{}", self.of),
+            None => format!("Keys above all tables{}", self.of),
+        }
+    }
+}
+
 /// The anchor of a heading, as Markdown makes it.
 fn anchor(heading: &str) -> String {
     let kept = heading.chars().filter(|letter| letter.is_alphanumeric() || matches!(letter, ' ' | '-' | '_'));
     kept.collect::<String>().to_lowercase().replace(' ', "-")
 }
 
-fn write(page: &mut String, section: &Section, top: &str) {
+fn write(page: &mut String, section: &Section) {
     if section.rows.is_empty() {
         return;
     }
     // writing to a string cannot fail
-    let _ = match &section.heading {
-        Some(heading) => writeln!(page, "\n### `{heading}`\n\n{}\n", section.description),
-        None => writeln!(page, "\n### {top}\n"),
-    };
+    let _ = writeln!(page, "\n### {}\n", section.title());
+    if !section.description.is_empty() {
+        let _ = writeln!(page, "{}\n", section.description);
+    }
     if let Some(needed) = &section.needed {
         let _ = writeln!(page, "Needed: {needed}.\n");
     }
@@ -75,7 +104,7 @@ fn write(page: &mut String, section: &Section, top: &str) {
     for row in &section.rows {
         let example = match &row.example {
             Cell::Lines(lines) => lines.iter().map(|line| format!("`{line}`")).collect::<Vec<_>>().join("<br>"),
-            Cell::Table(heading) => format!("[`{heading}`](#{})", anchor(heading)),
+            Cell::Table(heading) => format!("[`{heading}`](#{})", anchor(&format!("{heading}{}", section.of))),
         };
         let cells = [&format!("`{}`", row.name()), &row.meaning, &row.unit, &row.absent, &example];
         let _ = writeln!(page, "| {} |", cells.map(|cell| cell.replace('|', "\\|")).join(" | "));
@@ -83,28 +112,25 @@ fn write(page: &mut String, section: &Section, top: &str) {
 }
 
 fn index<'a>(page: &mut String, sections: impl Iterator<Item = &'a Section>) {
-    let mut places: BTreeMap<&str, Vec<&str>> = BTreeMap::new();
-    for section in sections {
-        let heading = section.heading.as_deref().unwrap_or("Keys above all tables");
-        let name = heading.trim_matches(['[', ']']).split('.').rfind(|part| *part != "NAME");
-        if let Some(table) = name.filter(|_| section.heading.is_some()) {
-            places.entry(table).or_default().push(heading);
-        }
-        for key in section.rows.iter().filter_map(|row| row.key.as_deref()) {
-            places.entry(key).or_default().push(heading);
+    let mut places: BTreeMap<&str, Vec<String>> = BTreeMap::new();
+    for section in sections.filter(|section| !section.rows.is_empty()) {
+        let link = format!("[{0}](#{1})", section.title(), anchor(&section.title()));
+        let heading = section.heading.as_deref().unwrap_or_default();
+        let name = heading.trim_matches(['[', ']']).split('.').rfind(|part| !matches!(*part, "NAME" | ""));
+        for key in name.into_iter().chain(section.rows.iter().filter_map(|row| row.key.as_deref())) {
+            places.entry(key).or_default().push(link.clone());
         }
     }
-    for (key, headings) in places {
-        let links: Vec<String> =
-            headings.iter().map(|heading| format!("[`{heading}`](#{})", anchor(heading))).collect();
-        let _ = writeln!(page, "* `{key}`: {}", links.join(", ").replace("`Keys above all tables`", "top of the file"));
+    for (key, links) in places {
+        let _ = writeln!(page, "* `{key}`: {}", links.join(", "));
     }
 }
 
 #[test]
 fn every_key_of_the_reference_has_an_example() {
     let (model, paper) = (schema(), paper());
-    for section in sections(&model, &json!({})).iter().chain(&sections(&paper, &model)) {
+    let all = [sections(&model, &json!({}), ""), sections(&stored(), &shared(), ""), sections(&paper, &model, "")];
+    for section in all.iter().flatten() {
         for row in &section.rows {
             let heading = section.heading.as_deref().unwrap_or("the top");
             assert!(!row.example.is_empty(), "{heading}: {} has no example", row.name());

@@ -15,6 +15,8 @@ pub enum Step {
 pub struct Section {
     /// As TOML writes it, `[run]` or `[[force]]`; none of the keys above all tables.
     pub heading: Option<String>,
+    /// The kind of file that has the table, in words behind the heading; empty for systems as text.
+    pub of: &'static str,
     pub description: String,
     /// The keys that must stand in it, in words.
     pub needed: Option<String>,
@@ -41,17 +43,18 @@ pub enum Cell {
 }
 
 /// Every section of a schema but those whose keys at the top are known already.
-pub fn sections(schema: &Value, known: &Value) -> Vec<Section> {
+pub fn sections(schema: &Value, known: &Value, of: &'static str) -> Vec<Section> {
     let is_new = |key: &str| known["properties"].get(key).is_none();
     let all = schema["properties"].as_object().expect("keys");
     let (tables, keys): (Vec<_>, Vec<_>) =
         all.iter().filter(|(key, _)| is_new(key)).partition(|(_, value)| table(schema, value).is_some());
     let needed = schema["required"].as_array().into_iter().flatten().filter_map(Value::as_str).collect::<Vec<_>>();
     let rows = keys.iter().map(|(key, value)| row(schema, key, value, &[], &needed, &[])).collect();
-    let mut found = vec![Section { heading: None, description: String::new(), needed: None, rows }];
+    let mut found = vec![Section { heading: None, of, description: String::new(), needed: None, rows }];
     for (key, value) in tables {
         push(&mut found, schema, &[Step::Key(key.clone())], value);
     }
+    found.iter_mut().for_each(|section| section.of = of);
     found
 }
 
@@ -110,7 +113,7 @@ fn push(found: &mut Vec<Section>, root: &Value, path: &[Step], schema: &Value) {
             (_, _, own) => own.to_owned(),
         };
         let heading = Some(heading(path, several));
-        found.push(Section { heading, description, needed: in_words(&needed, &choices), rows });
+        found.push(Section { heading, of: "", description, needed: in_words(&needed, &choices), rows });
     }
     for (path, schema) in inner {
         push(found, root, &path, schema);
