@@ -11,7 +11,12 @@ use studies::scene::Scene;
 const SPIN_UP: &str = include_str!("../../../../scenes/spin_up.toml");
 
 fn key(unit: &str, description: &str) -> Value {
-    json!({ "type": "string", "description": description, "unit": unit })
+    optional(unit, description, "needed")
+}
+
+/// A key of gyrostats alone.
+fn of_gyrostat(unit: &str, description: &str) -> Value {
+    optional(unit, description, "needed; a bench has none")
 }
 
 fn optional(unit: &str, description: &str, absent: &str) -> Value {
@@ -25,25 +30,27 @@ fn table(description: &str, keys: &Value, example: &Value) -> Value {
 /// The tables that these scenes alone have.
 fn own() -> Value {
     let carrier = json!({
-        "mass": key("number, kg", "Mass of the carrier."),
-        "centre": key("three numbers, m", "Vector from the fixed point O to the carrier's centre of mass."),
-        "inertia": key("three rows of three numbers, kg m^2", "Inertia tensor of the carrier about O, its rows with semicolons between."),
+        "mass": of_gyrostat("number, kg", "Mass of the carrier."),
+        "centre": of_gyrostat("three numbers, m", "Vector from the fixed point O to the carrier's centre of mass."),
+        "inertia": of_gyrostat("three rows of three numbers, kg m^2", "Inertia tensor of the carrier about O, its rows with semicolons between."),
     });
     let rotor = json!({
-        "mass": key("number, kg", "Mass of the rotor; none on a bench."),
-        "centre": key("three numbers, m", "Vector from O to the rotor's centre of mass; none on a bench."),
-        "axis": key("three numbers", "Unit vector of the rotor's axis; none on a bench."),
+        "mass": of_gyrostat("number, kg", "Mass of the rotor."),
+        "centre": of_gyrostat("three numbers, m", "Vector from O to the rotor's centre of mass."),
+        "axis": of_gyrostat("three numbers", "Unit vector of the rotor's axis."),
         "axial": key("number, kg m^2", "Moment of inertia of the rotor about its axis."),
-        "transverse": key("number, kg m^2", "Moment of inertia of the rotor across its axis; none on a bench."),
+        "transverse": of_gyrostat("number, kg m^2", "Moment of inertia of the rotor across its axis."),
     });
     let start = json!({
-        "angular_velocity": key("three numbers, rad/s", "Angular velocity of the carrier; none on a bench."),
-        "vertical": key("three numbers", "Unit vector of the vertical, downwards; none on a bench."),
+        "angular_velocity": of_gyrostat("three numbers, rad/s", "Angular velocity of the carrier."),
+        "vertical": of_gyrostat("three numbers", "Unit vector of the vertical, downwards."),
         "rotor_angle": optional("number, rad", "Angle of the rotor against the stator's field.", "`0`"),
         "rotor_speed": optional("number, rad/s", "Speed of the rotor relative to the carrier.", "needed, but for a machine that keeps a speed"),
         "currents": optional("numbers, A", "Current of each winding, in the order of the states; of an excitation less its constant part.", "`0`"),
     });
-    let example = of_text(SPIN_UP);
+    let mut example = of_text(SPIN_UP);
+    let tensor = example["carrier"]["inertia"].as_str().expect("a text").split_whitespace();
+    example["carrier"]["inertia"] = json!(tensor.collect::<Vec<_>>().join(" "));
     let mut starts = example["start"].clone();
     starts["currents"] = json!("0 0 0 0 0 0 0 0 0 A");
     json!({
@@ -57,12 +64,12 @@ fn own() -> Value {
             "description": "Data of the motor that are usually a mistake: \"zero resistance\", \"negative resistance\", \"negative friction\", \"separate fluxes\".",
             "unit": "names",
         },
-        "gravity": key("number, m/s^2", "Acceleration of free fall; none on a bench."),
+        "gravity": of_gyrostat("number, m/s^2", "Acceleration of free fall."),
         "carrier": table("The body with the fixed point O; none on a bench.", &carrier, &example["carrier"]),
         "rotor": table("The balanced rotor.", &rotor, &example["rotor"]),
         "machine": {
             "type": "object",
-            "description": "The motor, by its name and its data.",
+            "description": "The motor, by its name; its data stand beside the name, as under Motors.",
             "properties": { "model": key("name", "The name of a motor, or text for one that is written in this file.") },
             "required": ["model"],
             "examples": [example["machine"]],
