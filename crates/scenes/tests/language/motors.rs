@@ -70,7 +70,6 @@ fn every_motor_of_the_reference_is_read_in_a_drive() {
             "{CRANE}\n[[drive]]\nturns = \"(x/(0.05 m))\"\ninertia = \"(1 kg m^2)\"\n[drive.machine]\nmodel = \"{}\"\n{data}",
             entry.name
         );
-        let read = ModelScene::parse("scene.toml", &text);
-        assert!(read.is_ok(), "{}: {}", entry.name, read.err().expect("a reason"));
+        ModelScene::parse("scene.toml", &text).unwrap_or_else(|error| panic!("{}: {error}", entry.name));
     }
 }
