@@ -2,10 +2,12 @@
 
 use super::expressions::{CONSTANTS, OPERATORS};
 use super::schema::{refused, schema};
+use super::sections::table;
 use super::values::{file, of_text};
 use dalembert_scenes::{FailureEntry, ModelScene, Task, parse_ensemble, parse_titled};
 use model::expression::FUNCTIONS;
 use serde_json::{Value, json};
+use std::collections::BTreeMap;
 
 pub const CRANE: &str = include_str!("crane.toml");
 const CIRCUIT: &str = include_str!("circuit.toml");
@@ -75,6 +77,51 @@ fn every_example_of_the_schema_is_read() {
             is_read(&told, &systems().map(|system| with(system, table, example, several)).collect::<Vec<_>>());
         }
     }
+}
+
+/// An example of a table once for each of its keys that have a default, with the default in the place of the key's value; each with
+/// the way to the key.
+fn with_defaults(root: &Value, schema: &Value, example: &Value) -> Vec<(String, Value)> {
+    let (Some((keys, _)), Some(entries)) = (table(root, schema), example.as_object()) else { return Vec::new() };
+    let mut all = Vec::new();
+    for (key, value) in entries {
+        let (way, schema) = match keys["properties"].get(key) {
+            Some(schema) => (key.as_str(), schema),
+            None => ("NAME", &keys["additionalProperties"]),
+        };
+        let inner: Vec<(String, Value)> = match value {
+            Value::Array(items) => {
+                let items = items.iter().flat_map(|item| with_defaults(root, schema, item));
+                items.map(|(way, item)| (way, json!([item]))).collect()
+            }
+            value => with_defaults(root, schema, value),
+        };
+        let own = schema.get("default").map(|default| (String::new(), default.clone()));
+        all.extend(own.into_iter().chain(inner).map(|(inside, value)| {
+            let mut example = example.clone();
+            example[key] = value;
+            (format!("{way}.{inside}"), example)
+        }));
+    }
+    all
+}
+
+#[test]
+fn every_default_of_the_schema_can_be_written() {
+    let schema = schema();
+    let mut ways: BTreeMap<String, Vec<Value>> = BTreeMap::new();
+    for (name, of_table) in schema["properties"].as_object().expect("tables") {
+        let several = of_table["type"] == "array";
+        let examples = if several { &of_table["items"]["examples"] } else { &of_table["examples"] };
+        let examples = examples.as_array().into_iter().flatten();
+        for (way, example) in examples.flat_map(|example| with_defaults(&schema, of_table, example)) {
+            let systems = [CRANE, CIRCUIT].into_iter().chain(OTHERS);
+            let systems = systems.map(|system| with(system, name, &example, several));
+            ways.entry(format!("{name}.{way}")).or_default().extend(systems);
+        }
+    }
+    ways.iter().for_each(|(way, systems)| is_read(&format!("the default of {way}"), systems));
+    assert!(ways.len() > 20, "{:?}", ways.keys());
 }
 
 /// The crane, also with a constraint, or with a contact, of the schema's own examples, and a free body.

@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 const HEAD: &str = "# Reference of the language
 
 This chapter lists every table and key of a system as text, in the order in which a file is usually written, then expressions, functions, units, motors, and the tables of a paper. It is for looking up;
-[Your own system](own-system.md) introduces the language. A test makes the chapter of the tables with which the reader of files is compared: no key is missing, and each example is read.
+[Your own system](own-system.md) introduces the language. A test makes the chapter of the tables with which the reader of files is compared: no key is missing, and each example and each default is read.
 The [index](#index-of-keys-and-tables) leads from a key to its tables.
 
 Scenes of a built-in gyrostat or bench have [tables of their own](#tables-of-a-gyrostat-or-a-bench).

@@ -65,7 +65,7 @@ fn resolved<'a>(root: &'a Value, schema: &'a Value) -> &'a Value {
 }
 
 /// The table that a value is, or may be; whether there are several of it.
-fn table<'a>(root: &'a Value, schema: &'a Value) -> Option<(&'a Value, bool)> {
+pub fn table<'a>(root: &'a Value, schema: &'a Value) -> Option<(&'a Value, bool)> {
     let schema = resolved(root, schema);
     let holds_keys = |schema: &Value| schema["properties"].is_object() || schema["additionalProperties"].is_object();
     if holds_keys(schema) {
