@@ -12,12 +12,12 @@ pub struct Claim {
     pub section: &'static str,
     /// The entry of the paper that it belongs to: `eq5.3`, `statement7`.
     pub equation: &'static str,
-    /// What it says, in a sentence; LaTeX between dollar signs.
+    /// The claim as a sentence; LaTeX between dollar signs.
     pub says: String,
     pub statement: Statement,
-    /// What the author of the page expects; a test compares.
+    /// The verdict that the author of the page expects; a test compares it with the verdict found.
     pub expected: Verdict,
-    /// What holds instead, where the claim fails.
+    /// The corrected claim, where this one fails.
     pub correction: Option<Box<Claim>>,
     /// Why the print fails, where it does: the slip that explains it.
     pub why: String,
@@ -29,7 +29,7 @@ pub struct Claim {
     pub in_words: bool,
 }
 
-/// What is stated.
+/// The statement that a claim makes.
 #[derive(Clone, Debug)]
 pub enum Statement {
     /// Introduces names and makes no claim.

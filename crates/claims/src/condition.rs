@@ -4,7 +4,7 @@ use field::Rational;
 use std::fmt;
 use symbolic::{Hypotheses, Sym, normal};
 
-/// What an expression is said to do.
+/// A condition on an expression: its sign, that it vanishes, or equality with another.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Condition {
     /// It vanishes.
@@ -118,15 +118,15 @@ impl fmt::Display for Condition {
     }
 }
 
-/// What a reader can take in at once; longer expressions are named, not shown. The sentence of the claim says what
-/// they are.
+/// The longest expression, in characters, that is shown; a longer one is named, and the sentence of the claim says what
+/// it is.
 const READABLE: usize = 420;
 
-/// What a person may have written is shown as it stands.
+/// An expression of at most so many characters is shown as it was written, not in normal form.
 const WRITTEN: usize = 64;
 
-/// A normal form, written out as it is, must be shorter than this to be easier to read, and than half of what it stands
-/// for.
+/// A normal form replaces an expression only if it has at most so many characters and fewer than half of those that it
+/// replaces.
 const REDUCED: usize = 120;
 
 fn size(expression: Sym) -> usize {

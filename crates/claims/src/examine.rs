@@ -4,7 +4,7 @@ use crate::{Line, Proof, Theorem};
 use num_traits::One;
 use symbolic::{Decision, Dimension, Hypotheses, Node, Sym, decide, dimension as dimension_of};
 
-/// How many terms of a right side are mutated: enough to see that the prover can say no.
+/// The number of mutants of a right side that are tried: enough to see that the prover can say no.
 const MUTANTS: usize = 6;
 
 /// Objections to equalities: a derivation of mixed dimensions, sides that are the same node, a mutant that passes,
@@ -75,7 +75,7 @@ pub fn mutants(expression: Sym) -> Vec<Sym> {
     turned.chain([expression + expression]).collect()
 }
 
-/// What a sum adds up, signs included.
+/// The terms of a sum, signs included.
 fn summands(expression: Sym) -> Vec<Sym> {
     match expression.node() {
         Node::Sum(a, b) => [summands(a), summands(b)].concat(),

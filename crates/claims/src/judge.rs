@@ -25,7 +25,7 @@ pub struct Judged {
     pub requires: Vec<(String, String)>,
     /// Hypotheses of sign: text and LaTeX.
     pub signs: Vec<(String, String)>,
-    /// How the verdict was reached.
+    /// The evidence for the verdict: the method of proof and its result.
     pub evidence: String,
     /// Where it fails: name and exact value.
     pub counterexample: Vec<(String, String)>,
@@ -37,7 +37,7 @@ pub struct Judged {
     /// The reading of a damaged or ambiguous text; empty where there was nothing to choose.
     pub reading: String,
     pub note: String,
-    /// What the cross-examination objects to: empty for a sound claim.
+    /// The objections of the cross-examination: empty for a sound claim.
     pub objections: Vec<String>,
 }
 

@@ -25,7 +25,7 @@ pub struct Entry {
     pub note: Option<String>,
     /// Exact values by name, where the claim fails (or an example of existence).
     pub counterexample: Option<BTreeMap<String, String>>,
-    /// What holds instead.
+    /// The corrected claim.
     pub correction: Option<Box<Entry>>,
 }
 

@@ -1,4 +1,4 @@
-//! What a paper says, and what a program finds of it.
+//! Claims of a paper, and the verdict that the program finds for each.
 //!
 //! # Overview
 //! A [`Page`] is a paper's list of claims in the paper's own order and letters. A [`Claim`] holds a statement and the way

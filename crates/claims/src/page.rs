@@ -134,7 +134,7 @@ impl<'a> Draft<'a> {
         self
     }
 
-    /// What is presupposed.
+    /// Adds conditions that the statement presupposes.
     pub fn given(mut self, conditions: impl IntoIterator<Item = Condition>) -> Self {
         self.given.extend(conditions);
         self

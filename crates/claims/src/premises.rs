@@ -18,8 +18,8 @@ impl Judged {
         }
     }
 
-    /// Lists what was divided by, short ones first, but for what cannot vanish: by the given signs, by its own, or as a power
-    /// of what is listed already.
+    /// Lists the divisors that occurred, short ones first, except those that cannot vanish: by the given signs, by
+    /// their own form, or as a power of a divisor listed already.
     pub(crate) fn divided_by(&mut self, divisors: &[Sym], given: &[Condition]) {
         let mut divisors: Vec<Sym> = divisors.iter().map(|divisor| radicand(*divisor)).collect();
         // by length, then by text: the order in which they were met depends on what was written before

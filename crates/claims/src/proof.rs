@@ -5,7 +5,7 @@ use crate::{Condition, Point, Theorem, Verdict};
 use num_traits::{One, Zero};
 use symbolic::{Decision, Hypotheses, Sym, Witness, coefficients, decide, normal};
 
-/// How an implication is shown, or shown wrong. Each is checked by exact arithmetic; none is taken on trust.
+/// A proof or a disproof of an implication. Each is checked by exact arithmetic; none is taken on trust.
 #[derive(Clone, Debug)]
 pub enum Proof {
     /// Every conclusion, an equality, has a difference with normal form zero under the rules alone.

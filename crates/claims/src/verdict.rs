@@ -1,6 +1,6 @@
 //! The closed set of verdicts, as the page names and explains them.
 
-/// What is known of a claim.
+/// The verdict on a claim.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Verdict {
     Refuted,
@@ -59,7 +59,7 @@ impl Verdict {
         }
     }
 
-    /// What the word stands for, in one line.
+    /// The meaning of the verdict, in one line.
     pub fn meaning(self) -> &'static str {
         match self {
             Verdict::Refuted => "an exact counterexample exists",

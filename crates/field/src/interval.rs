@@ -264,7 +264,7 @@ impl Scalar for Interval {
             if is_exact { Interval::point(near) } else { Interval::point(near).widened(1) }
         };
         let quotient = whole(numerator) / whole(denominator);
-        // what a float holds is no interval
+        // a quotient that a float holds exactly is a point
         let [n, d] = [numerator as f64, denominator as f64];
         let is_exact =
             whole(numerator).width() == 0.0 && whole(denominator).width() == 0.0 && (n / d).mul_add(d, -n) == 0.0;

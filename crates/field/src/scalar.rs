@@ -1,4 +1,4 @@
-//! What a law may ask of a number.
+//! The scalar trait: the operations on a number that a law may use.
 
 use num_traits::{NumAssignOps, NumOps, One, Zero};
 use std::fmt::Debug;

@@ -63,7 +63,7 @@ pub(crate) fn point(angle: DoubleDouble) -> Circle<DoubleDouble> {
 /// 1.5 2^52: added to a number below 2^51 it leaves the nearest integer in the last bits.
 const ROUNDER: f64 = 6_755_399_441_055_744.0;
 
-/// What an angle has beyond the nearest multiple of pi/16, and which multiple that is.
+/// The remainder of an angle from the nearest multiple of pi/16, and that multiple in the last bits.
 #[inline(always)]
 fn remainder([angle, rest]: Double) -> (Double, u64) {
     let counted = angle.mul_add(16.0 * std::f64::consts::FRAC_1_PI, ROUNDER);

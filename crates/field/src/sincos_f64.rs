@@ -39,7 +39,7 @@ pub(crate) fn near<const FUSED: bool>(angle: f64) -> Circle<f64> {
     let sum = plus::<FUSED>;
     let counted = sum(ROUNDER, angle, std::f64::consts::FRAC_2_PI);
     let quarters = counted - ROUNDER;
-    // what is left of the angle is r and, below its last digit, tail
+    // the remainder of the angle is r and, below its last digit, tail
     let first = sum(angle, quarters, -QUARTER[0]);
     let second = sum(first, quarters, -QUARTER[1]);
     let r = sum(second, quarters, -QUARTER[2]);

@@ -196,7 +196,7 @@ pub fn declared_name(text: &str) -> Result<String, NotFormula> {
 
 /// A name for plain text: `theta_1`, `m_p`, `x⋆`.
 pub fn plain_name(spelt: &str) -> String {
-    // of a function without its argument
+    // the argument of a function is dropped
     let spelt = spelt.split_once('(').map_or(spelt, |(function, _)| function);
     let mut faces: Vec<&str> = FACES.split_whitespace().collect();
     // `textbf` before `text`

@@ -14,8 +14,8 @@ use nalgebra::{SMatrix, SVector};
 /// The left side of the equations above, for a kinetic energy T(w) that does not depend on the position (as for a body
 /// about a fixed point), at position q, quasi-velocities w and their rates.
 ///
-/// `fields(q)` are the X_j as columns, moving with q so that their brackets can be formed; `forms` is W(q), the inverse
-/// of their matrix.
+/// `fields(q)` are the X_j as columns, moving with q to form their brackets; `forms` is W(q), the inverse of their
+/// matrix.
 pub fn boltzmann_hamel<S: Scalar, const N: usize>(
     kinetic_energy: impl Fn([Tangent<Tangent<S>>; N]) -> Tangent<Tangent<S>>,
     forms: SMatrix<S, N, N>,

@@ -5,8 +5,8 @@ use field::{Scalar, Tangent};
 
 /// d/dt (dL/dq'_i) - dL/dq_i for each i, at a position, velocity and acceleration.
 ///
-/// One nested pass for each coordinate: the outer tangent varies q'_i, the inner one moves along the motion (q', q''),
-/// so that their mixed derivative is the total time derivative of the momentum.
+/// One nested pass for each coordinate: the outer tangent varies q'_i, the inner one moves along the motion (q', q'');
+/// their mixed derivative is the total time derivative of the momentum.
 pub fn lagrange<S: Scalar, const N: usize>(
     lagrangian: impl Fn([Tangent<Tangent<S>>; N], [Tangent<Tangent<S>>; N]) -> Tangent<Tangent<S>>,
     position: [S; N],

@@ -91,7 +91,7 @@ fn split(text: &str) -> (&str, &str) {
 /// An example has no more numbers in a row.
 const MOST_SHOWN: usize = 9;
 
-/// How a quantity is written, by example.
+/// An example of a quantity in the required form: its shape and a unit of its dimension.
 pub fn example(rows: usize, columns: usize, needed: Dimension) -> String {
     // nobody reads ten thousand zeros
     let row =
@@ -105,7 +105,7 @@ pub fn example(rows: usize, columns: usize, needed: Dimension) -> String {
 }
 
 impl NoQuantity {
-    /// What would be accepted in its place.
+    /// A sentence that says which quantity is accepted instead.
     pub fn accepted(&self, rows: usize, columns: usize, needed: Dimension) -> String {
         let example = example(rows, columns, needed);
         let units = needed.usual();

@@ -124,7 +124,7 @@ impl Unit {
         [self.times, self.per]
     }
 
-    /// What it measures.
+    /// The dimension of the quantities that the unit measures.
     pub fn dimension(self) -> Dimension {
         self.dimension
     }

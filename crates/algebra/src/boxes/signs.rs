@@ -1,5 +1,5 @@
-//! Boxes seen with each sign of a determined unknown: a product away from zero tells of a factor of one sign that it is large, and nothing of a
-//! factor of either sign.
+//! Splits a box by the sign of a determined unknown: a product whose interval excludes zero bounds one factor from
+//! below once the sign of the other is fixed, and bounds neither factor while both signs are possible.
 
 use super::Equations;
 use super::search::WORTH;
@@ -57,7 +57,7 @@ fn by_signs(equations: &mut dyn Equations, at: &mut [Interval]) -> Signs {
         let cases = signs.map(|sign| {
             let mut case = at.to_vec();
             case[k] = at[k].and(sign)?;
-            // what is known of the factor tells of the other at the second time
+            // the second pass bounds the other factor from the bounds that the first pass found
             (equations.narrow(&mut case) && equations.narrow(&mut case)).then_some(case)
         });
         match cases {

@@ -18,9 +18,9 @@ pub struct Zero {
     pub real: bool,
 }
 
-/// Of the iteration in floats, which converges from anywhere but slowly at first.
+/// Rounds of the iteration in floats, which converges from any start but slowly at first.
 const FLOATING: usize = 400;
-/// Of the iteration in long numbers, which doubles the digits each time.
+/// Rounds of the iteration in long numbers; each doubles the number of correct digits.
 const LONG: usize = 12;
 /// Share of the size of a zero below which an imaginary part is taken for none: then it is proved to be none, or not.
 const FLAT: f64 = 1e-20;

@@ -40,8 +40,8 @@ pub struct Factors<S> {
     order: Arc<Order>,
     /// Row after row by places: below the diagonal what of a pivot's row was taken away, the others as they are left.
     matrix: Vec<S>,
-    /// Powers of two by which rows and columns are measured, for a matrix with equal rows and columns the same: one over the root
-    /// of the largest entry. By places.
+    /// Scale factors of rows and columns, by places: powers of two near one over the root of the largest entry; rows
+    /// and columns of a matrix with equal rows and columns share them.
     scales: [Vec<f64>; 2],
     way: Way,
     /// The row and the column at each place, where pivots were chosen by size.
@@ -202,7 +202,7 @@ impl<S: Magnitude> Factors<S> {
                 }
             }
         }
-        // what is left free need not be determined
+        // a column without pivot may stay free only where the unknown need not be determined
         if let Some(&free) = columns[rank..].iter().find(|column| **column < self.determined) {
             return Err(NotSolved::Undetermined(free));
         }
@@ -258,7 +258,7 @@ impl<S: Magnitude> Factors<S> {
                 *rest = rest.less_product(matrix[(k + 1 + row) * size + k], above[k]);
             }
         }
-        // what the equations leave free is zero
+        // unknowns without a pivot are set to zero
         moved[rank..].fill(S::zero());
         for k in (0..rank).rev() {
             let row = &matrix[k * size..][..size];

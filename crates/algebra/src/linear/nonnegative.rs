@@ -72,7 +72,7 @@ fn exchange(rows: &mut [Vec<Rational>], basis: &mut [Option<usize>], entering: u
     let mut leaving: Option<(usize, Rational)> = None;
     for (row, entries) in rows.iter().enumerate().filter(|(_, entries)| entries[entering].sign() == Some(1)) {
         let bound = entries[last] / entries[entering];
-        // of equal bounds first an unknown that must vanish, then the first column
+        // among equal bounds an unknown that must vanish leaves first, then the first column
         let is_first = |(known, least): &(usize, Rational)| match (bound - *least).sign() {
             Some(0) => basis[row] < basis[*known],
             sign => sign == Some(-1),

@@ -44,7 +44,7 @@ impl fmt::Display for Limit {
 
 impl std::error::Error for Limit {}
 
-/// What a computation may use before it gives up.
+/// The number of operations that a computation may use before it gives up.
 #[derive(Debug)]
 pub struct Budget {
     work: Cell<u64>,

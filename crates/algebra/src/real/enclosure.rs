@@ -6,8 +6,8 @@ use field::Rational;
 use std::borrow::Cow;
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// [low, high] / 2^bits. Every operation rounds outwards, so that it holds every value that the operands allow. Operands
-/// of different fineness give the coarser one.
+/// The interval [low, high] / 2^bits. Every operation rounds outwards: the result holds every value that the operands
+/// allow. An operation on operands with different `bits` gives the smaller number of bits.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Enclosure {
     low: IBig,

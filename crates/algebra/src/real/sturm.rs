@@ -3,7 +3,7 @@
 use super::Polynomial;
 
 impl Polynomial {
-    /// How many different real roots there are. Zero for the zero polynomial, which has no isolated ones.
+    /// The number of different real roots, by Sturm's chain. Zero for the zero polynomial, which has no isolated roots.
     pub fn count_by_sturm(&self) -> usize {
         let (mut a, mut b) = (self.primitive(), self.derivative().primitive());
         let mut ends = [signs_at_ends(&a)].to_vec();

@@ -62,7 +62,7 @@ fn a_single_operation_is_off_by_no_more_than_it_says() {
     let exactly = |x: DoubleDouble| Rational::exactly(x.hi()) + Rational::exactly(x.lo());
     let apart = |found: Ball, exact: Rational| {
         let near = Ball::constant(found.at(0.0));
-        // what the found one has beyond its float, exactly
+        // the exact difference between the number and its float
         let left = found.minus(&near).minus(&ball(exact - Rational::exactly(found.at(0.0))));
         assert!(left.sign().is_none_or(|sign| sign == 0), "{found:?} against {exact:?}");
     };

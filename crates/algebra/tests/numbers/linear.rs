@@ -102,7 +102,7 @@ fn unknowns_of_enclosed_equations_enclose_those_of_each_of_them() {
             continue;
         }
         factors.solve(&mut z);
-        // of some equations within, whose entries need not be symmetric, the solution lies within
+        // the enclosure holds the solution of every matrix within the entries, symmetric or not
         for _ in 0..3 {
             let off = Rational::exactly(WIDTH);
             let mut within = |number: i64| {

@@ -1,8 +1,8 @@
 //! Certificates: everything that a checker needs to repeat the proof of a verdict, as text and without trust in this program.
 //!
-//! A [`Certificate`] holds expressions as they were recorded, before anything was simplified, in one straight-line program, and
-//! what was shown in [`Part`]s: from the relations of `given` follow those of `then`, or they fail at an exact point. `verify/`
-//! is a checker in another language; it shares no code with this one.
+//! A [`Certificate`] holds expressions as they were recorded, before anything was simplified, in one straight-line
+//! program. Its [`Part`]s list what was shown: the relations of `then` follow from those of `given`, or fail at an
+//! exact point. `verify/` is a checker in another language; it shares no code with this one.
 
 mod of_claim;
 mod part;

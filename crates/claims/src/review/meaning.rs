@@ -1,4 +1,4 @@
-//! What a term of an equation of motion stands for, by the dimensions of its letters.
+//! The physical meaning of a term of an equation of motion, by the dimensions of its letters.
 
 use field::{Rational, Scalar};
 use symbolic::{Dimension, Sym};

@@ -1,4 +1,5 @@
-//! What changed between two texts of a page, as mechanics: which term of which equation, and what it stands for.
+//! The difference between two texts of a page, term by term: which term of which equation changed, and its physical
+//! meaning.
 //!
 //! A page is exact text, so a difference of pages is a difference of statements. The equations of a claim are read back
 //! ([`symbolic::parse`]), both are brought to one side and written out, and their monomials are compared: a term is gone,
@@ -15,7 +16,7 @@ use page::{Told, claims};
 use std::fmt;
 use symbolic::Dimension;
 
-/// What happened to a claim.
+/// A change of a claim between two texts.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Change {
     /// It is no longer there.

@@ -7,14 +7,14 @@ use std::collections::BTreeMap;
 use std::fmt;
 use symbolic::{Dimension, Hypotheses, Node, NormalForm, Sym, normal, parse};
 
-/// What became of a term.
+/// The change of a term.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Edit {
     Gone,
     New,
     /// It has the other sign.
     Sign,
-    /// So many times what it was.
+    /// It is multiplied by this factor.
     Factor(Rational),
 }
 
@@ -24,7 +24,7 @@ pub struct Term {
     pub edit: Edit,
     /// As it stands now, or stood before it went; left side less right side.
     pub term: String,
-    /// What it stands for.
+    /// The physical meaning of the term.
     pub meaning: &'static str,
 }
 

@@ -1,4 +1,4 @@
-//! What is false is not proved: each way of deciding a claim, shown something wrong.
+//! False statements are not proved: each way of deciding a claim is given one.
 
 use dalembert_claims::{Claim, Condition, Judged, Line, Page, Point, Verdict};
 use field::{Rational, Scalar};

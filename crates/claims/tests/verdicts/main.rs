@@ -1,4 +1,4 @@
-//! How claims are judged, and what a review reads from pages.
+//! Tests of verdicts on claims, and of reviews of pages.
 
 mod judging;
 mod review;

@@ -1,4 +1,4 @@
-//! What the program answers about motions, motors, failures and models: in JSON, with what makes it believed.
+//! Answers about motions, motors, failures and models in JSON, with the evidence for each.
 
 use crate::{json, run, temporary};
 use serde_json::Value;

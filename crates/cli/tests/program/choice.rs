@@ -1,4 +1,4 @@
-//! What `choose` takes can be run by the words that it prints.
+//! `choose` prints a command, and this command runs the model that was chosen.
 
 use crate::{json, root, run};
 use serde_json::Value;

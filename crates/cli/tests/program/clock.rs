@@ -24,7 +24,7 @@ fn a_search_that_asks_no_clock_is_ended_by_it() {
     let (code, out, error) = soon(|| run(&["stationary", CONE, "--cone", "--seconds", "1"]));
     assert_eq!(code, Some(1), "{out}{error}");
     assert!(error.contains("out of time: `stationary`") && error.contains("after 1 s"), "{error}");
-    // what is known of the motor before the search begins
+    // the pull-out is printed before the search begins
     assert!(out.contains("pull-out: two speeds merge at"), "{out}");
 }
 

@@ -112,7 +112,7 @@ fn run_all(documents: &[&Path], least: usize) {
         for Shown { words, code, lines } in commands(&text) {
             count += 1;
             let words: Vec<&str> = words.iter().map(String::as_str).collect();
-            // what changed is asked of the project itself
+            // `review` compares with an earlier text by git, which needs the project's own folder
             let place = if words[0] == "review" { &root() } else { folder.path() };
             let output = program_in(place, &words).output().expect("the program starts");
             let (printed, told) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));

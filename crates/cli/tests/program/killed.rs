@@ -41,7 +41,7 @@ fn drawn(seed: &mut u64) -> f64 {
     (*seed >> 11) as f64 / (1u64 << 53) as f64
 }
 
-/// What was there before.
+/// The text of the file before the program writes it.
 const OLD: &str = "what was there before\n";
 
 /// Kills a program so often at instants up to so many milliseconds, and as often while it writes its file; each time under
@@ -80,7 +80,7 @@ fn ends_with(end: &str) -> impl Fn(&[u8]) -> bool {
     move |found| found.trim_ascii_end().ends_with(end.as_bytes())
 }
 
-/// What a program writes that is left alone: the last digits may be another processor's.
+/// The file that a program writes if it is not killed: the last digits may depend on the processor.
 fn undisturbed(arguments: &[&str], name: &str) -> Vec<u8> {
     let path = temporary(name);
     assert!(run(&[arguments, &[&path.to_string_lossy()]].concat()).status.success());

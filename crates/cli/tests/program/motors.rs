@@ -139,7 +139,7 @@ fn a_motor_that_fails_a_check_ends_with_one_and_says_which() {
     let text = fs::read_to_string(&place).expect("it is written");
     let driving = text.replace("\"-f*phi'\"", "\"f*phi'\"");
     fs::write(&place, &driving).expect("a file can be written");
-    // what is usually a mistake is to be asked for
+    // a datum that is usually a mistake needs the key `allow`
     assert_eq!(run(&["conform", &place.to_string_lossy()]).status.code(), Some(2));
     fs::write(&place, format!("allow = [\"negative friction\"]\n{driving}")).expect("a file can be written");
     let output = run(&["conform", &place.to_string_lossy()]);

@@ -1,4 +1,4 @@
-//! What is not acceptable, and what the user is told.
+//! Inputs that the program refuses, and its messages.
 
 use crate::{root, run};
 

@@ -314,7 +314,7 @@ fn a_run_is_drawn_on_one_sheet_with_what_should_stay_zero() {
     for shown in ["time, s", "theta, rad", "theta', rad/s", "change of energy less work", "residual of constraints"] {
         assert!(picture.contains(&shown.replace('\'', "&#39;")) || picture.contains(shown), "{shown}: {picture}");
     }
-    // what it wrote it may replace
+    // a file that the program wrote may be replaced by the program
     assert_eq!(run(&asked).status.code(), Some(0));
     std::fs::write(&path, "mine").expect("it can be written");
     let output = run(&asked);

@@ -1,4 +1,4 @@
-//! What kind of constraints a system has.
+//! Classification of a system's constraints.
 //!
 //! * *redundant*: follows from the others;
 //! * *rheonomic*: contains the time;

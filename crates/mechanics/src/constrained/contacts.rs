@@ -18,7 +18,7 @@ pub struct Contact<S> {
     pub sides: Sides,
 }
 
-/// What holds a point on its curve.
+/// The sides from which a curve holds a point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sides {
     /// The curve only pushes: gap >= 0, normal reaction >= 0.

@@ -64,7 +64,7 @@ pub struct Kinematics<S, const N: usize, const C: usize> {
 }
 
 impl<S: Scalar, const N: usize, const C: usize> Kinematics<S, N, C> {
-    /// Of a system at t, q, q'.
+    /// Evaluates the constraints of a system at t, q, q'.
     pub fn of<Q: Energies<N, C>>(system: &Q, at: &State<S, N>) -> Self
     where
         S: Over<Q::Given> + Analytic,
@@ -89,7 +89,7 @@ impl<S: Scalar, const N: usize, const C: usize> Kinematics<S, N, C> {
 }
 
 impl<S: Scalar, const N: usize, const C: usize> Instant<S, N, C> {
-    /// Of a system at t, q, q'.
+    /// Evaluates the equations of motion of a system at t, q, q'.
     pub fn of<Q: Energies<N, C>>(system: &Q, at: &State<S, N>) -> Self
     where
         S: Over<Q::Given> + Analytic,

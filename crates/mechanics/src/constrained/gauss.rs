@@ -1,6 +1,6 @@
 //! Gauss' principle of least constraint, as a minimisation.
 //!
-//! Of all accelerations that the constraints admit the true ones make Z = 1/2 sum m_i (x''_i - X_i/m_i)^2 least. The
+//! Among all accelerations that the constraints admit the true ones make Z = 1/2 sum m_i (x''_i - X_i/m_i)^2 least. The
 //! constraints give x'' as an affine function of its free parts; Z is quadratic in these, its gradient comes by
 //! differentiation, and the root of the gradient is the minimum because
 //!

@@ -28,7 +28,7 @@ pub struct Extended<S, const N: usize, const C: usize> {
 }
 
 impl<S: Scalar, const N: usize, const C: usize> Extended<S, N, C> {
-    /// Of a system at t, q, v.
+    /// Evaluates the extended equations of a system at t, q, v.
     ///
     /// # Errors
     /// [`NotDefinite`] names the first coordinate without mass.

@@ -18,7 +18,7 @@ use field::{Over, Scalar};
 pub struct Inertia<S, const N: usize>([[S; N]; N]);
 
 impl<S: Scalar, const N: usize> Inertia<S, N> {
-    /// Of masses that may vanish, and the rows J.
+    /// The matrix M + J^T J from masses, which may vanish, and the rows J.
     pub fn of<const C: usize>(masses: [S; N], rows: &[[S; N]; C]) -> Self {
         Inertia(std::array::from_fn(|i| {
             std::array::from_fn(|j| {
@@ -28,7 +28,7 @@ impl<S: Scalar, const N: usize> Inertia<S, N> {
         }))
     }
 
-    /// What a force adds to x'' where no constraint answers.
+    /// The acceleration x'' due to a force alone, without the constraints' reactions: (M + J^T J)^-1 X.
     ///
     /// # Errors
     /// [`NotDefinite`] names the first coordinate with neither a mass nor a constraint of its own.

@@ -5,7 +5,7 @@ use super::{Constrained, State};
 use crate::definite::{NotDefinite, solve};
 use field::Over;
 
-/// What the constraints do to the forces.
+/// Accelerations and Lagrange multipliers under the constraints.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reaction<S, const N: usize, const C: usize> {
     /// x''

@@ -17,7 +17,7 @@ use crate::definite::{NotDefinite, solve};
 use crate::differentiate::unit;
 use field::{Base, Over};
 
-/// How far the constraints are from being kept.
+/// The violations of the constraints and their rates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Violation<S, const C: usize> {
     /// y: f of a geometric constraint; zero for a kinematic one, which has none.

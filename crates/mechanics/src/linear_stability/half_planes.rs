@@ -10,20 +10,21 @@
 use super::derivative;
 use algebra::real::Ordered;
 
-/// How many roots of a real polynomial, each as often as it is one.
+/// The numbers of roots of a real polynomial in the left half-plane, on the imaginary axis and in the right half-plane,
+/// with multiplicity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct HalfPlanes {
     pub left: usize,
     /// On the imaginary axis, zero included.
     pub axis: usize,
     pub right: usize,
-    /// How many different numbers the ones on the axis are; a pair that was known before is counted as different.
+    /// The number of different roots on the axis; a pair that was divided out is counted as different from the others.
     pub distinct: usize,
 }
 
 impl HalfPlanes {
-    /// Of the polynomial with these coefficients, the highest first. `None` where a sign is not known, and for the zero
-    /// polynomial.
+    /// Counts the roots of the polynomial with these coefficients, the highest first. `None` where a sign is not known,
+    /// and for the zero polynomial.
     pub fn of<R: Ordered>(coefficients: &[R]) -> Option<Self> {
         let first = coefficients.first()?;
         if first.sign()? == 0 {
@@ -53,8 +54,8 @@ impl HalfPlanes {
         Some(HalfPlanes { left: left + beside, axis, right: right + beside, distinct })
     }
 
-    /// Of a polynomial that z^2 + `square`, not zero, is known to divide: what only rounding leaves of the remainder is dropped.
-    /// `None` too where the remainder does not vanish.
+    /// Counts the roots of a polynomial that z^2 + `square`, not zero, is known to divide: a remainder that may be zero
+    /// is dropped as rounding. `None` also where the remainder does not vanish.
     pub fn without_pair<R: Ordered>(coefficients: &[R], square: &R) -> Option<Self> {
         let sign = square.sign()?;
         if sign == 0 || coefficients.len() < 3 {
@@ -82,7 +83,8 @@ impl HalfPlanes {
     }
 }
 
-/// How many different real roots a polynomial with these coefficients has, the highest first. `None` where a sign is not known.
+/// The number of different real roots of a polynomial with these coefficients, the highest first. `None` where a sign
+/// is not known.
 pub fn real_roots<R: Ordered>(coefficients: &[R]) -> Option<usize> {
     usize::try_from(index(&chain(coefficients.to_vec(), derivative(coefficients))?)?).ok()
 }

@@ -3,7 +3,7 @@
 use super::characteristic;
 use algebra::real::Ordered;
 
-/// How many positive, vanishing and negative squares a quadratic form is the sum of.
+/// The inertia of a quadratic form (Sylvester): its numbers of positive, vanishing and negative squares.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Inertia {
     pub positive: usize,
@@ -12,8 +12,8 @@ pub struct Inertia {
 }
 
 impl Inertia {
-    /// Of a symmetric matrix. All its eigenvalues are real, so that by Descartes the positive ones are as many as the
-    /// changes of sign in its characteristic polynomial. `None` where a sign is not known.
+    /// The inertia of a symmetric matrix. All its eigenvalues are real: by Descartes' rule the number of positive ones
+    /// is the number of changes of sign in its characteristic polynomial. `None` where a sign is not known.
     pub fn of<R: Ordered>(matrix: &[Vec<R>], one: &R) -> Option<Self> {
         let coefficients = characteristic(matrix, one);
         let signs: Vec<i32> = coefficients.iter().map(R::sign).collect::<Option<_>>()?;
@@ -23,8 +23,8 @@ impl Inertia {
         Some(Inertia { positive, zero, negative: matrix.len() - zero - positive })
     }
 
-    /// Of the form where the linear forms `constraints`, which must be independent, vanish: bordered by them, it has as many
-    /// squares of either sign more as there are constraints.
+    /// The inertia of the form on the subspace where the linear forms `constraints`, which must be independent, vanish:
+    /// bordered by them, the matrix has as many more squares of either sign as there are constraints.
     pub fn on_subspace<R: Ordered>(matrix: &[Vec<R>], constraints: &[Vec<R>], one: &R) -> Option<Self> {
         let border = constraints.len();
         let zero = one.integer(0);

@@ -1,24 +1,24 @@
-//! What the steps of a method make of one mode.
+//! Growth or decay of one mode under the steps of a method.
 
 use super::{HalfPlane, StabilityFunction};
 use algebra::complex::{Rectangle, zeros};
 use algebra::real::{Enclosure, Polynomial, Root};
 use field::{Rational, Scalar};
 
-/// The lengths of step at which the fate of a mode changes, in ascending order, and its fate before, between and after
-/// them: -1 it fades, 0 it stays, 1 it grows.
+/// The step sizes at which the growth of a mode changes, in ascending order, and its sign before, between and after
+/// them: -1 the mode decays, 0 it keeps its size, 1 it grows.
 #[derive(Clone, Debug)]
 pub struct Fates {
     pub cuts: Vec<Enclosure>,
     pub signs: Vec<i32>,
 }
 
-/// The steps at which the fate changes could not be told apart.
+/// The thresholds of the step size could not be told apart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct UndecidedFate;
 
 impl Fates {
-    /// Of a mode under a method.
+    /// The thresholds of a mode under a method, with the signs between them.
     ///
     /// # Errors
     /// [`UndecidedFate`] where two thresholds coincide or nearly do.

@@ -1,19 +1,19 @@
-//! What a one-step method makes of a motion's stability: for every length of step, exactly.
+//! Linear stability of a one-step method on a steady motion: for every step size, exactly.
 //!
 //! Near a stationary motion x' = A x, and a Runge-Kutta method with the step h has the matrix R(h A), R = P/Q its stability
 //! function. An eigenvalue mu of A becomes the multiplier R(h mu), and the map lets it
 //!
 //!   fade, stay or grow   as   |P(h mu)|^2 - |Q(h mu)|^2   is negative, zero or positive:
 //!
-//! one real polynomial in h for each mode. Its positive roots, all of them, are where the map changes; between two of them a
-//! mode has one fate, which is right where it is that of the motion, the sign of Re mu. (Schur and Cohn's conditions on
-//! R(h A) say the same of all modes at once.)
+//! one real polynomial in h for each mode. Its positive roots, all of them, are where the map changes. Between two
+//! roots a mode decays, stays or grows throughout; the map is right about it if the motion does likewise, by the
+//! sign of Re mu. (Schur and Cohn's conditions on R(h A) say this of all modes at once.)
 //!
 //! # Overview
 //! * [`Spectrum`]: the eigenvalues of a matrix, each enclosed and apart from the others, from its characteristic polynomial;
 //! * [`StabilityFunction`]: R, with rational coefficients;
-//! * [`Fates`]: where one mode fades and grows under the steps of a method;
-//! * [`Steps`]: all modes together: every step, judged.
+//! * [`Fates`]: the step sizes at which one mode decays and those at which it grows;
+//! * [`Steps`]: all modes together, for every step size.
 //!
 //! # Key results
 //! Roots are enclosed and counted, so that no window of steps is missed. Imaginary modes are so by a theorem that the caller

@@ -7,7 +7,7 @@ use algebra::real::Enclosure;
 #[derive(Clone, Debug)]
 pub struct Mode {
     pub place: HalfPlane,
-    /// How many eigenvalues: one for each member of a pair.
+    /// The number of eigenvalues: one for each member of a pair.
     pub count: usize,
 }
 
@@ -80,7 +80,7 @@ impl Spectrum {
         Some(Spectrum { modes })
     }
 
-    /// How many eigenvalues grow, and how many neither grow nor fade.
+    /// The numbers of eigenvalues with a positive and with a vanishing real part.
     pub fn growing(&self) -> [usize; 2] {
         let count = |sign: i32| self.modes.iter().filter(|mode| mode.place.sign() == sign).map(|mode| mode.count).sum();
         [count(1), count(0)]
@@ -107,7 +107,7 @@ impl HalfPlane {
         }
     }
 
-    /// Of the real part: -1 where the motion lets it fade, 0 where it stays, 1 where it grows.
+    /// The sign of the real part: -1 where the motion lets the mode decay, 0 where it stays, 1 where it grows.
     pub fn sign(&self) -> i32 {
         match self {
             HalfPlane::Real(mu) => mu.sign().unwrap_or(0),

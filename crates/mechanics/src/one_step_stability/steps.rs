@@ -1,9 +1,9 @@
-//! Every length of step of a method, judged by what it makes of all modes of a motion.
+//! Every step size of a method, judged by the stability that it gives to the modes of a motion.
 
 use super::{Fates, Mode, StabilityFunction, UndecidedFate};
 use algebra::real::Enclosure;
 
-/// What the map says of the motion.
+/// The stability of the map beside that of the motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Judgement {
     /// Every mode fades, stays or grows as it does in the motion.
@@ -22,22 +22,22 @@ pub enum Judgement {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct StepInterval {
     pub judgement: Judgement,
-    /// How many eigenvalues have multipliers outside the unit circle, and how many on it.
+    /// The numbers of eigenvalues whose multipliers are outside the unit circle (`growing`) and on it (`staying`).
     pub growing: usize,
     pub staying: usize,
 }
 
-/// All lengths of step from zero to infinity.
+/// All step sizes from zero to infinity.
 #[derive(Clone, Debug)]
 pub struct Steps {
-    /// Where anything changes, s, in ascending order.
+    /// The thresholds of the step size, s, in ascending order.
     pub cuts: Vec<Enclosure>,
     /// Before, between and after the cuts.
     pub stretches: Vec<StepInterval>,
 }
 
 impl Steps {
-    /// Of a method, for the modes of a motion.
+    /// The step sizes of a method, judged for the modes of a motion.
     ///
     /// # Errors
     /// [`UndecidedFate`] where thresholds of one mode cannot be told apart.
@@ -59,7 +59,7 @@ impl Steps {
             signs.map(|signs| StepInterval::of(modes, &signs)).ok_or(UndecidedFate)
         });
         let mut stretches: Vec<StepInterval> = judged.collect::<Result<_, _>>()?;
-        // what does not change all of a stretch's numbers is no threshold of the map
+        // a cut with equal results on both sides is no threshold of the map
         let mut place = 0;
         while place < cuts.len() {
             if stretches[place] == stretches[place + 1] {
@@ -93,7 +93,7 @@ impl Steps {
         })
     }
 
-    /// What is said of steps of a length, s; `None` where that is a threshold to within rounding.
+    /// The result for a step size, s; `None` where this is a threshold to within rounding.
     pub fn at(&self, step: f64) -> Option<StepInterval> {
         let bits = self.cuts.first().map_or(64, Enclosure::bits);
         let step = Enclosure::float(step, bits)?;

@@ -12,7 +12,7 @@ pub struct Form<S, const K: usize> {
     pub row: Pairs<S, K>,
 }
 
-/// What a regime requires of a contact beside its equations; each is "not negative".
+/// An inequality that a regime requires of a contact beside its equations: the quantity is not negative.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Condition {
     /// gap'': an open gap does not close.
@@ -91,7 +91,7 @@ pub fn equations<S: Scalar, const K: usize>(dry: &Dry<S, K>, regime: &[Mode; K])
 /// At most three conditions of each contact, with their margins.
 pub type Conditions<S, const K: usize> = [[Option<(Condition, Form<S, K>)>; 3]; K];
 
-/// What a regime requires of each contact.
+/// The inequalities of a regime, contact by contact.
 pub fn conditions<S: Scalar, const K: usize>(
     dry: &Dry<S, K>,
     touches: &[Touch; K],

@@ -10,13 +10,13 @@ use field::Scalar;
 /// The solution of a regime's equations: the reactions are `numerators / determinant`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cramer<S, const K: usize> {
-    /// Of the regime's equations. Where it vanishes the regime is singular, and see [`super::reactions`].
+    /// The determinant of the regime's equations. Where it vanishes the regime is singular: see [`super::reactions`].
     pub determinant: S,
     pub numerators: Pairs<S, K>,
 }
 
 impl<S: Scalar, const K: usize> Cramer<S, K> {
-    /// Of a regime.
+    /// Numerators and determinant of a regime.
     pub fn of(dry: &Dry<S, K>, regime: &[Mode; K]) -> Self {
         let rows = equations(dry, regime);
         let size = 2 * K;

@@ -63,7 +63,7 @@ where
 /// A system at a state with the reactions of its contacts left open.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Seen<S, const N: usize, const K: usize> {
-    /// What the contacts know.
+    /// The contacts' accelerations as a function of their reactions.
     pub dry: Dry<S, K>,
     /// The directions of the reactions: the gradients of gap and place along the curve.
     pub directions: [[[S; N]; 2]; K],

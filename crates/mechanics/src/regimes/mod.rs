@@ -2,9 +2,9 @@
 //!
 //! # Overview
 //! At a state the accelerations of K contacts are affine in their reactions, a = b + W lambda ([`Dry`]). A contact that
-//! is closed either separates, sticks or slips ([`Mode`]); a choice for each contact is a regime, which turns the laws
-//! of contact and friction into linear equations and inequalities ([`conditions`](mod@conditions)). Nothing is
-//! minimised, iterated or regularised: every regime is looked at, and the answer is which of them are consistent.
+//! is closed either separates, sticks or slips ([`Mode`]); a choice for each contact is a regime, which turns the
+//! laws of contact and friction into linear equations and inequalities ([`conditions`](mod@conditions)). Nothing is
+//! minimised, iterated or regularised: every regime is examined, and the answer lists the consistent ones.
 //!
 //! * [`dry`]: the free accelerations b and the response W, the system's own constraints kept;
 //! * [`mode`]: what a contact may do, seen from its sliding velocity;
@@ -14,9 +14,10 @@
 //! * [`verdict`](mod@verdict): unique, none, several, or a continuum.
 //!
 //! # What is counted
-//! Motions, not names. Sticking with friction at its limit and slipping with no acceleration are one motion; so are
-//! two sets of reactions of a body that is held more than needed. Two consistent regimes are several only if some
-//! acceleration differs.
+//!
+//! Motions, not names. Sticking with friction at its limit and slipping without acceleration are one motion; two
+//! sets of reactions of a body with more supports than it needs are one motion too. Two consistent regimes are counted
+//! as several motions only if some acceleration differs.
 
 pub mod conditions;
 pub mod cramer;

@@ -1,4 +1,4 @@
-//! What a contact may do.
+//! Modes of a contact: apart, stick, slip; and the modes that its gap and velocity leave open.
 
 use super::Ordered;
 use crate::constrained::State;
@@ -36,7 +36,7 @@ pub enum Mode {
     Slip(Direction, Face),
 }
 
-/// What is known of a contact from place and velocity.
+/// The state of a contact by its gap and its velocity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Touch {
     /// Not in touch, or leaving: it cannot react.
@@ -84,7 +84,7 @@ impl Direction {
         if self == Self::Forwards { S::one() } else { -S::one() }
     }
 
-    /// Of a velocity or an acceleration; `None` for zero.
+    /// The direction of a velocity or an acceleration with this sign; `None` for zero.
     pub fn of(sign: Ordering) -> Option<Self> {
         match sign {
             Ordering::Less => Some(Self::Backwards),
@@ -146,17 +146,17 @@ pub struct Sizes<S> {
 }
 
 impl<S: Ordered> Sizes<S> {
-    /// Of the places and the velocities of a state.
+    /// The sizes of the places and the velocities of a state.
     pub fn of<const N: usize>(at: &State<S, N>) -> Self {
         let total = |v: [S; N]| v.into_iter().fold(S::zero(), |sum, x| sum + x.size());
         Sizes { length: total(at.place), speed: total(at.velocity) }
     }
 }
 
-/// What every contact does at a state.
+/// The state of every contact: open, at rest or sliding.
 ///
 /// # Errors
-/// [`Unfit`] names the first contact that cannot be as it is.
+/// [`Unfit`] names the first contact that penetrates or collides.
 pub fn touches<Q, S, const N: usize, const C: usize, const K: usize>(
     system: &Q,
     at: &State<S, N>,

@@ -1,4 +1,4 @@
-//! What decides the regimes of a state: asked once, for all who want the verdict.
+//! The data that decide the regimes of a state, computed once for all who need the verdict.
 
 use super::{Dry, Ordered, Sizes, Touch, Unfit, touches};
 use crate::constrained::State;
@@ -27,7 +27,7 @@ impl fmt::Display for Unposed {
 
 impl std::error::Error for Unposed {}
 
-/// What the contacts know of a state under the system's own force, and what each of them does.
+/// The contacts' accelerations under the system's own force, and the state of each contact.
 ///
 /// # Errors
 /// [`Unposed`].

@@ -26,7 +26,7 @@ pub enum Reactions<S, const K: usize> {
     Continuum(Pairs<S, K>),
 }
 
-/// What a regime admits.
+/// The reactions that a regime admits.
 pub fn reactions<S: Ordered, const K: usize>(
     dry: &Dry<S, K>,
     touches: &[Touch; K],
@@ -56,7 +56,7 @@ enum Spread {
     Many,
 }
 
-/// What vertices and rays say together.
+/// The vertices and rays of the polyhedron so far: whether reactions and motions are one or many.
 struct Span<'a, S, const K: usize> {
     dry: &'a Dry<S, K>,
     first: Option<Pairs<S, K>>,

@@ -22,7 +22,7 @@ pub struct Found<S, const K: usize> {
     pub tie: Option<(usize, Condition)>,
 }
 
-/// How many motions are consistent.
+/// The number of consistent motions, with examples.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Consistency<S, const K: usize> {
     /// One motion.
@@ -94,7 +94,7 @@ fn visit_if_consistent<S: Ordered, const K: usize>(
     visit(Found { regime: *regime, reactions, motion, determined, single, tie });
 }
 
-/// How many motions are consistent.
+/// Counts the consistent motions.
 pub fn verdict<S: Ordered, const K: usize>(dry: &Dry<S, K>, touches: &[Touch; K]) -> Consistency<S, K> {
     if !dry.defined() {
         return Consistency::Undefined;

@@ -1,4 +1,4 @@
-//! How many uniform rotations there are, for every angular velocity.
+//! The number of uniform rotations, for every angular velocity.
 
 use super::{Body, Undecided};
 use field::Rational;
@@ -26,7 +26,7 @@ impl Body {
     /// Counts once, exactly, between any two neighbouring folds and zero: there the number cannot change.
     ///
     /// # Errors
-    /// What hides folds, where not all are known.
+    /// [`Undecided`]: the reason why folds may be missing.
     pub fn census(&self) -> Result<Census, Undecided> {
         let folds = self.folds();
         if let Some(reason) = folds.undecided {

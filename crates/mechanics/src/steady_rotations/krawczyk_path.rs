@@ -30,7 +30,7 @@ const MARGIN: f64 = 1e-9;
 const ROOM: f64 = 0.25;
 /// Boxes that are tried for a step.
 const TRIALS: usize = 3;
-/// Of Newton's method.
+/// Iterations of Newton's method.
 const ROUNDS: usize = 4;
 
 /// Where a solution at t = 0 is at t = 1, if it is followed so far.
@@ -58,7 +58,7 @@ fn across(path: &Path<'_>, from: &EnclosedPoint, [start, end]: [f64; 2]) -> Opti
         from.iter().zip(expected).map(|(z, to)| Some(z.hull(&at(to)?))).collect::<Option<_>>()?;
     let hull: EnclosedPoint = hull.try_into().ok()?;
     let during = path(&at(start)?.hull(&at(end)?))?;
-    // what the box must hold beside both ends is seen from the box itself
+    // a box that its image N leaves is replaced by a wider one about the image
     let mut boxed = wider(&hull, size(&begun))?;
     for _ in 0..TRIALS {
         let place = held(&during, &boxed)?;
@@ -118,8 +118,9 @@ fn held((k, b): &Data, boxed: &EnclosedPoint) -> Option<EnclosedPoint> {
     Some(std::array::from_fn(component))
 }
 
-/// How many solutions there are for each K and b in the enclosures: the same for all, and no two merge. `None` where that is
-/// not known. They are the real roots of |adj(K - x) b|^2 - det(K - x)^2, double wherever b does not see an eigenvalue.
+/// The number of solutions for every K and b in the enclosures: equal for all, and no two merge. `None` where this is
+/// not known. They are the real roots of |adj(K - x) b|^2 - det(K - x)^2, double wherever b is orthogonal to an
+/// eigenvector.
 pub fn count((k, b): &Data) -> Option<usize> {
     let zero = Enclosure::integer(0, b[0].bits());
     let sum = |terms: [Enclosure; 3]| terms.iter().fold(zero.clone(), |sum, term| &sum + term);

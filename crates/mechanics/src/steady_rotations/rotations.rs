@@ -10,7 +10,7 @@ use std::sync::Arc;
 pub struct Rotations {
     /// Isolated directions in ascending order of their multipliers, then families.
     pub motions: Vec<SteadyRotation>,
-    /// Of the polynomial in lambda whose real roots are the directions that no symmetry repeats.
+    /// The degree of the polynomial in lambda whose real roots are the directions that no symmetry repeats.
     pub degree: usize,
     /// The number of its different real roots, by Descartes' rule.
     pub roots: usize,
@@ -27,7 +27,7 @@ pub struct SteadyRotation {
     case: Arc<Case>,
 }
 
-/// What the directions of a motion form.
+/// The shape of a set of directions of one motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shape {
     /// One direction.
@@ -40,7 +40,7 @@ pub enum Shape {
     Sphere,
 }
 
-/// What W is there on the sphere (across the family, where it is one).
+/// The kind of critical point of W on the sphere (across the family, where there is one).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Kind {
     Minimum,
@@ -54,7 +54,7 @@ struct Case {
     spectrum: Spectrum,
     /// F = |N|^2 - q^2, so that |v|^2 - 1 = F / q^2
     excess: Polynomial,
-    /// What the multipliers are divided by to be lambda, N m.
+    /// The divisor that turns the multipliers into lambda, N m.
     scale: Number,
 }
 
@@ -115,13 +115,14 @@ impl Rotations {
         each.sum()
     }
 
-    /// How many isolated directions there are.
+    /// The number of isolated directions.
     pub fn isolated(&self) -> usize {
         self.motions.iter().filter(|motion| matches!(motion.shape, Shape::Point | Shape::Pair { .. })).count()
     }
 
-    /// Boxes of directions, each no wider than 2^-bits, that lie apart from each other: one for each isolated direction,
-    /// so that each holds exactly one. For a family: the box of its centre. `None` where 16384 bits do not suffice.
+    /// Boxes of directions, each no wider than 2^-bits, that lie apart from each other: one for each isolated
+    /// direction, and each holds exactly one. For a family: the box of its centre. `None` where 16384 bits do not
+    /// suffice.
     pub fn boxes(&self, bits: usize) -> Option<Vec<Vector<Enclosure>>> {
         let mut bits = bits;
         while bits <= 4096 {
@@ -197,8 +198,8 @@ impl Case {
         }
     }
 
-    /// What an eigenvalue that b does not see adds: v = -N/q + z with z in its eigenspace and |z|^2 = -F/q^2. With z = 0
-    /// it is a root of F, and found there.
+    /// The directions added by an eigenvalue whose eigenvector is orthogonal to b: v = -N/q + z with z in its
+    /// eigenspace and |z|^2 = -F/q^2. A direction with z = 0 is a root of F, and found there.
     fn beyond(case: &Arc<Self>, place: usize) -> Vec<SteadyRotation> {
         let (multiplier, multiplicity) = &case.spectrum.eigenvalues[place];
         if multiplier.sign_of(&case.excess) >= 0 {

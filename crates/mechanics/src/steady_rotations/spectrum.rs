@@ -67,7 +67,7 @@ impl Spectrum {
         Spectrum { adjugate, eigenvalues, seen, numerators, unseen }
     }
 
-    /// How many eigenvalues are below and above a number; `None` where it is one.
+    /// The numbers of eigenvalues below and above a number; `None` where the number is an eigenvalue.
     pub fn around(&self, x: &Root) -> Option<[usize; 2]> {
         let mut counts = [0, 0];
         for (eigenvalue, multiplicity) in &self.eigenvalues {
@@ -80,7 +80,7 @@ impl Spectrum {
         Some(counts)
     }
 
-    /// How many eigenvalues are below and above the one at a place.
+    /// The numbers of eigenvalues below and above the one at a place.
     pub fn beside(&self, place: usize) -> [usize; 2] {
         let count = |part: &[(Root, usize)]| part.iter().map(|(_, multiplicity)| multiplicity).sum();
         [count(&self.eigenvalues[..place]), count(&self.eigenvalues[place + 1..])]

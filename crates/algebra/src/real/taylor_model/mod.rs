@@ -111,12 +111,12 @@ impl<C: Rounded, const N: usize> Model<C, N> {
         self.coefficients[0]
     }
 
-    /// How far values may be from the polynomial.
+    /// The largest distance of the values from the polynomial.
     pub fn left(&self) -> f64 {
         self.off
     }
 
-    /// How far values may be from the constant term.
+    /// The largest distance of the values from the constant term.
     fn spread(&self) -> f64 {
         up(self.coefficients[1..].iter().map(|c| c.size()).sum::<f64>() + self.off)
     }
@@ -192,7 +192,7 @@ impl<C: Rounded, const N: usize> Ordered for Model<C, N> {
     }
 
     fn times(&self, b: &Self) -> Self {
-        // what is no number is none however often it is taken
+        // zero times a model with a finite bound is zero; a product with a model without one has none
         if (self.is_zero() && b.off.is_finite()) || (b.is_zero() && self.off.is_finite()) {
             return Self::constant(0.0);
         }

@@ -1,4 +1,4 @@
-//! What models ask of their coefficients: numbers that are rounded, with a bound of that.
+//! Coefficients of Taylor models: numbers that are rounded, with a bound of the rounding error.
 
 use super::functions::SMALL;
 use field::{Analytic, DoubleDouble, Over, Rational};
@@ -7,8 +7,8 @@ use field::{Analytic, DoubleDouble, Over, Rational};
 pub trait Rounded: Analytic + Over<f64> {
     /// The relative error of one operation, rounded up.
     const ROUNDING: f64;
-    /// Terms of the series of exponentials and angles, an even number, and twice the next one at the largest argument: more than all
-    /// that they leave out.
+    /// The number of terms of the series of exponentials and angles, an even number, and twice the next term at the
+    /// largest argument, which bounds the sum of all terms left out.
     const TERMS: i32;
     const LEFT: f64;
 
@@ -39,10 +39,10 @@ impl Rounded for f64 {
     }
 }
 
-/// The arithmetic of Joldes, Muller, Popescu 2017: a sum is off by 3 u^2, a product by 5 u^2, u = 2^-53. A reciprocal and a root are
-/// that of the first half, off by u, with one step of Newton's, whose correction is rounded to u of itself: 2.3 u^2 and 2 u^2, and
-/// at most 2 u^2 more where two residues below u are added in the wrong order. A quotient is a reciprocal and a product. The bound
-/// is 256 u^2.
+/// The arithmetic of Joldes, Muller, Popescu 2017: a sum is off by 3 u^2, a product by 5 u^2, u = 2^-53. A reciprocal
+/// and a root take the result of the first half, off by u, and one step of Newton's method, whose correction is rounded
+/// to u of itself: 2.3 u^2 and 2 u^2, and at most 2 u^2 more where two residues below u are added in the wrong order. A
+/// quotient is a reciprocal and a product. The bound is 256 u^2.
 impl Rounded for DoubleDouble {
     const ROUNDING: f64 = 64.0 * f64::EPSILON * f64::EPSILON;
     const TERMS: i32 = 22;

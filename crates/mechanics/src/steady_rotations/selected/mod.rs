@@ -38,10 +38,11 @@ use std::sync::Arc;
 pub struct Selected {
     /// Isolated motions in ascending order of x, families, rests.
     pub motions: Vec<Turning>,
-    /// Of the resultant without the factors that stand for no motion, and how many different real roots it has.
+    /// The degree of the resultant without the factors that stand for no motion, and the number of its different real
+    /// roots.
     pub degree: usize,
     pub roots: usize,
-    /// What may hide further motions, where anything does: then "all" is not proved.
+    /// The reason why further motions may exist, if there is one: then "all" is not proved.
     pub undecided: Option<Undecided>,
 }
 

@@ -51,8 +51,8 @@ impl Selected {
         }
     }
 
-    /// Several s with one x: the common divisor is the first subresultant whose leading coefficient does not vanish there. That
-    /// of |v| = 1 never vanishes, so that what vanishes altogether is the second equation.
+    /// Several s with one x: the common divisor is the first subresultant whose leading coefficient does not vanish
+    /// there. The leading coefficient of |v| = 1 never vanishes: only the second equation may vanish identically.
     fn shared(&mut self, case: &Arc<Case>, x: Root, length: &[Polynomial], second: &[Polynomial]) {
         let leads = |p: &[Polynomial]| p.last().is_some_and(|lead| x.sign_of(lead) != 0);
         let divisor = (2..second.len() - 1).map(|k| subresultant(length, second, k)).find(|divisor| leads(divisor));

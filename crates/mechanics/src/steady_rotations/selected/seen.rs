@@ -114,7 +114,8 @@ impl Special {
         Some(Special { eigenvalue: place, speed: [c, g], along: u, centre, below, excess, side: 0 })
     }
 
-    /// Of an isolated motion: M - k is of the signs of the other eigenvalues on the tangent plane, unless that holds u.
+    /// The kind of an isolated motion: M - k has the signs of the other eigenvalues on the tangent plane, unless this
+    /// holds u.
     fn kind(&self, eigenvalue: &Root, below: usize) -> Kind {
         // z = 0 where v is orthogonal to u
         if eigenvalue.sign_of(&dot(&self.centre, &self.along)) == 0 { Kind::Degenerate } else { Kind::of(below) }
