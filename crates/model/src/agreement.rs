@@ -12,8 +12,8 @@ use symbolic::{Decision, Hypotheses, Identity, IdentityTest, Sym, decide, identi
 /// The degree to which two principles are known to agree.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Agreement {
-    /// The normal form of every difference is zero: for all values of all letters for which no divisor vanishes; with those divisors
-    /// that vanish at the start of the model, where it gives one.
+    /// The normal form of every difference is zero: for all values of all letters for which no divisor vanishes; `at_start` lists
+    /// the divisors which vanish at the start of the model, where it has one.
     Proved { divisors: Vec<String>, at_start: Option<Vec<String>> },
     /// The theorem about principles holds for the model, and every difference vanishes at random points of prime fields: the equations that
     /// were formed are the ones of the theorem but for an error of at most 2^`error`.

@@ -67,8 +67,8 @@ impl Judgement {
     }
 }
 
-/// All that is judged of a model: every principle against Lagrange's, those along independent rates and in the quasi-velocities of its file,
-/// what its equations keep, and a mistake that can be made with it.
+/// All judgements of a model: every principle against Lagrange's, those along independent rates and in the quasi-velocities of its file, its
+/// statements on integrals and constraints, and a mistake that can be made with it.
 pub fn judgements(trace: &Trace<'_>) -> Vec<Judgement> {
     let [first, others @ ..] = Principle::ALL;
     let plain = |principle: Principle| Judgement {

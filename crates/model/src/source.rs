@@ -156,7 +156,8 @@ pub struct ConstraintSource {
     pub name: Option<Text>,
     /// Scalars, or vectors: of these each component.
     pub zero: Vec<Text>,
-    /// Of a constraint f that is led to zero instead of kept at zero: f'' + g1 f' + g2 f = 0 of positions, f' + g1 f = 0 of speeds.
+    /// The gains of a constraint f that is led to zero instead of kept at zero: f'' + g1 f' + g2 f = 0 of positions, f' + g1 f =
+    /// 0 of speeds.
     pub gains: Option<Vec<Text>>,
     /// Where it stands.
     pub at: Range<usize>,

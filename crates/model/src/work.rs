@@ -19,7 +19,7 @@ pub struct Work {
 }
 
 /// Seconds of one operation at one point, and bytes of one operation with its place in the graph and its values: measured on chains
-/// of 20 and of 50 links.
+/// with 20 and with 50 links.
 const SECONDS_AT_A_POINT: f64 = 1.2e-8;
 const BYTES: f64 = 150.0;
 

@@ -5,7 +5,7 @@ use integrators::{Collocation, Family, Real};
 
 /// Stages of the collocation: its order, 8, is not below that of any composition.
 pub const STAGES: usize = 4;
-/// Of Newton's iteration, whose error is squared each time.
+/// Iterations of Newton's method, which squares its error in each.
 const ITERATIONS: usize = 4;
 
 /// Nodes, weights and matrix of a collocation.
@@ -29,8 +29,8 @@ impl<S: Real> Rule<S> {
 }
 
 impl<S: Scalar> Rule<S> {
-    /// What s' = f_i(s) adds to s over a length of time, from the rates at the slips of all nodes with their slopes; and the last
-    /// correction of Newton's iteration, squared.
+    /// The increment of s by s' = f_i(s) over a length of time, from the rates at the slips of all nodes with their slopes; and
+    /// the last correction of Newton's iteration, squared.
     pub fn solve(&self, length: S, start: S, rates: impl Fn(&[S; STAGES]) -> [Tangent<S>; STAGES]) -> (S, S) {
         let mut stages = [start; STAGES];
         let mut left = S::zero();

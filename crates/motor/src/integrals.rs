@@ -1,12 +1,12 @@
-//! What a machine leaves conserved, judged from its own laws.
+//! Integrals of motion that a machine preserves, found from its laws.
 //!
 //! With E the energy of bodies, weight and circuits and p = A' (w.l + phi') the rotor's angular momentum about its axis,
 //! every machine gives
 //!
 //!   d/dt (E - W p) = m(g', phi') g' - sum R_k i_k^2 + sum v_k i_k - W sum c_k i_k ,    dp/dt = M :
 //!
-//! seen from the turning field the field does no work. A rotor of prescribed speed keeps E - W p too, whatever moment
-//! that takes.
+//! seen from the turning field the field does no work. A rotor of prescribed speed keeps E - W p too, whatever torque
+//! is needed for it.
 
 use super::{Machine, RotorState, drive, motional_moment, supplied};
 use field::{Base, Circle, Over};

@@ -1,12 +1,13 @@
-//! What a machine does to its rotor while the angle rests.
+//! The flow of a machine's currents and rotor momentum while the angle is constant, for splitting methods.
 //!
 //! In the fluxes c_k = L_k i_k + psi_k(g) of the circuits the energy is U(g) + sum (c_k - psi_k(g))^2 / (2 L_k). With
-//! the angle at rest the currents fade, i_k = i_k(0) exp(-r_k t) with r_k = R_k/L_k, and the slip s = g' obeys
+//! the angle at rest the currents decay, i_k = i_k(0) exp(-r_k t) with r_k = R_k/L_k, and the slip s = g' obeys
 //!
 //!   s' = K (-U'(g) + sum_k psi_k'(g) i_k(t) + m(s)) + pull ,
 //!
-//! K the slip that a unit of impulse gives and `pull` what else moves it. Where m is linear, m(s) = m(0) - b s, the rest is
-//! exponentials; elsewhere Gauss' collocation of order 8 solves it. When the angle moves, the fluxes rest.
+//! Here K is the slip that a unit of impulse gives and `pull` the rate of the slip by other causes. Where m is linear, m(s)
+//! = m(0) - b s, the solution is made of exponentials; elsewhere Gauss' collocation of order 8 solves the equation. When
+//! the angle moves, the fluxes are constant.
 //!
 //! A supply or conductors that slide break this: c_k phi' ties the currents to the slip at a resting angle too, and the
 //! flow is none of these. Such machines are refused ([`has_known_flow`]).
@@ -66,7 +67,7 @@ impl Law {
 }
 
 impl<S: Scalar> Kick<S> {
-    /// Of a machine for a length of time. `quotient(a, b)` is (exp(-a) - exp(-b)) / (b - a).
+    /// Prepares the flow of a machine over a length of time. `quotient(a, b)` is (exp(-a) - exp(-b)) / (b - a).
     pub fn new<P: Base, M: Machine<P>>(
         machine: &M,
         law: Law,

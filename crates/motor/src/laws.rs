@@ -176,7 +176,7 @@ impl Laws {
         &self.counts
     }
 
-    /// What the laws know of the rotor.
+    /// The rotor's variables that the laws depend on.
     pub fn rotor(&self) -> RotorState {
         self.rotor
     }

@@ -1,15 +1,15 @@
-//! What a motor is: energies and laws of force. Everything else is derived.
+//! The trait of a motor: energies and laws of force, from which everything else is derived.
 
 use field::{Analytic, Base, Circle, Divisor, Over, Scalar};
 
-/// How much of the rotor's motion is state.
+/// The part of the rotor's motion that is state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RotorState {
-    /// The speed is prescribed and the moment is the reaction that keeps it.
+    /// The speed is prescribed and the torque is the reaction that keeps it.
     Prescribed,
-    /// The laws know the speed only.
+    /// The laws depend on the speed only.
     Speed,
-    /// The laws know the angle to the stator's field too.
+    /// The laws depend on the angle to the stator's field too.
     AngleAndSpeed,
 }
 
@@ -28,13 +28,13 @@ pub enum RotorState {
 ///
 ///   d/dt (dK/di_k) = v_k(g) - R_k i_k - c_k(i) phi' ,    M = dK/dg + sum_k i_k c_k(i) + m(g', phi') .
 ///
-/// So the rotor takes phi' sum i_k c_k from the circuits and the field gives W dK/dg:
+/// The rotor therefore takes phi' sum i_k c_k from the circuits, and the field gives W dK/dg:
 ///
 ///   M phi' + d/dt (U + sum_k 1/2 L_k i_k^2) = W dK/dg + phi' m + sum_k v_k i_k - sum_k R_k i_k^2 .
 ///
 /// [`frame_speed`]: Machine::frame_speed
 pub trait Machine<P: Base> {
-    /// What the laws need to know of the rotor.
+    /// The rotor's variables that the laws depend on.
     fn rotor(&self) -> RotorState;
 
     /// W, rad/s.
@@ -46,7 +46,7 @@ pub trait Machine<P: Base> {
         0
     }
 
-    /// What its current is called among the states: x of the excitation, i1, i2, ... of bars.
+    /// The name of the winding's current among the states: x of the excitation, i1, i2, ... of bars.
     fn current_name(&self, winding: usize) -> String {
         if winding == 0 { "x".into() } else { format!("i{winding}") }
     }
@@ -92,7 +92,7 @@ pub trait Machine<P: Base> {
     fn moment_law<S: Over<P>>(&self, slip: S, speed: S) -> S;
 }
 
-/// What of a winding is known before it moves.
+/// The constants of a winding.
 #[derive(Clone, Copy, Debug)]
 pub struct Circuit<P> {
     /// R, ohm
@@ -102,7 +102,7 @@ pub struct Circuit<P> {
 }
 
 impl<P: Base> Circuit<P> {
-    /// Of one winding of a machine.
+    /// The constants of one winding of a machine.
     #[inline(always)]
     pub fn of(machine: &impl Machine<P>, winding: usize) -> Self {
         let inductance = Divisor::new(machine.inductance(winding));
@@ -210,7 +210,7 @@ pub fn state_names<P: Base>(machine: &impl Machine<P>) -> Vec<String> {
 }
 
 impl RotorState {
-    /// How many numbers the state of the rotor has.
+    /// The number of states of the rotor.
     pub const fn dimension(self) -> usize {
         match self {
             Self::Prescribed => 0,

@@ -7,7 +7,7 @@ use integrators::Ode;
 
 /// A law with the energy E - W p that the turning field sees, and the power that feeds it.
 pub trait Powered {
-    /// How many states there are.
+    /// The number of states.
     fn dimension(&self) -> usize;
     /// y' = f(y); must not allocate.
     fn rates<S: Over<f64> + Analytic>(&self, y: &[S], dy: &mut [S]);

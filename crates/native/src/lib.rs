@@ -114,8 +114,8 @@ impl Code {
                 // `tape.rounded()` gave when the code was written. At the last it writes and reads below `room`, for which there is
                 // room, and reads nothing that an earlier piece of this run has not written. All are aligned as slices of `f64` are,
                 // and what is written overlaps nothing else, since `values` and `room` are borrowed mutably. The code keeps none of
-                // the pointers, changes no state of its own, and its frame of at most `MOST_STACK` bytes is touched page by page, so
-                // that a stack that is too short ends in its guard page.
+                // the pointers, changes no state of its own, and touches its frame of at most `MOST_STACK` bytes page by page: a
+                // stack that is too short ends in its guard page.
                 unsafe {
                     piece(state.as_ptr(), time, values.as_mut_ptr(), self.constants.as_ptr(), room.as_mut_ptr());
                 }
@@ -206,8 +206,8 @@ fn executable(instructions: &[u8]) -> Option<Mmap> {
 /// Where `extern "C"` gives two numbers back in two registers, as the code expects of [`write::circle`].
 const KNOWN: bool = cfg!(all(unix, any(target_arch = "x86_64", target_arch = "aarch64")));
 
-/// Steps of the longest tape that becomes code: the generator takes some microseconds for each, and following the tape a hundredth
-/// of one.
+/// Steps of the longest tape that becomes code: the generator takes some microseconds for each step, and following the tape takes
+/// a hundredth of one.
 pub const MOST_STEPS: usize = 1 << 20;
 
 /// Bytes at whose multiples functions begin.
@@ -226,7 +226,7 @@ fn fetch_anew(pages: &Mmap) -> Option<()> {
     wasmtime_internal_jit_icache_coherence::pipeline_flush_mt().ok()
 }
 
-/// What this processor can, where the code generator knows it.
+/// The instruction set of this processor, where the code generator knows it.
 fn processor() -> Option<&'static OwnedTargetIsa> {
     static PROCESSOR: OnceLock<Option<OwnedTargetIsa>> = OnceLock::new();
     let found = PROCESSOR.get_or_init(|| {
@@ -234,7 +234,7 @@ fn processor() -> Option<&'static OwnedTargetIsa> {
             return None;
         }
         let mut flags = settings::builder();
-        // what is read twice is read once; of sums and products nothing changes
+        // repeated reads are merged; sums and products stay as they are
         flags.set("opt_level", "speed").ok()?;
         // a long program's room on the stack is touched page by page, by the code itself: a guard page is never stepped over
         flags.set("enable_probestack", "true").ok()?;

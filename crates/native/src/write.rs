@@ -91,7 +91,7 @@ pub fn instructions(tape: &Tape, pieces: &Pieces, piece: usize, isa: &OwnedTarge
     code.ins().return_(&[]);
     code.finalize();
     let compiled = context.compile(&**isa, &mut ControlPlane::default()).ok()?;
-    // what would have to be filled in later is nothing that is written here
+    // relocations would have to be filled in later; this code has none
     if !compiled.buffer.relocs().is_empty() {
         return None;
     }
@@ -102,7 +102,7 @@ pub fn instructions(tape: &Tape, pieces: &Pieces, piece: usize, isa: &OwnedTarge
 /// Where a number of a tape is found.
 #[derive(Clone, Copy)]
 enum Operand {
-    /// So many bytes behind the first input.
+    /// The offset in bytes from the first input.
     Input(i32),
     /// Its value, and so many bytes behind the first of the table.
     Constant(f64, i32),

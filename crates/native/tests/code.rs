@@ -5,7 +5,7 @@ use field::{Analytic, Scalar};
 use proptest::prelude::*;
 use symbolic::{Sym, Tape};
 
-/// Of three inputs, everything that a tape can do.
+/// Every operation of a tape, on three inputs.
 fn outputs([x, y, t]: [Sym; 3], choice: u32) -> Vec<Sym> {
     let circle = (x * y + t).circle();
     let parts = [

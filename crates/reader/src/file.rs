@@ -1,4 +1,4 @@
-//! Scene files: what each opens with, and how its rest is left to the family of systems that it names.
+//! Scene files: the keys with which each opens, and the family of systems that reads the rest.
 
 use super::issue::{Issue, SceneError};
 use super::table::{At, Table};
@@ -14,10 +14,10 @@ const MOST_BYTES: u64 = 1_000_000;
 /// The key by which a file is known whose system is written in it.
 pub const MODEL: &str = "coordinates";
 
-/// What every scene file opens with.
+/// The keys with which every scene file opens.
 pub struct Opening {
     pub title: String,
-    /// What happens and why it is hard.
+    /// The motion that the scene shows, and its difficulty.
     pub description: String,
     /// The name of what moves.
     pub system: At<String>,
@@ -77,7 +77,7 @@ fn no_text(path: String, error: &FromUtf8Error, needed: &str) -> SceneError {
     if bytes.contains(&0) {
         return SceneError::whole(&path, format!("this is no text: {}", error.utf8_error()), needed);
     }
-    // what is no text becomes one letter, so that places before it stay
+    // bytes that are not UTF-8 become one letter, and places before it stay
     let text = String::from_utf8_lossy(bytes).into_owned();
     let byte = bytes.get(start).copied().unwrap_or_default();
     let label = format!("the byte {byte:#04x}, in Latin-1 the letter {}", char::from(byte));
@@ -103,7 +103,7 @@ pub fn tables<T>(
         return Err(SceneError::whole(name, "this file is empty", "the folder `scenes` holds examples"));
     }
     let (entries, errors) = toml::de::DeTable::parse_recoverable(text);
-    // what follows the first fault of syntax is often read wrongly because of it
+    // text after the first fault of syntax is often read wrongly because of it
     let mut issues: Vec<Issue> = errors.iter().take(1).map(of_syntax).collect();
     let mut scene = None;
     if issues.is_empty() {

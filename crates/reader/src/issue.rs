@@ -1,23 +1,23 @@
-//! What is wrong with a scene file, shown at the place where it is wrong.
+//! Errors in a scene file, each shown at its place.
 
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};
 use std::fmt;
 use std::ops::Range;
 
-/// One thing that is wrong.
+/// One error.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Issue {
     /// Bytes of the file; `None` where it concerns the whole file.
     pub span: Option<Range<usize>>,
-    /// What is wrong, in one line.
+    /// The error, in one line.
     pub title: String,
     /// Beside the marks under the value.
     pub label: String,
-    /// What would be accepted.
+    /// The input that would be accepted.
     pub help: Option<String>,
 }
 
-/// Everything that is wrong with a file.
+/// All errors in a file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SceneError {
     /// The file as the user named it.
@@ -36,14 +36,14 @@ impl Issue {
         Issue { span: Some(span), title: title.into(), label: label.into(), help: None }
     }
 
-    /// With what would be accepted.
+    /// Adds the input that would be accepted.
     pub fn accepted(self, help: impl Into<String>) -> Self {
         Issue { help: Some(help.into()), ..self }
     }
 }
 
 impl SceneError {
-    /// Of the whole file.
+    /// One error that concerns the whole file.
     pub fn whole(path: &str, title: impl Into<String>, help: impl Into<String>) -> Self {
         let issue = Issue { span: None, title: title.into(), label: String::new(), help: Some(help.into()) };
         SceneError { path: path.to_owned(), text: String::new(), issues: vec![issue] }

@@ -29,7 +29,7 @@ pub trait LaneSeries<const L: usize> {
     /// Expands the solutions through (t, y), lane by lane.
     fn expand(&mut self, times: Batch<L>, states: &[Batch<L>]);
 
-    /// Of the last expansion the coefficients of order k, the last or the one before it.
+    /// The coefficients of order k of the last expansion, k the last order or the one before it.
     fn coefficients(&self, k: usize) -> &[Batch<L>];
 
     /// The sum of the last expansion, each lane at its h.
@@ -108,7 +108,7 @@ pub struct LaneStep<'a> {
 #[derive(Clone, Debug)]
 pub struct Ensemble<T, const L: usize> {
     source: T,
-    /// Of the last term of a series.
+    /// The order of the last term of a series.
     order: usize,
     tolerance: f64,
     end: f64,
@@ -169,7 +169,7 @@ impl<T: LaneSeries<L>, const L: usize> Ensemble<T, L> {
         let (reach, shown) = (Arch::new().dispatch(reach), self.source.shown());
         let (mut steps, mut nexts) = (Batch::all(0.0), [Ok(0.0); L]);
         for lane in (0..L).filter(|lane| self.numbers[*lane].is_some()) {
-            // what is not a number stays so
+            // NaN stays NaN, which `min` would drop
             let reach = if shown.0[lane] < reach.0[lane] { shown.0[lane] } else { reach.0[lane] };
             nexts[lane] = self.next_time(lane, reach);
             steps.0[lane] = nexts[lane].map_or(0.0, |next| next - self.times.0[lane]);
@@ -258,7 +258,7 @@ impl<T: LaneSeries<L>, const L: usize> Ensemble<T, L> {
     }
 }
 
-/// How far the series reach, lane by lane; not a number where a coefficient is none.
+/// The longest steps that the series allow, lane by lane; NaN where a coefficient is not finite.
 struct Reach<'a, const L: usize> {
     states: &'a [Batch<L>],
     last: &'a [Batch<L>],

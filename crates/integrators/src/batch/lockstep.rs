@@ -28,7 +28,8 @@ impl<const L: usize, const FUSED: bool> SideBySide<L, FUSED> {
         SideBySide { slopes: std::array::from_fn(|_| room()), stage: room() }
     }
 
-    /// So many steps from the time `start`, in s if the law's time is; allocates nothing. States beyond the room are left.
+    /// Makes that many steps from the time `start`, in s if the law's time is; allocates nothing. States beyond the room
+    /// are left.
     pub fn steps(
         &mut self,
         law: &impl Ode<Batch<L, FUSED>>,

@@ -15,7 +15,7 @@ pub(super) struct Corrector<'a> {
     sizes: &'a [f64],
     residual: Vec<f64>,
     matrix: Vec<f64>,
-    /// Of the last point, in steps of Newton's iteration.
+    /// The number of Newton corrections for the last point.
     pub corrections: u32,
 }
 

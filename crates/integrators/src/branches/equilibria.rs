@@ -1,9 +1,9 @@
-//! States at which a law rests, over a parameter that is its last state.
+//! Equilibria of a law, over a parameter that is its last state.
 
 use super::Curve;
 use crate::{Failure, Jacobian, System};
 
-/// f(y, p) = 0 for a law whose last state p rests.
+/// The curve f(y, p) = 0 of a law whose last state p is constant.
 pub struct Equilibria<'a> {
     law: &'a dyn System,
     jacobian: Jacobian<'a>,
@@ -12,7 +12,7 @@ pub struct Equilibria<'a> {
 }
 
 impl<'a> Equilibria<'a> {
-    /// Of an autonomous law.
+    /// The equilibria of an autonomous law.
     pub fn new(law: &'a dyn System) -> Self {
         let jacobian = Jacobian::of(law);
         let count = crate::Ode::<f64>::dimension(law);

@@ -1,10 +1,11 @@
-//! Along a curve by arclength: predictor along the tangent, corrector across it, steps by how the curve bends.
+//! Pseudo-arclength continuation of a curve: predictor along the tangent, corrector across it, step size by the
+//! change of direction.
 
 use super::Curve;
 use super::corrector::Corrector;
 use nalgebra::DVector;
 
-/// How a curve is to be followed. Lengths are in unknowns divided by their sizes.
+/// The settings of a continuation. Lengths are in unknowns divided by their sizes.
 pub struct Walk<'a> {
     /// The usual size of each unknown.
     pub sizes: &'a [f64],
@@ -12,9 +13,9 @@ pub struct Walk<'a> {
     pub parameter: usize,
     /// The longest step.
     pub step: f64,
-    /// Points after which it ends.
+    /// The largest number of points.
     pub most: usize,
-    /// Where it goes on, by the unknowns as they are.
+    /// The continuation ends at a point, in the unknowns as they are, for which this is false.
     pub within: &'a dyn Fn(&[f64]) -> bool,
 }
 
@@ -26,7 +27,7 @@ pub struct CurvePoint {
     pub fold: bool,
 }
 
-/// Why a walk ended.
+/// Why a continuation ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Last {
     /// The next point is not within the bounds.

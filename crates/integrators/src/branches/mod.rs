@@ -1,11 +1,12 @@
-//! Curves of solutions: where n equations in n + 1 unknowns hold.
+//! Continuation: curves of solutions of n equations in n + 1 unknowns.
 //!
 //! # Overview
 //! * [`Curve`]: the equations, with their derivatives;
-//! * [`follow`]: along the curve by arclength (Keller 1977), through folds, each of which is located to rounding;
-//! * [`Equilibria`]: where the rates of a law vanish;
-//! * [`Repeating`]: motions that come again but for a shift, such as a whole turn, by shooting;
-//! * [`spectrum`]: eigenvalues and multipliers, which tell stability.
+//! * [`follow`]: pseudo-arclength continuation (Keller 1977), through folds, each located to rounding: saddle-node
+//! bifurcations of equilibria;
+//! * [`Equilibria`]: states where the rates of a law vanish, its steady states;
+//! * [`Repeating`]: motions that are periodic up to a shift, such as a whole turn, by shooting;
+//! * [`spectrum`]: eigenvalues and Floquet multipliers, which decide linear stability.
 //!
 //! A parameter is a state that rests: a law whose last rate is zero has its last state for parameter, and the derivatives
 //! by it come with those by the states. (`russell_nonlin` follows curves too; it brings sparse solvers in C, stops on
@@ -29,7 +30,8 @@ pub trait Curve {
     /// n + 1.
     fn unknowns(&self) -> usize;
 
-    /// What is left of each equation at x, and `matrix[i * (n + 1) + j]`, its derivative by unknown j.
+    /// The residual of each equation at x, and the Jacobian: `matrix[i * (n + 1) + j]` is the derivative of equation i
+    /// by unknown j.
     ///
     /// # Errors
     /// [`Failure`] where the equations have no value.

@@ -1,4 +1,4 @@
-//! Motions that come again but for a shift: y(T) = y(0) + shift.
+//! Motions that are periodic up to a shift, by shooting: y(T) = y(0) + shift.
 //!
 //! With a shift of zero these are periodic orbits; with a whole turn in an angle, rotations. One state is the section: it
 //! has a given value at time zero, and its place among the unknowns is taken by T. The derivatives come from the
@@ -18,7 +18,7 @@ pub struct Repeating<'a> {
     value: f64,
     start: Vec<f64>,
     rates: Vec<f64>,
-    /// Of the last evaluation, with the parameter.
+    /// The transition matrix of the last evaluation, with the parameter.
     transition: Vec<f64>,
 }
 

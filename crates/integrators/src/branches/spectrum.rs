@@ -5,8 +5,8 @@ use nalgebra::{Complex, DMatrix};
 
 /// Steps for each eigenvalue, beyond which the iteration counts as lost; it takes two or three.
 const MOST_STEPS: usize = 200;
-/// What counts as nothing beside its neighbours, in units of the last place. With one unit the rounding of multiple eigenvalues may turn
-/// the iteration round for ever; a few are still below what rounding has done to the matrix by then.
+/// Tolerances of the Schur iteration for a subdiagonal entry that counts as zero, in units of the last place. With one unit the
+/// rounding of multiple eigenvalues may keep the iteration going for ever; a few are still below the rounding of the matrix by then.
 const NOTHING: [f64; 5] = [1.0, 4.0, 16.0, 1024.0, 1_048_576.0];
 
 /// The eigenvalues of an n x n matrix, row after row, the largest real part first; `None` where the iteration is lost, or

@@ -279,7 +279,7 @@ impl Guard<'_> {
             let mut search = Search { again: &mut self.again, step, known: &mut self.known, signal };
             match look(&mut search, ends, self.armed[signal], doubt) {
                 Seen::Nothing { armed } => self.armed[signal] = armed,
-                // what may come before it in the step is not told apart from it
+                // an event before it in the step could not be told apart from it
                 Seen::Lost(last) => self.lost = Some(last),
                 Seen::Happened(event, state) => {
                     let found = (event, state);

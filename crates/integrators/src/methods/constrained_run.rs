@@ -17,7 +17,7 @@ pub enum Attempt<'a> {
 
 /// A motion of many laws, one after another, which finds its events itself.
 pub trait Across {
-    /// Of each law.
+    /// The number of states of each law.
     fn dimension(&self) -> usize;
 
     /// Whether each law has a Taylor series.
@@ -35,7 +35,7 @@ pub trait Across {
     ) -> Outcome<f64>;
 }
 
-/// What runs a law, without the law.
+/// The method that runs a law, without the law.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Means {
     Integrated(Method),
@@ -59,8 +59,8 @@ impl Attempt<'_> {
         }
     }
 
-    /// What the run has cost in evaluations: a Jacobian counts as those of its columns, a correction onto the constraints
-    /// as one.
+    /// The cost of the run in evaluations of the rates: a Jacobian counts as its number of columns, a correction onto the
+    /// constraints as one.
     pub fn evaluations(&self, work: &crate::Work) -> u64 {
         let columns = match *self {
             Attempt::Integrated(system, _) => crate::Ode::<f64>::dimension(system),
@@ -75,7 +75,7 @@ impl Attempt<'_> {
 }
 
 impl Means {
-    /// How many equal steps it makes; none where it follows a tolerance.
+    /// The number of equal steps; `None` where the method follows a tolerance.
     pub fn steps(self) -> Option<u32> {
         match self {
             Means::Integrated(method) => method.steps(),

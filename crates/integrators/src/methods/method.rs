@@ -49,7 +49,7 @@ pub enum Method {
     Taylor,
 }
 
-/// What is known of a method before it runs.
+/// Properties of a method that are known before it runs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Traits {
     /// The order in the step; none where it varies with the tolerance.
@@ -89,7 +89,7 @@ impl Method {
         }
     }
 
-    /// How many equal steps it makes; none where it follows a tolerance.
+    /// The number of equal steps; `None` where the method follows a tolerance.
     pub fn steps(self) -> Option<u32> {
         match self {
             Method::Euler { steps }
@@ -123,7 +123,7 @@ impl Method {
         Some(self.with_steps(self.steps()?.checked_mul(times)?))
     }
 
-    /// What no run of this method could work with.
+    /// Refuses settings with which no run of this method could work.
     pub(crate) fn check(self, dimension: usize) -> Result<(), Refusal> {
         match self {
             Method::Euler { steps: 0 }

@@ -69,7 +69,7 @@ pub(crate) struct Split<'a, S> {
     /// By how much of a step the first piece goes back.
     back: f64,
     fixed: S,
-    /// What the composition is prepared for, and where it stands.
+    /// The step that the composition is prepared for, and the state that its last step ended in.
     step: Option<S>,
     left: Vec<S>,
 }

@@ -10,7 +10,7 @@ use crate::run::stepping::Cause;
 const MOST_ITERATIONS: u32 = 50;
 /// The last correction, relative to the state, beyond which the iteration has not converged.
 const CONVERGED: f64 = 1e-9;
-/// What a kept matrix must leave of a correction.
+/// A matrix is kept while each correction is at most this share of the one before it.
 const PAYS: f64 = 0.01;
 
 /// The corrections so far.

@@ -1,9 +1,9 @@
 //! Gaussian elimination with scaled partial pivoting in buffers that are made once (nalgebra's takes a new matrix each
 //! time).
 //!
-//! Columns are kept together, so that elimination and substitution add multiples of columns: sums that need no order,
-//! for the widest registers there are. Equations and unknowns are taken in the order of their couplings, fewest first, and
-//! what is zero is passed over: circuits that know of each other only through the rotor cost little.
+//! Columns are kept together: elimination and substitution then add multiples of columns, sums that need no order, for the
+//! widest registers there are. Equations and unknowns are taken in the order of their couplings, fewest first, and zeros
+//! are passed over: circuits that are coupled only through the rotor cost little.
 
 use pulp::{Arch, Simd, WithSimd};
 
@@ -190,7 +190,7 @@ mod tests {
             let entry = |i: usize, j: usize| {
                 let wave = ((3 * i + 7 * j + n) as f64).sin();
                 let unit = if i.is_multiple_of(3) { 1e9 } else { 1.0 };
-                // what is large stands beside the diagonal
+                // the large entries stand beside the diagonal
                 let large = if j == (i + 1) % n { 2.0 * n as f64 } else { 0.0 };
                 if large == 0.0 && (i * j + n).is_multiple_of(3) { 0.0 } else { unit * (wave + large) }
             };

@@ -79,7 +79,7 @@ mod tests {
 
     #[test]
     fn a_work_beside_the_motion_does_not_count() {
-        // of a state of size 1e76
+        // the last state is a work of size 1e76, on which no rate depends
         let radius = SpectralRadius::new(3).radius(&[0.0, 1.0, 0.0, -100.0, 0.2, 0.0, 0.0, 1e76, 0.0]);
         assert!((9.9..20.0).contains(&radius), "{radius}");
     }

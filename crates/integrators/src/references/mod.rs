@@ -4,12 +4,12 @@
 //! Gragg-Bulirsch-Stoer extrapolation; where it is, Radau IIA collocation with other nodes, another order and its own
 //! steps. The digits are what the chart may rely on: no more is claimed than the two share.
 //!
-//! What is stiff for a coarse tolerance need not be for the tightest one, whose steps are short by themselves: a circuit with
-//! diodes is left by an explicit method at 1e-7, and at 5e-31 its series takes three times as many steps as Gauss. So the run
-//! itself decides. Collocation judges a step at one of its ends; where a long one ends at the knee of a diode it is off by
-//! up to 5e6 tolerances with 11 stages of Radau IIA, by 6e5 with 12 of Gauss (each step beside the series from its own start; the
-//! median is below a tenth of a tolerance). Two collocations share 24.8 digits there, the series and Gauss 26.3, while a change
-//! of the start grows 70-fold in 5 s: what is lost is not the motion's.
+//! A problem that is stiff at a coarse tolerance need not be stiff at the tightest one, whose steps are short in any case: an
+//! explicit method gives up a circuit with diodes at 1e-7, but at 5e-31 its series takes only three times as many steps as Gauss.
+//! The run itself therefore decides. Collocation estimates the error of a step at one of its ends; where a long step ends at the
+//! knee of a diode, its error is up to 5e6 tolerances with 11 stages of Radau IIA, 6e5 with 12 of Gauss (each step beside the
+//! series from its own start; the median is below a tenth of a tolerance). Two collocations share 24.8 digits there, the series
+//! and Gauss 26.3, while a change of the start grows 70-fold in 5 s: the digits are lost by the methods, not by the motion.
 
 mod step_halving_check;
 
@@ -28,15 +28,16 @@ pub const ENOUGH_DIGITS: f64 = 20.0;
 /// The tightest tolerance that pays: five times below it rounding keeps Newton's iteration from its end.
 pub const TIGHTEST: f64 = 5e-31;
 
-/// What the difference of the two is multiplied by: errors of one sign may differ by less than either. Closed forms show true
+/// Factor on the difference of the two solutions: errors of one sign may differ by less than either. Closed forms show true
 /// errors up to 1.2 of the difference.
 const KEPT_BACK: f64 = 3.0;
 
 /// Evaluations of an explicit method in a coarse run after which an implicit one is asked.
 const COARSE_EVALUATIONS: u64 = 1_000_000;
 
-/// The product of Gauss' step and the spectral radius, on average, above which an explicit method would follow nothing but
-/// decay: a series of 60 terms, at the tightest tolerance, bears 23 in a step. Diodes come to 36, stiff windings to 500 and more.
+/// The product of Gauss' step size and the spectral radius, on average, above which stability, not accuracy, would limit the
+/// step of an explicit method: a series of 60 terms, at the tightest tolerance, bears 23 in a step. Diodes come to 36, stiff
+/// windings to 500 and more.
 const STIFF_STEP: f64 = 100.0;
 
 /// The share of the largest size below which a size may be rounding of a component that stays zero.
@@ -107,7 +108,7 @@ pub fn survey(system: &dyn System, span: &Span<'_, f64>) -> Result<Vec<f64>, Fai
     let implicit = Method::RadauIIA { stages: 3 };
     let explicit = coarse(system, span, Method::DormandPrince8, COARSE_EVALUATIONS);
     let (method, mut sizes) = match explicit {
-        // of explicit methods this one has double-doubles
+        // the explicit method that runs in double-double
         Ok(sizes) => (Method::GraggBulirschStoer, sizes),
         Err(refused @ Failure::Refused(_)) => return Err(refused),
         Err(_) => (implicit, coarse(system, span, implicit, span.budget.evaluations)?),

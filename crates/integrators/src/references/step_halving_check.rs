@@ -15,10 +15,10 @@ use crate::run::failure::Instant;
 use crate::{Failure, Method, Outcome, Record, Work};
 use std::fmt;
 
-/// What shorter steps say of a run that reached its end.
+/// The result of comparing a run that reached its end with runs of shorter steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Parting {
-    /// They come nearer: at most this share of a state's size apart with half the step.
+    /// They converge: with half the step, states differ by at most this share of their sizes.
     Follows { apart: f64 },
     /// They lead elsewhere from this time on.
     Parts { from: f64 },
@@ -28,7 +28,7 @@ pub enum Parting {
     Open,
 }
 
-/// That, with the work it took.
+/// The result, with the work it took.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Beside {
     pub parting: Parting,

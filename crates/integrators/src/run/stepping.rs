@@ -158,8 +158,8 @@ pub(crate) fn drive<S: Real>(
     watch.finish(end, meter)
 }
 
-/// Equal steps to the next place where one must land: their length does not change on the way, and the time is not a sum
-/// of them, whose rounding would grow with their number.
+/// Equal steps to the next time at which a step must end: their length does not change on the way, and the time is not
+/// computed as their sum, whose rounding would grow with their number.
 struct Even<S> {
     plan: Option<(S, S, S)>,
     all: u64,
@@ -204,13 +204,13 @@ fn shorten<S: Real>(proposed: f64, remaining: S) -> S {
     }
 }
 
-/// A state below so many times its tolerance, as where a run begins anew at a zero, is small beside its rate, which says nothing
-/// of the step.
+/// A state below so many times its tolerance, as where a run begins anew at a zero, is small beside its rate: their quotient
+/// gives no step size.
 const SMALL: f64 = 10.0;
 
-/// A first step for a method of order p (Gladwell, Shampine and Brankin 1987; Hairer, Norsett and Wanner, II.4): such
-/// that an explicit Euler step of a hundredth, and the second derivative it shows, stay within the tolerance. Within an
-/// accepted step, the whole length.
+/// A first step size for a method of order p (Gladwell, Shampine and Brankin 1987; Hairer, Norsett and Wanner, II.4),
+/// from the rates and their change over a trial Euler step, in units of the tolerance. Within an accepted step, the
+/// whole length.
 pub(crate) fn first_step<S: Real>(
     meter: &BudgetedRhs<S>,
     y: &[S],

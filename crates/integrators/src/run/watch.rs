@@ -241,7 +241,8 @@ impl<'a, 'm, S: Real> Watch<'a, 'm, S> {
         let time = self.time();
         let mut work = meter.work();
         (work.steps, work.rejected, work.outputs) = (self.steps, self.rejected, self.within.steps);
-        // what is small beside the whole motion is not lost, as at the beginning of one from rest
+        // a loss that is small beside the largest value along the motion is none, as at the beginning of a motion from
+        // rest
         let judged = |(_, deviation, largest): (S, Deviation, f64)| {
             let is_lost = deviation.largest > LOST * largest;
             let lost = deviation.lost.filter(|_| is_lost).map(|lost| Lost { size: largest, ..lost });

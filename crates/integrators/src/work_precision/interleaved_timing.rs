@@ -15,7 +15,7 @@ const LONG: Duration = Duration::from_millis(12);
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Median {
     pub seconds: f64,
-    /// How many measurements it is of.
+    /// The number of measurements of which this is the median.
     pub measurements: usize,
 }
 

@@ -19,7 +19,7 @@ pub struct Point {
     pub means: Means,
     /// None for a method with a constant step.
     pub tolerance: Option<f64>,
-    /// What the error function of the course says, or why there is no error.
+    /// The error by the benchmark's error function, or why there is none.
     pub error: Result<f64, Failure>,
     pub work: Work,
     /// The work in evaluations: see [`Attempt::evaluations`].
@@ -28,13 +28,13 @@ pub struct Point {
     pub time: Option<Median>,
 }
 
-/// What methods are to follow, and how far they are off.
+/// A problem that methods solve, and the measure of their errors.
 #[derive(Clone, Copy)]
 pub struct Benchmark<'a> {
     pub span: &'a Span<'a, f64>,
-    /// Of the state's components.
+    /// The sizes of the state's components.
     pub sizes: &'a [f64],
-    /// Of the states at the span's outputs.
+    /// The error of a record of the states at the span's outputs.
     pub error: &'a dyn Fn(&Record<f64>) -> f64,
 }
 

@@ -1,4 +1,5 @@
-//! What a choice costs beside the best: over many problems, for one method that serves them all.
+//! The regret of a choice of method, its cost over that of the best: over many problems, for one method that serves
+//! them all.
 //!
 //! The cost of a method at an error is read off its measured points, straight between neighbours where both axes are
 //! logarithms, and never beyond them: a method that was not seen to reach an error has no cost there. Its regret on a

@@ -1,4 +1,4 @@
-//! What a choice costs beside the best.
+//! Tests of costs and regrets.
 
 use dalembert_integrators::{Regrets, Trial, cost};
 

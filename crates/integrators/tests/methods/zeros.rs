@@ -134,7 +134,8 @@ fn events(
     }
 }
 
-/// What counts as zero may follow the tolerance.
+/// Compares the zeros found with the expected ones; the noise below which a signal counts as zero may follow the
+/// tolerance.
 fn check(of: &[f64], span: (f64, f64), expected: &[(f64, Happening)], (accuracy, noisy): (f64, bool)) {
     let of = Polynomial(of.to_vec().leak());
     for method in METHODS {

@@ -61,7 +61,7 @@ impl Model {
             parts[place] = match parts[place] {
                 Part::Scalar(_) if vanishes[place] => Part::Scalar(ZERO),
                 Part::Vector(_) if vanishes[place] => Part::Vector(Vector::Zero),
-                // what is left of a sum
+                // the other term of a sum is left
                 Part::Scalar(Scalar::Sum(a, b)) if vanishes[a.0] => parts[b.0],
                 Part::Scalar(Scalar::Sum(a, b) | Scalar::Difference(a, b)) if vanishes[b.0] => parts[a.0],
                 Part::Scalar(Scalar::Difference(a, b)) if vanishes[a.0] => Part::Scalar(Scalar::Negation(b)),

@@ -118,7 +118,7 @@ impl Elaborator<'_> {
             return wrong("the places of a table ascend");
         }
         let along = self.dimension_of(at.0);
-        // how far x is beyond each place, and zero before it
+        // max(x - place, 0) for each place of the table
         let beyond: Vec<ScalarId> = knots
             .iter()
             .map(|[x, _]| {

@@ -177,7 +177,7 @@ impl<'s> Elaborator<'s> {
         let constant = self.constant_of(&scalar);
         let order = self.orders.of_scalar(&self.model, &scalar);
         let id = self.arena().scalar(scalar, dimension);
-        // what was written before has its dimension
+        // a scalar that was there before has its dimension already
         if id.0 == self.dimensions.len() {
             self.dimensions.push(dimension);
             self.constants.push(constant);
@@ -238,7 +238,7 @@ impl<'s> Elaborator<'s> {
         };
         match fault {
             Some(fault) => {
-                // what stands for it elsewhere may mean either
+                // uses of this name elsewhere are ambiguous and not reported
                 self.broken.insert(text.to_owned());
                 self.faults.push(fault);
             }

@@ -1,7 +1,7 @@
 //! Loads that brake a motion one way and drive it the other way: the resistance of a fan as -c w^2.
 //!
-//! Where speeds change their signs, the part of the power of a load that has their even powers stays: viscous friction takes energy either way. The part
-//! of their third power, and of higher odd ones, changes its sign. The first power is that of a load that does not depend on speeds.
+//! Where speeds change their signs, the part of a load's power with their even powers stays: viscous friction takes energy either way. The part with
+//! their third power, and with higher odd ones, changes its sign. The first power belongs to a load that does not depend on speeds.
 
 use crate::equations::vanishes;
 use crate::{Along, Fault, Force, Model, Torque, Trace};

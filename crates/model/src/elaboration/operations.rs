@@ -151,7 +151,7 @@ impl Elaborator<'_> {
         if matches!(exponent.denominator, 1 | 2) {
             return Ok(Value::Scalar(self.bounded(span, Scalar::Power(a, exponent), dimension)?));
         }
-        // of a positive number, in SI units: exp(ln(a) n/d)
+        // any other power of a positive number, in SI units: exp(ln(a) n/d)
         let number = |value: i32| Scalar::Number(Number { value: f64::from(value), times: 1.0, per: 1.0 });
         let none = Some(Dimension::none());
         let logarithm = self.bounded(span, Scalar::Elementary(Elementary::Ln, a, a), none)?;

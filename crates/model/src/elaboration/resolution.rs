@@ -83,7 +83,7 @@ impl Elaborator<'_> {
         self.model.equilibrium.clone_from(&self.source.equilibrium);
         let Elaborator { source, mut model, mut faults, headless, loads, reaction_letters, .. } = self;
         model.warnings.sort_by_key(|warning| warning.span.start);
-        // what stands under a wrong heading is missing elsewhere: these faults explain others
+        // keys under a wrong heading are missing elsewhere: these faults explain others
         if !headless.is_empty() {
             faults = headless.into_iter().map(|(_, fault)| fault).collect();
         }

@@ -1,8 +1,8 @@
 //! The motions that constraints leave: dependent speeds by independent ones.
 //!
-//! With the constraints' rates J u + b = 0 the dependent speeds are u_d = A w + a, and every admissible displacement is a combination
-//! of the directions N = du/dw, for which J N = 0. Which speeds are dependent is found at a random point, a pivot for each equation;
-//! those in whose columns the shortest expressions stand come first, unless they are no pivots at the start.
+//! With the constraints' rates J u + b = 0 the dependent speeds are u_d = A w + a, and every admissible displacement is a
+//! combination of the directions N = du/dw, for which J N = 0. The dependent speeds are chosen at a random point, a pivot for each
+//! equation; those in whose columns the shortest expressions stand come first, unless they are no pivots at the start.
 
 use super::constraints::Equation;
 use super::generic_point::pivots;

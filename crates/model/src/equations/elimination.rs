@@ -1,7 +1,7 @@
-//! Accelerations and multipliers by elimination, unrolled: M = L D L^T, then the same of J M^-1 J^T.
+//! Accelerations and multipliers by elimination, unrolled: M = L D L^T, then likewise J M^-1 J^T.
 //!
-//! Pivots are taken in order. M is positive definite where the system is regular, so that every pivot is positive there; entries
-//! that are the constant zero cost nothing.
+//! Pivots are taken in order. M is positive definite where the system is regular, and every pivot is positive there; entries
+//! which are the constant zero cost nothing.
 
 use super::{Equations, Solved, vanishes};
 use std::collections::BTreeSet;

@@ -117,7 +117,7 @@ impl<'t, 'm> Backward<'t, 'm> {
             | Scalar::Pi
             | Scalar::Switch(_)
             | Scalar::Step(_) => {}
-            // of outputs alone, and of contacts, which no constraint holds
+            // scalars of outputs alone, and those of contacts, which no constraint holds
             Scalar::Reaction { .. }
             | Scalar::Contact { .. }
             | Scalar::KineticEnergy

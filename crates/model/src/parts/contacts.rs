@@ -85,7 +85,7 @@ pub struct Contact {
     pub through: Option<PointId>,
     /// Whether it is a guide along an axis.
     pub is_line: bool,
-    /// Of a guide that the coordinates satisfy: the place of its coordinate in the released model.
+    /// The place of its coordinate in the released model, for a guide which the coordinates satisfy.
     pub guide: Option<usize>,
     /// Whether it is in touch at the start, which is completed so.
     pub is_touching: bool,

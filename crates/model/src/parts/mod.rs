@@ -134,7 +134,7 @@ pub enum Defined {
     },
 }
 
-/// What the position of a point holds.
+/// The variables on which the position of a point depends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Moves {
     /// Coordinates and the time alone: it has a velocity and an acceleration.

@@ -8,9 +8,9 @@ use crate::{Defined, FrameId, Material, Moves, PointId, Trace, Turn, Vector};
 use num_traits::Zero;
 use symbolic::Sym;
 
-/// Of every frame its angular velocity; of every point of `[points]` and of definitions, and of every centre of mass that is no such
-/// point, its position, velocity and acceleration; vectors of definitions; forces and torques, one for each point or frame that they
-/// act on, weights beside them; then the joint of every body, about which its torque is.
+/// The angular velocity of every frame; position, velocity and acceleration of every point of `[points]` and of definitions, and of
+/// every centre of mass that is no such point; vectors of definitions; forces and torques, one for each point or frame that they act
+/// on, weights beside them; then the joint of every body, about which its torque is.
 pub fn vectors(trace: &Trace<'_>) -> Vec<String> {
     let (model, mut reading) = (trace.model, reading_of(trace));
     let mut lines = Vec::new();

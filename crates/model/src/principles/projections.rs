@@ -42,7 +42,7 @@ impl fmt::Display for Projection {
 ///   lost_j = sum (dT/du_d) (d/dt du_d/dw_j - X_j(u_d)) .
 ///
 /// Turns of a free frame add w x dT/dw to both operators, with the momenta of T* on the left and those of T on the right; a difference
-/// of the two is a part of what is lost.
+/// between the two is a part of the lost term.
 ///
 /// The lost term vanishes where the constraints are integrable, or where the momenta are that it multiplies.
 #[derive(Clone, Debug)]
@@ -71,7 +71,7 @@ pub fn operator(trace: &Trace<'_>, characteristics: &Characteristics, motion: &S
     };
     let turned = |j: usize| motion.on_constraints(&[trace.transposition(j, |k| trace.by_speed(reduced, k))])[0];
     let energy = |(place, &j): (usize, &usize)| rate(trace.by_speed(reduced, j)) + turned(j) - along(reduced, place);
-    // what turns of free frames do to the momenta of T* less what they do to those of T along the same displacement
+    // the term by turns of free frames with the momenta of T* less that with those of T along the same displacement
     let of_whole = |i: usize| trace.transposition(i, |k| trace.by_speed(kinetic, k));
     let whole: Vec<Sym> = (0..trace.speeds.len()).map(of_whole).collect();
     let whole = motion.on_constraints(&characteristics.along(&whole));

@@ -1,5 +1,5 @@
-//! The equations J u' + c = 0 keep the constraints: their left side is the second rate of a constraint of positions and the first of one
-//! of speeds, found a second time by partial derivatives alone; with the gains of a constraint that is led to zero.
+//! The equations J u' + c = 0 keep the constraints: their left side is the second rate of a constraint on positions and the first of one
+//! on speeds, found a second time by partial derivatives alone; with the gains of a constraint that is led to zero.
 
 use super::reaction_power::{ReactionPower, multiplier};
 use super::{Statement, piecewise, residual, while_inputs_rest};

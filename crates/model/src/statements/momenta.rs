@@ -10,7 +10,7 @@ use symbolic::Sym;
 
 /// Speeds whose momenta dT/du are kept, with these momenta.
 pub fn kept_momenta(trace: &Trace<'_>) -> Vec<(usize, Sym)> {
-    // what leaves with a varying mass takes momentum along
+    // a mass that leaves takes momentum along
     if trace.varies() {
         return Vec::new();
     }

@@ -6,7 +6,7 @@
 //!
 //! where P is the power of all forces without a potential on the velocities less those at u = 0, and m are the masses and moments of
 //! inertia that vary: the equations take them as solidified. Along a motion R is the reaction J^T lambda, whose power sum lambda J u is
-//! that of [`ReactionPower`]. Where T is homogeneous of second degree in the speeds, H is T + V.
+//! given by [`ReactionPower`]. Where T is homogeneous of second degree in the speeds, H is T + V.
 
 use super::reaction_power::{ReactionPower, or_zero, sum_written};
 use super::{Statement, piecewise, residual, while_inputs_rest};

@@ -11,8 +11,8 @@ use symbolic::Sym;
 ///   F . (v + w x (P - J)) + T . w = F . v + (T + (P - J) x F) . w .
 ///
 /// Weights of bodies, given loads, and those of the joints above are carried down so; the power of a joint's load on its parent is
-/// that of the load which the parent carries further. From the last links down nothing is left but the power of inertia and of given
-/// loads on the partial velocities of the points at which they act.
+/// the power of the load which the parent carries further. From the last links down nothing is left but the power of inertia and of
+/// given loads on the partial velocities of the points at which they act.
 pub(super) fn carried() -> Equations {
     let frames = Frames::turning_at(Vector::ZERO);
     let [force, torque, velocity, turning, arm] = ["F", "T", "v", "w", "r"]

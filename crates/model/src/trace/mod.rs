@@ -358,7 +358,7 @@ fn step(x: Sym) -> Sym {
     (Sym::ONE + (large * x).elementary(Elementary::Tanh, large * x)) / (Sym::ONE + Sym::ONE)
 }
 
-/// Of numbers above 1e-298 the hyperbolic tangent is one.
+/// The factor c of the step function above: tanh(c x) is one for every x above 1e-298.
 const STEEP: f64 = 1e300;
 
 /// A power or a function, of an argument.

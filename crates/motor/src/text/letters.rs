@@ -1,4 +1,4 @@
-//! What the expressions of a motor may be made of, and why.
+//! The letters and operations that the expressions of a motor may contain, with the reasons for refusing others.
 
 use symbolic::{Dimension, HIGHEST_MULTIPLE, Node, Reason, Sym, Vocabulary, dimension};
 
@@ -9,7 +9,7 @@ pub const SLIP: &str = "g'";
 /// phi', the speed relative to the stator.
 pub const SPEED: &str = "phi'";
 
-/// What a voltage of conductors that slide is.
+/// The accepted form of a voltage of sliding conductors.
 const AFFINE: &str = "affine in the currents: a constant, and constant multiples of them";
 
 /// The voltages that a law would have to hold if windings induced in each other.
@@ -18,7 +18,7 @@ pub const INDUCED: &str = "no winding induces in another: M di/dt stands in no l
 /// The largest numerator and denominator of a number in a law.
 const DIGITS: i32 = 18;
 
-/// What of the motion an expression may know.
+/// The variables of the motion that an expression may contain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum KnownMotion {
     /// Parameters alone.

@@ -14,8 +14,8 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 use units::nearest;
 
-/// A table, the keys that were asked for, and what was found wrong. A value that is wrong is replaced by a harmless one,
-/// so that reading goes on and all that is wrong is told at once; a file with issues gives no scene.
+/// A table, the keys that were asked for, and the errors found. A wrong value is replaced by a harmless one: reading
+/// goes on, and all errors are told at once; a file with errors gives no scene.
 pub struct Table<'a> {
     /// As it stands in brackets; empty for the top of the file.
     name: String,

@@ -51,14 +51,15 @@ const MOST_REJECTIONS: u32 = 60;
 /// Rejections in a row after which Newton's iteration is thought to be at rounding.
 const STALLED: u32 = 12;
 
-/// So many attempts are looked at, of which at least this share must be rejected for the same to be thought.
+/// The number of attempts in a window, and the share of rejected ones among them at which Newton's iteration also
+/// counts as stalled.
 const WINDOW: u32 = 200;
 const MOSTLY: f64 = 0.3;
 
-/// What is left by Newton's iteration is multiplied by this where it stalls.
+/// Factor by which the size of corrections that ends Newton's iteration is enlarged where the iteration stalls.
 const LOOSER: f64 = 10.0;
 
-/// How much larger a state may become before what Newton may leave is found anew.
+/// Growth of the state, as a factor, after which that size is computed anew.
 const GROWN: f64 = 2.0;
 
 /// Runs one method to the end of the span, or to its failure.
@@ -206,7 +207,7 @@ fn in_form<Y: Components>(
     watch.finish(end, meter)
 }
 
-/// What Newton's iteration may leave.
+/// The size of corrections at which Newton's iteration ends.
 #[derive(Clone, Copy)]
 struct Left {
     choice: Choice,
@@ -219,8 +220,8 @@ struct Left {
 }
 
 impl Left {
-    /// Of Radau5 in units of its inner tolerance, 0.1 relative^(2/3): Hairer's rule, which the crate replaces by a constant. Of
-    /// Kvaerno's pair the largest component: a tenth of the finest absolute tolerance, or ten roundings of the state.
+    /// For Radau5 in units of its inner tolerance, 0.1 relative^(2/3): Hairer's rule, which the crate replaces by a constant.
+    /// For Kvaerno's pair the largest component: a tenth of the finest absolute tolerance, or ten roundings of the state.
     fn by_newton(choice: Choice, tolerance: &Tolerance, state: &[f64], looser: f64) -> Self {
         let scale = state.iter().fold(0.0_f64, |scale, y| scale.max(y.abs()));
         let (least, most) = match choice {
@@ -247,7 +248,7 @@ impl Left {
     }
 }
 
-/// How to go on after some steps.
+/// The data with which the method goes on after some steps.
 struct Next {
     step: f64,
     /// No step was rejected.

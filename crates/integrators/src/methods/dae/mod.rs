@@ -54,7 +54,7 @@ impl Holding {
         }
     }
 
-    /// How many.
+    /// The number of steps over the span.
     pub fn steps(self) -> u32 {
         match self {
             Holding::HalfExplicitEuler { steps }

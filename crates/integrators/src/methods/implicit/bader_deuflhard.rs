@@ -6,11 +6,12 @@
 //! powers of h (Bader and Deuflhard, Numer. Math. 41, 1983), extrapolated over n_j = 6, 10, 14, 22, 34, 50, 70, 98. The mean
 //! adds 3/2 h^2 y'', however short the way: k rows are of order 2 k - 1. One Jacobian a step, one factorisation a row.
 //!
-//! Why four points. What fades as exp(-r t) with r h >> 1 changes sign at every second substep and hardly fades,
-//! z_{k+1} = -(1 - 2/(r h)) z_{k-1}; the first substep leaves h^3 y'''/3 of it. The mean of two points (Bader and
-//! Deuflhard's) leaves 1/(r h) of that, and over the row exp(-n^2/(r H)) of that: expanded in n^2 this has the term
-//! H y'''/(3 r^2), the same in every row, which no extrapolation removes. Four points leave 1/(r h)^3, a term y'''/(3 r^3).
-//! Hairer and Wanner, Solving Ordinary Differential Equations II (1996), IV.9. The only crate with it is not looked after.
+//! Why four points. A component that decays as exp(-r t) with r h >> 1 changes sign at every second substep and hardly
+//! decays, z_{k+1} = -(1 - 2/(r h)) z_{k-1}; the first substep leaves h^3 y'''/3 of it. The mean of two points (Bader and
+//! Deuflhard's) leaves 1/(r h) of that, and over the row exp(-n^2/(r H)) of that: expanded in n^2 this has the term H
+//! y'''/(3 r^2), the same in every row, which no extrapolation removes. Four points leave 1/(r h)^3, a term y'''/(3 r^3).
+//! Hairer and Wanner, Solving Ordinary Differential Equations II (1996), IV.9. The only crate with this method is not
+//! maintained.
 
 use crate::Tolerance;
 use crate::law::jacobian::Jacobian;
@@ -22,7 +23,7 @@ use crate::run::stepping::{Attempt, Cause, Stepper};
 
 /// n_j.
 const SUBSTEPS: [usize; 8] = [6, 10, 14, 22, 34, 50, 70, 98];
-/// How far beyond the end the mean of a row looks, in substeps.
+/// Substeps beyond the end of the step that the mean of a row uses.
 const BEYOND: usize = 3;
 /// The work of a Jacobian and of a factorisation, in substeps: as measured with 15 states.
 const JACOBIAN: f64 = 5.0;

@@ -24,7 +24,7 @@ const MOST_ITERATIONS: usize = 30;
 const MOST_KEPT: usize = 6;
 /// Iterations still to come that make fresh Jacobians pay.
 const PATIENCE: f64 = 8.0;
-/// What Newton may leave of the tolerance.
+/// The share of the tolerance that Newton's iteration may leave as error.
 const LEFT_BY_NEWTON: f64 = 0.01;
 /// The Jacobian is kept for the next step if the last correction is at most this part of the one before it.
 const KEEPS_JACOBIAN: f64 = 0.01;
@@ -285,8 +285,8 @@ impl<'a, S: Real> Implicit<'a, S> {
             (0..=degree).for_each(|_| self.through_modes());
             let pairs = self.defect.iter_mut().zip(&self.plain);
             pairs.for_each(|(defect, before)| *defect = small * before - large * *defect);
-            // how much the Jacobian varies is seen by what it leaves of a correction; a change in proportion to the time is hidden from M,
-            // its square is not
+            // the ratio of corrections shows how much the Jacobian varies; a change in proportion to the time is hidden from M, its square
+            // is not
             self.tolerance.norm(y, after, |c| self.defect[c]) + filtered * (varies + (2.0 * self.rate).powi(2)).min(1.0)
         } else {
             let half_turn = 0.5 * step.approx() * self.radius;

@@ -61,12 +61,12 @@ impl<T> Taylor<T> {
             self.allowed(y)
         };
         let shown = self.source.shown();
-        // what is not a number stays so
+        // NaN stays NaN, which `min` would drop
         if shown < reach { shown } else { reach }
     }
 
-    /// How far the series goes: with s_k the largest coefficient of order k in units of what is allowed, the smaller one of
-    /// s_k^(-1/k), k = p - 1, p.
+    /// The longest step that the series allows: with s_k the largest coefficient of order k in units of the allowed error,
+    /// the smaller one of s_k^(-1/k), k = p - 1, p.
     #[inline]
     fn allowed<S: Real>(&self, y: &[S]) -> f64
     where

@@ -1,13 +1,13 @@
-//! How many orders of a series in a finer field need all of its digits.
+//! The number of orders of a series in a finer field that need all of its digits.
 //!
-//! The term of order k is of the size of the tolerance^(k/p): of high orders a few digits are enough, and those of `f64` more than
-//! enough. With d the relative error of a term that is rounded, those orders need all digits for which
+//! The term of order k is of the size of the tolerance^(k/p): high orders need a few digits only, fewer than `f64` has. With d the
+//! relative error of a rounded term, all digits are needed by those orders for which
 //!
-//!   d |a_k| h^k > what is allowed of a step.
+//! d |a_k| h^k > the error allowed in a step.
 //!
-//! What d is the law decides: products that cancel may be a thousand times as large as what is left of them. So it is
-//! measured, by terms that were found with more orders in full: at the first step, after so many, and wherever steps or terms are
-//! no longer of the size that they were there. At the knees of diodes that is every few steps.
+//! The law decides how large d is: products that cancel may be a thousand times as large as their sum. Therefore d is measured,
+//! with terms that were found with more orders in full: at the first step, after some steps, and wherever steps or terms are no
+//! longer of the size that they had there. At the knees of diodes that is every few steps.
 
 use super::{Taylor, TaylorSeries};
 use crate::Real;
@@ -15,7 +15,7 @@ use crate::Real;
 /// The least relative error that is reckoned with: a term's own rounding, and that of some terms it comes from.
 const LEAST: f64 = 8.0 * f64::EPSILON;
 
-/// What is measured at one step is taken so many times, and of the largest before it half is still believed.
+/// Safety factor of a measured error, and the share of the error before it below which the new one does not fall.
 const TIMES: f64 = 16.0;
 const KEPT: f64 = 0.5;
 
@@ -29,7 +29,8 @@ const LARGER: f64 = 10.0;
 /// And for as many orders in full, up to so many more or fewer: where products cancel, d may double from one order to the next.
 const NEAR: usize = 2;
 
-/// So many orders more are in full where it is measured; where it is not, the terms of so many more are looked at.
+/// Orders that are in full beyond the last one where rounding is measured, and orders beyond it whose terms are
+/// examined elsewhere.
 const MORE: usize = 4;
 const WEIGHED: usize = 8;
 
@@ -37,7 +38,7 @@ const WEIGHED: usize = 8;
 /// need one more.
 const CHOSEN: f64 = 0.25;
 
-/// What the steps so far tell of rounding.
+/// The rounding error of terms, as measured along the steps so far.
 #[derive(Clone, Debug)]
 pub(super) struct Rounding {
     /// The last order in full.
@@ -45,9 +46,9 @@ pub(super) struct Rounding {
     /// Relative, of a term.
     error: f64,
     measured: Measured,
-    /// For each component 1 over what is allowed of it.
+    /// For each component 1 over its allowed error.
     shares: Vec<f64>,
-    /// Of the first orders, from 1 on, the term at the end of the step, in what is allowed.
+    /// The sizes of the terms of the first orders, from 1 on, at the end of the step, in units of the allowed error.
     sizes: Vec<f64>,
     /// Room for terms to compare with.
     terms: Vec<f64>,

@@ -16,7 +16,7 @@ pub fn taylor_order(tolerance: f64) -> usize {
     (order.ceil() as usize).clamp(16, 60)
 }
 
-/// How far a series of order p reaches whose last two coefficients have these sizes, in units of what is allowed.
+/// The longest step of a series of order p whose last two coefficients have these sizes, in units of the allowed error.
 // without branches, and always inlined here and below: in lanes it is computed for all at once
 #[inline(always)]
 pub(crate) fn reach(order: usize, last: f64, one_before: f64) -> f64 {

@@ -8,8 +8,8 @@
 //! its multiplier vanishes along every motion, so that it moves the coordinate and acts on nothing. Where constraints tie several such
 //! coordinates, as Kirchhoff's law ties the currents of a node, the combinations that these leave have a law each.
 //!
-//! A law that holds a condition or the voltage of a diode has a solution of its own in each case of these. It is no constraint: the speeds
-//! that it determines, and those that hang together with them, are algebraic unknowns of the case.
+//! A law that contains a condition or the voltage of a diode has a solution of its own in each of their cases. It is no constraint: the
+//! speeds which it determines, and those coupled to them, are algebraic unknowns of the case.
 
 mod directions;
 mod groups;

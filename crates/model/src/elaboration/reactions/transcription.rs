@@ -10,8 +10,8 @@ use symbolic::{Node, Sym};
 /// Digits of a whole number that a number of a model holds exactly.
 const DIGITS: usize = 15;
 
-/// The expressions of a model with scalars that hold the letters of its trace, and where each of these stands; none where one holds a letter
-/// that the model does not have.
+/// The expressions of a model with scalars that hold the letters of its trace, and the place of each of these; `None` where one holds a
+/// letter which the model does not have.
 pub(in crate::elaboration) fn transcribed(trace: &Trace<'_>, scalars: &[Sym]) -> Option<(Arena, Vec<ScalarId>)> {
     let mut arena = trace.model.arena.clone();
     let mut known = letters(trace.model, trace, &mut arena);

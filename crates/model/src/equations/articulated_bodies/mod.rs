@@ -71,7 +71,7 @@ impl<'t, 'm> ArticulatedBodies<'t, 'm> {
     /// None where bodies form no such tree, or a speed moves nothing with a mass.
     fn of(trace: &'t Trace<'m>) -> Option<Self> {
         let energies = &trace.model.energies;
-        // what is given as an energy has no links
+        // a system given by energies has no links
         if energies.kinetic.is_some() || energies.coenergy.is_some() || trace.speeds.is_empty() {
             return None;
         }

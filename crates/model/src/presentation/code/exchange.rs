@@ -96,7 +96,7 @@ pub fn exchange(trace: &Trace<'_>, form: &MatrixForm, start: &[f64]) -> Result<S
         [named(&format!("{d}a"), form.accelerations.len()), named(&format!("{d}lambda"), form.multipliers.len())]
             .concat()
     };
-    // of a letter and of its change
+    // the letter for the differential of a letter
     let change = |letter: &Sym| Sym::symbol(&format!("change of {letter}"));
     let given: Vec<Sym> = form.parameters.iter().chain(&form.inputs).copied().collect();
     let moving = std::iter::once((form.time, "dt".to_owned()));

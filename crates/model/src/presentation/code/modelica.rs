@@ -154,7 +154,7 @@ pub fn modelica(trace: &Trace<'_>, form: &MatrixForm, name: &str, start: &[f64])
     for (name, rate) in state.iter().zip(rates.iter().chain(&accelerations)) {
         let _ = writeln!(text, "  der({name}) = {rate};");
     }
-    // what is zero for good is left out
+    // terms that are constantly zero are left out
     let sum = |terms: Vec<(&String, &String)>, last: &String| {
         let kept = terms.into_iter().filter(|(factor, _)| !is_zero(factor));
         let terms = kept.map(|(factor, of)| format!("{}*{of}", signed(factor)));

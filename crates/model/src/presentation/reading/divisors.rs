@@ -13,7 +13,7 @@ impl Reading {
         if let Some(inverse) = below.inverse() {
             return Some(inverse);
         }
-        // what all terms share stands outside, as do factors: 4*cos(f)^2, and not 2*2*cos(f)*cos(f)
+        // the common factor of all terms stands outside, as do factors: 4*cos(f)^2, and not 2*2*cos(f)*cos(f)
         let terms: Vec<(Monomial, Rational)> = below.terms().map(|term| (term.monomial, term.coefficient)).collect();
         let outside = Term { monomial: common(&terms), wave: Wave::default(), coefficient: content(&terms) };
         let outside = Sum::of(outside).inverse()?;

@@ -114,7 +114,7 @@ fn parts(number: Rational) -> (Sym, Sym) {
     const LARGEST: i64 = 1_000;
     let small = number.to_big().and_then(|big| {
         let below = i64::try_from(big.denominator()).ok().filter(|below| *below <= LARGEST)?;
-        // of decimals that people write: they print as such
+        // decimals as people write them, with a denominator of twos and fives, print as such
         let mut rest = below;
         for prime in [2, 5] {
             while rest % prime == 0 {

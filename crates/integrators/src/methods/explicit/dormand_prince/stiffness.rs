@@ -75,7 +75,7 @@ impl<'a> Stiffness<'a> {
         Jacobian::of(self.system).matrix(meter.time(tau), state, &mut matrix);
         meter.count_jacobian();
         let radius = SpectralRadius::new(n).radius(&matrix);
-        // what is no number denies nothing
+        // a radius that is NaN denies nothing
         let is_denied = step * radius < OF_STABLE * stable;
         if is_denied {
             (self.limited, self.others) = (0, 0);
