@@ -9,7 +9,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use symbolic::linear::Solve;
 use symbolic::{Node, Sym, Tape, Untapeable};
 
-/// What a quantity is.
+/// The definition of a quantity.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Definition {
     /// A state, time, a coordinate of a circle point, or an elementary function: found by its rate.
@@ -162,7 +162,7 @@ impl<'a> Builder<'a> {
     }
 
     fn form(&mut self, each: Sym) -> Result<Form, Untapeable> {
-        // What is made of constants is a coefficient as it stands; what has cancelled is none, whatever it is made of.
+        // an expression of constants is one coefficient as it stands; one whose parts only cancel to constants is not
         let fixed = each.node().children().all(|child| self.forms[&child].as_constant() == Some(child));
         Ok(match each.node() {
             Node::Constant(_) if each == Sym::UNDEFINED => return Err(Untapeable::Undefined),

@@ -32,7 +32,7 @@ pub struct Expansion<S: Fused, const W: usize, const N: usize = 256> {
     values: Vec<S>,
 }
 
-/// How the orders are found.
+/// The way in which the orders are computed.
 #[derive(Clone, Debug)]
 enum Way<S: Fused, const W: usize, const N: usize> {
     Stages(Stages<S, W, N>),
@@ -165,5 +165,5 @@ impl<S: Fused> Task<S> for Points<'_, S> {
     }
 }
 
-/// So wide is a group in the small series.
+/// The width of a group in the small series.
 const GROUP: usize = 8;

@@ -20,7 +20,7 @@ pub trait Fused: Analytic + Magnitude + Over<f64> + From<f64> {
     #[allow(private_bounds)]
     type Stored: Stored<Self>;
 
-    /// How small right-hand sides are expanded.
+    /// The series of small right-hand sides.
     #[doc(hidden)]
     #[allow(private_bounds)]
     type Small: SmallSeries<Self>;
@@ -141,7 +141,7 @@ fn otherwise<S: Fused>(arch: pulp::Arch, task: impl Task<S>) {
     match arch {
         #[cfg(target_arch = "x86_64")]
         pulp::Arch::V3(wide) => pulp::Simd::vectorize(wide, With(task, OneByOne::<true>, PhantomData)),
-        // what does not fill the widest registers needs no code of its own for them
+        // work that does not fill the widest registers needs no code of its own for them
         #[cfg(target_arch = "x86_64")]
         pulp::Arch::V4(widest) => pulp::Simd::vectorize(*widest, With(task, OneByOne::<true>, PhantomData)),
         #[cfg(not(target_arch = "x86_64"))]
@@ -169,7 +169,7 @@ pub(crate) fn in_wide(work: impl pulp::WithSimd<Output = ()>) {
     }
 }
 
-/// What the processor has, asked once: to ask takes as long as a small task.
+/// The widest registers of the processor, asked once: asking takes as long as a small task.
 #[inline]
 pub(crate) fn widest() -> pulp::Arch {
     static FOUND: OnceLock<pulp::Arch> = OnceLock::new();

@@ -4,8 +4,8 @@ use super::build::{Builder, Definition, Part};
 use super::form::{Atom, Form};
 
 impl Builder<'_> {
-    /// The same with c^2 + s^2 = 1 wherever the squares of a circle point count alike: kinetic energies are full of them, and a divisor
-    /// that is left without a quantity is none.
+    /// Puts c^2 + s^2 = 1 wherever the squares of both coordinates of a circle point have one coefficient: kinetic energies are full of
+    /// them, and a divisor in which no quantity is left becomes a constant.
     pub fn on_circles(&self, mut form: Form) -> Form {
         for &cos in &self.circles {
             let squares = [cos, cos + 1].map(|point| (point, point));

@@ -171,7 +171,7 @@ impl<const W: usize> Layout<f64, W> {
     }
 }
 
-/// How many columns a plan takes with groups of W.
+/// The number of columns that a plan takes with groups of W.
 pub(super) fn width(plan: &Plan, lanes: usize) -> usize {
     let stage = |stage: &super::plan::Stage| {
         let single = (stage.quotients.len() + stage.roots.len()).next_multiple_of(lanes);
@@ -190,7 +190,7 @@ impl<S: Scalar, const W: usize> Rows<S, W> {
             for &(row, coefficient) in sums.constants.iter().filter(|(row, _)| inside(*row)) {
                 constant_of[row as usize % W] = coefficient;
             }
-            // what is known first comes first
+            // terms come in the order in which their columns become known
             let mut own: Vec<_> = sums.terms.iter().filter(|(row, ..)| inside(*row)).collect();
             own.sort_by_key(|(_, place, _)| columns.of(*place));
             let mut terms: Vec<(u16, [u32; W])> = Vec::new();

@@ -1,15 +1,15 @@
 //! Taylor series of the solutions of y' = f(t, y), from f brought to two kinds of steps: sums and products.
 //!
-//! Of a sum with constant coefficients the series is the sum of the series, of a product it is Cauchy's:
-//! (a b)_k = sum_j a_j b_(k-j). Everything else is brought to these two. Cosine and sine of an angle become states with
-//! c' = -a' s, s' = a' c; a quotient solves (q b)_k = a_k, a root (r r)_k = a_k, each a product solved for its last term.
+//! The series of a sum with constant coefficients is the sum of the series, that of a product is Cauchy's: (a b)_k =
+//! sum_j a_j b_(k-j). Everything else is brought to these two. Cosine and sine of an angle become states with c' = -a' s,
+//! s' = a' c; a quotient solves (q b)_k = a_k, a root (r r)_k = a_k, each a product solved for its last term.
 //!
 //! Unknowns of linear equations are found order by order with one factorisation of the matrix: see [`algebra::linear`].
 //!
-//! The cost of a series is the number of products, times the square of its order, and that of the sums times the order.
-//! So sums are kept in one piece, products of sums are multiplied out where their parts are needed elsewhere
-//! (slip cos, slip sin), and what has a factor in common is gathered: seven currents, each with the field at its own
-//! angle, are two products.
+//! The cost of a series is the number of products times the square of its order, plus the number of terms of the sums
+//! times the order. Sums are therefore kept in one piece, products of sums are multiplied out where their parts are
+//! needed elsewhere (slip cos, slip sin), and terms with a common factor are gathered: seven currents, each with the
+//! field at its own angle, take two products.
 //!
 //! For whoever integrates with long steps and to many digits: a law is recorded once over expressions, and its series then runs
 //! over `f64`, double-double, duals and lanes, at any values of its parameters.
@@ -129,12 +129,12 @@ impl Recurrence {
         self.plan.states
     }
 
-    /// How many columns an expansion by groups of `W` takes.
+    /// The number of columns that an expansion in groups of `W` takes.
     pub fn columns<const W: usize>(&self) -> usize {
         layout::width(&self.plan, W)
     }
 
-    /// How many products of two series there are, and how many terms all sums have together.
+    /// The number of products of two series, and the number of terms of all sums together.
     pub fn size(&self) -> (usize, usize) {
         (self.plan.products(), self.plan.terms())
     }

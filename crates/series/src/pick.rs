@@ -1,7 +1,7 @@
 //! Taking numbers from several columns into one group: the factors of the products.
 //!
-//! Of all that is done for one order this would take longest: loading eight numbers one by one costs as much as all sums.
-//! Where the processor permutes whole registers, two of them hold sixteen columns, and a permutation is one instruction.
+//! No other work on an order would take longer: loading eight numbers one by one costs as much as all sums. Where the
+//! processor permutes whole registers, two of them hold sixteen columns, and a permutation is one instruction.
 
 use super::fused::Fused;
 use super::order::add;
@@ -32,7 +32,7 @@ impl<const W: usize> Selection<W> {
 
 /// A way of taking, and of adding products.
 ///
-/// What works with eight at a time does so in loops: a closure is compiled for any processor before it is inlined, and one that
+/// Functions on eight numbers at a time use loops: a closure is compiled for any processor before it is inlined, and one that
 /// is too long for that would call each instruction.
 pub(crate) trait Pick<S: Fused>: Copy {
     /// Whether a product and a sum are rounded once.

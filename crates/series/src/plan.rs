@@ -9,10 +9,10 @@ use symbolic::Sym;
 /// A quantity in the plan.
 pub(super) type Slot = u32;
 
-/// What is computed for each order: the stages, then the rates.
+/// The work of each order: the stages, then the rates.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Plan {
-    /// How many states there are; their places come first, then time, if it has one, then the circle points.
+    /// The number of states; their places come first, then time, if it has one, then the circle points.
     pub states: usize,
     pub time: bool,
     /// All places with a rate.
@@ -20,7 +20,7 @@ pub(super) struct Plan {
     pub stages: Vec<Stage>,
     /// Row i is the rate of place i.
     pub rates: Sums,
-    /// How many coefficients the sums draw on.
+    /// The number of coefficients in the sums.
     pub coefficients: usize,
 }
 
@@ -205,12 +205,12 @@ impl Plan {
         (plan, coefficients.all)
     }
 
-    /// How many products of two series there are.
+    /// The number of products of two series.
     pub fn products(&self) -> usize {
         self.stages.iter().map(|stage| stage.products.len() + stage.quotients.len() + stage.roots.len()).sum()
     }
 
-    /// How many terms all sums have.
+    /// The number of terms of all sums.
     pub fn terms(&self) -> usize {
         self.stages.iter().map(|stage| &stage.sums).chain([&self.rates]).map(|sums| sums.terms.len()).sum()
     }

@@ -18,7 +18,7 @@ pub(super) struct Stages<S: Fused, const W: usize, const N: usize> {
     then: Box<Columns<S, N>>,
     /// 1/k
     reciprocals: Vec<S>,
-    /// Of a finer field: the orders for which the digits of `f64` do.
+    /// For a finer field: the stages of the orders for which the digits of `f64` suffice.
     rounded: Option<Box<Stages<f64, W, N>>>,
 }
 
@@ -103,9 +103,9 @@ impl<const W: usize, const N: usize> Stages<f64, W, N> {
 pub(super) struct Expand<'a, S: Fused, const W: usize, const N: usize> {
     pub stages: &'a mut Stages<S, W, N>,
     pub series: &'a mut [S],
-    /// So long is one order.
+    /// The length of one order in the series.
     pub width: usize,
-    /// From the order after this one on the digits of `f64` do.
+    /// From the order after this one on the digits of `f64` suffice.
     pub fine: usize,
 }
 

@@ -60,7 +60,7 @@ impl<S: Fused, const W: usize> Task<S> for Sum<'_, S, W> {
 }
 
 impl<S: Fused, const W: usize> Sum<'_, S, W> {
-    /// What is rounded is summed in `f64`, then the others; eight states at a time, whose sums keep their rests as they come. Any
+    /// Sums the rounded terms in `f64`, then the others; eight states at a time, whose sums keep their rests as they come. Any
     /// layout will do; where nothing is rounded the first part is empty.
     #[inline(always)]
     fn in_two_parts<P: Pick<S> + Pick<f64>>(self, pick: P) {

@@ -3,13 +3,13 @@
 use std::fmt;
 use std::str::FromStr;
 
-/// In whose principal axes the equations are written.
+/// The principal axes in which the equations are written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Axes {
-    /// Of A: the paper's first form.
+    /// Axes of A: the paper's first form.
     #[default]
     First,
-    /// Of A*: the second form.
+    /// Axes of A*: the second form.
     Second,
 }
 

@@ -1,4 +1,4 @@
-//! Scenes that are one initial value problem: what every command asks of them, whatever their family.
+//! Scenes that are one initial value problem: the interface that every command uses, whatever the family.
 
 use crate::work_precision::{Configuration, Hybrid, Observed};
 use crate::{Axes, Choice, Problem, Run, RunFailure, Trajectory};
@@ -9,7 +9,7 @@ use std::borrow::Cow;
 /// A scene that is one initial value problem.
 pub trait IvpScene: Send + Sync {
     fn title(&self) -> &str;
-    /// What happens and why it is hard.
+    /// The motion that the scene shows, and its difficulty.
     fn description(&self) -> &str;
     /// The machine, or the mechanism.
     fn model(&self) -> &str;
@@ -23,10 +23,10 @@ pub trait IvpScene: Send + Sync {
     fn parameters(&self) -> Vec<Parameter>;
     /// Every formulation with every model, that of [`Self::problem`] in the first axes first.
     fn ways(&self) -> Vec<Configuration>;
-    /// What is compared between them, with the sizes along the motion.
+    /// The quantities compared between them, with their sizes along the motion.
     fn observed(&self, reference: &Reference) -> Vec<Observed>;
 
-    /// What a column of a run is, where its name does not say it.
+    /// The meaning of a column of a run, where its name does not say it.
     fn column(&self, _name: &str) -> Option<&'static Quantity> {
         None
     }
@@ -44,7 +44,7 @@ pub trait IvpScene: Send + Sync {
         None
     }
 
-    /// What is known beside a run.
+    /// Notes on a run beside its numbers.
     fn told(&self, _choice: &Choice, _trajectory: &Trajectory) -> RunNotes {
         RunNotes::default()
     }
@@ -68,12 +68,12 @@ impl Parameter {
     }
 }
 
-/// What is said of a run beside its numbers.
+/// Notes on a run beside its numbers.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct RunNotes {
-    /// What theory says without the run.
+    /// Theoretical results that need no run.
     pub theory: Vec<String>,
-    /// Of one that ended early: the name of what happened.
+    /// For a run that ended early: the name of the event that ended it.
     pub diagnosis: Option<String>,
     /// The ways in which it failed, found after it.
     pub failures: Vec<RunFailure>,

@@ -3,10 +3,10 @@
 use integrators::{MOST_STAGES, Method, Splitting};
 use units::nearest;
 
-/// How a method is named: some take a number after a colon.
+/// The form of a method's name: some take a number after a colon.
 enum Named {
     Plain(Method),
-    /// A constant step: how many steps must be said.
+    /// A constant step: the number of steps must be given.
     Steps(fn(u32) -> Method),
     /// Stages, with a good number where none is said.
     Stages(u8, fn(u8) -> Method),
@@ -65,7 +65,7 @@ pub fn list() -> impl Iterator<Item = (String, &'static str)> {
     })
 }
 
-/// How a method is written: what [`method`] reads.
+/// The name of a method, as [`method`] reads it.
 pub fn written(method: Method) -> String {
     let one = |(name, named, _): &(&'static str, Named, _)| match named {
         Named::Plain(known) => (*known == method).then(|| (*name).to_owned()),

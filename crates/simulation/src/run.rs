@@ -1,4 +1,4 @@
-//! How long, how exactly and by which method a scene runs.
+//! The table `[run]` of a scene: span, tolerance, method and outputs.
 
 use super::methods;
 use integrators::Method;
@@ -22,15 +22,15 @@ pub fn most_samples(columns: usize) -> usize {
 /// The table `[run]`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Run {
-    /// How long, s; from time zero.
+    /// The length of the run, s; it begins at time zero.
     pub span: f64,
-    /// How many instants are kept, beside the start.
+    /// The number of instants kept, beside the start.
     pub samples: usize,
-    /// Of a step, relative, and absolute in SI units.
+    /// The tolerance of a step, relative, and absolute in SI units.
     pub tolerance: f64,
     /// Dormand-Prince 8(5,3) where the scene names none.
     pub method: Method,
-    /// What to look at, by the names of the states.
+    /// The states to show, by name.
     pub outputs: Vec<String>,
 }
 

@@ -1,7 +1,7 @@
 //! Ways in which a run fails, by their standard names: one list for every command.
 //!
-//! A failure is found where a run has stopped, or afterwards from what was recorded, and never in a step. It has evidence in the names
-//! of the scene, and a remedy that the program can carry out: an option, or a key of the file.
+//! A failure is found where a run has stopped, or afterwards from its record, and never in a step. Its evidence is in the names of the
+//! scene, and the program can carry out its remedy: an option, or a key of the file.
 
 use std::fmt;
 

@@ -9,7 +9,7 @@ use integrators::{
 use std::ops::ControlFlow;
 use std::time::{Duration, Instant};
 
-/// How a problem is to be run.
+/// The settings of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Choice {
     pub method: Method,
@@ -24,7 +24,7 @@ pub struct Choice {
 /// A run, whether it reached its end or not.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Trajectory {
-    /// Of the columns: the states, then what is computed from them.
+    /// The names of the columns: the states, then quantities computed from them.
     pub names: Vec<String>,
     pub times: Vec<f64>,
     /// One for each time.
@@ -41,12 +41,12 @@ pub struct Trajectory {
     pub outcome: Outcome<f64>,
     /// Why the law does not hold any more after the last good state, where it ended.
     pub left: Option<&'static str>,
-    /// Of a law that changes: the start and the events.
+    /// For a law that changes: the start and the events.
     pub passages: Vec<Passage>,
 }
 
 impl Run {
-    /// What a scene itself asks for.
+    /// The settings that a scene asks for.
     pub fn choice(&self) -> Choice {
         Choice {
             method: self.method,
@@ -130,8 +130,8 @@ impl Problem {
         changes.chain(self.residual.as_ref().map(|residual| residual(time, state))).collect()
     }
 
-    /// What shorter steps say of a run with constant ones that reached its end, each in the time that it was allowed; `None` for
-    /// others. `goes_on` breaks it off.
+    /// Compares a run with constant steps that reached its end with runs of shorter steps, each in the time that it was allowed;
+    /// `None` for other runs. `goes_on` breaks it off.
     pub fn beside(
         &self,
         choice: &Choice,
@@ -205,7 +205,7 @@ impl Trajectory {
         let Failure::Refused(Refusal::RatesNotFinite { component }) = failure else { return failure.to_string() };
         let what = match self.names.get(component).filter(|_| component < self.outcome.state.len()) {
             Some(name) => format!("the rate of `{name}`"),
-            // what a law follows beside the state
+            // a variable that the law carries beside the state
             None => "the rate of a reaction or of a condition".to_owned(),
         };
         match self.outcome.time {
@@ -214,7 +214,7 @@ impl Trajectory {
         }
     }
 
-    /// What has no value: columns at the end, quantities that are conserved along the run.
+    /// The names of values that are not finite: columns at the end, conserved quantities along the run.
     pub fn undefined(&self) -> Vec<&str> {
         let columns = self.names.iter().zip(&self.last).filter(|(_, value)| !value.is_finite());
         let lost = |deviation: &&Deviation| !(deviation.first.is_finite() && deviation.largest.is_finite());

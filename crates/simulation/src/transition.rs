@@ -1,4 +1,4 @@
-//! How the end of a scene's run depends on its beginning, in the components that a run shows.
+//! The transition matrix of a scene's run: derivatives of its end by its start, in the components that a run shows.
 
 use super::Problem;
 use integrators::{Failure, Tolerance, transition};
@@ -7,7 +7,7 @@ use nalgebra::DMatrix;
 impl Problem {
     /// dy_i(end) / dy_j(start), row by row; of a gyrostat in the axes of the data.
     ///
-    /// What is shown of a state begins with B y, where B turns the axes of the law into those of the data; so the matrix is
+    /// A row of the run begins with B y, where B turns the axes of the law into those of the data; the matrix is therefore
     /// B M B^-1.
     ///
     /// # Errors

@@ -20,8 +20,8 @@ impl Analytic for Sym {
         circle_in_steps(self, |_, parts| parts)
     }
 
-    /// The non-negative root. Of a rational number it is a product of roots of distinct primes, so that the products
-    /// of roots stay canonical: sqrt(1/2) = sqrt(2)/2. Of a negative number it is undefined.
+    /// The non-negative root. For a rational number it is a product of roots of distinct primes, which keeps
+    /// products of roots canonical: sqrt(1/2) = sqrt(2)/2. The root of a negative number is undefined.
     fn sqrt(self) -> Self {
         match self.as_constant() {
             Some(value) => root_of_rational(value),

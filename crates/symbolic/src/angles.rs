@@ -2,8 +2,8 @@
 //!
 //!   cos a cos b - sin a sin b = cos (a + b) ,   sin a cos b + cos a sin b = sin (a + b) .
 //!
-//! Proofs and runs work with the products; the range of a sum is narrower where it stands once. Polynomials are written out before, so
-//! that turns there and back again have left them.
+//! Proofs and runs work with the products; the range of a sum is narrower where it stands once. Polynomials are written out first,
+//! which removes turns there and back again.
 
 use crate::Sym;
 use crate::analytic::linear_terms;
@@ -118,7 +118,7 @@ fn pair(terms: &[(Sym, Rational)]) -> Option<(usize, usize, (Sym, Rational))> {
                 return None;
             }
             let (common, [one, other]) = parted(&factors[i].0, &factors[j].0)?;
-            // of a sum of turns the one with two cosines, or the cosine of the second angle, stands first
+            // in a sum of turns the term with two cosines, or with the cosine of the second angle, stands first
             let (angles, of_cosine) = turned(one, other)?;
             let ([a, b], swapped) = angles;
             let first = if swapped { second } else { first };

@@ -68,7 +68,8 @@ impl Sym {
         substitute_all(&[self], replacements)[0]
     }
 
-    /// Of what rational operations make the expression: symbols, cosines, sines, roots, functions, in the order of making.
+    /// The leaves from which rational operations make the expression: symbols, cosines, sines, roots, functions, in the
+    /// order of making.
     pub fn leaves_of(self) -> Vec<Sym> {
         Sym::ascending_to_leaves(&[self]).into_iter().filter(|each| each.node().is_leaf()).collect()
     }
@@ -89,7 +90,7 @@ impl Sym {
 
 /// [`Sym::substitute`] in several expressions that share parts.
 pub fn substitute_all(expressions: &[Sym], replacements: &[(Sym, Sym)]) -> Vec<Sym> {
-    // of two for the same one the first holds
+    // the first of two replacements for one expression holds
     let mut new: FxHashMap<Sym, Sym> = replacements.iter().rev().copied().collect();
     for each in Sym::ascending(expressions) {
         if !new.contains_key(&each) {

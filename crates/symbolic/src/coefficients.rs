@@ -65,7 +65,7 @@ pub fn coefficients(expression: Sym, symbols: &[Sym]) -> Result<Vec<(Vec<u32>, S
 }
 
 /// The coefficients of a polynomial in one unknown with rational coefficients, from the constant upwards, without zeros at the end.
-/// What cancels must have been cancelled (`normal`).
+/// Terms that cancel must have been cancelled before (`normal`).
 ///
 /// # Errors
 /// [`NotPolynomial`] names a part, or a coefficient that is no fraction.

@@ -44,8 +44,8 @@ impl Sym {
         })
     }
 
-    /// The value from the values of the leaves: symbols, circle coordinates, roots and functions, each with the value
-    /// of its arguments where those have one.
+    /// The value from the values of the leaves: symbols, circle coordinates, roots and functions, each from the
+    /// values of its arguments where they have some.
     pub(crate) fn evaluate_leaves<S: Scalar>(
         self,
         mut leaf: impl FnMut(Sym, [Option<S>; 2]) -> Option<S>,
@@ -112,7 +112,7 @@ fn scaled<S: Scalar>(digits: &[u8], aside: usize) -> S {
     let base = S::int(256);
     let (low, high) = digits.split_at(aside.min(digits.len()));
     let fraction = low.iter().fold(S::zero(), |sum, &byte| (sum + S::int(byte.into())) / base);
-    // of fewer digits than are set aside
+    // there may be fewer digits than are set aside
     let fraction = (digits.len()..aside).fold(fraction, |fraction, _| fraction / base);
     high.iter().rev().fold(S::zero(), |sum, &byte| sum * base + S::int(byte.into())) + fraction
 }

@@ -1,7 +1,7 @@
 //! Expressions as a list of steps that any ordered number runs: exact fractions, enclosures.
 //!
-//! Enclosures are large and no `Copy` values, so that no law runs over them directly. The law writes itself down once, over
-//! [`Sym`], and what it wrote is run here.
+//! Enclosures are large and no `Copy` values: no law runs over them directly. A law is recorded once over [`Sym`], and the
+//! record is run here.
 
 use crate::graph::Node;
 use crate::{Sym, Unbound};
@@ -30,10 +30,10 @@ pub struct Formulas {
 }
 
 impl Formulas {
-    /// Of expressions made of the unknowns, constants, rational operations and square roots.
+    /// Records expressions made of the unknowns, constants, rational operations and square roots.
     ///
     /// # Errors
-    /// [`Unbound`] names what is none of these.
+    /// [`Unbound`] names a part that is none of these.
     pub fn of(expressions: &[Sym], unknowns: &[Sym]) -> Result<Self, Unbound> {
         let mut places: FxHashMap<Sym, usize> = FxHashMap::default();
         let mut steps = Vec::new();

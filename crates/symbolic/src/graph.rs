@@ -24,7 +24,7 @@ pub struct Name(u32);
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct Constant(u32);
 
-/// What an expression is made of.
+/// A node of the graph: a leaf, or an operation on other expressions.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Node {
     Constant(Constant),
@@ -203,7 +203,7 @@ impl Sym {
         Sym { id, local: PhantomData }
     }
 
-    /// What the expression is made of.
+    /// The node of the expression.
     pub fn node(self) -> Node {
         GRAPH.with_borrow(|graph| graph.nodes[self.id as usize])
     }

@@ -1,8 +1,8 @@
 //! The series of many systems of one kind at once, each with data of its own.
 //!
-//! All numbers are lanes, and every quantity is computed by itself. What costs is bringing the numbers to the processor, and
-//! saying which: so products are formed for four orders at a time, two of them together where they share a factor, and
-//! so are sums of the same quantities.
+//! All numbers are lanes, and every quantity is computed by itself. Loading and addressing the numbers is most of the cost:
+//! products are therefore formed for four orders at a time, two of them together where they share a factor, and likewise
+//! sums of the same quantities.
 
 mod parts;
 mod products;
@@ -60,7 +60,7 @@ impl Recurrence {
         let zero = Batch::all(0.0);
         let inputs = plan.states + usize::from(plan.time);
         let mut slots = Slots { of: vec![None; N], factors: Vec::new() };
-        // of what has a rate the series are needed in any case
+        // quantities with a rate need their series in any case
         for place in 0..plan.moving as Slot {
             slots.factor(place);
         }
@@ -86,7 +86,7 @@ impl Recurrence {
         })
     }
 
-    /// How many parameters a system has.
+    /// The number of parameters of a system.
     pub fn parameters(&self) -> usize {
         self.coefficients.inputs()
     }

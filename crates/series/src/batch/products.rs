@@ -1,8 +1,8 @@
 //! Products, four orders at a time.
 //!
-//! When K orders are known, K = 4 q, what these bring to the orders K .. K+3 of a product is summed in one go: of the numbers
-//! that are brought each is used four times, and eight times where two products have a factor in common. What the orders
-//! at hand bring is added order by order, from numbers that lie beside each other:
+//! When K orders are known, K = 4 q, their contributions to the orders K .. K+3 of a product are summed in one go: each
+//! number loaded is used four times, and eight times where two products have a factor in common. Contributions of the orders
+//! at hand are added order by order, from numbers that lie beside each other:
 //!
 //!   (a b)_(K+i) = sum over 0 < j < K  +  sum_(s <= i) (a_s b_(K+i-s) + a_(K+i-s) b_s) .
 
@@ -12,13 +12,13 @@ use field::Batch;
 /// Four orders in a row.
 pub(super) type Four<const L: usize> = [Batch<L>; 4];
 
-/// What of a quantity every order needs: its first four coefficients, and the four at hand.
+/// The coefficients of a quantity that every order needs: its first four, and the four at hand.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Quantity<const L: usize> {
     pub oldest: Four<L>,
     pub newest: Four<L>,
-    /// So that quantities do not lie powers of two apart: a processor takes addresses with the same last digits for the same,
-    /// and waits.
+    /// Padding, for quantities must not lie powers of two apart: a processor takes addresses with equal last digits for
+    /// equal, and waits.
     _apart: Batch<L>,
 }
 
@@ -33,7 +33,7 @@ impl<const L: usize> Quantity<L> {
 #[derive(Clone, Debug)]
 pub(super) struct Histories<const L: usize> {
     pub fours: Vec<Four<L>>,
-    /// So many fours each.
+    /// The number of fours of each factor.
     pub each: usize,
 }
 
@@ -58,12 +58,12 @@ pub(super) struct Fan<const L: usize, const M: usize> {
     pub places: [u16; M],
     pub one: Factor,
     pub others: [Factor; M],
-    /// What the orders before those at hand bring to these.
+    /// The contributions of the earlier orders to those at hand.
     pub known: [Four<L>; M],
 }
 
 impl<const L: usize, const M: usize> Fan<L, M> {
-    /// What the first orders, so many fours of them, bring to the next four.
+    /// Sums the contributions of the first orders, so many fours of them, to the next four.
     #[inline(always)]
     pub fn begin(&mut self, histories: &Histories<L>, fours: usize) {
         let one = histories.of(self.one.slot, fours);
@@ -127,7 +127,7 @@ fn middle<const L: usize>(sums: &mut Four<L>, pair: &[Four<L>], &[a, b, c, d]: &
     add(sums, [t, u, v, w], d);
 }
 
-/// What the orders at hand bring to the I-th of them, the newest last.
+/// Adds the contributions of the orders at hand to the I-th of them, the newest last.
 #[inline(always)]
 fn newest<const L: usize, const I: usize>(mut sum: Batch<L>, a: &Quantity<L>, b: &Quantity<L>) -> Batch<L> {
     if I == 3 {

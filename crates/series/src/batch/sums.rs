@@ -24,7 +24,7 @@ struct Bunch<const L: usize, const R: usize, T> {
     terms: T,
 }
 
-/// What is added, and how often to each sum; zero where a sum has none of it.
+/// A quantity with its coefficient in each sum; zero where a sum does not contain it.
 #[derive(Clone, Copy, Debug)]
 struct Term<const L: usize, const R: usize> {
     times: [Batch<L>; R],

@@ -77,7 +77,7 @@ impl<const L: usize, const N: usize> Abreast<'_, L, N> {
         }
     }
 
-    /// What the first orders, so many fours of them, bring to the next four.
+    /// Sums the contributions of the first orders, so many fours of them, to the next four.
     #[inline(always)]
     fn begin(&mut self, fours: usize) {
         for stage in &mut self.stages {

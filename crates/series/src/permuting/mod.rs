@@ -13,7 +13,7 @@ pub(super) struct ByBlocks {
     more: Vec<Permutation>,
 }
 
-/// What is taken from two blocks of eight columns.
+/// The numbers taken from two blocks of eight columns.
 #[derive(Clone, Copy, Debug)]
 struct Permutation {
     blocks: [u16; 2],

@@ -6,7 +6,7 @@ use crate::fused::Fused;
 use crate::small::permutation::{Permute, Shuffle};
 use crate::small::wide::Wide;
 
-/// So many orders there is room for: more than any tolerance asks for.
+/// The largest order that there is room for: more than any tolerance needs.
 pub(crate) const MOST_ORDER: usize = 64;
 
 /// Sums that run side by side: none waits for the addition before.

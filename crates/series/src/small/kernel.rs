@@ -21,7 +21,7 @@ pub struct Kernel<S: Fused, const B: usize, const G: usize> {
     later: Later<B, G>,
 }
 
-/// How the orders are found for which the digits of `f64` do.
+/// The computation of the orders for which the digits of `f64` suffice.
 #[derive(Clone, Debug)]
 enum Later<const B: usize, const G: usize> {
     /// As those before: in `f64`.

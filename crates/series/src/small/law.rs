@@ -5,19 +5,19 @@
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Law {
     pub moving: usize,
-    /// How many of them are sums, the last ones.
+    /// The number of moving quantities that are sums, the last ones.
     pub sums: usize,
     pub solved: Vec<Solved>,
     /// The factors of each product.
     pub products: Vec<[usize; 2]>,
     pub rates: Sums,
-    /// What the sums that move begin with, from all that moves beside them.
+    /// The first coefficients of the sums that move, from the other moving quantities.
     pub starts: Sums,
-    /// How many coefficients there are.
+    /// The number of coefficients.
     pub coefficients: usize,
 }
 
-/// Of some quantities each a constant, multiples of quantities, and multiples of products; coefficients by their number.
+/// Rows, each a constant, multiples of quantities, and multiples of products; coefficients by their number.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Sums {
     /// row, coefficient
@@ -45,7 +45,7 @@ impl Law {
         self.moving - self.sums..self.moving
     }
 
-    /// How many quantities there are.
+    /// The number of quantities.
     pub fn quantities(&self) -> usize {
         self.moving + self.solved.len()
     }

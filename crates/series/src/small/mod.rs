@@ -1,5 +1,5 @@
-//! Small right-hand sides, y' = c + L y + sum_p w_p a_p b_p with few quantities: what most scenes come to, and where an order
-//! of the series is so little work that waiting is most of it.
+//! Small right-hand sides, y' = c + L y + sum_p w_p a_p b_p with few quantities. Most scenes have such a one, and an order of
+//! its series is so little work that latency is most of its cost.
 //!
 //! For processors that permute eight numbers by one instruction. Without it, [stages](super::stages) take half the time of
 //! these kernels.
@@ -100,7 +100,7 @@ macro_rules! small_series {
 small_series!(f64);
 small_series!(DoubleDouble);
 
-/// Of fields that have no way of their own.
+/// The small series of fields without kernels: none.
 #[derive(Clone, Debug)]
 pub enum Never {}
 

@@ -1,4 +1,4 @@
-//! How equations that were brought to sums and products become a small law.
+//! Reduction of equations in sums and products to a small law.
 
 use super::law::{Law, Solved, Sums};
 use crate::build::{Builder, Definition};
@@ -6,14 +6,14 @@ use crate::form::{Atom, Form};
 use crate::plan::Coefficients;
 use symbolic::Sym;
 
-/// So many quantities, and so many products of them, still count as few.
+/// The largest numbers of quantities and of products of a small law.
 const MOST_QUANTITIES: usize = 24;
 const MOST_PRODUCTS: usize = 24;
 
 /// The coefficients of a sum by number: of its constant, of quantities, of products.
 type Terms = (Option<u32>, Vec<(usize, u32)>, Vec<(usize, u32)>);
 
-/// What an atom of the builder has become.
+/// The role of an atom of the builder in the small law.
 #[derive(Clone, Copy)]
 enum Role {
     Unused,
@@ -23,10 +23,10 @@ enum Role {
     Product(usize),
 }
 
-/// The law in the making: what is solved for has its final number only when all that moves is known.
+/// The law in the making: solved quantities get their final numbers only when all moving ones are known.
 struct Making<'a> {
     builder: &'a Builder<'a>,
-    /// How many states, circle points and time there are.
+    /// The number of states and circle points, and of time.
     symbols: usize,
     roles: Vec<Role>,
     /// The rates of all that moves.
@@ -56,7 +56,7 @@ impl<'a> Making<'a> {
         }
     }
 
-    /// What the next definition becomes; `None` where it can be nothing.
+    /// The role of the next definition; `None` where a small law has none for it.
     fn role(&mut self, definition: &'a Definition) -> Option<Role> {
         match definition {
             Definition::State | Definition::Unknown => None,

@@ -6,7 +6,7 @@ use crate::small::permutation::Permute;
 use crate::small::wide::Wide;
 use crate::stored::Stored;
 
-/// What stands in memory.
+/// Rounds numbers in memory.
 #[inline(always)]
 pub(super) fn round<S: Fused, const N: usize>(own: &mut [[Wide<f64>; N]], finer: &[[Wide<S>; N]]) {
     for (own, finer) in own.as_flattened_mut().iter_mut().zip(finer.as_flattened()) {
@@ -14,7 +14,7 @@ pub(super) fn round<S: Fused, const N: usize>(own: &mut [[Wide<f64>; N]], finer:
     }
 }
 
-/// What stands in registers.
+/// Rounds numbers in registers.
 #[inline(always)]
 pub(super) fn rounded<S: Fused, P: Permute<S> + Permute<f64>, const N: usize>(
     pick: P,

@@ -1,4 +1,5 @@
-//! What a series begins with: the states, time and circle points are given, the sums that move are formed from them.
+//! First coefficients of a series: the states, time and circle points are given, the sums that move are formed from
+//! them.
 
 use super::law::Law;
 use super::wide_sums::WideSums;

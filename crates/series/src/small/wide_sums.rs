@@ -1,8 +1,8 @@
 //! Sums of quantities and products, c + L y + W m, eight rows at a time.
 //!
-//! A turn takes one term of each of eight rows: what each row multiplies is a number of its own out of two registers, and to
-//! permute these is one instruction. So there are as many turns as the longest row has terms, which is fewer than the columns
-//! that the rows have between them.
+//! A turn takes one term of each of eight rows: each row multiplies a number of its own out of two registers, and one
+//! instruction permutes these. There are as many turns as the longest row has terms, fewer than the columns of all rows
+//! together.
 
 use super::law::Sums;
 use crate::fused::Fused;
@@ -20,7 +20,7 @@ struct Turn<S: Fused> {
     of: Shuffle,
 }
 
-/// Of B groups of eight quantities and G of products.
+/// Sums over B groups of eight quantities and G groups of products.
 #[derive(Clone, Debug)]
 pub(super) struct WideSums<S: Fused, const B: usize, const G: usize> {
     constants: [Wide<S>; B],

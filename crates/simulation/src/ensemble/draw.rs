@@ -9,7 +9,7 @@ pub struct Draw {
 }
 
 impl Draw {
-    /// Of a datum, by its name: what else varies changes nothing.
+    /// The numbers of a datum, by its name: they do not depend on other data that vary.
     pub fn new(seed: u64, member: u64, datum: &str) -> Self {
         let name = datum.bytes().fold(seed, |key, byte| mixed(key ^ u64::from(byte)));
         Draw { key: mixed(name ^ mixed(member)) }

@@ -1,4 +1,4 @@
-//! Systems of one form that differ in numbers alone: what an ensemble needs to know of them, whatever moves.
+//! Systems of one form that differ in numbers alone: the interface that an ensemble uses.
 
 use super::run::Last;
 use super::stop_reason::Stopped;
@@ -19,7 +19,7 @@ pub trait ParametricSystem: fmt::Debug + Send + Sync {
     /// Span and tolerance; the method is Taylor's.
     fn run(&self) -> &Run;
 
-    /// How many states a member has, and how many parameters its law.
+    /// The numbers of states of a member and of parameters of its law.
     fn sizes(&self) -> Sizes;
 
     /// The series of members side by side, to this order; `None` where the law is too long for them.
@@ -41,7 +41,7 @@ pub trait ParametricSystem: fmt::Debug + Send + Sync {
         Vec::new()
     }
 
-    /// What a row shows of the end of a member: first of its state, then what follows from it.
+    /// The columns in which a row shows the end of a member: first its state, then quantities computed from it.
     fn columns(&self) -> Vec<Column>;
 
     /// Writes all that decides a member beside the drawn numbers, the span and the tolerance: law, data, start.
@@ -120,10 +120,10 @@ pub struct Variable {
     pub shape: Shape,
 }
 
-/// How many numbers a variable has, and what they are together.
+/// The number of components of a variable, and their structure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shape {
-    /// So many, each by itself.
+    /// Independent numbers, this many.
     Numbers(usize),
     /// Three, brought to length one.
     Direction,
@@ -132,7 +132,7 @@ pub enum Shape {
 }
 
 impl Shape {
-    /// How many numbers there are.
+    /// The number of components.
     pub fn components(self) -> usize {
         match self {
             Shape::Numbers(count) => count,

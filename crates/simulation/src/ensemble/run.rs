@@ -10,15 +10,15 @@ use std::ops::{ControlFlow, RangeInclusive};
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 use std::sync::mpsc;
 
-/// What takes longer is given up: a million steps are more than a million oscillations.
+/// A member that takes longer is given up: a million steps are more than a million oscillations.
 pub(super) const MOST_STEPS: u64 = 1_000_000;
 
-/// What became of a member.
+/// The result of a member.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
     /// Counted from one.
     pub number: u64,
-    /// What varies, in SI units.
+    /// The numbers drawn for the member, in SI units.
     pub drawn: Vec<f64>,
     /// Why it stopped before the end, where it did: a [`Stopped`] as text.
     pub stopped: Option<String>,
@@ -92,7 +92,7 @@ impl EnsembleScene {
     }
 }
 
-/// What one thread has in its hands.
+/// The state of one thread.
 struct Worker<'a> {
     scene: &'a EnsembleScene,
     next: &'a AtomicU64,
@@ -118,7 +118,7 @@ impl Worker<'_> {
         if let Some(alone) = system.alone() {
             return self.work_alone(alone);
         }
-        // that there is one was seen when the scene was made
+        // a scene without a series was refused when it was made
         let Some(series) = system.series(integrators::lanes_order(run.tolerance)) else { return };
         let sizes = system.sizes();
         Ensemble::new(series, run.tolerance, run.span, sizes.states, sizes.parameters)

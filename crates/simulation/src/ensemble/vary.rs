@@ -21,7 +21,7 @@ pub struct Varied {
     law: Law,
 }
 
-/// How a datum varies, component by component.
+/// The distribution of a datum, component by component.
 #[derive(Clone, Debug, PartialEq)]
 enum Law {
     Even {

@@ -9,7 +9,7 @@ use integrators::{
 };
 use std::cell::RefCell;
 
-/// How far a state is from where its law ends.
+/// The distance of a state from the end of its law.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Margin {
     /// Positive where the law holds.

@@ -1,14 +1,14 @@
 //! Poles and jumps of a law that a step has passed over.
 //!
-//! A method of finite order may step over a place where the rates are infinite, and go on with numbers that are no motion. Along a
-//! motion the divisors of a law keep their signs, or vanish together with what they divide. So a step over which one changes its sign
-//! is looked at: near the zero of the divisor, on the chord of the step, rates are large beside those at both ends if it is a pole, and
-//! of their size if it is none.
+//! A method of finite order may step over a place where the rates are infinite, and continue with numbers that are no motion. Along a
+//! motion the divisors of a law keep their signs, or vanish together with their dividends. A step over which a divisor changes its sign
+//! is therefore examined: near the zero of the divisor, on the chord of the step, rates are large beside those at both ends if the zero
+//! is a pole, and similar to them if it is none.
 //!
 //! A root has a corner where its radicand vanishes, and a direction jumps there: the distance of two points along one line. A method of
-//! finite order passes a jump by short steps, or steps over it and does not see it. So a step over which a radicand comes down to zero is
-//! looked at too: the jump of the rates there, times the step, must be of the size of the tolerance. So is a step over which an angle
-//! atan2(y, x) goes from pi to -pi.
+//! finite order passes a jump by short steps, or steps over it unnoticed. A step over which a radicand comes down to zero is therefore
+//! examined too: the jump of the rates there, times the step, must be of the size of the tolerance. A step over which an angle atan2(y,
+//! x) goes from pi to -pi is examined likewise.
 
 use integrators::{Divisors, Observer, Outcome, System, Tolerance};
 use std::f64::consts::PI;

@@ -12,8 +12,8 @@ use std::sync::Arc;
 pub struct Segment {
     /// It may carry more behind the state of the system: see `followed`.
     pub law: Arc<dyn Law>,
-    /// How many integrals of rates of signals the law carries, each zero when it begins. A method resolves them like the state: else
-    /// the steps of a body at rest grow beyond the period of the force that will move it.
+    /// The number of integrals of signals' rates that the law carries, each zero when it begins. A method resolves them like the
+    /// state: without them the steps of a body at rest would grow beyond the period of the force that will move it.
     pub followed: usize,
     /// The longest first step, where the law begins in a state from which it changes fast.
     pub longest_first: Option<f64>,
@@ -65,7 +65,7 @@ pub trait Switching: Send + Sync {
 /// Events after which a run is given up.
 const MOST_EVENTS: usize = 20_000;
 
-/// So many events in a row within a rounding of the time: their times have a limit.
+/// The number of events in a row within a rounding of the time after which their times are taken to have a limit.
 const MOST_TOGETHER: usize = 64;
 
 /// Why a run ends where the times of its events have a limit.

@@ -128,9 +128,8 @@ fn over_span(motion: &KeptMotion<'_>, method: Method, length: f64) -> Result<Vec
     Ok(motion.integrals.iter().map(of).collect())
 }
 
-/// Each integral along a run of so many windows with a method that makes so many equal steps in each; sizes are those that changes are parts
-/// of. Of a motion that does not return the run is its span alone. `None` of an integral that two windows of
-/// the run do not tell.
+/// Measures each integral along a run of several windows with a method that makes equal steps, as many in each window; changes are relative
+/// to `sizes`. For a motion that does not return the run is its span alone. `None` for an integral which two windows of the run do not tell.
 ///
 /// # Errors
 /// Why the run ended before it had two windows.

@@ -101,8 +101,8 @@ impl Exponents {
         self.values.evaluate_in(&mut room.registers, self.values.rounded(), inputs, &mut room.values);
     }
 
-    /// The longest step over which the exponentials show in terms up to an order, from the values of their arguments and the terms
-    /// of these by argument and order.
+    /// The longest step over which the exponentials show in terms up to an order, from the values of their arguments and the
+    /// terms of the arguments by number and order.
     pub fn longest(&self, values: &[f64], order: usize, is_finer: bool, term: impl Fn(usize, usize) -> f64) -> f64 {
         let mut longest = f64::INFINITY;
         for (place, (&value, &both_sides)) in values.iter().zip(&self.both_sides).enumerate() {

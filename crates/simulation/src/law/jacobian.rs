@@ -1,5 +1,5 @@
-//! The Jacobian of a law for the implicit methods: as straight-line code, or by the law's differential in several directions at once where
-//! that is shorter.
+//! The Jacobian of a law for the implicit methods: as straight-line code, or, where this is shorter, by the law's differential in several
+//! directions at once.
 
 use crate::law::compiled_law::{Differentiable, SymbolicLaw};
 use crate::law::directions::DirectionalProgram;

@@ -1,8 +1,8 @@
 //! Times about which functions of the time alone change fast, so that no step passes over them.
 //!
-//! Each function is enclosed over the whole run, and over halves of what is wide, until it changes by no more than a part of its range in
-//! any cell: the lengths of the cells are its time scale. Enclosures hold all values, so that no pulse is too short to be found. A function
-//! that swings all the time has equal cells, and bounds nothing: error estimates see it.
+//! Each function is enclosed over the whole run, and over halves of wide cells, until it changes by no more than a part of its range in any
+//! cell: the lengths of the cells are its time scale. Enclosures hold all values: no pulse is too short to be found. A function that
+//! oscillates all the time has equal cells, and bounds nothing: error estimates see it.
 
 use crate::law::program::Program;
 use field::Interval;
@@ -151,7 +151,7 @@ fn cells(range: impl Fn(f64, f64) -> Interval) -> Vec<Cell> {
         let over = range(begin, begin + cell.length());
         // an exponential may be beyond every number over a part of the way, where a condition has long chosen another law
         let has_no_value = halvings >= LOOKED_FOR_VALUES && ends.iter().all(|end| end.is_nan());
-        // what is not divided any more changes at once, or has no value
+        // a cell that is not divided any more holds a jump, or no value
         cell.width = if halvings < MOST_HALVINGS && !has_no_value { over.width() } else { 0.0 };
         cell
     };

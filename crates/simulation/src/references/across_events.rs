@@ -52,7 +52,7 @@ pub enum Unknown {
     LastBounce {
         time: f64,
     },
-    /// What happens there has no signal that falls through zero.
+    /// An event there has no signal that falls through zero.
     Blunt {
         time: f64,
     },
@@ -83,14 +83,14 @@ impl From<Failure> for Unknown {
     }
 }
 
-/// Of different families. With more stages Gauss' steps are longer than it judges well: where a rod straightens they changed what is
-/// conserved, 2e-15, by 1e-28 with 12 stages and by 1e-24 with 16; with 8 by 4e-31.
+/// Two methods of different families. With more stages Gauss' steps are longer than its error estimate judges well: where a rod
+/// straightens they changed a conserved quantity, 2e-15, by 1e-28 with 12 stages and by 1e-24 with 16; with 8 by 4e-31.
 const METHODS: [Method; 2] = [Method::Gauss { stages: 8 }, Method::GraggBulirschStoer];
 
 /// A state, and when.
 pub type At = (DoubleDouble, Vec<DoubleDouble>);
 
-/// What one method found.
+/// The motion as one method found it.
 pub struct Followed {
     /// At the instants.
     pub states: Vec<Vec<DoubleDouble>>,

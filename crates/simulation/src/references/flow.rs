@@ -38,7 +38,7 @@ impl<L: Ode<f64> + Ode<Dual8> + Ode<DoubleDouble>> System for Paced<'_, L> {
 /// A method with its tolerance, and what it has cost.
 pub struct Means {
     pub method: Method,
-    /// Of the components of a state.
+    /// The sizes of a state's components.
     pub sizes: Vec<f64>,
     pub deadline: Instant,
     pub work: Work,

@@ -16,7 +16,8 @@ use std::time::{Duration, Instant};
 pub(crate) const INSTANTS: usize = 8;
 
 impl Problem {
-    /// What errors are measured by: many problems' at a time, if there are processors, since it is not timed.
+    /// The reference solution against which errors are measured. It is not timed: those of many problems may be
+    /// computed at once.
     ///
     /// # Errors
     /// Where a method stopped, or the two do not agree.

@@ -8,8 +8,9 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use toml::{Table, Value};
 
-/// How closely a law must give the rates that were kept, relative to their sizes. Other data, by the last bit of an `f64`,
-/// are off by 1e-16; the same law, summed in another order, by rounding in double-double.
+/// The largest difference, relative to their sizes, between the rates of a law and the stored ones of the same law. Other
+/// data, by the last bit of an `f64`, are off by 1e-16; the same law, summed in another order, by rounding in
+/// double-double.
 const SAME_LAW: f64 = 1e-20;
 
 /// The digits with which rates are kept.
@@ -23,7 +24,7 @@ pub struct Stored {
     start: Vec<f64>,
     /// y' summed over the instants: what another law, or other data, would not give.
     rates: Vec<DoubleDouble>,
-    /// Of a motion across events.
+    /// The events, of a motion across events.
     pub events: Vec<Event>,
 }
 
@@ -71,7 +72,7 @@ impl Stored {
         Stored { reference, start: owner.start().to_vec(), rates, events }
     }
 
-    /// What is kept beside a scene file, if anything readable is.
+    /// The reference stored beside a scene file; `None` where none is readable.
     pub fn beside(scene: &Path) -> Option<Self> {
         Self::read(&std::fs::read_to_string(place(scene)).ok()?).ok()
     }
@@ -168,7 +169,7 @@ impl Stored {
     }
 }
 
-/// So many digits, counted from a component's size, and one.
+/// A number with so many digits, counted from the size of its component, and one more.
 fn written(number: DoubleDouble, size: f64, digits: f64) -> String {
     let places = (digits + 1.0 - size.log10()).ceil().clamp(0.0, 60.0) as usize;
     decimal(number, places).unwrap_or_default()
@@ -202,7 +203,8 @@ impl Rates {
         rates
     }
 
-    /// What a component's difference is measured by: one that stays zero, by the largest.
+    /// The sizes to which differences of components are relative: for a component that stays zero, a part of the
+    /// largest.
     fn sizes(&self) -> impl Iterator<Item = f64> {
         let largest = self.magnitudes.iter().copied().fold(0.0, f64::max);
         self.magnitudes.iter().map(move |size| size.max(1e-9 * largest))

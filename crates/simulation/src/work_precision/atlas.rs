@@ -22,7 +22,7 @@ pub struct Goal {
 }
 
 impl Goal {
-    /// Of a reference of the scene's own problem, whose rows have these columns.
+    /// The goal by a reference of the scene's own problem, whose rows have these columns.
     pub fn of(columns: &[String], shown: &Row, reference: &Reference, observed: Vec<Observed>) -> Self {
         let places = places(&observed, columns);
         let row = |(time, state): (&f64, &Vec<field::DoubleDouble>)| {
@@ -61,11 +61,11 @@ fn places(observed: &[Observed], columns: &[String]) -> Vec<Option<usize>> {
 pub struct Explored {
     pub way: Configuration,
     pub points: Vec<Point>,
-    /// What the model itself is off, by an accurate run; none where the way is exact, or where there is no such run.
+    /// The error of the model itself, by an accurate run; none where the way is exact, or where there is no such run.
     pub floor: Option<f64>,
 }
 
-/// What came out.
+/// The runs of all formulations of a scene by all methods, and their reference.
 pub struct Atlas {
     pub reference: Reference,
     pub explored: Vec<Explored>,

@@ -8,16 +8,16 @@ use integrators::{Across, Attempt, Holding, Index2DaeSystem, Method, Reference, 
 use std::fmt;
 use std::sync::Arc;
 
-/// How the equations are written.
+/// A formulation of a scene's equations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Formulation {
-    /// Of a gyrostat, in the axes of A.
+    /// A gyrostat, in the axes of A.
     First,
-    /// In the axes of A*.
+    /// A gyrostat, in the axes of A*.
     Second,
     /// In the angular momentum and the rotor's momentum: a sum of fields with known flows.
     Momenta,
-    /// Of a motor on a bench: slip and currents.
+    /// A motor on a bench: slip and currents.
     Bench,
     /// In coordinates that keep the constraints.
     Minimal,
@@ -83,7 +83,7 @@ impl fmt::Display for Formulation {
     }
 }
 
-/// What a model's motion is beside that of the scene's own model.
+/// The relation between a model's motion and that of the scene's own model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Standing {
     /// It is the scene's own.
@@ -119,7 +119,7 @@ pub struct Configuration {
     pub standing: Standing,
     pub law: Treated,
     pub state: Vec<f64>,
-    /// Of the components of the state: what their tolerances are relative to.
+    /// The sizes of the state's components, to which their tolerances are relative.
     pub sizes: Vec<f64>,
     /// The names of a row.
     pub columns: Vec<String>,

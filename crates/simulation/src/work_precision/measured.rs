@@ -1,4 +1,4 @@
-//! Speed against accuracy: what is tried on a scene, and the reference by which it is measured.
+//! Work against precision: the trials on a scene, and the reference for their errors.
 
 use super::atlas::{Atlas, Goal, Observed};
 use super::configuration::Configuration;
@@ -10,7 +10,7 @@ use std::time::Duration;
 
 const TOLERANCES: [f64; 6] = [1e-3, 1e-5, 1e-7, 1e-9, 1e-11, 1e-13];
 
-/// What is tried on a scene.
+/// The methods, tolerances and limits of the trials on a scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Trials {
     pub methods: Vec<Method>,
@@ -22,7 +22,7 @@ pub struct Trials {
 }
 
 impl Trials {
-    /// Of a method with a constant step.
+    /// The numbers of steps that are tried with a constant step size.
     pub const STEPS: [u32; 4] = [250, 1_000, 4_000, 16_000];
     /// Evaluations for the sizes of a state.
     pub(super) const SURVEY: u64 = 1_000_000;

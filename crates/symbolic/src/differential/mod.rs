@@ -85,7 +85,7 @@ impl Differential {
             let mut sum = Vec::new();
             for &child in &children {
                 let Some(&source) = places.get(&child) else { continue };
-                // what is no child of it is not looked at
+                // only children are differentiated
                 let rates = children.iter().map(|&other| (other, if other == child { Sym::ONE } else { Sym::ZERO }));
                 let weight = Derivation::new(rates).of(each);
                 if weight != Sym::ZERO {

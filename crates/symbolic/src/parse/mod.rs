@@ -17,7 +17,7 @@ use std::fmt;
 use std::ops::Range;
 use token::{Token, tokens};
 
-/// So deep may parentheses and signs stand in each other: beyond, a text is not written by a person.
+/// The deepest nesting of parentheses and signs: a text beyond it is not written by a person.
 const DEEPEST: usize = 100;
 /// The largest exponent of `^`.
 const LARGEST: i32 = 64;
@@ -32,7 +32,7 @@ pub struct NotExpression {
     pub reason: Reason,
 }
 
-/// What is wrong there.
+/// The error at that place.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Reason {
     /// The text ends, or another sign stands, where an operand must.
@@ -55,7 +55,7 @@ pub enum Reason {
     Zero,
     /// Parentheses deeper than a hundred.
     Depth,
-    /// What the caller does not let stand there, in its words.
+    /// The caller does not accept this part, for the reason given.
     Refused(String),
 }
 
@@ -85,9 +85,9 @@ impl fmt::Display for NotExpression {
 
 impl std::error::Error for NotExpression {}
 
-/// What an expression may be made of.
+/// The names and parts that a caller accepts in expressions.
 pub trait Vocabulary {
-    /// What a name means; `in_angle` inside of a cosine or sine.
+    /// The meaning of a name; `in_angle` inside of a cosine or sine.
     ///
     /// # Errors
     /// Why it must not stand there.
@@ -163,7 +163,7 @@ impl<'a> Reader<'a> {
         found
     }
 
-    /// What was read from a place on, once it is judged.
+    /// The part that was read from a place on, once it is judged.
     fn judged(&self, part: Sym, from: usize) -> Result<Sym, NotExpression> {
         let end = self.at.checked_sub(1).and_then(|last| self.tokens.get(last)).map_or(self.end, |(span, _)| span.end);
         let refused = |reason| NotExpression { span: from..end, reason };

@@ -5,7 +5,7 @@ use field::Rational;
 /// Denominators up to this one make fractions that people write.
 const LARGEST_DENOMINATOR: u64 = 16;
 
-/// So many digits are exact in every float.
+/// The number of digits that are exact in every float.
 const DIGITS: usize = 15;
 
 /// The decimal of a constant, which reads as that very constant: a decimal of few digits, or a float in the fewest digits that read

@@ -61,13 +61,13 @@ impl Sym {
         }
     }
 
-    /// What a symbol is called there; nothing for other expressions.
+    /// The identifier of a symbol in that notation; `None` for other expressions.
     pub fn identifier(self) -> Option<String> {
         self.symbol_name().map(|name| sympy::identifier(&name))
     }
 }
 
-/// How tightly something printed holds together.
+/// The binding strength of a printed part, for parentheses.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Bond {
     Sum,
@@ -82,7 +82,7 @@ struct Printed {
     bond: Bond,
 }
 
-/// What the notations do differently; on one line unless they say otherwise.
+/// The differences between notations; on one line unless they say otherwise.
 trait Notation {
     fn symbol(&self, name: Name) -> String;
     fn number(&self, size: Rational) -> Printed;

@@ -23,7 +23,7 @@ pub enum Decision {
     GaveUp(String),
 }
 
-/// What the proof that an expression vanishes rests on.
+/// The assumptions of a proof that an expression vanishes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Proof {
     /// The denominators met on the way, none of which may vanish: factors, as far as they are known.

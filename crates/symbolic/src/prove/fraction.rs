@@ -1,7 +1,7 @@
 //! Fractions whose denominators stay products of known factors.
 //!
-//! A proof needs no greatest common divisors: over a common denominator the numerator is zero or it is not. Factors
-//! that once appeared are tried as divisors, which keeps numerators small where derivations cancel.
+//! A proof needs no greatest common divisors: over a common denominator the numerator is zero or it is not. Factors met
+//! before are tried as divisors, which keeps numerators small where derivations cancel.
 
 use super::reduce::{PolyRule, reduce};
 use algebra::multivariate::{Budget, Coefficient, Limit, Poly, monomial};

@@ -1,4 +1,4 @@
-//! What a statement may assume.
+//! Hypotheses of a statement.
 
 use crate::Sym;
 use crate::graph::Node;

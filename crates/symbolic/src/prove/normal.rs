@@ -20,7 +20,7 @@ use std::fmt;
 /// denominator with so many angles and roots that their conjugates outgrow a limit is left as it came.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NormalForm {
-    /// What the coefficients above and below have in common, positive.
+    /// The common rational factor of the coefficients above and below, positive.
     content: Rational,
     primitive: Sym,
     numerator: Sym,

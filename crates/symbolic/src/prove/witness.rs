@@ -55,8 +55,8 @@ pub(super) fn search(expression: Sym, hypotheses: &Hypotheses) -> Option<Witness
     })
 }
 
-/// Whether the points of all angles may be chosen, and no elementary function has a value that is not exact: the coordinates of a number, cos 1, have no exact value, and parts
-/// of one angle that have no common step depend on each other.
+/// Whether the points of all angles may be chosen, and no elementary function has a value that is not exact: the coordinates of a number, cos 1, have
+/// no exact value, and parts of one angle without a common step depend on each other.
 fn angles_are_free(generators: &Generators) -> bool {
     let mut steps: FxHashMap<Sym, Sym> = FxHashMap::default();
     generators.leaves.iter().all(|leaf| match leaf.node() {

@@ -41,7 +41,7 @@ fn integers(value: Rational) -> Option<(i64, i64)> {
 }
 
 impl Algebraic {
-    /// How many registers an evaluation needs.
+    /// The number of registers that an evaluation needs.
     pub fn registers(&self) -> usize {
         self.registers
     }

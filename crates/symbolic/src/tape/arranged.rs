@@ -2,7 +2,7 @@
 
 use super::{Operation, Register, Tape};
 
-/// What an operation makes the next one wait, in steps of a processor: only the order of these numbers matters.
+/// The latency of an operation, in steps of a processor: only the order of these numbers matters.
 fn wait(operation: Operation) -> u32 {
     match operation {
         Operation::Circle(_) | Operation::Elementary(..) => 45,
@@ -31,7 +31,7 @@ impl Tape {
         let first = self.inputs + self.constants.len();
         let readings = self.readings();
         let mut ready = vec![0; self.registers];
-        // of the sums that another sum alone may read: their terms, and the registers of their partial sums
+        // sums that another sum alone may read: their terms, and the registers of their partial sums
         let mut open: Vec<Option<(Vec<Term>, Vec<Register>)>> = vec![None; self.registers];
         let absorbed = self.absorbed(&readings);
         let mut ordered: Vec<(usize, Operation)> = Vec::with_capacity(self.operations.len());

@@ -34,7 +34,7 @@ impl Tape {
     pub(super) fn by_factors(&self) -> Tape {
         let readings = self.readings();
         let value = |register: Register| self.constants[register as usize - self.inputs];
-        // what a register is the product of, and what it is the negative of
+        // for each register the product that it is, and the register whose negative it is
         let mut factors: Vec<Option<(Rational, Register)>> = vec![None; self.registers];
         let mut negatives: Vec<Option<Register>> = vec![None; self.registers];
         let mut next = self.inputs + self.constants.len();

@@ -14,7 +14,7 @@ impl Tape {
         let mut taken = vec![false; self.registers];
         for &operation in &self.operations {
             let terms = match operation {
-                // of two products the later one: the other is there before it
+                // the later of two products is fused: the other is there before it
                 Operation::Sum(a, b) | Operation::Difference(a, b) => [a.max(b), a.min(b)].map(Some),
                 _ => [None; 2],
             };
@@ -35,7 +35,7 @@ impl Tape {
         Tape { once: true, ..self.renumbered(&fused) }
     }
 
-    /// How often each register is read, outputs among the readers.
+    /// The number of times that each register is read, outputs among the readers.
     pub(super) fn readings(&self) -> Vec<u32> {
         let mut readings = vec![0; self.registers];
         let operands = self.operations.iter().flat_map(|operation| operation.reads());

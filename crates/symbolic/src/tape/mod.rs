@@ -39,7 +39,7 @@ pub struct Tape {
 /// A place for a number: inputs first, then constants, then results in the order of the operations.
 pub type Register = u32;
 
-/// What is computed from earlier registers.
+/// An operation on earlier registers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Operation {
     Sum(Register, Register),
@@ -65,7 +65,7 @@ pub enum Operation {
 }
 
 impl Operation {
-    /// What it reads; the only one, or the second, more than once.
+    /// The registers that it reads; the only one, or the second, more than once.
     #[inline(always)]
     pub fn operands(self) -> [Register; 3] {
         match self {
@@ -138,17 +138,17 @@ impl Operation {
 }
 
 impl Tape {
-    /// How many numbers go in.
+    /// The number of inputs.
     pub fn inputs(&self) -> usize {
         self.inputs
     }
 
-    /// How many numbers come out.
+    /// The number of outputs.
     pub fn outputs(&self) -> usize {
         self.outputs.len()
     }
 
-    /// How many operations there are; a cosine with its sine is one.
+    /// The number of operations; a cosine with its sine is one.
     pub fn operations(&self) -> usize {
         self.operations.len()
     }

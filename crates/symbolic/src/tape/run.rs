@@ -27,7 +27,7 @@ impl Tape {
         self.constants.iter().map(|value| constant(*value)).collect()
     }
 
-    /// How many registers an evaluation needs.
+    /// The number of registers that an evaluation needs.
     pub fn registers(&self) -> usize {
         self.registers
     }

@@ -28,7 +28,7 @@ pub struct Source<'a> {
     tape: &'a Tape,
     language: Language,
     name: &'a str,
-    /// What stands for the inputs, instead of the components of y.
+    /// The texts of the inputs, instead of the components of y.
     inputs: Option<&'a [String]>,
 }
 
@@ -67,13 +67,13 @@ impl Tape {
 }
 
 impl Source<'_> {
-    /// How an operand is written: in brackets where it begins with a sign.
+    /// The text of an operand: in brackets where it begins with a sign.
     fn operand(&self, register: Register) -> String {
         let text = self.number(register);
         if text.starts_with('-') { format!("({text})") } else { text }
     }
 
-    /// How a number is written.
+    /// The text of a number.
     fn number(&self, register: Register) -> String {
         let number = register as usize;
         let Tape { inputs, rounded, .. } = self.tape;

@@ -1,4 +1,4 @@
-//! What the prover says of identities, of mutated identities, and of hypotheses.
+//! The prover's decisions on identities, on mutated identities, and under hypotheses.
 
 use dalembert_symbolic::{Decision, Hypotheses, Sym, decide, decide_modulo, normal, symbols};
 use field::{Analytic, Scalar};

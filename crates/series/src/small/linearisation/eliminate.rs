@@ -1,4 +1,4 @@
-//! What is solved for, taken out of the rates' derivatives: its rows take its place.
+//! Elimination of the solved quantities from the derivatives of the rates: their rows are substituted.
 
 use super::matrix::Matrix;
 use crate::fused::Fused;
@@ -7,10 +7,10 @@ use crate::small::permutation::Permute;
 use crate::small::solving::{Row, Set};
 use crate::small::wide::Wide;
 
-/// Into which columns what is put.
+/// The columns that an elimination changes.
 #[derive(Clone, Debug)]
 pub(super) struct Elimination {
-    /// How many columns are those of what moves.
+    /// The number of columns of moving quantities.
     moving: usize,
     quantities: Vec<Put>,
     products: Vec<Put>,
@@ -40,7 +40,7 @@ impl Elimination {
         }
     }
 
-    /// Of J, which has the columns of what is solved for, and of W.
+    /// Eliminates in J, which has the columns of the solved quantities, and in W.
     #[inline(always)]
     pub fn run<S: Fused, P: Permute<f64>, const B: usize, const G: usize>(
         &self,

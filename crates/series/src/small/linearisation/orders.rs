@@ -4,7 +4,8 @@
 //!
 //!   f(y)_k = J y_k + W m_k ,    m_k = a_1 b_(k-1) + .. + a_(k-1) b_1 for each product a b ,
 //!
-//! with J and W the derivatives of f at y_0 by the quantities and by the products, what is solved for put in.
+//! with J and W the derivatives of f at y_0 by the quantities and by the products, after the elimination of solved
+//! quantities.
 
 use super::matrix::{Fours, Matrix, times};
 use super::pattern::Pattern;
@@ -15,7 +16,7 @@ use crate::small::permutation::Permute;
 use crate::small::wide::Wide;
 use std::ops::Range;
 
-/// What is where, whatever the numbers are.
+/// The pattern of the matrices, whatever the numbers are.
 #[derive(Clone, Debug)]
 pub(super) struct Shape<const B: usize> {
     jacobian: Fours<B>,

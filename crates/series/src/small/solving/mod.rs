@@ -1,4 +1,4 @@
-//! What is solved for, order by order: sums by their parts, a quotient or a root by the product that it solves.
+//! Solved quantities, order by order: sums from their parts, a quotient or a root from the product that it solves.
 
 mod by;
 mod rows;
@@ -19,7 +19,7 @@ pub(super) struct Solving<S: Fused, const B: usize, const G: usize> {
     values: Vec<S>,
     /// All quantities of order 0.
     point: [S::Stored; B],
-    /// What the later orders are there.
+    /// The rows that give the later orders at the point.
     rows: Vec<Row<S, B, G>>,
 }
 

@@ -1,6 +1,6 @@
-//! What is solved for in each order: by what moves, and by what is known of the products.
+//! Rows for the solved quantities in each order, by the moving quantities and by the known parts of the products.
 //!
-//! Of a product (a b)_k = a_0 b_k + b_0 a_k + m_k, m = a_1 b_(k-1) + .. + a_(k-1) b_1. So for k > 0 every quantity is
+//! A product has (a b)_k = a_0 b_k + b_0 a_k + m_k, m = a_1 b_(k-1) + .. + a_(k-1) b_1. For k > 0 every quantity is
 //!
 //!   x_k = A y_k + C m_k
 //!
@@ -11,7 +11,7 @@ use super::{Set, Solving, lane, members};
 use crate::fused::Fused;
 use crate::small::law::Solved;
 
-/// Of something that is solved for A and C. Numbers one by one: few of them are not zero.
+/// The rows A and C of a solved quantity. Numbers one by one: few of them are not zero.
 #[derive(Clone, Debug)]
 pub(in crate::small) struct Row<S, const B: usize, const G: usize> {
     moving: [[S; 8]; B],
@@ -26,13 +26,13 @@ impl<S: Fused, const B: usize, const G: usize> Row<S, B, G> {
         Row { moving: [[S::zero(); 8]; B], products: [[S::zero(); 8]; G], members }
     }
 
-    /// Of each quantity that moves how many times it counts.
+    /// The moving quantities, each with its coefficient.
     #[inline(always)]
     pub fn moving(&self) -> impl Iterator<Item = (usize, S)> {
         self.members[0].iter().map(|member| (usize::from(*member), self.of_moving((*member).into())))
     }
 
-    /// Of each product.
+    /// The products, each with its coefficient.
     #[inline(always)]
     pub fn products(&self) -> impl Iterator<Item = (usize, S)> {
         self.members[1].iter().map(|member| (usize::from(*member), self.of_product((*member).into())))

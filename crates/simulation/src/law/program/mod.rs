@@ -95,7 +95,7 @@ impl Program {
         S::run(self, t, y, values)
     }
 
-    /// What runs where there is no code; apart, so that its length costs the code nothing.
+    /// Follows the table of operations where there is no code; a function apart, whose length costs the code nothing.
     #[cold]
     fn follow_table(&self, t: f64, y: &[f64], values: &mut [f64]) -> Option<()> {
         self.follow(&self.plain, t, y, values)

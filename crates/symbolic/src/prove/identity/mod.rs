@@ -1,18 +1,17 @@
 //! Identity testing: an expression that vanishes at random points of random prime fields vanishes, but for a small probability of
 //! error that is computed (Schwartz 1980; Zippel 1979).
 //!
-//! Symbols take random values, each angle a random point of the circle by the tangent of its half. Functions take random values of
-//! their own, as if they were independent of their arguments: what vanishes even then vanishes for the true ones. Angles are the
-//! same, and arguments of functions, where their values are: w t and t w. Those that differ have equal values at few points, and the
-//! error holds the chance of such. An expression that does not vanish is not zero where its angles are linearly independent: cos (a + b) t
-//! is no new function beside those of a t and b t. A root takes
-//! both roots of its argument at the point, and the expression must vanish for all of them; a point where one has none in the field is
-//! drawn again. If it does not vanish then some symmetric function of its conjugates does not either, with twice the degree for each
-//! root, and twice the chance where all roots exist. Where there are more than four, roots are taken as functions. So the expression is a quotient
-//! of polynomials in random numbers, of a degree d and with coefficients of so many bits b, both bounded operation by operation. One
-//! that is not zero is zero in a random field of the set with a probability of at most (b/60)/2^54, since it has no more than b/60
-//! such primes as divisors; where it is not, it vanishes at a random point with one of at most d/2^60. No product is expanded: the
-//! cost is one operation for each node and point.
+//! Symbols take random values, each angle a random point of the circle by the tangent of its half. Functions take random values of their own, as
+//! if they were independent of their arguments: an expression that vanishes even then vanishes for the true values. Angles, and arguments of
+//! functions, count as equal where their values are: w t and t w. Different ones have equal values at few points, and the error includes the
+//! chance of this. An expression that does not vanish is not zero where its angles are linearly independent: cos (a + b) t is no new function
+//! beside those of a t and b t. A root takes both roots of its argument at the point, and the expression must vanish for all of them; a point
+//! where one has none in the field is drawn again. If the expression does not vanish then some symmetric function of its conjugates does not
+//! either, with twice the degree for each root, and twice the chance where all roots exist. Where there are more than four, roots are taken as
+//! functions. The expression is then a quotient of polynomials in random numbers, with a degree d and coefficients of b bits, both bounded
+//! operation by operation. A quotient that is not zero is zero in a random field of the set with a probability of at most (b/60)/2^54, since it
+//! has no more than b/60 such primes as divisors; where it is not, it vanishes at a random point with a probability of at most d/2^60. No product
+//! is expanded: the cost is one operation for each node and point.
 
 mod bounds;
 mod point;
