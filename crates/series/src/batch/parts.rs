@@ -1,4 +1,4 @@
-//! What is computed for each order, readied for lanes: the plan with its coefficients beside it.
+//! The work of each order, for a batch: the plan with its coefficients beside it.
 
 use super::products::{Factor, Fan, paired};
 use super::sums::Rows;
@@ -7,7 +7,7 @@ use crate::linear_equations::{LinearSeries, SideBySide};
 use crate::plan::{Product, Quotient, Slot, Stage};
 use field::Batch;
 
-/// Sums, then products, then what is solved for.
+/// Sums, then products, then the solved quantities.
 #[derive(Clone, Debug)]
 pub(super) struct Side<const L: usize> {
     pub sums: Rows<L>,
@@ -18,7 +18,7 @@ pub(super) struct Side<const L: usize> {
     pub linear: Option<Box<LinearSeries<Batch<L>, SideBySide<L>>>>,
 }
 
-/// The factors so far, and of each place which one it is.
+/// The factors so far, and the number of the factor at each place.
 pub(super) struct Slots {
     pub of: Vec<Option<u16>>,
     pub factors: Vec<Factor>,
