@@ -12,7 +12,7 @@ fn find<const E: usize>(alphabet: &'static [Letter<E>], name: &str) -> Option<&'
     alphabet.iter().find(|(pattern, ..)| matches(pattern, name))
 }
 
-/// Whether the name is the pattern with digits in its places.
+/// Whether the name fits the pattern, with digits in place of its `#`.
 fn matches(pattern: &str, name: &str) -> bool {
     let mut letters = name.chars();
     pattern.chars().all(|wanted| match letters.next() {

@@ -1,8 +1,8 @@
-//! The papers of the ledger, whichever crate brings them.
+//! The catalogue of papers, from every crate that is linked.
 
 use crate::{Page, Paper};
 
-/// The papers that a crate brings, in the order in which the ledger shows them; of two catalogues the first by name comes first.
+/// The papers that a crate brings, in the order of the ledger; catalogues are ordered by name.
 #[derive(Clone, Copy, Debug)]
 pub struct Catalogue {
     pub name: &'static str,

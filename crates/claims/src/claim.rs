@@ -40,7 +40,7 @@ pub enum Statement {
     Theorem(Theorem),
 }
 
-/// An equation of the paper beside what was derived without it.
+/// An equation of the paper beside the expression that was derived without it.
 #[derive(Clone, Copy, Debug)]
 pub struct Line {
     /// From first principles: equals `left - right` where the paper is right.
@@ -75,7 +75,7 @@ impl Line {
     }
 }
 
-/// For all values: from the conditions `given` (and the rules) follows `then`.
+/// An implication for all values: `then` follows from the conditions `given` and the rules.
 #[derive(Clone, Debug)]
 pub struct Theorem {
     pub given: Vec<Condition>,

@@ -1,4 +1,4 @@
-//! Conditions on expressions, and exact points at which they are looked at.
+//! Conditions on expressions, and exact points at which they are evaluated.
 
 use field::Rational;
 use std::fmt;
@@ -55,8 +55,8 @@ impl Condition {
         }
     }
 
-    /// A condition that should not hold where this one does for a reason: the expression shifted by one, doubled and
-    /// shifted, or its sign turned.
+    /// A condition that must not hold where this one is proved: the expression shifted by one, doubled and shifted, or
+    /// with its sign turned.
     pub(crate) fn mutated(self) -> Self {
         let one = <Sym as num_traits::One>::one();
         match self {
@@ -69,8 +69,8 @@ impl Condition {
         }
     }
 
-    /// As a reader sees it, in text and LaTeX: a long expression in normal form, where that is short; `None` where no
-    /// formula tells a reader anything.
+    /// Text and LaTeX for a reader: a long expression in normal form, where that is short; `None` where no formula
+    /// tells a reader anything.
     pub(crate) fn shown(self, rules: &Hypotheses) -> Option<(String, String)> {
         let one = |e: Sym, relation: &str, latex: &str| {
             let side = Side::of(e, rules);
@@ -138,7 +138,7 @@ struct Side {
     text: String,
     latex: String,
     readable: bool,
-    /// Whether this is a normal form in the place of what was written.
+    /// Whether this is a normal form in place of the expression as written.
     reduced: bool,
 }
 

@@ -1,4 +1,4 @@
-//! Systems of papers whose equations of motion are derived for reading, whichever crate brings them.
+//! Systems of papers whose equations of motion are derived for reading, from every crate that is linked.
 
 use std::fmt;
 use symbolic::Sym;
@@ -33,7 +33,7 @@ pub struct Equation {
 #[derive(Clone, Copy, Debug)]
 pub struct Derivation {
     pub name: &'static str,
-    /// One line for lists.
+    /// A summary in one line, for lists.
     pub summary: &'static str,
     /// The principles that apply; the first is taken where none is asked for.
     pub principles: &'static [Principle],

@@ -1,4 +1,4 @@
-//! Cross-examination: what a claim must survive whatever its verdict.
+//! Cross-examination: tests that every claim must pass, whatever its verdict.
 
 use crate::{Line, Proof, Theorem};
 use num_traits::One;
@@ -7,8 +7,8 @@ use symbolic::{Decision, Dimension, Hypotheses, Node, Sym, decide, dimension as 
 /// The number of mutants of a right side that are tried: enough to see that the prover can say no.
 const MUTANTS: usize = 6;
 
-/// Objections to equalities: a derivation of mixed dimensions, sides that are the same node, a mutant that passes,
-/// hypotheses that nothing satisfies.
+/// Objections to equalities: a derivation with mixed dimensions, two sides that are one node, a mutant that is proved,
+/// hypotheses that no point satisfies.
 pub fn equations(lines: &[Line], hypotheses: &Hypotheses, dimension: fn(&str) -> Option<Dimension>) -> Vec<String> {
     let mut objections = Vec::new();
     for line in lines {
@@ -34,18 +34,18 @@ pub fn equations(lines: &[Line], hypotheses: &Hypotheses, dimension: fn(&str) ->
     objections
 }
 
-/// Where equalities as printed mix dimensions, in themselves or beside what was derived.
+/// Equalities that mix dimensions as printed, in themselves or beside the derived expression.
 pub fn mixed_lines(lines: &[Line], dimension: fn(&str) -> Option<Dimension>) -> Vec<String> {
     let sides = lines.iter().flat_map(|line| [line.left - line.right, line.derived - line.printed()]);
     sides.filter_map(|side| mismatch(side, dimension)).collect()
 }
 
-/// Where the conclusions of a theorem mix dimensions.
+/// Conclusions of a theorem that mix dimensions.
 pub fn mixed_conclusions(theorem: &Theorem, dimension: fn(&str) -> Option<Dimension>) -> Vec<String> {
     theorem.then.iter().filter_map(|condition| mismatch(condition.expression(), dimension)).collect()
 }
 
-/// Objections to a theorem: premises that mix dimensions; a proof that shows the opposite just as well.
+/// Objections to a theorem: premises with mixed dimensions, or a proof that shows a mutated conclusion as well.
 pub fn theorem(theorem: &Theorem, dimension: fn(&str) -> Option<Dimension>) -> Vec<String> {
     let mut objections = Vec::new();
     for condition in &theorem.given {

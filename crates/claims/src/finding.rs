@@ -3,28 +3,28 @@
 /// The verdict on a property.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum PropertyVerdict {
-    /// Exactly, for all states; of an identity, for all parameters.
+    /// It holds exactly, for all states; for an identity, for all parameters.
     Proved(String),
-    /// By runs and numbers.
+    /// It holds in runs and numbers.
     Tested(String),
-    /// And why.
+    /// It fails, for this reason.
     Fails(String),
-    /// The prover gave up, and why: neither that it holds nor that it fails is known.
+    /// The prover gave up, for this reason: neither that it holds nor that it fails is known.
     Undecided(String),
-    /// And why not.
+    /// It does not apply, for this reason.
     DoesNotApply(String),
 }
 
-/// A check with what it came to.
+/// A check with its result.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Finding {
-    /// One word.
+    /// The check in one word.
     pub check: &'static str,
     pub verdict: PropertyVerdict,
 }
 
 impl PropertyVerdict {
-    /// As pages and programs have it.
+    /// The name on pages and in output.
     pub fn name(&self) -> &'static str {
         match self {
             PropertyVerdict::Proved(_) => "proved",

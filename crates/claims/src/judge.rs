@@ -1,14 +1,14 @@
-//! Deciding a claim.
+//! Judging a claim: verdict, evidence and objections.
 
 use crate::premises::told;
 use crate::proof::Finding;
 use crate::{Claim, Condition, Line, Proof, Statement, Verdict, examine};
 use symbolic::{Decision, Dimension, Hypotheses, decide, normal};
 
-/// The most characters of a statement: more are not read at once.
+/// The most characters of a statement with its formulas; a longer one is its sentence alone.
 const AT_ONCE: usize = 600;
 
-/// A claim with what was found, as text only: it can leave the thread whose expressions it was made of.
+/// A claim with its verdict and evidence, as text only: it can leave the thread of its expressions.
 #[derive(Clone, Debug, Default)]
 pub struct Judged {
     pub id: String,
@@ -17,22 +17,22 @@ pub struct Judged {
     pub says: String,
     pub verdict: Verdict,
     pub expected: Verdict,
-    /// The statement, a formula each: LaTeX.
+    /// The statement in LaTeX, one entry for each formula.
     pub latex: Vec<String>,
-    /// The same as text.
+    /// The statement as text, one entry for each formula.
     pub text: Vec<String>,
-    /// Hypotheses, and everything that was divided by and must not vanish: text and LaTeX.
+    /// Hypotheses, and divisors that must not vanish: text and LaTeX.
     pub requires: Vec<(String, String)>,
     /// Hypotheses of sign: text and LaTeX.
     pub signs: Vec<(String, String)>,
     /// The evidence for the verdict: the method of proof and its result.
     pub evidence: String,
-    /// Where it fails: name and exact value.
+    /// The point at which the claim fails: name and exact value.
     pub counterexample: Vec<(String, String)>,
-    /// Derived less printed, text and LaTeX, where that is not zero.
+    /// The derived expression less the printed one, text and LaTeX, where it is not zero.
     pub difference: Option<(String, String)>,
     pub correction: Option<Box<Judged>>,
-    /// Why the print fails, of a refuted claim.
+    /// Why the print fails, for a refuted claim.
     pub why: String,
     /// The reading of a damaged or ambiguous text; empty where there was nothing to choose.
     pub reading: String,
@@ -42,7 +42,7 @@ pub struct Judged {
 }
 
 impl Judged {
-    /// The statement as it is read alone: the sentence, and its formulas where both can be read at once.
+    /// The statement for reading alone: its sentence, and its formulas where both are short enough.
     pub fn statement(&self) -> String {
         let formulas = self.text.join("; ");
         if self.says.is_empty() {
@@ -52,7 +52,7 @@ impl Judged {
         if formulas.is_empty() || whole.chars().count() > AT_ONCE { self.says.clone() } else { whole }
     }
 
-    /// Whether the verdict is the expected one, here and in the correction, and nothing is objected to.
+    /// Whether the verdict is the expected one, here and in the correction, and there are no objections.
     pub fn sound(&self) -> Result<(), String> {
         if self.verdict != self.expected {
             return Err(format!(
@@ -134,7 +134,7 @@ impl Judged {
         self.latex = lines.iter().map(Line::latex).collect();
     }
 
-    /// Mixed dimensions speak against what is false, and are an objection to whatever is said to hold.
+    /// Mixed dimensions are evidence against a false claim, and an objection to one that is said to hold.
     fn mixed(&mut self, mismatches: Vec<String>) {
         match (self.verdict, mismatches.first()) {
             (Verdict::Refuted, Some(first)) => self.evidence += &format!("; {first}"),

@@ -11,13 +11,13 @@ pub struct Entry {
     pub paper: String,
     pub equation: String,
     pub verdict: &'static str,
-    /// In a sentence; its formulas follow where the whole can be read at once.
+    /// The statement as a sentence, with its formulas where the whole is short enough.
     pub statement: String,
-    /// Every formula of the statement, also where it is too long to be read with the sentence.
+    /// Every formula of the statement, also where it is too long to stand with the sentence.
     pub formulas: Vec<String>,
     /// Everything that is presupposed: hypotheses, divisors that must not vanish, signs.
     pub requires: Vec<String>,
-    /// Why the print fails, of a refuted claim.
+    /// Why the print fails, for a refuted claim.
     pub why: Option<String>,
     /// The reading of a damaged or ambiguous text.
     pub reading: Option<String>,

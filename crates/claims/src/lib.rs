@@ -11,9 +11,9 @@
 //! | [`Theorem`]: from these conditions follows that one | a [`Proof`]: normal form, combination, signs, or an exact point |
 //! | definition | nothing: it makes no claim |
 //!
-//! Every claim is cross-examined without being asked ([`examine`]): its dimensions agree, its sides are not the same
-//! expression, a mutated right side is refuted, its hypotheses can be met. [`review`](mod@review) tells what a change of a
-//! page means: which term of which equation. A [`certificate`] lets another program repeat the proof of a verdict.
+//! Every claim is cross-examined ([`examine`]): its dimensions agree, its sides are not one expression, a mutated right
+//! side is refuted, its hypotheses can be met. [`review`](mod@review) tells which term of which equation a change of a
+//! page concerns. A [`certificate`] lets another program repeat the proof of a verdict.
 
 pub mod alphabet;
 pub mod catalogue;

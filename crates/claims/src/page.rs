@@ -79,12 +79,12 @@ impl Page {
         self.judged(|_| true).collect()
     }
 
-    /// Those claims that are asked for, as they are decided, one after the other.
+    /// The claims that `asked` selects, judged one after the other.
     pub fn judged(&self, asked: impl Fn(&Claim) -> bool) -> impl Iterator<Item = Judged> {
         self.claims.iter().filter(move |claim| asked(claim)).map(|claim| claim.judge(self.dimensions))
     }
 
-    /// The same, each with the certificates of its verdict and of its correction's.
+    /// As [`Page::judged`], each with the certificates of its verdict and of its correction's.
     pub fn certified(&self, asked: impl Fn(&Claim) -> bool) -> impl Iterator<Item = (Judged, Vec<Certificate>)> {
         self.claims.iter().filter(move |claim| asked(claim)).map(|claim| {
             let judged = claim.judge(self.dimensions);
@@ -93,7 +93,7 @@ impl Page {
         })
     }
 
-    /// Attaches what holds instead to the claim before: the correction is drafted as a claim of its own.
+    /// Makes the last claim the correction of the claim before it.
     pub fn correct(&mut self) {
         if let Some(correction) = self.claims.pop()
             && let Some(wrong) = self.claims.last_mut()
@@ -128,7 +128,7 @@ impl<'a> Draft<'a> {
         self
     }
 
-    /// The sentence says it all: expressions as they are derived would tell a reader nothing more.
+    /// The sentence says everything: the derived expressions would tell a reader nothing more.
     pub fn in_words(mut self) -> Self {
         self.in_words = true;
         self
@@ -145,7 +145,7 @@ impl<'a> Draft<'a> {
         self.equations(lines, Verdict::Proved)
     }
 
-    /// The paper is expected to be wrong; say what is right with [`Page::correct`].
+    /// The paper is expected to be wrong; [`Page::correct`] adds the correction.
     pub fn fails(self, lines: impl IntoIterator<Item = Line>) -> &'a mut Page {
         self.equations(lines, Verdict::Refuted)
     }
@@ -161,7 +161,7 @@ impl<'a> Draft<'a> {
         self.theorem(then, Proof::NormalForm, Verdict::Proved)
     }
 
-    /// Each conclusion is a combination of what is given: (multiplier places, cofactors) for each.
+    /// Each conclusion is a combination of given conditions: (multiplier places, cofactors) for each.
     pub fn by_combination(
         self,
         then: impl IntoIterator<Item = (Condition, Vec<usize>, Vec<(usize, Sym)>)>,
@@ -175,7 +175,8 @@ impl<'a> Draft<'a> {
         self.theorem(conclusions, Proof::Combinations(certificates), Verdict::Proved)
     }
 
-    /// An expression f does not vanish: `factor` f is the product of what stands at `places`, up to the combination.
+    /// An expression f does not vanish: `factor` f is the product of the given expressions at `places`, up to the
+    /// combination.
     pub fn nonvanishing(self, f: Sym, factor: Sym, places: Vec<usize>, cofactors: Vec<(usize, Sym)>) -> &'a mut Page {
         let certificate = Combination { multiplier: places, cofactors, factor: Some(factor) };
         self.theorem([Condition::NonZero(f)], Proof::Combinations(vec![certificate]), Verdict::Proved)

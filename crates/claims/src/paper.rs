@@ -1,4 +1,4 @@
-//! A paper as pages of the ledger know it.
+//! A paper as the ledger knows it.
 
 use crate::Page;
 
@@ -11,9 +11,9 @@ pub struct Paper {
     pub title: &'static str,
     /// Authors, title, journal.
     pub citation: &'static str,
-    /// Its subject and what was found, in a paragraph; LaTeX between dollar signs.
+    /// Subject and findings in a paragraph; LaTeX between dollar signs.
     pub summary: &'static str,
-    /// Everything it states: numbered equations, then statements. Each must have a claim.
+    /// Everything that it states: numbered equations, then statements. Each must have a claim.
     pub entries: &'static [&'static str],
     /// Its claims, made in the calling thread.
     pub page: fn() -> Page,

@@ -4,7 +4,7 @@ use crate::proof::one_sign;
 use crate::{Condition, Judged};
 use symbolic::{Hypotheses, Node, Sym, normal};
 
-/// Shown as it stands up to this; a longer expression is told by its letters.
+/// The longest expression, in characters, that is shown as it stands; a longer one is told by its letters.
 const READABLE: usize = 420;
 
 impl Judged {
@@ -22,7 +22,7 @@ impl Judged {
     /// their own form, or as a power of a divisor listed already.
     pub(crate) fn divided_by(&mut self, divisors: &[Sym], given: &[Condition]) {
         let mut divisors: Vec<Sym> = divisors.iter().map(|divisor| radicand(*divisor)).collect();
-        // by length, then by text: the order in which they were met depends on what was written before
+        // by length, then by text: the order in which they were met depends on earlier expressions
         divisors.sort_by_cached_key(|divisor| {
             let text = divisor.to_string();
             (text.chars().count(), text)
@@ -46,10 +46,10 @@ fn radicand(divisor: Sym) -> Sym {
     }
 }
 
-/// Up to this power a divisor is recognised as one of what is known to differ from zero.
+/// The highest power up to which a divisor is recognised as one of an expression known to differ from zero.
 const MOST_POWER: i32 = 4;
 
-/// Whether the known conditions exclude that it vanishes.
+/// Whether the known conditions exclude zeros of the divisor.
 fn differs_from_zero(divisor: Sym, known: &[Condition]) -> bool {
     let excluded = known.iter().filter_map(|condition| match condition {
         Condition::NonZero(e) | Condition::Positive(e) => Some(*e),
@@ -74,7 +74,7 @@ fn differs_from_zero(divisor: Sym, known: &[Condition]) -> bool {
     one_sign(divisor, &positive, &|symbol| excluded.contains(symbol)).is_some() || excluded.iter().any(power)
 }
 
-/// In text and LaTeX.
+/// The condition in text and LaTeX.
 pub(crate) fn told(condition: Condition) -> (String, String) {
     let text = condition.to_string();
     if text.chars().count() <= READABLE {

@@ -1,4 +1,4 @@
-//! The ways in which a theorem is decided.
+//! Proofs of theorems, and disproofs.
 
 use crate::univariate::{polynomial, vanish_at_zero_alone};
 use crate::{Condition, Point, Theorem, Verdict};
@@ -17,21 +17,21 @@ pub enum Proof {
     /// symbols that are positive, or occur to even powers only. Where all its terms could vanish together, a given
     /// condition excludes that their symbols do.
     Signs { positive: Vec<Sym> },
-    /// An exact point at which all that is given holds and a conclusion does not.
+    /// An exact point at which all given conditions hold and a conclusion does not.
     Counterexample(Point),
     /// All values but one are given at an exact point; there the conclusions are polynomials in the unknown, without a
-    /// common root other than zero: so no value of the unknown satisfies them.
+    /// common root other than zero: no value of the unknown satisfies them.
     NoRoot { unknown: Sym, at: Point },
-    /// For a theorem of existence: an exact point at which all that is given and all conclusions hold.
+    /// For a theorem of existence: an exact point at which all given conditions and all conclusions hold.
     Example(Point),
 }
 
 /// The certificate for one conclusion.
 #[derive(Clone, Debug, Default)]
 pub struct Combination {
-    /// Places in the list of what is given whose expressions are multiplied to m; empty for m = 1.
+    /// Places in the list of given conditions whose expressions are multiplied to m; empty for m = 1.
     pub multiplier: Vec<usize>,
-    /// (place in the list of what is given, cofactor).
+    /// (place in the list of given conditions, cofactor).
     pub cofactors: Vec<(usize, Sym)>,
     /// d, for conclusions f != 0.
     pub factor: Option<Sym>,
@@ -42,7 +42,7 @@ pub(crate) struct Finding {
     pub verdict: Verdict,
     /// The reason in a few words.
     pub evidence: String,
-    /// Everything that was divided by on the way: none of it may vanish.
+    /// The divisors of the proof, none of which may vanish.
     pub divisors: Vec<Sym>,
 }
 
@@ -88,7 +88,7 @@ impl Theorem {
         Finding { divisors, ..last }
     }
 
-    /// The first exact point that satisfies all that is given and at which a conclusion, an equality, fails: that of a normal
+    /// The first exact point that satisfies all given conditions and at which a conclusion, an equality, fails, by a normal
     /// form which is not zero.
     pub(crate) fn witness(&self) -> Option<Witness> {
         self.then.iter().find_map(|conclusion| match decide(conclusion.expression(), &self.rules) {
@@ -97,7 +97,7 @@ impl Theorem {
         })
     }
 
-    /// Whether all that is given beside the rules, which any witness satisfies, holds at its point.
+    /// Whether all given conditions beside the rules, which any witness satisfies, hold at its point.
     fn admits(&self, witness: &Witness) -> bool {
         let values = witness.point.iter().filter_map(|(symbol, value)| Some((*symbol, value.as_constant()?)));
         let point = Point::of(values);

@@ -29,7 +29,7 @@ impl Verdict {
         Verdict::Open,
     ];
 
-    /// One word, lower case: the chip, the filter and the CSS class.
+    /// The name in one word, lower case: the chip, the filter and the CSS class.
     pub fn name(self) -> &'static str {
         match self {
             Verdict::Refuted => "refuted",

@@ -5,10 +5,10 @@ use crate::{Analytic, Base, Circle, Divisor, Elementary, Over, Scalar};
 use num_traits::{One, Zero};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Rem, RemAssign, Sub, SubAssign};
 
-/// L numbers, each a field for itself: what one lane holds never depends on another. Equality is that of all lanes.
+/// L numbers, each a field for itself: no lane depends on another. Equality is that of all lanes.
 ///
-/// Plain loops that are always inlined, so that whoever is compiled for wide registers uses them here too. Where `FUSED`,
-/// a product and a sum are rounded once, which is fast only where the processor can, and slow elsewhere.
+/// Operations are plain loops that are always inlined: code compiled for wide registers uses them here too. Where
+/// `FUSED`, a product and a sum are rounded once, which is fast only on processors with that instruction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(align(64))]
 pub struct Batch<const L: usize, const FUSED: bool = false>(pub [f64; L]);
@@ -170,7 +170,7 @@ impl<const L: usize, const FUSED: bool> Analytic for Batch<L, FUSED> {
     }
 }
 
-/// Where angles are far away, or not finite.
+/// Lane by lane, where angles are far away, or not finite.
 #[cold]
 #[inline(never)]
 fn one_by_one<const L: usize, const FUSED: bool>(angle: Batch<L, FUSED>) -> Circle<Batch<L, FUSED>> {

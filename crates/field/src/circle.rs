@@ -3,8 +3,8 @@
 use crate::{Analytic, Scalar, Tangent};
 use std::ops::{Add, Neg, Sub};
 
-/// The point (cos a, sin a): an angle without its number of turns. Sums are the addition theorems, so that every law
-/// in it is algebraic and an equality between laws can be decided.
+/// The point (cos a, sin a): an angle without its number of turns. Sums are the addition theorems: every law in it is
+/// algebraic, and an equality between laws can be decided.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Circle<S> {
     pub cos: S,
@@ -35,7 +35,7 @@ impl<S: Scalar> Circle<S> {
         Circle { cos: Tangent::moving(self.cos, -self.sin * speed), sin: Tangent::moving(self.sin, self.cos * speed) }
     }
 
-    /// The same angle as the one variable of a short law: what does not depend on it is known to rest.
+    /// The same angle as the one variable of a short law: numbers that do not depend on it are known to be constant.
     #[inline(always)]
     pub fn varied(self) -> Circle<Tangent<S, bool>> {
         Circle { cos: Tangent::at_rate(self.cos, -self.sin), sin: Tangent::at_rate(self.sin, self.cos) }
@@ -79,7 +79,7 @@ impl<S: Analytic> Circle<S> {
 }
 
 impl Circle<f64> {
-    /// The fraction `part / whole` of a full turn, as datum: to half a unit of rounding.
+    /// The fraction `part / whole` of a full turn as datum, to half a unit of rounding.
     pub fn turn(part: u32, whole: u32) -> Self {
         let (sin, cos) = (std::f64::consts::TAU * f64::from(part) / f64::from(whole)).sin_cos();
         Circle { cos, sin }

@@ -3,7 +3,7 @@
 use crate::{Analytic, Circle, Elementary, Over, Scalar};
 use num_dual::{Dual, Dual2, DualNum, DualSVec, DualStruct, HyperDual};
 
-/// Beyond this argument the slope of tanh is below all numbers beside its value.
+/// The argument beyond which the slope of tanh underflows.
 const FLAT: f64 = 300.0;
 
 macro_rules! dual_field {
@@ -36,7 +36,7 @@ macro_rules! dual_field {
                 match function {
                     Elementary::Exp => DualNum::exp(&self),
                     Elementary::Ln => DualNum::ln(&self),
-                    // num-dual divides sinh by cosh, which are beyond all numbers there
+                    // num-dual divides sinh by cosh, which overflow there
                     Elementary::Tanh if self.re().abs() > FLAT => Self::from(self.re().signum()),
                     Elementary::Tanh => DualNum::tanh(&self),
                     Elementary::Atan2 => DualNum::atan2(&self, other),

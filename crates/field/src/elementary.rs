@@ -46,7 +46,7 @@ impl Elementary {
         }
     }
 
-    /// In `f64`: the same bits on every platform.
+    /// The value in `f64`: the same bits on every platform.
     pub fn of(self, a: f64, b: f64) -> f64 {
         match self {
             Elementary::Exp => libm::exp(a),

@@ -1,7 +1,7 @@
 //! Intervals in `f64`: every operation holds all results of the numbers in its operands, ends rounded outwards.
 //!
-//! The value of an expression over intervals holds its range there: a proof that it does not vanish, or of how steep it is. Narrow intervals
-//! decide; finer numbers with an interval around them are [`algebra`'s enclosures].
+//! The value of an expression over intervals holds its range there: a proof that it does not vanish, or a bound of its slope. Narrow
+//! intervals decide; finer numbers with an interval around them are [`algebra`'s enclosures].
 //!
 //! [`algebra`'s enclosures]: https://docs.rs/dalembert-algebra
 
@@ -10,7 +10,7 @@ use num_traits::{One, Zero};
 use std::f64::consts::PI;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Rem, RemAssign, Sub, SubAssign};
 
-/// All numbers from one to another. Equality is that of both ends.
+/// All numbers from one to another. Two intervals are equal if both ends are.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Interval {
     low: f64,
@@ -45,7 +45,7 @@ impl Interval {
         if middle.is_finite() { middle } else { 0.0 }
     }
 
-    /// From end to end, at least.
+    /// An upper bound of the distance between the ends.
     pub fn width(self) -> f64 {
         if self.low == self.high { 0.0 } else { (self.high - self.low).next_up() }
     }
@@ -98,7 +98,7 @@ impl Interval {
         })
     }
 
-    /// 1, -1 or 0 of all of its numbers; none where they differ in sign.
+    /// The sign of all of its numbers, 1, -1 or 0; `None` where they differ in sign.
     pub fn sign(self) -> Option<i32> {
         match self {
             Interval { low: 0.0, high: 0.0 } => Some(0),
@@ -298,7 +298,7 @@ impl Analytic for Interval {
         Circle { cos: self.cosine(), sin: (self - quarter).cosine() }
     }
 
-    /// Everything where some of it is negative: there the law has no value.
+    /// Everything where some of it is negative: the law has no value there.
     fn sqrt(self) -> Self {
         if self.low < 0.0 {
             return Self::EVERYTHING;

@@ -43,8 +43,8 @@ impl Rational {
         RBig::try_from(value).map_or(Self::UNDEFINED, Self::from)
     }
 
-    /// The decimal with the fewest digits that reads as this float: what a person wrote, 1/10 and not the binary fraction
-    /// next to it. Undefined for infinities and NaN.
+    /// The decimal with the fewest digits that reads as this float: the number that a person wrote, 1/10 and not the
+    /// binary fraction next to it. Undefined for infinities and NaN.
     pub fn decimal(value: f64) -> Self {
         if !value.is_finite() {
             return Self::UNDEFINED;
@@ -64,7 +64,7 @@ impl Rational {
         }
     }
 
-    /// Whether no division by zero led here.
+    /// Whether the value is not [`Rational::UNDEFINED`].
     pub fn is_defined(self) -> bool {
         !matches!(self.0, Undefined)
     }

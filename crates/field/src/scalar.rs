@@ -11,7 +11,8 @@ use crate::{Circle, Elementary};
 
 /// A number of some field: operations and exact constants, no order, no rounding to `f64`.
 pub trait Scalar: Copy + Debug + PartialEq + 'static + Zero + One + NumOps + NumAssignOps + Neg<Output = Self> {
-    /// Whether each operation is a call: then what has several of them, as a derivative has, is a call too, and not inlined.
+    /// Whether each operation is a call: code with several operations, such as a derivative, is then a call too, and not
+    /// inlined.
     const CALLS: bool = false;
 
     /// The quotient of two integers, as exactly as the field holds it. `denominator` must not be zero.
@@ -68,7 +69,7 @@ pub trait Over<P: Scalar>: Scalar {
     }
 }
 
-/// A parameter that laws divide by: its reciprocal is known before anything moves.
+/// A parameter that laws divide by, with its reciprocal, which is computed once.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Divisor<P> {
     value: P,
@@ -100,7 +101,8 @@ pub trait Analytic: Scalar {
     /// (cos x, sin x) of an angle in radians.
     fn circle(self) -> Circle<Self>;
 
-    /// The same; `f64` rounds each product with its sum once, whatever the processor: see [`Scalar::times_and`].
+    /// [`Analytic::circle`], in which `f64` rounds each product with its sum once, whatever the processor: see
+    /// [`Scalar::times_and`].
     #[inline(always)]
     fn circle_once(self) -> Circle<Self> {
         self.circle()
@@ -199,7 +201,7 @@ impl Analytic for Df64 {
     // always inlined: whoever is compiled for fused products has them here too
     #[inline(always)]
     fn circle(self) -> Circle<Self> {
-        // beyond, multiples are not counted exactly; what comes to such an angle is lost anyway
+        // beyond it multiples are not counted exactly; results of such an angle are lost in rounding anyway
         let countable = self.hi().abs() < MOST_ANGLE;
         if countable { sincos_double_double::point(self) } else { Circle { cos: NONE, sin: NONE } }
     }

@@ -3,7 +3,7 @@
 
 use crate::{Circle, DoubleDouble};
 
-/// A number and what it leaves out, not necessarily below its last place.
+/// A number and its rounding error, not necessarily below its last place.
 type Double = [f64; 2];
 
 /// pi/16 in three parts: its multiples below 2^51 are known to 2^-108 of a unit, and better.

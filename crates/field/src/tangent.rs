@@ -1,8 +1,8 @@
 //! First derivatives in any field, forward mode.
 //!
 //! num-dual's duals need an ordered base with a value in `f64`; a proof runs over a field that has neither. A tangent
-//! asks for the field operations alone, so the same derivation runs over `f64`, exact rationals, double-double and
-//! expressions. Nested once it gives second derivatives. Over `f64` num-dual is the second route that checks it.
+//! needs the field operations alone: one derivation runs over `f64`, exact rationals, double-double and expressions.
+//! Nested once it gives second derivatives. Over `f64` num-dual is the second route that checks it.
 
 use crate::{Analytic, Base, Circle, Divisor, Elementary, Over, Scalar};
 use num_traits::{One, Zero};
@@ -12,8 +12,8 @@ use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Rem, RemAssi
 /// Whether a number moves, as far as this is known beside its slope.
 ///
 /// With `()` nothing is known, and all products with slopes that are zero are formed. With `bool` they are left out, which no
-/// compiler may do where numbers round: a short law that is inlined whole then costs what is written down by hand. (A long
-/// one, or one differentiated twice, would be compiled for every combination of what rests.)
+/// compiler may do where numbers round: a short law that is inlined whole then costs as much as derivatives written by hand.
+/// (A long one, or one differentiated twice, would be compiled for every combination of constant numbers.)
 pub trait SlopeKnowledge: Copy + Debug + 'static {
     const KNOWN: bool;
     fn of(moves: bool) -> Self;

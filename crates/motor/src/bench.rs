@@ -1,4 +1,4 @@
-//! A motor alone: its rotor between bearings, its housing at rest.
+//! A motor on a bench: its rotor between bearings, its housing at rest.
 
 use super::{Machine, drive, stored_energy};
 use field::{Analytic, Base, Over};
@@ -23,7 +23,7 @@ impl<P: Base, M: Machine<P>> Bench<P, M> {
         self.rates_under(S::zero(), y, dy);
     }
 
-    /// A' g'' = M - load and the currents, with a further moment of the load against the rotor's turning, N m.
+    /// A' g'' = M - load and the currents, with a load torque against the rotor's turning, N m.
     pub fn rates_under<S: Over<P> + Analytic>(&self, load: S, y: &[S], dy: &mut [S]) {
         let (rotor, currents) = y.split_at(self.machine.rotor().dimension());
         let (rotor_rates, current_rates) = dy.split_at_mut(self.machine.rotor().dimension());
@@ -46,7 +46,7 @@ impl<P: Base, M: Machine<P>> Bench<P, M> {
         (momentum * momentum / S::lift(self.axial)).half() + stored_energy(&self.machine, angle, currents)
     }
 
-    /// E - W p, the energy as seen from the stator's field: without supply and sliding windings what it loses is heat.
+    /// E - W p, the energy as seen from the stator's field: without supply and sliding windings its loss is heat.
     pub fn jacobi<S: Over<P> + Analytic>(&self, y: &[S]) -> S {
         self.energy(y) - S::lift(self.machine.frame_speed()) * self.rotor_momentum(y)
     }

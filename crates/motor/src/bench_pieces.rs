@@ -1,4 +1,5 @@
-//! A motor on its bench in pieces: the kick at a resting angle, and the drift at a constant spin.
+//! Pieces of a motor on a bench for splitting methods: the kick at a constant angle, and the drift at a constant
+//! angular momentum.
 
 use super::{
     Acting, Bench, Fading, Kick, Law, Machine, Point, Programmed, Programs, Rule, decay_quotient, has_known_flow, kick,
@@ -29,7 +30,7 @@ impl<S: Analytic> BenchFlows<S> {
         S::one() / self.axial
     }
 
-    /// The kick at a resting angle. Gives what is left of the equation that it solves by iteration.
+    /// The kick at a constant angle. Returns the residual of the equation that it solves by iteration.
     #[inline]
     pub fn push<P: Base, A: Acting<P, S>>(&self, machine: &A, by: &Kick<S>, point: &mut Point<S>) -> S
     where
@@ -38,7 +39,7 @@ impl<S: Analytic> BenchFlows<S> {
         kick(machine, by, self.slip(point), S::zero(), point)
     }
 
-    /// The drift at a constant spin.
+    /// The drift at a constant angular momentum.
     #[inline]
     pub fn drift(&self, length: S, point: &mut Point<S>) {
         point.angle += length * self.slip(point);

@@ -1,4 +1,4 @@
-//! The motors that have a name, whichever crate brings them.
+//! The catalogue of motors by name, from every crate that is linked.
 //!
 //! ```
 //! let motor = dalembert_motor::catalogue::entry("perpetuum_mobile");
@@ -16,15 +16,15 @@ use symbolic::{Sym, apart};
 /// A motor of the catalogue: its data, and its laws in letters that stand for them.
 #[derive(Clone, Copy, Debug)]
 pub struct Entry {
-    /// As scene files have it.
+    /// The name in scene files.
     pub name: &'static str,
-    /// One line for lists and reports.
+    /// A summary in one line, for lists and reports.
     pub summary: &'static str,
-    /// In their order; none is called as a letter of the motion is, g, g', phi', or as a current.
+    /// The data in their order; none has the name of a letter of the motion, g, g', phi', or of a current.
     pub data: &'static [Quantity],
     /// Whole numbers of at least one that make the motor, such as that of its bars.
     pub counts: &'static [Count],
-    /// Writes the laws down.
+    /// Records the laws as expressions.
     pub write: fn(&mut Given) -> Result<Laws, TooLong>,
 }
 
@@ -35,7 +35,7 @@ pub struct Count {
     pub meaning: &'static str,
 }
 
-/// The motors that a crate brings, in the order in which lists show them; of two catalogues the first by name comes first.
+/// The motors that a crate brings, in the order of lists; catalogues are ordered by name.
 #[derive(Clone, Copy, Debug)]
 pub struct Catalogue {
     pub name: &'static str,
@@ -47,19 +47,19 @@ inventory::collect!(Catalogue);
 /// Rotors without a motor.
 const ROTORS: &[&Entry] = &[&constant_speed::ENTRY, &free_rotor::ENTRY];
 
-/// Every motor that has a name, after the rotors without one.
+/// Every motor with a name, after the rotors without a motor.
 pub fn entries() -> Vec<&'static Entry> {
     let mut catalogues: Vec<&Catalogue> = inventory::iter::<Catalogue>().collect();
     catalogues.sort_by_key(|catalogue| catalogue.name);
     ROTORS.iter().chain(catalogues.iter().flat_map(|catalogue| catalogue.motors)).copied().collect()
 }
 
-/// The motor of a name.
+/// The motor with this name.
 pub fn entry(name: &str) -> Option<&'static Entry> {
     entries().into_iter().find(|entry| entry.name == name)
 }
 
-/// Whether several motors have a name: then a file cannot mean one of them.
+/// Whether several motors have this name: a file cannot mean one of them then.
 pub fn is_ambiguous(name: &str) -> bool {
     name == text::NAME && entry(name).is_some() || entries().iter().filter(|entry| entry.name == name).count() > 1
 }
@@ -90,7 +90,7 @@ pub fn letter(quantity: &Quantity) -> Result<Sym, TooLong> {
     Ok(Sym::symbol(&quantity.name))
 }
 
-/// The counts of a motor whose laws are written down.
+/// The letters and counts for which the laws of a motor are recorded.
 #[derive(Debug)]
 pub struct Given {
     entry: &'static Entry,
@@ -104,14 +104,14 @@ impl Given {
         self.counts.iter().find(|(count, _)| count.name == name).map_or(1, |(_, number)| *number)
     }
 
-    /// A letter for what is computed once, of the data alone, in the field in which they are given: angles of bars, roots.
+    /// A letter for a value of the data alone, computed once in the field in which they are given: angles of bars, roots.
     pub fn settled(&mut self, value: Sym) -> Sym {
         let letter = Sym::symbol(&format!("settled {}", self.settled.len()));
         self.settled.push((letter, value));
         letter
     }
 
-    /// The same for a point of the circle.
+    /// Letters for a point of the circle, likewise computed once.
     pub fn settled_point(&mut self, Circle { cos, sin }: Circle<Sym>) -> Circle<Sym> {
         Circle { cos: self.settled(cos), sin: self.settled(sin) }
     }

@@ -1,4 +1,4 @@
-//! A rotor that is kept at a constant speed relative to the carrier, whatever moment that takes.
+//! A rotor that is kept at a constant speed relative to the carrier, whatever torque this takes.
 
 use crate::{Entry, Machine, RotorState, letter};
 use field::{Base, Over};
@@ -29,7 +29,7 @@ impl<P: Base> Machine<P> for ConstantSpeed<P> {
     }
 }
 
-/// Among the motors of the catalogue.
+/// The entry in the catalogue of motors.
 pub const ENTRY: Entry = Entry {
     name: "constant_speed",
     summary: "constant relative speed",

@@ -1,8 +1,8 @@
-//! The laws of a machine as a kick asks for them: those of the angle at once, the moment at all stages at once.
+//! The laws of a machine in the form that a kick needs: those of the angle together, the torque at all stages together.
 //!
-//! A machine answers law by law. The laws of a [`Motor`](super::Motor) are programs, which share nothing when they are followed one by
-//! one; [`Programs`] are all of them, recorded together with the data as constants. Laws of the angle with one harmonic need none: they are
-//! [`Waves`]. The moment, which a kick asks for at four slips five times over, is one [`Fraction`] of the slip.
+//! A machine gives law by law. The laws of a [`Motor`](super::Motor) are programs, which share nothing when they are evaluated one by one;
+//! [`Programs`] are all of them, recorded together with the data as constants. Laws of the angle with one harmonic need none: they are
+//! [`Waves`]. The torque, which a kick needs at four slips five times over, is one [`Fraction`] of the slip.
 
 use super::gauss4_scalar::STAGES;
 use super::harmonics::{Harmonics, Waves};
@@ -12,7 +12,7 @@ use field::{Analytic, Base, Circle, Over, Rational, Tangent};
 use simulation::{Program, Running};
 use symbolic::{Fraction, Sym};
 
-/// A machine at a resting angle.
+/// A machine at a constant angle.
 pub trait Acting<P: Base, S: Over<P>> {
     type Machine: Machine<P>;
 
@@ -53,12 +53,12 @@ impl<P: Base, S: Over<P>, M: Machine<P>> Acting<P, S> for M {
     }
 }
 
-/// The laws of a machine as a kick asks for them, as programs.
+/// The laws of a machine for a kick, as programs.
 #[derive(Clone, Debug)]
 pub struct Programs {
-    /// psi_k, -U', psi_k' of the angle's cosine and sine; where the laws know it
+    /// psi_k, -U', psi_k' of the angle's cosine and sine; `None` where the laws do not depend on it
     angle: Option<Program>,
-    /// The same where they have one harmonic: then there is no program.
+    /// the flux laws with one harmonic: then there is no program
     waves: Option<Waves>,
     /// m of the slip, where it is curved; none where that would be longer than the law itself
     moment: Option<Fraction<Rational>>,
@@ -184,7 +184,7 @@ fn followed<S: Running, const N: usize>(
     force[0]
 }
 
-/// [`Acting::linkages`] by a program: of its values the first.
+/// [`Acting::linkages`] by a program: the first of its values.
 #[inline]
 fn linked<S: Running, const N: usize>(
     program: &Program,

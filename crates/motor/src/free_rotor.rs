@@ -3,7 +3,7 @@
 use crate::{Entry, Machine, RotorState};
 use field::{Base, Over};
 
-/// No moment about the axis: the classical gyrostat of section 8.2. Its speed is measured from zero.
+/// No torque about the axis: the classical gyrostat of section 8.2. Its speed is measured from zero.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FreeRotor<P> {
     at_rest: P,
@@ -32,7 +32,7 @@ impl<P: Base> Machine<P> for FreeRotor<P> {
     }
 }
 
-/// Among the motors of the catalogue.
+/// The entry in the catalogue of motors.
 pub const ENTRY: Entry = Entry {
     name: "free_rotor",
     summary: "free rotor: by inertia, without friction",

@@ -11,7 +11,7 @@
 use super::{Machine, RotorState, drive, motional_moment, supplied};
 use field::{Base, Circle, Over};
 
-/// The integrals that a machine leaves, beside those that no machine touches.
+/// The integrals that a machine preserves, beside those that no machine changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Conserved {
     /// E - W p, the energy in the turning field.
@@ -20,11 +20,11 @@ pub struct Conserved {
     pub spin: bool,
 }
 
-/// (slip, phi'): unrelated points, at which a law that is not zero everywhere does not vanish altogether.
+/// (slip, phi'): unrelated points; a law that is not zero everywhere does not vanish at all of them.
 const POINTS: [(f64, f64); 4] = [(1.0, 0.7), (-31.7, 12.9), (0.013, -211.0), (140.3, 3.1)];
 
 impl Conserved {
-    /// By a machine.
+    /// Finds the integrals that a machine preserves.
     pub fn by(machine: &impl Machine<f64>) -> Self {
         if machine.rotor() == RotorState::Prescribed {
             return Conserved { jacobi: true, spin: false };
@@ -42,7 +42,7 @@ impl Conserved {
     }
 }
 
-/// sum v_k i_k - W sum c_k i_k, W: what supply and sliding windings put into E - W p.
+/// sum v_k i_k - W sum c_k i_k, W: the power that supply and sliding windings put into E - W p.
 pub(super) fn feed<P: Base, S: Over<P>>(machine: &impl Machine<P>, angle: Circle<S>, currents: &[S]) -> S {
     supplied(machine, angle, currents) - S::lift(machine.frame_speed()) * motional_moment(machine, currents)
 }
@@ -51,7 +51,7 @@ fn unrelated(machine: &impl Machine<f64>) -> Vec<f64> {
     (0..machine.windings()).map(|k| 1.3 + k as f64).collect()
 }
 
-/// Whether the machine leaves its rotor alone, whatever the angle and the currents.
+/// Whether the torque of the machine vanishes at this slip and angle, whatever the currents.
 fn idle(machine: &impl Machine<f64>, (slip, angle): (f64, f64)) -> bool {
     let currents = unrelated(machine);
     let mut rates = vec![0.0; currents.len()];

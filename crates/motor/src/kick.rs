@@ -19,25 +19,25 @@ use field::{Analytic, Base, Circle, Over, Scalar, Tangent};
 use integrators::Real;
 use symbolic::{Hypotheses, Sym, decide};
 
-/// The rotor in the coordinates in which pieces flow.
+/// The rotor in the coordinates of the pieces.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Point<S> {
-    /// g; means nothing where the laws do not know it
+    /// g; without meaning where the laws do not depend on it
     pub angle: S,
-    /// p, the rotor's spin
+    /// p, the rotor's angular momentum
     pub momentum: S,
     /// c_k
     pub fluxes: Vec<S>,
 }
 
-/// Whether the moment m is linear in the slip.
+/// Whether the torque m is linear in the slip.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Law {
     Linear,
     Curved,
 }
 
-/// A length of time, prepared.
+/// The flow over one length of time, with its coefficients prepared.
 #[derive(Clone, Debug)]
 pub struct Kick<S> {
     pub length: S,
@@ -57,7 +57,7 @@ enum Moment<S> {
 }
 
 impl Law {
-    /// By the second derivative, decided exactly.
+    /// Decides by the second derivative, exactly.
     pub fn of(machine: &impl Machine<f64>) -> Self {
         let slip = Sym::symbol("slip");
         let moment = machine.moment_law(slip, slip + Sym::lift(machine.frame_speed()));
@@ -100,7 +100,7 @@ impl<S: Scalar> Kick<S> {
     }
 }
 
-/// Whether the flow is known: of windings with an angle that the laws know, without supply, without sliding.
+/// Whether the flow is known: the windings have laws of the angle, no supply and no sliding conductors.
 pub fn has_known_flow<P: Base, M: Machine<P>>(machine: &M) -> bool {
     machine.windings() == 0 || machine.rotor() == RotorState::AngleAndSpeed && !is_fed(machine)
 }
@@ -125,7 +125,8 @@ pub fn moment_at<P: Base, S: Over<P>>(machine: &impl Machine<P>, slip: S) -> Tan
     machine.moment_law(slip, slip + Tangent::fixed(S::lift(machine.frame_speed())))
 }
 
-/// The flow: moves the rotor's momentum and the fluxes. Gives what is left of the equation that is solved by iteration.
+/// The flow: changes the rotor's momentum and the fluxes. Returns the residual of the equation that is solved by
+/// iteration.
 #[inline]
 pub fn kick<P: Base, S: Over<P> + Analytic, A: Acting<P, S>>(
     machine: &A,
@@ -169,7 +170,7 @@ pub fn kick<P: Base, S: Over<P> + Analytic, A: Acting<P, S>>(
     left
 }
 
-/// [`Acting::at_angle`] of a machine whose laws know the angle: the others have no energy of it, and no windings.
+/// [`Acting::at_angle`] of a machine whose laws depend on the angle: the others have no energy of it, and no windings.
 #[inline(always)]
 fn force<P: Base, S: Over<P> + Analytic, A: Acting<P, S>>(
     machine: &A,
@@ -216,14 +217,14 @@ impl<S: Analytic> Point<S> {
     }
 }
 
-/// The rates at which currents and slip fade in a kick.
+/// The decay rates of currents and slip in a kick, 1/s.
 #[derive(Clone, Copy, Debug)]
 pub struct Fading<S> {
     /// The largest r_k.
     current: S,
     /// K
     compliance: S,
-    /// -K dm/ds of a moment that is linear in the slip.
+    /// -K dm/ds of a torque that is linear in the slip.
     slip: Option<S>,
 }
 
@@ -236,19 +237,19 @@ impl<S: Real> Fading<S> {
         Fading { slip: (law == Law::Linear).then(|| unknown.of_slip(machine, S::zero())), ..unknown }
     }
 
-    /// The fastest rate at a slip, of a current or of the slip.
+    /// The fastest decay rate at a slip, of a current or of the slip, 1/s.
     pub fn fastest(&self, machine: &impl Machine<f64>, slip: S) -> f64 {
         let of_slip = self.slip.unwrap_or_else(|| self.of_slip(machine, slip));
         self.current.approx().max(of_slip.approx())
     }
 
-    /// The rate at which a slip fades by the moment m alone.
+    /// The decay rate of a slip by the torque m alone, 1/s.
     fn of_slip(&self, machine: &impl Machine<f64>, slip: S) -> S {
         -self.compliance * moment_at(machine, slip).slope
     }
 }
 
-/// Whether Newton's iteration came close enough for its next step to end in rounding, slips being of any size.
+/// Whether Newton's iteration came close enough for its next step to end in rounding, for slips of any size.
 pub fn solved<S: Real>(left: S) -> bool {
     left <= S::lift(S::EPSILON)
 }

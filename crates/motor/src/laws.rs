@@ -7,7 +7,7 @@ use reader::Quantity;
 use std::fmt;
 use symbolic::{Algebraic, Sym, Tape};
 
-/// Registers: of usual laws, whose clearing costs little, and of the longest.
+/// Numbers of registers: for usual laws, whose clearing costs little, and for the longest.
 const FEW: usize = 24;
 const MANY: usize = 256;
 
@@ -21,8 +21,8 @@ pub struct Laws {
     energy: Law,
     moment: Law,
     windings: Vec<Winding<Law, usize>>,
-    /// Numbers that follow from the data alone: those that are settled before anything moves, roots and angles in the laws, W, then L
-    /// and R of each winding.
+    /// Numbers that follow from the data alone: letters that are computed once, roots and angles in the laws, W, then L and R of each
+    /// winding.
     alone: Tape,
     /// The place of W among the numbers.
     frame_speed: usize,
@@ -31,7 +31,7 @@ pub struct Laws {
 /// The laws of a motor as expressions in the names of its data, and in the letters of the motion.
 #[derive(Clone, Debug)]
 pub struct Expressions {
-    /// The part of the rotor's state that the laws know.
+    /// The part of the rotor's state on which the laws depend.
     pub rotor: RotorState,
     /// W, rad/s
     pub frame_speed: Sym,
@@ -61,7 +61,7 @@ pub struct Winding<F, N> {
     pub resistance: N,
 }
 
-/// A law that has more steps than any written by a person.
+/// A law has more steps than any that is written by a person.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TooLong;
 
@@ -88,7 +88,7 @@ impl Law {
             true => self.program.evaluate::<S, FEW>(inputs),
             false => self.program.evaluate::<S, MANY>(inputs),
         };
-        // it has what it needs since it was recorded
+        // it has all its inputs since it was recorded
         value.unwrap_or_else(S::zero)
     }
 }
@@ -109,7 +109,7 @@ impl Expressions {
 }
 
 impl Laws {
-    /// From expressions in the names of the data.
+    /// Records laws from expressions in the names of the data.
     ///
     /// # Errors
     /// [`TooLong`].
@@ -181,7 +181,7 @@ impl Laws {
         self.rotor
     }
 
-    /// The data, and what follows from them alone.
+    /// The data, and the numbers that follow from them alone.
     pub fn numbers<P: Datum>(&self, mut given: Vec<P>) -> Vec<P> {
         let mut alone = vec![P::zero(); self.alone.outputs()];
         self.alone.over().evaluate(&given, &mut alone);

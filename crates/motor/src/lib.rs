@@ -1,12 +1,12 @@
-//! An electric motor as a value.
+//! Electric motors: their laws, their data, and the forms in which they run.
 //!
 //! # Overview
-//! * [`Machine`]: what a motor's file implements: energies, and laws of force; moment, currents, energies and power balance are derived
-//!   from it;
-//! * [`Motor`]: what runs: the laws of any of them, written down once as programs, and data;
-//! * [`catalogue`]: the motors that have a name, whichever crate brings them;
+//! * [`Machine`]: the trait that a motor's file implements: energies and laws of force, from which torque, currents, energies and power
+//! balance are derived;
+//! * [`Motor`]: the form in which a motor runs: its laws, recorded once as programs, and its data;
+//! * [`catalogue`]: the motors by name, from every crate that is linked;
 //! * [`machine_table`]: the table `[machine]` of a scene; [`text`] is a motor whose laws stand there;
-//! * [`Bench`]: a motor alone, its housing at rest; [`Metered`]: with the work of its supply;
+//! * [`Bench`]: a motor alone, its housing at rest; [`Metered`]: its run with the work of its supply;
 //! * [`Separable`]: laws that are sums of fields whose flows are known, for splitting methods; [`Kick`] is the motor's part of them.
 
 mod bench;

@@ -1,9 +1,9 @@
-//! A machine whose rotor carries a constant load.
+//! A machine whose rotor carries a constant load torque.
 
 use super::{Machine, RotorState};
 use field::{Base, Circle, Over};
 
-/// A machine with a constant moment against the rotor's turning, N m.
+/// A machine with a constant load torque against the rotor's turning, N m.
 #[derive(Clone, Copy, Debug)]
 pub struct Loaded<M, P> {
     pub machine: M,

@@ -24,7 +24,7 @@ pub enum RotorState {
 /// On windings that move with the rotor charges are coordinates, and Lagrange's equations (Maxwell) hold. A commutator
 /// keeps a current in its place while the conductors turn through it, and Park's axes turn while the conductors rest: such
 /// currents are quasi-velocities, no charges belong to them, and the equations are Hamel's (Kron). Their further terms are
-/// the voltages c_k(i) phi', with c_k affine in the currents, and the moment that makes up for their power:
+/// the voltages c_k(i) phi', with c_k affine in the currents, and the torque that balances their power:
 ///
 ///   d/dt (dK/di_k) = v_k(g) - R_k i_k - c_k(i) phi' ,    M = dK/dg + sum_k i_k c_k(i) + m(g', phi') .
 ///
@@ -69,7 +69,7 @@ pub trait Machine<P: Base> {
         S::zero()
     }
 
-    /// v_k(g), V: what a supply puts on a winding; none where it is closed in itself.
+    /// v_k(g), V: the voltage of a supply at a winding; `None` where the winding is short-circuited.
     #[inline(always)]
     fn supply<S: Over<P>>(&self, _winding: usize, _angle: Circle<S>) -> Option<S> {
         None
@@ -82,13 +82,14 @@ pub trait Machine<P: Base> {
         None
     }
 
-    /// U(g), J: the energy of a rotor magnetised for ever in the stator's field.
+    /// U(g), J: the energy of a permanently magnetised rotor in the stator's field.
     #[inline(always)]
     fn field_energy<S: Over<P>>(&self, _angle: Circle<S>) -> S {
         S::zero()
     }
 
-    /// m(g', phi'), N m: what does not come from an energy of the angle, such as friction and the moment of slip.
+    /// m(g', phi'), N m: the torque that does not come from an energy of the angle, such as friction and the torque of
+    /// slip.
     fn moment_law<S: Over<P>>(&self, slip: S, speed: S) -> S;
 }
 
@@ -123,7 +124,7 @@ impl<P: Base> Circuit<P> {
     }
 }
 
-/// M and the rates of the currents by Lagrange-Maxwell; the rates are written to `current_rates`.
+/// The torque M and the rates of the currents by Lagrange-Maxwell; the rates are written to `current_rates`.
 #[inline(always)]
 pub fn drive<P: Base, S: Over<P>>(
     machine: &impl Machine<P>,
@@ -136,7 +137,7 @@ pub fn drive<P: Base, S: Over<P>>(
     drive_circuits(machine, circuits, angle, slip, currents, current_rates)
 }
 
-/// The same with the circuits of its windings, in order.
+/// [`drive`] with the circuits of the windings, in order.
 #[inline(always)]
 pub fn drive_circuits<P: Base, S: Over<P>>(
     machine: &impl Machine<P>,
@@ -165,18 +166,18 @@ pub fn drive_circuits<P: Base, S: Over<P>>(
     moment
 }
 
-/// U(g) + sum 1/2 L_k i_k^2, J: what the circuits of the rotor store and can give back.
+/// U(g) + sum 1/2 L_k i_k^2, J: the energy stored in the circuits of the rotor.
 pub fn stored_energy<P: Base, S: Over<P>>(machine: &impl Machine<P>, angle: Circle<S>, currents: &[S]) -> S {
     let windings = currents.iter().enumerate();
     windings.fold(machine.field_energy(angle), |sum, (k, &i)| sum + (S::lift(machine.inductance(k)) * i * i).half())
 }
 
-/// sum R_k i_k^2, W: what the windings turn into heat.
+/// sum R_k i_k^2, W: the heat of the windings.
 pub fn heat<P: Base, S: Over<P>>(machine: &impl Machine<P>, currents: &[S]) -> S {
     currents.iter().enumerate().fold(S::zero(), |sum, (k, &i)| sum + S::lift(machine.resistance(k)) * i * i)
 }
 
-/// sum v_k i_k, W: what supplies put into the windings.
+/// sum v_k i_k, W: the power of the supplies into the windings.
 pub fn supplied<P: Base, S: Over<P>>(machine: &impl Machine<P>, angle: Circle<S>, currents: &[S]) -> S {
     currents.iter().enumerate().fold(S::zero(), |sum, (k, &i)| match machine.supply(k, angle) {
         Some(voltage) => sum + voltage * i,
@@ -184,7 +185,7 @@ pub fn supplied<P: Base, S: Over<P>>(machine: &impl Machine<P>, angle: Circle<S>
     })
 }
 
-/// sum c_k i_k, N m: the moment of the windings in which the conductors slide.
+/// sum c_k i_k, N m: the torque of the windings in which conductors slide.
 pub fn motional_moment<P: Base, S: Over<P>>(machine: &impl Machine<P>, currents: &[S]) -> S {
     currents.iter().enumerate().fold(S::zero(), |sum, (k, &i)| match machine.motional(k, currents) {
         Some(motional) => sum + motional * i,
@@ -219,7 +220,7 @@ impl RotorState {
         }
     }
 
-    /// (g as a point of the circle, g') from the rotor's part of the state; what is not state is zero.
+    /// (g as a point of the circle, g') from the rotor's part of the state; a part that is no state is zero.
     #[inline(always)]
     pub fn angle_and_slip<S: Analytic>(self, state: &[S]) -> (Circle<S>, S) {
         match (self, state) {

@@ -1,4 +1,4 @@
-//! The machine of a scene, and other machines made of the same data.
+//! The machine of a scene, and other machines with its data.
 
 use crate::{Count, Machine, Motor, TooLong, catalogue, text, text_motor};
 use reader::{Allowed, Bound, Issue, Quantity, Table, in_unit};
@@ -6,7 +6,7 @@ use std::borrow::Cow;
 use std::fmt;
 use units::nearest;
 
-/// More bars than any damper has.
+/// The largest count of bars: more than any damper has.
 const MOST: usize = 1000;
 
 /// Why a machine cannot be made of the data of a scene.
@@ -14,21 +14,21 @@ const MOST: usize = 1000;
 pub enum NoModel {
     /// No machine has this name.
     Unknown { name: String },
-    /// The motor whose laws stand in a scene, where none do.
+    /// The scene holds no laws of a motor as text.
     NoLaws,
-    /// Its laws are longer than any that run.
+    /// The laws are too long to run.
     Long(TooLong),
     /// A datum that the scene does not give.
     Missing { model: String, datum: Cow<'static, str>, meaning: Cow<'static, str>, unit: Cow<'static, str> },
-    /// A datum beyond its bound.
+    /// A value is beyond the bound of its datum.
     Beyond { datum: Box<Quantity>, value: f64 },
-    /// A resistance or an inductance that follows from a written motor's data, beyond its bound: of which current.
+    /// A resistance or an inductance that follows from the data of a motor as text is beyond its bound.
     Winding { current: String, what: &'static str, unit: &'static str, bound: Bound, value: f64 },
     /// The scene starts with currents, and the other machine has other windings.
     Currents { model: String, given: usize, windings: usize },
 }
 
-/// The table `[machine]`.
+/// Reads the table `[machine]`.
 pub fn read(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<Motor> {
     let mut table = top.table("machine", "the machine: `model` and its parameters");
     let model = table.text("model", "name of the machine");
@@ -47,7 +47,7 @@ pub fn read(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<Motor> {
             let issue = Issue::at(model.span, format!("unknown machine `{}`", model.value), "not known");
             table.report(issue.accepted(known_machines(&model.value)));
         }
-        // its keys cannot be judged
+        // without a known model its keys cannot be judged
         table.known_all();
         issues.extend(table.finish());
         return None;
@@ -72,7 +72,7 @@ pub fn read(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<Motor> {
 }
 
 impl Motor {
-    /// Another motor, made of the data of this one; or this one itself, by its name.
+    /// Another motor with the data of this one; or this one itself, by its name.
     ///
     /// # Errors
     /// Why it cannot be made: a datum that is missing or beyond its bound.
@@ -138,7 +138,7 @@ impl Motor {
     }
 }
 
-/// The value, where its bound holds it.
+/// The value, if its bound admits it.
 fn within(quantity: &Quantity, value: f64, allowed: Allowed) -> Result<f64, NoModel> {
     match quantity.bound.holds(value, allowed) {
         true => Ok(value),
@@ -146,7 +146,7 @@ fn within(quantity: &Quantity, value: f64, allowed: Allowed) -> Result<f64, NoMo
     }
 }
 
-/// The motor, where its circuits can exist, or are asked for.
+/// The motor, if its circuits can exist, or if the file allows them.
 fn bounded(motor: Motor) -> Result<Motor, NoModel> {
     for winding in 0..motor.windings() {
         let inductance = ("inductance", "H", Bound::Positive, motor.inductance(winding));

@@ -1,4 +1,4 @@
-//! A motor as it runs: its laws as programs over any field, and its data.
+//! A motor in the form in which it runs: its laws as programs over any field, and its data.
 
 use super::{Datum, Laws, Machine, RotorState};
 use field::{Base, Circle, Over, Rational};
@@ -10,19 +10,19 @@ use symbolic::Sym;
 #[derive(Clone, Debug)]
 pub struct Motor<P = f64> {
     laws: Arc<Laws>,
-    /// The data in their order, then what the laws need of them alone.
+    /// The data in their order, then the numbers that follow from them alone.
     numbers: Vec<P>,
     /// The data beyond their bounds that were asked for.
     pub allowed: Allowed,
 }
 
 impl<P: Datum> Motor<P> {
-    /// With data in their order.
+    /// A motor with data in the order of its laws.
     pub fn new(laws: Arc<Laws>, data: Vec<P>, allowed: Allowed) -> Self {
         Motor { numbers: laws.numbers(data), laws, allowed }
     }
 
-    /// With other data in their order.
+    /// The motor with other data in their order.
     pub fn with_data(&self, data: Vec<P>) -> Self {
         Motor::new(Arc::clone(&self.laws), data, self.allowed)
     }
@@ -90,7 +90,7 @@ impl Motor {
         (self.rotor() == RotorState::AngleAndSpeed).then(|| self.frame_speed())
     }
 
-    /// The speed that its rotor keeps whatever moment that takes.
+    /// The constant speed of its rotor, whatever torque that takes; `None` for other motors.
     pub fn kept_speed(&self) -> Option<f64> {
         (self.rotor() == RotorState::Prescribed).then(|| self.frame_speed())
     }

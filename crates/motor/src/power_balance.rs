@@ -1,4 +1,4 @@
-//! A motor's run with the work that is done on it: what E - W p gains beyond it, the run has made up.
+//! A motor's run with the work that is done on it: a change of E - W p beyond this work is an error of the run.
 
 use super::integrals::feed;
 use super::{Bench, Machine, RotorState, heat};
@@ -17,8 +17,8 @@ pub trait Powered {
     fn power<S: Over<f64> + Analytic>(&self, y: &[S]) -> S;
 }
 
-/// m g' - sum R_k i_k^2 + sum v_k i_k - W sum c_k i_k, W: what friction, heat, supply and sliding do to E - W p, from the
-/// part of a state that is the machine's.
+/// m g' - sum R_k i_k^2 + sum v_k i_k - W sum c_k i_k, W: the power of friction, heat, supply and sliding windings on E -
+/// W p, from the machine's part of a state.
 pub fn feeding<P: Base, S: Over<P> + Analytic>(machine: &impl Machine<P>, state: &[S]) -> S {
     let known = machine.rotor();
     let (rotor, currents) = state.split_at(known.dimension());
@@ -31,12 +31,12 @@ pub fn feeding<P: Base, S: Over<P> + Analytic>(machine: &impl Machine<P>, state:
     friction - heat(machine, currents) + feed(machine, angle, currents)
 }
 
-/// A law and the work that is done on it, the last component.
+/// A law with the work that is done on it as its last component.
 #[derive(Clone, Debug)]
 pub struct Metered<L>(pub L);
 
 impl<L: Powered> Metered<L> {
-    /// E - W p less the work, J: keeps its first value.
+    /// E - W p less the work, J: constant along an exact motion.
     pub fn balance(&self, y: &[f64]) -> f64 {
         y.split_last().map_or(f64::NAN, |(work, y)| self.0.jacobi(y) - work)
     }

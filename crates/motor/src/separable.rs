@@ -11,7 +11,7 @@ pub trait Separable {
     /// The programs by which the pieces run.
     fn programs(&self) -> Programs;
 
-    /// The pieces over a field, by these programs or law by law; none where the law cannot be taken apart.
+    /// The pieces over a field, by these programs or law by law; `None` where the law is no such sum.
     fn pieces_by<'a, S: Real + Running>(&'a self, programs: Option<&'a Programs>) -> Option<impl Pieces<S> + 'a>;
 
     /// The pieces law by law.
@@ -23,7 +23,7 @@ pub trait Separable {
 /// The pieces of a law by their programs.
 struct PiecesByProgram<L> {
     law: Arc<L>,
-    /// Made when they are first asked for.
+    /// Recorded when first needed.
     programs: OnceLock<Programs>,
 }
 

@@ -1,11 +1,12 @@
-//! The currents that rest at a speed: R_k i_k + psi_k'(g) g' + c_k(i) phi' = v_k(g).
+//! The steady currents at a constant speed: R_k i_k + psi_k'(g) g' + c_k(i) phi' = v_k(g).
 //!
-//! Rates of currents are affine in the currents, so they are one system of linear equations, and the law itself gives it.
+//! The rates of currents are affine in the currents, and the law itself gives this system of linear equations.
 
 use super::{Machine, drive};
 use field::{Base, Circle, Over, Tangent};
 
-/// The currents, A, that the windings keep while angle and slip rest; none where none or many do, as without any resistance.
+/// The steady currents, A, of the windings at constant angle and slip; `None` where none or many exist, as without any
+/// resistance.
 pub fn resting_currents<P: Base, S: Over<P>>(machine: &impl Machine<P>, angle: Circle<S>, slip: S) -> Option<Vec<S>> {
     let count = machine.windings();
     let (angle, slip) = (angle.map(Tangent::fixed), Tangent::fixed(slip));

@@ -1,19 +1,19 @@
-//! Which values a datum may have, and what a file must ask for by name.
+//! Bounds of data, and values beyond them that a file must ask for by name.
 
-/// Which values a datum may have.
+/// The values that a datum may have.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Bound {
     /// Every number.
     Any,
-    /// Above zero: masses, moments of inertia, inductances, lengths. Nothing else exists.
+    /// Above zero: masses, moments of inertia, inductances, lengths.
     Positive,
     /// Zero or above.
     NotNegative,
     /// Every number but zero: the law divides by it.
     NotZero,
-    /// Above zero, unless a file asks for less: zero for a superconductor, negative for what feeds a circuit.
+    /// Above zero, unless a file allows less: zero for a superconductor, negative for a part that feeds a circuit.
     Resistance,
-    /// Zero or above, unless a file asks for less: negative friction feeds the motion.
+    /// Zero or above, unless a file allows less: negative friction feeds the motion.
     Friction,
 }
 
@@ -40,7 +40,7 @@ impl Allowed {
     /// Says that windings do not induce in each other.
     pub const SEPARATE_FLUXES: &'static str = "separate fluxes";
 
-    /// Everything: for data that no file gives.
+    /// All allowances: for data that no file gives.
     pub const ALL: Self =
         Allowed { zero_resistance: true, negative_resistance: true, negative_friction: true, separate_fluxes: true };
 
@@ -59,7 +59,7 @@ impl Allowed {
 }
 
 impl Bound {
-    /// Whether a value is within the bound; what is no number never is.
+    /// Whether a value is within the bound; NaN never is.
     pub fn holds(self, value: f64, allowed: Allowed) -> bool {
         match self {
             Self::Any => !value.is_nan(),

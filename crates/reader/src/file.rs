@@ -11,7 +11,7 @@ use units::nearest;
 /// Bytes of a scene file: the largest that the project holds has a hundredth of them.
 const MOST_BYTES: u64 = 1_000_000;
 
-/// The key by which a file is known whose system is written in it.
+/// The key that marks a file whose system is written in it.
 pub const MODEL: &str = "coordinates";
 
 /// The keys with which every scene file opens.
@@ -19,19 +19,19 @@ pub struct Opening {
     pub title: String,
     /// The motion that the scene shows, and its difficulty.
     pub description: String,
-    /// The name of what moves.
+    /// The name of the system.
     pub system: At<String>,
 }
 
 /// Systems that are read, run and shown in one way.
 pub trait Family: Sized {
-    /// As messages say it: "a system with ...".
+    /// The name of the family in messages: "a system with ...".
     const KIND: &'static str;
 
     /// (name in scene files, what it is).
     fn systems() -> Vec<(&'static str, &'static str)>;
 
-    /// The rest of a file whose system is of the family; what is wrong goes into the list.
+    /// Reads the rest of a file whose system is of the family; errors go into the list.
     fn read(opening: Opening, top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<Self>;
 
     /// Reads a file.
@@ -42,7 +42,7 @@ pub trait Family: Sized {
         Self::parse(&path.display().to_string(), &read_text(path)?)
     }
 
-    /// Reads a text; `name` is what messages call it.
+    /// Reads a text; `name` is its name in messages.
     ///
     /// # Errors
     /// All that is wrong with it, each at its place.
@@ -61,7 +61,7 @@ pub fn read_text(path: &Path) -> Result<String, SceneError> {
     if path.is_dir() {
         return Err(SceneError::whole(&name, "this is a folder", needed));
     }
-    // a device has no size that could be asked for
+    // the size of a device cannot be asked for
     let mut bytes = Vec::new();
     let read = File::open(path).and_then(|file| file.take(MOST_BYTES + 1).read_to_end(&mut bytes));
     read.map_err(|error| SceneError::whole(&name, unreadable(&error), needed))?;
@@ -71,7 +71,8 @@ pub fn read_text(path: &Path) -> Result<String, SceneError> {
     String::from_utf8(bytes).map_err(|error| no_text(name, &error, needed))
 }
 
-/// The first byte that is no text, at its line; of a file with zeros, which no editor writes, the file.
+/// The error at the first byte that is no text; for a file with zeros, which no editor writes, an error of the whole
+/// file.
 fn no_text(path: String, error: &FromUtf8Error, needed: &str) -> SceneError {
     let (bytes, start) = (error.as_bytes(), error.utf8_error().valid_up_to());
     if bytes.contains(&0) {
@@ -90,7 +91,7 @@ pub fn parse<F: Family>(name: &str, text: &str) -> Result<F, SceneError> {
     tables(name, text, |top, issues| opening::<F>(top).and_then(|opening| F::read(opening, top, issues)))
 }
 
-/// Reads a text as TOML, and its tables by a reader; what is wrong with either goes into the error.
+/// Reads a text as TOML, and its tables by a reader; errors of either are returned together.
 ///
 /// # Errors
 /// All that is wrong with it, each at its place.
@@ -118,7 +119,7 @@ pub fn tables<T>(
     }
 }
 
-/// Systems of a family, which its crate brings: a message then tells what another command reads from what nobody knows.
+/// The systems of a family, from its crate: messages can then tell a system of another command from an unknown one.
 pub struct KnownSystems(pub fn() -> Vec<(&'static str, &'static str)>);
 
 inventory::collect!(KnownSystems);
@@ -133,7 +134,7 @@ pub fn knows<F: Family>(name: &str) -> bool {
     F::systems().iter().any(|(known, _)| *known == name)
 }
 
-/// `None` where the system is not of the family: then the other keys cannot be judged.
+/// The opening keys; `None` where the system is not of the family: its other keys cannot be judged then.
 fn opening<F: Family>(top: &mut Table<'_>) -> Option<Opening> {
     let title = one_line(&top.text("title", "one line that says what happens").value);
     let description = top.optional_text("description", "what happens and why it is hard");
@@ -178,7 +179,7 @@ fn accepted<F: Family>(name: &str) -> String {
     }
 }
 
-/// In the same words on every system where it matters.
+/// The reason in words that are equal on every platform where it matters.
 fn unreadable(error: &io::Error) -> String {
     match error.kind() {
         io::ErrorKind::NotFound => "there is no such file".to_owned(),

@@ -11,7 +11,7 @@ pub struct Issue {
     pub span: Option<Range<usize>>,
     /// The error, in one line.
     pub title: String,
-    /// Beside the marks under the value.
+    /// The text beside the marks under the value.
     pub label: String,
     /// The input that would be accepted.
     pub help: Option<String>,
@@ -31,7 +31,7 @@ pub struct SceneError {
 const MOST_SHOWN: usize = 30;
 
 impl Issue {
-    /// At a place.
+    /// An error at a place.
     pub fn at(span: Range<usize>, title: impl Into<String>, label: impl Into<String>) -> Self {
         Issue { span: Some(span), title: title.into(), label: label.into(), help: None }
     }

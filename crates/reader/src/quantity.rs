@@ -3,23 +3,23 @@
 use super::bound::Bound;
 use std::borrow::Cow;
 
-/// A number: its name in files and formulas, its unit, what it means. The texts are of the program, or of a file.
+/// A number: its name in files and formulas, its unit, its meaning. The texts belong to the program, or to a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Quantity {
     pub name: Cow<'static, str>,
     pub unit: Cow<'static, str>,
     pub meaning: Cow<'static, str>,
-    /// Which values a file may give.
+    /// The values that a file may give.
     pub bound: Bound,
 }
 
 impl Quantity {
-    /// One that may have any value.
+    /// A quantity that may have any value.
     pub const fn any(name: &'static str, unit: &'static str, meaning: &'static str) -> Self {
         Self::within(name, unit, meaning, Bound::Any)
     }
 
-    /// One with a bound.
+    /// A quantity with a bound.
     pub const fn within(name: &'static str, unit: &'static str, meaning: &'static str, bound: Bound) -> Self {
         let [name, unit, meaning] = [Cow::Borrowed(name), Cow::Borrowed(unit), Cow::Borrowed(meaning)];
         Quantity { name, unit, meaning, bound }

@@ -10,11 +10,11 @@ pub enum NoQuantity {
     NoNumber,
     /// `nan`, `inf`, or beyond the range of double precision.
     NotFinite { text: String },
-    /// Another number of numbers, or of rows and columns, than needed.
+    /// Another number of values, or of rows and columns, than needed.
     Shape { rows: usize, columns: usize, found: Vec<usize> },
-    /// No unit.
+    /// An invalid unit.
     Unit(NoUnit),
-    /// A unit of something else.
+    /// A unit of another dimension.
     Dimension { found: Dimension, needed: Dimension },
     /// A dimensional quantity without its unit.
     UnitMissing { needed: Dimension },
@@ -88,7 +88,7 @@ fn split(text: &str) -> (&str, &str) {
     (text, "")
 }
 
-/// An example has no more numbers in a row.
+/// The most numbers in a row of an example.
 const MOST_SHOWN: usize = 9;
 
 /// An example of a quantity in the required form: its shape and a unit of its dimension.

@@ -1,6 +1,6 @@
-//! Names that were probably meant.
+//! The known name nearest to a misspelt one.
 
-/// The candidate that `name` was probably meant to be.
+/// The candidate nearest to `name`, if it is near enough to be meant.
 pub fn nearest<'a>(name: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let likeness = |other: &str| strsim::jaro_winkler(&name.to_lowercase(), &other.to_lowercase());
     candidates

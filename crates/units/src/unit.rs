@@ -1,4 +1,4 @@
-//! Units of measurement: what a unit is in SI, and whether it measures the thing asked for.
+//! Units of measurement: their factors to SI units and their dimensions.
 
 use std::fmt;
 
@@ -8,8 +8,8 @@ pub struct Dimension {
     exponents: [i32; 4],
 }
 
-/// A unit as a multiple `times / per` of the coherent SI unit of its dimension. Two factors, because a thousandth is no
-/// binary fraction: so `50 mm` and `0.05 m` are the same bits.
+/// A unit as a multiple `times / per` of the coherent SI unit of its dimension. There are two factors because a
+/// thousandth is no binary fraction: with them `50 mm` and `0.05 m` are the same bits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Unit {
     times: f64,
@@ -142,7 +142,7 @@ impl Unit {
 }
 
 impl Dimension {
-    /// The dimension of a unit that is written in a program; the pure number where it is none.
+    /// The dimension of a unit that a program names; a pure number where there is no such unit.
     pub fn of(unit: &str) -> Self {
         Unit::parse(unit).map_or(Dimension { exponents: NUMBER }, Unit::dimension)
     }
@@ -152,7 +152,7 @@ impl Dimension {
         self.exponents
     }
 
-    /// As expressions have it.
+    /// The dimension as expressions have it.
     pub fn of_expressions(self) -> symbolic::Dimension {
         let [kg, m, s, a] = self.exponents.map(i64::from);
         symbolic::Dimension::of(kg, m, s, a)
@@ -167,7 +167,7 @@ impl Dimension {
         }
     }
 
-    /// Whether it is that of a pure number.
+    /// Whether the dimension is that of a pure number.
     pub fn is_number(self) -> bool {
         self.exponents == NUMBER
     }

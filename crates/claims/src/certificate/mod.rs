@@ -20,11 +20,11 @@ pub const FORMAT: u32 = 1;
 /// The certificates of a paper: one file.
 #[derive(Clone, Debug, Serialize)]
 pub struct CertificateFile {
-    /// The program, with its version.
+    /// The name and version of the program.
     pub made_by: String,
     /// [`FORMAT`].
     pub format: u32,
-    /// The beginning of the ids of its claims.
+    /// The key of the paper, with which the ids of its claims begin.
     pub paper: String,
     pub title: String,
     pub citation: String,
@@ -36,7 +36,7 @@ pub struct CertificateFile {
 pub struct Certificate {
     pub id: String,
     pub says: String,
-    /// The formulas, for reading only.
+    /// The formulas as text, for reading only.
     pub formulas: Vec<String>,
     pub verdict: String,
     /// The way to the verdict, in a sentence.
@@ -85,7 +85,7 @@ impl Certificate {
         self.id.split('/').next() == Some(paper)
     }
 
-    /// The same with these parts; with the reason where there are none.
+    /// The certificate with these parts, or with the reason `otherwise` where there are none.
     pub fn proved_by(self, program: Vec<Operation>, parts: Vec<Part>, otherwise: &str) -> Self {
         match parts.is_empty() {
             true => Certificate { none: Some(otherwise.to_owned()), ..self },
@@ -93,7 +93,7 @@ impl Certificate {
         }
     }
 
-    /// Why claims with these verdicts have nothing to be checked; none of the others.
+    /// The reason why claims with this verdict have no certificate; `None` for other verdicts.
     pub fn reason_without(verdict: Verdict) -> Option<&'static str> {
         match verdict {
             Verdict::Definition => Some("a definition makes no claim"),

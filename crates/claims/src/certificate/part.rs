@@ -1,4 +1,4 @@
-//! The pieces of a part of a certificate: relations, steps from equalities to values, and how the conclusions are shown.
+//! The pieces of a part of a certificate: relations, steps from equalities to values, and proofs of the conclusions.
 
 use super::Part;
 use super::program::Recorder;
@@ -35,9 +35,11 @@ pub enum PartProof {
     Combination { combinations: Vec<Combined> },
     /// All terms above and below have one sign where these letters are positive.
     Signs { positive: Vec<usize> },
-    /// The signs of squares and of what is given as positive show each conclusion as it is written, without the steps.
+    /// The signs of squares and of expressions given as positive show each conclusion as it is written, without the
+    /// steps.
     WrittenSigns,
-    /// The sum of products of what is given, and of the opposite of the one conclusion, vanishes, although one of them would be positive.
+    /// A sum of products of given relations and of the opposite of the one conclusion vanishes, although one of these products would be
+    /// positive.
     Products { products: Vec<Product> },
     /// All that is given and the one conclusion hold one unknown, a letter or an angle: real roots of polynomials show the conclusion.
     RealRoots,
@@ -87,7 +89,8 @@ pub struct Stability {
     pub point: Option<Vec<(usize, usize)>>,
 }
 
-/// The equations about a steady motion on which all coordinates rest, M q'' + K q = 0 with symmetric matrices, and what shows the signs of both forms.
+/// The equations about a steady motion on which all coordinates rest, M q'' + K q = 0 with symmetric matrices, and the proofs of the signs of both
+/// forms.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Minimum {
     pub theorem: &'static str,
@@ -156,7 +159,7 @@ impl Relations {
         conditions.iter().map(|condition| self.of(*condition)).collect()
     }
 
-    /// Adds the statements of hypotheses to what is given, and the steps that they allow.
+    /// Adds the statements of hypotheses to the given relations, and the steps that they allow.
     pub fn rules(&mut self, hypotheses: &Hypotheses, given: &mut Vec<Relation>, steps: &mut Vec<Step>) {
         let mut known: Vec<(Sym, Sym)> = Vec::new();
         for &(left, right) in hypotheses.statements() {

@@ -24,7 +24,7 @@ pub enum Operation {
 }
 
 impl Serialize for Operation {
-    /// A list: the name of the operation, then what it takes.
+    /// Writes a list: the name of the operation, then its operands.
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         match self {
             Operation::Constant(value) => ("const", value).serialize(serializer),
@@ -46,7 +46,7 @@ pub struct Recorder {
 }
 
 impl Recorder {
-    /// The entry that holds an expression as it is written; it is added with all that it is made of where it is new.
+    /// The entry of an expression as it is written; a new one is added after its parts.
     pub fn place(&mut self, expression: Sym) -> usize {
         for each in Sym::reached(&[expression], |each, _| !self.places.contains_key(&each)) {
             if !self.places.contains_key(&each) {

@@ -17,7 +17,8 @@ const VOLTAGE: [i64; 4] = is(1, 2, -3, -1);
 const VISCOUS: [[i64; 4]; 2] = [is(1, 2, -1, 0), is(1, 0, -1, 0)];
 const MOMENTS: [[i64; 4]; 2] = [is(1, 2, -2, 0), is(1, 1, -2, 0)];
 
-/// In words. What two speeds or a dissipative coefficient say is said; what dimensions cannot tell is left open.
+/// The meaning in words: by two speeds or a dissipative coefficient where there are some; nothing is said where
+/// dimensions do not decide.
 pub fn meaning(monomial: Sym, dimension: &dyn Fn(&str) -> Option<Dimension>) -> &'static str {
     let factors = powers(monomial);
     let count = |kinds: &[[i64; 4]]| -> u32 {

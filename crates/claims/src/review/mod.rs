@@ -3,7 +3,7 @@
 //!
 //! A page is exact text, so a difference of pages is a difference of statements. The equations of a claim are read back
 //! ([`symbolic::parse`]), both are brought to one side and written out, and their monomials are compared: a term is gone,
-//! new, of the other sign, or has another factor. What a term means is told by the dimensions of its letters.
+//! new, of the other sign, or has another factor. The dimensions of its letters give the meaning of a term.
 
 mod meaning;
 mod page;
@@ -43,7 +43,7 @@ pub enum Change {
     Point { id: String },
 }
 
-/// All changes, in the order of the new page; what is gone comes first.
+/// All changes, in the order of the new page; removed claims come first.
 pub fn review(old: &str, new: &str, dimension: &dyn Fn(&str) -> Option<Dimension>) -> Vec<Change> {
     let (before, now) = (claims(old), claims(new));
     let find = |all: &'_ [Told], id: &str| all.iter().position(|claim| claim.id == id);

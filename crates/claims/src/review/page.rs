@@ -9,15 +9,15 @@ pub(super) struct Told {
     pub verdict: String,
     pub sentence: String,
     pub equations: Vec<String>,
-    /// Signs among them.
+    /// The conditions that the claim requires, signs among them.
     pub requires: Vec<String>,
-    /// Why the print fails, how it was read, what else is remarked.
+    /// Remarks: why the print fails, the reading, and notes.
     pub remarks: Vec<String>,
-    /// The exact point and what is said of it.
+    /// The exact point and the words about it.
     pub rest: Vec<String>,
 }
 
-/// Every claim of a page, what holds instead of one included: it has an id of its own.
+/// Every claim of a page; a correction counts as a claim, with an id of its own.
 pub(super) fn claims(page: &str) -> Vec<Told> {
     let mut claims: Vec<Told> = Vec::new();
     for line in page.lines().map(str::trim) {

@@ -22,7 +22,7 @@ pub enum Edit {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Term {
     pub edit: Edit,
-    /// As it stands now, or stood before it went; left side less right side.
+    /// The term as it stands now, or stood before it went; left side less right side.
     pub term: String,
     /// The physical meaning of the term.
     pub meaning: &'static str,

@@ -12,7 +12,7 @@ pub const SPEED: &str = "phi'";
 /// The accepted form of a voltage of sliding conductors.
 const AFFINE: &str = "affine in the currents: a constant, and constant multiples of them";
 
-/// The voltages that a law would have to hold if windings induced in each other.
+/// Advice where a law asks for mutual induction.
 pub const INDUCED: &str = "no winding induces in another: M di/dt stands in no law";
 
 /// The largest numerator and denominator of a number in a law.
@@ -36,11 +36,12 @@ pub fn is_taken(name: &str) -> bool {
     [ANGLE, SLIP, SPEED, "cos", "sin", "sqrt"].contains(&name)
 }
 
-/// The letters of one expression: parameters with their dimensions, and what of the motion it may know.
+/// The letters of one expression: parameters with their dimensions, and the variables of the motion that it may
+/// contain.
 #[derive(Clone, Debug)]
 pub struct Letters<'a> {
     pub parameters: &'a [(String, Dimension)],
-    /// By their names, of every winding.
+    /// The currents of every winding, by name.
     pub currents: &'a [String],
     pub motion: KnownMotion,
 }
@@ -78,7 +79,7 @@ impl Letters<'_> {
         known.join(", ")
     }
 
-    /// Why no law knows a name that a reader of textbooks may write; `None` where nothing is known of it.
+    /// Why no law has this name of textbooks; `None` for other names.
     fn never_known(&self, name: &str) -> Option<String> {
         let rate = name.trim_end_matches(['\'', '\u{2032}', '\u{2033}']);
         match name {

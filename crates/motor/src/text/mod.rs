@@ -1,4 +1,4 @@
-//! A motor that is written in a scene file: what its expressions may be made of, and why.
+//! Motors as text in a scene file: the letters of their expressions, and the reasons for refusing others.
 //!
 //! Its laws become a [`Motor`](super::Motor) as those of the catalogue do.
 

@@ -1,4 +1,4 @@
-//! One law of a written motor: an expression of a dimension.
+//! One law of a motor as text: an expression with a dimension.
 
 use super::names::Names;
 use crate::text::{INDUCED, KnownMotion};
@@ -33,12 +33,12 @@ pub struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
-    /// In these names.
+    /// A reader of laws in these names.
     pub fn new(names: &'a Names) -> Self {
         Reader { names, mismatched: Vec::new() }
     }
 
-    /// An expression of the dimension of a unit; none where it is not sound, which is told.
+    /// An expression with the dimension of a unit; `None` where it is wrong, which is reported.
     pub fn law(&mut self, table: &mut Table<'_>, kind: Kind) -> Option<At<Sym>> {
         let letters = self.names.letters(kind.motion);
         let text = table.text(kind.key, &format!("{}, an expression in {}", kind.meaning, letters.known()));
@@ -72,7 +72,7 @@ impl<'a> Reader<'a> {
         None
     }
 
-    /// The same of one that may be left out.
+    /// As [`Reader::law`], for a law that may be left out.
     pub fn optional(&mut self, table: &mut Table<'_>, kind: Kind) -> Option<At<Sym>> {
         if table.has(kind.key) {
             return self.law(table, kind);

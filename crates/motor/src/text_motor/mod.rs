@@ -32,7 +32,7 @@ use std::ops::Range;
 use std::sync::Arc;
 use symbolic::Sym;
 
-/// Windings beyond any damper, and more parameters than anyone writes.
+/// The largest numbers of windings, more than any damper has, and of parameters.
 const WINDINGS: usize = 100;
 const PARAMETERS: usize = 200;
 
@@ -67,14 +67,14 @@ const MOTIONAL: Kind = Kind {
     motion: KnownMotion::Currents,
 };
 
-/// Where the data of a winding stand.
+/// The places of a winding's data in the file.
 struct Places {
     inductance: Range<usize>,
     resistance: Range<usize>,
     motional: Option<Range<usize>>,
 }
 
-/// The rest of the table `[machine]` of a motor as text.
+/// Reads the rest of the table `[machine]` of a motor as text.
 pub(super) fn read(mut table: Table<'_>, issues: &mut Vec<Issue>) -> Option<Motor> {
     let mut wrong = Vec::new();
     let (span, allowed) = (table.span(), table.allowed());

@@ -1,4 +1,4 @@
-//! The names that expressions of a written motor may hold: of its parameters and of its currents.
+//! The names in expressions of a motor as text: its parameters and its currents.
 
 use crate::text::{FIELD_SPEED, KnownMotion, Letters, is_taken};
 use reader::{At, Bound, Issue, Quantity, Table};
@@ -6,23 +6,23 @@ use std::cell::RefCell;
 use symbolic::Sym;
 use units::Dimension;
 
-/// The names of a file, and those whose faults are told already.
+/// The names of a file, and those whose faults were reported already.
 #[derive(Default)]
 pub struct Names {
-    /// In the order of the file, the field's speed first.
+    /// The parameters in the order of the file, the field's speed first.
     pub given: Vec<(Quantity, Dimension, f64)>,
     pub currents: Vec<String>,
     dimensions: Vec<(String, symbolic::Dimension)>,
-    /// Names whose own entries are wrong, which is told there.
+    /// Names whose own entries are wrong, which is reported there.
     broken: Vec<String>,
-    /// Whether the table of the parameters stands under another name, which is told there.
+    /// Whether the table of the parameters has a wrong name, which is reported there.
     lost: bool,
     /// Names that no entry gives, once they are told.
     told: RefCell<Vec<String>>,
 }
 
 impl Names {
-    /// A law of the field's speed alone.
+    /// The names of a motor whose only parameter is the field's speed.
     pub fn new(field_speed: f64) -> Self {
         let mut names = Names::default();
         names.add(FIELD_SPEED, Dimension::of(&FIELD_SPEED.unit), field_speed);
@@ -39,7 +39,7 @@ impl Names {
         Letters { parameters: &self.dimensions, currents: &self.currents, motion }
     }
 
-    /// Whether a name that an expression does not know is to be told: once, and not where its own entry is wrong.
+    /// Whether an unknown name in an expression is to be reported: once, and not where its own entry is wrong.
     pub fn is_news(&self, name: &str) -> bool {
         let known = self.lost || self.broken.iter().any(|broken| broken == name);
         let mut told = self.told.borrow_mut();
@@ -50,12 +50,12 @@ impl Names {
         true
     }
 
-    /// Whether it is a parameter's.
+    /// Whether the name is that of a parameter.
     pub fn is_parameter(&self, name: &str) -> bool {
         self.dimensions.iter().any(|(known, _)| known == name)
     }
 
-    /// The table of the parameters has another name.
+    /// Notes that the table of the parameters has a wrong name.
     pub fn lose_parameters(&mut self) {
         self.lost = true;
     }

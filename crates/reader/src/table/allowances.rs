@@ -1,4 +1,4 @@
-//! Data within their bounds, and what a file asks for beyond them.
+//! Data within their bounds, and allowances of a file beyond them.
 
 use super::quantities::with_article;
 use super::{At, Table};
@@ -14,14 +14,14 @@ pub const NO_MUTUAL_INDUCTANCE: &str = "no law here holds the voltage M di/dt th
      voltages per speed alone. Linear combinations of the currents that make the matrices of inductances and of resistances \
      diagonal, both at once, are accepted (they exist where all resistances are positive; CONTRIBUTING.md shows how)";
 
-/// Whether a key asks for what no law here holds.
+/// Whether a key asks for mutual induction, which no law here has.
 pub(super) fn is_mutual_inductance(key: &str) -> bool {
     let key = key.to_lowercase();
     key.contains("mutual") || key.contains("coupling")
 }
 
 impl Table<'_> {
-    /// Reads what the file asks for; tables that are read afterwards know it.
+    /// Reads the allowances of the file; tables that are read afterwards know them.
     pub fn read_allowed(&mut self) {
         for At { value: word, span } in self.texts(KEY, "[\"negative resistance\"]") {
             if self.allowed.add(&word) {

@@ -17,9 +17,9 @@ use units::nearest;
 /// A table, the keys that were asked for, and the errors found. A wrong value is replaced by a harmless one: reading
 /// goes on, and all errors are told at once; a file with errors gives no scene.
 pub struct Table<'a> {
-    /// As it stands in brackets; empty for the top of the file.
+    /// The name in brackets; empty for the top of the file.
     name: String,
-    /// Where its heading is.
+    /// The place of the heading.
     span: Range<usize>,
     /// The text of the file.
     source: &'a str,
@@ -30,7 +30,7 @@ pub struct Table<'a> {
     judged: bool,
     /// The allowances at the top of the file.
     allowed: Allowed,
-    /// Keys that should be here, each with what is told if no misspelt key explains its absence.
+    /// Keys that should be here, each with the error for the case that no misspelt key explains its absence.
     missing: Vec<(String, Issue)>,
     issues: Vec<Issue>,
 }
@@ -139,7 +139,7 @@ impl<'a> Table<'a> {
         self.entries.is_some_and(|entries| entries.contains_key(key))
     }
 
-    /// Whether anything was found wrong so far.
+    /// Whether any error was found so far.
     pub fn has_issues(&self) -> bool {
         !(self.issues.is_empty() && self.missing.is_empty())
     }
@@ -149,7 +149,7 @@ impl<'a> Table<'a> {
         self.issues.iter().any(|issue| issue.span.as_ref() == Some(span))
     }
 
-    /// Keys that are known but cannot be judged, because of what is wrong elsewhere.
+    /// Marks keys that are known but cannot be judged, because of errors elsewhere.
     pub fn known(&mut self, keys: &[&str]) {
         self.asked.extend(keys.iter().map(|&key| key.to_owned()));
     }
@@ -159,7 +159,7 @@ impl<'a> Table<'a> {
         self.judged = false;
     }
 
-    /// Something that is wrong here.
+    /// Adds an error.
     pub fn report(&mut self, issue: Issue) {
         self.issues.push(issue);
     }
@@ -188,7 +188,7 @@ impl<'a> Table<'a> {
         self.report(Issue::at(span, title, format!("this is a TOML {}", found.type_str())).accepted(accepted));
     }
 
-    /// Takes over all that is wrong in a table inside this one.
+    /// Takes over all errors of a table inside this one.
     pub fn absorb(&mut self, inner: Table<'_>) {
         self.issues.extend(inner.finish());
     }
@@ -203,7 +203,7 @@ impl<'a> Table<'a> {
         matches!(self.entries.and_then(|entries| entries.get(key)).map(Spanned::get_ref), Some(DeValue::Table(_)))
     }
 
-    /// All that is wrong in the table, keys included that nobody asked for.
+    /// All errors of the table, including keys that nobody asked for.
     pub fn finish(mut self) -> Vec<Issue> {
         let keys = self.entries.into_iter().flat_map(DeTable::keys).filter(|_| self.judged);
         let unknown: Vec<_> = keys.filter(|key| !self.asked.iter().any(|asked| asked == key.get_ref())).collect();
