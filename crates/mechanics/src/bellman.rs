@@ -1,12 +1,13 @@
-//! Optimal control of a linear system under a quadratic criterion: Bellman's equation, Riccati's derived from it.
+//! Optimal control of a linear system under a quadratic criterion: Bellman's equation, and Riccati's equation derived
+//! from it.
 //!
 //! For x' = A x + b u and the criterion, the integral of w(x) + s u^2 with w(x) = sum of w_i x_i^2, Bellman's function is
 //!
 //!   B(x, u) = dV/dt + grad V . (A x + b u) + w(x) + s u^2 ,   V = sum over i, j of C_ij x_i x_j .
 //!
-//! It is least at the optimal u, and zero there. Whatever u is, dV/dt along the motion is then B - w - s u^2 with
-//! B = s (u - u_opt)^2, so that the criterion is V at the start less V at the end plus the integral of B: V = 0 (or the
-//! price of the end) belongs to the end of the time, never to its start.
+//! It is least at the optimal u, and zero there. Whatever u is, dV/dt along the motion is then B - w - s u^2 with B = s
+//! (u - u_opt)^2: the criterion is V at the start less V at the end plus the integral of B. The condition V = 0 (or the
+//! price of the end) therefore holds at the end of the time, never at its start.
 
 use crate::differentiate::{fixed, gradient, unit};
 use field::{Scalar, Tangent};
@@ -60,7 +61,7 @@ impl<S: Scalar, const N: usize> Regulator<S, N> {
         })
     }
 
-    /// The same, seen where derivatives are taken of something else.
+    /// The same regulator with constant numbers, for derivatives by something else.
     pub fn fixed(&self) -> Regulator<Tangent<S>, N> {
         Regulator {
             matrix: self.matrix.map(fixed),

@@ -1,6 +1,6 @@
 //! Linear equations with a symmetric positive definite matrix, over any field.
 //!
-//! Elimination needs no choice of pivots there (all of them are positive), and a scalar without order could not choose.
+//! Elimination needs no choice of pivots here (all of them are positive), and a scalar without order could not choose.
 
 use crate::differentiate::{along, fixed, unit};
 use field::{Scalar, Tangent};

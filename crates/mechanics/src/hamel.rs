@@ -5,7 +5,7 @@
 //!
 //!   d/dt (dT/dw_j) + sum_lm c^l_jm w_m dT/dw_l - X_j(T) = Q_j ,
 //!
-//! where X_j(T) is the derivative of T(q, w) along X_j with w held, and Q_j the power of the forces along X_j.
+//! where X_j(T) is the derivative of T(q, w) along X_j with w constant, and Q_j the power of the forces along X_j.
 
 use crate::differentiate::{along, fixed, gradient, unit};
 use field::{Scalar, Tangent};

@@ -16,7 +16,7 @@ pub fn lagrange<S: Scalar, const N: usize>(
     rheonomic(|_, q, dq| lagrangian(q, dq), S::zero(), position, velocity, acceleration)
 }
 
-/// The same for L(t, q, q').
+/// [`lagrange`] for L(t, q, q').
 pub fn rheonomic<S: Scalar, const N: usize>(
     lagrangian: impl Fn(Tangent<Tangent<S>>, [Tangent<Tangent<S>>; N], [Tangent<Tangent<S>>; N]) -> Tangent<Tangent<S>>,
     time: S,

@@ -9,18 +9,18 @@
 //! | Lagrange II | L(q, q') | [`lagrange`] |
 //! | Lagrange in quasi-velocities (Boltzmann, Hamel) | T(q, w), w = W(q) q' | [`hamel`] |
 //! | Appell | the acceleration energy S of the mass points | [`appell`] |
-//! | angular momentum | the moment of momentum of the mass points | [`momentum`] |
+//! | angular momentum | the angular momentum of the mass points | [`momentum`] |
 //!
 //! For systems given by masses, forces and constraints in the coordinates of their mass points, [`constrained`] derives
-//! the same and more from that one description: multipliers, reactions, Gauss' minimum, redundant coordinates.
-//! [`regimes`] is not a principle: it finds which of the modes of rough contacts agree with the laws of friction.
+//! from that one description multipliers, reactions, Gauss' minimum and equations in redundant coordinates. [`regimes`]
+//! is not a principle: it finds the modes of rough contacts that agree with the laws of friction.
 //!
-//! [`bellman`] does the same for optimal control: Riccati's equation from Bellman's. [`stability`] decides by Hurwitz;
-//! [`linear_stability`] counts roots and signs exactly, singular cases included.
-//! [`one_step_stability`] asks what a one-step method makes of that.
+//! [`bellman`] derives Riccati's equation of optimal control from Bellman's. [`stability`] decides asymptotic stability
+//! by Hurwitz' minors; [`linear_stability`] counts roots and signs exactly, singular cases included.
+//! [`one_step_stability`] gives the linear stability of a one-step method on a steady motion.
 //!
-//! Each returns *residuals*: expressions in accelerations that vanish along the motion. The right-hand side that runs is
-//! one of the forms; that it makes every residual vanish is a claim, and is proved.
+//! Each principle returns *residuals*: expressions in accelerations that vanish along the motion. The right-hand side of
+//! a run is one of the forms; it is a claim, and proved, that it makes every residual vanish.
 
 pub mod appell;
 pub mod bellman;

@@ -1,7 +1,8 @@
 //! Bodies as clouds of mass points, integrated exactly.
 //!
-//! Every velocity and acceleration in a rigid body is affine in the place r of the mass point, so integrals of products
-//! need only the mass, the first moments and the matrix of second moments: no theorem of Koenig, no inertia tensor.
+//! Every velocity and acceleration in a rigid body is affine in the place r of the mass point: integrals of products
+//! need only the mass, the first moments and the matrix of second moments, neither Koenig's theorem nor an inertia
+//! tensor.
 
 use field::Scalar;
 use nalgebra::{Matrix3, Vector3};

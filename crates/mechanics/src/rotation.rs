@@ -43,7 +43,7 @@ pub fn vertical<S: Scalar>(rotation: &Matrix3<S>) -> Vector3<S> {
     rotation.row(2).transpose()
 }
 
-/// A vector that rests in space, in axes that have turned about their k-th (0, 1, 2) by twice the angle given.
+/// A constant vector of space, in axes that have turned about their k-th (0, 1, 2) by twice the angle given.
 ///
 /// From half the angle since c^2 + s^2 = 1 + d, as rounding leaves it, then changes the length by 2 s^2 d of itself:
 /// the smaller the turn, the less (Vilmart 2008 on rounding in rigid body integrators).
@@ -57,7 +57,7 @@ pub fn turned_about<S: Scalar>(mut v: Vector3<S>, k: usize, half: Circle<S>) -> 
     v
 }
 
-/// The same about any unit vector.
+/// [`turned_about`] for any unit vector.
 #[inline]
 pub fn turned_along<S: Scalar>(v: Vector3<S>, unit: Vector3<S>, half: Circle<S>) -> Vector3<S> {
     let across = unit.cross(&v);

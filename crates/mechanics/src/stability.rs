@@ -1,4 +1,4 @@
-//! Stability by the first approximation x' = A x: characteristic polynomial and Hurwitz' minors, over any field.
+//! Linear stability of a rest state, x' = A x: characteristic polynomial and Hurwitz' minors, over any field.
 //!
 //! A rest state is asymptotically stable if every root of det(mu - A) has a negative real part: if and only if every
 //! leading minor of Hurwitz' matrix is positive. Over exact numbers both are exact; over a graph they are formulas.

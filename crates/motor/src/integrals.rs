@@ -51,7 +51,7 @@ fn unrelated(machine: &impl Machine<f64>) -> Vec<f64> {
     (0..machine.windings()).map(|k| 1.3 + k as f64).collect()
 }
 
-/// Whether the torque of the machine vanishes at this slip and angle, whatever the currents.
+/// Whether the torque of the machine vanishes at this slip and angle, with unrelated currents.
 fn idle(machine: &impl Machine<f64>, (slip, angle): (f64, f64)) -> bool {
     let currents = unrelated(machine);
     let mut rates = vec![0.0; currents.len()];

@@ -11,12 +11,12 @@ pub trait IvpScene: Send + Sync {
     fn title(&self) -> &str;
     /// The motion that the scene shows, and its difficulty.
     fn description(&self) -> &str;
-    /// The machine, or the mechanism.
+    /// The name of the machine, or of the mechanism.
     fn model(&self) -> &str;
     fn run(&self) -> &Run;
-    /// In the axes of a form, where there are forms.
+    /// The problem, in the axes of a form where there are several forms.
     fn problem(&self, axes: Axes) -> Problem;
-    /// The same with the work metered that no law of the problem keeps, where there is such work.
+    /// The problem with work metered that no law of it keeps, where there is such work.
     fn metered(&self, axes: Axes) -> Problem {
         self.problem(axes)
     }
@@ -34,7 +34,7 @@ pub trait IvpScene: Send + Sync {
     /// The unit of a column of a run.
     fn unit(&self, name: &str) -> Cow<'static, str>;
 
-    /// Whether columns have the names of the scene's file, so that their units alone tell what stands in one picture.
+    /// Whether columns have the names of the scene's file: their units alone then decide which of them share a picture.
     fn has_own_names(&self) -> bool {
         false
     }
@@ -50,7 +50,7 @@ pub trait IvpScene: Send + Sync {
     }
 }
 
-/// A datum for a reader.
+/// A parameter with its value, for a reader.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parameter {
     pub name: Cow<'static, str>,
@@ -75,7 +75,7 @@ pub struct RunNotes {
     pub theory: Vec<String>,
     /// For a run that ended early: the name of the event that ended it.
     pub diagnosis: Option<String>,
-    /// The ways in which it failed, found after it.
+    /// The failures of the run, found after it.
     pub failures: Vec<RunFailure>,
     /// The closed form's name, and the largest distance of the run's states from it, relative to their size.
     pub closed_form: Option<(&'static str, f64)>,

@@ -26,27 +26,27 @@ use crate::events::Margins;
 use crate::models::Modelled;
 use crate::{Choice, RunNotes, Trajectory};
 
-/// The knowledge of a system beside its equations. What is left out is that of [`Knowledge::EMPTY`].
+/// The knowledge of a system beside its equations; [`Knowledge::EMPTY`] gives the fields that are left out.
 #[derive(Debug)]
 pub struct Knowledge {
-    /// As files call it.
+    /// The name in files.
     pub name: &'static str,
-    /// One line for lists.
+    /// A summary in one line, for lists.
     pub summary: &'static str,
     /// The parameters that it reads, by their names in the file.
     pub parameters: &'static [&'static str],
     /// The states and outputs that it reads.
     pub columns: &'static [&'static str],
-    /// Scene files of which one must give the same equations, with the parameters of the file that asks: of others nothing is known.
-    /// None: any equations are accepted.
+    /// Scene files of which one must give the same equations, with the parameters of the file that asks; the knowledge does not
+    /// apply to other equations. An empty list accepts any equations.
     pub equations: &'static [&'static str],
     /// Sentences of theory on the run, without the run; its span is that of the scene.
     pub theory: fn(&dyn Modelled, &Choice) -> Vec<String>,
-    /// The name of what a run that ended early has come to, where its last state or its method shows it.
+    /// The name of the event that ended a run early, where its last state or its method shows it.
     pub diagnosis: fn(&Ended<'_>) -> Option<Diagnosis>,
     /// Columns at a time, s, in closed form, where they are known.
     pub closed_form: fn(&dyn Modelled, f64) -> Option<ClosedForm>,
-    /// The distance of a state from where the law ends, where its equations do not tell it; the second argument has the names of the
+    /// The distance of a state from the end of the law, where its equations do not give it; the second argument has the names of the
     /// states in their order. A run that comes there has stopped, while one that an event of its file ends has reached its end. Must not
     /// ask the scene for its problem, whose margins these are.
     pub margins: fn(&dyn Modelled, &[String]) -> Option<Box<Margins>>,
@@ -60,10 +60,10 @@ pub struct Ended<'a> {
     pub trajectory: &'a Trajectory,
 }
 
-/// The end that a motion came to.
+/// The end of a motion.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Diagnosis {
-    /// In one sentence, without its full stop.
+    /// The end in one sentence, without its full stop.
     pub what: String,
     /// Its time by the closed form, s.
     pub at: Option<f64>,
@@ -72,15 +72,15 @@ pub struct Diagnosis {
 /// Values of columns at a time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ClosedForm {
-    /// As the line `closed form` of a run calls it.
+    /// The name in the line `closed form` of a run.
     pub what: &'static str,
-    /// By the names of the columns.
+    /// The values by the names of the columns.
     pub values: Vec<(&'static str, f64)>,
 }
 
 inventory::collect!(Knowledge);
 
-/// All that is known by some crate of the program, by name.
+/// All knowledge of the crates in the program, by name.
 pub fn entries() -> Vec<&'static Knowledge> {
     let mut all: Vec<&Knowledge> = inventory::iter::<Knowledge>().collect();
     all.sort_by_key(|knowledge| knowledge.name);
@@ -88,7 +88,7 @@ pub fn entries() -> Vec<&'static Knowledge> {
 }
 
 impl Knowledge {
-    /// Nothing, under no name.
+    /// No knowledge, under no name.
     pub const EMPTY: Self = Knowledge {
         name: "",
         summary: "",
@@ -101,7 +101,7 @@ impl Knowledge {
         margins: |_, _| None,
     };
 
-    /// All that it says of a run.
+    /// Its notes on a run.
     pub fn told(&self, scene: &dyn Modelled, choice: &Choice, trajectory: &Trajectory) -> RunNotes {
         let ended = Ended { scene, choice, trajectory };
         let is_early = trajectory.has_begun() && ended.is_early();
@@ -130,7 +130,7 @@ impl Knowledge {
     }
 }
 
-/// The larger of two numbers; none where one of them is none.
+/// The larger of two numbers; NaN where one of them is NaN.
 fn larger(a: f64, b: f64) -> f64 {
     if a.is_nan() || a > b { a } else { b }
 }
@@ -150,7 +150,7 @@ impl Ended<'_> {
         self.trajectory.outcome.time
     }
 
-    /// A column at the last good state; no number where no column has the name.
+    /// A column at the last good state; NaN where no column has the name.
     pub fn last(&self, column: &str) -> f64 {
         self.trajectory.column(column).map_or(f64::NAN, |place| self.trajectory.last[place])
     }
@@ -160,14 +160,14 @@ impl Ended<'_> {
         self.trajectory.left.is_some() || self.trajectory.ends_before(self.span())
     }
 
-    /// True where a time is within the step that could not be made, of methods with constant steps.
+    /// Whether a time is within the step that could not be made, for methods with constant steps.
     pub fn was_before(&self, end: f64) -> bool {
         self.choice.method.steps().is_some_and(|steps| self.time() + self.span() / f64::from(steps) >= end)
     }
 }
 
 impl Diagnosis {
-    /// With the distance of the last good state from the time of the closed form.
+    /// The sentence, with the distance of the last good state from the time of the closed form.
     fn sentence(self, time: f64) -> String {
         let Diagnosis { what, at } = self;
         match at {

@@ -8,7 +8,7 @@ enum Named {
     Plain(Method),
     /// A constant step: the number of steps must be given.
     Steps(fn(u32) -> Method),
-    /// Stages, with a good number where none is said.
+    /// Stages, with a usual number where none is given.
     Stages(u8, fn(u8) -> Method),
 }
 
@@ -53,7 +53,7 @@ const METHODS: &[(&str, Named, &str)] = &[
     ("euler", Named::Steps(|steps| Method::Euler { steps }), "explicit, so many equal steps"),
 ];
 
-/// (how it is written, what it is).
+/// (name, description) of every method.
 pub fn list() -> impl Iterator<Item = (String, &'static str)> {
     METHODS.iter().map(|(name, named, what)| {
         let written = match named {
@@ -80,7 +80,7 @@ pub fn written(method: Method) -> String {
     METHODS.iter().find_map(one).unwrap_or_else(|| method.to_string())
 }
 
-/// The method of a name; else what is wrong, and what would be accepted.
+/// The method of a name; otherwise the error, and the accepted names.
 pub fn method(text: &str) -> Result<Method, (String, String)> {
     let (name, number) = text.split_once(':').map_or((text, None), |(name, number)| (name, Some(number)));
     let Some((_, named, _)) = METHODS.iter().find(|(known, ..)| *known == name) else {

@@ -19,7 +19,7 @@ pub trait Modelled: IvpScene + fmt::Debug {
     /// Whether one of these columns of a run depends on each state.
     fn states_behind(&self, columns: &[String]) -> Vec<bool>;
 
-    /// The name under which more is known of it, where its file gives one: see [`crate::knowledge`].
+    /// The name under which there is knowledge of the system, where its file gives one: see [`crate::knowledge`].
     fn known_as(&self) -> Option<&'static str>;
 
     /// A parameter, or a coordinate or a speed at the start, by its name, in SI units.
@@ -28,7 +28,7 @@ pub trait Modelled: IvpScene + fmt::Debug {
     /// The scene with other values of these.
     ///
     /// # Errors
-    /// The name that it does not know, or why nothing starts so.
+    /// The unknown name, or why there is no start.
     fn with_values(&self, values: &[(&str, f64)]) -> Result<Arc<dyn Modelled>, String>;
 
     /// The scene without some of its elements, and with others rigid.
@@ -41,9 +41,9 @@ pub trait Modelled: IvpScene + fmt::Debug {
 /// Parameters at the ends of their ranges.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Limit<'a> {
-    /// Zero for good, so that conditions which choose nothing any more are not watched for.
+    /// Zero for good: conditions which then choose nothing are not watched.
     pub zero: &'a [&'a str],
-    /// Without bound, of springs and dampers: what these stretch by, or move at, is held at zero.
+    /// Without bound, for springs and dampers: their elongation, or its rate, is held at zero.
     pub unbounded: &'a [&'a str],
 }
 
@@ -63,7 +63,7 @@ pub struct ModelReaders {
 
 static READERS: OnceLock<ModelReaders> = OnceLock::new();
 
-/// Gives files with `[coordinates]` their readers; the first ones given hold.
+/// Gives files with `[coordinates]` their readers; only the first call has an effect.
 pub fn read_models_by(readers: ModelReaders) {
     READERS.get_or_init(|| readers);
 }
@@ -93,7 +93,7 @@ pub fn holds_model(text: &str) -> bool {
     holds(text, |readers, name| (readers.runs)(name))
 }
 
-/// Whether a model answers what is asked of the equations of a file, whatever law its scene runs.
+/// Whether there is a model for questions on the equations of a file, whatever law its scene runs.
 pub fn has_model(text: &str) -> bool {
     holds(text, |readers, name| (readers.knows)(name))
 }

@@ -1,29 +1,29 @@
-//! An initial value problem, its types forgotten: what any method runs.
+//! An initial value problem with its types erased, for any method.
 
 use crate::events::{self, Ending, Margins, Switching};
 use crate::law::Law;
 use integrators::{End, Failure, Method, Observer, Outcome, Span, Tolerance};
 use std::sync::Arc;
 
-/// A law with its state at time zero, what it conserves, and what a run shows of it.
+/// A law with its state at time zero, its integrals, and the columns that a run shows.
 pub struct Problem {
     pub law: Arc<dyn Law>,
-    /// As the law has it: of a gyrostat in the axes of the form.
+    /// The state as the law has it: for a gyrostat in the axes of the form.
     pub state: Vec<f64>,
-    /// The number of components, the last ones, that only meter what the others do, such as work: a run is not judged by them.
+    /// The number of components, the last ones, that only meter others, such as work: a run is not judged by them.
     pub metered: usize,
-    /// s, from time zero.
+    /// The length of the run, s, from time zero.
     pub span: f64,
     pub invariants: Vec<Invariant>,
-    /// The distance of a state from the constraints that hold along the motion, where there are some.
+    /// The residual of the constraints that hold along the motion, where there are some.
     pub residual: Option<Box<Function>>,
     /// The names of a row.
     pub columns: Vec<String>,
     /// The columns that a run shows of a state at a time.
     pub row: Box<Row>,
-    /// The distance of a state from where the law ends.
+    /// The distance of a state from the end of the law.
     pub margins: Box<Margins>,
-    /// The changes of a law at events; `law` is then the one of the start.
+    /// The changes of a law at events; `law` is then the law at the start.
     pub switching: Option<Arc<dyn Switching>>,
 }
 
@@ -45,13 +45,13 @@ impl Problem {
 }
 
 impl Problem {
-    /// Why the law does not hold at a state, where it does not.
+    /// Why the law does not hold at a state, if it does not.
     pub fn outside(&self, time: f64, y: &[f64]) -> Option<&'static str> {
         events::outside(&(self.margins)(time, y, &vec![0.0; y.len()]))
     }
 
-    /// Runs over a span, event after event, or to the end of the law: then the outcome is the last state within it, and the reason
-    /// is told.
+    /// Runs over a span, event after event, or to the end of the law: then the outcome is the last state within it, with the
+    /// reason.
     pub fn integrate(
         &self,
         method: Method,
@@ -73,7 +73,7 @@ pub type Row = dyn Fn(f64, &[f64]) -> Vec<f64> + Send + Sync;
 pub struct Invariant {
     pub name: &'static str,
     pub value: Box<Function>,
-    /// The size of what it is put together from, where it is known, such as that of kinetic and potential energy: a run that changes its
-    /// value by a hundredth of that has lost it.
+    /// The size of the terms of which it is composed, where it is known, such as that of kinetic and potential energy: a run that
+    /// changes its value by a hundredth of that has lost it.
     pub size: Option<Box<Function>>,
 }

@@ -7,7 +7,7 @@ use units::nearest;
 
 /// The finest tolerance that double precision leaves room for.
 const FINEST: f64 = 1e-14;
-/// More instants than anyone looks at.
+/// The largest number of instants.
 const MOST_SAMPLES: usize = 1_000_000;
 /// Bytes that the rows of a run may take: with constant steps its states are kept as well, and those of two shorter runs.
 const ROOM: usize = 1 << 28;
@@ -34,7 +34,7 @@ pub struct Run {
     pub outputs: Vec<String>,
 }
 
-/// Reads it; without `known` outputs nobody knows which there are.
+/// Reads the table; `outputs` are checked only if the names are `known`.
 pub fn read(top: &mut Table<'_>, issues: &mut Vec<Issue>, known: Option<&[String]>) -> Option<Run> {
     let mut table = top.table("run", "the span of time and the tolerance");
     let run = keys(&mut table, known.map_or(0, <[String]>::len));
@@ -51,7 +51,7 @@ pub fn read(top: &mut Table<'_>, issues: &mut Vec<Issue>, known: Option<&[String
 /// The tolerance of a step where none is given.
 const USUAL: f64 = 1e-8;
 
-/// Its keys but the outputs, of a run whose rows have so many columns.
+/// Reads the keys but the outputs, for a run whose rows have so many columns.
 fn keys(table: &mut Table<'_>, columns: usize) -> Option<Run> {
     let span = table.scalar("span", "length of the run", "s");
     if span.value <= 0.0 {
@@ -85,7 +85,7 @@ fn keys(table: &mut Table<'_>, columns: usize) -> Option<Run> {
     })
 }
 
-/// Why a tolerance cannot be worked with.
+/// Why a tolerance is not accepted.
 pub fn check_tolerance(tolerance: f64) -> Result<(), String> {
     match tolerance {
         t if (FINEST..1.0).contains(&t) => Ok(()),

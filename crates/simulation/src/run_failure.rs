@@ -1,11 +1,11 @@
-//! Ways in which a run fails, by their standard names: one list for every command.
+//! Failures of a run by their standard names: one list for every command.
 //!
 //! A failure is found where a run has stopped, or afterwards from its record, and never in a step. Its evidence is in the names of the
 //! scene, and the program can carry out its remedy: an option, or a key of the file.
 
 use std::fmt;
 
-/// A way in which a run fails.
+/// A kind of failure of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum FailureKind {
     SingularChart,
@@ -28,7 +28,7 @@ pub enum FailureKind {
 }
 
 impl FailureKind {
-    /// Every way that a run can show. What is refused before it has messages with places in the file.
+    /// Every kind that a run can show. Inputs refused before a run have messages with places in the file.
     pub const ALL: [Self; 17] = [
         Self::SingularChart,
         Self::SingularMassMatrix,
@@ -74,7 +74,7 @@ impl FailureKind {
 }
 
 impl FailureKind {
-    /// Whether a run that has reached its end is none of its law where it shows this.
+    /// Whether a run that has reached its end does not follow its law where it shows this failure.
     pub fn spoils(self) -> bool {
         self == Self::MissedEvent
     }
@@ -84,7 +84,7 @@ impl FailureKind {
 #[derive(Clone, Debug, PartialEq)]
 pub struct RunFailure {
     pub kind: FailureKind,
-    /// The time of it, s.
+    /// The time of the failure, s.
     pub at: f64,
     /// The place and the numbers that show it, in one sentence without its full stop.
     pub evidence: String,

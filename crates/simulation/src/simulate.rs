@@ -1,4 +1,4 @@
-//! A problem run: its trajectory as a reader wants it.
+//! Running a problem: its trajectory as a reader wants it.
 
 use super::problem::Row;
 use super::{Axes, Problem, Run};
@@ -17,7 +17,7 @@ pub struct Choice {
     pub axes: Axes,
     /// Instants kept beside the start.
     pub samples: usize,
-    /// After so long the run is stopped, and what there is is kept.
+    /// The time after which the run is stopped; rows until then are kept.
     pub allowed: Duration,
 }
 
@@ -37,9 +37,9 @@ pub struct Trajectory {
     pub checked: Vec<Vec<f64>>,
     /// The last good state, written like a row.
     pub last: Vec<f64>,
-    /// As the integrator gave it; where the law ended, up to there.
+    /// The outcome as the integrator gave it; where the law ended, up to there.
     pub outcome: Outcome<f64>,
-    /// Why the law does not hold any more after the last good state, where it ended.
+    /// Why the law does not hold after the last good state, where it ended.
     pub left: Option<&'static str>,
     /// For a law that changes: the start and the events.
     pub passages: Vec<Passage>,
@@ -59,7 +59,7 @@ impl Run {
 }
 
 impl Problem {
-    /// Runs. `progress` is told the fraction done after every step.
+    /// Runs the problem. `progress` gets the fraction done after every step.
     pub fn simulate(&self, choice: &Choice, mut progress: impl FnMut(f64)) -> Trajectory {
         self.simulate_while(choice, |fraction| {
             progress(fraction);
@@ -67,7 +67,7 @@ impl Problem {
         })
     }
 
-    /// Runs until `progress`, told the fraction done after every step, breaks it off; what there is is kept.
+    /// Runs until `progress`, which gets the fraction done after every step, breaks it off; rows until then are kept.
     pub fn simulate_while(&self, choice: &Choice, progress: impl FnMut(f64) -> ControlFlow<()>) -> Trajectory {
         let mut span = Span::new(0.0, self.span, &self.state)
             .with_even_outputs(choice.samples)
@@ -75,7 +75,7 @@ impl Problem {
         span.outputs.insert(0, 0.0);
         for invariant in &self.invariants {
             let first = (invariant.value)(0.0, &self.state);
-            // a step that has left the law is none of the run
+            // a step that has left the law is not part of the run
             let value = move |time: f64, y: &[f64]| match self.outside(time, y) {
                 Some(_) => first,
                 None => (invariant.value)(time, y),
@@ -118,7 +118,7 @@ impl Problem {
 }
 
 impl Problem {
-    /// The names of what should stay zero along a run.
+    /// The names of the quantities that should stay zero along a run.
     fn checks(&self) -> Vec<String> {
         let invariants = self.invariants.iter().map(|one| format!("change of {}", one.name));
         invariants.chain(self.residual.as_ref().map(|_| "residual of constraints".to_owned())).collect()
@@ -157,7 +157,7 @@ impl Problem {
     }
 }
 
-/// Ends a run where it is told to.
+/// Ends a run when the caller asks for it.
 struct Told<'a> {
     goes_on: &'a mut dyn FnMut() -> ControlFlow<()>,
     broken_off: bool,
@@ -174,7 +174,7 @@ impl Observer<f64> for Told<'_> {
 }
 
 impl Trajectory {
-    /// The column of a name.
+    /// The column with this name.
     pub fn column(&self, name: &str) -> Option<usize> {
         self.names.iter().position(|known| known == name)
     }
@@ -200,7 +200,7 @@ impl Trajectory {
         self.left.is_none() && self.outcome.reached() && self.outcome.time < span
     }
 
-    /// A failure with the name of the state at whose rate it is, where it is at one.
+    /// A failure with the name of the state whose rate is concerned, where it is one.
     fn named(&self, failure: Failure) -> String {
         let Failure::Refused(Refusal::RatesNotFinite { component }) = failure else { return failure.to_string() };
         let what = match self.names.get(component).filter(|_| component < self.outcome.state.len()) {
@@ -222,14 +222,14 @@ impl Trajectory {
         columns.map(|(name, _)| name.as_str()).chain(kept.map(|deviation| deviation.name.as_str())).collect()
     }
 
-    /// The quantity that the motion keeps and the run has lost first, by a method that follows a tolerance: constant steps are judged beside
-    /// shorter ones.
+    /// The conserved quantity that the run lost first, by a method that follows a tolerance; runs with constant steps are compared with
+    /// shorter steps instead.
     pub fn lost(&self) -> Option<(&Deviation, Lost)> {
         let lost = self.outcome.deviations.iter().filter_map(|one| Some((one, one.lost?)));
         lost.filter(|_| self.states.is_empty()).min_by(|(_, one), (_, other)| one.at.total_cmp(&other.at))
     }
 
-    /// Whether it went on until it was told to end.
+    /// Whether it was broken off by the caller.
     pub fn broken_off(&self) -> bool {
         let told = matches!(self.outcome.end, End::Halted | End::Stopped(Failure::Interrupted { .. }));
         self.left.is_none() && told
@@ -241,7 +241,7 @@ struct Kept<'a, F> {
     row: &'a Row,
     times: Vec<f64>,
     rows: Vec<Vec<f64>>,
-    /// Where they are asked for.
+    /// The states, where they are asked for.
     states: Option<Vec<Vec<f64>>>,
     problem: &'a Problem,
     /// The first values of the invariants.

@@ -17,8 +17,7 @@ const VOLTAGE: [i64; 4] = is(1, 2, -3, -1);
 const VISCOUS: [[i64; 4]; 2] = [is(1, 2, -1, 0), is(1, 0, -1, 0)];
 const MOMENTS: [[i64; 4]; 2] = [is(1, 2, -2, 0), is(1, 1, -2, 0)];
 
-/// The meaning in words: by two speeds or a dissipative coefficient where there are some; nothing is said where
-/// dimensions do not decide.
+/// The meaning in words, as far as the dimensions of the factors decide it.
 pub fn meaning(monomial: Sym, dimension: &dyn Fn(&str) -> Option<Dimension>) -> &'static str {
     let factors = powers(monomial);
     let count = |kinds: &[[i64; 4]]| -> u32 {

@@ -6,8 +6,8 @@
 //! * *holonomic in disguise*: kinematic, and integrable together with the others (Frobenius);
 //! * *nonholonomic*: kinematic, and not.
 //!
-//! The last two are properties of all constraints together, hence numbers: a constraint may be integrable only because
-//! another stands beside it.
+//! The last two are properties of all constraints together, and are therefore counted: a constraint may be integrable
+//! only because of another one.
 
 pub use super::distribution::{Obstruction, Unclassified};
 use super::distribution::{Place, reach, solve};
@@ -15,7 +15,7 @@ use super::{Constrained, Constraint, State};
 use std::fmt;
 use symbolic::Sym;
 
-/// The findings; constraints by their places in the system's order.
+/// The classification; constraints by their places in the system's order.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Class {
     pub redundant: Vec<usize>,
@@ -25,13 +25,13 @@ pub struct Class {
     pub geometric: usize,
     /// The number of kinematic constraints, linear in the velocities, that are integrable.
     pub in_disguise: usize,
-    /// The number of those that are not.
+    /// The number of kinematic constraints that are not integrable.
     pub nonholonomic: usize,
-    /// Why they are not.
+    /// A bracket that shows why they are not integrable.
     pub obstruction: Option<Obstruction>,
 }
 
-/// The system as a whole.
+/// The kind of the system as a whole.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// Geometric constraints only.
@@ -40,12 +40,12 @@ pub enum Kind {
     HolonomicInDisguise,
     /// Some kinematic constraint is not integrable.
     Nonholonomic,
-    /// Some kinematic constraint is not linear in the velocities: Frobenius' theorem does not speak of it.
+    /// Some kinematic constraint is not linear in the velocities: Frobenius' theorem does not apply to it.
     Nonlinear,
 }
 
 impl Class {
-    /// The system as a whole.
+    /// The kind of the system as a whole.
     pub fn kind(&self) -> Kind {
         match self {
             _ if !self.nonlinear.is_empty() => Kind::Nonlinear,
@@ -91,7 +91,7 @@ pub fn classify<Q, const N: usize, const C: usize>(
 where
     Q: Constrained<N, C, Given = Sym>,
 {
-    // names that no system has
+    // names that no system uses
     let [x, dx] = ["x", "x'"].map(|stem| -> [Sym; N] { std::array::from_fn(|i| Sym::symbol(&format!("{stem}[{i}]"))) });
     let at =
         Place { coordinates: std::iter::once(time).chain(x).collect(), values: x.into_iter().zip(place).collect() };

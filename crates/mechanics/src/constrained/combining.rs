@@ -6,7 +6,7 @@
 //! * extended: M^-1 R^tau is one, J M^-1 R^tau = 0.
 //!
 //! Both are orthogonal projections, in the metric 1 and in M^-1. Both exist and are unique; lambda is unique where J has
-//! full rank. In the extended one lambda is what it would be without friction, because R^tau moves no constraint.
+//! full rank. In the extended one lambda is as without friction, because R^tau moves no constraint.
 
 use crate::definite::{NotDefinite, solve};
 use field::Scalar;

@@ -4,7 +4,7 @@ use super::newton::Reactions;
 use super::{Charted, Constrained, Constraint, PointSystem, State};
 use field::{Analytic, Over};
 
-/// Where a point of the system may touch a rough curve.
+/// A point of the system beside a rough curve that it may touch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact<S> {
     /// The distance from the curve: zero while they touch, positive beside a one-sided curve. Its multiplier is the

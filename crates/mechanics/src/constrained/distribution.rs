@@ -1,7 +1,7 @@
-//! Directions that constraints leave, and all that motions along them can reach.
+//! The directions that constraints leave, and the directions that their brackets reach.
 //!
 //! Rows of linear forms in (dt, dx) are solved for as many dx as they determine. The vectors that they annihilate are
-//! spanned by fields X_0 (time goes on) and X_j (one for each free coordinate). By Frobenius' theorem the rows are
+//! spanned by fields X_0 (in time) and X_j (one for each free coordinate). By Frobenius' theorem the rows are
 //! differentials of functions f(x, t) if and only if the brackets [X_i, X_j] stay in their span; otherwise brackets of
 //! brackets are added until nothing new comes, and the codimension of the whole is the number of such functions.
 
@@ -10,9 +10,9 @@ use symbolic::{Decision, Hypotheses, Sym, decide, substitute_all};
 /// Why a constraint was not classified.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Unclassified {
-    /// Whether an expression vanishes at the place was not decided, for this reason.
+    /// It was not decided, for this reason, whether an expression vanishes at the place.
     Undecided(String),
-    /// This constraint leaves time no way to go on: it contradicts those before it.
+    /// This constraint admits no motion in time: it contradicts those before it.
     Contradiction(usize),
 }
 
@@ -32,7 +32,7 @@ impl std::error::Error for Unclassified {}
 pub(super) struct Place {
     /// t, then the x.
     pub coordinates: Vec<Sym>,
-    /// Their values there, by other symbols.
+    /// Their values at the place, in other symbols.
     pub values: Vec<(Sym, Sym)>,
 }
 

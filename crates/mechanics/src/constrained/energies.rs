@@ -2,7 +2,7 @@
 //!
 //! L(t, q, q'), Rayleigh's dissipation function D, forces Q and constraints f(q, t) = 0 give
 //! d/dt dL/dq' - dL/dq = Q - dD/dq' + J^T lambda, that is M q'' = F + J^T lambda with M = d^2L/dq'^2 and J = df/dq.
-//! A charge is a coordinate as an angle is one; its mass is an inductance, its spring a capacitor's inverse.
+//! A charge is a coordinate as an angle is; its mass is an inductance, its stiffness the inverse of a capacitance.
 
 use super::State;
 use super::multipliers::Reaction;
@@ -39,12 +39,12 @@ pub fn violation<Q: Energies<N, C>, S: Over<Q::Given> + Analytic, const N: usize
     Violation { value: moved.map(|f| f.value), rate: moved.map(|f| f.slope) }
 }
 
-/// Everything that the equations of motion contain, at an instant.
+/// The terms of the equations of motion at an instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Instant<S, const N: usize, const C: usize> {
     /// M
     pub mass: [[S; N]; N],
-    /// F: what M q'' is without constraints
+    /// F: the value of M q'' without constraints
     pub force: [S; N],
     /// The constraints and their derivatives.
     pub kinematics: Kinematics<S, N, C>,
@@ -133,7 +133,7 @@ impl<S: Scalar, const N: usize, const C: usize> Instant<S, N, C> {
         solve(self.mass, self.force)
     }
 
-    /// M^-1 J^T, a constraint after the other: where the reactions push.
+    /// M^-1 J^T, one row for each constraint: the accelerations by a unit of each multiplier.
     ///
     /// # Errors
     /// As for [`Self::free`].
@@ -179,7 +179,7 @@ fn dot<S: Scalar, const N: usize>(a: [S; N], b: [S; N]) -> S {
     (0..N).fold(S::zero(), |sum, i| sum + a[i] * b[i])
 }
 
-/// q'.dL/dq' - L: the energy, where time is not in L and the part of L of first degree does no work.
+/// q'.dL/dq' - L: the energy, where L does not depend on time and its part of first degree does no work.
 pub fn energy<Q: Energies<N, C>, S: Over<Q::Given> + Analytic, const N: usize, const C: usize>(
     system: &Q,
     at: &State<S, N>,
@@ -189,7 +189,7 @@ pub fn energy<Q: Energies<N, C>, S: Over<Q::Given> + Analytic, const N: usize, c
     dot(momentum, velocity) - system.lagrangian(time, place, velocity)
 }
 
-/// q'.(Q - dD/dq'): the rate of the energy where the constraints hold and time is not in L.
+/// q'.(Q - dD/dq'): the rate of the energy where the constraints hold and L does not depend on time.
 pub fn power<Q: Energies<N, C>, S: Over<Q::Given> + Analytic, const N: usize, const C: usize>(
     system: &Q,
     at: &State<S, N>,
@@ -206,7 +206,7 @@ pub trait Reducible<const N: usize, const C: usize, const K: usize>: Energies<N,
     fn place<S: Over<Self::Given> + Analytic>(&self, time: S, s: [S; K]) -> [S; N];
 }
 
-/// The same system in those coordinates: no constraint is left.
+/// The system in those coordinates: no constraint is left.
 #[derive(Clone, Copy, Debug)]
 pub struct Reduced<'a, Q, const N: usize, const C: usize>(pub &'a Q);
 

@@ -1,8 +1,8 @@
-//! Both constraints at once: f = 0 and f' = 0, each with a multiplier of its own.
+//! The Gear-Gupta-Leimkuhler formulation, a DAE of index 2: f = 0 and f' = 0, each with a multiplier of its own.
 //!
 //!   q' = v + M^-1 J^T mu,   v' = M^-1 (F + J^T lambda),   0 = f(q, t),   0 = J v + df/dt
 //!
-//! On the exact motion mu = 0; in steps it takes up what the method itself does to f. The equations have index 2: one
+//! On the exact motion mu = 0; in steps it compensates the error of the method in f. The equations have index 2: one
 //! differentiation fewer than Lagrange's with f = 0 alone. Both multipliers push along the reactions, which is the least
 //! change by the metric of the mass.
 //!
@@ -21,7 +21,7 @@ pub struct Extended<S, const N: usize, const C: usize> {
     pub velocity: [S; N],
     /// M^-1 F
     pub free: [S; N],
-    /// M^-1 J^T, a constraint after the other
+    /// M^-1 J^T, one row for each constraint
     pub pushes: [[S; N]; C],
     /// f and f'
     pub violation: Violation<S, C>,

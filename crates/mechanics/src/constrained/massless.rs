@@ -1,11 +1,12 @@
-//! Multipliers where coordinates have no mass: M is singular, and yet the constraints leave these no motion of their own.
+//! Multipliers where coordinates have no mass: M is singular, but the constraints leave such coordinates no motion of
+//! their own.
 //!
 //! M^-1 does not exist, but M is definite on J dx = 0. With J x'' = w the term J^T (J x'' - w) vanishes on every motion, so
 //!
 //!   (M + J^T J) x'' = X + J^T kappa ,   J x'' = w ,   lambda = kappa - w
 //!
-//! has the solution of M x'' = X + J^T lambda, and its matrix is definite. What stands before J^T J is of no consequence: it
-//! is one, in the units of the coordinates.
+//! has the solution of M x'' = X + J^T lambda, and its matrix is definite. Any positive factor of J^T J would do; it is one,
+//! in the units of the coordinates.
 
 use super::multipliers::Reaction;
 use super::rates::{jacobian, rates};

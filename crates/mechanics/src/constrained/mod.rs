@@ -1,34 +1,34 @@
 //! Systems with constraints, in the coordinates of their mass points.
 //!
 //! # Overview
-//! A system is given in N coordinates x with masses m, so that T = 1/2 sum m_i x_i'^2: the Cartesian coordinates of mass
-//! points, and of the points that stand for a rigid body. A plane body of mass m and moment J about its centre is
-//! (x, y, c, s) with the masses (m, m, J, J) and c^2 + s^2 = 1; a body in space is its centre and its axes. Everything
-//! is then algebraic: every law has exact values at rational points, and angles come in with a chart only.
+//! A system is given in N coordinates x with masses m: T = 1/2 sum m_i x_i'^2. They are the Cartesian coordinates of
+//! mass points, and of the points that stand for a rigid body. A plane body of mass m and moment of inertia J about its
+//! centre is (x, y, c, s) with the masses (m, m, J, J) and c^2 + s^2 = 1; a body in space is its centre and its axes.
+//! Everything is then algebraic: every law has exact values at rational points, and angles occur in charts only.
 //!
-//! * [`PointSystem`], [`Constrained`]: masses, forces and constraints, of which everything else is derived;
+//! * [`PointSystem`], [`Constrained`]: masses, forces and constraints, from which everything else is derived;
 //! * [`Charted`]: coordinates q and quasi-velocities p that satisfy the constraints identically;
 //! * [`rates`](mod@rates): constraints differentiated along a motion, their matrix;
 //! * [`contacts`]: rough curves that the system touches, from one side or from both;
 //! * [`motion`]: velocities and accelerations by a chart.
 //!
 //! # Principles
-//! Each turns a system into accelerations; that they are the same is proved, system by system.
+//! Each principle turns a system into accelerations; a proof for each system shows that they are equal.
 //!
 //! | principle | from | module |
 //! |---|---|---|
 //! | Lagrange I | constraints, multipliers | [`multipliers`] |
-//! | Newton | what pushes where, reactions | [`newton`] |
+//! | Newton | reactions along given directions | [`newton`] |
 //! | Gauss | constraints, a minimum | [`gauss`] |
 //! | Lagrange II, Maggi | a chart, T(q, q') | [`second_kind`] |
 //! | Appell | a chart, S'(p') | [`mod@appell`] |
 //! | Shulgin | redundant coordinates, T*; with the term it loses | [`redundant`], [`quasi`] |
 //!
-//! [`programmed`]: multipliers that lead violated constraints by a prescribed law instead of keeping them.
-//! [`servo`]: equations that controls keep, across their gradients; [`massless`]: multipliers where coordinates have no mass.
-//! [`gear_gupta_leimkuhler`]: a constraint and its rate, each with a multiplier of its own, for methods that keep both.
-//! [`energies`] is for systems that are given by L, D and Q in generalised coordinates instead, such as circuits.
-//! [`combining`] splits reactions with friction; [`classify`] tells what kind of constraints these are.
+//! [`programmed`]: constraint stabilisation (Baumgarte and generalisations): multipliers that lead violated constraints by a
+//! prescribed law. [`servo`]: equations that controls keep, across their gradients; [`massless`]: multipliers where
+//! coordinates have no mass. [`gear_gupta_leimkuhler`]: a constraint and its rate, each with a multiplier of its own, a
+//! DAE of index 2. [`energies`] is for systems that are given by L, D and Q in generalised coordinates instead, such as
+//! circuits. [`combining`] splits reactions with friction; [`classify`] classifies constraints.
 
 pub mod appell;
 pub mod classify;
@@ -63,7 +63,7 @@ pub struct State<S, const N: usize> {
 }
 
 impl<S: Scalar, const N: usize> State<S, N> {
-    /// The same, seen where derivatives are taken of something else.
+    /// The same instant with constant numbers, for derivatives by something else.
     pub fn fixed(self) -> State<Tangent<S>, N> {
         State {
             time: Tangent::fixed(self.time),
@@ -83,7 +83,7 @@ pub enum Constraint<S> {
 }
 
 impl<S> Constraint<S> {
-    /// The value, whatever the kind.
+    /// The value, of either kind.
     pub fn value(self) -> S {
         match self {
             Self::Geometric(value) | Self::Kinematic(value) => value,
@@ -105,12 +105,12 @@ pub trait PointSystem<const N: usize> {
 
 /// A system with C constraints that hold as equations.
 pub trait Constrained<const N: usize, const C: usize>: PointSystem<N> {
-    /// The constraints in a fixed order. A geometric one must not look at the velocity.
+    /// The constraints in a fixed order. A geometric one must not depend on the velocity.
     fn constraints<S: Over<Self::Given>>(&self, at: &State<S, N>) -> [Constraint<S>; C];
 }
 
-/// Generalised coordinates q (K of them) and quasi-velocities p (R of them): whatever they are, the constraints hold that
-/// the chart is made for.
+/// Generalised coordinates q (K of them) and quasi-velocities p (R of them): the constraints for which the chart is made
+/// hold for all their values.
 pub trait Charted<const N: usize, const K: usize, const R: usize>: PointSystem<N> {
     /// x = a(q, t)
     fn place<S: Over<Self::Given> + Analytic>(&self, time: S, q: [S; K]) -> [S; N];

@@ -1,4 +1,4 @@
-//! A charted system on its way: velocities and accelerations of the coordinates x from those of the chart.
+//! The motion of a charted system: velocities and accelerations of the coordinates x from those of the chart.
 //!
 //! With x = a(q, t) and q' = b(q, p, t) every constraint of the chart holds, and x'' = drift + sum over j of p'_j X_j with
 //! the fields X_j = dx'/dp_j: the virtual displacements that the constraints leave, after Chetaev where they are not
@@ -20,7 +20,7 @@ pub struct Motion<S, const N: usize, const R: usize> {
 }
 
 impl<S: Scalar, const N: usize, const R: usize> Motion<S, N, R> {
-    /// At (t, q, p), by three passes along the motion and one for each p.
+    /// Evaluates the motion at (t, q, p), by three passes along the motion and one for each p.
     pub fn at<Q, const K: usize>(system: &Q, time: S, q: [S; K], p: [S; R]) -> Self
     where
         Q: Charted<N, K, R>,
@@ -46,7 +46,7 @@ impl<S: Scalar, const N: usize, const R: usize> Motion<S, N, R> {
         self.fields.map(|field| (0..N).fold(S::zero(), |sum, i| sum + force[i] * field[i]))
     }
 
-    /// The same, seen where derivatives are taken of something else.
+    /// The same motion with constant numbers, for derivatives by something else.
     pub fn fixed(self) -> Motion<Tangent<S>, N, R> {
         Motion { state: self.state.fixed(), drift: fixed(self.drift), fields: self.fields.map(fixed) }
     }

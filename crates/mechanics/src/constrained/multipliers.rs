@@ -15,7 +15,7 @@ pub struct Reaction<S, const N: usize, const C: usize> {
 }
 
 /// Accelerations and multipliers under a force: J M^-1 J^T lambda = -(rates at x'' = M^-1 X). The force is the given
-/// one, [`PointSystem::force`](super::PointSystem::force), and whatever else acts beside it, such as friction.
+/// one, [`PointSystem::force`](super::PointSystem::force), with any other beside it, such as friction.
 ///
 /// # Errors
 /// [`NotDefinite`] names the first constraint that depends on those before it.
@@ -27,7 +27,7 @@ pub fn multipliers<Q: Constrained<N, C>, S: Over<Q::Given>, const N: usize, cons
     leading_to(system, at, force, [S::zero(); C])
 }
 
-/// The same with [`rates`](mod@super::rates) of the constraints that are prescribed instead of zero:
+/// Accelerations and multipliers with prescribed [`rates`](mod@super::rates) of the constraints instead of zero:
 /// J M^-1 J^T lambda = Y - (rates at x'' = M^-1 X).
 ///
 /// # Errors

@@ -1,7 +1,7 @@
 //! Newton's equations with reactions along given directions: m_i x''_i = X_i + sum over the reactions of r_k D_ki.
 //!
-//! Here a system says what pushes where, instead of having gradients taken: a rod pulls along itself, a guide pushes
-//! across, a blade across its edge. The reactions are forces in newtons, and that they do no work is a finding.
+//! Here a system gives the directions of its reactions, instead of gradients: a rod pulls along itself, a guide pushes
+//! across, a blade across its edge. The reactions are forces in newtons, and it is a result that they do no work.
 
 use super::rates::rates;
 use super::{Constrained, PointSystem, State};
@@ -15,7 +15,7 @@ pub trait Reactions<const N: usize, const C: usize>: PointSystem<N> {
     fn reactions<S: Over<Self::Given>>(&self, at: &State<S, N>) -> [[S; N]; C];
 }
 
-/// The force, in the coordinates x, that a force at a point r(x) of the system amounts to: sum over d of F_d dr_d/dx.
+/// A force at a point r(x) of the system as a force in the coordinates x: sum over d of F_d dr_d/dx.
 pub fn at_point<S: Scalar, const N: usize, const D: usize>(
     point: impl Fn([Tangent<S>; N]) -> [Tangent<S>; D],
     place: [S; N],

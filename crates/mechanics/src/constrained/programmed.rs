@@ -1,4 +1,5 @@
-//! Programmed constraints: multipliers that make violations of the constraints obey a prescribed law.
+//! Constraint stabilisation (Baumgarte and generalisations): multipliers that make violations of the constraints obey a
+//! prescribed law.
 //!
 //! A violation is y = f(x, t) with its rate y' for a geometric constraint; a kinematic one has the rate y' = phi(x, x', t)
 //! alone. Lagrange's multipliers make y'' = 0, which a run cannot keep: y = y_0 + y'_0 t. With
@@ -26,7 +27,7 @@ pub struct Violation<S, const C: usize> {
     pub rate: [S; C],
 }
 
-/// A law y'' = Y of N coordinates and C violations.
+/// A law y'' = Y for the violations of C constraints on N coordinates.
 pub trait Programme<const N: usize, const C: usize> {
     /// The field of the gains.
     type Given: Base;
@@ -40,7 +41,7 @@ pub trait Programme<const N: usize, const C: usize> {
 pub struct Linear<P, const C: usize> {
     /// c, 1/s
     pub damping: [[P; C]; C],
-    /// k, 1/s^2; a column that belongs to a kinematic constraint does nothing
+    /// k, 1/s^2; a column of a kinematic constraint has no effect
     pub stiffness: [[P; C]; C],
 }
 
@@ -51,7 +52,7 @@ impl<P: Base, const C: usize> Linear<P, C> {
         Linear { damping: diagonal(alpha + alpha), stiffness: diagonal(beta.squared()) }
     }
 
-    /// a y'' + c y' + k y = 0: the law of violations that are given an inertia a, a friction c and a stiffness k.
+    /// a y'' + c y' + k y = 0: the law of violations with an inertia a, a damping c and a stiffness k.
     ///
     /// # Errors
     /// [`NotDefinite`] names the first row of the inertia that depends on those before it.
@@ -85,7 +86,7 @@ impl<P: Base, const N: usize, const C: usize> Programme<N, C> for Linear<P, C> {
     }
 }
 
-/// y and y' of a system at an instant.
+/// The violations y and their rates y' of a system at an instant.
 pub fn violation<Q: Constrained<N, C>, S: Over<Q::Given>, const N: usize, const C: usize>(
     system: &Q,
     at: &State<S, N>,
@@ -97,7 +98,7 @@ pub fn violation<Q: Constrained<N, C>, S: Over<Q::Given>, const N: usize, const 
     Violation { value, rate: first_rates(system, at) }
 }
 
-/// Accelerations and multipliers under a force with the violations on their programme.
+/// Accelerations and multipliers under a force with which the violations obey their law.
 ///
 /// # Errors
 /// [`NotDefinite`] names the first constraint that depends on those before it.

@@ -1,13 +1,13 @@
-//! Lagrange's operator on an energy in which the constraints stand already, and what it loses.
+//! Lagrange's operator on an energy into which the constraints were substituted, and the terms that this loses.
 //!
 //! With T(q, p, t) = 1/2 sum m_i x'_i(q, p, t)^2 and the fields X_j = dq'/dp_j the identity holds
 //!
 //!   d/dt dT/dp_j - X_j(T) = sum m_i x''_i dx'_i/dp_j + lost_j ,
 //!   lost_j = sum m_i x'_i (d/dt dx'_i/dp_j - X_j(x'_i)) .
 //!
-//! The first sum is what equals the generalised force. The lost term vanishes where the fields and the motion are those of
-//! coordinates (their brackets are zero), or where the momenta that it multiplies are: a kinematic constraint that is put
-//! into the energy changes the equations unless it is integrable. In redundant coordinates these are Shulgin's equations
+//! The first sum equals the generalised force. The lost term vanishes where the fields and the motion are those of
+//! coordinates (their brackets are zero), or where the momenta in it vanish: substituting a kinematic constraint into the
+//! energy changes the equations unless it is integrable. In redundant coordinates these are Shulgin's equations
 //! ([`redundant`](super::redundant)), with x itself for q; linear quasi-velocities give Boltzmann's and Hamel's.
 
 use super::motion::{Motion, velocity};

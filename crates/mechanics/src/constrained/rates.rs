@@ -1,4 +1,4 @@
-//! Constraints differentiated along a motion until they speak of accelerations.
+//! Constraints differentiated along a motion, up to the accelerations.
 
 use super::{Constrained, Constraint, State};
 use crate::differentiate::{along, unit};

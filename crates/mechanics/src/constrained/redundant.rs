@@ -1,8 +1,8 @@
-//! Redundant coordinates: as many coordinates as before, fewer velocities.
+//! Redundant coordinates: all coordinates are kept, and the constraints eliminate velocities.
 //!
 //! C constraints that are linear in the velocities give C of the velocities by the others, x'_a = sum A_aj x'_j + A_a0. All
-//! coordinates are kept. That is a chart with q = x and p the free velocities; its fields are Shulgin's operators
-//! E_j = d/dx_j + sum A_aj d/dx_a. Shulgin's equations d/dt dT*/dx'_j - E_j(T*) = X_j + sum A_aj X_a come from
+//! coordinates are kept: a chart with q = x and p the free velocities; its fields are Shulgin's operators E_j = d/dx_j +
+//! sum A_aj d/dx_a. Shulgin's equations d/dt dT*/dx'_j - E_j(T*) = X_j + sum A_aj X_a come from
 //! [`quasi`](super::quasi), with the term that they lose where the constraints are not integrable:
 //! lost_j = sum over a of m_a x'_a (dA_aj/dt - E_j(x'_a)).
 
@@ -11,7 +11,7 @@ use super::{Charted, Constrained, PointSystem, State};
 use crate::definite::{NotDefinite, solve};
 use field::{Analytic, Over, Scalar};
 
-/// Which coordinates the constraints determine, the k-th one the k-th; the others are free, in their order.
+/// The coordinates that the constraints determine, the k-th one by the k-th; the others are free, in their order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Split<const N: usize, const C: usize, const F: usize> {
     dependent: [usize; C],
@@ -19,7 +19,7 @@ pub struct Split<const N: usize, const C: usize, const F: usize> {
 }
 
 impl<const N: usize, const C: usize, const F: usize> Split<N, C, F> {
-    /// By the places of the dependent coordinates; `None` where they are not C different ones of N = C + F.
+    /// A split by the places of the dependent coordinates; `None` where they are not C different ones of N = C + F.
     pub fn new(dependent: [usize; C]) -> Option<Self> {
         const { assert!(N == C + F, "dependent and free coordinates are all") };
         let mut others = (0..N).filter(|i| !dependent.contains(i));
@@ -38,17 +38,18 @@ impl<const N: usize, const C: usize, const F: usize> Split<N, C, F> {
     }
 }
 
-/// Vectors that satisfy the constraints differentiated: one of them, and the directions that all others differ by.
+/// The vectors that satisfy the differentiated constraints: one of them, and the directions in which the others differ
+/// from it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Admissible<S, const N: usize, const F: usize> {
-    /// The one whose free parts are zero.
+    /// The vector whose free parts are zero.
     pub particular: [S; N],
-    /// The virtual displacements, by a unit of each free coordinate.
+    /// The virtual displacements, one for a unit of each free coordinate.
     pub directions: [[S; N]; F],
 }
 
 impl<S: Scalar, const N: usize, const F: usize> Admissible<S, N, F> {
-    /// The one with these free parts.
+    /// The vector with these free parts.
     pub fn vector(&self, free: [S; F]) -> [S; N] {
         std::array::from_fn(|i| (0..F).fold(self.particular[i], |sum, j| sum + free[j] * self.directions[j][i]))
     }
@@ -104,10 +105,10 @@ pub struct Redundant<'a, Q, const N: usize, const C: usize, const F: usize> {
 }
 
 impl<'a, Q: Constrained<N, C>, const N: usize, const C: usize, const F: usize> Redundant<'a, Q, N, C, F> {
-    /// About a place at which the constraints determine the dependent velocities.
+    /// The chart about a place at which the constraints determine the dependent velocities.
     ///
     /// # Errors
-    /// [`NotDefinite`] names the first constraint that does not.
+    /// [`NotDefinite`] names the first constraint that does not determine its velocity.
     pub fn about<S: Over<Q::Given>>(
         system: &'a Q,
         split: Split<N, C, F>,
@@ -145,7 +146,7 @@ impl<Q: Constrained<N, C>, const N: usize, const C: usize, const F: usize> Chart
     }
 
     fn rates<S: Over<Self::Given> + Analytic>(&self, time: S, x: [S; N], p: [S; F]) -> [S; N] {
-        // `about` has seen that the pivots do not vanish
+        // `about` checked that the pivots do not vanish
         velocities(self.system, &self.split, time, x).map_or([S::zero(); N], |admissible| admissible.vector(p))
     }
 }

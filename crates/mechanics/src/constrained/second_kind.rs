@@ -1,12 +1,12 @@
 //! Lagrange's equations of the second kind, and Maggi's where kinematic constraints are left.
 //!
-//! The kinetic energy T(q, q', t) knows the geometric constraints only. The virtual displacements that the kinematic ones
-//! leave are dq = sum (dq'/dp_j) dpi_j, hence
+//! The kinetic energy T(q, q', t) contains the geometric constraints only. The virtual displacements that the kinematic
+//! ones leave are dq = sum (dq'/dp_j) dpi_j, hence
 //!
 //!   sum over i of (d/dt dT/dq'_i - dT/dq_i - Q_i) dq'_i/dp_j = 0 .
 //!
-//! With p = q' these are Lagrange's equations. Putting a kinematic constraint into T first is another thing: see
-//! [`quasi`](super::quasi).
+//! With p = q' these are Lagrange's equations. Substituting a kinematic constraint into T first gives other equations:
+//! see [`quasi`](super::quasi).
 
 use super::{Charted, State, kinetic_energy};
 use crate::definite::{NotDefinite, root};

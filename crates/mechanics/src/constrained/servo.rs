@@ -1,17 +1,18 @@
-//! Servo constraints: equations that a control keeps, pushing along directions of its own instead of along their gradients.
+//! Servo constraints: equations that a control keeps, with control forces along given directions instead of their
+//! gradients.
 //!
-//! Contacts keep their constraints by ideal reactions, J^T lambda. Beside them phi(x, x', t) = 0 shall hold, and nothing pushes
-//! along dphi/dx': the directions B of the controls u stand in the place of the gradients,
+//! Contacts keep their constraints by ideal reactions, J^T lambda. Beside them phi(x, x', t) = 0 is to hold, but no force acts
+//! along dphi/dx': the directions B of the controls u take the place of the gradients,
 //!
 //!   M x'' = X + J^T lambda + B u .
 //!
-//! Let b be what a unit of a control adds to x'' while the contacts hold. Here (dphi/dx') b = 0, so that no control moves
-//! phi' and no u gives phi' = 0 at once: phi' = r(x, x', t) by the contacts alone, a second equation of the velocities. Its rate
+//! Let b be the acceleration x'' by a unit of a control while the contacts hold. Here (dphi/dx') b = 0: no control changes phi'
+//! and no u gives phi' = 0 at once; phi' = r(x, x', t) by the contacts alone, a second equation of the velocities. Its rate
 //!
 //!   phi'' = r_t + r_x x' + r_x' (x'' at u = 0) + (r_x' b) u
 //!
-//! gives the controls wherever r_x' b is regular. So phi is to its control what a geometric constraint is to its multiplier:
-//! phi and r are kept both, and phi'' is prescribed.
+//! gives the controls wherever r_x' b is regular. A control is therefore to phi as a multiplier is to a geometric
+//! constraint: phi and r are both kept, and phi'' is prescribed.
 //!
 //! Sources: Beghin 1922 for constraints that a servo keeps; Blajer, Kolodziejczyk 2004 for controls across the gradients.
 
@@ -28,7 +29,7 @@ pub trait Servo<const N: usize, const C: usize, const U: usize>: Constrained<N, 
     /// phi(x, x', t), to be kept zero.
     fn kept<S: Over<Self::Given>>(&self, at: &State<S, N>) -> [S; U];
 
-    /// B, a control after the other.
+    /// B, one row for each control.
     fn directions<S: Over<Self::Given>>(&self, at: &State<S, N>) -> [[S; N]; U];
 }
 
@@ -54,7 +55,7 @@ where
     std::array::from_fn(|k| std::array::from_fn(|i| columns[i][k]))
 }
 
-/// b: what a unit of each control adds to x'' while the contacts hold.
+/// b: the acceleration by a unit of each control while the contacts hold.
 ///
 /// # Errors
 /// [`NotDefinite`] names the first contact that depends on those before it.
@@ -75,7 +76,7 @@ where
     Ok(added)
 }
 
-/// phi and its rate r, with the contacts on their programme.
+/// phi and its rate r, with the violations of the contacts under their law.
 ///
 /// # Errors
 /// As [`additions`].
@@ -93,7 +94,7 @@ where
     Ok(Violation { value: system.kept(at), rate: system.kept(&moving(at, free)).map(|phi| phi.slope) })
 }
 
-/// An instant on its way.
+/// An instant moving with an acceleration.
 fn moving<S: Scalar, const N: usize>(at: &State<S, N>, acceleration: [S; N]) -> State<Tangent<S>, N> {
     State {
         time: Tangent::variable(at.time),
@@ -102,7 +103,7 @@ fn moving<S: Scalar, const N: usize>(at: &State<S, N>, acceleration: [S; N]) -> 
     }
 }
 
-/// Accelerations and controls with the contacts on one programme, and phi'' on another.
+/// Accelerations and controls with the contacts under one law, and phi'' under another.
 ///
 /// # Errors
 /// [`NotDefinite`] names the first contact that depends on those before it, or the first control.

@@ -1,15 +1,15 @@
 //! The largest real part of the roots of a real polynomial, between two numbers.
 //!
 //! p(mu + r) has as many roots to the right of the imaginary axis as p has with a real part above r: they are counted
-//! exactly, for r halved and doubled. So a growth that is far below what rounding does to eigenvalues is known.
+//! exactly, for r halved and doubled. This finds a growth far below the rounding errors of eigenvalues.
 
 use super::HalfPlanes;
 use algebra::real::Ordered;
 use field::Rational;
 
-/// Powers of two between which the growth is looked for.
+/// Powers of two between which the growth is sought.
 const POWERS: [i32; 2] = [-1000, 64];
-/// Into so many parts the last doubling is divided.
+/// Parts into which the last doubling is divided.
 const PARTS: i64 = 64;
 
 /// Two numbers between which the largest real part lies, close together where every sign is known; of a polynomial with these
@@ -28,7 +28,7 @@ pub fn growth<R: Ordered>(coefficients: &[R]) -> Option<[f64; 2]> {
         let middle = (low + high) / 2;
         match above(power(middle)) {
             Some(false) => high = middle,
-            // roots on the axis are not told from it by a shift that is too small
+            // a shift that is too small does not part roots from the axis
             told => (low, seen) = (middle, told.is_some()),
         }
     }

@@ -1,4 +1,4 @@
-//! Roots to the left of the imaginary axis, on it, and to the right of it.
+//! The numbers of roots to the left of the imaginary axis, on it, and to the right of it.
 //!
 //! With p(i y) = i^n (f0(y) - i f1(y)), f0 and f1 real, one even and one odd, roots that are no roots of both satisfy
 //!
@@ -73,7 +73,7 @@ impl HalfPlanes {
         if sign < 0 {
             return Some(HalfPlanes { left: left + 1, axis, right: right + 1, distinct });
         }
-        // whether the pair is among the others is not asked
+        // the pair may be equal to others on the axis
         Some(HalfPlanes { left, axis: axis + 2, right, distinct: distinct + 2 })
     }
 

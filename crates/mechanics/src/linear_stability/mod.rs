@@ -1,17 +1,18 @@
-//! The first approximation y' = A y, exactly: characteristic polynomial, roots in either half-plane, signs of a quadratic form.
+//! Linear stability of y' = A y, exactly: characteristic polynomial, roots in either half-plane, signs of a quadratic form.
 //!
 //! # Overview
 //! * [`characteristic`]: det(mu - A) without a division, for any size;
-//! * [`HalfPlanes`]: how many roots lie to the left of the imaginary axis, on it and to the right of it, by Routh's array as
-//!   the remainders of Euclid's algorithm, so that rows that vanish or begin with zero are no exception;
+//! * [`HalfPlanes`]: the numbers of roots to the left of the imaginary axis, on it and to the right of it, by Routh's array
+//! as the remainders of Euclid's algorithm: rows that vanish or begin with zero are no exception;
 //! * [`growth`]: the largest real part of a root, between two numbers;
-//! * [`real_roots`]: how many different real ones, by Sturm's theorem over the same numbers;
+//! * [`real_roots`]: the number of different real roots, by Sturm's theorem over the same numbers;
 //! * [`Inertia`]: the signs of a quadratic form, also on the subspace where given linear forms vanish;
-//! * [`resultant`]: where polynomials over a ring have a common root.
+//! * [`resultant`]: decides whether polynomials over a ring have a common root.
 //!
 //! # Key results
-//! Numbers are [`Ordered`](algebra::real::Ordered): fractions know their signs, enclosures know them unless zero lies among their values. A count is given only where every sign that it rests on is known. With enclosures this is a proof for all numbers in
-//! them; where it fails, finer ones may succeed, and where a quantity is zero none will: `None`, never a guess.
+//! Numbers are [`Ordered`](algebra::real::Ordered): fractions know their signs, enclosures know them unless zero lies among their values. A count is
+//! given only where every sign that it rests on is known; with enclosures it is a proof for all numbers in them. Where a count fails, finer
+//! enclosures may succeed, and where a quantity is zero none will: the answer is `None`, never a guess.
 //!
 //! # References
 //! Berkowitz 1984 (the polynomial); Routh 1877, Gantmacher 1959 chapter XV (the count, singular cases included).

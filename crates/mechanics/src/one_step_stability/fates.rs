@@ -37,7 +37,7 @@ impl Fates {
         }
     }
 
-    /// The fate for steps of a length, where it is not within the enclosure of a threshold.
+    /// The sign for a step size, where it is not within the enclosure of a threshold.
     pub fn at(&self, step: &Enclosure) -> Option<i32> {
         let mut passed = 0;
         for cut in &self.cuts {
@@ -59,7 +59,7 @@ impl Fates {
         let polynomial = Polynomial::from_rationals(&coefficients).ok_or(UndecidedFate)?;
         let zero = Polynomial::from_integers([0, 1]);
         let roots: Vec<Root> = polynomial.real_roots().into_iter().filter(|root| root.sign_of(&zero) > 0).collect();
-        // a root at which the fate does not change stays: there, and there only, the mode neither fades nor grows
+        // a root at which the sign does not change stays: there, and there only, the mode neither decays nor grows
         let bits = size.bits();
         let places: Vec<Enclosure> = roots.iter().map(|root| root.enclosure(bits)).collect();
         let value = |x: &Enclosure| polynomial.enclosure(x, bits).sign();

@@ -3,7 +3,8 @@
 use field::{Rational, Scalar};
 use nalgebra::Complex;
 
-/// R(z) = P(z)/Q(z): what a step makes of y' = z y in a unit of time. Coefficients from the constant upwards, P(0) = Q(0) = 1.
+/// R(z) = P(z)/Q(z): the factor of a step of unit length for y' = z y. Coefficients from the constant upwards, P(0) = Q(0)
+/// = 1.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StabilityFunction {
     pub numerator: Vec<Rational>,
@@ -11,7 +12,7 @@ pub struct StabilityFunction {
 }
 
 impl StabilityFunction {
-    /// ln|R| at z = (re, im), and how fast it changes with the logarithm of the step, Re(z R'/R).
+    /// ln|R| at z = (re, im), and its derivative by the logarithm of the step, Re(z R'/R).
     pub fn growth(&self, [re, im]: [f64; 2]) -> (f64, f64) {
         let z = Complex::new(re, im);
         let zero = Complex::new(0.0, 0.0);
@@ -24,8 +25,8 @@ impl StabilityFunction {
         ((above / below).norm().ln(), (z * (above_slope / above - below_slope / below)).re)
     }
 
-    /// |R(i x)|^2 - 1, the part by which a step changes the energy of an oscillation that turns by x radians in it. What cancels does so over
-    /// fractions, so that the smallest changes keep their digits.
+    /// |R(i x)|^2 - 1, the relative change of the energy of an oscillation in a step in which it turns by x radians. Terms cancel over
+    /// fractions: the smallest changes keep their digits.
     pub fn energy_change(&self, x: f64) -> f64 {
         let (terms, low) = self.balance();
         // Re i^m

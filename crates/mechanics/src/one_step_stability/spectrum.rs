@@ -11,7 +11,7 @@ pub struct Mode {
     pub count: usize,
 }
 
-/// Where an eigenvalue is.
+/// An eigenvalue by the place of its real part.
 #[derive(Clone, Debug)]
 pub enum HalfPlane {
     /// mu, not zero.
@@ -22,7 +22,7 @@ pub enum HalfPlane {
     Pair(Rectangle),
 }
 
-/// Every eigenvalue but those that structure explains.
+/// The eigenvalues of a motion, without those that its structure explains.
 #[derive(Clone, Debug, Default)]
 pub struct Spectrum {
     pub modes: Vec<Mode>,
@@ -53,7 +53,7 @@ impl Spectrum {
         Some(Spectrum { modes })
     }
 
-    /// By s = mu^2.
+    /// By the zeros s = mu^2.
     fn of_squares(polynomial: &[Enclosure]) -> Option<Self> {
         let even: Vec<Enclosure> = polynomial.iter().step_by(2).cloned().collect();
         let mut modes = Vec::new();
@@ -88,7 +88,7 @@ impl Spectrum {
 }
 
 impl HalfPlane {
-    /// One, or both of a pair; `None` where the sign of its real part is open.
+    /// The mode of an eigenvalue, or of both of a pair; `None` where the sign of the real part is open.
     fn mode(self) -> Option<Mode> {
         let count = match &self {
             HalfPlane::Real(mu) => mu.sign().filter(|sign| *sign != 0).map(|_| 1)?,

@@ -6,15 +6,15 @@ use algebra::real::Enclosure;
 /// The stability of the map beside that of the motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Judgement {
-    /// Every mode fades, stays or grows as it does in the motion.
+    /// Every mode decays, stays or grows as it does in the motion.
     Honest,
     /// The motion grows, the map does not: phantom stability.
     Hides,
     /// The map grows, the motion does not: phantom instability.
     Invents,
-    /// Neither grows, but the map lets fade what the motion keeps.
+    /// Neither grows, but the map damps a mode that the motion keeps.
     Damps,
-    /// Both grow, but some mode has another fate in the map than in the motion.
+    /// Both grow, but the map changes the growth of some mode.
     Confuses,
 }
 
@@ -32,7 +32,7 @@ pub struct StepInterval {
 pub struct Steps {
     /// The thresholds of the step size, s, in ascending order.
     pub cuts: Vec<Enclosure>,
-    /// Before, between and after the cuts.
+    /// The results before, between and after the cuts.
     pub stretches: Vec<StepInterval>,
 }
 
@@ -72,10 +72,10 @@ impl Steps {
         Ok(Steps { cuts, stretches })
     }
 
-    /// The largest step up to which all are honest; `Ok(None)` where all steps are.
+    /// The largest step size up to which all are honest; `Ok(None)` where all step sizes are.
     ///
     /// # Errors
-    /// `Err` with the judgement of the shortest steps, where these are not.
+    /// `Err` with the judgement of the shortest steps, where these are not honest.
     pub fn honest(&self) -> Result<Option<&Enclosure>, Judgement> {
         match self.stretches.first() {
             Some(StepInterval { judgement: Judgement::Honest, .. }) => Ok(self.cuts.first()),
@@ -84,7 +84,7 @@ impl Steps {
         }
     }
 
-    /// The stretches with their ends; the first begins at zero and the last has no end.
+    /// The intervals of step sizes with their ends; the first begins at zero and the last has no end.
     pub fn all(&self) -> impl Iterator<Item = (Option<&Enclosure>, Option<&Enclosure>, StepInterval)> {
         let ends = |place: usize| (place.checked_sub(1).and_then(|k| self.cuts.get(k)), self.cuts.get(place));
         self.stretches.iter().enumerate().map(move |(place, stretch)| {
@@ -125,7 +125,7 @@ impl StepInterval {
     }
 }
 
-/// A step in each stretch.
+/// A step size in each interval.
 fn probes(cuts: &[Enclosure]) -> Option<Vec<Enclosure>> {
     let bits = cuts.first().map_or(64, Enclosure::bits);
     let two = Enclosure::integer(2, bits);

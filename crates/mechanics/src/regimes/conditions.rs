@@ -19,9 +19,9 @@ pub enum Condition {
     Separates,
     /// The normal reaction, towards its face's side.
     Presses,
-    /// f |N| - T: not enough to be drawn forwards.
+    /// f |N| - T: the tangential reaction stays within the friction cone forwards.
     HoldsForwards,
-    /// f |N| + T: nor backwards.
+    /// f |N| + T: the tangential reaction stays within the friction cone backwards.
     HoldsBackwards,
     /// The sliding acceleration, in the direction of the slip that begins.
     Departs,
@@ -62,7 +62,7 @@ impl<S: Scalar, const K: usize> Form<S, K> {
         terms.fold(self.constant, |sum, (a, x)| sum + *a * *x)
     }
 
-    /// Without the constant.
+    /// The form without its constant.
     pub fn homogeneous(self) -> Self {
         Form { constant: S::zero(), ..self }
     }

@@ -1,7 +1,7 @@
 //! Reactions and margins of a regime as quotients of polynomials in the entries of b and W.
 //!
-//! Cramer's rule divides nowhere: over expressions the margin of a condition is a numerator and the regime's
-//! determinant, whose signs decide; and no pivot has to be chosen, so that it runs over every field.
+//! Cramer's rule does not divide: over expressions the margin of a condition is a numerator and the regime's
+//! determinant, whose signs decide. No pivot has to be chosen: it works over every field.
 
 use super::dry::Pairs;
 use super::{Dry, Form, Mode, equations};

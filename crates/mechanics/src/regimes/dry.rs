@@ -60,7 +60,7 @@ where
     system.contacts(time, moving).map(|contact| coordinates(contact).map(|value| value.slope.slope))
 }
 
-/// A system at a state with the reactions of its contacts left open.
+/// A system at a state, with open reactions of its contacts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Seen<S, const N: usize, const K: usize> {
     /// The contacts' accelerations as a function of their reactions.
@@ -74,7 +74,7 @@ pub struct Seen<S, const N: usize, const K: usize> {
 }
 
 impl<S: Scalar, const N: usize, const K: usize> Seen<S, N, K> {
-    /// At a state under a force; the system's own constraints are kept by their multipliers.
+    /// Evaluates a system at a state under a force; the system's own constraints are kept by their multipliers.
     ///
     /// # Errors
     /// [`NotDefinite`] names the first of the system's constraints that depends on those before it.
@@ -107,7 +107,7 @@ impl<S: Scalar, const N: usize, const K: usize> Seen<S, N, K> {
 }
 
 impl<S: Scalar, const K: usize> Dry<S, K> {
-    /// The same without what a motion needs.
+    /// [`Seen::of`] without the data that only a motion needs.
     ///
     /// # Errors
     /// [`NotDefinite`] as [`Seen::of`].

@@ -7,7 +7,7 @@
 //! minimised, iterated or regularised: every regime is examined, and the answer lists the consistent ones.
 //!
 //! * [`dry`]: the free accelerations b and the response W, the system's own constraints kept;
-//! * [`mode`]: what a contact may do, seen from its sliding velocity;
+//! * [`mode`]: the modes of a contact, by its sliding velocity;
 //! * [`conditions`](mod@conditions): the equations and the inequalities of a regime;
 //! * [`cramer`]: reactions and margins as quotients of polynomials, over any field: for proofs and right-hand sides;
 //! * [`reactions`]: all reactions that a regime admits, a polyhedron, also where its equations are singular;

@@ -7,7 +7,7 @@ use field::{Over, Scalar, Tangent};
 use std::cmp::Ordering;
 use std::fmt;
 
-/// Along the contact's curve.
+/// The direction of sliding along the contact's curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Direction {
     /// The place along the curve grows.
@@ -19,9 +19,9 @@ pub enum Direction {
 /// The side of a curve that presses. A guide has both, a one-sided curve the front only.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Face {
-    /// It pushes towards a growing gap.
+    /// The curve pushes towards a growing gap.
     Front,
-    /// It pulls back.
+    /// The curve pulls back.
     Back,
 }
 
@@ -52,7 +52,7 @@ pub enum Touch {
 pub enum Unfit {
     /// The gap is negative, or a guide is left.
     Penetrates { contact: usize },
-    /// In touch and approaching: an impact, of which these laws say nothing.
+    /// In touch and approaching: an impact, on which these laws do not decide.
     Impact { contact: usize },
 }
 
@@ -76,7 +76,7 @@ impl fmt::Display for Unfit {
 impl std::error::Error for Unfit {}
 
 impl Direction {
-    /// Both.
+    /// Both directions.
     pub const ALL: [Direction; 2] = [Direction::Forwards, Direction::Backwards];
 
     /// 1 or -1.
@@ -138,7 +138,7 @@ pub fn modes<S: Scalar>(touch: Touch, sides: Sides, friction: S) -> impl Iterato
     list.into_iter().flatten()
 }
 
-/// The sizes beside which a rounded gap and a rounded velocity count as zero; an exact field does not look at them.
+/// The sizes relative to which a rounded gap and a rounded velocity count as zero; an exact field does not need them.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sizes<S> {
     pub length: S,

@@ -10,7 +10,7 @@ use std::fmt;
 /// Why a state has no regimes to decide between.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unposed {
-    /// A contact cannot be as it is.
+    /// A contact penetrates or collides.
     Contact(Unfit),
     /// The system's own constraints depend on each other.
     Constraints(NotDefinite),

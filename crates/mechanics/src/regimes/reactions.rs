@@ -1,7 +1,6 @@
 //! All reactions that a regime admits.
 //!
-//! They form a polyhedron: equations, and conditions that are not negative. Its reactions lie in friction cones, which
-//! contain no line, so it is spanned by its vertices and its rays, and each of these is found by making conditions
+//! They form a polyhedron: equations, and forms that must not be negative. Its reactions lie in friction cones, which
 //! tight until the equations have one solution. A regular regime has one candidate; a singular one may admit none, one
 //! motion with many reactions (a body held by more supports than it needs), or a continuum of motions.
 
@@ -22,7 +21,7 @@ pub enum Reactions<S, const K: usize> {
         /// Whether the motion determines them.
         determined: bool,
     },
-    /// Motions without end, here are the reactions of one.
+    /// Infinitely many motions, here are the reactions of one.
     Continuum(Pairs<S, K>),
 }
 

@@ -1,4 +1,4 @@
-//! Numbers whose sign can be told: the laws do not compare, the choice between regimes must.
+//! Numbers with a sign: the laws do not compare, but the choice between regimes must.
 
 use field::{Rational, Scalar};
 use std::cmp::Ordering;
@@ -9,7 +9,7 @@ pub trait Ordered: Scalar {
     /// "within rounding of zero" over a rounded one: a tie, which the verdict reports.
     fn sign_among(self, size: Self) -> Ordering;
 
-    /// Whether it is a number: neither infinite nor undefined.
+    /// Whether the number is neither infinite nor undefined.
     fn defined(self) -> bool;
 
     /// |x|.
@@ -18,7 +18,7 @@ pub trait Ordered: Scalar {
     }
 }
 
-/// Relative to the terms: what the located state of an event leaves of double precision.
+/// Relative to the terms: the rounding error in double precision at the located state of an event.
 const ROUNDING: f64 = 1e-11;
 
 impl Ordered for f64 {

@@ -1,4 +1,4 @@
-//! Which regimes are consistent, and whether they leave one motion.
+//! The consistent regimes, and whether they give one motion.
 
 use super::dry::Pairs;
 use super::mode::modes;
@@ -27,11 +27,11 @@ pub struct Found<S, const K: usize> {
 pub enum Consistency<S, const K: usize> {
     /// One motion.
     Unique(Found<S, K>),
-    /// None: with these laws the state has no acceleration.
+    /// No motion: with these laws the state has no acceleration.
     None,
     /// At least these two, which differ.
     Several(Found<S, K>, Found<S, K>),
-    /// A regime whose equations are singular admits motions without end.
+    /// A regime whose equations are singular admits infinitely many motions.
     Continuum(Found<S, K>),
     /// The state or the force is not finite.
     Undefined,
@@ -85,7 +85,7 @@ fn visit_if_consistent<S: Ordered, const K: usize>(
     };
     let conditions = conditions(dry, touches, regime);
     let of_contacts = (0..K).flat_map(|k| conditions[k].iter().flatten().map(move |(name, form)| (k, *name, form)));
-    // where the reactions are not determined, ties of one choice of them say nothing of the motion
+    // where the reactions are not determined, a tie of one choice of them is none of the motion
     let tie = of_contacts
         .filter(|(_, _, form)| determined && sign_at(form, &reactions) == Ordering::Equal)
         .map(|(k, name, _)| (k, name))

@@ -3,9 +3,9 @@
 use super::{Body, Undecided};
 use field::Rational;
 
-/// The line of all angular velocities, cut where the number of rotations may change.
+/// The line of all angular velocities, divided where the number of rotations may change.
 pub struct Census {
-    /// In ascending order; the first begins at minus infinity, the last ends at plus infinity.
+    /// The intervals in ascending order; the first begins at minus infinity, the last ends at plus infinity.
     pub stretches: Vec<SpeedInterval>,
 }
 
@@ -19,11 +19,11 @@ pub struct SpeedInterval {
     pub families: usize,
 }
 
-/// Bits to which cuts are told apart.
+/// Bits at which cuts are told apart.
 const BITS: usize = 96;
 
 impl Body {
-    /// Counts once, exactly, between any two neighbouring folds and zero: there the number cannot change.
+    /// Counts once, exactly, between any two neighbouring folds and zero: the number cannot change there.
     ///
     /// # Errors
     /// [`Undecided`]: the reason why folds may be missing.

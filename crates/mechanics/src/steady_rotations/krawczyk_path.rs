@@ -1,4 +1,5 @@
-//! A direction of uniform rotation followed along a path of data: proved to be one and the same from end to end.
+//! Continuation of a direction of uniform rotation along a path of data, with a proof that it is one and the same
+//! throughout.
 //!
 //! z = (v, lambda) satisfies f(z; t) = ((K - lambda) v + b, (|v|^2 - 1)/2) = 0, where t runs along the path. With a point y of
 //! a box Z, times T and a matrix C near the inverse of f',
@@ -33,7 +34,7 @@ const TRIALS: usize = 3;
 /// Iterations of Newton's method.
 const ROUNDS: usize = 4;
 
-/// Where a solution at t = 0 is at t = 1, if it is followed so far.
+/// The solution at t = 1 on the path that begins at a solution at t = 0; `None` where the path is lost.
 pub fn followed(path: &Path<'_>, from: &EnclosedPoint) -> Option<EnclosedPoint> {
     let (mut place, mut t, mut step) = (from.clone(), 0.0, 1.0);
     while t < 1.0 {
@@ -82,7 +83,7 @@ fn wider(hull: &EnclosedPoint, size: f64) -> Option<EnclosedPoint> {
     all.try_into().ok()
 }
 
-/// The solution that is known to be the only one in a box, as finely as the data let it be known.
+/// The only solution in a box, as finely as the data determine it.
 pub fn sharpened(data: &Data, mut place: EnclosedPoint) -> Option<EnclosedPoint> {
     loop {
         let next = held(data, &place)?;
@@ -155,7 +156,7 @@ fn missing(k: &Matrix<Enclosure>, b: &Vector<Enclosure>, [v1, v2, v3, multiplier
     let row = |i: usize| (0..3).fold(&b[i] - &(multiplier * v[i]), |sum, j| &sum + &(&k[i][j] * v[j]));
     let one = Enclosure::integer(1, v1.bits());
     let excess = v.iter().fold(-&one, |sum, v| &sum + &(*v * *v));
-    // divided by 2 as its slopes are
+    // divided by 2, as the Jacobian is
     let half = Enclosure::float(0.5, v1.bits()).map_or(excess.clone(), |half| &half * &excess);
     [row(0), row(1), row(2), half]
 }
@@ -223,7 +224,7 @@ mod tests {
     fn solutions_are_counted_for_all_data_at_once() {
         let at = |b: [f64; 3]| count(&path(b, b)(&Enclosure::integer(0, BITS)).unwrap());
         assert_eq!([at(SMALL), at(SMALL.map(|b| 10.0 * b))], [Some(6), Some(2)]);
-        // an eigenvalue that b does not see, and data on both sides of a fold
+        // an eigenvalue whose eigenvector is orthogonal to b, and data on both sides of a fold
         assert_eq!(at([0.1, 0.0, 0.1]), None);
         let all = Enclosure::integer(0, BITS).hull(&Enclosure::integer(1, BITS));
         assert_eq!(count(&path(SMALL, SMALL.map(|b| 10.0 * b))(&all).unwrap()), None);

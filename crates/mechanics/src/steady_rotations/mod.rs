@@ -1,4 +1,4 @@
-//! Uniform rotations about the vertical, all of them: exactly.
+//! Uniform rotations about the vertical: all of them, exactly.
 //!
 //! A body with a fixed point, the tensor M about it, an own angular momentum h that is constant in the body (spinning
 //! wheels), and the weight vector G turns uniformly with the angular velocity w about the direction v, fixed in the body
@@ -10,17 +10,18 @@
 //!
 //! # Overview
 //! * [`Body`]: M, h, G exactly; h may hold one algebraic number;
-//! * `spectrum`: (K - lambda) v + b = 0 as polynomials in lambda, and the eigenvalues that b does not see;
+//! * `spectrum`: (K - lambda) v + b = 0 as polynomials in lambda, and the unseen eigenvalues, whose eigenvectors are
+//! orthogonal to b;
 //! * [`Rotations`] ([`Body::rotations`]): all v for a given w;
-//! * [`Selected`]: all (v, w) for a given angular momentum about the vertical ([`Body::at_momentum`]), and where rotations
-//!   merge ([`Body::folds`]);
-//! * [`Census`] ([`Body::census`]): how many there are, for every w;
-//! * [`followed()`]: one of them along a path of data, proved to be the same at both ends.
+//! * [`Selected`]: all (v, w) for a given angular momentum about the vertical ([`Body::at_momentum`]), and the folds,
+//! where rotations merge in saddle-node bifurcations ([`Body::folds`]);
+//! * [`Census`] ([`Body::census`]): the number of rotations, for every w;
+//! * [`followed()`]: continuation of a rotation along a path of data, proved to be the same at both ends.
 //!
 //! # Key results
 //! In general position there are two, four or six directions for a given w: one for lambda below and one above all
 //! eigenvalues, and none or two in each gap between them. Where b is orthogonal to an eigenspace of K, pairs, circles or
-//! the whole sphere may come in addition; they are found as what they are.
+//! the whole sphere may come in addition; they are found as such.
 //!
 //! # References
 //! The equation in lambda is known from trust regions (More, Sorensen 1983; "hard case").

@@ -6,7 +6,7 @@ use algebra::real::{Enclosure, Number, Polynomial, Root};
 use field::Rational;
 use std::sync::Arc;
 
-/// All v for one w.
+/// All directions v for one w.
 pub struct Rotations {
     /// Isolated directions in ascending order of their multipliers, then families.
     pub motions: Vec<SteadyRotation>,
@@ -58,7 +58,7 @@ struct Case {
     scale: Number,
 }
 
-/// Bits of working precision that are tried: from the first, twice as many each time.
+/// Bits of working precision that are tried in turn.
 const BITS: [usize; 8] = [128, 256, 512, 1024, 2048, 4096, 8192, 16384];
 
 impl Body {
@@ -97,7 +97,8 @@ impl Rotations {
         Rotations { degree: case.excess.degree().unwrap_or(0), roots: count, motions, case }
     }
 
-    /// The number of the polynomial's different real roots once more, by Sturm's theorem: dearer than to isolate them.
+    /// The number of the polynomial's different real roots by Sturm's theorem, a second route that costs more than
+    /// isolation.
     pub fn roots_by_sturm(&self) -> usize {
         self.case.excess.count_by_sturm()
     }
@@ -145,7 +146,7 @@ impl SteadyRotation {
         BITS.into_iter().filter(|work| *work > bits).filter_map(|work| self.at(work)).find(close)
     }
 
-    /// The ends of the interval in which lambda, N m, was isolated: it holds no other root.
+    /// The ends of the interval in which lambda, N m, was isolated: no other root lies in it.
     pub fn interval(&self) -> Option<[f64; 2]> {
         let bits = BITS[1];
         let scale = self.case.scale.enclosure(bits);
@@ -188,7 +189,7 @@ impl SteadyRotation {
 }
 
 impl Case {
-    /// By the signature of K - lambda on the tangent plane: that of K - lambda in space, less the sign of
+    /// The kind by the signature of K - lambda on the tangent plane: that of K - lambda in space, less the sign of
     /// v.(K - lambda)^-1 v, which is half the derivative of |v|^2 and has the sign of F'.
     fn kind(&self, multiplier: &Root) -> Kind {
         let slope = multiplier.sign_of(&self.excess.derivative());
@@ -226,7 +227,7 @@ impl Case {
 }
 
 impl Kind {
-    /// By the number of directions in which W falls.
+    /// The kind by the number of directions in which W falls.
     pub(super) fn of(falling: usize) -> Self {
         match falling {
             0 => Kind::Minimum,

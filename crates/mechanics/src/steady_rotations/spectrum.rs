@@ -12,7 +12,8 @@ pub(super) struct Spectrum {
     pub adjugate: Matrix<Polynomial>,
     /// Eigenvalues in ascending order, with their multiplicities.
     pub eigenvalues: Vec<(Root, usize)>,
-    /// q: the polynomial of least degree whose roots are the eigenvalues that the vectors see.
+    /// q: the polynomial of least degree whose roots are the eigenvalues whose eigenvectors are not orthogonal to the
+    /// vectors.
     pub seen: Polynomial,
     /// N_k with (K - x) N_k = q b_k.
     pub numerators: Vec<Vector<Polynomial>>,
@@ -39,7 +40,7 @@ impl Spectrum {
             Some(0) => common,
             _ => common.gcd(p),
         });
-        // one power for all, so that the quotients keep their ratios
+        // one power for all: the quotients keep their ratios
         let reduced = |p: &Polynomial| match common.degree() {
             Some(0) => p.clone(),
             _ => p.quotient(&common, 4),

@@ -12,7 +12,7 @@ pub const SPEED: &str = "phi'";
 /// The accepted form of a voltage of sliding conductors.
 const AFFINE: &str = "affine in the currents: a constant, and constant multiples of them";
 
-/// Advice where a law asks for mutual induction.
+/// The words of messages on mutual induction, which no law contains.
 pub const INDUCED: &str = "no winding induces in another: M di/dt stands in no law";
 
 /// The largest numerator and denominator of a number in a law.

@@ -1,8 +1,8 @@
-//! The fingerprint of an ensemble: what decides a member, and who computed it.
+//! The fingerprint of an ensemble: the data that decide a member, and the program that computed it.
 //!
-//! Rows of one table belong together only if the same law, data, span, tolerance and seed decided them, and if the same
-//! program rounded in the same way: without fused multiplication the last digits differ. The number of members is left out,
-//! and so are listed values, which every row shows: an ensemble may grow.
+//! Rows of one table belong together only if one law, data, span, tolerance and seed decided them, and if one program
+//! rounded in one way: without fused multiplication the last digits differ. The number of members is left out, and so are
+//! listed values, which every row shows: an ensemble may grow.
 
 use super::EnsembleScene;
 use super::run::MOST_STEPS;
@@ -15,7 +15,7 @@ use std::hash::Hasher;
 pub struct Fingerprint {
     /// Hash of law, data, span, tolerance and seed.
     of_members: String,
-    /// The version of the program, and how the processor rounds.
+    /// The version of the program, and the rounding of the processor.
     maker: String,
 }
 
@@ -40,7 +40,7 @@ impl Fingerprint {
         }
     }
 
-    /// Why a row with another fingerprint is none of this ensemble; `None` where it is one.
+    /// Why a row with another fingerprint does not belong to this ensemble; `None` where it does.
     pub fn differs_from(&self, found: &str) -> Option<String> {
         if found == self.to_string() {
             return None;
@@ -55,7 +55,7 @@ impl Fingerprint {
 }
 
 impl Fingerprint {
-    /// Whether a row with another fingerprint is of the same law, data, span, tolerance and seed, whoever computed it.
+    /// Whether a row with another fingerprint has equal law, data, span, tolerance and seed, whoever computed it.
     pub fn is_of_same_members(&self, found: &str) -> bool {
         found.split_once(':').is_some_and(|(of_members, _)| of_members == self.of_members)
     }
@@ -67,7 +67,7 @@ impl Display for Fingerprint {
     }
 }
 
-/// Takes a text as it is written.
+/// Hashes a text as it is written.
 struct Hashed(SipHasher24);
 
 impl Write for Hashed {

@@ -1,12 +1,13 @@
 //! The end of a member's law within a step of its lane, by its margins.
 //!
-//! There the motion is a polynomial. It is looked at in halves while a distance may come to zero by the bound of its rate.
+//! The motion within a step is a polynomial. Intervals are halved while a distance may come to zero by the bound of its
+//! rate.
 
 use crate::Margin;
 use crate::events::{Margins, outside};
 use integrators::LaneStep;
 
-/// By so little a distance may change over an interval that is not halved.
+/// The change of a distance over an interval below which the interval is not halved.
 const LITTLE: f64 = 2e-4;
 
 /// The part of a step, over which rates are taken.

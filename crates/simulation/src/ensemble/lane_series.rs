@@ -1,4 +1,4 @@
-//! The series of a recurrence in lanes, as an ensemble asks for it.
+//! The series of a recurrence in lanes, for ensembles.
 
 use super::one_by_one::one_by_one;
 use super::parametric_system::LANES;
@@ -7,7 +7,7 @@ use field::Batch;
 use integrators::LaneSeries;
 use series::Abreast;
 
-/// Quantities that still lie near the processor, and those of the largest law.
+/// The number of quantities that still lie near the processor, and that of the largest law.
 pub(super) const FEW: usize = 256;
 pub(super) const MANY: usize = 1 << 16;
 

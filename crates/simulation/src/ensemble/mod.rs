@@ -1,11 +1,12 @@
 //! Ensembles: one scene many times, with data and starts that differ, run side by side.
 //!
 //! # Overview
-//! * [`EnsembleScene`]: a scene with a table `[ensemble]` that says what varies;
-//! * [`parametric_system`]: what an ensemble needs of a scene: names of the numbers that may vary, a law with a symbol for each, members;
+//! * [`EnsembleScene`]: a scene with a table `[ensemble]`, which lists the data that vary;
+//! * [`parametric_system`]: the interface of a scene to an ensemble: names of the numbers that may vary, a law with a symbol for each,
+//! members;
 //! * [`vary`], [`draw`]: the distributions, and random numbers that depend on seed, member and datum alone;
 //! * [`run`]: all members in lanes and threads; [`lane_series()`]: the series of a recurrence in lanes;
-//! * [`fingerprint`]: what decides a member, so that rows of different ensembles are told apart.
+//! * [`fingerprint`]: the data that decide a member, by which rows of different ensembles are told apart.
 
 pub mod draw;
 pub mod fingerprint;
@@ -28,7 +29,7 @@ use std::fmt;
 use std::sync::Arc;
 use vary::{Variation, Varied};
 
-/// A scene of which many members are run.
+/// A scene with many members, which are run.
 #[derive(Clone, Debug)]
 pub struct EnsembleScene {
     pub system: Arc<dyn ParametricSystem>,
@@ -48,13 +49,13 @@ impl fmt::Display for TooLong {
 }
 
 impl EnsembleScene {
-    /// Members of a system.
+    /// An ensemble of members of a system.
     ///
     /// # Errors
     /// [`TooLong`].
     pub fn new(system: Arc<dyn ParametricSystem>, variation: Variation) -> Result<Self, TooLong> {
         let Variation { members, seed, varied } = variation;
-        // the room does not depend on the order
+        // the number of quantities does not depend on the order
         if system.alone().is_none() {
             system.series(integrators::lanes_order(1.0)).ok_or(TooLong)?;
         }
@@ -64,7 +65,7 @@ impl EnsembleScene {
     /// A member.
     ///
     /// # Errors
-    /// Why there is none.
+    /// Why there is no such member.
     pub fn member(&self, number: u64) -> Result<Member<'_>, Stopped> {
         self.system.member(&self.numbers(number)?)
     }

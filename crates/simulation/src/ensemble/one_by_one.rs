@@ -1,5 +1,5 @@
-//! Series of the systems in lanes, one after the other: of laws with exponentials, whose arguments bound each step, and on
-//! processors without registers for several numbers.
+//! Series of the systems in lanes, one after the other: for laws with exponentials, whose arguments bound each step, and
+//! on processors without registers for several numbers.
 
 use super::lane_series::{FEW, MANY};
 use super::parametric_system::LANES;
@@ -9,7 +9,7 @@ use integrators::LaneSeries;
 use series::Expansion;
 use std::cell::Cell;
 
-/// Quantities side by side in each.
+/// The number of quantities side by side in each system.
 const WIDTH: usize = 8;
 
 /// As [`lane_series`](super::lane_series()).

@@ -8,12 +8,12 @@ use integrators::{LaneSeries, Projection};
 use std::borrow::Cow;
 use std::fmt;
 
-/// One register of today: what is computed at a time then stays near the processor.
+/// The number of lanes: one register of today keeps the numbers near the processor.
 pub const LANES: usize = 8;
 
 /// A scene with the law written down once, a symbol for every number that may vary.
 pub trait ParametricSystem: fmt::Debug + Send + Sync {
-    /// One line that says what happens.
+    /// The title in one line.
     fn title(&self) -> &str;
 
     /// Span and tolerance; the method is Taylor's.
@@ -54,7 +54,7 @@ pub trait ParametricSystem: fmt::Debug + Send + Sync {
     fn name(&self) -> &str;
 }
 
-/// Members that run one by one: their laws change at events, each at its own.
+/// Members that run one by one: their laws change at events, at times of their own.
 pub trait RunsAlone: Sync {
     /// Runs the member with these numbers, while it may go on.
     ///
@@ -91,13 +91,13 @@ pub type EndOf<'a> = dyn Fn(f64, &[f64]) -> Last + Send + 'a;
 /// A member before its run.
 pub struct Member<'a> {
     pub parameters: Vec<f64>,
-    /// At time zero, as the law has it.
+    /// The state at time zero, as the law has it.
     pub state: Vec<f64>,
     /// The end of its run as a row shows it, from the last good time and state.
     pub end: Box<EndOf<'a>>,
     /// The distance of a state from where the law ends; none for a law that holds everywhere.
     pub margins: Option<Box<Margins>>,
-    /// The way back onto what its motion keeps, where each step is to end on it.
+    /// The projection onto the constraints and integrals of its motion, where each step is to end on them.
     pub projection: Option<Box<dyn Projection<f64> + Send + 'a>>,
 }
 
@@ -112,7 +112,7 @@ pub struct Drawn {
 /// Numbers of a scene that may vary: a key of one of its tables.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Variable {
-    /// Empty at the top of the file.
+    /// The name of the table; empty at the top of the file.
     pub table: &'static str,
     pub key: Cow<'static, str>,
     pub meaning: Cow<'static, str>,
@@ -125,7 +125,7 @@ pub struct Variable {
 pub enum Shape {
     /// Independent numbers, this many.
     Numbers(usize),
-    /// Three, brought to length one.
+    /// Three components of a unit vector; drawn numbers are normalised.
     Direction,
     /// 11, 12, 13, 22, 23, 33.
     SymmetricTensor,
@@ -143,7 +143,7 @@ impl Shape {
 }
 
 impl Variable {
-    /// As a table of results names it.
+    /// The name in a table of results.
     pub fn name(&self) -> String {
         if self.table.is_empty() { self.key.to_string() } else { format!("{}.{}", self.table, self.key) }
     }

@@ -32,7 +32,7 @@ pub struct Row {
 pub struct Last {
     pub time: f64,
     pub state: Vec<f64>,
-    /// Functions of the state, and by how much each invariant has changed; none where a member has no such number.
+    /// Functions of the state, and the change of each invariant; `None` where a member has no such number.
     pub derived: Vec<Option<f64>>,
 }
 
@@ -108,7 +108,7 @@ struct Aboard<'a> {
     number: u64,
     member: Member<'a>,
     margins: Vec<Margin>,
-    /// Why its law does not hold beyond, where it came to there.
+    /// Why its law does not hold any more, if the member reached the end of its law.
     left: Option<&'static str>,
 }
 
@@ -126,7 +126,7 @@ impl Worker<'_> {
             .run(&mut self);
     }
 
-    /// One member after the other.
+    /// Runs one member after the other.
     fn work_alone(&self, alone: &dyn RunsAlone) {
         let goes_on = || !self.stop.load(Ordering::Relaxed);
         loop {
@@ -149,7 +149,7 @@ impl Worker<'_> {
         }
     }
 
-    /// The other end lives as long as the run.
+    /// Sends a row; the receiver lives as long as the run.
     fn hand_on(&self, row: Row) {
         let _ = self.rows.send(row);
     }

@@ -1,4 +1,4 @@
-//! Why a member did not come to its end: its kind, by which members are counted, and the reason in its own numbers.
+//! The reason why a member stopped: its kind, by which members are counted, and the reason with its own numbers.
 
 use integrators::Failure;
 use std::fmt;
@@ -6,7 +6,7 @@ use std::fmt;
 /// Why there is no such member, or why it stopped.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Stopped {
-    /// A drawn value is no number.
+    /// A drawn value is not finite.
     NotFinite { datum: String },
     /// Parts of a model that cannot exist, in words.
     Impossible(String),
@@ -14,17 +14,17 @@ pub enum Stopped {
     Start(String),
     /// Data of the machine that are beyond their bounds, in words.
     Machine(String),
-    /// The law does not hold beyond.
+    /// The law does not hold any more.
     Left(&'static str),
     /// The run failed.
     Run(Failure),
 }
 
-/// Between the kind and the reason; no kind holds it.
+/// The text between the kind and the reason; no kind contains it.
 const BETWEEN: &str = ": ";
 
 impl Stopped {
-    /// Its name, the same for all members of the kind.
+    /// The name of the kind, the same for all members of it.
     pub fn kind(&self) -> &'static str {
         match self {
             Self::NotFinite { .. } => "a datum is not finite",

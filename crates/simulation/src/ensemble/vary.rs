@@ -6,15 +6,15 @@ use reader::{At, Issue, Table};
 use std::borrow::Cow;
 use std::ops::Range;
 
-/// More members than anyone has waited for.
+/// The largest number of members.
 const MOST: usize = 100_000_000;
 
 /// A variable that varies, with its distribution.
 #[derive(Clone, Debug)]
 pub struct Varied {
-    /// As the file names it, with its table.
+    /// The name in the file, with its table.
     pub name: String,
-    /// Its place in the list of all variables.
+    /// The place in the list of all variables.
     variable: usize,
     unit: Cow<'static, str>,
     shape: Shape,
@@ -32,14 +32,14 @@ enum Law {
         mean: Vec<f64>,
         deviation: Vec<f64>,
     },
-    /// For each member its own.
+    /// Listed values, for each member its own.
     Listed {
         all: Vec<f64>,
         components: usize,
     },
 }
 
-/// The head of the table, and what varies.
+/// The head of the table, and the data that vary.
 #[derive(Clone, Debug)]
 pub struct Variation {
     pub members: u64,
@@ -47,8 +47,8 @@ pub struct Variation {
     pub varied: Vec<Varied>,
 }
 
-/// Reads the table `[ensemble]` of a scene with these variables; `None` where nobody knows which there are, since the scene has
-/// faults. An example of one shows what is accepted.
+/// Reads the table `[ensemble]` of a scene with these variables; `None` where they are not known, since the scene has faults.
+/// An example shows the accepted form.
 pub fn read(
     top: &mut Table<'_>,
     issues: &mut Vec<Issue>,
@@ -95,7 +95,7 @@ pub fn read(
 /// The keys of a distribution.
 const KEYS: [&str; 5] = ["from", "to", "mean", "deviation", "values"];
 
-/// `{ from, to }`, `{ mean, deviation }` or `{ values }`.
+/// Reads `{ from, to }`, `{ mean, deviation }` or `{ values }`.
 fn datum(
     table: &mut Table<'_>,
     issues: &mut Vec<Issue>,
@@ -133,7 +133,7 @@ fn datum(
         }
         (None, None, None, None, Some(At { value: all, .. })) => Some(Law::Listed { all, components }),
         _ => {
-            // a key that nobody knows explains what is missing
+            // an unknown key explains a missing one
             if !law.has_issues() && law.keys().iter().all(|found| KEYS.contains(&found.value.as_str())) {
                 law.report(not_said(law.span()));
             }
@@ -168,7 +168,8 @@ impl Varied {
         &self.unit
     }
 
-    /// Its name and distribution, as a text; of listed values their number for each member alone, since an ensemble may grow.
+    /// The name and the distribution as a text; listed values appear by their number for each member alone, since an ensemble
+    /// may grow.
     pub fn distribution(&self) -> String {
         match &self.law {
             Law::Listed { components, .. } => format!("{} listed {components}", self.name),

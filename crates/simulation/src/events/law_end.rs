@@ -1,7 +1,7 @@
-//! Where a law ends: the first of its margins falls to zero, located as an event.
+//! The end of a law: the first of its margins falls to zero, located as an event.
 //!
-//! A margin is positive where the law holds. Its end is found by the bounds of the margin over each step, so that it does not
-//! depend on where a method puts its steps, and the run goes on up to it.
+//! A margin is positive where the law holds. Its zero is found by the bounds of the margin over each step: it does not depend
+//! on where a method puts its steps, and the run goes on up to it.
 
 use super::poles::{PoleWatch, up_to};
 use integrators::{
@@ -14,11 +14,11 @@ use std::cell::RefCell;
 pub struct Margin {
     /// Positive where the law holds.
     pub value: f64,
-    /// Along the motion, 1/s.
+    /// Its derivative along the motion, 1/s.
     pub rate: f64,
     /// A bound of the rate, as [`Signal::fastest`].
     pub fastest: f64,
-    /// Why the law does not hold beyond.
+    /// Why the law does not hold beyond the end.
     pub what: &'static str,
 }
 
@@ -33,7 +33,7 @@ pub struct Ending<'a> {
 }
 
 impl Ending<'_> {
-    /// Runs over a span, or to the end of the law: then the outcome is the last state within it, and the reason is told.
+    /// Runs over a span, or to the end of the law: then the outcome is the last state within it, with the reason.
     pub fn integrate(
         &self,
         (method, tolerance): (Method, &Tolerance),
@@ -69,17 +69,17 @@ impl Ending<'_> {
     }
 }
 
-/// The first margin that is not positive, or no number.
+/// The reason of the first margin that is not positive, or NaN.
 pub fn outside(margins: &[Margin]) -> Option<&'static str> {
     margins.iter().find(|margin| margin.value.is_nan() || margin.value <= 0.0).map(|margin| margin.what)
 }
 
-/// The same margins of a state that has more components behind its own.
+/// The margins, for a state that has more components behind its own.
 pub fn of_leading(margins: Box<Margins>, own: usize) -> Box<Margins> {
     Box::new(move |time, y: &[f64], dy: &[f64]| margins(time, &y[..own], &dy[..own]))
 }
 
-/// The margins as signals, of a state that may have more components behind its own.
+/// The margins as signals, for a state that may have more components behind its own.
 pub(super) struct Ends<'a> {
     of: Ending<'a>,
     count: usize,
@@ -89,7 +89,7 @@ pub(super) struct Ends<'a> {
 }
 
 impl<'a> Ends<'a> {
-    /// None where a law has no margins. The law has so many components behind those of the state.
+    /// The margins as signals; `None` where a law has none. The law has `behind` components behind those of the state.
     pub fn of(of: Ending<'a>, time: f64, state: &[f64], behind: usize) -> Option<Self> {
         let own = state.len();
         let count = (of.margins)(time, state, &vec![0.0; own]).len();
@@ -111,7 +111,7 @@ impl Switches for Ends<'_> {
         let mut rates = self.rates.borrow_mut();
         Ode::<f64>::rates(self.of.law, time, state, &mut rates);
         for (signal, margin) in out.iter_mut().zip((self.of.margins)(time, &state[..self.own], &rates[..self.own])) {
-            // where a law is singular beyond its end its rates may be no numbers
+            // beyond its end a law may be singular, and its rates NaN
             let [value, rate] =
                 [margin.value, margin.rate].map(|number| if number.is_finite() { number } else { -1.0 });
             *signal = Signal { value, rate, noise: 0.0, fastest: margin.fastest };
@@ -130,7 +130,7 @@ pub(super) struct SwitchesAndEnds<'a> {
 }
 
 impl SwitchesAndEnds<'_> {
-    /// Why the law ends with an event, where it is a margin's.
+    /// Why the law ends with an event, if the event is that of a margin.
     pub fn why(&self, event: &Event, state: &[f64]) -> Option<&'static str> {
         let margin = event.signal.checked_sub(self.switches.count())?;
         self.ends.as_ref()?.at(event.time, state).get(margin).map(|margin| margin.what)

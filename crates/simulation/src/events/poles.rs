@@ -16,7 +16,8 @@ use std::f64::consts::PI;
 /// Rates near a zero that are larger than at the ends of the step by this factor are those of a pole.
 const LARGE: f64 = 1e3;
 
-/// The distance from the zero at which they are looked at, of the shorter part of the step: at a pole rates are larger there by 1e6.
+/// The distance from the zero at which rates are compared, relative to the shorter part of the step: at a pole rates are larger
+/// there by 1e6.
 const NEAR: f64 = 1e-6;
 
 /// Rates smaller than this part of the largest rate are rounding.
@@ -28,7 +29,7 @@ const HALVINGS: usize = 60;
 /// Why a run ends before a pole.
 pub const POLE: &str = "a divisor of its rates passes through zero in the next step, where they grow without bound: no motion goes on there";
 
-/// A run that ends before its last step; what changed most in that step is not told.
+/// A run that ends before its last step; deviations of later times are dropped.
 pub(super) fn up_to(outcome: Outcome<f64>, (time, state): (f64, Vec<f64>)) -> Outcome<f64> {
     let deviations = outcome.deviations.into_iter().filter(|one| one.at <= time).collect();
     Outcome { time, state, deviations, ..outcome }
@@ -38,14 +39,14 @@ pub(super) fn up_to(outcome: Outcome<f64>, (time, state): (f64, Vec<f64>)) -> Ou
 const JUMP: &str = "in the next step the argument of a root, such as a distance or a speed, passes through zero, where the rates jump: \
      this step is too long to follow them; dormand_prince_8 and taylor pass such places by short steps";
 
-/// The same, of an angle.
+/// Why a run ends before a jump of an angle that the method does not see.
 const TURN: &str = "in the next step an angle atan2(y, x) goes over from pi to -pi, where the rates jump: this step is too long to follow \
      them; dormand_prince_8 and taylor pass such places by short steps. An angle that is counted on is a coordinate of its own";
 
 /// A radicand that is smaller than at the ends of a step by this factor comes down to zero.
 const SMALL: f64 = 1e-3;
 
-/// The distance from a jump at which rates are compared, of the shorter part of the step.
+/// The distance from a jump at which rates are compared, relative to the shorter part of the step.
 const BESIDE: f64 = 1e-3;
 
 /// The part of the rates that is a jump, where they change by it over that distance.
@@ -70,7 +71,7 @@ pub(super) struct PoleWatch<'a> {
     before: Instant,
     /// The divisors there, and after the step.
     values: [Vec<f64>; 2],
-    /// Outputs of the step that was not looked at yet.
+    /// Outputs of the step that was not examined yet.
     samples: Vec<Instant>,
     /// Why the run ends, where it does.
     why: Option<&'static str>,
@@ -100,7 +101,7 @@ impl<'a> PoleWatch<'a> {
         }
     }
 
-    /// The last state before a pole or a jump and the reason, where the run has come to one, be it on the way to the event that has ended it.
+    /// The last state before a pole or a jump and the reason, if the run has come to one, also on the way to the event that ended it.
     pub fn end(mut self, Outcome { time, state, .. }: &Outcome<f64>) -> Option<(f64, Vec<f64>, &'static str)> {
         if let Some(why) = self.why.or_else(|| self.passed(*time, state)) {
             return Some((self.before.time, self.before.state, why));
@@ -175,7 +176,7 @@ impl<'a> PoleWatch<'a> {
         turned.map(|place| self.change_of_sign(divisors, place, end).0).collect()
     }
 
-    /// Whether the rates jump at a part of the step, by more than the step sees.
+    /// Whether the rates jump at a part of the step by more than the method resolves.
     fn jumps(&self, at: f64, (time, state): (f64, &[f64])) -> bool {
         let part = at.min(1.0 - at);
         let [first, last, below, above] =

@@ -10,7 +10,7 @@ use std::sync::Arc;
 
 /// A law that holds until one of its switches falls.
 pub struct Segment {
-    /// It may carry more behind the state of the system: see `followed`.
+    /// The law; it may carry more components behind the state of the system: see `followed`.
     pub law: Arc<dyn Law>,
     /// The number of integrals of signals' rates that the law carries, each zero when it begins. A method resolves them like the
     /// state: without them the steps of a body at rest would grow beyond the period of the force that will move it.
@@ -28,7 +28,7 @@ pub struct Passage {
     pub what: String,
     /// The law that follows, in words; none where the motion ends.
     pub then: Option<String>,
-    /// The row that a run shows there: of the state after the event, by the law that follows.
+    /// The row of a run at this time, of the state after the event, by the law that follows.
     pub row: Vec<f64>,
 }
 
@@ -46,12 +46,12 @@ pub trait Switching: Send + Sync {
     /// Why no motion follows.
     fn pass(&self, event: &Event, state: &mut [f64]) -> Result<Option<Segment>, &'static str>;
 
-    /// Why a method cannot follow these laws.
+    /// Why a method cannot follow these laws, if it cannot.
     fn refuses(&self, _method: Method) -> Option<&'static str> {
         None
     }
 
-    /// Why a method cannot go on from a state, where the law says it.
+    /// Why a method cannot go on from a state, if the law gives a reason.
     fn obstacle(&self, _time: f64, _state: &[f64]) -> Option<&'static str> {
         None
     }
@@ -99,7 +99,7 @@ pub(crate) fn integrate(
     let (mut together, mut sampled) = (0, 0);
     for _ in 0..=MOST_EVENTS {
         let here = at.time;
-        // an instant of an event is seen once, on one of its sides
+        // the instant of an event is shown once, on one of its sides
         let outputs: Vec<f64> = span.outputs[sampled..].iter().filter(|time| **time >= here).copied().collect();
         let states = at.state.len();
         at.state.resize(states + segment.followed, 0.0);

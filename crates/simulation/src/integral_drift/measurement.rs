@@ -4,16 +4,17 @@ use super::{Integral, KeptMotion, Window};
 use integrators::{Failure, Method, Observer, Span, Tolerance, integrate};
 use std::ops::ControlFlow;
 
-/// The part of its size by which an integral may change before the motion is another one.
+/// The relative change of an integral beyond which the run is on another motion.
 const OTHER_MOTION: f64 = 0.1;
 
 /// Steps between two looks at the clock.
 const A_LOOK: u64 = 1 << 10;
 
-/// Two figures of a drift, by runs one of which is longer, differ by less than this part while it is in proportion to time.
+/// The relative difference between the figures of a longer and a shorter run up to which a drift counts as proportional to
+/// time.
 const IN_PROPORTION: f64 = 0.02;
 
-/// A change of an integral, as a part of its size and of its swing, below which it is none that grows.
+/// The change of an integral, relative to its size and its swing, below which it counts as none.
 const NO_CHANGE: f64 = 1e-9;
 const OF_SWING: f64 = 0.1;
 
@@ -27,15 +28,15 @@ pub struct Slope {
 /// The drift of an integral along a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measured {
-    /// In a window, in the unit of the integral; none where the first windows already leave the motion.
+    /// The change in a window, in the unit of the integral; `None` where the first windows already leave the motion.
     pub change: Option<Slope>,
-    /// As the part of the integral by which each window changes it; none where its means have no ratio.
+    /// The relative change in each window; `None` where its means have no ratio.
     pub part: Option<Slope>,
     /// The largest distance between two values within the first window.
     pub swing: f64,
 }
 
-/// The longest of some figures that is in proportion to time; each has a number of windows, and the sum of the drift over these.
+/// The longest of some figures that is proportional to time; each has a number of windows, and the sum of the drift over these.
 fn in_proportion(sums: &[(u64, f64)], no_change: f64) -> Option<Slope> {
     let slope = |(windows, sum): &(u64, f64)| Slope { drift: sum / *windows as f64, windows: *windows as u32 };
     let last = sums.last()?;
@@ -67,7 +68,7 @@ struct Means<'a> {
 }
 
 impl Means<'_> {
-    /// Windows 0, 1, 2, 4, 9, 19, 49, ... and the last.
+    /// The windows 0, 1, 2, 4, 9, 19, 49, ... and the last one.
     fn is_watched(&self, window: u64) -> bool {
         let mut count = window + 1;
         while count.is_multiple_of(10) {

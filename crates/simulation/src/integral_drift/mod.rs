@@ -9,8 +9,8 @@
 //!   D(h) = (1/h) integral over T of (I(step(y(t))) - I(y(t))) dt
 //!
 //! is the drift of a period up to terms of order h^(2p), which come from the distance between both motions (Hairer, Lubich and Wanner,
-//! Geometric Numerical Integration, IX). Where D falls with h^(2p), only these terms are seen: methods that are symplectic or symmetric along
-//! such a motion let I swing and do not let it drift.
+//! Geometric Numerical Integration, IX). Where D falls with h^(2p), only these terms are seen: along such a motion, symplectic or symmetric
+//! methods let I oscillate but not drift.
 //!
 //! # Overview
 //! * [`return_time`]: the period of a motion;
@@ -30,13 +30,13 @@ use crate::problem::{Function, Invariant};
 use integrators::{Failure, Method, Observer, Record, Span, Tolerance, integrate};
 use std::sync::Arc;
 
-/// A function of time and state that a motion keeps.
+/// An integral of the motion: a function of time and state that a motion keeps.
 pub struct Integral {
     pub name: String,
     /// The unit of its value; 1 where it has none, empty where it is not known.
     pub unit: String,
     pub value: Arc<Function>,
-    /// The size of what it is put together from, where it is known.
+    /// The size of the terms of which it is composed, where it is known.
     pub size: Option<Arc<Function>>,
 }
 
@@ -60,7 +60,7 @@ pub struct KeptMotion<'a> {
     pub integrals: &'a [Integral],
 }
 
-/// The time over which a drift is told.
+/// The time over which a drift is measured.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Window {
     /// A period of the motion, s.
@@ -70,7 +70,7 @@ pub enum Window {
 }
 
 impl Window {
-    /// Its length, s.
+    /// The length, s.
     pub fn length(self) -> f64 {
         match self {
             Window::Period(length) | Window::Span(length) => length,
@@ -78,14 +78,14 @@ impl Window {
     }
 }
 
-/// Errors of a step of the run that stands for the exact motion.
+/// The tolerance of the run that stands for the exact motion.
 const EXACT: f64 = 1e-13;
 
 /// States of a window at which sizes are taken.
 const SIZED: usize = 64;
 
 impl KeptMotion<'_> {
-    /// States of the exact motion at times that rise.
+    /// States of the exact motion at ascending times.
     ///
     /// # Errors
     /// Why the run ended before the last.
@@ -96,7 +96,7 @@ impl KeptMotion<'_> {
         Ok(record.states)
     }
 
-    /// The exact motion, as well as numbers tell, from one time to another; the state then.
+    /// The state at a time of the exact motion that begins at another time, as exactly as double precision allows.
     fn exactly(
         &self,
         (from, to): (f64, f64),

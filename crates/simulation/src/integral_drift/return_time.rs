@@ -3,13 +3,13 @@
 use super::KeptMotion;
 use integrators::{Failure, Observer};
 
-/// The distance from the start, each component as a part of its size along the motion, within which a state has returned.
+/// The distance from the start, each component relative to its size along the motion, within which a state has returned.
 const RETURNED: f64 = 1e-7;
 
-/// Newton's steps to a crossing, at most.
+/// The most Newton steps to a crossing.
 const NEWTON: usize = 12;
 
-/// The difference of a component at the end and at the start: whole turns of an angle are none.
+/// The difference of a component at the end and at the start, modulo whole turns of an angle.
 pub type Gap<'a> = dyn Fn(usize, f64, f64) -> f64 + 'a;
 
 /// Whether a motion returns.
@@ -19,7 +19,7 @@ pub enum Returns {
     After(f64),
     /// Not within the span.
     Not,
-    /// It rests.
+    /// The motion is a rest.
     Rests,
 }
 
@@ -39,7 +39,7 @@ impl Observer<f64> for Steps {
 /// method, and the state is compared with the start.
 ///
 /// # Errors
-/// Why its run ended before.
+/// Why the run ended before.
 pub fn return_time(motion: &KeptMotion<'_>, span: f64, gap: &Gap<'_>) -> Result<Returns, Failure> {
     let (n, start) = (motion.start.len(), motion.start);
     let mut rates = vec![0.0; n];

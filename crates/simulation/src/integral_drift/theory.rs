@@ -9,13 +9,13 @@ use std::ops::ControlFlow;
 pub enum Drift {
     /// The change in a window, in the unit of the integral.
     Of(f64),
-    /// None in the terms of order h^p and h^(p+1): the integral swings.
+    /// None in the terms of order h^p and h^(p+1): the integral oscillates.
     None,
-    /// Less than what rounding leaves visible.
+    /// Less than the rounding error.
     Rounding(f64),
 }
 
-/// The figures of an integral.
+/// The predicted drift and swing of an integral.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Expected {
     pub drift: Drift,
@@ -32,10 +32,11 @@ const AGREE: f64 = 2e-3;
 /// The units in the last place by which the change of an integral over one step errs.
 const ULPS: f64 = 4.0;
 
-/// The power of h that tells h^(2p) from lower ones lies by so much below 2p.
+/// The margin below 2p of the power of h that counts as h^(2p).
 const BETWEEN: f64 = 0.5;
 
-/// The drift of every integral under a method that makes so many equal steps in a window; sizes are those that rounding is a part of; `None` where `goes_on` ended it.
+/// The drift of every integral under a method with equal steps, as many in a window; rounding is relative to `sizes`; `None` where `goes_on` ended
+/// it.
 ///
 /// # Errors
 /// Why the exact motion, or a step, does not exist.

@@ -1,4 +1,4 @@
-//! A law held to constraints, as the straight-line programs that it comes to.
+//! A law held to constraints (an index-2 DAE) as straight-line programs.
 
 use crate::law::program::{Program, Running};
 use field::DoubleDouble;
@@ -13,12 +13,12 @@ impl<L: Index2Dae<Sym> + Send + Sync> SymbolicDae for L {}
 /// A law that is held to constraints, as programs.
 pub struct CompiledDae {
     law: Arc<dyn SymbolicDae>,
-    /// `None` where an expression has no values: then nothing that is computed is a number.
+    /// `None` where an expression has no value: then every computed number is NaN.
     programs: Option<Programs>,
 }
 
 struct Programs {
-    /// From y and z together.
+    /// The rates, from y and z together.
     rates: Program,
     /// f, the columns of B, g.
     free: Program,
@@ -30,7 +30,7 @@ struct Programs {
 const FEW: usize = 64;
 
 impl CompiledDae {
-    /// A law, which may depend on time.
+    /// Compiles a law, which may depend on time.
     pub fn new(law: impl SymbolicDae + 'static) -> Self {
         CompiledDae { programs: Programs::of(&law), law: Arc::new(law) }
     }

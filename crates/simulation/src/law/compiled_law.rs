@@ -1,4 +1,4 @@
-//! A law of motion compiled: every form that a method asks for, made of one law over expressions.
+//! A compiled law of motion: every form that a method needs, from one law over expressions.
 
 use crate::law::divisors::DivisorProgram;
 use crate::law::jacobian::JacobianProgram;
@@ -22,27 +22,27 @@ impl<L: Ode<Sym> + Send + Sync> SymbolicLaw for L {}
 
 /// A source of the derivatives of a law.
 pub trait Differentiable: Send + Sync {
-    /// The derivatives with room for one run; none where there are none: then the law is run over dual numbers.
+    /// The derivatives with room for one run; `None` where there are none: then the law is run over dual numbers.
     fn jacobian_fn(&self) -> Option<Box<dyn JacobianFn + '_>>;
 }
 
-/// A law that is a sum of fields whose flows are known: what splitting methods compose.
+/// A law that is a sum of fields whose flows are known, for splitting methods.
 pub trait Splittable: Send + Sync {
-    /// The flows composed in `f64`; none where the law cannot be taken apart.
+    /// The composed flows in `f64`; `None` where the law is no such sum.
     fn composed(&self, splitting: Splitting) -> Option<Box<dyn Composed<f64> + '_>>;
 
-    /// The flows composed in double-double.
+    /// The composed flows in double-double.
     fn composed_exact(&self, splitting: Splitting) -> Option<Box<dyn Composed<DoubleDouble> + '_>>;
 }
 
-/// A law as programs. Each is made when it is first asked for; data of the law are constants in it.
+/// A law as programs. Each is made when it is first needed; data of the law are constants in it.
 pub struct CompiledLaw {
     law: Arc<dyn SymbolicLaw>,
     /// `None` where an expression has no values.
     rates: OnceLock<Option<Program>>,
     /// `None` where the rates divide by constants only.
     divisors: OnceLock<Option<DivisorProgram>>,
-    /// `None` where the time stands in lines only.
+    /// `None` where the rates depend on the time linearly at most.
     time_scales: OnceLock<Option<TimeScales>>,
     series: LawSeries,
     jacobian: Arc<dyn Differentiable>,
@@ -50,12 +50,12 @@ pub struct CompiledLaw {
 }
 
 impl CompiledLaw {
-    /// A law, which may depend on time.
+    /// Compiles a law, which may depend on time.
     pub fn new(law: impl SymbolicLaw + 'static) -> Self {
         CompiledLaw::of(Arc::new(law))
     }
 
-    /// The same of a law that others use too.
+    /// Compiles a law that others use too.
     pub fn of(law: Arc<dyn SymbolicLaw>) -> Self {
         CompiledLaw {
             rates: OnceLock::new(),
@@ -68,27 +68,27 @@ impl CompiledLaw {
         }
     }
 
-    /// With rates that are compiled already.
+    /// The law with rates that are compiled already.
     pub fn with_rates(self, rates: Program) -> Self {
         CompiledLaw { rates: OnceLock::from(Some(rates)), ..self }
     }
 
-    /// With series that are made otherwise.
+    /// The law with series that are made otherwise.
     pub fn with_series(self, series: LawSeries) -> Self {
         CompiledLaw { series, ..self }
     }
 
-    /// With derivatives that are found otherwise.
+    /// The law with derivatives that are found otherwise.
     pub fn with_jacobian(self, jacobian: Arc<dyn Differentiable>) -> Self {
         CompiledLaw { jacobian, ..self }
     }
 
-    /// With the flows of the law's pieces.
+    /// The law with the flows of its pieces.
     pub fn with_pieces(self, pieces: Arc<dyn Splittable>) -> Self {
         CompiledLaw { pieces: Some(pieces), ..self }
     }
 
-    /// The rates; none where an expression has no values, such as a division by zero: then no rate is a number.
+    /// The rates; `None` where an expression has no value, such as a division by zero: then every rate is NaN.
     #[inline]
     pub fn program(&self) -> Option<&Program> {
         self.rates.get_or_init(|| Program::of_law(&*self.law)).as_ref()
@@ -105,7 +105,7 @@ macro_rules! runs {
             #[inline]
             fn rates(&self, t: $field, y: &[$field], dy: &mut [$field]) {
                 match self.program() {
-                    // made for a state of this length
+                    // the program was made for a state of this length
                     Some(program) => program.run(t, y, dy).unwrap_or(()),
                     None => dy.fill(<$field>::from(f64::NAN)),
                 }

@@ -6,7 +6,7 @@ use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU32, Ordering};
 use symbolic::Tape;
 
-/// Machine code takes as long to write as some hundreds of evaluations without it: a run with fewer steps has none.
+/// Writing machine code takes as long as some hundreds of evaluations without it: a run with fewer steps has none.
 const WRITTEN_AFTER: u32 = 500;
 
 /// The divisors, radicands and angles of a program, followed operation by operation until a run is long.
@@ -20,7 +20,7 @@ pub(super) struct DivisorProgram {
 }
 
 impl DivisorProgram {
-    /// None of a program that divides by constants only and has neither roots nor angles.
+    /// The divisors of a program; `None` where it divides by constants only and has neither roots nor angles.
     pub fn of(program: &Program) -> Option<Self> {
         let (tape, counts) = program.singular_places()?;
         Some(DivisorProgram {
@@ -47,7 +47,7 @@ impl Divisors for DivisorProgram {
     }
 
     fn at(&self, t: f64, y: &[f64], out: &mut [f64]) {
-        // made for a state of this length
+        // the program was made for a state of this length
         self.program().run(t, y, out).unwrap_or(());
     }
 }

@@ -1,19 +1,19 @@
-//! The arguments of exponentials in a law, as far as a series may step over them.
+//! The arguments of exponentials in a law, and the longest steps of a series over them.
 //!
-//! exp(u) with u = -x/d is nothing for x = 100 d, and so are all its terms; a step that takes x to zero goes where it is 1.
-//! The terms of exp(u) over a step h that changes u by D are those of e^u D^k/k!: after the order p they fall where D < p/2. So a step is
-//! short enough where
+//! exp(u) with u = -x/d underflows for x = 100 d, and so do all its terms; a step that takes x to zero goes where it is 1. The terms of
+//! exp(u) over a step h that changes u by D are those of e^u D^k/k!: after the order p they fall where D < p/2. A step is therefore short
+//! enough where
 //!
 //!   D = sum_k |u_k| h^k <= p/2,  or  u + D is so small that exp(u) is below rounding all the way.
 //!
-//! The exponent of tanh x = 1 - 2/(1 + exp 2x) is u = -|2x|; next to 1 its slope has few digits, so that D is at most 8.
+//! The exponent of tanh x = 1 - 2/(1 + exp 2x) is u = -|2x|; next to 1 its slope has few digits: D is at most 8 there.
 
 use field::Elementary;
 use series::{Equations, Recurrence};
 use std::collections::HashSet;
 use symbolic::{Derivation, Node, Sym, Tape, Untapeable};
 
-/// Exponentials of less than this are nothing in `f64`, and in double-double.
+/// Logarithms below which exponentials are rounding, in `f64` and in double-double.
 const NOTHING: [f64; 2] = [-40.0, -80.0];
 
 /// Below this argument an exponential has no digits.
@@ -30,7 +30,7 @@ const SHORTER: f64 = 0.7;
 pub struct Expandable {
     pub recurrence: Recurrence,
     pub exponents: Option<Exponents>,
-    /// Whether roots or angles of the state stand in it.
+    /// Whether roots or angles of the state occur in it.
     pub has_branches: bool,
 }
 
@@ -40,7 +40,7 @@ pub struct Exponents {
     /// From the state, the time where the law depends on it, and the parameters.
     values: Tape,
     knows_time: bool,
-    /// Whether each belongs to tanh.
+    /// Whether each argument belongs to tanh.
     both_sides: Vec<bool>,
 }
 
@@ -52,7 +52,7 @@ pub struct Room {
 }
 
 impl Expandable {
-    /// The recurrence of equations.
+    /// Records the recurrence of equations.
     ///
     /// # Errors
     /// [`Untapeable`] where an expression has no series.
@@ -82,7 +82,7 @@ impl Expandable {
         self.recurrence.states() - self.exponents.as_ref().map_or(0, Exponents::count)
     }
 
-    /// The number of its parameters.
+    /// The number of parameters of the law.
     pub fn parameters(&self) -> usize {
         self.recurrence.parameters()
     }
@@ -94,7 +94,8 @@ impl Exponents {
         self.both_sides.len()
     }
 
-    /// Their values, from the state, the time and the parameters; nothing is allocated where there was room before.
+    /// The values of the arguments, from the state, the time and the parameters; nothing is allocated where there was
+    /// room before.
     pub fn evaluate(&self, room: &mut Room, state: impl Iterator<Item = f64>, time: f64, parameters: &[f64]) {
         room.values.resize(self.count(), f64::NAN);
         let inputs = state.chain(self.knows_time.then_some(time)).chain(parameters.iter().copied());
@@ -127,7 +128,7 @@ impl Exponents {
     }
 }
 
-/// Whether a root or an angle of letters stands in expressions.
+/// Whether a root or an angle of letters occurs in expressions.
 fn has_branches(roots: &[Sym]) -> bool {
     let (mut open, mut seen) = (roots.to_vec(), HashSet::new());
     while let Some(each) = open.pop() {
@@ -140,7 +141,7 @@ fn has_branches(roots: &[Sym]) -> bool {
     false
 }
 
-/// The arguments of exponentials, and twice those of tanh with a sign that it has both sides.
+/// The arguments of exponentials, and twice those of tanh, marked as having both sides.
 fn exponents_of(roots: &[Sym]) -> Vec<(Sym, bool)> {
     let (mut open, mut seen, mut found) = (roots.to_vec(), HashSet::new(), Vec::new());
     while let Some(each) = open.pop() {

@@ -9,16 +9,16 @@ use native::Code;
 use std::sync::{Arc, OnceLock};
 use symbolic::{Program, Sym, Tape};
 
-/// Parts of the longest law whose derivatives are written down one by one. Measured on chains of links, ns of a Jacobian and ms until it is
-/// there, written down and by directions: 5 links in a plane (431 parts) 430 and 570, 15 and 6; 7 in a plane (665) 1,430 and 900, 27 and 8;
-/// 5 in space (879) 1,790 and 920, 32 and 14; 10 in space (2,635) 8,310 and 5,000, 168 and 25.
+/// The number of parts of the longest law whose derivatives are written one by one. Measured on chains of links, ns of a Jacobian and ms
+/// until it is ready, written and by directions: 5 links in a plane (431 parts) 430 and 570, 15 and 6; 7 in a plane (665) 1,430 and 900, 27
+/// and 8; 5 in space (879) 1,790 and 920, 32 and 14; 10 in space (2,635) 8,310 and 5,000, 168 and 25.
 const LONGEST_WRITTEN: usize = 600;
 
 /// The derivatives of a law by state and time: its expressions, differentiated exactly.
 pub struct JacobianProgram {
     law: Arc<dyn SymbolicLaw>,
     directional: DirectionalProgram,
-    /// Decided when it is first asked for.
+    /// Decided when first needed.
     form: OnceLock<Form>,
 }
 
@@ -28,21 +28,21 @@ enum Form {
     Directional,
 }
 
-/// Straight-line code of a state and the time, as long as it may be.
+/// Straight-line code of a state and the time, of any length.
 #[derive(Debug)]
 struct Line {
     tape: Tape,
-    /// `None` where this machine cannot be written for: then the tape is followed.
+    /// `None` where there is no code generator for this machine: then the tape is followed.
     code: Option<Code>,
 }
 
 impl JacobianProgram {
-    /// The derivatives of a law.
+    /// The Jacobian program of a law.
     pub fn of(law: Arc<dyn SymbolicLaw>) -> Self {
         JacobianProgram { directional: DirectionalProgram::of(Arc::clone(&law)), law, form: OnceLock::new() }
     }
 
-    /// With a differential that is shorter than that of the rates.
+    /// The Jacobian by a differential that is shorter than that of the rates.
     pub fn with_differential(self, directional: DirectionalProgram) -> Self {
         JacobianProgram { directional, ..self }
     }
@@ -106,7 +106,7 @@ impl JacobianFn for Lines<'_> {
     }
 }
 
-/// A line as it runs.
+/// A line in the form in which it runs.
 enum Running<'a> {
     Code(&'a Code),
     /// With room for the inputs.
@@ -125,7 +125,7 @@ impl<'a> From<&'a Line> for Running<'a> {
 impl Running<'_> {
     fn run(&mut self, t: f64, y: &[f64], values: &mut [f64]) {
         match self {
-            // made for a state of this length
+            // the code was made for a state of this length
             Running::Code(code) => code.run(y, t, values).unwrap_or(()),
             Running::Followed(program, inputs) => {
                 inputs.iter_mut().zip(y.iter().chain([&t])).for_each(|(input, given)| *input = *given);

@@ -1,4 +1,4 @@
-//! A law as programs: every form that a method asks for, of one law over expressions.
+//! A law as programs: every form that a method needs, from one law over expressions.
 
 mod compiled_dae;
 mod compiled_law;

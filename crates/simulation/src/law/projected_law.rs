@@ -1,4 +1,4 @@
-//! A law whose runs are brought onto the equations that its motions keep.
+//! A law whose runs are projected onto the constraints and integrals of its motions.
 
 use crate::law::compiled_law::Law;
 use field::DoubleDouble;
@@ -7,7 +7,7 @@ use integrators::{
 };
 use std::sync::Arc;
 
-/// A law with the way back onto what its motions keep.
+/// A law with the projection onto the constraints and integrals of its motions.
 pub struct ProjectedLaw {
     law: Arc<dyn Law>,
     projection: Arc<dyn Projection<f64> + Send + Sync>,

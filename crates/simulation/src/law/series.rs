@@ -12,7 +12,7 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 /// The recurrence of a law's right-hand side, with the data of the law as exact constants.
 pub struct LawSeries {
     record: Box<Record>,
-    /// Made when it is first asked for; `None` where a law cannot be recorded: then there is no Taylor method.
+    /// Made when first needed; `None` where a law cannot be recorded: then there is no Taylor method.
     recurrence: OnceLock<Option<Expandable>>,
     spare: Spare<f64, WIDTH>,
     directed: Spare<Variations, 1>,
@@ -45,7 +45,7 @@ impl LawSeries {
         })
     }
 
-    /// The series of a recurrence that is made in this way.
+    /// The series of a recurrence that `record` makes.
     pub fn by(record: impl Fn() -> Option<Expandable> + Send + Sync + 'static) -> Self {
         LawSeries {
             record: Box::new(record),
@@ -75,7 +75,7 @@ impl LawSeries {
         self.recurrence.get_or_init(|| (self.record)()).as_ref()
     }
 
-    /// One that goes from run to run, where it is of usual size.
+    /// An expansion that is handed from run to run, where it is of usual size.
     fn kept<'a, S: Fused, const W: usize>(&'a self, spare: &'a Spare<S, W>) -> Option<Box<dyn TaylorSeries<S> + 'a>> {
         match self.recurrence() {
             Some(law) if law.recurrence.columns::<W>() <= FEW => {
@@ -95,10 +95,11 @@ impl LawSeries {
     }
 }
 
-/// Quantities side by side: eight `f64` fill the widest registers; what fills them by itself has one.
+/// The number of quantities side by side: eight `f64` fill the widest registers; a field that fills them by itself has
+/// one.
 const WIDTH: usize = 8;
 
-/// Columns: of usual systems, which then stay near the processor, and of the largest.
+/// The numbers of columns: for usual systems, which then stay near the processor, and for the largest.
 const FEW: usize = 256;
 const MANY: usize = 1 << 16;
 

@@ -1,10 +1,11 @@
 //! A motion across events to all digits, by two methods.
 //!
-//! A run in `f64` tells the laws and, to its digits, when they change. Each law is smooth, also beyond its end. Two methods of
+//! A run in `f64` gives the laws and, to its digits, the times of their changes. Each law is smooth, also beyond its end. Two
+//! methods of
 //! different families follow the laws in double-double, each on its own: an event is the zero of its signal, found by Newton's method
 //! on the instant. Times have two parts as well (`flow`).
 //!
-//! Which law goes on is decided once, by the run. An event that is told by a tie has no more digits than the tie.
+//! The run decides once which law goes on. An event that is decided by a tie has no more digits than the tie.
 
 use super::INSTANTS;
 use super::flow::Means;
@@ -25,7 +26,7 @@ pub struct Exact {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Event {
     pub time: DoubleDouble,
-    /// As it is integrated; the places alone where velocities have no bound.
+    /// The state as it is integrated; the places alone where velocities have no bound.
     pub state: Vec<DoubleDouble>,
     pub what: String,
     /// The regime that goes on; empty at an end.
@@ -87,18 +88,18 @@ impl From<Failure> for Unknown {
 /// straightens they changed a conserved quantity, 2e-15, by 1e-28 with 12 stages and by 1e-24 with 16; with 8 by 4e-31.
 const METHODS: [Method; 2] = [Method::Gauss { stages: 8 }, Method::GraggBulirschStoer];
 
-/// A state, and when.
+/// A time and the state at it.
 pub type At = (DoubleDouble, Vec<DoubleDouble>);
 
 /// The motion as one method found it.
 pub struct Followed {
-    /// At the instants.
+    /// The states at the instants.
     pub states: Vec<Vec<DoubleDouble>>,
-    /// At the events, and at an end before the span's. Where velocities grow beyond every bound the places alone.
+    /// The states at the events, and at an end before the span's. Where velocities grow without bound the places alone.
     pub events: Vec<At>,
 }
 
-/// The motion on which two methods agree, and each event in words: what happens, and which law goes on.
+/// The motion on which two methods agree, and each event in words: the event, and the law that goes on.
 ///
 /// # Errors
 /// Where a method does not follow the motion.
@@ -124,7 +125,7 @@ pub fn agreed(
     Ok(Exact { reference: Reference { times, states: first.states, digits, sizes, methods: METHODS, work }, events })
 }
 
-/// Even instants of a run: to its end, or to shortly before an earlier one.
+/// Equidistant instants of a run: to its end, or to shortly before an earlier one.
 pub fn instants(start: &[f64], time: f64, is_whole: bool) -> Vec<f64> {
     let horizon = if is_whole { time } else { rounded_down(time) };
     Span::<f64>::new(0.0, horizon, start).with_even_outputs(INSTANTS).outputs
@@ -139,7 +140,7 @@ fn apart(one: &Followed, other: &Followed, sizes: &[f64]) -> f64 {
     times.fold(difference(&states(one), &states(other), sizes), f64::max)
 }
 
-/// A number below, of two digits: the last instant that is compared before a motion ends.
+/// A number of two digits below: the last instant that is compared before a motion ends.
 fn rounded_down(time: f64) -> f64 {
     let unit = 10.0_f64.powf(time.log10().floor() - 1.0);
     let below = (time / unit).floor();

@@ -1,10 +1,10 @@
-//! The flow of a law from a time to another, both known to more digits than an `f64` has.
+//! The flow of a law between two times that are known to more digits than an `f64` has.
 
 use field::{DoubleDouble, Over};
 use integrators::{Dual8, Failure, Method, Ode, Span, StepBounds, System, TIGHTEST, Tolerance, Work, integrate_in};
 use std::time::Instant;
 
-/// y' = L f(t + s L, y) for s from 0 to 1: a law over a stretch of its time.
+/// y' = L f(t + s L, y) for s from 0 to 1: a law over an interval of time.
 struct Paced<'a, L> {
     law: &'a L,
     bounds: StepBounds,
@@ -35,7 +35,7 @@ impl<L: Ode<f64> + Ode<Dual8> + Ode<DoubleDouble>> System for Paced<'_, L> {
     }
 }
 
-/// A method with its tolerance, and what it has cost.
+/// A method with its tolerance, and its cost so far.
 pub struct Means {
     pub method: Method,
     /// The sizes of a state's components.
@@ -67,7 +67,8 @@ impl Means {
         found.map_err(|failure| failure.in_time(from.hi(), length.hi()))
     }
 
-    /// The state at a time of a law that begins at zero. What it has more than the motion stands last, and brings its own sizes.
+    /// The state at a time of a law that begins at zero. Components beyond the motion's own stand last, and bring their own
+    /// sizes.
     ///
     /// # Errors
     /// Why the method stopped.

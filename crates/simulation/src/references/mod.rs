@@ -12,7 +12,8 @@ use crate::Problem;
 use integrators::{Failure, Reference, Span, reference};
 use std::time::{Duration, Instant};
 
-/// Times, beside the start, at which motions are compared: few, so that landing on them costs no method much.
+/// The number of times, beside the start, at which motions are compared: few, for landing on them costs every method
+/// steps.
 pub(crate) const INSTANTS: usize = 8;
 
 impl Problem {

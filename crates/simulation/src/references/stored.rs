@@ -1,4 +1,4 @@
-//! References that are kept in files: the digits, how they were made, and whether they are a law's own.
+//! References stored in files: the digits, the methods, and the data that show whose they are.
 
 use super::across_events::Event;
 use crate::{Problem, methods};
@@ -16,19 +16,19 @@ const SAME_LAW: f64 = 1e-20;
 /// The digits with which rates are kept.
 const RATE_DIGITS: f64 = 28.0;
 
-/// A reference with what shows whose it is.
+/// A reference with data that show whose it is.
 #[derive(Clone, Debug)]
 pub struct Stored {
     pub reference: Reference,
     /// The initial state.
     start: Vec<f64>,
-    /// y' summed over the instants: what another law, or other data, would not give.
+    /// y' summed over the instants: another law, or other data, would give other sums.
     rates: Vec<DoubleDouble>,
     /// The events, of a motion across events.
     pub events: Vec<Event>,
 }
 
-/// Whose a reference is: a start, and a law that holds at each instant.
+/// The owner of a reference: a start, and a law that holds at each instant.
 pub trait Owner {
     fn start(&self) -> &[f64];
 
@@ -47,14 +47,14 @@ impl Owner for Problem {
     }
 }
 
-/// Where the reference of a scene file is kept: `references/NAME.reference` in its folder.
+/// The path of the reference of a scene file: `references/NAME.reference` in its folder.
 pub fn place(scene: &Path) -> PathBuf {
     let folder = scene.parent().unwrap_or(Path::new("")).join("references");
     folder.join(scene.file_stem().unwrap_or_default()).with_extension("reference")
 }
 
 impl Stored {
-    /// A motion's reference, with its events, to be kept: all is rounded as it is written.
+    /// A motion's reference, with its events, for storing: all numbers are rounded as they are written.
     pub fn of(owner: &dyn Owner, reference: Reference, events: Vec<Event>) -> Self {
         let reference = Reference { digits: (reference.digits * 10.0).floor() / 10.0, ..reference };
         let Reference { sizes, digits, .. } = &reference;
@@ -77,12 +77,12 @@ impl Stored {
         Self::read(&std::fs::read_to_string(place(scene)).ok()?).ok()
     }
 
-    /// Whether it is this problem's, to its end.
+    /// Whether it is the reference of this problem, to its end.
     pub fn serves(&self, problem: &Problem) -> bool {
         self.reference.times.last() == Some(&problem.span) && self.belongs_to(problem)
     }
 
-    /// Whether it is this one's: its start, and its law at all instants.
+    /// Whether it is the reference of this owner: by its start, and its law at all instants.
     pub fn belongs_to(&self, owner: &dyn Owner) -> bool {
         if self.start != owner.start() {
             return false;
@@ -92,7 +92,8 @@ impl Stored {
         now.sums.len() == self.rates.len() && now.sums.iter().zip(&self.rates).zip(now.sizes()).all(same)
     }
 
-    /// As text. Of every number one digit more than both methods gave, so that rounding takes nothing from these.
+    /// The reference as text. Every number has one digit more than both methods gave: rounding takes nothing from
+    /// these.
     pub fn write(&self, scene: &str) -> String {
         let Reference { times, states, digits, sizes, methods: [one, other], work } = &self.reference;
         let mut text = format!(
@@ -133,7 +134,7 @@ impl Stored {
         text
     }
 
-    /// From text; what is wrong with it, where it is none.
+    /// Reads a reference from text; otherwise the error.
     pub fn read(text: &str) -> Result<Self, String> {
         let table: Table = text.parse().map_err(|error: toml::de::Error| error.message().to_owned())?;
         let digits = table.get("digits").and_then(Value::as_float).ok_or("`digits` is no number")?;

@@ -13,7 +13,7 @@ pub struct Observed {
     pub size: f64,
 }
 
-/// The exact motion in what is compared.
+/// The exact motion in the quantities that are compared.
 #[derive(Clone, Debug)]
 pub struct Goal {
     pub observed: Vec<Observed>,
@@ -34,8 +34,8 @@ impl Goal {
         Goal { times: reference.times.clone(), rows, observed }
     }
 
-    /// The largest error of a run of some way, of what it has, each relative to its size; no number where its instants are
-    /// others.
+    /// The largest error of a run of some way in the quantities that it has, each relative to its size; NaN where its
+    /// instants are others.
     pub fn error(&self, way: &Configuration, record: &Record<f64>) -> f64 {
         if record.times != self.times {
             return f64::NAN;
@@ -52,7 +52,7 @@ impl Goal {
     }
 }
 
-/// Where the quantities stand in a row.
+/// The places of the quantities in a row.
 fn places(observed: &[Observed], columns: &[String]) -> Vec<Option<usize>> {
     observed.iter().map(|one| columns.iter().position(|name| *name == one.name)).collect()
 }
@@ -112,7 +112,7 @@ impl Atlas {
     }
 }
 
-/// A tolerance so far below the floor of a model adds nothing.
+/// The part of a model's floor below which a tolerance gains nothing.
 const BELOW_FLOOR: f64 = 1e-3;
 
 fn explore(way: Configuration, goal: &Goal, span: f64, trials: &Trials, allowed: Duration) -> Explored {

@@ -40,7 +40,7 @@ impl Formulation {
     /// The rate w of [`Formulation::Led`], 1/s.
     pub const RATE: f64 = 10.0;
 
-    /// For tables and legends.
+    /// The name in tables and legends.
     pub fn name(self) -> &'static str {
         match self {
             Formulation::First => "first form",
@@ -59,7 +59,7 @@ impl Formulation {
 }
 
 impl Formulation {
-    /// Within a sentence, behind a method.
+    /// The words within a sentence, behind a method.
     pub fn said(self) -> &'static str {
         match self {
             Formulation::First => "in the first form",
@@ -94,12 +94,12 @@ pub enum Standing {
     Approximate,
 }
 
-/// A law with what keeps its constraints, where it has some.
+/// A law with the treatment of its constraints, where it has some.
 #[derive(Clone)]
 pub enum Treated {
     Free(Arc<dyn Law>),
     Held(Arc<dyn HeldLaw>),
-    /// Law after law.
+    /// Law after law, across events.
     Across(Arc<dyn SharedAcross>),
 }
 
@@ -121,13 +121,13 @@ pub struct Configuration {
     pub state: Vec<f64>,
     /// The sizes of the state's components, to which their tolerances are relative.
     pub sizes: Vec<f64>,
-    /// The names of a row.
+    /// The names of a row's columns.
     pub columns: Vec<String>,
     pub row: Box<Row>,
 }
 
 impl Configuration {
-    /// A problem as one.
+    /// The configuration of a problem.
     pub fn of(formulation: Formulation, model: &'static str, standing: Standing, problem: Problem) -> Self {
         let Problem { law, state, columns, row, .. } = problem;
         Configuration { formulation, model, standing, law: Treated::Free(law), sizes: Vec::new(), state, columns, row }
@@ -138,18 +138,18 @@ impl Configuration {
         let found = match (&self.law, own) {
             (_, Some(reference)) => Some(reference.sizes.clone()),
             (Treated::Free(law), None) => survey(&**law, &self.span(span, Trials::SURVEY)).ok(),
-            // followed by no method with a constant step
+            // no method with a constant step follows it
             _ => None,
         };
         self.sizes = found.unwrap_or_else(|| vec![1.0; self.state.len()]);
     }
 
-    /// From time zero, seen at the instants of the reference.
+    /// The span from time zero, with outputs at the instants of the reference.
     pub(super) fn span(&self, span: f64, evaluations: u64) -> Span<'static, f64> {
         Span::new(0.0, span, &self.state).with_even_outputs(crate::references::INSTANTS).with_evaluations(evaluations)
     }
 
-    /// Every method that this way has. Those that compose known flows belong to the momenta, all others to the rest.
+    /// Every method that this way has. Splitting methods belong to the momenta, all others to the rest.
     pub(super) fn attempts(&self, trials: &Trials) -> Vec<Attempt<'_>> {
         let split =
             |method: &&Method| matches!(method, Method::Split { .. }) == (self.formulation == Formulation::Momenta);

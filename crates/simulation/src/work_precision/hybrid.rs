@@ -11,13 +11,13 @@ pub trait Hybrid {
     /// The motion to all digits, each of two methods in half of the time.
     ///
     /// # Errors
-    /// Why it is not known.
+    /// Why the motion is not known.
     fn exact(&self, allowed: Duration) -> Result<Exact, Unknown>;
 
-    /// Whose its reference is.
+    /// The owner of its reference.
     fn owner(&self) -> Box<dyn Owner + '_>;
 
-    /// Law after law, by any method.
+    /// The configuration that runs law after law, by any method.
     fn way(&self) -> Configuration;
 
     /// The columns of [`Self::way`] that are compared, with their sizes along the motion.

@@ -17,7 +17,7 @@ pub struct Trials {
     pub tolerances: Vec<f64>,
     /// Evaluations of the rates in one run.
     pub evaluations: u64,
-    /// For all runs, without their times.
+    /// The time for all runs, without their timing.
     pub allowed: Duration,
 }
 
@@ -27,7 +27,7 @@ impl Trials {
     /// Evaluations for the sizes of a state.
     pub(super) const SURVEY: u64 = 1_000_000;
 
-    /// The same with one more method, where it is not yet among them.
+    /// The trials with one more method, where it is not yet among them.
     pub fn with(mut self, method: Method) -> Self {
         if !self.methods.contains(&method) {
             self.methods.push(method);
@@ -63,8 +63,8 @@ impl Default for Trials {
     }
 }
 
-/// The atlas of a scene without its times: many scenes' at a time too. The first way must be that of the problem. A
-/// reference that is kept is taken where it is the problem's own.
+/// The atlas of a scene without its times, which many scenes may compute at once. The first way must be that of the
+/// problem. A stored reference is used where it is the problem's own.
 ///
 /// # Errors
 /// Where there is no reference.
@@ -84,8 +84,8 @@ pub fn judged(
     Ok(Atlas::judged(ways, reference, &goal, problem.span, trials))
 }
 
-/// The atlas without its times. A reference that is kept is taken where it is this scene's own. A motion that ends by itself is followed
-/// until shortly before.
+/// The atlas without its times. A stored reference is used where it is this scene's own. A motion that ends by itself is followed until
+/// shortly before.
 ///
 /// # Errors
 /// Where there is no reference.

@@ -10,12 +10,12 @@
 //! (d/dx - 2 q'/q) (N_h.N_h + 2 s N_h.N_G + s^2 N_G.N_G) q in the place of the second.
 //!
 //! # Overview
-//! * `equations`: both, as polynomials in s whose coefficients are polynomials in x;
+//! * `equations`: both equations, as polynomials in s whose coefficients are polynomials in x;
 //! * `regular`: away from the eigenvalues of M: the resultant of both in s, a polynomial in x, and their common divisor;
-//! * `unseen`: at eigenvalues that neither h nor G sees;
-//! * `seen`: at the others, where s h + s^2 G does not see them for one s;
+//! * `unseen`: at eigenvalues whose eigenvectors are orthogonal to h and to G;
+//! * `seen`: at the other eigenvalues, for the one s with the eigenvector orthogonal to s h + s^2 G;
 //! * `rests`: w = 0;
-//! * [`Turning`]: one of them, enclosed.
+//! * [`Turning`]: one of the rotations, enclosed.
 
 mod equations;
 mod regular;
@@ -55,16 +55,16 @@ pub enum Undecided {
     TooFine,
 }
 
-/// Where a motion is.
+/// The place of a motion.
 #[derive(Clone)]
 enum RotationPlace {
     /// x, and s as a fraction there.
     Regular(Root),
     /// x and s, where several s go with one x.
     Shared(Nested, Root),
-    /// s, at an eigenvalue that neither h nor G sees.
+    /// s, at an eigenvalue whose eigenvector is orthogonal to h and to G.
     Unseen { eigenvalue: usize, s: Nested },
-    /// At an eigenvalue that s h + s^2 G does not see for one s.
+    /// At an eigenvalue whose eigenvector is orthogonal to s h + s^2 G for one s.
     Seen(Arc<seen::Special>),
     /// w = 0, v along a vector or against it.
     Rest { along: bool, vector: Vector<Number> },
@@ -102,8 +102,7 @@ impl Body {
         Some(all)
     }
 
-    /// Where rotations with one angular velocity merge or part: between two neighbours of these angular velocities, and
-    /// zero, their number is constant.
+    /// The folds: between two neighbours of these angular velocities, and zero, the number of rotations is constant.
     pub fn folds(&self) -> Selected {
         let spectrum = Spectrum::of(&self.tensor, &[self.spin.clone(), self.weight.clone()]);
         let length = length(&spectrum);
@@ -112,7 +111,7 @@ impl Body {
         let fold = |p: &Polynomial| &(&p.derivative() * &spectrum.seen) - &scaled(&(p * &slope), &two);
         let folds = trimmed(length.iter().skip(2).map(fold).collect());
         let (mut all, case) = Selected::of(self, spectrum, &length, &folds);
-        // a pair on both sides of an eigenvector that b never sees begins where |v| = 1 without it
+        // a pair on both sides of an eigenvector that is always orthogonal to b begins where |v| = 1 without it
         for &eigenvalue in &case.spectrum.unseen {
             let begins = Nested::roots(&case.spectrum.eigenvalues[eigenvalue].0, &length);
             all.motions.extend(begins.into_iter().map(|s| Turning {

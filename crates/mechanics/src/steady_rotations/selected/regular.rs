@@ -6,11 +6,11 @@ use crate::steady_rotations::{Body, Kind, Shape};
 use algebra::real::{Nested, Polynomial, Root, subresultant};
 use std::sync::Arc;
 
-/// Bits to which a root is refined once for all that is asked of it.
+/// Bits to which a root is refined once for all its uses.
 const BITS: usize = 160;
 
 impl Selected {
-    /// All of them, and what the other motions need.
+    /// The regular motions, and the data that the other motions need.
     pub(super) fn of(
         body: &Body,
         spectrum: Spectrum,
@@ -21,7 +21,7 @@ impl Selected {
         let resultant = subresultant(length, second, 0).pop().unwrap_or_default();
         let case = Arc::new(Case { spectrum, body: body.clone(), ratio });
         let mut all = Selected { motions: Vec::new(), degree: 0, roots: 0, undecided: None };
-        // without h and G nothing lies away from them
+        // without h and G no motion lies away from the eigenvalues
         match (length.len() > 1, resultant.is_zero()) {
             (true, true) => all.undecided = Some(Undecided::Curve),
             (true, false) => all.regular(&case, resultant, length, second),
@@ -31,7 +31,7 @@ impl Selected {
     }
 
     fn regular(&mut self, case: &Arc<Case>, resultant: Polynomial, length: &[Polynomial], second: &[Polynomial]) {
-        // at the eigenvalues both equations are satisfied for nothing
+        // at the eigenvalues both equations hold without being a motion
         let mut rest = resultant.primitive();
         loop {
             let shared = case.spectrum.seen.gcd(&rest);

@@ -1,12 +1,13 @@
-//! Eigenvalues k that h or G sees: for s = -h.u/G.u alone b = s h + s^2 G does not see them, and then v = a + z, where
-//! (M - k) a = -b with a across the eigenspace and z in it.
+//! Eigenvalues k whose eigenvector is not orthogonal to h or to G: b = s h + s^2 G is orthogonal to it for s = -h.u/G.u
+//! alone, and then v = a + z, where (M - k) a = -b with a across the eigenspace and z in it.
 //!
 //! With P a multiple of the projection onto the eigenspace (adj(M - k), M - tr M + 2 k, 1 for a simple, double, threefold k)
 //! and u = P G, g = G.u, c = h.u, the momentum gives the part of z along u, and |v| = 1 the rest:
 //!
 //!   s = -c/g ,   G.z = (k - p s)/s^2 - G.a ,   |z|^2 = 1 - |a|^2 .
 //!
-//! All of it is polynomials in x at x = k, so that the sign of what is left is exact: a motion, two, a circle or none.
+//! All of it is polynomials in x at x = k: the sign of |z|^2 is exact, and decides between one motion, two, a circle
+//! and none.
 
 use super::{Case, Momentum, RotationPlace, Selected, Turning};
 use crate::steady_rotations::spectrum::{Matrix, Vector, adjugate, along, dot, scaled, sum};
@@ -25,7 +26,7 @@ pub(super) struct Special {
     below: Polynomial,
     /// |z.u/|u||^2 - |z|^2, times a square.
     excess: Polynomial,
-    /// On which side of the plane of n and u; 0 in it.
+    /// The side of the plane of n and u; 0 in it.
     side: i64,
 }
 
@@ -55,7 +56,7 @@ impl Selected {
 }
 
 impl Special {
-    /// `None` where no s does it.
+    /// `None` where no s gives a motion.
     fn of(case: &Case, place: usize, momentum: &Momentum) -> Option<Self> {
         let (spectrum, body) = (&case.spectrum, &case.body);
         let (eigenvalue, multiplicity) = &spectrum.eigenvalues[place];

@@ -1,4 +1,4 @@
-//! One of the rotations that are selected: its kind, direction and angular velocity.
+//! One of the selected rotations: its kind, direction and angular velocity.
 
 use super::{Case, RotationPlace};
 use crate::steady_rotations::spectrum::Vector;
@@ -19,7 +19,7 @@ pub struct Turning {
 const BITS: [usize; 7] = [160, 320, 640, 1280, 2560, 5120, 8192];
 
 impl Turning {
-    /// As for a given w: by the signature of M - x on the tangent plane.
+    /// As for a given w, by the signature of M - x on the tangent plane.
     pub(super) fn kind_by_signature(&self) -> Option<Kind> {
         let (RotationPlace::Regular(x) | RotationPlace::Shared(_, x)) = &self.place else { return None };
         let [below, above] = self.case.spectrum.around(x)?;

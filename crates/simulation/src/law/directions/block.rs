@@ -1,4 +1,4 @@
-//! Directions that are taken together, and the sums that differ from zero in them.
+//! Directions that are taken together, and the sums that are not zero in them.
 
 use super::sums::Sums;
 use std::ops::Range;
@@ -9,11 +9,11 @@ pub(super) const LANES: usize = 16;
 /// Directions taken together.
 #[derive(Debug)]
 pub(super) struct Block {
-    /// The inputs by which is differentiated.
+    /// The inputs by which the block differentiates.
     pub inputs: Range<usize>,
     /// The sums between inputs and outputs that depend on them.
     pub moved: Vec<Range<u32>>,
-    /// The outputs that do.
+    /// The outputs that depend on them.
     pub outputs: Vec<Range<u32>>,
     /// The places that the block before has filled, and this one does not.
     pub stale: Vec<Range<u32>>,
@@ -56,7 +56,7 @@ fn dependence(sums: &Sums, part: &Range<usize>) -> Vec<bool> {
     depends
 }
 
-/// The ranges in which something holds.
+/// The ranges in which a predicate holds.
 fn ranges(of: Range<usize>, holds: impl Fn(usize) -> bool) -> Vec<Range<u32>> {
     let mut all: Vec<Range<u32>> = Vec::new();
     for place in of.filter(|&place| holds(place)) {

@@ -20,7 +20,7 @@ type Write = dyn Fn(&[Sym], Sym) -> Differential + Send + Sync;
 pub struct DirectionalProgram {
     states: usize,
     write: Box<Write>,
-    /// Made when it is first asked for; `None` where an expression has no values.
+    /// Made when first needed; `None` where an expression has no value.
     made: OnceLock<Option<Made>>,
 }
 
@@ -36,12 +36,12 @@ impl DirectionalProgram {
     /// Directions that run together.
     pub const DIRECTIONS: usize = LANES;
 
-    /// By a differential that has the states and the time as inputs, and their rates as outputs.
+    /// The derivatives by a differential that has the states and the time as inputs, and their rates as outputs.
     pub fn by(states: usize, write: impl Fn(&[Sym], Sym) -> Differential + Send + Sync + 'static) -> Self {
         DirectionalProgram { states, write: Box::new(write), made: OnceLock::new() }
     }
 
-    /// By the rates of a law.
+    /// The derivatives by the rates of a law.
     pub fn of(law: Arc<dyn SymbolicLaw>) -> Self {
         let states = law.dimension();
         DirectionalProgram::by(states, move |state, time| DirectionalProgram::of_rates(&*law, state, time))
@@ -93,7 +93,7 @@ impl Directions<'_> {
     /// The derivatives in the directions of some blocks, in rows of so many numbers.
     fn run(&mut self, point: (f64, &[f64]), blocks: &[Block], (width, rows): (usize, &mut [f64])) {
         let Made { weights, sums, .. } = self.made;
-        // made for a state of this length
+        // the weights were made for a state of this length
         weights.run(point.0, point.1, &mut self.weights).unwrap_or(());
         rows.fill(0.0);
         self.arch.dispatch(Run { sums, blocks, weights: &self.weights, places: &mut self.places, width, rows });

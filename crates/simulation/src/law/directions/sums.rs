@@ -10,7 +10,7 @@ pub(super) struct Sums {
     /// The number of inputs, which stand at the first places.
     pub inputs: usize,
     pub outputs: usize,
-    /// Where the terms of each sum begin, and the end of the last.
+    /// The begin of the terms of each sum, and the end of the last.
     begins: Vec<u32>,
     /// The place of each term's source.
     sources: Vec<u32>,
@@ -50,7 +50,7 @@ pub(super) struct Run<'a> {
     pub sums: &'a Sums,
     pub blocks: &'a [Block],
     pub weights: &'a [f64],
-    /// As the last of these blocks left them, or all zero.
+    /// The places as the last of these blocks left them, or all zero.
     pub places: &'a mut [[f64; LANES]],
     /// Numbers in a row, and the rows, all zero.
     pub width: usize,

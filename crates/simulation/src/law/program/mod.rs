@@ -1,4 +1,4 @@
-//! A law as the straight-line program that it comes to: what every field but that of expressions evaluates.
+//! A law as a straight-line program, which every field but expressions evaluates.
 
 mod table;
 
@@ -10,19 +10,19 @@ use std::sync::Arc;
 use symbolic::{Sym, Tape, apart};
 use table::Table;
 
-/// A function of a state and the time as straight-line code over every field that runs.
+/// A function of a state and the time as straight-line code over every numeric field.
 #[derive(Clone, Debug)]
 pub struct Program {
     tape: Tape,
-    /// In `f64`, where this machine can be written for.
+    /// Machine code in `f64`, where there is a code generator for this machine.
     code: Option<Arc<Code>>,
     plain: Table<f64>,
     slopes: Table<Dual8>,
     exact: Table<DoubleDouble>,
 }
 
-/// Registers: of small laws, of usual ones and of the largest. Clearing them costs, most of all over numbers with slopes, so that
-/// a program has hardly more than it needs.
+/// Numbers of registers: for small laws, usual ones and the largest. Clearing them costs, most of all over numbers with slopes: a
+/// program has hardly more than it needs.
 const LEAST: usize = 16;
 const LESS: usize = 32;
 const FEW: usize = 64;
@@ -31,7 +31,7 @@ const MORE: usize = 256;
 const MANY: usize = 1024;
 
 impl Program {
-    /// A function of a state of `n` components and the time; none where an expression has no values.
+    /// The program of a function of a state of `n` components and the time; `None` where an expression has no value.
     pub fn of(n: usize, function: impl FnOnce(Sym, &[Sym]) -> Vec<Sym> + Send) -> Option<Self> {
         apart(|| {
             let (state, time) = symbols(n);
@@ -57,7 +57,7 @@ impl Program {
         Some(Program { code, ..Program::without_code(tape) })
     }
 
-    /// Its operations over any other field: the state, then the time, are its inputs.
+    /// Its operations over any other field; the inputs are the state, then the time.
     pub fn over<S: Analytic>(&self) -> symbolic::Program<'_, S> {
         self.tape.over()
     }
@@ -78,7 +78,8 @@ impl Program {
         Program { code: None, plain, slopes, exact, tape }
     }
 
-    /// Whether it runs as machine code; else its table of operations is followed, which takes some five times as long.
+    /// Whether it runs as machine code; otherwise its table of operations is followed, which takes some five times as
+    /// long.
     pub fn is_code(&self) -> bool {
         self.code.is_some()
     }
@@ -88,7 +89,7 @@ impl Program {
         self.code.as_ref().map(|code| code.size())
     }
 
-    /// The values at a time and a state; none where the state is not as long as what was recorded, or where there is no room for
+    /// The values at a time and a state; `None` where the state does not have the recorded length, or where there is no room for
     /// all values.
     #[inline]
     pub fn run<S: Running>(&self, t: S, y: &[S], values: &mut [S]) -> Option<()> {

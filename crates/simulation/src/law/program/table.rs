@@ -1,4 +1,4 @@
-//! The numbers that a tape is followed with: its constants over a field, and registers of a long one.
+//! The numbers for following a tape: its constants over a field, and registers for a long one.
 
 use field::Analytic;
 use std::sync::{Mutex, PoisonError};
