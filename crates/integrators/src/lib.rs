@@ -2,10 +2,10 @@
 //!
 //! # Overview
 //! A law is written once ([`Ode`], [`System`]) and run by any [`Method`] through one entry, [`integrate`]: adaptors to
-//! well-kept crates, and the methods that no crate has, over `f64` and double-double alike ([`integrate_in`]). A run has
-//! a budget, is shown to an [`Observer`], and ends in an [`Outcome`] that either reached its end or names one of a closed
-//! set of failures, with the last good state. What a method is measured by is a [`reference()`]: two methods of different
-//! families in double-double, with the digits they share; [`judge`] finds errors, [`measure`] times.
+//! maintained crates, and the methods that no crate has, over `f64` and double-double alike ([`integrate_in`]). A run has
+//! a budget, is shown to an [`Observer`], and ends in an [`Outcome`]: at its end, or with one of a closed set of failures
+//! and the last good state. Errors are measured against a [`reference()`]: two methods of different families in
+//! double-double, with the digits they share; [`judge`] finds errors, [`measure`] times.
 //!
 //! | method | order | stiff | double-double | from |
 //! |---|---|---|---|---|
@@ -21,12 +21,13 @@
 //! | Bader-Deuflhard | varies | yes | | own |
 //! | Strang, Blanes-Moan, Kahan-Li splittings, for systems with pieces (constant step) | 2, 4, 6, 8 | | 2, 8 | own |
 //!
-//! Laws that are held to constraints by multipliers ([`Index2Dae`], index 2) have an entry and methods of their own, [`hold()`];
-//! [`integrate_projected`] brings any method with a constant step onto the constraint after each step.
+//! Laws that are held to constraints by multipliers ([`Index2Dae`], DAEs of index 2) have an entry and methods of their own,
+//! [`hold()`]; [`integrate_projected`] projects the steps of any method with a constant step onto the constraint.
 //!
-//! [`clock`] ends every integration of a process at one moment, or when the user asks.
+//! [`clock`] ends every integration of a process at one time, or when the user asks.
 //!
-//! [`beside()`] judges a run with constant steps by shorter ones; [`follow`] goes along curves of equilibria and of motions that repeat, over a parameter.
+//! [`beside()`] checks a run with constant steps by shorter ones; [`follow`] is the continuation of equilibria and of periodic motions over a
+//! parameter.
 //!
 //! Key results: every method has its order on nonlinear laws (`tests/methods/orders.rs`), outputs change no step and are as accurate as the end,
 //! the own inner loops do not allocate, and Gauss collocation with Jacobians in `f64` and residuals in double-double

@@ -1,7 +1,7 @@
 //! The Taylor method on many systems of one kind: one in each lane, each with its own time and step.
 //!
-//! Nothing waits for the slowest: whoever has arrived makes room for the next. What becomes of a member does not depend
-//! on its lane, nor on who is in the others.
+//! No lane waits for the slowest: a member that has arrived makes room for the next. The result of a member does not
+//! depend on its lane, nor on the members in the others.
 
 use crate::methods::taylor::reach;
 use crate::{Failure, clock};
@@ -10,9 +10,9 @@ use pulp::{Arch, Simd, WithSimd};
 
 /// The order of series in lanes for a tolerance.
 ///
-/// As [`taylor_order`](crate::taylor_order), with what a step costs there: b + p + c p^2 with b = 3.5, c = 0.02 (measured from order 8 to
-/// 28 on systems with 8 and 15 states), to which p = 3 + 0.78 L is near. Orders are formed four at a time, so it is the multiple of
-/// four that is nearest.
+/// As [`taylor_order`](crate::taylor_order), with the cost of a step in lanes: b + p + c p^2 with b = 3.5, c = 0.02 (measured from order
+/// 8 to 28 on systems with 8 and 15 states), to which p = 3 + 0.78 L is near. Orders are formed four at a time: the result is the nearest
+/// multiple of four.
 pub fn lanes_order(tolerance: f64) -> usize {
     let fours = (3.0 - 0.78 * tolerance.ln()) / 4.0;
     4 * (fours.round() as usize).clamp(1, 15)
@@ -67,32 +67,33 @@ impl<T: LaneSeries<L> + ?Sized, const L: usize> LaneSeries<L> for Box<T> {
     }
 }
 
-/// Where members come from, and where they go.
+/// The source of members, and the receiver of their results.
 pub trait Members {
     /// Writes parameters and initial state of the next member and returns its number; `None` where there are no more.
     fn next(&mut self, parameters: &mut [f64], state: &mut [f64]) -> Option<u64>;
 
-    /// Whether motions are looked at after each step.
+    /// Whether motions are examined after each step.
     fn watches(&self) -> bool {
         false
     }
 
-    /// The last time within a step at which the law of a member holds, where it does not to the end of the step.
+    /// The last time within a step at which the law of a member holds; `None` where it holds to the end of the step.
     fn leaves(&mut self, _number: u64, _step: &LaneStep<'_>) -> Option<f64> {
         None
     }
 
-    /// Whether motions are brought back onto what they keep.
+    /// Whether states are projected onto the constraints and integrals of their motion.
     fn projects(&self) -> bool {
         false
     }
 
-    /// Brings the state of a member at a time back, where it is off by more than rounding; whether it has been moved.
+    /// Projects the state of a member at a time, where it is off by more than rounding; returns whether it has been
+    /// moved.
     fn project(&mut self, _number: u64, _time: f64, _state: &mut [f64]) -> bool {
         false
     }
 
-    /// A member has arrived, has left its law, or failed: its last good state with its time, and how many steps it took.
+    /// Takes a member that arrived, left its law or failed: its last good state with its time, and the number of steps.
     fn ended(&mut self, number: u64, state: &[f64], steps: u64, at: f64, failure: Option<Failure>);
 }
 
@@ -118,7 +119,7 @@ pub struct Ensemble<T, const L: usize> {
     after: Vec<Batch<L>>,
     times: Batch<L>,
     steps: [u64; L],
-    /// Who is in which lane.
+    /// The number of the member in each lane.
     numbers: [Option<u64>; L],
     /// Room for the data of one member.
     parameters: Vec<f64>,
@@ -126,7 +127,8 @@ pub struct Ensemble<T, const L: usize> {
 }
 
 impl<T: LaneSeries<L>, const L: usize> Ensemble<T, L> {
-    /// From a source of series, best of the order [`lanes_order`], for systems with so many states and parameters.
+    /// An ensemble on a source of series, best of the order [`lanes_order`], for systems with so many states and
+    /// parameters.
     pub fn new(source: T, tolerance: f64, end: f64, states: usize, parameters: usize) -> Self {
         Ensemble {
             order: source.order().max(2),
@@ -144,14 +146,14 @@ impl<T: LaneSeries<L>, const L: usize> Ensemble<T, L> {
         }
     }
 
-    /// With so many steps for each member at most.
+    /// Sets the largest number of steps of each member.
     pub fn with_most_steps(mut self, most_steps: u64) -> Self {
         self.most_steps = most_steps;
         self
     }
 
-    /// Carries members from the start to the end until there are no more, or until the clock of the process ends it: then those
-    /// on the way are lost.
+    /// Carries members from the start to the end until there are no more, or until the clock of the process ends it:
+    /// members that are under way are lost then.
     pub fn run(&mut self, members: &mut impl Members) {
         for lane in 0..L {
             self.admit(lane, members);
@@ -198,7 +200,7 @@ impl<T: LaneSeries<L>, const L: usize> Ensemble<T, L> {
                 continue;
             }
             if failure.is_some() || self.times.0[lane] == self.end {
-                // where a member failed, the state before is the last good one
+                // for a member that failed, the state before is the last good one
                 let states = if failure.is_some() { &self.after } else { &self.states };
                 self.state.iter_mut().zip(states).for_each(|(y, lanes)| *y = lanes.0[lane]);
                 members.ended(number, &self.state, self.steps[lane], self.times.0[lane], failure);
@@ -207,7 +209,7 @@ impl<T: LaneSeries<L>, const L: usize> Ensemble<T, L> {
         }
     }
 
-    /// Brings the states after this step back onto what the motions keep.
+    /// Projects the states after this step onto the constraints and integrals of their motions.
     fn project(&mut self, nexts: [Result<f64, Failure>; L], members: &mut impl Members) {
         for (lane, next) in nexts.into_iter().enumerate() {
             let (Some(number), Ok(next)) = (self.numbers[lane], next) else { continue };
@@ -218,7 +220,7 @@ impl<T: LaneSeries<L>, const L: usize> Ensemble<T, L> {
         }
     }
 
-    /// The members that leave their laws within this step: when, and their states there.
+    /// The members that leave their laws within this step: the times, and the states there.
     fn leave(&self, nexts: [Result<f64, Failure>; L], members: &mut impl Members) -> [Option<(f64, Vec<f64>)>; L] {
         std::array::from_fn(|lane| {
             let (number, end, begin) = (self.numbers[lane]?, nexts[lane].ok()?, self.times.0[lane]);
@@ -234,7 +236,7 @@ impl<T: LaneSeries<L>, const L: usize> Ensemble<T, L> {
         })
     }
 
-    /// Where the step of a lane leads whose series reaches so far.
+    /// The time to which the step of a lane leads whose series reaches so far.
     fn next_time(&self, lane: usize, reach: f64) -> Result<f64, Failure> {
         let at = self.times.0[lane];
         if reach.is_nan() {
@@ -272,7 +274,7 @@ impl<const L: usize> WithSimd for Reach<'_, L> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, _: S) -> Batch<L> {
-        // the largest coefficients in units of what is allowed, and the sum of all, which is finite where they are
+        // the largest coefficients in units of the allowed error, and the sum of all, which is finite where they are
         let [mut s_last, mut s_before, mut sum] = [Batch::all(0.0); 3];
         for ((state, last), before) in self.states.iter().zip(self.last).zip(self.before) {
             for lane in 0..L {

@@ -4,8 +4,8 @@ use crate::Ode;
 use field::Batch;
 use pulp::{Arch, Simd, WithSimd};
 
-/// Room for a law over lanes, always advanced with the widest registers that the processor has. What one lane holds never
-/// depends on another.
+/// Room for a law over lanes, always advanced with the widest registers that the processor has. No lane depends on
+/// another.
 ///
 /// `FUSED` numbers, which round a product and a sum once, are the fast ones where [`fuses`]; elsewhere the others are.
 /// The law must be `#[inline(always)]` throughout, or it is compiled for narrow registers: six times slower.
@@ -22,7 +22,7 @@ pub fn fuses() -> bool {
 }
 
 impl<const L: usize, const FUSED: bool> SideBySide<L, FUSED> {
-    /// For so many states.
+    /// Room for so many states.
     pub fn new(dimension: usize) -> Self {
         let room = || vec![Batch::all(0.0); dimension];
         SideBySide { slopes: std::array::from_fn(|_| room()), stage: room() }
@@ -63,7 +63,7 @@ impl<O: Ode<Batch<L, FUSED>>, const L: usize, const FUSED: bool> WithSimd for St
         for number in 0..self.steps {
             let begin = self.start + number as f64 * h;
             let mut time = begin;
-            // one call of the law, so that it is compiled once
+            // the law is called in one place only, and is compiled once
             for (slope, reach) in slopes.iter_mut().zip([h / 2.0, h / 2.0, h, 0.0]) {
                 self.law.rates(Batch::all(time), stage, slope);
                 time = begin + reach;
@@ -85,8 +85,8 @@ impl<O: Ode<Batch<L, FUSED>>, const L: usize, const FUSED: bool> WithSimd for St
     }
 }
 
-/// y + h k by whole registers: as loops over lanes this would be taken for a loop over states, and its numbers gathered
-/// one by one.
+/// y + h k by whole registers: a loop over lanes would be compiled as a loop over states, which gathers numbers one by
+/// one.
 #[inline(always)]
 fn plus<S: Simd, const L: usize, const FUSED: bool>(
     simd: S,

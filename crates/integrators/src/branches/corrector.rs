@@ -1,4 +1,4 @@
-//! One point of a curve: Newton's iteration across it, and its direction there.
+//! One point of a continuation: Newton's iteration across the curve, and the tangent there.
 
 use super::Curve;
 use crate::newton::Newton;
@@ -27,7 +27,7 @@ impl<'a> Corrector<'a> {
         Corrector { curve, sizes, residual, matrix, corrections: 0 }
     }
 
-    /// The derivatives with one more row, each row divided by its largest entry; and the residuals divided likewise.
+    /// The Jacobian with one more row, each row divided by its largest entry; and the residuals divided likewise.
     fn bordered(&mut self, x: &DVector<f64>, border: &DVector<f64>) -> Option<(DMatrix<f64>, DVector<f64>)> {
         let n = self.residual.len();
         let given: Vec<f64> = x.iter().zip(self.sizes).map(|(x, size)| x * size).collect();

@@ -32,15 +32,15 @@ pub struct CurvePoint {
 pub enum Last {
     /// The next point is not within the bounds.
     Outside,
-    /// It came back to where it began.
+    /// The curve came back to its beginning.
     Closed,
-    /// As many points as were asked for.
+    /// The largest number of points was reached.
     Enough,
-    /// No step however short led on.
+    /// No step, however short, succeeded.
     Stalled,
 }
 
-/// A stretch of a curve, its folds among its points.
+/// A part of a curve, its folds among its points.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Branch {
     pub places: Vec<CurvePoint>,
@@ -48,7 +48,7 @@ pub struct Branch {
 }
 
 impl Branch {
-    /// Its folds.
+    /// The folds of the branch.
     pub fn folds(&self) -> impl Iterator<Item = &CurvePoint> {
         self.places.iter().filter(|place| place.fold)
     }
@@ -64,7 +64,7 @@ const EASY: u32 = 6;
 const MOST_TRIALS: u32 = 60;
 
 /// Follows a curve from a point near it. `towards` points into the direction in which it begins: at the start the curve
-/// is sought across it. Nothing where there is no curve near the start.
+/// is sought across it. `None` where there is no curve near the start.
 pub fn follow(curve: &mut dyn Curve, start: &[f64], towards: &[f64], walk: &Walk<'_>) -> Option<Branch> {
     let scaled = |x: &[f64]| DVector::from_iterator(x.len(), x.iter().zip(walk.sizes).map(|(x, size)| x / size));
     let mut corrector = Corrector::new(curve, walk.sizes);
@@ -115,7 +115,7 @@ pub fn follow(curve: &mut dyn Curve, start: &[f64], towards: &[f64], walk: &Walk
     Some(Branch { places, last: Last::Enough })
 }
 
-/// The point a step ahead with the direction there; nothing where the step is too long.
+/// The point a step ahead with the direction there; `None` where the step is too long.
 fn taken(
     corrector: &mut Corrector<'_>,
     x: &DVector<f64>,
@@ -129,8 +129,8 @@ fn taken(
     (ahead.dot(direction) >= STRAIGHT).then_some((next, ahead))
 }
 
-/// Where the parameter turns back, less than a step ahead: the root of its rate along the curve, by the secant in its
-/// bracket (Illinois).
+/// The fold, less than a step ahead: the root of the parameter's rate along the curve, by the secant in its bracket
+/// (Illinois).
 fn turning(
     corrector: &mut Corrector<'_>,
     (x, direction): (&DVector<f64>, &DVector<f64>),

@@ -8,9 +8,9 @@
 //! * [`Repeating`]: motions that are periodic up to a shift, such as a whole turn, by shooting;
 //! * [`spectrum`]: eigenvalues and Floquet multipliers, which decide linear stability.
 //!
-//! A parameter is a state that rests: a law whose last rate is zero has its last state for parameter, and the derivatives
-//! by it come with those by the states. (`russell_nonlin` follows curves too; it brings sparse solvers in C, stops on
-//! folds no nearer than a step, and knows no motions.)
+//! A parameter is a state that is constant: a law whose last rate is zero has its last state for parameter, and the
+//! derivatives by it come with those by the states. (`russell_nonlin` follows curves too; it brings sparse solvers in C,
+//! stops on folds no nearer than a step, and has no periodic motions.)
 
 mod corrector;
 mod equilibria;

@@ -2,17 +2,17 @@
 //!
 //! With a shift of zero these are periodic orbits; with a whole turn in an angle, rotations. One state is the section: it
 //! has a given value at time zero, and its place among the unknowns is taken by T. The derivatives come from the
-//! transition matrix. One of its eigenvalues (Floquet's multipliers) is 1, along the motion; it is taken out exactly where
-//! the section is: what is left is the map of the section onto itself (Poincare), whose eigenvalues are the others.
+//! transition matrix. One of its eigenvalues (Floquet multipliers) is 1, along the motion; the section removes it exactly:
+//! its return map (Poincare) has the other eigenvalues.
 
 use super::Curve;
 use crate::{Failure, Ode, System, Tolerance, transition};
 
-/// The motions of an autonomous law, whose last state is a parameter that rests.
+/// The motions of an autonomous law, whose last state is a constant parameter.
 pub struct Repeating<'a> {
     law: &'a dyn System,
     tolerance: Tolerance,
-    /// One for each state but the parameter.
+    /// The shift of each state but the parameter.
     shift: Vec<f64>,
     section: usize,
     value: f64,

@@ -1,4 +1,4 @@
-//! The motion within a step, computed again.
+//! The motion within a step, computed again for the location of events.
 
 use super::gap::Gap;
 use super::{Instant, Switches};
@@ -24,12 +24,12 @@ pub(super) struct Again<'a> {
     pub tolerance: &'a Tolerance,
     pub switches: &'a dyn Switches,
     pub evaluations: u64,
-    /// The motion as a polynomial, where the method has it, and where that begins.
+    /// The motion as a polynomial with its beginning, where the method has it.
     pub series: Option<Box<dyn TaylorSeries<f64> + 'a>>,
     pub expanded_at: Option<f64>,
     /// Whether the last root lies at, or beyond, an instant that could not be computed again.
     pub is_blocked: bool,
-    /// The work of it.
+    /// The work of computing it again.
     pub extra: Work,
 }
 
@@ -55,7 +55,7 @@ impl Again<'_> {
             instant.move_to(self.switches, time, &state);
             return Some(instant);
         }
-        // a part of one step takes few, and where the law is singular any number is in vain
+        // a part of one step takes few evaluations, and where the law is singular any number is in vain
         let most = self.evaluations.min(PATIENCE * (from.state.len() as u64 + PATIENCE));
         let span = || Span::new(from.time, time, &from.state).with_evaluations(most);
         let run = |span: &Span<'_, f64>| integrate(self.system, self.method, self.tolerance, span, &mut ());
@@ -71,10 +71,11 @@ impl Again<'_> {
         })
     }
 
-    /// Where a function of the signals, positive or zero at the beginning, is no longer so: Newton's method with its rate, kept in the
-    /// bracket by halving. `None` where the motion could not be computed again; where a law ends with the function (above its zero), it is
-    /// taken to end before an instant that cannot be computed. Where the law has no numbers close to the zero alone, as in a position that
-    /// its coordinates do not describe, it is taken from the chord over that gap. With it the last instant found at which the function is
+    /// The zero of a function of the signals that is positive or zero at the beginning: Newton's method with its rate, kept in the bracket
+    /// by halving. `None` where the motion could not be computed again; where a law ends with the function (above its zero), it is taken
+    /// to end before an instant that cannot be computed. Where the law has no numbers close to the zero alone, as in a position that its
+    /// coordinates do not describe, the zero is that of the chord over that gap. The last instant found at which the function is positive
+    /// is returned with it.
     /// positive.
     pub fn root(
         &mut self,
@@ -113,7 +114,7 @@ impl Again<'_> {
                 break;
             }
             if next == low || next == high {
-                // nothing between: a signal that jumps has its new value beyond
+                // nothing lies between: a signal that jumps has its new value beyond
                 let found = if ends_above { before.clone() } else { beyond };
                 return Some([found, before]);
             }
@@ -131,7 +132,7 @@ impl Again<'_> {
         }
         let [left, right] = [&before, &beyond].map(|at| function(at).0);
         let is_bracketed = left > 0.0 && right <= 0.0;
-        // beyond a gap at which the motion jumps there is another one
+        // beyond a gap at which the motion jumps the motion is another one
         let change = (function(from).0 - function(end).0).abs();
         let is_narrow = (high - low).abs() <= NARROW * (end.time - from.time).abs() && left - right <= SMOOTH * change;
         match gap {

@@ -1,4 +1,4 @@
-//! A signal over an interval at whose ends it and its rate are known: where it has no zero, where it has one.
+//! Bounds of a signal over an interval at whose ends the signal and its rate are known: whether it has a zero there.
 //!
 //! The cubic through both values and rates has an error e with a double zero at each end. With |e(s)| <= 16 d s^2 (1 - s)^2, d the
 //! doubt at the middle, the signal lies between two polynomials of degree 4, whose coefficients in Bernstein's basis,
@@ -17,9 +17,9 @@ const SHARE: f64 = 16.0 / 6.0;
 pub(super) struct Bounds {
     a: Signal,
     b: Signal,
-    /// From a to b, negative backwards.
+    /// The length of the interval from a to b, negative backwards.
     length: f64,
-    /// The distance that the signal may have from the cubic in the middle.
+    /// The largest distance of the signal from the cubic in the middle.
     doubt: f64,
 }
 
@@ -71,7 +71,7 @@ impl Bounds {
         [a, p, middle - SHARE * self.doubt, q, b].into_iter().fold(f64::INFINITY, f64::min)
     }
 
-    /// Whether the signal, where it is at least zero at the beginning, is so all the way; below this noise an end counts as zero.
+    /// Whether the signal, where it is at least zero at the beginning, stays so; below this noise an end counts as zero.
     pub fn stays_up(&self, noise: f64) -> bool {
         let [a, p, middle, q, b] = self.coefficients();
         a >= -noise && p >= -noise && middle > SHARE * self.doubt && q >= -noise && b > 0.0
@@ -87,7 +87,7 @@ impl Bounds {
         once(middle - SHARE * self.doubt) && once(middle + SHARE * self.doubt)
     }
 
-    /// Whether the rate changes its sign from below to above zero, seen along the run.
+    /// Whether the rate changes its sign from below to above zero along the run.
     pub fn has_valley(&self) -> bool {
         self.a.rate * self.length < 0.0 && self.b.rate * self.length >= 0.0
     }

@@ -5,7 +5,7 @@
 
 use super::Instant;
 
-/// By so little a distance may change over an interval whose ends show enough.
+/// The change of a distance over an interval below which its ends decide.
 const LITTLE: f64 = 0.1;
 
 /// Whether a signal is such a distance, and not zero between two instants.
@@ -15,7 +15,7 @@ pub(super) fn stays_off([before, after]: [&Instant; 2], signal: usize) -> bool {
     most > 0.0 && most < distance(before) + distance(after)
 }
 
-/// Whether some distance may come to zero between two instants, and the ends do not show it.
+/// Whether some distance may come to zero between two instants without a sign of it at the ends.
 pub(super) fn are_open(before: &Instant, after: &Instant) -> bool {
     let ends = [before, after];
     (0..before.signals.len()).any(|signal| most_change(ends, signal) > LITTLE && !stays_off(ends, signal))

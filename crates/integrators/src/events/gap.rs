@@ -10,13 +10,13 @@ pub(super) struct Gap {
 }
 
 impl Gap {
-    /// With one more instant.
+    /// The gap with one more instant.
     pub fn with(known: Option<Gap>, time: f64) -> Self {
         let Some(Gap { ends: [first, last], found }) = known else { return Gap { ends: [time; 2], found: 1 } };
         Gap { ends: [first.min(time), last.max(time)], found: found + 1 }
     }
 
-    /// Whether it lies in the bracket, in which a zero is still looked for.
+    /// Whether the gap lies in the bracket, in which a zero is still sought.
     pub fn is_between(&self, low: f64, high: f64) -> bool {
         self.ends.iter().all(|time| (time - low) * (time - high) < 0.0)
     }

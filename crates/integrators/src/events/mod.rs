@@ -1,11 +1,11 @@
-//! Runs that end where something happens: the fall of a signal through zero, located to rounding.
+//! Event location: runs that end where a signal falls through zero, located to rounding.
 //!
-//! A step is looked at when it is accepted. Value and rate of a signal at both ends bound it over the step ([`bounds`]), with a
+//! A step is examined when it is accepted. Value and rate of a signal at both ends bound it over the step ([`bounds`]), with a
 //! doubt that follows from the step before and from how far the signal bends. Where the bounds leave open whether there is a
-//! zero, the motion is computed again to the middle of the step, by the same method, and both halves are looked at; so a step
-//! may be as long as its method likes, and have several zeros. The event is computed in the same way, not interpolated: its
-//! state is as accurate as any state of the run. The Taylor method's step is a polynomial as accurate as its end: there a trial
-//! is one sum, and a step is looked at in parts from the start.
+//! zero, the motion is computed again to the middle of the step, by the same method, and both halves are examined: a step may
+//! be as long as its method likes, and have several zeros. The event is computed in this way too, not interpolated: its state
+//! is as accurate as any state of the run. The Taylor method's step is a polynomial as accurate as its end: there a trial is
+//! one sum, and a step is examined in parts from the start.
 
 mod again;
 mod bounds;
@@ -17,7 +17,7 @@ use crate::{End, Failure, Method, Observer, Outcome, Span, System, Tolerance, Wo
 use again::Again;
 use search::{Search, Seen, look};
 
-/// The value of a signal, its rate along the motion, and how large a value still counts as zero.
+/// A signal: its value, its rate along the motion, and the noise up to which a value counts as zero.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Signal {
     pub value: f64,
@@ -28,22 +28,23 @@ pub struct Signal {
     pub fastest: f64,
 }
 
-/// Signals that are watched. Each counts from when it was first positive: one that starts at zero may rise first.
+/// Signals that are watched. Each counts from the time at which it was first positive: one that starts at zero may rise
+/// first.
 pub trait Switches {
     /// The number of signals.
     fn count(&self) -> usize;
 
-    /// All of them at a state; `out` has their count.
+    /// The values of all signals at a state; `out` has their count.
     fn signals(&self, time: f64, state: &[f64], out: &mut [Signal]);
 
-    /// Whether the state of the fall of a signal must be one at which the signal is positive still: a rounding before it is zero, where a
-    /// law ends with it.
+    /// Whether the fall of a signal must be reported at a state where the signal is still positive, a rounding before its zero: a law may
+    /// end with it.
     fn ends_above(&self, _signal: usize) -> bool {
         false
     }
 
-    /// Whether the time of the fall of a signal is asked for: where it lies in a gap of the law, and cannot be computed, the run ends before
-    /// it. Other signals have fallen by the end of the step then.
+    /// Whether the time of the fall of a signal matters: where it lies in a gap of the law, and cannot be computed, the run ends before it.
+    /// Other signals count as fallen by the end of the step.
     fn is_timed(&self, _signal: usize) -> bool {
         false
     }
@@ -52,18 +53,18 @@ pub trait Switches {
 /// The way in which a signal met zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Happening {
-    /// It fell through zero.
+    /// The signal fell through zero.
     Falls,
-    /// It came down to zero, within its noise, and rose again.
+    /// The signal came down to zero, within its noise, and rose again.
     Touches,
-    /// It was zero or negative at the start, and negative then, without having been positive.
+    /// The signal was zero or negative at the start, and negative then, without having been positive.
     StartsBelow,
 }
 
-/// Where a run ended before its span.
+/// The event with which a run ended before its span.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Event {
-    /// Which signal.
+    /// The number of the signal.
     pub signal: usize,
     pub what: Happening,
     pub time: f64,
@@ -83,7 +84,7 @@ pub fn integrate_to_event(
     let mut guard = Guard {
         again: Again {
             system,
-            // a constant step again is one step
+            // a constant step, made again, is one step
             method: method.once(),
             tolerance,
             switches,
@@ -127,14 +128,14 @@ pub fn integrate_to_event(
 /// An event with its state.
 type Found = (Event, Vec<f64>);
 
-/// Times that differ by so many roundings are not told apart.
+/// Times that differ by at most so many roundings are equal.
 const TOGETHER: f64 = 8.0;
 
 /// A signal that falls to zero within so many roundings of the time at which steps collapse has come to it: where rates are infinite at
 /// the zero, as those of a square root are, no step reaches it.
 const AT_THE_END: f64 = 256.0;
 
-/// The number of parts of a step that is a polynomial; each is looked at.
+/// The number of parts in which a polynomial step is examined.
 const PARTS: usize = 8;
 
 /// Halvings of a step, or of such a part, over which a distance may come to zero by the bound of its rate.
@@ -166,24 +167,25 @@ impl Instant {
     }
 }
 
-/// Stands between the run and its observer: looks at each step before the observer does.
+/// The observer between the run and its own observer: it examines each step first.
 struct Guard<'a> {
     again: Again<'a>,
     observer: &'a mut dyn Observer<f64>,
-    /// Which signals were positive once.
+    /// Whether each signal was positive before.
     armed: Vec<bool>,
-    /// Where the interval before this one began.
+    /// The beginning of the interval before this one.
     earlier: Option<Instant>,
     before: Instant,
     after: Instant,
-    /// Within the step, where the method shows it.
+    /// The state within the step, where the method gives it.
     parts: Vec<Instant>,
-    /// Within the interval, computed again.
+    /// Instants within the interval, computed again.
     known: Vec<Instant>,
-    /// Outputs of the step that was not looked at yet.
+    /// Outputs of the step that was not examined yet.
     samples: Vec<(f64, Vec<f64>)>,
     found: Option<Found>,
-    /// A first step that is longer has nothing before it that would tell how the signals bend: they may have swung within.
+    /// The length of a first step beyond which it is doubtful: no step before it shows how the signals bend, and they may
+    /// oscillate within.
     long: f64,
     /// The last instant before a zero that cannot be computed.
     lost: Option<Instant>,
@@ -201,7 +203,7 @@ impl Guard<'_> {
         self.found.is_some() || self.lost.is_some()
     }
 
-    /// Goes on to the interval that begins where the last one ends.
+    /// Moves to the interval that begins where the last one ends.
     fn go_on(&mut self) {
         let begin = self.earlier.get_or_insert_with(|| self.before.clone());
         std::mem::swap(begin, &mut self.before);
@@ -209,7 +211,7 @@ impl Guard<'_> {
         self.arm();
     }
 
-    /// The signal that the last state, behind which no step is possible, has brought to zero within the rounding of times.
+    /// The signal that is zero within the rounding of times at the last state, beyond which no step is possible.
     fn event_at_its_end(&self) -> Option<Found> {
         let Instant { time, state, signals } = &self.before;
         let direction = (time - self.earlier.as_ref()?.time).signum();
@@ -222,8 +224,8 @@ impl Guard<'_> {
         Some((Event { signal, what: Happening::Falls, time: *time }, state.clone()))
     }
 
-    /// Whether an event comes before another. Of two that fall together within rounding, as the ends of one rod stop, the one
-    /// whose signal is steeper beside its noise: its time is known better.
+    /// Whether an event comes before another. If two fall together within rounding, as at the stops of both ends of one rod,
+    /// the one whose signal is steeper relative to its noise counts first: its time is known better.
     fn comes_before(&self, (event, state): &Found, (known, known_state): &Found) -> bool {
         let rounding = TOGETHER * f64::EPSILON * event.time.abs().max(known.time.abs());
         if (event.time - known.time).abs() > rounding {
@@ -237,7 +239,7 @@ impl Guard<'_> {
         steepness(event, state) > steepness(known, known_state)
     }
 
-    /// Looks at the interval between the two instants, in halves while a distance may come to zero within; then the interval
+    /// Examines the interval between the two instants, in halves while a distance may come to zero within; then the interval
     /// is the last of them.
     fn look(&mut self, step: &Instant, halvings: u32) {
         if halvings > 0 && distances::are_open(&self.before, &self.after) {

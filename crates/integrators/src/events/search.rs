@@ -4,13 +4,13 @@ use super::again::Again;
 use super::bounds::Bounds;
 use super::{Event, Happening, Instant, Signal};
 
-/// Halvings of a step: what is left is too short for rounding.
+/// Halvings of a step, after which the rest is within rounding.
 const MOST_HALVINGS: u32 = 45;
 
-/// Instants of one step after which no more are computed: a signal that is noise leaves every half open.
+/// The largest number of instants computed in one step: a signal that is noise leaves every half open.
 const MOST_KNOWN: usize = 256;
 
-/// Doublings of a rounding of the time, by which an instant before a fall is looked for.
+/// Doublings of a rounding of the time, by which an instant before a fall is sought.
 const ROUNDINGS: i32 = 20;
 
 /// A doubt below this share of what the cubic changes leaves no doubt of its shape.
@@ -19,22 +19,22 @@ const SETTLED: f64 = 0.05;
 /// The doubt that a step leaves by itself, as a part of the bow of the cubic.
 const OF_BOW: f64 = 0.25;
 
-/// The part of a doubt measured at the middle that is left for each half: a sixteenth of it would be for short ones.
+/// The part of a doubt measured at the middle that each half keeps: a sixteenth of it would be right for short halves.
 const OF_HALF: f64 = 0.25;
 
-/// The least share that a halving leaves of a doubt, lest one value that happens to lie on the cubic hide others.
+/// The least part that a halving keeps of a doubt: one value that happens to lie on the cubic must not hide others.
 const LEAST_OF_HALF: f64 = 1.0 / 64.0;
 
-/// A distance so near to zero comes to zero where the motion cannot be computed again.
+/// A distance below this counts as zero where the motion cannot be computed again.
 const NEAR: f64 = 1e-2;
 
-/// A signal that has fallen to this part of what it was before a gap of the law is as good as zero.
+/// A signal that has fallen to this part of its value before a gap of the law counts as zero.
 const CLOSE: f64 = 1e-6;
 
 /// Halvings of an interval, by which its last instant that can be computed again is found.
 const MOST_NEARER: u32 = 12;
 
-/// Everything known of a step.
+/// The data of a step.
 pub(super) struct Search<'s, 'a> {
     pub again: &'s mut Again<'a>,
     /// The beginning of the step.
@@ -44,19 +44,19 @@ pub(super) struct Search<'s, 'a> {
     pub signal: usize,
 }
 
-/// The course of a signal over an interval.
+/// The behaviour of a signal over an interval.
 pub(super) enum Seen {
-    /// Nothing; whether it has been positive.
+    /// No event; whether the signal has been positive.
     Nothing {
         armed: bool,
     },
     Happened(Event, Vec<f64>),
-    /// It passes zero behind an instant, where the motion cannot be computed.
+    /// The signal passes zero behind an instant, where the motion cannot be computed.
     Lost(Instant),
 }
 
 impl Search<'_, '_> {
-    /// The doubt that a step leaves, of which the one before may be known.
+    /// The doubt in a step, by the step before if that is known.
     pub fn doubt(before: Option<(Signal, f64)>, [(a, begin), (b, end)]: [(Signal, f64); 2]) -> f64 {
         let own = OF_BOW * Bounds::new(a, b, end - begin, 0.0).bow();
         let continued = before.map_or(0.0, |(signal, time)| {
@@ -73,7 +73,7 @@ impl Search<'_, '_> {
         Seen::Happened(Event { signal: self.signal, what, time: instant.time }, instant.state)
     }
 
-    /// Looks from a to b, halving while the doubt leaves it open.
+    /// Examines the interval from a to b, in halves while the doubt leaves it open.
     pub fn look(&mut self, [a, b]: [&Instant; 2], armed: bool, doubt: f64, halvings: u32) -> Option<Seen> {
         let (left, right) = (self.of(a), self.of(b));
         let bounds = Bounds::new(left, right, b.time - a.time, doubt);
@@ -85,13 +85,13 @@ impl Search<'_, '_> {
         };
         match seen {
             Some(seen) => Some(seen),
-            // a signal that is no number says nothing
+            // a signal that is NaN decides nothing
             None if is_last => Some(Seen::Nothing { armed }),
             None => self.halves([a, b], &bounds, (armed, doubt), halvings),
         }
     }
 
-    /// The course of a signal that was positive; `None` where that is open.
+    /// The behaviour of a signal that was positive; `None` where that is open.
     fn falls(&mut self, [a, b]: [&Instant; 2], bounds: &Bounds, is_last: bool) -> Option<Seen> {
         let (left, right) = (self.of(a), self.of(b));
         let noise = left.noise.max(right.noise);
@@ -112,7 +112,7 @@ impl Search<'_, '_> {
         (is_clear && bounds.is_monotone()).then_some(Seen::Nothing { armed: true })
     }
 
-    /// The course of a signal that was not positive yet; `None` where that is open.
+    /// The behaviour of a signal that was not positive yet; `None` where that is open.
     fn rises(&mut self, [a, b]: [&Instant; 2], bounds: &Bounds, is_last: bool) -> Option<Seen> {
         let (left, right) = (self.of(a), self.of(b));
         let noise = left.noise.max(right.noise);
@@ -131,7 +131,7 @@ impl Search<'_, '_> {
         (is_last || clean).then_some(Seen::Nothing { armed: true })
     }
 
-    /// Both halves, one after the other.
+    /// The search in both halves, one after the other.
     fn halves(
         &mut self,
         [a, b]: [&Instant; 2],
@@ -182,7 +182,7 @@ impl Search<'_, '_> {
         fastest > 0.0 && value <= NEAR * NEAR
     }
 
-    /// The fall through zero in an interval where there is one. Where it cannot be computed again, it is the end that is as good as zero.
+    /// The fall through zero in an interval that has one. Where it cannot be computed again, the end, which counts as zero, is taken.
     fn fall(&mut self, [a, b]: [&Instant; 2]) -> Seen {
         let signal = self.signal;
         let ends_above = self.again.switches.ends_above(signal);
@@ -202,7 +202,7 @@ impl Search<'_, '_> {
         self.event(Happening::Falls, found)
     }
 
-    /// The last instant that is found a few roundings before a fall and at which the signal is positive.
+    /// The last instant, found a few roundings before a fall, at which the signal is positive.
     fn above(&mut self, [a, found]: [&Instant; 2]) -> Option<Instant> {
         let way = found.time - a.time;
         let rounding = f64::EPSILON * found.time.abs().max(way.abs()).copysign(way);
@@ -230,7 +230,7 @@ impl Search<'_, '_> {
     }
 }
 
-/// Looks at one signal over an interval of a step. Where the motion cannot be computed again, the ends tell all.
+/// Examines one signal over an interval of a step. Where the motion cannot be computed again, the ends decide.
 pub(super) fn look(search: &mut Search<'_, '_>, ends: [&Instant; 2], armed: bool, doubt: f64) -> Seen {
     if let Some(seen) = search.look(ends, armed, doubt, MOST_HALVINGS) {
         return seen;

@@ -1,4 +1,4 @@
-//! A law that is neither linear nor autonomous, with its solution: what the order of a method is measured on.
+//! A law that is neither linear nor autonomous, with its solution, for measuring the order of methods.
 
 use crate::{Ode, System};
 use field::{Over, Scalar};

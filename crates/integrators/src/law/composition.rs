@@ -5,11 +5,12 @@
 //!
 //!   chi*(a_2s h) chi(a_2s-1 h) .. chi*(a_2 h) chi(a_1 h)   with   a_i = a_(2s+1-i), sum a_i = 1 :
 //!
-//! symmetric, so of even order, and inverted by a step of -h. Where every flow keeps something (an invariant, a bracket,
-//! the rate at which volumes shrink), so does the step. Beyond order 2 some a_i are negative (Sheng 1989, Suzuki 1991):
-//! there a step goes against friction, and what fades as exp(-r t) grows by exp(r h |b|) before it is brought back. The
-//! first piece flows for b = a_2i + a_2i+1 and the last for a_2i-1 + a_2i, where most of that cancels, in one of them more.
-//! Friction belongs into the first piece; where the last goes back less, the pieces are taken in the opposite order.
+//! symmetric, hence of even order, and inverted by a step of -h. An invariant, a bracket or a rate of volume that every
+//! flow preserves is preserved by the step too. Beyond order 2 some a_i are negative (Sheng 1989, Suzuki 1991): there a
+//! sub-step goes backwards against friction, and a component that decays as exp(-r t) grows by exp(r h |b|) before it
+//! decays again. The first piece flows for b = a_2i + a_2i+1 and the last for a_2i-1 + a_2i, where most of that cancels, in
+//! one of them more. Friction belongs into the first piece; where the most negative sub-step of the last piece is smaller,
+//! the pieces are taken in the opposite order.
 
 use crate::Real;
 
@@ -20,15 +21,15 @@ pub enum Splitting {
     Strang,
     /// Order 4 with 6 stages, S6 of Blanes and Moan (2002): the first piece goes back by 0.042 of a step.
     BlanesMoan4,
-    /// Order 6 with 10 stages, S10 of Blanes and Moan (2002): the pieces in the opposite order, so that the first
-    /// goes back by 0.132 and not by 0.726.
+    /// Order 6 with 10 stages, S10 of Blanes and Moan (2002): the pieces in the opposite order, by which the first goes
+    /// back by 0.132 and not by 0.726.
     BlanesMoan6,
     /// Order 8 with 17 stages, of Kahan and Li (1997): the first piece goes back by 0.155.
     KahanLi8,
 }
 
 impl Splitting {
-    /// All of them, by order.
+    /// All compositions, by order.
     pub const ALL: [Splitting; 4] =
         [Splitting::Strang, Splitting::BlanesMoan4, Splitting::BlanesMoan6, Splitting::KahanLi8];
 
@@ -42,7 +43,7 @@ impl Splitting {
         }
     }
 
-    /// s: what the first piece and the last flow in a step, and half of what those between do.
+    /// s: the number of flows of the first piece and of the last in a step, and half of that of the pieces between.
     pub fn stages(self) -> u64 {
         match self {
             Splitting::Strang => 1,
@@ -62,7 +63,7 @@ impl Splitting {
         }
     }
 
-    /// Whether its coefficients are known to more than double precision.
+    /// Whether the coefficients are known to more than double precision.
     pub fn exact(self) -> bool {
         matches!(self, Splitting::Strang | Splitting::KahanLi8)
     }
@@ -93,19 +94,20 @@ impl Splitting {
         }
     }
 
-    /// Whether the last piece of a step goes back less than the first.
+    /// Whether the most negative sub-step of the last piece is smaller than that of the first.
     fn turned(self) -> bool {
         self == Splitting::BlanesMoan6
     }
 
-    /// By how much of a step the first piece goes back at most.
+    /// The size of the most negative sub-step of the first piece, as a part of the step.
     pub fn goes_back(self) -> f64 {
         let schedule = self.schedule::<f64>(2);
         let shares = schedule.iter().filter(|(piece, _)| *piece == 0).map(|(_, share)| *share);
         shares.fold(0.0, |back, share| (-share).max(back))
     }
 
-    /// The pieces in the order in which they flow in a step, each with its share of it; of so many, at least one.
+    /// The pieces, of which there are at least one, in the order in which they flow in a step, each with its share of
+    /// it.
     pub fn schedule<S: Real>(self, pieces: usize) -> Vec<(usize, S)> {
         let mut schedule: Vec<(usize, S)> = Vec::new();
         for (place, share) in self.coefficients::<S>().into_iter().enumerate() {

@@ -1,4 +1,4 @@
-//! Laws that are held to constraints by multipliers.
+//! Laws held to constraints by multipliers: DAEs of index 2.
 
 use super::Dual8;
 use field::{DoubleDouble, Scalar};
@@ -18,6 +18,6 @@ pub trait Index2Dae<S: Scalar> {
     fn constraints(&self, t: S, y: &[S], g: &mut [S]);
 }
 
-/// One such law over the three fields of a computation. What is generic over `S: Over<f64> + Analytic` needs one more
+/// One such law over the three fields of a computation. A law generic over `S: Over<f64> + Analytic` needs one more
 /// line, `impl Index2DaeSystem for Mine {}`.
 pub trait Index2DaeSystem: Index2Dae<f64> + Index2Dae<Dual8> + Index2Dae<DoubleDouble> {}

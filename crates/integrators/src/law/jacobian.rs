@@ -1,7 +1,7 @@
 //! The Jacobian of a law: its own code, or forward differentiation with eight columns an evaluation. Buffers made once.
 //!
-//! The rules of differentiation give 0/0 where a root vanishes: of the drag -c |v| v at rest, whose derivatives are zero there. The
-//! Jacobian is then the one beside that state, a little further along the motion.
+//! The rules of differentiation give 0/0 where a root vanishes: for the drag -c |v| v at rest, whose derivatives are zero there.
+//! The Jacobian is then taken at a state a little further along the motion.
 
 use num_dual::Derivative;
 
@@ -13,29 +13,29 @@ pub struct Jacobian<'a> {
     y: Vec<Dual8>,
     dy: Vec<Dual8>,
     code: Option<Box<dyn JacobianFn + 'a>>,
-    /// Whose rates lead further along the motion.
+    /// The law whose rates lead further along the motion.
     system: Option<&'a dyn System>,
 }
 
-/// The time along the motion after which a Jacobian is taken where there is none, s; no component of the state moves by more than
-/// [`NEAR`] of the largest.
+/// The time along the motion after which a Jacobian is taken where it is undefined at the state, s; no component of the state
+/// moves by more than [`NEAR`] of the largest.
 const FURTHER: f64 = 1e-10;
 
 const NEAR: f64 = 1e-8;
 
 impl<'a> Jacobian<'a> {
-    /// By forward differentiation.
+    /// The Jacobian by forward differentiation.
     pub fn new(law: &'a dyn Ode<Dual8>) -> Self {
         let zeros = vec![Dual8::from_re(0.0); law.dimension()];
         Jacobian { law, y: zeros.clone(), dy: zeros, code: None, system: None }
     }
 
-    /// By the system's own code where it has any.
+    /// The Jacobian by the system's own code where it has any.
     pub fn of(system: &'a dyn System) -> Self {
         Jacobian { code: system.jacobian_fn(), system: Some(system), ..Jacobian::new(system) }
     }
 
-    /// Bytes of the machine code of [`Self::matrix`]; none where the law is differentiated over dual numbers.
+    /// Bytes of the machine code of [`Self::matrix`]; `None` where the law is differentiated over dual numbers.
     pub fn code_size(&self) -> Option<usize> {
         self.code.as_ref()?.code_size()
     }
@@ -52,7 +52,7 @@ impl<'a> Jacobian<'a> {
         self.or_beside((t, y), slopes, Self::time_slopes_at);
     }
 
-    /// Where derivatives are no numbers, and rates are, those a little further along the motion.
+    /// Replaces derivatives that are NaN, where the rates are finite, by those a little further along the motion.
     fn or_beside(
         &mut self,
         (t, y): (f64, &[f64]),

@@ -1,4 +1,4 @@
-//! Laws as methods see them: y' = f(t, y), and what a law may offer beside its rates.
+//! Laws as methods need them: y' = f(t, y), and further data that a law may offer.
 //!
 //! # Overview
 //! * [`Ode`] over one field, [`System`] over the three of a computation;
@@ -6,7 +6,7 @@
 //! * its Taylor coefficients ([`TaylorSeries`]);
 //! * the flows of its pieces ([`Pieces`]), in the order of a [`Splitting`];
 //! * a law that multipliers hold to constraints ([`Index2Dae`]);
-//! * the way back onto equations that its motions keep ([`Projection`]);
+//! * the projection onto equations that its motions keep ([`Projection`]);
 //! * the times about which it changes fast by itself ([`StepBounds`]).
 
 #[cfg(test)]
@@ -75,18 +75,18 @@ pub trait System: Ode<f64> + Ode<Dual8> + Ode<DoubleDouble> {
         None
     }
 
-    /// Where the law changes fast by itself on the way from one time to another, known from its functions of the time alone.
+    /// The intervals of time in which the law changes fast by itself, from its functions of the time alone.
     fn step_bounds(&self, _from: f64, _to: f64) -> StepBounds {
         StepBounds::default()
     }
 
-    /// Bytes of the machine code of its rates in `f64`, with the constants in it, where such code is made at run time. Of a law that
-    /// solves linear equations at each evaluation these are the equations, without the solve.
+    /// Bytes of the machine code of its rates in `f64`, with the constants in it, where such code is made at run time. For a
+    /// law that solves linear equations at each evaluation it is the code of the equations, without the solve.
     fn code_size(&self) -> Option<usize> {
         None
     }
 
-    /// The way back onto equations that its motions keep, where each accepted step is to end on them.
+    /// The projection onto equations that its motions keep, where each accepted step is to end on them.
     fn projection(&self) -> Option<&dyn Projection<f64>> {
         None
     }
@@ -123,7 +123,7 @@ pub trait JacobianFn {
     /// `matrix[i * n + j]` = df_i / dy_j at (t, y).
     fn matrix(&mut self, t: f64, y: &[f64], matrix: &mut [f64]);
 
-    /// `slopes[i]` = df_i / dt at (t, y): none of a law that does not depend on time.
+    /// `slopes[i]` = df_i / dt at (t, y): zero for a law that does not depend on time.
     fn by_time(&mut self, _t: f64, _y: &[f64], slopes: &mut [f64]) {
         slopes.fill(0.0);
     }
@@ -145,7 +145,8 @@ pub trait Working: Real {
     /// The system's source of Taylor coefficients in this field.
     fn series(system: &dyn System) -> Option<Box<dyn TaylorSeries<Self> + '_>>;
 
-    /// The way back onto what the system's motions keep, where steps in this field end on it: references do without.
+    /// The projection onto equations that the system's motions keep, where steps in this field end on it: references do
+    /// without.
     fn projection(system: &dyn System) -> Option<&dyn Projection<Self>>;
 
     /// The system's pieces composed in this field.

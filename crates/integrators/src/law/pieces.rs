@@ -2,33 +2,33 @@
 
 /// A law as a sum of fields, each with a flow that is known.
 pub trait Pieces<S> {
-    /// A state in the coordinates in which the pieces flow.
+    /// A state in the coordinates of the pieces.
     type Point;
     /// The data of a piece for a length of time, computed once and used in every flow of that length.
     type Lapse;
 
-    /// The number of pieces. The first goes back least: friction belongs there.
+    /// The number of pieces. The first has the smallest negative sub-steps: friction belongs there.
     fn pieces(&self) -> usize;
 
-    /// From a state of the law.
+    /// Converts a state of the law.
     fn enter(&self, y: &[S]) -> Self::Point;
 
-    /// To a state of the law. Must not allocate.
+    /// Converts to a state of the law. Must not allocate.
     fn leave(&self, point: &Self::Point, y: &mut [S]);
 
     /// The data of a piece for a length of time, which may be negative.
     fn lapse(&self, piece: usize, length: S) -> Self::Lapse;
 
-    /// The fastest rate at which anything fades in the first piece at a point; zero where nothing does.
+    /// The largest decay rate in the first piece at a point, 1/s; zero where nothing decays.
     fn fading(&self, _point: &Self::Point) -> f64 {
         0.0
     }
 
-    /// Flows; false where no point is reached. Must not allocate.
+    /// Flows along a piece; false where no point is reached. Must not allocate.
     fn flow(&self, piece: usize, lapse: &Self::Lapse, point: &mut Self::Point) -> bool;
 }
 
-/// A composition at work, its pieces forgotten.
+/// A composition at work, with the type of its pieces erased.
 pub trait Composed<S> {
     /// The length of the steps from now on, negative for backwards.
     fn prepare(&mut self, step: S);
@@ -39,7 +39,7 @@ pub trait Composed<S> {
     /// The largest rate of decay in the first piece at the present state.
     fn fading(&self) -> f64;
 
-    /// One step; false where it leads nowhere.
+    /// Makes one step; false where no point is reached.
     fn advance(&mut self) -> bool;
 
     /// The state of the law.

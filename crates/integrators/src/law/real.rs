@@ -2,7 +2,7 @@
 
 use field::{Analytic, Base, DoubleDouble, Over};
 
-/// A field of rounded real numbers: a law may not compare, the control of a step must.
+/// A field of rounded real numbers: a law may not compare, but the step size control must.
 pub trait Real: Analytic + Base + Over<f64> + PartialOrd {
     /// The distance from 1 to the next number.
     const EPSILON: f64;

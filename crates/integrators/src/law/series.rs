@@ -7,8 +7,8 @@ pub trait TaylorSeries<S: Scalar> {
     /// Expands the solution through (t, y) up to an order.
     fn expand(&mut self, t: S, y: &[S], order: usize);
 
-    /// As [`expand`](Self::expand), where the digits of `f64` do for the coefficients after the order `fine`. Returns up to which
-    /// order they have all digits of the field.
+    /// As [`expand`](Self::expand), where the digits of `f64` suffice for the coefficients after the order `fine`. Returns the
+    /// order up to which they have all digits of the field.
     fn expand_rounding(&mut self, t: S, y: &[S], order: usize, _fine: usize) -> usize {
         self.expand(t, y, order);
         order
@@ -26,8 +26,8 @@ pub trait TaylorSeries<S: Scalar> {
         f64::INFINITY
     }
 
-    /// Whether the law has roots or angles: the series of one goes on along its branch where the law takes another, as the root of x^2 does
-    /// at x = 0.
+    /// Whether the law has roots or angles: the series of one continues along its branch where the law takes another, as the root of x^2
+    /// does at x = 0.
     fn has_branches(&self) -> bool {
         false
     }

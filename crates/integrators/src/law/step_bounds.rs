@@ -1,7 +1,7 @@
 //! Bounds of steps where a law changes fast by itself.
 //!
 //! The error estimate of a step sees the law at its stages. A force that lasts for less time than lies between two stages is passed over,
-//! and every estimate is small. Where functions of the time alone show such places, steps are bounded there.
+//! although every estimate is small. Where functions of the time alone show such intervals, steps are bounded there.
 
 use std::sync::Arc;
 
@@ -10,19 +10,20 @@ use std::sync::Arc;
 pub struct Haste {
     pub from: f64,
     pub to: f64,
-    /// The longest step within.
+    /// The longest step within the interval.
     pub step: f64,
 }
 
-/// Stretches of a run, one after another, with the longest step in each; none in between is bounded.
+/// Disjoint intervals of a run in ascending order, with the longest step in each; steps between them are not bounded.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct StepBounds {
-    /// The beginning of each stretch, as time since the start of the run, and the longest step in it.
+    /// The beginning of each interval, as time since the start of the run, and the longest step in it.
     stretches: Arc<[(f64, f64)]>,
 }
 
 impl StepBounds {
-    /// Those of a run from one time to another, which may lie before it; times of haste may lie within each other.
+    /// The bounds for a run between two times, the second of which may be the earlier one; the given intervals may
+    /// overlap.
     pub fn of(from: f64, to: f64, all: &[Haste]) -> Self {
         let since = |time: f64| (time - from) * (to - from).signum();
         let length = since(to);
@@ -54,7 +55,7 @@ impl StepBounds {
         StepBounds { stretches: stretches.into() }
     }
 
-    /// The same of a run whose time goes so many times as fast.
+    /// The bounds for a run whose time goes so many times as fast.
     pub fn paced(&self, factor: f64) -> Self {
         StepBounds { stretches: self.stretches.iter().map(|(begin, step)| (begin * factor, step * factor)).collect() }
     }
@@ -64,8 +65,8 @@ impl StepBounds {
         self.stretches.is_empty()
     }
 
-    /// The longest step from a time since the start, of those that are at most as long as one: it ends where a stretch begins, unless the way
-    /// there is shorter than what is allowed in it. A series from far away shows nothing of what happens in a stretch.
+    /// The longest step from a time since the start, of those that are at most as long as one: it ends where an interval begins, unless the
+    /// way there is shorter than the longest step in it. A series from far away shows nothing of the law in such an interval.
     pub fn longest(&self, tau: f64, most: f64) -> f64 {
         let behind = self.stretches.partition_point(|(begin, _)| *begin <= tau);
         let own = behind.checked_sub(1).map_or(f64::INFINITY, |place| self.stretches[place].1);

@@ -1,10 +1,10 @@
-//! A law and a method for it, whatever keeps the law's constraints.
+//! A law with a method for it, whatever treats its constraints.
 
 use crate::{Holding, Index2DaeSystem, Method, Observer, Outcome, Span, System, Tolerance};
 use crate::{hold, integrate};
 use std::fmt;
 
-/// A law with what runs it.
+/// A law with the method that runs it.
 #[derive(Clone, Copy)]
 pub enum Attempt<'a> {
     /// y' = f(t, y).

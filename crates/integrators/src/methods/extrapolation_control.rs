@@ -1,4 +1,4 @@
-//! Order and step of an extrapolation method, chosen together: the pair with the least work per unit of time.
+//! Order and step size control of an extrapolation method: the pair with the least work per unit of time.
 //!
 //! After Deuflhard (Numer. Math. 41, 1983; SIAM Review 27, 1985); Hairer, Norsett and Wanner I, II.9, and Hairer and
 //! Wanner II, IV.9. A row of the table is a run with n_j substeps; the error of row j is |T_{j,j} - T_{j,j-1}|, which
@@ -7,7 +7,7 @@
 
 use crate::run::stepping::{Attempt, Cause};
 
-/// The order of an extrapolation method as it goes. Rows and columns count from 1, as in the formulas.
+/// The order of an extrapolation method during a run. Rows and columns count from 1, as in the formulas.
 pub(crate) struct Columns {
     /// The column at which convergence is expected.
     target: usize,
@@ -19,8 +19,8 @@ pub(crate) struct Columns {
     steps: Vec<f64>,
     efforts: Vec<f64>,
     after_rejection: bool,
-    /// Whether the rows end with a mean that damps. Then a step is given up at the last row only: the coarse rows of a
-    /// stiff law say little of the fine ones, where what they fail to damp has vanished.
+    /// Whether the rows end with a damping mean. A step is then rejected at the last row only: the coarse rows of a
+    /// stiff law say little of the fine ones, which damp the components that the coarse ones do not.
     damped: bool,
 }
 
@@ -55,12 +55,12 @@ impl Columns {
         self.substeps[j - 1]
     }
 
-    /// The same for a method whose rows end with a mean that damps: waits for the last row before a step is given up.
+    /// Marks a method whose rows end with a damping mean: a step is rejected at the last row only.
     pub fn damped(self) -> Self {
         Columns { damped: true, ..self }
     }
 
-    /// Takes the error of row j, from 2 on; what becomes of the attempt, where that is decided.
+    /// Takes the error of row j, from 2 on; returns the result of the attempt, where that is decided.
     pub fn judge(&mut self, j: usize, error: f64, step: f64) -> Option<Attempt> {
         if !error.is_finite() {
             return Some(self.fail(step, Cause::Undefined));
@@ -90,7 +90,7 @@ impl Columns {
         Some(Attempt::Rejected { next: factor * step, cause: Cause::Error })
     }
 
-    /// Gives up a step that has no error, for it has no result.
+    /// Rejects a step without a result, and hence without an error.
     pub fn fail(&mut self, step: f64, cause: Cause) -> Attempt {
         self.after_rejection = true;
         Attempt::Rejected { next: step / 4.0, cause }
@@ -139,7 +139,7 @@ impl Columns {
         self.steps[self.target]
     }
 
-    /// The step goes with this power of the error of row j.
+    /// The error of row j goes with this power of the step.
     fn power(&self, j: usize) -> f64 {
         1.0 / (2 * j - if self.damped { 2 } else { 1 }) as f64
     }

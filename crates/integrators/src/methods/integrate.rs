@@ -20,7 +20,7 @@ use crate::{End, Failure, Method, Observer, Outcome, Real, Refusal, Span, System
 
 /// Integrates a system over a span. The tolerance is ignored by a method with a constant step.
 ///
-/// Never panics, never answers with a number that is not one: what goes wrong is the outcome's end.
+/// Never panics and never returns NaN: a failure is the outcome's end.
 pub fn integrate(
     system: &dyn System,
     method: Method,
@@ -63,7 +63,7 @@ pub fn integrate_in<S: Working>(
     prepared(system, method, tolerance, span, (observer, &again), run)
 }
 
-/// Gauss collocation with the integral of the spectral radius along its way: how much there was to follow.
+/// Gauss collocation with the integral of the spectral radius along its way, a measure of stiffness.
 pub(crate) fn collocate_gauss<S: Working>(
     system: &dyn System,
     stages: u8,
@@ -94,7 +94,7 @@ fn run_pair(
     drive(&mut DormandPrince::new(system, pair, tolerance, meter.dimension()), first, meter, watch)
 }
 
-/// The same method over another span, without an observer.
+/// Runs the method over another span, without an observer.
 type Again<'a, S> = &'a dyn Fn(&Span<'_, S>) -> Outcome<S>;
 
 /// Checks the data, then runs.

@@ -1,4 +1,4 @@
-//! The methods by name, and what is known of each before it runs.
+//! The methods by name, and their properties.
 
 use std::fmt;
 
@@ -101,7 +101,7 @@ impl Method {
         }
     }
 
-    /// The same with another number of steps, where they are constant.
+    /// The method with another number of steps, where they are constant.
     fn with_steps(self, steps: u32) -> Self {
         match self {
             Method::Euler { .. } => Method::Euler { steps },
@@ -113,12 +113,13 @@ impl Method {
         }
     }
 
-    /// The same with one step over the span, where steps are constant.
+    /// The method with one step over the span, where steps are constant.
     pub fn once(self) -> Self {
         self.with_steps(1)
     }
 
-    /// The same with so many times as many steps; none where it follows a tolerance, or they are too many to count.
+    /// The method with so many times as many steps; `None` where it follows a tolerance, or where they are too many to
+    /// count.
     pub fn refined(self, times: u32) -> Option<Self> {
         Some(self.with_steps(self.steps()?.checked_mul(times)?))
     }

@@ -1,11 +1,11 @@
-//! The methods, by kind, behind one entry.
+//! The methods of integration, by kind, behind one entry.
 //!
 //! # Overview
-//! * [`explicit`]: the classics with a constant step, Dormand-Prince, Gragg-Bulirsch-Stoer;
+//! * [`explicit`]: Euler and Runge-Kutta with a constant step, Dormand-Prince, Gragg-Bulirsch-Stoer;
 //! * [`implicit`]: backward Euler and the midpoint rule, collocation, Rodas4, Bader-Deuflhard;
-//! * [`taylor`]: series of a law, and how the end of a run depends on its start;
+//! * [`taylor`]: series of a law, and state-transition matrices;
 //! * [`splitting`]: flows of the pieces of a law;
-//! * [`dae`]: laws that multipliers hold to constraints, index 2;
+//! * [`dae`]: laws that multipliers hold to constraints, DAEs of index 2;
 //! * [`adaptors`]: solvers of other crates.
 //!
 //! [`Method`] names them, [`integrate`](fn@integrate) runs them on a law, [`hold()`] on a law with constraints, [`Attempt`] on either.

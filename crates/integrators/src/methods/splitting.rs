@@ -12,7 +12,7 @@ pub fn compose<'a, S: Real, G: Pieces<S> + 'a>(pieces: G, splitting: Splitting) 
 
 struct Composition<S, G: Pieces<S>> {
     pieces: G,
-    /// Which piece flows for which share of a step.
+    /// The pieces with their shares of a step, in order.
     schedule: Vec<(usize, S)>,
     flows: Vec<(usize, G::Lapse)>,
     point: Option<G::Point>,
@@ -45,13 +45,13 @@ impl<S: Real, G: Pieces<S>> Composed<S> for Composition<S, G> {
     }
 }
 
-/// The logarithm of how much what fades may grow where a step goes back. What is left of it acts like friction that is
-/// wrong by this factor; from exp(4) on it grows from step to step.
+/// The largest logarithm of the growth of a decaying component over a backward sub-step. The rest of the growth acts
+/// like friction that is wrong by this factor; from exp(4) on it grows from step to step.
 const MOST_GROWTH: f64 = 2.0;
 
 impl Splitting {
-    /// The longest step that is taken where the first piece lets something fade at this rate, 1/s; infinite where nothing
-    /// fades, or nothing goes back.
+    /// The longest step where the first piece decays at this rate, 1/s; infinite where nothing decays, or no sub-step
+    /// goes backwards.
     pub fn longest_step(self, rate: f64) -> f64 {
         longest(self.goes_back(), rate)
     }
@@ -61,12 +61,12 @@ fn longest(back: f64, rate: f64) -> f64 {
     MOST_GROWTH / (rate * back)
 }
 
-/// The method with a constant step. It stays in the coordinates of the pieces from step to step, so that going there
-/// and back is no source of rounding.
+/// The method with a constant step. It stays in the coordinates of the pieces from step to step: no rounding comes from
+/// going there and back.
 pub(crate) struct Split<'a, S> {
     composed: Box<dyn Composed<S> + 'a>,
     stages: u64,
-    /// By how much of a step the first piece goes back.
+    /// The size of the most negative sub-step of the first piece, as a part of the step.
     back: f64,
     fixed: S,
     /// The step that the composition is prepared for, and the state that its last step ended in.
@@ -80,7 +80,7 @@ impl<'a, S: Real> Split<'a, S> {
         Split { composed, stages, back, fixed, step: None, left: Vec::new() }
     }
 
-    /// Why no step is taken where what fades would grow too much on the way back.
+    /// Why a step is refused in whose backward sub-steps a decaying component would grow too much.
     fn too_far_back(&self, step: f64) -> Option<Cause> {
         if self.back == 0.0 {
             return None;

@@ -1,4 +1,4 @@
-//! When Newton's iteration of a constant step has reached rounding, and when its matrix is worth renewing.
+//! Convergence of Newton's iteration with a constant step: its end at rounding, and the renewal of its matrix.
 //!
 //! A constant step has no tolerance to hide an unfinished iteration in: it goes on until rounding stops it. The matrix is
 //! kept while every correction is a hundredth of the last or less: each then costs an evaluation and gains two digits.
@@ -6,7 +6,7 @@
 use crate::Real;
 use crate::run::stepping::Cause;
 
-/// Iterations after which it counts as lost.
+/// Iterations after which the iteration has failed.
 const MOST_ITERATIONS: u32 = 50;
 /// The last correction, relative to the state, beyond which the iteration has not converged.
 const CONVERGED: f64 = 1e-9;
@@ -30,7 +30,7 @@ impl Newton {
         self.stale
     }
 
-    /// Takes the size of a correction and that of the state; whether the iteration is at its end.
+    /// Takes the size of a correction and that of the state; returns whether the iteration is at its end.
     pub fn corrected<S: Real>(&mut self, size: f64, scale: f64) -> Result<bool, Cause> {
         let scale = scale.max(f64::MIN_POSITIVE);
         if !(size / scale).is_finite() {

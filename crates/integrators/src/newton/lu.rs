@@ -15,10 +15,10 @@ pub(crate) struct Lu {
     /// The factors, column after column, each with room to whole registers.
     columns: Vec<f64>,
     height: usize,
-    /// In which order equations and unknowns are taken: by the first matrix.
+    /// The order in which equations and unknowns are taken: by the first matrix.
     order: Option<Vec<usize>>,
     pivots: Vec<usize>,
-    /// The reciprocal of the largest entry of each row: what makes pivots of rows in different units comparable.
+    /// The reciprocal of the largest entry of each row, which makes pivots of rows in different units comparable.
     scales: Vec<f64>,
     right: Vec<f64>,
     arch: Arch,
@@ -153,7 +153,7 @@ impl WithSimd for Substitute<'_> {
     }
 }
 
-/// After Markowitz: what is coupled with fewest others first.
+/// The order by Markowitz: unknowns with the fewest couplings first.
 pub(super) fn by_couplings(rows: &[f64], n: usize) -> Vec<usize> {
     let couplings = |i: usize| {
         let row = rows[i * n..][..n].iter().filter(|entry| **entry != 0.0).count();

@@ -1,5 +1,5 @@
-//! Newton's iteration as implicit methods need it: elimination in kept buffers, when an iteration has converged, how stiff a
-//! law is.
+//! Newton's iteration for implicit methods: elimination in kept buffers, convergence, and the spectral radius as a
+//! measure of stiffness.
 
 mod complex_lu;
 mod convergence;

@@ -1,6 +1,7 @@
-//! The spectral radius of a matrix, from above, by Gelfand's formula: |J^16|^(1/16) tends to it from above.
+//! An upper bound of the spectral radius of a matrix, by Gelfand's formula: |J^16|^(1/16) tends to it from above.
 
-/// Four squarings see the largest eigenvalue where a norm would see the units of the components.
+/// The number of squarings: four of them find the largest eigenvalue where a norm would depend on the units of the
+/// components.
 const SQUARINGS: u32 = 4;
 
 /// The buffers of the squarings.
@@ -35,8 +36,8 @@ impl SpectralRadius {
         logarithm.exp()
     }
 
-    /// Without the couplings of states on which no other depends, as of a work that is counted beside the motion, or which depend on no other: the
-    /// eigenvalues do not know them, and their powers would.
+    /// Leaves out the couplings of states on which no other depends, as of a work that is counted beside the motion, or which depend on no other:
+    /// the eigenvalues do not contain them, but their powers would.
     fn cut_off(&mut self) {
         let n = self.size;
         let mut is_open = true;

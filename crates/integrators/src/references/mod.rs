@@ -2,7 +2,7 @@
 //!
 //! The first is Gauss collocation. The second is, where the problem is not stiff, the system's own Taylor series or
 //! Gragg-Bulirsch-Stoer extrapolation; where it is, Radau IIA collocation with other nodes, another order and its own
-//! steps. The digits are what the chart may rely on: no more is claimed than the two share.
+//! steps. The digits are those that both share.
 //!
 //! A problem that is stiff at a coarse tolerance need not be stiff at the tightest one, whose steps are short in any case: an
 //! explicit method gives up a circuit with diodes at 1e-7, but at 5e-31 its series takes only three times as many steps as Gauss.
@@ -22,10 +22,10 @@ use crate::{
     Failure, Method, Outcome, Record, Refusal, Sizes, Span, System, Tolerance, Work, Working, integrate, integrate_in,
 };
 
-/// The digits below which a reference is none.
+/// The least number of digits of a reference.
 pub const ENOUGH_DIGITS: f64 = 20.0;
 
-/// The tightest tolerance that pays: five times below it rounding keeps Newton's iteration from its end.
+/// The tightest useful tolerance: five times below it rounding keeps Newton's iteration from its end.
 pub const TIGHTEST: f64 = 5e-31;
 
 /// Factor on the difference of the two solutions: errors of one sign may differ by less than either. Closed forms show true
@@ -43,10 +43,10 @@ const STIFF_STEP: f64 = 100.0;
 /// The share of the largest size below which a size may be rounding of a component that stays zero.
 const ROUNDED: f64 = 1e-10;
 
-/// The share of its size in doubles that is left of such a component in double-doubles; a motion keeps its size.
+/// The relative size in double-double below which such a component is rounding; a component that moves keeps its size.
 const LEFT: f64 = 1e-6;
 
-/// A solution good enough to measure others by.
+/// A solution accurate enough to measure the errors of others.
 #[derive(Clone, Debug)]
 pub struct Reference {
     pub times: Vec<f64>,
@@ -68,7 +68,7 @@ impl Reference {
     }
 
     /// The largest error of a trajectory at the reference's times, relative to the size of each component.
-    /// Not a number where the times differ.
+    /// NaN where the times differ.
     pub fn error(&self, record: &Record<f64>) -> f64 {
         if record.times != self.times {
             return f64::NAN;
@@ -124,7 +124,7 @@ pub fn survey(system: &dyn System, span: &Span<'_, f64>) -> Result<Vec<f64>, Fai
     Ok(sizes)
 }
 
-/// The same magnitudes in double-doubles; none where the run does not reach its end.
+/// The largest magnitudes in double-double; `None` where the run does not reach its end.
 fn coarse_exact(system: &dyn System, span: &Span<'_, f64>, method: Method) -> Option<Vec<f64>> {
     let lifted: Vec<DoubleDouble> = span.state.iter().map(|y| DoubleDouble::lift(*y)).collect();
     let mut plain = Span::new(span.start, span.end, &lifted).with_outputs(&span.outputs);
@@ -147,7 +147,7 @@ fn coarse(system: &dyn System, span: &Span<'_, f64>, method: Method, evaluations
     Ok(sizes.0.into_iter().map(|size| if size > 0.0 { size } else { 1.0 }).collect())
 }
 
-/// The run of another family: the first that reaches the end.
+/// The run of a method of another family: the first that reaches the end.
 fn second_opinion(
     system: &dyn System,
     stiff: bool,

@@ -1,15 +1,15 @@
-//! Whether constant steps follow their law: a run beside itself with shorter steps.
+//! A check by step halving: whether a run with a constant step follows its law.
 //!
-//! A method with a constant step sees nothing of its errors. Over a pole of the law it lands behind it, where the rates are numbers
-//! again, and goes on; what it cannot hide is that shorter steps land elsewhere. With y_n the run with n times as many steps,
+//! A method with a constant step has no error estimate. Over a pole of the law it lands behind it, where the rates are finite
+//! again, and goes on; only shorter steps, which land elsewhere, show this. With y_n the run with n times as many steps,
 //!
 //!   d_1 = |y_1 - y_2| ,   d_2 = |y_2 - y_4| ,   d_2/d_1 -> 2^-p <= 1/2   with the order p, where there is a motion to converge to.
 //!
-//! A run parts from its law where d_1 of some state is beyond all of its size, or where it can be seen and d_2 is no smaller. A
-//! difference can be seen that is a part of the state's size over the whole run: beginnings from rest say nothing. All are the largest
-//! up to a time: a single instant at which a difference happens to vanish tells nothing. What converges
-//! slowly is not named: its error is d_1/(1 - 2^-p), and is told. The time that is told is the one from which on it is seen: what
-//! happened lies before.
+//! A run departs from its law where d_1 of some state exceeds its size, or where d_1 is visible and d_2 is not smaller. A difference
+//! is visible if it is at least a given part of the state's size over the whole run: a beginning from rest shows nothing. All numbers
+//! are the largest up to a time: a single instant at which a difference happens to vanish shows nothing. Slow convergence is no
+//! departure: its error is d_1/(1 - 2^-p), and is reported. The reported time is the one from which on the departure is visible: its
+//! cause lies before.
 
 use crate::run::failure::Instant;
 use crate::{Failure, Method, Outcome, Record, Work};
@@ -24,7 +24,7 @@ pub enum Parting {
     Parts { from: f64 },
     /// They are stopped here, for this reason.
     Stops { at: f64, why: &'static str },
-    /// They were given too little work or time to tell.
+    /// The runs had too little work or time to decide.
     Open,
 }
 
@@ -35,16 +35,17 @@ pub struct Beside {
     pub work: Work,
 }
 
-/// A run with shorter steps: how it ended, what it showed at the same times, and why the law ended where it did.
+/// A run with shorter steps: its outcome, its record at the same times, and the reason why the law ended, if it did.
 pub type Shorter = (Outcome<f64>, Record<f64>, Option<&'static str>);
 
-/// A difference is seen from this share of a state's size on.
+/// The part of a state's size from which on a difference is visible.
 const SEEN: f64 = 0.01;
 /// Convergence of order 1 halves differences: above this share they do not converge.
 const SLOWEST: f64 = 0.75;
-/// An error of order 1 is twice the difference that half the step makes: from here on it is as large as the state.
+/// The part of a state's size at which a difference by half the step means an error as large as the state: twice the
+/// difference, for order 1.
 const WHOLE: f64 = 0.5;
-/// States are nothing below this share of the largest: rounding.
+/// Sizes of states below this part of the largest are rounding.
 const ROUNDING: f64 = 1e-9;
 
 /// Judges a run that reached its end, by runs with half its step and, in doubt, a quarter. `None` for methods that follow a tolerance.
@@ -87,12 +88,12 @@ fn sizes(all: &[Differences]) -> Vec<f64> {
     all.last().map_or_else(Vec::new, |last| last.0.iter().map(|[size, ..]| *size).collect())
 }
 
-/// Up to a time, for each state: its size, d_1, d_2.
+/// For each state, up to a time: its size, d_1, d_2.
 #[derive(Clone)]
 struct Differences(Vec<[f64; 3]>);
 
 impl Differences {
-    /// At each time.
+    /// The numbers at each time.
     fn along([coarse, once, twice]: [&Record<f64>; 3]) -> Vec<Self> {
         let mut all: Vec<Self> = Vec::with_capacity(coarse.states.len());
         for ((a, b), c) in coarse.states.iter().zip(&once.states).zip(&twice.states) {
@@ -105,7 +106,7 @@ impl Differences {
         all
     }
 
-    /// Among the states whose difference can be seen beside their sizes over the whole run.
+    /// The largest ratio among the states whose difference is visible relative to their sizes over the whole run.
     fn any(&self, whole: &[f64], is: impl Fn(&[f64; 3]) -> bool) -> bool {
         let nothing = ROUNDING * self.0.iter().map(|state| state[0]).fold(0.0, f64::max);
         let seen = |(state, whole): &(&[f64; 3], &f64)| state[1] > nothing && state[1] > SEEN * *whole;
@@ -131,12 +132,12 @@ impl Differences {
 }
 
 impl Parting {
-    /// Whether the run is none of its law.
+    /// Whether the run departs from its law.
     pub fn parts(&self) -> bool {
         matches!(self, Parting::Parts { .. } | Parting::Stops { .. })
     }
 
-    /// Whether the run tells something of its law: its error is estimated below the size of each state.
+    /// Whether the run is of any use: its error is estimated below the size of each state.
     pub fn serves(&self) -> bool {
         match self {
             Parting::Follows { apart } => *apart < WHOLE,

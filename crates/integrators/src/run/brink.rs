@@ -1,9 +1,10 @@
-//! Runs that creep along the edge of what their law is defined on.
+//! Detection of runs that creep along the edge of the domain of their law.
 //!
 //! Where a motion comes to such an edge and rests there, such as the height of a tank that is empty, steps that end a little before it are
-//! accepted, and longer ones have no rates: without end, a step and a rejection in turn.
+//! accepted, and longer ones have no rates: an endless alternation of steps and rejections.
 
-/// Attempts that are looked at together, and how many of them rates without numbers have spoilt, from which on a run creeps.
+/// The number of attempts in a window, and the number of those among them with rates that are not finite from which on a run
+/// creeps.
 const WINDOW: u32 = 600;
 const SPOILT: u32 = 150;
 
@@ -15,7 +16,7 @@ pub(crate) struct Brink {
 }
 
 impl Brink {
-    /// Counts an attempt, and whether rates without numbers have spoilt it; whether the run creeps.
+    /// Counts an attempt, and whether its rates were not finite; returns whether the run creeps.
     pub fn creeps(&mut self, is_spoilt: bool) -> bool {
         self.attempts += 1;
         self.spoilt += u32::from(is_spoilt);

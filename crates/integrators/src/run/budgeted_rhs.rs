@@ -1,4 +1,4 @@
-//! The law as the methods see it: counted, stopped by the budget, always running forwards.
+//! The right-hand side for the methods: counted, stopped by the budget, always running forwards.
 
 use std::cell::Cell;
 use std::time::Instant;
@@ -6,18 +6,18 @@ use std::time::Instant;
 use crate::run::clock::{self, Over};
 use crate::{Failure, Ode, Real, Span, StepBounds, Work};
 
-/// The clock is read once in so many evaluations: reading it costs as much as a small system's rates.
+/// Evaluations between two readings of the clock, which cost as much as a small system's rates.
 const CLOCK_EVERY: u64 = 64;
 
-/// The resource that a budget has used up.
+/// The exhausted resource of a budget.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Spent {
     Evaluations,
     Clock(Over),
 }
 
-/// The law in the run's own time tau = |t - start|. Beyond the budget every rate is NaN: no method, ours or a crate's,
-/// can go on for long, and none needs to know of budgets.
+/// The law in the run's own time tau = |t - start|. Beyond the budget every rate is NaN: no method, of this crate or
+/// another, can go on for long, and none needs to know of budgets.
 pub(crate) struct BudgetedRhs<'a, S> {
     law: &'a dyn Ode<S>,
     pub start: S,
@@ -58,7 +58,7 @@ impl<'a, S: Real> BudgetedRhs<'a, S> {
         }
     }
 
-    /// The same with bounds of steps where the law changes fast by itself.
+    /// The right-hand side with bounds of steps where the law changes fast by itself.
     pub fn bounded(self, bounds: StepBounds) -> Self {
         BudgetedRhs { bounds: Some(bounds).filter(|bounds| !bounds.is_empty()), ..self }
     }
@@ -110,12 +110,12 @@ impl<'a, S: Real> BudgetedRhs<'a, S> {
         self.spent.get().is_some()
     }
 
-    /// The verdict of both clocks, that of the run and that of the process.
+    /// The state of both clocks, that of the run and that of the process.
     fn clock(&self) -> Option<Over> {
         clock::over().or_else(|| self.deadline.filter(|end| Instant::now() >= *end).map(|_| Over::Time))
     }
 
-    /// Counts so many evaluations at once, for a series that costs as much; false if the budget is spent.
+    /// Counts so many evaluations at once, for a series that costs as much; false if the budget is exhausted.
     pub fn charge(&self, evaluations: u64) -> bool {
         let count = self.rates.get() + evaluations;
         let allowed = !self.over(count);
@@ -150,7 +150,7 @@ impl<'a, S: Real> BudgetedRhs<'a, S> {
         self.undefined.replace(false)
     }
 
-    /// The failure that a spent budget means.
+    /// The failure by an exhausted budget.
     pub fn exhausted(&self, at: f64) -> Option<Failure> {
         self.spent.get().map(|spent| match spent {
             Spent::Evaluations => Failure::TooManyEvaluations { at, allowed: self.allowed },

@@ -1,8 +1,8 @@
-//! The clock of the process: the moment at which every integration ends, and the wish of the user that it ends before.
+//! The clock of the process: the time at which every integration ends, and the user's request to end earlier.
 //!
-//! A command is made of phases: a run, a second one with half the step, a transition matrix, a theory. A deadline that each
-//! phase is handed is counted anew by one of them, or forgotten. This one is set once, by the program, and every law that is
-//! evaluated through a budget asks it. A library that never sets it never meets it.
+//! A command is made of phases: a run, a second one with half the step, a transition matrix, a theory. A deadline handed to
+//! each phase would be counted anew by one of them, or forgotten. This one is set once, by the program, and every law that
+//! is evaluated through a budget reads it. A library that never sets it is not affected.
 
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
@@ -33,7 +33,7 @@ impl Over {
     }
 }
 
-/// Every integration of the process ends at this moment. The first call counts, later ones change nothing.
+/// Sets the time at which every integration of the process ends. Only the first call has an effect.
 pub fn set_deadline(deadline: Instant) {
     DEADLINE.get_or_init(|| deadline);
 }
@@ -49,7 +49,7 @@ pub fn is_asked() -> bool {
     ASKED.load(Relaxed)
 }
 
-/// Whether integrations are to end, and why. Who is told so breaks off what it does.
+/// Whether integrations are to end, and why. A caller that gets a reason stops its work.
 pub fn over() -> Option<Over> {
     let over = match DEADLINE.get() {
         _ if is_asked() => Over::Asked,

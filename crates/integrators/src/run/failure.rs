@@ -2,12 +2,12 @@
 
 use std::fmt;
 
-/// Why a run stopped. A closed set: a chart names each.
+/// The reason why a run stopped. The set is closed: a chart names each.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Failure {
     /// The data were refused before the first step.
     Refused(Refusal),
-    /// The step that the tolerance asks for is below rounding.
+    /// The step size that the tolerance needs is below rounding.
     StepCollapsed { at: f64, step: f64 },
     /// The allowed number of evaluations was spent.
     TooManyEvaluations { at: f64, allowed: u64 },
@@ -21,22 +21,22 @@ pub enum Failure {
     LeftTheNumbers { at: f64 },
     /// The method's own test found the problem stiff: an explicit method wastes its steps there.
     Stiff { at: f64 },
-    /// A step goes back by this share of itself, where what fades at this rate would grow too much; the longest step at
-    /// which it would not.
+    /// A backward sub-step of this size, relative to the step, would let a component with this decay rate grow too
+    /// much; the longest step that avoids it.
     GoesBack { at: f64, step: f64, back: f64, rate: f64, most: f64 },
     /// The matrix of an implicit step is singular with every step tried.
     Singular { at: f64 },
-    /// A motion across events came to an end where that which it should follow goes on.
+    /// A motion across events ended before the motion with which it is compared.
     OtherCourse { at: f64 },
 }
 
 impl Failure {
-    /// Whether the run was broken off by a clock or the user: nothing is known of what would have come.
+    /// Whether the run was broken off by a clock or the user: its continuation is unknown.
     pub fn is_broken_off(&self) -> bool {
         matches!(self, Failure::OutOfTime { .. } | Failure::Interrupted { .. })
     }
 
-    /// The same of a run in s, told in the time t = start + pace s.
+    /// The failure in the time t = start + pace s, for a run in s.
     pub fn in_time(self, start: f64, pace: f64) -> Self {
         let time = |s: f64| start + pace * s;
         match self {
@@ -56,7 +56,7 @@ impl Failure {
         }
     }
 
-    /// Its name without its place, so that equal failures stand together.
+    /// The name without place and time, by which equal failures are counted together.
     pub fn name(&self) -> &'static str {
         match self {
             Failure::Refused(_) => "refused",

@@ -1,10 +1,10 @@
-//! A run around the steps of any method: how far it goes, how it is watched, how it ends.
+//! A run around the steps of any method: its input, its observation, its outcome.
 //!
 //! # Overview
-//! * asked for: [`Span`], [`Budget`], [`Tolerance`];
-//! * while it lasts: the law with its budget (`budgeted_rhs`), the loop around the steps (`stepping`), what happens at each of
-//!   them (`watch`), states between two (`within`), the [`clock`];
-//! * told: to an [`Observer`] on the way, as an [`Outcome`] or a [`Failure`] at the end.
+//! * input: [`Span`], [`Budget`], [`Tolerance`];
+//! * during the run: the right-hand side with its budget (`budgeted_rhs`), the loop around the steps (`stepping`), the work
+//! after each of them (`watch`), states between two (`within`), the [`clock`];
+//! * output: to an [`Observer`] on the way, as an [`Outcome`] or a [`Failure`] at the end.
 
 pub(crate) mod brink;
 pub(crate) mod budgeted_rhs;

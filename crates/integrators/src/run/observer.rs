@@ -1,11 +1,11 @@
-//! Who watches a run.
+//! Observers of a run.
 
-/// Shown the state at the requested outputs, and how far the run is. All methods have an empty default.
+/// Shown the state at the requested outputs, and the progress of the run. All methods have an empty default.
 pub trait Observer<S> {
     /// The state at a requested output.
     fn sample(&mut self, _time: f64, _state: &[S]) {}
 
-    /// The state after an accepted step, wherever the method put it.
+    /// The state after an accepted step, at whatever time.
     fn step(&mut self, _time: f64, _state: &[S]) {}
 
     /// Before [`Observer::step`], where the method's step is a polynomial: the state at any time from the step's
@@ -15,16 +15,16 @@ pub trait Observer<S> {
     /// The fraction of the span that is done, after every accepted step.
     fn progress(&mut self, _fraction: f64) {}
 
-    /// Whether it has seen enough: the run then halts after the step that it was just shown.
+    /// Whether the observer has seen enough: the run then halts after the step that it was just shown.
     fn enough(&self) -> bool {
         false
     }
 }
 
-/// Watches nothing.
+/// An observer that does nothing.
 impl<S> Observer<S> for () {}
 
-/// Keeps the samples.
+/// An observer that keeps the samples.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Record<S> {
     pub times: Vec<f64>,
@@ -33,7 +33,7 @@ pub struct Record<S> {
 }
 
 impl<S> Record<S> {
-    /// Nothing seen yet.
+    /// A record without samples.
     pub fn new() -> Self {
         Record { times: Vec::new(), states: Vec::new() }
     }
@@ -46,7 +46,7 @@ impl<S: Clone> Observer<S> for Record<S> {
     }
 }
 
-/// Calls a closure with every sample.
+/// An observer that calls a closure with every sample.
 pub struct Samples<F>(pub F);
 
 impl<S, F: FnMut(f64, &[S])> Observer<S> for Samples<F> {
@@ -55,7 +55,7 @@ impl<S, F: FnMut(f64, &[S])> Observer<S> for Samples<F> {
     }
 }
 
-/// Calls a closure with the fraction done: for a progress bar.
+/// An observer that calls a closure with the fraction done: for a progress bar.
 pub struct Progress<F>(pub F);
 
 impl<S, F: FnMut(f64)> Observer<S> for Progress<F> {
@@ -64,7 +64,7 @@ impl<S, F: FnMut(f64)> Observer<S> for Progress<F> {
     }
 }
 
-/// Keeps the largest magnitude of every component.
+/// An observer that keeps the largest magnitude of every component.
 #[derive(Clone, Debug)]
 pub struct Sizes(pub Vec<f64>);
 

@@ -11,7 +11,7 @@ pub enum End {
     Reached,
     /// Where the observer had seen enough.
     Halted,
-    /// Before it, for this reason.
+    /// Before the end of the span, for this reason.
     Stopped(Failure),
 }
 
@@ -30,7 +30,7 @@ pub struct Work {
     pub steps: u64,
     /// Rejected steps.
     pub rejected: u64,
-    /// Steps made again for outputs that lie between two steps: neither they nor their evaluations are in another count.
+    /// Steps made again for outputs that lie between two steps: no other count contains them or their evaluations.
     pub outputs: u64,
 }
 
@@ -42,17 +42,17 @@ pub struct Deviation {
     pub first: f64,
     /// The largest |value - first| over the accepted steps; infinite where the quantity has no value.
     pub largest: f64,
-    /// Where it was reached.
+    /// The time at which it was reached.
     pub at: f64,
-    /// Where it first was larger than [`LOST`] of the size of the quantity up to there, where that is known and it is larger in the end too.
+    /// The first time at which it was larger than [`LOST`] of the size of the quantity up to then, if that size is known and the change is
+    /// larger in the end too.
     pub lost: Option<Lost>,
 }
 
-/// A quantity that a motion keeps is lost where it has changed by this part of its size: what is computed from there on is another motion,
-/// or none.
+/// A conserved quantity is lost where it has changed by this part of its size: numbers from there on belong to another motion, or to none.
 pub const LOST: f64 = 0.01;
 
-/// A place at which a quantity was lost.
+/// The time at which a quantity was lost.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lost {
     pub at: f64,
@@ -60,7 +60,7 @@ pub struct Lost {
     pub size: f64,
 }
 
-/// The end of a run: the last good state in any case, never a number that is not one.
+/// The end of a run: the last good state in any case, never NaN.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Outcome<S> {
     pub end: End,

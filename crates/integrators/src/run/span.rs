@@ -1,4 +1,4 @@
-//! From where to where, seen at which times, with how much work.
+//! The problem of a run: span, initial state, outputs, monitors, budget.
 
 use std::time::Instant;
 
@@ -9,7 +9,7 @@ use crate::{Absolute, Real, Refusal, Tolerance};
 pub struct Budget {
     /// Evaluations of the rates.
     pub evaluations: u64,
-    /// The moment at which the run must have stopped.
+    /// The time at which the run must have stopped.
     pub deadline: Option<Instant>,
 }
 
@@ -26,7 +26,8 @@ pub type Quantity<'a, S> = Box<dyn Fn(f64, &[S]) -> S + 'a>;
 pub struct Monitor<'a, S> {
     pub name: String,
     pub value: Quantity<'a, S>,
-    /// The size of what its value is put together from, where it is known: a change is judged beside the largest of a run.
+    /// The size of the terms of which its value is composed, where it is known: a change is compared with the largest of a
+    /// run.
     pub size: Option<Quantity<'a, S>>,
 }
 
@@ -37,8 +38,9 @@ pub struct Span<'a, S> {
     pub end: f64,
     /// The state at `start`.
     pub state: Vec<S>,
-    /// Where the observer is shown the state: in the run's order, from `start` to `end`. In `f64` they change no step: the
-    /// state between two steps is as accurate as a step and has the method's order. In double-double the steps land on them.
+    /// The times at which the observer is shown the state: in the run's order, from `start` to `end`. In `f64` they change
+    /// no step: the state between two steps is as accurate as a step and has the method's order. In double-double the steps
+    /// land on them.
     pub outputs: Vec<f64>,
     pub monitors: Vec<Monitor<'a, S>>,
     pub budget: Budget,
@@ -56,32 +58,32 @@ impl<'a, S: Real> Span<'a, S> {
         Span { start, end, state: state.to_vec(), outputs, monitors, budget, longest_first, within_step }
     }
 
-    /// The same, known to lie within an accepted step.
+    /// The span, known to lie within an accepted step.
     pub(crate) fn within_step(mut self) -> Self {
         self.within_step = true;
         self
     }
 
-    /// The same with these outputs.
+    /// The span with these outputs.
     pub fn with_outputs(mut self, outputs: &[f64]) -> Self {
         self.outputs = outputs.to_vec();
         self
     }
 
-    /// The same with `count` outputs at equal distances, the last at the end.
+    /// The span with `count` outputs at equal distances, the last at the end.
     pub fn with_even_outputs(mut self, count: usize) -> Self {
         let step = |k: usize| self.start + (self.end - self.start) * (k as f64 / count as f64);
         self.outputs = (1..=count).map(|k| if k == count { self.end } else { step(k) }).collect();
         self
     }
 
-    /// The same, watching one more quantity.
+    /// The span with one more monitored quantity.
     pub fn with_monitor(mut self, name: &str, value: impl Fn(f64, &[S]) -> S + 'a) -> Self {
         self.monitors.push(Monitor { name: name.to_owned(), value: Box::new(value), size: None });
         self
     }
 
-    /// The same, judging the quantity that was added last beside a size.
+    /// The span in which the quantity that was added last is compared with a size.
     pub fn beside(mut self, size: impl Fn(f64, &[S]) -> S + 'a) -> Self {
         if let Some(last) = self.monitors.last_mut() {
             last.size = Some(Box::new(size));
@@ -89,13 +91,13 @@ impl<'a, S: Real> Span<'a, S> {
         self
     }
 
-    /// The same with at most so many evaluations of the rates.
+    /// The span with at most so many evaluations of the rates.
     pub fn with_evaluations(mut self, evaluations: u64) -> Self {
         self.budget.evaluations = evaluations;
         self
     }
 
-    /// The same with a moment at which the run must have stopped.
+    /// The span with a time at which the run must have stopped.
     pub fn with_deadline(mut self, deadline: Instant) -> Self {
         self.budget.deadline = Some(deadline);
         self
@@ -116,7 +118,7 @@ impl<'a, S: Real> Span<'a, S> {
         (S::lift(time) - S::lift(self.start)) * S::lift(self.direction())
     }
 
-    /// Whatever in the data no method could work with.
+    /// Checks the data for values with which no method could work.
     pub(crate) fn check(&self, dimension: usize, tolerance: Option<&Tolerance>) -> Result<(), Refusal> {
         if !(self.start.is_finite() && self.end.is_finite()) {
             return Err(Refusal::SpanNotFinite { start: self.start, end: self.end });

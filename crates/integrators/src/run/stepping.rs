@@ -1,4 +1,4 @@
-//! The loop around the steps of the own methods.
+//! The loop around the steps of this crate's methods.
 
 use crate::run::brink::Brink;
 use crate::run::budgeted_rhs::BudgetedRhs;
@@ -21,11 +21,11 @@ pub(crate) enum Attempt {
     },
 }
 
-/// A stiff problem is followed to its end by an explicit method where no more than so many steps are left: they cost less than it would to
-/// be asked for another method.
+/// The number of remaining steps up to which an explicit method follows a stiff problem to its end: they cost the user less than another
+/// method.
 const FEW: f64 = 5_000.0;
 
-/// A stretch of so many roundings of the time is not divided.
+/// An interval of so many roundings of the time is not divided.
 const AT_ONCE: f64 = 16.0;
 
 /// Why a step was rejected: if no shorter one succeeds, why the run failed.

@@ -1,4 +1,4 @@
-//! The largest error that one step may have.
+//! The tolerance: the largest error estimate of an accepted step.
 
 use crate::Real;
 
@@ -20,12 +20,12 @@ pub enum Absolute {
 }
 
 impl Tolerance {
-    /// The same number, relative and absolute.
+    /// A tolerance with one number, relative and absolute.
     pub fn both(tolerance: f64) -> Self {
         Tolerance { relative: tolerance, absolute: Absolute::Same(tolerance) }
     }
 
-    /// Relative to a typical size of each component, and to its size at the moment.
+    /// A tolerance relative to a typical size of each component, and to its present size.
     pub fn scaled(tolerance: f64, sizes: &[f64]) -> Self {
         let absolute = sizes.iter().map(|size| tolerance * size).collect();
         Tolerance { relative: tolerance, absolute: Absolute::Each(absolute) }
@@ -40,14 +40,14 @@ impl Tolerance {
         }
     }
 
-    /// The error that component i may have where its size is `size`.
+    /// The allowed error of component i where its size is `size`.
     #[inline]
     pub fn allowed(&self, i: usize, size: f64) -> f64 {
         self.absolute(i) + self.relative * size
     }
 
-    /// The largest component of an error in units of what is allowed: above 1 the step must be rejected.
-    /// Not a number where the error or the state is not.
+    /// The largest component of an error in units of the allowed error: above 1 the step must be rejected. NaN where
+    /// the error or the state is NaN.
     pub fn norm<S: Real>(&self, before: &[S], after: &[S], error: impl Fn(usize) -> f64) -> f64 {
         let mut largest = 0.0_f64;
         for (i, (a, b)) in before.iter().zip(after).enumerate() {

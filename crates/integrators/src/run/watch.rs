@@ -5,7 +5,7 @@ use crate::run::outcome::{LOST, Lost};
 use crate::run::within::{StepEnd, Within};
 use crate::{Deviation, End, Failure, Observer, Outcome, Projection, Real, Span};
 
-/// After so many steps the sizes of monitored quantities are looked at, whether these have moved or not.
+/// Steps after which the sizes of monitored quantities are computed, whether these have moved or not.
 const SIZED: u64 = 64;
 
 /// The run as seen from outside its method.
@@ -52,12 +52,12 @@ impl<'a, 'm, S: Real> Watch<'a, 'm, S> {
         watch
     }
 
-    /// The same, every state after the start brought onto the equations that the motion keeps.
+    /// As [`Watch::new`], where every state after the start is projected onto equations that the motion keeps.
     pub fn projected(self, projection: Option<&'a dyn Projection<S>>) -> Self {
         Watch { projection, ..self }
     }
 
-    /// Whether states are brought onto such equations.
+    /// Whether states are projected onto such equations.
     pub fn projects(&self) -> bool {
         self.projection.is_some()
     }
@@ -76,7 +76,7 @@ impl<'a, 'm, S: Real> Watch<'a, 'm, S> {
         self.length
     }
 
-    /// Whether there is a way to go and the observer wants to see it.
+    /// Whether the end is not reached yet and the observer wants to go on.
     pub fn goes_on(&self) -> bool {
         self.tau < self.length && self.failed.is_none() && !self.observer.enough()
     }
@@ -90,8 +90,8 @@ impl<'a, 'm, S: Real> Watch<'a, 'm, S> {
         }
     }
 
-    /// Where the next step must land at the latest: at the end; in a field finer than `f64`, in which the time of a step is no
-    /// number of the clock, at the next output too.
+    /// The time at which the next step must land at the latest: the end; in a field finer than `f64`, in which the time of a
+    /// step is no number of the clock, also the next output.
     pub fn landing(&self) -> S {
         match self.output() {
             Some(time) if S::EPSILON < f64::EPSILON => self.span.since_start(time),
@@ -143,8 +143,8 @@ impl<'a, 'm, S: Real> Watch<'a, 'm, S> {
         self.accepted(tau);
     }
 
-    /// The same of a state that may be brought onto what the motion keeps, leaving the state before in its place: nothing is copied. Whether
-    /// it has been moved.
+    /// Takes a state that may be projected onto equations that the motion keeps, leaving the state before in its place: nothing is copied.
+    /// Returns whether it has been moved.
     pub fn take(&mut self, tau: S, state: &mut Vec<S>) -> bool {
         let moved = self.project(self.clock(tau), state);
         self.show_within(tau, state);

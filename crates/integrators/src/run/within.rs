@@ -1,10 +1,10 @@
 //! States within an accepted step, for outputs that lie between two steps.
 //!
 //! An output changes no step. The state there is one step of the method itself, from the beginning of the accepted step to the
-//! output: it has the method's order in the step, and its error is at most that of the step, which is longer. Of as many
-//! outputs in one step as a polynomial has nodes, all are read off the polynomial of degree [`DEGREE`] through so many such
-//! states at Chebyshev's points, if it meets one more of them as well as the tolerance asks: a step costs at most so much,
-//! however many outputs lie in it. (Berrut and Trefethen, SIAM Review 46, 2004: the barycentric formula.)
+//! output: it has the method's order in the step, and its error is at most that of the step, which is longer. If a step has as
+//! many outputs as a polynomial has nodes, all are evaluated by the polynomial of degree [`DEGREE`] through that number of
+//! states at Chebyshev's points, if it meets one more state as well as the tolerance requires: the cost of a step is bounded
+//! for any number of outputs. (Berrut and Trefethen, SIAM Review 46, 2004: the barycentric formula.)
 
 use crate::{Failure, Outcome, Real, Span, Tolerance, clock};
 use std::time::Instant;
@@ -12,7 +12,7 @@ use std::time::Instant;
 /// The degree of the polynomial through states of one step.
 const DEGREE: usize = 16;
 
-/// The accuracy with which the polynomial must meet the states of a method that follows no tolerance, relative to their size.
+/// The accuracy with which the polynomial must meet the states of a method without a tolerance, relative to their size.
 const MET: f64 = 1e-11;
 
 /// Makes parts of steps again.
@@ -38,7 +38,7 @@ impl<'a, S: Real> Within<'a, S> {
         Within { again, tolerance, steps: 0, evaluations: 0 }
     }
 
-    /// The state at a time within the step: by one step from its beginning, by more where one does not do.
+    /// The state at a time within the step: by one step from its beginning, by more where one does not succeed.
     ///
     /// # Errors
     /// [`Failure`] where the run's budget is spent, or the method fails within a step that it has accepted.
@@ -62,7 +62,7 @@ impl<'a, S: Real> Within<'a, S> {
         }
     }
 
-    /// Within what is left of the run's budget: outputs may take as much as the run.
+    /// The rest of the run's budget: outputs may take as much as the run.
     fn run(&mut self, run: &Span<'_, S>, mut span: Span<'_, S>) -> Outcome<S> {
         span.budget = run.budget;
         span.budget.evaluations = run.budget.evaluations.saturating_sub(self.evaluations).max(1);
@@ -72,8 +72,8 @@ impl<'a, S: Real> Within<'a, S> {
         outcome
     }
 
-    /// The polynomial through states of the step, where so many outputs lie in it that it pays; `None` too where it does not
-    /// meet one more state.
+    /// The polynomial through states of the step, where there are enough outputs for it; `None` also where it does not meet
+    /// one more state.
     ///
     /// # Errors
     /// Those of [`Self::state`].

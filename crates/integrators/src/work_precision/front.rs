@@ -1,7 +1,7 @@
-//! The Pareto front: what no other choice beats in cost and error at once.
+//! The Pareto front of cost and error.
 
 /// The points (cost, error) that no other dominates, from the cheapest to the most exact. A point dominates another where it
-/// is no worse in either and better in one; of equal points the first stays. What is no number or negative is on no front.
+/// is no worse in either and better in one; of equal points the first stays. NaN and negative numbers are on no front.
 pub fn front(points: &[(f64, f64)]) -> Vec<usize> {
     let known = |&at: &usize| points[at].0.is_finite() && points[at].1.is_finite() && points[at].1 >= 0.0;
     let mut order: Vec<usize> = (0..points.len()).filter(known).collect();
@@ -16,7 +16,7 @@ pub fn front(points: &[(f64, f64)]) -> Vec<usize> {
     order
 }
 
-/// For each point its cost over the least cost of what is as exact as it: 1 on the front.
+/// For each point its cost over the least cost of a point that is at least as exact: 1 on the front.
 pub fn excess(points: &[(f64, f64)]) -> Vec<f64> {
     let front = front(points);
     let least = |error: f64| front.iter().find(|&&at| points[at].1 <= error).map_or(f64::NAN, |&at| points[at].0);

@@ -1,4 +1,4 @@
-//! Times taken side by side: the runs take turns, so that a slow moment of the machine meets them all.
+//! Interleaved timing: the runs take turns, and a slow phase of the machine meets them all.
 
 use std::time::{Duration, Instant};
 
@@ -6,8 +6,8 @@ use std::time::{Duration, Instant};
 const SHORTEST: Duration = Duration::from_micros(200);
 /// Measurements after which a median is settled, however short they are.
 const ENOUGH: usize = 9;
-/// Measurements without which there is no median, and what they must add up to if they are no more: a long run meets
-/// many moments of the machine by itself.
+/// The least number of measurements of a median, and the least sum of their times if they are no more: a long run meets
+/// many phases of the machine by itself.
 const FEWEST: usize = 3;
 const LONG: Duration = Duration::from_millis(12);
 
@@ -19,13 +19,13 @@ pub struct Median {
     pub measurements: usize,
 }
 
-/// Medians of so many runs that take turns until each is settled or the time is over. A run that answers false is not
-/// called again and has no median; nor has one that was not called because the time was over.
+/// Medians of runs that take turns until each is settled or the time is over. A run that returns false is not called
+/// again and has no median; nor has one that was not called because the time was over.
 pub fn taking_turns(count: usize, allowed: Duration, run: impl FnMut(usize) -> bool) -> Vec<Option<Median>> {
     at_most(ENOUGH, count, allowed, run)
 }
 
-/// The same with at most so many turns.
+/// [`taking_turns`] with at most so many turns.
 pub(crate) fn at_most(
     enough: usize,
     count: usize,

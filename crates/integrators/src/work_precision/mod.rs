@@ -13,7 +13,7 @@ use std::time::{Duration, Instant};
 use crate::{Attempt, Failure, Means, Record, Span, Tolerance, Work};
 use interleaved_timing::at_most;
 
-/// One run on the chart.
+/// One run, a point of the chart.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Point {
     pub means: Means,
@@ -38,8 +38,8 @@ pub struct Benchmark<'a> {
     pub error: &'a dyn Fn(&Record<f64>) -> f64,
 }
 
-/// Runs every attempt at every tolerance, one with a constant step once, without times: problems may be judged at the same
-/// time. Each run may take its share of what the ones before have left of the time allowed: few need it.
+/// Runs every attempt at every tolerance, one with a constant step once, without times: several problems may be judged at
+/// once. Each run may take its share of the remaining time: few need it.
 pub fn judge(attempts: &[Attempt<'_>], course: &Benchmark<'_>, tolerances: &[f64], allowed: Duration) -> Vec<Point> {
     let end = Instant::now() + allowed;
     let tried: Vec<(f64, &Attempt<'_>)> = tolerances
@@ -56,7 +56,7 @@ pub fn judge(attempts: &[Attempt<'_>], course: &Benchmark<'_>, tolerances: &[f64
         let tolerance = Tolerance::scaled(relative, course.sizes);
         let mut record = Record::new();
         let outcome = attempt.run(&tolerance, &bare(course.span, Instant::now() + share), &mut record);
-        // an error that is no number: the run is not at the instants of what it is compared with
+        // the error is NaN where the run is not at the instants of the reference
         let compared = |error: f64| match error.is_nan() {
             true => Err(Failure::OtherCourse { at: outcome.time }),
             false => Ok(error),
@@ -70,7 +70,7 @@ pub fn judge(attempts: &[Attempt<'_>], course: &Benchmark<'_>, tolerances: &[f64
     judged.collect()
 }
 
-/// No run may take more than this part of the time that is left, and none is refused as much.
+/// The part of the remaining time that a run may take at most; none is refused as much.
 const MOST_SHARES: usize = 8;
 
 /// A run that reached its end, to be timed.
@@ -82,16 +82,16 @@ pub struct Timed<'a> {
     pub evaluations: u64,
 }
 
-/// Costs over that of the front up to which times are measured until their median is settled.
+/// The cost relative to the front up to which times are measured until their median is settled.
 const NEAR: f64 = 2.0;
-/// Measurements of all the others.
+/// The number of measurements of all other runs.
 const FEW: usize = 3;
 
-/// The times of runs that reached their ends, side by side, while nothing else runs: of each the median of a few, of those
-/// near the front the median of more. The cheapest have the first turns, so that a lack of time meets the dearest.
+/// The times of runs that reached their ends, interleaved, while nothing else runs: a median of a few measurements for
+/// each, of more for those near the front. The cheapest have the first turns: a lack of time meets the dearest.
 pub fn measure(runs: &[Timed<'_>], allowed: Duration) -> Vec<Option<Median>> {
     let deadline = Instant::now() + allowed;
-    // outputs change no step, and are no part of what is timed
+    // outputs change no step, and are not timed
     let timed = |run: &Timed<'_>| bare(run.span, deadline).with_outputs(&[run.span.end]);
     let spans: Vec<Span<'static, f64>> = runs.iter().map(timed).collect();
     let go = |at: usize| runs[at].attempt.run(&runs[at].tolerance, &spans[at], &mut ()).reached();
@@ -111,7 +111,7 @@ pub fn measure(runs: &[Timed<'_>], allowed: Duration) -> Vec<Option<Median>> {
     times
 }
 
-/// The same span without monitors, to be done by a moment.
+/// The span without monitors, with a deadline.
 fn bare(span: &Span<'_, f64>, deadline: Instant) -> Span<'static, f64> {
     let deadline = span.budget.deadline.map_or(deadline, |own| own.min(deadline));
     let bare = Span::new(span.start, span.end, &span.state).with_outputs(&span.outputs);

@@ -6,7 +6,7 @@
 //! problem is its cost over the least of all methods; the best single choice serves most problems, with the least of the
 //! largest regrets.
 
-/// A measured run: what it cost and what error it had, or none if it failed.
+/// A measured run: its cost and its error, or none if it failed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Trial {
     pub cost: f64,
@@ -40,7 +40,7 @@ pub struct Regrets {
 }
 
 impl Regrets {
-    /// From the costs.
+    /// The regrets by costs.
     pub fn of(costs: &[Vec<Option<f64>>]) -> Self {
         let columns = costs.iter().map(Vec::len).max().unwrap_or(0);
         let entry = |row: usize, column: usize| costs[row].get(column).copied().flatten();
@@ -57,7 +57,7 @@ impl Regrets {
         Regrets { rows, best }
     }
 
-    /// On how many problems a method reached the error.
+    /// The number of problems on which a method reached the error.
     pub fn served(&self, row: usize) -> usize {
         self.rows[row].iter().flatten().count()
     }

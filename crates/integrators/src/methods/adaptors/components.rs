@@ -1,9 +1,9 @@
-//! A state in the crate's form.
+//! A state in the form of the crate `differential-equations`.
 
 use differential_equations::traits::State;
 use std::cell::Cell;
 
-/// A state as long as the law's, or padded with components at rest.
+/// A state as long as the law's, or padded with constant components.
 pub(super) trait Components: State<f64> {
     fn of(values: &[f64]) -> Self;
     fn values(&self) -> &[f64];
@@ -29,12 +29,12 @@ impl<const N: usize> Components for [f64; N] {
 pub(super) struct Vector(Vec<f64>);
 
 thread_local! {
-    /// The length of the states that this thread steps with: the crate makes some that are zero before it has seen one.
+    /// The length of the states in the steps of this thread: the crate makes zero states before it has seen one.
     static LENGTH: Cell<usize> = const { Cell::new(0) };
 }
 
 impl Vector {
-    /// To be said before a method is made, and again before each of its steps: a law may run a method of its own.
+    /// Sets the length, before a method is made, and again before each of its steps: a law may run a method of its own.
     pub fn set_length(length: usize) {
         LENGTH.set(length);
     }

@@ -1,4 +1,4 @@
-//! Other people's solvers behind our driver: their steps, our outputs, budget and failures.
+//! Adaptors to solvers of other crates: their steps, with this crate's outputs, budget and failures.
 
 mod components;
 pub(crate) mod ryan_gast;

@@ -1,18 +1,18 @@
 //! Verner's pairs, Radau5 and Kvaerno's pair from Ryan Gast's crate `differential-equations`, taken step by step.
 //!
-//! Tolerances are given by component: with a scalar its Radau5 transforms the one number once for every component. Its Jacobian is
-//! ours.
+//! Tolerances are given by component: with a scalar its Radau5 transforms the one number once for every component. The Jacobian is
+//! this crate's.
 //!
 //! The crate's Radau5 once keeps the factors of its matrices where a step is as long as the last, and from then on keeps them
 //! at steps of other lengths too: Newton's iteration converges to the right stages, but slowly, and at tight tolerances not
-//! within its iterations, whatever the step. So the step after one that kept its factors begins a new run, unless it is as
-//! long; so does the last step, which is cut to land on the end.
+//! within its iterations, whatever the step. The step after one that kept its factors therefore begins a new run, unless
+//! it is as long; so does the last step, which is cut to land on the end.
 //!
 //! Newton's iteration ends at a size of its corrections that rounding may not allow. Where steps are rejected one after another,
 //! or nearly every second one, that size is taken [ten times](LOOSER) as large, up to what the tolerance allows a step.
 //!
-//! The crate's methods hold their state and show it only. Where states are brought onto what the motion keeps, the method goes on from its
-//! own state, and the law is evaluated at the [shifted](Shift) one: z' = f(t, z + c), with c what the last state was moved in all.
+//! The crate's methods hold their state and show it only. Where states are projected onto equations that the motion keeps, the method goes
+//! on from its own state, and the law is evaluated at the [shifted](Shift) one: z' = f(t, z + c), where c is the sum of all shifts so far.
 
 use std::cell::RefCell;
 
@@ -31,7 +31,7 @@ use crate::run::stepping::first_step;
 use crate::run::watch::Watch;
 use crate::{Failure, Outcome, System, Tolerance};
 
-/// Which of the crate's methods.
+/// A method of the crate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Choice {
     Verner6,
@@ -82,11 +82,11 @@ pub(crate) fn run(
 struct Law<'l> {
     meter: &'l BudgetedRhs<'l, f64>,
     jacobian: RefCell<(Jacobian<'l>, Vec<f64>)>,
-    /// None where no state is moved.
+    /// `None` where no state is projected.
     shift: Option<RefCell<Shift>>,
 }
 
-/// The way from the state of a method to that of the law.
+/// The shift from the state of a method to that of the law.
 struct Shift {
     by: Vec<f64>,
     /// The state of the law.
@@ -111,7 +111,7 @@ impl Shift {
 }
 
 impl Law<'_> {
-    /// Shows the state of the law where that of the method is z.
+    /// Shows the state of the law for the state z of the method.
     fn at<R>(&self, z: &[f64], show: impl FnOnce(&[f64]) -> R) -> R {
         match &self.shift {
             Some(shift) => show(shift.borrow_mut().of(z)),
@@ -211,9 +211,9 @@ fn in_form<Y: Components>(
 #[derive(Clone, Copy)]
 struct Left {
     choice: Choice,
-    /// As the crate takes it.
+    /// The size in the form that the crate takes.
     size: f64,
-    /// Whether the tolerance allows more.
+    /// Whether the tolerance admits a larger size.
     may_grow: bool,
     /// The size of the state for which it was found, where it depends on one.
     scale: Option<f64>,
@@ -242,7 +242,7 @@ impl Left {
         Left { choice, size, may_grow: size < most, scale }
     }
 
-    /// Whether a state has become too large for it.
+    /// Whether a state has become too large for the size.
     fn outgrown(&self, state: &[f64]) -> bool {
         self.scale.is_some_and(|scale| state.iter().any(|y| y.abs() > GROWN * scale.max(1.0)))
     }
@@ -253,11 +253,11 @@ struct Next {
     step: f64,
     /// No step was rejected.
     clean: bool,
-    /// Newton's iteration does not come to its end.
+    /// Newton's iteration does not converge.
     stalled: bool,
 }
 
-/// Steps up to the end, to where a step must be cut to land on it, to a step that left the numbers, or to where the method must
+/// Steps up to the end, or until a step must be cut to land on it, or until a state is not finite, or until the method must
 /// begin anew.
 fn stretch<Y: Components, M: OrdinaryNumericalMethod<f64, Y>>(
     mut method: M,
@@ -339,7 +339,7 @@ fn stretch<Y: Components, M: OrdinaryNumericalMethod<f64, Y>>(
     Ok(Next { step: method.h(), clean, stalled: false })
 }
 
-/// The crate's errors by our names.
+/// The crate's errors by the names of this crate.
 fn name<Y: Components>(error: &Error<f64, Y>, meter: &BudgetedRhs<f64>, at: f64, step: f64) -> Failure {
     match error {
         _ if meter.was_undefined() => Failure::LeftTheNumbers { at },

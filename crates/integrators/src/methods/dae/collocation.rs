@@ -18,7 +18,7 @@ pub(super) struct Collocated<'a, S> {
     step: S,
     onto: Onto<'a, S>,
     jacobian: Jacobian<'a>,
-    /// (Z_i, z_i) stage after stage; at the start of a step what the last one ended with.
+    /// (Z_i, z_i) stage after stage; at the start of a step the result of the last one.
     unknowns: Vec<S>,
     /// (Y_j, z_j)
     stage: Vec<S>,
@@ -119,10 +119,11 @@ impl<'a, S: Real> Collocated<'a, S> {
             }
             self.solve(step);
             self.unknowns.iter_mut().zip(&self.correction).for_each(|(u, d)| *u += S::lift(*d));
-            // the multipliers are as good as rounding of y over h allows: y alone tells when it is reached
+            // the multipliers are as good as the rounding of y over h admits: y alone tells when Newton's iteration is
+            // done
             let moved = self.correction.chunks(one).flat_map(|stage| &stage[..n]);
             let size = moved.fold(0.0_f64, |size, d| if d.is_nan() { *d } else { size.max(d.abs()) });
-            // a step that begins in the origin is measured by where it goes
+            // a step that begins in the origin is measured by its end
             let steps = self.unknowns.chunks(one).flat_map(|stage| &stage[..n]);
             let scale = steps.fold(scale, |scale, z| scale.max(z.approx().abs()));
             if newton.corrected::<S>(size, scale)? {

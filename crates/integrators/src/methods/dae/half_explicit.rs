@@ -1,11 +1,12 @@
-//! Half-explicit Runge-Kutta methods: no stage is solved for, only the multipliers.
+//! Half-explicit Runge-Kutta methods: the stages are explicit, and equations are solved for the multipliers only.
 
 use super::onto::Onto;
 use crate::Real;
 use crate::run::budgeted_rhs::BudgetedRhs;
 use crate::run::stepping::{Attempt, Stepper};
 
-/// The stages after the first by their coefficients, from the left; at last the weights. The node of a stage is their sum.
+/// The stages after the first by their coefficients, from the left; the weights come last. The node of a stage is the
+/// sum of its coefficients.
 type Tableau = &'static [&'static [(i64, i64)]];
 
 pub(super) const EULER: Tableau = &[&[(1, 1)]];
@@ -13,7 +14,8 @@ pub(super) const RUNGE_KUTTA_4: Tableau =
     &[&[(1, 2)], &[(0, 1), (1, 2)], &[(0, 1), (0, 1), (1, 1)], &[(1, 6), (1, 3), (1, 3), (1, 6)]];
 
 pub(super) struct HalfExplicit<'a, S> {
-    /// Rounded in the run's own field: a node that is not quite one would meet a moving constraint too early.
+    /// The coefficients, rounded in the run's own field: a node slightly off one would meet a moving constraint too
+    /// early.
     tableau: Vec<Vec<S>>,
     step: S,
     onto: Onto<'a, S>,

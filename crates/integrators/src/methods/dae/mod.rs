@@ -1,4 +1,4 @@
-//! Laws that are held to constraints by multipliers: y' = f(t, y) + B(t, y) z, 0 = g(t, y), with g_y B regular (index 2).
+//! DAEs of index 2: laws held to constraints by multipliers, y' = f(t, y) + B(t, y) z, 0 = g(t, y), with g_y B regular.
 //!
 //! | method | order of y | a step |
 //! |---|---|---|
@@ -7,7 +7,7 @@
 //! | Gauss with s stages (s = 1: the midpoint rule), projected | 2s | every stage is on the constraint, then the end is brought onto it along B |
 //!
 //! Without its projection Gauss with an odd s has the order s + 1, with an even one s, and the ends leave the constraint:
-//! y_1 - y_0 is twice the way to the midpoint, so that the error of the constraint changes its sign instead of decaying.
+//! y_1 - y_0 is twice the way to the midpoint, and the error of the constraint changes its sign instead of decaying.
 //!
 //! Sources: Hairer, Lubich, Roche: The numerical solution of differential-algebraic systems by Runge-Kutta methods (1989);
 //! Ascher, Petzold: Projected implicit Runge-Kutta methods for differential-algebraic equations (1991).
@@ -34,7 +34,7 @@ use onto::Onto;
 use projection::Projected;
 use std::fmt;
 
-/// A method with so many equal steps over the span.
+/// A method with the number of its equal steps over the span.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Holding {
     HalfExplicitEuler { steps: u32 },
@@ -64,7 +64,7 @@ impl Holding {
         }
     }
 
-    /// The same with one step over the span.
+    /// The method with one step over the span.
     fn once(self) -> Self {
         match self {
             Holding::HalfExplicitEuler { .. } => Holding::HalfExplicitEuler { steps: 1 },
@@ -100,7 +100,7 @@ impl fmt::Display for Holding {
 
 /// Integrates a held law over a span; the state is y. It need not begin on the constraint: the first step brings it there.
 ///
-/// Never panics, never answers with a number that is not one: what goes wrong is the outcome's end.
+/// Never panics and never returns NaN: a failure is the outcome's end.
 pub fn hold<S: Working>(
     system: &dyn Index2DaeSystem,
     method: Holding,

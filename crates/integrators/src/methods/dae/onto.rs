@@ -1,4 +1,4 @@
-//! Onto the constraint along given columns: y + B d with g(t, y + B d) = 0.
+//! Projection onto the constraint along given columns: y + B d with g(t, y + B d) = 0.
 
 use super::Index2Dae;
 use crate::law::jacobian::{slope, variable};
@@ -57,7 +57,7 @@ impl<'a, S: Real> Onto<'a, S> {
         rates.iter_mut().chain(&mut self.columns).for_each(|part| *part *= meter.direction);
     }
 
-    /// Replaces y by y + B d; without a constraint y stays.
+    /// Replaces y by y + B d; without a constraint y does not change.
     pub fn bring(&mut self, tau: S, y: &mut [S], meter: &BudgetedRhs<S>) -> Result<(), Cause> {
         if self.m == 0 {
             return Ok(());

@@ -1,4 +1,4 @@
-//! Any method with a constant step, brought onto the constraint after each.
+//! Any method with a constant step, projected onto the constraint after each step.
 
 use super::onto::Onto;
 use crate::Real;

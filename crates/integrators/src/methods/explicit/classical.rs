@@ -1,4 +1,4 @@
-//! The two classics with a constant step: the baseline of every chart.
+//! Euler's and the classical Runge-Kutta method with a constant step: the baseline of every chart.
 
 use crate::Real;
 use crate::run::budgeted_rhs::BudgetedRhs;
@@ -69,8 +69,8 @@ pub fn euler_step<S: Scalar>(
     advance(before, step, slope, after);
 }
 
-/// One step of the classical Runge-Kutta method, over any field; the slopes and the stage are room for k1 .. k4 and for
-/// where they are taken.
+/// One step of the classical Runge-Kutta method, over any field; the slopes and the stage are room for k1 .. k4 and
+/// their arguments.
 pub fn runge_kutta_4_step<S: Scalar>(
     mut rates: impl FnMut(S, &[S], &mut [S]),
     tau: S,

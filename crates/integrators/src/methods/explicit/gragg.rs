@@ -12,7 +12,7 @@ use crate::run::budgeted_rhs::BudgetedRhs;
 use crate::run::stepping::{Attempt, Cause, Stepper};
 use crate::{Real, Tolerance};
 
-/// The most columns that pay: order 18 in `f64`, 32 in double-double.
+/// The most columns that are worth their cost: order 18 in `f64`, 32 in double-double.
 fn most_columns<S: Real>() -> usize {
     if S::EPSILON > 1e-20 { 9 } else { 16 }
 }

@@ -1,4 +1,4 @@
-//! Methods that solve no equation in a step.
+//! Explicit methods: no equation is solved in a step.
 
 pub(super) mod classical;
 pub(super) mod dormand_prince;

@@ -34,7 +34,7 @@ pub(crate) struct BaderDeuflhard<'a> {
     columns: Columns,
     /// 1 / ((n_j / n_{j-k})^2 - 1), by row and k.
     factors: Vec<Vec<f64>>,
-    /// The last row of the table, T_{j,1} .., less y_0: so that the sums of small steps keep their digits.
+    /// The last row of the table, T_{j,1} .., less y_0: the sums of small steps keep their digits.
     table: Vec<Vec<f64>>,
     linear: Linearised<'a>,
     lu: Lu,

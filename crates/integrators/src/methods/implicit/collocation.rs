@@ -28,9 +28,10 @@ pub struct Collocation<S> {
     pub weights: Vec<S>,
     /// a_ij, by rows.
     pub matrix: Vec<Vec<S>>,
-    /// d with y_1 = y_0 + sum_i d_i (Y_i - y_0), that is b A^-1: keeps a stiff law from magnifying Newton's error.
+    /// d with y_1 = y_0 + sum_i d_i (Y_i - y_0), that is b A^-1: this form keeps a stiff law from magnifying Newton's
+    /// error.
     pub ends: Vec<S>,
-    /// e with h u' = sum_i e_i (Y_i - y_0) at the end for Gauss, at the start for Radau IIA: where u' is not f(u).
+    /// e with h u' = sum_i e_i (Y_i - y_0) at the end for Gauss, at the start for Radau IIA: u' is not f(u) there.
     pub probe: Vec<S>,
 }
 

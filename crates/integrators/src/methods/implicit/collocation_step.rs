@@ -1,8 +1,8 @@
 //! The steps of the collocation methods: Newton's iteration with a matrix in `f64`, residuals in the field of the run.
 //!
-//! The unknowns are Z_i = Y_i - y_0. Newton's matrix ([`StageMatrix`]) decides how fast the iteration converges, never where
-//! to: the residuals are those of the run's field. In double precision its Jacobian is kept over steps while the iteration
-//! converges fast, and its factors while the step hardly changes, as in Hairer and Wanner's RADAU5; in a finer field it holds the
+//! The unknowns are Z_i = Y_i - y_0. Newton's matrix ([`StageMatrix`]) decides how fast the iteration converges, never its limit:
+//! the residuals are those of the run's field. In double precision its Jacobian is kept over steps while the iteration converges
+//! fast, and its factors while the step hardly changes, as in Hairer and Wanner's RADAU5; in a finer field it holds the
 //! Jacobians of all stages, renewed where that pays.
 //!
 //! The error is estimated from the defect of the collocation polynomial ([`DefectSpread`]). The variation of the defect and of the Jacobian over
@@ -20,7 +20,7 @@ use crate::{Real, Tolerance};
 
 /// Iterations after which a step is shortened.
 const MOST_ITERATIONS: usize = 30;
-/// The same with a kept Jacobian, and two more for each stage.
+/// The number of iterations with a kept Jacobian after which it is renewed, and two more for each stage.
 const MOST_KEPT: usize = 6;
 /// Iterations still to come that make fresh Jacobians pay.
 const PATIENCE: f64 = 8.0;
@@ -28,13 +28,13 @@ const PATIENCE: f64 = 8.0;
 const LEFT_BY_NEWTON: f64 = 0.01;
 /// The Jacobian is kept for the next step if the last correction is at most this part of the one before it.
 const KEEPS_JACOBIAN: f64 = 0.01;
-/// The ratio of two corrections at which a step aims that follows one whose iteration failed.
+/// The ratio of two corrections at which the step after a failed iteration aims.
 const RATE_AIMED_AT: f64 = 0.2;
 /// The ratio assumed at the first correction, before there is one.
 const FIRST_RATE: f64 = 0.5;
 /// The largest ratio that the next step may be expected to have.
 const HIGHEST_RATE: f64 = 0.4;
-/// The factors are kept, and the step with them, while the next step could be at most so many times as long.
+/// The factors, and the step with them, are kept while the next step could be at most so many times as long.
 const KEEPS_FACTORS: f64 = 1.2;
 
 pub(crate) struct Implicit<'a, S> {
@@ -48,17 +48,17 @@ pub(crate) struct Implicit<'a, S> {
     known_step: Option<f64>,
     stage: Vec<S>,
     slopes: Vec<S>,
-    /// The slope where the defect is looked at.
+    /// The slope at the point where the defect is evaluated.
     probe_slope: Vec<S>,
     correction: Vec<f64>,
     predicted: Vec<f64>,
     matrix: StageMatrix,
-    /// Where the one Jacobian of all stages was taken, and whether the next step takes another.
+    /// The point of the one Jacobian of all stages, and whether the next step takes another.
     linearised_at: Option<S>,
     stale: bool,
     /// The ratio of the last correction to the one before it.
     rate: f64,
-    /// The step whose factors are there.
+    /// The step for which the factors were made.
     factorised: Option<f64>,
     spread: DefectSpread,
     /// g
@@ -71,7 +71,7 @@ pub(crate) struct Implicit<'a, S> {
     accepted: bool,
     /// Whether the last attempt was accepted.
     accepted_before: bool,
-    /// The integral of the spectral radius over the accepted steps, in a field finer than `f64`: how much there was to follow.
+    /// The integral of the spectral radius over the accepted steps, in a field finer than `f64`: a measure of stiffness.
     pub turns: f64,
 }
 
@@ -177,7 +177,7 @@ impl<'a, S: Real> Implicit<'a, S> {
         if self.matrix.factorise(step.approx()) { Ok(()) } else { Err(Cause::Singular) }
     }
 
-    /// Newton's matrix for a step, made only where the one at hand does not serve.
+    /// Makes Newton's matrix for a step, unless the present one serves.
     fn prepare(&mut self, tau: S, y: &[S], step: S, meter: &BudgetedRhs<S>) -> Result<(), Cause> {
         let fresh = self.linearised_at == Some(tau);
         if !self.matrix.is_uncoupled() || self.linearised_at.is_none() || self.stale && !fresh {
@@ -218,7 +218,8 @@ impl<'a, S: Real> Implicit<'a, S> {
         size
     }
 
-    /// Newton's iteration from the predicted stages; once more with a Jacobian of this step where a kept one does not lead to an end.
+    /// Newton's iteration from the predicted stages; once more with a Jacobian of this step where it does not converge with a kept
+    /// one.
     fn solve(&mut self, tau: S, y: &[S], step: S, meter: &BudgetedRhs<S>) -> Result<(), Cause> {
         self.predict(step.approx());
         self.prepare(tau, y, step, meter)?;
@@ -297,7 +298,7 @@ impl<'a, S: Real> Implicit<'a, S> {
         (error, power as f64)
     }
 
-    /// Multiplies the defect by w = ((1 - g z)^-1 - 1) / g, and keeps what it was.
+    /// Multiplies the defect by w = ((1 - g z)^-1 - 1) / g, and keeps the old value.
     fn through_modes(&mut self) {
         let pole = self.pole;
         self.plain.copy_from_slice(&self.defect);
@@ -312,7 +313,7 @@ impl<S: Real> Stepper<S> for Implicit<'_, S> {
         if let Err(cause) = self.solve(tau, before, step, meter) {
             let factor = match cause {
                 Cause::Undefined => 0.25,
-                // the Jacobian changes as the step does, and what its change leaves of a correction as the square
+                // the Jacobian changes in proportion to the step, and the residual of a correction as its square
                 Cause::Newton if self.matrix.is_uncoupled() => (RATE_AIMED_AT / self.rate).sqrt().clamp(0.1, 0.5),
                 _ => 0.5,
             };

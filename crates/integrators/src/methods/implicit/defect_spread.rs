@@ -1,10 +1,11 @@
 //! The error at the end of a step that follows from the defect of the collocation polynomial.
 //!
-//! The defect d = u' - f(u) of the polynomial u is looked at where it is not zero: at the end of the step for Gauss, at its start for Radau
-//! IIA, whose end is a node. Over the step it spreads as the nodal polynomial M. By Alekseev and Groebner the end is then wrong by
-//! h int M(t) exp(z (1 - t)) dt d with z = h J and M scaled to 1 where d is seen. M is orthogonal to all polynomials below degree m (s for
-//! Gauss, s - 1 for Radau IIA), so that the integral is a z^m where z is small, with a = c / prod_{k <= m} 2 (2 k - 1) and c = 1 / (2 s + 1)
-//! for Gauss, 1 / (2 (2 s - 1)) for Radau. Where z is large it falls as 1 / z for Gauss, and as s / z^2 for Radau, whose M is zero at the
+//! The defect d = u' - f(u) of the polynomial u is evaluated where it is not zero: at the end of the step for Gauss, at its start for Radau
+//! IIA, whose end is a node. Over the step it spreads as the nodal polynomial M. By Alekseev and Groebner the end is then wrong by h int
+//! M(t) exp(z (1 - t)) dt d with z = h J and M scaled to 1 at that point. M is orthogonal to all polynomials below degree m (s for Gauss,
+//! s - 1 for Radau IIA): the integral is a z^m where z is small, with a = c / prod_{k <= m} 2 (2 k - 1) and c = 1 / (2 s + 1) for Gauss, 1 /
+//! (2 (2 s - 1)) for Radau. Where z is large it falls as 1 / z for Gauss, and as s / z^2 for Radau, whose M is zero at the end. With w = z /
+//! (1 - g z) and the pole 1 / g of the present factors,
 //! end. With w = z / (1 - g z) and the pole 1 / g of the factors that are there,
 //!
 //! w^m (a - b w) / (1 - g z)^p,  p = 1 or 2,
@@ -24,12 +25,12 @@ pub(crate) struct DefectSpread {
     pub small: f64,
     /// b
     pub large: f64,
-    /// c: what is left of a defect that varies over the step as M does.
+    /// c: the part of a defect that varies over the step as M does.
     pub plain: f64,
 }
 
 impl DefectSpread {
-    /// By the pole 1 / g.
+    /// The function with the pole 1 / g.
     pub fn new(family: Family, stages: usize, pole: f64) -> Self {
         let (spread, limit) = DefectSpread::limits(family, stages);
         let large = (limit * pole.powi((spread.degree + spread.filters) as i32) - spread.small).max(0.0) * pole;

@@ -22,7 +22,7 @@ impl<'a> Linearised<'a> {
         Linearised { jacobian, matrix: vec![0.0; dimension * dimension], drift: zeros(), slope: zeros(), at: None }
     }
 
-    /// At the start of a step; nothing where it is there already.
+    /// Linearises the law at the start of a step, unless it is done already.
     pub fn at(&mut self, tau: f64, y: &[f64], meter: &BudgetedRhs<f64>) {
         if self.at == Some(tau) {
             return;

@@ -1,4 +1,4 @@
-//! Methods that solve equations in a step: for stiff laws, and for the most digits.
+//! Implicit methods: for stiff laws, and for the most digits.
 
 pub(super) mod bader_deuflhard;
 pub(crate) mod collocation;

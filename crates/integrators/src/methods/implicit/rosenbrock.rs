@@ -4,7 +4,7 @@
 //! (1/(h g) I - J) U_i = f(t + a_i h, y + sum_j A_ij U_j) + sum_j C_ij U_j / h + h d_i df/dt,
 //! the last two with y_5 = y + sum A_5j U_j and y_6 = y_5 + U_5; the result is y_6 + U_6, and U_6 its error.
 //! Method and coefficients: Hairer and Wanner, Solving Ordinary Differential Equations II (1996), IV.7, code RODAS. No
-//! crate that is looked after has it. The coefficients are known to 16 digits: it runs in `f64` only.
+//! maintained crate has it. The coefficients are known to 16 digits: it runs in `f64` only.
 
 use crate::Tolerance;
 use crate::law::jacobian::Jacobian;
@@ -23,7 +23,7 @@ struct Coefficients {
     a: [[f64; 4]; 5],
     /// C_ij.
     c: [[f64; 5]; 6],
-    /// a_i, when a stage is evaluated.
+    /// a_i, the times of the stages.
     times: [f64; 6],
     /// d_i, the share of df/dt.
     drift: [f64; 6],

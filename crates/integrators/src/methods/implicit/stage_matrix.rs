@@ -1,9 +1,9 @@
 //! The matrix of Newton's corrections to the stages, I - h A (x) J, and its factors.
 //!
-//! In double precision evaluations are cheap and elimination is dear: one Jacobian serves all stages and some steps, and the
-//! matrix falls into one for each eigenvalue of A ([`stage_modes`]). With s stages and n states elimination then costs n^3 and 4 n^3
-//! for each complex pair in the place of (s n)^3. In a finer field an evaluation costs more than the elimination, which goes on in
-//! double precision: there every stage has its own Jacobian, and few corrections are left to make.
+//! In double precision evaluations are cheap and elimination is dear: one Jacobian serves all stages and some steps, and the matrix
+//! falls into one for each eigenvalue of A ([`stage_modes`]). With s stages and n states elimination then costs n^3 and 4 n^3 for
+//! each complex pair instead of (s n)^3. In a finer field an evaluation costs more than the elimination, which goes on in double
+//! precision: there every stage has its own Jacobian, and few corrections are left to make.
 
 use super::stage_modes::{StageMode, stage_modes};
 use crate::newton::{ComplexLu, Lu};

@@ -1,4 +1,4 @@
-//! The two classics among the implicit methods, with a constant step: what a stiff law does to the explicit ones, they bear.
+//! Backward Euler and the implicit midpoint rule with a constant step, for stiff laws.
 //!
 //! One stage, Y = y + c h f(t + c h, Y), and y + (Y - y) / c:
 //! * backward Euler, c = 1: order 1, L-stable;
@@ -57,7 +57,7 @@ impl<'a, S: Real> Theta<'a, S> {
         if self.lu.factorise() { Ok(()) } else { Err(Cause::Singular) }
     }
 
-    /// The stage, from where it stands.
+    /// Solves for the stage, from its present value.
     fn iterate(&mut self, tau: S, before: &[S], reach: S, meter: &BudgetedRhs<S>) -> Result<(), Cause> {
         let mut newton = Newton::new();
         loop {

@@ -1,6 +1,7 @@
-//! A step from a point at which the law has rates but no series: a root of zero, as the speed |v| of a body at rest.
+//! A step from a point at which the law has rates but no series: at a zero of a root, as the speed |v| of a body at
+//! rest.
 //!
-//! Beside the point the law is smooth along the motion, so that one short step by another method is enough.
+//! Beside the point the law is smooth along the motion: one short step by another method is enough.
 
 use crate::methods::explicit::gragg::GraggBulirschStoer;
 use crate::run::budgeted_rhs::BudgetedRhs;
@@ -13,7 +14,7 @@ const SHORT: f64 = 1e-5;
 /// The step with its ends.
 pub(super) struct Departure<S> {
     method: GraggBulirschStoer<S>,
-    /// Where it begins.
+    /// The time at which it begins.
     from: S,
     length: S,
     /// States at its ends, and their rates.
@@ -35,7 +36,7 @@ impl<S: Real> Departure<S> {
         }
     }
 
-    /// Tries it; the first try only asks for a short step.
+    /// Tries the step; the first try only asks for a short step.
     pub fn attempt(&mut self, tau: S, before: &[S], step: S, after: &mut [S], meter: &BudgetedRhs<S>) -> Attempt {
         if self.from != tau {
             self.from = tau;

@@ -1,4 +1,4 @@
-//! The Taylor method: as many terms as the tolerance is worth, the step read off the last two.
+//! The Taylor method: order by the tolerance, step size by the last two terms.
 //!
 //! y(t + h) = sum_k a_k h^k up to an order p that grows with the logarithm of the tolerance, with the step that makes
 //! the last two terms just as large as the tolerance allows (Jorba and Zou 2005). The polynomial is the dense output: an
@@ -18,7 +18,7 @@ pub(crate) use step::reach;
 pub use step::taylor_order;
 pub use transition::{Transition, transition};
 
-/// The Taylor method on one system, to be used for as many runs as one likes: a run allocates nothing.
+/// The Taylor method on one system, for any number of runs: a run allocates nothing.
 #[derive(Clone, Debug)]
 pub struct Taylor<T> {
     source: T,
@@ -28,7 +28,7 @@ pub struct Taylor<T> {
 }
 
 impl<T> Taylor<T> {
-    /// With the order that suits the tolerance.
+    /// The method with the order that suits the tolerance.
     pub fn new(source: T, tolerance: &Tolerance) -> Self {
         let order = taylor_order(tolerance.relative);
         let rounding = Rounding::new(order, tolerance.relative);
@@ -40,13 +40,13 @@ impl<T> Taylor<T> {
         self.order
     }
 
-    /// The same with another order.
+    /// The method with another order.
     pub fn with_order(mut self, order: usize) -> Self {
         self.order = order.max(2);
         self
     }
 
-    /// The longest step that the series through (t, y) allows; not a number where the series is undefined.
+    /// The longest step that the series through (t, y) allows; NaN where the series is undefined.
     ///
     /// In a field finer than `f64` only the first orders need all of its digits: see [`rounding`].
     #[inline]
@@ -77,7 +77,7 @@ impl<T> Taylor<T> {
         let mut compare = |absolute: f64, y: S, last: S, before: S| {
             let share = 1.0 / (absolute + self.tolerance.relative * y.approx().abs());
             let (a, b) = (last.approx().abs() * share, before.approx().abs() * share);
-            // `max` forgets what is not a number, a sum does not
+            // `max` drops NaN, a sum does not
             s_last = if a > s_last { a } else { s_last };
             s_before = if b > s_before { b } else { s_before };
             sum += a + b;
@@ -96,7 +96,7 @@ impl<T> Taylor<T> {
         reach(self.order, s_last, s_before)
     }
 
-    /// Why the last expansion has terms that are no numbers: where the rates are some, those of high order are beyond them because a
+    /// Why the last expansion has terms that are not finite: where the rates are finite, terms of high order overflow because a
     /// singularity is nearer than any step.
     fn beyond<S: Real>(&self) -> Cause
     where
@@ -135,19 +135,19 @@ impl<T> Taylor<T> {
     }
 }
 
-/// One run of the method as the loop around the steps sees it.
+/// One run of the method, for the loop around the steps.
 pub(crate) struct TaylorStepper<S, T> {
     method: Taylor<T>,
-    /// Where the series at hand begins, and how far it reaches.
+    /// The beginning of the present series, and its longest step.
     expanded_at: Option<S>,
     reach: f64,
     direction: S,
     /// The state within a step, the rates of the law there, and those of the series.
     within: [Vec<S>; 3],
-    /// The step from a point without a series, where the run has come to one; whether it was the last step.
+    /// The step from a point without a series, if the run has come to one; whether it was the last step.
     departure: Option<Departure<S>>,
     departed: bool,
-    /// Steps in a row that have ended on another branch of the law than they began on.
+    /// Steps in a row that ended on another branch of the law than they began on.
     astray: u32,
 }
 
@@ -166,11 +166,12 @@ impl<S: Real, T: TaylorSeries<S>> TaylorStepper<S, T> {
     }
 }
 
-/// Rates of a series that miss those of the law over a step by so many times what is allowed belong to another branch of it.
+/// Rates of a series that differ from those of the law over a step by so many times the allowed error belong to another
+/// branch.
 const OFF: f64 = 1e3;
 
 /// A motion that crosses over to another branch does so in a few steps. One that ends so many steps in a row on another branch has come to
-/// where its law ends, such as the bottom of a tank, and is turned back by each series within the tolerance.
+/// the end of its law, such as the bottom of a tank, and is turned back by each series within the tolerance.
 const MOST_ASTRAY: u32 = 12;
 
 impl<S: Real, T: TaylorSeries<S>> TaylorStepper<S, T> {

@@ -12,21 +12,22 @@
 use super::{Taylor, TaylorSeries};
 use crate::Real;
 
-/// The least relative error that is reckoned with: a term's own rounding, and that of some terms it comes from.
+/// The least relative error: a term's own rounding, and that of some terms from which it comes.
 const LEAST: f64 = 8.0 * f64::EPSILON;
 
 /// Safety factor of a measured error, and the share of the error before it below which the new one does not fall.
 const TIMES: f64 = 16.0;
 const KEPT: f64 = 0.5;
 
-/// It stands for so many steps, as long as they are no more than so much longer or shorter, their terms so much larger or smaller.
-/// Terms of high order are rounded more, for they come from more terms, and count the less the shorter a step is.
+/// The number of steps for which a measurement holds, and the largest ratios for them: of longer and of shorter steps, and of
+/// sizes of terms. Terms of high order are rounded more, for they come from more terms, and count the less the shorter a step is.
 const STEPS: u32 = 32;
 const LONGER: f64 = 2.0;
 const SHORTER: f64 = 4.0;
 const LARGER: f64 = 10.0;
 
-/// And for as many orders in full, up to so many more or fewer: where products cancel, d may double from one order to the next.
+/// A measurement holds for orders in full that differ by at most this number: where products cancel, d may double from one
+/// order to the next.
 const NEAR: usize = 2;
 
 /// Orders that are in full beyond the last one where rounding is measured, and orders beyond it whose terms are
@@ -34,8 +35,8 @@ const NEAR: usize = 2;
 const MORE: usize = 4;
 const WEIGHED: usize = 8;
 
-/// The orders in full are chosen for this part of what is allowed of a step, and a step is taken with all of it: the next may
-/// need one more.
+/// The orders in full are chosen for this part of the allowed error of a step, and a step is accepted with all of it: the
+/// next may need one more.
 const CHOSEN: f64 = 0.25;
 
 /// The rounding error of terms, as measured along the steps so far.
@@ -43,7 +44,7 @@ const CHOSEN: f64 = 0.25;
 pub(super) struct Rounding {
     /// The last order in full.
     fine: usize,
-    /// Relative, of a term.
+    /// The relative rounding error of a term.
     error: f64,
     measured: Measured,
     /// For each component 1 over its allowed error.
@@ -61,19 +62,19 @@ struct Measured {
     /// The last order in full there, and the largest term after it.
     fine: usize,
     largest: f64,
-    /// Steps that it still stands for.
+    /// The number of steps for which it still holds.
     rest: u32,
 }
 
 impl Rounding {
-    /// As if the term of order k were of the size of the tolerance^(k/p).
+    /// The estimate before any measurement: the term of order k is of the size of the tolerance^(k/p).
     pub fn new(order: usize, tolerance: f64) -> Self {
         let fine = 2 + (order as f64 * (1.0 - LEAST.ln() / tolerance.ln()).clamp(0.0, 1.0)) as usize;
         let measured = Measured { reach: 0.0, fine, largest: 0.0, rest: 0 };
         Rounding { fine, error: LEAST, measured, shares: Vec::new(), sizes: Vec::new(), terms: Vec::new() }
     }
 
-    /// The last order whose term would be rounded by more than so many times what is allowed.
+    /// The last order whose term would be rounded by more than so many times the allowed error.
     fn last_beyond(&self, times: f64) -> usize {
         self.sizes.iter().rposition(|size| size * self.error > times).map_or(0, |index| index + 1)
     }
@@ -82,7 +83,7 @@ impl Rounding {
         largest(self.sizes.iter().skip(fine).copied())
     }
 
-    /// Whether a step of this length, with so many orders in full, is like the one that was measured.
+    /// Whether a step of this length, with so many orders in full, is like the measured one.
     fn is_known(&self, reach: f64, in_full: usize) -> bool {
         let Measured { reach: there, fine, largest, rest } = self.measured;
         let term = self.largest_after(fine);
@@ -117,7 +118,7 @@ impl<T> Taylor<T> {
         }
     }
 
-    /// The sizes of the terms up to this order, h on.
+    /// Computes the sizes of the terms up to this order at the time h.
     fn weigh<S: Real>(&mut self, y: &[S], h: f64, last: usize)
     where
         T: TaylorSeries<S>,
@@ -133,7 +134,8 @@ impl<T> Taylor<T> {
         }));
     }
 
-    /// Finds the series with more orders in full, and what rounding made of the others before. Returns how many they are now.
+    /// Finds the series with more orders in full, and the rounding error of the others before. Returns the number of full
+    /// orders.
     fn measure<S: Real>(&mut self, time: S, y: &[S], h: f64, fine: usize) -> usize
     where
         T: TaylorSeries<S>,
@@ -159,7 +161,7 @@ impl<T> Taylor<T> {
     }
 }
 
-/// The largest magnitude; what is not a number is none.
+/// The largest magnitude; NaN is ignored.
 fn largest(numbers: impl Iterator<Item = f64>) -> f64 {
     numbers.fold(0.0, |most, x| if x.abs() > most { x.abs() } else { most })
 }

@@ -1,16 +1,16 @@
-//! Order and step of a series for a tolerance.
+//! Order and step size of a series for a tolerance.
 
-/// The order for a tolerance, within what rounding leaves of it.
+/// The order for a tolerance, within the limits of rounding.
 ///
-/// The step goes as tolerance^(1/p), so with L = -ln(tolerance) the cheapest p for steps that cost b + p + c p^2 has
+/// The step size goes as tolerance^(1/p): with L = -ln(tolerance) the cheapest p for steps that cost b + p + c p^2 has
 ///
 ///   p^2 (1 + 2 c p) = L (b + p + c p^2) .
 ///
-/// In `f64` what a step costs beside its orders is worth about five of them, and eight terms of a product cost as much as
-/// one: b = 5, c = 0.015, and p = 4 + 0.8 L is near to that for all L from 7 to 33. But never below 16: where a decay and not
-/// the tolerance bounds the step, that of a series grows with its order. Measured on eight scenes of motors at an error of 1e-3, order 16
-/// takes 0.8 to 1.05 of the time of order 10; mechanisms were not timed. In double-double most orders are in `f64` (at most half
-/// are not), and the same order is near to the cheapest for L up to 70.
+/// In `f64` the cost of a step beside its orders is that of about five orders, and eight terms of a product cost as much as one: b = 5, c
+/// = 0.015, and p = 4 + 0.8 L is near to that for all L from 7 to 33. The order is never below 16: where a decay and not the tolerance
+/// bounds the step, the step of a series grows with its order. Measured on eight scenes of motors at an error of 1e-3, order 16 takes 0.8
+/// to 1.05 of the time of order 10; mechanisms were not timed. In double-double most orders are in `f64` (at most half are not), and the
+/// same order is near to the cheapest for L up to 70.
 pub fn taylor_order(tolerance: f64) -> usize {
     let order = 4.0 - 0.8 * tolerance.ln();
     (order.ceil() as usize).clamp(16, 60)
@@ -25,8 +25,8 @@ pub(crate) fn reach(order: usize, last: f64, one_before: f64) -> f64 {
     if last.max(one_before) < f64::MIN_POSITIVE { f64::INFINITY } else { reach }
 }
 
-/// log2 of a number that is not negative, to 3e-6: a step need not be known better, and steps are short enough for the
-/// difference to show. Zero counts as the smallest number.
+/// log2 of a number that is not negative, to 3e-6: a step size need not be known better. Zero counts as the smallest
+/// number.
 #[inline(always)]
 fn logarithm(x: f64) -> f64 {
     const FRACTION: u64 = (1 << 52) - 1;

@@ -1,19 +1,19 @@
-//! The state-transition matrix: how the end of a motion depends on its beginning, dy(t1)/dy(t0).
+//! The state-transition matrix dy(t1)/dy(t0) of a motion.
 //!
-//! The Taylor method over numbers that carry eight directions in the lanes of a register: value and derivatives are expanded together, so the
-//! matrix is as accurate as the motion, and nobody writes down variational equations.
+//! The Taylor method over numbers that carry eight directions in the lanes of a register: value and derivatives are expanded together. The
+//! matrix is as accurate as the motion, and no variational equations are written.
 
 use crate::clock;
 use crate::methods::taylor::taylor_order;
 use crate::{DIRECTIONS, Failure, Refusal, System, TaylorSeries, Tolerance, Variations};
 
-/// Where a motion ends, and how that depends on where it began.
+/// The end of a motion, and its derivatives by the start.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Transition {
     pub state: Vec<f64>,
     /// `matrix[i * n + j]` = dy_i(t1) / dy_j(t0)
     pub matrix: Vec<f64>,
-    /// The most steps that a block of columns took: each errs by less than the tolerance.
+    /// The largest number of steps of a block of columns: each errs by less than the tolerance.
     pub steps: u64,
 }
 
@@ -52,7 +52,7 @@ pub fn transition(
     Ok(found)
 }
 
-/// Moves y, and says in how many steps.
+/// Integrates y, and returns the number of steps.
 fn carry(
     series: &mut dyn TaylorSeries<Variations>,
     tolerance: &Tolerance,
@@ -84,7 +84,7 @@ fn carry(
     Ok(steps)
 }
 
-/// The largest coefficient in units of what is allowed; not a number where one is not.
+/// The largest coefficient in units of the allowed error; NaN where one is NaN.
 fn largest_share(coefficients: &[Variations], y: &[Variations], tolerance: &Tolerance) -> f64 {
     let columns: [f64; DIRECTIONS] =
         std::array::from_fn(|k| y.iter().map(|y| y.slope.0[k].abs()).fold(f64::MIN_POSITIVE, f64::max));

@@ -168,7 +168,7 @@ impl Stepper<f64> for DormandPrince<'_> {
         let error = self.error(step, n);
         if !error.is_finite() {
             self.after_rejection = true;
-            // the squares of finite errors may be beyond all numbers
+            // the squares of finite errors may overflow
             let cause = if meter.was_undefined() { Cause::Undefined } else { Cause::Error };
             return Attempt::Rejected { next: RETREAT * step, cause };
         }

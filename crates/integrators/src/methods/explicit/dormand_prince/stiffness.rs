@@ -1,38 +1,39 @@
-//! Whether stability limits the steps of an explicit pair.
+//! Stiffness detection: whether stability, not accuracy, limits the steps of an explicit pair.
 
 use crate::System;
 use crate::law::jacobian::Jacobian;
 use crate::newton::SpectralRadius;
 use crate::run::budgeted_rhs::BudgetedRhs;
 
-/// The interval of steps at which one is looked at, where none seemed to be limited.
+/// The interval of steps at which one is examined, where none seemed to be limited.
 const EVERY: u64 = 100;
 
-/// Steps that seem to be limited, after which the eigenvalues are asked, and others in a row that are not, after which all is forgotten.
+/// Steps that seem to be limited, after which the eigenvalues are computed, and other steps in a row after which the count begins anew.
 const LIMITED: u32 = 15;
 const OTHERS: u32 = 6;
 
-/// A step that stability limits is at least this part of the longest stable one of the fastest mode, which a bound of its eigenvalue from
-/// above shows.
+/// A step that stability limits is at least this part of the longest stable one for the fastest mode, by an upper bound of its
+/// eigenvalue.
 const OF_STABLE: f64 = 0.5;
 
-/// Larger systems are not asked for eigenvalues: their products cost too much.
+/// Larger systems are not examined by eigenvalues: their products cost too much.
 const MOST_STATES: usize = 400;
 
 /// Hairer's test for stiffness: at every hundredth step, and from one that stability seems to have limited at each, until fifteen in all
 /// have been such, or six others in a row were not.
 ///
-/// The Lipschitz number that a step shows is at least the eigenvalue of the fastest mode, and may be much larger: of x'' = -w^2 x it is w^2
-/// where it is w. So the eigenvalues are asked before a run is given up. Where they deny it, the test rests twice as long as before.
+/// The Lipschitz number that a step shows is at least the eigenvalue of the fastest mode, and may be much larger: for x'' = -w^2 x it is
+/// w^2, the eigenvalue w. The eigenvalues are therefore computed before a run is given up. Where they deny stiffness, the test rests twice
+/// as long as before.
 pub(super) struct Stiffness<'a> {
     system: &'a dyn System,
     accepted: u64,
     limited: u32,
     others: u32,
-    /// Steps before which nothing is looked at, and by how many they grow where the eigenvalues deny it.
+    /// The number of steps before which nothing is examined, and its growth where the eigenvalues deny stiffness.
     rests_until: u64,
     rest: u64,
-    /// Steps before which a confirmation holds: a run may go on in spite of it.
+    /// The number of steps before which a confirmation holds: a run may go on in spite of it.
     confirmed_until: u64,
 }
 
@@ -41,13 +42,13 @@ impl<'a> Stiffness<'a> {
         Stiffness { system, accepted: 0, limited: 0, others: 0, rests_until: 0, rest: EVERY, confirmed_until: 0 }
     }
 
-    /// Counts an accepted step; whether it is to be looked at.
+    /// Counts an accepted step; returns whether it is to be examined.
     pub fn is_due(&mut self) -> bool {
         self.accepted += 1;
         self.accepted >= self.rests_until && (self.accepted.is_multiple_of(EVERY) || self.limited > 0)
     }
 
-    /// Counts a step that was looked at; whether the problem seems stiff.
+    /// Counts a step that was examined; returns whether the problem seems stiff.
     pub fn found(&mut self, limited: bool) -> bool {
         if limited {
             (self.limited, self.others) = (self.limited + 1, 0);
