@@ -15,22 +15,23 @@ const NUMBERS: [(&str, usize); 5] = [("tag", 1), ("label", 1), ("nonumber", 0), 
 /// A formula of a display.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Displayed {
-    /// Tells it from the others: `1`, `upper`, `2/lower`; empty where it is the only one.
+    /// The label among the formulas of the display: `1`, `upper`, `2/lower`; empty for a single formula.
     pub name: String,
-    /// As long as its part of the display, so that places in it are places there: what is no part of the formula is blank.
+    /// The text, as long as its part of the display, with blanks for signs outside the formula: places in it are places in
+    /// the display.
     pub text: String,
     /// The byte of the display at which it begins.
     pub start: usize,
 }
 
-/// The formulas of a display. A line that begins with a relation goes on with the line before, and so does one behind a line that ends with
-/// an operator; `\pm` and `\mp` make two formulas of one, with all upper signs and with all lower ones.
+/// The formulas of a display. A line that begins with a relation continues the line before, and so does a line behind one that ends with an
+/// operator; `\pm` and `\mp` make two formulas of one, with all upper signs and with all lower ones.
 ///
 /// # Errors
 /// The place at which it is not clear what belongs together.
 pub fn formulas(text: &str) -> Result<Vec<Displayed>, NotFormula> {
     let plain = || vec![Displayed { name: String::new(), text: text.to_owned(), start: 0 }];
-    // whatever is wrong there is told where the formula is read
+    // errors there are reported where the formula is read
     let Ok(tokens) = tokens(text) else { return Ok(plain()) };
     let whole = unwrapped(&tokens);
     let is_plain = |token: &Token| !["pm", "mp", "\\"].into_iter().any(|name| token.is_command(name));

@@ -10,7 +10,7 @@ pub struct NotFormula {
     pub span: Range<usize>,
     /// The fault, in one line.
     pub title: String,
-    /// Beside the marks under the place.
+    /// The text beside the marks under the place.
     pub label: String,
     /// Texts that would be accepted.
     pub accepted: String,

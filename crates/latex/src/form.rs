@@ -65,7 +65,7 @@ pub struct Term {
 #[derive(Clone, Debug, PartialEq)]
 pub enum Form {
     Number(Rational),
-    /// By its name in one spelling: see [`crate::letter_name`].
+    /// A letter, by its name in one spelling: see [`crate::letter_name`].
     Letter(String),
     /// The rate along the motion, of this order.
     Rate(Box<Term>, u32),

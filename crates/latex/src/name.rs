@@ -76,7 +76,7 @@ pub(crate) fn spelling(tokens: &[Token]) -> String {
     text
 }
 
-/// The mark that these signs are, if they are nothing but marks.
+/// The mark that these signs form, if they are nothing but marks.
 pub(crate) fn marks(tokens: &[Token]) -> Option<String> {
     let of = |token: &Token| match &token.kind {
         Kind::Sign('*') => Some("*"),
@@ -118,7 +118,7 @@ pub(crate) fn inside(tokens: &[Token], range: Range<usize>) -> Range<usize> {
     }
 }
 
-/// The base of a name at a place and where it ends; none where something else stands there.
+/// The base of a name at a place and its end; `None` where something else stands there.
 pub(crate) fn base(tokens: &[Token], at: usize) -> Option<(String, usize)> {
     match &tokens.get(at)?.kind {
         Kind::Letter(letter) => Some((letter.to_string(), at + 1)),

@@ -3,7 +3,7 @@
 use crate::NotFormula;
 use std::ops::Range;
 
-/// A longer formula is refused.
+/// The length beyond which a formula is refused.
 const MOST_BYTES: usize = 20_000;
 
 #[derive(Clone, Debug, PartialEq)]
@@ -37,7 +37,7 @@ impl Token {
     }
 }
 
-/// Commands that change the size of what follows, and nothing else.
+/// Commands that change only the size of the signs that follow.
 const SIZES: [&str; 14] =
     ["left", "right", "big", "Big", "bigg", "Bigg", "bigl", "bigr", "Bigl", "Bigr", "biggl", "biggr", "Biggl", "Biggr"];
 const STYLES: [&str; 4] = ["displaystyle", "textstyle", "limits", "nolimits"];

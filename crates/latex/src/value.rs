@@ -1,4 +1,4 @@
-//! The value of a formula over whatever its letters stand for.
+//! The value of a formula over the values of its letters.
 
 use crate::form::{Form, Function, Term};
 use field::{Analytic, Elementary};
@@ -21,13 +21,13 @@ pub trait Meaning {
     /// The rate of an expression along the motion.
     ///
     /// # Errors
-    /// It has none, and why.
+    /// Why there is no rate.
     fn rate(&self, of: Sym) -> Result<Sym, String>;
 
-    /// The partial derivative of an expression by what a letter, or its rate, stands for.
+    /// The partial derivative of an expression by a letter, or by its rate.
     ///
     /// # Errors
-    /// There is none, and why.
+    /// Why there is no derivative.
     fn partial(&self, of: Sym, by: Sym) -> Result<Sym, String>;
 
     /// Cosine and sine of an angle.

@@ -1,4 +1,4 @@
-//! The instructions of a function that C calls without a context: it hands its arguments on, behind the context that stands in it.
+//! The instructions of a function that C calls without a context: it passes its arguments on, behind the context that it contains.
 
 use cranelift_codegen::Context;
 use cranelift_codegen::control::ControlPlane;

@@ -1,9 +1,8 @@
 //! Straight-line programs as machine code of this processor, made while the program runs.
 //!
-//! A law that is known only at run time (text of a scene, a mechanism of masses and a chart) would otherwise be followed
+//! A law that is known only at run time (text of a scene, a mechanism of masses and a chart) would otherwise be evaluated
 //! operation by operation through a table. Here each of its operations is one instruction: in the order of the tape, none
-//! regrouped and none fused that is not so on the tape, so that the values have the very bits of [`symbolic::Tape::evaluate`] in
-//! `f64`.
+//! regrouped and none fused that is not so on the tape. The values have the very bits of [`symbolic::Tape::evaluate`] in `f64`.
 //!
 //! This is the one crate with unsafe code. Its conditions are few: the code is whole before it becomes executable, it lives as long as
 //! [`Code`] does, its frame on the stack is bounded and touched page by page, and [`Code::run`] checks every length that it relies on.
@@ -23,11 +22,12 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::OnceLock;
 use symbolic::Tape;
 
-/// A piece of a program of numbers: all inputs but the last, the last, room for the outputs, the constants, what pieces hand on.
+/// A piece of a program: all inputs but the last, the last, room for the outputs, the constants, the numbers for later pieces.
 type Entry = unsafe extern "C" fn(*const f64, f64, *mut f64, *const f64, *mut f64);
 
 thread_local! {
-    /// Where the pieces of a long program hand their numbers on; taken once for the largest that a thread runs.
+    /// The room in which the pieces of a long program pass on their numbers; allocated once for the largest that a
+    /// thread runs.
     static ROOM: RefCell<Vec<f64>> = const { RefCell::new(Vec::new()) };
 }
 
@@ -37,18 +37,18 @@ pub struct Code {
     inputs: usize,
     outputs: usize,
     constants: Box<[f64]>,
-    /// Numbers that pieces hand on.
+    /// The number of values passed between pieces.
     room: usize,
-    /// Where the code stands, as long as this lives.
+    /// The entries of the code, valid as long as this lives.
     pages: Mmap,
 }
 
 impl Code {
-    /// The code of a tape whose last input is the time. A long one becomes several functions, which hand on what later ones read.
+    /// The code of a tape whose last input is the time. A long one becomes several functions, each with numbers for later ones.
     ///
-    /// None where the tape has no input, where this processor or system is not known, where the tape has fused operations and the
-    /// processor none, where the tape is longer than [`MOST_STEPS`], or where the system gives no executable pages: then the tape
-    /// itself is followed.
+    /// `None` where the tape has no input, where this processor or system is not supported, where the tape has fused operations
+    /// and the processor none, where the tape is longer than [`MOST_STEPS`], or where the system gives no executable pages: then
+    /// the tape itself is evaluated.
     pub fn of(tape: &Tape) -> Option<Self> {
         let (isa, inputs) = (processor()?, tape.inputs().checked_sub(1)?);
         if tape.steps().len() > MOST_STEPS {
@@ -85,7 +85,7 @@ impl Code {
         self.pages.len() + size_of_val(&*self.constants)
     }
 
-    /// The values at a state and a time; none, and nothing written, where their numbers are not those of the tape.
+    /// The values at a state and a time; `None`, and nothing written, where their numbers are not those of the tape.
     #[inline]
     pub fn run(&self, state: &[f64], time: f64, values: &mut [f64]) -> Option<()> {
         if state.len() != self.inputs || values.len() < self.outputs {
@@ -146,7 +146,7 @@ struct Called {
 /// The address may be called as long as this lives, by many threads at a time. Where the function panics, all values are not a number.
 pub struct CFunction {
     pages: Mmap,
-    /// The machine code holds its address.
+    /// Owns the address in the machine code.
     _called: Box<Called>,
 }
 
@@ -165,7 +165,7 @@ impl CFunction {
         Some(CFunction { pages: executable(&instructions)?, _called: called })
     }
 
-    /// Where it stands. Whoever calls it hands over as many numbers as the function takes, and room for as many as it writes.
+    /// The address. The caller must pass as many numbers as the function takes, and room for as many as it writes.
     pub fn address(&self) -> usize {
         self.pages.as_ptr().addr()
     }

@@ -1,4 +1,4 @@
-//! Computed numbers that are in use at once: what does not stand in registers of the processor waits on the stack.
+//! The number of computed values in use at once: those that do not fit into registers wait on the stack.
 
 use super::pieces::place;
 use symbolic::Tape;

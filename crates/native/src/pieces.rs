@@ -9,7 +9,7 @@ const LENGTH: usize = 256;
 /// Operations of the longest tape that is one piece.
 const WHOLE: usize = 1 << 11;
 
-/// A tape that is cut, and what its pieces hand on.
+/// A tape that is cut, and the numbers that its pieces pass on.
 pub struct Pieces {
     pub ranges: Vec<Range<usize>>,
     /// The place of each computed register in the room that all pieces share, if a later piece reads it.
@@ -21,7 +21,7 @@ pub struct Pieces {
 }
 
 impl Pieces {
-    /// One piece, where a tape is short and of its numbers at most `most_live` are in use at once; else many.
+    /// One piece, where a tape is short and at most `most_live` of its numbers are in use at once; otherwise many.
     pub fn of(tape: &Tape, most_live: usize) -> Self {
         let steps = tape.steps().len();
         let whole = steps <= WHOLE && super::live::most_live(tape) <= most_live;
@@ -54,7 +54,7 @@ impl Pieces {
     }
 }
 
-/// Which of the computed registers it is, where inputs and constants are the first.
+/// The number of a register among the computed ones, which come after inputs and constants.
 pub fn place(register: Register, given: usize) -> Option<usize> {
     (register as usize).checked_sub(given)
 }

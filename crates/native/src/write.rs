@@ -13,12 +13,13 @@ use symbolic::{Operation, Register, Tape};
 
 /// Bytes of a number.
 const NUMBER: i32 = 8;
-/// The slices of the caller are aligned, and what is read is not written: so it may be read where it is first used.
+/// The slices of the caller are aligned, and no memory that is read is written: a number may be read where it is first
+/// used.
 const MEMORY: MemFlags = MemFlags::trusted().with_readonly().with_can_move();
 /// Two numbers at once are aligned as one.
 const TOGETHER: MemFlags = MemFlags::new().with_notrap();
 
-/// A piece writes once each number that it keeps for later ones, and does not read it.
+/// A piece writes each number that it keeps for later ones once, and does not read it.
 const KEPT: MemFlags = MemFlags::trusted();
 
 /// The function of one piece.
@@ -99,7 +100,7 @@ pub fn instructions(tape: &Tape, pieces: &Pieces, piece: usize, isa: &OwnedTarge
     Some(Written { instructions: compiled.code_buffer().to_vec(), frame })
 }
 
-/// Where a number of a tape is found.
+/// The place of a number of a tape.
 #[derive(Clone, Copy)]
 enum Operand {
     /// The offset in bytes from the first input.
@@ -127,8 +128,8 @@ struct Writer<'a> {
 }
 
 impl Writer<'_> {
-    /// A number for one operation. What is in memory is said to be read where it is used: the generator makes the reading part of the
-    /// operation, or reads once for several. Read at the beginning, it would drive out what has been computed.
+    /// A number for one operation. Numbers in memory are read where they are used: the generator makes the reading part of the
+    /// operation, or reads once for several. Numbers read at the beginning would displace computed ones.
     fn read(&mut self, register: Register) -> Value {
         let code = self.code.ins();
         match self.registers[register as usize] {
@@ -242,8 +243,8 @@ impl Writer<'_> {
         self.registers.extend(self.code.inst_results(call).iter().copied().map(Operand::Computed));
     }
 
-    /// Writes outputs, each to its place. Of a Jacobian most are constants: two that stand side by side are written at once, one
-    /// alone as the integer that has its bits.
+    /// Writes outputs, each to its place. Most outputs of a Jacobian are constants: two that stand side by side are written at
+    /// once, one alone as the integer that has its bits.
     fn results(&mut self, mut results: &[(usize, Register)]) -> Option<()> {
         let constant = |registers: &[Operand], register: Register| match registers[register as usize] {
             Operand::Constant(constant, _) => Some(constant.to_bits()),
@@ -269,7 +270,7 @@ impl Writer<'_> {
     }
 }
 
-/// Where a number stands behind the first.
+/// The offset of a number behind the first.
 fn offset(place: usize) -> Option<i32> {
     i32::try_from(place).ok()?.checked_mul(NUMBER)
 }
@@ -287,24 +288,24 @@ impl From<field::Circle<f64>> for Point {
     }
 }
 
-/// Cosine and sine of an angle, by the same function as everywhere.
+/// Cosine and sine of an angle, by the function that all of the program uses.
 extern "C" fn circle(angle: f64) -> Point {
     angle.circle().into()
 }
 
-/// The same with each product and its sum rounded once, where the processor does so in one instruction.
+/// [`circle`] with each product and its sum rounded once, where the processor does so in one instruction.
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "fma")]
 extern "C" fn circle_by_fma(angle: f64) -> Point {
     angle.circle_once().into()
 }
 
-/// The same anywhere.
+/// The same numbers on any processor.
 extern "C" fn circle_once(angle: f64) -> Point {
     angle.circle_once().into()
 }
 
-/// The one of the two that this processor runs.
+/// The one of both that this processor runs.
 fn once() -> *const () {
     #[cfg(target_arch = "x86_64")]
     if std::arch::is_x86_feature_detected!("fma") {
@@ -313,7 +314,7 @@ fn once() -> *const () {
     circle_once as *const ()
 }
 
-/// The elementary functions, by the same code as everywhere; of a single argument the second is not read.
+/// The elementary functions, by the code that all of the program uses; for a single argument the second is not read.
 macro_rules! called {
     ($($name:ident: $function:ident),*) => {$(
         extern "C" fn $name(a: f64, b: f64) -> f64 {

@@ -1,4 +1,4 @@
-//! From the expression graph to sums and products.
+//! Reduction of the expression graph to sums and products.
 
 use super::collect::{Uses, common_factor, parts_of_one, whole_sums};
 use super::form::{Atom, Form};
@@ -12,7 +12,7 @@ use symbolic::{Node, Sym, Tape, Untapeable};
 /// The definition of a quantity.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Definition {
-    /// A state, time, a coordinate of a circle point, or an elementary function: found by its rate.
+    /// A state, time, a coordinate of a circle point, or an elementary function, given by its rate.
     State,
     /// A sum of a constant and multiples of quantities.
     Sum(Form),
@@ -48,7 +48,7 @@ pub(super) struct Builder<'a> {
     /// For each state its rate, a sum.
     pub rates: Vec<Form>,
     pub forms: FxHashMap<Sym, Form>,
-    /// Parts of one larger expression alone, among what is being read.
+    /// Parts of one larger expression alone, among the expressions that are read.
     parts: FxHashSet<Sym>,
     known_sums: FxHashMap<Vec<(Atom, Sym)>, Atom>,
     known: FxHashMap<(u8, Atom, Atom), Atom>,
@@ -66,11 +66,12 @@ pub(super) struct Builder<'a> {
     gathers: bool,
 }
 
-/// Beyond so many terms nothing more is multiplied out: a short factor of a long sum makes a longer one, without end.
+/// The number of terms beyond which nothing more is multiplied out: a short factor of a long sum makes a longer one,
+/// without end.
 const MOST_WRITTEN: usize = 20_000;
 
 impl<'a> Builder<'a> {
-    /// Twice: the first run counts where products arise.
+    /// Builds twice: the first run counts the places of products.
     pub fn run(equations: &'a Equations<'a>, multiplied_out: usize) -> Result<Self, Untapeable> {
         let mut counting = Builder::new(equations, multiplied_out, Uses::default(), false);
         counting.build()?;
@@ -203,13 +204,13 @@ impl<'a> Builder<'a> {
         })
     }
 
-    /// Into the longer one of the two: of a sum of many terms each part is then added once.
+    /// Adds to the longer form of the two: in a sum of many terms each part is then added once.
     fn sum(&mut self, a: Sym, b: Sym) -> Form {
         let (long, short) = if self.forms[&a].terms() < self.forms[&b].terms() { (b, a) } else { (a, b) };
         self.taken(long).plus(&self.forms[&short], Sym::ONE)
     }
 
-    /// The form of a part: itself where nothing else needs it, a copy otherwise.
+    /// The form of a part: itself where nothing else needs it, otherwise a copy.
     fn taken(&mut self, part: Sym) -> Form {
         let own = if self.parts.contains(&part) { self.forms.remove(&part) } else { None };
         own.unwrap_or_else(|| self.forms[&part].clone())
@@ -242,7 +243,7 @@ impl<'a> Builder<'a> {
         self.intern(0, a, b, Definition::Product(a, b))
     }
 
-    /// The same with every product a quantity of its own.
+    /// The form with every product a quantity of its own.
     fn resolved(&mut self, mut form: Form) -> Form {
         for ((a, b), c) in std::mem::take(&mut form.products) {
             let product = self.product_of(a, b);
@@ -251,7 +252,7 @@ impl<'a> Builder<'a> {
         form
     }
 
-    /// The same with products gathered by common factors.
+    /// The form with products gathered by common factors.
     fn gathered(&mut self, mut form: Form) -> Form {
         while let Some((factor, sum)) = common_factor(&form, &self.uses) {
             form.products.retain(|&(a, b), _| {
@@ -290,14 +291,14 @@ impl<'a> Builder<'a> {
         atom
     }
 
-    /// Roughly the operations of a series of usual order.
+    /// The approximate number of operations of a series of usual order.
     pub fn cost(&self) -> usize {
         let of = |definition: &Definition| match definition {
             Definition::State => 0,
             Definition::Sum(form) => 4 + form.terms(),
             Definition::Product(..) => 8,
             Definition::Quotient(..) | Definition::Root(_) => 24,
-            // the same however the rest is written
+            // the cost of this is the same for any form of the rest
             Definition::Unknown => 0,
         };
         let used = self.used();
@@ -305,7 +306,7 @@ impl<'a> Builder<'a> {
         definitions.sum::<usize>() + self.rates.iter().map(Form::terms).sum::<usize>()
     }
 
-    /// Which quantities a rate needs.
+    /// Whether a rate needs each quantity.
     pub fn used(&self) -> Vec<bool> {
         let mut used = vec![false; self.definitions.len()];
         self.rates.iter().flat_map(|rate| rate.linear.keys()).for_each(|&atom| used[atom] = true);
@@ -329,7 +330,7 @@ impl<'a> Builder<'a> {
         used
     }
 
-    /// With the tapes for its coefficients and its circle points.
+    /// The recurrence, with the tapes for its coefficients and its circle points.
     pub fn finish(self) -> Result<Recurrence, Untapeable> {
         let (plan, coefficients) = Plan::new(&self);
         let Equations { state, time, parameters, .. } = *self.equations;

@@ -4,10 +4,10 @@ use super::form::{Atom, Form};
 use rustc_hash::{FxHashMap, FxHashSet};
 use symbolic::{Node, Sym};
 
-/// From so many products with one factor on it is worth a sum of its own.
+/// The least number of products with one factor that are gathered into a sum.
 const WORTH: usize = 3;
 
-/// In how many places a product of two quantities arises.
+/// The numbers of places in which products of two quantities arise.
 pub(super) type Uses = FxHashMap<(Atom, Atom), u32>;
 
 /// The factor with most products that arise here alone, and its partners: x_f times (sum c_i x_i).
@@ -21,7 +21,7 @@ pub(super) fn common_factor(form: &Form, uses: &Uses) -> Option<(Atom, Form)> {
             *counts.entry(b).or_default() += 1;
         }
     }
-    // among equals the first, so that the choice does not hang on the order of hashing
+    // among equals the first: the choice does not depend on the order of hashing
     let (factor, _) = counts.into_iter().max_by_key(|&(atom, count)| (count, std::cmp::Reverse(atom)))?;
     let mut sum = Form::default();
     for &(a, b) in pairs.iter().filter(|&&(a, b)| a == factor || b == factor) {
@@ -52,7 +52,7 @@ pub(super) fn whole_sums(order: &[Sym], outputs: &[Sym]) -> FxHashSet<Sym> {
 /// Expressions that are part of one larger expression alone, and no outputs.
 pub(super) fn parts_of_one(order: &[Sym], outputs: &[Sym]) -> FxHashSet<Sym> {
     let mut parents: FxHashMap<Sym, u32> = FxHashMap::default();
-    // an output is needed beside what it is part of
+    // an output is needed beside the expression of which it is a part
     let needed =
         order.iter().flat_map(|each| each.node().children()).chain(outputs.iter().flat_map(|&each| [each, each]));
     needed.for_each(|part| *parents.entry(part).or_default() += 1);

@@ -12,16 +12,16 @@ use symbolic::{Program, Tape};
 
 /// A recurrence over a field, with room for the series of all its quantities: expanding allocates nothing.
 ///
-/// `W` quantities are computed side by side: 8 fill the widest registers of today with `f64`; for a field that is wide
-/// itself, 1. `N` is a power of two above the number of columns, so that no index needs a check. To lay one out takes as
-/// long as a few steps, so an expansion is to be kept from run to run.
+/// `W` quantities are computed side by side: 8 fill the widest registers of today with `f64`; a field that is wide
+/// itself takes 1. `N` is a power of two above the number of columns: no index needs a check. Making an expansion takes
+/// as long as a few steps: it should be kept from run to run.
 #[derive(Clone, Debug)]
 pub struct Expansion<S: Fused, const W: usize, const N: usize = 256> {
     order: usize,
     states: usize,
     time: bool,
     way: Way<S, W, N>,
-    /// The coefficients of all orders of what has a rate; so long is one order.
+    /// The coefficients of all orders of the quantities with a rate; `width` is the length of one order.
     series: Vec<S>,
     /// Up to this order they have all digits of the field.
     fine: usize,
@@ -40,7 +40,7 @@ enum Way<S: Fused, const W: usize, const N: usize> {
 }
 
 impl Recurrence {
-    /// Readies the recurrence for series to the given order at these parameters; `None` where it has more than `N`
+    /// Prepares the recurrence for series to the given order at these parameters; `None` where it has more than `N`
     /// columns.
     pub fn expansion<S: Fused, const W: usize, const N: usize>(
         &self,
@@ -109,8 +109,8 @@ impl<S: Fused, const W: usize, const N: usize> Expansion<S, W, N> {
         self.expand_rounding(state, time, self.order);
     }
 
-    /// As [`expand`](Self::expand), where the digits of `f64` do for the coefficients after the order `fine`, from 1 on. Returns
-    /// up to which order they have all digits of the field.
+    /// As [`expand`](Self::expand), where the digits of `f64` suffice for the coefficients after the order `fine`, from 1 on.
+    /// Returns the order up to which they have all digits of the field.
     pub fn expand_rounding(&mut self, state: &[S], time: S, fine: usize) -> usize {
         let n = self.states.min(state.len());
         copy::<S, W>(&state[..n], &mut self.series);

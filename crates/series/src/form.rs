@@ -1,10 +1,10 @@
-//! A sum of multiples of quantities and of their products, with coefficients that do not move.
+//! A sum of multiples of quantities and of their products, with constant coefficients.
 
 use num_traits::Zero;
 use std::collections::BTreeMap;
 use symbolic::Sym;
 
-/// A quantity that moves: its place among the definitions.
+/// A quantity: its place among the definitions.
 pub(super) type Atom = usize;
 
 /// constant + sum c_i x_i + sum c_ij x_i x_j
@@ -55,12 +55,12 @@ impl Form {
         add(&mut self.products, (a.min(b), a.max(b)), coefficient);
     }
 
-    /// The value, where nothing in it moves.
+    /// The value of a form without quantities.
     pub fn as_constant(&self) -> Option<Sym> {
         (self.linear.is_empty() && self.products.is_empty()).then_some(self.constant.0)
     }
 
-    /// The quantity that it is, where it is one alone.
+    /// The quantity, for a form that is one quantity alone.
     pub fn as_atom(&self) -> Option<Atom> {
         let alone = self.constant.is_zero() && self.products.is_empty() && self.linear.len() == 1;
         self.linear.iter().next().filter(|(_, c)| alone && c.0 == Sym::ONE).map(|(&atom, _)| atom)

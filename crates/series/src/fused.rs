@@ -1,4 +1,4 @@
-//! With the widest instructions that the processor has, chosen when the program runs.
+//! Kernels with the widest instructions that the processor has, chosen when the program runs.
 
 #[cfg(target_arch = "x86_64")]
 use super::permuting::Permuting;
@@ -15,7 +15,7 @@ pub trait Fused: Analytic + Magnitude + Over<f64> + From<f64> {
     /// Whether it holds more digits than `f64`.
     const FINER: bool = false;
 
-    /// Eight of them as they stand in memory.
+    /// Eight numbers as they stand in memory.
     #[doc(hidden)]
     #[allow(private_bounds)]
     type Stored: Stored<Self>;
@@ -34,7 +34,7 @@ pub trait Fused: Analytic + Magnitude + Over<f64> + From<f64> {
         self + a * b
     }
 
-    /// Runs what works on groups of so many.
+    /// Runs work on groups of so many numbers.
     #[doc(hidden)]
     #[allow(private_bounds)]
     #[inline]
@@ -58,7 +58,7 @@ impl Fused for DoubleDouble {
         self.hi()
     }
 
-    /// Its products are fused ones: a call each, if compiled for a processor that may have none.
+    /// Its products are fused: a call each, if compiled for a processor that may have no such instruction.
     #[allow(private_bounds)]
     #[inline]
     fn run<T: Task<DoubleDouble>>(task: T, group: usize) {
@@ -66,8 +66,8 @@ impl Fused for DoubleDouble {
     }
 }
 
-/// A number in every lane, with its derivatives in as many directions: the series of a solution and of how it depends on its
-/// beginning.
+/// A number in every lane, with its derivatives in as many directions: for the series of a solution and of its derivatives
+/// by the start.
 impl<const L: usize> Fused for Tangent<Batch<L>> {
     type Stored = [Self; 8];
     type Small = Never;
@@ -135,7 +135,7 @@ fn in_widest<S: Fused, T: Task<S>>(task: T, _group: usize) {
     otherwise(widest(), task);
 }
 
-/// Apart: what this needs of the stack is not taken where the widest registers are.
+/// A function apart: its stack frame is not taken where the widest registers are.
 #[inline(never)]
 fn otherwise<S: Fused>(arch: pulp::Arch, task: impl Task<S>) {
     match arch {

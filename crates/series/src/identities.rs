@@ -34,7 +34,7 @@ impl Builder<'_> {
         }
     }
 
-    /// The number of times that what a rate needs reads each quantity; a square reads its factor twice.
+    /// The number of times that each quantity is read by quantities that a rate needs; a square reads its factor twice.
     fn readers(&self) -> Vec<usize> {
         let mut readers = vec![0; self.definitions.len()];
         let forms = self.rates.iter().flat_map(|rate| rate.linear.keys().copied());

@@ -1,4 +1,4 @@
-//! Where the quantities of a plan stand, so that `W` of them are computed at once.
+//! The places of the quantities of a plan, by which `W` of them are computed at once.
 
 use super::fused::Fused;
 use super::linear_equations::{Checked, LinearSeries};
@@ -60,13 +60,13 @@ pub(super) struct Group<S, const W: usize> {
 #[derive(Clone, Debug)]
 pub(super) struct Implicit<S> {
     pub column: usize,
-    /// The column of what it is the root of, or of what stands below.
+    /// The column of the radicand, or of the divisor.
     pub of: usize,
-    /// The column of what stands above, if not one.
+    /// The column of the numerator, if it is not one.
     pub above: Option<usize>,
-    /// Its series, and that of the other.
+    /// Its series, and that of the divisor.
     pub series: Vec<[S; 2]>,
-    /// One by the first coefficient of what stands below.
+    /// The reciprocal of the first coefficient of the divisor.
     pub inverse: S,
 }
 
@@ -84,13 +84,13 @@ pub(super) struct Rows<S, const W: usize> {
     pub blocks: Vec<Block<S, W>>,
 }
 
-/// W sums: their constants, and for each column what it counts in each.
+/// W sums: their constants, and for each column its coefficient in each sum.
 #[derive(Clone, Debug)]
 pub(super) struct Block<S, const W: usize> {
     pub constants: Packed<S, W>,
     pub columns: Vec<[u16; CHAINS]>,
     pub factors: Vec<[Packed<S, W>; CHAINS]>,
-    /// Which coefficient is to be put where.
+    /// The numbers of the coefficients by place.
     constant_of: [u32; W],
     factor_of: Vec<[[u32; W]; CHAINS]>,
 }

@@ -1,4 +1,4 @@
-//! Taylor series of the solutions of y' = f(t, y), from f brought to two kinds of steps: sums and products.
+//! Taylor series of the solutions of y' = f(t, y), with f reduced to two kinds of steps: sums and products.
 //!
 //! The series of a sum with constant coefficients is the sum of the series, that of a product is Cauchy's: (a b)_k =
 //! sum_j a_j b_(k-j). Everything else is brought to these two. Cosine and sine of an angle become states with c' = -a' s,
@@ -11,8 +11,8 @@
 //! needed elsewhere (slip cos, slip sin), and terms with a common factor are gathered: seven currents, each with the
 //! field at its own angle, take two products.
 //!
-//! For whoever integrates with long steps and to many digits: a law is recorded once over expressions, and its series then runs
-//! over `f64`, double-double, duals and lanes, at any values of its parameters.
+//! Long steps and many digits are the purpose: a law is recorded once over expressions, and its series then runs over `f64`,
+//! double-double, duals and lanes, at any values of its parameters.
 //!
 //! ```
 //! use dalembert_series::{Equations, Recurrence};
@@ -60,7 +60,7 @@ use small::Law;
 use symbolic::linear::Solve;
 use symbolic::{Sym, Tape, Untapeable};
 
-/// y' = f(t, y; parameters), written down over expressions.
+/// y' = f(t, y; parameters) over expressions.
 #[derive(Clone, Copy, Debug)]
 pub struct Equations<'a> {
     pub state: &'a [Sym],
@@ -74,8 +74,8 @@ pub struct Equations<'a> {
     pub solve: Option<&'a Solve>,
 }
 
-/// The right-hand side as sums and products. It knows nothing of the expression graph, may be sent to other threads, and
-/// serves every value of the parameters: see [`Recurrence::expansion`].
+/// The right-hand side as sums and products. It is independent of the expression graph, may be sent to other threads,
+/// and serves every value of the parameters: see [`Recurrence::expansion`].
 #[derive(Clone, Debug)]
 pub struct Recurrence {
     plan: Plan,
@@ -83,7 +83,7 @@ pub struct Recurrence {
     coefficients: Tape,
     /// From state, time and parameters to the circle points, which are states of their own.
     points: Tape,
-    /// Where it is small.
+    /// The reduction to a small law, where it is small.
     small: Option<Reduced>,
 }
 
@@ -95,11 +95,11 @@ struct Reduced {
     coefficients: Tape,
 }
 
-/// Equations with a higher cost are taken as they are written.
+/// The cost beyond which equations are taken as they are written.
 const MOST_MULTIPLIED_OUT: usize = 4_000;
 
 impl Recurrence {
-    /// Brings the equations to sums and products.
+    /// Reduces the equations to sums and products.
     ///
     /// # Errors
     /// [`Untapeable`] where a symbol is neither state nor time nor parameter, or a function is arbitrary, or where there

@@ -10,7 +10,7 @@ use field::{Batch, Scalar};
 
 /// A matrix that is factored once for all orders.
 pub(super) trait Solver<S> {
-    /// Where there are no factors, unknowns are no numbers.
+    /// Factors for all orders; without factors unknowns are NaN.
     fn factor(&mut self, entries: &[S]);
 
     /// The unknowns in the place of the right side.
@@ -45,7 +45,7 @@ impl<S: Magnitude> Solver<S> for Checked<S> {
     }
 }
 
-/// Each lane has pivots of its own, so that its numbers do not depend on the others.
+/// Each lane has pivots of its own: its numbers do not depend on the others.
 #[derive(Clone, Debug)]
 pub(super) struct SideBySide<const L: usize> {
     lanes: Vec<Checked<f64>>,
@@ -85,11 +85,11 @@ impl<const L: usize> Solver<Batch<L>> for SideBySide<L> {
 pub(super) struct LinearSeries<S, F> {
     entries: Vec<Source>,
     right: Vec<Source>,
-    /// Entries and right sides that do not move: their values by number.
+    /// Constant entries and right sides: their values by number.
     fixed: [Vec<S>; 2],
     /// The column of each unknown.
     unknowns: Vec<usize>,
-    /// The columns of all that moves in the equations, and the numbers of the order at hand.
+    /// The columns of all moving quantities in the equations, and the numbers of the present order.
     columns: Vec<usize>,
     now: Vec<S>,
     /// Entries that move, column after column of the matrix.
@@ -104,12 +104,12 @@ pub(super) struct LinearSeries<S, F> {
     solver: F,
 }
 
-/// Where a number comes from.
+/// The source of a number.
 #[derive(Clone, Copy, Debug)]
 enum Source {
     /// The coefficient of this number.
     Fixed(u32),
-    /// This one of all that moves in the equations.
+    /// A moving quantity of the equations.
     Moving(usize),
 }
 

@@ -1,4 +1,4 @@
-//! One order: sums, products, quotients and roots from what is known.
+//! One order: sums, products, quotients and roots from known numbers.
 
 use super::fused::Fused;
 use super::layout::{Block, CHAINS, Group, Implicit, Laid, Packed};
@@ -43,7 +43,7 @@ impl<S: Fused, const W: usize> Block<S, W> {
 }
 
 impl<S: Fused, const W: usize> Group<S, W> {
-    /// sum_j a_j b_(k-j) with a_k and b_k from the columns: what is older is summed without waiting for them.
+    /// sum_j a_j b_(k-j) with a_k and b_k from the columns: older terms are summed without waiting for them.
     #[inline(always)]
     pub fn products<P: Pick<S>, const N: usize>(
         &mut self,
@@ -74,7 +74,7 @@ impl<S: Fused, const W: usize> Group<S, W> {
 }
 
 impl<S: Analytic, const W: usize> Laid<S, W> {
-    /// Rare, and kept out of the loop over the orders, which is short without it.
+    /// Rare, and kept out of the loop over the orders, which stays short.
     #[inline(never)]
     pub fn implicit(&mut self, k: usize, now: &mut [S]) {
         for each in &mut self.quotients {

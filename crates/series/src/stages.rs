@@ -14,7 +14,7 @@ pub(super) struct Stages<S: Fused, const W: usize, const N: usize> {
     layout: Layout<S, W>,
     /// The coefficients of the order at hand of all quantities, by column.
     now: Box<Columns<S, N>>,
-    /// Room for the next order: so the rates of this one need not wait for each other.
+    /// Room for the next order: the rates of this one need not wait for each other.
     then: Box<Columns<S, N>>,
     /// 1/k
     reciprocals: Vec<S>,

@@ -4,7 +4,8 @@ use super::fused::{Fused, Task};
 use super::pick::Pick;
 use super::stored::Stored;
 
-/// A series by orders, each of so many numbers and the first of these states; up to the order `fine` in all digits of the field.
+/// A series by orders, each with `width` numbers, the first of which are the states; up to the order `fine` in all digits of the
+/// field.
 pub(super) struct Terms<'a, S> {
     pub series: &'a [S],
     pub width: usize,
@@ -13,14 +14,14 @@ pub(super) struct Terms<'a, S> {
     pub fine: usize,
 }
 
-/// Its sum at h, W states at a time.
+/// The sum of a series at h, W states at a time.
 pub(super) struct Sum<'a, S, const W: usize> {
     pub terms: Terms<'a, S>,
     pub h: S,
     pub out: &'a mut [S],
 }
 
-/// Every so many terms are summed by themselves: Horner's scheme waits for each of its steps.
+/// The number of partial sums: Horner's scheme alone would wait for each of its steps.
 const APART: usize = 4;
 
 impl<S: Fused, const W: usize> Task<S> for Sum<'_, S, W> {
@@ -60,8 +61,8 @@ impl<S: Fused, const W: usize> Task<S> for Sum<'_, S, W> {
 }
 
 impl<S: Fused, const W: usize> Sum<'_, S, W> {
-    /// Sums the rounded terms in `f64`, then the others; eight states at a time, whose sums keep their rests as they come. Any
-    /// layout will do; where nothing is rounded the first part is empty.
+    /// Sums the rounded terms in `f64`, then the others; eight states at a time, with unnormalised low parts. Any layout will
+    /// do; where nothing is rounded the first part is empty.
     #[inline(always)]
     fn in_two_parts<P: Pick<S> + Pick<f64>>(self, pick: P) {
         let Terms { series, width, states, order, fine } = self.terms;
@@ -91,7 +92,7 @@ impl<S: Fused, const W: usize> Sum<'_, S, W> {
     }
 }
 
-/// A few numbers: to call what copies memory would take longer than this.
+/// A few numbers: calling a function that copies memory would take longer.
 #[inline(always)]
 pub(super) fn copy<S: Copy, const W: usize>(from: &[S], to: &mut [S]) {
     for (to, from) in to.chunks_mut(W).zip(from.chunks(W)) {

@@ -1,4 +1,4 @@
-//! Circle points and square roots, brought to few generators so that their identities are decidable.
+//! Circle points and square roots, reduced to few generators, over which their identities are decidable.
 
 use crate::Sym;
 use crate::graph::Node;
@@ -7,15 +7,15 @@ use dashu_int::ops::UnsignedAbs;
 use field::{Analytic, Circle, Elementary, Rational, Scalar};
 use num_traits::{One, Zero};
 
-/// The highest multiple of an angle that is expanded in its coordinates.
+/// The highest multiple of an angle that is expanded into products of its coordinates.
 pub const HIGHEST_MULTIPLE: i64 = 32;
 
 /// Roots are split by trial division up to this prime.
 const HIGHEST_TRIAL: u64 = 1 << 16;
 
 impl Analytic for Sym {
-    /// The circle point of an angle. An integer combination of angles is expanded by the addition theorems down to
-    /// the coordinates of single terms; a term with a fraction, x / 3, is a term of its own.
+    /// The circle point of an angle. An integer combination of angles is expanded by the addition theorems into the
+    /// coordinates of single terms; a term with a fraction, x / 3, is a term of its own.
     fn circle(self) -> Circle<Self> {
         circle_in_steps(self, |_, parts| parts)
     }
@@ -46,8 +46,8 @@ impl Analytic for Sym {
     }
 }
 
-/// The circle point of an angle with every term taken in steps of one of so many parts of it, by default as many as
-/// the denominator of its coefficient says.
+/// The circle point of an angle with every term divided into so many parts, by default as many as the denominator of
+/// its coefficient.
 pub(crate) fn circle_in_steps(angle: Sym, parts: impl Fn(Sym, i64) -> i64) -> Circle<Sym> {
     if angle == Sym::UNDEFINED {
         return Circle { cos: angle, sin: angle };
@@ -88,7 +88,7 @@ fn collect(terms: &mut Vec<(Sym, Rational)>, term: Sym, coefficient: Rational) {
     }
 }
 
-/// The circle point of p/q times the term: p times around by the step term/q, or finer.
+/// The circle point of p/q times the term: p times that of the part term/q, or of a finer one.
 fn multiple(term: Sym, coefficient: Rational, parts: impl Fn(Sym, i64) -> i64) -> Circle<Sym> {
     let counted = small_quotient(coefficient).filter(|_| term != Sym::ONE).and_then(|(times, denominator)| {
         let parts = parts(term, denominator);

@@ -1,4 +1,4 @@
-//! Cosines and sines of sums of angles, put together again from the products that they were expanded into:
+//! Cosines and sines of sums of angles, recombined from the products into which they were expanded:
 //!
 //!   cos a cos b - sin a sin b = cos (a + b) ,   sin a cos b + cos a sin b = sin (a + b) .
 //!
@@ -19,7 +19,7 @@ const MOST_TERMS: usize = 48;
 /// Expressions of more operations are not written out.
 const MOST_OPERATIONS: usize = 2_000;
 
-/// Expressions with the circle points of sums put together wherever their products stand in one sum. They have the values of the given ones, where
+/// Expressions with the circle points of sums recombined wherever their products stand in one sum. They have the values of the given ones, where
 /// these have one.
 pub fn with_sums_of_angles(expressions: &[Sym]) -> Vec<Sym> {
     let written: Vec<Sym> = expressions.iter().map(|each| written_out(*each)).collect();
@@ -29,7 +29,8 @@ pub fn with_sums_of_angles(expressions: &[Sym]) -> Vec<Sym> {
     })
 }
 
-/// With polynomials in letters, cosines and sines in normal form, also inside roots, functions and quotients.
+/// Expressions with polynomials in letters, cosines and sines in normal form, also inside roots, functions and
+/// quotients.
 fn written_out(expression: Sym) -> Sym {
     let is_closed = |node: Node| match node {
         Node::Root(_) | Node::Elementary(..) | Node::Function(..) => true,
@@ -41,7 +42,7 @@ fn written_out(expression: Sym) -> Sym {
         return expression;
     }
     let closed: Vec<Sym> = parts.into_iter().filter(|each| is_closed(each.node())).collect();
-    // names that no system has
+    // names that no system uses
     let letters: Vec<Sym> = (0..closed.len()).map(|k| Sym::symbol(&format!("closed {k}"))).collect();
     let hidden: Vec<(Sym, Sym)> = closed.iter().copied().zip(letters.iter().copied()).collect();
     let Ok(form) = normal(expression.substitute(&hidden), &Hypotheses::none()) else { return expression };
@@ -49,7 +50,7 @@ fn written_out(expression: Sym) -> Sym {
     form.to_sym().substitute(&letters.into_iter().zip(inside).collect::<Vec<_>>())
 }
 
-/// [`substitute_all`](crate::substitute_all), but circle points of new sums stay as they are: cos (a - b) is not expanded.
+/// [`substitute_all`](crate::substitute_all), except that circle points of new sums are not expanded: cos (a - b) stays.
 pub fn substitute_in_angles(expressions: &[Sym], replacements: &[(Sym, Sym)]) -> Vec<Sym> {
     rewritten(expressions, replacements.iter().rev().copied().collect(), |_, made| made)
 }
@@ -69,7 +70,7 @@ fn rewritten(expressions: &[Sym], mut new: FxHashMap<Sym, Sym>, last: impl Fn(No
     expressions.iter().map(|each| new[each]).collect()
 }
 
-/// The circle point of an angle as it is written, but for its terms, which are collected.
+/// The circle point of an angle as it is written, with its terms collected.
 fn point(angle: Sym) -> Circle<Sym> {
     let mut terms = linear_terms(angle);
     terms.sort_unstable_by_key(|(term, _)| *term);
@@ -84,7 +85,7 @@ fn point(angle: Sym) -> Circle<Sym> {
     Circle { cos, sin: if is_turned_back { -sin } else { sin } }
 }
 
-/// A sum with two terms, and two of what is left, put together as often as possible.
+/// A sum with two of its terms combined, and then two of the rest, as often as possible.
 fn put_together(sum: Sym) -> Sym {
     let mut terms = linear_terms(sum);
     if terms.len() > MOST_TERMS {
@@ -153,7 +154,7 @@ fn factors(term: Sym, mut number: Rational) -> (Vec<Sym>, Rational) {
     (found, number)
 }
 
-/// Factors that two products have in common, and two of each that are left.
+/// The common factors of two products, and the remaining two of each.
 fn parted(one: &[Sym], other: &[Sym]) -> Option<(Vec<Sym>, [[Sym; 2]; 2])> {
     let (mut common, mut own, mut left) = (Vec::new(), Vec::new(), other.to_vec());
     for factor in one {

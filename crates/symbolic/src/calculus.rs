@@ -5,16 +5,16 @@ use crate::graph::Node;
 use field::{Analytic, Scalar};
 use rustc_hash::FxHashMap;
 
-/// The derivative of expressions whose symbols change at given rates, forward through the graph: d/dt along a motion where the
-/// rates are velocities, d/dx where x alone has the rate one. (A derivation in the sense of algebra: linear, with the product rule.)
-/// It keeps every rate that it has found: expressions that share parts cost each part once.
+/// The derivative of expressions whose symbols change at given rates, forward through the graph: d/dt along a motion where the rates
+/// are velocities, d/dx where x alone has the rate one. (A derivation in the sense of algebra: linear, with the product rule.) It
+/// keeps every rate that it has found: parts shared by expressions cost once.
 pub struct Derivation {
     known: FxHashMap<Sym, Sym>,
 }
 
 impl Derivation {
-    /// Each of these expressions, usually symbols, changes at a rate; all other symbols rest. An expression that is no symbol is
-    /// taken as an independent quantity wherever it occurs.
+    /// A derivation in which each of these expressions, usually symbols, changes at a rate; all other symbols are constant. An
+    /// expression that is no symbol is taken as an independent quantity wherever it occurs.
     pub fn new(rates: impl IntoIterator<Item = (Sym, Sym)>) -> Self {
         Derivation { known: rates.into_iter().collect() }
     }
@@ -56,8 +56,8 @@ impl Derivation {
 }
 
 impl Sym {
-    /// The partial derivative with respect to `variable`, everything else held fixed. `variable` is usually a symbol;
-    /// any other expression is taken as an independent quantity wherever it occurs.
+    /// The partial derivative with respect to `variable`, with everything else constant. `variable` is usually a
+    /// symbol; any other expression is taken as an independent quantity wherever it occurs.
     pub fn diff(self, variable: Sym) -> Sym {
         Derivation::new([(variable, Sym::ONE)]).of(self)
     }
@@ -74,7 +74,7 @@ impl Sym {
         Sym::ascending_to_leaves(&[self]).into_iter().filter(|each| each.node().is_leaf()).collect()
     }
 
-    /// The number of different parts of expressions together: the cost to evaluate them or to walk through them.
+    /// The number of different parts of expressions together: the cost of evaluating or walking them.
     pub fn operations_of(expressions: &[Sym]) -> usize {
         Sym::ascending(expressions).len()
     }

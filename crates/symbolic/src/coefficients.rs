@@ -9,7 +9,7 @@ use std::cmp::Reverse;
 use std::collections::BTreeMap;
 use std::fmt;
 
-/// An expression that is not a polynomial in the symbols asked for: this part of it is not.
+/// A part of an expression that is no polynomial in the given symbols.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NotPolynomial(pub Sym);
 
@@ -21,11 +21,12 @@ impl fmt::Display for NotPolynomial {
 
 impl std::error::Error for NotPolynomial {}
 
-/// By falling exponents.
+/// The coefficients by falling exponents.
 type Terms = BTreeMap<Reverse<Vec<u32>>, Sym>;
 
-/// The coefficients with respect to the symbols, as they are written, each with the exponents of its monomial; highest
-/// powers of the first symbol first. A symbol may be a reciprocal: what is divided by the same is a multiple of it. A coefficient that is the constant 0 is left out; one that merely vanishes is not.
+/// The coefficients with respect to the symbols, as they are written, each with the exponents of its monomial; highest powers of the first symbol
+/// first. A symbol may be a reciprocal: a quotient by its inverse is then a multiple of it. A coefficient that is the constant 0 is left out;
+/// one that merely vanishes is not.
 ///
 /// # Errors
 /// [`NotPolynomial`] names a part in which a symbol stands in a denominator, an angle, a root or a function.

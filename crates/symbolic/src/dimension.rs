@@ -89,7 +89,7 @@ pub enum Mismatch {
     Sum(Box<[(Sym, Dimension); 2]>),
     /// An argument of a cosine or sine that is not a number.
     Angle { argument: Sym, dimension: Dimension },
-    /// Nobody said which dimension this symbol or function has.
+    /// This symbol or function has no known dimension.
     Unknown(Sym),
 }
 

@@ -30,7 +30,7 @@ impl Sym {
     }
 
     /// The value in a field with its own circle points and roots, from the values of the symbols by name. Values of
-    /// functions are asked for by their text.
+    /// functions are looked up by their text.
     ///
     /// # Errors
     /// [`Unbound`] names the first symbol or function without a value.
@@ -106,7 +106,7 @@ pub(crate) fn constant<S: Scalar>(value: Rational) -> S {
 /// Bytes of an integer that every field holds.
 const MOST_BYTES: usize = 100;
 
-/// An integer, its digits from the lowest one, over 256^aside: in a field that rounds, what is below its range is nothing beside
+/// An integer, its digits from the lowest one, over 256^aside: in a field that rounds, digits below its range are nothing beside
 /// the rest.
 fn scaled<S: Scalar>(digits: &[u8], aside: usize) -> S {
     let base = S::int(256);

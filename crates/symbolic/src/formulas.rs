@@ -1,4 +1,4 @@
-//! Expressions as a list of steps that any ordered number runs: exact fractions, enclosures.
+//! Expressions as a list of steps over any ordered numbers: exact fractions, enclosures.
 //!
 //! Enclosures are large and no `Copy` values: no law runs over them directly. A law is recorded once over [`Sym`], and the
 //! record is run here.
@@ -62,7 +62,8 @@ impl Formulas {
         Ok(Formulas { steps, results })
     }
 
-    /// Their values; `one` tells the field. `None` where one may be undefined, or has a root that is not in the field.
+    /// The values of the expressions; `one` gives the field. `None` where one may be undefined, or has a root that is
+    /// not in the field.
     pub fn values<R: Ordered>(&self, unknowns: &[R], one: &R) -> Option<Vec<R>> {
         let mut values: Vec<R> = Vec::with_capacity(self.steps.len());
         for step in &self.steps {

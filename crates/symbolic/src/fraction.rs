@@ -4,7 +4,7 @@
 //!
 //!   f' = (p' - f q') / q .
 //!
-//! The same steps at several places stand side by side, so that wide registers take them together.
+//! The same steps at several places stand side by side, for wide registers.
 
 use crate::{Hypotheses, Sym, Tape, normal, univariate};
 use field::{Over, Rational, Tangent};
@@ -14,7 +14,7 @@ use num_traits::Zero;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fraction<S> {
     above: Polynomial<S>,
-    /// None where it is one.
+    /// `None` where the divisor is one.
     below: Option<Polynomial<S>>,
 }
 
@@ -26,8 +26,8 @@ struct Polynomial<S> {
 }
 
 impl Fraction<Rational> {
-    /// From an expression in the unknown alone; `None` where it is no fraction of polynomials, where its coefficients are beyond
-    /// `f64`, or where they need more steps than the expression as it is written, which then also rounds better.
+    /// The fraction of an expression in the unknown alone; `None` where it is no fraction of polynomials, where its coefficients
+    /// overflow `f64`, or where they need more steps than the expression as it is written, which then also rounds better.
     pub fn record(expression: Sym, unknown: Sym) -> Option<Self> {
         let written = Tape::record(&[unknown], &[expression]).ok()?;
         let form = normal(expression, &Hypotheses::none()).ok()?;
@@ -41,7 +41,7 @@ impl Fraction<Rational> {
         (fraction.steps() <= written.operations() && fraction.is_held()).then_some(fraction)
     }
 
-    /// Over a field.
+    /// The fraction over a field.
     pub fn over<S: Over<f64>>(&self) -> Fraction<S> {
         Fraction { above: self.above.over(), below: self.below.as_ref().map(Polynomial::over) }
     }
@@ -56,7 +56,7 @@ impl Fraction<Rational> {
 }
 
 impl<S> Fraction<S> {
-    /// Products with their sums, and the division.
+    /// The numbers of products with their sums, and of divisions.
     fn steps(&self) -> usize {
         self.above.others.len() + self.below.as_ref().map_or(0, |below| 1 + below.others.len())
     }
@@ -98,7 +98,7 @@ impl<S: Over<f64>> Fraction<S> {
 }
 
 impl Polynomial<Rational> {
-    /// From the constant upwards.
+    /// The coefficients from the constant upwards.
     fn new(coefficients: impl DoubleEndedIterator<Item = Rational>) -> Self {
         let mut falling = coefficients.rev();
         Polynomial { leading: falling.next().unwrap_or_else(Rational::zero), others: falling.collect() }
@@ -109,7 +109,7 @@ impl Polynomial<Rational> {
     }
 }
 
-/// To twice the digits of `f64` where the field holds them.
+/// A number to twice the digits of `f64` where the field holds them.
 fn nearest<S: Over<f64>>(value: Rational) -> S {
     let high = value.to_f64();
     let low = value - Rational::exactly(high);

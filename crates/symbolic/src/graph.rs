@@ -47,13 +47,13 @@ pub enum Node {
 }
 
 impl Node {
-    /// Whether rational operations do not see inside: symbols, coordinates of angles, roots and functions.
+    /// Whether rational operations stop at this node: symbols, coordinates of angles, roots and functions.
     pub fn is_leaf(self) -> bool {
         let function = matches!(self, Node::Root(_) | Node::Elementary(..) | Node::Function(..));
         function || matches!(self, Node::Symbol(_) | Node::Cos(_) | Node::Sin(_))
     }
 
-    /// The expressions that this one is made of.
+    /// The operands of this node.
     pub fn children(self) -> impl Iterator<Item = Sym> {
         let (first, second) = match self {
             Node::Constant(_) | Node::Symbol(_) => (None, None),
@@ -89,7 +89,7 @@ struct Graph {
     visits: RefCell<Visits>,
 }
 
-/// Which nodes the current walk has met: those marked with its number.
+/// Marks of the nodes met in the current walk: those with its number.
 #[derive(Default)]
 struct Visits {
     walk: u32,
@@ -168,8 +168,8 @@ impl Graph {
     }
 }
 
-/// Works in a graph of its own, which is gone afterwards: what is made there depends on nothing that the thread has
-/// written before. An expression of one graph means nothing in another; `Send` keeps them from going in or out.
+/// Works in a graph of its own, which is gone afterwards: results do not depend on earlier expressions of the thread.
+/// An expression of one graph means nothing in another; `Send` keeps them from going in or out.
 pub fn apart<R: Send>(work: impl FnOnce() -> R + Send) -> R {
     /// The thread's own graph, which comes back even where the work panics.
     struct Own(Graph);
@@ -221,22 +221,22 @@ impl Sym {
         GRAPH.with_borrow_mut(|graph| graph.intern(node))
     }
 
-    /// The expression that is this number.
+    /// The constant with this value.
     pub fn constant(value: Rational) -> Self {
         GRAPH.with_borrow_mut(|graph| graph.constant(value))
     }
 
-    /// All expressions inside the given ones and themselves, each after those it is made of.
+    /// All expressions inside the given ones and themselves, each after its parts.
     pub fn ascending(roots: &[Sym]) -> Vec<Sym> {
         Sym::reached(roots, |_, _| true)
     }
 
-    /// [`Sym::ascending`] without what is inside the arguments of leaves.
+    /// [`Sym::ascending`] without the arguments of leaves.
     pub(crate) fn ascending_to_leaves(roots: &[Sym]) -> Vec<Sym> {
         Sym::reached(roots, |_, node| !node.is_leaf())
     }
 
-    /// [`Sym::ascending`] without what is inside the expressions that are not to be opened up.
+    /// [`Sym::ascending`] without the parts of expressions that are not to be opened.
     pub fn reached(roots: &[Sym], open_up: impl Fn(Sym, Node) -> bool) -> Vec<Sym> {
         GRAPH.with_borrow(|graph| {
             let mut visits = graph.visits.borrow_mut();

@@ -2,13 +2,13 @@
 //!
 //! # Overview
 //! A [`Sym`] is a `Copy` handle into a hash-consed expression graph of the current thread. It implements the
-//! workbench's scalar traits, so every law that runs over `f64` also runs over `Sym` and thereby writes itself down.
+//! workbench's scalar traits: every law that runs over `f64` also runs over `Sym`, and so records itself.
 //!
-//! Angles are circle points and roots are generators with a known square, so that expressions are fractions of
-//! polynomials modulo rewriting rules ([`Hypotheses`]). Whether one vanishes is then decidable: [`decide`] brings it
-//! over a denominator kept as a product of known factors and looks at the numerator. [`normal`] gives the normal form,
-//! [`Tape`] the straight-line program, [`Formulas`] the steps for enclosures, [`linear`] the unknowns of linear equations,
-//! [`dimension`] the physical dimension. [`parse`] reads what is printed.
+//! Angles are circle points and roots are generators with a known square: expressions are fractions of polynomials modulo
+//! rewriting rules ([`Hypotheses`]). Whether one vanishes is then decidable: [`decide`] brings it over a denominator kept
+//! as a product of known factors and examines the numerator. [`normal`] gives the normal form, [`Tape`] the straight-line
+//! program, [`Formulas`] the steps for enclosures, [`linear`] the unknowns of linear equations, [`dimension`] the physical
+//! dimension. [`parse`] reads the printed notation.
 //!
 //! ```
 //! use field::{Analytic, Scalar};
@@ -28,8 +28,8 @@
 //!
 //! # Limits
 //! Exponents up to 127, 160 generators, a million terms; beyond them a decision is [`Decision::GaveUp`], never a guess.
-//! An angle's parts are related among themselves (x/2 and x/3), other relations between transcendental numbers are not
-//! known. Rules rewrite powers of single symbols; anything else enters a proof through cofactors ([`decide_modulo`]).
+//! Parts of one angle are related to each other (x/2 and x/3), other relations between transcendental numbers are not
+//! known. Rules rewrite powers of single symbols; other relations enter a proof through cofactors ([`decide_modulo`]).
 
 mod analytic;
 mod angles;

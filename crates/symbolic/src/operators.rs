@@ -1,7 +1,7 @@
-//! The operations of the field, with no more folding than constants, 0, 1 and x - x.
+//! The operations of the field, with no folding but of constants, 0, 1 and x - x.
 //!
 //! A denominator is taken as different from zero, as everywhere in the workbench: 0 / x is 0 for every x but the
-//! constant 0. Anything that needs a thought is left to the normal form.
+//! constant 0. Further simplification is left to the normal form.
 
 use crate::Sym;
 use crate::graph::Node;

@@ -1,4 +1,4 @@
-//! Making expressions, and what they are as scalars.
+//! Making expressions, and their scalar traits.
 
 use crate::Sym;
 use crate::graph::{Name, Node};
@@ -48,7 +48,7 @@ impl Sym {
         if exponent < 0 { Sym::ONE / power } else { power }
     }
 
-    /// The circle point of an angle as it is written: cos(a - b), not expanded. For reading: what decides and what runs works with
+    /// The circle point of an angle as it is written: cos(a - b), not expanded. For reading only: decisions and runs work with
     /// [`field::Analytic::circle`].
     pub fn circle_as_written(self) -> Circle<Sym> {
         Circle { cos: Sym::from_node(Node::Cos(self)), sin: Sym::from_node(Node::Sin(self)) }

@@ -106,7 +106,7 @@ impl Differences {
         all
     }
 
-    /// The largest ratio among the states whose difference is visible relative to their sizes over the whole run.
+    /// Whether a predicate holds for some state whose difference is visible relative to its size over the whole run.
     fn any(&self, whole: &[f64], is: impl Fn(&[f64; 3]) -> bool) -> bool {
         let nothing = ROUNDING * self.0.iter().map(|state| state[0]).fold(0.0, f64::max);
         let seen = |(state, whole): &(&[f64; 3], &f64)| state[1] > nothing && state[1] > SEEN * *whole;
@@ -137,7 +137,8 @@ impl Parting {
         matches!(self, Parting::Parts { .. } | Parting::Stops { .. })
     }
 
-    /// Whether the run is of any use: its error is estimated below the size of each state.
+    /// Whether the run may be used: it does not depart from its law, and its error, where estimated, is below the
+    /// size of each state.
     pub fn serves(&self) -> bool {
         match self {
             Parting::Follows { apart } => *apart < WHOLE,
@@ -146,7 +147,7 @@ impl Parting {
         }
     }
 
-    /// Without its place.
+    /// The name without place and time.
     pub fn name(&self) -> &'static str {
         match self {
             Parting::Follows { .. } => "shorter steps come nearer",

@@ -127,7 +127,7 @@ impl Reader<'_> {
         Ok(held)
     }
 
-    /// Powers and transposition of what is no letter.
+    /// Powers and transposition of parts that are no letters.
     fn powers(&mut self, start: usize, base: Term) -> Read<Term> {
         if self.sign() == Some('_') || self.sign() == Some('\'') {
             return Err(self.refused(

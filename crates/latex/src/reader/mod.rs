@@ -11,16 +11,16 @@ use crate::form::{Chain, Form, Relation, Statement, Term};
 use crate::token::{Kind, Token, tokens};
 use std::ops::Range;
 
-/// Deeper groups are refused.
+/// The depth beyond which groups are refused.
 const MOST_DEEP: usize = 60;
 
-/// A sum with an index stands for at most so many terms, all sums of a formula together.
+/// The most terms of all sums with an index in a formula.
 const MOST_TERMS: usize = 1_000;
 
 /// Reads a formula over the letters of these names, each as [`crate::letter_name`] spells it.
 ///
 /// # Errors
-/// The first place that is no formula, or has more than one reading, and what is accepted there.
+/// The first place that is no formula, or has more than one reading, and the accepted spellings.
 pub fn read(text: &str, known: &[String]) -> Result<Statement, NotFormula> {
     let tokens = tokens(text)?;
     let mut reader =

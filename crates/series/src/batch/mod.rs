@@ -19,9 +19,8 @@ use sums::Rows;
 use symbolic::Program;
 use work::{Expand, Sum};
 
-/// L systems that differ in their parameters, states and times, one in each lane. Nothing is allocated, and what one lane
-/// holds does not depend on another. `N` is a power of two above the number of quantities, so that no index needs a
-/// check.
+/// L systems that differ in their parameters, states and times, one in each lane. Nothing is allocated, and no lane
+/// depends on another. `N` is a power of two above the number of quantities: no index needs a check.
 #[derive(Clone, Debug)]
 pub struct Abreast<'a, const L: usize, const N: usize = 256> {
     order: usize,
@@ -45,7 +44,7 @@ pub struct Abreast<'a, const L: usize, const N: usize = 256> {
 }
 
 impl Recurrence {
-    /// Readies the recurrence for L systems; `None` where it has more than `N` quantities, or where the processor has no
+    /// Prepares the recurrence for L systems; `None` where it has more than `N` quantities, or where the processor has no
     /// registers for several numbers with a sum and product in one instruction. Until a lane is [set], all its coefficients
     /// are zero.
     ///

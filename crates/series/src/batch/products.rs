@@ -45,7 +45,7 @@ impl<const L: usize> Histories<L> {
     }
 }
 
-/// A factor: the quantity, and where its series is.
+/// A factor: the quantity, and the place of its series.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Factor {
     pub place: u16,
@@ -85,7 +85,7 @@ impl<const L: usize, const M: usize> Fan<L, M> {
     /// The products of an order, the I-th of those at hand; `FIRST` where these are the first four.
     #[inline(always)]
     pub fn finish<const FIRST: bool, const I: usize, const N: usize>(&self, quantities: &mut [Quantity<L>; N]) {
-        // all are computed before one is written, or the common factor would be brought again for each
+        // all are computed before one is written: the common factor is loaded once
         let one = &quantities[usize::from(self.one.place) % N];
         let mut values = [Batch::all(0.0); M];
         for number in 0..M {
@@ -107,8 +107,8 @@ fn ends<const L: usize>(sums: &mut Four<L>, [_, x, y, z]: Four<L>, [_, b, c, d]:
     sums[2] = sums[2].plus_product(z, d, true);
 }
 
-/// One number with four. Written out, as is what follows: as loops these would not be unrolled, and the sums not kept in
-/// registers.
+/// One number with four. Written out, as are the functions below: as loops these would not be unrolled, and the sums not
+/// kept in registers.
 #[inline(always)]
 fn add<const L: usize>(sums: &mut Four<L>, [a, b, c, d]: Four<L>, x: Batch<L>) {
     sums[0] = sums[0].plus_product(a, x, true);

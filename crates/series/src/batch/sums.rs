@@ -17,7 +17,7 @@ pub(super) struct Rows<const L: usize> {
 /// R sums of the same quantities.
 #[derive(Clone, Debug)]
 struct Bunch<const L: usize, const R: usize, T> {
-    /// Where the sums go.
+    /// The places of the sums.
     places: [u16; R],
     constants: [Batch<L>; R],
     constant_of: [Option<u32>; R],
@@ -29,7 +29,7 @@ struct Bunch<const L: usize, const R: usize, T> {
 struct Term<const L: usize, const R: usize> {
     times: [Batch<L>; R],
     place: u16,
-    /// Which coefficients these are.
+    /// The numbers of the coefficients.
     times_of: [Option<u32>; R],
 }
 
@@ -182,7 +182,7 @@ impl<const L: usize, const R: usize, T: AsMut<[Term<L, R>]>> Bunch<L, R, T> {
     }
 }
 
-/// The terms of these rows: what is known first comes first.
+/// The terms of these rows, in the order in which they become known.
 fn terms<const L: usize, const R: usize>(rows: &[&Row; R]) -> Vec<Term<L, R>> {
     let mut places: Vec<Slot> = rows.iter().flat_map(|row| row.terms.iter().map(|term| term.0)).collect();
     places.sort_unstable();
@@ -194,8 +194,8 @@ fn terms<const L: usize, const R: usize>(rows: &[&Row; R]) -> Vec<Term<L, R>> {
     places.into_iter().map(term).collect()
 }
 
-/// Which sums to form together with the first one, ascending: at most three, each the one that brings fewest new quantities,
-/// as long as these are fewer than what it shares.
+/// The sums to form together with the first one, ascending: at most three, each the one that adds the fewest new quantities,
+/// as long as these are fewer than the shared ones.
 fn alike(rows: &[Row]) -> Vec<usize> {
     let mut places: Vec<Slot> = rows[0].terms.iter().map(|term| term.0).collect();
     let mut chosen = vec![0];

@@ -1,4 +1,4 @@
-//! All orders of a series, and its sum: what is compiled for each set of instructions.
+//! All orders of a series, and its sum, compiled for each set of instructions.
 
 use super::Abreast;
 use super::products::{Fan, Histories, Quantity};
@@ -33,7 +33,7 @@ impl<const L: usize, const N: usize> Expand<'_, '_, '_, L, N> {
 }
 
 impl<const L: usize, const N: usize> Abreast<'_, L, N> {
-    /// The coefficients of all systems: whoever comes late costs no more than all at once.
+    /// The coefficients of all systems: a late system costs no more than all at once.
     #[inline(always)]
     fn learn(&mut self) {
         let parameters = &self.inputs[self.states + usize::from(self.time)..];
@@ -46,7 +46,7 @@ impl<const L: usize, const N: usize> Abreast<'_, L, N> {
         self.changed = false;
     }
 
-    /// Order zero of all that has a rate.
+    /// Order zero of all quantities with a rate.
     #[inline(always)]
     fn start(&mut self, states: &[Batch<L>], time: Batch<L>) {
         let n = self.states.min(states.len());
@@ -70,7 +70,7 @@ impl<const L: usize, const N: usize> Abreast<'_, L, N> {
     fn end(&mut self) {
         let [last, before] = &mut self.last;
         for (number, (last, before)) in last.iter_mut().zip(before).enumerate() {
-            // not as a whole: numbers picked out of a copy go through memory, and are waited for there
+            // not as a whole: numbers picked out of a copy would go through memory
             let newest = &self.quantities[number % N].newest;
             (*last, *before) = (newest[self.order % 4], newest[(self.order + 3) % 4]);
             self.histories.fours[number * self.histories.each + self.order / 4] = *newest;
@@ -105,7 +105,7 @@ impl<const L: usize, const N: usize> Abreast<'_, L, N> {
         }
     }
 
-    /// From order k of all that has a rate to the next.
+    /// From order k of all quantities with a rate to the next.
     #[inline(always)]
     fn next<const FIRST: bool, const I: usize>(&mut self, k: usize) {
         let quantities = &mut *self.quantities;

@@ -17,7 +17,7 @@ pub(super) struct ByBlocks {
 #[derive(Clone, Copy, Debug)]
 struct Permutation {
     blocks: [u16; 2],
-    /// For each place of the group the number from 0 to 15.
+    /// The number from 0 to 15 for each place of the group.
     of: [u64; 8],
     /// The places that these blocks fill.
     filled: u8,
@@ -45,7 +45,7 @@ impl ByBlocks {
     }
 }
 
-/// The way of taking.
+/// Taking by permutations.
 #[derive(Clone, Copy)]
 pub(super) struct Permuting(pub pulp::x86::V4);
 

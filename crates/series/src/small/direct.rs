@@ -2,7 +2,7 @@
 //!
 //!   f(y)_k = c_k + L y_k + W m_k ,    m_k = a_0 b_k + .. + a_k b_0 for each product a b ,
 //!
-//! with c_k = 0 but for c_0 = c. Of m_k only the two ends wait for y_k.
+//! with c_k = 0 but for c_0 = c. Only the two ends of m_k wait for y_k.
 
 use super::factors::{CHAINS, Chains, Factors, MOST_ORDER, Places, reciprocals};
 use super::law::Law;
@@ -23,8 +23,8 @@ pub(super) struct Direct<S: Fused, const B: usize, const G: usize> {
     reciprocals: [S; MOST_ORDER + 1],
 }
 
-/// Between two orders: y_k, what f(y)_k begins with, the factors of order 0, and what is known of the next products. While an
-/// order is summed the factors of order 0 are known, and they count in it as soon as they are.
+/// The numbers between two orders: y_k, the first terms of f(y)_k, the factors of order 0, and the known part of the next
+/// products. While an order is summed the factors of order 0 are known, and they are used at once.
 #[derive(Clone, Copy)]
 pub(super) struct Between<E, const B: usize, const G: usize> {
     pub newest: [E; B],
@@ -49,7 +49,7 @@ impl<S: Fused, const B: usize, const G: usize> Direct<S, B, G> {
         Between { newest, start: self.rates.constants(pick), oldest: [nothing; 2], ahead: [nothing; CHAINS] }
     }
 
-    /// Finds y_(k+1) for these k, into the rows of the series; solving for what is to be solved for.
+    /// Finds y_(k+1) for these k, into the rows of the series, with the solved quantities.
     #[inline(always)]
     pub fn run<P: Permute<S>, R: From<S>>(
         &mut self,

@@ -19,7 +19,7 @@ pub(super) fn reciprocals<S: Fused>() -> [S; MOST_ORDER + 1] {
     std::array::from_fn(|k| if k == 0 { S::zero() } else { S::ratio(1, k as i64) })
 }
 
-/// Which quantities the factors of G groups of eight products are.
+/// The quantities that are factors of G groups of eight products.
 #[derive(Clone, Debug)]
 pub(super) struct Places<const G: usize> {
     /// On each side: among the first sixteen quantities, then among these and the rest.
@@ -100,8 +100,8 @@ impl<S: Fused, const G: usize> Factors<S, G> {
 
     /// a_i b_(k-1) + a_(i+1) b_(k-2) + .. + a_(k-1) b_i, in two sums of which neither waits for the other.
     ///
-    /// A factor that is loaded for one order serves the next one too: of every second order's sum there is then all `ahead` but
-    /// its two ends. Orders come one after another, from before i on.
+    /// A factor that is loaded for one order serves the next one too: `ahead` contains the sum of every second order but its
+    /// two ends. Orders come one after another, from before i on.
     #[inline(always)]
     pub fn older<P: Permute<S>>(
         &self,
@@ -127,7 +127,7 @@ impl<S: Fused, const G: usize> Factors<S, G> {
         sums
     }
 
-    /// The sum of this order, and of the next one's what is between its ends: a_(i+1) b_(k-1) + .. + a_(k-1) b_(i+1).
+    /// The sum of this order, and the part of the next one between its ends: a_(i+1) b_(k-1) + .. + a_(k-1) b_(i+1).
     #[inline(always)]
     fn two<P: Permute<S>>(&self, pick: P, i: usize, k: usize) -> [Chains<P::Eight, G>; 2] {
         let nothing = pick.all(S::zero());
@@ -156,7 +156,7 @@ impl<S: Fused, const G: usize> Factors<S, G> {
 }
 
 impl<const G: usize> Factors<f64, G> {
-    /// Takes over from a finer field after so many orders; order 0 no sum asks for.
+    /// Takes over from a finer field after so many orders; order 0 is used by no sum.
     #[inline(always)]
     pub fn take<S: Fused>(&mut self, finer: &Factors<S, G>, orders: usize) {
         let (left, right) = (1..orders.max(1), MOST_ORDER + 1 - orders.max(1)..MOST_ORDER);

@@ -1,4 +1,4 @@
-//! A small series from its first coefficients on: in full by the law itself, then by what is cheapest.
+//! A small series from its first coefficients on: with all digits by the law itself, then by the cheapest method.
 
 use super::direct::Direct;
 use super::factors::{MOST_ORDER, Places};
@@ -28,7 +28,7 @@ enum Later<const B: usize, const G: usize> {
     Same,
     /// By the law itself.
     Direct(Box<Direct<f64, B, G>>),
-    /// Linearised about the point, where something is solved for: to solve for it in each order by itself would be waited for.
+    /// Linearised about the point, where there are solved quantities: solving for them in each order would add latency.
     Linearised(Box<Linearised<B, G>>),
 }
 

@@ -1,7 +1,8 @@
 //! Right-hand sides of few quantities, as sums of these and of products of two of them.
 
-/// A right-hand side of few quantities. Those that move are the states, time, circle points, and the sums of these that
-/// are factors: a sum moves as its parts do, and then no order waits for it. After them come those that are solved for.
+/// A right-hand side of few quantities. Moving quantities are the states, time, circle points, and the sums of
+/// these that are factors: a sum has the rates of its parts, and no order waits for it. After them come the solved
+/// quantities.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Law {
     pub moving: usize,
@@ -40,7 +41,7 @@ pub(crate) enum Solved {
 }
 
 impl Law {
-    /// Which quantities are sums that move: the last of all that moves.
+    /// The sums among the moving quantities, the last of these.
     pub fn sums(&self) -> impl Iterator<Item = usize> {
         self.moving - self.sums..self.moving
     }

@@ -1,8 +1,8 @@
 //! Small right-hand sides, y' = c + L y + sum_p w_p a_p b_p with few quantities. Most scenes have such a one, and an order of
 //! its series is so little work that latency is most of its cost.
 //!
-//! For processors that permute eight numbers by one instruction. Without it, [stages](super::stages) take half the time of
-//! these kernels.
+//! The kernels need a processor that permutes eight numbers by one instruction. Without it, [stages](super::stages) take
+//! half the time of these kernels.
 
 mod direct;
 mod factors;
@@ -65,11 +65,11 @@ pub(super) trait SmallSeries<S>: Clone + std::fmt::Debug {
     fn set(&mut self, values: &[S]);
 
     /// Expands the solution whose first coefficients stand at the head of the series, which has a row of whole groups of
-    /// eight for each order. Of a finer field those after the order `fine` have the digits of `f64`, or more.
+    /// eight for each order. In a finer field the coefficients after the order `fine` have the digits of `f64`, or more.
     fn expand(&mut self, series: &mut [S], fine: usize);
 }
 
-/// For each field by itself: what is generic would be compiled anew in every crate that expands something.
+/// One implementation for each field: generic code would be compiled anew in every crate that expands something.
 macro_rules! small_series {
     ($field:ty) => {
         impl SmallSeries<$field> for Small<$field> {

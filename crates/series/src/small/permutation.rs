@@ -26,7 +26,7 @@ pub(crate) trait Permute<S: Fused>: Pick<S> {
 #[repr(align(64))]
 pub(crate) struct Shuffle(pub [u64; 8]);
 
-/// Work that is compiled for processors alone that permute eight numbers by one instruction.
+/// Work that is compiled only for processors that permute eight numbers by one instruction.
 pub(crate) trait Permuted<S: Fused> {
     fn run<P: Permute<S> + Permute<f64>>(self, pick: P);
 }

@@ -18,7 +18,7 @@ type Terms = (Option<u32>, Vec<(usize, u32)>, Vec<(usize, u32)>);
 enum Role {
     Unused,
     Moving(usize),
-    /// In order of solving.
+    /// A solved quantity, in order of solving.
     Solved(usize),
     Product(usize),
 }
@@ -29,12 +29,12 @@ struct Making<'a> {
     /// The number of states and circle points, and of time.
     symbols: usize,
     roles: Vec<Role>,
-    /// The rates of all that moves.
+    /// The rates of all moving quantities.
     rows: Vec<Form>,
     /// The sums that move; the first of them comes after the symbols.
     starts: Vec<&'a Form>,
     solved: Vec<Solved>,
-    /// The sums that are solved for.
+    /// The sums among the solved quantities.
     sums: Vec<(usize, &'a Form)>,
     products: Vec<[Role; 2]>,
     coefficients: Coefficients,
@@ -74,7 +74,8 @@ impl<'a> Making<'a> {
         }
     }
 
-    /// A sum of what moves: it moves as its parts do. Parts that decay alike, y' = l y + .., do so as one: s' = l s + .. .
+    /// A sum of moving quantities: its rate is the sum of theirs. If parts decay alike, y' = l y + .., the sum does so as
+    /// one: s' = l s + .. .
     fn moving(&mut self, form: &'a Form) -> Role {
         self.starts.push(form);
         let parts = || form.linear.iter().map(|(&part, c)| (part, c.0));
@@ -101,7 +102,7 @@ impl<'a> Making<'a> {
         Role::Product(self.products.len() - 1)
     }
 
-    /// A quantity that can be a factor; a product becomes one that is solved for.
+    /// A quantity that can be a factor; a product becomes a solved quantity.
     fn factor(&mut self, atom: Atom) -> Role {
         match self.roles[atom] {
             Role::Product(product) => {
@@ -131,7 +132,7 @@ impl<'a> Making<'a> {
         Some(self.solve(Solved::Root { of: Self::number(of)?, product }))
     }
 
-    /// The number of a factor; what is solved for stands beyond all that moves, whose number is not known yet.
+    /// The number of a factor; solved quantities come after all moving ones, whose number is not known yet.
     fn number(factor: Role) -> Option<usize> {
         match factor {
             Role::Moving(number) => Some(number),
@@ -203,7 +204,7 @@ impl Sums {
 }
 
 impl Law {
-    /// With the expressions of its coefficients; `None` where there are too many quantities.
+    /// The law with the expressions of its coefficients; `None` where there are too many quantities.
     pub fn of(builder: &Builder<'_>) -> Option<(Self, Vec<Sym>)> {
         let mut making = Making::new(builder);
         let begin = making.symbols;

@@ -1,4 +1,4 @@
-//! From a finer field to the digits of `f64`.
+//! Rounding from a finer field to `f64`.
 
 use crate::fused::Fused;
 use crate::pick::Pick;

@@ -11,7 +11,7 @@ use crate::stored::Stored;
 #[derive(Clone, Debug)]
 pub(super) struct Starts<S: Fused, const B: usize> {
     sums: WideSums<S, B, 0>,
-    /// A bit for each.
+    /// A bit for each sum.
     lanes: [u8; B],
 }
 
@@ -26,7 +26,7 @@ impl<S: Fused, const B: usize> Starts<S, B> {
         self.sums.set(&law.starts, value);
     }
 
-    /// y_0, of which the first coefficients that are given stand in the rows.
+    /// y_0; the rows hold the given first coefficients.
     #[inline(always)]
     pub fn begin<P: Permute<S>>(&mut self, pick: P, rows: &[[S; 8]]) -> [P::Eight; B] {
         let mut given = [pick.all(S::zero()); B];

@@ -1,4 +1,4 @@
-//! Eight numbers where they are kept between orders.
+//! Eight numbers as they are kept between orders.
 
 use crate::fused::Fused;
 use crate::pick::Pick;

@@ -24,7 +24,7 @@ struct Turn<S: Fused> {
 #[derive(Clone, Debug)]
 pub(super) struct WideSums<S: Fused, const B: usize, const G: usize> {
     constants: [Wide<S>; B],
-    /// By the quantity itself: all decays are one product.
+    /// The coefficients of the diagonal: all decays are one product.
     own: [Wide<S>; B],
     turns: [[Vec<Turn<S>>; PAIRS]; B],
 }
@@ -45,7 +45,7 @@ impl<S: Fused, const B: usize, const G: usize> WideSums<S, B, G> {
         let mut turns: [[Vec<Turn<S>>; PAIRS]; B] = std::array::from_fn(|_| std::array::from_fn(|_| Vec::new()));
         for Term { row, pair, turn, place, .. } in terms(sums) {
             let turns = &mut turns[row / 8][pair];
-            // rows that have fewer terms take nothing of the first place
+            // rows with fewer terms take zero times the first place
             turns.resize(turns.len().max(turn + 1), Turn { weights: Wide::zero(), of: Shuffle([0; 8]) });
             turns[turn].of.0[row % 8] = place as u64;
         }

@@ -1,5 +1,5 @@
-//! Quantities that are not worth a place of their own: one with a single source or none, or a single reader, is put into its readers. The sums
-//! become fewer, and none longer together than before; the products of weights are computed once for all directions.
+//! Elimination of quantities with a single source or none, or a single reader: each is substituted into its readers. The sums become fewer,
+//! and their total length does not grow; the products of weights are computed once for all directions.
 
 use super::{Differential, Weighted};
 use crate::Sym;
@@ -9,7 +9,7 @@ use std::collections::VecDeque;
 pub(super) struct Graph {
     inputs: usize,
     outputs: usize,
-    /// By place; none for inputs, and for what is eliminated.
+    /// The sums by place; `None` for inputs, and for eliminated quantities.
     sums: Vec<Vec<Weighted>>,
     readers: Vec<Vec<usize>>,
 }
@@ -41,7 +41,7 @@ impl Graph {
         self.finish()
     }
 
-    /// Puts a quantity into its readers.
+    /// Substitutes a quantity into its readers.
     fn eliminate(&mut self, place: usize) {
         let own = std::mem::take(&mut self.sums[place]);
         own.iter().for_each(|term| self.readers[term.source].retain(|reader| *reader != place));
@@ -65,7 +65,7 @@ impl Graph {
         }
     }
 
-    /// The sums that are left, at places without gaps.
+    /// The remaining sums, at places without gaps.
     fn finish(self) -> Differential {
         let first_output = self.sums.len() - self.outputs;
         let mut places = vec![0; self.sums.len()];

@@ -41,7 +41,7 @@ pub struct Differential {
 }
 
 impl Differential {
-    /// The differential of outputs by inputs, usually symbols; everything else is held fixed.
+    /// The differential of outputs by inputs, usually symbols; everything else is constant.
     pub fn of(inputs: &[Sym], outputs: &[Sym]) -> Self {
         Graph::of(&Self::written(inputs, outputs)).reduced()
     }
@@ -59,7 +59,7 @@ impl Differential {
         Graph::of(&Differential { inputs: self.inputs, sums, outputs: other.outputs }).reduced()
     }
 
-    /// The same with other expressions in its weights, which may not depend on what is differentiated.
+    /// The differential with other expressions in its weights, which may not depend on the inputs.
     #[must_use]
     pub fn substituted(mut self, replacements: &[(Sym, Sym)]) -> Self {
         let weights = substitute_all(&self.weights(), replacements);
@@ -72,7 +72,7 @@ impl Differential {
         self.sums.iter().flatten().map(|term| term.weight).collect()
     }
 
-    /// A sum for each expression, as they are written.
+    /// A sum for each expression, in the order of the expressions.
     fn written(inputs: &[Sym], outputs: &[Sym]) -> Self {
         let mut places: FxHashMap<Sym, usize> = inputs.iter().copied().zip(0..).collect();
         let mut sums: Vec<Vec<Weighted>> = Vec::new();
@@ -153,7 +153,7 @@ mod tests {
         let outer = Differential::of(&[u, v], &[u * x + v, v]);
         let value = at(["x", "y"], [2.0, 3.0]);
         assert_eq!(matrix(&inner.then(&outer), &value), [7.0, 5.0, 1.0, 1.0]);
-        // an output that rests moves nothing behind it
+        // a constant output does not change anything behind it
         let resting = Differential::of(&[x, y], &[Sym::int(3), x + y]);
         assert_eq!(matrix(&resting.then(&outer), &value), [1.0, 1.0, 1.0, 1.0]);
     }

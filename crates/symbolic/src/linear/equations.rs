@@ -1,9 +1,9 @@
-//! Linear equations whose unknowns are found at each evaluation:
+//! Linear equations that are solved in numbers at each evaluation:
 //!
 //!   A(x) z = b(x) .
 //!
-//! An elimination that is written down grows with the third power of the unknowns, and its pivots cannot be chosen. Here the
-//! entries alone are expressions; they are evaluated, and A is factored as numbers ([`algebra::linear::Factors`]).
+//! A symbolic elimination grows with the third power of the unknowns, and its pivots cannot be chosen. Here only the entries
+//! are expressions; they are evaluated, and A is factored as numbers ([`algebra::linear::Factors`]).
 
 use crate::Sym;
 use algebra::linear::Pattern;
@@ -13,7 +13,7 @@ use algebra::linear::Pattern;
 pub struct Solve {
     /// The symbols of the unknowns z.
     pub unknowns: Vec<Sym>,
-    /// Where A has entries, by row and column.
+    /// The pattern of A, by row and column.
     pub pattern: Pattern,
     /// The entries, in the order of the pattern.
     pub entries: Vec<Sym>,

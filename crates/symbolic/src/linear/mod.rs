@@ -1,5 +1,5 @@
-//! Linear equations over expressions: solved as they are written, at the size of a body's equations ([`solve`]), or written
-//! down to be solved in numbers at each evaluation, at any size ([`Solve`]).
+//! Linear equations over expressions: solved symbolically, at the size of a body's equations ([`solve`]), or recorded for a
+//! solution in numbers at each evaluation, at any size ([`Solve`]).
 
 mod cramer;
 mod equations;

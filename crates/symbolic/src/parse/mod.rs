@@ -51,7 +51,7 @@ pub enum Reason {
     Parenthesis,
     /// An exponent that is no integer from -64 to 64.
     Exponent,
-    /// A division by what is zero.
+    /// A division by zero.
     Zero,
     /// Parentheses deeper than a hundred.
     Depth,
@@ -90,13 +90,13 @@ pub trait Vocabulary {
     /// The meaning of a name; `in_angle` inside of a cosine or sine.
     ///
     /// # Errors
-    /// Why it must not stand there.
+    /// Why the name must not stand there.
     fn name(&self, name: &str, in_angle: bool) -> Result<Sym, Reason>;
 
     /// Judges a part of the expression; the parts of which it is made were judged before.
     ///
     /// # Errors
-    /// Why it must not stand there: told at its place, of a sum at the last term.
+    /// Why the part must not stand there: told at its place, for a sum at the last term.
     fn judge(&self, _part: Sym) -> Result<(), Reason> {
         Ok(())
     }
@@ -111,7 +111,7 @@ impl Vocabulary for Names<'_> {
     }
 }
 
-/// Reads an expression; `known` gives each name its meaning.
+/// Reads an expression; `known` gives the meaning of each name.
 ///
 /// # Errors
 /// [`NotExpression`]: the first place that cannot be read, and why.
@@ -138,7 +138,7 @@ struct Reader<'a> {
     at: usize,
     end: usize,
     depth: usize,
-    /// Cosines and sines around the place.
+    /// The number of cosines and sines around the place.
     angles: usize,
     vocabulary: &'a dyn Vocabulary,
 }
@@ -148,7 +148,7 @@ impl<'a> Reader<'a> {
         self.tokens.get(self.at).map(|(_, token)| token)
     }
 
-    /// Where the next token stands, or the end.
+    /// The place of the next token, or the end.
     fn span(&self) -> Range<usize> {
         self.tokens.get(self.at).map_or(self.end..self.end, |(span, _)| span.clone())
     }
@@ -203,7 +203,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// A minus holds less tightly than a power: -x^2 is -(x^2).
+    /// A minus binds less tightly than a power: -x^2 is -(x^2).
     fn signed(&mut self) -> Result<Sym, NotExpression> {
         let mut negative = false;
         loop {

@@ -8,8 +8,8 @@ const LARGEST_DENOMINATOR: u64 = 16;
 /// The number of digits that are exact in every float.
 const DIGITS: usize = 15;
 
-/// The decimal of a constant, which reads as that very constant: a decimal of few digits, or a float in the fewest digits that read
-/// as it. None where a fraction is shorter or nothing else is exact.
+/// The decimal of a constant, which reads as this constant: a decimal of few digits, or a float in the fewest digits that read as
+/// it. `None` where a fraction is shorter or nothing else is exact.
 pub(super) fn shorter(value: Rational) -> Option<String> {
     let big = value.to_big()?;
     if u64::try_from(big.denominator()).is_ok_and(|below| below <= LARGEST_DENOMINATOR) {

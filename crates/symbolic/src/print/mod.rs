@@ -1,4 +1,4 @@
-//! Expressions as people write them: text, LaTeX and SymPy, in the order in which they were written.
+//! Expressions as text, LaTeX and SymPy, in the order in which they were written.
 
 mod decimal;
 mod latex;
@@ -14,7 +14,7 @@ use field::{Elementary, Rational};
 use rustc_hash::FxHashMap;
 use std::fmt;
 
-/// Expressions that would be longer than this many symbols and signs are named by their size instead.
+/// The number of symbols and signs beyond which an expression is replaced by its size.
 const LONGEST: u64 = 200_000;
 
 impl fmt::Display for Sym {
@@ -37,7 +37,7 @@ impl Sym {
 }
 
 impl Sym {
-    /// As text, with decimals where these are shorter than fractions: 0.35 and not 7/20, but 1/2.
+    /// The expression as text, with decimals where these are shorter than fractions: 0.35 and not 7/20, but 1/2.
     pub fn decimal_text(self) -> String {
         match written_size(self) {
             size if size > LONGEST => self.to_string(),
@@ -45,7 +45,7 @@ impl Sym {
         }
     }
 
-    /// In LaTeX, with decimals where these are shorter than fractions.
+    /// The expression in LaTeX, with decimals where these are shorter than fractions.
     pub fn decimal_latex(self) -> String {
         match written_size(self) {
             size if size > LONGEST => self.latex(),
@@ -76,7 +76,7 @@ enum Bond {
     Atom,
 }
 
-/// Something printed, without its sign.
+/// A printed part, without its sign.
 struct Printed {
     text: String,
     bond: Bond,
@@ -126,7 +126,7 @@ trait Notation {
     }
 }
 
-/// The way in which constants are written.
+/// The form in which constants are written.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Numbers {
     /// As fractions, always.
@@ -172,7 +172,7 @@ impl Writer<'_> {
         (negative, printed)
     }
 
-    /// Terms from the left; what stands in parentheses on the right of a minus stays there.
+    /// Terms from the left; a part in parentheses on the right of a minus keeps them.
     fn sum(&self, expression: Sym) -> Printed {
         let mut terms = Vec::new();
         let mut open = vec![(expression, false)];
@@ -228,7 +228,7 @@ impl Writer<'_> {
     }
 }
 
-/// The sign of a product and its factors, neighbours that are equal gathered into a power.
+/// The sign of a product and its factors, with equal neighbours gathered into a power.
 fn factors(expression: Sym) -> (bool, Vec<(Sym, u32)>) {
     let mut negative = false;
     let mut factors: Vec<(Sym, u32)> = Vec::new();

@@ -56,7 +56,7 @@ impl Notation for SymPy {
         let function = format!("Function('{}')", identifier(&name.text()));
         match order {
             0 => format!("{function}({argument})"),
-            // at a value, by a letter that no name has
+            // the derivative at a value, by a letter that no name has
             _ => format!("Subs(Derivative({function}(_x), (_x, {order})), _x, {argument})"),
         }
     }

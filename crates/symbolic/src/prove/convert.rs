@@ -187,7 +187,7 @@ pub(super) fn expression_of<C: Coefficient, const W: usize>(poly: &Poly<C, W>, l
     poly.terms().iter().fold(integer(IBig::ZERO), |sum, (m, c)| {
         let (negative, size) = if c.is_negative() { (true, c.negated()) } else { (false, c.clone()) };
         let powers = monomial::support(m).map(|(generator, exponent)| leaves[generator].powi(exponent as i32));
-        // The coefficient stays apart, so that angles see the multiples that they are.
+        // the coefficient stays apart: angles recognise the multiples that they are
         let product = integer(size.to_big()) * powers.fold(Sym::one(), |product, power| product * power);
         if negative { sum - product } else { sum + product }
     })

@@ -1,4 +1,4 @@
-//! Does an expression vanish?
+//! Deciding whether an expression vanishes.
 
 use super::convert::Converter;
 use super::failure::Failure;
@@ -13,13 +13,13 @@ use std::fmt;
 /// Whether an expression vanishes wherever it is defined and the hypotheses hold.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Decision {
-    /// It does.
+    /// The expression vanishes.
     Zero(Proof),
-    /// It does not, and here is a point.
+    /// The expression does not vanish, with a point that shows it.
     NonZero(Witness),
     /// This denominator vanishes identically.
     Undefined(Sym),
-    /// It was not decided, for this reason.
+    /// The question was not decided, for this reason.
     GaveUp(String),
 }
 
@@ -60,7 +60,7 @@ impl Hypotheses {
     }
 }
 
-/// Decides whether the expression vanishes: by its normal form, and where that is not zero by a point.
+/// Decides whether the expression vanishes: by its normal form, and where this is not zero by a point.
 pub fn decide(expression: Sym, hypotheses: &Hypotheses) -> Decision {
     match proof(expression, hypotheses) {
         Ok(Some(proof)) => Decision::Zero(proof),

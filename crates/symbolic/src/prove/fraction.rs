@@ -29,7 +29,7 @@ impl<C: Coefficient, const W: usize> Fraction<C, W> {
         Fraction { numerator, constant: C::of(1), powers: Vec::new() }
     }
 
-    /// The common factors of the coefficients above and below taken out.
+    /// The fraction without the common factors of the coefficients above and below.
     pub fn without_content(mut self) -> Self {
         if !self.constant.is_one() {
             let mut common = self.constant.clone();
@@ -54,7 +54,7 @@ impl<C: Coefficient, const W: usize> Arithmetic<C, W> {
         Arithmetic { budget: Budget::default(), rules: Vec::new(), factors: Vec::new() }
     }
 
-    /// The sum of fractions, of those marked with their signs changed.
+    /// The sum of fractions; those that are marked have their signs changed.
     pub fn sum(&mut self, mut summands: Vec<(Rc<Fraction<C, W>>, bool)>) -> Result<Fraction<C, W>, Limit> {
         summands.retain(|(each, _)| !each.numerator.is_zero());
         if summands.iter().all(|(each, _)| each.constant.is_one() && each.powers.is_empty()) {
@@ -119,7 +119,7 @@ impl<C: Coefficient, const W: usize> Arithmetic<C, W> {
         self.reduced_product(Fraction { numerator, constant, powers })
     }
 
-    /// The fraction with its numerator modulo the rules, and what then cancels cancelled.
+    /// The fraction with its numerator modulo the rules, and with the factors that then cancel.
     fn reduced(&mut self, mut fraction: Fraction<C, W>) -> Result<Fraction<C, W>, Limit> {
         let (numerator, constant) = reduce(fraction.numerator, &self.rules, &self.budget)?;
         fraction.numerator = numerator;

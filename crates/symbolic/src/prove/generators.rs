@@ -1,7 +1,7 @@
-//! The generators of the ring in which an expression lives: symbols, coordinates of angles, roots, functions.
+//! The generators of the ring of an expression: symbols, coordinates of angles, roots, functions.
 //!
-//! Arguments are brought to normal form, so that cos(a*b) and cos(b*a) are one generator, and the root of a square
-//! sum that the hypotheses make 1 is 1.
+//! Arguments are brought to normal form: cos(a*b) and cos(b*a) are one generator, and the root of a square sum that the
+//! hypotheses make 1 is 1.
 
 use super::failure::Failure;
 use super::hypotheses::{Hypotheses, Refused, Rule, circle_rule};
@@ -116,7 +116,7 @@ struct Gathering<'a> {
     rules: Vec<Rule>,
     /// Arguments with their normal forms.
     normal: FxHashMap<Sym, Sym>,
-    /// Into how many parts an angle is divided, so that x/2 and x/3 are both whole numbers of parts of x.
+    /// The number of parts into which an angle is divided, such that x/2 and x/3 are both whole numbers of parts of x.
     parts: FxHashMap<Sym, i64>,
 }
 
@@ -143,7 +143,7 @@ impl<'a> Gathering<'a> {
                 for (term, coefficient) in linear_terms(self.canonical(angle)?) {
                     let denominator = small_quotient(coefficient).map_or(1, |(_, denominator)| denominator);
                     let parts = self.parts.entry(term).or_insert(1);
-                    // Beyond any sensible number the angles stay apart, and a refutation is not attempted.
+                    // beyond a moderate number the angles stay apart, and no refutation is attempted
                     *parts = least_common_multiple(*parts, denominator).unwrap_or(*parts);
                 }
             }

@@ -9,9 +9,9 @@ use std::fmt;
 /// Relations between symbols under which a statement is decided.
 ///
 /// A relation is a *rule* g^k -> tail, a pure power of a symbol rewritten by lower terms, or a symbol *given* by an
-/// expression. Rules with different leading symbols that fall under one admissible order are a Groebner basis, so the
-/// normal form under them is canonical; a set of rules that does not is refused. sin^2 -> 1 - cos^2 for every angle
-/// and r^2 -> a for every root need not be said.
+/// expression. Rules with different leading symbols that fall under one admissible order are a Groebner basis: the
+/// normal form under them is canonical; a set of rules without such an order is refused. The rules sin^2 -> 1 - cos^2
+/// for every angle and r^2 -> a for every root are always included.
 #[derive(Clone, Debug, Default)]
 pub struct Hypotheses {
     pub(super) rules: Vec<Rule>,
@@ -42,12 +42,12 @@ impl fmt::Display for Refused {
 impl std::error::Error for Refused {}
 
 impl Hypotheses {
-    /// Nothing is assumed.
+    /// No hypotheses.
     pub fn none() -> Self {
         Self::default()
     }
 
-    /// The vector has length one: the square of its last component is rewritten.
+    /// A vector has length one: the square of its last component is rewritten.
     pub fn unit_vector<const N: usize>(mut self, vector: [Sym; N]) -> Self {
         let Some((&last, others)) = vector.split_last() else {
             return self;
@@ -58,7 +58,7 @@ impl Hypotheses {
         self.add_rule(last, 2, tail, (square.unwrap_or(Sym::ZERO), Sym::one()))
     }
 
-    /// The point lies on the unit circle.
+    /// A point lies on the unit circle.
     pub fn on_circle(self, point: Circle<Sym>) -> Self {
         self.unit_vector([point.cos, point.sin])
     }
@@ -68,7 +68,7 @@ impl Hypotheses {
         self.add_rule(lead, power, tail, (lead.powi(power as i32), tail))
     }
 
-    /// The symbol stands for the expression, which must not contain it.
+    /// The symbol stands for the expression, which must not contain the symbol.
     pub fn given(mut self, symbol: Sym, expression: Sym) -> Self {
         let value = expression.substitute(&self.given);
         if !matches!(symbol.node(), Node::Symbol(_)) {
@@ -99,7 +99,7 @@ impl Hypotheses {
     /// Whether the rules are canonical: different leading symbols, one admissible order.
     ///
     /// # Errors
-    /// [`Refused`] says which rules are at odds.
+    /// [`Refused`] names the rules that conflict.
     pub fn check(&self) -> Result<(), Refused> {
         match &self.refused {
             Some(refused) => Err(refused.clone()),
@@ -130,7 +130,7 @@ impl Hypotheses {
         self
     }
 
-    /// The first reason is kept.
+    /// Only the first reason is kept.
     fn refuse(mut self, reason: String) -> Self {
         self.refused.get_or_insert(Refused(reason));
         self

@@ -1,4 +1,4 @@
-//! Choosing the width of monomials and the size of coefficients for a computation.
+//! The choice of the width of monomials and the size of coefficients for a computation.
 
 use super::failure::Failure;
 use algebra::multivariate::{Coefficient, Limit};

@@ -1,4 +1,4 @@
-//! Normal forms of expressions, and what they decide.
+//! Normal forms of expressions, and decisions by them.
 
 mod convert;
 mod decide;

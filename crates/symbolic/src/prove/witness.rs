@@ -11,7 +11,7 @@ use num_traits::{One, Zero};
 use rustc_hash::FxHashMap;
 use std::fmt;
 
-/// A point that satisfies the hypotheses, and what the expression is there.
+/// A point that satisfies the hypotheses, and the value of the expression there.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Witness {
     /// Symbols, coordinates of angles, roots and functions with their values: rational numbers, or roots of them where
@@ -19,8 +19,8 @@ pub struct Witness {
     pub point: Vec<(Sym, Sym)>,
     /// The value of the expression, different from zero.
     pub value: Sym,
-    /// Coordinates of angles whose arguments also have a value at the point. As functions they are independent of
-    /// their arguments, which is what the refutation rests on; the point is then not literally one.
+    /// Coordinates of angles whose arguments also have a value at the point. As functions they are independent of their
+    /// arguments, on which the refutation rests; the point is then not literally one.
     pub formal: Vec<Sym>,
 }
 
@@ -34,7 +34,7 @@ impl fmt::Display for Witness {
     }
 }
 
-/// Points tried that have rational coordinates only, and then with roots.
+/// The numbers of points that are tried with rational coordinates only, and then with roots.
 const RATIONAL_POINTS: u32 = 400;
 const POINTS: u32 = 600;
 
@@ -87,7 +87,7 @@ impl Numbers {
             4..8 => Rational::new(numerator, 1 + draw / 64 % 3),
             _ => {
                 let sign = draw / 4096 % 8;
-                // Zeros hide too much to be drawn often.
+                // zeros hide too much for frequent use
                 let numerator = if sign == 0 { 0 } else { numerator * (1 - 2 * (sign % 2)) };
                 Rational::new(numerator, 1 + draw / 64 % (1 + size / 2))
             }

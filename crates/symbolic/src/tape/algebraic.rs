@@ -1,10 +1,10 @@
-//! A tape of field operations alone: it runs over every scalar, also over one without roots and angles.
+//! A tape of field operations alone, over every scalar, also over one without roots and angles.
 
 use super::{Operation, Register, Tape};
 use field::{Rational, Scalar};
 
-/// One value as sums, products and quotients of its inputs. A constant is the quotient of two integers, so that every
-/// field holds it as exactly as it can.
+/// One value as sums, products and quotients of its inputs. A constant is the quotient of two integers: every field
+/// holds it as exactly as it can.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Algebraic {
     inputs: usize,
@@ -46,7 +46,7 @@ impl Algebraic {
         self.registers
     }
 
-    /// The value at the inputs, with N registers on the stack; none where N are too few or inputs are missing.
+    /// The value at the inputs, with N registers on the stack; `None` where N are too few or inputs are missing.
     pub fn evaluate<S: Scalar, const N: usize>(&self, inputs: impl Iterator<Item = S>) -> Option<S> {
         let mut registers = [S::zero(); N];
         let mut next = 0;

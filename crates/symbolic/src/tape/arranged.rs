@@ -1,4 +1,4 @@
-//! A program in the order in which processors are fast: the same numbers but for rounding, the same bits on each of them.
+//! A program in an order that is fast on processors: equal numbers but for rounding, and equal bits on every processor.
 
 use super::{Operation, Register, Tape};
 
@@ -11,7 +11,7 @@ fn wait(operation: Operation) -> u32 {
     }
 }
 
-/// A term of a sum: where it stands, whether it is subtracted, and when it is there.
+/// A term of a sum: its register, whether it is subtracted, and the time at which it is ready.
 #[derive(Clone, Copy)]
 struct Term {
     register: Register,
@@ -20,8 +20,9 @@ struct Term {
 }
 
 impl Tape {
-    /// The same program for a processor that does several things at a time: constant divisors become factors, long sums are
-    /// formed pair by pair, what is there first coming first, and products are computed in their sums ([`Self::fused`]).
+    /// The program for a processor with instruction-level parallelism: constant divisors become factors, long sums are
+    /// formed pair by pair, terms that are ready first coming first, and products are computed in their sums
+    /// ([`Self::fused`]).
     pub fn arranged(&self) -> Tape {
         self.by_factors().by_pairs().fused()
     }
@@ -72,7 +73,7 @@ impl Tape {
         self.renumbered(&ordered)
     }
 
-    /// Which registers hold a sum that is read once, by a sum.
+    /// Whether each register holds a sum that is read once, by a sum.
     fn absorbed(&self, readings: &[u32]) -> Vec<bool> {
         let mut absorbed = vec![false; self.registers];
         for operation in &self.operations {
@@ -84,8 +85,8 @@ impl Tape {
     }
 }
 
-/// The sum of terms, one of which is not subtracted: the two that are there first make a term of their own, until there is one.
-/// When it is there.
+/// The sum of terms, one of which is not subtracted: the two that are ready first make a term of their own, until there is one.
+/// Returns the time at which it is ready.
 fn paired(mut terms: Vec<Term>, mut room: Vec<Register>, ordered: &mut Vec<(usize, Operation)>, wait: u32) -> u32 {
     // the last partial sum is the sum: it has the register that others read
     room.reverse();

@@ -4,7 +4,7 @@ use super::{Operation, Register, Tape};
 use field::Elementary;
 
 impl Tape {
-    /// The program of its divisors, each once, then of what it takes roots of, then of its angles atan2(y, x), with the number of each; none
+    /// The program of the tape's divisors, each once, then of its radicands, then of its angles atan2(y, x), with the number of each; `None`
     /// where it divides by constants only and has neither roots nor angles.
     pub fn singular_places(&self) -> Option<(Tape, [usize; 3])> {
         let mut lists: [Vec<Register>; 3] = [const { Vec::new() }; 3];

@@ -1,14 +1,14 @@
-//! Constants moved to where they cost least: divisors become factors, signs become those of factors.
+//! Constants moved to cheaper places: divisors become factors, signs become those of factors.
 
 use super::{Operation, Register, Tape};
 use field::Rational;
 use num_traits::One;
 
-/// An operation, or what stands for it.
+/// An operation, or its replacement.
 #[derive(Clone, Copy)]
 enum Step {
     AsItWas(Operation),
-    /// By a constant that may be new.
+    /// A product with a constant, which may be new.
     Multiple(Rational, Register),
 }
 

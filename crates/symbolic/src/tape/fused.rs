@@ -1,13 +1,13 @@
-//! Products and sums that round once.
+//! Fused products and sums, which round once.
 
 use super::{Operation, Register, Tape};
 
 impl Tape {
-    /// The same program with each product that is read by one sum or difference alone computed in that: two roundings
-    /// become one in a field that can, and two instructions one on a processor that can. No other operation moves.
+    /// The program with each product that a single sum or difference reads computed within it: two roundings become one
+    /// in a field that can, and two instructions one on a processor that can. No other operation moves.
     pub fn fused(&self) -> Tape {
         let readings = self.readings();
-        // those of whose sum nothing is known yet
+        // products whose sum was not met yet
         let mut products: Vec<Option<[Register; 2]>> = vec![None; self.registers];
         let mut next = self.inputs + self.constants.len();
         let mut fused: Vec<(usize, Operation)> = Vec::with_capacity(self.operations.len());
@@ -43,7 +43,7 @@ impl Tape {
         readings
     }
 
-    /// These operations with the registers that they had, in registers without gaps.
+    /// These operations with the registers that they had, renumbered without gaps.
     pub(super) fn renumbered(&self, kept: &[(usize, Operation)]) -> Tape {
         let first = self.inputs + self.constants.len();
         let mut number: Vec<Register> = (0..self.registers as Register).collect();

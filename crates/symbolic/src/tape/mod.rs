@@ -19,15 +19,15 @@ pub use source::{Language, Source, Statements};
 
 use field::{Elementary, Rational, Scalar};
 
-/// A straight-line program without branches: what the expressions compute, every common part once.
+/// A straight-line program without branches for the values of expressions; every common part is computed once.
 ///
-/// A tape knows nothing of the expression graph and may be sent to other threads. [`Tape::over`] readies it for a
+/// A tape is independent of the expression graph and may be sent to other threads. [`Tape::over`] prepares it for a
 /// field.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Tape {
     inputs: usize,
     constants: Vec<Rational>,
-    /// The same to the nearest `f64`.
+    /// The constants to the nearest `f64`.
     rounded: Vec<f64>,
     operations: Vec<Operation>,
     outputs: Vec<Register>,
@@ -83,7 +83,7 @@ impl Operation {
         }
     }
 
-    /// The same, each as often as it is read.
+    /// The registers that it reads, each as often as it is read.
     fn reads(self) -> impl Iterator<Item = Register> {
         let count = match self {
             Operation::Negation(_) | Operation::Root(_) | Operation::Circle(_) => 1,
@@ -93,7 +93,7 @@ impl Operation {
         self.operands().into_iter().take(count)
     }
 
-    /// The same of other registers.
+    /// The operation on other registers.
     fn through(self, other: impl Fn(Register) -> Register) -> Self {
         let [a, b, c] = self.operands().map(other);
         match self {
@@ -113,10 +113,10 @@ impl Operation {
         }
     }
 
-    /// The result of a field operation; none of a root, a circle point or an elementary function.
+    /// The result of a field operation; `None` for a root, a circle point or an elementary function.
     #[inline(always)]
     fn of_field<S: Scalar>(self, value: impl Fn(Register) -> S) -> Option<S> {
-        // each reads what it needs: numbers may be wide
+        // each operation reads the numbers that it needs only: they may be wide
         match self {
             Operation::Sum(a, b) => Some(value(a) + value(b)),
             Operation::Difference(a, b) => Some(value(a) - value(b)),
@@ -153,7 +153,7 @@ impl Tape {
         self.operations.len()
     }
 
-    /// The operations in their order: for whoever writes them in a language of its own.
+    /// The operations in their order, for translation into another language.
     pub fn steps(&self) -> &[Operation] {
         &self.operations
     }
@@ -163,7 +163,7 @@ impl Tape {
         self.once
     }
 
-    /// The first constant that is none in `f64`: beyond its range, or so small that it is rounded to zero.
+    /// The first constant that `f64` cannot represent: beyond its range, or so small that it is rounded to zero.
     pub fn beyond_range(&self) -> Option<Rational> {
         let lost =
             |(exact, rounded): &(&Rational, &f64)| !rounded.is_finite() || **rounded == 0.0 && exact.sign() != Some(0);
@@ -175,7 +175,7 @@ impl Tape {
         &self.rounded
     }
 
-    /// Where the outputs stand after the last operation.
+    /// The registers of the outputs after the last operation.
     pub fn results(&self) -> &[Register] {
         &self.outputs
     }

@@ -12,14 +12,14 @@ pub struct Propagation<'a> {
     registers: Vec<Interval>,
     /// The operand of each register that is a negation.
     negated: Vec<Option<usize>>,
-    /// Whether something was narrowed by much.
+    /// Whether some range was narrowed by much.
     narrows: bool,
 }
 
-/// Times that a box is narrowed at most, forwards and back.
+/// The most passes over a box, forwards and back.
 const PASSES: usize = 6;
 
-/// A range that is left narrower than this part is worth another time.
+/// A range that becomes narrower than this part of itself justifies another pass.
 const WORTH: f64 = 0.7;
 
 impl<'a> Propagation<'a> {
@@ -36,9 +36,10 @@ impl<'a> Propagation<'a> {
         Propagation { tape, constants, registers: vec![Interval::EVERYTHING; tape.registers], negated, narrows: false }
     }
 
-    /// Narrows a box to where zeros of the outputs may be; false where there are none.
+    /// Narrows a box to the part in which zeros of the outputs may be; false where there are none.
     ///
-    /// The range of a result in between, as of a difference of two inputs, is kept while the box is narrowed: no box tells it.
+    /// The range of an intermediate result, as of a difference of two inputs, is kept while the box is narrowed: no box
+    /// contains it.
     pub fn narrow(&mut self, inputs: &mut [Interval]) -> bool {
         let Tape { inputs: given, operations, outputs, .. } = self.tape;
         self.registers.fill(Interval::EVERYTHING);
@@ -87,12 +88,12 @@ impl<'a> Propagation<'a> {
         self.meet(result, found)
     }
 
-    /// Keeps of a register what it has in common with a range; false where that is nothing.
+    /// Intersects the range of a register with another; false where the intersection is empty.
     fn meet(&mut self, register: usize, range: Interval) -> bool {
         self.meet_any(register, [Some(range), None])
     }
 
-    /// Keeps of a register the smallest interval with all that it has in common with two ranges; false where that is nothing.
+    /// Intersects the range of a register with each of two ranges and keeps the hull; false where both are empty.
     fn meet_any(&mut self, register: usize, ranges: [Option<Interval>; 2]) -> bool {
         let own = self.registers[register];
         let [one, other] = ranges.map(|range| range.and_then(|range| own.and(range)));
@@ -112,7 +113,7 @@ impl<'a> Propagation<'a> {
         let [a, b, _] = operation.operands().map(|register| register as usize);
         let [x, y, r] = [self.registers[a], self.registers[b], self.registers[result]];
         match operation {
-            // twice one operand is no sum of two, as derivatives of squares leave it
+            // twice one operand is no sum of two: derivatives of squares leave such sums
             Operation::Sum(..) if a == b => self.meet(a, r / Interval::point(2.0)),
             Operation::Difference(..) if self.negated[a] == Some(b) => self.meet(b, -r / Interval::point(2.0)),
             Operation::Sum(..) => self.meet(a, r - y) && self.meet(b, r - x),
@@ -148,7 +149,7 @@ impl<'a> Propagation<'a> {
     }
 }
 
-/// Arcs of more turns than this are not looked at one by one.
+/// Arcs of more turns than this are not examined one by one.
 const MOST_TURNS: f64 = 64.0;
 
 /// The angles of a range whose cosine and sine lie in ranges.

@@ -72,8 +72,8 @@ enum Kind {
 }
 
 impl Tape {
-    /// The program that computes the outputs from the inputs: what does not contribute is left out, common parts are
-    /// computed once, a + b and b + a are the same, cosine and sine of an angle are computed together. An input is
+    /// The program that computes the outputs from the inputs: parts that do not contribute are left out, common parts
+    /// are computed once, a + b and b + a are the same, cosine and sine of an angle are computed together. An input is
     /// usually a symbol; any other expression is read as an input wherever it occurs.
     ///
     /// # Errors
@@ -162,7 +162,7 @@ impl Recorder {
         place
     }
 
-    /// Drops what no output needs and numbers the registers.
+    /// Drops operations that no output needs and numbers the registers.
     fn finish(self, inputs: usize, outputs: &[Place]) -> Tape {
         let mut needed = vec![false; self.results as usize];
         let need = |place: &Place, needed: &mut Vec<bool>| {

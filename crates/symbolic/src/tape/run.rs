@@ -33,7 +33,7 @@ impl Tape {
     }
 
     /// The outputs at the inputs, with registers of its own on the stack: for a law that is shared between threads.
-    /// Without answer where it has not enough of them.
+    /// `None` where there are not enough registers.
     #[inline]
     pub fn evaluate<S: Analytic, const N: usize>(
         &self,
@@ -49,13 +49,13 @@ impl Tape {
         Some(())
     }
 
-    /// The same with registers on the heap, for a tape of any length: each evaluation takes and gives back their room.
+    /// The outputs with registers on the heap, for a tape of any length: each evaluation allocates and frees them.
     pub fn evaluate_long<S: Analytic>(&self, constants: &[S], inputs: impl Iterator<Item = S>, outputs: &mut [S]) {
         self.evaluate_in(&mut Vec::new(), constants, inputs, outputs);
     }
 
-    /// The same with registers that are kept from evaluation to evaluation of this tape with these constants; the first one makes
-    /// them.
+    /// The outputs with registers that are kept from evaluation to evaluation of this tape with these constants; the first one
+    /// makes them.
     pub fn evaluate_in<S: Analytic>(
         &self,
         registers: &mut Vec<S>,
@@ -110,16 +110,16 @@ impl Tape {
 }
 
 impl<S> Program<'_, S> {
-    /// The program with a tape of its own, to be kept.
+    /// The program with a tape of its own.
     pub fn kept(self) -> Program<'static, S> {
         Program { tape: Cow::Owned(self.tape.into_owned()), registers: self.registers }
     }
 }
 
 impl<S: Analytic> Program<'_, S> {
-    /// The outputs at the inputs; numbers that are missing in `inputs` stay what they were, superfluous ones are
-    /// ignored, and of the outputs as many are written as there is room for.
-    // always inlined: whoever is compiled for wide registers evaluates with them
+    /// The outputs at the inputs; numbers that are missing in `inputs` keep their values, superfluous ones are ignored,
+    /// and as many outputs are written as there is room for.
+    // always inlined: code compiled for wide registers then evaluates with them
     #[inline(always)]
     pub fn evaluate(&mut self, inputs: &[S], outputs: &mut [S]) {
         // as a whole: wide numbers taken one by one out of an iterator go through memory, and are waited for there

@@ -22,7 +22,7 @@ pub enum Language {
 /// | Rust | `pub fn NAME(y: &[f64; N], dy: &mut [f64; M])` | |
 /// | Modelica | `function NAME`, from y to dy | |
 ///
-/// The constants are rounded to `f64`; so the code agrees with the law to round-off.
+/// The constants are rounded to `f64`: the code agrees with the law to round-off.
 #[derive(Clone, Copy, Debug)]
 pub struct Source<'a> {
     tape: &'a Tape,
@@ -32,7 +32,7 @@ pub struct Source<'a> {
     inputs: Option<&'a [String]>,
 }
 
-/// A tape as statements of a language, for a function that somebody else begins and ends.
+/// A tape as statements of a language, for a function whose head and end are written elsewhere.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Statements {
     /// One a line, each after those that it reads.
@@ -47,15 +47,16 @@ impl Tape {
         Source { tape: self, language, name, inputs: None }
     }
 
-    /// The tape as statements over inputs with these texts, one for each; results are called r0, r1, ...; in Modelica the statements are
-    /// equations of a model, which declares the results.
+    /// The tape as statements over inputs with these texts, one for each; results have the names r0, r1, ...; in Modelica the statements
+    /// are equations of a model, which declares the results.
     pub fn statements(&self, language: Language, inputs: &[String]) -> Statements {
         let source = Source { tape: self, language, name: "", inputs: Some(inputs) };
         let outputs = self.outputs.iter().map(|&output| source.number(output)).collect();
         Statements { lines: source.lines(), outputs }
     }
 
-    /// Additions, multiplications, divisions and roots; a circle point is counted apart, negations are free.
+    /// The numbers of additions, multiplications, divisions and roots; a circle point is counted apart, negations are
+    /// free.
     pub fn flops(&self) -> usize {
         let of = |operation: &Operation| match operation {
             Operation::Circle(_) | Operation::Elementary(..) | Operation::Negation(_) => 0,

@@ -1,4 +1,4 @@
-//! Functions of the last input alone, such as of the time, that a tape computes on its way, and their ranges over intervals of it.
+//! Functions of the last input alone, such as the time, that a tape computes, and their ranges over intervals of it.
 
 use super::{Operation, Register, Tape};
 use field::{Analytic, Circle, Elementary, Interval, Scalar, Tangent};
@@ -7,7 +7,7 @@ use field::{Analytic, Circle, Elementary, Interval, Scalar, Tangent};
 #[derive(Clone, Copy, PartialEq)]
 enum Dependence {
     Constant,
-    /// A line in the last input.
+    /// A linear function of the last input.
     Line,
     /// Another function of the last input alone.
     Curve,
@@ -15,8 +15,8 @@ enum Dependence {
 }
 
 impl Tape {
-    /// Functions of the last input alone that are no lines: the terms of sums, what stands beside other inputs, and elementary functions
-    /// and quotients within these. Each is a tape with the same inputs and one output.
+    /// Functions of the last input alone that are not linear: the terms of sums, cofactors of other inputs, and elementary functions and
+    /// quotients within these. Each is a tape with the same inputs and one output.
     pub fn parts_of_last_input(&self) -> Vec<Tape> {
         let mut depends = vec![Dependence::Others; self.registers];
         if let Some(last) = self.inputs.checked_sub(1) {
@@ -73,7 +73,7 @@ impl Tape {
     }
 }
 
-/// The way in which a result depends on the inputs, from that of what it reads.
+/// The way in which a result depends on the inputs, from the ways of its operands.
 fn dependence(operation: Operation, of: impl Fn(Register) -> Dependence) -> Dependence {
     use Dependence::{Constant, Curve, Line, Others};
     let all: Vec<Dependence> = operation.reads().map(of).collect();
@@ -95,7 +95,7 @@ fn dependence(operation: Operation, of: impl Fn(Register) -> Dependence) -> Depe
     }
 }
 
-/// Whether it only multiplies what it reads: the terms of sums are taken whole.
+/// Whether an operation only multiplies its operands: the terms of sums are taken whole.
 fn is_product(operation: Operation) -> bool {
     match operation {
         Operation::Product(..)
@@ -129,7 +129,7 @@ fn over_values(operation: Operation, of: impl Fn(Register) -> Interval) -> [Inte
     [one, Interval::EVERYTHING]
 }
 
-/// The same with slopes.
+/// The results and their slopes over intervals.
 fn over_tangents(operation: Operation, of: impl Fn(Register) -> Tangent<Interval>) -> [Tangent<Interval>; 2] {
     let [first, second] = over_values(operation, |register| of(register).value);
     let slope = match operation {
@@ -160,7 +160,7 @@ mod tests {
         let parts = |outputs: &[Sym]| Tape::record(&[x, t], outputs).expect("it has values").parts_of_last_input();
         assert_eq!(parts(&[x * t + Sym::int(3) * t, x]).len(), 0);
         assert_eq!(parts(&[x * pulse]).len(), 1);
-        // the cosine and the pulse are looked at apart, not their sum
+        // the cosine and the pulse are examined apart, not their sum
         assert!(parts(&[t.circle().cos + pulse + x]).len() >= 2);
         assert!(parts(&[t.circle().cos * t + t * t * t + x]).len() >= 2);
     }

@@ -16,7 +16,7 @@ pub(super) struct Elimination {
     products: Vec<Put>,
 }
 
-/// A column, and by number what is solved for and put into it.
+/// A column, and the numbers of the solved quantities substituted into it.
 #[derive(Clone, Debug)]
 struct Put {
     column: usize,
@@ -24,7 +24,7 @@ struct Put {
 }
 
 impl Elimination {
-    /// From what everything is solved by.
+    /// An elimination from the quantities and products that each solved quantity depends on.
     pub fn new(law: &Law, by: &[(Set, Set)]) -> Self {
         let puts = |sets: Vec<Set>, columns: usize| {
             let put = |column: usize| {
@@ -50,7 +50,7 @@ impl Elimination {
         weights: &Matrix<B, G>,
         gains: &mut Matrix<B, G>,
     ) {
-        // its own column has a one in its own row: so the rows are put in by the way
+        // a solved quantity has a one in its own column and row: the rows need no further sum
         let (columns, solved) = jacobian.as_flattened_mut().split_at_mut(self.moving);
         for Put { column, solved: by } in &self.quantities {
             let times = |number: usize| rows[number].of_moving(*column).rounded();

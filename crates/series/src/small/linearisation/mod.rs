@@ -1,7 +1,7 @@
-//! Where some quantities are solved for, quotients and roots: they are put into the rates, linearised about the point. Then no
-//! order waits for them.
+//! Small laws with solved quantities, quotients and roots: these are substituted into the rates, linearised about the point,
+//! and no order waits for them.
 //!
-//! In `f64` alone. Of a finer field few orders need all digits, and the derivatives would cost more than these.
+//! In `f64` alone. In a finer field few orders need all digits, and the derivatives would cost more than these.
 
 mod eliminate;
 mod matrix;
@@ -26,11 +26,11 @@ use std::ops::Range;
 pub(super) struct Linearised<const B: usize, const G: usize> {
     law: Law,
     shape: Shape<B>,
-    /// The rates by the quantities, and what is solved for by itself.
+    /// The rates by the quantities, with the solved quantities by themselves.
     linear: Matrix<B, B>,
     /// The rates by the products.
     weights: Matrix<B, G>,
-    /// For each quantity its products, with the other factor; and where the next one's begin.
+    /// For each quantity its products with the other factor, and the begin of those of the next one.
     partners: Vec<(u8, u8)>,
     ends: Vec<u8>,
     elimination: Elimination,
@@ -75,7 +75,7 @@ impl<const B: usize, const G: usize> Linearised<B, G> {
         self.orders.gains = self.weights;
     }
 
-    /// Finds J and W at the point where something is solved for.
+    /// Finds J and W at the point of the series.
     #[inline(always)]
     pub fn about<S: Fused, P: Permute<f64>>(&mut self, pick: P, solving: &Solving<S, B, G>) {
         self.linearise(pick, &solving.point().map(|eight| eight.rounded()));

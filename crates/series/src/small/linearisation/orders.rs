@@ -21,7 +21,7 @@ use std::ops::Range;
 pub(super) struct Shape<const B: usize> {
     jacobian: Fours<B>,
     gains: Fours<B>,
-    /// A bit for each quantity that is solved for.
+    /// A bit for each solved quantity.
     is_solved: [u8; B],
 }
 
@@ -33,7 +33,8 @@ impl<const B: usize> Shape<B> {
     }
 }
 
-/// Between two orders: f(y)_(k-1), what is known of f(y)_k without y_k, y_k, and what is known of the next products.
+/// The numbers between two orders: f(y)_(k-1), the part of f(y)_k without y_k, y_k, and the known part of the next
+/// products.
 #[derive(Clone, Copy)]
 pub(super) struct Between<E, const B: usize, const G: usize> {
     sums: [E; B],

@@ -1,4 +1,4 @@
-//! Which rows a column can have something in, whatever the numbers are.
+//! The rows in which a column can have entries, whatever the numbers are.
 
 use crate::small::law::Law;
 use crate::small::solving::{Set, members};
@@ -16,7 +16,8 @@ impl Pattern {
         (law.moving..law.quantities()).for_each(|quantity| columns[quantity] |= 1 << quantity);
         let mut weights = vec![0; law.products.len()];
         law.rates.quadratic.iter().for_each(|&(row, product, _)| weights[product] |= 1 << row);
-        // a product counts in the columns of both factors, what is solved for in those of all it is solved by
+        // a product counts in the columns of both factors, a solved quantity in those of all quantities that it depends
+        // on
         for (factors, rows) in law.products.iter().zip(&weights) {
             factors.iter().for_each(|&factor| columns[factor] |= rows);
         }

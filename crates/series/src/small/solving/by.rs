@@ -1,11 +1,11 @@
-//! By what everything that is solved for is solved.
+//! The moving quantities and products that each solved quantity depends on.
 
 use crate::small::law::{Law, Solved};
 
 /// A bit for each member.
 pub(in crate::small) type Set = u32;
 
-/// For all that is solved for: by what of all that moves, and by which products.
+/// For each solved quantity the set of moving quantities, and the set of products, on which it depends.
 pub(in crate::small) fn solved_by(law: &Law) -> Vec<(Set, Set)> {
     let mut by: Vec<(Set, Set)> = Vec::new();
     for solved in &law.solved {
@@ -27,7 +27,7 @@ pub(in crate::small) fn solved_by(law: &Law) -> Vec<(Set, Set)> {
     by
 }
 
-/// Their numbers.
+/// The numbers of the members.
 pub(in crate::small) fn members(set: Set) -> impl Iterator<Item = usize> {
     (0..Set::BITS as usize).filter(move |member| set >> member & 1 == 1)
 }

@@ -11,7 +11,7 @@ use crate::fused::Fused;
 use crate::small::permutation::Permute;
 use crate::stored::Stored;
 
-/// The quantities after those that move, among B groups of eight, with G groups of products.
+/// The solved quantities, among B groups of eight, with G groups of products.
 #[derive(Clone, Debug)]
 pub(super) struct Solving<S: Fused, const B: usize, const G: usize> {
     law: Law,
@@ -50,7 +50,7 @@ impl<S: Fused, const B: usize, const G: usize> Solving<S, B, G> {
         self.values.get(number as usize).copied().unwrap_or(S::zero())
     }
 
-    /// Order 0, from that of what moves.
+    /// Order 0 of all quantities, from that of the moving ones.
     #[inline(always)]
     pub fn first<P: Permute<S>>(&mut self, pick: P, moving: &[P::Eight; B]) -> [P::Eight; B] {
         let mut all = stored(pick, moving);
@@ -75,7 +75,7 @@ impl<S: Fused, const B: usize, const G: usize> Solving<S, B, G> {
         loaded(pick, &all)
     }
 
-    /// Order k > 0, from that of what moves and m_k = a_1 b_(k-1) + .. + a_(k-1) b_1 for each product.
+    /// Order k > 0, from that of the moving quantities and m_k = a_1 b_(k-1) + .. + a_(k-1) b_1 for each product.
     #[inline(always)]
     pub fn next<P: Permute<S>>(&self, pick: P, moving: &[P::Eight; B], middle: &[P::Eight; G]) -> [P::Eight; B] {
         let (mut all, middle) = (stored(pick, moving), stored(pick, middle));

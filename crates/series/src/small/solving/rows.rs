@@ -16,7 +16,7 @@ use crate::small::law::Solved;
 pub(in crate::small) struct Row<S, const B: usize, const G: usize> {
     moving: [[S; 8]; B],
     products: [[S; 8]; G],
-    /// Those that can be something else than zero.
+    /// The places of entries that may differ from zero.
     members: [Vec<u8>; 2],
 }
 

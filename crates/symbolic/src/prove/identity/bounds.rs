@@ -12,7 +12,7 @@ pub(super) struct Bounds {
     pub degree: f64,
     /// The logarithm of the sum of the sizes of its coefficients.
     pub bits: f64,
-    /// Differences of two arguments that are not the same; none where no two may be taken for one.
+    /// Differences of two arguments that are not the same; `None` where no two may be taken for one.
     pub mistaken: Option<Bounded>,
 }
 

@@ -29,16 +29,17 @@ use program::{Part, Program};
 const BITS: f64 = 60.0;
 const PRIMES: f64 = 54.0;
 
-/// The error that is allowed, as a power of two.
+/// The allowed error, as a power of two.
 const ALLOWED: f64 = -100.0;
 
-/// Points beyond which the degree is too high to be tested.
+/// The number of points beyond which the degree is too high for a test.
 const MOST_POINTS: usize = 64;
 
-/// Roots that are taken in the field, at most.
+/// The most roots that are taken in the field.
 const MOST_ROOTS: usize = 4;
 
-/// Points in vain, at which a denominator vanishes, or for each root four times as many where it is none of the field, after which it is taken to vanish everywhere.
+/// The number of points at which a denominator vanishes after which it is taken to vanish everywhere; four times as many for each root, where a root
+/// is not in the field.
 const MOST_IN_VAIN: usize = 16;
 
 /// The result of a test at random points.
@@ -48,7 +49,7 @@ pub enum Identity {
     Identified { degree: f64, points: usize, error: f64 },
     /// The expression does not vanish; its angles are linearly independent.
     NotZero,
-    /// It was not tested, for this reason.
+    /// The expression was not tested, for this reason.
     Untested(&'static str),
 }
 
@@ -57,10 +58,10 @@ pub fn identified(expressions: &[Sym]) -> Identity {
     IdentityTest::of(expressions).outcome()
 }
 
-/// A test that is planned: its work is known before it begins.
+/// A planned test: its work is known before it begins.
 pub struct IdentityTest {
     program: Program,
-    /// Roots that are taken in the field.
+    /// The roots that are taken in the field.
     taken: usize,
     degree: f64,
     /// The probability of error at one point, as a power of two.

@@ -8,7 +8,8 @@ use crate::graph::{Name, Node};
 use field::Elementary;
 use rustc_hash::FxHashMap;
 
-/// The values at a random point; none where a denominator vanishes. Roots have these signs, one bit each, or are taken as functions.
+/// The values at a random point; `None` where a denominator vanishes. Roots have these signs, one bit each, or are taken as
+/// functions.
 pub(super) fn values(program: &Program, field: &Field, random: &mut Random, signs: Option<u32>) -> Option<Vec<u64>> {
     let mut roots = 0;
     let mut values: Vec<u64> = Vec::with_capacity(program.parts.len());
@@ -59,7 +60,7 @@ pub(super) fn values(program: &Program, field: &Field, random: &mut Random, sign
     Some(values)
 }
 
-/// A function whose values are taken for independent of its argument.
+/// A function whose values are taken as independent of its argument.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 enum Opaque {
     Root,
@@ -67,7 +68,7 @@ enum Opaque {
     Named(Name, u32),
 }
 
-/// Whether no sum of angles by whole numbers vanishes: their values at as many random points make a matrix of full rank.
+/// Whether no integer combination of angles vanishes: their values at as many random points make a matrix of full rank.
 pub(super) fn angles_are_independent(program: &Program, random: &mut Random) -> bool {
     let mut angles: Vec<Sym> = Vec::new();
     for part in &program.parts {
@@ -91,7 +92,7 @@ pub(super) fn angles_are_independent(program: &Program, random: &mut Random) -> 
             continue;
         };
         if rows.is_empty() {
-            // those that are the same are one
+            // equal angles are one
             let mut known = Vec::new();
             for &angle in &inside.results {
                 if !known.contains(&values[angle]) {

@@ -1,4 +1,4 @@
-//! Fields of primes between 2^60 and 2^61, and numbers that are drawn from them.
+//! Fields of primes between 2^60 and 2^61, and random numbers in them.
 
 use dashu_int::UBig;
 use dashu_int::ops::UnsignedAbs;
@@ -33,7 +33,7 @@ impl Field {
         product
     }
 
-    /// A root in a field whose prime is 3 beyond a multiple of 4; none of what has none.
+    /// A square root in a field whose prime is 3 beyond a multiple of 4; `None` for a number without one.
     pub fn root(&self, a: u64) -> Option<u64> {
         let root = self.power(a, self.0.div_ceil(4));
         (self.times(root, root) == a).then_some(root)
@@ -60,7 +60,7 @@ impl Field {
         true
     }
 
-    /// A rational number; none where its denominator is zero in the field.
+    /// A rational number; `None` where its denominator is zero in the field.
     pub fn reduced(&self, value: Rational) -> Option<u64> {
         let (numerator, denominator) = value.to_big()?.into_parts();
         let modulo = |n: UBig| n % self.0;
@@ -84,7 +84,7 @@ pub(super) fn is_prime(n: u64) -> bool {
     })
 }
 
-/// Numbers that are drawn the same way each time (splitmix64).
+/// Random numbers that are the same in every run (splitmix64).
 pub(super) struct Random(pub u64);
 
 impl Random {
