@@ -1,8 +1,8 @@
 //! Exact and enclosed algebra over numbers: polynomials, their roots, enclosures, linear equations.
 //!
 //! # Overview
-//! For whoever must know a sign, a count or a place, and not a rounded value: which motions are stationary, whether one is
-//! stable, for which steps. Nothing here knows expressions or mechanics.
+//! The results are signs, counts and places, not rounded values: which motions are stationary, whether one is stable, for
+//! which steps. The crate knows neither expressions nor mechanics.
 //!
 //! * [`multivariate`]: sparse polynomials with integer coefficients, on which proofs rest;
 //! * [`real`]: real roots of polynomials, exactly; enclosures, Taylor models, fixed points;

@@ -1,4 +1,5 @@
-//! Whether two principles give the same equations: residuals are compared as they stand, linear in the accelerations, never solved.
+//! Agreement of principles: whether two give the same equations. Residuals, linear in the accelerations, are compared as they
+//! stand.
 
 use crate::divisors::named;
 use crate::equations::constraints_of;
@@ -22,14 +23,14 @@ pub enum Agreement {
     Identified { points: usize, error: f64 },
     /// Both sides have equal values at real points, to so many digits.
     Tested { points: usize, digits: f64 },
-    /// The difference in this equation is not zero, and here is a point.
+    /// The difference in this equation is not zero, as a point shows.
     Refuted { equation: usize, point: String },
     /// Nothing is known, for this reason.
     Undecided { equation: usize, reason: String },
 }
 
 impl Agreement {
-    /// In one word.
+    /// The degree in one word.
     pub fn rung(&self) -> &'static str {
         match self {
             Self::Proved { .. } | Self::Theorem { .. } => "proved",
@@ -42,7 +43,7 @@ impl Agreement {
 }
 
 impl Agreement {
-    /// The sentence where a line that has been read has the same divisors.
+    /// The sentence for a line after one with the same divisors.
     pub fn said_behind(&self, line: &str) -> String {
         match self {
             Self::Proved { divisors, at_start } if !divisors.is_empty() => {
@@ -97,17 +98,17 @@ impl fmt::Display for Agreement {
     }
 }
 
-/// Expressions with more operations have normal forms that may explode: they are identified instead.
+/// The number of operations beyond which expressions are tested at random points, since their normal forms may explode.
 const MOST_EXPANDED: usize = 4_000;
 
-/// The same where a theorem says that they are equal.
+/// The same limit where a theorem says that they are equal.
 const MOST_BESIDE_THEOREM: usize = 1_200;
 
-/// The same of quotients by determinants.
+/// The same limit for quotients by determinants.
 const MOST_OF_QUOTIENTS: usize = 300;
 
 /// Compares the residuals of two principles. Equations too long for their normal form are compared by the theorem on principles, and at
-/// random points: the theorem knows nothing of the code that formed them.
+/// random points: the theorem does not cover the code that formed them.
 ///
 /// # Errors
 /// Where one of them does not apply to the model.
@@ -119,7 +120,7 @@ pub fn agreement(trace: &Trace<'_>, one: Principle, other: Principle) -> Result<
     Ok(with_theorem(trace, &subject, &pairs, MOST_BESIDE_THEOREM, holds))
 }
 
-/// The same where a theorem says that both sides are equal, if it does: then long ones need no normal form.
+/// Compares residuals, with the theorem where it says that both sides are equal: long ones then need no normal form.
 fn with_theorem(
     trace: &Trace<'_>,
     subject: &str,
@@ -162,7 +163,7 @@ pub fn projected_agreement(trace: &Trace<'_>, projection: Projection) -> Result<
     let subject = format!("{} = {}", Principle::Lagrange.name(), projection.name());
     match projection {
         Projection::Maggi => {
-            // letters in the place of inertia less forces: what follows holds for any
+            // letters stand for inertia less forces: the result holds for any
             let any: Vec<Sym> = (0..trace.speeds.len()).map(|i| Sym::symbol(&format!("residual {}", i + 1))).collect();
             let (by_maggi, by_multipliers) = (characteristics.along(&any), characteristics.without_reactions(&any));
             let pairs: Vec<(Sym, Sym)> = by_multipliers.into_iter().zip(by_maggi).collect();
@@ -196,7 +197,8 @@ fn or_nothing(names: &str) -> &str {
     if names.is_empty() { "no speed" } else { names }
 }
 
-/// Whether the two sides of every pair are equal, masses that vary by their values: on the highest rung that is reached.
+/// Whether the two sides of every pair are equal, with the values of varying masses: by the strongest method that
+/// succeeds.
 pub(crate) fn decided(trace: &Trace<'_>, subject: &str, pairs: &[(Sym, Sym)]) -> Agreement {
     up_to(trace, subject, pairs, MOST_EXPANDED)
 }
@@ -214,7 +216,7 @@ fn up_to(trace: &Trace<'_>, subject: &str, pairs: &[(Sym, Sym)], most: usize) ->
     compared(&pairs, most, announce, |divisor| value_at_start(trace, divisor), |divisor| named(trace, divisor))
 }
 
-/// Divisors below this are taken for zero at a start.
+/// The size below which divisors count as zero at a start.
 const VANISHES: f64 = 1e-12;
 
 /// Whether the two sides of every pair are equal as they stand; divisors have values at the start, and names, where they may vanish.
@@ -345,7 +347,7 @@ mod tests {
             // letters have values of their own
             assert_eq!(equal_digits(&[(x, y)]), None);
             assert!(equal_digits(&[(x.circle().sin * y, y * x.circle().sin)]).is_some());
-            // no real point has a value
+            // no real point gives a value
             assert_eq!(equal_digits(&[((-x).sqrt(), (-x).sqrt() + y)]), None);
         });
     }

@@ -1,4 +1,4 @@
-//! The expressions of a model: every part by its place in one list, after the parts that it is made of.
+//! The expressions of a model: all parts in one list, each after its own parts.
 
 use crate::expression::Exponent;
 use crate::{BodyId, FrameId, Material, PointId};
@@ -56,9 +56,9 @@ pub enum Scalar {
         order: usize,
     },
     Time,
-    /// 1 where the expression of the switch is positive, else 0.
+    /// 1 where the expression of the switch is positive, otherwise 0.
     Switch(usize),
-    /// 1 where an expression is positive, 0 where it is negative, for outputs: the law does not change with it.
+    /// 1 where an expression is positive, 0 where it is negative, in outputs: the law does not depend on it.
     Step(ScalarId),
     /// An input, by its value or as a letter.
     Input(usize),
@@ -86,11 +86,11 @@ pub enum Scalar {
         contact: usize,
         component: usize,
     },
-    /// T of the whole system.
+    /// T, the kinetic energy of the whole system.
     KineticEnergy,
-    /// V of the whole system.
+    /// V, the potential energy of the whole system.
     PotentialEnergy,
-    /// Inertia less forces of coordinates without inertia, which holds no acceleration: by its place among the laws of the model.
+    /// Inertia less forces of coordinates without inertia, without accelerations: by its place among the laws of the model.
     Law {
         number: usize,
     },
@@ -110,7 +110,7 @@ pub enum Function {
 }
 
 impl Function {
-    /// The function of a name.
+    /// The function with this name.
     pub fn named(name: &str) -> Option<Self> {
         Some(match name {
             "sin" => Function::Sin,
@@ -136,12 +136,12 @@ pub enum Vector {
     Difference(VectorId, VectorId),
     Scaled(ScalarId, VectorId),
     Cross(VectorId, VectorId),
-    /// From a point to another.
+    /// The vector from a point to another.
     Between {
         from: PointId,
         to: PointId,
     },
-    /// As seen from a frame; a point of a body moves with it.
+    /// The velocity relative to a frame; a point of a body moves with it.
     Velocity {
         of: Material,
         seen: FrameId,
@@ -155,7 +155,7 @@ pub enum Vector {
         of: FrameId,
         seen: FrameId,
     },
-    /// The rate of a vector, as seen from a frame.
+    /// The rate of a vector relative to a frame.
     RateOf {
         of: VectorId,
         seen: FrameId,
@@ -181,7 +181,7 @@ pub(crate) enum Part {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Arena {
     pub parts: Vec<Part>,
-    /// Where each stands: parts that are written twice are one. Numbers have the text of their dimension beside them.
+    /// The place of each part: equal parts are one. Numbers have the text of their dimension beside them.
     known: FxHashMap<(Part, String), usize>,
 }
 

@@ -17,7 +17,7 @@ pub struct Feedback {
 }
 
 impl Feedback {
-    /// Inputs less their values along the motion, at a deviation.
+    /// The deviation of the inputs from their values along the motion.
     pub fn added(&self, deviation: &[f64]) -> Vec<f64> {
         let product = |row: &[f64]| -row.iter().zip(deviation).map(|(gain, part)| gain * part).sum::<f64>();
         self.inputs.iter().map(|(_, _, row)| product(row)).collect()

@@ -1,15 +1,16 @@
-//! The loads of a system: which act in pairs, and which have no partner; those without a potential along each speed.
+//! The loads of a system: those that act in pairs, and those without a partner; loads without a potential along each
+//! speed.
 
 use crate::principles::loads::generalised;
 use crate::{Along, Force, Material, Model, Torque, Trace, Vector};
 use symbolic::{Dimension, Sym};
 
-/// Loads of a system by where they come from.
+/// The loads of a system by their origin.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Pairs {
     /// Loads between two bodies, or two points: equal and opposite.
     pub between: usize,
-    /// Loads that act on one body alone, by what they act on.
+    /// Loads that act on one body alone, by their receivers.
     pub from_outside: Vec<String>,
     /// Loads along coordinates that are no charges.
     pub along: Vec<String>,
@@ -66,7 +67,7 @@ fn place(model: &Model, Material { body, point }: Material) -> String {
     }
 }
 
-/// The forces without a potential along each speed, masses that vary by their values.
+/// The forces without a potential along each speed, with the values of varying masses.
 pub fn forces_without_potential(trace: &Trace<'_>) -> Vec<Sym> {
     trace.with_masses(&generalised(trace, false))
 }

@@ -1,4 +1,4 @@
-//! Divisors of a normal form as sentences name them: |F.q|^2 of a free frame's quaternion, lengths, and none that cannot vanish.
+//! Divisors of a normal form in words: |F.q|^2 of a free frame's quaternion, lengths; divisors that cannot vanish have none.
 
 use crate::Trace;
 use crate::arena::{Part, Scalar};
@@ -10,14 +10,14 @@ use symbolic::Sym;
 /// Characters of the longest divisor that is written out.
 const MOST_READ: usize = 200;
 
-/// Points at which a divisor must be the same multiple of a length, and the digits of that.
+/// The number of points at which a divisor must be one multiple of a length, and the digits of the agreement.
 const POINTS: u64 = 4;
 const DIGITS: f64 = 1e-10;
 
 /// The highest power of a quaternion's square that stands beside a length.
 const MOST_POWER: i32 = 4;
 
-/// A divisor in words; none of one that cannot vanish: a number, pi, their products.
+/// A divisor in words; `None` for one that cannot vanish: a number, pi, their products.
 pub(crate) fn named(trace: &Trace<'_>, divisor: Sym) -> Option<String> {
     if divisor.symbols_of().iter().all(|&symbol| symbol == trace.pi) {
         return None;

@@ -2,7 +2,7 @@
 //!
 //!   M u' + h = J^T lambda,    J u' + c = 0,    u = q'
 //!
-//! with h = inertia that depends on speeds less all forces. A constraint of positions counts twice differentiated, one of speeds
+//! with h = inertia that depends on speeds less all forces. A constraint on positions enters twice differentiated, one on speeds
 //! once.
 
 mod articulated_bodies;
@@ -41,10 +41,11 @@ pub fn dependent_everywhere(trace: &Trace<'_>, among: &[[usize; 2]]) -> Vec<[usi
     these.into_iter().filter(|one| depends(&one.row, &others)).map(|one| one.of).collect()
 }
 
-/// Accelerations u' and multipliers lambda, or the first coordinate, or constraint, without a pivot that is not zero as it stands.
+/// Accelerations u' and multipliers lambda; otherwise the first coordinate, or constraint, whose pivot is the constant zero.
 pub type Solved = Result<(Vec<Sym>, Vec<Sym>), Singular>;
 
-/// Systems with more speeds are not eliminated from their mass matrix where their bodies form a tree: it would be longer.
+/// The number of speeds beyond which the tree of bodies is used instead of the mass matrix, where there is one: the
+/// result is shorter.
 pub const MOST_COMPARED: usize = 8;
 
 /// Accelerations and multipliers: over the tree of bodies, or from the mass matrix where that is shorter or there is no tree.
@@ -94,7 +95,7 @@ impl Equations {
         let n = residual.len();
         let mass = residual.iter().map(|row| (0..n).map(|j| trace.by_acceleration(*row, j)).collect()).collect();
         let constraints = constraints::equations(trace);
-        // multipliers drop out where a principle knows them
+        // multipliers drop out where a principle contains the constraints
         let none = constraints.iter().map(|constraint| constraint.multiplier);
         let at_rest: Vec<(Sym, Sym)> =
             trace.accelerations.iter().copied().chain(none).map(|symbol| (symbol, Sym::ZERO)).collect();
@@ -121,7 +122,7 @@ impl Equations {
         elimination::solved(self)
     }
 
-    /// The accelerations by multipliers that are not known.
+    /// The accelerations with unknown multipliers.
     ///
     /// # Errors
     /// The first coordinate without a pivot that is not zero as it stands.

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-/// One thing that is wrong.
+/// One fault.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fault {
     /// Bytes of the text that the system was read from.
@@ -16,7 +16,7 @@ pub struct Fault {
 }
 
 impl Fault {
-    /// A consequence of another fault, which is told: nothing is said of this one.
+    /// A consequence of another fault that is reported: this one is not reported.
     pub(crate) fn consequence(span: Range<usize>) -> Self {
         Fault { span, title: String::new(), label: String::new(), accepted: String::new() }
     }
@@ -25,7 +25,7 @@ impl Fault {
         self.title.is_empty()
     }
 
-    /// At a place.
+    /// A fault at a place.
     pub fn at(
         span: Range<usize>,
         title: impl Into<String>,

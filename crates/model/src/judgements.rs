@@ -1,4 +1,4 @@
-//! All that can be said of the equations of a model, each with its verdict.
+//! All judgements of the equations of a model, each with its verdict.
 
 use crate::agreement::{Agreement, agreement, projected_agreement};
 use crate::parts::Implied;
@@ -15,7 +15,7 @@ pub struct Judgement {
     pub subject: Subject,
     /// Why it does not apply, otherwise.
     pub agreement: Result<Agreement, String>,
-    /// Grounds of the verdict: where it was decided, and the loss by a mistake.
+    /// The grounds of the verdict: the points where it was decided, or the terms lost by a mistake.
     pub behind: Vec<String>,
     /// Whether the verdict must not be a refutation.
     pub must_hold: bool,
@@ -28,7 +28,7 @@ pub enum Subject {
     Principles([&'static str; 2]),
     /// The same in quasi-velocities, by their names.
     InQuasiVelocities { principles: [&'static str; 2], speeds: Vec<String> },
-    /// A quantity, and what the equations say of it.
+    /// A quantity, and a statement of the equations about it.
     Statement { about: String, says: String },
     /// A mistaken derivation.
     Mistake { mistake: Mistake, says: String },

@@ -1,12 +1,12 @@
-//! A system as data: what moves, what acts on it, what holds it; and its equations of motion by every principle.
+//! A system as data: its bodies, loads and constraints; and its equations of motion by every principle.
 //!
 //! # Overview
-//! * [`Source`]: a system as somebody wrote it, by keys whose values are expressions ([`expression`]);
-//! * [`Model`]: the same with every name resolved and every dimension checked. It owns its expressions and may be sent between
-//!   threads;
+//! * [`Source`]: a system as it is written, by keys whose values are expressions ([`expression`]);
+//! * [`Model`]: the system with every name resolved and every dimension checked. It owns its expressions and may be sent
+//! between threads;
 //! * [`Trace`]: the model over symbols, in the graph of one thread: positions, velocities and accelerations formed recursively,
-//!   each in a frame that is at hand;
-//! * [`principles`]: the equations of motion, each principle by derivatives that nobody writes down.
+//! each in a convenient frame;
+//! * [`principles`]: the equations of motion; each principle takes its derivatives automatically.
 //!
 //! ```
 //! use dalembert_model::{Model, Source, Trace, principles::Principle};

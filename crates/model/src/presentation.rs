@@ -33,7 +33,7 @@ use num_traits::Zero;
 use reading::Reading;
 use symbolic::{Hypotheses, Node, Sym, normal};
 
-/// Whether a text has several terms outside of its parentheses.
+/// Whether a text has several terms outside parentheses.
 pub(crate) fn is_sum(text: &str) -> bool {
     let mut depth = 0;
     text.char_indices().any(|(at, letter)| {
@@ -88,7 +88,7 @@ pub fn constraints(trace: &Trace<'_>) -> Vec<String> {
     lines.chain(whole).collect()
 }
 
-/// A text in which a count of operations that has reached its end is no number.
+/// Replaces a count of operations that has overflowed by words.
 pub(crate) fn with_counts(text: &str) -> String {
     text.replace(
         &format!("an expression of {} operations", u64::MAX),
@@ -110,7 +110,7 @@ pub fn shorter(trace: &Trace<'_>, expression: Sym) -> Sym {
 /// Expressions with more operations are left as they are.
 const MOST_SIMPLIFIED: usize = 2_000;
 
-/// The normal form, but where its denominator was multiplied with conjugates: these vanish where the expression has a value, as
+/// The normal form, unless its denominator was multiplied by conjugates: these vanish where the expression has a value, as
 /// sin(a - q) sin(a + q) = cos(q)^2 - cos(a)^2 does beside sin(a - q). Then numerator and denominator are each in normal form.
 pub(crate) fn simplified_as_defined(expression: Sym) -> Sym {
     if Sym::operations_of(&[expression]) > MOST_SIMPLIFIED {

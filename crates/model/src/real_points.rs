@@ -1,5 +1,5 @@
-//! Whether two expressions have equal values at real points, to the digits of double-double numbers: where roots or functions keep an
-//! identity from being decided otherwise.
+//! Tests at real points: whether two expressions have equal values to the digits of double-double numbers, where roots or functions
+//! keep an identity from being decided otherwise.
 
 use crate::Trace;
 use field::DoubleDouble;
@@ -9,7 +9,7 @@ use symbolic::Sym;
 const POINTS: u64 = 24;
 const NEEDED: usize = 12;
 
-/// Digits of a double-double number that rounding leaves to sums of some thousand terms.
+/// The digits of a double-double number that remain after rounding in sums of some thousand terms.
 const DIGITS: f64 = 22.0;
 
 /// The points at which all pairs agree and the digits to which they do; none where too few points have values, or some pair differs.

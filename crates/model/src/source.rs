@@ -1,4 +1,4 @@
-//! A system as somebody wrote it: keys with texts, each text with its place.
+//! A system as it is written: keys with texts, each text with its place.
 
 use crate::OneWay;
 use std::ops::Range;
@@ -84,7 +84,7 @@ pub struct Source {
     pub regulator: Option<RegulatorSource>,
     /// `theta = "30 deg"`, `theta' = "2 rad/s"`; zero where left out.
     pub start: Vec<Entry>,
-    /// Where it is said that the start is an equilibrium near these.
+    /// The place where the start is declared an equilibrium near these values.
     pub equilibrium: Option<Range<usize>>,
     /// Parameters that a smaller model leaves out: zero for good, with all that vanishes with them; no text names them.
     pub absent: Vec<String>,

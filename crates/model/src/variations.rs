@@ -1,5 +1,5 @@
-//! The equations of motion, varied: exact derivatives of every equation by coordinates, speeds and inputs, for linearisation, trim and
-//! inverse dynamics.
+//! Variations of the equations of motion: exact derivatives of every equation by coordinates, speeds and inputs, for linearisation,
+//! trim and inverse dynamics.
 //!
 //!   R = M z + h - Q - J^T lambda,    a = df/dt or f,    b = J z + c = da/dt,    z = q''
 //!
@@ -35,7 +35,7 @@ pub struct Varied {
     pub by_accelerations: Vec<Vec<Sym>>,
     pub by_multipliers: Vec<Vec<Sym>>,
     pub by_inputs: Vec<Vec<Sym>>,
-    /// By the time, everything else at rest.
+    /// The partial derivatives by the time.
     pub by_time: Vec<Sym>,
 }
 

@@ -3,7 +3,7 @@
 use crate::Model;
 use std::fmt;
 
-/// The rung that is tried, and the counts that its time and memory follow from.
+/// The kind of test that is tried, and the counts from which its time and memory follow.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Work {
     /// The statement that is judged.

@@ -1,29 +1,29 @@
-//! A zero that is shown: one in a box, and no other there.
+//! Proof of existence: one zero in a box, and no other there.
 
 use super::Equations;
 use super::newton::Local;
 use super::search::Zero;
 use field::Interval;
 
-/// Steps of Newton's method towards a zero near a box.
+/// The most Newton steps towards a zero near a box.
 const STEPS: usize = 8;
 
-/// Sizes of a box about it, each an eighth of the one before.
+/// The number of sizes of a box about it that are tried, each an eighth of the one before.
 const SIZES: i32 = 8;
 
-/// The smallest size of a box in which a zero is shown, beside one and its own size.
+/// The smallest size of a box in which a zero is shown, relative to one and to the size of the zero.
 const ROUNDING: f64 = 1e-13;
 
-/// Newton's steps by which an enclosure is narrowed at most.
+/// The most Newton steps by which an enclosure is narrowed.
 const NARROWINGS: usize = 20;
 
-/// A zero near a box, from which Newton's method comes to it, in a box about it of up to twice the size.
+/// A zero near a box, found by Newton's method from the box, in a box about it of up to twice the size.
 pub(super) fn shown(equations: &mut dyn Equations, near: &[Interval]) -> Option<Zero> {
     let mut at: Vec<f64> = near.iter().map(|part| part.middle()).collect();
     for _ in 0..STEPS {
         let local = Local::of(equations, &points(&at))?;
         at.iter_mut().zip(&local.step).for_each(|(at, step)| *at -= step.middle());
-        // a box as narrow as rounding holds its zero no more surely than the places beside it
+        // a box as narrow as rounding does not hold its zero more surely than its neighbourhood
         let reach = |at: f64, near: &Interval| near.width().max(1e-12 * near.size()).max(ROUNDING * (1.0 + at.abs()));
         let strays = |(at, near): (&f64, &Interval)| (at - near.middle()).abs() > reach(*at, near);
         if at.iter().any(|at| !at.is_finite()) || at.iter().zip(near).any(strays) {
@@ -32,7 +32,7 @@ pub(super) fn shown(equations: &mut dyn Equations, near: &[Interval]) -> Option<
     }
     (0..SIZES).find_map(|size| {
         let part = 8.0_f64.powi(-size);
-        // never below rounding
+        // the size is never below rounding
         let radius = |(at, near): (&f64, &Interval)| (part * near.width()).max(ROUNDING * (1.0 + at.abs()));
         let alone: Vec<Interval> =
             at.iter().zip(near).map(|pair| Interval::new(pair.0 - radius(pair), pair.0 + radius(pair))).collect();

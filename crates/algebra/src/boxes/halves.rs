@@ -2,11 +2,11 @@
 
 use field::Interval;
 
-/// A side below this part of the longest is not divided before it.
+/// A side below this part of the longest is not halved before it.
 const SHORT: f64 = 1.0 / 64.0;
 
-/// The halves of a box across the side that is to blame, or else its longest one, each side as a part of the domain's; `None` where the box is
-/// small along all.
+/// The halves of a box across the side that limits progress, or else its longest one, each side relative to the domain's; `None` where the box
+/// is small along all sides.
 pub fn halves(
     at: &[Interval],
     domain: &[Interval],
@@ -18,7 +18,7 @@ pub fn halves(
         whole => at[k].width() / whole,
     };
     let longest = (0..at.len()).max_by(|&a, &b| part(a).total_cmp(&part(b)))?;
-    // a side that is short already is no help
+    // halving a side that is short already does not help
     let side = blamed.filter(|&k| part(k) > smallest && part(k) > SHORT * part(longest)).unwrap_or(longest);
     let (whole, middle) = (at[side], at[side].middle());
     if part(longest) < smallest || !(whole.low() < middle && middle < whole.high()) {

@@ -1,11 +1,12 @@
 //! All zeros of nonlinear equations in a box, none missing: branch and prune with Newton's method over intervals.
 //!
-//! A box in which an equation has no zero is left out, by propagation through each equation alone where there is one. Of the others Newton's method over intervals (Hansen and Sengupta 1981) keeps the
-//! part where zeros may be; Krawczyk's operator K shows that there is one and no other,
+//! A box in which an equation has no zero is left out, by propagation through each equation alone where there is one. In the other boxes Newton's
+//! method over intervals (Hansen and Sengupta 1981) keeps the part where zeros may be; Krawczyk's operator K shows that there is one and no other,
 //!
 //!   K(X) = m - C f(m) + (1 - C f'(X)) (X - m) inside X ,    C about f'(m)^-1 .
 //!
-//! A box that can neither be left out nor shown is divided, down to boxes that are told as undecided.
+//! A box that can neither be left out nor shown to hold one zero is halved; boxes at the smallest size are reported as
+//! undecided.
 
 mod existence;
 mod halves;
@@ -21,7 +22,7 @@ use field::Interval;
 
 /// Equations over intervals, as many as unknowns.
 pub trait Equations {
-    /// The number of unknowns that are divided; they stand first.
+    /// The number of unknowns along which boxes are halved; they stand first.
     fn divided(&self) -> usize;
 
     /// The number of unknowns that the others determine.
@@ -29,7 +30,8 @@ pub trait Equations {
         0
     }
 
-    /// Narrows a box of all unknowns to where zeros may be, the determined ones from everything; false where there are none.
+    /// Narrows a box of all unknowns to the part in which zeros may be, the determined ones from everything; false where
+    /// there are none.
     fn narrow(&mut self, _at: &mut [Interval]) -> bool {
         true
     }

@@ -4,7 +4,8 @@ use super::Equations;
 use field::Interval;
 use nalgebra::DMatrix;
 
-/// A box seen from its middle: f about the middle, f' over the box, and what makes that about one.
+/// The linearisation of equations over a box: f at the middle, f' over the box, and a matrix C near the inverse of f'
+/// at the middle.
 pub(super) struct Local {
     pub middle: Vec<f64>,
     /// C f(m)
@@ -14,7 +15,7 @@ pub(super) struct Local {
 }
 
 impl Local {
-    /// None where f' has no inverse about the middle, or no bounds.
+    /// `None` where f' has no inverse about the middle, or no bounds.
     pub fn of(equations: &mut dyn Equations, at: &[Interval]) -> Option<Self> {
         let n = at.len();
         let mut slopes = vec![Interval::EVERYTHING; n * n];
@@ -24,7 +25,7 @@ impl Local {
         Local::new(at, &values, |row, column| slopes[row * n + column])
     }
 
-    /// By the values where the unknowns of a box have their middles, and slopes over it.
+    /// From the values at the middles of a box's unknowns, and the slopes over the box.
     pub fn new(at: &[Interval], values: &[Interval], slope: impl Fn(usize, usize) -> Interval) -> Option<Self> {
         let n = at.len();
         if (0..n * n).any(|place| !slope(place / n, place % n).size().is_finite()) {
@@ -42,7 +43,7 @@ impl Local {
         })
     }
 
-    /// The part of a box that may hold zeros; none where there is no such part.
+    /// The part of a box that may hold zeros; `None` where there is no such part.
     pub fn narrowed(&self, at: &[Interval]) -> Option<Vec<Interval>> {
         let n = at.len();
         let mut left = at.to_vec();

@@ -11,39 +11,39 @@ use std::collections::VecDeque;
 /// A zero: the only one in a box.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Zero {
-    /// As narrow as rounding allows.
+    /// The zero, enclosed as narrowly as rounding allows.
     pub enclosure: Vec<Interval>,
-    /// A box with no other zero.
+    /// A box about it with no other zero.
     pub alone: Vec<Interval>,
 }
 
-/// Where a search ends.
+/// The limits of a search.
 #[derive(Clone, Copy, Debug)]
 pub struct Limits {
-    /// Boxes that are looked at.
+    /// The most boxes that are examined.
     pub boxes: usize,
-    /// Part of the first box, along each unknown, below which a box is not divided.
+    /// The part of the first box, along each unknown, below which a box is not halved.
     pub smallest: f64,
 }
 
 /// The result of a search: every zero of the box is one of these, or in one of the undecided boxes.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Found {
-    /// Some may lie beyond the box, near its sides.
+    /// The zeros; some may lie beyond the box, near its sides.
     pub zeros: Vec<Zero>,
-    /// Boxes of the divided unknowns in which there may be others.
+    /// Boxes in which there may be further zeros.
     pub undecided: Vec<Vec<Interval>>,
-    /// Boxes that were looked at.
+    /// The number of boxes examined.
     pub examined: usize,
 }
 
-/// A box that is left narrower than this part is narrowed again instead of being divided.
+/// A box that is narrowed below this part is narrowed again instead of being halved.
 pub(super) const WORTH: f64 = 0.75;
 
-/// Boxes between two questions whether to go on.
+/// The number of boxes between two calls of `goes_on`.
 const BETWEEN: usize = 16;
 
-/// All zeros in a box of the divided unknowns; `goes_on` is asked now and then.
+/// All zeros in a box of the first unknowns; the search ends early where `goes_on` says so.
 pub fn zeros(
     equations: &mut dyn Equations,
     domain: &[Interval],
@@ -51,7 +51,7 @@ pub fn zeros(
     mut goes_on: impl FnMut() -> bool,
 ) -> Found {
     let (n, all) = (equations.divided(), equations.divided() + equations.determined());
-    // where equations have no values sides may be narrowed without end
+    // where equations have no values, sides could be narrowed without end
     let least: Vec<f64> = domain.iter().map(|side| limits.smallest * side.width()).collect();
     let (mut found, mut worth) = (Found::default(), Worth::default());
     let mut first = domain.to_vec();
@@ -73,7 +73,7 @@ pub fn zeros(
             },
         }
     }
-    // a zero that was shown later may be alone where nothing was decided before
+    // a zero that was shown later may be the only one where nothing was decided before
     let Found { zeros, undecided, .. } = &mut found;
     let is_part = |at: &[Interval], zero: &Zero| {
         at.len() == zero.alone.len() && at.iter().zip(&zero.alone).all(|(at, alone)| at.is_part_of(*alone))
@@ -86,11 +86,11 @@ pub fn zeros(
 /// The part of a box that is still open.
 enum Left {
     One(Vec<Interval>),
-    /// By the sign of a determined unknown.
+    /// The parts by the sign of a determined unknown.
     OfSigns([Vec<Interval>; 2]),
 }
 
-/// The part of a box that is still open; none where all of it is decided.
+/// The part of a box that is still open; `None` where all of it is decided.
 fn examined(
     equations: &mut dyn Equations,
     mut at: Vec<Interval>,
@@ -147,7 +147,7 @@ fn examined(
     }
 }
 
-/// Whether two zeros are one: the enclosure of one lies where the other is alone, and both meet.
+/// Whether two zeros are equal: the enclosure of one lies where the other is alone, and both overlap.
 fn is_same(known: &Zero, other: &Zero) -> bool {
     let meets = known.enclosure.iter().zip(&other.enclosure).all(|(a, b)| a.and(*b).is_some());
     let within = |a: &[Interval], b: &[Interval]| a.iter().zip(b).all(|(a, b)| a.is_part_of(*b));

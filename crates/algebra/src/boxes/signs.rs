@@ -9,22 +9,22 @@ use field::Interval;
 pub(super) enum Signs {
     /// Without zeros.
     None,
-    /// Narrowed to the parts of both signs, where these are not worth to be looked at alone.
+    /// Narrowed to the hull of the parts of both signs, which are not worth separate boxes.
     One,
     /// Each sign of an unknown bounds it, or leaves a much smaller box.
     Both([Vec<Interval>; 2]),
 }
 
-/// Boxes that are seen by signs in any case.
+/// The number of boxes that are split by signs in any case.
 const FIRST: usize = 64;
 
-/// Where this part of the boxes seen by signs gains by it, more are.
+/// Beyond them boxes are split while at least one in so many gained by it.
 const GAINS: usize = 8;
 
-/// One box of so many is seen by signs where few gain by it.
+/// Otherwise one box in so many is split.
 const SELDOM: usize = 32;
 
-/// The worth of signs in a search.
+/// The gain by splits in a search.
 #[derive(Default)]
 pub(super) struct Worth {
     asked: usize,
@@ -33,7 +33,7 @@ pub(super) struct Worth {
 }
 
 impl Worth {
-    /// Narrows a box by both signs of each determined unknown that nothing bounds, where that has been worth its price.
+    /// Narrows a box by both signs of each determined unknown without bounds, where splits have gained enough.
     pub fn by_signs(&mut self, equations: &mut dyn Equations, at: &mut [Interval]) -> Signs {
         self.asked += 1;
         if self.seen >= FIRST && self.gained * GAINS < self.seen && !self.asked.is_multiple_of(SELDOM) {

@@ -1,11 +1,12 @@
-//! A box in which some unknowns have no bounds yet: equations without them narrow the others, as many as there are such equations.
+//! Boxes in which some unknowns have no bounds yet: equations without them narrow the others, if there are as many such equations.
 
 use super::Equations;
 use super::newton::Local;
 use field::Interval;
 use nalgebra::DMatrix;
 
-/// The part that may hold zeros of a box whose unknowns from `bounded` on may be anything; none where there is no such part.
+/// The part that may hold zeros of a box whose unknowns from `bounded` on have any value; `None` where there is no such
+/// part.
 pub(super) fn narrowed(equations: &mut dyn Equations, at: &[Interval], bounded: usize) -> Option<Vec<Interval>> {
     let n = at.len();
     let mut slopes = vec![Interval::EVERYTHING; n * n];
@@ -34,7 +35,7 @@ pub(super) fn narrowed(equations: &mut dyn Equations, at: &[Interval], bounded: 
     Some(all)
 }
 
-/// A column for each row, with the largest pivot that is left; none where one is zero.
+/// A column for each row, with the largest remaining pivot; `None` where one is zero.
 fn pivots(rows: &[usize], columns: usize, entry: impl Fn(usize, usize) -> f64) -> Option<Vec<usize>> {
     let m = rows.len();
     if m == 0 || m > columns {

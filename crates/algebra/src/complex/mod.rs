@@ -2,8 +2,8 @@
 //!
 //! # Overview
 //! * [`Rectangle`]: a complex number between multiples of a power of two, rounded outwards;
-//! * [`zeros()`]: all zeros of a polynomial whose coefficients are enclosed, with the proof that each is where it is said
-//!   to be, for every polynomial in the enclosures.
+//! * [`zeros()`]: all zeros of a polynomial with enclosed coefficients, each in a proved rectangle, for every polynomial
+//! in the enclosures.
 //!
 //! ```
 //! use dalembert_algebra::complex::zeros;

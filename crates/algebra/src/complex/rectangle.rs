@@ -3,7 +3,7 @@
 use crate::real::Enclosure;
 use std::ops::{Add, Mul, Sub};
 
-/// Every operation rounds outwards, so that it holds every value that the operands allow.
+/// A complex number. Every operation rounds outwards: the result holds every value that the operands allow.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rectangle {
     pub re: Enclosure,
@@ -28,7 +28,7 @@ impl Rectangle {
         Some(Rectangle { re: product.re.over(&size)?, im: product.im.over(&size)? })
     }
 
-    /// The number in its middle.
+    /// The number in the middle of the rectangle.
     pub fn middle(&self) -> Self {
         Rectangle { re: self.re.middle(), im: self.im.middle() }
     }

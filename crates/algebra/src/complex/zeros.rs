@@ -1,9 +1,9 @@
 //! All zeros of a polynomial, found by Weierstrass' iteration and proved by Smith's discs.
 //!
 //! Let p be monic of degree n, z_1 .. z_n any different numbers, and w_i = p(z_i) / prod_(j != i) (z_i - z_j). The zeros of
-//! p are the eigenvalues of diag(z) - w 1^T, so that by Gershgorin the discs about z_i with the radii n |w_i| hold all of
-//! them, and a disc apart from the others holds exactly one (Smith 1970). Nothing is asked of how the z_i were found. With
-//! enclosed coefficients p(z_i) is enclosed, and the statement holds for every polynomial in the enclosures.
+//! p are the eigenvalues of diag(z) - w 1^T: by Gershgorin the discs about z_i with the radii n |w_i| hold all of them, and
+//! a disc apart from the others holds exactly one (Smith 1970). The z_i may be found in any way. With enclosed coefficients
+//! p(z_i) is enclosed, and the statement holds for every polynomial in the enclosures.
 //!
 //! A disc whose centre is real is its own mirror image: if it is apart from the others its zero is real.
 
@@ -22,7 +22,8 @@ pub struct Zero {
 const FLOATING: usize = 400;
 /// Rounds of the iteration in long numbers; each doubles the number of correct digits.
 const LONG: usize = 12;
-/// Share of the size of a zero below which an imaginary part is taken for none: then it is proved to be none, or not.
+/// Relative size of an imaginary part below which a zero is tried as real: then this is proved, or the zero is not
+/// found.
 const FLAT: f64 = 1e-20;
 
 /// Every zero of a polynomial, coefficients from the constant upwards, as real polynomials have them: in conjugate pairs
@@ -81,7 +82,7 @@ fn weierstrass(monic: &[Enclosure], centres: &[Rectangle], i: usize) -> Option<R
     value.over(&others.fold(one, |product, (_, other)| &product * &(at - other)))
 }
 
-/// The same iteration in floats, the unknown scaled so that no zero is larger than two.
+/// The iteration in floats, the unknown scaled so that no zero is larger than two.
 fn floating(monic: &[Enclosure]) -> Option<Vec<[f64; 2]>> {
     let n = monic.len();
     let size = |k: usize| monic[k].to_f64().abs().powf(1.0 / (n - k) as f64);
@@ -91,7 +92,7 @@ fn floating(monic: &[Enclosure]) -> Option<Vec<[f64; 2]>> {
     }
     let scaled: Vec<f64> = (0..n).map(|k| monic[k].to_f64() / scale.powi((n - k) as i32)).collect();
     let product = |[a, b]: [f64; 2], [c, d]: [f64; 2]| [a * c - b * d, a * d + b * c];
-    // no symmetry of the zeros is one of these
+    // starting points without the symmetries of the zeros
     let mut z: Vec<[f64; 2]> = (0..n)
         .map(|i| {
             let (sin, cos) = (0.4 + std::f64::consts::TAU * i as f64 / n as f64).sin_cos();

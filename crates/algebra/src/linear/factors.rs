@@ -1,4 +1,4 @@
-//! A matrix as the product of a lower and an upper one, its rank found.
+//! Factors of a matrix: a lower times an upper triangular one, with its rank.
 
 use super::magnitude::{Kind, Magnitude};
 use super::order::{Order, Step};
@@ -6,10 +6,12 @@ use super::pattern::Pattern;
 use std::fmt;
 use std::sync::Arc;
 
-/// Pivots below this part of the largest are rounding.
+/// The relative size of pivots below which they are rounding.
 const RANK: f64 = 1e-11;
 
-/// In the order of the pattern so many times a pivot is eliminated at most, both scaled; beyond it the largest entries are pivots.
+/// The largest factor by which a scaled pivot row may be subtracted in the order of the pattern; beyond it the largest
+/// entries become pivots.
+/// largest entries are pivots.
 const MOST_TIMES: f64 = 1e3;
 
 /// Why equations have no solution.
@@ -32,13 +34,13 @@ impl fmt::Display for NotSolved {
 
 impl std::error::Error for NotSolved {}
 
-/// The factors of a matrix with a pattern, and room for them: to factor and to solve allocate nothing.
+/// The factors of a matrix with a pattern, and room for them: factoring and solving allocate nothing.
 #[derive(Clone, Debug)]
 pub struct Factors<S> {
     determined: usize,
     places: Vec<(usize, usize)>,
     order: Arc<Order>,
-    /// Row after row by places: below the diagonal what of a pivot's row was taken away, the others as they are left.
+    /// Row after row by places: factors of eliminated rows below the diagonal, the remaining entries elsewhere.
     matrix: Vec<S>,
     /// Scale factors of rows and columns, by places: powers of two near one over the root of the largest entry; rows
     /// and columns of a matrix with equal rows and columns share them.
@@ -46,7 +48,7 @@ pub struct Factors<S> {
     way: Way,
     /// The row and the column at each place, where pivots were chosen by size.
     by_size: [Vec<usize>; 2],
-    /// Numbers by places.
+    /// Room for numbers by places.
     moved: Vec<S>,
 }
 
@@ -54,7 +56,7 @@ pub struct Factors<S> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Way {
     InOrder,
-    /// With the number of pivots that are not zero.
+    /// By size, with the number of pivots that are not zero.
     BySize {
         rank: usize,
     },
@@ -80,7 +82,7 @@ impl<S: Magnitude> Factors<S> {
     /// Factors the matrix with these entries, in the order of the pattern.
     ///
     /// # Errors
-    /// One of the unknowns that must be determined and is not, where there is one, or that a number is missing.
+    /// An unknown that must be determined and is not, if there is one, or a missing number.
     #[inline(always)]
     pub fn factor(&mut self, entries: &[S]) -> Result<(), NotSolved> {
         self.load(entries);
@@ -145,7 +147,7 @@ impl<S: Magnitude> Factors<S> {
         true
     }
 
-    /// The same where the largest entry of the rest is the next pivot.
+    /// Factors with the largest entry of the rest as the next pivot.
     #[inline(never)]
     fn factor_by_size(&mut self, entries: &[S]) -> Result<(), NotSolved> {
         self.load(entries);
@@ -172,7 +174,7 @@ impl<S: Magnitude> Factors<S> {
             }
             let least = if S::KIND == Kind::Rounded { RANK * first } else { 0.0 };
             if largest <= least {
-                // which unknowns are left free, and whether the equations agree, would differ among those that are enclosed
+                // the free unknowns, and whether the equations agree, would differ among the enclosed matrices
                 if S::KIND == Kind::Enclosed {
                     return Err(NotSolved::Undetermined(columns[k]));
                 }
@@ -210,7 +212,7 @@ impl<S: Magnitude> Factors<S> {
         Ok(())
     }
 
-    /// The unknowns in the place of the right side, with the factors that were found last; where there are none, nothing changes.
+    /// Replaces the right side by the unknowns, with the last factors; without factors nothing changes.
     #[inline(always)]
     pub fn solve(&mut self, right: &mut [S]) {
         let size = self.moved.len();
@@ -271,8 +273,7 @@ impl<S: Magnitude> Factors<S> {
     }
 }
 
-/// One over the root of a size, as a power of two: by the exponent of the size, whose logarithm would cost as much as the elimination of few
-/// unknowns.
+/// One over the root of a size, as a power of two: by the exponent of the size, whose logarithm would cost as much as a small elimination.
 #[inline(always)]
 fn measure(largest: f64) -> f64 {
     const BIAS: i64 = 1023;

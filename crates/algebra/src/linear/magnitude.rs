@@ -6,11 +6,11 @@ use field::{Batch, DoubleDouble, Rational, Scalar, Tangent};
 /// The meaning of the numbers of a field.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// A value up to rounding: what is small beside the largest pivot is zero.
+    /// A value up to rounding: a number that is small beside the largest pivot is zero.
     Rounded,
-    /// The value: what is not zero is a pivot.
+    /// The exact value: a number that is not zero is a pivot.
     Exact,
-    /// All values between two ends: what does not hold zero is a pivot, and every unknown needs one.
+    /// All values between two ends: an interval without zero is a pivot, and every unknown needs one.
     Enclosed,
 }
 
@@ -18,8 +18,8 @@ pub enum Kind {
 pub trait Magnitude: Scalar {
     const KIND: Kind = Kind::Rounded;
 
-    /// |x| to a few digits, of a number with derivatives that of the number; zero for zero alone, NaN where there is no value. Of
-    /// an enclosure the least that its values have, zero where zero is among them.
+    /// |x| to a few digits, without derivatives; zero for zero alone, NaN where there is no value. For an enclosure the least
+    /// size of its values, zero where zero is among them.
     fn magnitude(self) -> f64;
 }
 

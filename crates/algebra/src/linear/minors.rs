@@ -1,12 +1,12 @@
 //! Determinants without a division.
 //!
-//! Minors are expanded row by row, each formed once and shared: (n + 1) 2^n products. On expressions that beats
-//! elimination, whose exact divisions a graph cannot carry out, and it needs no pivots, so the same expressions serve for
+//! Minors are expanded row by row, each formed once and shared: (n + 1) 2^n products. On expressions this beats
+//! elimination, whose exact divisions a graph cannot carry out, and it needs no pivots: the same expressions serve for
 //! all values.
 
 use field::Scalar;
 
-/// Above this many unknowns the number of minors is out of hand.
+/// The largest number of unknowns: the number of minors grows as a power of two.
 pub const LARGEST: usize = 14;
 
 /// The determinant of a square matrix given by its rows; `None` for another shape or above [`LARGEST`].

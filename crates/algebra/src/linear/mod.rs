@@ -6,7 +6,7 @@
 //! order are too small, by the largest entry of the rest. The order depends on the pattern alone, the choice between
 //! both ways on the entries alone: equal entries give equal bits;
 //! * [`Magnitude`]: the size of a number, by which pivots are chosen;
-//! * [`nonnegative_combination`]: factors that are not negative, exactly, by which columns make up another one.
+//! * [`nonnegative_combination`]: a column as an exact combination of others with factors that are not negative.
 //!
 //! Over enclosures ([`Kind::Enclosed`]) the unknowns enclose those of every matrix and right side that the entries enclose, or there is
 //! no solution where a pivot may be zero.

@@ -5,13 +5,13 @@
 
 use field::Rational;
 
-/// More exchanges are not made.
+/// The most exchanges.
 const MOST_EXCHANGES: usize = 600;
 
-/// A larger table is not set up.
+/// The largest table.
 const LARGEST_TABLE: usize = 200_000;
 
-/// Factors λ with λ_j ≥ 0 and Σ λ_j columns_j = target. None where there are none, where columns have other lengths, or where more than a
+/// Factors λ with λ_j ≥ 0 and Σ λ_j columns_j = target. `None` where none exist, where columns have other lengths, or where more than a
 /// fixed number of exchanges would be needed.
 pub fn nonnegative_combination(columns: &[Vec<Rational>], target: &[Rational]) -> Option<Vec<Rational>> {
     let height = target.len();
@@ -66,7 +66,7 @@ fn possible(columns: &[Vec<Rational>], target: &[Rational]) -> Vec<usize> {
     }
 }
 
-/// A column enters in the row where its factor is bounded first; none where nothing bounds it.
+/// A column enters in the row where its factor is bounded first; `None` where nothing bounds it.
 fn exchange(rows: &mut [Vec<Rational>], basis: &mut [Option<usize>], entering: usize) -> Option<()> {
     let last = rows.first()?.len() - 1;
     let mut leaving: Option<(usize, Rational)> = None;

@@ -1,11 +1,11 @@
-//! The order in which a matrix with a pattern is eliminated, so that few entries arise (Markowitz 1957).
+//! An order of elimination for a matrix with a pattern that keeps fill-in small (Markowitz 1957).
 //!
-//! A pivot on the diagonal comes first: of equations of motion these are masses. One that arises where the pattern had none is
-//! taken only when all that its row had is eliminated: of a multiplier it is then -J M^-1 J^T, which is not zero where constraints
-//! are independent. Where the diagonal has no pivot left, any place may give one: a coordinate without inertia is found from the
-//! constraint that moves it.
+//! A pivot on the diagonal comes first: in equations of motion these are masses. A pivot that arises where the pattern had no
+//! entry is taken only when all entries of its row are eliminated: for a multiplier it is then -J M^-1 J^T, which is not zero
+//! where constraints are independent. Where the diagonal has no pivot left, any place may give one: a coordinate without inertia
+//! is found from the constraint that moves it.
 
-/// The pivots in their order, and what each eliminates.
+/// The pivots in their order, and the entries that each eliminates.
 #[derive(Clone, Debug, PartialEq, Default)]
 pub(super) struct Order {
     /// The row and the column that stand at each place of the order.

@@ -1,4 +1,4 @@
-//! Where a square matrix has entries.
+//! The pattern of a square matrix.
 
 use super::order::Order;
 use std::sync::Arc;
@@ -14,7 +14,7 @@ pub struct Pattern {
 }
 
 impl Pattern {
-    /// A matrix of so many rows and columns with entries at these places, each once.
+    /// The pattern of a matrix of so many rows and columns with entries at these places, each once.
     pub fn new(size: usize, determined: usize, places: Vec<(usize, usize)>) -> Self {
         let order = Arc::new(Order::of(size, &places));
         Pattern { size, determined, places, order }
@@ -25,7 +25,7 @@ impl Pattern {
         self.size
     }
 
-    /// The number of the first unknowns that must be determined: the others may be free, and are then zero.
+    /// The number of the first unknowns that must be determined; the others may be free, and are then zero.
     pub fn determined(&self) -> usize {
         self.determined
     }

@@ -1,7 +1,7 @@
 //! Products of dense polynomials: one place in an array for every monomial that can occur.
 //!
-//! A monomial's place is its exponents read as digits (Kronecker), so that the place of a product is the sum of places
-//! and no monomial is looked up.
+//! A monomial's place is its exponents read as digits (Kronecker): the place of a product is the sum of places, and no
+//! monomial is looked up.
 
 use super::{Coefficient, Monomial, Poly, monomial};
 use std::ops::AddAssign;

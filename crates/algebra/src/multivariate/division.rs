@@ -4,7 +4,7 @@ use super::modular::Image;
 use super::{Budget, Coefficient, Limit, Monomial, Poly, monomial};
 use std::collections::BinaryHeap;
 
-/// From this many pairs of terms on, a modular image is asked first whether the division can succeed.
+/// The number of pairs of terms from which on a modular image decides first whether the division can succeed.
 const ASK_IMAGE: usize = 200;
 
 impl<C: Coefficient, const W: usize> Poly<C, W> {

@@ -1,8 +1,8 @@
 //! Greatest common divisors of polynomials, to bring fractions to lowest terms.
 //!
 //! Images modulo a prime bound the degree of the divisor in every generator: a generator that cannot occur in it is
-//! removed by passing to coefficients, and most pairs turn out to have nothing in common at once. What is left is done
-//! by the primitive remainder sequence in one generator over the others.
+//! removed by passing to coefficients, and most pairs turn out to have nothing in common at once. The rest is done by
+//! the primitive remainder sequence in one generator over the others.
 
 use super::modular::Image;
 use super::{Budget, Coefficient, Limit, Poly, monomial};

@@ -1,7 +1,7 @@
 //! Sparse polynomials with integer coefficients.
 //!
-//! Terms are sorted by falling monomials; exponents are packed, so that a monomial product is an addition of words.
-//! Nothing here knows expressions: generators are numbers.
+//! Terms are sorted by falling monomials; exponents are packed: a monomial product is an addition of words. Generators
+//! are numbers; the module does not know expressions.
 
 mod coefficient;
 mod dense;
@@ -62,10 +62,10 @@ impl Budget {
     /// The largest number of operations on terms: seconds with machine integers, a minute with big ones.
     const WORK: u64 = 1_000_000_000;
 
-    /// Takes operations from what is left.
+    /// Takes operations from the rest of the budget.
     ///
     /// # Errors
-    /// [`Limit::Work`] where nothing is left.
+    /// [`Limit::Work`] where the rest is too small.
     #[inline]
     pub fn spend(&self, operations: usize) -> Result<(), Limit> {
         let left = self.work.get().checked_sub(operations as u64).ok_or(Limit::Work)?;
@@ -80,7 +80,7 @@ pub struct Poly<C, const W: usize> {
     terms: Vec<(Monomial<W>, C)>,
 }
 
-/// Up to this many terms a sum is sorted; above, its summands are merged.
+/// The number of terms up to which a sum is sorted; above, its summands are merged.
 const MERGED: usize = 1 << 8;
 
 impl<C: Coefficient, const W: usize> Poly<C, W> {

@@ -1,5 +1,5 @@
-//! Images modulo a prime, with all generators but one at fixed pseudo-random residues. What holds for polynomials
-//! holds for their images, so an image quickly shows that a divisor does not divide, or that two have nothing in common.
+//! Images modulo a prime, with all generators but one at fixed pseudo-random residues. Identities of polynomials hold
+//! for their images: an image quickly shows that a divisor does not divide, or that two have nothing in common.
 
 use super::{Coefficient, Poly, monomial};
 

@@ -3,7 +3,8 @@
 use super::{Budget, Coefficient, Limit, Monomial, Poly, monomial};
 use std::cmp::Reverse;
 
-/// Up to this many products of terms are sorted; above, equal monomials are found in an array or by hashing.
+/// The number of products of terms up to which these are sorted; above, equal monomials are found in an array or by
+/// hashing.
 const SORTED: usize = 1 << 10;
 
 impl<C: Coefficient, const W: usize> Poly<C, W> {

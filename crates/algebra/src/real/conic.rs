@@ -35,12 +35,12 @@ impl Conic {
         Some([function(x, zero.clone()), function(zero, Polynomial::from_integers([1]))])
     }
 
-    /// Whether it vanishes everywhere.
+    /// Whether the function vanishes everywhere.
     pub fn is_zero(&self) -> bool {
         self.plain.is_zero() && self.odd.is_zero()
     }
 
-    /// All real points at which it vanishes; none for a function that vanishes everywhere.
+    /// All real points at which the function vanishes; none for one that vanishes everywhere.
     pub fn zeros(&self) -> Vec<ConicPoint> {
         // (P + y Q)(P - y Q) times a positive number
         let square = self.squared();
@@ -89,7 +89,7 @@ impl Conic {
         Conic { plain, odd, below, square: Arc::clone(&self.square) }
     }
 
-    /// Both over one denominator, put together.
+    /// Both functions over one denominator.
     fn joined(&self, b: &Self, join: impl Fn(&Polynomial, &Polynomial) -> Polynomial) -> Self {
         let (up, down) = (Polynomial::constant(b.below.clone()), Polynomial::constant(self.below.clone()));
         let both = |p: &Polynomial, q: &Polynomial| join(&(p * &up), &(q * &down));

@@ -39,7 +39,7 @@ impl Enclosure {
         Self::rational(Rational::exactly(value), bits)
     }
 
-    /// It is between multiples of 2^-bits.
+    /// A number between two multiples of 2^-bits.
     pub fn bits(&self) -> usize {
         self.bits
     }
@@ -85,18 +85,18 @@ impl Enclosure {
         Enclosure { low: a.low.clone().min(b.low.clone()), high: a.high.clone().max(b.high.clone()), bits: a.bits }
     }
 
-    /// The number in its middle, rounded to a multiple of 2^-bits.
+    /// The number in the middle, rounded to a multiple of 2^-bits.
     pub fn middle(&self) -> Self {
         let middle = (&self.low + &self.high) >> 1;
         Enclosure { low: middle.clone(), high: middle, bits: self.bits }
     }
 
-    /// Its greatest value.
+    /// The greatest value.
     pub fn upper(&self) -> Self {
         Enclosure { low: self.high.clone(), ..self.clone() }
     }
 
-    /// Whether all of it lies between the ends of another, and neither end is one of those.
+    /// Whether all values lie between the ends of another, and neither end is one of those.
     pub fn is_inside(&self, other: &Self) -> bool {
         let (a, b) = self.level(other);
         b.low < a.low && a.high < b.high
@@ -108,7 +108,7 @@ impl Enclosure {
         a.high < b.low || b.high < a.low
     }
 
-    /// Whether it is no wider than 2^-bits.
+    /// Whether the width is at most 2^-bits.
     pub fn is_within(&self, bits: usize) -> bool {
         (&self.high - &self.low) << bits <= IBig::ONE << self.bits
     }
@@ -134,7 +134,7 @@ impl Enclosure {
         [outwards(&self.low, f64::next_down), outwards(&self.high, f64::next_up)]
     }
 
-    /// The fraction with the smallest denominator in it.
+    /// The fraction with the smallest denominator in the interval.
     pub fn simplest(&self) -> field::Rational {
         let end = |n: &IBig| dashu_ratio::RBig::from_parts_signed(n.clone(), IBig::ONE << self.bits);
         if self.low == self.high {
@@ -157,7 +157,8 @@ impl Enclosure {
         Enclosure { low: self.low << more, high: self.high << more, bits: self.bits + more }
     }
 
-    /// The two cells of width 2^-bits in which its middle most probably lies: with it, and next to it on the nearer side.
+    /// The two cells of width 2^-bits in which the middle most probably lies: the one with it, and the next on the nearer
+    /// side.
     pub(super) fn cells(&self, bits: usize) -> [IBig; 2] {
         let doubled = &self.low + &self.high;
         let halves = match (self.bits).checked_sub(bits) {
@@ -171,7 +172,7 @@ impl Enclosure {
         [cell, beside]
     }
 
-    /// Both at the coarser of their finenesses; a copy only of one that is finer, as most are alike.
+    /// Both enclosures with the smaller number of bits; only one that has more is copied.
     fn level<'a>(&'a self, other: &'a Self) -> (Cow<'a, Self>, Cow<'a, Self>) {
         let bits = self.bits.min(other.bits);
         (self.coarser(bits), other.coarser(bits))

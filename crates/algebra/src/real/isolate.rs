@@ -9,7 +9,7 @@ use dashu_int::IBig;
 use dashu_int::ops::BitTest;
 use std::sync::Arc;
 
-/// Halvings after which repeated roots are suspected, looked for and removed.
+/// The number of halvings after which repeated roots are suspected, sought and removed.
 const PATIENCE: usize = 96;
 
 impl Polynomial {

@@ -13,7 +13,7 @@ use super::{Model, Ordered, Rounded};
 /// One fixed point for each value of the parameter.
 #[derive(Clone, Debug)]
 pub struct FixedPoint<M> {
-    /// It lies in these.
+    /// The enclosures of its components.
     pub place: Vec<M>,
     /// The derivative of the map there, row after row.
     pub slopes: Vec<Vec<M>>,
@@ -22,14 +22,14 @@ pub struct FixedPoint<M> {
 /// The values of a map, and its derivative row after row.
 pub type Mapped<S> = (Vec<S>, Vec<Vec<S>>);
 
-/// Boxes that are tried, each larger than the one before until one holds it, and smaller then.
+/// The number of boxes that are tried: larger and larger until one holds the fixed point, then smaller.
 const TRIALS: usize = 2;
 /// A centre is moved as long as its distance shrinks to this part.
 const NEARER: f64 = 0.1;
 
 impl<C: Rounded, const N: usize> FixedPoint<Model<C, N>> {
-    /// Near `centre`, with `inverse` near (1 - DR)^-1, row after row, in boxes of this radius at least: no other one is in them.
-    /// `value` gives R, `derivative` DR too. `None` where K(X) does not lie inside X.
+    /// The fixed point near `centre`, with `inverse` near (1 - DR)^-1, row after row, in boxes of this radius at least: they
+    /// hold no other one. `value` gives R, `derivative` DR too. `None` where K(X) does not lie inside X.
     pub fn near(
         centre: &[Model<C, N>],
         inverse: &[Vec<Model<C, N>>],
@@ -69,7 +69,7 @@ impl<C: Rounded, const N: usize> FixedPoint<Model<C, N>> {
             });
             let shares: Vec<f64> = shares.collect();
             let reach: Vec<f64> = newton_size.iter().zip(&shares).map(|(n, share)| (n + share).next_up()).collect();
-            // not by negation: what is no number lies nowhere
+            // not by negation: NaN lies nowhere
             if found.is_some() || reach.iter().zip(&radius).all(|(reach, radius)| reach < radius) {
                 let step = |k: usize| centre[k].plus(&newton[k]).wider(shares[k]);
                 found = Some(FixedPoint { place: (0..centre.len()).map(step).collect(), slopes });

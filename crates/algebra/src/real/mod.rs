@@ -1,4 +1,4 @@
-//! Real roots of polynomials, exactly: how many there are, where each is, and the sign of anything at it.
+//! Real roots of polynomials, exactly: their number, their places, and the signs of expressions at them.
 //!
 //! # Overview
 //! * [`Number`]: an integer, or an integer polynomial in one real algebraic number ([`Field`]);
@@ -7,16 +7,17 @@
 //! * [`Nested`]: one real root of a polynomial whose coefficients are polynomials in another;
 //! * `isolate`: all real roots, by Descartes' rule of signs; `sturm`: their number once more, by Sturm's theorem;
 //! * [`Enclosure`]: an interval between multiples of a power of two, rounded outwards;
-//! * [`TaylorModel`]: a function of a parameter as a polynomial and a bound of the rest, in floats rounded outwards; [`Ball`]: one number so, to thirty digits;
-//! * [`FixedPoint`]: of a map that depends on a parameter, enclosed for every value of a range;
+//! * [`TaylorModel`]: a function of a parameter as a polynomial and a bound of the rest, in floats rounded outwards; [`Ball`]: one number in this
+//! form, to thirty digits;
+//! * [`FixedPoint`]: the fixed point of a map that depends on a parameter, enclosed for every value of a range;
 //! * [`Surd`]: a fraction and a multiple of one square root;
-//! * [`Tower`]: the same with two square roots;
+//! * [`Tower`]: likewise with two square roots;
 //! * [`Conic`]: functions on a conic, and the points at which one vanishes;
-//! * [`Ordered`]: what enclosures and fractions have in common: operations, and a sign that may be unknown.
+//! * [`Ordered`]: the common trait of enclosures and fractions: operations, and a sign that may be unknown.
 //!
 //! # Key results
-//! Nothing here rounds to a decision. A sign is found by an enclosure that excludes zero, or by a common divisor that
-//! proves zero. Polynomials count up to a positive factor: only their roots and signs are asked for.
+//! No decision rests on rounding. A sign is found by an enclosure that excludes zero, or by a common divisor that
+//! proves zero. Polynomials count up to a positive factor: only their roots and signs are used.
 //!
 //! ```
 //! use dalembert_algebra::real::Polynomial;

@@ -1,7 +1,8 @@
-//! Real roots of polynomials whose coefficients are polynomials in another real root: no field of both is built.
+//! Real roots of polynomials whose coefficients are polynomials in another real root, without building the field of
+//! both.
 //!
-//! Every sign that is asked for is that of a polynomial at the first root, which is known exactly; the roots of the second
-//! polynomial are counted by Sturm's theorem and told apart by halving.
+//! Every sign that is needed is that of a polynomial at the first root, which is known exactly; the roots of the second
+//! polynomial are counted by Sturm's theorem and separated by halving.
 
 use super::{Enclosure, Polynomial, Root};
 use dashu_int::IBig;
@@ -20,8 +21,8 @@ pub struct Nested {
 }
 
 impl Nested {
-    /// All of them in ascending order, each once; the coefficients with the constant first. None for a polynomial that
-    /// vanishes at x.
+    /// All such roots in ascending order, each once; the coefficients with the constant first. None for a
+    /// polynomial that vanishes at x.
     pub fn roots(base: &Root, coefficients: &[Polynomial]) -> Vec<Self> {
         let Over { base, parts: polynomial } = Over::new(base, coefficients).square_free();
         let over = Over { base, parts: polynomial };

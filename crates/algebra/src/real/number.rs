@@ -22,7 +22,7 @@ pub struct Number {
     field: Option<Arc<Field>>,
 }
 
-/// Bits of the generator at which a sign is first looked for, and from which on zero is tested for.
+/// The bits of the generator at which a sign is first sought, and those from which on zero is tested for.
 const FIRST: usize = 64;
 const SUSPECT: usize = 512;
 

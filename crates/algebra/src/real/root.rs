@@ -7,7 +7,7 @@ use field::Rational;
 use std::cmp::Ordering;
 use std::sync::Arc;
 
-/// Halvings after which equality is tested for.
+/// The number of halvings after which equality is tested.
 const SUSPECT: usize = 256;
 
 /// The only root of a polynomial in the open interval (at, at + 1) / 2^scale, and a simple one; or at / 2^scale itself.
@@ -98,7 +98,7 @@ impl Root {
         }
     }
 
-    /// Whether it is a root of a divisor of its polynomial: the only root that this can have in the interval.
+    /// Whether the root is a root of a divisor of its polynomial: the divisor can have no other root in the interval.
     fn is_root_of_factor(&self, factor: &Polynomial) -> bool {
         if factor.degree().is_none_or(|degree| degree == 0) {
             return false;
@@ -126,7 +126,7 @@ impl Root {
         }
     }
 
-    /// Given that both agree to these bits: whether they are one number.
+    /// Whether two roots that agree to these bits are one number.
     fn equals(&self, other: &Self, bits: usize) -> bool {
         if self.sign_of(&other.polynomial) != 0 {
             return false;
@@ -155,8 +155,8 @@ impl Root {
         }
     }
 
-    /// Goes to where Newton's method points, with about twice the bits, if the signs at both ends of that interval say that
-    /// the root is in it: whatever the guess was worth, the signs are exact.
+    /// Moves to the interval to which Newton's method points, with about twice the bits, if the signs at both of its ends
+    /// show that the root is in it: whatever the guess was worth, the signs are exact.
     fn leap(&mut self, most: usize) -> bool {
         let Ok(scale) = usize::try_from(self.scale) else { return false };
         let work = 2 * scale.max(16) + 64;

@@ -4,8 +4,7 @@ use super::Ordered;
 use field::Rational;
 use num_traits::Zero;
 
-/// a + b sqrt(d), d positive and no square. Two with different d have nothing in common unless one is a fraction; an operation
-/// on them is undefined.
+/// a + b sqrt(d), d positive and no square. An operation on two with different d is undefined unless one is a fraction.
 #[derive(Clone, Copy, Debug)]
 pub struct Surd {
     pub(super) rational: Rational,
@@ -31,7 +30,7 @@ impl Surd {
         }
     }
 
-    /// The fraction that it is, where it has no root.
+    /// The value as a fraction, where it has no root.
     pub fn as_fraction(&self) -> Option<Rational> {
         (self.factor.is_zero() && self.rational.is_defined()).then_some(self.rational)
     }

@@ -4,8 +4,7 @@ use super::{Ordered, Surd};
 use field::Rational;
 use num_traits::Zero;
 
-/// a + b sqrt(e), e a positive fraction. Two with different e have nothing in common unless one is without; an operation on
-/// them is undefined.
+/// a + b sqrt(e), e a positive fraction. An operation on two with different e is undefined unless one has no such root.
 #[derive(Clone, Copy, Debug)]
 pub struct Tower {
     base: Surd,
@@ -20,8 +19,7 @@ impl From<Surd> for Tower {
 }
 
 impl Tower {
-    /// A number whose root stands beside that of another: the same root is written once, so that numbers that are equal
-    /// are written alike.
+    /// A number whose root stands beside that of another: equal roots are written once, and equal numbers alike.
     pub fn beside(value: Surd, other: &Surd) -> Self {
         let (own, known) = (value.square, other.square);
         if value.factor.is_zero() || known.is_zero() {

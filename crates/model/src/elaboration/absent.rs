@@ -1,12 +1,13 @@
-//! Elements that a smaller model does without: parameters that are zero for good, and all that vanishes with them.
+//! Elements that a smaller model leaves out: parameters that are zero, with all terms and conditions that vanish with
+//! them.
 
 use crate::arena::{Number, Part, Scalar, Vector};
 use crate::{Contact, Function, Model, ScalarId};
 use std::sync::Arc;
 
 impl Model {
-    /// Leaves the elements of parameters out: they are zero, terms that they multiply are no part of the law, and conditions that choose
-    /// nothing any more are not watched for.
+    /// Sets parameters to zero for good: terms that they multiply leave the law, and conditions that then choose nothing are not
+    /// watched.
     pub(super) fn leave_out<N: AsRef<str>>(&mut self, names: &[N]) {
         for (place, parameter) in self.parameters.iter_mut().enumerate() {
             if names.iter().any(|name| name.as_ref() == parameter.name) {
@@ -41,7 +42,7 @@ impl Model {
         }
     }
 
-    /// Whether each part is zero whatever the motion is, where these parameters are.
+    /// Whether each part is zero for every motion, where these parameters are.
     fn vanishing(&self, zeros: &[usize]) -> Vec<bool> {
         let mut vanishes: Vec<bool> = Vec::with_capacity(self.arena.parts.len());
         // every part stands after those that it is made of
@@ -77,7 +78,7 @@ impl Model {
 
 const ZERO: Scalar = Scalar::Number(Number { value: 0.0, times: 1.0, per: 1.0 });
 
-/// Whether a scalar is zero whatever the motion is, where those before it are and these parameters.
+/// Whether a scalar is zero for every motion, where the parts before it are and these parameters.
 fn is_zero_scalar(scalar: Scalar, vanishes: &[bool], absent: &[usize]) -> bool {
     let is_zero = |id: ScalarId| vanishes[id.0];
     match scalar {

@@ -1,4 +1,4 @@
-//! Angles that are written as numbers alone: radians, and perhaps degrees were meant.
+//! Angles without a unit: radians, where degrees may have been meant.
 
 use super::Elaborator;
 use crate::expression::{Expression, Form, Part, read};
@@ -6,11 +6,11 @@ use crate::{Entry, Fault, Text};
 use std::f64::consts::TAU;
 use std::ops::Range;
 
-/// A turn and a little more, in radians: nobody writes a larger angle by mistake for a smaller one.
+/// A turn and a little more, in radians: larger numbers may be degrees.
 const MOST: f64 = 6.3;
 
-/// The warning of an angle at a place that is written without a unit and is more than a turn; `degrees` is how degrees are written
-/// there, with {} for the number.
+/// The warning of an angle at a place that has no unit and is more than a turn; `degrees` is the text with degrees, with {} for
+/// the number.
 pub fn bare_angle(place: Range<usize>, written: &str, degrees: &str) -> Option<Fault> {
     let written = written.trim();
     let value = units::quantity::finite(written).ok().filter(|value| value.abs() > MOST)?;
@@ -20,21 +20,22 @@ pub fn bare_angle(place: Range<usize>, written: &str, degrees: &str) -> Option<F
 }
 
 impl<'s> Elaborator<'s> {
-    /// Warns of a number alone that is an angle of more than a turn; `degrees` is how degrees are written there, with {} for
-    /// the number.
+    /// Warns of a bare number that is an angle of more than a turn; `degrees` is the text with degrees, with {} for the
+    /// number.
     pub(super) fn judge_angle(&mut self, place: Range<usize>, written: &str, degrees: &str) {
         let is_known = self.model.warnings.iter().any(|known| known.span == place);
         self.model.warnings.extend(bare_angle(place, written, degrees).filter(|_| !is_known));
     }
 
-    /// Warns of numbers alone in an expression that is an angle, such as that of a turn.
+    /// Warns of bare numbers in an expression that is an angle, such as that of a turn.
     pub(super) fn judge_angle_text(&mut self, text: &Text) {
         if let Ok(expression) = read(&text.text) {
             self.judge_terms(text, &expression, expression.whole());
         }
     }
 
-    /// The same wherever an expression holds an angle: in `sin`, `cos` and `tan`, and beside a letter that is one.
+    /// Warns likewise wherever an expression holds an angle: in `sin`, `cos` and `tan`, and beside a letter that is
+    /// one.
     pub(super) fn judge_angles(&mut self, text: &Text, expression: &Expression) {
         let mut inner = vec![false; expression.parts.len()];
         for (place, form) in expression.parts.iter().enumerate().rev() {

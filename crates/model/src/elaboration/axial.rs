@@ -1,9 +1,9 @@
-//! Bodies whose inertia is one moment, about the z axis of their frame.
+//! Bodies whose inertia is one moment of inertia, about the z axis of their frame.
 
 use crate::{Body, Fault, FrameId, Inertia, Model, Trace, Turn};
 use symbolic::apart;
 
-/// Those that turn about another axis too: one moment does not say how they resist.
+/// The bodies among them that turn about another axis too: one moment of inertia does not determine their motion.
 pub(super) fn tilted(model: &Model) -> Vec<Fault> {
     let may_tilt = |body: &Body| {
         matches!(body.inertia, Some(Inertia::Axial(_))) && body.frame.is_some_and(|frame| leaves_axis(model, frame))

@@ -46,7 +46,7 @@ impl Elaborator<'_> {
             };
             let texts = body.mass.iter().chain(of_inertia);
             let Some(place) = self.model.bodies.iter().position(|known| known.name == body.name.text) else {
-                // its motion is wrong, which is told
+                // its motion has a fault, which is reported already
                 let missing: Sound<()> = Err(Box::new(Fault::consequence(body.name.span())));
                 let _ = self.beside(missing, texts);
                 continue;

@@ -1,5 +1,5 @@
-//! Functions that are pieced together: `if`, `abs`, `sign`, `min`, `max`, `table`. A condition becomes a switch, 1 or 0, and each of
-//! these functions a polynomial in switches: between two events nothing is chosen.
+//! Piecewise functions: `if`, `abs`, `sign`, `min`, `max`, `table`. A condition becomes a switch, 1 or 0, and each of these
+//! functions a polynomial in switches: the law is smooth between two events.
 
 use super::expressions::Meaning;
 use super::operations::no_operation;

@@ -1,4 +1,4 @@
-//! Conditions that choose something in the law. Those that outputs alone ask for are steps of their expressions.
+//! Conditions of the law. Conditions in outputs alone become steps of their expressions.
 
 use super::parts::reached;
 use crate::arena::{Part, Scalar};

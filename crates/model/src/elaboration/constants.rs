@@ -1,7 +1,7 @@
-//! Constants: their exact values, and a bound on how long those may become.
+//! Constants: their exact values, and a bound on their length.
 //!
 //! A constant is folded exactly, as it is written: 0.1 + 0.2 is 0.3. Products and powers grow: a decimal of seventeen digits to the
-//! power of forty has seven hundred. What is longer than [`MOST_BITS`] becomes the nearest number in double precision. Values of
+//! power of forty has seven hundred. A constant longer than [`MOST_BITS`] becomes the nearest number in double precision. Values of
 //! parameters stay letters here, and are folded where a system runs; a constant of them that no run could hold is refused.
 
 use super::{Elaborator, Sound};
@@ -18,7 +18,7 @@ use symbolic::Dimension;
 /// Bits of the numerator or the denominator of a constant that is made of decimals: 38 digits.
 const MOST_BITS: usize = 128;
 
-/// The same of one that holds parameters or pi, which stays exact.
+/// The limit for a constant that holds parameters or pi, which stays exact.
 const MOST_BITS_OF_DATA: usize = 10_000;
 
 /// Pi to 48 digits, as the sum of three floats.
@@ -66,7 +66,7 @@ fn half_turn() -> Option<RBig> {
 }
 
 impl Elaborator<'_> {
-    /// The exact value of a part that is made of constants; none of another part, and where it has none.
+    /// The exact value of a part made of constants; `None` for another part, and where it has no value.
     pub(super) fn constant_of(&self, scalar: &Scalar) -> Option<Constant> {
         let of = |id: &ScalarId| self.constants[id.0].as_ref();
         let both = |a: &ScalarId, b: &ScalarId| of(a).zip(of(b));
@@ -93,8 +93,7 @@ impl Elaborator<'_> {
         }
     }
 
-    /// A part of a place in the text: as it stands, or the nearest number in double precision where it is a constant that would become
-    /// too long.
+    /// A part of the text: as it stands, or the nearest number in double precision where it is a constant that would become too long.
     pub(super) fn bounded(
         &mut self,
         span: &Range<usize>,

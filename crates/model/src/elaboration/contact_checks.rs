@@ -1,11 +1,11 @@
-//! Contacts whose parts do not fit together, once the whole model stands.
+//! Checks of contacts once the whole model is known: whether their parts fit together.
 
 use crate::equations::vanishes;
 use crate::trace::Vector;
 use crate::{Contact, Fault, Force, FrameId, Model, Sides, Trace};
 use symbolic::{Identity, Sym, apart, identified};
 
-/// The reason why a contact means nothing.
+/// The reason why a contact has no meaning.
 #[derive(Clone, Copy)]
 enum Wrong {
     /// A guide along an axis leaves the plane, or a force presses its body against it across the plane.
@@ -16,11 +16,11 @@ enum Wrong {
     Askew,
     /// No speed changes the gap of a contact that pushes on one side.
     Fixed,
-    /// The speed of a diode or a freewheel is none, or not linear.
+    /// The speed of a diode or a freewheel is constant zero, or not linear.
     Bent,
 }
 
-/// Refuses contacts that mean nothing.
+/// Refuses contacts without a meaning.
 pub(super) fn checked(model: &Model) -> Result<(), Vec<Fault>> {
     let wrong: Vec<Option<Wrong>> = apart(|| {
         let trace = Trace::of(model);

@@ -1,7 +1,7 @@
 //! Drives: motors between two bodies, with gears and windings.
 //!
 //! The rotor of a motor is a frame that turns by n times the angle of the shaft, beside the body on which the motor sits. Its torque acts
-//! between these two frames, so that the gear does no work and the reaction acts on that body.
+//! between these two frames: the gear does no work and the reaction acts on that body.
 
 use super::loads::joule;
 use super::windings::ampere;
@@ -15,7 +15,7 @@ use symbolic::Dimension;
 const EXAMPLE: &str = "turns = \"theta\", or between = [\"carriage\", \"wheel\"], in [[drive]]";
 const WINDING: &str = "inductance = \"L\", resistance = \"R\", supply = \"U\", motional = \"k\" in [[drive.winding]]";
 
-/// A drive as expressions know it.
+/// A drive in expressions.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Drive {
     pub name: String,
@@ -27,7 +27,7 @@ pub(super) struct Drive {
     torque: Option<ScalarId>,
 }
 
-/// The shaft of a drive: the frame on which the motor sits, the axis of that frame, and the angle of what it turns.
+/// The shaft of a drive: the frame on which the motor sits, the axis in that frame, and the angle of the driven part.
 struct Shaft {
     base: FrameId,
     axis: usize,
@@ -124,7 +124,7 @@ impl Elaborator<'_> {
         })
     }
 
-    /// The rotors of all drives, with what acts on them.
+    /// The rotors of all drives, with their loads.
     pub(super) fn rotors(&mut self) {
         for (place, source) in self.source.drives.iter().enumerate() {
             // one without a name is told
@@ -206,7 +206,7 @@ impl Elaborator<'_> {
         Ok(found)
     }
 
-    /// An angle of a frame inside one that moves: a motor that turns by it would sit on the ground.
+    /// An angle of a frame inside one that moves: a motor that turned by it would sit on the ground.
     fn warn_of_a_shaft_that_is_carried(&mut self, turns: &Text, angle: ScalarId) {
         let carried = self.model.frames.iter().find_map(|frame| match frame.parent {
             Some((parent, Turn::About { angle: own, .. })) if own == angle && parent != FrameId::GROUND => {

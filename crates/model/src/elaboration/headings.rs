@@ -1,4 +1,4 @@
-//! Keys of one table under the heading of another: a heading was left out.
+//! Keys under the heading of another table: their own heading is missing.
 
 use super::{Elaborator, Sound};
 use crate::{Fault, Text};
@@ -12,7 +12,7 @@ const KEYS: [(&[&str], &str); 5] = [
     (&["span", "tolerance", "method", "samples"], "[run]"),
 ];
 
-/// The fault of a key under the heading of another table; none where no other table has it.
+/// The fault of a key under the heading of another table; `None` where no other table has this key.
 pub fn misplaced(key: &Text, table: &str) -> Option<Fault> {
     let (_, heading) = KEYS.iter().find(|(keys, _)| keys.contains(&key.text.as_str()))?;
     let title = format!("`{}` stands under [{table}]", key.text);

@@ -1,4 +1,4 @@
-//! From a system as it was written to a model: names resolved in the order in which they need each other, dimensions checked.
+//! Elaboration of a system from its texts to a model: names are resolved in order of dependence, dimensions checked.
 
 mod absent;
 mod angles;
@@ -69,7 +69,7 @@ pub use headings::misplaced;
 pub(crate) use inertialess::with_changing_laws;
 pub(crate) use resolution::elaborate;
 
-/// Vectors of a file, as sentences call them.
+/// The names for vectors in messages.
 const TORQUE: &str = "a torque";
 const GRAVITY: &str = "the acceleration of free fall";
 
@@ -95,7 +95,7 @@ enum Named {
 /// A torque with the place of its expression, where it has one.
 type DrivingTorque = (Torque, Option<Range<usize>>);
 
-/// A fault stops what it stands in, and nothing else.
+/// A fault stops the elaboration of its own part, and nothing else.
 type Sound<T> = Result<T, Box<Fault>>;
 
 struct Elaborator<'s> {
@@ -110,7 +110,7 @@ struct Elaborator<'s> {
     orders: Orders,
     /// Whether reactions and loads of joints may stand here: in outputs.
     shows_loads: bool,
-    /// Names whose definition is wrong: nothing more is said of them.
+    /// Names with a wrong definition: no more faults of them are reported.
     broken: FxHashSet<String>,
     faults: Vec<Fault>,
     drives: Vec<Drive>,
@@ -201,7 +201,7 @@ impl<'s> Elaborator<'s> {
         self.dimensions[part]
     }
 
-    /// Keeps a fault, and goes on with what does not depend on it.
+    /// Keeps a fault, and goes on with independent parts.
     fn kept<T>(&mut self, found: Sound<T>) -> Option<T> {
         match found {
             Ok(found) => Some(found),
@@ -212,7 +212,7 @@ impl<'s> Elaborator<'s> {
         }
     }
 
-    /// The same of what gives a name its meaning.
+    /// Keeps a fault of the definition of a name.
     fn kept_as<T>(&mut self, name: &Text, found: Sound<T>) -> Option<T> {
         if found.is_err() {
             self.broken.insert(name.text.clone());
@@ -313,7 +313,7 @@ impl<'s> Elaborator<'s> {
     fn centre(&self, body: BodyId, span: &Range<usize>) -> Sound<PointId> {
         self.model.bodies[body.0].centre.ok_or_else(|| {
             let name = &self.model.bodies[body.0].name;
-            // a mass without a centre is told where it stands
+            // a mass without a centre is reported at its place
             if self.source.bodies.iter().any(|body| body.name.text == *name && body.mass.is_some()) {
                 return Box::new(Fault::consequence(span.clone()));
             }
@@ -340,7 +340,7 @@ impl<'s> Elaborator<'s> {
         PointId(self.model.points.len() - 1)
     }
 
-    /// A frame by its name; of a body the frame that it turns with.
+    /// A frame by its name; for a body the frame with which it turns.
     fn frame(&self, name: &Text) -> Sound<FrameId> {
         match self.names.get(name.text.trim()).filter(|_| !self.broken.contains(name.text.trim())) {
             Some(Named::Value(Value::Frame(frame))) => Ok(*frame),

@@ -1,4 +1,4 @@
-//! The order in which definitions need each other: any order in the file is accepted, only a circle is wrong.
+//! The order of definitions by their dependence: a file may have any order, only a cycle is wrong.
 
 use crate::expression::{Expression, Form, read};
 use crate::{Fault, Source, Text};
@@ -15,7 +15,7 @@ pub(super) enum Definition {
     Speed(usize),
 }
 
-/// All definitions, each after those that it needs; those of a circle are left out and told.
+/// All definitions, each after those that it needs; those of a cycle are left out and reported.
 pub(super) fn ordered(source: &Source, faults: &mut Vec<Fault>, broken: &mut FxHashSet<String>) -> Vec<Definition> {
     let mut all: Vec<(Definition, &Text, Vec<&Text>)> = Vec::new();
     let entries = |entries: &'_ [crate::Entry]| entries.len();
@@ -101,7 +101,7 @@ pub(super) fn ordered(source: &Source, faults: &mut Vec<Fault>, broken: &mut FxH
     order
 }
 
-/// Leaves out each definition whose name has another one, and tells it. Such a name means neither of the two elsewhere.
+/// Leaves out and reports definitions with a name that another one has. Elsewhere such a name is ambiguous.
 fn without_second<'s>(
     source: &'s Source,
     all: &mut Vec<(Definition, &'s Text, Vec<&'s Text>)>,

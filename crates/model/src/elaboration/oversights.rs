@@ -1,11 +1,11 @@
-//! Parameters that were forgotten: those that nothing uses, and those without a unit in expressions whose dimensions do not fit.
+//! Forgotten parameters: unused ones, and those without a unit in expressions whose dimensions do not fit.
 
 use crate::{
     ContactSource, DriveSource, Entry, Fault, InertiaSource, LoadSource, OneWaySource, Source, Text, WindingSource,
 };
 use rustc_hash::FxHashSet;
 
-/// A warning for each parameter whose name stands nowhere.
+/// A warning for each parameter whose name occurs nowhere.
 pub(super) fn unused(source: &Source) -> Vec<Fault> {
     let used: FxHashSet<&str> = texts(source).into_iter().flat_map(|text| words(&text.text)).collect();
     let is_unused = |entry: &&Entry| !used.contains(entry.name.text.as_str());
@@ -21,7 +21,7 @@ pub(super) fn unused(source: &Source) -> Vec<Fault> {
     source.parameters.iter().filter(is_unused).map(warning).collect()
 }
 
-/// Tells of a fault of dimensions which parameter in its expression is a number alone.
+/// Adds to a fault of dimensions the parameter in its expression that has no unit.
 pub(super) fn name_bare_parameters(source: &Source, faults: &mut [Fault]) {
     let texts = texts(source);
     for fault in faults.iter_mut().filter(|fault| fault.title.contains("dimension")) {

@@ -1,5 +1,5 @@
-//! Rates where a law has no place for them: positions, potentials and angles of turns hold coordinates and the time alone; constraints,
-//! loads, masses and the other energies hold speeds, and no accelerations, which a mass matrix that is symmetric would lose.
+//! Rates where a law does not admit them: positions, potentials and angles of turns hold coordinates and the time alone; constraints,
+//! loads, masses and the other energies hold speeds, and no accelerations, which a symmetric mass matrix would lose.
 
 use super::Elaborator;
 use super::orders::Orders;
@@ -41,7 +41,7 @@ pub(super) fn moments(body: &crate::Body) -> Vec<ScalarId> {
 }
 
 impl Elaborator<'_> {
-    /// Refuses rates where no law has a place for them; those of frames, then of points, explain others, and other faults these.
+    /// Refuses rates where a law does not admit them; faults of frames, then of points, explain others, and other faults these.
     pub(super) fn rates(&mut self) {
         if !self.faults.is_empty() || !self.headless.is_empty() {
             return;

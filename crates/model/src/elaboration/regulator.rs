@@ -1,4 +1,4 @@
-//! The criterion of an optimal regulator, with its inputs and what it begins with.
+//! The criterion of an optimal regulator, with its inputs and its initial deviations.
 
 use super::orders::ACCELERATIONS;
 use super::{Elaborator, Sound};

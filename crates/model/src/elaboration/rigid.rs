@@ -1,6 +1,6 @@
-//! Springs and viscous forces that a smaller model takes for rigid: what a spring stretches by, and the speed that is resisted, are zero.
+//! Springs and viscous forces that a smaller model takes as rigid: the elongation of a spring, and the resisted speed, are zero.
 //!
-//! A parameter k without bound that stands with a square in the potential energy, or in Rayleigh's function, asks for
+//! A parameter k without bound that stands with a square in the potential energy, or in Rayleigh's function, gives
 //!
 //!   V = k/2 g^2  ->  g = 0 ,
 //!
@@ -15,7 +15,7 @@ use field::Rational;
 use rustc_hash::FxHashMap;
 use symbolic::{Dimension, Node, Sym, apart};
 
-/// The expressions that a parameter without bound holds at zero.
+/// The expressions that a parameter without bound keeps at zero.
 #[derive(Default)]
 struct Held {
     /// Those of springs.
@@ -64,7 +64,7 @@ impl Model {
     }
 }
 
-/// The expressions that a parameter holds at zero; none where it does something else too.
+/// The expressions that a parameter keeps at zero; `None` where it has another effect too.
 fn held(model: &Model, trace: &Trace<'_>, parameter: usize) -> Option<Held> {
     let letter = trace.parameters[parameter];
     if !vanishes(trace.kinetic_and_coenergy().diff(letter)) {

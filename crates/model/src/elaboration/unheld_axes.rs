@@ -1,5 +1,5 @@
-//! Outputs that ask a vector constraint for its reaction along an axis along which its component vanishes identically: it holds nothing
-//! there, and its reaction has no such component.
+//! Outputs with the reaction of a vector constraint along an axis along which its component vanishes identically: the constraint has no
+//! effect there, and its reaction no such component.
 
 use crate::arena::{Part, Vector};
 use crate::equations::{held_of, vanishes};

@@ -49,7 +49,8 @@ impl Characteristics {
         Characteristics { independent, dependent, redundant, slopes, rows }
     }
 
-    /// The columns of N: for each independent speed all speeds where it is one and the others are zero.
+    /// The columns of N: for each independent speed all speeds, where it is one and the other independent ones are
+    /// zero.
     pub fn directions(&self, speeds: usize) -> Vec<Vec<Sym>> {
         let of = |(place, &j): (usize, &usize)| {
             let mut direction = vec![Sym::ZERO; speeds];
@@ -71,7 +72,8 @@ impl Characteristics {
         self.independent.iter().enumerate().map(of).collect()
     }
 
-    /// The same by the multipliers: J^T lambda = v on the dependent speeds, which leaves v - J^T lambda on the others.
+    /// The values along independent speeds by multipliers: J^T lambda = v on the dependent speeds, which leaves v - J^T
+    /// lambda on the others.
     pub fn without_reactions(&self, values: &[Sym]) -> Vec<Sym> {
         let matrix = square(&self.rows, &self.dependent);
         let k = matrix.len();
@@ -129,10 +131,10 @@ impl SolvedMotion {
     }
 }
 
-/// A pivot is at least this part of the largest entry of its row.
+/// The least pivot relative to the largest entry of its row.
 const LEAST_PIVOT: f64 = 0.05;
 
-/// A row below this part of its size before elimination depends on others.
+/// The relative size of a row, compared with that before elimination, below which it depends on others.
 const ROUNDED: f64 = 1e-9;
 
 /// Pivots as at a random point, by the values at the start; none where these are not known.

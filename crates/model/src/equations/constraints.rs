@@ -6,7 +6,7 @@ use crate::{Constraint, FrameId, Trace, Vector, Zero};
 use std::ops::Range;
 use symbolic::Sym;
 
-/// Whether a constraint speaks of positions or of speeds.
+/// Whether a constraint is on positions or on speeds.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Level {
     Position,
@@ -16,7 +16,7 @@ pub enum Level {
 /// A scalar constraint f = 0.
 #[derive(Clone, Debug)]
 pub struct Equation {
-    /// As the model names it; empty where it does not.
+    /// The name in the model; empty where there is none.
     pub name: String,
     /// Its constraint in the model, and its component of a vector.
     pub of: [usize; 2],
@@ -29,18 +29,19 @@ pub struct Equation {
     pub rate: Sym,
     /// The row of J: the derivatives of that by the speeds.
     pub row: Vec<Sym>,
-    /// c: what is left of the next rate where accelerations are zero, with the gains of a constraint that is led to zero.
+    /// c: the next rate at zero accelerations, with the gains of a constraint that is led to zero.
     pub bias: Sym,
     /// Gains of a constraint that is led to zero and may start elsewhere: of f' first, of positions.
     pub gains: Option<Vec<Sym>>,
-    /// The combination of equations of motion, speeds with factors, that it is; they hold no acceleration, and its multiplier is zero.
+    /// The combination of equations of motion, speeds with factors, for a law without inertia; it holds no acceleration, and its
+    /// multiplier is zero.
     pub law: Option<Vec<(usize, i64)>>,
     /// Where the model has it.
     pub at: Range<usize>,
 }
 
 impl Equation {
-    /// As sentences call it, by its place among all: constraint 2 `rolling`.
+    /// The name in sentences, by its place among all: constraint 2 `rolling`.
     pub fn title(&self, place: usize) -> String {
         let name = if self.name.is_empty() { String::new() } else { format!(" `{}`", self.name) };
         format!("constraint {}{name}", place + 1)
@@ -115,12 +116,12 @@ pub(crate) fn independent(trace: &Trace<'_>, vector: Vector) -> Vec<ScalarConstr
 }
 
 impl Trace<'_> {
-    /// The multiplier of a constraint's equation: no name of a system can be this one.
+    /// The symbol of the multiplier of a constraint's equation: no name of a system can be this one.
     pub(crate) fn multiplier([constraint, component]: [usize; 2]) -> Sym {
         Sym::symbol(&format!("multiplier {constraint}.{component}"))
     }
 
-    /// Whether a scalar knows speeds.
+    /// Whether a scalar depends on speeds.
     pub(crate) fn level_of(&self, zero: Sym) -> Level {
         let symbols = zero.symbols_of();
         match self.speeds.iter().any(|speed| symbols.contains(speed)) {

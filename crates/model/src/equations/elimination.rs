@@ -13,7 +13,7 @@ use symbolic::Sym;
 pub enum Singular {
     /// No inertia resists this coordinate.
     Massless { coordinate: usize },
-    /// This constraint says nothing that others before it do not, or nothing at all.
+    /// This constraint follows from others before it, or is empty.
     Redundant { constraint: usize },
 }
 
@@ -70,7 +70,7 @@ impl Factors {
     }
 }
 
-/// The solution of symmetric equations in an order that keeps their factors sparse: the row with the fewest entries beside it comes first.
+/// The solution of symmetric equations in an order that keeps their factors sparse: the row with the fewest other entries comes first.
 pub(crate) fn solve_sparse(matrix: &[Vec<Sym>], right: &[Sym]) -> Result<Vec<Sym>, usize> {
     let order = order(matrix);
     let arranged: Vec<Vec<Sym>> = order.iter().map(|&i| order.iter().map(|&j| matrix[i][j]).collect()).collect();

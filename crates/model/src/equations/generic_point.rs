@@ -1,5 +1,5 @@
-//! A point at which nothing vanishes that does not vanish everywhere, but for bad luck: random numbers in the field of 2^61 - 1
-//! elements, each angle a random point of the circle.
+//! A generic point: an expression that does not vanish everywhere does not vanish there, but for a small probability. It has
+//! random numbers in the field of 2^61 - 1 elements, each angle a random point of the circle.
 //!
 //! Pivots and ranks are decided there. Pivots that are found are true ones, since a quantity that vanishes everywhere vanishes there
 //! too; a rank is a lower bound of the true one.
@@ -116,11 +116,11 @@ impl Point {
     }
 }
 
-/// The dependence of expressions on what moves.
+/// The dependence of expressions on the letters that move.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Dependence {
     Zero,
-    /// Equal at two points that differ in all letters but those that stay.
+    /// Equal at two points that differ in all letters but the constant ones.
     Constant,
     Varying,
 }

@@ -1,7 +1,7 @@
 //! Integrability of constraints of speeds (Frobenius).
 //!
-//! Constraints J u = 0 leave the directions X with J X = 0. They are rates of constraints of positions exactly where no two of these
-//! directions lead out of them: for each row w of J
+//! Constraints J u = 0 leave the directions X with J X = 0. They are rates of constraints on positions exactly where brackets of
+//! these directions stay among them: for each row w of J
 //!
 //!   dw(X, Y) = sum (dw_b/dq_a - dw_a/dq_b) X_a Y_b = 0
 //!
@@ -17,7 +17,7 @@ use symbolic::{Identity, Sym, identified};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Integrability {
     Integrable,
-    /// Directions that the constraints leave lead, one after the other, to every place near.
+    /// The directions that the constraints leave lead, one after the other, to every place nearby.
     NotIntegrable,
     /// Not decided.
     Open(Undecided),

@@ -1,4 +1,4 @@
-//! Residuals of the equations of motion, and what answers them:
+//! Residuals of the equations of motion, and the accelerations and multipliers that solve them:
 //!
 //!   r = J^T lambda - (M z + h) ,    s = -(J z + c) ,
 //!

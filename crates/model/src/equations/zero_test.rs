@@ -3,13 +3,14 @@
 use field::{DoubleDouble, Over};
 use symbolic::{Hypotheses, Identity, Sym, decide, identified};
 
-/// Expressions with more parts are not brought into normal form: they are taken for what they look like.
+/// The number of parts beyond which expressions are not brought into normal form: they are taken as they are written.
 const MOST_EXPANDED: usize = 2_000;
 
 /// Points at which an expression is evaluated before it is brought into normal form.
 const POINTS: usize = 4;
 
-/// A value beyond this, in double-double, is no rounding of zero: terms of a sum would have to be beyond 1e20.
+/// The size beyond which a value in double-double is not the rounding of zero: terms of a sum would have to be beyond
+/// 1e20.
 const ROUNDING: f64 = 1e-10;
 
 /// Whether a component is zero for all values: by random points of prime fields, or where it has functions by its normal form. One that is

@@ -106,7 +106,7 @@ pub enum Relation {
     GreaterOrEqual,
 }
 
-/// Why a text is no expression, and where.
+/// The error of a text that is no expression, with its place.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NotExpression {
     /// The bytes of the text that cannot be read.

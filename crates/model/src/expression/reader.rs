@@ -16,7 +16,7 @@ const MOST_DECIMALS: usize = 3;
 /// Reads an expression.
 ///
 /// # Errors
-/// [`NotExpression`]: the first place that cannot be read, and why.
+/// [`NotExpression`]: the first place that cannot be read, and the reason.
 pub fn read(text: &str) -> Result<Expression, NotExpression> {
     let mut reader = Reader {
         text,
@@ -137,7 +137,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// A minus holds less tightly than a power: -x^2 is -(x^2).
+    /// A minus binds less tightly than a power: -x^2 is -(x^2).
     fn signed(&mut self) -> Result<Part, NotExpression> {
         let from = self.span().start;
         let mut negative = false;

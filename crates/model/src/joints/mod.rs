@@ -91,8 +91,8 @@ impl<'t, 'm> Joints<'t, 'm> {
         }
     }
 
-    /// The power of all loads on the motions that the joints leave, per speed: with the reactions of constraints, and zero along
-    /// every motion but for those along coordinates.
+    /// The power of all loads on the motions that the joints admit, per speed: with the reactions of constraints, and zero along
+    /// every motion but for loads along coordinates.
     pub fn residual(&self) -> Vec<Sym> {
         let (trace, tree) = (self.trace, &self.tree);
         let minus = |a: Vector, b: Vector| trace.sum(a, b.map(|component| -component));
@@ -125,8 +125,8 @@ impl<'t, 'm> Joints<'t, 'm> {
         })
     }
 
-    /// A coordinate that moves several joints and stands in a constraint as a letter: on which of them its reaction acts is not
-    /// said.
+    /// A coordinate that moves several joints and stands in a constraint as a letter: it is not determined on which of them its
+    /// reaction acts.
     pub fn unplaced(&self) -> Option<usize> {
         let (trace, tree) = (self.trace, &self.tree);
         let moves = |coordinate: usize, place: usize| {
@@ -182,8 +182,8 @@ fn inertia(trace: &Trace<'_>, link: &Link) -> Load {
     load
 }
 
-/// The power of every reaction where it acts, per speed and multiplier, beside the derivative of its constraint's rate; none where a
-/// constraint has no reaction of its own.
+/// The power of every reaction where it acts, per speed and multiplier, beside the derivative of its constraint's rate; `None` where
+/// a constraint has no reaction of its own.
 pub(crate) fn powers_of_reactions(trace: &Trace<'_>) -> Option<Vec<(Sym, Sym)>> {
     let wrenches = reactions(trace);
     let mut pairs = Vec::new();

@@ -4,8 +4,8 @@
 //!
 //!   df = sum F . v_P + sum T . w_B + sum c u
 //!
-//! over points, frames and coordinates it says where its reaction acts: lambda F at the point P, lambda T on the frame B, and
-//! lambda c on a coordinate that stands in it as a letter. The derivatives run from f to its parts.
+//! over points, frames and coordinates it shows where its reaction acts: lambda F at the point P, lambda T on the frame B,
+//! and lambda c on a coordinate that stands in it as a letter. The derivatives run from f to its parts.
 
 use crate::arena::{Part, Scalar, Vector as Form};
 use crate::equations::Level;

@@ -8,9 +8,9 @@ use symbolic::Dimension;
 /// The sides of a plane, a curve or a guide that react.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sides {
-    /// It pushes, and lets go.
+    /// The surface pushes, and lets go.
     One,
-    /// It holds on either side.
+    /// The surface holds on either side.
     Both,
 }
 
@@ -34,7 +34,7 @@ pub enum OneWay {
 }
 
 impl OneWay {
-    /// As files and sentences call it.
+    /// The name in files and sentences.
     pub fn name(self) -> &'static str {
         match self {
             OneWay::Diode => "diode",

@@ -1,4 +1,4 @@
-//! The whole system in matrix form: M q'' + h = Q + J^T lambda, with every constraint.
+//! A whole system in matrix form: M q'' + h = Q + J^T lambda, with every constraint.
 
 use super::axes::axes;
 use super::contacts::open_letters;
@@ -86,7 +86,7 @@ impl MatrixForm {
     /// Where the principle does not apply to the model.
     pub fn of(trace: &Trace<'_>, principle: Principle) -> Result<Self, NotApplicable> {
         let Equations { mass, bias, constraints } = Equations::by(principle, trace)?;
-        // inertia alone: what is left of the equations where nothing acts
+        // inertia alone: the left side of the equations without any load
         let free = without_forces(trace.model);
         let inertia = Equations::by(principle, &Trace::of(&free))?.bias;
         let forces = inertia.iter().zip(&bias).map(|(&inertia, &bias)| inertia - bias).collect();

@@ -2,14 +2,15 @@
 //!
 //!   S = sum m a_C^2/2 + w' . I w'/2 + w' . (w x I w)
 //!
-//! whose last term is all of the motion about the centre that depends on the angular acceleration and not on it alone.
+//! whose last term is the part of the motion about the centre that depends on the angular acceleration but not on it
+//! alone.
 
 use super::loads::{by_energies, forces, torques};
 use crate::Trace;
 use field::Rational;
 use symbolic::Sym;
 
-/// S, as far as it depends on accelerations.
+/// S, without the terms that do not depend on accelerations.
 pub(crate) fn energy_of_accelerations(trace: &Trace<'_>) -> Sym {
     let half = Sym::constant(Rational::new(1, 2));
     let mut sum = Sym::ZERO;

@@ -6,7 +6,7 @@
 //!   sum_r [ (dT/dw_r)' dw_r/du_i + (dT/dw_r) (d/dt dw_r/du_i - dw_r/dq_i) ] - dT/dq_i|w = Q_i .
 //!
 //! The bracket behind the momentum dT/dw_r is the transpositional relation, d(delta pi_r)/dt - delta w_r, per displacement of q_i: it
-//! is what the w, being no rates of coordinates, bring in. There may be more of them than speeds.
+//! arises because the w are no rates of coordinates. There may be more of them than speeds.
 
 use super::loads::generalised;
 use crate::Trace;

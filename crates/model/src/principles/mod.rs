@@ -5,7 +5,8 @@
 //!
 //!   M u' + h - Q  (inertia less the forces; constraints add - J^T lambda)
 //!
-//! They share the kinematics of the trace and nothing else: that they agree is a statement that is decided for every model.
+//! The principles share the kinematics of the trace and nothing else: their agreement is a statement that is decided for
+//! every model.
 
 pub(crate) mod appell;
 mod gauss;
@@ -67,7 +68,7 @@ impl Principle {
         Principle::Hamilton,
     ];
 
-    /// As commands name it.
+    /// The name in commands.
     pub fn name(self) -> &'static str {
         match self {
             Principle::Lagrange => "lagrange",

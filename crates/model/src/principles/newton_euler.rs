@@ -1,6 +1,6 @@
 //! Newton's and Euler's equations of every body with the loads of its joints, and with the reactions of constraints where they act.
 //!
-//! The loads do no work on the motions that joints leave. Less the generalised reactions J^T lambda what is left is the residual:
+//! The loads do no work on the motions that joints admit. Less the generalised reactions J^T lambda they give the residual:
 //! multipliers drop out of it where every reaction acts as its constraint says.
 
 use super::loads::by_energies;

@@ -1,4 +1,4 @@
-//! Principles that know the constraints: an equation for each independent speed, free of multipliers.
+//! Principles that contain the constraints: an equation for each independent speed, free of multipliers.
 
 use super::loads::generalised;
 use super::{NotApplicable, Principle};
@@ -12,14 +12,14 @@ use symbolic::Sym;
 pub enum Projection {
     /// sum (d/dt dT/du_i - dT/dq_i - Q_i) du_i/dw_j = 0, with the kinematic characteristics du/dw.
     Maggi,
-    /// d/dt dT*/dw_j - X_j(T*) - lost_j = sum Q_i du_i/dw_j: the constraints stand in T*, and the term that this loses beside it.
+    /// d/dt dT*/dw_j - X_j(T*) - lost_j = sum Q_i du_i/dw_j: the constraints are substituted into T*, and the lost term is added.
     Shulgin,
 }
 
 impl Projection {
     pub const ALL: [Projection; 2] = [Projection::Maggi, Projection::Shulgin];
 
-    /// As commands name it.
+    /// The name in commands.
     pub fn name(self) -> &'static str {
         match self {
             Projection::Maggi => "maggi",
@@ -34,7 +34,7 @@ impl fmt::Display for Projection {
     }
 }
 
-/// Lagrange's operator on an energy in which the constraints stand already.
+/// Lagrange's operator on an energy into which the constraints are substituted.
 ///
 /// With the fields X_j = d/dq_j + sum (du_d/dw_j) d/dq_d of the virtual displacements
 ///
@@ -44,14 +44,14 @@ impl fmt::Display for Projection {
 /// Turns of a free frame add w x dT/dw to both operators, with the momenta of T* on the left and those of T on the right; a difference
 /// between the two is a part of the lost term.
 ///
-/// The lost term vanishes where the constraints are integrable, or where the momenta are that it multiplies.
+/// The lost term vanishes where the constraints are integrable, or where the momenta in it vanish.
 #[derive(Clone, Debug)]
 pub struct Operator {
     /// d/dt dT*/dw_j - X_j(T*), for each independent speed.
     pub energy: Vec<Sym>,
     /// The parts of lost_j, for each independent speed by each dependent one, and by the turns of free frames.
     pub lost: Vec<Vec<Sym>>,
-    /// d/dt du_d/dw_j - X_j(u_d), which momenta multiply: all are zero where the constraints are integrable.
+    /// d/dt du_d/dw_j - X_j(u_d), the factors of momenta: all are zero where the constraints are integrable.
     pub brackets: Vec<Vec<Sym>>,
 }
 

@@ -1,4 +1,4 @@
-//! Whether quasi-velocities, with the constraints, determine all speeds.
+//! Independence of quasi-velocities: whether they, with the constraints, determine all speeds.
 
 use crate::equations::{Equation, generic_circuits, generic_pivots};
 use crate::{Fault, QuasiVelocity, Trace};

@@ -1,4 +1,5 @@
-//! Shulgin's equations: d/dt dT*/dw - X(T*) - lost = Q du/dw, from the kinetic energy T* in which the constraints stand already.
+//! Shulgin's equations: d/dt dT*/dw - X(T*) - lost = Q du/dw, from the kinetic energy T* into which the constraints are
+//! substituted.
 
 use super::QuasiVelocities;
 use crate::Trace;

@@ -1,7 +1,7 @@
-//! Mistaken derivations, and the terms that they lose.
+//! Mistaken derivations, and the terms lost by them.
 //!
-//! * Constraints of speeds are put into the kinetic energy, and Lagrange's equations are written for the independent coordinates: the
-//!   momenta along the brackets of the constraints' fields are lost, unless the constraints are integrable.
+//! * Constraints on speeds are substituted into the kinetic energy, and Lagrange's equations are written for the independent
+//! coordinates: the momenta along the brackets of the constraints' fields are lost, unless the constraints are integrable.
 //! * The energy of accelerations is made of the kinetic energy by writing u' for u: all centrifugal and Coriolis terms are lost.
 
 use crate::Trace;
@@ -24,7 +24,7 @@ pub enum Mistake {
 impl Mistake {
     pub const ALL: [Mistake; 2] = [Mistake::ConstraintsInEnergy, Mistake::AccelerationsInEnergy];
 
-    /// As commands name it.
+    /// The name in commands.
     pub fn name(self) -> &'static str {
         match self {
             Mistake::ConstraintsInEnergy => "constraints-in-energy",
@@ -44,7 +44,7 @@ impl Mistake {
 /// The equations of a mistaken derivation beside the right ones.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mistaken {
-    /// The derivation in words, and the reason why it loses nothing where that is so.
+    /// The derivation in words, and the reason why no term is lost, where this is so.
     pub says: String,
     pub agreement: Agreement,
     /// For each equation in which something is lost: the speed or coordinate that it belongs to, and the term that is missing on the
@@ -90,7 +90,7 @@ fn constraints_in_energy(trace: &Trace<'_>) -> Result<(Mistaken, &'static str), 
     let reason = if is_integrable { "its constraints of speeds are integrable" } else { "the lost terms cancel" };
     let sums = naive.lost.iter().map(|parts| parts.iter().fold(Sym::ZERO, |sum, &part| sum + part));
     let names = characteristics.independent.iter().map(|&i| trace.direction(i));
-    // the operator holds what is lost beside the inertia: right = energy - lost
+    // the operator holds the lost term beside the inertia: right = energy - lost
     let lost: Vec<Sym> = trace.with_masses(&sums.map(|lost| -lost).collect::<Vec<_>>());
     let says = Mistake::ConstraintsInEnergy.says().to_owned();
     Ok((Mistaken { says, agreement, lost: named(names, lost.into_iter()) }, reason))

@@ -1,5 +1,5 @@
-//! Statements about the motion of a model, each with its verdict: its energy, its momenta, its constraints, and the terms that mistaken
-//! derivations lose.
+//! Statements about the motion of a model, each with its verdict: its energy, its momenta, its constraints, and the terms lost by
+//! mistaken derivations.
 
 mod constraint_rates;
 mod lost_terms;
@@ -19,7 +19,7 @@ use symbolic::Sym;
 /// A statement and the degree to which it is known.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Statement {
-    /// The quantity that it is about: energy, momentum of x, constraint 1.
+    /// The quantity of the statement: energy, momentum of x, constraint 1.
     pub subject: String,
     /// The statement in words.
     pub says: String,

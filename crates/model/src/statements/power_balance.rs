@@ -1,4 +1,4 @@
-//! The balance of energy: its rate is the power of all that works.
+//! The power balance: the rate of the energy is the power of all loads and reactions.
 //!
 //! With H = sum u dT/du - T + V and the residual R of the equations of motion, inertia less forces, identically
 //!
@@ -51,7 +51,7 @@ pub struct PowerBalance {
 }
 
 impl PowerBalance {
-    /// The balance by the forces, the reactions and what knows the time.
+    /// The balance by the forces, the reactions and the terms with the time.
     pub fn of(trace: &Trace<'_>) -> Self {
         let Parts { energy, constraints, powers, by_forces, by_masses } = Parts::of(trace);
         let by_reactions = of_reactions(&constraints, &powers, |power| power.working);

@@ -4,7 +4,7 @@ use super::Equations;
 use super::directions::TestDirections;
 use symbolic::Sym;
 
-/// A function of places, speeds and time, of which nothing is known: with its derivatives, and their rates.
+/// Any function of places, speeds and time, with its derivatives and their rates.
 fn any_energy(any: &mut TestDirections, name: &str) -> Sym {
     let letter = Sym::symbol(name);
     let of = |what: &str| std::array::from_fn(|k| Sym::symbol(&format!("{name} by {what} {}", k + 1)));

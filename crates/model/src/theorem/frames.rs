@@ -1,4 +1,4 @@
-//! Frames: what is known of the angular velocity of a frame is known of one that turns in it.
+//! Frames: lemmas that carry knowledge of a frame's angular velocity to a frame that turns in it.
 
 use super::Equations;
 use super::directions::{TestDirections, equal, in_axes};

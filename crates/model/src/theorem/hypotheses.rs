@@ -1,4 +1,4 @@
-//! The conditions of the theorem, read off the parts of a model.
+//! The conditions of the theorem, read from the parts of a model.
 
 use crate::joints::powers_of_reactions;
 use crate::principles::Principle;

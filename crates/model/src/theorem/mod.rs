@@ -1,7 +1,7 @@
 //! A theorem about the principles: for any masses, inertias and forces they give the same equations.
 //!
-//! Nothing of it speaks of one system. Letters stand for any vectors, with their rates and derivatives; each lemma is decided by
-//! normal form, once in a process:
+//! The theorem does not depend on a system. Letters stand for any vectors, with their rates and derivatives; each lemma is
+//! decided by normal form, once in a process:
 //!
 //! | lemma | it says |
 //! |---|---|

@@ -1,4 +1,5 @@
-//! Points: what is known of the velocity of a point is known of one that is found from it, and of one that a body carries.
+//! Points: lemmas that carry knowledge of a point's velocity to a point that is found from it, and to one that a body
+//! carries.
 
 use super::Equations;
 use super::directions::{TestDirections, equal};

@@ -8,7 +8,7 @@ pub(super) fn pi() -> Sym {
     Sym::symbol("pi")
 }
 
-/// The circle point of an angle. Of a multiple of pi it is exact where square roots tell it: for multiples of pi/12.
+/// The circle point of an angle. It is exact for multiples of pi/12, whose coordinates are square roots.
 pub(super) fn circle(angle: Sym) -> Circle<Sym> {
     let pi = pi();
     let part = angle.diff(pi).as_constant().filter(|part| part.sign() != Some(0));

@@ -1,7 +1,7 @@
 //! Momenta of bodies.
 //!
-//! A mass or a moment of inertia that varies is taken as solidified at each instant (Meshchersky): the law is m a = F, and what leaves or
-//! arrives acts by a force that the model gives. Until the equations stand, such a quantity is a letter that rests.
+//! A mass or a moment of inertia that varies is taken as solidified at each instant (Meshchersky): the law is m a = F, and mass that
+//! leaves or arrives acts by a force that the model gives. Until the equations are complete, such a quantity is a constant letter.
 
 use super::{Trace, Vector};
 use crate::equations::vanishes;
@@ -9,13 +9,13 @@ use crate::{Body, FrameId, Inertia, ScalarId};
 use symbolic::{Sym, substitute_all};
 
 impl Trace<'_> {
-    /// The mass of a body and its centre's velocity and acceleration; none without a mass.
+    /// The mass of a body and its centre's velocity and acceleration; `None` without a mass.
     pub fn carried(&self, body: &Body) -> Option<(Sym, Vector, Vector)> {
         let (mass, centre) = (body.mass?, body.centre?);
         Some((self.solidified(mass), self.velocity(centre), self.acceleration(centre)))
     }
 
-    /// A mass or a moment of inertia: a letter in its place where it varies.
+    /// A mass or a moment of inertia: a letter for a varying one.
     pub(crate) fn solidified(&self, id: ScalarId) -> Sym {
         let value = self.scalar(id);
         let moving =
@@ -39,12 +39,12 @@ impl Trace<'_> {
         !self.solid.borrow().is_empty()
     }
 
-    /// Letters of what is solidified, with their values.
+    /// The letters of varying masses and moments of inertia, with their values.
     pub fn solid(&self) -> Vec<(Sym, Sym)> {
         self.solid.borrow().clone()
     }
 
-    /// Expressions with the values of what is solidified in the place of its letters.
+    /// Expressions with these values in place of the letters.
     pub(crate) fn with_masses(&self, expressions: &[Sym]) -> Vec<Sym> {
         match &self.solid()[..] {
             [] => expressions.to_vec(),
@@ -57,7 +57,7 @@ impl Trace<'_> {
         body.inertia.as_ref().zip(body.frame).map(|(inertia, frame)| (inertia, self.turning(frame)))
     }
 
-    /// Whether an inertia has one moment about all axes.
+    /// Whether an inertia has one moment of inertia about all axes.
     pub(crate) fn is_of_ball(&self, inertia: &Inertia) -> bool {
         let Inertia::Tensor { entries: [Some(xx), Some(yy), Some(zz), None, None, None], .. } = inertia else {
             return false;

@@ -1,23 +1,23 @@
-//! The parts of a trace that judgements share: the directions that constraints leave, a listener, and names of directions.
+//! The parts of a trace that judgements share: the directions that constraints leave, a listener, names of directions.
 
 use super::Trace;
 use crate::Work;
 use crate::equations::{Characteristics, constraints_of};
 use std::cell::OnceCell;
 
-/// A hearer of work that is about to begin.
+/// A listener to work that is about to begin.
 type Listener<'m> = Box<dyn Fn(&Work) + 'm>;
 
 #[derive(Default)]
 pub(super) struct Judgement<'m> {
-    /// The directions that the constraints leave: found once, since every principle along them asks.
+    /// The directions that the constraints leave, found once for all principles along them.
     characteristics: OnceCell<Characteristics>,
     /// Hears of the work of each comparison before it begins.
     listener: Option<Listener<'m>>,
 }
 
 impl<'m> Trace<'m> {
-    /// Itself, with a listener that hears of the work of each comparison before it begins.
+    /// The trace with a listener to the work of each comparison before it begins.
     pub fn heard_by(self, listener: impl Fn(&Work) + 'm) -> Self {
         let judgement = Judgement { listener: Some(Box::new(listener)), ..self.judgement };
         Trace { judgement, ..self }

@@ -1,7 +1,7 @@
 //! A model over symbols, in the graph of one thread.
 //!
 //! Coordinates are symbols by their names, speeds and accelerations carry primes. Parameters are letters; a run gives them their
-//! values later. Every vector stands in the axes of one frame; a sum stands in those of the frame further down the tree, so that
+//! values later. Every vector stands in the axes of one frame; a sum stands in those of the frame further down the tree:
 //! angles of frames turned one after the other are never added.
 
 mod angle;
@@ -144,7 +144,7 @@ impl<'m> Trace<'m> {
         trace
     }
 
-    /// The bracket of Iverson: 1 where the condition holds, else 0.
+    /// Iverson's bracket: 1 where the condition holds, otherwise 0.
     fn letter_of_next_switch(&self) -> Sym {
         let number = self.switches.len();
         let condition = self.scalar(self.model.switches[number]);

@@ -1,4 +1,4 @@
-//! Positions, velocities and accelerations of points: each from those of the point that it is found from.
+//! Positions, velocities and accelerations of points, each from those of the point on which its position is based.
 
 use super::{Trace, Vector};
 use crate::{BodyId, FrameId, Material, PointId};
@@ -53,7 +53,7 @@ impl Trace<'_> {
         self.moving(point).acceleration
     }
 
-    /// From a point to another.
+    /// The vector from a point to another.
     pub fn between(&self, from: PointId, to: PointId) -> Vector {
         // along the points that both are found from nothing is added
         let path = |mut point: PointId| {
@@ -73,7 +73,7 @@ impl Trace<'_> {
         self.sum(way(&to), way(&from).map(|component| -component))
     }
 
-    /// The angular velocity of a frame as another sees it.
+    /// The angular velocity of a frame relative to another.
     pub(crate) fn turning_beside(&self, of: FrameId, seen: FrameId) -> Vector {
         self.sum(self.frames.turning(of), self.frames.turning(seen).map(|component| -component))
     }
@@ -83,7 +83,7 @@ impl Trace<'_> {
         self.frames.turning(frame)
     }
 
-    /// The rate of a vector as a frame sees it.
+    /// The rate of a vector relative to a frame.
     pub(crate) fn rate_seen(&self, vector: Vector, seen: FrameId) -> Vector {
         let carried = self.frames.cross(self.frames.turning(seen), vector);
         self.sum(self.vector_rate(vector), carried.map(|component| -component))

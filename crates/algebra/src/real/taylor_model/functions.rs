@@ -3,13 +3,12 @@
 use super::{Model, Rounded, up};
 use crate::real::Ordered;
 
-/// Series are taken of what is no larger.
+/// The largest argument of which series are taken.
 pub(super) const SMALL: f64 = 0.25;
-/// Below -MOST the exponential is no larger than GONE; exponents beyond are refused from somewhat more on, so that no range lies
-/// across both.
+/// Below -MOST the exponential is at most GONE; exponents beyond are refused from somewhat more on: no range lies across both.
 const MOST: f64 = 600.0;
 const GONE: f64 = 3e-261;
-/// Angles beyond are refused: the digits of their sines are lost.
+/// The largest angle; beyond it the digits of sines are lost.
 const MOST_ANGLE: f64 = 1e5;
 
 impl<C: Rounded, const N: usize> Model<C, N> {
@@ -18,11 +17,11 @@ impl<C: Rounded, const N: usize> Model<C, N> {
         let coefficients = self.coefficients.map(|c| c / C::lift(by));
         let rounded: f64 = coefficients.iter().map(|c| c.size()).sum();
         let open = (self.off / by).abs() + C::ROUNDING * rounded;
-        // quotients that are too small for floats too
+        // the error includes quotients that underflow
         Model { coefficients, off: up(up(open)) + f64::MIN_POSITIVE }
     }
 
-    /// exp f; `None` where f may be beyond some hundreds, or from there to far below.
+    /// exp f; `None` where f may be beyond some hundreds, or where its range reaches from there to far below.
     pub fn exp(&self) -> Option<Self> {
         let size = self.size();
         if self.coefficients[0].near() + self.spread() < -MOST {
@@ -59,11 +58,11 @@ impl<C: Rounded, const N: usize> Model<C, N> {
         Some(sum.wider(C::LEFT))
     }
 
-    /// (exp(-a) - exp(-b))/(b - a), also where a and b are near each other; `None` where a decay that is longer than some hundreds
-    /// goes back.
+    /// (exp(-a) - exp(-b))/(b - a), also where a and b are near each other; `None` where a decay longer than some hundreds goes
+    /// backwards.
     pub fn between_decays(a: &Self, b: &Self) -> Option<Self> {
         let gap = b.minus(a);
-        // the slower decay, times what fades beside it: neither grows, whichever way time goes
+        // the slower decay, times a factor that decays beside it: neither grows, in either direction of time
         let [slower, gap] = if gap.coefficients[0].near() < 0.0 { [b, &a.minus(b)] } else { [a, &gap] };
         Some(Self::constant(0.0).minus(slower).exp()?.times(&gap.faded()?))
     }

@@ -1,13 +1,13 @@
-//! Functions of one parameter, each as a polynomial and a bound of what it leaves out.
+//! Taylor models: functions of one parameter, each as a polynomial and a bound of the remainder.
 //!
-//! A model of f over tau in [-1, 1] is a polynomial p and a number r with |f - p| <= r everywhere there. Operations keep that: what a
-//! product has beyond the degree, and what rounding takes, goes into r. An interval forgets how its numbers hang together, so that
-//! sums of large terms that cancel stay wide; a model forgets only r, a high power of the width, and wide ranges of a parameter are
-//! settled at once.
+//! A model of f over tau in [-1, 1] is a polynomial p and a number r with |f - p| <= r everywhere there. Operations keep this: the
+//! terms of a product beyond the degree, and rounding errors, go into r. Interval arithmetic forgets the dependence between its
+//! numbers: sums of large terms that cancel stay wide. A model forgets only r, a high power of the width, and decides wide ranges of
+//! a parameter at once.
 
 //!
-//! With one coefficient a model is a number that is enclosed, and with one of twice the length it is so to thirty digits: where
-//! many operations follow on each other, what rounding takes grows as fast as they allow, and floats may not last.
+//! A model with one coefficient is an enclosed number, and one with a coefficient of twice the length is a number to thirty
+//! digits: along many operations rounding errors grow, and floats may not suffice.
 
 mod functions;
 mod rounded;
@@ -66,12 +66,12 @@ impl<C: Rounded, const N: usize> Model<C, N> {
         range
     }
 
-    /// Where a polynomial of this degree is known by its values: Chebyshev's points.
+    /// Chebyshev's points, at which a polynomial of this degree is determined by its values.
     pub fn nodes() -> [f64; N] {
         std::array::from_fn(|k| (std::f64::consts::PI * (2 * k + 1) as f64 / (2 * N) as f64).cos())
     }
 
-    /// The polynomial through values there, by Newton's divided differences; of what it was taken from nothing is claimed.
+    /// The polynomial through values at these points, by Newton's divided differences; it encloses nothing.
     pub fn through(values: [f64; N]) -> Self {
         let (nodes, mut divided) = (Self::nodes(), values);
         for order in 1..N {
@@ -95,12 +95,12 @@ impl<C: Rounded, const N: usize> Model<C, N> {
         self.coefficients.iter().rev().fold(C::zero(), |sum, c| sum * C::lift(tau) + *c).near()
     }
 
-    /// No value is larger.
+    /// An upper bound of the values.
     pub fn size(&self) -> f64 {
         up(self.coefficients.iter().map(|c| c.size()).sum::<f64>() + self.off)
     }
 
-    /// |x| is nowhere less; zero where x may be zero, NaN where it has no bound.
+    /// A lower bound of |x|; zero where x may be zero, NaN where it has no bound.
     pub fn least(&self) -> f64 {
         let least = (self.coefficients[0].size() - self.spread()) * (1.0 - 8.0 * f64::EPSILON);
         if least < 0.0 { 0.0 } else { least }
@@ -131,13 +131,13 @@ impl<C: Rounded, const N: usize> Model<C, N> {
         self.off == 0.0 && self.coefficients == [C::zero(); N]
     }
 
-    /// The same with so much more around it.
+    /// The model with a remainder that is larger by this.
     pub fn wider(mut self, by: f64) -> Self {
         self.off = up(self.off + by);
         self
     }
 
-    /// 1/f by the geometric series about the constant term; `None` where f may vanish, or may nearly.
+    /// 1/f by the geometric series about the constant term; `None` where f may vanish, or nearly so.
     fn reciprocal(&self) -> Option<Self> {
         let middle = self.coefficients[0];
         let about = Model { coefficients: Self::rest(self.coefficients), off: self.off };
@@ -232,7 +232,7 @@ impl<C: Rounded, const N: usize> Ordered for Model<C, N> {
         if self.is_zero() {
             return Some(0);
         }
-        // not by negation: what is no number has no sign
+        // not by negation: NaN has no sign
         (middle.abs() > spread).then_some(if middle > 0.0 { 1 } else { -1 })
     }
 }
@@ -241,7 +241,7 @@ impl<C: Rounded, const N: usize> Ordered for Model<C, N> {
 mod tests {
     use super::*;
 
-    /// At points of the range, against the function by floats; what is left out is as small as is said.
+    /// At points of the range, against the function in floats; the remainder is as small as claimed.
     pub(super) fn holds(model: &TaylorModel, f: impl Fn(f64) -> f64, [low, high]: [f64; 2], most: f64) {
         for k in 0..=20 {
             let tau = f64::from(k) / 10.0 - 1.0;

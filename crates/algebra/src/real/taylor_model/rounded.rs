@@ -3,7 +3,7 @@
 use super::functions::SMALL;
 use field::{Analytic, DoubleDouble, Over, Rational};
 
-/// A number of so many digits.
+/// A number with a known rounding error.
 pub trait Rounded: Analytic + Over<f64> {
     /// The relative error of one operation, rounded up.
     const ROUNDING: f64;
@@ -12,7 +12,7 @@ pub trait Rounded: Analytic + Over<f64> {
     const TERMS: i32;
     const LEFT: f64;
 
-    /// The nearest float; infinite or none where the number is.
+    /// The nearest float; infinite or NaN where the number is.
     fn near(self) -> f64;
 
     /// The number nearest to a fraction, and whether it is the fraction itself.

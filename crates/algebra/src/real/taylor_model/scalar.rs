@@ -1,7 +1,7 @@
 //! Taylor models as a field: laws run over them as they do over numbers.
 //!
-//! A law has no way to say that a denominator may vanish. What is not known to be a number then has no bound, nothing that comes of
-//! it has one, and it has no sign.
+//! A law has no way to report that a denominator may vanish. A result that may be undefined then has no bound, nor have results
+//! computed from it, and no sign.
 
 use super::{Model, Rounded};
 use crate::real::Ordered;
@@ -132,7 +132,7 @@ impl<C: Rounded, const N: usize> Analytic for Model<C, N> {
         if self.is_zero() { self } else { self.square_root().unwrap_or_else(Self::none) }
     }
 
-    /// Exponentials as models; of the others the range, as wide as floats tell it.
+    /// Exponentials as models; for the other functions the range, as wide as floats give it.
     fn elementary(self, function: Elementary, other: Self) -> Self {
         if function == Elementary::Exp {
             return self.exp().unwrap_or_else(Self::none);

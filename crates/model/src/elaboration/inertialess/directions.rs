@@ -4,8 +4,8 @@ use crate::Trace;
 use field::{Rational, Scalar as _};
 use symbolic::{Sym, substitute_all};
 
-/// Rows that take a direction to zero where no law changes with the speeds along it: slopes of laws at points of whole numbers; none
-/// where they have no such value.
+/// Rows that vanish on directions along whose speeds no law changes: slopes of laws at points of whole numbers; `None` where these
+/// have no value there.
 pub(super) fn speed_free(trace: &Trace<'_>, laws: &[Sym], open: &[usize]) -> Option<Vec<Vec<Rational>>> {
     let slopes: Vec<Vec<Sym>> =
         laws.iter().map(|law| open.iter().map(|&place| trace.by_speed(*law, place)).collect()).collect();
@@ -22,7 +22,7 @@ pub(super) fn speed_free(trace: &Trace<'_>, laws: &[Sym], open: &[usize]) -> Opt
     Some([1, 5, 13].map(at).into_iter().collect::<Option<Vec<_>>>()?.concat())
 }
 
-/// A basis of what rows take to zero, directions along which more rows vanish first.
+/// A basis of the null space of rows, directions along which more rows vanish first.
 pub(super) fn basis(rows: &[Vec<Rational>], more: &Option<Vec<Vec<Rational>>>, columns: usize) -> Vec<Vec<Rational>> {
     let all = null_space(rows.to_vec(), columns);
     let first = more.as_ref().map(|more| null_space([rows, more].concat(), columns)).unwrap_or_default();
@@ -36,7 +36,7 @@ pub(super) fn basis(rows: &[Vec<Rational>], more: &Option<Vec<Vec<Rational>>>, c
     chosen
 }
 
-/// A basis of what rows take to zero.
+/// A basis of the null space of rows.
 fn null_space(mut rows: Vec<Vec<Rational>>, columns: usize) -> Vec<Vec<Rational>> {
     let is_zero = |value: Rational| value.sign() == Some(0);
     let mut pivots: Vec<usize> = Vec::new();
@@ -65,7 +65,7 @@ fn null_space(mut rows: Vec<Vec<Rational>>, columns: usize) -> Vec<Vec<Rational>
     .collect()
 }
 
-/// The same direction by whole numbers; none where they are large.
+/// The direction by whole numbers; `None` where they are large.
 pub(super) fn whole(factors: &[Rational]) -> Option<Vec<i64>> {
     let denominator = |factor: &Rational| i64::try_from(factor.to_big()?.denominator().clone()).ok();
     let common = factors.iter().try_fold(1_i64, |common, factor| {

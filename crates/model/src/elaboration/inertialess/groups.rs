@@ -1,10 +1,10 @@
-//! Coordinates without inertia that hang together: their speeds are found together.
+//! Groups of coupled coordinates without inertia: their speeds are found together.
 
 use crate::Trace;
 use field::Rational;
 use symbolic::Sym;
 
-/// For each open coordinate the number of its group: those of one group hang together by constraints, or by the speeds in their laws, by
+/// For each open coordinate the number of its group: coordinates are coupled by constraints, or by the speeds in their laws, or by
 /// positions where a law holds no speeds.
 pub(super) fn groups(trace: &Trace<'_>, laws: &[Sym], open: &[usize], rows: &[Vec<Rational>]) -> Vec<usize> {
     let mut groups: Vec<usize> = (0..open.len()).collect();

@@ -1,12 +1,12 @@
 //! Coordinates without inertia: the charge of a capacitor behind a resistor, a point between an elastic and a viscous element.
 //!
-//! No acceleration stands in the law of such a coordinate: r(q, u, t) = 0, inertia less forces, is an equation of speeds, or of positions.
-//! It becomes a constraint of the system. In
+//! The law of such a coordinate holds no acceleration: r(q, u, t) = 0, inertia less forces, is an equation of speeds, or of positions. It
+//! becomes a constraint of the system. In
 //!
 //!   r = J lambda ,    J = dr/du
 //!
-//! its multiplier vanishes along every motion, so that it moves the coordinate and acts on nothing. Where constraints tie several such
-//! coordinates, as Kirchhoff's law ties the currents of a node, the combinations that these leave have a law each.
+//! its multiplier vanishes along every motion: it moves the coordinate and has no other effect. Where constraints couple several such
+//! coordinates, as Kirchhoff's law couples the currents of a node, the combinations that remain free have a law each.
 //!
 //! A law that contains a condition or the voltage of a diode has a solution of its own in each of their cases. It is no constraint: the
 //! speeds which it determines, and those coupled to them, are algebraic unknowns of the case.
@@ -95,7 +95,7 @@ fn determining(trace: &Trace<'_>, open: &[usize]) -> Vec<usize> {
 struct Laws {
     /// Combinations without multipliers that determine a motion.
     found: Vec<Combination>,
-    /// Combinations that change, or hang together with those, and hold speeds or switches.
+    /// Combinations that change, or are coupled with such ones, and hold speeds or switches.
     changing: Vec<Combination>,
     /// Coordinates whose speeds follow from these.
     algebraic: Vec<usize>,
@@ -165,7 +165,7 @@ enum Kind {
     Determines,
     /// The same, and it holds no speeds.
     DeterminesByPlaces,
-    /// It holds a condition, or the reaction of a contact.
+    /// The law holds a condition, or the reaction of a contact.
     Piecewise,
     DeterminesNothing,
 }

@@ -13,7 +13,7 @@ pub(super) fn fault(what: &str, at: Range<usize>) -> Fault {
 }
 
 impl Elaborator<'_> {
-    /// Refuses reactions in what the motion, and with it the reactions, follows from.
+    /// Refuses reactions in parts that determine the motion, and with it the reactions.
     pub(in crate::elaboration) fn confine_reactions(&mut self) {
         let letters: Vec<usize> = self.reaction_letters.iter().filter_map(|one| Some(one.letter?.0)).collect();
         let Some(ReactionLetter { at, .. }) = self.reaction_letters.first() else { return };

@@ -1,4 +1,5 @@
-//! Inertia of a link beside its joint, as a symmetric matrix between its twist (w, v) and its wrench (torque, force):
+//! The inertia of a link about its joint, as a symmetric matrix between its twist (w, v) and its wrench (torque,
+//! force):
 //!
 //!   torque = A w + B v ,    force = B^T w + C v
 
@@ -19,7 +20,8 @@ pub(super) struct Inertia {
     pub mass: Matrix,
 }
 
-/// A twist or a wrench in the axes of a frame: of a twist the turning first, of a wrench the torque.
+/// A twist or a wrench in the axes of a frame: the angular velocity of a twist, and the torque of a wrench, comes
+/// first.
 #[derive(Clone, Copy)]
 pub(super) struct Pair(pub [[Sym; 3]; 2]);
 
@@ -31,7 +33,7 @@ impl Pair {
         products.fold(Sym::ZERO, |sum, each| sum + each)
     }
 
-    /// This and a multiple of another.
+    /// The sum of this and a multiple of another.
     pub fn and(&self, factor: Sym, other: &Pair) -> Pair {
         Pair(std::array::from_fn(|half| std::array::from_fn(|k| self.0[half][k] + factor * other.0[half][k])))
     }
@@ -67,7 +69,7 @@ impl Inertia {
         all
     }
 
-    /// The wrench that a twist meets.
+    /// The wrench of the inertia under a twist.
     pub fn times(&self, Pair([turning, velocity]): &Pair) -> Pair {
         let by = |matrix: &Matrix, vector: &[Sym; 3]| matrix.map(|row| dot(&row, vector));
         let sum = |a: [Sym; 3], b: [Sym; 3]| std::array::from_fn(|k| a[k] + b[k]);
@@ -77,7 +79,7 @@ impl Inertia {
         ])
     }
 
-    /// Without what a direction takes: less u u^T/d.
+    /// The inertia without its part along a direction: less u u^T/d.
     pub fn without(&self, Pair([torque, force]): &Pair, inverse: Sym) -> Self {
         let less = |matrix: &Matrix, a: &[Sym; 3], b: &[Sym; 3]| -> Matrix {
             std::array::from_fn(|i| std::array::from_fn(|j| matrix[i][j] - a[i] * inverse * b[j]))
@@ -100,7 +102,7 @@ impl Inertia {
         }
     }
 
-    /// As the link felt that carries this one: at the end of an arm of its own, with its turning or without.
+    /// The inertia in the parent link: at the end of an arm of its own, with the link's turning or without.
     pub fn carried(&self, trace: &Trace<'_>, is_carried: bool, (frame, arm): (FrameId, Vector)) -> Self {
         let turned = |matrix: &Matrix| -> Matrix {
             let rows = matrix.map(|row| trace.express(Vector { frame: self.frame, components: row }, frame));

@@ -1,12 +1,12 @@
-//! Accelerations of bodies that hang on one another, from the last ones to the ground and back (Featherstone 1983): the work grows as the
-//! number of bodies, and that of closed loops as the loops.
+//! The articulated-body algorithm (Featherstone 1983): accelerations of bodies in a tree, from the last ones to the ground and back; the
+//! work grows as the number of bodies, and that of closed loops as the loops.
 //!
 //! A link moves by the twist V = (w, v) of its joint, V = A V_parent + sum s_i u_i, with own speeds u_i. Its inertia I and those of the
-//! links that it carries, which follow it as their own speeds let them, are one articulated inertia: an own speed takes from it
+//! links that it carries, which follow it as their own speeds admit, are one articulated inertia: an own speed takes from it
 //!
 //!   d = s . I s ,    I - I s s^T I/d ,
 //!
-//! and the link that carries it feels A^T I A. So M = L D L^T without its entries. Forces go to the ground the same way, and
+//! and in the parent link it is A^T I A: M = L D L^T without its entries. Forces go to the ground in this way too, and
 //! accelerations come back. Constraints add J M^-1 J^T, solved in an order that keeps it sparse.
 
 mod inertia;
@@ -25,7 +25,7 @@ use links::{Link, Links};
 use std::collections::HashMap;
 use symbolic::{Sym, substitute_all};
 
-/// An own speed of a link: where it stands among all, the direction in which it moves the link, what it takes from the inertia, and 1/d.
+/// An own speed of a link: its place among all, the direction in which it moves the link, the part of the inertia along it, and 1/d.
 struct Speed {
     place: usize,
     direction: Pair,
@@ -56,7 +56,7 @@ pub(crate) fn solved(trace: &Trace<'_>) -> Option<Solved> {
     let flat = substitute_all(&flat, &at_rest.iter().copied().chain(none).collect::<Vec<_>>());
     let (wrenches, pushes) = flat.split_at(6 * wrenches.len());
     let pair = |six: &[Sym]| Pair([[six[0], six[1], six[2]], [six[3], six[4], six[5]]]);
-    // weights are felt by bodies whose ground is accelerated upwards
+    // weights enter as an upward acceleration of the ground
     let ground = trace.model.gravity.map_or(Vector::ZERO, |gravity| trace.vector(gravity).map(|part| -part));
     let free = bodies.solve(pushes, wrenches.chunks_exact(6).map(pair).collect(), ground);
     Some(bodies.with_constraints(free, &constraints))
@@ -68,7 +68,7 @@ pub(crate) fn are_of(trace: &Trace<'_>) -> bool {
 }
 
 impl<'t, 'm> ArticulatedBodies<'t, 'm> {
-    /// None where bodies form no such tree, or a speed moves nothing with a mass.
+    /// `None` where bodies form no such tree, or a speed moves nothing with a mass.
     fn of(trace: &'t Trace<'m>) -> Option<Self> {
         let energies = &trace.model.energies;
         // a system given by energies has no links
@@ -110,7 +110,7 @@ impl<'t, 'm> ArticulatedBodies<'t, 'm> {
         Some(ArticulatedBodies { trace, links, speeds })
     }
 
-    /// Wrenches of each link where accelerations are zero, inertia less forces, and what acts along speeds beside them.
+    /// Wrenches of each link at zero accelerations, inertia less forces, and the loads along speeds beside them.
     fn loads(&self) -> Option<(Vec<Pair>, Vec<Sym>)> {
         let trace = self.trace;
         let mut wrenches: Vec<Pair> = self.links.all.iter().map(|link| self.inertial(link)).collect();
@@ -168,7 +168,7 @@ impl<'t, 'm> ArticulatedBodies<'t, 'm> {
         *wrench = wrench.and(factor, &Pair(load.map(|vector| self.trace.express(vector, frame))));
     }
 
-    /// A wrench as the parent of a link feels it.
+    /// A wrench in the parent of a link.
     fn down(&self, link: &Link, parent: usize, Pair([torque, force]): &Pair) -> Pair {
         let trace = self.trace;
         let [torque, force] = [torque, force].map(|all| Vector { frame: link.frame, components: *all });

@@ -1,8 +1,8 @@
 //! The solution of A x = b over symbols, with divisors that vanish nowhere where A is regular.
 //!
 //! Pivots that are constants come first, wherever they stand. The rest falls into blocks, each of which determines unknowns of its own
-//! by those before it: x = adj(B) b/det(B). So the divisors are the determinants of these blocks, and their product is det A up to a
-//! constant factor. Of a block that is too large for its minors the pivots of an elimination are divisors.
+//! by those before it: x = adj(B) b/det(B). The divisors are therefore the determinants of these blocks, and their product is det A up
+//! to a constant factor. For a block that is too large for its minors the pivots of an elimination are divisors.
 
 mod blocks;
 mod cofactors;
