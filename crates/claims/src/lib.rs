@@ -3,7 +3,7 @@
 //! # Overview
 //! A [`Page`] is a paper's list of claims in the paper's own order and letters. A [`Claim`] holds a statement and the way
 //! to decide it; [`Claim::judge`] decides, by exact arithmetic alone, and returns a [`Judged`] claim: a [`Verdict`] with
-//! its evidence. Nobody writes a verdict down: the author of a page says what he *expects*, and a test compares.
+//! its evidence. Nobody writes a verdict down: the author of a page states an *expectation*, and a test compares.
 //!
 //! | statement | decided by |
 //! |---|---|

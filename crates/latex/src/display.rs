@@ -28,7 +28,7 @@ pub struct Displayed {
 /// operator; `\pm` and `\mp` make two formulas of one, with all upper signs and with all lower ones.
 ///
 /// # Errors
-/// The place at which it is not clear what belongs together.
+/// The place at which the parts of the display are ambiguous.
 pub fn formulas(text: &str) -> Result<Vec<Displayed>, NotFormula> {
     let plain = || vec![Displayed { name: String::new(), text: text.to_owned(), start: 0 }];
     // errors there are reported where the formula is read

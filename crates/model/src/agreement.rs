@@ -203,7 +203,7 @@ pub(crate) fn decided(trace: &Trace<'_>, subject: &str, pairs: &[(Sym, Sym)]) ->
     up_to(trace, subject, pairs, MOST_EXPANDED)
 }
 
-/// The same, with normal forms of differences up to so many operations.
+/// The decision with normal forms of differences up to so many operations.
 fn up_to(trace: &Trace<'_>, subject: &str, pairs: &[(Sym, Sym)], most: usize) -> Agreement {
     let (ones, others): (Vec<Sym>, Vec<Sym>) = pairs.iter().copied().unzip();
     let (ones, others) = (trace.with_masses(&ones), trace.with_masses(&others));

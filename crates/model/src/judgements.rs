@@ -26,7 +26,7 @@ pub struct Judgement {
 pub enum Subject {
     /// Two principles whose equations are compared.
     Principles([&'static str; 2]),
-    /// The same in quasi-velocities, by their names.
+    /// Two principles in quasi-velocities, by their names.
     InQuasiVelocities { principles: [&'static str; 2], speeds: Vec<String> },
     /// A quantity, and a statement of the equations about it.
     Statement { about: String, says: String },

@@ -38,7 +38,7 @@ impl From<&str> for Text {
     }
 }
 
-/// A name and what it stands for.
+/// A name and its text.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Entry {
     pub name: Text,

@@ -9,7 +9,8 @@ use crate::Trace;
 use crate::equations::Equations;
 use symbolic::{Derivation, Sym};
 
-/// Equations and their derivatives, over the symbols of a trace. Rows are equations, columns what they are differentiated by.
+/// Equations and their derivatives, over the symbols of a trace. Rows are equations, columns the variables of
+/// differentiation.
 #[derive(Clone, Debug)]
 pub struct Variations {
     /// lambda, one for each constraint.

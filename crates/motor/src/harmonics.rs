@@ -4,11 +4,12 @@ use super::Machine;
 use field::{Analytic, Circle, Over, Scalar, Tangent};
 use symbolic::{Sym, Tape, substitute_all};
 
-/// The coefficients of every psi_k = a cos g + b sin g + c, then those of U, as a program without inputs.
+/// The waves of a machine: the coefficients of every psi_k = a cos g + b sin g + c, then those of U, as a program
+/// without inputs.
 #[derive(Clone, Debug)]
 pub struct Waves(Tape);
 
-/// The same over a field.
+/// The waves over a field.
 #[derive(Clone, Debug)]
 pub struct Harmonics<S> {
     windings: Vec<Wave<S>>,
@@ -34,7 +35,7 @@ impl Waves {
         Tape::record(&[], &all).ok().filter(|_| constant).map(Waves)
     }
 
-    /// Over a field.
+    /// The waves over a field.
     pub fn over<S: Analytic>(&self) -> Harmonics<S> {
         let mut values = vec![S::zero(); self.0.outputs()];
         self.0.over().evaluate(&[], &mut values);

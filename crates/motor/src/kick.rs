@@ -50,7 +50,7 @@ pub struct Kick<S> {
 
 #[derive(Clone, Debug)]
 enum Moment<S> {
-    /// m(0); K b; the integral of exp(-K b t) over h; what a unit of each psi_k' L_k i_k(0) adds to the slip.
+    /// m(0); K b; the integral of exp(-K b t) over h; the slip gained per unit of each psi_k' L_k i_k(0).
     Linear { at_zero: S, rate: S, lasting: S, pushes: Vec<S> },
     /// exp(-r_k c_i h) / L_k at each node.
     Curved { rule: Rule<S>, left: Vec<[S; STAGES]> },

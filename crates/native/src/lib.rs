@@ -219,7 +219,7 @@ pub const MOST_STACK: u32 = 1 << 15;
 /// Bytes in which a number waits on the stack: the generator keeps a whole vector register there.
 const WAITING: usize = 16;
 
-/// Makes the processor fetch what was written to these pages, on every core; x86-64 does so by itself.
+/// Makes the processor fetch the new instructions of these pages, on every core; x86-64 does so by itself.
 fn fetch_anew(pages: &Mmap) -> Option<()> {
     // SAFETY: the range is that of one mapping, which is there and readable.
     unsafe { wasmtime_internal_jit_icache_coherence::clear_cache(pages.as_ptr().cast(), pages.len()) }.ok()?;

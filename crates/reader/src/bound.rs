@@ -44,7 +44,7 @@ impl Allowed {
     pub const ALL: Self =
         Allowed { zero_resistance: true, negative_resistance: true, negative_friction: true, separate_fluxes: true };
 
-    /// Adds what a word asks for; whether the word is known.
+    /// Adds the allowance of a word; returns whether the word is known.
     pub fn add(&mut self, word: &str) -> bool {
         let asked = match word {
             Self::ZERO_RESISTANCE => &mut self.zero_resistance,

@@ -28,7 +28,7 @@ pub trait Family: Sized {
     /// The name of the family in messages: "a system with ...".
     const KIND: &'static str;
 
-    /// (name in scene files, what it is).
+    /// (name in scene files, description) of each system.
     fn systems() -> Vec<(&'static str, &'static str)>;
 
     /// Reads the rest of a file whose system is of the family; errors go into the list.

@@ -1,6 +1,6 @@
 //! Laws of motion as they run.
 //!
-//! A [`Problem`] is a law with a start, what it conserves and where it ends; it runs by any method ([`Choice`]), across [`events`],
+//! A [`Problem`] is a law with a start, its integrals and its end; it runs by any method ([`Choice`]), across [`events`],
 //! beside [`references`], and by every method at every tolerance ([`work_precision`]). A scene that
 //! is one such problem is [`IvpScene`].
 //!

@@ -151,7 +151,7 @@ impl Enclosure {
         width.to_f64().value().next_up()
     }
 
-    /// The same interval in finer multiples.
+    /// The interval in multiples of a smaller power of two.
     pub fn finer(self, bits: usize) -> Self {
         let more = bits.saturating_sub(self.bits);
         Enclosure { low: self.low << more, high: self.high << more, bits: self.bits + more }

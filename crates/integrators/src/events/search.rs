@@ -13,7 +13,7 @@ const MOST_KNOWN: usize = 256;
 /// Doublings of a rounding of the time, by which an instant before a fall is sought.
 const ROUNDINGS: i32 = 20;
 
-/// A doubt below this share of what the cubic changes leaves no doubt of its shape.
+/// A doubt below this part of the change of the cubic leaves no doubt of its shape.
 const SETTLED: f64 = 0.05;
 
 /// The doubt that a step leaves by itself, as a part of the bow of the cubic.

@@ -84,7 +84,7 @@ impl Lu {
             }
             column.swap(k, pivot);
             self.scales.swap(k, pivot);
-            // from whole registers on: what is above the diagonal there is kept out
+            // from whole registers on: entries above the diagonal there are kept out
             column[k + 1..n].iter_mut().for_each(|entry| *entry *= inverse);
             let factors = &column[k + 1..n];
             for other in later.chunks_exact_mut(height) {

@@ -74,7 +74,7 @@ impl Failure {
     }
 }
 
-/// Why data were refused, and what would be accepted.
+/// The reason why data were refused, and the data that would be accepted.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Refusal {
     SpanEmpty { start: f64, end: f64 },

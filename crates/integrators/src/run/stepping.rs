@@ -192,7 +192,7 @@ impl<S: Real> Even<S> {
     }
 }
 
-/// The proposed step, or what remains, or half of it rather than leaving a sliver.
+/// The proposed step, or the rest, or half of the rest where a sliver would remain.
 fn shorten<S: Real>(proposed: f64, remaining: S) -> S {
     let left = remaining.approx();
     if proposed >= left * (1.0 - 1e-10) {

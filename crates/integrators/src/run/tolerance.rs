@@ -13,7 +13,7 @@ pub struct Tolerance {
 /// The part of a tolerance that does not follow the size of a component.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Absolute {
-    /// The same for every component.
+    /// One number for every component.
     Same(f64),
     /// One for each component: for states that mix currents of 100 A with angles.
     Each(Vec<f64>),

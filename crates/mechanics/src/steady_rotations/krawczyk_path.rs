@@ -26,7 +26,7 @@ pub type Path<'a> = dyn Fn(&Enclosure) -> Option<Data> + 'a;
 
 /// The shortest step, as a share of the path.
 const LEAST: f64 = 1.0 / 1024.0;
-/// The least radius of a box, and the room about what is expected in it, as a share of that.
+/// The least radius of a box, and the margin about the expected solution, as a share of the radius.
 const MARGIN: f64 = 1e-9;
 const ROOM: f64 = 0.25;
 /// Boxes that are tried for a step.

@@ -1,4 +1,4 @@
-//! Free frames that three angles place, for what needs as many coordinates as speeds.
+//! Free frames placed by three angles, for methods that need as many coordinates as speeds.
 
 use super::Elaborator;
 use super::value::Value;
@@ -37,7 +37,8 @@ impl Elaborator<'_> {
         Value::Scalar(self.scalar(Scalar::Dot(turning, along), per_second))
     }
 
-    /// Whether the start of such a frame, or of its angular velocity, has this name: whoever asks for the angles gives their start.
+    /// Whether the start of such a frame, or of its angular velocity, has this name: a start of the angles takes its
+    /// place.
     pub(super) fn places_by_angles(&self, name: &str) -> bool {
         let frame = name.rsplit_once('.').map_or(name, |(frame, _)| frame);
         self.by_angles.iter().any(|FrameId(own)| self.model.frames[*own].name == frame)

@@ -44,7 +44,7 @@ pub(super) fn ordered(source: &Source, faults: &mut Vec<Fault>, broken: &mut FxH
         all.push((Definition::Input(at), &input.name, input.value.iter().collect()));
     }
     without_second(source, &mut all, faults, broken);
-    // a reserved name means what it always means, whatever a file defines by it
+    // a reserved name keeps its meaning, whatever a file defines
     let named = all.iter().enumerate().filter(|(_, (_, name, _))| !super::is_reserved(&name.text));
     let places: FxHashMap<&str, usize> = named.map(|(place, (_, name, _))| (name.text.as_str(), place)).collect();
     // x' is a rate of a coordinate, v' that of a quasi-velocity
@@ -69,7 +69,7 @@ pub(super) fn ordered(source: &Source, faults: &mut Vec<Fault>, broken: &mut FxH
     let mut order = Vec::new();
     let mut told: FxHashSet<usize> = FxHashSet::default();
     for first in 0..all.len() {
-        // a path through what is needed, without recursion: each with the place of the next need to look at
+        // a path through dependences, without recursion: each with the place of the next one to examine
         let mut path: Vec<(usize, usize)> = vec![(first, 0)];
         while let Some((at, next)) = path.last().copied() {
             if done[at] {

@@ -1,4 +1,4 @@
-//! A system as it was written, read once, or twice where its loads hold reactions.
+//! Resolution of a system from its texts: one pass, or two where its loads hold reactions.
 
 use super::one_sided_loads::{Load, one_sided};
 use super::reactions::{ReactionLetter, with_laws};
@@ -19,7 +19,8 @@ pub(crate) fn elaborate(source: &Source) -> Result<Model, Vec<Fault>> {
     Ok(model)
 }
 
-/// The same, its guides as they are. Where loads or events hold reactions, the system is read again with what gives these.
+/// Resolves a system with its guides as they are. Where loads or events hold reactions, the system is read again with
+/// these as rates.
 pub(super) fn elaborated(source: &Source) -> Result<Model, Vec<Fault>> {
     let first = Elaborator::new(source, Vec::new()).resolved()?;
     if first.reaction_letters.is_empty() {

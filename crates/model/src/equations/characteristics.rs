@@ -185,7 +185,7 @@ fn solved(matrix: &[Vec<Sym>], right: Vec<Vec<Sym>>) -> Vec<Vec<Sym>> {
     eliminated(matrix.to_vec(), right, in_short).0
 }
 
-/// The same with the pivots, short entries in normal form at every step: no denominator stays that cancels.
+/// The solution with the pivots, and short entries in normal form at every step: no denominator remains that cancels.
 pub(crate) fn solved_in_short(matrix: Vec<Vec<Sym>>, right: Vec<Vec<Sym>>) -> (Vec<Vec<Sym>>, Vec<Sym>) {
     eliminated(matrix, right, in_short)
 }

@@ -81,7 +81,8 @@ pub(crate) fn solve_sparse(matrix: &[Vec<Sym>], right: &[Sym]) -> Result<Vec<Sym
     Ok(values)
 }
 
-/// By the smallest number of neighbours (Tinney and Walker 1967); what is eliminated joins its neighbours.
+/// By the smallest number of neighbours (Tinney and Walker 1967); neighbours of an eliminated row become neighbours of
+/// each other.
 fn order(matrix: &[Vec<Sym>]) -> Vec<usize> {
     let entries =
         |row: usize| (0..matrix.len()).filter(move |&column| column != row && matrix[row][column] != Sym::ZERO);

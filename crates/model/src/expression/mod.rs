@@ -147,7 +147,7 @@ pub enum Reason {
     Preposition,
     /// More than a name after `at`.
     Place,
-    /// `in` where it does not stand with what is seen.
+    /// `in` outside of a relative motion.
     Seen,
     /// A constraint's name with spaces and without quotes.
     Quotes,

@@ -17,7 +17,7 @@ pub enum Token<'a> {
     Sign(char),
     /// ` . ` between spaces: the scalar product.
     Dot,
-    /// `.` within `N.x`: a part of what stands before it.
+    /// `.` within `N.x`: a part of the name before it.
     Part,
 }
 

@@ -12,7 +12,7 @@ pub struct Regulator {
     pub inputs: Vec<usize>,
     /// The cost by the time, of coordinates, their rates and the inputs.
     pub cost: ScalarId,
-    /// The cost of what is left at the end of the horizon.
+    /// The cost of the deviation at the end of the horizon.
     pub last: Option<ScalarId>,
     /// In seconds; none: without an end.
     pub horizon: Option<f64>,

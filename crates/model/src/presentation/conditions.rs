@@ -1,4 +1,4 @@
-//! Conditions of a law for its reader: what each bracket stands for, and what the equations leave out.
+//! Conditions of a law for its reader: the meaning of each bracket, and the parts that the equations leave out.
 
 use super::contacts::laws;
 use super::matrix_form::MatrixForm;
@@ -44,7 +44,7 @@ pub fn left_out(trace: &Trace<'_>, form: &MatrixForm) -> Vec<String> {
     [left_out_between_events(trace, form), events(trace, form)].concat()
 }
 
-/// The same of equations that stand beside the events.
+/// Such sentences for equations that stand beside the events.
 pub(super) fn left_out_between_events(trace: &Trace<'_>, form: &MatrixForm) -> Vec<String> {
     let implied = |implied: &crate::Implied| match &implied.branch {
         None => format!("{} follows from the others and is left out.", implied.title),

@@ -151,7 +151,7 @@ impl MatrixForm {
         self.plain() < self.speeds.len()
     }
 
-    /// The same with the lines of conditions and events in the file of a model.
+    /// The form with the lines of conditions and events in the file of a model.
     #[must_use]
     pub fn in_file(mut self, model: &Model, file: &str) -> Self {
         let line = |at: &Range<usize>| 1 + file.get(..at.start).unwrap_or(file).matches('\n').count();
@@ -180,13 +180,13 @@ impl MatrixForm {
         own.map(Sym::to_string).collect()
     }
 
-    /// The same with other letters.
+    /// The form with other letters.
     #[must_use]
     pub fn renamed(&self, letters: &[(Sym, Sym)]) -> Self {
         self.mapped(&mut |expressions| substitute_all(expressions, letters))
     }
 
-    /// The same with every expression as it is read: angles together, common factors outside.
+    /// The form for reading: angles together, common factors outside.
     #[must_use]
     pub fn for_reading(&self) -> Self {
         let parameters = self.parameters.iter().copied().zip(self.positive.iter().copied());
@@ -311,7 +311,7 @@ fn displaced(trace: &Trace<'_>, speed: usize) -> Sym {
     if speed < trace.model.coordinates.len() { trace.coordinates[speed] } else { trace.speeds[speed] }
 }
 
-/// The same bodies with nothing acting on them.
+/// The model without loads.
 pub(super) fn without_forces(model: &Model) -> Model {
     let Energies { kinetic, coenergy, .. } = model.energies;
     let energies = Energies { kinetic, coenergy, ..Energies::default() };

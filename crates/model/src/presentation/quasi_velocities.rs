@@ -86,7 +86,7 @@ impl MatrixForm {
         self.quasi.is_none() || Sym::operations_of(&self.expressions().collect::<Vec<_>>()) <= MOST_READ
     }
 
-    /// The same where it is known which divisors of the speeds vanish at a start, whose parameters have values.
+    /// The form where it is known which divisors of the speeds vanish at a start, whose parameters have values.
     #[must_use]
     pub fn with_start(mut self, trace: &Trace<'_>, start: &[f64]) -> Self {
         let value = |is: Sym, by: f64| {

@@ -8,7 +8,7 @@ use crate::Trace;
 use std::fmt::Write;
 use symbolic::{Sym, substitute_all};
 
-/// Words of Python, what the module imports, and what it defines.
+/// Reserved names: words of Python, names that the module imports, and names that it defines.
 const WORDS: &str = "False None True and as assert async await break class continue def del elif else except finally for from global \
     if import in is lambda nonlocal not or pass raise return try while with print Derivative Function Matrix Piecewise Rational Subs Symbol \
     atan2 cos exp log pi sin sqrt tanh t q values mass_matrix inertia forces jacobian bias multipliers constraints equations";
@@ -166,7 +166,7 @@ pub fn sympy(trace: &Trace<'_>, form: &MatrixForm) -> Result<String, String> {
 
 impl MatrixForm {
     /// # Errors
-    /// Where an expression of the form is longer than what is written out.
+    /// An expression of the form is too long to be written out.
     fn is_written_out(&self) -> Result<(), String> {
         let long = self
             .expressions()

@@ -19,7 +19,7 @@ pub struct Coefficient {
 /// Expressions with more parts have letters.
 const MOST_WRITTEN: usize = 6;
 
-/// Puts letters into the place of long expressions, equal ones by one letter; gives the letters with what they are.
+/// Puts letters into the place of long expressions, equal ones by one letter; returns the letters with their meanings.
 pub(super) fn named(rows: &mut [Vec<Sym>], from: usize, forms: &mut ShortForms<'_, '_>) -> Vec<Coefficient> {
     let name = forms.free_name(&["k", "kappa", "K", "coefficient"]);
     let mut all: Vec<Coefficient> = Vec::new();

@@ -21,7 +21,7 @@ impl<'t, 'm> QuasiVelocities<'t, 'm> {
         let (symbols, accelerations) = letters(trace);
         let n = trace.speeds.len();
         let at_rest: Vec<(Sym, Sym)> = trace.speeds.iter().map(|&speed| (speed, Sym::ZERO)).collect();
-        // constraints first, then quasi-velocities; each row with its unit column and what is left of it at rest
+        // constraints first, then quasi-velocities; each row with its unit column and its value at rest
         let k = independent.len();
         let rates = independent.iter().map(|&place| met[place].rate);
         let rows: Vec<Sym> = rates.chain(definitions.iter().copied()).collect();

@@ -1,4 +1,4 @@
-//! Independent rates as quasi-velocities: what a file without [speeds] means by them.
+//! Independent rates as quasi-velocities: the default of a file without [speeds].
 
 use crate::arena::{Scalar, Vector};
 use crate::equations::{Characteristics, constraints_of};
@@ -6,7 +6,7 @@ use crate::{FrameId, Model, QuasiVelocity, Trace};
 use symbolic::{Dimension, apart};
 
 impl Model {
-    /// The same model, its quasi-velocities the speeds that its constraints leave independent.
+    /// The model with the speeds that its constraints leave independent as quasi-velocities.
     #[must_use]
     pub fn along_independent_rates(&self) -> Self {
         let (places, names) = apart(|| {

@@ -135,7 +135,7 @@ impl<'t, 'm> QuasiVelocities<'t, 'm> {
         substitute_all(&substitute_all(&with_masses, accelerations), speeds)
     }
 
-    /// The same of one expression, in which letters of masses that vary stay.
+    /// One expression over w and w', in which letters of masses that vary stay.
     fn moved(&self, expression: Sym) -> Sym {
         let [speeds, accelerations] = &self.known;
         expression.substitute(accelerations).substitute(speeds)

@@ -7,7 +7,8 @@ use crate::principles::loads::{forces, torques};
 use crate::{Along, Trace, Vector};
 use symbolic::Sym;
 
-/// The powers of forces and torques per unit of w_r, and what a potential, Rayleigh's function and generalised forces add.
+/// The powers of forces and torques per unit of w_r, and the terms of a potential, Rayleigh's function and generalised
+/// forces.
 pub(super) fn active(quasi: &QuasiVelocities<'_, '_>, trace: &Trace<'_>) -> Vec<Sym> {
     let mut sums = by_energies(quasi, trace);
     for force in forces(trace, true) {

@@ -103,7 +103,7 @@ impl Trace<'_> {
         self.model.bodies.iter().filter(tilted).map(|body| body.name.as_str()).collect()
     }
 
-    /// The kinetic energy of all bodies, with what is given beside them.
+    /// The kinetic energy: of all bodies, with the given one.
     pub fn kinetic_energy(&self) -> Sym {
         let half = Sym::constant(field::Rational::new(1, 2));
         let mut sum = self.model.energies.kinetic.map_or(Sym::ZERO, |kinetic| self.scalar(kinetic));
@@ -165,7 +165,7 @@ impl Trace<'_> {
         sum
     }
 
-    /// The potential energy: of the weights of all bodies in uniform gravity, and what is given.
+    /// The potential energy: of the weights of all bodies in uniform gravity, with the given one.
     pub fn potential_energy(&self) -> Sym {
         let given = self.model.energies.potential.map_or(Sym::ZERO, |potential| self.scalar(potential));
         given + self.potential_of_weights()

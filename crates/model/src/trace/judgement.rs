@@ -32,7 +32,7 @@ impl<'m> Trace<'m> {
         self.judgement.listener.iter().for_each(|hears| hears(work));
     }
 
-    /// The name of what a speed moves: its coordinate, or of a free frame the speed itself.
+    /// The name of the direction of a speed: its coordinate, or for a free frame the speed itself.
     pub fn direction(&self, speed: usize) -> String {
         match self.model.coordinates.get(speed) {
             Some(coordinate) => coordinate.name.clone(),

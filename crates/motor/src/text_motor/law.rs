@@ -28,7 +28,7 @@ impl Kind {
 /// Reads the laws of a motor; a fault that many laws share is told once.
 pub struct Reader<'a> {
     pub names: &'a Names,
-    /// (what is wrong, the parameters of the law), of laws that do not agree with the dimensions of these.
+    /// (the error, the parameters of the law), for laws that do not agree with the dimensions of these.
     mismatched: Vec<(Issue, Vec<String>)>,
 }
 

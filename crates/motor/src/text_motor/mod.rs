@@ -170,8 +170,8 @@ fn beyond(what: &str, unit: &str, bound: Bound, value: f64, place: Range<usize>,
     (!bound.holds(value, allowed)).then(|| issue.accepted(bound.accepted(value)))
 }
 
-/// Windings that share flux: the conductors of one slide through what the currents of several others set up together. Such
-/// windings induce in each other, which no law here holds: their voltages would be lost.
+/// Windings that share flux: the conductors of one slide through the flux that the currents of several others set up
+/// together. Such windings induce in each other, which no law here contains: their voltages would be lost.
 fn shared_flux(windings: &[Winding<Sym, Sym>], places: &[Places]) -> Option<Issue> {
     let sharing = windings.iter().zip(places).filter_map(|(winding, places)| {
         let leaves = winding.motional?.leaves_of();

@@ -40,7 +40,7 @@ pub enum Small<S: Fused> {
     ThreeThree(Box<Kernel<S, 3, 3>>),
 }
 
-/// The same for each size.
+/// Runs an expression on the kernel of whichever size.
 macro_rules! for_kernel {
     ($small:expr, $kernel:ident => $what:expr) => {
         match $small {

@@ -50,7 +50,7 @@ pub struct TimeScales {
     known: Mutex<Option<Known>>,
 }
 
-/// The way of a run with what was found on it.
+/// The path of a run in time, with the bounds found on it.
 #[derive(Debug)]
 struct Known {
     from: f64,

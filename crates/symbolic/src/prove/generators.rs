@@ -58,7 +58,7 @@ impl Generators {
         rewrite(expression, &self.aliases, &|each| self.index.contains_key(&each))
     }
 
-    /// The rules in an order such that none brings back what an earlier one removed: all of them fall under the
+    /// The rules in an order in which none brings back a power that an earlier one removed: all of them fall under the
     /// lexicographic order of their leads.
     fn ordered(&self, mut rules: Vec<Rule>) -> Result<Vec<Rule>, Refused> {
         if rules.len() < 2 {

@@ -1,7 +1,7 @@
 //! Fractions brought to lowest terms, with denominators free of the leads of rules.
 //!
 //! Where a rule g^2 = t holds, every element is a + b g, and a denominator a + b g is made free of g by its conjugate:
-//! (a + b g)(a - b g) = a^2 - b^2 t. What remains is a fraction over a polynomial ring, whose lowest terms are unique.
+//! (a + b g)(a - b g) = a^2 - b^2 t. The result is a fraction over a polynomial ring, whose lowest terms are unique.
 //! For reading, powers of t in the denominator are then written as powers of g again: 1/sin(x), not sin(x)/(1 - cos(x)^2).
 
 use super::fraction::{Arithmetic, Fraction};

@@ -102,7 +102,7 @@ impl<C: Rounded, const N: usize> Scalar for Model<C, N> {
     }
 
     fn half(self) -> Self {
-        // exact but for what is too small for floats
+        // exact but for numbers that underflow
         let halved = Model { coefficients: self.coefficients.map(|c| C::lift(0.5) * c), off: 0.5 * self.off };
         if self.is_zero() { self } else { halved.wider(f64::MIN_POSITIVE) }
     }

@@ -10,7 +10,7 @@ use nalgebra::{Complex, DMatrix, DVector};
 #[derive(Clone, Debug)]
 pub(crate) struct StageMode {
     pub eigenvalue: Complex<f64>,
-    /// A column of V, doubled for a pair: the real part of its product with w is what the pair adds.
+    /// A column of V, doubled for a pair: the pair contributes the real part of its product with w.
     pub shape: Vec<Complex<f64>>,
     /// The row of V^-1.
     pub part: Vec<Complex<f64>>,

@@ -163,7 +163,7 @@ impl Laws {
 
 enum Kind {
     Determines,
-    /// The same, and it holds no speeds.
+    /// The law determines a motion by positions, and holds no speeds.
     DeterminesByPlaces,
     /// The law holds a condition, or the reaction of a contact.
     Piecewise,

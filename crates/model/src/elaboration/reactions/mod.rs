@@ -103,7 +103,7 @@ impl Elaborator<'_> {
             let crate::Contact { reactions, drop, .. } = &self.model.contacts[contact];
             let (normal, drop) = (reactions[0], *drop);
             let dimension = self.dimension_of(normal.0);
-            // the voltage across a diode: what holds its current, less what it takes
+            // the voltage across a diode: its normal reaction less its conducting voltage
             let across = drop.map(|drop| self.scalar(Scalar::Difference(normal, drop), dimension));
             return Ok(super::Value::Scalar(across.unwrap_or(normal)));
         }
@@ -141,7 +141,7 @@ impl Elaborator<'_> {
         }
         let own = self.source.constraints.iter().filter_map(|one| one.name.as_ref()).map(|name| name.text.as_str());
         let names: Vec<&str> = if in_load { own.collect() } else { own.chain(contacts).collect() };
-        // it is there, and what is wrong with it is told
+        // the name exists, and its fault is reported already
         if names.contains(&name) {
             return Box::new(Fault::consequence(span.clone()));
         }

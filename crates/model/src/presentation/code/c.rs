@@ -30,7 +30,7 @@ impl Form {
         }
     }
 
-    /// The same as they are handed on.
+    /// The arguments in a call.
     pub fn handed(self) -> &'static str {
         if self.has_cases { "t, q, u, p, s" } else { "t, q, u, p" }
     }

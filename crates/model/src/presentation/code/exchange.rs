@@ -1,5 +1,5 @@
-//! C for programs that run a system themselves: beside the rates all that is shown, the conditions and events, and derivatives along
-//! a direction. The cases of conditions are given to each function, since they change at events alone.
+//! C for programs that run a system themselves: beside the rates also outputs, conditions and events, and derivatives along a
+//! direction. The cases of conditions are given to each function, since they change at events alone.
 
 use super::c::{self, Form};
 use super::letters::Letters;
@@ -82,7 +82,7 @@ impl Writer {
 /// stand behind the parameters, zero at first.
 ///
 /// # Errors
-/// As [`super::code`], and an output or an event that holds what these equations do not give.
+/// As [`super::code`], or an output or an event has a quantity that these equations do not give.
 pub fn exchange(trace: &Trace<'_>, form: &MatrixForm, start: &[f64]) -> Result<String, String> {
     let mut program = Program::of(trace, form, Language::C)?;
     program.start = Some(start.to_vec());

@@ -15,7 +15,7 @@ pub(super) struct Letters {
     texts: Vec<String>,
     /// Identifiers of the parameters, and of inputs without a value.
     pub names: Vec<String>,
-    /// The same as the file has them.
+    /// The names of the parameters in the file.
     pub quoted: Vec<String>,
 }
 
@@ -53,7 +53,7 @@ impl Letters {
         Letters { language, symbols, texts, names, quoted }
     }
 
-    /// The same with more letters, or other texts for some.
+    /// The letters with further ones, or with other texts for some.
     pub fn with(&self, more: impl IntoIterator<Item = (Sym, String)>) -> Self {
         let mut with = self.clone();
         for (symbol, text) in more {

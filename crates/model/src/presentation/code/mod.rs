@@ -55,7 +55,7 @@ struct Program {
     position_rates: Statements,
 }
 
-/// A parameter, or an input without a value, and what it is called there.
+/// A parameter, or an input without a value, and its identifier in the code.
 struct Named {
     name: String,
     letter: String,
@@ -72,7 +72,7 @@ pub fn code(trace: &Trace<'_>, form: &MatrixForm, language: Language) -> Result<
     written(trace, form, language, None)
 }
 
-/// The same with the state at the start as a constant: coordinates, then speeds.
+/// The system as code with the state at the start as a constant: coordinates, then speeds.
 ///
 /// # Errors
 /// As [`code`].

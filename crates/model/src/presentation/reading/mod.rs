@@ -22,10 +22,10 @@ use symbolic::{Node, Sym};
 /// Longer sums are left as they came.
 const MOST_TERMS: usize = 4_000;
 
-/// Products of terms that are formed for one system; what is longer then is left as it came.
+/// Products of terms that are formed for one system; longer expressions are then left as they came.
 const MOST_PRODUCTS: usize = 10_000_000;
 
-/// Expressions as they are read, over one list of letters.
+/// The form for reading, over one list of letters.
 pub(crate) struct Reading {
     /// Letters and other parts that no sum or product opens; parameters first.
     leaves: Vec<Leaf>,
@@ -65,7 +65,7 @@ impl Reading {
         reading
     }
 
-    /// The same with letters for these expressions wherever they occur.
+    /// The reading with letters for these expressions wherever they occur.
     #[must_use]
     pub fn with_letters(mut self, letters: impl IntoIterator<Item = (Sym, Sym)>) -> Self {
         for (expression, letter) in letters {

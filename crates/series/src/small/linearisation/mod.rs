@@ -83,7 +83,7 @@ impl<const B: usize, const G: usize> Linearised<B, G> {
         elimination.run(pick, solving.rows(), &mut orders.jacobian, weights, &mut orders.gains);
     }
 
-    /// Finds y_(k+1) for these k > 0 from the last order before, y_k of what moves, and the factors before.
+    /// Finds y_(k+1) for these k > 0 from the last order before, y_k of the moving quantities, and the factors before.
     #[inline(always)]
     pub fn run<S: Fused, P: Permute<f64>, R: From<f64>>(
         &mut self,

@@ -64,7 +64,7 @@ impl<const B: usize, const G: usize> Orders<B, G> {
         }
     }
 
-    /// Before the order k > 0, from y_k of what moves: the factors before are known.
+    /// The numbers before the order k > 0, from y_k of the moving quantities: the factors before are known.
     #[inline(always)]
     pub fn begin<P: Permute<f64>>(
         &mut self,
@@ -85,7 +85,7 @@ impl<const B: usize, const G: usize> Orders<B, G> {
         for (group, (a, b)) in a.iter_mut().zip(&mut b).enumerate() {
             [*a, *b] = self.factors.at(pick, k - 1, group);
         }
-        // the order before says what is ahead of this one
+        // the order before gives the part ahead of this one
         self.factors.older(pick, 2, k - 2, &mut ahead);
         let older = self.middle(pick, k - 1, [a, b], &mut ahead);
         Between { sums, rest: times(pick, &self.gains, &older, &shape.gains), newest, ahead }
