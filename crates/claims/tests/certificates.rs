@@ -1,5 +1,5 @@
-//! Certificates hold what they say: read back by a few lines that know nothing of expressions, both sides of what is proved agree at a
-//! point of one's own, and those of what is refuted differ at the point that is given.
+//! Certificates are sufficient by themselves: read by a few lines that know no expressions, both sides of a proved claim agree at a
+//! point chosen here, and those of a refuted one differ at the point of the certificate.
 
 use dalembert_claims::certificate::{Certificate, Operation, Part, PartProof};
 use dalembert_claims::{Condition, Line, Page};
@@ -14,7 +14,7 @@ fn certificates(write: impl FnOnce(&mut Page)) -> Vec<Certificate> {
     page.certified(|_| true).flat_map(|(_, certificates)| certificates).collect()
 }
 
-/// The values of all entries; letters and coordinates of angles have those of the point.
+/// The values of all entries; letters and coordinates of angles have their values at the point.
 fn values(program: &[Operation], point: &HashMap<usize, Rational>) -> Vec<Rational> {
     let mut values: Vec<Rational> = Vec::new();
     for (place, operation) in program.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! The clock of the process ends every run, whatever its own budget. It is set once, so that this is a program of its own.
+//! The clock of the process ends every run, whatever the run's own budget. It is set once, hence this separate program.
 
 use dalembert_integrators::{Failure, Method, Ode, Span, System, Tolerance, clock, integrate};
 use field::Scalar;

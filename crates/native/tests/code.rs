@@ -1,4 +1,4 @@
-//! Machine code beside the tape that it was made from.
+//! Machine code against the tape that it was compiled from.
 
 use dalembert_native::Code;
 use field::{Analytic, Scalar};

@@ -1,4 +1,4 @@
-//! Numbers that are enclosed to thirty digits, beside exact ones and known digits.
+//! Numbers enclosed to thirty digits, against exact ones and known digits.
 
 use dalembert_algebra::real::{Ball, FixedPoint, Ordered};
 use dashu_ratio::RBig;
@@ -41,7 +41,7 @@ fn functions_of_balls_have_thirty_known_digits() {
     holds(&one.faded().expect("it is small"), &digits("0", "6321205588285576784044762298385391325542"));
 }
 
-/// Hundreds of operations, exactly and enclosed: what is rounded at each is not forgotten.
+/// Hundreds of operations, exactly and enclosed: the enclosure contains every rounding error.
 #[test]
 fn long_sums_products_and_quotients_hold_the_exact_fraction() {
     let one = Rational::int(1);
@@ -56,7 +56,7 @@ fn long_sums_products_and_quotients_hold_the_exact_fraction() {
     assert!(enclosed.left() > 0.0);
 }
 
-/// Alone, without the rest that others leave: sums, products, quotients of numbers with all their bits, by signs of the exact residue.
+/// Sums, products and quotients one by one, of numbers with all their bits, by signs of the exact residue.
 #[test]
 fn a_single_operation_is_off_by_no_more_than_it_says() {
     let exactly = |x: DoubleDouble| Rational::exactly(x.hi()) + Rational::exactly(x.lo());
@@ -104,7 +104,7 @@ fn a_fixed_point_is_held_to_all_digits_from_floats() {
     }
 }
 
-/// Half of the inverse goes half of the way: what is left is in the box, also in the narrower one.
+/// Half of the inverse goes half of the way: the rest is in the box, also in the narrower one.
 #[test]
 fn a_poor_inverse_widens_the_place_of_a_fixed_point_and_does_not_lose_it() {
     let value = |at: &[Ball]| Some(vec![at[0].times(&Ball::constant(0.5))]);

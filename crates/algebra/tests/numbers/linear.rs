@@ -1,4 +1,4 @@
-//! Linear equations over fields: determinants, and elimination beside exact solutions.
+//! Linear equations over fields: determinants, and elimination against exact solutions.
 
 use dalembert_algebra::linear::{Factors, Magnitude, NotSolved, Pattern, determinant, nonnegative_combination};
 use dalembert_algebra::real::Ball;
@@ -22,8 +22,8 @@ impl Draws {
     }
 }
 
-/// A mass matrix of a few bodies, some coordinates without inertia, and constraints between them; what is repeated or massless is
-/// drawn, so that systems with and without a solution come up.
+/// A mass matrix of a few bodies, some coordinates without inertia, and constraints between them; repeated and massless rows are
+/// drawn at random, so that systems with and without a solution come up.
 fn drawn(draws: &mut Draws) -> (Pattern, Vec<i64>, Vec<i64>) {
     let (n, m) = (1 + draws.below(6) as usize, draws.below(4) as usize);
     let mut dense = vec![vec![0_i64; n + m]; n + m];
@@ -96,7 +96,7 @@ fn unknowns_of_enclosed_equations_enclose_those_of_each_of_them() {
         let (pattern, entries, right) = drawn(&mut draws);
         let mut factors = Factors::<Ball>::new(&pattern);
         let mut z: Vec<Ball> = right.iter().copied().map(width).collect();
-        // an entry that may be zero is a pivot of none
+        // an entry that may be zero is no pivot
         if factors.factor(&entries.iter().copied().map(width).collect::<Vec<_>>()).is_err() {
             refused += 1;
             continue;

@@ -1,4 +1,4 @@
-//! Real roots beside products of known factors, Sturm's count, and numbers that are known otherwise.
+//! Real roots against products of known factors, Sturm's count, and numbers known from elsewhere.
 
 use dalembert_algebra::real::{Enclosure, Field, Number, Polynomial, subresultant};
 use field::Rational;

@@ -1,4 +1,4 @@
-//! False statements are not proved: each way of deciding a claim is given one.
+//! False statements are not proved: a false one for each way of deciding a claim.
 
 use dalembert_claims::{Claim, Condition, Judged, Line, Page, Point, Verdict};
 use field::{Rational, Scalar};
@@ -110,7 +110,7 @@ fn a_certificate_with_a_wrong_cofactor_proves_nothing() {
     assert_eq!(with(a - b), Verdict::Undecided);
 }
 
-/// A normal form that is not zero refutes, unless what is given beside the rules excludes the point that shows it.
+/// A normal form that is not zero refutes, unless assumptions beside the rules exclude the counterexample.
 #[test]
 fn what_a_point_contradicts_is_refuted_and_shows_the_point() {
     let [a, b] = symbols(["a", "b"]);

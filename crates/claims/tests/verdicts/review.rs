@@ -1,4 +1,4 @@
-//! A difference of two pages is told as a difference of statements.
+//! The difference of two pages is reported as a difference of statements.
 
 use dalembert_claims::review::{Change, Edit, review};
 use symbolic::Dimension;
@@ -23,7 +23,7 @@ fn dimension(name: &str) -> Option<Dimension> {
     })
 }
 
-/// The changes that an edit of the page comes to.
+/// The changes by which an edit of the page is reported.
 fn after(from: &str, to: &str) -> Vec<Change> {
     assert_eq!(PAGE.matches(from).count(), 1, "{from}");
     review(PAGE, &PAGE.replace(from, to), &dimension)
@@ -75,7 +75,7 @@ fn letters_inside_a_root_count_with_those_outside() {
     assert_eq!([lost.meaning, new.meaning], ["viscous friction, or a spin's gyroscopic moment"; 2]);
 }
 
-/// Both are brought over one denominator: what was not divided is the same before and after.
+/// Both are brought over one denominator: numerators that were not divided are equal before and after.
 #[test]
 fn a_term_that_is_divided_now_is_lost_and_new_and_no_other_changed() {
     let changes = after("- M", "- M/(A + B)");

@@ -26,7 +26,7 @@ fn what_is_taken_runs_by_the_words_that_are_printed() {
     let mut taken = 0;
     for scene in scenes() {
         let path = scene.to_string_lossy();
-        // whose contacts change so often that each of its runs takes half a minute
+        // its contacts change so often that each of its runs takes half a minute
         if path.ends_with("wheelset.toml") {
             continue;
         }

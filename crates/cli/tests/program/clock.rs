@@ -1,4 +1,4 @@
-//! The deadline of a command and Ctrl-C: obeyed by work of every kind, and what was found until then is there.
+//! The deadline of a command and Ctrl-C: commands of every kind obey them, and print the results found until then.
 
 use crate::{program, root, run, table_at, temporary};
 use std::process::Output;
@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 /// Far above a second, for a machine that does much else, and far below what each of these commands takes by itself.
 const SOON: Duration = Duration::from_secs(15);
 
-/// No motion at any speed is decided: a search of minutes.
+/// A search of minutes, which decides no motion at any speed.
 const CONE: &str = "crates/cli/tests/program/cone_without_answer.toml";
 
 fn soon(asked: impl FnOnce() -> Output) -> (Option<i32>, String, String) {

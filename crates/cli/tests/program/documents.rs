@@ -1,7 +1,7 @@
-//! Every command that README, CONTRIBUTING and the book show runs as it stands there, and prints what stands below it.
+//! Every command that README, CONTRIBUTING and the book show runs as written, and prints the lines shown below it.
 //!
-//! In a block ```` ```console ```` a line `$ dalembert ...` is a command; what follows ` # ` is a remark, in which `exit code N` says how
-//! it ends where that is not 0. Lines below it are lines that it prints, in this order; `...` stands for any others. A block ```` ```toml ````
+//! In a block ```` ```console ```` a line `$ dalembert ...` is a command; text after ` # ` is a remark, in which `exit code N` gives its exit
+//! code where that is not 0. Lines below it are lines that it prints, in this order; `...` stands for any others. A block ```` ```toml ````
 //! whose first line is `# NAME.toml` is a file of that name.
 
 use crate::{program_in, root};
@@ -13,7 +13,7 @@ use std::path::Path;
 struct Shown {
     words: Vec<String>,
     code: i32,
-    /// The lines that it prints, as far as the document says.
+    /// The lines that it prints, where the document shows them.
     lines: Vec<String>,
 }
 
@@ -45,14 +45,14 @@ fn commands(text: &str) -> Vec<Shown> {
     found
 }
 
-/// The files that a document's blocks are, with their names.
+/// The files given by blocks of a document, with their names.
 fn files(text: &str) -> Vec<(&str, &str)> {
     let blocks = text.split("\n```toml\n").skip(1).filter_map(|rest| rest.split_once("\n```").map(|(block, _)| block));
     let named = |block| str::strip_prefix(block, "# ").and_then(|rest| rest.lines().next()).zip(Some(block));
     blocks.filter_map(named).filter(|(name, _)| name.ends_with(".toml") && !name.contains([' ', '/'])).collect()
 }
 
-/// The words of a command; what stands in quotes is one, without them.
+/// The words of a command; text in quotes is one word, without the quotes.
 fn words(command: &str) -> Vec<String> {
     let mut words: Vec<String> = Vec::new();
     let (mut is_quoted, mut is_inside) = (false, false);

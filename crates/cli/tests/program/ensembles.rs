@@ -1,4 +1,4 @@
-//! Ensembles as their users meet them: killed, continued, refused.
+//! Ensembles at the command line: killed, continued, refused.
 
 use crate::{program, root};
 use std::path::{Path, PathBuf};
@@ -98,13 +98,13 @@ fn a_table_of_something_else_is_refused_and_left_alone() {
     }
     let output = run(&folder.scene(19, SAME), &path, &[]);
     assert!(String::from_utf8_lossy(&output.stderr).contains("there are more than the 19 members"));
-    // whoever insists begins anew
+    // with the flag for it the ensemble begins anew
     let seed = folder.scene(21, ["seed = 1", "seed = 2"]);
     assert!(run(&seed, &path, &["--force"]).status.success());
     assert!(folder.read("table.csv") != before && folder.read("table.csv").lines().count() == 22);
 }
 
-/// The same data drawn, and no member that starts: nothing of what was computed tells them apart.
+/// The same drawn data and no member that starts, so that no computed result tells the two ensembles apart.
 #[test]
 fn a_table_whose_last_member_never_started_is_told_from_that_of_another_scene() {
     let folder = Folder::new("unstarted");
@@ -134,7 +134,7 @@ fn a_table_whose_last_member_never_started_is_told_from_that_of_another_scene() 
     assert!(folder.read("table.csv").starts_with(&before));
 }
 
-/// The table of a part, by its number of three.
+/// The table of a part, by its three-digit number.
 fn part(folder: &Folder, scene: &Path, number: u32) -> PathBuf {
     let path = folder.0.join(format!("part{number}.csv"));
     let output = run(scene, &path, &["--part", &format!("{number}/3")]);
@@ -142,7 +142,7 @@ fn part(folder: &Folder, scene: &Path, number: u32) -> PathBuf {
     path
 }
 
-/// The command with tables behind a flag: its exit code, and what it prints.
+/// The command with tables behind a flag: its exit code and its output.
 fn of_tables(scene: &Path, flag: &str, tables: &[&PathBuf], more: &[&str]) -> (Option<i32>, String) {
     let output = program(&["ensemble"]).arg(scene).arg(flag).args(tables).args(more).output().expect("it starts");
     let told = [output.stdout, output.stderr].map(|said| String::from_utf8_lossy(&said).into_owned());

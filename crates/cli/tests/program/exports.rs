@@ -1,11 +1,11 @@
-//! Files for other simulators: what stands in them, and what is refused at its place.
+//! Files for other simulators: their content, and refusals with their places.
 
 use crate::{program_in, root};
 use std::fs;
 use std::path::PathBuf;
 use std::process::Output;
 
-/// A folder with scenes, and what is written there.
+/// A folder with scenes, for the files written from them.
 struct Folder(PathBuf);
 
 impl Folder {
@@ -75,7 +75,7 @@ fn a_unit_holds_its_description_its_sources_and_its_origin() {
     ] {
         assert!(unit.contains(part), "{part}");
     }
-    // the same scene is the same file, and a file of ours is replaced
+    // the same scene gives the same file, and a file that the program wrote is replaced
     let [first, second] = [(); 2].map(|()| {
         folder.text("--fmu", "ball.fmu");
         fs::read(folder.0.join("ball.fmu")).expect("it is there")
@@ -166,7 +166,7 @@ fn a_run_is_an_archive_of_numpy_too() {
         let output = program_in(&folder.0, &[&["run", "scene.toml", "--samples", "4"], arguments].concat()).output();
         assert_eq!(output.expect("the program starts").status.code(), Some(0), "{arguments:?}");
     };
-    // the second time over a file of our own
+    // the second time over a file that the program wrote
     for _ in 0..2 {
         run(&["--out", "run.npz"]);
     }

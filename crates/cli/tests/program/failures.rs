@@ -1,4 +1,4 @@
-//! Ways to fail, each found and named on a system of its own, with its place and a remedy; entries of the catalogue that are text.
+//! Failures of runs, each found and named on a system of its own, with place and remedy; entries of the catalogue that are text.
 
 use super::{json, run, temporary};
 use serde_json::Value;
@@ -9,7 +9,7 @@ const BOB: &str = "title = \"A pendulum\"\ngravity = \"-g*N.y\"\n[parameters]\nm
     [coordinates]\nx = \"m\"\ny = \"m\"\n[points]\nP = \"O + x*N.x + y*N.y\"\n[bodies.bob]\ncentre = \"P\"\nmass = \"m\"\n\
     [[constraint]]\nname = \"rod\"\nzero = \"x^2 + y^2 - l^2\"\n";
 
-/// A run of a text with options: its JSON, its exit code, and what it says beside.
+/// A run of a text with options: its JSON, its exit code, and its standard error.
 fn ran(name: &str, text: &str, options: &[&str]) -> (Value, Option<i32>, String) {
     let file = temporary(&format!("{name}.toml"));
     std::fs::write(&file, text).expect("it can be written");
@@ -53,7 +53,7 @@ fn an_inertia_that_vanishes_at_a_place_is_a_singular_mass_matrix() {
     let (kind, _, evidence, _) = failure(&found);
     assert_eq!((kind.as_str(), code), ("singular mass matrix", Some(1)), "{found}");
     assert!(evidence.contains("no inertia resists `x'` at `x` = 1 m"), "{evidence}");
-    // equal steps go on behind the place, and lose the energy
+    // constant steps go on past the place, and lose the energy
     let (found, _, _) = ran("mass_steps", text, &["--method", "runge_kutta_4:1000"]);
     assert_eq!(failure(&found).0, "singular mass matrix", "{found}");
 }
@@ -84,7 +84,7 @@ fn a_constraint_that_is_written_twice_is_warned_of() {
     assert!(message.contains("`again` follows from other constraints"), "{message}");
 }
 
-/// The load hangs at the drive by a spring: the force appears in the fourth derivative of what it is to keep.
+/// The load hangs at the drive by a spring: the force appears in the fourth derivative of the constraint.
 #[test]
 fn a_force_that_keeps_a_place_through_a_spring_has_index_five() {
     let text = "title = \"Through a spring\"\n[parameters]\nm = \"1 kg\"\nM = \"2 kg\"\nk = \"100 N/m\"\na = \"0.1 m\"\nw = \"3 rad/s\"\n\
@@ -96,7 +96,7 @@ fn a_force_that_keeps_a_place_through_a_spring_has_index_five() {
     assert!(message.contains("its index is 5") && message.contains("differentiated 4 times"), "{message}");
 }
 
-/// A law with events keeps a constraint of speeds differentiated alone.
+/// A law with events keeps a constraint on speeds in differentiated form only.
 #[test]
 fn a_constraint_of_speeds_that_long_steps_leave_is_drift() {
     let text = "title = \"A sleigh\"\n[parameters]\nm = \"1 kg\"\nJ = \"1 kg m^2\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n\
@@ -124,7 +124,7 @@ fn a_damper_that_is_gone_at_once_is_stiffness_for_explicit_methods() {
     // the remedy
     let (found, code, _) = ran("stiff_radau", &text, &["--method", "radau_5"]);
     assert_eq!((code, found["failures"].as_array().map(Vec::len)), (Some(0), Some(0)), "{found}");
-    // equal steps that are too long: the bound is 2.785 time constants
+    // constant steps that are too long: the bound is 2.785 time constants
     let (found, _, _) = ran("stiff_steps", &text, &["--method", "runge_kutta_4:1000"]);
     let (kind, _, _, remedy) = failure(&found);
     assert!(kind == "step beyond the stability limit" && remedy.contains("at least 71806 steps"), "{found}");
@@ -300,7 +300,7 @@ fn a_pulse_between_two_long_steps_is_a_missed_event() {
     let text = format!(
         "{MASS}[[event]]\nname = \"kick\"\nwhen = \"exp(-((t - (5.03 s))/(0.002 s))^2) - 0.5\"\ndirection = \"up\"\nset = {{ \"x'\" = \"x' + (1 m/s)\" }}\n[start]\n\"x'\" = \"1 m/s\"\n[run]\nspan = \"10 s\"\n"
     );
-    // a method that follows a tolerance comes to it
+    // a method with error control resolves it
     let (found, code, _) = ran("pulse_seen", &text, &[]);
     assert_eq!((code, found["events"].as_array().map(Vec::len)), (Some(0), Some(2)), "{found}");
     let (found, code, _) = ran("pulse", &text, &["--method", "runge_kutta_4:100"]);
@@ -321,7 +321,7 @@ fn a_tolerance_below_rounding_is_refused_with_the_finest() {
 const ENTRY: &str = "method = \"euler:4000\"\n[failure]\nname = \"mine\"\ntitle = \"t\"\nwhy = \"w\"\nadvice = \"a\"\nvary = \"step\"\n\
     holds_at = \"0.1 s\"\nfails_at = \"1 s\"\nof = \"longest step\"\nthreshold = \"2*m/c\"\nwhile = \"(2 m/s) - abs(x')\"\nexpects = \"step beyond the stability limit\"\n";
 
-/// A damper c alone: Euler bears steps up to 2 m/c.
+/// A damper c alone: Euler's method is stable up to steps of 2 m/c.
 fn damper() -> String {
     format!(
         "{}[[force]]\non = \"mass\"\nis = \"-c*x'*N.x\"\n[start]\n\"x'\" = \"1 m/s\"\n[run]\nspan = \"1 s\"\n{ENTRY}",

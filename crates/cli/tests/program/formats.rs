@@ -1,4 +1,4 @@
-//! Every format in which results are printed, and what is said beside them.
+//! Every format in which results are printed, and the messages beside them.
 
 use crate::{json, run, temporary};
 use serde_json::Value;
@@ -38,7 +38,7 @@ fn folder(name: &str) -> PathBuf {
     folder
 }
 
-/// The numbers that a program prints; none where there is no such program.
+/// The numbers that a program prints; none where the program is not installed.
 fn numbers(command: &mut Command) -> Option<Vec<f64>> {
     let output = command.output().ok()?;
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
@@ -46,7 +46,7 @@ fn numbers(command: &mut Command) -> Option<Vec<f64>> {
     Some(text.split_whitespace().map(|word| word.parse().expect("a number")).collect())
 }
 
-/// Left sides less right sides where the letters are 0.3, 0.4, ..., by the C.
+/// Left sides minus right sides where the letters are 0.3, 0.4, ..., by the C program.
 fn by_c(system: &str, folder: &Path) -> Option<Vec<f64>> {
     let code = printed(&["derive", system, "--format", "c"]);
     let text = format!(
@@ -60,7 +60,7 @@ fn by_c(system: &str, folder: &Path) -> Option<Vec<f64>> {
     numbers(&mut Command::new(program))
 }
 
-/// The same by the text for SymPy, over floats under SymPy's names.
+/// Left sides minus right sides by the text for SymPy, evaluated with floats under SymPy's names.
 fn by_sympy(system: &str, folder: &Path) -> Option<Vec<f64>> {
     const FLOATS: &str = "from math import cos, sin, sqrt\n\ndef symbols(names): return [0.3 + 0.1 * k for k, _ in enumerate(names.split())]\n\
                           def Eq(left, right): return left - right\ndef Rational(above, below): return above / below\n";

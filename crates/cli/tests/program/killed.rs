@@ -1,4 +1,4 @@
-//! Programs that are killed, or asked to end: what stands under a name is whole, what was told is there.
+//! Programs that are killed or interrupted: a file under its name is whole, and results announced before are in it.
 
 use crate::{program, run, temporary};
 use std::path::{Path, PathBuf};
@@ -15,7 +15,7 @@ impl Folder {
         Folder(folder)
     }
 
-    /// Whether something is being written there, or was.
+    /// Whether a file is being written there, or was.
     fn is_written(&self, old: &str, name: &str) -> bool {
         let part = |entry: std::io::Result<std::fs::DirEntry>| {
             entry.is_ok_and(|entry| entry.file_name() != name && entry.metadata().is_ok_and(|data| data.len() > 0))
@@ -44,8 +44,8 @@ fn drawn(seed: &mut u64) -> f64 {
 /// The text of the file before the program writes it.
 const OLD: &str = "what was there before\n";
 
-/// Kills a program so often at instants up to so many milliseconds, and as often while it writes its file; each time under
-/// its name there is what was there before, or the whole.
+/// Kills a program so often at instants up to so many milliseconds, and as often while it writes its file; each time the
+/// file under its name is the earlier one or the complete new one.
 fn kill(arguments: &[&str], name: &str, (times, within): (usize, f64), whole: impl Fn(&[u8]) -> bool) {
     let folder = Folder::new(&format!("killed_{name}"));
     let path = folder.0.join(name);
@@ -80,7 +80,7 @@ fn ends_with(end: &str) -> impl Fn(&[u8]) -> bool {
     move |found| found.trim_ascii_end().ends_with(end.as_bytes())
 }
 
-/// The file that a program writes if it is not killed: the last digits may depend on the processor.
+/// The file that a program writes if it is not killed: its last digits may depend on the processor.
 fn undisturbed(arguments: &[&str], name: &str) -> Vec<u8> {
     let path = temporary(name);
     assert!(run(&[arguments, &[&path.to_string_lossy()]].concat()).status.success());
@@ -106,13 +106,13 @@ fn pages_pictures_and_references_are_whole_whenever_their_program_is_killed() {
     kill(&arguments, "again.reference", (4, 10.0), |found| found == reference);
 }
 
-/// Sends Ctrl-C as soon as the program listens to it.
+/// Sends Ctrl-C as soon as the program handles it.
 #[cfg(target_os = "linux")]
 fn interrupted(arguments: &[&str], out: &Path) -> Output {
     interrupt(program(arguments).arg("--out").arg(out))
 }
 
-/// Starts a program, and sends Ctrl-C as soon as it listens to it.
+/// Starts a program, and sends Ctrl-C as soon as it handles it.
 #[cfg(target_os = "linux")]
 pub fn interrupt(asked: &mut Command) -> Output {
     const SIGINT: u64 = 1 << 1;

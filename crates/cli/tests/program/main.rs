@@ -1,4 +1,4 @@
-//! The program as its users meet it: what it prints, what it writes, how it ends.
+//! The program at the command line: its output, its files, its exit codes.
 
 mod answers;
 mod choice;
@@ -34,7 +34,7 @@ fn program(arguments: &[&str]) -> Command {
     program_in(&root(), arguments)
 }
 
-/// The program in a folder, started by what `DALEMBERT_RUNNER` names where its processor is emulated.
+/// The program in a folder, started by the command in `DALEMBERT_RUNNER` where its processor is emulated.
 fn program_in(folder: &Path, arguments: &[&str]) -> Command {
     let binary = env!("CARGO_BIN_EXE_dalembert");
     let runner = std::env::var("DALEMBERT_RUNNER").unwrap_or_default();

@@ -17,7 +17,7 @@ impl Project {
         Project(folder)
     }
 
-    /// The exit code, and what was said.
+    /// The exit code, and the output.
     fn begin(&self, arguments: &[&str]) -> (Option<i32>, String) {
         let project = self.0.to_string_lossy();
         let output = run(&[&["new", "motor"], arguments, &["--project", &project]].concat());

@@ -1,5 +1,4 @@
-//! Data at which a law, a theory or a closed form has no number: whatever is printed or written is a number, or says that there
-//! is none.
+//! Data at which a law, a theory or a closed form has no number: all output is a number, or says that there is none.
 
 use crate::{program, root, temporary};
 use std::path::Path;
@@ -13,14 +12,14 @@ fn with(scene: &str, datum: &str, value: &str) -> String {
     lines.collect::<Vec<_>>().join("\n")
 }
 
-/// The first word of a text that stands for no number.
+/// The first word of a text for an infinite or undefined number.
 fn no_number(text: &str) -> Option<&str> {
     let words = text.split(|letter: char| !(letter.is_alphanumeric() || letter == '_'));
     let is = |word: &&str| ["nan", "inf", "infinity"].contains(&word.to_ascii_lowercase().as_str());
     words.into_iter().find(is)
 }
 
-/// Every command on a scene, what it writes included.
+/// Every command on a scene, with the files that it writes.
 fn all_of(name: &str, text: &str) {
     let scene = temporary(&format!("{name}.toml"));
     std::fs::write(&scene, text).expect("a scene is written");
@@ -101,7 +100,7 @@ fn code_with_a_constant_beyond_the_range_of_doubles_is_refused() {
     }
 }
 
-/// Three steps of Euler over the whole run: the speeds that come out are those of no motor.
+/// Three steps of Euler over the whole run: its final speeds are far from those of any motor.
 #[test]
 fn constant_steps_whose_error_is_as_large_as_the_state_are_no_success() {
     for scene in ["scenes/bench.toml", "scenes/spin_up.toml", "scenes/free_rotor.toml"] {

@@ -1,4 +1,4 @@
-//! The files that commands write, and those that they never write over.
+//! The files that commands write, and files that they never overwrite.
 
 use crate::{program, root, run};
 use std::path::{Path, PathBuf};
@@ -58,13 +58,13 @@ fn every_command_replaces_its_own_file_and_no_other() {
             let output = folder.run(&[command, &[name]].concat());
             let said = String::from_utf8_lossy(&output.stderr).into_owned();
             assert_eq!(output.status.code(), Some(0), "{command:?}: {said}");
-            // a reference that is as good as the new one is kept, which is said
+            // a reference as good as the new one is kept, with a message
             assert!(String::from_utf8_lossy(&output.stdout).contains(name), "{command:?}");
         }
         std::fs::write(folder.at(name), "precious").expect("it can be written");
         folder.refused(&[command, &[name]].concat(), "exists and is no ");
         assert_eq!(folder.read(name), "precious");
-        // a scene is never replaced, whatever its name, and whoever insists
+        // a scene is never replaced, under any name and with any flag
         std::fs::remove_file(folder.at(name)).expect("it is there");
         std::fs::hard_link(folder.at("scene.toml"), folder.at(name)).expect("links can be made");
         folder.refused(&[command, &[name]].concat(), "that is read");

@@ -1,9 +1,9 @@
-//! Answers that say no more and no less than what is known: of motions that end, come to rest, or are degenerate.
+//! Answers that claim no more and no less than is known: of motions that end, come to rest, or are degenerate.
 
 use super::{json, run, temporary};
 use std::process::Output;
 
-/// A mass of 1 kg with what is added to its file, and a command on it.
+/// A mass of 1 kg with lines added to its file, and a command on it.
 fn asked(name: &str, parameters: &str, rest: &str, words: &[&str]) -> Output {
     let file = temporary(&format!("{name}.toml"));
     let text = format!(
@@ -60,7 +60,7 @@ fn the_drift_of_a_damped_motion_is_told_of_what_is_kept() {
     assert!(told.contains("does not return within its span of 30 s") && told.contains("energy less work"), "{told}");
 }
 
-/// x^3 = 0 and y^3 = 0: one zero, about which all slopes vanish.
+/// x^3 = 0 and y^3 = 0: one zero, at which all derivatives vanish.
 #[test]
 fn a_degenerate_steady_motion_is_told_as_that() {
     let cubes = "[[force]]\non = \"a\"\nis = \"-(1 N/m^3)*x^3*N.x\"\n[[force]]\non = \"b\"\nis = \"(1 N/m^3)*y^3*N.x\"\n[run]\nspan = \"1 s\"\n";
@@ -71,7 +71,7 @@ fn a_degenerate_steady_motion_is_told_as_that() {
     assert!(!told.contains("which more boxes would show") && !told.contains("\nno steady motion;"), "{told}");
 }
 
-/// x^2 y: no change of sign, so that nothing is shown, though there is a zero.
+/// x^2 y: no change of sign, so that no zero is proved, though there is one.
 #[test]
 fn a_double_root_is_not_shown_by_signs() {
     let squares = "[[force]]\non = \"a\"\nis = \"-(1 N/m^2)*x^2*N.x\"\n[[force]]\non = \"b\"\nis = \"(1 N/m^3)*y^3*N.x\"\n[run]\nspan = \"1 s\"\n";
@@ -92,8 +92,8 @@ fn a_choice_says_which_outputs_it_was_made_for() {
     assert!(one.contains("to 1e-3 in x (as --outputs names them)"), "{one}");
 }
 
-/// A slider crank with an elastic rod: accuracy holds the steps at half the period of the rod, where rounding makes the Lipschitz number of
-/// many steps in a row larger than its eigenvalue.
+/// A slider crank with an elastic rod: accuracy limits the steps to half the period of the rod, where rounding makes the Lipschitz
+/// number of many steps in a row larger than its eigenvalue.
 #[test]
 fn a_fast_mode_that_accuracy_resolves_is_followed_to_the_end() {
     let text = "title = \"Crank\"\ngravity = \"-g*N.y\"\n[parameters]\nm = \"1 kg\"\nM = \"2 kg\"\ng = \"9.81 m/s^2\"\nl = \"1 m\"\nK = \"1e8 N/m\"\n\

@@ -1,4 +1,4 @@
-//! References that are there already.
+//! Existing references are kept.
 
 use crate::{root, run, temporary};
 
@@ -9,7 +9,7 @@ fn a_reference_gives_way_to_a_better_one_only() {
     let read = || std::fs::read_to_string(&path).expect("it was written");
     assert!(run(&asked).status.success());
     let made = read();
-    // a comment that another one would not have
+    // a comment that a newly written reference would not have
     let marked = format!("{made}# kept\n");
     std::fs::write(&path, &marked).expect("it can be written");
     let output = run(&asked);

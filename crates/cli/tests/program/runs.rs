@@ -65,7 +65,8 @@ fn a_run_that_stops_says_why_and_keeps_what_it_has() {
     assert!(table.lines().count() >= 2 && !table.contains("NaN") && !table.contains("inf"), "{table}");
 }
 
-/// A millisecond is five hundred times what the damper's currents last: going back by a twenty-fourth of it is too much.
+/// A millisecond is five hundred times the time constant of the damper's currents: one step back by a twenty-fourth of
+/// it is too much.
 #[test]
 fn a_splitting_that_would_go_back_on_stiff_windings_says_which_step_it_takes() {
     let output = run(&[
@@ -288,7 +289,7 @@ fn a_start_beyond_the_end_of_the_law_is_refused() {
 #[test]
 fn constant_steps_say_whether_shorter_ones_come_nearer() {
     let asked = |scene, method| json(&run(&["run", scene, "--method", method, "--format", "json"]));
-    // a step that ends behind the pole; shorter ones end with the law before it
+    // a step that ends past the pole; shorter ones end with the law before it
     let behind = asked("scenes/failures/nodding_top.toml", "euler:20");
     assert_eq!(
         (&behind["reached"], &behind["steps"]["follows"]),

@@ -8,7 +8,7 @@ use crate::problems::{Chain, Kepler, Rim};
 use dalembert_integrators::{Jacobian, Method, Ode, Span, Tolerance, Working, hold, integrate, integrate_in};
 use field::DoubleDouble;
 
-/// Counts what the heap is asked for, thread by thread.
+/// Counts the allocations of each thread.
 struct Counting;
 
 thread_local! {

@@ -1,4 +1,4 @@
-//! Curves of solutions: textbook folds, where they are, and who is stable on which side.
+//! Branches of solutions: textbook folds, their places, and the stability on either side.
 
 use dalembert_integrators::{Curve, Equilibria, Failure, Last, Ode, System, Walk, follow, spectrum};
 use field::{Analytic, Over};

@@ -194,7 +194,7 @@ fn of_several_falls_within_one_long_polynomial_step_the_first_is_found() {
     assert!(event.is_some_and(|event| (event.time - exact).abs() < 1e-12), "{event:?}");
 }
 
-/// The step in which a signal falls is made again to each trial time as one step, not as all the steps of the span.
+/// The step with the event is repeated to each trial time as one step, not as all the steps of the span.
 #[test]
 fn a_constant_step_is_computed_again_as_one_step() {
     let span = Span::new(0.0, 2.0, &[1.0, 0.0]);
@@ -220,7 +220,7 @@ impl<S: Over<f64> + Analytic> Ode<S> for Even {
 
 impl System for Even {}
 
-/// By so much the square is less.
+/// The difference subtracted from the square.
 const LESS: f64 = 1e-8;
 
 impl Switches for Even {

@@ -1,4 +1,4 @@
-//! Laws that are held to constraints: drift at rounding, orders as theory has them, failures by name.
+//! Laws with constraints: drift at rounding, orders of convergence as in theory, failures by name.
 
 use crate::problems::{Growth, LooseRim, Rim, distance};
 use dalembert_integrators::{
@@ -91,7 +91,7 @@ fn a_start_off_the_constraint_is_brought_onto_it_by_the_first_step() {
     }
 }
 
-/// The rim with columns that do not move its constraint: no multiplier can hold it.
+/// The rim with columns that do not act on its constraint: no multiplier can satisfy it.
 struct Loose;
 
 impl<S: Over<f64> + Analytic> Index2Dae<S> for Loose {
@@ -182,7 +182,7 @@ fn a_projected_run_has_its_order_and_stays_on_the_constraint() {
     }
 }
 
-/// x led along sin t, and the area below it: y = (x, a), x' = z, a' = x, 0 = x - sin t.
+/// x constrained to sin t, and the area below it: y = (x, a), x' = z, a' = x, 0 = x - sin t.
 struct Led;
 
 impl Led {
@@ -213,7 +213,7 @@ impl<S: Over<f64> + Analytic> Index2Dae<S> for Led {
 
 impl Index2DaeSystem for Led {}
 
-/// The same with nothing that leads: x' = cos t.
+/// The area below x with x' = cos t, without a constraint.
 struct Unled;
 
 impl<S: Over<f64> + Analytic> Ode<S> for Unled {

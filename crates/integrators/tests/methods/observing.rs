@@ -1,4 +1,4 @@
-//! Outputs, monitors and progress: what a run shows of itself.
+//! Outputs, monitors and progress of a run.
 
 use crate::problems::{Drive, Kepler, Pendulum, distance};
 use dalembert_integrators::{Method, Progress, Record, Samples, Span, Tolerance, integrate};

@@ -285,7 +285,7 @@ impl<S: Over<f64> + Analytic> Index2Dae<S> for Rim {
 
 impl Index2DaeSystem for Rim {}
 
-/// The same point with Lagrange's multiplier of the twice differentiated constraint: nothing holds it on the rim.
+/// The same point with Lagrange's multiplier of the twice differentiated constraint, so that its violation drifts.
 pub struct LooseRim;
 
 impl<S: Over<f64> + Analytic> Ode<S> for LooseRim {

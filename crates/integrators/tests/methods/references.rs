@@ -1,4 +1,4 @@
-//! References agree with what is known of the solution, and admit it where they do not know enough.
+//! References agree with known solutions, and say so where they have too few digits.
 
 use crate::problems::{Chain, Explosion, Kaps, Kepler, Lorenz, Pendulum, distance};
 use dalembert_integrators::{
@@ -29,7 +29,7 @@ fn an_ellipse_is_known_to_as_many_digits_as_claimed() {
     }
 }
 
-/// An ellipse that starts from rounded data: its energy and its angular momentum are known all the same.
+/// An ellipse that starts from rounded data: its energy and its angular momentum are still known.
 struct Rounded {
     start: Vec<f64>,
 }

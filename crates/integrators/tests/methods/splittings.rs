@@ -139,7 +139,7 @@ fn the_piece_of_the_friction_goes_back_by_a_sixth_of_a_step_at_most() {
     }
 }
 
-/// Outputs that no whole number of steps reaches change the length of the steps, and nothing else.
+/// Outputs that no whole number of steps reaches change only the step size.
 #[test]
 fn steps_land_on_outputs_at_any_time() {
     let law = Parted { kepler: Kepler { eccentricity: 0.3 }, pieces: 2 };

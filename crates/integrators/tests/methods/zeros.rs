@@ -1,4 +1,4 @@
-//! Zeros of polynomials by every method: however long its steps, it finds all of them.
+//! Event location by every method on polynomials: all zeros are found, with steps of any length.
 
 use dalembert_integrators::{
     Event, Happening, Method, Ode, Signal, Span, Switches, System, TaylorSeries, Tolerance, integrate_to_event,

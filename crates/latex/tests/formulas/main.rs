@@ -1,4 +1,4 @@
-//! Formulas in LaTeX: what is read, what is refused, and that what is printed is read back.
+//! Formulas in LaTeX: accepted, refused, and read back from their printed form.
 
 mod displays;
 mod readings;

@@ -6,7 +6,7 @@ use symbolic::apart;
 const LETTERS: [(&str, &str); 7] =
     [("x", "x"), ("y", "y"), ("f", "f"), ("m", "m"), (r"\theta", "theta"), ("a", "a"), ("b", "b")];
 
-/// (formula, the part under the marks, words of the message or of what is accepted).
+/// (formula, the part under the marks, words of the message or of the accepted notation).
 #[test]
 fn what_has_two_readings_is_asked_for_at_its_place() {
     let cases = [

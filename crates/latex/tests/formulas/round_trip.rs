@@ -10,7 +10,7 @@ use symbolic::{Decision, Hypotheses, Sym, apart, decide};
 const LETTERS: [(&str, &str); 5] =
     [("m", "m"), (r"\theta", "theta"), ("l_1", "l1"), ("x_{12}", "x12"), (r"\varphi", "varphi")];
 
-/// The making of an expression, as data that may be shrunk.
+/// The construction of an expression, as data that may be shrunk.
 #[derive(Clone, Debug)]
 enum Made {
     Letter(usize),

@@ -24,7 +24,7 @@ fn all(body: &Body, p: Rational) -> Vec<(Shape, Kind, [f64; 3], f64)> {
     assert_eq!(undecided, None);
     let each = motions.iter().map(|motion| {
         let (v, w) = motion.direction_and_speed(80).unwrap();
-        // an enclosure around zero has a middle beside it
+        // the midpoint of an enclosure of zero is not zero
         let rounded = |x: &Enclosure| (x.to_f64() * 1e14).round() / 1e14 + 0.0;
         (motion.shape, motion.kind, v.each_ref().map(rounded), rounded(&w))
     });
@@ -50,7 +50,7 @@ fn an_axis_that_is_unseen_at_one_speed_carries_a_motion_with_one_momentum() {
 
 #[test]
 fn a_circle_whose_momentum_varies_has_two_points_of_each_momentum_one_or_none() {
-    // s = 1/2 hides the plane of the double moment: v = (v1, v2, 3/5), v1 = p - 179/25
+    // s = 1/2 hides the plane of the double moment of inertia: v = (v1, v2, 3/5), v1 = p - 179/25
     let (zero, g) = (r(0, 1), r(14, 5));
     let oblique = body([4, 4, 2], [r(1, 1), zero, r(1, 1)], [r(-2, 1), zero, g]);
     let found = |p: Rational| -> Vec<[f64; 3]> { turning(&oblique, p, 2.0).into_iter().map(|one| one.2).collect() };
@@ -61,7 +61,7 @@ fn a_circle_whose_momentum_varies_has_two_points_of_each_momentum_one_or_none() 
 
 #[test]
 fn on_a_sphere_of_motions_a_momentum_selects_a_circle_of_latitude_or_a_pole() {
-    // three equal moments, s = 1/2: every v turns with w = 2, p = 6 + v3
+    // three equal moments of inertia, s = 1/2: every v turns with w = 2, p = 6 + v3
     let (zero, one) = (r(0, 1), r(1, 1));
     let ball = body([3, 3, 3], [zero, zero, one], [zero, zero, r(-2, 1)]);
     let [(Shape::Circle { .. }, Kind::Degenerate, centre)] = turning(&ball, r(13, 2), 2.0)[..] else { panic!() };
@@ -99,7 +99,7 @@ fn rests_without_weight_are_a_circle_a_pole_or_none() {
 
 #[test]
 fn an_irrational_speed_and_irrational_moments_leave_nothing_open() {
-    // moments 5 +- sqrt(2) across the axis of rotor and weight, the rotor at sqrt(3)
+    // moments of inertia 5 +- sqrt(2) across the axis of rotor and weight, the rotor at sqrt(3)
     let tensor = Matrix3::new(4, 1, 0, 1, 6, 0, 0, 0, 9).map(Rational::int);
     let along = Vector3::new(0, 0, 1).map(Rational::int);
     let speed = Polynomial::from_integers([-3, 0, 1]).real_roots().pop().unwrap();

@@ -1,4 +1,4 @@
-//! A speed that is kept across its gradient, and coordinates without mass: by what defines their motion, exactly.
+//! Servo constraints on a speed and massless coordinates, against the equations that define the motion.
 
 use dalembert_mechanics::constrained::combining::extended;
 use dalembert_mechanics::constrained::massless;
@@ -50,7 +50,7 @@ fn ratio(n: i64, d: i64) -> Rational {
     Rational::new(n, d)
 }
 
-/// Off every constraint.
+/// A state that violates every constraint.
 fn state() -> State<Rational, 4> {
     State {
         time: ratio(2, 3),
@@ -72,7 +72,7 @@ fn a_control_leads_what_it_keeps_and_the_contacts_answer_it() {
     let (system, at) = (Driven { last: ratio(1, 4) }, state());
     let contacts = led::<2>();
     let found: Steered<_, 4, 1> = steered(&system, (&contacts, &led()), &at).expect("the contacts are independent");
-    // the contacts are on their own programme
+    // the contacts follow a programme of their own
     let wanted = contacts.prescribed(&at, &of_contacts(&system, &at));
     assert_eq!(rates(&system, &at, found.acceleration), wanted);
     // forces and control aside, only ideal reactions are left
@@ -82,7 +82,7 @@ fn a_control_leads_what_it_keeps_and_the_contacts_answer_it() {
         std::array::from_fn(|i| masses[i] * found.acceleration[i] - force[i] - direction[i] * found.controls[0]);
     let parts = extended(masses, jacobian(&system, &at), reaction).expect("the contacts are independent");
     assert_eq!(parts.of_friction, [ratio(0, 1); 4]);
-    // along this very motion r is the rate of phi, and its own rate is what was prescribed
+    // along this very motion r is the rate of phi, and its own rate is the prescribed one
     let moving = State {
         time: Tangent::variable(at.time),
         place: along(at.place, at.velocity),

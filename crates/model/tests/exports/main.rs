@@ -1,4 +1,4 @@
-//! Systems as code of other languages, compiled and run, have the accelerations and multipliers of our own equations.
+//! Systems as code of other languages, compiled and run, have the accelerations and multipliers of the model's equations.
 
 mod languages;
 mod notation;
@@ -97,7 +97,7 @@ fn expected(model: &Model, time: f64, coordinates: &[f64], speeds: &[f64]) -> (V
     (solved, rates)
 }
 
-/// The same of quasi-velocities, by the equations in rates of coordinates with all multipliers; those of programmed constraints stay.
+/// Accelerations and multipliers of quasi-velocities, by the equations in rates of coordinates; of the latter, the programmed.
 fn expected_of_quasi_velocities(model: &Model, time: f64, coordinates: &[f64], quasi: &[f64]) -> (Vec<f64>, Vec<f64>) {
     let speeds: Vec<f64> = apart(|| {
         let trace = Trace::of(model);
@@ -130,7 +130,7 @@ fn form(trace: &Trace<'_>) -> MatrixForm {
     MatrixForm::in_quasi_velocities(trace, &quasi, principle).expect("it applies")
 }
 
-/// The same with letters for long slopes of speeds, of which the code of programs has no need.
+/// The matrix form with letters for long derivatives of speeds, which the code of programs does not need.
 fn named_form(trace: &Trace<'_>) -> MatrixForm {
     if trace.model.quasi_velocities.is_empty() {
         return form(trace);

@@ -97,7 +97,7 @@ fn parameters_of_code_have_readable_units() {
     }
 }
 
-/// Four bodies, each of which turns freely on the one before: written out, their equations have more operations than anybody reads.
+/// Four bodies, each of which turns freely on the one before: their equations written out are too long to read.
 #[test]
 fn a_module_that_would_be_too_long_is_refused_by_name() {
     let mut tower = free_top();
@@ -122,7 +122,7 @@ fn a_module_that_would_be_too_long_is_refused_by_name() {
     assert!(refused.contains("operations is too long for SymPy; c, python and rust"), "{refused}");
 }
 
-/// Equations by Newton's and Euler's along quasi-velocities, as they are read at a start.
+/// Newton's and Euler's equations in quasi-velocities, in the form for reading at a start.
 fn text_of(source: &Source, start: &[f64]) -> String {
     let model = Model::of(source).unwrap_or_else(|faults| panic!("{faults:?}"));
     apart(|| {
@@ -131,7 +131,7 @@ fn text_of(source: &Source, start: &[f64]) -> String {
     })
 }
 
-/// Seven fifths of the mass, whatever the ball's frame has turned by: no direction cosine is left, and none is a divisor.
+/// Seven fifths of the mass, for every orientation of the ball's frame: no direction cosine is left, none a divisor.
 #[test]
 fn balls_that_roll_have_the_equations_of_textbooks() {
     let text = text_of(&turntable(), &[]);
@@ -169,7 +169,7 @@ fn letters_that_would_look_alike_are_told_apart_in_latex() {
     assert!(latex.contains(r"\lambda_1 &= 1\,\mathrm{N\,s/m}"), "{latex}");
 }
 
-/// Constraints that hold drop out along quasi-velocities: the module for SymPy speaks of no names that it does not define.
+/// Constraints that hold drop out in quasi-velocities: the module for SymPy uses no names that it does not define.
 #[test]
 fn a_module_without_multipliers_does_not_speak_of_them() {
     let model = Model::of(&turntable()).unwrap_or_else(|faults| panic!("{faults:?}"));
@@ -190,7 +190,7 @@ fn a_divisor_is_told_with_the_start_at_which_it_vanishes() {
     assert!(text_of(&bowl(), &lowest).contains(&format!("{divisor} It vanishes at the start")));
 }
 
-/// B.y x B.z = B.x: of two direction cosines that are multiplied none is left.
+/// B.y x B.z = B.x: no product of two direction cosines is left.
 #[test]
 fn products_of_direction_cosines_that_are_cofactors_are_one() {
     let text = text_of(&joined_bodies(), &[]);

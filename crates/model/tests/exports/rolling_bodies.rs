@@ -1,5 +1,5 @@
-//! Balls and bodies that turn freely, at states at which their frames stand as their parents: there many direction cosines vanish, and
-//! none of them may be a divisor.
+//! Balls and bodies that turn freely, at states at which their frames are aligned with their parents: many direction cosines vanish
+//! there, and none of them may be a divisor.
 
 use super::systems::entries;
 use dalembert_model::{BodySource, ConstraintSource, InertiaSource, Source};

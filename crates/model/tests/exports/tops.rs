@@ -1,4 +1,4 @@
-//! A free frame beside three turns, by their codes.
+//! A free frame against three turns, by their codes.
 
 use crate::systems::{free_top, turned_top};
 use crate::{Case, answers, code, folder, output};
@@ -7,7 +7,7 @@ use std::fs;
 use std::process::Command;
 use symbolic::Language;
 
-/// The top of three angles beside the free one, each by its own code and the same steps: the axis and a mark on the rim stand at one place.
+/// The top of three angles and the free one, each by its own code and the same steps: the axis and a mark on the rim are in one place.
 #[test]
 fn the_code_of_a_free_top_moves_it_as_that_of_three_turns() {
     if !answers("python3", &["-c", "import numpy"]) {

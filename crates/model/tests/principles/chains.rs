@@ -1,4 +1,4 @@
-//! Long systems: verdicts come in seconds.
+//! Long systems: verdicts within seconds.
 
 use crate::systems::{chain, spatial_chain};
 use dalembert_model::principles::Principle;

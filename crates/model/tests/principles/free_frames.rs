@@ -43,7 +43,7 @@ fn principles_agree_on_two_frames_that_turn_freely() {
     agree(&tops());
 }
 
-/// Euler: of a body with equal moments about y and z the spin about x is kept; of one with three moments nothing is but the energy.
+/// Euler: a body with equal moments of inertia about y and z keeps its spin about x; with three different ones, only energy.
 #[test]
 fn the_spin_of_a_free_body_is_kept_about_an_axis_of_symmetry_alone() {
     let free = |moments: [&str; 3]| {
@@ -61,7 +61,7 @@ fn the_spin_of_a_free_body_is_kept_about_an_axis_of_symmetry_alone() {
     assert_eq!(says_of(&free(["J", "K", "K"])), ["energy: (T + V)' is zero", "momentum of F.wx: (dT/dF.wx)' is zero"]);
 }
 
-/// Turns one after the other at the start: the axes of frames that are turned so.
+/// Successive turns at the start: the axes of frames that are turned by them.
 #[test]
 fn a_free_frame_starts_as_frames_that_are_turned_one_after_the_other() {
     let pairs = ["x", "y", "z"].map(|a| ["x", "y", "z"].map(|b| (format!("{a}{b}"), format!("F.{a} . C.{b}"))));
@@ -119,7 +119,7 @@ fn the_parts_of_an_angular_velocity_are_those_of_their_frame() {
     ]);
 }
 
-/// The axes of both frames move by their angular velocities, and stay of length one: by the quaternions alone.
+/// The axes of both frames move with their angular velocities, and keep length one: by the quaternions alone.
 #[test]
 fn axes_of_free_frames_move_by_their_angular_velocities() {
     let (f, h) = ("angular_velocity(F)", "angular_velocity(H)");

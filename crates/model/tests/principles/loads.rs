@@ -1,4 +1,4 @@
-//! Loads of every kind beside energies and forces along coordinates that say the same.
+//! Loads of every kind, against equivalent energies and forces along coordinates.
 
 use crate::statements::says_of;
 use crate::systems::{entries, parameters};
@@ -6,7 +6,7 @@ use dalembert_model::principles::Principle;
 use dalembert_model::{BodySource, LoadSource, MatrixForm, Model, Source, Trace};
 use symbolic::{Decision, Hypotheses, Sym, apart};
 
-/// Every principle gives one and the same residual for all of these systems, which differ in their words alone.
+/// Every principle gives one and the same residual for all of these systems, which are different texts for one system.
 pub fn are_one(sources: &[Source]) {
     let models = sources.iter().map(|source| Model::of(source).unwrap_or_else(|faults| panic!("{faults:?}")));
     let models: Vec<Model> = models.collect();
@@ -96,7 +96,7 @@ fn forces_of_every_kind_stand_on_the_right_of_the_matrix_form() {
     apart(|| {
         let trace = Trace::of(&model);
         let [c, k, l, m, g, rate] = ["c", "k", "l1", "m1", "g", "a'"].map(Sym::symbol);
-        // by hand: the torque c a' less twice that, the force at its arm, the weight at its own; the potential's slope balances k
+        // by hand: the torque c a' minus twice that, force and weight at their arms; the gradient of the potential balances k
         let by_hand = k * l - c * rate - m * g * l * sine("a");
         for principle in Principle::ALL {
             let form = MatrixForm::of(&trace, principle).expect("it applies");

@@ -1,4 +1,4 @@
-//! Every principle gives the same equations, whatever the model.
+//! Every principle gives the same equations, for every model.
 
 mod chains;
 mod free_frames;
@@ -74,7 +74,7 @@ fn loads_act_on_points_and_frames_without_a_body() {
     agree(&source);
 }
 
-/// A mass that grows with the way or the time is taken as solidified at each instant.
+/// A mass that grows with the distance or the time is taken as solidified at each instant.
 #[test]
 fn a_mass_that_varies_has_one_law_by_every_principle() {
     let mut source = sleigh();
@@ -95,10 +95,10 @@ fn constraints_of_speeds_are_integrable_or_not_as_frobenius_says() {
     // straight ahead: x' = r spin'
     let straight = ["x' - r*spin'", "y'", "heading'", "lean'"];
     assert_eq!(kind(&held_by(&straight)), "constraints of speeds: integrable (Frobenius, identified)");
-    // the centre stays on a sphere and the heading follows: three directions, slopes that are not constant
+    // the centre stays on a sphere and the heading follows: three directions, gradients that are not constant
     let on_sphere = ["x*x' + y*y' + (1 m^2)*lean*lean'", "heading' - lean*spin' - spin*lean'"];
     assert_eq!(kind(&held_by(&on_sphere)), "constraints of speeds: integrable (Frobenius, identified)");
-    // a belt that drives is no constraint of directions, nor is one whose slopes know the time
+    // a moving belt is no constraint of directions, nor is a constraint whose gradient depends on time
     for (open, why) in [
         ("x' - r*spin' - (1 m/s)", "a constraint is affine, and not homogeneous, in the speeds"),
         ("x' - (1 m/s)*t*spin'", "a constraint holds the time"),
@@ -107,7 +107,7 @@ fn constraints_of_speeds_are_integrable_or_not_as_frobenius_says() {
         let told = format!("constraints of speeds: it is not decided whether they are integrable, since {why}");
         assert_eq!(kind(&held_by(&[open])), told, "{open}");
     }
-    // one direction is left: no other leads out of it
+    // one direction is left: a one-dimensional distribution is integrable
     assert_eq!(
         kind(&held_by(&["x' - r*spin'*cos(lean)", "y' - heading'*x", "lean' - spin'", "heading' - spin'*cos(lean)"])),
         "constraints of speeds: integrable (Frobenius, identified)"

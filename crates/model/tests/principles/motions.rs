@@ -1,4 +1,4 @@
-//! Velocities and accelerations of points beside those that are found another way.
+//! Velocities and accelerations of points, against independent derivations.
 
 use crate::systems::{disc, entries, two_bodies};
 use dalembert_model::{Model, Source, Trace};

@@ -1,4 +1,4 @@
-//! Principles that know the constraints: Maggi, Shulgin.
+//! Principles that take account of the constraints: Maggi, Shulgin.
 
 use crate::systems::{double_pendulum, entries, held, rolling_disc, sleigh, slider_crank};
 use dalembert_model::equations::{Characteristics, constraints_of};
@@ -75,7 +75,7 @@ fn free_frames_are_taken_along() {
         constraints: vec![held("rolling", &["velocity(ball at P) . N.x", "velocity(ball at P) . N.y"])],
         ..Source::default()
     };
-    // virtual power, Appell, Gauss and Newton-Euler know no rule of turns that do not commute
+    // virtual power, Appell, Gauss and Newton-Euler need no rule of turns that do not commute
     crate::agree(&ball);
     for projection in Projection::ALL {
         let Projected { agreement, points } = found(&ball, projection).expect("it applies");

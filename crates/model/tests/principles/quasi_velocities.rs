@@ -1,4 +1,4 @@
-//! Equations in quasi-velocities: beside textbooks, beside multipliers, and by every principle that uses them.
+//! Equations in quasi-velocities: against textbooks, against multipliers, and by every principle that uses them.
 
 use crate::systems::{double_pendulum, entries, held, rolling_disc, sleigh, slider_crank};
 use dalembert_model::equations::Equations;
@@ -198,8 +198,8 @@ fn value(expression: Sym, values: &Values) -> f64 {
     expression.evaluate_analytic(&|name| values.get(name).copied()).expect("every letter has a value")
 }
 
-/// Accelerations by multipliers and pivots, in the rates of coordinates, give the rates of the quasi-velocities: another way, which
-/// knows no directions.
+/// Accelerations by multipliers and pivots, in the rates of coordinates, give the rates of the quasi-velocities: an independent
+/// way, without directions.
 #[test]
 fn the_equations_have_the_accelerations_of_those_with_multipliers() {
     for source in all() {
@@ -274,8 +274,8 @@ fn a_body_has_the_equations_of_euler() {
     beside(&tumbling(), &["A*p' + (C - B)*q*s + k*p", "B*q' + (A - C)*p*s", "C*s' + (B - A)*p*q"]);
 }
 
-/// The rolling disc of textbooks (Kane and Levinson, Dynamics, 5.6), turned to the axes of the model: moments A across and B about the
-/// axis of the disc, lean as the file has it.
+/// The rolling disc of textbooks (Kane and Levinson, Dynamics, 5.6), turned to the axes of the model: moments of inertia A across and
+/// B about the axis of the disc, lean as in the file.
 #[test]
 fn the_rolling_disc_has_the_equations_of_textbooks() {
     beside(

@@ -1,4 +1,4 @@
-//! Rates that stand where no law has a place for them are refused by name.
+//! Rates in places where no law allows them are refused by name.
 
 use crate::systems::{double_pendulum, entries, held, sleigh};
 use dalembert_model::{Model, Source};

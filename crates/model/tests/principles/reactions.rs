@@ -1,4 +1,4 @@
-//! Loads of joints and reactions of constraints, beside those that are known by hand.
+//! Loads of joints and reactions of constraints, against those known by hand.
 
 use crate::systems::{double_pendulum, entries, held, rolling_disc, sleigh, slider_crank};
 use dalembert_model::equations::Equations;
@@ -29,7 +29,7 @@ fn with_outputs(source: Source, outputs: &[&str]) -> Source {
     Source { outputs: entries(&pairs), ..source }
 }
 
-/// The upper rod of a double pendulum without friction carries both masses, along itself alone; the lower one its own.
+/// The upper rod of a double pendulum without friction carries both masses, along its own line; the lower one its own.
 #[test]
 fn rods_of_a_pendulum_carry_what_hangs_on_them() {
     let free = Source { torques: Vec::new(), ..double_pendulum(false) };
@@ -45,7 +45,7 @@ fn rods_of_a_pendulum_carry_what_hangs_on_them() {
     ));
 }
 
-/// A disc that rolls: the plane carries the height's part of m (a + g), friction the other two; nothing turns its joint.
+/// A disc that rolls: the plane carries the height's part of m (a + g), friction the other two; its joint has no torque.
 #[test]
 fn a_rolling_disc_is_carried_by_the_plane_and_held_by_friction() {
     vanish(&with_outputs(
@@ -63,7 +63,7 @@ fn a_rolling_disc_is_carried_by_the_plane_and_held_by_friction() {
     ));
 }
 
-/// The pin of a slider-crank: along the guide it moves the slider, across it the guide carries the rest.
+/// The pin of a slider-crank: its force along the guide accelerates the slider; across it the guide carries the rest.
 #[test]
 fn the_vector_of_a_loop_is_the_force_in_its_pin() {
     vanish(&with_outputs(
@@ -124,14 +124,14 @@ fn loads_that_are_not_known_are_refused_by_name() {
     let energies = entries(&[("potential", "m*(9.81 m/s^2)*y")]);
     let given = told(with_outputs(Source { energies, ..sleigh() }, &["joint_force(sleigh) . N.x"]));
     assert!(given.contains("[energies] does not say on which bodies it acts"), "{given}");
-    // both absolute angles of two links stand in it: of the lower one the joints of both links know
+    // both absolute angles of two links stand in it, the lower one's through the joints of both links
     let mut links = double_pendulum(false);
     links.constraints.push(held("gear", &["a - 2*b"]));
     let spread = told(with_outputs(links, &["joint_force(first) . N.x"]));
     assert!(spread.contains("moves more than one joint"), "{spread}");
 }
 
-/// T + V stays without friction; momenta by hand, and their rates by Lagrange's equations.
+/// T + V is constant without friction; momenta by hand, and their rates by Lagrange's equations.
 #[test]
 fn energies_and_momenta_are_outputs() {
     let free = Source { torques: Vec::new(), ..double_pendulum(false) };

@@ -13,7 +13,7 @@ fn says(statements: &[Statement]) -> Vec<String> {
     statements.iter().map(|one| format!("{}: {}", one.subject, one.says)).collect()
 }
 
-/// All that a system states, proved.
+/// All statements of a system, proved.
 pub fn says_of(source: &Source) -> Vec<String> {
     let all = stated(source);
     for Statement { subject, agreement, .. } in &all {
@@ -48,7 +48,7 @@ fn what_is_kept_is_told() {
     );
 }
 
-/// A bead on a hoop that a motor turns: only T - T0 + V belongs to the bead alone, and the constraint that turns a body does work.
+/// A bead on a hoop that a motor turns: only T - T0 + V belongs to the bead, and the constraint that turns a body does work.
 #[test]
 fn what_is_driven_takes_in_energy() {
     let mut hoop = double_pendulum(true);
@@ -57,13 +57,13 @@ fn what_is_driven_takes_in_energy() {
     let [energy, ..] = &stated(&hoop)[..] else { panic!("it has an energy") };
     assert_eq!(energy.says, "(H = sum u dT/du - T + V)' is the power of the forces");
     assert!(matches!(energy.agreement, Agreement::Proved { .. }), "{}", energy.agreement);
-    // a force on what the motor moves too: of its power the part at u = 0 is the motor's
+    // a force that acts on a body moved by the motor too: of its power the part at u = 0 is the motor's
     let drag =
         dalembert_model::LoadSource { on: Some("P".into()), is: "-(1 kg/s)*velocity(P)".into(), ..Default::default() };
     hoop.forces = vec![drag];
     let [energy, ..] = &stated(&hoop)[..] else { panic!("it has an energy") };
     assert!(matches!(energy.agreement, Agreement::Proved { .. }), "{}", energy.agreement);
-    // a pivot that is accelerated: T knows the time
+    // a pivot that is accelerated: T depends on time explicitly
     let mut pivot = double_pendulum(true);
     pivot.points = entries(&[("P", "O + (1 m/s^2)*t^2*N.x - l1*A.y"), ("Q", "P - l2*B.y")]);
     let [energy, ..] = &stated(&pivot)[..] else { panic!("it has an energy") };
@@ -78,7 +78,7 @@ fn what_is_driven_takes_in_energy() {
     assert!(matches!(last.agreement, Agreement::Proved { .. }), "{}", last.agreement);
 }
 
-/// Appell and Hamel's constraint, of second degree in the speeds and homogeneous: its reaction is idle; at a kept speed it is not.
+/// Appell and Hamel's constraint, of second degree in the speeds and homogeneous: its reaction is workless; at a prescribed speed not.
 #[test]
 fn homogeneous_constraints_do_no_work() {
     let work = |zero: &str| {
@@ -92,7 +92,7 @@ fn homogeneous_constraints_do_no_work() {
     assert_eq!(work("x'^3 - y'^2*x'"), "J u' + c is its rate; its reaction does no work");
 }
 
-/// The balance of energy holds the power of the reaction of a driven constraint: the energy is not kept.
+/// The balance of energy contains the power of the reaction of a driven constraint: the energy is not conserved.
 #[test]
 fn the_reaction_of_a_drive_feeds_the_energy() {
     let driven = |zero: &str| {
@@ -207,7 +207,7 @@ fn symbolic_cosine(name: &str) -> Sym {
     Sym::symbol(name).circle().cos
 }
 
-/// Integrable constraints of speeds lose nothing.
+/// Integrable constraints of speeds lose no terms.
 #[test]
 fn an_integrable_constraint_loses_nothing() {
     let mut gear = double_pendulum(true);

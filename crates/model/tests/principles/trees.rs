@@ -1,4 +1,4 @@
-//! Accelerations over a tree of bodies beside those of the mass matrix.
+//! Accelerations over a tree of bodies, against those of the mass matrix.
 
 use super::systems::{chain, disc, double_pendulum, held, sleigh};
 use dalembert_model::equations::{Equations, has_tree, solved_over_tree, vanishes};

@@ -1,4 +1,4 @@
-//! The equations of motion and their derivatives, beside other principles and the rates of constraints.
+//! The equations of motion and their derivatives, against other principles and the rates of constraints.
 
 use crate::systems::{chain, double_pendulum, entries, held, rolling_disc, slider_crank, two_bodies};
 use dalembert_model::equations::{Equations, constraints_of};
@@ -11,7 +11,7 @@ fn is_zero(what: &str, difference: Sym) {
     assert!(decided.is_zero(), "{what}: {decided}");
 }
 
-/// Values by Gauss's principle and the rates of each constraint; slopes by the letters themselves.
+/// Values by Gauss's principle and the rates of each constraint; derivatives by the letters themselves.
 fn agree(source: &Source) {
     let model = Model::of(source).unwrap_or_else(|faults| panic!("{faults:?}"));
     apart(|| {

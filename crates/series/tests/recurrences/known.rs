@@ -1,4 +1,4 @@
-//! Taylor series of solutions: sums and products for every law, whatever the width of a group.
+//! Taylor series of solutions: sums and products for every law, for every width of a group.
 
 use dalembert_series::{Equations, Fused, Recurrence};
 use field::{Analytic, Batch, DoubleDouble, Scalar};
@@ -88,7 +88,7 @@ fn groups_of_any_width_and_both_fields_have_the_same_series_for_any_parameters()
     let exact = |values: &[f64]| -> Vec<DoubleDouble> { values.iter().map(|&x| DoubleDouble::from(x)).collect() };
     let mut precise = recurrence.expansion::<DoubleDouble, 4, 1024>(&exact(&[0.5, 2.0, 0.25]), 12).unwrap();
     wide.set_parameters(&[0.5, 2.0, 0.25]);
-    // a first expansion leaves nothing behind
+    // a first expansion must not affect the next one
     wide.expand(&[f64::NAN; 8], 0.0);
     let start = [0.3, -1.0, 0.1, 0.2, -0.3, 0.4, 0.5, -0.6];
     wide.expand(&start, 0.0);
@@ -110,7 +110,7 @@ fn more_quantities_than_columns_are_no_expansion() {
     assert!(recurrence.expansion::<f64, 8, 16>(&[1.0; 3], 5).is_none());
 }
 
-/// (1 - 1) y is no coefficient with a y in it: symmetric bodies have such terms.
+/// (1 - 1) y is dropped: symmetric bodies have such terms.
 #[test]
 fn what_cancels_is_no_coefficient() {
     let [x, y] = symbols(["x", "y"]);
@@ -141,7 +141,7 @@ fn second_degree(states: usize, products: usize) -> (Vec<Sym>, Vec<Sym>) {
     (state, rates)
 }
 
-/// The same with a reciprocal of a square, a product with it, a quotient, and a root of a product, each in some rate.
+/// The same law with a reciprocal of a square, a product with it, a quotient, and a root of a product, each in a rate.
 fn with_quotients(states: usize, products: usize) -> (Vec<Sym>, Vec<Sym>) {
     let (state, mut rates) = second_degree(states, products);
     let [first, second, third] = [state[0], state[1], state[2]];
@@ -204,7 +204,7 @@ fn rounded_from_an_order_on<const W: usize>((state, rates): (Vec<Sym>, Vec<Sym>)
     full.expand(&begin, exact(0.0));
     let [mut whole, mut sum] = [(); 2].map(|()| begin.clone());
     full.sum(h, &mut whole);
-    // from the last on: what an earlier one has left behind would do as well
+    // in descending order: values left behind by an earlier expansion would be as good
     for fine in [order, order - 1, 16, 5, 2, 1, 0] {
         assert_eq!(rounding.expand_rounding(&begin, exact(0.0), fine), fine.max(1));
         rounding.sum(h, &mut sum);
@@ -285,7 +285,7 @@ fn every_lane_has_the_last_terms_and_the_sum_of_its_own_series_at_any_order() {
     for order in 2..=17 {
         let mut abreast = recurrence.abreast::<3, 64>(order).unwrap();
         (0..3).for_each(|lane| abreast.set(lane, &parameters(lane)));
-        // a first expansion leaves nothing behind
+        // a first expansion must not affect the next one
         abreast.expand(&[Batch::all(f64::NAN); 3], times);
         abreast.expand(&states, times);
         let mut sums = [Batch::all(0.0); 3];
@@ -308,7 +308,7 @@ fn every_lane_has_the_last_terms_and_the_sum_of_its_own_series_at_any_order() {
     }
 }
 
-/// x_i' = c_i + sum_j c_ij x_j for the first states, so many long sums of the same quantities; the others turn into each other.
+/// x_i' = c_i + sum_j c_ij x_j for the first states, so many long sums of the same quantities; the others rotate.
 fn alike(sums: usize) -> (Vec<Sym>, Vec<Sym>) {
     let state: Vec<Sym> = (0..9).map(|i| Sym::symbol(&format!("x{i}"))).collect();
     let all = |i: usize| {

@@ -1,11 +1,11 @@
-//! Series of laws whose rates hold the unknowns of linear equations, beside the same laws written out.
+//! Series of laws whose rates contain the unknowns of linear equations, against the same laws without them.
 
 use dalembert_series::{Equations, Fused, Recurrence};
 use field::{Analytic, Batch, DoubleDouble, Scalar, Tangent};
 use symbolic::linear::Solve;
 use symbolic::{Sym, Untapeable, symbols};
 
-/// Two links with their accelerations as unknowns, or written out by Cramer's rule; and what of them acts on a third state.
+/// Two links with their accelerations as unknowns, or by Cramer's rule; a third state is driven by both.
 fn links(is_written: bool) -> Recurrence {
     let state = symbols(["a", "b", "u", "w", "s"]);
     let ([a, b, u, w, _], [t, m]) = (state, symbols(["t", "m"]));
@@ -34,7 +34,7 @@ fn same_series<S: Fused, const W: usize>(within: f64, size: impl Fn(S) -> f64) {
     let (order, start) = (17, START.map(S::from));
     let series = [false, true].map(|is_written| {
         let mut expansion = links(is_written).expansion::<S, W, 1024>(&[S::ratio(5, 4)], order).unwrap();
-        // a first expansion leaves nothing behind
+        // a first expansion must not affect the next one
         expansion.expand(&START.map(|x| S::from(x + 1.0)), S::zero());
         expansion.expand(&start, S::ratio(1, 8));
         expansion

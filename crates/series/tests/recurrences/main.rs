@@ -1,4 +1,4 @@
-//! Series of solutions, known ones and those beside other ways.
+//! Series of solutions, against known ones and against other ways of computing them.
 
 mod known;
 mod linear_unknowns;

@@ -1,4 +1,4 @@
-//! Random expressions: what is true of every one of them.
+//! Properties of random expressions.
 
 use dalembert_symbolic::{Decision, Hypotheses, Sym, Tape, decide, normal, symbols};
 use field::laws::{circle_laws, field_laws};

@@ -1,4 +1,4 @@
-//! Texts are read as they are printed; whatever else stands in them is told at its place.
+//! Texts are read as they are printed; all others are refused with their place.
 
 use dalembert_symbolic::{Hypotheses, NotExpression, Reason, Sym, parse, symbols};
 use field::{Analytic, Rational, Scalar};

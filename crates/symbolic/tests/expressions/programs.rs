@@ -37,7 +37,7 @@ fn what_has_no_value_cannot_be_taped() {
     assert!(Tape::record(&[x, law], &[law * x]).is_ok());
 }
 
-/// The tape of a law whose products stand in another order where some of them were known before.
+/// The tape of a law whose products are ordered differently where some of them were known before.
 fn recorded() -> Tape {
     let [x, y, z] = symbols(["x", "y", "z"]);
     let outputs = [(x * y + z) * (y * z), (z * x) * (x * y)];

@@ -27,8 +27,8 @@ fn linear_equations_are_printed_in_every_format() {
     std::fs::remove_file(&path).expect("it is there");
 }
 
-/// An input of the file is one without being asked for; a point that cannot move has an empty state; speeds are left aside about an
-/// equilibrium.
+/// An input of the file is an input without being asked for; a point that cannot move has an empty state; quasi-velocities are left
+/// out about an equilibrium.
 #[test]
 fn inputs_of_the_file_empty_states_and_equilibria_are_accepted() {
     let path = temporary("odd_point.toml");
@@ -157,7 +157,7 @@ fn angles_of_a_motion_without_a_unit_are_warned_of() {
     assert!(told.contains("90 rad are 14.3 turns"), "{told}");
 }
 
-/// Whipple's bicycle upright at 5 m/s, out of the nonlinear text: zeros with their reasons, and what rests on enclosures.
+/// Whipple's bicycle upright at 5 m/s, from the nonlinear text: zeros with their reasons, entries that rely on enclosures.
 #[test]
 fn enclosed_eigenvalues_are_told_with_the_reasons_of_zeros() {
     let upright = ["linearise", "scenes/foreign/bicycle.toml", "--set", "lean=0", "--set", "rear'=-16.666666666666668"];

@@ -1,4 +1,4 @@
-//! A system that is written in its file, as its users meet it.
+//! Systems that are written in a file, at the command line.
 
 mod equations;
 mod linear_equations;

@@ -1,4 +1,4 @@
-//! Files and commands that do not go together.
+//! Commands refused for the files they are given.
 
 use super::{BLOCK, MODEL, PENDULUM, refused};
 use crate::{run, temporary};

@@ -1,4 +1,4 @@
-//! All steady motions of a system that is written in its file, and what steps of methods make of them.
+//! All steady motions of a system that is written in its file, and the stability of numerical methods on them.
 
 use super::{MODEL, PENDULUM, printed, refused};
 use crate::{run, temporary};
@@ -91,7 +91,7 @@ fn motions_fulfil_the_constraints_that_follow_from_others_near_the_start() {
     std::fs::remove_file(&file).expect("it is there");
 }
 
-/// The distance of a spring has no slope where it is zero: a box about it is undecided, and nothing else.
+/// The distance of a spring has no derivative where it is zero: a box about this point is undecided, and no other.
 #[test]
 fn a_place_without_slopes_is_told_as_undecided() {
     let file = temporary("no_slope.toml");
@@ -135,7 +135,8 @@ fn steps_that_misjudge_a_motion_of_a_file_are_told_for_each_method() {
     );
 }
 
-/// A motor held fast at the limit of its amplifier: its current fades with R/L = 2000/s, and Euler's method follows up to 2 L/R.
+/// A motor held fast at the current limit of its amplifier: its current decays with R/L = 2000/s, and Euler's method is stable
+/// up to 2 L/R.
 #[test]
 fn steps_on_a_motion_of_a_law_with_conditions_are_those_of_its_side() {
     let scene = "scenes/foreign/stalled_motor.toml";
@@ -151,7 +152,7 @@ fn steps_on_a_motion_of_a_law_with_conditions_are_those_of_its_side() {
     assert!((rate + 2000.0).abs() < 1e-9, "{object}");
 }
 
-/// Each oscillation at rest loses by Runge-Kutta 4 the part of the closed form, whatever its frequency.
+/// Each oscillation about rest loses by Runge-Kutta 4 the fraction of the closed form, for every frequency.
 #[test]
 fn the_drift_of_oscillations_is_that_of_the_stability_function() {
     let options =

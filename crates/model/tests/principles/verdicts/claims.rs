@@ -1,4 +1,4 @@
-//! Sentences of `prove` beside numbers: each claim at a state, by differences along the motion through it.
+//! Sentences of `prove` against numbers: each claim at a state, by differences along the motion through it.
 
 use super::mechanics::Mechanics;
 use super::numbers::{curvature, dot, slope, unit, value};
@@ -15,7 +15,7 @@ pub struct At<'a, 's, 't, 'm> {
     pub solved: Vec<f64>,
 }
 
-/// Difference that rounding and steps leave, relative to the size of what is compared.
+/// Differences within rounding and truncation, relative to the size of the compared values.
 const TOLERANCE: f64 = 1e-6;
 
 pub fn equal(claim: &str, one: f64, other: f64, size: f64) -> Result<(), Fault> {

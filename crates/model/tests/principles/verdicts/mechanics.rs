@@ -222,7 +222,7 @@ impl<'s, 't, 'm> Mechanics<'s, 't, 'm> {
         power - slope(resisted)
     }
 
-    /// Newton's and Euler's law of every body along a motion: inertia less all forces, on the velocities du of one speed alone.
+    /// Newton's and Euler's law of every body along a motion: inertia minus all forces, projected on the du of one speed.
     pub fn inertia_less_forces(&self, state: &State, solved: &[f64]) -> (Vec<f64>, Vec<f64>) {
         let n = state.u.len();
         let momenta = |at: &State| -> Vec<f64> {

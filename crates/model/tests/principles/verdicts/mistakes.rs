@@ -9,7 +9,7 @@ use dalembert_model::{Mistake, Mistaken};
 /// Dependent speeds that grow faster are near a singular choice of theirs, where differences are poor.
 const MOST_STEEP: f64 = 8.0;
 
-/// The printed terms beside the inertia less its mistaken form.
+/// The printed terms against the inertia minus its mistaken form.
 pub fn lost(
     at: &At<'_, '_, '_, '_>,
     characteristics: &Characteristics,

@@ -1,5 +1,5 @@
-//! Every sentence that `prove` prints of many models, beside numbers by another route: Newton's law, energies, momenta and constraints
-//! by differences along motions, at random consistent states.
+//! Every sentence that `prove` prints of many models, against numbers by another route: Newton's law, energies, momenta and
+//! constraints by differences along motions, at random consistent states.
 
 mod claims;
 mod mechanics;
@@ -37,12 +37,12 @@ fn holds(agreement: &Agreement) -> bool {
     matches!(agreement.rung(), "proved" | "identified" | "tested")
 }
 
-/// The lines that are printed of a model, and all that is false in them.
+/// The lines that are printed of a model, and all false ones among them.
 #[derive(Default)]
 struct Examined {
     lines: Vec<String>,
     faults: Vec<Fault>,
-    /// Sentences that were held beside numbers, at each state.
+    /// Sentences that were compared with numbers, at each state.
     checks: usize,
 }
 

@@ -27,7 +27,7 @@ pub fn slope(f: impl Fn(f64) -> f64) -> f64 {
     STENCIL.iter().map(|(at, weight)| weight * f(at * STEP)).sum::<f64>() / STEP
 }
 
-/// The derivative at zero of a quadratic function: wide steps leave less to rounding.
+/// The derivative at zero of a quadratic function: wide steps reduce rounding.
 pub fn quadratic_slope(f: impl Fn(f64) -> f64) -> f64 {
     (f(1.0) - f(-1.0)) / 2.0
 }

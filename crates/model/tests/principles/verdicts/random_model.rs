@@ -1,4 +1,4 @@
-//! Models that are put together at random: every kind of part beside every other kind.
+//! Models that are put together at random: every kind of part together with every other kind.
 
 use super::numbers::Drawn;
 
@@ -50,7 +50,7 @@ const CONSTRAINTS: [&str; 12] = [
     "a' - 2*b'",
 ];
 
-/// Frames that turn freely, with what holds them.
+/// Frames that turn freely, with constraints on them.
 const FREE: [&str; 2] = ["N free", "H free"];
 const HOLDING: [&str; 5] = [
     "F.wz - (0.8 rad/s)*cos(w*t)",

@@ -99,7 +99,7 @@ impl<'t, 'm> System<'t, 'm> {
         self.at(&self.numbers(&[*letter]), state, solved)[0]
     }
 
-    /// The state after a time by one step of the classical Runge-Kutta method; the time stands still where it is told to.
+    /// The state after a time by one step of the classical Runge-Kutta method; the time is held fixed on request.
     fn stepped(
         &self,
         state: &State,
@@ -177,7 +177,7 @@ impl<'t, 'm> System<'t, 'm> {
         None
     }
 
-    /// Rows and what is left of equations, the place of the latter in [f, f'] by the constraint.
+    /// Rows and right sides of the constraints without gains, whose residual is chosen from [f, f'].
     fn violated(&self, state: &State, place: impl Fn(&Equation) -> Option<usize>) -> (Vec<Vec<f64>>, Vec<f64>) {
         let n = state.u.len();
         let values = self.at(&self.held, state, &[]);
