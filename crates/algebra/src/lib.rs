@@ -2,7 +2,7 @@
 //!
 //! # Overview
 //! The results are signs, counts and places, not rounded values: which motions are stationary, whether one is stable, for
-//! which steps. The crate knows neither expressions nor mechanics.
+//! which steps. The crate has neither expressions nor mechanics.
 //!
 //! * [`multivariate`]: sparse polynomials with integer coefficients, on which proofs rest;
 //! * [`real`]: real roots of polynomials, exactly; enclosures, Taylor models, fixed points;

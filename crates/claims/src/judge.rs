@@ -71,7 +71,7 @@ impl Judged {
 }
 
 impl Claim {
-    /// Decides the claim and cross-examines it. `dimension` knows the dimensions of the page's symbols.
+    /// Decides the claim and cross-examines it. `dimension` gives the dimensions of the page's symbols.
     pub fn judge(&self, dimension: fn(&str) -> Option<Dimension>) -> Judged {
         let mut judged = Judged {
             id: self.id.clone(),

@@ -12,7 +12,7 @@
 //! | definition | nothing: it makes no claim |
 //!
 //! Every claim is cross-examined ([`examine`]): its dimensions agree, its sides are not one expression, a mutated right
-//! side is refuted, its hypotheses can be met. [`review`](mod@review) tells which term of which equation a change of a
+//! side is refuted, its hypotheses can be met. [`review`](mod@review) reports the term of the equation that a change of a
 //! page concerns. A [`certificate`] lets another program repeat the proof of a verdict.
 
 pub mod alphabet;

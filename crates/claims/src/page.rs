@@ -28,7 +28,7 @@ pub struct Draft<'a> {
 }
 
 impl Page {
-    /// An empty page. `dimensions` knows the dimension of every symbol of the paper.
+    /// An empty page. `dimensions` gives the dimension of every symbol of the paper.
     pub fn of(paper: &'static str, dimensions: fn(&str) -> Option<Dimension>) -> Self {
         Page { paper, dimensions, section: "", claims: Vec::new() }
     }

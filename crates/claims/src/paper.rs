@@ -1,4 +1,4 @@
-//! A paper as the ledger knows it.
+//! A paper as an entry of the ledger.
 
 use crate::Page;
 

@@ -4,7 +4,7 @@ use crate::proof::one_sign;
 use crate::{Condition, Judged};
 use symbolic::{Hypotheses, Node, Sym, normal};
 
-/// The longest expression, in characters, that is shown as it stands; a longer one is told by its letters.
+/// The longest expression, in characters, that is shown as it stands; of a longer one its letters are given.
 const READABLE: usize = 420;
 
 impl Judged {

@@ -44,7 +44,7 @@ impl Verdict {
         }
     }
 
-    /// A sign that tells verdicts apart where colour is lost.
+    /// A sign that distinguishes verdicts without colour.
     pub fn sign(self) -> &'static str {
         match self {
             Verdict::Refuted => "✗",

@@ -198,7 +198,7 @@ impl Over<f64> for Df64 {
 }
 
 impl Analytic for Df64 {
-    // always inlined: whoever is compiled for fused products has them here too
+    // always inlined: a caller compiled with fused products has them here too
     #[inline(always)]
     fn circle(self) -> Circle<Self> {
         // beyond it multiples are not counted exactly; results of such an angle are lost in rounding anyway

@@ -7,7 +7,7 @@
 use field::Scalar;
 use nalgebra::{Matrix3, Vector3};
 
-/// The moments of a distribution of mass about a point: integrals of dm, r dm and r r^T dm.
+/// The moments up to second order of a distribution of mass about a point: integrals of dm, r dm and r r^T dm.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MassMoments<S: Scalar> {
     /// kg

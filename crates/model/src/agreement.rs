@@ -137,7 +137,7 @@ fn with_theorem(
     }
 }
 
-/// The agreement of a principle that knows the constraints, and the points at which it was decided.
+/// The agreement of a principle with the constraints built in, and the points at which it was decided.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Projected {
     pub agreement: Agreement,
@@ -145,7 +145,7 @@ pub struct Projected {
     pub points: String,
 }
 
-/// Compares a principle that knows the constraints with Lagrange's equations of the first kind, multipliers eliminated.
+/// Compares a principle with built-in constraints to Lagrange's equations of the first kind, multipliers eliminated.
 ///
 /// # Errors
 /// Where the principle does not apply to the model.

@@ -183,7 +183,7 @@ extern "C" fn call(called: *const Called, time: f64, state: *const f64, values: 
     let Called { inputs, outputs, law } = unsafe { &*called };
     let is_shared =
         state < values.cast_const().wrapping_add(*outputs) && values.cast_const() < state.wrapping_add(*inputs);
-    // SAFETY: whoever calls promises `inputs` readable numbers, aligned as those of C are, and room for `outputs` values. Where both
+    // SAFETY: the caller promises `inputs` readable numbers, aligned as those of C are, and room for `outputs` values. Where both
     // share memory the state is copied, and the slice of the caller's is gone before the values are borrowed.
     let copied = is_shared.then(|| unsafe { std::slice::from_raw_parts(state, *inputs) }.to_vec());
     let values = unsafe { std::slice::from_raw_parts_mut(values, *outputs) };
@@ -226,7 +226,7 @@ fn fetch_anew(pages: &Mmap) -> Option<()> {
     wasmtime_internal_jit_icache_coherence::pipeline_flush_mt().ok()
 }
 
-/// The instruction set of this processor, where the code generator knows it.
+/// The instruction set of this processor, where the code generator supports it.
 fn processor() -> Option<&'static OwnedTargetIsa> {
     static PROCESSOR: OnceLock<Option<OwnedTargetIsa>> = OnceLock::new();
     let found = PROCESSOR.get_or_init(|| {

@@ -29,7 +29,7 @@ pub struct Written {
     pub frame: u32,
 }
 
-/// A function `(all inputs but the last, the last, outputs, constants, room)` that refers to nothing but itself and the functions below.
+/// A function `(all inputs but the last, the last, outputs, constants, room)` that refers only to itself and the functions below.
 pub fn instructions(tape: &Tape, pieces: &Pieces, piece: usize, isa: &OwnedTargetIsa) -> Option<Written> {
     let (pointer, convention) = (isa.pointer_type(), isa.default_call_conv());
     let signature = |takes: &[ir::Type], gives: &[ir::Type]| {

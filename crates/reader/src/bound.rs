@@ -72,7 +72,7 @@ impl Bound {
         }
     }
 
-    /// The fault of a value beyond the bound, told after the name of the datum.
+    /// The fault of a value beyond the bound, reported after the name of the datum.
     pub fn broken(self) -> &'static str {
         match self {
             Self::Any => "must be a number",

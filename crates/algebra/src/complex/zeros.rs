@@ -27,7 +27,7 @@ const LONG: usize = 12;
 const FLAT: f64 = 1e-20;
 
 /// Every zero of a polynomial, coefficients from the constant upwards, as real polynomials have them: in conjugate pairs
-/// or real. `None` where they cannot be told apart with these bits: zeros that coincide or nearly do, a leading
+/// or real. `None` where they cannot be separated with these bits: zeros that coincide or nearly do, a leading
 /// coefficient that may vanish.
 pub fn zeros(coefficients: &[Enclosure]) -> Option<Vec<Zero>> {
     let (lead, rest) = coefficients.split_last()?;

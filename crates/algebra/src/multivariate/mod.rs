@@ -1,7 +1,7 @@
 //! Sparse polynomials with integer coefficients.
 //!
 //! Terms are sorted by falling monomials; exponents are packed: a monomial product is an addition of words. Generators
-//! are numbers; the module does not know expressions.
+//! are numbers; the module has no expressions.
 
 mod coefficient;
 mod dense;

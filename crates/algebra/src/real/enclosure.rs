@@ -165,7 +165,7 @@ impl Enclosure {
             Some(down) => doubled >> down,
             None => doubled << (bits - self.bits),
         };
-        // doubled middle / 2: the lowest bit tells the side
+        // doubled middle / 2: the lowest bit gives the side
         let cell = &halves >> 1;
         let upper = &halves - (&cell << 1) == IBig::ONE;
         let beside = if upper { &cell + IBig::ONE } else { &cell - IBig::ONE };

@@ -110,7 +110,7 @@ mod tests {
         };
         let at_nodes = |f: &dyn Fn(f64) -> f64| TaylorModel::through(TaylorModel::nodes().map(|tau| f(h.at(tau))));
         let root = |h: f64| h.abs().sqrt();
-        // off by what Newton's step has to mend
+        // off by an error that Newton's step has to correct
         let centre = [at_nodes(&|h| root(h) + 1e-5), at_nodes(&|h| root(h) - 0.4 * h)];
         // (1 - DR)^-1 with DR = [[1 - x/2, 0], [1/2, 1/2]]
         let inverse =

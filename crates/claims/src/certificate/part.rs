@@ -222,7 +222,7 @@ fn power(left: Sym) -> Option<(Sym, u32)> {
     }
 }
 
-/// The name by which points know a letter, an angle's coordinate or a function.
+/// The name in points of a letter, an angle's coordinate or a function.
 fn name(leaf: Sym) -> String {
     match leaf.node() {
         Node::Cos(angle) if angle.symbol_name().is_some() => format!("cos {angle}"),

@@ -2,7 +2,7 @@
 
 use crate::Verdict;
 
-/// A claim as a page tells it.
+/// A claim as a page states it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Told {
     pub id: String,

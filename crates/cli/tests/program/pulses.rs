@@ -1,4 +1,4 @@
-//! Forces of short duration: no method that follows a tolerance steps over one of the time, and one along the motion is told.
+//! Forces of short duration: no method with error control steps over one of the time; one along the motion is reported.
 
 use super::{json, run, temporary};
 use serde_json::Value;
@@ -113,7 +113,7 @@ fn an_exponential_beyond_every_number_is_named_and_its_remedy_helps() {
     }
 }
 
-/// The force of a spring and of a damper is smooth along the motion: nothing is told.
+/// The force of a spring and of a damper is smooth along the motion: nothing is reported.
 #[test]
 fn ordinary_motions_are_not_told_to_have_missed_something() {
     for force in ["-(40 N/m)*x - (0.1 N s/m)*x'", "-(1 N)*sin((3 1/m)*x)", "(2 N)*cos((50 rad/s)*t)", "-(1e6 N/m)*x"] {

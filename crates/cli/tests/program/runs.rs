@@ -183,7 +183,7 @@ fn the_report_tells_what_happened_across_events() {
     std::fs::create_dir_all(folder.join("inside")).expect("a temporary folder");
     let copy = |from: &str, to: &str| std::fs::copy(root().join(from), folder.join(to)).expect("it can be copied");
     copy("scenes/friction/pushed_ladder.toml", "inside/pushed_ladder.toml");
-    // one scene that cannot be read is told, and does not stop the others
+    // one scene that cannot be read is reported, and does not stop the others
     let bench = std::fs::read_to_string(root().join("scenes/bench.toml")).expect("it is there");
     let unknown = bench.replace("\"multi_current\"", "\"not_built_yet\"");
     std::fs::write(folder.join("unread.toml"), unknown).expect("it can be written");

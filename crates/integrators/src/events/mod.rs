@@ -281,7 +281,7 @@ impl Guard<'_> {
             let mut search = Search { again: &mut self.again, step, known: &mut self.known, signal };
             match look(&mut search, ends, self.armed[signal], doubt) {
                 Seen::Nothing { armed } => self.armed[signal] = armed,
-                // an event before it in the step could not be told apart from it
+                // an event before it in the step could not be distinguished from it
                 Seen::Lost(last) => self.lost = Some(last),
                 Seen::Happened(event, state) => {
                     let found = (event, state);

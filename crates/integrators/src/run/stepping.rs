@@ -55,7 +55,7 @@ pub(crate) trait Stepper<S: Real> {
     /// Tries one step from `before` at tau; a step that is accepted has its result in `after`.
     fn attempt(&mut self, tau: S, before: &[S], step: S, after: &mut [S], meter: &BudgetedRhs<S>) -> Attempt;
 
-    /// The longest next step, where the method knows it before it takes it.
+    /// The longest next step, where the method has it before the step.
     fn reach(&mut self, _tau: S, _before: &[S], _meter: &BudgetedRhs<S>) -> Option<f64> {
         None
     }

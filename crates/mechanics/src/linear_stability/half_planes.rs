@@ -258,7 +258,7 @@ mod tests {
         use algebra::real::Enclosure;
         let whole = |n: i64| Enclosure::integer(n, 64);
         let third = whole(1).over(&whole(3)).unwrap();
-        // 3 (1/3) - 1 is zero or not, for all that the enclosure knows
+        // 3 (1/3) - 1 is zero or not, as far as the enclosure decides
         let unknown = &(&third * &whole(3)) - &whole(1);
         assert_eq!(HalfPlanes::of(&[whole(1), unknown, whole(1)]), None);
         let found = HalfPlanes::of(&[whole(1), third, whole(1)]).unwrap();

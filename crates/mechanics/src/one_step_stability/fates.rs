@@ -13,7 +13,7 @@ pub struct Fates {
     pub signs: Vec<i32>,
 }
 
-/// The thresholds of the step size could not be told apart.
+/// The thresholds of the step size could not be separated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct UndecidedFate;
 

@@ -40,7 +40,7 @@ impl Steps {
     /// The step sizes of a method, judged for the modes of a motion.
     ///
     /// # Errors
-    /// [`UndecidedFate`] where thresholds of one mode cannot be told apart.
+    /// [`UndecidedFate`] where thresholds of one mode cannot be separated.
     pub fn of(modes: &[Mode], function: &StabilityFunction) -> Result<Self, UndecidedFate> {
         let fates: Vec<Fates> = modes.iter().map(|mode| Fates::of(&mode.place, function)).collect::<Result<_, _>>()?;
         let mut cuts: Vec<Enclosure> = fates.iter().flat_map(|fates| fates.cuts.iter().cloned()).collect();

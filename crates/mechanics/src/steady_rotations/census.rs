@@ -19,7 +19,7 @@ pub struct SpeedInterval {
     pub families: usize,
 }
 
-/// Bits at which cuts are told apart.
+/// Bits to which cuts are separated.
 const BITS: usize = 96;
 
 impl Body {

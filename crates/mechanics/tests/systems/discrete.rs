@@ -1,4 +1,4 @@
-//! Steps of methods on modes whose thresholds textbooks know.
+//! Steps of methods on modes with thresholds known from textbooks.
 
 use algebra::complex::Rectangle;
 use algebra::real::Enclosure;

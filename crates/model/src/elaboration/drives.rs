@@ -127,7 +127,7 @@ impl Elaborator<'_> {
     /// The rotors of all drives, with their loads.
     pub(super) fn rotors(&mut self) {
         for (place, source) in self.source.drives.iter().enumerate() {
-            // one without a name is told
+            // one without a name is reported
             if !self.drives[place].name.is_empty() {
                 let found = self.rotor(place, source);
                 self.kept(found);

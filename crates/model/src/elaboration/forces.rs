@@ -111,7 +111,7 @@ impl Elaborator<'_> {
         }
     }
 
-    /// A frame or a body; a point of a body is told to be more than a torque needs.
+    /// A frame or a body; a point of a body is refused: a torque acts on the whole body.
     pub(super) fn turning_frame(&self, text: &Text) -> Sound<crate::FrameId> {
         if let Some((body, _)) = text.text.split_once(" at ") {
             let title = "a torque acts on a body as a whole, at no point of it";

@@ -21,7 +21,7 @@ pub fn misplaced(key: &Text, table: &str) -> Option<Fault> {
 }
 
 impl Elaborator<'_> {
-    /// A value of a table; where it is wrong and its name is a key of another table, that is told.
+    /// A value of a table; if it is wrong and its name is a key of another table, the message says so.
     pub(super) fn under<T>(&mut self, table: &str, name: &Text, found: Sound<T>) -> Sound<T> {
         found.map_err(|fault| match misplaced(name, table) {
             Some(heading) => {

@@ -69,7 +69,7 @@ fn power(trace: &Trace<'_>, load: Load) -> Option<Sym> {
 }
 
 /// Whether a power is a sum of powers of the speeds, with an odd one beyond the first. Currents and reactions are no speeds here, and an `abs` or a `sign`
-/// knows the direction.
+/// depends on the direction.
 fn changes_sign(trace: &Trace<'_>, power: Sym) -> bool {
     if power.symbols_of().iter().any(|symbol| trace.switches.contains(symbol)) {
         return false;

@@ -1,6 +1,6 @@
 //! The forces and torques by which a constraint acts, found backwards through its expression.
 //!
-//! A constraint f = 0 does the virtual power lambda df, where df is its rate for the speeds that it knows. Written as
+//! A constraint f = 0 does the virtual power lambda df, where df is its rate for the speeds in it. Written as
 //!
 //!   df = sum F . v_P + sum T . w_B + sum c u
 //!

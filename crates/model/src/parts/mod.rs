@@ -116,7 +116,7 @@ pub struct Body {
 pub enum Inertia {
     /// About z, of a body that turns about no other axis.
     Axial(ScalarId),
-    /// The moment of a rotor about its shaft, an axis of its frame. Its resistance across the shaft counts to the body that carries it.
+    /// The moment of inertia of a rotor about its shaft, an axis of its frame. Its resistance across the shaft counts to the body that carries it.
     OfShaft { moment: ScalarId, axis: usize },
     /// xx, yy, zz, xy, xz, yz in the axes of a frame that is fixed in the body.
     Tensor { axes: FrameId, entries: [Option<ScalarId>; 6] },

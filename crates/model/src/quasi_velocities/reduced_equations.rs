@@ -16,7 +16,7 @@ pub enum QuasiPrinciple {
     Appell,
     /// From the kinetic energy in quasi-velocities, with three-index symbols (Boltzmann, Hamel).
     Hamel,
-    /// From the kinetic energy that knows the constraints, with the term that this loses; along independent speeds alone.
+    /// From the kinetic energy with inserted constraints, with the term that this loses; along independent speeds alone.
     Shulgin,
 }
 

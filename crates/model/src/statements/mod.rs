@@ -49,7 +49,7 @@ fn while_inputs_rest(trace: &Trace<'_>, of: &[Sym], says: String) -> String {
     if open.is_empty() { says } else { format!("at constant {}: {says}", open.join(", ")) }
 }
 
-/// Inertia less forces, by bodies where they are known, so that energies are compared with equations that do not know them.
+/// Inertia less forces, by bodies where they are known, so that energies are compared with equations derived without them.
 fn residual(trace: &Trace<'_>) -> Vec<Sym> {
     let by_bodies = Principle::VirtualPower.residual(trace);
     by_bodies.or_else(|_| Principle::Lagrange.residual(trace)).unwrap_or_default()

@@ -25,7 +25,7 @@ impl Kind {
     }
 }
 
-/// Reads the laws of a motor; a fault that many laws share is told once.
+/// Reads the laws of a motor; a fault that many laws share is reported once.
 pub struct Reader<'a> {
     pub names: &'a Names,
     /// (the error, the parameters of the law), for laws that do not agree with the dimensions of these.
@@ -109,7 +109,7 @@ impl<'a> Reader<'a> {
     }
 
     /// Faults in the dimensions of laws: laws that are off by the same dimension and hold a common parameter have one
-    /// cause, which is told once.
+    /// cause, which is reported once.
     pub fn mismatches(self) -> Vec<Issue> {
         let mut told: Vec<(Issue, Vec<String>, usize)> = Vec::new();
         for (issue, names) in self.mismatched {

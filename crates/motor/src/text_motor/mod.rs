@@ -199,7 +199,7 @@ fn shared_flux(windings: &[Winding<Sym, Sym>], places: &[Places]) -> Option<Issu
     Some(Issue::at(place, "`motional` holds the flux of windings with mutual inductance", label).accepted(accepted))
 }
 
-/// A winding whose current has this name, and where its data stand; none where it is not sound, which the table then tells.
+/// A winding whose current has this name, and where its data stand; none where it is faulty, which the table then reports.
 fn read_winding(table: &mut Table<'_>, current: &str, laws: &mut Reader<'_>) -> Option<(Places, Winding<Sym, Sym>)> {
     let flux = laws.optional(table, FLUX);
     let inductance = laws.law(table, INDUCTANCE);

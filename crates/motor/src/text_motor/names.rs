@@ -17,7 +17,7 @@ pub struct Names {
     broken: Vec<String>,
     /// Whether the table of the parameters has a wrong name, which is reported there.
     lost: bool,
-    /// Names that no entry gives, once they are told.
+    /// Names that no entry gives, once they are reported.
     told: RefCell<Vec<String>>,
 }
 

@@ -21,7 +21,7 @@ pub(super) fn is_mutual_inductance(key: &str) -> bool {
 }
 
 impl Table<'_> {
-    /// Reads the allowances of the file; tables that are read afterwards know them.
+    /// Reads the allowances of the file; tables that are read afterwards have them.
     pub fn read_allowed(&mut self) {
         for At { value: word, span } in self.texts(KEY, "[\"negative resistance\"]") {
             if self.allowed.add(&word) {

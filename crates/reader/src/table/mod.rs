@@ -15,7 +15,7 @@ use toml::de::{DeTable, DeValue};
 use units::nearest;
 
 /// A table, the keys that were asked for, and the errors found. A wrong value is replaced by a harmless one: reading
-/// goes on, and all errors are told at once; a file with errors gives no scene.
+/// goes on, and all errors are reported together; a file with errors gives no scene.
 pub struct Table<'a> {
     /// The name in brackets; empty for the top of the file.
     name: String,
@@ -23,7 +23,7 @@ pub struct Table<'a> {
     span: Range<usize>,
     /// The text of the file.
     source: &'a str,
-    /// `None` where the file lacks it: every key is then missing, which is told once, for the table.
+    /// `None` where the file lacks it: every key is then missing, which is reported once, for the table.
     entries: Option<&'a DeTable<'a>>,
     asked: Vec<String>,
     /// Whether a key that nobody asked for is wrong.
@@ -207,7 +207,7 @@ impl<'a> Table<'a> {
     pub fn finish(mut self) -> Vec<Issue> {
         let keys = self.entries.into_iter().flat_map(DeTable::keys).filter(|_| self.judged);
         let unknown: Vec<_> = keys.filter(|key| !self.asked.iter().any(|asked| asked == key.get_ref())).collect();
-        // one key that nobody knows in place of one that is missing is that key, however it is spelt
+        // one unknown key in place of one that is missing is that key, however it is spelt
         let only = match (unknown.as_slice(), self.missing.as_slice()) {
             ([_], [(missing, _)]) => Some(missing.clone()),
             _ => None,

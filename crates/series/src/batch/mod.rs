@@ -39,7 +39,7 @@ pub struct Abreast<'a, const L: usize, const N: usize = 256> {
     /// From the parameters to the coefficients.
     coefficients: Program<'a, Batch<L>>,
     values: Vec<Batch<L>>,
-    /// Whether a lane has parameters that the coefficients do not know yet.
+    /// Whether a lane has parameters that the coefficients do not contain yet.
     changed: bool,
 }
 

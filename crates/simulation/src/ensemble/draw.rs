@@ -1,4 +1,4 @@
-//! Random numbers by their place: every member has its own at once, whoever computes it and when.
+//! Counter-based random numbers: those of a member do not depend on the order or thread of computation.
 
 use std::f64::consts::TAU;
 
@@ -15,7 +15,7 @@ impl Draw {
         Draw { key: mixed(name ^ mixed(member)) }
     }
 
-    /// Number i, even between 0 and 1, both excluded.
+    /// Number i, uniform between 0 and 1, both excluded.
     pub fn even(self, i: usize) -> f64 {
         let bits = mixed(self.key ^ mixed(!(i as u64))) >> 11;
         (bits as f64 + 0.5) / (1_u64 << 53) as f64

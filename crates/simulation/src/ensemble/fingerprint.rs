@@ -55,7 +55,7 @@ impl Fingerprint {
 }
 
 impl Fingerprint {
-    /// Whether a row with another fingerprint has equal law, data, span, tolerance and seed, whoever computed it.
+    /// Whether a row with another fingerprint has equal law, data, span, tolerance and seed, on any machine.
     pub fn is_of_same_members(&self, found: &str) -> bool {
         found.split_once(':').is_some_and(|(of_members, _)| of_members == self.of_members)
     }

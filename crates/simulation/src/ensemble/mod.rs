@@ -6,7 +6,7 @@
 //! members;
 //! * [`vary`], [`draw`]: the distributions, and random numbers that depend on seed, member and datum alone;
 //! * [`run`]: all members in lanes and threads; [`lane_series()`]: the series of a recurrence in lanes;
-//! * [`fingerprint`]: the data that decide a member, by which rows of different ensembles are told apart.
+//! * [`fingerprint`]: the data that decide a member, by which rows of different ensembles are distinguished.
 
 pub mod draw;
 pub mod fingerprint;

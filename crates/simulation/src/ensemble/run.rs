@@ -37,7 +37,7 @@ pub struct Last {
 }
 
 impl EnsembleScene {
-    /// Runs these members and hands on the rows in their order, whoever finished first. Each row is the same in every run,
+    /// Runs these members and passes on the rows in their order, not in that of completion. Each row is the same in every run,
     /// with any number of threads.
     ///
     /// `take` may end the run; then members that are under way are lost.

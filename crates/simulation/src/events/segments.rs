@@ -74,7 +74,7 @@ pub const ACCUMULATE: &str = "its events follow each other without end";
 /// Why a run ends after its largest number of events.
 pub const TOO_MANY: &str = "more events than 20,000";
 
-/// Runs over a span, event after event, as long as the margins are positive. The reason is told where the motion ends before the
+/// Runs over a span, event after event, as long as the margins are positive. The reason is given if the motion ends before the
 /// span does.
 pub(crate) fn integrate(
     (switching, margins): (&dyn Switching, &Margins),

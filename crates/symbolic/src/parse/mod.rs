@@ -43,7 +43,7 @@ pub enum Reason {
     Letter(char),
     /// Digits that are no number, or one beyond 60 digits or 1e60; a power of a number beyond 1000 digits.
     Number,
-    /// A name that the caller does not know.
+    /// A name unknown to the caller.
     Name(String),
     /// A name before parentheses that is no function.
     Function(String),
@@ -96,7 +96,7 @@ pub trait Vocabulary {
     /// Judges a part of the expression; the parts of which it is made were judged before.
     ///
     /// # Errors
-    /// Why the part must not stand there: told at its place, for a sum at the last term.
+    /// Why the part must not stand there: reported at its place, for a sum at the last term.
     fn judge(&self, _part: Sym) -> Result<(), Reason> {
         Ok(())
     }

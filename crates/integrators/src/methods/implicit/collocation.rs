@@ -165,7 +165,7 @@ mod tests {
     use super::*;
     use field::DoubleDouble;
 
-    /// The largest |sum_j a_ij c_j^(k-1) - c_i^k / k| and |sum_j b_j c_j^(k-1) - 1/k|, k up to what theory promises.
+    /// The largest |sum_j a_ij c_j^(k-1) - c_i^k / k| and |sum_j b_j c_j^(k-1) - 1/k|, k up to the theoretical order.
     fn defect(method: &Collocation<DoubleDouble>) -> f64 {
         let power = |c: DoubleDouble, k: usize| (0..k).fold(DoubleDouble::int(1), |p, _| p * c);
         let moments = |row: &[DoubleDouble], k: usize| {

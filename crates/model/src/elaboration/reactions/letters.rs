@@ -92,7 +92,7 @@ impl Elaborator<'_> {
         self.constraints_read.push(name.to_owned());
         let value = self.value(zero);
         self.constraints_read.pop();
-        // a wrong constraint is told where it stands
+        // a wrong constraint is reported at its place
         let value = value.map_err(|_| Box::new(Fault::consequence(span.clone())))?;
         let (Value::Scalar(ScalarId(part)) | Value::Vector(crate::VectorId(part))) = value else {
             return Err(Box::new(Fault::consequence(span.clone())));

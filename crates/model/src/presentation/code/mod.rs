@@ -114,7 +114,7 @@ impl Program {
         let in_letters = |is: Sym| is.substitute(&cosines).decimal_text();
         let meanings = meanings.map(|(speed, is)| format!("{} = {}", speed.name, in_letters(*is)));
         let meanings: Vec<String> = meanings.collect();
-        // the first of them tells the others
+        // the line of the first of nine cosines stands for all
         let used = form.cosines.iter().filter(|cosine| {
             let letter = cosine.letter.to_string();
             letter.ends_with(".Rxx") && meanings.iter().any(|line| line.contains(letter.trim_end_matches("xx")))
