@@ -69,7 +69,7 @@ impl Line {
         if self.names { self.right } else { self.left - self.right }
     }
 
-    /// As the paper prints it, in LaTeX.
+    /// The LaTeX of the claim as printed in the paper.
     pub fn latex(&self) -> String {
         format!("{} = {}", self.left.latex(), self.right.latex())
     }

@@ -7,15 +7,15 @@ use symbolic::{Hypotheses, Sym, normal};
 /// A condition on an expression: its sign, that it vanishes, or equality with another.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Condition {
-    /// It vanishes.
+    /// The expression vanishes.
     Zero(Sym),
     /// Both are equal.
     Equal(Sym, Sym),
-    /// It does not vanish.
+    /// The expression does not vanish.
     NonZero(Sym),
-    /// It is positive.
+    /// The expression is positive.
     Positive(Sym),
-    /// It is positive or zero.
+    /// The expression is positive or zero.
     NotNegative(Sym),
 }
 

@@ -77,7 +77,7 @@ pub fn derive(system: &str, principle: Option<Principle>) -> Result<Vec<Equation
 }
 
 impl Principle {
-    /// As the command line has it.
+    /// The name on the command line.
     pub fn name(self) -> &'static str {
         match self {
             Self::Momentum => "momentum",

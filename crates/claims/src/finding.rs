@@ -3,15 +3,15 @@
 /// The verdict on a property.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum PropertyVerdict {
-    /// It holds exactly, for all states; for an identity, for all parameters.
+    /// The statement holds exactly, for all states; an identity, for all parameters.
     Proved(String),
-    /// It holds in runs and numbers.
+    /// The statement holds in runs and numbers.
     Tested(String),
-    /// It fails, for this reason.
+    /// The statement fails, for this reason.
     Fails(String),
     /// The prover gave up, for this reason: neither that it holds nor that it fails is known.
     Undecided(String),
-    /// It does not apply, for this reason.
+    /// The statement does not apply, for this reason.
     DoesNotApply(String),
 }
 

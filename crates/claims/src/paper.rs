@@ -15,6 +15,6 @@ pub struct Paper {
     pub summary: &'static str,
     /// Everything that it states: numbered equations, then statements. Each must have a claim.
     pub entries: &'static [&'static str],
-    /// Its claims, made in the calling thread.
+    /// The claims of the paper, made in the calling thread.
     pub page: fn() -> Page,
 }

@@ -220,7 +220,7 @@ impl Div for Interval {
     }
 }
 
-/// No field operation that expressions use.
+/// Required by the trait; expressions do not use it.
 impl Rem for Interval {
     type Output = Self;
     fn rem(self, _: Self) -> Self {

@@ -66,7 +66,7 @@ pub(crate) fn plus<const FUSED: bool>(c: f64, a: f64, b: f64) -> f64 {
     if FUSED { a.mul_add(b, c) } else { c + a * b }
 }
 
-/// As `near`, for an angle that is far away, or not finite.
+/// Like `near`, for an angle far from zero, or not finite.
 #[cold]
 #[inline(never)]
 pub(crate) fn far(angle: f64) -> Circle<f64> {

@@ -28,7 +28,7 @@ pub enum Relation {
 }
 
 impl Relation {
-    /// As text.
+    /// The sign as text.
     pub fn sign(self) -> &'static str {
         match self {
             Self::Equal => "=",

@@ -14,7 +14,7 @@ pub(crate) struct Token {
 
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum Kind {
-    /// By its name without the backslash.
+    /// A command, by its name without the backslash.
     Command(String),
     Letter(char),
     Digit(char),

@@ -86,7 +86,7 @@ pub struct Equations {
 }
 
 impl Equations {
-    /// By a principle.
+    /// The equations by a principle.
     ///
     /// # Errors
     /// Where the principle does not apply to the model.
@@ -103,7 +103,7 @@ impl Equations {
         Ok(Equations { mass, bias, constraints })
     }
 
-    /// By the first principle that applies: the projected equations of the bodies, or Lagrange's where an energy is given.
+    /// The equations by the first principle that applies: the bodies' projected ones, or Lagrange's where an energy is given.
     pub fn of(trace: &Trace<'_>) -> Self {
         let given = trace.model.energies.kinetic.is_some();
         let principle = if given { Principle::Lagrange } else { Principle::VirtualPower };

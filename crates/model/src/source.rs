@@ -110,7 +110,7 @@ pub struct BodySource {
     pub turns: Option<Text>,
     /// The frame that it is fixed in.
     pub frame: Option<Text>,
-    /// Its centre of mass.
+    /// The centre of mass.
     pub centre: Option<Text>,
     pub mass: Option<Text>,
     pub inertia: Option<InertiaSource>,
@@ -146,7 +146,7 @@ pub struct LoadSource {
     /// the first.
     pub between: Option<[Text; 2]>,
     pub is: Text,
-    /// Where it stands.
+    /// The position in the file, in bytes.
     pub at: Range<usize>,
 }
 
@@ -159,7 +159,7 @@ pub struct ConstraintSource {
     /// The gains of a constraint f that is led to zero instead of kept at zero: f'' + g1 f' + g2 f = 0 of positions, f' + g1 f =
     /// 0 of speeds.
     pub gains: Option<Vec<Text>>,
-    /// Where it stands.
+    /// The position in the file, in bytes.
     pub at: Range<usize>,
 }
 
@@ -187,7 +187,7 @@ pub struct ContactSource {
     pub impact: Option<Text>,
     /// Whether the start is completed so that it touches.
     pub touching: bool,
-    /// Where it stands.
+    /// The position in the file, in bytes.
     pub at: Range<usize>,
 }
 
@@ -200,7 +200,7 @@ pub struct OneWaySource {
     pub speed: Text,
     /// The voltage, or the torque or force, that it takes while the speed is positive; zero where left out.
     pub drop: Option<Text>,
-    /// Where it stands.
+    /// The position in the file, in bytes.
     pub at: Range<usize>,
 }
 
@@ -219,7 +219,7 @@ pub struct DriveSource {
     /// A torque on the motor beside those of its windings.
     pub torque: Option<Text>,
     pub windings: Vec<WindingSource>,
-    /// Where it stands.
+    /// The position in the file, in bytes.
     pub at: Range<usize>,
 }
 
@@ -236,7 +236,7 @@ pub struct WindingSource {
     pub supply: Option<Text>,
     /// k, the voltage per speed of the motor against the supply, and the torque per current.
     pub motional: Option<Text>,
-    /// Where it stands.
+    /// The position in the file, in bytes.
     pub at: Range<usize>,
 }
 
@@ -261,7 +261,7 @@ pub struct RegulatorSource {
     pub horizon: Option<Text>,
     /// Deviations at the start.
     pub displaced: Vec<Entry>,
-    /// Where it stands.
+    /// The position in the file, in bytes.
     pub at: Range<usize>,
 }
 
@@ -276,6 +276,6 @@ pub struct EventSource {
     pub set: Vec<Entry>,
     /// Whether the motion ends.
     pub ends: bool,
-    /// Where it stands.
+    /// The position in the file, in bytes.
     pub at: Range<usize>,
 }

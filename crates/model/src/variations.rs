@@ -41,7 +41,7 @@ pub struct Varied {
 }
 
 impl Variations {
-    /// By the first principle that applies; inputs are letters of the model.
+    /// The variations by the first principle that applies; inputs are letters of the model.
     pub fn of(trace: &Trace<'_>, inputs: &[Sym]) -> Self {
         let Equations { mass, bias, constraints } = Equations::of(trace);
         let multipliers: Vec<Sym> = constraints.iter().map(|constraint| constraint.multiplier).collect();

@@ -75,12 +75,12 @@ impl Motor {
         Some(self.with_data(data))
     }
 
-    /// Its data as exact constants: the decimals that were written.
+    /// The motor with its data as exact constants: the decimals that were written.
     pub fn decimals(&self) -> Motor<Sym> {
         self.over(|_, value| Sym::constant(Rational::decimal(value)))
     }
 
-    /// Its data as letters, by their names.
+    /// The motor with its data as letters, by their names.
     pub fn letters(&self) -> Motor<Sym> {
         self.over(|quantity, _| Sym::symbol(&quantity.name))
     }

@@ -105,7 +105,7 @@ pub fn instructions(tape: &Tape, pieces: &Pieces, piece: usize, isa: &OwnedTarge
 enum Operand {
     /// The offset in bytes from the first input.
     Input(i32),
-    /// Its value, and so many bytes behind the first of the table.
+    /// The value, and its offset in the table in bytes.
     Constant(f64, i32),
     Computed(Value),
     /// Computed by an earlier piece, so many bytes behind the first of the room.

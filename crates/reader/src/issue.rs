@@ -22,7 +22,7 @@ pub struct Issue {
 pub struct SceneError {
     /// The file as the user named it.
     pub path: String,
-    /// Its text; empty where it could not be read.
+    /// The text of the file; empty where it could not be read.
     pub text: String,
     pub issues: Vec<Issue>,
 }

@@ -61,7 +61,7 @@ pub(super) struct Builder<'a> {
     multiplied_out: usize,
     /// The terms that multiplying out has written.
     written: usize,
-    /// Where products arise: counted in a first run, used in a second.
+    /// The uses of products: counted in a first run, read in a second.
     uses: Uses,
     gathers: bool,
 }

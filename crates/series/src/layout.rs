@@ -64,7 +64,7 @@ pub(super) struct Implicit<S> {
     pub of: usize,
     /// The column of the numerator, if it is not one.
     pub above: Option<usize>,
-    /// Its series, and that of the divisor.
+    /// The series of the quotient or root, and of the divisor.
     pub series: Vec<[S; 2]>,
     /// The reciprocal of the first coefficient of the divisor.
     pub inverse: S,

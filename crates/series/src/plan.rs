@@ -15,7 +15,7 @@ pub(super) struct Plan {
     /// The number of states; their places come first, then time, if it has one, then the circle points.
     pub states: usize,
     pub time: bool,
-    /// All places with a rate.
+    /// The number of places with a rate.
     pub moving: usize,
     pub stages: Vec<Stage>,
     /// Row i is the rate of place i.

@@ -65,7 +65,7 @@ pub struct Ended<'a> {
 pub struct Diagnosis {
     /// The end in one sentence, without its full stop.
     pub what: String,
-    /// Its time by the closed form, s.
+    /// The time of the end by the closed form, s.
     pub at: Option<f64>,
 }
 
@@ -101,7 +101,7 @@ impl Knowledge {
         margins: |_, _| None,
     };
 
-    /// Its notes on a run.
+    /// The notes of this knowledge on a run.
     pub fn told(&self, scene: &dyn Modelled, choice: &Choice, trajectory: &Trajectory) -> RunNotes {
         let ended = Ended { scene, choice, trajectory };
         let is_early = trajectory.has_begun() && ended.is_early();

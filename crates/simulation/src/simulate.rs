@@ -33,7 +33,7 @@ pub struct Trajectory {
     pub states: Vec<Vec<f64>>,
     /// Quantities that should stay zero, by names: the change of each invariant, and the largest residual of the constraints.
     pub checks: Vec<String>,
-    /// Their values, one list for each time.
+    /// The values of the checks, one list for each time.
     pub checked: Vec<Vec<f64>>,
     /// The last good state, written like a row.
     pub last: Vec<f64>,
@@ -124,7 +124,7 @@ impl Problem {
         invariants.chain(self.residual.as_ref().map(|_| "residual of constraints".to_owned())).collect()
     }
 
-    /// Their values at a state.
+    /// The values of the checks at a state.
     fn checked(&self, first: &[f64], time: f64, state: &[f64]) -> Vec<f64> {
         let changes = self.invariants.iter().zip(first).map(|(one, first)| (one.value)(time, state) - first);
         changes.chain(self.residual.as_ref().map(|residual| residual(time, state))).collect()

@@ -6,7 +6,7 @@ use std::fmt;
 /// Why a text is not the quantity asked for.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoQuantity {
-    /// Nothing where a number should stand.
+    /// A number is missing.
     NoNumber,
     /// `nan`, `inf`, or beyond the range of double precision.
     NotFinite { text: String },

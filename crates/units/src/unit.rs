@@ -20,7 +20,7 @@ pub struct Unit {
 /// Why a text is no unit.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoUnit {
-    /// No unit has this name; the nearest that one has, where there is one.
+    /// No unit has this name; the nearest name of a unit, if there is one.
     Unknown { name: String, nearest: Option<&'static str> },
     /// Hertz: cycles or radians?
     Hertz,

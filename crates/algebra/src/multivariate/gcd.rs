@@ -95,7 +95,7 @@ fn stripped<C: Coefficient, const W: usize>(
     }
 }
 
-/// No less than the degree of the common divisor in the generator.
+/// An upper bound of the degree of the greatest common divisor in the generator.
 fn degree_bound<C: Coefficient, const W: usize>(
     a: &Poly<C, W>,
     b: &Poly<C, W>,

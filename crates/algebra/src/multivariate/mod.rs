@@ -84,7 +84,7 @@ pub struct Poly<C, const W: usize> {
 const MERGED: usize = 1 << 8;
 
 impl<C: Coefficient, const W: usize> Poly<C, W> {
-    /// No term.
+    /// The zero polynomial.
     pub fn zero() -> Self {
         Poly { terms: Vec::new() }
     }
@@ -131,7 +131,7 @@ impl<C: Coefficient, const W: usize> Poly<C, W> {
         Poly { terms }
     }
 
-    /// By falling monomials.
+    /// The terms by falling monomials.
     pub fn terms(&self) -> &[(Monomial<W>, C)] {
         &self.terms
     }
@@ -159,7 +159,7 @@ impl<C: Coefficient, const W: usize> Poly<C, W> {
         self.as_constant().is_some_and(|value| value.is_one())
     }
 
-    /// All signs changed.
+    /// The negative of the polynomial.
     pub fn negated(&self) -> Self {
         Poly { terms: self.terms.iter().map(|(m, c)| (*m, c.negated())).collect() }
     }

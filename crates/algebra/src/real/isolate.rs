@@ -1,4 +1,4 @@
-//! All real roots, by Descartes' rule of signs on halves of halves.
+//! Isolation of all real roots: Descartes' rule of signs with bisection.
 //!
 //! The number of roots of q between 0 and 1 is at most the number of sign changes in the coefficients of
 //! (x+1)^n q(1/(x+1)), and of the same parity: none and one are exact, more are halved again. For polynomials without

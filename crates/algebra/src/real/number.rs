@@ -121,7 +121,7 @@ impl Number {
         }
     }
 
-    /// As an integer, where it is written as one.
+    /// The integer, if it is written as one.
     pub fn as_integer(&self) -> Option<IBig> {
         match &self.parts[..] {
             [] => Some(IBig::ZERO),

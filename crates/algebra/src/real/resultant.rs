@@ -26,7 +26,7 @@ pub fn subresultant(a: &[Polynomial], b: &[Polynomial], k: usize) -> Vec<Polynom
     (0..=k).map(coefficient).collect()
 }
 
-/// By rows, without division: the minors of the first rows, by the columns that they use.
+/// Laplace expansion by rows, without division: the minors of the first rows, by the columns that they use.
 fn determinant(size: usize, entry: impl Fn(usize, usize) -> Polynomial) -> Polynomial {
     let mut minors = BTreeMap::from([(0u32, Polynomial::from_integers([1]))]);
     for row in 0..size {

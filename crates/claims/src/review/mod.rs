@@ -19,9 +19,9 @@ use symbolic::Dimension;
 /// A change of a claim between two texts.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Change {
-    /// It is no longer there.
+    /// The claim was removed.
     Gone { id: String },
-    /// It was not there before.
+    /// The claim is new.
     New { id: String, verdict: String },
     /// Another verdict.
     Verdict { id: String, from: String, to: String },

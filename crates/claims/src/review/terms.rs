@@ -12,9 +12,9 @@ use symbolic::{Dimension, Hypotheses, Node, NormalForm, Sym, normal, parse};
 pub enum Edit {
     Gone,
     New,
-    /// It has the other sign.
+    /// The sign changed.
     Sign,
-    /// It is multiplied by this factor.
+    /// The term is multiplied by this factor.
     Factor(Rational),
 }
 

@@ -114,7 +114,7 @@ pub trait Divisors {
     /// The number of divisors, which stand first, of radicands, and of angles.
     fn counts(&self) -> [usize; 3];
 
-    /// All of them at (t, y); `out` has all counts. Must not allocate.
+    /// The values of all at (t, y); `out` has the sum of all counts. Must not allocate.
     fn at(&self, t: f64, y: &[f64], out: &mut [f64]);
 }
 

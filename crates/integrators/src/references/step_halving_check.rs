@@ -18,11 +18,11 @@ use std::fmt;
 /// The result of comparing a run that reached its end with runs of shorter steps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Parting {
-    /// They converge: with half the step, states differ by at most this share of their sizes.
+    /// The runs converge: with half the step, states differ by at most this relative amount.
     Follows { apart: f64 },
-    /// They lead elsewhere from this time on.
+    /// The runs with shorter steps differ from this time on.
     Parts { from: f64 },
-    /// They are stopped here, for this reason.
+    /// The runs with shorter steps stop here, for this reason.
     Stops { at: f64, why: &'static str },
     /// The runs had too little work or time to decide.
     Open,

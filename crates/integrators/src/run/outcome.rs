@@ -9,7 +9,7 @@ use crate::Failure;
 pub enum End {
     /// At the end of the span, with a finite state.
     Reached,
-    /// Where the observer had seen enough.
+    /// The observer ended the run.
     Halted,
     /// Before the end of the span, for this reason.
     Stopped(Failure),

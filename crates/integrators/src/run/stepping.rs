@@ -185,7 +185,7 @@ impl<S: Real> Even<S> {
         self.plan.is_some() && self.done + 1 >= self.all
     }
 
-    /// Where the step just made ends, if it is one of them.
+    /// The end of the step just made, if it is one of them.
     fn next(&mut self) -> Option<S> {
         self.done += 1;
         self.plan.map(|(from, _, step)| from + S::lift(self.done as f64) * step)

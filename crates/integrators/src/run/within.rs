@@ -112,7 +112,7 @@ pub(crate) struct Polynomial<S> {
 }
 
 impl<S: Real> Polynomial<S> {
-    /// Its value, by the barycentric formula.
+    /// The value at a time, by the barycentric formula.
     pub fn at(&self, time: f64) -> Vec<S> {
         let Polynomial { nodes, states } = self;
         if let Some(node) = nodes.iter().position(|node| *node == time) {

@@ -41,7 +41,7 @@ mod tests {
         assert_eq!(front(&[]), [0_usize; 0]);
     }
 
-    /// By the definition, over all triples of a small grid.
+    /// Comparison with the definition, over all triples of a small grid.
     #[test]
     fn the_front_is_what_its_definition_says() {
         let grid: Vec<(f64, f64)> = (0..9).map(|i| (f64::from(i % 3), f64::from(i / 3))).collect();

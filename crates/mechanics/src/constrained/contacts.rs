@@ -61,7 +61,7 @@ where
     }
 }
 
-/// By a chart that closes the gaps.
+/// The chart, which closes the gaps.
 impl<Q, const N: usize, const C: usize, const K: usize, const A: usize, const R: usize> Charted<N, A, R>
     for Closed<Q, C, K>
 where
@@ -76,7 +76,7 @@ where
     }
 }
 
-/// By the reactions of the system, those of its contacts among them.
+/// The reactions of the system, with those of its contacts.
 impl<Q: Reactions<N, D>, const N: usize, const C: usize, const K: usize, const D: usize> Reactions<N, D>
     for Closed<Q, C, K>
 {

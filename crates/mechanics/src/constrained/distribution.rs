@@ -32,7 +32,7 @@ impl std::error::Error for Unclassified {}
 pub(super) struct Place {
     /// t, then the x.
     pub coordinates: Vec<Sym>,
-    /// Their values at the place, in other symbols.
+    /// The values of the symbols at the place, in other symbols.
     pub values: Vec<(Sym, Sym)>,
 }
 

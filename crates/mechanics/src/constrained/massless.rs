@@ -38,7 +38,7 @@ impl<S: Scalar, const N: usize> Inertia<S, N> {
     }
 }
 
-/// As [`multipliers::leading_to`](super::multipliers::leading_to), for masses that may vanish.
+/// Like [`multipliers::leading_to`](super::multipliers::leading_to), for masses that may vanish.
 ///
 /// # Errors
 /// [`NotDefinite`] names the first coordinate that nothing holds, or the first constraint that depends on those before it.

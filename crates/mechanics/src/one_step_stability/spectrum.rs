@@ -53,7 +53,7 @@ impl Spectrum {
         Some(Spectrum { modes })
     }
 
-    /// By the zeros s = mu^2.
+    /// From the zeros s = mu^2.
     fn of_squares(polynomial: &[Enclosure]) -> Option<Self> {
         let even: Vec<Enclosure> = polynomial.iter().step_by(2).cloned().collect();
         let mut modes = Vec::new();

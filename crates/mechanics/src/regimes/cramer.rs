@@ -46,7 +46,7 @@ impl<S: Scalar, const K: usize> Cramer<S, K> {
     }
 }
 
-/// By expansion along the rows; an entry that is the constant zero costs nothing. For a handful of rows.
+/// Laplace expansion along the rows; an entry that is the constant zero costs nothing. For a few rows.
 fn determinant<S: Scalar>(size: usize, entry: &impl Fn(usize, usize) -> S) -> S {
     expand(0, size, 0, entry)
 }

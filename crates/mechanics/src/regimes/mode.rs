@@ -12,7 +12,7 @@ use std::fmt;
 pub enum Direction {
     /// The place along the curve grows.
     Forwards,
-    /// It falls.
+    /// The place along the curve falls.
     Backwards,
 }
 

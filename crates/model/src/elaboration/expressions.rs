@@ -281,7 +281,7 @@ pub(super) fn lone_condition(span: Range<usize>) -> Box<Fault> {
 /// Functions of names of constraints and contacts.
 const OF_NAMES: [&str; 4] = ["reaction", "friction", "gap", "sliding"];
 
-/// Their arguments: names and numbers as they stand.
+/// The arguments of these functions, names and numbers as they stand in the text.
 fn constraint_names(expression: &Expression) -> Vec<usize> {
     let calls = expression.parts.iter().filter_map(|form| match form {
         Form::Call { function, arguments } if OF_NAMES.contains(&function.as_str()) => Some(arguments),

@@ -18,9 +18,9 @@ use symbolic::{Dimension, Node, Sym, apart};
 /// The expressions that a parameter without bound keeps at zero.
 #[derive(Default)]
 struct Held {
-    /// Those of springs.
+    /// Elongations of springs.
     positions: Vec<Sym>,
-    /// Those of viscous forces.
+    /// Speeds of viscous forces.
     speeds: Vec<Sym>,
 }
 

@@ -11,7 +11,7 @@ use crate::{Body, Fault, Inertia, Model, Trace};
 use field::Rational;
 use symbolic::{Sym, apart, substitute_all};
 
-/// Those whose inertia changes as they turn: no rigid body has it.
+/// Faults of bodies whose inertia changes as they turn, as that of no rigid body does.
 pub(super) fn turning(model: &Model) -> Vec<Fault> {
     let in_other_axes = |body: &&Body| matches!(&body.inertia, Some(Inertia::Tensor { axes, .. }) if body.frame.is_some_and(|frame| frame != *axes));
     if !model.bodies.iter().any(|body| in_other_axes(&body)) {

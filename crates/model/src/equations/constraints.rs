@@ -18,7 +18,7 @@ pub enum Level {
 pub struct Equation {
     /// The name in the model; empty where there is none.
     pub name: String,
-    /// Its constraint in the model, and its component of a vector.
+    /// The constraint in the model, and the component of a vector.
     pub of: [usize; 2],
     /// lambda, the symbol of its multiplier.
     pub multiplier: Sym,
@@ -36,7 +36,7 @@ pub struct Equation {
     /// The combination of equations of motion, speeds with factors, for a law without inertia; it holds no acceleration, and its
     /// multiplier is zero.
     pub law: Option<Vec<(usize, i64)>>,
-    /// Where the model has it.
+    /// The position in the file, in bytes.
     pub at: Range<usize>,
 }
 
@@ -56,7 +56,7 @@ pub(crate) struct ScalarConstraint {
     pub axis: Option<Vector>,
     /// The frame and the number of that axis.
     pub place: Option<(FrameId, usize)>,
-    /// Its place among the components of a vector that do not vanish.
+    /// The place among the components of a vector that do not vanish.
     pub component: usize,
 }
 

@@ -33,7 +33,7 @@ struct Factors {
 }
 
 impl Factors {
-    /// None at the first pivot that is zero: its place.
+    /// The factors, or the place of the first pivot that is zero.
     fn of(matrix: &[Vec<Sym>]) -> Result<Self, usize> {
         let (mut lower, mut pivots): (Vec<Vec<Sym>>, Vec<Sym>) = (Vec::new(), Vec::new());
         for (i, entries) in matrix.iter().enumerate() {
@@ -81,7 +81,7 @@ pub(crate) fn solve_sparse(matrix: &[Vec<Sym>], right: &[Sym]) -> Result<Vec<Sym
     Ok(values)
 }
 
-/// By the smallest number of neighbours (Tinney and Walker 1967); neighbours of an eliminated row become neighbours of
+/// The minimum degree order (Tinney and Walker 1967): neighbours of an eliminated row become neighbours of
 /// each other.
 fn order(matrix: &[Vec<Sym>]) -> Vec<usize> {
     let entries =

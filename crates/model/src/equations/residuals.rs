@@ -12,7 +12,7 @@ use symbolic::Sym;
 
 /// The residuals, and the accelerations and multipliers of linear equations with given right sides.
 pub struct Residuals {
-    /// Those of the equations of motion, then of the constraints, over positions, speeds, accelerations and multipliers.
+    /// Residuals of the equations of motion, then of the constraints, over positions, speeds, accelerations and multipliers.
     pub residuals: Vec<Sym>,
     /// A letter for each right side.
     pub letters: Vec<Sym>,

@@ -60,7 +60,7 @@ mod tests {
         assert!(!vanishes(x / speed * (x / speed) + y / speed * (y / speed)));
     }
 
-    /// Its normal form has millions of terms.
+    /// An expression whose normal form has millions of terms.
     #[test]
     fn a_long_sum_that_is_not_zero_is_told_at_once() {
         let letters: Vec<Sym> = (0..12).map(|place| Sym::symbol(&format!("x{place}"))).collect();

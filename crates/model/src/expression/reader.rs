@@ -49,13 +49,13 @@ impl<'a> Reader<'a> {
         self.tokens.get(self.at).map(|(_, token)| token)
     }
 
-    /// Where the next token stands, or the end.
+    /// The span of the next token, or of the end.
     fn span(&self) -> Range<usize> {
         let end = self.text.len();
         self.tokens.get(self.at).map_or(end..end, |(span, _)| span.clone())
     }
 
-    /// Where the token before the next one ends.
+    /// The end of the token before the next one.
     fn end(&self) -> usize {
         self.at.checked_sub(1).and_then(|last| self.tokens.get(last)).map_or(0, |(span, _)| span.end)
     }

@@ -23,7 +23,7 @@ use wrenches::Wrench;
 struct Load {
     /// Sum of forces.
     force: Vector,
-    /// Their torque about the joint.
+    /// The torque of the forces about the joint.
     torque: Vector,
 }
 

@@ -14,12 +14,12 @@ use num_traits::Zero;
 use rustc_hash::FxHashMap;
 use symbolic::Sym;
 
-/// Where a constraint acts, for a multiplier of one.
+/// The wrenches of a constraint's reaction, for a multiplier of one.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Wrench {
     pub forces: Vec<(Material, Vector)>,
     pub torques: Vec<(FrameId, Vector)>,
-    /// By coordinates that stand in it as letters.
+    /// The generalised forces along coordinates that stand in it as letters.
     pub along: Vec<(usize, Sym)>,
 }
 

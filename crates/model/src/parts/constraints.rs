@@ -13,7 +13,7 @@ pub struct Constraint {
     pub dimension: Dimension,
     /// Gains of a constraint that is led to zero: f'' + g1 f' + g2 f = 0 of positions, f' + g1 f = 0 of speeds.
     pub gains: Option<Vec<ScalarId>>,
-    /// Where its gains stand; where it has none, itself.
+    /// The position of the gains in the file; without gains, of the constraint.
     pub gains_at: Range<usize>,
     pub at: Range<usize>,
 }
@@ -29,9 +29,9 @@ pub enum Zero {
 /// An equation of a constraint that follows from others.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Implied {
-    /// Its constraint, and its component of a vector.
+    /// The constraint, and the component of a vector.
     pub of: [usize; 2],
-    /// As sentences call it.
+    /// The name in sentences.
     pub title: String,
     /// The start in words, where it follows on the branch of the start and not on others.
     pub branch: Option<String>,

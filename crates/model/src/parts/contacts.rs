@@ -56,7 +56,7 @@ pub struct Contact {
     pub name: String,
     /// Positive apart, zero in touch.
     pub gap: ScalarId,
-    /// Where the gap is a speed.
+    /// For a gap that is a speed.
     pub one_way: Option<OneWay>,
     /// The voltage or torque that a diode or a freewheel takes while it lets through.
     pub drop: Option<ScalarId>,
@@ -89,7 +89,7 @@ pub struct Contact {
     pub guide: Option<usize>,
     /// Whether it is in touch at the start, which is completed so.
     pub is_touching: bool,
-    /// Where it stands.
+    /// The position in the file, in bytes.
     pub at: Range<usize>,
 }
 
@@ -106,7 +106,7 @@ impl Contact {
         self.slides.len() > 1
     }
 
-    /// As sentences call it, by its place.
+    /// The name in sentences, by its place.
     pub fn title(&self, place: usize) -> String {
         let what = self.one_way.map_or("contact", OneWay::name);
         if self.name.is_empty() { format!("{what} {}", place + 1) } else { format!("{what} `{}`", self.name) }

@@ -11,7 +11,7 @@ pub struct Coordinate {
     pub dimension: Dimension,
     /// The coherent unit, in which values are.
     pub unit: String,
-    /// Where its name stands.
+    /// The position of the name in the file, in bytes.
     pub at: Range<usize>,
 }
 
@@ -21,7 +21,7 @@ pub struct QuasiVelocity {
     pub name: String,
     pub is: ScalarId,
     pub dimension: Dimension,
-    /// Where its name stands.
+    /// The position of the name in the file, in bytes.
     pub at: Range<usize>,
 }
 

@@ -49,10 +49,10 @@ pub struct StartValue {
 /// The value of a quasi-velocity at time zero.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StartSpeed {
-    /// Its place among the quasi-velocities.
+    /// The place among the quasi-velocities.
     pub of: usize,
     /// In SI units.
     pub value: f64,
-    /// Where it stands.
+    /// The position in the file, in bytes.
     pub at: Range<usize>,
 }

@@ -54,7 +54,7 @@ pub struct Parameter {
     pub written: String,
     /// In SI units; none where it is left open.
     pub value: Option<f64>,
-    /// Where its name stands.
+    /// The position of the name in the file, in bytes.
     pub at: Range<usize>,
 }
 
@@ -104,9 +104,9 @@ pub struct Body {
     pub centre: Option<PointId>,
     pub mass: Option<ScalarId>,
     pub inertia: Option<Inertia>,
-    /// Where its name stands.
+    /// The position of the name in the file, in bytes.
     pub at: Range<usize>,
-    /// Where its mass stands, and its inertia; where they are missing, its name.
+    /// The positions of the mass and the inertia in the file; where they are missing, of the name.
     pub mass_at: Range<usize>,
     pub inertia_at: Range<usize>,
 }
@@ -159,7 +159,7 @@ pub struct Input {
     pub unit: String,
     /// An expression of time and state; none where it is left open.
     pub value: Option<ScalarId>,
-    /// Where its name stands.
+    /// The position of the name in the file, in bytes.
     pub at: Range<usize>,
 }
 
@@ -174,7 +174,7 @@ pub struct Model {
     pub quasi_velocities: Vec<QuasiVelocity>,
     /// The ground first.
     pub frames: Vec<Frame>,
-    /// Those that turn freely.
+    /// Frames that turn freely.
     pub free: Vec<FrameId>,
     /// The origin first.
     pub points: Vec<Point>,
@@ -193,7 +193,7 @@ pub struct Model {
     pub(crate) determining: Vec<usize>,
     /// Coordinates without inertia whose laws change at conditions or with diodes: their speeds are algebraic unknowns of each mode.
     pub algebraic_speeds: Vec<usize>,
-    /// Their laws.
+    /// The laws of the algebraic speeds.
     pub(crate) changing_laws: Vec<Combination>,
     /// The first of them whose law cannot be solved for its speed.
     pub unsolved_law: Option<(usize, UnsolvedLaw)>,
@@ -213,7 +213,7 @@ pub struct Model {
     pub regulator: Option<Regulator>,
     /// Expressions at whose zeros something is chosen anew.
     pub switches: Vec<ScalarId>,
-    /// Where each of them stands first.
+    /// The first position of each of them in the file.
     pub switch_places: Vec<Range<usize>>,
     /// The coherent unit of each of them.
     pub switch_units: Vec<String>,
@@ -223,7 +223,7 @@ pub struct Model {
     pub start: Vec<StartValue>,
     /// Quasi-velocities at the start: speeds are completed so that they hold.
     pub start_speeds: Vec<StartSpeed>,
-    /// Where it is said that the start is an equilibrium near these values.
+    /// The position of the key by which the start is an equilibrium near these values.
     pub equilibrium: Option<Range<usize>>,
     /// Parameters that are left out: zero for good, by their places.
     pub absent: Vec<usize>,

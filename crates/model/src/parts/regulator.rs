@@ -18,6 +18,6 @@ pub struct Regulator {
     pub horizon: Option<f64>,
     /// Deviations at the start: the coordinate, 0 or 1 for its rate, and the value.
     pub displaced: Vec<(usize, usize, f64)>,
-    /// Where its cost stands, and that of the end.
+    /// The positions of the cost and of that of the end in the file.
     pub at: [Range<usize>; 2],
 }

@@ -9,10 +9,10 @@ use symbolic::Sym;
 pub(super) struct Condition {
     /// Counted from one.
     pub number: usize,
-    /// Its bracket.
+    /// The letter of the bracket.
     pub letter: Sym,
     pub is: Sym,
-    /// Its unit, and its line where the file is known.
+    /// The unit, and the line where the file is known.
     pub told: String,
 }
 

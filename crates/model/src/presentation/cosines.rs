@@ -12,11 +12,11 @@ pub struct Cosine {
     pub letter: Sym,
     /// The scalar product in the words of a model: `N.x . F.y`.
     pub meaning: String,
-    /// By the quaternion.
+    /// The expression in the quaternion.
     pub value: Sym,
 }
 
-/// Those of every free frame.
+/// The direction cosines of every free frame.
 pub(crate) fn cosines(trace: &Trace<'_>) -> Vec<Cosine> {
     let mut all = Vec::new();
     for frame in &trace.model.frames {

@@ -22,7 +22,7 @@ use symbolic::{Node, Sym, substitute_all};
 pub struct MatrixForm {
     pub time: Sym,
     pub parameters: Vec<Sym>,
-    /// All of them, q: those of free frames, quaternions, stand last.
+    /// All coordinates, q; the quaternions of free frames stand last.
     pub positions: Vec<Sym>,
     /// q', by the speeds.
     pub position_rates: Vec<Sym>,
@@ -48,9 +48,9 @@ pub struct MatrixForm {
     pub cosines: Vec<Cosine>,
     /// Quaternions and direction cosines of free frames.
     pub(super) turns: Vec<FreeTurn>,
-    /// Where conditions and events stand.
+    /// The lines of conditions and events in the file.
     pub lines: Lines,
-    /// Where the speeds are quasi-velocities.
+    /// For speeds that are quasi-velocities.
     pub quasi: Option<InQuasiVelocities>,
     /// Parameters whose values are positive.
     pub(super) positive: Vec<bool>,
@@ -66,7 +66,7 @@ pub struct Lines {
 /// A scalar constraint f = 0.
 #[derive(Clone, Debug)]
 pub struct HeldEquation {
-    /// As the model names it; empty where it does not.
+    /// The name in the model; empty where there is none.
     pub name: String,
     /// The axis of a vector's component, such as `F3.x`; none of a scalar.
     pub axis: Option<String>,
@@ -80,7 +80,7 @@ pub struct HeldEquation {
 }
 
 impl MatrixForm {
-    /// By a principle, every expression as it was derived.
+    /// The form by a principle, every expression as it was derived.
     ///
     /// # Errors
     /// Where the principle does not apply to the model.

@@ -14,7 +14,7 @@ use symbolic::Sym;
 pub(super) struct Axes(Vec<FrameId>);
 
 impl Axes {
-    /// By the slopes of all rows by all speeds.
+    /// From the derivatives of all rows by all speeds.
     pub fn of(trace: &Trace<'_>, slopes: &[Vec<Sym>]) -> Self {
         let model = trace.model;
         let all = (0..model.frames.len()).map(FrameId);

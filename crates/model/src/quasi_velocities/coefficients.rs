@@ -8,11 +8,11 @@ use symbolic::Sym;
 #[derive(Clone, Copy, Debug)]
 pub struct Coefficient {
     pub letter: Sym,
-    /// By coordinates and the time.
+    /// The expression in coordinates and the time.
     pub is: Sym,
     /// The letter of its rate along the motion.
     pub rate: Sym,
-    /// By coordinates, quasi-velocities, other coefficients and the time.
+    /// The rate in coordinates, quasi-velocities, other coefficients and the time.
     pub rate_is: Sym,
 }
 

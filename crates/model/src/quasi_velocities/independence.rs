@@ -9,7 +9,7 @@ use symbolic::Sym;
 pub(super) enum Dependence {
     /// The expressions do not allow it.
     Forms(Vec<Fault>),
-    /// Their number, or that of directions that they and constraints hold, at a general point.
+    /// The number of quasi-velocities, or of directions held by them and constraints, at a general point.
     Ranks(Fault),
 }
 
@@ -51,7 +51,7 @@ pub(super) fn independent(trace: &Trace<'_>, met: &[Equation], definitions: &[Sy
 
 /// Quasi-velocities that depend on each other where the constraints hold.
 struct Group {
-    /// Their places, in the order of the file.
+    /// The places of its members, in the order of the file.
     members: Vec<usize>,
     /// The number of them that can be left out.
     excess: usize,
@@ -60,7 +60,7 @@ struct Group {
 }
 
 impl Group {
-    /// All groups, by rows that depend on each other: first those of the constraints, then those of the quasi-velocities.
+    /// All groups, by rows that depend on each other: rows of the constraints first, then of the quasi-velocities.
     fn all(speeds: &[QuasiVelocity], constraints: usize, circuits: &[Vec<usize>]) -> Vec<Group> {
         let mut groups: Vec<Group> = Vec::new();
         for circuit in circuits {
@@ -102,7 +102,7 @@ impl Group {
         }
     }
 
-    /// Their dependence, after the names or a pronoun.
+    /// The dependence of its members, after the names or a pronoun.
     fn dependence(&self, speeds: &[QuasiVelocity]) -> String {
         match (self.members.as_slice(), self.by_constraints) {
             ([_], _) => format!("the constraints determine {}", self.named(speeds, "and")),

@@ -57,7 +57,7 @@ pub struct QuasiVelocities<'t, 'm> {
     pub met: Vec<Equation>,
     /// Constraints that are led to zero.
     pub programmed: Vec<Equation>,
-    /// Those of the first that are independent, by their places.
+    /// The independent ones among the constraints that hold, by their places.
     independent: Vec<usize>,
     /// Expressions that the speeds are divided by: where one of them vanishes, the quasi-velocities do not determine the speeds.
     pub divisors: Vec<Sym>,

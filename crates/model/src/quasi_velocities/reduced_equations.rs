@@ -25,7 +25,7 @@ impl QuasiPrinciple {
     pub const ALONG_ANY: [QuasiPrinciple; 4] =
         [QuasiPrinciple::Maggi, QuasiPrinciple::VirtualPower, QuasiPrinciple::Appell, QuasiPrinciple::Hamel];
 
-    /// As commands name it.
+    /// The name in commands.
     pub fn name(self) -> &'static str {
         match self {
             QuasiPrinciple::Maggi => "maggi",

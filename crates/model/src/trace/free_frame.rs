@@ -60,7 +60,7 @@ impl FreeFrame {
     ///
     ///   R' = R [w x] .
     ///
-    /// By the quaternion's rates the same comes out, of any length, and much longer.
+    /// The rates of the quaternion give an equal expression, for any norm, which is much longer.
     pub fn turned(&self, w: [Sym; 3]) -> impl Iterator<Item = (Sym, Sym)> {
         turned(self.cosines, w)
     }

@@ -54,13 +54,13 @@ pub struct Trace<'m> {
     pub switches: Vec<Sym>,
     /// u'.
     pub accelerations: Vec<Sym>,
-    /// Along the motion: q' = u, u' by its own symbols, t' = 1.
+    /// The derivative along the motion: q' = u, u' by its own symbols, t' = 1.
     rate: RefCell<Derivation>,
-    /// By each speed alone.
+    /// The derivative by each speed.
     by_speed: Vec<RefCell<Derivation>>,
-    /// By each acceleration alone.
+    /// The derivative by each acceleration.
     by_acceleration: Vec<RefCell<Derivation>>,
-    /// By a displacement along each speed alone: of its coordinate, or about an axis of a free frame.
+    /// The derivative along each speed: by its coordinate, or by a rotation about an axis of a free frame.
     by_coordinate: Vec<RefCell<Derivation>>,
     frames: Frames,
     points: RefCell<Vec<motion::PointMotion>>,

@@ -8,7 +8,7 @@ use symbolic::Sym;
 pub(crate) enum Rotation {
     /// About an axis that both frames share.
     About { axis: usize, angle: Circle<Sym> },
-    /// By its matrix: row after row, from the axes of the frame to those of the parent.
+    /// The rotation matrix, row after row, from the axes of the frame to those of the parent.
     Matrix([[Sym; 3]; 3]),
 }
 

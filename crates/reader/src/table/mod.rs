@@ -110,7 +110,7 @@ impl<'a> Table<'a> {
         keys
     }
 
-    /// Where a part of a text stands in the file; all of the text where it is written with escapes.
+    /// The span in the file of a part of a text; of the whole text if it is written with escapes.
     pub fn part(&self, text: &At<String>, part: &Range<usize>) -> Range<usize> {
         let written = self.source.get(text.span.clone()).and_then(|written| written.find(&text.value));
         written.map_or(text.span.clone(), |begin| {
@@ -124,7 +124,7 @@ impl<'a> Table<'a> {
         self.find(name).is_some().then(|| self.table(name, ""))
     }
 
-    /// Where the heading of the table is.
+    /// The span of the table's heading.
     pub fn span(&self) -> Range<usize> {
         self.span.clone()
     }
@@ -193,7 +193,7 @@ impl<'a> Table<'a> {
         self.issues.extend(inner.finish());
     }
 
-    /// Where the value of a key stands.
+    /// The span of the value of a key.
     pub fn place_of(&self, key: &str) -> Option<Range<usize>> {
         self.entries?.get(key).map(Spanned::span)
     }

@@ -99,7 +99,7 @@ impl<const L: usize, const M: usize> Fan<L, M> {
     }
 }
 
-/// Where the last ones of a meet the first ones of b.
+/// The products of the last coefficients of a with the first ones of b.
 #[inline(always)]
 fn ends<const L: usize>(sums: &mut Four<L>, [_, x, y, z]: Four<L>, [_, b, c, d]: Four<L>) {
     sums[0] = sums[0].plus_product(z, b, true).plus_product(y, c, true).plus_product(x, d, true);

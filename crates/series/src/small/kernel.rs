@@ -24,9 +24,9 @@ pub struct Kernel<S: Fused, const B: usize, const G: usize> {
 /// The computation of the orders for which the digits of `f64` suffice.
 #[derive(Clone, Debug)]
 enum Later<const B: usize, const G: usize> {
-    /// As those before: in `f64`.
+    /// Like the orders before, in `f64`.
     Same,
-    /// By the law itself.
+    /// Evaluation of the law itself.
     Direct(Box<Direct<f64, B, G>>),
     /// Linearised about the point, where there are solved quantities: solving for them in each order would add latency.
     Linearised(Box<Linearised<B, G>>),

@@ -14,7 +14,7 @@ use std::cell::RefCell;
 pub struct Margin {
     /// Positive where the law holds.
     pub value: f64,
-    /// Its derivative along the motion, 1/s.
+    /// The derivative of the margin along the motion, 1/s.
     pub rate: f64,
     /// A bound of the rate, as [`Signal::fastest`].
     pub fastest: f64,

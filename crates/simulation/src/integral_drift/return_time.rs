@@ -17,7 +17,7 @@ pub type Gap<'a> = dyn Fn(usize, f64, f64) -> f64 + 'a;
 pub enum Returns {
     /// After this time, s.
     After(f64),
-    /// Not within the span.
+    /// The motion does not return within the span.
     Not,
     /// The motion is a rest.
     Rests,

@@ -59,7 +59,7 @@ struct Known {
 }
 
 impl TimeScales {
-    /// None of a program in which the time stands in no function but lines.
+    /// `None` for a program that depends on the time only through linear functions.
     pub fn of(program: &Program) -> Option<Self> {
         let mut functions = program.parts_of_time();
         functions.truncate(MOST_FUNCTIONS);
@@ -129,7 +129,7 @@ impl Ord for Cell {
     }
 }
 
-/// Where a function changes fast on a way.
+/// The intervals of time on which a function changes fast.
 fn hastes(function: &Tape, from: f64, to: f64) -> Vec<Haste> {
     let at = |part: f64| from + (to - from) * part;
     let cells = cells(|a, b| function.range_over_last_input(Interval::new(at(a), at(b))));

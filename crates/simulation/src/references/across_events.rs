@@ -43,7 +43,7 @@ impl Event {
 /// Why a motion is not known to all digits.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Unknown {
-    /// It does not begin, or ends by a state that no signal shows; in words.
+    /// The run does not begin, or ends by a state that no signal shows; in words.
     Ends(String),
     /// Two methods share fewer digits than a reference needs.
     FewDigits {

@@ -106,7 +106,7 @@ impl Atlas {
         }
     }
 
-    /// All runs with their ways.
+    /// All runs with their configurations.
     pub fn points(&self) -> impl Iterator<Item = (&Configuration, &Point)> {
         self.explored.iter().flat_map(|one| one.points.iter().map(move |point| (&one.way, point)))
     }

@@ -28,7 +28,7 @@ pub enum Formulation {
     IndexReduced,
     /// In redundant coordinates, f'' = -2 w f' - w^2 f with w = [`Formulation::RATE`] (Baumgarte).
     Led,
-    /// As index-reduced, and brought onto f = 0 and f' = 0 after each step.
+    /// Index-reduced, with projection onto f = 0 and f' = 0 after each step.
     Projected,
     /// In redundant coordinates held to f = 0 and f' = 0, each with its multiplier (Gear, Gupta, Leimkuhler).
     Held,
@@ -86,7 +86,7 @@ impl fmt::Display for Formulation {
 /// The relation between a model's motion and that of the scene's own model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Standing {
-    /// It is the scene's own.
+    /// The scene's own motion.
     Own,
     /// Another with the same motion, which is proved.
     Exact,

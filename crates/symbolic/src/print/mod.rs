@@ -129,9 +129,9 @@ trait Notation {
 /// The form in which constants are written.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Numbers {
-    /// As fractions, always.
+    /// Always fractions.
     Fractions,
-    /// As decimals where those are shorter: see [`decimal`].
+    /// Decimals where they are shorter: see [`decimal`].
     Decimals,
 }
 

@@ -137,7 +137,7 @@ impl Recorder {
         Ok(place)
     }
 
-    /// By squares: x^5 = (x^2)^2 x.
+    /// Repeated squaring: x^5 = (x^2)^2 x.
     fn power(&mut self, base: Place, exponent: u32) -> Place {
         let mut power = base;
         for bit in (0..exponent.ilog2()).rev() {

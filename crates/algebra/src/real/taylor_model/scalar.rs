@@ -14,7 +14,7 @@ impl<C: Rounded, const N: usize> Model<C, N> {
         Self::constant(0.0).wider(f64::NAN)
     }
 
-    /// No value lies outside.
+    /// An interval that contains all values.
     fn range(&self) -> Interval {
         let middle = Interval::point(self.coefficients[0].near());
         // the middle has more digits than a float

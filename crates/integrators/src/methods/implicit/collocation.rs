@@ -91,7 +91,7 @@ pub fn nodal<S: Scalar>(family: Family, stages: usize, c: S) -> S {
     }
 }
 
-/// Its slope: (x^2 - 1) P_s' = s (x P_s - P_{s-1}) for x = 2c - 1.
+/// The derivative of the polynomial: (x^2 - 1) P_s' = s (x P_s - P_{s-1}) for x = 2c - 1.
 fn nodal_slope<S: Real>(family: Family, s: usize, c: S) -> S {
     let p = legendre(s, c);
     let x = c + c - S::one();

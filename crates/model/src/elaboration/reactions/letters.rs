@@ -28,7 +28,7 @@ pub(in crate::elaboration) struct ReactionLetter {
     impulse: String,
     /// The dimension of the reaction.
     dimension: Dimension,
-    /// Where it stands first.
+    /// The first position in the file.
     pub(super) at: Range<usize>,
     /// The letter in the expressions of the model that is read now.
     pub(super) letter: Option<ScalarId>,

@@ -18,7 +18,7 @@ pub(super) struct Step {
     pub way: Vector,
 }
 
-/// All places that points need.
+/// The places from which all points are reached.
 pub(super) struct Places<'t, 'm> {
     trace: &'t Trace<'m>,
     steps: Vec<Option<Step>>,

@@ -20,7 +20,7 @@ pub(super) struct Letters {
 }
 
 impl Letters {
-    /// Those of a form: components of `q`, `u` and `s`, members of `p`.
+    /// The letters of a form: components of `q`, `u` and `s`, members of `p`.
     pub fn of(trace: &Trace<'_>, form: &MatrixForm, language: Language) -> Self {
         let words = match language {
             Language::C => c::WORDS,

@@ -27,7 +27,7 @@ impl Factor {
 }
 
 impl Factor {
-    /// Its cosines and sines with their exponents: of each angle the sine first.
+    /// The cosines and sines with their exponents: of each angle the sine first.
     pub fn waves(&self) -> Vec<(Wave, u32)> {
         match self {
             Factor::Wave(wave) if wave.angle.is_empty() => Vec::new(),

@@ -87,7 +87,7 @@ impl Sum {
         }
     }
 
-    /// This and so many times the other.
+    /// This sum plus so many times the other.
     pub fn plus(&self, other: &Sum, times: i64) -> Self {
         let mut sum = self.clone();
         for ((monomial, wave), coefficient) in &other.0 {

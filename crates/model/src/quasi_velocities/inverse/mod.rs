@@ -80,7 +80,7 @@ pub(super) fn solved(matrix: Vec<Vec<Sym>>, right: Vec<Vec<Sym>>, reading: &mut 
     Solution { unknowns, divisors }
 }
 
-/// By pivots that do not vanish at a general point: the order of the unknowns, these, and the pivots.
+/// Gaussian elimination with pivots nonzero at a general point: the order of the unknowns, the unknowns, and the pivots.
 fn eliminated(square: Vec<Vec<Sym>>, right: Vec<Vec<Sym>>) -> (Vec<usize>, Vec<Vec<Sym>>, Vec<Sym>) {
     let found = generic_pivots(&square, &(0..square.len()).collect::<Vec<_>>());
     let order: Vec<usize> = found.into_iter().map(|(_, column)| column).collect();

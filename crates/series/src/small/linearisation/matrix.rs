@@ -70,7 +70,7 @@ fn four<P: Permute<f64>, const B: usize, const C: usize, const FOUR: usize>(
     rows::<P, B, FOUR, 2>(pick, sums, four, &spread, fours);
 }
 
-/// Their rows of one group.
+/// The rows of one group.
 #[inline(always)]
 fn rows<P: Permute<f64>, const B: usize, const FOUR: usize, const GROUP: usize>(
     pick: P,

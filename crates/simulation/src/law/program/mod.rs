@@ -57,17 +57,17 @@ impl Program {
         Some(Program { code, ..Program::without_code(tape) })
     }
 
-    /// Its operations over any other field; the inputs are the state, then the time.
+    /// The operations over any other field; the inputs are the state, then the time.
     pub fn over<S: Analytic>(&self) -> symbolic::Program<'_, S> {
         self.tape.over()
     }
 
-    /// Its divisors, radicands and angles, as [`Tape::singular_places`].
+    /// The divisors, radicands and angles, as [`Tape::singular_places`].
     pub(super) fn singular_places(&self) -> Option<(Tape, [usize; 3])> {
         self.tape.singular_places()
     }
 
-    /// Its functions of the time alone, as [`Tape::parts_of_last_input`].
+    /// The functions of the time alone, as [`Tape::parts_of_last_input`].
     pub(super) fn parts_of_time(&self) -> Vec<Tape> {
         self.tape.parts_of_last_input()
     }
