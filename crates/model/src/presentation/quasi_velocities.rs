@@ -174,7 +174,7 @@ pub(super) fn written_operations(expressions: &[Sym]) -> f64 {
     expressions.iter().map(|each| known[each]).sum()
 }
 
-/// Of divisors with more operations only the number is given.
+/// A divisor of more operations is described by their number.
 const MOST_TOLD: f64 = 150.0;
 
 /// A divisor below this part of its values nearby vanishes but for rounding.
