@@ -3,7 +3,7 @@
 use crate::{Analytic, Circle, Elementary, Over, Scalar};
 use num_dual::{Dual, Dual2, DualNum, DualSVec, DualStruct, HyperDual};
 
-/// The argument beyond which the slope of tanh underflows.
+/// The argument beyond which the derivative of tanh underflows.
 const FLAT: f64 = 300.0;
 
 macro_rules! dual_field {

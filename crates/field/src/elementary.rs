@@ -1,4 +1,4 @@
-//! Elementary functions beside roots and circle points: each by its name, its values and its slopes.
+//! Elementary functions besides roots and circle points: each by its name, its values and its derivatives.
 
 use crate::Scalar;
 

@@ -1,6 +1,6 @@
 //! Intervals in `f64`: every operation holds all results of the numbers in its operands, ends rounded outwards.
 //!
-//! The value of an expression over intervals holds its range there: a proof that it does not vanish, or a bound of its slope. Narrow
+//! The value of an expression over intervals holds its range there: a proof that it does not vanish, or a bound of its derivative. Narrow
 //! intervals decide; finer numbers with an interval around them are [`algebra`'s enclosures].
 //!
 //! [`algebra`'s enclosures]: https://docs.rs/dalembert-algebra

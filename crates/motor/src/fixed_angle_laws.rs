@@ -18,13 +18,13 @@ pub trait Acting<P: Base, S: Over<P>> {
 
     fn machine(&self) -> &Self::Machine;
 
-    /// Hands on psi_k(g) with its slope, winding by winding; gives -U'(g).
+    /// Passes on psi_k(g) with its derivative, winding by winding; gives -U'(g).
     fn at_angle(&self, angle: Circle<S>, each: impl FnMut(usize, Tangent<S>)) -> S;
 
     /// Hands on psi_k(g), winding by winding.
     fn linkages(&self, angle: Circle<S>, each: impl FnMut(usize, S));
 
-    /// m with its slope at each of the slips.
+    /// m with its derivative at each of the slips.
     fn moments(&self, slips: &[S; STAGES]) -> [Tangent<S>; STAGES];
 }
 

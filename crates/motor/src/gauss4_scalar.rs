@@ -29,7 +29,7 @@ impl<S: Real> Rule<S> {
 }
 
 impl<S: Scalar> Rule<S> {
-    /// The increment of s by s' = f_i(s) over a length of time, from the rates at the slips of all nodes with their slopes; and
+    /// The increment of s by s' = f_i(s) over a length of time, from the rates at the slips of all nodes with their derivatives; and
     /// the last correction of Newton's iteration, squared.
     pub fn solve(&self, length: S, start: S, rates: impl Fn(&[S; STAGES]) -> [Tangent<S>; STAGES]) -> (S, S) {
         let mut stages = [start; STAGES];

@@ -1,4 +1,4 @@
-//! Laws of the angle with one harmonic, as those of most motors are: each flux with its slope is four products.
+//! Laws of the angle with one harmonic, as those of most motors are: each flux with its derivative is four products.
 
 use super::Machine;
 use field::{Analytic, Circle, Over, Scalar, Tangent};
@@ -47,7 +47,7 @@ impl Waves {
 }
 
 impl<S: Over<f64>> Harmonics<S> {
-    /// Hands on psi_k(g) with its slope, winding by winding; gives -U'(g).
+    /// Passes on psi_k(g) with its derivative, winding by winding; gives -U'(g).
     #[inline(always)]
     pub fn at_angle(&self, angle: Circle<S>, mut each: impl FnMut(usize, Tangent<S>)) -> S {
         let windings = self.windings.iter().enumerate();

@@ -105,7 +105,7 @@ pub fn has_known_flow<P: Base, M: Machine<P>>(machine: &M) -> bool {
     machine.windings() == 0 || machine.rotor() == RotorState::AngleAndSpeed && !is_fed(machine)
 }
 
-/// The laws of the angle, one by one: psi_k(g) with its slope is handed on, winding by winding; gives -U'(g).
+/// The laws of the angle, one by one: psi_k(g) with its derivative is passed on, winding by winding; gives -U'(g).
 #[inline(always)]
 pub fn laws_at<P: Base, S: Over<P>, M: Machine<P>>(
     machine: &M,
@@ -118,7 +118,7 @@ pub fn laws_at<P: Base, S: Over<P>, M: Machine<P>>(
     force
 }
 
-/// m at a slip, with its slope.
+/// m at a slip, with its derivative.
 #[inline(always)]
 pub fn moment_at<P: Base, S: Over<P>>(machine: &impl Machine<P>, slip: S) -> Tangent<S> {
     let slip = Tangent::variable(slip);

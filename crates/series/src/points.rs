@@ -1,4 +1,4 @@
-//! Circle points as states: c' = -a' s, s' = a' c. Elementary functions too: their slopes consist of their values and arguments.
+//! Circle points as states: c' = -a' s, s' = a' c. Elementary functions too: their derivatives consist of their values and arguments.
 
 use super::build::{Builder, Definition};
 use super::form::Form;

@@ -1,6 +1,6 @@
 //! Fractions of polynomials in one unknown, by Horner's rule.
 //!
-//! f = p(x)/q(x) takes as many products and sums as p and q have degrees, and one division; its slope as many again:
+//! f = p(x)/q(x) takes as many products and sums as p and q have degrees, and one division; its derivative as many again:
 //!
 //!   f' = (p' - f q') / q .
 //!

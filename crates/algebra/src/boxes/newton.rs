@@ -25,7 +25,7 @@ impl Local {
         Local::new(at, &values, |row, column| slopes[row * n + column])
     }
 
-    /// From the values at the middles of a box's unknowns, and the slopes over the box.
+    /// From the values at the middles of a box's unknowns, and the derivatives over the box.
     pub fn new(at: &[Interval], values: &[Interval], slope: impl Fn(usize, usize) -> Interval) -> Option<Self> {
         let n = at.len();
         if (0..n * n).any(|place| !slope(place / n, place % n).size().is_finite()) {

@@ -35,10 +35,10 @@ use num_dual::DualSVec64;
 /// The number of columns of a Jacobian that one evaluation gives.
 pub const DIRECTIONS: usize = 8;
 
-/// The field in which a Jacobian is computed: a value and its slopes in eight directions.
+/// The field in which a Jacobian is computed: a value and its derivatives in eight directions.
 pub type Dual8 = DualSVec64<DIRECTIONS>;
 
-/// The field of a state-transition matrix: a value in every lane, and in each lane the slope in one of eight directions.
+/// The field of a state-transition matrix: a value in every lane, and in each lane the derivative in one of eight directions.
 pub type Variations = Tangent<Batch<DIRECTIONS>>;
 
 /// y' = f(t, y) over one field, with a dimension known at run time (a machine has as many bars as its file says).

@@ -43,7 +43,7 @@ where
     let speeds = system.rates(time, q, p);
     let mut operator = Operator { energy: [S::zero(); R], lost: [S::zero(); R] };
     for j in 0..R {
-        // inside along the motion, outside p_j varied: the mixed slope is d/dt d/dp_j
+        // inside along the motion, outside p_j varied: the mixed derivative is d/dt d/dp_j
         let varied = velocity(
             system,
             Tangent::fixed(Tangent::variable(time)),

@@ -26,7 +26,7 @@ pub enum Integrability {
 /// Why integrability is not decided.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Undecided {
-    /// The slopes of a constraint by the speeds hold speeds.
+    /// The derivatives of a constraint by the speeds hold speeds.
     Nonlinear,
     /// A constraint holds the time.
     Time,
@@ -93,7 +93,7 @@ fn undecided(trace: &Trace<'_>, constraints: &[Equation]) -> Option<Undecided> {
     constraints.iter().find_map(of).or((!trace.model.free.is_empty()).then_some(Undecided::FreeFrame))
 }
 
-/// dw(X, Y), with the slopes dw_b/dq_a.
+/// dw(X, Y), with the derivatives dw_b/dq_a.
 fn turned(slopes: &[Vec<Sym>], x: &[Sym], y: &[Sym]) -> Sym {
     let mut sum = Sym::ZERO;
     for (a, row) in slopes.iter().enumerate() {

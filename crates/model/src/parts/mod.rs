@@ -363,7 +363,7 @@ impl Model {
     }
 
     /// The state at time zero: coordinates, then speeds; zero where nothing is said, free frames as their parents. A reaction that is not
-    /// given is one unit, since a length such as |R| has no slope at zero; it is found from there.
+    /// given is one unit, since a length such as |R| has no derivative at zero; it is found from there.
     pub fn start_state(&self) -> Vec<f64> {
         let positions = self.positions();
         let mut state = vec![0.0; positions + self.speeds()];

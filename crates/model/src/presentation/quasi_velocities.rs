@@ -20,7 +20,7 @@ pub struct InQuasiVelocities {
     pub met: Vec<HeldEquation>,
     /// Rates of coordinates, and angular velocities of free frames.
     pub(super) rates: Vec<Sym>,
-    /// Letters of long slopes of the speeds, with their meanings.
+    /// Letters of long derivatives of the speeds, with their meanings.
     pub coefficients: Vec<Coefficient>,
     /// Expressions that the speeds are divided by.
     pub divisors: Vec<Divisor>,

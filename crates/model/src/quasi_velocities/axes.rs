@@ -1,7 +1,7 @@
 //! Angular velocities of free frames as unknowns: along the axes of the frame in which constraints and quasi-velocities hold the fewest
 //! terms that move.
 //!
-//! A ball that rolls on a plane has constant slopes along the axes of the plane, and direction cosines along its own. Its own are
+//! A ball that rolls on a plane has constant derivatives along the axes of the plane, and direction cosines along its own. Its own are
 //! W = R^T W_X, whatever X is: a change of unknowns that is regular everywhere.
 
 use super::ShortForms;

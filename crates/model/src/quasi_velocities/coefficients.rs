@@ -1,10 +1,10 @@
-//! Letters for long slopes of speeds by quasi-velocities: a definition stands once, and equations hold its letter.
+//! Letters for long derivatives of speeds by quasi-velocities: a definition stands once, and equations hold its letter.
 
 use super::ShortForms;
 use super::inverse::Reading as _;
 use symbolic::Sym;
 
-/// A slope, or a part of a speed that no quasi-velocity moves.
+/// A derivative, or a part of a speed that no quasi-velocity moves.
 #[derive(Clone, Copy, Debug)]
 pub struct Coefficient {
     pub letter: Sym,

@@ -10,7 +10,7 @@ use std::cell::RefCell;
 use symbolic::{Derivation, Sym};
 
 impl<'t, 'm> QuasiVelocities<'t, 'm> {
-    /// Constraints first, then quasi-velocities, solved for the speeds; with letters for long slopes where these are asked for.
+    /// Constraints first, then quasi-velocities, solved for the speeds; with letters for long derivatives where these are asked for.
     pub(super) fn written(trace: &'t Trace<'m>, is_named: bool) -> Result<Self, Vec<Fault>> {
         let model = trace.model;
         let Independent { met, programmed, definitions, independent } =

@@ -7,7 +7,7 @@
 //! and s = 0 along every motion. The columns of C are directions of admissible displacements. Programmed constraints are no part of s:
 //! they need not hold, and stay equations with multipliers.
 //!
-//! Angular velocities of free frames are solved for along axes in which slopes are short. The speeds have no other divisors than the
+//! Angular velocities of free frames are solved for along axes in which derivatives are short. The speeds have no other divisors than the
 //! determinant of the whole change, up to its factors that are constants.
 
 mod appell;
@@ -114,7 +114,7 @@ impl<'t, 'm> QuasiVelocities<'t, 'm> {
         QuasiVelocities::written(trace, false)
     }
 
-    /// The same with letters for long slopes of speeds: equations hold these and their rates. Hamel's equations cannot be written
+    /// With letters for long derivatives of speeds: equations hold these and their rates. Hamel's equations cannot be written
     /// with them.
     ///
     /// # Errors

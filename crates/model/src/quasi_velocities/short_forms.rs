@@ -1,4 +1,4 @@
-//! Short forms of the slopes of speeds: direction cosines stay together as letters, and drop out where R R^T = 1 is behind them.
+//! Short forms of the derivatives of speeds: direction cosines stay together as letters, and drop out where R R^T = 1 is behind them.
 
 use super::inverse::Reading;
 use crate::Trace;

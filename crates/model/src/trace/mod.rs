@@ -352,7 +352,7 @@ impl<'m> Trace<'m> {
     }
 }
 
-/// (1 + tanh(c x))/2 with a c beyond all sizes: 1 or 0, and 1/2 at zero. Its slope is zero but there.
+/// (1 + tanh(c x))/2 with a c beyond all sizes: 1 or 0, and 1/2 at zero. Its derivative is zero elsewhere than at zero.
 fn step(x: Sym) -> Sym {
     let large = Sym::lift(Rational::exactly(STEEP));
     (Sym::ONE + (large * x).elementary(Elementary::Tanh, large * x)) / (Sym::ONE + Sym::ONE)

@@ -6,7 +6,7 @@
 //!
 //!   D = sum_k |u_k| h^k <= p/2,  or  u + D is so small that exp(u) is below rounding all the way.
 //!
-//! The exponent of tanh x = 1 - 2/(1 + exp 2x) is u = -|2x|; next to 1 its slope has few digits: D is at most 8 there.
+//! The exponent of tanh x = 1 - 2/(1 + exp 2x) is u = -|2x|; next to 1 its derivative has few digits: D is at most 8 there.
 
 use field::Elementary;
 use series::{Equations, Recurrence};
@@ -19,7 +19,7 @@ const NOTHING: [f64; 2] = [-40.0, -80.0];
 /// Below this argument an exponential has no digits.
 const UNDERFLOWS: f64 = -690.0;
 
-/// The logarithm by which the few digits of a slope of tanh may grow within a step.
+/// The logarithm by which the few digits of a derivative of tanh may grow within a step.
 const DIGITS: f64 = 8.0;
 
 /// The part by which a step that is too long is shortened.

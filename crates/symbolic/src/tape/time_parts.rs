@@ -46,7 +46,7 @@ impl Tape {
     }
 
     /// The range of the first output over an interval of the last input, where it depends on no other: by the values over the interval, and
-    /// from the middle by their slopes there, whichever is narrower at each operation.
+    /// from the middle by their derivatives there, whichever is narrower at each operation.
     pub fn range_over_last_input(&self, over: Interval) -> Interval {
         let mut ranges = vec![Tangent::fixed(Interval::EVERYTHING); self.registers];
         let mut middles = vec![Interval::EVERYTHING; self.registers];
@@ -129,7 +129,7 @@ fn over_values(operation: Operation, of: impl Fn(Register) -> Interval) -> [Inte
     [one, Interval::EVERYTHING]
 }
 
-/// The results and their slopes over intervals.
+/// The results and their derivatives over intervals.
 fn over_tangents(operation: Operation, of: impl Fn(Register) -> Tangent<Interval>) -> [Tangent<Interval>; 2] {
     let [first, second] = over_values(operation, |register| of(register).value);
     let slope = match operation {

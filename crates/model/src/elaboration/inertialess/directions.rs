@@ -4,7 +4,7 @@ use crate::Trace;
 use field::{Rational, Scalar as _};
 use symbolic::{Sym, substitute_all};
 
-/// Rows that vanish on directions along whose speeds no law changes: slopes of laws at points of whole numbers; `None` where these
+/// Rows that vanish on directions along whose speeds no law changes: derivatives of laws at points of whole numbers; `None` where these
 /// have no value there.
 pub(super) fn speed_free(trace: &Trace<'_>, laws: &[Sym], open: &[usize]) -> Option<Vec<Vec<Rational>>> {
     let slopes: Vec<Vec<Sym>> =

@@ -21,7 +21,7 @@ pub struct Program {
     exact: Table<DoubleDouble>,
 }
 
-/// Numbers of registers: for small laws, usual ones and the largest. Clearing them costs, most of all over numbers with slopes: a
+/// Numbers of registers: for small laws, usual ones and the largest. Clearing them costs, most of all over numbers with derivatives: a
 /// program has hardly more than it needs.
 const LEAST: usize = 16;
 const LESS: usize = 32;
