@@ -191,7 +191,7 @@ impl Mul for Interval {
     }
 }
 
-/// Zero for a factor of zero alone, whatever the other: infinite ends stand for large numbers.
+/// Zero for a factor of zero and any other: infinite ends stand for large numbers.
 fn product((a, b): (f64, f64)) -> f64 {
     match a * b {
         _ if a == 0.0 || b == 0.0 => 0.0,

@@ -35,7 +35,7 @@ pub trait Scalar: Copy + Debug + PartialEq + 'static + Zero + One + NumOps + Num
         self - a * b
     }
 
-    /// x a + b, which `f64` rounds once, whatever the processor: for programs that have the same bits everywhere.
+    /// x a + b, which `f64` rounds once on every processor: for programs that have the same bits everywhere.
     #[inline(always)]
     fn times_and(self, a: Self, b: Self) -> Self {
         b + self * a
@@ -101,7 +101,7 @@ pub trait Analytic: Scalar {
     /// (cos x, sin x) of an angle in radians.
     fn circle(self) -> Circle<Self>;
 
-    /// [`Analytic::circle`], in which `f64` rounds each product with its sum once, whatever the processor: see
+    /// [`Analytic::circle`], in which `f64` rounds each product with its sum once, on every processor: see
     /// [`Scalar::times_and`].
     #[inline(always)]
     fn circle_once(self) -> Circle<Self> {

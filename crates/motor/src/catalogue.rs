@@ -75,7 +75,7 @@ impl Entry {
     }
 }
 
-/// A motor of the catalogue, with this value for each quantity and this one for each count, whatever their bounds.
+/// A motor of the catalogue, with this value for each quantity and this one for each count, without their bounds.
 pub fn sampled(name: &str, value: impl FnMut(&Quantity) -> f64, count: usize) -> Option<Motor> {
     let entry = entry(name)?;
     let laws = entry.laws(&vec![count; entry.counts.len()]).ok()?;

@@ -67,7 +67,7 @@ impl<P: Copy> Motor<P> {
 }
 
 impl Motor {
-    /// The same motor with another value of a datum, whatever its bound; none where it has no datum of this name.
+    /// The motor with another value of a datum, without its bound; none where it has no datum of this name.
     pub fn with(&self, name: &str, value: f64) -> Option<Self> {
         let place = self.laws.data().iter().position(|quantity| quantity.name == name)?;
         let mut data = self.values().to_vec();
@@ -90,7 +90,7 @@ impl Motor {
         (self.rotor() == RotorState::AngleAndSpeed).then(|| self.frame_speed())
     }
 
-    /// The constant speed of its rotor, whatever torque that takes; `None` for other motors.
+    /// The constant speed of its rotor, for any torque; `None` for other motors.
     pub fn kept_speed(&self) -> Option<f64> {
         (self.rotor() == RotorState::Prescribed).then(|| self.frame_speed())
     }

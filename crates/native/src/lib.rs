@@ -94,7 +94,7 @@ impl Code {
         match *self.entries {
             [whole] => {
                 let none = std::ptr::dangling_mut();
-                // SAFETY: as in `run_pieces`; one piece hands nothing on, so that it does not use the last pointer.
+                // SAFETY: as in `run_pieces`; one piece passes nothing on, so that it does not use the last pointer.
                 unsafe { whole(state.as_ptr(), time, values.as_mut_ptr(), self.constants.as_ptr(), none) };
             }
             _ => self.run_pieces(state, time, values),

@@ -93,7 +93,7 @@ pub fn holds_model(text: &str) -> bool {
     holds(text, |readers, name| (readers.runs)(name))
 }
 
-/// Whether there is a model for questions on the equations of a file, whatever law its scene runs.
+/// Whether there is a model for questions on the equations of a file, for any law that its scene runs.
 pub fn has_model(text: &str) -> bool {
     holds(text, |readers, name| (readers.knows)(name))
 }

@@ -168,10 +168,10 @@ impl Graph {
     }
 }
 
-/// Works in a graph of its own, which is gone afterwards: results do not depend on earlier expressions of the thread.
+/// Works in a graph of its own, which is dropped afterwards: results do not depend on earlier expressions of the thread.
 /// An expression of one graph means nothing in another; `Send` keeps them from going in or out.
 pub fn apart<R: Send>(work: impl FnOnce() -> R + Send) -> R {
-    /// The thread's own graph, which comes back even where the work panics.
+    /// The thread's own graph, which is restored even if the work panics.
     struct Own(Graph);
 
     impl Own {

@@ -52,7 +52,7 @@ pub fn parse(text: &str, rows: usize, columns: usize, needed: Dimension) -> Resu
     }
 }
 
-/// Reads one number with a unit of whatever dimension: its SI value, and the dimension.
+/// Reads one number with a unit of any dimension: its SI value, and the dimension.
 pub fn parse_any(text: &str) -> Result<(f64, Dimension), NoQuantity> {
     let dimension = Unit::parse(split(text).1).map_err(NoQuantity::Unit)?.dimension();
     let values = parse(text, 1, 1, dimension)?;

@@ -54,7 +54,7 @@ pub fn quotient<const W: usize>(a: &Monomial<W>, b: &Monomial<W>) -> Option<Mono
     let mut difference = *a;
     let mut guards = GUARDS;
     for (word, other) in difference.iter_mut().zip(b) {
-        // The guard bit lends to its own exponent alone, and is gone where it was needed.
+        // The guard bit lends to its own exponent alone, and is cleared by a borrow.
         let lent = (*word | GUARDS) - other;
         guards &= lent;
         *word = lent & !GUARDS;

@@ -156,7 +156,7 @@ impl Root {
     }
 
     /// Moves to the interval to which Newton's method points, with about twice the bits, if the signs at both of its ends
-    /// show that the root is in it: whatever the guess was worth, the signs are exact.
+    /// show that the root is in it: for any quality of the guess, since the signs are exact.
     fn leap(&mut self, most: usize) -> bool {
         let Ok(scale) = usize::try_from(self.scale) else { return false };
         let work = 2 * scale.max(16) + 64;

@@ -39,7 +39,7 @@ pub struct Certificate {
     /// The formulas as text, for reading only.
     pub formulas: Vec<String>,
     pub verdict: String,
-    /// The way to the verdict, in a sentence.
+    /// The proof of the verdict, in a sentence.
     pub evidence: String,
     /// Divisors and hypotheses as the ledger lists them, for reading only.
     pub requires: Vec<String>,

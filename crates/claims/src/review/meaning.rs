@@ -63,7 +63,7 @@ fn powers(monomial: Sym) -> Vec<(String, u32)> {
                 None => letters.push((name, power)),
             },
             (None, symbolic::Node::Power(base, n)) => open.push((base, power * n)),
-            // a plain number, whatever is in it
+            // a plain number, for any content
             (None, symbolic::Node::Cos(_) | symbolic::Node::Sin(_)) => {}
             (None, node) => open.extend(node.children().map(|child| (child, power))),
         }

@@ -36,7 +36,7 @@ pub enum Last {
     Closed,
     /// The largest number of points was reached.
     Enough,
-    /// No step, however short, succeeded.
+    /// No step succeeded, down to the shortest.
     Stalled,
 }
 

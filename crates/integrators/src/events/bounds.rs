@@ -77,7 +77,7 @@ impl Bounds {
         a >= -noise && p >= -noise && middle > SHARE * self.doubt && q >= -noise && b > 0.0
     }
 
-    /// Whether the signal changes its sign once, whatever the doubt.
+    /// Whether the signal changes its sign once, for every value within its bounds.
     pub fn changes_once(&self) -> bool {
         let [a, p, middle, q, b] = self.coefficients();
         let once = |middle: f64| {
@@ -92,7 +92,7 @@ impl Bounds {
         self.a.rate * self.length < 0.0 && self.b.rate * self.length >= 0.0
     }
 
-    /// Whether the cubic rises or falls all the way.
+    /// Whether the cubic is monotonic.
     pub fn is_monotone(&self) -> bool {
         let [p, q] = self.inner();
         let steps = [p - self.a.value, q - p, self.b.value - q];

@@ -96,7 +96,7 @@ impl Search<'_, '_> {
         let (left, right) = (self.of(a), self.of(b));
         let noise = left.noise.max(right.noise);
         let is_clear = is_last || bounds.doubt() <= noise.max(SETTLED * bounds.spread());
-        // a valley that comes down to the noise is a touch
+        // a minimum within the noise is a touch
         let is_above = if bounds.has_valley() { bounds.least() > noise } else { is_last || bounds.stays_up(0.0) };
         if right.value > 0.0 && is_above {
             return Some(Seen::Nothing { armed: true });

@@ -55,7 +55,7 @@ impl StepBounds {
         StepBounds { stretches: stretches.into() }
     }
 
-    /// The bounds for a run whose time goes so many times as fast.
+    /// The bounds for a run with a time scaled by this factor.
     pub fn paced(&self, factor: f64) -> Self {
         StepBounds { stretches: self.stretches.iter().map(|(begin, step)| (begin * factor, step * factor)).collect() }
     }

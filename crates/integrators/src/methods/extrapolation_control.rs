@@ -139,7 +139,7 @@ impl Columns {
         self.steps[self.target]
     }
 
-    /// The error of row j goes with this power of the step.
+    /// The exponent of the error of row j in the control of the step size.
     fn power(&self, j: usize) -> f64 {
         1.0 / (2 * j - if self.damped { 2 } else { 1 }) as f64
     }

@@ -63,7 +63,7 @@ pub fn integrate_in<S: Working>(
     prepared(system, method, tolerance, span, (observer, &again), run)
 }
 
-/// Gauss collocation with the integral of the spectral radius along its way, a measure of stiffness.
+/// Gauss collocation with the integral of the spectral radius along its run, a measure of stiffness.
 pub(crate) fn collocate_gauss<S: Working>(
     system: &dyn System,
     stages: u8,
@@ -202,7 +202,7 @@ fn run_own<S: Working>(
     }
 }
 
-/// A collocation method, and the integral of the spectral radius along its way.
+/// A collocation method, and the integral of the spectral radius along its run.
 fn collocate<S: Real>(
     system: &dyn System,
     family: Family,

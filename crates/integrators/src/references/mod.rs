@@ -54,7 +54,7 @@ pub struct Reference {
     pub states: Vec<Vec<DoubleDouble>>,
     /// -log10 of three times the largest difference of the two methods, relative to the size of each component.
     pub digits: f64,
-    /// The largest magnitude of each component along the way, 1 for one that stays zero.
+    /// The largest magnitude of each component along the motion, 1 for one that stays zero.
     pub sizes: Vec<f64>,
     /// The two methods, the first of which gave the states.
     pub methods: [Method; 2],

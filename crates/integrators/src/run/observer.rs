@@ -5,7 +5,7 @@ pub trait Observer<S> {
     /// The state at a requested output.
     fn sample(&mut self, _time: f64, _state: &[S]) {}
 
-    /// The state after an accepted step, at whatever time.
+    /// The state after an accepted step, at any time.
     fn step(&mut self, _time: f64, _state: &[S]) {}
 
     /// Before [`Observer::step`], where the method's step is a polynomial: the state at any time from the step's

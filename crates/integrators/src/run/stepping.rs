@@ -86,7 +86,7 @@ pub(crate) fn drive<S: Real>(
     let (mut tau, mut proposed, mut last_cause) = (S::zero(), first, Cause::Error);
     let mut brink = Brink::default();
     let mut even = Even { plan: None, all: 0, done: 0 };
-    // the longest step from here that may end in numbers, however far a series reaches
+    // the longest step from here that may end in finite values, for a series of any radius
     let mut finite = f64::INFINITY;
     while watch.goes_on() {
         let stop = if stepper.reads_between() { watch.length() } else { watch.landing() };

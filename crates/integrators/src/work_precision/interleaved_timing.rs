@@ -4,7 +4,7 @@ use std::time::{Duration, Instant};
 
 /// The shortest time that is measured: a faster run is repeated within one measurement.
 const SHORTEST: Duration = Duration::from_micros(200);
-/// Measurements after which a median is settled, however short they are.
+/// Measurements after which a median is settled, for short runs too.
 const ENOUGH: usize = 9;
 /// The least number of measurements of a median, and the least sum of their times if they are no more: a long run meets
 /// many phases of the machine by itself.

@@ -117,7 +117,7 @@ impl<S: Scalar, const N: usize, const C: usize> Instant<S, N, C> {
         Ok(Reaction { acceleration: std::array::from_fn(|i| free[i] + change[i]), multipliers })
     }
 
-    /// The least change d of q, q' or q'', measured by M, with J d = `missing`: it goes along the reactions.
+    /// The least change d of q, q' or q'', measured by M, with J d = `missing`: reactions alone cause it.
     ///
     /// # Errors
     /// As for [`Self::leading_to`].

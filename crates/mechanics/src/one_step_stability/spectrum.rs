@@ -30,7 +30,7 @@ pub struct Spectrum {
 
 impl Spectrum {
     /// The zeros of a monic polynomial, coefficients from the constant upwards. `symmetric`: the motion keeps an energy, so that
-    /// with mu there is -mu and the polynomial is one in mu^2, whatever rounding has left of its odd coefficients.
+    /// with mu there is -mu and the polynomial is one in mu^2, for any rounding errors in its odd coefficients.
     ///
     /// `None` where eigenvalues coincide, or an eigenvalue may have a vanishing real part without a reason.
     pub fn of(polynomial: &[Enclosure], symmetric: bool) -> Option<Self> {

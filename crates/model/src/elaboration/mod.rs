@@ -333,7 +333,7 @@ impl<'s> Elaborator<'s> {
         }
     }
 
-    /// A point of its own for a way from another.
+    /// A new point, displaced from another by a vector.
     fn point_of(&mut self, base: PointId, way: Option<VectorId>) -> PointId {
         let Some(way) = way else { return base };
         self.model.points.push(Point { name: String::new(), base: Some((base, way)) });

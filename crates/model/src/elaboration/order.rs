@@ -44,7 +44,7 @@ pub(super) fn ordered(source: &Source, faults: &mut Vec<Fault>, broken: &mut FxH
         all.push((Definition::Input(at), &input.name, input.value.iter().collect()));
     }
     without_second(source, &mut all, faults, broken);
-    // a reserved name keeps its meaning, whatever a file defines
+    // a reserved name keeps its meaning against definitions of a file
     let named = all.iter().enumerate().filter(|(_, (_, name, _))| !super::is_reserved(&name.text));
     let places: FxHashMap<&str, usize> = named.map(|(place, (_, name, _))| (name.text.as_str(), place)).collect();
     // x' is a rate of a coordinate, v' that of a quasi-velocity

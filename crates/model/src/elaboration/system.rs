@@ -292,7 +292,7 @@ impl Elaborator<'_> {
     }
 }
 
-/// The coherent unit of the dimension that a unit has by its text: values are in it, whatever unit names the dimension.
+/// The coherent unit of the dimension that a unit has by its text: values are in it, for every unit that names the dimension.
 fn coherent(unit: units::Unit, text: &str) -> String {
     let ([times, per], dimension) = (unit.factors(), unit.dimension());
     match text.split_whitespace().collect::<Vec<_>>().join(" ") {

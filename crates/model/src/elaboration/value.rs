@@ -9,7 +9,7 @@ use std::ops::Range;
 pub(super) enum Value {
     Scalar(ScalarId),
     Vector(VectorId),
-    /// A point, or one a way from it.
+    /// A point, or one displaced from it by a vector.
     Point {
         base: PointId,
         way: Option<VectorId>,

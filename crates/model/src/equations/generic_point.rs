@@ -34,7 +34,7 @@ fn quotient(a: u64, b: u64) -> Option<u64> {
     (b != 0).then(|| times(a, power(b, PRIME - 2)))
 }
 
-/// Numbers that are drawn the same way each time (splitmix64).
+/// Reproducible pseudo-random numbers (splitmix64).
 struct Drawn(u64);
 
 impl Drawn {

@@ -84,7 +84,7 @@ pub enum Turn {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Point {
     pub name: String,
-    /// The point that it is found from, and the way; the origin is found from none.
+    /// The point that it is found from, and the vector between; the origin is found from none.
     pub base: Option<(PointId, VectorId)>,
 }
 
@@ -126,7 +126,7 @@ pub enum Inertia {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Defined {
     Vector(VectorId),
-    /// A point, or one a way from it.
+    /// A point, or one displaced from it by a vector.
     Point {
         base: PointId,
         way: Option<VectorId>,

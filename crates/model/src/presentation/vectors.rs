@@ -113,7 +113,7 @@ fn motion(name: &str, vectors: [Vector; 3], mut of: impl FnMut(Vector) -> String
     titles.into_iter().zip(vectors).map(|(title, vector)| format!("{title} = {}", of(vector))).collect()
 }
 
-/// A point by its name, or by its way from the origin.
+/// A point by its name, or by its position vector.
 fn point(trace: &Trace<'_>, at: PointId, of: impl FnOnce(Vector) -> String) -> String {
     match trace.model.points[at.0].name.as_str() {
         "" => match of(trace.position(at)) {

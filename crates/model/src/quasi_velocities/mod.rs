@@ -123,7 +123,7 @@ impl<'t, 'm> QuasiVelocities<'t, 'm> {
         QuasiVelocities::written(trace, true)
     }
 
-    /// The quasi-velocities of the same model with other loads, written in the same way.
+    /// The quasi-velocities of the same model with other loads, in the same form.
     pub(crate) fn beside<'o, 'n>(&self, trace: &'o Trace<'n>) -> Result<QuasiVelocities<'o, 'n>, Vec<Fault>> {
         QuasiVelocities::written(trace, self.is_named)
     }

@@ -6,7 +6,7 @@ use crate::principles::loads::{along, forces, torques};
 use crate::{Body, FrameId, Inertia, Trace, Turn};
 use symbolic::{Hypotheses, Sym, decide};
 
-/// Whether every angle of a frame, every way between points and the potential is a function of positions and time.
+/// Whether every angle of a frame, every vector between points and the potential is a function of positions and time.
 pub(super) fn are_functions_of_places(trace: &Trace<'_>) -> bool {
     let model = trace.model;
     let angles = model.frames.iter().filter_map(|frame| match frame.parent {

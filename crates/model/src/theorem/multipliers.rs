@@ -8,7 +8,7 @@ use symbolic::Sym;
 ///   C = [ -D^-1 F ; 1 ] ,    C^T R = R_F - F^T D^-T R_D ,
 ///
 /// on the left Maggi's for the residual R = J^T lambda, on the right R_F less F^T lambda where D^T lambda = R_D: the inverse of a transpose
-/// is the transpose of the inverse, whatever the number of rows. It is shown for two.
+/// is the transpose of the inverse, for any number of rows. It is shown for two.
 pub(super) fn eliminated() -> Equations {
     let named = |name: &str| -> [[Sym; 2]; 2] {
         std::array::from_fn(|row| {

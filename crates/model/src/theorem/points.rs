@@ -5,7 +5,7 @@ use super::Equations;
 use super::directions::{TestDirections, equal};
 use crate::trace::{Frames, Vector};
 
-/// A point that is found from another by a way in the axes of any frame.
+/// A point that is found from another by a vector in the axes of any frame.
 pub(super) fn found_by_a_way() -> Equations {
     let mut any = TestDirections::any();
     let frames = Frames::turning_at(any.turning("w"));

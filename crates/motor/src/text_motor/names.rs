@@ -91,7 +91,7 @@ impl Names {
         }
     }
 
-    /// The parameters of the file, each of whatever dimension.
+    /// The parameters of the file, of any dimension.
     pub fn read_parameters(&mut self, table: &mut Table<'_>) {
         for At { value: name, span } in table.keys() {
             let read = table.of_any_unit(&name);

@@ -207,7 +207,7 @@ impl<'a> Table<'a> {
     pub fn finish(mut self) -> Vec<Issue> {
         let keys = self.entries.into_iter().flat_map(DeTable::keys).filter(|_| self.judged);
         let unknown: Vec<_> = keys.filter(|key| !self.asked.iter().any(|asked| asked == key.get_ref())).collect();
-        // one unknown key in place of one that is missing is that key, however it is spelt
+        // one unknown key in place of one that is missing is that key, in any spelling
         let only = match (unknown.as_slice(), self.missing.as_slice()) {
             ([_], [(missing, _)]) => Some(missing.clone()),
             _ => None,

@@ -15,7 +15,7 @@ impl Table<'_> {
         At { value: found.value[0], span: found.span }
     }
 
-    /// One quantity of whatever dimension, in SI units; none where it cannot be read.
+    /// One quantity of any dimension, in SI units; none where it cannot be read.
     pub fn of_any_unit(&mut self, key: &str) -> Option<At<(f64, Dimension)>> {
         let found = self.find(key)?;
         let span = found.span();

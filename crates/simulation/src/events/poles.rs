@@ -167,7 +167,7 @@ impl<'a> PoleWatch<'a> {
         (signed..signed + radicands).filter_map(lowest).collect()
     }
 
-    /// The parts of the step at which an angle goes over from pi to -pi, or back.
+    /// The parts of the step at which an angle jumps from pi to -pi, or back.
     fn half_turns(&self, divisors: &dyn Divisors, end: (f64, &[f64])) -> Vec<f64> {
         let [signed, radicands, angles] = divisors.counts();
         let [before, after] = &self.values;

@@ -11,7 +11,7 @@ pub struct TracedOde {
     pub rates: Vec<Sym>,
 }
 
-/// Reads a law that is written down apart from all other expressions: the same whatever was written before.
+/// Reads a law that is written down apart from all other expressions: independent of earlier ones.
 pub fn traced<R: Send>(law: &(impl Ode<Sym> + Sync + ?Sized), read: impl FnOnce(&TracedOde) -> R + Send) -> R {
     apart(|| {
         let (state, time) = symbols(law.dimension());

@@ -34,7 +34,7 @@ impl Goal {
         Goal { times: reference.times.clone(), rows, observed }
     }
 
-    /// The largest error of a run of some way in the quantities that it has, each relative to its size; NaN where its
+    /// The largest error of a run of a configuration in the quantities that it has, each relative to its size; NaN where its
     /// instants are others.
     pub fn error(&self, way: &Configuration, record: &Record<f64>) -> f64 {
         if record.times != self.times {
@@ -57,11 +57,11 @@ fn places(observed: &[Observed], columns: &[String]) -> Vec<Option<usize>> {
     observed.iter().map(|one| columns.iter().position(|name| *name == one.name)).collect()
 }
 
-/// The runs of a way.
+/// The runs of a configuration.
 pub struct Explored {
     pub way: Configuration,
     pub points: Vec<Point>,
-    /// The error of the model itself, by an accurate run; none where the way is exact, or where there is no such run.
+    /// The error of the model itself, by an accurate run; none where the configuration is exact, or where there is no such run.
     pub floor: Option<f64>,
 }
 

@@ -149,7 +149,7 @@ impl Configuration {
         Span::new(0.0, span, &self.state).with_even_outputs(crate::references::INSTANTS).with_evaluations(evaluations)
     }
 
-    /// Every method that this way has. Splitting methods belong to the momenta, all others to the rest.
+    /// Every method of this configuration. Splitting methods belong to the momenta, all others to the rest.
     pub(super) fn attempts(&self, trials: &Trials) -> Vec<Attempt<'_>> {
         let split =
             |method: &&Method| matches!(method, Method::Split { .. }) == (self.formulation == Formulation::Momenta);

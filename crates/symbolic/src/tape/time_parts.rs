@@ -73,7 +73,7 @@ impl Tape {
     }
 }
 
-/// The way in which a result depends on the inputs, from the ways of its operands.
+/// The way in which a result depends on the inputs, from those of its operands.
 fn dependence(operation: Operation, of: impl Fn(Register) -> Dependence) -> Dependence {
     use Dependence::{Constant, Curve, Line, Others};
     let all: Vec<Dependence> = operation.reads().map(of).collect();

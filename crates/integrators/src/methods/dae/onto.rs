@@ -47,7 +47,7 @@ impl<'a, S: Real> Onto<'a, S> {
         }
     }
 
-    /// f at (t, y), and B, along which the next correction goes.
+    /// f at (t, y), and B, the directions of the next correction.
     pub fn parts(&mut self, tau: S, y: &[S], rates: &mut [S], meter: &BudgetedRhs<S>) {
         if !meter.charge(1) {
             rates.fill(S::lift(f64::NAN));

@@ -267,7 +267,7 @@ impl<'a, S: Real> Implicit<'a, S> {
         Err(Cause::Newton)
     }
 
-    /// The error in units of the tolerance, and the power of the step that it goes with.
+    /// The error in units of the tolerance, and its order in the step size.
     fn error(&mut self, y: &[S], after: &[S], step: S) -> (f64, f64) {
         let (n, s) = (self.n, self.method.stages());
         for c in 0..n {

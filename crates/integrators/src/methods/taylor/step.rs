@@ -2,7 +2,7 @@
 
 /// The order for a tolerance, within the limits of rounding.
 ///
-/// The step size goes as tolerance^(1/p): with L = -ln(tolerance) the cheapest p for steps that cost b + p + c p^2 has
+/// The step size is proportional to tolerance^(1/p): with L = -ln(tolerance) the cheapest p for steps that cost b + p + c p^2 has
 ///
 ///   p^2 (1 + 2 c p) = L (b + p + c p^2) .
 ///

@@ -67,7 +67,7 @@ impl<'t, 'm> Places<'t, 'm> {
         self.trace.sum(way(&other), way(&one).map(|component| -component))
     }
 
-    /// The place at the end of a way: its terms in the axes of one frame after those of another, frames nearer to the ground first.
+    /// The place at the end of a vector: its terms in the axes of one frame after those of another, frames nearer to the ground first.
     fn by_way(&mut self, from: Place, way: VectorId) -> Place {
         let mut terms: Vec<Vector> = Vec::new();
         for term in self.terms(way) {

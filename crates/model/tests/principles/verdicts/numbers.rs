@@ -88,7 +88,7 @@ pub fn solved(matrix: &[Vec<f64>], right: &[f64]) -> (Vec<f64>, usize) {
     (x, pivots.len())
 }
 
-/// Numbers that are drawn the same way each time (splitmix64), between -1 and 1.
+/// Reproducible pseudo-random numbers (splitmix64), between -1 and 1.
 pub struct Drawn(pub u64);
 
 impl Drawn {

@@ -16,7 +16,7 @@ use crate::small::permutation::Permute;
 use crate::small::wide::Wide;
 use std::ops::Range;
 
-/// The pattern of the matrices, whatever the numbers are.
+/// The sparsity pattern of the matrices, for all numbers.
 #[derive(Clone, Debug)]
 pub(super) struct Shape<const B: usize> {
     jacobian: Fours<B>,

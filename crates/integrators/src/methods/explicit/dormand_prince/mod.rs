@@ -18,7 +18,7 @@ use crate::{System, Tolerance};
 pub(crate) use pairs::{EIGHT, FIVE, Pair};
 use stiffness::Stiffness;
 
-/// Four components are combined at once: their sums stay in vector registers, whatever the dimension.
+/// Four components are combined at once: their sums stay in vector registers, for any dimension.
 type Four = [f64; 4];
 
 /// The least error that the control of the step size remembers, and the one with which it begins.

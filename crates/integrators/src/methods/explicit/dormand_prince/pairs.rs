@@ -16,7 +16,7 @@ pub(crate) struct Pair {
     pub second_error: Row,
     /// Whether the error estimate holds the slope at the end of the step, which is otherwise needed after an accepted step only.
     pub error_needs_end: bool,
-    /// The step goes with error^-exponent, and with the error before to the power of `damping` (Gustafsson's control).
+    /// The step size is proportional to error^-exponent and to the previous error^`damping` (Gustafsson's control).
     pub exponent: f64,
     pub damping: f64,
     /// The least and the greatest ratio of a step to that before.
