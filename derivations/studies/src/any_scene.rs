@@ -9,7 +9,7 @@ use std::sync::Arc;
 /// A scene of any family.
 #[derive(Clone, Debug)]
 pub enum AnyScene {
-    /// With a motor.
+    /// A gyrostat or a bench with a motor.
     Driven(Box<Scene>),
     /// A system that is written in the file.
     Model(Arc<dyn Modelled>),
@@ -43,7 +43,7 @@ impl AnyScene {
         }
     }
 
-    /// As one initial value problem.
+    /// The scene as one initial value problem.
     pub fn smooth(&self) -> &dyn IvpScene {
         match self {
             Self::Driven(scene) => &**scene,

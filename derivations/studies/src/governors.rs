@@ -1,4 +1,4 @@
-//! What is drawn of the friction governors: where the one with an elastic rim is stable, how its series do.
+//! Figures of the friction governors: stability maps of the one with an elastic rim, and errors of the programme's series.
 
 use integrators::spectrum;
 use mechanics::stability::{characteristic, hurwitz};
@@ -14,9 +14,9 @@ pub struct StabilityMap {
     pub y: (&'static str, [f64; 2]),
     /// Whether every eigenvalue has a negative real part: rows from the lowest y, at the middle of the cells.
     pub rows: Vec<Vec<bool>>,
-    /// y at which Hurwitz' minors cease to be positive, by x.
+    /// The y at which Hurwitz' minors cease to be positive, against x.
     pub curve: Vec<(f64, f64)>,
-    /// The largest distance between that and the boundary by eigenvalues alone, in y.
+    /// The largest distance in y between `curve` and the boundary found by eigenvalues alone.
     pub distance: f64,
     pub note: &'static str,
 }
@@ -70,7 +70,7 @@ pub fn growth(data: &ElasticGovernor<f64>, speed: f64) -> Option<f64> {
     spectrum(matrix.len(), matrix.as_flattened())?.first().map(|root| root.re)
 }
 
-/// Load against the stiffness of the rim, and against how its angle bends the line of rolling.
+/// Two stability maps: load against the rim's stiffness, and load against the coefficient by which its angle bends the line of rolling.
 pub fn stability() -> [StabilityMap; 2] {
     [
         map(
@@ -116,7 +116,7 @@ fn map(
     StabilityMap { title, x: (x, [0.0, most]), y, rows: (0..ROWS).map(row).collect(), curve, distance, note }
 }
 
-/// Up to which load something holds, by halving; it holds for small loads.
+/// The largest load for which a condition holds, by bisection; the condition holds for small loads.
 fn boundary(holds: impl Fn(f64) -> bool) -> f64 {
     let (mut low, mut high) = (0.0, MOST_LOAD);
     loop {
@@ -128,7 +128,7 @@ fn boundary(holds: impl Fn(f64) -> bool) -> f64 {
     }
 }
 
-/// The error of the programme's series at one instant against its order, by the kept speed, rad/s.
+/// For each prescribed speed, rad/s: the error of the programme's series at one instant against its order.
 pub fn series_errors() -> Vec<(f64, Vec<(usize, f64)>)> {
     let data = Governor {
         inertia: [0.6, 0.5, 0.1],

@@ -1,16 +1,16 @@
-//! Long runs of a top whose motion is known in closed form: how errors grow with the number of revolutions.
+//! Long runs of a top whose motion is known in closed form: growth of errors with the number of revolutions.
 //!
-//! What theory says of a method of even order p at constant steps h over n revolutions:
+//! Theory of the errors of a method of even order p at constant step size h over n revolutions:
 //!
 //! | method | energy | phase |
 //! |---|---|---|
-//! | any | h^p, swinging, and h^(p+1) n | h^p n, and h^(p+1) n^2: the frequency goes with the energy |
-//! | of a splitting without friction | h^p, bounded (a nearby energy is kept) | h^p n |
-//! | either, where rounding is all that is left | sqrt(n) | n^(3/2) (Brouwer 1937) |
+//! | any | h^p, oscillating, and h^(p+1) n | h^p n, and h^(p+1) n^2: the frequency depends on the energy |
+//! | a splitting, without friction | h^p, bounded (a modified energy is conserved) | h^p n |
+//! | either, where only rounding is left | sqrt(n) | n^(3/2) (Brouwer 1937) |
 //!
-//! and of v.v: as its energy, or sqrt(n) where a step turns v by rotations. The law is reversible, and so are those terms
-//! of the modified equation with even powers of h (Hairer, Lubich and Wanner, Geometric Numerical Integration, IX and XI):
-//! over a nutation, which is its own mirror image in time, they take from the energy what they gave. The next one loses it.
+//! The error of v.v grows like that of the energy, or as sqrt(n) where a step turns v by rotations. The law is reversible, and
+//! the terms of the modified equation with even powers of h are too (Hairer, Lubich and Wanner, Geometric Numerical Integration,
+//! IX and XI): over a nutation, which is symmetric in time, they change the energy by nothing. The first odd power changes it.
 
 use field::DoubleDouble;
 use integrators::{
@@ -25,7 +25,7 @@ use systems::gyrostat::forms::FirstForm;
 use systems::gyrostat::lagrange::{Nutation, Top};
 use systems::gyrostat::{Carrier, Gyrostat, Rotor};
 
-/// A top, a rotor that turns freely along its axis, and where it starts: at a turning point of its nutation.
+/// A top with a rotor that turns freely about its axis; it starts at a turning point of its nutation.
 pub struct LongRun {
     law: Arc<Driven<f64, FirstForm<f64>, FreeRotor<f64>>>,
     state: Vec<f64>,
@@ -33,20 +33,20 @@ pub struct LongRun {
     nutation: Nutation,
 }
 
-/// What is left of the exact motion after so many revolutions.
+/// Errors of a run after a number of revolutions.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sample {
     /// periods of the nutation
     pub revolutions: f64,
-    /// of the energy, relative
+    /// error of the energy, relative
     pub energy: f64,
-    /// the largest that was seen after any step so far, of the energy, without sign
+    /// largest absolute relative error of the energy after any step so far
     pub swing: f64,
-    /// of v.v
+    /// error of v.v, which is one
     pub length: f64,
-    /// of x.v, relative
+    /// error of x.v, relative
     pub momentum: f64,
-    /// in revolutions; none once it was too large to be read off the slope of u
+    /// phase error, in revolutions; `None` once it was too large to be read off the slope of u
     pub phase: Option<f64>,
 }
 
@@ -54,28 +54,28 @@ pub struct Sample {
 #[derive(Clone, Debug, PartialEq)]
 pub struct MethodRun {
     pub method: Method,
-    /// for a method that follows one
+    /// used only by methods with step size control
     pub tolerance: f64,
     pub samples: Vec<Sample>,
     pub work: Work,
     pub failure: Option<Failure>,
 }
 
-/// A method by what it takes for a revolution.
+/// A method with its number of steps for a revolution, or its tolerance.
 #[derive(Clone, Copy, Debug)]
 pub enum Pace {
-    /// So many steps, a multiple of four.
+    /// A method with this number of steps for a revolution, a multiple of four.
     Steps(Constant, u32),
     Tolerance(Method, f64),
 }
 
-/// A method that takes a number of steps.
+/// A method with constant steps, from their number.
 pub type Constant = fn(u32) -> Method;
 
-/// Beyond this u is no line in time any more, in revolutions.
+/// The largest phase error, in revolutions, up to which u is taken as linear in time.
 const LOST: f64 = 0.05;
 
-/// What is set side by side: at about 320 evaluations, or pairs of flows there and back, for a revolution.
+/// The methods that are compared: about 320 evaluations, or pairs of flows there and back, for a revolution.
 pub const PACES: [Pace; 9] = [
     Pace::Steps(|steps| Method::RungeKutta4 { steps }, 80),
     Pace::Tolerance(Method::DormandPrince8, 1e-10),
@@ -89,13 +89,13 @@ pub const PACES: [Pace; 9] = [
 ];
 
 impl LongRun {
-    /// The top; none if its data gave no nutation.
+    /// The top; `None` if its data give no nutation.
     pub fn new() -> Option<Self> {
         Self::turned(0.0)
     }
 
-    /// The same with the carrier turned about the axis by an angle at the start: another motion for every method that
-    /// does not know of the symmetry, and for rounding.
+    /// The top with the carrier turned about the axis by an angle at the start: by symmetry one motion, but other numbers
+    /// for rounding and for every method that does not respect the symmetry.
     pub fn turned(angle: f64) -> Option<Self> {
         let bodies = Gyrostat {
             carrier: Carrier {
@@ -131,7 +131,7 @@ impl LongRun {
         Some(LongRun { law: Arc::new(law), state, axis: back * Vector3::z(), nutation })
     }
 
-    /// Runs a method; samples at 1, 2, 5, 10, ... revolutions and a quarter.
+    /// Runs a method; samples are taken at n + 1/4 revolutions, n = 1, 2, 5, 10, ...
     pub fn course(&self, pace: Pace, revolutions: u32) -> MethodRun {
         let (period, quarter) = (self.nutation.period, 0.25);
         let counts = (0..).map(|k| [1, 2, 5][k % 3] * 10_u32.pow(k as u32 / 3));
@@ -151,29 +151,29 @@ impl LongRun {
         MethodRun { method, tolerance, samples: samples.samples, work: outcome.work, failure: outcome.failure() }
     }
 
-    /// What runs.
+    /// The compiled equations of motion.
     pub fn system(&self) -> impl System {
         compiled(&self.law)
     }
 
-    /// Where it starts.
+    /// The initial state.
     pub fn start(&self) -> &[f64] {
         &self.state
     }
 
-    /// Of the nutation, s.
+    /// The period of the nutation, s.
     pub fn period(&self) -> f64 {
         self.nutation.period
     }
 
-    /// What the energy of a state is off that of the start, relative.
+    /// The relative difference of a state's energy from that of the start.
     pub fn energy(&self, state: &[f64]) -> f64 {
         let start = self.law.energy(&self.state);
         (self.law.energy(state) - start) / start
     }
 
-    /// What rounding alone changed in energy (relative), v.v and x.v (relative) after so many revolutions, by the same run in
-    /// double-double; none for a method that does not run there, or did not arrive.
+    /// The errors by rounding alone in energy (relative), v.v and x.v (relative) after a number of revolutions, against a run of the
+    /// method in double-double; `None` for a method that does not run in double-double, or a run that failed.
     pub fn rounding(&self, method: Constant, each: u32, revolutions: u32) -> Option<[f64; 3]> {
         let method = method(each * revolutions);
         let time = self.nutation.period * f64::from(revolutions);
@@ -211,7 +211,7 @@ impl LongRun {
 }
 
 impl MethodRun {
-    /// The exponent e of error ~ n^e from a hundredth of the run to its end, or while `of` shows any.
+    /// The exponent e of error ~ n^e, from a hundredth of the run to its end or to the last sample for which `of` gives a value.
     pub fn growth(&self, of: impl Fn(&Sample) -> Option<f64>) -> Option<f64> {
         let seen = |sample: &Sample| Some((sample.revolutions, of(sample)?));
         let (end, last) = self.samples.iter().filter_map(seen).next_back()?;
@@ -230,7 +230,7 @@ struct Sampled<'a> {
 impl Observer<f64> for Sampled<'_> {
     fn sample(&mut self, time: f64, state: &[f64]) {
         let mut sample = self.run.sample(time, state, self.swing);
-        // what came back into view is another revolution
+        // a phase error that was lost and is small again belongs to another revolution
         if self.samples.last().is_some_and(|before| before.phase.is_none()) {
             sample.phase = None;
         }

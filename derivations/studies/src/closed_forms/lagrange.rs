@@ -1,15 +1,15 @@
 //! Lagrange's top with a rotor along its axis k.
 //!
-//! With the transverse moment A, the weight G along the axis (positive where it points along e_k), the momentum X = A_k w_k + p
-//! along it, kept, and what stays of w and v across it, c = A (w_i v_i + w_j v_j) + X u, h = A (w_i^2 + w_j^2)/2 - G u and
-//! n = v.v: u = v_k obeys
+//! With the transverse moment of inertia A, the weight G along the axis (positive where it points along e_k), and the integrals
+//! X = A_k w_k + p (momentum along the axis), c = A (w_i v_i + w_j v_j) + X u, h = A (w_i^2 + w_j^2)/2 - G u and n = v.v,
+//! u = v_k obeys
 //!
 //!   A^2 u'^2 = 2 A (h + G u)(n - u^2) - (c - X u)^2 .
 
 use super::{ClosedForm, Quadrature, Start};
 use integrators::Real;
 
-/// v along the axis; none without symmetry, without weight, or with weight off the axis.
+/// v along the axis; `None` without symmetry, without weight, or with weight off the axis.
 pub fn solution<S: Real>(start: &Start<S>) -> Option<ClosedForm<S>> {
     let [i, j, k] = start.indices();
     let (w, v, zero) = (start.w, start.v, S::zero());

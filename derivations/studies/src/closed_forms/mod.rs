@@ -1,10 +1,10 @@
-//! Motions that are known in closed form, by which runs, references and what they claim are measured.
+//! Motions in closed form, against which runs, reference solutions and their claimed errors are measured.
 //!
 //! # Overview
 //! * `volterra`: a gyrostat without weight whose free rotor lies along a principal axis (Zhukovskii 1885, Volterra 1899);
-//! * `lagrange`: a heavy one with an axis of symmetry, the rotor and the weight along it;
+//! * `lagrange`: a heavy gyrostat with an axis of symmetry, the rotor and the weight along it (Lagrange's top);
 //! * `unloaded`: a synchronous motor alone on a bench, without friction or load;
-//! * each is u'^2 = f(u), a [`Quadrature`] that [`Weierstrass`]' function solves; [`Scene::closed_form`] finds the one of a scene.
+//! * each is u'^2 = f(u), a [`Quadrature`] that [`Weierstrass`]' function solves; [`Scene::closed_form`] gives that of a scene.
 
 mod lagrange;
 mod quadrature;
@@ -22,16 +22,16 @@ use integrators::Real;
 use nalgebra::Vector3;
 use simulation::Axes;
 
-/// One function of the state, known for all times.
+/// The closed form of one function of the state.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ClosedForm<S> {
-    /// Whose solution it is, and of what.
+    /// The author of the solution, and the function that it gives.
     pub name: &'static str,
     shown: Shown,
     motion: Quadrature<S>,
 }
 
-/// Which function of the state.
+/// The function of the state that a closed form gives.
 #[derive(Clone, Debug, PartialEq)]
 enum Shown {
     /// The component of the vector that starts at this index along a principal axis, which is `given` in the axes of the data.
@@ -40,24 +40,24 @@ enum Shown {
     Cosine(usize),
 }
 
-/// A gyrostat in the axes of A, with its first state.
+/// A gyrostat in the principal axes of A, with its initial state.
 struct Start<S> {
     moments: Vector3<S>,
-    /// A', and the weight as a vector
+    /// The rotor's axial moment of inertia A'
     axial: S,
     weight: Vector3<S>,
     w: Vector3<S>,
     v: Vector3<S>,
     rotor_speed: S,
-    /// The axis along which the rotor lies, and the sense
+    /// The index of the principal axis along which the rotor lies; `sense` is its sign
     along: usize,
     sense: S,
-    /// That axis in the axes of the data
+    /// The rotor's axis in the axes of the data
     given: Vector3<f64>,
 }
 
 impl<S: Real> ClosedForm<S> {
-    /// The function of a state.
+    /// The value of the function at a state.
     pub fn shown(&self, state: &[S]) -> S {
         match &self.shown {
             Shown::Along { first, axis, .. } => component(&state[*first..], axis),
@@ -65,7 +65,7 @@ impl<S: Real> ClosedForm<S> {
         }
     }
 
-    /// The function of a row of a run, which has its vectors in the axes of the data.
+    /// The function at a row of a run, whose vectors are in the axes of the data.
     pub fn shown_in_row(&self, row: &[S]) -> S {
         match &self.shown {
             Shown::Along { first, given, .. } => component(&row[*first..], given),
@@ -73,12 +73,12 @@ impl<S: Real> ClosedForm<S> {
         }
     }
 
-    /// Its value at a time.
+    /// The value of the closed form at a time, s.
     pub fn at(&self, time: S) -> S {
         self.motion.at(time)
     }
 
-    /// The time after which it returns.
+    /// The period, s.
     pub fn period(&self) -> S {
         self.motion.period()
     }
@@ -89,7 +89,7 @@ fn component<S: Real>(vector: &[S], axis: &Vector3<f64>) -> S {
 }
 
 impl Scene {
-    /// What is known of the motion in closed form, for states in the axes of the first form.
+    /// The closed form of this scene's motion, if one is known, for states in the axes of the first form.
     pub fn closed_form<S: Real>(&self) -> Option<ClosedForm<S>> {
         match (&self.system, self.machine.name()) {
             (Setup::Gyrostat(_), "free_rotor") => {
@@ -126,7 +126,7 @@ impl Scene {
 }
 
 impl<S: Real> Start<S> {
-    /// e_k along the rotor and the other two, right-handed: the indices i, j, k.
+    /// The indices i, j, k of a right-handed frame with e_k along the rotor.
     fn indices(&self) -> [usize; 3] {
         [(self.along + 1) % 3, (self.along + 2) % 3, self.along]
     }

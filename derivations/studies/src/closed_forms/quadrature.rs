@@ -18,13 +18,13 @@ use integrators::Real;
 pub struct Quadrature<S> {
     start: S,
     speed: S,
-    /// Of f at the start: f, f', f''/2, f'''/6, f''''/24.
+    /// Taylor coefficients of f at the start: f, f', f''/2, f'''/6, f''''/24.
     expansion: [S; 5],
     lattice: Lattice<S>,
 }
 
 impl<S: Real> Quadrature<S> {
-    /// From the coefficients of f, the lowest first, and (u, u') at time zero with u'^2 = f(u).
+    /// The solution from the coefficients of f, the lowest first, and (u, u') at time zero with u'^2 = f(u).
     pub fn new(f: [S; 5], start: S, speed: S) -> Self {
         let derivative = |k: i64| {
             (k..5).rev().fold(S::zero(), |sum, i| {
@@ -40,7 +40,7 @@ impl<S: Real> Quadrature<S> {
         Quadrature { start, speed, expansion, lattice: Lattice::new(g2, g3) }
     }
 
-    /// u.
+    /// u at a time.
     pub fn at(&self, time: S) -> S {
         let [f, f1, f2, f3, f4] = self.expansion;
         let Some(Weierstrass { value, slope }) = self.lattice.at(time) else { return self.start };

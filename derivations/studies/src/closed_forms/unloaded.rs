@@ -7,7 +7,7 @@ use crate::scene::Start;
 use integrators::Real;
 use motor::Motor;
 
-/// cos g; none of a motor without the data of a synchronous one.
+/// cos g; `None` for a motor without the data of a synchronous one.
 pub fn solution<S: Real>(motor: &Motor, axial: f64, start: &Start) -> Option<ClosedForm<S>> {
     let (b0, axial) = (S::lift(motor.datum("b0")?), S::lift(axial));
     let angle = S::lift(start.rotor_angle).circle();

@@ -11,7 +11,7 @@
 use super::{ClosedForm, Quadrature, Start};
 use integrators::Real;
 
-/// w along the rotor; none with weight, or with an axis of symmetry along the rotor, where it rests.
+/// w along the rotor; `None` with weight, or with an axis of symmetry along the rotor, where this component is constant.
 pub fn solution<S: Real>(start: &Start<S>) -> Option<ClosedForm<S>> {
     let [i, j, k] = start.indices();
     let (a, w, p) = (start.moments, start.w, start.spin());
@@ -22,7 +22,7 @@ pub fn solution<S: Real>(start: &Start<S>) -> Option<ClosedForm<S>> {
     let along = x[k] + p;
     let g = x[i] * x[i] + x[j] * x[j] + along * along;
     let h = w.dot(&x);
-    // as polynomials in u, the lowest first
+    // polynomials in u, the lowest power first
     let square = [p * p, S::int(2) * a[k] * p, a[k] * a[k]];
     let rest = [h, S::zero(), -a[k]];
     let one: [S; 3] = std::array::from_fn(|n| if n == 0 { g } else { S::zero() } - square[n] - a[j] * rest[n]);

@@ -4,15 +4,15 @@
 
 use integrators::Real;
 
-/// Below this argument, in units of max(|g2|^(1/4), |g3|^(1/6))^-1, which is less than half of the nearest period, so many
-/// powers of z^2 fall below rounding in double-double. Much smaller arguments would know too little of g3.
+/// Below this argument, in units of max(|g2|^(1/4), |g3|^(1/6))^-1, which is less than half of the nearest period, the terms
+/// after [`TERMS`] powers of z^2 are below rounding in double-double. At much smaller arguments rounding would hide g3.
 const SMALL: f64 = 1.5;
 const TERMS: usize = 56;
 
 /// Newton's steps to the largest root, from a bound above it: a few tens halve the distance, the last five square it.
 const NEWTON: usize = 200;
 
-/// The invariants with the real period.
+/// The invariants g2, g3 with the real period.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lattice<S> {
     g2: S,
@@ -29,7 +29,7 @@ pub struct Weierstrass<S> {
 }
 
 impl<S: Real> Lattice<S> {
-    /// From the invariants.
+    /// The lattice with the given invariants.
     ///
     /// With e1 the largest root of 4 x^3 - g2 x - g3 and q = g2 - 3 e1^2, the other two are (-e1 +- sqrt q)/2, and the period
     /// is pi / M(sqrt(e1 - e2), sqrt(e1 - e3)); where q < 0, with r^2 = 3 e1^2 - g2/4, 2 pi / M(2 sqrt r, sqrt(3 e1 + 2 r))
@@ -49,7 +49,7 @@ impl<S: Real> Lattice<S> {
         Lattice { g2, g3, period }
     }
 
-    /// At a real argument; none at a period, where the function is infinite.
+    /// The function at a real argument; `None` at a period, where it is infinite.
     pub fn at(&self, z: S) -> Option<Weierstrass<S>> {
         let turns = (z.approx() / self.period.approx()).round();
         let z = if turns.is_finite() { z - self.period * S::lift(turns) } else { z };
@@ -95,13 +95,13 @@ impl<S: Real> Weierstrass<S> {
     }
 }
 
-/// Of 4 x^3 - g2 x - g3, from above: there the cubic is convex, and Newton's steps only go down.
+/// The largest root of 4 x^3 - g2 x - g3 by Newton's method from above, where the cubic is convex and the iterates decrease.
 fn largest_root<S: Real>(g2: S, g3: S) -> S {
     let mut x = S::lift(g2.approx().abs().sqrt().max(g3.approx().abs().cbrt()).max(f64::MIN_POSITIVE));
     for _ in 0..NEWTON {
         let slope = S::int(12) * x * x - g2;
         let next = x - (S::int(4) * x * x * x - g2 * x - g3) / slope;
-        // at the root rounding turns the steps round, or ends them
+        // at the root rounding reverses the steps, or ends them
         match next < x {
             true if next.finite() => x = next,
             _ => break,
@@ -110,7 +110,7 @@ fn largest_root<S: Real>(g2: S, g3: S) -> S {
     x
 }
 
-/// The arithmetic-geometric mean; its steps square the difference.
+/// The arithmetic-geometric mean; the iteration converges quadratically.
 fn mean<S: Real>(mut a: S, mut b: S) -> S {
     for _ in 0..64 {
         if (a - b).approx().abs() <= 4.0 * S::EPSILON * a.approx() {

@@ -1,4 +1,4 @@
-//! The same equations from other frames.
+//! The motor's equations derived in the stator's frame, and with rotated windings, against its law.
 
 use super::instant::{Instant, vanish};
 use super::verdict_of;
@@ -7,8 +7,8 @@ use field::{Analytic, Circle, Over, Scalar, Tangent};
 use motor::{Machine, RotorState, drive};
 use symbolic::Sym;
 
-/// Seen from the stator the coenergy is K(phi - W t, i), and the field's turning a constraint that depends on time: Lagrange,
-/// Maxwell and Hamel there, by two derivatives of K, against the law in the field's frame.
+/// In the stator's frame the coenergy is K(phi - W t, i), and the rotation of the field is a rheonomic constraint: the equations of
+/// Lagrange-Maxwell and Hamel there, by two derivatives of K, against the law in the field's frame.
 pub(super) fn stator(machine: &impl Machine<Sym>, at: &Instant) -> PropertyVerdict {
     if at.kept {
         return PropertyVerdict::DoesNotApply("the speed is kept by whatever moment that takes".to_owned());
@@ -49,7 +49,7 @@ fn coenergy<S: Over<Sym>, M: Machine<Sym>>(machine: &M, angle: Circle<S>, curren
     })
 }
 
-/// Two windings with one inductance and one resistance, exchanged for two that are turned among themselves.
+/// Replaces two windings of equal inductance and resistance by two orthogonal combinations; the equations must not change.
 pub(super) fn turned_windings(machine: &impl Machine<Sym>, at: &Instant) -> PropertyVerdict {
     let alike = |&(j, k): &(usize, usize)| {
         machine.inductance(j) == machine.inductance(k) && machine.resistance(j) == machine.resistance(k)
@@ -72,7 +72,7 @@ pub(super) fn turned_windings(machine: &impl Machine<Sym>, at: &Instant) -> Prop
     verdict_of(vanish(residuals.collect::<Vec<_>>()), "windings that are alike may be turned among themselves")
 }
 
-/// A machine two of whose windings are turned by an angle among themselves.
+/// A machine two of whose windings are replaced by orthogonal combinations, rotated by the angle `turn`.
 struct Turned<'a, M> {
     machine: &'a M,
     pair: (usize, usize),
@@ -80,7 +80,7 @@ struct Turned<'a, M> {
 }
 
 impl<M> Turned<'_, M> {
-    /// Of the pair, which is turned; the others stay.
+    /// The value at a winding, rotated within the pair; the other windings keep theirs.
     fn turned<S: Over<Sym>>(&self, winding: usize, of: impl Fn(usize) -> S) -> S {
         let ((j, k), turn) = (self.pair, self.turn.map(S::lift));
         match winding {

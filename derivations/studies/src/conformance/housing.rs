@@ -1,4 +1,4 @@
-//! A motor in a housing that moves, and in one too heavy to.
+//! A motor in a housing that moves, and in the limit of an infinitely heavy one.
 
 use super::instant::{Doubt, Instant, bench_state, vanish};
 use super::verdict_of;
@@ -14,13 +14,13 @@ fn three(name: &str) -> Vector3<Sym> {
     Vector3::from_fn(|k, _| Sym::symbol(&format!("{name} {}", k + 1)))
 }
 
-/// The motor in a gyrostat with these principal moments of A: the rest is any.
+/// The motor in a gyrostat with these principal moments of A; the other data are symbols.
 fn driven<M: Machine<Sym> + Clone>(machine: &M, moments: Vector3<Sym>) -> Driven<Sym, FirstForm<Sym>, M> {
     let form = FirstForm::new(moments, three("axis l"), Sym::symbol("the moment A'"), three("weight Ge"));
     Driven::new(form, machine.clone())
 }
 
-/// Neither the momentum about the vertical nor more than M of the rotor's own momentum comes from the motor.
+/// The motor does not change the angular momentum about the vertical, and changes the rotor's own momentum by its torque M only.
 pub(super) fn momentum(machine: &(impl Machine<Sym> + Clone), at: &Instant) -> PropertyVerdict {
     let law = driven(machine, three("moment A"));
     let (w, v) = (three("velocity w"), three("vertical v"));
@@ -54,7 +54,7 @@ fn vertical(law: &Driven<Sym, FirstForm<Sym>, impl Machine<Sym>>, moving: &[Tang
     law.form.momentum(vector(0), speed).dot(&vector(3)).slope
 }
 
-/// As the moments of the housing grow beyond all bounds, one at rest stays so and the motor runs as on the bench.
+/// As the housing's moments of inertia tend to infinity, a housing at rest stays at rest and the motor runs as on the bench.
 pub(super) fn bench(machine: &(impl Machine<Sym> + Clone)) -> PropertyVerdict {
     let own = bench_state(machine);
     if own.is_empty() {
@@ -78,7 +78,7 @@ pub(super) fn bench(machine: &(impl Machine<Sym> + Clone)) -> PropertyVerdict {
     verdict_of(proof, "in a housing too heavy to turn it runs as on the bench")
 }
 
-/// With a variable that tends to zero; `None` where that was not decided.
+/// Whether an expression tends to zero with a variable; `None` where that was not decided.
 fn tends_to_zero(expression: Sym, variable: Sym) -> Option<bool> {
     let form = normal(expression, &Hypotheses::none()).ok()?;
     let end = [(variable, Sym::ZERO)];

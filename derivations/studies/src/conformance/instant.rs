@@ -1,10 +1,10 @@
-//! A motor at an instant, over symbols: what its law makes of any state.
+//! A motor at an instant, over symbols: torque and current rates by its law at any state.
 
 use field::{Analytic, Circle};
 use motor::{Machine, RotorState, drive, state_names};
 use symbolic::{Decision, Hypotheses, Sym, decide};
 
-/// Any state of a motor, and what follows from it. (A symbol with a space in its name is no parameter of any motor.)
+/// Any state of a motor, with torque and rates by its law. (A symbol with a space in its name is no parameter of any motor.)
 pub struct Instant {
     pub angle: Circle<Sym>,
     /// g', rad/s
@@ -12,16 +12,16 @@ pub struct Instant {
     /// phi', rad/s
     pub speed: Sym,
     pub currents: Vec<Sym>,
-    /// M, N m
+    /// the torque M, N m
     pub moment: Sym,
     /// di_k/dt, A/s
     pub rates: Vec<Sym>,
-    /// Whether the rotor keeps its speed by whatever moment that takes.
+    /// Whether the rotor's speed is prescribed, by whatever torque that takes.
     pub kept: bool,
 }
 
 impl Instant {
-    /// What the law makes of it.
+    /// A symbolic state of the machine, with torque and rates by its law.
     pub fn of(machine: &impl Machine<Sym>) -> Self {
         let kept = machine.rotor() == RotorState::Prescribed;
         let angle = match machine.rotor() {
@@ -36,8 +36,8 @@ impl Instant {
     }
 }
 
-/// That all of these vanish, for all states and data; otherwise which does not, and where. One that does not vanish is found
-/// behind one that was not decided.
+/// Ok if every residual vanishes for all states and data; otherwise the one that does not, with a point. A residual that does not
+/// vanish is reported even after one that was not decided.
 pub fn vanish(residuals: impl IntoIterator<Item = (String, Sym)>) -> Result<(), Doubt> {
     let mut doubt = Ok(());
     for (what, residual) in residuals {
@@ -52,10 +52,10 @@ pub fn vanish(residuals: impl IntoIterator<Item = (String, Sym)>) -> Result<(), 
     doubt
 }
 
-/// Why something is not proved.
+/// The reason for which an identity is not proved.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Doubt {
-    /// It is not so.
+    /// The identity is false.
     Off(String),
     /// The prover gave up.
     Open(String),

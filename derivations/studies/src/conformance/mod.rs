@@ -1,11 +1,11 @@
-//! What every motor must do, whoever wrote it: checks that ask its laws alone, each with a verdict.
+//! Conformance of motors: checks that every motor must pass, whoever wrote it; they use its laws alone, each gives a verdict.
 //!
 //! # Overview
 //! * [`conform`]: all checks of a motor; [`page`] writes them;
-//! * `power`: where energy goes, and whether the motor gives any of its own;
-//! * `frames`: the same equations from the stator's frame, and in windings that are turned among themselves;
-//! * `housing`: a housing that moves, and one too heavy to turn;
-//! * `rest`: currents that rest, stationary states with runs, stiffness;
+//! * `power`: power balance and passivity;
+//! * `frames`: the equations derived in the stator's frame, and with rotated windings;
+//! * `housing`: a housing that moves, and the limit of an infinitely heavy one;
+//! * `rest`: steady currents, steady states with runs, stiffness;
 //! * `slopes`: the Jacobian by two routes;
 //! * `units`: dimensions.
 //!
@@ -28,7 +28,7 @@ use motor::{Motor, catalogue};
 use reader::Quantity;
 use std::fmt::Write;
 
-/// What a proof comes to.
+/// The verdict on a property from its proof or doubt.
 fn verdict_of(proof: Result<(), Doubt>, says: &str) -> PropertyVerdict {
     match proof {
         Ok(()) => PropertyVerdict::Proved(says.to_owned()),
@@ -62,7 +62,7 @@ pub fn conform(motor: &Motor) -> Vec<Finding> {
     findings.map(|(check, verdict)| Finding { check, verdict }).into()
 }
 
-/// A machine of the list with data that a small motor may have, by their units; no two are alike.
+/// A motor of the catalogue with data of a small motor's size, chosen by their units, no two equal.
 pub fn sample(model: &str) -> Option<Motor> {
     let mut asked = 0;
     let value = |quantity: &Quantity| {
@@ -83,7 +83,7 @@ pub fn sample(model: &str) -> Option<Motor> {
     catalogue::sampled(model, value, 3)
 }
 
-/// The findings of a motor for a reader: verdict in the first column.
+/// The findings on a motor as text, with the verdict in the first column.
 pub fn page(title: &str, findings: &[Finding]) -> String {
     let mut page = format!("{title}\n");
     for Finding { check, verdict } in findings {

@@ -1,4 +1,4 @@
-//! Where the energy goes, and whether the motor gives energy of its own.
+//! Power balance of a motor, and its passivity: whether it gives energy of its own.
 
 use super::instant::{Instant, vanish};
 use super::verdict_of;
@@ -30,8 +30,8 @@ pub(super) fn balance(machine: &impl Machine<Sym>, at: &Instant) -> PropertyVerd
     verdict_of(proof, "shaft and store get what field, friction and supplies give, less heat")
 }
 
-/// Whether the motor gives energy of its own. Seen from the field it does not where E - W p + c0 g, with c0 = -m(0, W), never
-/// grows without a supply; seen from the housing, where nothing turns with the field, where E does not.
+/// Passivity: whether the motor gives energy of its own. In the field's frame it does not where E - W p + c0 g, c0 = -m(0, W), never
+/// grows without a supply; in the housing's frame, if nothing depends on the field's angle, where E never grows.
 pub(super) fn passivity(machine: &impl Machine<Sym>, written: &impl Machine<Sym>) -> PropertyVerdict {
     if machine.rotor() == RotorState::Prescribed {
         return PropertyVerdict::DoesNotApply("whatever keeps the speed gives what that takes".to_owned());
@@ -88,15 +88,15 @@ fn from_housing(machine: &impl Machine<Sym>) -> Result<(), Gives> {
     takes(machine.moment_law(slip, speed) * speed, slip)
 }
 
-/// What gives energy.
+/// The source of energy in a motor that is not passive.
 enum Gives {
     /// Conductors that slide.
     Sliding,
     /// The turning field.
     Field,
-    /// The moment m, below synchronism or above.
+    /// The torque m, below synchronism or above.
     Moment { below: bool },
-    /// Nobody knows: the moment is no fraction of polynomials.
+    /// Undecided: the torque is no rational function.
     Unknown(NoMotor),
 }
 
@@ -115,7 +115,7 @@ impl Gives {
     }
 }
 
-/// That a power is positive at no slip.
+/// Ok if a power is positive at no slip.
 fn takes(power: Sym, slip: Sym) -> Result<(), Gives> {
     let power = Fraction::of(power, slip).map_err(Gives::Unknown)?;
     positive(&power).map_or(Ok(()), |gives| Err(Gives::Moment { below: gives.sign() == Some(-1) }))
@@ -132,12 +132,12 @@ fn vanishes(expression: Sym) -> Result<bool, Gives> {
     }
 }
 
-/// Of a constant.
+/// The sign of an expression that is constant.
 fn sign(value: Sym) -> Option<i32> {
     value.as_constant().and_then(Rational::sign)
 }
 
-/// A rational point at which a fraction is positive, by its sign at one point between each two of its roots and poles.
+/// A rational point at which a fraction is positive, found by its sign at one point between neighbouring roots and poles.
 fn positive(fraction: &Fraction) -> Option<Rational> {
     let whole = &fraction.numerator * &fraction.denominator;
     let mut roots = whole.real_roots();

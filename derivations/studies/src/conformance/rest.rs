@@ -1,4 +1,4 @@
-//! Currents that rest, stationary states of the motor on a bench, and how fast it comes to them.
+//! Steady currents, steady states of the motor on a bench, their stability, and the stiffness of the equations there.
 
 use super::instant::{Instant, vanish};
 use super::verdict_of;
@@ -10,20 +10,20 @@ use nalgebra::Complex;
 use simulation::CompiledLaw;
 use symbolic::Sym;
 
-/// A', kg m^2, of the bench on which runs confirm what is exact.
+/// The moment of inertia A', kg m^2, of the bench on which runs confirm the exact results.
 const AXIAL: f64 = 0.01;
-/// How far a start is off; for how many of its slowest time constants a run goes on, which beats whatever the components
-/// make of each other before; and what it may cost. A swing that hardly fades is then not told.
+/// The deviation of a start from the steady state, the length of a run in slowest time constants (long enough for transient growth to
+/// decay), and its greatest number of evaluations. An oscillation that hardly decays remains undecided.
 const OFF: f64 = 1e-4;
 const LONG: f64 = 12.0;
 const MOST: u64 = 2_000_000;
-/// Rates beside the sizes of which they are made, for a state that rests.
+/// The largest rate at a steady state, relative to the terms of which it is the sum.
 const ROUNDING: f64 = 1e-9;
-/// Eigenvalues farther apart than this hide each other in rounding.
+/// Eigenvalues whose ratio exceeds this cannot both be resolved in double precision.
 const APART: f64 = 1e12;
 
-/// At the currents that rest every rate vanishes; whatever the inductances are, so that these are the currents of the limit
-/// L -> 0. In step, where nothing feeds them, they vanish, and what is left is the motor without currents.
+/// Proves that every rate vanishes at the steady currents, for any inductances: they are the currents of the limit L -> 0 too.
+/// At synchronism, without a supply, they vanish, and the motor without currents is left.
 pub(super) fn currents(machine: &impl Machine<Sym>, at: &Instant) -> PropertyVerdict {
     if at.currents.is_empty() {
         return PropertyVerdict::DoesNotApply("it has no windings".to_owned());
@@ -50,32 +50,32 @@ pub(super) fn currents(machine: &impl Machine<Sym>, at: &Instant) -> PropertyVer
     )
 }
 
-/// The stationary states as numbers, each with its spectrum, and what runs from nearby do.
+/// The steady states as numbers, each with its spectrum and the growth of a deviation in a run.
 pub(super) struct Rest {
     known: Result<Known, PropertyVerdict>,
 }
 
 struct Known {
     states: Vec<State>,
-    /// How many are shown: a rotor that is left alone has them at every speed, and one stands for all.
+    /// True for a free rotor: it has a steady state at every speed, of which one is judged.
     every: bool,
 }
 
 struct State {
-    /// The largest rate there beside the largest that it is made of.
+    /// The largest rate at the state, relative to its largest term.
     residual: f64,
     spectrum: Option<Vec<Complex<f64>>>,
-    /// How many times farther off a run ends than it starts, where all decays or something grows.
+    /// The deviation at the end of a run over that at its start; `None` where the largest real part is zero up to rounding.
     grows: Option<f64>,
 }
 
 impl Rest {
-    /// The stationary states of a motor, beside its own law.
+    /// The steady states of a motor, checked on its own law.
     pub fn of(machine: &Motor) -> Self {
         Self::beside(MotorStates::of(machine), machine)
     }
 
-    /// Stationary states that are exact, beside the law of a machine that runs.
+    /// Exact steady states, checked on the law of a machine that runs.
     pub fn beside<M>(motor: Result<MotorStates, NoMotor>, machine: &M) -> Self
     where
         M: Machine<f64> + Clone + Send + Sync + 'static,
@@ -99,7 +99,7 @@ impl Rest {
         Rest { known }
     }
 
-    /// Whether the exact values are those of the law that runs.
+    /// Whether the rates of the law that runs vanish at the exact steady states.
     pub fn stationary(&self) -> PropertyVerdict {
         self.judged(|known| {
             let count = known.states.len();
@@ -121,7 +121,7 @@ impl Rest {
         })
     }
 
-    /// Whether runs from nearby do what the eigenvalues say.
+    /// Whether runs from nearby states converge or diverge as the eigenvalues say.
     pub fn stability(&self) -> PropertyVerdict {
         self.judged(|known| {
             let told: Vec<(bool, f64)> = known.states.iter().filter_map(State::told).collect();
@@ -145,7 +145,7 @@ impl Rest {
         })
     }
 
-    /// How far apart the fastest and the slowest motion are.
+    /// The stiffness ratio: the largest modulus of an eigenvalue over the smallest that is not zero.
     pub fn stiffness(&self) -> PropertyVerdict {
         self.judged(|known| {
             let mut widest = 1.0_f64;
@@ -187,7 +187,7 @@ impl State {
         State { residual, spectrum, grows }
     }
 
-    /// Whether its eigenvalues draw to it, and what a run did; none where they do not tell.
+    /// Whether all eigenvalues have negative real parts, and the growth in a run; `None` where the eigenvalues do not decide.
     fn told(&self) -> Option<(bool, f64)> {
         let real = |root: &Complex<f64>| root.re;
         let spectrum = self.spectrum.as_ref()?;
@@ -195,7 +195,7 @@ impl State {
     }
 }
 
-/// How much farther off a run ends than it starts.
+/// The deviation from a steady state at the end of a run over that at its start; `None` where the eigenvalues do not decide.
 fn ratio(system: &CompiledLaw, start: &[f64], spectrum: &[Complex<f64>]) -> Option<f64> {
     let size = spectrum.iter().fold(0.0, |most: f64, root| most.max(root.norm()));
     let greatest = spectrum.iter().fold(f64::NEG_INFINITY, |most, root| most.max(root.re));
@@ -215,7 +215,7 @@ fn ratio(system: &CompiledLaw, start: &[f64], spectrum: &[Complex<f64>]) -> Opti
     outcome.reached().then(|| away(&outcome.state) / away(&from))
 }
 
-/// The states on a bench: of the rotor, then the currents.
+/// The states on a bench: those of the rotor, then the currents.
 fn states(motor: &MotorStates, machine: &impl Machine<f64>) -> Vec<Vec<f64>> {
     let with = |rotor: &[f64], currents: &[f64]| {
         let mut state = [rotor, currents].concat();
@@ -243,7 +243,7 @@ mod tests {
     use simulation::CompiledLaw;
     use symbolic::Sym;
 
-    /// y' = (t - 1) y, or its negative: what the eigenvalue at the start says holds no longer than a second.
+    /// y' = (t - 1) y, or its negative: the eigenvalue at the start decides the growth for one second only.
     struct Fickle {
         decays: bool,
     }

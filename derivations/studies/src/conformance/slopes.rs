@@ -6,12 +6,12 @@ use motor::{Bench, Motor};
 use simulation::{CompiledLaw, SymbolicLaw};
 use std::sync::Arc;
 
-/// Entries relative to the largest.
+/// The allowed difference of two entries, relative to the largest entry.
 const ROUNDING: f64 = 1e-13;
 /// States at which the entries are compared.
 const STATES: usize = 5;
 
-/// On a bench.
+/// Compares the Jacobian of a motor on a bench by two routes.
 pub(super) fn jacobian(machine: &Motor) -> PropertyVerdict {
     let bench = Bench { machine: machine.clone(), axial: 0.7 };
     match bench.dimension() {

@@ -1,11 +1,11 @@
-//! Dimensions of what the laws come to.
+//! Dimensions of the torque and the current rates that the laws give.
 
 use super::instant::{Doubt, Instant};
 use super::verdict_of;
 use claims::finding::PropertyVerdict;
 use symbolic::{Dimension, Sym, dimension};
 
-/// M in N m and di/dt in A/s, from the units of the parameters.
+/// Checks that M is in N m and di/dt in A/s, given the units of the parameters.
 pub(super) fn dimensions(at: &Instant, parameters: &[(String, Dimension)]) -> PropertyVerdict {
     let turning = Dimension::none() / Dimension::time();
     let of = |name: &str| match name {

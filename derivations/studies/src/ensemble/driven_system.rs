@@ -1,4 +1,5 @@
-//! A scene with a motor as a parametric system: bodies, machine and start of its own for every member, results in the axes of the data.
+//! A scene with a motor as a parametric system: each ensemble member has bodies, machine and start of its own; results are in the
+//! axes of the data.
 
 use super::kind::{INVARIANT_UNITS, INVARIANTS, Kind, form_parameters};
 use super::known::{Data, DatumPlace, variables};
@@ -22,7 +23,7 @@ struct DrivenSystem {
     scene: Scene,
     kind: Kind,
     axes: Axes,
-    /// Where each variable belongs.
+    /// The place of each variable in the data.
     places: Vec<DatumPlace>,
     /// The place of the slip among the states, where there is one.
     slip: Option<usize>,
@@ -122,12 +123,12 @@ impl ParametricSystem for DrivenSystem {
     }
 }
 
-/// What is needed of a member to show its end.
+/// The data of a member with which its final state is shown.
 struct Shown<'a> {
     system: &'a DrivenSystem,
     start: Vec<f64>,
     parameters: Vec<f64>,
-    /// The axes of the form as columns, where there are some.
+    /// The axes of the form as columns; `None` for a bench.
     frame: Option<Matrix3<f64>>,
     frame_speed: f64,
     conserved: Conserved,
@@ -141,7 +142,7 @@ impl Shown<'_> {
         Last { time, state: self.row(state), derived: (0..keeps.len()).map(change).collect() }
     }
 
-    /// The invariants of the kind in a state.
+    /// The values of the kind's invariants at a state.
     fn kept(&self, state: &[f64]) -> [f64; 4] {
         let mut kept = [0.0; 4];
         self.system.kind.invariants().evaluate(&[state, &self.parameters].concat(), &mut kept);
@@ -167,7 +168,7 @@ impl Shown<'_> {
     }
 }
 
-/// Bodies that cannot exist.
+/// The message on bodies that cannot exist.
 fn impossible(broken: &[Inadmissible]) -> Stopped {
     let broken: Vec<String> = broken.iter().map(Inadmissible::to_string).collect();
     Stopped::Impossible(broken.join("; "))

@@ -1,4 +1,4 @@
-//! The law of a scene with a symbol for every datum, written down once: it serves every member of an ensemble.
+//! The law of a scene with a symbol for every datum, recorded once for all members of an ensemble.
 
 use crate::scene::Setup;
 use crate::scene::state::principal;
@@ -13,51 +13,51 @@ use systems::gyrostat::driven::Driven;
 use systems::gyrostat::forms::{FirstForm, Form, SecondForm};
 
 /// Systems that differ in their numbers only. The parameters are those of the form (principal moments, l, A', Ge in its
-/// axes) or A' of a bench, then the machine's in its own order.
+/// axes) or A' of a bench, then those of the machine in its own order.
 #[derive(Clone, Debug)]
 pub struct Kind {
     law: Expandable,
     invariants: Tape,
 }
 
-/// What each system may keep, and its name; which of them a member keeps, its machine says.
+/// Names of the integrals that a system may have; the machine of a member decides which of them are conserved.
 pub const INVARIANTS: [&str; 4] = ["vertical_length", "vertical_momentum", "jacobi", "rotor_momentum"];
-/// Their units.
+/// Units of [`INVARIANTS`].
 pub const INVARIANT_UNITS: [&str; 4] = ["1", "N m s", "J", "N m s"];
 
 impl Kind {
-    /// Writes down the law of a system with a machine that has these counts of windings.
+    /// Records the law of a system with a machine that has these counts of windings.
     ///
     /// # Errors
-    /// [`Untapeable`] where the law is none that can be written down.
+    /// [`Untapeable`] where the law cannot be recorded.
     pub fn record(system: &Setup, machine: &Motor, axes: Axes) -> Result<Self, Untapeable> {
         apart(|| recorded(system, machine, axes, false))
     }
 
-    /// The same under a load, which is the last parameter: a moment against the rotor's turning, N m.
+    /// Records the law with a load as the last parameter: a torque against the rotor's rotation, N m.
     ///
     /// # Errors
-    /// [`Untapeable`] where the law is none that can be written down.
+    /// [`Untapeable`] where the law cannot be recorded.
     pub fn under_load(system: &Setup, machine: &Motor, axes: Axes) -> Result<Self, Untapeable> {
         apart(|| recorded(system, machine, axes, true))
     }
 
-    /// How many parameters a member has.
+    /// The number of parameters of a member.
     pub fn parameters(&self) -> usize {
         self.law.parameters()
     }
 
-    /// How many states a member has.
+    /// The number of states of a member.
     pub fn states(&self) -> usize {
         self.law.states()
     }
 
-    /// The series of members side by side, to this order.
+    /// Taylor series of a batch of members, to this order.
     pub fn series(&self, order: usize) -> Option<Box<dyn LaneSeries<LANES> + '_>> {
         lane_series(&self.law, order)
     }
 
-    /// The values of [`INVARIANTS`] in a state: a program that takes the states and the parameters.
+    /// The program for the values of [`INVARIANTS`], from the states followed by the parameters.
     pub fn invariants(&self) -> symbolic::Program<'_, f64> {
         self.invariants.over()
     }
@@ -129,7 +129,7 @@ fn states(count: usize) -> Vec<Sym> {
     (0..count).map(|i| Sym::symbol(&format!("y{i}"))).collect()
 }
 
-/// Symbols, as many as are asked for.
+/// A source of fresh symbols.
 struct Names {
     made: Vec<Sym>,
 }

@@ -1,4 +1,4 @@
-//! The numbers of a scene that may differ from member to member: how a file names them, and where they are.
+//! The numbers of a scene that may differ between ensemble members: their names in files, and their places.
 
 use crate::scene::{Scene, Setup, Start};
 use motor::Machine;
@@ -11,12 +11,12 @@ use std::slice::from_mut;
 #[derive(Clone, Debug, PartialEq)]
 pub struct Data {
     pub system: Setup,
-    /// Of the machine, in its own order.
+    /// Parameters of the machine, in its own order.
     pub machine: Vec<f64>,
     pub start: Start,
 }
 
-/// Where a datum is.
+/// The place of a datum.
 #[derive(Clone, Copy, Debug)]
 pub enum DatumPlace {
     Bodies(fn(&mut Setup) -> Option<&mut [f64]>),
@@ -60,7 +60,7 @@ impl Known {
         Known { key: name, meaning, unit, components: 1, place: DatumPlace::Machine(place) }
     }
 
-    /// All that a scene may vary, by the tables in which they stand; at the top of the file the name is empty.
+    /// All data that a scene may vary, by the tables in which they stand; the top of the file has an empty name.
     pub fn of(scene: &Scene) -> Vec<(&'static str, Vec<Known>)> {
         let machine = scene.given.data().enumerate();
         let machine = machine.map(Known::of_machine).collect();
@@ -160,7 +160,7 @@ impl Known {
     }
 }
 
-/// All that a scene may vary, in the order of a table of results, each with its place.
+/// All data that a scene may vary, in the order of a table of results, each with its place.
 pub(super) fn variables(scene: &Scene) -> (Vec<Variable>, Vec<DatumPlace>) {
     let mut all = Vec::new();
     for (table, known) in Known::of(scene) {
@@ -177,7 +177,7 @@ pub(super) fn variables(scene: &Scene) -> (Vec<Variable>, Vec<DatumPlace>) {
 }
 
 impl DatumPlace {
-    /// Puts drawn numbers where they belong; six are a symmetric tensor.
+    /// Puts drawn numbers in their place; six are a symmetric tensor.
     pub(super) fn put(self, drawn: &[f64], data: &mut Data) {
         let place = match self {
             DatumPlace::Bodies(of) => of(&mut data.system).unwrap_or_default(),
@@ -192,7 +192,7 @@ impl DatumPlace {
 }
 
 impl Data {
-    /// As the scene has them.
+    /// The data of a scene.
     pub fn of(scene: &Scene) -> Self {
         let mut start = scene.start.clone();
         start.currents.resize(scene.machine.windings(), 0.0);

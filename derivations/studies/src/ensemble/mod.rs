@@ -3,7 +3,7 @@
 //! # Overview
 //! * [`open`]: a scene with a table `[ensemble]` that says what varies, from a file;
 //! * [`known`]: the numbers that may vary;
-//! * [`kind`]: the law with a symbol for each; `driven_system`: the members.
+//! * [`kind`]: the law with a symbol for each number that may vary; `driven_system`: the members.
 
 mod driven_system;
 pub mod kind;
@@ -15,18 +15,18 @@ use simulation::ensemble::EnsembleScene;
 use simulation::models;
 use std::path::Path;
 
-/// Reads a file, of whatever family.
+/// Reads an ensemble file of any family of scenes.
 ///
 /// # Errors
-/// All that is wrong with it, each at its place.
+/// All mistakes in the file, each with its place.
 pub fn open(path: &Path) -> Result<EnsembleScene, SceneError> {
     parse(&path.display().to_string(), &reader::read_text(path)?)
 }
 
-/// The same of a text, which messages call by the first argument.
+/// Reads an ensemble from a text, which messages call `name`.
 ///
 /// # Errors
-/// All that is wrong with it, each at its place.
+/// All mistakes in the text, each with its place.
 pub fn parse(name: &str, text: &str) -> Result<EnsembleScene, SceneError> {
     match models::readers() {
         Some(readers) if models::holds_model(text) => (readers.ensemble)(name, text),

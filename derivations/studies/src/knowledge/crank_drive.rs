@@ -1,4 +1,4 @@
-//! The electromechanical drive as text: the steps that its circuit and the gains of its rod's constraint bear, and its end.
+//! The electromechanical drive as a text model: step sizes at which Euler's method is stable for its circuit and gains, and its end.
 
 use crate::stabilisation::bearable::bearable_steps;
 use crate::stabilisation::drive_law::{Nine, Seven, violation};
@@ -13,10 +13,10 @@ use std::convert::Infallible;
 use systems::crank_drive::{Circuit, CrankDrive};
 use systems::crank_slider::CrankSlider;
 
-/// As files call it.
+/// The name in the key `known_as` of scene files.
 pub const NAME: &str = "crank_drive";
 
-/// The share of the square of the rod's length beyond which a violation is no constraint any more.
+/// The share of the squared rod length up to which the rod's constraint may be violated.
 const LOST: f64 = 0.1;
 
 submit! { Knowledge {
@@ -42,14 +42,14 @@ fn data(scene: &dyn Modelled) -> Nine {
     Nine { drive: CrankDrive { circuit, mechanism }, damping: value("damping"), stiffness: value("stiffness") }
 }
 
-/// The start of the seven equations.
+/// The initial state of the seven equations.
 fn start(scene: &dyn Modelled) -> [f64; 7] {
     let [f1, f2, q4, q5, f4, f5, q6, f6] =
         ["q1'", "q2'", "q4", "q5", "q4'", "q5'", "q6", "q6'"].map(|name| scene.value(name).unwrap_or(f64::NAN));
     [f1, f2, q4 - q5, f4, f5, q6, f6]
 }
 
-/// The rod's constraint has its end where it is violated by more than a share of the square of the rod's length.
+/// The margin to the end of a run: it ends where the rod's constraint is violated by more than [`LOST`].
 fn margins(scene: &dyn Modelled, names: &[String]) -> Option<Box<Margins>> {
     let drive = data(scene).drive;
     let place = |name: &str| names.iter().position(|known| known == name);
@@ -99,7 +99,7 @@ fn theory(scene: &dyn Modelled, choice: &Choice) -> Vec<String> {
     unusual(scene).into_iter().chain(gains).chain(circuit).collect()
 }
 
-/// Data with which the equations have values, and which no drive has.
+/// Data that the equations admit, but that no real drive has.
 fn unusual(scene: &dyn Modelled) -> Vec<String> {
     let CrankDrive { circuit, mechanism } = data(scene).drive;
     let quantities = Circuit::<f64>::QUANTITIES.iter().chain(CrankSlider::<f64>::QUANTITIES);
@@ -116,15 +116,16 @@ fn unusual(scene: &dyn Modelled) -> Vec<String> {
 
 /// The theory of a constant step.
 struct Foreseen {
-    /// h, s; zero where it varies.
+    /// The step size h, s; zero where it varies.
     step: f64,
-    /// True where a violation decays; none where it is not led.
+    /// Whether a violation of the constraint decays; `None` without gains.
     gains: Option<bool>,
-    /// Where Euler bears the circuit, with the least and greatest of the steps that it bears, s; none for other methods.
+    /// Stability of Euler's method on the circuit, with the least and greatest of its stable step limits along the motion, s; `None` for
+    /// other methods.
     circuit: Option<(Bears, [f64; 2])>,
 }
 
-/// The instants of the motion at which the circuit is borne.
+/// The part of the motion at whose instants Euler's method is stable on the circuit.
 #[derive(Clone, Copy)]
 enum Bears {
     Everywhere,

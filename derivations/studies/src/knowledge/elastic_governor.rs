@@ -1,4 +1,4 @@
-//! The governor with an elastic rim, as text: whether its stationary motion is stable, and rims that say less.
+//! The governor with an elastic rim, as a text model: stability of its stationary motion, and smaller models of the rim.
 //!
 //! With the rolled distance s, s' = R omega1, the rim relaxes by
 //!
@@ -42,10 +42,10 @@ fn data(scene: &dyn Modelled) -> ElasticGovernor<f64> {
     data
 }
 
-/// How well the data must balance for their stationary motion to be one, against the largest of what is balanced.
+/// The largest imbalance, relative to the terms, with which the data still count as having a stationary motion.
 const BALANCED: f64 = 1e-9;
 
-/// The stationary motion that the data have, if they have one: omega1 at x = x0.
+/// The speed omega1 of the stationary motion at x = x0, if the data have one.
 fn stationary(data: &ElasticGovernor<f64>) -> Option<f64> {
     let pull = data.c2 * data.delta2 - data.c1 * data.delta1;
     let speed = (pull / (0.5 * data.ball * data.rest)).sqrt();
@@ -68,7 +68,7 @@ fn theory(data: &ElasticGovernor<f64>) -> Vec<String> {
     vec![format!("the stationary motion at omega1 = {speed:.9} rad/s, x = {} m is {verdict}{growth}", data.rest)]
 }
 
-/// The elastic rim against rims that say less.
+/// Smaller models of the elastic rim.
 fn rungs(scene: &dyn Modelled) -> Vec<ReducedModel> {
     let (written, data, start) = (scene.symbolic_law(), data(scene), scene.problem(Axes::First).state);
     let rung = |name, dropped: &str, parameter, rim: Rim, kept: Vec<usize>| {
@@ -103,7 +103,7 @@ fn rungs(scene: &dyn Modelled) -> Vec<ReducedModel> {
     quasi_steady.flatten().into_iter().chain(sliding).chain(rolling).collect()
 }
 
-/// A rim that is not followed.
+/// A rim without states of its own.
 #[derive(Clone, Copy)]
 enum Rim {
     Relaxed,
@@ -111,7 +111,7 @@ enum Rim {
     Rigid { place: f64 },
 }
 
-/// The whole state, of which the drum's angle and speed are known, and the sleeve's but for a rigid rim.
+/// The map from a smaller model's state to the whole state.
 struct Whole {
     rim: Rim,
     data: ElasticGovernor<f64>,

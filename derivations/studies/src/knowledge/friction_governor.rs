@@ -1,4 +1,4 @@
-//! The friction governor whose wheel is pushed along its axle: the same without the friction across the wheel.
+//! The friction governor whose wheel is pushed along its axle, and its smaller model without friction across the wheel.
 
 use crate::model_reduction::models::Reductions;
 use crate::model_reduction::{Loss, Lower, ReducedModel};
@@ -22,7 +22,7 @@ submit! { Knowledge {
 
 submit! { Reductions { name: NAME, rungs: |scene| frictionless(scene).into_iter().collect() } }
 
-/// The governor whose wheel slides along its axle without friction; none where it does already.
+/// The governor whose wheel slides along its axle without friction; `None` where the scene has no such friction.
 pub(super) fn frictionless(scene: &dyn Modelled) -> Option<ReducedModel> {
     if scene.value(LATERAL) == Some(0.0) {
         return None;

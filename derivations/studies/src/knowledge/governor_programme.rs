@@ -1,4 +1,4 @@
-//! The friction governor whose wheel is led so that the second shaft keeps its speed: its closed forms, its end, its series.
+//! The friction governor whose wheel follows a programme that keeps the second shaft's speed: closed forms, end and series.
 //!
 //! A wheel between a drum and a disc has the parameter R, one between two discs a.
 
@@ -101,7 +101,7 @@ fn theory(scene: &dyn Modelled) -> Vec<String> {
     said.into_iter().collect()
 }
 
-/// The part of its first value below which the second lever is as good as zero.
+/// The share of its first value below which the second lever is taken as zero.
 const NEAR: f64 = 1e-2;
 
 fn diagnosis(run: &Ended<'_>) -> Option<Diagnosis> {
@@ -123,7 +123,7 @@ fn diagnosis(run: &Ended<'_>) -> Option<Diagnosis> {
     Some(Diagnosis { what: what.to_owned(), at })
 }
 
-/// The levers of the wheel, as far as they change.
+/// The margins to the end of the law: the levers of the wheel that change.
 fn margins(scene: &dyn Modelled, states: &[String]) -> Option<Box<Margins>> {
     let gearing = governor(scene).ok()?.gearing;
     let place = states.iter().position(|name| name == "rho")?;
@@ -145,8 +145,8 @@ fn rungs(scene: &dyn Modelled) -> Vec<ReducedModel> {
     frictionless(scene).into_iter().chain(series(scene).unwrap_or_default()).collect()
 }
 
-/// The programme's series by powers of its small parameter, cut off: no equation is solved for the wheel, only a clock goes; the
-/// shafts turn as the wheel rolls.
+/// Smaller models by truncated series of the programme in powers of its small parameter: only the time is a state of the wheel;
+/// the shafts turn as the wheel rolls.
 fn series(scene: &dyn Modelled) -> Option<Vec<ReducedModel>> {
     const ORDERS: [(usize, &str); 4] =
         [(1, "series to eps"), (2, "series to eps^2"), (4, "series to eps^4"), (8, "series to eps^8")];

@@ -1,4 +1,4 @@
-//! Knowledge of systems beyond their equations, attached to scenes by the key `known_as`: closed forms, theory, ends, smaller models.
+//! Facts about systems beyond their equations, attached to scenes by the key `known_as`: closed forms, theory, ends, smaller models.
 
 pub mod crank_drive;
 mod elastic_governor;

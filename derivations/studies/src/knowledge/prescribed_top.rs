@@ -1,4 +1,4 @@
-//! A symmetric top under the moments that lead its integrals, Mukharlyamov's inverse problem: where no moment does.
+//! A symmetric top under the torques of Mukharlyamov's inverse problem, which make given functions integrals, and the end of its law.
 
 use field::Scalar;
 use nalgebra::Vector3;
@@ -7,10 +7,10 @@ use simulation::knowledge::{Diagnosis, Ended, Knowledge, submit};
 use simulation::models::Modelled;
 use systems::variable_top::{Attitude, poisson};
 
-/// As scene files call it.
+/// The name in the key `known_as` of scene files.
 pub const NAME: &str = "prescribed_top";
 
-/// p g2 - q g1, as the scene shows it.
+/// The name of the scene's output p g2 - q g1.
 pub const NODDING: &str = "nodding";
 
 submit! { Knowledge {
@@ -24,7 +24,7 @@ submit! { Knowledge {
     ..Knowledge::EMPTY
 } }
 
-/// The part of its first value below which p g2 - q g1 is no coincidence.
+/// A p g2 - q g1 below this share of its first value is taken as zero, the singularity of the law.
 const NEAR: f64 = 1e-2;
 
 fn diagnosis(run: &Ended<'_>) -> Option<Diagnosis> {
@@ -52,7 +52,7 @@ pub fn nodding<S: Scalar>(at: &Attitude<S>) -> S {
     at.spin.x * at.vertical.y - at.spin.y * at.vertical.x
 }
 
-/// The rate of the axis' inclination, with the sign that it has at the start.
+/// The margin to the end of the law: the rate of the axis' inclination, with the sign that it has at the start.
 fn margins(scene: &dyn Modelled, states: &[String]) -> Option<Box<Margins>> {
     const STATE: [&str; 7] = ["F.q0", "F.q1", "F.q2", "F.q3", "F.wx", "F.wy", "F.wz"];
     let mut places = [0; 7];

@@ -1,4 +1,4 @@
-//! Critical friction in closed form, as the claims print it and the maps draw it.
+//! Critical friction coefficients in closed form.
 
 use field::{Circle, Scalar};
 
@@ -7,7 +7,7 @@ pub fn two_masses<S: Scalar>(k: S, Circle { cos, sin }: Circle<S>) -> S {
     (k + cos.squared()) / (sin * cos)
 }
 
-/// A rod of moment m l^2 / kappa about its centre: (1 + kappa cos^2) / (kappa sin cos).
+/// A rod with the moment of inertia m l^2 / kappa about its centre: (1 + kappa cos^2) / (kappa sin cos).
 pub fn rod<S: Scalar>(kappa: S, Circle { cos, sin }: Circle<S>) -> S {
     (S::one() + kappa * cos.squared()) / (kappa * sin * cos)
 }

@@ -1,4 +1,4 @@
-//! Where motion is determined, over angle and friction: decided state by state, beside the exact critical curve.
+//! Maps over angle and friction of the states with exactly one motion, decided state by state, beside the exact critical curve.
 
 use super::critical::{rod, two_masses};
 use field::Circle;
@@ -10,7 +10,7 @@ use systems::ladder::Ladder;
 use systems::rod::Rod;
 use systems::slender_rod::SlenderRod;
 
-/// What a state admits.
+/// The motions that a state admits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// One motion, in touch.
@@ -24,10 +24,10 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// All of them, in the order of a legend.
+    /// All kinds, in the order of a legend.
     pub const ALL: [Kind; 4] = [Kind::Slides, Kind::Leaves, Kind::None, Kind::Several];
 
-    /// For a legend.
+    /// The text in a legend.
     pub fn name(self) -> &'static str {
         match self {
             Kind::Slides => "one motion: slides on",
@@ -50,11 +50,11 @@ pub struct Map {
     pub most_friction: f64,
     /// Rows from the lowest friction, each over all angles, at the middle of the cells.
     pub rows: Vec<Vec<Kind>>,
-    /// Critical friction by angle in degrees, exactly.
+    /// The exact critical friction against the angle in degrees.
     pub curve: Vec<(f64, f64)>,
-    /// The least of it: angle in degrees, friction, and both in closed form.
+    /// The minimum of `curve`: angle in degrees, friction, and both in closed form.
     pub least: (f64, f64, &'static str),
-    /// The largest distance between the curve and the boundary that the decisions alone show, where a single contact
+    /// The largest distance between `curve` and the boundary by the decisions alone, where a single contact
     /// decides.
     pub distance: f64,
     pub note: &'static str,
@@ -63,7 +63,7 @@ pub struct Map {
 const COLUMNS: usize = 90;
 const ROWS: usize = 75;
 
-/// Painleve's two masses, the uniform rod, the uniform ladder both ways.
+/// Maps of Painleve's two masses, the uniform rod, and the uniform ladder in both directions.
 pub fn maps() -> Vec<Map> {
     vec![
         map(
@@ -127,7 +127,7 @@ fn ladder(Circle { cos, sin }: Circle<f64>, f: f64, spin: f64) -> Kind {
     kind::<_, 2>(&data, [sin, cos, cos, sin], [spin * cos, -spin * sin, -spin * sin, spin * cos])
 }
 
-/// `bounded`: up to which value of the curve it bounds what this load shows.
+/// `bounded`: the value of the critical curve up to which it is the boundary under this load.
 fn map(
     title: &'static str,
     angle: &'static str,
@@ -165,7 +165,7 @@ fn map(
     }
 }
 
-/// Where something ceases to hold, by halving.
+/// The value at which a condition ceases to hold, by bisection.
 fn boundary(holds: impl Fn(f64) -> bool, most: f64) -> f64 {
     let (mut low, mut high) = (0.0, most);
     loop {
@@ -177,7 +177,7 @@ fn boundary(holds: impl Fn(f64) -> bool, most: f64) -> f64 {
     }
 }
 
-/// The verdict of a state under the system's own force.
+/// The kind of a state under the system's own forces.
 fn kind<Q, const K: usize>(system: &Q, place: [f64; 4], velocity: [f64; 4]) -> Kind
 where
     Q: Contacts<4, 1, K, Given = f64>,

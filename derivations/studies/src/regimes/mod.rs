@@ -1,9 +1,9 @@
-//! Maps of when motion with friction is determined, over the angle and the friction.
+//! Maps over angle and friction that show where the motion with friction is unique.
 //!
 //! # Overview
 //! * [`maps`]: the verdicts, beside the critical curves of [`critical`].
 //!
-//! The theorems behind them are a page of claims of their own.
+//! The theorems behind the maps are claims in `derivations/theorems/src/regimes/`.
 
 pub mod critical;
 pub mod maps;
