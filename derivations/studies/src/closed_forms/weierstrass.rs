@@ -5,7 +5,7 @@
 use integrators::Real;
 
 /// Below this argument, in units of max(|g2|^(1/4), |g3|^(1/6))^-1, which is less than half of the nearest period, the terms
-/// after [`TERMS`] powers of z^2 are below rounding in double-double. At much smaller arguments rounding would hide g3.
+/// after `TERMS` powers of z^2 are below rounding in double-double. At much smaller arguments rounding would hide g3.
 const SMALL: f64 = 1.5;
 const TERMS: usize = 56;
 

@@ -1,4 +1,4 @@
-//! A singular parametrisation of SO(3): Euler's angles, the chart of Lagrange's route.
+//! A singular parametrisation of SO(3): Lagrange's equations in Euler's angles.
 
 use super::trials::{Running, Tried, near};
 use super::{Exact, Failing, Found, NotFound, Threshold, Trial, Within};
@@ -24,9 +24,9 @@ pub const FAILING: Failing = Failing {
     measure,
 };
 
-/// Evaluations that a method may spend in the angles, whose law is dear.
+/// The budget of evaluations in the angles, whose law is expensive.
 const FEW: u64 = 3_000;
-/// Rates and angles at which the digits are looked at, but for the nutation.
+/// Precession and proper rotation, rad, and the rates at which the rounding error is measured against the nutation.
 const ANGLES: [f64; 2] = [0.3, 0.4];
 const RATES: [f64; 4] = [0.5, -0.7, 0.9, 1.1];
 
@@ -37,7 +37,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
         return Err(NotFound::unsuitable(path, "this is another system or machine", accepted));
     };
     let law = Arc::new(InAngles(**bodies));
-    // as written it takes a matrix at each evaluation
+    // uncompiled, the law solves a linear system at each evaluation
     let running = CompiledLaw::of(Arc::clone(&law) as Arc<dyn SymbolicLaw>);
     let digits = Threshold {
         of: "squared sine of the nutation below which no digit of the accelerations is left".into(),
@@ -79,7 +79,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     Ok(Found { thresholds: vec![digits], diagnosis, trials })
 }
 
-/// Lagrange's equations in Euler's angles of a gyrostat whose rotor turns freely: y = (angles, their rates, phi').
+/// Lagrange's equations in Euler's angles for a gyrostat with a free rotor: y = (angles, their rates, phi').
 struct InAngles(Gyrostat<f64>);
 
 impl<S: Over<f64> + Analytic> Ode<S> for InAngles {
@@ -98,7 +98,7 @@ impl<S: Over<f64> + Analytic> Ode<S> for InAngles {
 }
 
 impl InAngles {
-    /// A scene's start: precession zero, the others from the vertical.
+    /// The initial state of a scene: precession zero, the other angles from the vertical.
     fn start(&self, scene: &Scene) -> Vec<f64> {
         let v = scene.start.vertical;
         let angles = [0.0, v.z.clamp(-1.0, 1.0).acos(), v.x.atan2(v.y)];
@@ -106,7 +106,7 @@ impl InAngles {
         [&angles[..], rates.as_slice(), &[scene.start.rotor_speed]].concat()
     }
 
-    /// The accelerations at a nutation.
+    /// The accelerations at a nutation angle, rad.
     fn at<S: Over<f64> + Analytic>(&self, nutation: f64) -> Vec<S> {
         let y = [ANGLES[0], nutation, ANGLES[1], RATES[0], RATES[1], RATES[2], RATES[3]].map(S::lift);
         let mut dy = vec![S::zero(); y.len()];
@@ -115,7 +115,7 @@ impl InAngles {
     }
 }
 
-/// The squared sine of the largest nutation, among powers of two, at which doubles err by as much as the accelerations are.
+/// The squared sine of the largest nutation angle, among powers of two, at which the error of doubles is as large as the accelerations.
 fn blind(law: &InAngles) -> Option<f64> {
     let lost = |nutation: &f64| {
         let (found, exact): (Vec<f64>, Vec<DoubleDouble>) = (law.at(*nutation), law.at(*nutation));

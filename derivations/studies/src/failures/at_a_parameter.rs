@@ -1,12 +1,12 @@
-//! Newton's method for the unknown of a curve F(x, p) = 0 at a fixed p, as a root finder has it.
+//! Newton's method for the unknown x of a curve F(x, p) = 0 at a fixed p.
 //!
-//! Where the curve turns back in p (a fold) F_x vanishes: the method divides by it, and beyond the fold there is no x to be found.
-//! [`integrators::follow`] walks along the curve, where nothing is singular.
+//! At a fold of the curve F_x, by which the method divides, vanishes; beyond the fold there is no x to be found.
+//! The continuation [`integrators::follow`] walks along the curve, where nothing is singular.
 
 use integrators::Curve;
 use std::fmt;
 
-/// Newton's method came to no end.
+/// Newton's method did not converge.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NotConverged {
     pub iterations: u32,
@@ -27,10 +27,10 @@ impl fmt::Display for NotConverged {
 
 /// Iterations after which Newton's method counts as lost.
 const MOST: u32 = 100;
-/// A correction that is rounding.
+/// Corrections below this, relative to x or one, are rounding.
 const SETTLED: f64 = 1e-12;
 
-/// x at a fixed p, for a curve in the plane.
+/// The x of a plane curve at a fixed p, by Newton's method from a guess.
 ///
 /// # Errors
 /// [`NotConverged`].

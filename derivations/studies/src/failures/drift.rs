@@ -1,4 +1,4 @@
-//! Drift of a constraint that is kept only differentiated twice.
+//! Drift-off from a constraint after index reduction, which keeps only its second derivative.
 
 use super::trials::{BUDGET, fate};
 use super::{Exact, Failing, Found, NotFound, Threshold, Trial, Within};
@@ -28,13 +28,13 @@ pub const FAILING: Failing = Failing {
     measure,
 };
 
-/// Longer than the scene by this factor.
+/// The length of the long run over that of the scene.
 const LONGER: f64 = 10.0;
-/// Steps over that.
+/// Steps of the long run.
 const LONG: u32 = 10_000;
-/// What may be left of a violation, m^2.
+/// The largest violation that a run may have, m^2.
 const KEPT: f64 = 1e-6;
-/// A violation's first rate, m/s, and the run that follows it.
+/// A velocity error at the start, m/s, and the steps of the run in which its violation grows.
 const OFF: f64 = 1e-3;
 const STEPS: u32 = 1_000;
 const STEP: f64 = 1e-4;
@@ -64,7 +64,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     Ok(Found { thresholds: vec![passed_on], diagnosis, trials })
 }
 
-/// The data by the letters of the scene; the one that is missing.
+/// The mechanism from the data of a scene; the error names the datum that is missing.
 fn mechanism(scene: &dyn IvpScene) -> Result<CrankSlider<f64>, &'static str> {
     let data = scene.parameters();
     let datum = |name: &'static str| {
@@ -79,7 +79,7 @@ fn unsuitable(path: &Path, found: String) -> NotFound {
     NotFound::unsuitable(path, found, "a system with the parameters J, m, r, l, G of scenes/bodies/crank_slider.toml")
 }
 
-/// The mechanism in the angle of its crank alone.
+/// The mechanism in a minimal coordinate, the angle of its crank.
 #[derive(Clone)]
 struct Minimal(CrankSlider<f64>);
 
@@ -113,7 +113,7 @@ fn violation(mechanism: &CrankSlider<f64>, y: &[f64]) -> [f64; 2] {
     [found.value[0], found.rate[0]]
 }
 
-/// What a run adds to a violation, in units of its rate and the time.
+/// The growth of a violation in a run, divided by its first rate and the time: one in theory.
 fn added(mechanism: &CrankSlider<f64>, start: &[f64]) -> Option<f64> {
     let mut y = start.to_vec();
     *y.get_mut(3)? += OFF;
@@ -124,7 +124,7 @@ fn added(mechanism: &CrankSlider<f64>, start: &[f64]) -> Option<f64> {
     outcome.reached().then(|| (to - from) / (rate * outcome.time))
 }
 
-/// What is said of a run after index reduction, by Runge-Kutta 4.
+/// The drift that the monitor finds in a run of Runge-Kutta 4 after index reduction.
 fn drifts(mechanism: &CrankSlider<f64>, start: &[f64], end: f64) -> Option<Drift> {
     let law = Stabilised { system: mechanism, damping: 0.0, stiffness: 0.0 };
     let span = Span::new(0.0, end, start);
@@ -133,14 +133,14 @@ fn drifts(mechanism: &CrankSlider<f64>, start: &[f64], end: f64) -> Option<Drift
     drifting.found
 }
 
-/// A formulation by methods of its own.
+/// Trials of a formulation by the methods that it accepts.
 fn tried(mechanism: &CrankSlider<f64>, way: &Configuration, span: f64) -> Vec<Trial> {
     let constant = Method::RungeKutta4 { steps: LONG };
     let attempts = match &way.law {
         Treated::Free(law) => {
             [constant, Method::DormandPrince8].map(|method| Attempt::Integrated(&**law, method)).to_vec()
         }
-        // what has contacts is no mechanism held to constraints alone
+        // a formulation with contacts is not compared here
         Treated::Across(_) => Vec::new(),
         Treated::Held(law) => vec![
             Attempt::Held(&**law, Holding::ProjectedGauss { stages: 3, steps: 2_500 }),

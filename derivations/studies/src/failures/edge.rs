@@ -1,10 +1,10 @@
-//! Where something ceases to hold, by halving.
+//! Bisection for the threshold at which a test ceases to hold.
 
-/// Halvings after which an edge between floats is found as well as it can be.
+/// Bisections after which a threshold is found to the last bit.
 const MOST: usize = 60;
 
-/// The edge between a value at which `test` holds and one at which it does not, to a share of itself; `None` where it is
-/// not so at these two.
+/// The threshold between a value at which `test` holds and one at which it fails, to a relative accuracy; `None` where the test does
+/// not hold at the first or holds at the second.
 pub fn edge(holds: f64, fails: f64, share: f64, test: impl Fn(f64) -> bool) -> Option<f64> {
     if !test(holds) || test(fails) {
         return None;

@@ -1,4 +1,4 @@
-//! One way in which methods fail: its scene, its thresholds, what survives.
+//! An entry of the catalogue of failure: scene, thresholds, trials of all methods.
 
 use super::{Exact, Trial};
 use reader::SceneError;
@@ -10,56 +10,56 @@ use std::path::{Path, PathBuf};
 /// A way in which methods fail.
 #[derive(Clone, Copy, Debug)]
 pub struct Failing {
-    /// As the command line calls it.
+    /// The name on the command line.
     pub name: &'static str,
-    /// What goes wrong, in a line.
+    /// The failure, in one line.
     pub title: &'static str,
     /// The file in the folder of scenes.
     pub scene: &'static str,
-    /// Why it must happen: LaTeX between dollar signs.
+    /// The theory of the failure; LaTeX between dollar signs.
     pub why: &'static str,
-    /// What to do, in a sentence.
+    /// The remedy, in a sentence.
     pub advice: &'static str,
-    /// What is asked of what is tried.
+    /// The condition that a trial must meet.
     pub asked: &'static str,
     pub(super) measure: fn(&Path) -> Result<Found, NotFound>,
 }
 
-/// What was found on the scene.
+/// The results of measuring an entry on its scene.
 #[derive(Clone, Debug)]
 pub struct Found {
     pub thresholds: Vec<Threshold>,
-    /// What the program says where it happens; LaTeX-free.
+    /// The program's message when the failure happens; plain text.
     pub diagnosis: String,
     pub trials: Vec<Trial>,
 }
 
-/// Where it begins.
+/// The threshold at which a failure begins, by theory and by runs.
 #[derive(Clone, Debug)]
 pub struct Threshold {
-    /// What is at the threshold, and of which method.
+    /// The quantity that has this threshold, and the method.
     pub of: Cow<'static, str>,
-    /// Theory's formula: LaTeX between dollar signs.
+    /// The formula by theory; LaTeX between dollar signs.
     pub formula: Cow<'static, str>,
-    /// The same with the scene's data.
+    /// The value of the formula for the scene's data.
     pub exact: Exact,
     /// Empty for a pure number.
     pub unit: Cow<'static, str>,
-    /// By runs; `None` where they showed no edge.
+    /// The threshold measured by runs; `None` where they showed none.
     pub measured: Option<f64>,
     pub within: Within,
 }
 
-/// What a measurement can tell.
+/// The accuracy of a measured threshold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Within {
-    /// One part in so many; of a threshold that is zero, of one.
+    /// A relative error of one over this number; an absolute error where the threshold is zero.
     Share(u32),
-    /// A factor, where theory is the size of rounding.
+    /// A factor, where the threshold is of the size of rounding.
     Factor(u32),
 }
 
-/// Why a way was not measured.
+/// The reason for which an entry was not measured.
 #[derive(Clone, Debug)]
 pub enum NotFound {
     Scene(SceneError),
@@ -69,14 +69,14 @@ pub enum NotFound {
         what: String,
         accepted: &'static str,
     },
-    /// Its time is over, or the user asked for the end.
+    /// The time allowed is over, or the user interrupted.
     BrokenOff {
         scene: PathBuf,
     },
 }
 
 impl Failing {
-    /// Measures it on its scene in a folder.
+    /// Measures the entry on its scene in a folder of scenes.
     ///
     /// # Errors
     /// [`NotFound`].
@@ -86,7 +86,7 @@ impl Failing {
 }
 
 impl Threshold {
-    /// Whether the measured threshold is theory's, as far as the measurement can tell.
+    /// Whether the measured threshold agrees with theory to the accuracy of the measurement.
     pub fn agrees(&self) -> bool {
         let theory = self.exact.value();
         self.measured.is_some_and(|measured| match self.within {
@@ -103,21 +103,21 @@ impl Threshold {
 }
 
 impl NotFound {
-    /// A scene that says nothing of a datum.
+    /// The error for a scene without a datum.
     pub(super) fn without(scene: &Path, datum: &str, accepted: &'static str) -> Self {
         NotFound::unsuitable(scene, format!("nothing in it is called `{datum}`"), accepted)
     }
 
-    /// A scene of another kind.
+    /// The error for a scene of another kind.
     pub(super) fn unsuitable(scene: &Path, what: impl Into<String>, accepted: &'static str) -> Self {
         NotFound::Unsuitable { scene: scene.to_owned(), what: what.into(), accepted }
     }
 }
 
-/// Data of a scene whose system is written in it, by their names.
+/// Parameters of a text model, by their names.
 ///
 /// # Errors
-/// The first that it does not have.
+/// The first parameter that the model does not have.
 pub(super) fn data<const N: usize>(
     scene: &dyn Modelled,
     path: &Path,

@@ -1,4 +1,4 @@
-//! A threshold as theory has it.
+//! Exact thresholds by theory.
 
 use algebra::real::Root;
 use field::Rational;
@@ -10,9 +10,9 @@ pub enum Exact {
     Number(Rational),
     /// A real root of a polynomial with integer coefficients.
     Root(Root),
-    /// A number times such a root.
+    /// A number times a real root.
     Times(Rational, Root),
-    /// Where functions are transcendental: the formula with its data, and its value.
+    /// A transcendental threshold: the formula with its data, and its value.
     Formula(String, f64),
 }
 
@@ -27,12 +27,12 @@ impl Exact {
         }
     }
 
-    /// A root that was found: `None` stays `None`.
+    /// A threshold from a root, if there is one.
     pub(super) fn root(found: Option<Root>) -> Option<Self> {
         found.map(|root| root.as_rational().map_or(Exact::Root(root), Exact::Number))
     }
 
-    /// A number times a root that was found.
+    /// A threshold from a number times a root, if there is one.
     pub(super) fn times(factor: Rational, found: Option<Root>) -> Option<Self> {
         found.map(|root| root.as_rational().map_or(Exact::Times(factor, root), |root| Exact::Number(factor * root)))
     }
@@ -52,7 +52,7 @@ impl fmt::Display for Exact {
     }
 }
 
-/// The coefficients, where all fit.
+/// The integer coefficients of the root's polynomial, if all fit.
 fn small(root: &Root) -> Option<Vec<i128>> {
     let integers = root.polynomial().integers()?;
     // halved, so that the discriminant fits too
@@ -71,7 +71,7 @@ fn surd(f: &mut fmt::Formatter<'_>, [a, b, c]: [i128; 3], value: f64) -> fmt::Re
     let common = gcd(gcd(b, outside), 2 * a);
     let (p, q, d) = (-b / common, outside / common, 2 * a / common);
     let (p, d) = (p * d.signum(), d.abs());
-    // of the two roots the one that it is
+    // the sign that selects this one of the two roots
     let sign = if (value * d as f64) < p as f64 { "-" } else { "+" };
     let root = if q == 1 { format!("sqrt({inside})") } else { format!("{q} sqrt({inside})") };
     let above = match (p, sign) {
@@ -86,7 +86,7 @@ fn gcd(a: i128, b: i128) -> i128 {
     if b == 0 { a.abs().max(1) } else { gcd(b, a % b) }
 }
 
-/// The polynomial, and which of its real roots it is.
+/// Writes the polynomial, and the place of the root among its real roots.
 fn polynomial(f: &mut fmt::Formatter<'_>, root: &Root) -> fmt::Result {
     let all = root.polynomial().real_roots();
     let place = all.iter().filter(|other| other.compare(root).is_lt()).count() + 1;

@@ -1,4 +1,4 @@
-//! First and second form as D -> 0.
+//! Rounding errors and step limits of the gyrostat's first and second form as D -> 0.
 
 use super::bounds::swinging;
 use super::edge::edge;
@@ -27,13 +27,13 @@ pub const FAILING: Failing = Failing {
     measure,
 };
 
-/// Steps in which a swing that grows is seen.
+/// Steps in which growth of an oscillation is detected.
 const STEPS: u32 = 4_000;
-/// The first and the last angle of a swing that has grown, rad.
+/// The initial angle of an oscillation, and the angle from which it counts as grown, rad.
 const SWING: [f64; 2] = [1e-6, 1e-3];
 /// Carriers whose D is computed in doubles and exactly.
 const CARRIERS: u32 = 2_000;
-/// What a form must keep of an acceleration.
+/// The largest relative error of an acceleration that a form may have.
 const DIGITS: f64 = 1e-12;
 
 fn measure(path: &Path) -> Result<Found, NotFound> {
@@ -47,7 +47,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     if bodies.rotor.axis != Vector3::z() {
         return Err(NotFound::unsuitable(path, "the rotor's axis is not along z", accepted));
     }
-    // friction damps the swing, and another step is the longest
+    // friction damps the oscillation, and the longest step is another
     if scene.machine.datum("f") != Some(0.0) {
         return Err(NotFound::unsuitable(path, "its rotor is braked", "f = \"0 N m s\""));
     }
@@ -92,7 +92,7 @@ fn second_of<P: Base>(bodies: &Gyrostat<P>) -> SecondForm<P> {
     SecondForm::new(bodies.full_tensor().diagonal(), bodies.rotor.axis, bodies.rotor.axial, bodies.weight())
 }
 
-/// phi'' of a gyrostat that hangs at rest, under a moment on its rotor.
+/// phi'' of a gyrostat that hangs at rest, under a torque on its rotor.
 fn turning<P: Base>(form: &impl Form<P>, moment: P) -> P {
     let (rest, down) = (Vector3::zeros(), Vector3::new(P::zero(), P::zero(), P::one()));
     form.accelerations(rest, down, P::zero(), moment).1
@@ -114,7 +114,7 @@ fn error_of_d(axial: f64) -> f64 {
     (1..=CARRIERS).map(one).fold(0.0, f64::max)
 }
 
-/// What each form keeps of the acceleration under a moment of 1 N m.
+/// For each form: whether its acceleration under a torque of 1 N m is right to `DIGITS`.
 fn digits(bodies: &Gyrostat<f64>, exact: Rational) -> Vec<Trial> {
     let keeps = |found: f64| {
         let off = (Rational::exactly(found) / exact - Rational::one()).to_f64().abs();
@@ -131,7 +131,7 @@ fn digits(bodies: &Gyrostat<f64>, exact: Rational) -> Vec<Trial> {
     .into()
 }
 
-/// Whether a small swing does not grow in steps h of Runge and Kutta.
+/// Whether a small oscillation does not grow under Runge-Kutta 4 with the step size h, s.
 fn swings(problem: &Problem, h: f64) -> bool {
     let Some(angle) = problem.columns.iter().position(|name| name == "angle") else { return false };
     let mut state = problem.state.clone();
@@ -142,7 +142,7 @@ fn swings(problem: &Problem, h: f64) -> bool {
     outcome.reached() && outcome.state[angle].abs() < SWING[1]
 }
 
-/// What is said of the same carrier without inertia about the axis.
+/// The message that refuses the scene's carrier without inertia about the axis.
 fn refused(scene: &Scene) -> String {
     let Setup::Gyrostat(bodies) = &scene.system else { return String::new() };
     let mut flat = **bodies;

@@ -1,4 +1,4 @@
-//! Mukharlyamov's moments (19) where p g2 = q g1.
+//! The singularity of Mukharlyamov's control torques (19) at p g2 = q g1.
 
 use super::trials::{Fate, Tried};
 use super::{Exact, Failing, Found, NotFound, Threshold, Trial, Within};

@@ -1,18 +1,18 @@
-//! The catalogue of failure: every way in which methods fail here, theory's exact threshold beside the measured one.
+//! The catalogue of failure: the ways in which integration methods fail, each with its exact threshold by theory and the measured one.
 //!
 //! # Overview
-//! * `entry`: what is said of one way: its scene, thresholds, what the program says of it, what survives, advice;
-//! * `exact`: a threshold as theory has it, rational, algebraic or a formula;
-//! * `bounds`: the longest steps that a method bears, as roots of its own one-step map;
-//! * `edge`: where a run ceases to hold, by halving; `at_a_parameter`: Newton's method, and how it is lost;
-//! * `trials`: every method on a scene under a budget, and what became of each; `slopes`: Jacobians of dear laws; `slip`: friction
-//!   whose direction is given;
-//! * `text_entry`: ways that are scenes with the table `[failure]`;
-//! * one file for each way, in the order of the list below.
+//! * `entry`: one entry: scene, thresholds, the program's message, trials, remedy;
+//! * `exact`: a threshold by theory, rational, algebraic or a formula;
+//! * `bounds`: stability limits of the step size, as roots of a method's one-step map;
+//! * `edge`: bisection for a threshold; `at_a_parameter`: Newton's method at a fold, where it fails;
+//! * `trials`: every method on a scene under a budget, with its fate; `slopes`: Jacobians of expensive laws; `slip`: friction
+//!   in a given direction;
+//! * `text_entry`: entries that are scenes with the table `[failure]`;
+//! * one file for each entry, in the order of the list below.
 //!
-//! A threshold by theory is computed from the scene's decimals, exactly; the measured one comes from runs alone: by halving
-//! between one that holds and one that does not, begun on both sides of theory's. What survives is not written down either: it
-//! is what held in the trials.
+//! A threshold by theory is computed from the scene's decimals, exactly. The measured one comes from runs alone: by bisection
+//! between a run that holds and one that does not, begun on both sides of the threshold by theory. The methods that survive are
+//! found by trials too.
 
 mod at_a_parameter;
 mod bounds;
@@ -45,7 +45,7 @@ pub use trials::{Fate, Trial};
 
 use std::path::Path;
 
-/// Every way, in the order in which they are told.
+/// Every entry, in the order of the catalogue.
 pub const ALL: &[Failing] = &[
     windings::FAILING,
     turning::FAILING,
@@ -62,7 +62,7 @@ pub const ALL: &[Failing] = &[
     gains::FAILING,
 ];
 
-/// Whether a scene is here for the catalogue alone.
+/// Whether a scene serves the catalogue alone.
 pub fn is_own(scene: &Path) -> bool {
     scene.parent().is_some_and(|folder| folder.ends_with(text_entry::FOLDER))
 }

@@ -1,4 +1,4 @@
-//! Painleve's region: a state with no motion, or with several.
+//! Painleve's paradox: states that admit no motion, or several.
 
 use super::bounds::first_positive;
 use super::edge::edge;
@@ -27,7 +27,7 @@ pub const FAILING: Failing = Failing {
     measure,
 };
 
-/// As close as an angle can be told.
+/// The relative accuracy of the bisection for the angle.
 const SHARP: f64 = 1e-13;
 
 const ACCEPTED: &str = "a rod with the data m, l, kappa, g, f and the coordinates x, theta, as that of the scene jam";
@@ -74,7 +74,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     Ok(Found { thresholds, diagnosis: trajectory.stopped().unwrap_or_default(), trials })
 }
 
-/// Whether one motion goes on from the start of a scene at another angle.
+/// Whether the motion is unique from the start of a scene with another angle.
 fn has_one_motion(scene: &dyn Modelled, angle: f64) -> bool {
     let turned = scene.with_values(&[("theta", angle)]);
     turned.is_ok_and(|turned| {
@@ -84,7 +84,7 @@ fn has_one_motion(scene: &dyn Modelled, angle: f64) -> bool {
     })
 }
 
-/// A run that takes the slip backwards for granted and asks no regime, from an angle without a spin: a hundredth of a second.
+/// The fate of a run over 0.01 s that assumes slip backwards and checks no regime, from an angle without angular velocity.
 fn granted(rod: SlenderRod<f64>, angle: f64, slide: f64) -> Fate {
     let (l, Circle { cos, sin }) = (rod.half_length, angle.circle());
     let start = State { time: 0.0, place: [l * cos, l * sin, cos, sin], velocity: [slide, 0.0, 0.0, 0.0] };

@@ -1,4 +1,4 @@
-//! Pull-out as a saddle-node: two angles of the rotor merge and are gone.
+//! Pull-out of a synchronous motor as a saddle-node bifurcation: two steady angles of the rotor merge and vanish.
 
 use super::at_a_parameter::newton;
 use super::bounds::{numerator, rational};
@@ -26,7 +26,7 @@ pub const FAILING: Failing = Failing {
     measure,
 };
 
-/// The longest step along the curve, rad, and its points.
+/// The longest step along the curve, rad, and the greatest number of its points.
 const STEP: f64 = 0.15;
 const MOST: usize = 200;
 
@@ -47,7 +47,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
         ));
     };
     let at = exact.to_f64();
-    // moments in units of b0, the friction in units of b0 over 1 rad/s
+    // torques in units of b0, the friction in units of b0 over 1 rad/s
     let mut curve = Standing { motors: [0.0, 1.0].map(|f| rubbed(&scene.machine, f)), unit: b0 };
     let round = round_the_fold(&mut curve, field_speed);
     let fold = round.as_ref().and_then(|branch| branch.folds().next());
@@ -93,7 +93,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     Ok(Found { thresholds, diagnosis, trials })
 }
 
-/// The moment on a rotor that stands in the field, where no current flows.
+/// The torque on a rotor at synchronism, where no current flows.
 fn moment<P: Datum, S: Over<P>>(motor: &Motor<P>, angle: Circle<S>) -> S {
     drive(motor, angle, S::zero(), &[], &mut [])
 }
@@ -103,8 +103,8 @@ fn rubbed<P: Datum>(motor: &Motor<P>, friction: P) -> Motor<P> {
     motor.over(|quantity, value| if quantity.name == "f" { friction } else { value })
 }
 
-/// The friction at which the greatest moment of the field is spent: where the moment's slope by the angle vanishes and the
-/// moment of friction is opposite.
+/// The friction at the pull-out torque: the derivative of the torque by the angle vanishes, and the torque of friction
+/// balances it.
 fn critical(motor: &Motor) -> Option<Rational> {
     let t = Sym::symbol("t");
     let [free, rubbed] = [0, 1].map(|f| rubbed(&motor.decimals(), Sym::int(f)));
@@ -118,7 +118,7 @@ fn critical(motor: &Motor) -> Option<Rational> {
     folds.iter().filter_map(rational).filter_map(load).find(|load| load.sign() == Some(1))
 }
 
-/// The moment of a rotor that stands, over b0, by its angle and the friction over b0.
+/// The torque on a rotor at synchronism, over b0, by its angle and the friction over b0.
 struct Standing {
     /// Without friction, and with 1 N m s.
     motors: [Motor; 2],
@@ -126,7 +126,7 @@ struct Standing {
 }
 
 impl Standing {
-    /// The moment of friction is linear in the friction.
+    /// The torque of friction is linear in the coefficient of friction.
     fn value(&self, angle: Tangent<f64>, friction: Tangent<f64>) -> Tangent<f64> {
         let [free, rubbed] = self.motors.each_ref().map(|motor| moment(motor, angle.circle()));
         free / Tangent::fixed(self.unit) + friction * (rubbed - free)
@@ -147,14 +147,15 @@ impl Curve for Standing {
     }
 }
 
-/// From the angle without friction on towards more of it, until half a turn is passed.
+/// Continuation of the steady angle from zero friction round the fold, until half a turn is passed.
 fn round_the_fold(curve: &mut Standing, field_speed: f64) -> Option<Branch> {
     let within = |x: &[f64]| x[0].abs() < PI;
     let walk = Walk { sizes: &[1.0, 1.0 / field_speed.abs()], parameter: 1, step: STEP, most: MOST, within: &within };
     follow(curve, &[0.0, 0.0], &[0.0, 1.0], &walk)
 }
 
-/// Whether the motor alone stays in step under a friction, from the angle at which it stood under a little less.
+/// Whether a run of the motor alone stays synchronous under a friction, from its steady angle under that friction or, beyond
+/// pull-out, from a quarter turn behind the field.
 fn stays(scene: &Scene, axial: f64, [field_speed, b0]: [f64; 2], f: f64) -> bool {
     let Some(machine) = scene.machine.with("f", f) else { return false };
     let held = (f * field_speed / b0).min(1.0);
@@ -167,7 +168,7 @@ fn stays(scene: &Scene, axial: f64, [field_speed, b0]: [f64; 2], f: f64) -> bool
     run.outcome.reached() && angle.is_some_and(|angle| angle.abs() < PI)
 }
 
-/// How many angles the motor has under a friction, by the isolation of real roots.
+/// The number of steady angles under a friction, by isolation of real roots.
 fn standing_angles(scene: &Scene, friction: f64) -> Option<usize> {
     let motor = scene.given.with("f", friction)?.model("synchronous").ok()?;
     match MotorStates::of(&motor).ok()? {

@@ -29,16 +29,16 @@ pub const FAILING: Failing = Failing {
 
 /// Steps over the scene's span.
 const STEPS: u32 = 5_000;
-/// Evaluations that a method may spend on a law that jumps.
+/// The budget of evaluations on a discontinuous law.
 const FEW: u64 = 21_000;
-/// A speed that is none, m/s; where it is looked for by halving, rounding alone is none.
+/// A smaller speed counts as rest, m/s; in the bisection `STILL` is the limit, which rounding alone stays below.
 const REST: f64 = 1e-9;
 const STILL: f64 = 1e-13;
-/// Within which a sign is smoothed, m/s.
+/// The sliding speed below which the sign in the friction law is smoothed, m/s.
 const SMOOTH: f64 = 1e-3;
 
 type Rod<P> = SteeredRod<P>;
-/// The rod with no events.
+/// The rod with friction as a sign of the speed, without events.
 type Sign = Slip<Rod<f64>, 4, 2>;
 
 const ACCEPTED: &str =
@@ -65,7 +65,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
         measured: run(&*scene).passages.get(1).map(|event| event.time),
         within: Within::Share(1_000_000_000),
     };
-    // from rest backwards, by a push that is linear in the acceleration
+    // the acceleration from rest backwards is linear in the push
     let backwards = |drive: Rational| sliding(&Rod { drive, ..exact }, Rational::zero(), Direction::Backwards);
     let (none, unit) = (backwards(Rational::zero()), backwards(Rational::int(1)));
     let turns = -none / (unit - none);
@@ -112,7 +112,7 @@ fn decimals(rod: &Rod<f64>) -> Rod<Rational> {
     Rod { guided, free, length, gravity, drive, friction, sides }
 }
 
-/// The state along the guide.
+/// The state of the rod that lies along the guide, with this speed.
 fn along<S: Scalar>(length: S, speed: S) -> State<S, 4> {
     let zero = S::zero();
     State { time: zero, place: [zero, zero, length, zero], velocity: [speed, zero, speed, zero] }
@@ -128,12 +128,12 @@ fn sliding(rod: &Rod<Rational>, speed: Rational, direction: Direction) -> Ration
     })
 }
 
-/// The scene as it runs.
+/// The run of a scene with its own method.
 fn run(scene: &dyn Modelled) -> Trajectory {
     scene.problem(Axes::default()).simulate(&scene.run().choice(), |_| ())
 }
 
-/// Whether the rod stays where it stops, under a push: friction leaves rounding of its speed, and any other push more.
+/// Whether the rod stays at rest where it stops, under a push: its final speed is then rounding.
 fn stays(scene: &dyn Modelled, drive: f64) -> bool {
     let pushed = scene.with_values(&[("X", drive)]).map(|pushed| run(&*pushed));
     pushed.is_ok_and(|pushed| {
@@ -142,7 +142,7 @@ fn stays(scene: &dyn Modelled, drive: f64) -> bool {
     })
 }
 
-/// A method between events.
+/// The trial of a method that locates the events.
 fn by_events(scene: &dyn Modelled, by: String, method: Method) -> Option<Trial> {
     let problem = scene.problem(Axes::default());
     let speed = problem.columns.iter().position(|name| name == "x'")?;
@@ -161,7 +161,7 @@ fn chatter(law: &Sign, start: &[f64], end: f64, rest: f64) -> Option<f64> {
             }
         }
     }
-    // a few steps later, when it has crossed rest
+    // a few steps later, when the speed has changed its sign
     let mut greatest = Greatest(rest + 10.0 * end / f64::from(STEPS), 0.0);
     let span = Span::new(0.0, end, start);
     let euler = Method::Euler { steps: STEPS };

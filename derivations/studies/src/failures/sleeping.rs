@@ -1,4 +1,4 @@
-//! Multiple eigenvalues where stability is tested: the sleeping top.
+//! Stability tests at a multiple eigenvalue: the sleeping top at its slowest speed.
 
 use super::bounds::first_positive;
 use super::edge::edge;
@@ -30,12 +30,12 @@ pub const FAILING: Failing = Failing {
     measure,
 };
 
-/// A first tilt, one that has grown, and the time that it has, s.
+/// The initial tilt, the tilt that counts as grown, and the time of the run, s.
 const TILT: [f64; 2] = [1e-6, 1e-2];
 const TIME: f64 = 100.0;
-/// Speeds on both sides of the slowest, at 10^-k of it.
+/// The tests are tried at speeds (1 +- 10^-k) times the slowest, k up to this number.
 const DECADES: i32 = 15;
-/// After which the iteration for eigenvalues is given up.
+/// Iterations after which the computation of eigenvalues is given up.
 const ITERATIONS: usize = 1_000;
 /// A real part that is taken for zero, relative to the root.
 const MARGIN: f64 = 1e-9;
@@ -49,7 +49,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     let decimal = decimals(bodies);
     let tensor = decimal.full_tensor().diagonal();
     let upright = bodies.rotor.axis == Vector3::z() && bodies.first_moment().xy().norm() == 0.0;
-    // about equal axes the carrier's spin enters by the momentum about the third alone
+    // with equal transverse moments of inertia the carrier's spin enters only through the momentum about the third axis
     let spin = Rational::decimal(scene.start.angular_velocity.z);
     let spins_alike = spin.is_zero() || tensor.x == tensor.y;
     let shared = tensor.z * spin / decimal.rotor.axial;
@@ -106,7 +106,7 @@ fn form<P: Base>(bodies: &Gyrostat<P>) -> FirstForm<P> {
     FirstForm::new(bodies.reduced_tensor().diagonal(), bodies.rotor.axis, bodies.rotor.axial, bodies.weight())
 }
 
-/// The derivatives of the rates of (w1, w2, v1, v2) upright, the carrier at rest, the rotor at a speed and free.
+/// The Jacobian of the rates of (w1, w2, v1, v2) at the upright position: the carrier at rest, the rotor free with a speed.
 fn jacobian<P: Base>(form: &FirstForm<P>, speed: P) -> [[P; 4]; 4] {
     let columns: [[P; 4]; 4] = std::array::from_fn(|k| {
         let [w1, w2, v1, v2] = along([P::zero(); 4], unit(k));
@@ -125,22 +125,22 @@ fn discriminant<S: Scalar>(matrix: [[S; 4]; 4]) -> S {
     c2 * c2 - S::int(4) * c4
 }
 
-/// The largest real part of an eigenvalue, relative to the largest eigenvalue, in doubles.
-/// `None` where the iteration for them does not converge: at a multiple eigenvalue it may go on for ever.
+/// The largest real part of an eigenvalue, relative to the largest modulus, in doubles.
+/// `None` where the iteration does not converge, which happens at multiple eigenvalues.
 fn real_part(matrix: &[[f64; 4]; 4]) -> Option<f64> {
     let all = Schur::try_new(Matrix4::from_fn(|i, j| matrix[i][j]), f64::EPSILON, ITERATIONS)?.complex_eigenvalues();
     let most = |of: fn(&nalgebra::Complex<f64>) -> f64| all.iter().map(of).fold(f64::NEG_INFINITY, f64::max);
     Some(most(|root| root.re) / most(|root| root.re.hypot(root.im)))
 }
 
-/// What each test says at speeds on both sides of the slowest, the carrier at rest.
+/// Whether each stability test is right at speeds on both sides of the slowest, with the carrier at rest.
 fn verdicts(bodies: &Gyrostat<f64>, slowest: f64) -> Vec<Trial> {
     let exact = decimals(bodies);
     let near = (1..=DECADES).flat_map(|k| [1.0, -1.0].map(|side| slowest * (1.0 + side * 10f64.powi(-k))));
     let speeds: Vec<(f64, bool)> = near
         .map(|speed| (speed, discriminant(jacobian(&form(&exact), Rational::exactly(speed))).sign() == Some(1)))
         .collect();
-    // what a test says of each speed, if it comes to an end
+    // the answer of a test at each speed, if it terminates
     let right = |says: &dyn Fn(f64) -> Option<bool>| {
         let said: Vec<(Option<bool>, bool)> = speeds.iter().map(|(speed, sleeps)| (says(*speed), *sleeps)).collect();
         match said {
@@ -169,7 +169,7 @@ fn verdicts(bodies: &Gyrostat<f64>, slowest: f64) -> Vec<Trial> {
     .into()
 }
 
-/// Whether a small tilt stays small all the way, the carrier spinning as in the scene.
+/// Whether a small tilt stays small along a run with the carrier's spin of the scene.
 fn stays(scene: &Scene, rotor_speed: f64) -> bool {
     let vertical = Vector3::new(TILT[0], 0.0, -1.0);
     let angular_velocity = Vector3::new(0.0, 0.0, scene.start.angular_velocity.z);
@@ -181,7 +181,7 @@ fn stays(scene: &Scene, rotor_speed: f64) -> bool {
     outcome.reached() && !falls.fell
 }
 
-/// Whether the tilt has grown.
+/// An observer that halts a run when the tilt has grown.
 struct Falls<'a> {
     scene: &'a Scene,
     fell: bool,

@@ -1,4 +1,4 @@
-//! A contact that slips, with the direction of its friction given: no regime is asked.
+//! A contact that slips with a given direction of friction, without a check of the contact regime.
 
 use field::{Analytic, Over, Scalar, Tangent};
 use integrators::{JacobianFn, Ode};
@@ -9,10 +9,10 @@ use mechanics::regimes::{Direction, Face, Mode, Seen};
 
 use super::slopes::ByTangents;
 
-/// How friction opposes the sliding velocity v.
+/// The friction law, against the sliding velocity v.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Friction {
-    /// As of a slip in this direction, whatever v is.
+    /// Friction of a slip in this direction, whatever v is.
     Granted(Direction),
     /// -f N v/sqrt(v^2 + e^2)
     Sign { smooth: f64 },
@@ -26,7 +26,7 @@ pub struct Slip<Q, const N: usize, const C: usize> {
 }
 
 impl<Q: Contacts<N, C, 1, Given = f64>, const N: usize, const C: usize> Slip<Q, N, C> {
-    /// Accelerations, and normal and tangential reaction; `None` where the constraints depend on each other.
+    /// Accelerations, and normal and tangential reaction; `None` where the constraints are dependent.
     pub fn motion<S: Over<f64> + Analytic>(&self, at: &State<S, N>) -> Option<([S; N], [S; 2])> {
         let mut seen = Seen::<S, N, 1>::of::<_, C>(&self.system, at, self.system.force(at)).ok()?;
         let direction = match self.friction {
@@ -43,7 +43,7 @@ impl<Q: Contacts<N, C, 1, Given = f64>, const N: usize, const C: usize> Slip<Q, 
     }
 }
 
-/// The velocity along the contact.
+/// The sliding velocity at the contact.
 fn sliding<Q, S, const N: usize, const C: usize>(system: &Q, at: &State<S, N>) -> S
 where
     Q: Contacts<N, C, 1>,

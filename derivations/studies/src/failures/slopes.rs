@@ -1,11 +1,11 @@
-//! The Jacobian of a dear law, one tangent pass for each column.
+//! The Jacobian of an expensive law by forward differentiation, one pass for each column.
 //!
 //! Eight columns at once are cheaper only where the law is short enough to be inlined whole.
 
 use field::Tangent;
 use integrators::{JacobianFn, Ode};
 
-/// A law, and room for one pass.
+/// A law, with memory for one pass.
 pub struct ByTangents<'a, L> {
     law: &'a L,
     y: Vec<Tangent<f64>>,
@@ -13,7 +13,7 @@ pub struct ByTangents<'a, L> {
 }
 
 impl<'a, L: Ode<Tangent<f64>>> ByTangents<'a, L> {
-    /// Of a law that does not depend on time.
+    /// The Jacobian of an autonomous law.
     pub fn of(law: &'a L) -> Self {
         let none = vec![Tangent::fixed(0.0); law.dimension()];
         ByTangents { law, y: none.clone(), dy: none }

@@ -1,4 +1,4 @@
-//! The integrable constraint of task 1 where sin(theta) goes to zero.
+//! A singular coordinate: the integrable constraint of task 1 as sin(theta) goes to zero.
 
 use super::entry::data;
 use super::trials::{BUDGET, Running, Tried, near};
@@ -23,9 +23,9 @@ pub const FAILING: Failing = Failing {
     measure,
 };
 
-/// What the angle still tells of the place: a factor of two of its distance from the guide.
+/// The largest error of ln tan(theta/2) with which the angle still determines the place: a factor of two in tan(theta/2).
 const TOLD: f64 = LN_2;
-/// Steps of the runs in which that is looked for, while the distance falls to 1/e.
+/// Steps of these runs while the angle's distance from pi decreases by the factor e.
 const STEPS_TO_A_FOLD: f64 = 2.0;
 
 const ACCEPTED: &str =
@@ -55,8 +55,8 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
         exact: Exact::Formula(formula, value),
         unit: "m".into(),
         measured: told_until(&by_place, &start, span),
-        // roundings on the way fade as the distance does: all are below 1/2 (1 + e^-1/2 + e^-1 + ..) = 1.3 spacings, which double
-        // a distance of 2.5 instead of the 0.78 of theory: 0.9 m earlier; and it is looked at once in 0.38 m
+        // rounding errors decay as the distance does: their sum is below 1/2 (1 + e^-1/2 + e^-1 + ..) = 1.3 spacings, which double
+        // a distance of 2.5 instead of the 0.78 of theory: 0.9 m earlier; and the angle is checked every 0.38 m
         within: Within::Share(20),
     };
     let tolerance = 1e-9;
@@ -107,7 +107,7 @@ impl Charted<4, 2, 1> for ByAngle {
     }
 
     fn rates<S: Over<f64> + Analytic>(&self, time: S, q: [S; 2], [turning]: [S; 1]) -> [S; 2] {
-        // what a unit of x' turns
+        // theta' for a unit of x'
         let [_, turned] = Charted::rates(&self.0, time, q, [S::one()]);
         [turning / turned, turning]
     }
@@ -133,7 +133,7 @@ impl<S: Over<f64> + Analytic> Ode<S> for ByAngle {
     }
 }
 
-/// (q', p') by Appell's equations; no number where they do not determine p'.
+/// (q', p') by Appell's equations; undefined where they do not determine p'.
 fn rates<Q, S>(rod: &Q, time: S, y: &[S], dy: &mut [S])
 where
     Q: Charted<4, 2, 1, Given = f64>,
@@ -149,10 +149,10 @@ where
 impl integrators::System for ByPlace {}
 impl integrators::System for ByAngle {}
 
-/// The way after which the angle has lost the place, at the end of the first step of which that is so.
+/// The way after which the angle no longer determines the place, at the end of the first step at which the error exceeds `TOLD`.
 ///
-/// A tolerance would be one of the angle, not of its distance from the guide, so the steps are constant: of Runge and Kutta, two
-/// while that distance falls to 1/e, which leave 3 % of it after the whole way.
+/// A tolerance would bound the error of the angle, not that of its distance from pi. The run therefore takes constant steps of
+/// Runge-Kutta 4, two while that distance decreases by the factor e; 3 % of it is left after the whole way.
 fn told_until(law: &ByPlace, start: &[f64], end: f64) -> Option<f64> {
     struct First<F>(F, Option<f64>);
     impl<F: Fn(&[f64]) -> f64> Observer<f64> for First<F> {

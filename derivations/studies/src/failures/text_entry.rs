@@ -1,4 +1,4 @@
-//! Entries of the catalogue that are text: scenes with the table `[failure]`, those of the folder and those of a user.
+//! Entries of the catalogue of failure as text: scenes with the table `[failure]`, of the folder or of a user.
 
 use super::edge::edge;
 use super::trials::{BUDGET, Trial, Tried};
@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 /// The folder beside other scenes.
 pub(super) const FOLDER: &str = "failures";
 
-/// The edge is found so many times as closely as theory is compared.
+/// The bisection is finer than the comparison with theory by this factor.
 const CLOSER: f64 = 10.0;
 
 /// The entries of a folder of scenes, by the names of their files; those that cannot be read are errors.
@@ -30,18 +30,18 @@ pub fn text_entries(folder: &Path) -> Vec<Result<(PathBuf, FailureEntry), SceneE
     files.into_iter().filter_map(entry).collect()
 }
 
-/// An entry in a file of its own.
+/// Reads an entry from its file.
 ///
 /// # Errors
-/// All that is wrong with it, each at its place.
+/// All mistakes in the file, each with its place.
 pub fn text_entry(file: &Path) -> Result<FailureEntry, SceneError> {
     FailureEntry::parse(&file.display().to_string(), &read_text(file)?)
 }
 
-/// Measures an entry: the edge between runs that hold and runs that do not, and what every method does beyond it. `goes_on` breaks it off.
+/// Measures an entry: the threshold by bisection between runs, and the fate of every method beyond it. `goes_on` can break it off.
 ///
 /// # Errors
-/// Where it is broken off, and where the run at `fails_at` shows another failure than is expected.
+/// Where the measurement is broken off, and where the run at `fails_at` shows another failure than is expected.
 pub fn measure_text(
     file: &Path,
     entry: &FailureEntry,
@@ -89,7 +89,7 @@ pub fn measure_text(
     Ok(Found { thresholds: vec![threshold], diagnosis: says.unwrap_or_default(), trials })
 }
 
-/// Every method at the end that fails.
+/// Trials of every method at the parameter value that fails.
 fn trials(entry: &FailureEntry, fails: f64) -> Vec<Trial> {
     let Some((problem, choice)) = entry.problem(fails) else { return Vec::new() };
     let mut tried = Tried { outputs: choice.samples, ..Tried::of(&problem, choice.tolerance) };
@@ -97,12 +97,12 @@ fn trials(entry: &FailureEntry, fails: f64) -> Vec<Trial> {
         tried.steps = steps;
     }
     let (outcome, right, left) = tried.run(RIGHT);
-    // what fades before the first output has been of a size too
+    // components that decay before the first output count with their initial size
     let mut sizes = Sizes(problem.state.iter().map(|part| part.abs()).collect());
     let span = Span::new(0.0, problem.span, &problem.state).with_evaluations(BUDGET);
     problem.integrate(RIGHT, &Tolerance::both(choice.tolerance), &span, &mut sizes);
     let Sizes(sizes) = sizes;
-    // a motion that ends cannot be followed to its end; where time or evaluations ended it, nothing is known
+    // a motion whose law ends cannot be followed to the end of the span; where time or evaluations ended it, nothing is known
     let is_over = left.is_some() || outcome.failure().is_some_and(|why| !why.is_broken_off() && !is_costly(why));
     let follows = |record: &Record<f64>| match outcome.reached() {
         true => near_motion(record, &right, &sizes, choice.tolerance),
@@ -114,16 +114,16 @@ fn trials(entry: &FailureEntry, fails: f64) -> Vec<Trial> {
     })
 }
 
-/// The method whose motion is taken for right.
+/// The method whose run is the reference.
 const RIGHT: Method = Method::RadauIIA { stages: 7 };
 
-/// The part of its size by which a component of a run that holds may be off.
+/// The largest error of a component, relative to its size, in a run that holds.
 const AS_RIGHT: f64 = 0.1;
 
-/// Errors of a run in tolerances of its largest component: a component that is smaller is not compared.
+/// A component smaller than this multiple of the tolerance times the largest component is not compared.
 const TOLERANCES: f64 = 1e3;
 
-/// Whether a run is near another in every component, relative to its size along the motion.
+/// Whether a run is near the reference in every component, relative to its size along the motion.
 fn near_motion(record: &Record<f64>, right: &Record<f64>, sizes: &[f64], tolerance: f64) -> bool {
     let least = TOLERANCES * tolerance * sizes.iter().copied().fold(0.0, f64::max);
     let is_close = |(a, b): (&Vec<f64>, &Vec<f64>)| {
@@ -132,7 +132,7 @@ fn near_motion(record: &Record<f64>, right: &Record<f64>, sizes: &[f64], toleran
     record.states.len() == right.states.len() && record.states.iter().zip(&right.states).all(is_close)
 }
 
-/// Whether a run was ended by its evaluations.
+/// Whether a run ended because it used up its evaluations.
 fn is_costly(why: Failure) -> bool {
     matches!(why, Failure::TooManyEvaluations { .. })
 }

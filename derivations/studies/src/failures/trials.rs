@@ -1,25 +1,25 @@
-//! Every method on a scene under a budget, and what became of each.
+//! Trials: every method on a scene under a budget of evaluations, and its fate.
 
 use integrators::{End, Failure, Method, Outcome, Record, Span, System, Tolerance, beside, integrate};
 use simulation::{Problem, methods};
 use std::fmt;
 
-/// What became of a method.
+/// The fate of a method in a trial.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Fate {
-    /// It comes out as it should.
+    /// The result meets the condition.
     Holds,
-    /// It reaches its end off by more than was asked, and says nothing.
+    /// The run reaches its end, the result does not meet the condition, and no warning is given.
     Wrong,
-    /// It does that, and shorter steps show that it does not follow its law.
+    /// As `Wrong`, but the comparison with shorter steps shows that the run does not follow its law.
     Told(&'static str),
-    /// It stops, and gives this reason.
+    /// The run stops with this reason.
     Stops(String),
-    /// A number that is none came out: never.
+    /// The result is not a number: this must never happen.
     Undefined,
 }
 
-/// Something that was tried.
+/// A method or formulation with its fate.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Trial {
     /// A method as the command line reads it, or a formulation.
@@ -27,16 +27,15 @@ pub struct Trial {
     pub fate: Fate,
 }
 
-/// The evaluations that a method may usually spend: no clock, whose answer would be the
-/// machine's.
+/// The usual budget of evaluations: a limit in time would make results depend on the machine.
 pub const BUDGET: u64 = 200_000;
 
 /// The law that methods run.
 #[derive(Clone, Copy)]
 pub enum Running<'a> {
-    /// Everywhere.
+    /// A law without events, over the whole span.
     Alone(&'a dyn System),
-    /// Across its events, or to its end.
+    /// A problem, run across its events, or to the end of its law.
     Problem(&'a Problem),
 }
 
@@ -47,15 +46,15 @@ pub struct Tried<'a> {
     /// s
     pub span: f64,
     pub tolerance: f64,
-    /// Of the methods with a constant step.
+    /// The number of steps of the methods with constant step size.
     pub steps: u32,
-    /// Instants at which the result is looked at.
+    /// The number of output instants at which the result is checked.
     pub outputs: usize,
     /// Evaluations that a method may spend.
     pub budget: u64,
 }
 
-/// Every method by the name that the command line reads, those of constant step with so many.
+/// Every method with its name on the command line; those with constant step size take this number of steps.
 pub fn every_method(steps: u32) -> impl Iterator<Item = (String, Method)> {
     methods::list().filter_map(move |(written, _)| {
         let name = written.replace("STEPS", &steps.to_string());
@@ -64,13 +63,13 @@ pub fn every_method(steps: u32) -> impl Iterator<Item = (String, Method)> {
 }
 
 impl<'a> Tried<'a> {
-    /// A problem, seen at four instants, with a thousand steps where they are constant.
+    /// A problem with the defaults: four output instants, a thousand steps for methods with constant step size.
     pub fn of(problem: &'a Problem, tolerance: f64) -> Self {
         let (law, Problem { state, span, .. }) = (Running::Problem(problem), problem);
         Tried { law, state, span: *span, tolerance, steps: 1_000, outputs: 4, budget: BUDGET }
     }
 
-    /// One method: how it ended, what it showed, and why the law ended where it did.
+    /// Runs one method: the outcome, the record of its outputs, and the reason where the law ended.
     pub fn run(&self, method: Method) -> (Outcome<f64>, Record<f64>, Option<&'static str>) {
         let span = Span::new(0.0, self.span, self.state).with_even_outputs(self.outputs).with_evaluations(self.budget);
         let mut record = Record::new();
@@ -82,12 +81,12 @@ impl<'a> Tried<'a> {
         (outcome, record, left)
     }
 
-    /// What is right, by a collocation of high order.
+    /// The reference, by Radau IIA with seven stages.
     pub fn right(&self) -> Record<f64> {
         self.run(Method::RadauIIA { stages: 7 }).1
     }
 
-    /// All methods that accept the law; of one that reached its end `holds` says whether it came out as it should.
+    /// Trials of all methods that accept the law; `holds` judges a run that reached its end.
     pub fn all(&self, holds: impl Fn(&Record<f64>) -> bool) -> Vec<Trial> {
         let one = |(by, method): (String, Method)| {
             let (outcome, record, left) = self.run(method);
@@ -105,7 +104,7 @@ impl<'a> Tried<'a> {
     }
 }
 
-/// What became of a run.
+/// The fate of a run.
 pub fn fate(
     outcome: &Outcome<f64>,
     record: &Record<f64>,
@@ -125,7 +124,7 @@ pub fn fate(
 }
 
 impl Fate {
-    /// In tables: what holds first, then what errs silently.
+    /// The order in tables: methods that hold first, then those that fail silently.
     pub fn rank(&self) -> u8 {
         match self {
             Fate::Holds => 0,
@@ -149,15 +148,15 @@ impl fmt::Display for Fate {
     }
 }
 
-/// The share of the largest component below which one is nothing.
+/// A component below this share of the largest counts as zero.
 const ROUNDING: f64 = 1e-9;
 
-/// Whether a run is near another in every component, relative to its size there.
+/// Whether a run is near the reference in every component, relative to the component's size.
 pub fn near(record: &Record<f64>, right: &Record<f64>, share: f64) -> bool {
     let count = right.states.first().map_or(0, Vec::len);
     let size = |i: usize| right.states.iter().map(|state| state[i].abs()).fold(f64::MIN_POSITIVE, f64::max);
     let sizes: Vec<f64> = (0..count).map(size).collect();
-    // what stays zero is rounding
+    // components that are zero up to rounding
     let least = ROUNDING * sizes.iter().copied().fold(0.0, f64::max);
     let sizes: Vec<f64> = sizes.into_iter().map(|size| size.max(least)).collect();
     let close =
@@ -165,7 +164,7 @@ pub fn near(record: &Record<f64>, right: &Record<f64>, share: f64) -> bool {
     record.times == right.times && record.states.iter().zip(&right.states).all(close)
 }
 
-/// A method on a problem across its events: `None` where it does not accept the law.
+/// The fate of a method on a problem with events; `None` where the method does not accept the law.
 pub fn across_events(
     problem: &Problem,
     (method, tolerance): (Method, f64),
@@ -175,7 +174,7 @@ pub fn across_events(
     let mut record = Record::new();
     let (outcome, left) = problem.integrate(method, &Tolerance::both(tolerance), &span, &mut record);
     let accepted = !matches!(outcome.failure(), Some(Failure::Refused(_)));
-    // the first clause: what follows explains it
+    // only the first clause: the others explain it
     let left = left.and_then(|why| why.split(':').next());
     accepted.then(|| fate(&outcome, &record, left, holds))
 }

@@ -1,4 +1,4 @@
-//! Drift of the vertical's length over long times.
+//! Drift of the length of the vertical vector over long runs.
 
 use super::bounds::swinging;
 use super::edge::edge;
@@ -23,11 +23,11 @@ pub const FAILING: Failing = Failing {
     measure,
 };
 
-/// Steps in which a length that grows is seen.
+/// Steps in which growth of the length is detected.
 const STEPS: u32 = 400;
-/// Of the methods with a constant step, along the whole scene.
+/// Steps over the whole scene of the methods with constant step size.
 const CONSTANT: u32 = 4_000;
-/// What may be lost of the square of the length.
+/// The largest error of the squared length that a run may have.
 const KEPT: f64 = 1e-4;
 
 fn measure(path: &Path) -> Result<Found, NotFound> {
@@ -71,7 +71,7 @@ fn measure(path: &Path) -> Result<Found, NotFound> {
     Ok(Found { thresholds: step.into_iter().chain([lost]).collect(), diagnosis, trials })
 }
 
-/// By the determinant of a step, exactly.
+/// The share of the squared length that the run loses, exactly, by the determinant of a step.
 fn lost(kappa: Rational) -> Exact {
     let map = Scheme::RungeKutta4.transition(Rational::zero(), kappa);
     let factor = map.map_or(Rational::UNDEFINED, |[[a, b], [c, d]]| a * d - b * c);
@@ -79,12 +79,12 @@ fn lost(kappa: Rational) -> Exact {
     Exact::Formula(format!("1 - ({factor})^{CONSTANT}"), value)
 }
 
-/// v.v, of (w, v, ...).
+/// v.v at the state (w, v, ...).
 fn length(y: &[f64]) -> f64 {
     y.iter().skip(3).take(3).map(|v| v * v).sum()
 }
 
-/// v.v after so many steps h of Runge and Kutta.
+/// v.v after a number of steps h of Runge-Kutta 4.
 fn after(problem: &Problem, h: f64, steps: u32) -> Option<f64> {
     let span = Span::new(0.0, h * f64::from(steps), &problem.state);
     let method = Method::RungeKutta4 { steps };

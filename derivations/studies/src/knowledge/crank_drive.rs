@@ -49,7 +49,7 @@ fn start(scene: &dyn Modelled) -> [f64; 7] {
     [f1, f2, q4 - q5, f4, f5, q6, f6]
 }
 
-/// The margin to the end of a run: it ends where the rod's constraint is violated by more than [`LOST`].
+/// The margin to the end of a run: it ends where the rod's constraint is violated by more than `LOST`.
 fn margins(scene: &dyn Modelled, names: &[String]) -> Option<Box<Margins>> {
     let drive = data(scene).drive;
     let place = |name: &str| names.iter().position(|known| known == name);

@@ -6,7 +6,7 @@ use std::ops::Range;
 use systems::gyrostat::admissible::Inadmissible;
 use systems::gyrostat::{Carrier, Gyrostat, Rotor};
 
-/// Carrier, rotor and gravity, as bodies that can exist.
+/// Reads carrier, rotor and gravity; `None` where such bodies cannot exist.
 pub fn gyrostat(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<Gyrostat<f64>> {
     let gravity = top.scalar("gravity", "acceleration of gravity", "m/s^2");
 
@@ -37,7 +37,7 @@ pub fn gyrostat(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<Gyrostat
         },
         gravity: gravity.value,
     };
-    // data that are already known to be wrong have been replaced, and say nothing about the bodies
+    // wrong data have been replaced: a judgement on the bodies would be meaningless
     if !complete || !issues.is_empty() || top.has_issues() {
         return None;
     }
@@ -64,7 +64,7 @@ pub fn gyrostat(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<Gyrostat
         axial: axial.span,
         transverse: transverse.span,
     };
-    // a datum beyond the range takes all that is made of it along: one cause
+    // one datum beyond the range makes all derived quantities infinite: only that cause is reported
     let mut beyond = broken.iter().filter(|condition| matches!(condition, Inadmissible::NotFinite { .. }));
     match beyond.next() {
         Some(first) => issues.push(places.issue(first)),
@@ -73,7 +73,7 @@ pub fn gyrostat(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<Gyrostat
     None
 }
 
-/// The axial moment of inertia of a rotor in a housing at rest.
+/// Reads the axial moment of inertia of a rotor in a housing at rest, kg m^2.
 pub fn bench(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<f64> {
     let mut table = top.table("rotor", "the rotor's moment of inertia: axial");
     let axial = table.scalar("axial", "moment of inertia of the rotor about its axis", "kg m^2");
@@ -86,9 +86,9 @@ pub fn bench(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<f64> {
     sound.then_some(axial.value)
 }
 
-/// Where the data stand that the conditions speak of.
+/// The places in the file of the data that the conditions concern.
 struct Places {
-    /// The datum of the largest number.
+    /// The datum with the largest number.
     largest: Range<usize>,
     gravity: Range<usize>,
     carrier_mass: Range<usize>,
@@ -140,7 +140,7 @@ impl Places {
     }
 }
 
-/// The unit vector that would be accepted in place of another.
+/// The hint with the unit vector that would be accepted in place of another.
 pub fn normalised(vector: &Vector3<f64>) -> String {
     match vector.try_normalize(0.0).filter(|unit| unit.iter().all(|x| x.is_finite())) {
         Some(unit) => format!("accepted in this direction: \"{} {} {}\"", unit.x, unit.y, unit.z),

@@ -1,4 +1,4 @@
-//! The ways of a scene with a motor: both forms and the momenta, with every model that its data allow.
+//! The configurations of a scene with a motor: both forms and the momenta, with every motor model that its data allow.
 
 use crate::scene::Scene;
 use crate::scene::state::ROTOR_SPEED;
@@ -6,7 +6,7 @@ use integrators::Reference;
 use simulation::Axes;
 use simulation::work_precision::{Configuration, Formulation, Observed, Standing};
 
-/// Models that have one motion, which is proved for every number of bars: `konosevich2022/damper`.
+/// Models with equal motions, as `konosevich2022/damper` proves for every number of bars.
 const EQUAL: [&str; 2] = ["multi_current", "equivalent_windings"];
 
 impl Scene {
@@ -39,7 +39,7 @@ impl Scene {
         if self.on_bench() {
             return vec![way(Formulation::Bench, Axes::First), way(Formulation::Momenta, Axes::First)];
         }
-        // three squares are enough in the axes of A for a rotor that is free, of A* for one that is kept
+        // a free rotor needs only three squares in the axes of A, one with prescribed speed in the axes of A*
         let fewest = if self.keeps_speed() { Axes::Second } else { Axes::First };
         vec![
             way(Formulation::First, Axes::First),
@@ -49,7 +49,7 @@ impl Scene {
     }
 
     /// Angular velocity and vertical, each relative to the size of the vector; rotor angle and slip, where the model has
-    /// them. The slip stands as the rotor's speed, which every model has and which differs from it by a constant.
+    /// them. The rotor's speed stands for the slip: every model has it, and they differ by a constant.
     pub(super) fn observables(&self, reference: &Reference) -> Vec<Observed> {
         let names = self.names();
         let size_of = |wanted: &str| {

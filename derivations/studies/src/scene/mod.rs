@@ -4,9 +4,9 @@
 //! * [`Scene`]: the gyrostat with a motor, or a motor on the bench; every family is in [`AnyScene`](crate::AnyScene);
 //! * [`bodies`], [`start`]: tables of a scene; that of the machine is read by [`motor::machine_table`];
 //! * [`state`]: the initial state in the axes of either form of the equations, and results back in the axes of the data;
-//! * `problem`: the law that any method integrates; `power_balance`: with the work of its supply; `configurations`: every form with every motor
-//!   that the data allow;
-//! * `model`: the same system as a model, which answers what is asked of equations;
+//! * `problem`: the initial value problem; `power_balance`: the problem with the work of the supply as a state; `configurations`:
+//!   every form with every motor that the data allow;
+//! * `model`: the scene as a model, for commands on equations;
 //! * [`code`]: the right-hand side and its Jacobian as code of other languages.
 
 pub mod bodies;
@@ -27,7 +27,7 @@ use reader::{Family, Issue, Opening, Table};
 use simulation::Run;
 use systems::gyrostat::Gyrostat;
 
-/// What moves.
+/// The mechanical system of a scene.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Setup {
     /// A gyrostat with a motor between carrier and rotor.
@@ -40,11 +40,11 @@ pub enum Setup {
 #[derive(Clone, Debug)]
 pub struct Scene {
     pub title: String,
-    /// What happens and why it is hard.
+    /// The motion in words, and its difficulty for a method.
     pub description: String,
     pub system: Setup,
     pub machine: Motor,
-    /// The machine with the data that were given: what other machines can be made of.
+    /// The machine with the data that were given, from which other motor models can be made.
     pub given: Motor,
     pub start: Start,
     pub run: Run,
@@ -64,7 +64,7 @@ impl Family for Scene {
 
     fn read(opening: Opening, top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<Self> {
         let Opening { title, description, system } = opening;
-        // what varies is for ensembles
+        // this table is read for ensembles only
         top.known(&["ensemble"]);
         let on_bench = system.value == "bench";
         let system = match on_bench {

@@ -1,7 +1,7 @@
 //! Scenes with a motor as models: carrier and rotor as bodies, the motor as a drive between them.
 //!
-//! The law that runs keeps only the vertical of the carrier's orientation, and the rotor's angle from the field; the model has a free
-//! frame and the charges of the windings. Whatever is asked of equations is answered by the model.
+//! The law that runs has only the vertical of the carrier's orientation, and the rotor's angle from the field; the model has a free
+//! frame and the charges of the windings. Commands on equations take the model.
 
 use super::{bodies, start};
 use model::{BodySource, ConstraintSource, DriveSource, Entry, InertiaSource, Source, Text};
@@ -24,7 +24,7 @@ fn bench(top: &mut Table<'_>, issues: &mut Vec<Issue>) -> Option<Source> {
     source(top, issues, true)
 }
 
-/// Reads the tables of a scene as its family does, and builds the model.
+/// Reads the tables of a scene with a motor, and builds the model.
 fn source(top: &mut Table<'_>, issues: &mut Vec<Issue>, on_bench: bool) -> Option<Source> {
     top.read_allowed();
     let mut source = match on_bench {
@@ -77,7 +77,7 @@ fn of_bodies(bodies: &Gyrostat<f64>) -> Source {
     parameters.extend(tensor.map(|(name, i, j)| entry(name, carrier.inertia[(i, j)], "kg m^2")));
     parameters.push(entry("m1", rotor.mass, "kg"));
     parameters.extend(vector("h", &rotor.centre, "m"));
-    // the axis is z of T, turned by alpha about z of the carrier, then by beta about y
+    // the axis is z of T, rotated by alpha about z of the carrier, then by beta about y
     parameters.push(entry("alpha", axis.y.atan2(axis.x), "rad"));
     parameters.push(entry("beta", axis.x.hypot(axis.y).atan2(axis.z), "rad"));
     parameters.push(entry("A", rotor.axial, "kg m^2"));
@@ -122,7 +122,7 @@ fn of_bodies(bodies: &Gyrostat<f64>) -> Source {
     }
 }
 
-/// The motor between carrier and rotor, or the constraint of a speed that is kept.
+/// Adds the motor between carrier and rotor, or the constraint of a prescribed speed.
 fn drive(source: &mut Source, machine: &Motor, on_bench: bool) {
     if let Some(speed) = machine.kept_speed() {
         source.parameters.push(entry("W", speed, "rad/s"));
@@ -138,7 +138,7 @@ fn drive(source: &mut Source, machine: &Motor, on_bench: bool) {
     source.drives.push(drive);
 }
 
-/// A number with its unit.
+/// A parameter with its value and unit.
 fn entry(name: &str, value: f64, unit: &str) -> Entry {
     (name, format!("{value:?} {unit}").as_str()).into()
 }

@@ -1,4 +1,4 @@
-//! A motor's scene with the work of its supply metered: a run then shows whether energy went where the laws send it.
+//! Scenes with a motor whose supply is metered: the work of the supply is a state, and the power balance an invariant of the run.
 
 use super::{Scene, Setup};
 use motor::{Bench, Metered, Powered, is_fed};
@@ -9,8 +9,8 @@ use std::sync::Arc;
 use systems::gyrostat::driven::Driven;
 
 impl Scene {
-    /// The problem in the axes of a form; where a supply feeds the machine, with the work on E - W p as the last state and
-    /// the balance of both among what is kept.
+    /// The problem in the axes of a form. If a supply feeds the machine, the last state is the work on E - W p, and the
+    /// balance of both is one of the invariants.
     pub fn metered(&self, axes: Axes) -> Problem {
         let plain = self.problem(axes);
         let Some((law, balance)) = self.fed(axes) else {
@@ -35,7 +35,7 @@ impl Scene {
         Problem { law, state, metered: 1, span, invariants, residual: None, columns, row, margins, switching: None }
     }
 
-    /// The law with the work that is done on it, and the balance of both; none where nothing feeds the machine.
+    /// The law with the work of the supply as a state, and the balance; `None` where no supply feeds the machine.
     fn fed(&self, axes: Axes) -> Option<(Arc<dyn Law>, Invariant)> {
         let machine = self.machine.clone();
         is_fed(&machine).then(|| match (&self.system, axes) {

@@ -1,4 +1,4 @@
-//! Warnings beside a run: laws that brake in one direction and drive in the other.
+//! Warnings on a run: torque laws that brake in one direction and drive in the other.
 
 use super::Scene;
 use super::state::ROTOR_SPEED;
@@ -6,7 +6,7 @@ use motor::{Driven, runaway};
 use simulation::Trajectory;
 
 impl Scene {
-    /// The moment law drives the rotor ever harder in a direction, and whether the run turns there.
+    /// Warnings where the torque law drives the rotor ever harder in a direction; each says whether the run reaches these speeds.
     pub(super) fn runs_away(&self, trajectory: &Trajectory) -> impl Iterator<Item = String> + use<> {
         let column = trajectory.column(ROTOR_SPEED);
         let rows: Vec<f64> =

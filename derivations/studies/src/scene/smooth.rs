@@ -9,12 +9,12 @@ use simulation::{Axes, Choice, IvpScene, Problem, Run, RunNotes, Trajectory};
 use std::borrow::Cow;
 
 impl Scene {
-    /// What the scene itself asks for.
+    /// The method, tolerance and outputs that the scene asks for.
     pub fn choice(&self) -> Choice {
         self.run.choice()
     }
 
-    /// Runs. `progress` is told the fraction done after every step.
+    /// Runs the scene. `progress` receives the fraction done after every step.
     pub fn simulate(&self, choice: &Choice, progress: impl FnMut(f64)) -> Trajectory {
         self.problem(choice.axes).simulate(choice, progress)
     }

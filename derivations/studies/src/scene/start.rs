@@ -5,25 +5,25 @@ use motor::{Machine, Motor};
 use nalgebra::Vector3;
 use reader::{Issue, Table};
 
-/// How far the length of the vertical may be from one.
+/// The largest deviation of the vertical's length from one.
 const ROUNDING: f64 = 1e-12;
 
-/// Where the motion starts, in the axes of the data.
+/// The initial state, in the axes of the data.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Start {
-    /// w, of the carrier, rad/s
+    /// angular velocity w of the carrier, rad/s
     pub angular_velocity: Vector3<f64>,
     /// v, the unit vector downwards
     pub vertical: Vector3<f64>,
-    /// g, of the rotor against the stator's field, rad
+    /// angle g of the rotor against the stator's field, rad
     pub rotor_angle: f64,
-    /// phi', of the rotor relative to the carrier, rad/s
+    /// speed phi' of the rotor relative to the carrier, rad/s
     pub rotor_speed: f64,
-    /// of the windings, A; empty where all are zero
+    /// currents of the windings, A; empty where all are zero
     pub currents: Vec<f64>,
 }
 
-/// The table `[start]`.
+/// Reads the table `[start]`.
 pub fn read(top: &mut Table<'_>, issues: &mut Vec<Issue>, on_bench: bool, machine: Option<&Motor>) -> Option<Start> {
     let mut table = top.table("start", "the initial state");
     let (mut angular_velocity, mut vertical) = (Vector3::zeros(), Vector3::z());
@@ -51,11 +51,11 @@ pub fn read(top: &mut Table<'_>, issues: &mut Vec<Issue>, on_bench: bool, machin
     })
 }
 
-/// One for each winding, where they are not all zero.
+/// Reads the currents: one for each winding, or none where all are zero.
 fn currents(table: &mut Table<'_>, machine: Option<&Motor>) -> Vec<f64> {
     let meaning =
         "row of currents, one for each winding, in the order of the states; of an excitation less its constant part";
-    // without a machine nobody knows how many there must be
+    // without a machine the number of windings is unknown
     let Some(windings) = machine.map(Machine::windings) else {
         table.known(&["currents"]);
         return Vec::new();
@@ -70,10 +70,10 @@ fn currents(table: &mut Table<'_>, machine: Option<&Motor>) -> Vec<f64> {
     }
 }
 
-/// A machine that keeps a speed needs none, and no other would be true.
+/// Reads the rotor's speed; a machine that prescribes it admits no other.
 fn rotor_speed(table: &mut Table<'_>, machine: Option<&Motor>) -> f64 {
     const KEY: (&str, &str, &str) = ("rotor_speed", "speed of the rotor relative to the carrier", "rad/s");
-    // without a machine nobody knows whether one is needed
+    // without a machine it is unknown whether a speed is needed
     let Some(machine) = machine else {
         return table.optional_scalar(KEY.0, KEY.1, KEY.2).map_or(0.0, |given| given.value);
     };
@@ -92,7 +92,7 @@ fn rotor_speed(table: &mut Table<'_>, machine: Option<&Motor>) -> f64 {
 }
 
 impl super::Scene {
-    /// Whether its machine keeps the rotor's speed whatever moment that takes.
+    /// Whether the machine prescribes the rotor's speed, whatever torque that takes.
     pub(super) fn keeps_speed(&self) -> bool {
         self.machine.kept_speed().is_some()
     }

@@ -7,10 +7,10 @@ use simulation::Axes;
 use systems::gyrostat::Gyrostat;
 use systems::gyrostat::tensors::Principal;
 
-/// The relative speed of the rotor, which is asked for whatever the state holds.
+/// The output with the rotor's relative speed, present whatever the state holds.
 pub const ROTOR_SPEED: &str = "rotor_speed";
 
-/// The tensor whose axes these are.
+/// The principal axes of the form's tensor: A for the first form, A* for the second.
 pub fn principal(axes: Axes, bodies: &Gyrostat<f64>) -> Principal {
     match axes {
         Axes::First => Principal::of(&bodies.reduced_tensor()),
@@ -56,12 +56,12 @@ impl Scene {
         if own[currents..].iter().any(|current| current == name) { "A" } else { unit(name) }
     }
 
-    /// Whether there is no carrier.
+    /// Whether the scene is a bench, without a carrier.
     pub fn on_bench(&self) -> bool {
         matches!(self.system, Setup::Bench { .. })
     }
 
-    /// The same scene with another machine, made of the same data.
+    /// The scene with another motor model made of the given data.
     pub fn with_model(&self, model: &str) -> Result<Scene, NoModel> {
         let machine = self.given.model(model)?;
         let (given, windings) = (self.start.currents.len(), machine.windings());
@@ -77,7 +77,7 @@ impl Scene {
         Ok(scene)
     }
 
-    /// From a state in the axes of a form to what is shown: the state in the axes of the data, and the rotor's speed.
+    /// The map from a state in the axes of a form to a row of outputs: the state in the axes of the data, and the rotor's speed.
     pub(super) fn row(&self, axes: Axes) -> impl Fn(f64, &[f64]) -> Vec<f64> + use<> {
         let back = self.back(axes);
         let frame_speed = self.machine.frame_speed();
@@ -99,7 +99,7 @@ impl Scene {
     }
 }
 
-/// The initial state of a machine: of its rotor, then its currents.
+/// The initial state of a machine: the rotor's state, then the currents.
 pub fn rotor_state(machine: &Motor, start: &Start) -> Vec<f64> {
     let known = machine.rotor();
     let mut state = vec![0.0; known.dimension()];
@@ -119,7 +119,7 @@ pub fn names(on_bench: bool, machine: &Motor) -> Vec<String> {
     names
 }
 
-/// What a run shows: the states and the rotor's speed.
+/// The names of a run's outputs: the states and the rotor's speed.
 pub fn outputs(on_bench: bool, machine: &Motor) -> Vec<String> {
     let mut names = names(on_bench, machine);
     names.push(ROTOR_SPEED.to_owned());

@@ -1,28 +1,28 @@
-//! The steps that Euler bears of the drive's circuit along a whole motion: the least and the greatest.
+//! Least and greatest stability limit of Euler's step size on the drive's circuit, along a whole motion.
 //!
-//! The longest step at an instant follows the diodes, whose knees are passed in milliseconds. It is looked at wherever a method of
-//! order 5 steps and at so many instants more, and about the least and the greatest found it is searched by golden sections.
+//! The limit at an instant depends on the diodes, whose knees are passed in milliseconds. It is evaluated at every step of a
+//! method of order 5 and at `INSTANTS` more; near the least and the greatest found it is refined by golden section search.
 
 use super::drive_law::{Seven, bearable_step};
 use integrators::{Failure, Method, Observer, Span, System, Tolerance, integrate};
 use simulation::CompiledLaw;
 
-/// Instants that are looked at, beside the steps of the method.
+/// Instants at which the limit is evaluated, besides the steps of the method.
 const INSTANTS: usize = 4000;
 
-/// So many of the least and of the greatest are searched about.
+/// The number of local extrema that are refined.
 const SEARCHED: usize = 6;
 
-/// Golden sections: the interval is then a millionth of what it was.
+/// Golden sections: they shrink an interval to a millionth.
 const SECTIONS: usize = 30;
 
 const METHOD: Method = Method::RadauIIA { stages: 3 };
 const TOLERANCE: f64 = 1e-8;
 
-/// Evaluations of the whole motion: a stiff circuit takes some hundred thousands.
+/// Evaluations for the whole motion: a stiff circuit takes some hundred thousands.
 const EVALUATIONS: u64 = 1_000_000;
 
-/// The motion with the longest bearable step at each instant.
+/// The motion with the stability limit of the step size at each instant.
 struct Course<'a> {
     law: &'a CompiledLaw,
     points: Vec<Point>,
@@ -52,10 +52,10 @@ impl Observer<f64> for Course<'_> {
     }
 }
 
-/// The least and the greatest of the longest steps that Euler bears at an instant of the motion from a start to a time, s.
+/// The least and the greatest stability limit of Euler's step size, s, along the motion from a start to a time, s.
 ///
 /// # Errors
-/// Where the motion breaks off, or is not done with a million evaluations.
+/// The failure of the motion's run, which has a million evaluations.
 pub fn bearable_steps(law: &Seven, start: &[f64], end: f64) -> Result<[f64; 2], Failure> {
     let mut span = Span::new(0.0, end, start).with_even_outputs(INSTANTS).with_evaluations(EVALUATIONS);
     span.outputs.insert(0, 0.0);
@@ -67,13 +67,13 @@ pub fn bearable_steps(law: &Seven, start: &[f64], end: f64) -> Result<[f64; 2], 
     }
 }
 
-/// The longest step at an instant; none is known of a law without derivatives.
+/// The stability limit at an instant, s; NaN for a law without Jacobian.
 fn step_at(law: &CompiledLaw, time: f64, state: &[f64]) -> f64 {
     law.jacobian_fn().map_or(f64::NAN, |mut slopes| bearable_step(&mut *slopes, time, state))
 }
 
 impl Course<'_> {
-    /// The greatest value of a function of the step, searched about the greatest that were seen.
+    /// The greatest value of a function of the limit, refined near the greatest local maxima.
     fn greatest(&self, of: impl Fn(f64) -> f64) -> f64 {
         let value = |k: usize| of(self.points[k].step);
         let last = self.points.len() - 1;
@@ -84,7 +84,7 @@ impl Course<'_> {
         searched.chain(peaks.first().map(|&k| value(k))).fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// The greatest value between two points, by golden sections.
+    /// The greatest value between two points, by golden section search.
     fn about(&self, [begin, end]: [usize; 2], of: &impl Fn(f64) -> f64) -> f64 {
         let ratio = 0.5 * (5.0_f64.sqrt() - 1.0);
         let (mut low, mut high) = (self.points[begin].time, self.points[end].time);

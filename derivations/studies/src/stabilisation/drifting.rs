@@ -1,18 +1,18 @@
-//! A monitor of constraints that are kept only differentiated twice: says by name that one drifts.
+//! A monitor of drift-off from a constraint f = 0 after index reduction to f'' = 0.
 //!
-//! From f'' = 0 each step adds h f' to the violation f, and what the method errs in f' stays for ever. The monitor sums h f' up along
-//! the run. Where f has left its bounds and most of the way is this sum, the constraint drifts: gains or a projection
-//! are missing, and no shorter step helps for long. Otherwise it is violated in some other way.
+//! With f'' = 0 each step adds h f' to the violation f, and errors of the method in f' persist. The monitor sums h f' along the
+//! run. If f leaves its bounds and this sum is most of its change, the constraint drifts: gains or a projection are
+//! missing, and a shorter step does not help for long. Otherwise the violation has another cause.
 
 use integrators::Observer;
 use std::fmt;
 
-/// Watches (f, f') at the end of every step and halts the run when f leaves its bounds.
+/// An observer of (f, f') after every step that halts the run when f leaves its bounds.
 pub struct Drifting<F> {
     violation: F,
     allowed: f64,
     first: f64,
-    /// Time and (f, f') before, and the sum of h f'.
+    /// Time and (f, f') after the step before; `summed` is the sum of h f'.
     last: Option<(f64, [f64; 2])>,
     summed: f64,
     pub found: Option<Drift>,
@@ -23,7 +23,7 @@ pub struct Drifting<F> {
 pub struct Drift {
     /// s
     pub at: f64,
-    /// f, in its own unit, and how much of it came since the start.
+    /// f, in its own unit; `come` is its change since the start.
     pub violation: f64,
     pub come: f64,
     /// The sum of h f'.
@@ -31,7 +31,7 @@ pub struct Drift {
 }
 
 impl<F: Fn(&[f64]) -> [f64; 2]> Drifting<F> {
-    /// From the state of a run's start; |f| may be so much.
+    /// A monitor that starts at a state and allows |f| up to a bound.
     pub fn new(violation: F, (time, start): (f64, &[f64]), allowed: f64) -> Self {
         let [first, rate] = violation(start);
         Drifting { violation, allowed, first, last: Some((time, [first, rate])), summed: 0.0, found: None }
@@ -42,7 +42,7 @@ impl<F: Fn(&[f64]) -> [f64; 2]> Observer<f64> for Drifting<F> {
     fn step(&mut self, time: f64, state: &[f64]) {
         let now = (self.violation)(state);
         if let Some((before, [_, rate])) = self.last.replace((time, now)) {
-            // the mean of both ends: what varies within a step is no drift
+            // the mean of both ends: a variation within a step is no drift
             self.summed += 0.5 * (time - before) * (rate + now[1]);
         }
         let [f, _] = now;
@@ -57,12 +57,12 @@ impl<F: Fn(&[f64]) -> [f64; 2]> Observer<f64> for Drifting<F> {
 }
 
 impl Drift {
-    /// Whether most of the violation is its own rate, summed up.
+    /// Whether the sum of h f' is most of the change of f.
     pub fn by_its_rate(&self) -> bool {
         (self.come - self.summed).abs() < 0.5 * self.come.abs()
     }
 
-    /// Its name, without its place.
+    /// The name of the failure, without its place.
     pub fn name(&self) -> &'static str {
         if self.by_its_rate() { "the constraint drifts" } else { "the constraint is violated" }
     }

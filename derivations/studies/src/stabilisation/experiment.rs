@@ -1,4 +1,4 @@
-//! The experiment with the drive: Euler with the step 0.01 s, with and without stabilisation, and what step it can bear.
+//! The experiment with the drive: Euler with the step 0.01 s, with and without stabilisation, and the stability limit of its step.
 
 use super::bearable::bearable_steps;
 use super::drive_law::{Nine, Seven, violation};
@@ -12,7 +12,7 @@ pub const STEP: f64 = 0.01;
 /// The span, s.
 pub const SPAN: f64 = 20.0;
 
-/// A slow drive: its currents decay over more than half a step, because otherwise Euler could not follow them.
+/// A slow drive: its electrical time constants exceed half a step, as the stability of Euler requires.
 pub const DRIVE: CrankDrive<f64> = CrankDrive {
     circuit: Circuit {
         amplitude: 40.0,
@@ -37,7 +37,7 @@ pub const DRIVE: CrankDrive<f64> = CrankDrive {
     mechanism: CrankSlider { inertia: 0.5, mass: 0.5, crank: 0.2, rod: 0.6, weight: 1.0 },
 };
 
-/// At rest without currents, the crank up by 0.3.
+/// The initial state: at rest without currents, the crank at 0.3 rad.
 pub fn start() -> [f64; 9] {
     let angle = 0.3;
     [0.0, 0.0, 0.0, 0.0, 0.0, angle, 0.0, DRIVE.mechanism.slider(angle), 0.0]
@@ -62,7 +62,7 @@ impl Observer<f64> for Every<'_> {
     }
 }
 
-/// One run of the nine equations in steps of so many seconds.
+/// One run of the nine equations with a step size in s.
 pub fn run(name: &str, method: fn(u32) -> Method, step: f64, damping: f64, stiffness: f64) -> Track {
     let law = CompiledLaw::new(Nine { drive: DRIVE, damping, stiffness });
     let mut points = vec![(0.0, start())];
@@ -73,7 +73,7 @@ pub fn run(name: &str, method: fn(u32) -> Method, step: f64, damping: f64, stiff
 }
 
 impl Track {
-    /// The largest |f| and |f'| along the way.
+    /// The largest |f|, m^2, and |f'|, m^2/s, along the run.
     pub fn drift(&self) -> (f64, f64) {
         self.points.iter().fold((0.0, 0.0), |(f, df): (f64, f64), (_, y)| {
             let (value, rate) = violation(&DRIVE, y);
@@ -82,11 +82,11 @@ impl Track {
     }
 }
 
-/// The motion at so many equal times after the start in coordinates without the slider, whose place and speed are added;
-/// and the digits on which two methods of different families agree.
+/// The reference motion at equally spaced times, from the seven equations, with the slider's place and speed added;
+/// and the digits to which two methods of different families agree.
 ///
 /// # Errors
-/// Where one of them broke off.
+/// The failure of one of the two runs.
 pub fn exact(outputs: usize) -> Result<(Vec<Sample>, f64), Failure> {
     let y = start();
     let seven = Seven { drive: DRIVE };
@@ -105,31 +105,31 @@ pub fn exact(outputs: usize) -> Result<(Vec<Sample>, f64), Failure> {
     Ok((first.times.iter().copied().zip(first.states.iter().map(|y| seven.whole(y))).collect(), -apart.log10()))
 }
 
-/// What step Euler can bear, s. By theory: the longest with which I + h A has no eigenvalue outside the unit circle, A the
-/// Jacobian of the circuit's five equations at the instants of the motion. By measurement: the longest with which a
-/// run keeps its currents bounded.
+/// Stability limits of Euler's step size, s. By theory: the longest for which I + h A has no eigenvalue outside the unit circle, A the
+/// Jacobian of the circuit's five equations at the instants of the motion. By measurement: the longest with which the
+/// currents of a run stay bounded.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bearable {
-    /// The least over all instants.
+    /// The least limit over all instants.
     pub least: f64,
-    /// The greatest: what is beyond it is outside at every instant.
+    /// The greatest limit over all instants: longer steps are unstable at every instant.
     pub greatest: f64,
-    /// Without stabilisation.
+    /// The measured limit without stabilisation.
     pub plain: f64,
-    /// With the gains of the fastest decay at each step.
+    /// The measured limit with the gains of the fastest decay for each step size.
     pub stabilised: f64,
 }
 
-/// The bound on the step of Euler, both ways.
+/// The stability limits of Euler's step size, by theory and by runs.
 ///
 /// # Errors
-/// Where the exact motion broke off.
+/// The failure of the exact motion's run.
 pub fn bearable() -> Result<Bearable, Failure> {
     let [least, greatest] = bearable_steps(&Seven { drive: DRIVE }, &start()[..7], SPAN)?;
     Ok(Bearable { least, greatest, plain: measured(0.0, 0.0), stabilised: measured(2.0, 1.0) })
 }
 
-/// The longest step, to a thousandth of it, with gains h b and h^2 k.
+/// The longest step, s, with bounded currents and the gains h b and h^2 k, to a relative accuracy of 1/1000.
 fn measured(beta: f64, kappa: f64) -> f64 {
     let bounded = |steps: u32| {
         let h = SPAN / f64::from(steps);
@@ -144,11 +144,11 @@ fn measured(beta: f64, kappa: f64) -> f64 {
     SPAN / f64::from(enough)
 }
 
-/// A current beyond which a run is lost, A: the source could drive 40 through its resistance.
+/// A current beyond which a run counts as unbounded, A: the source could drive 40 A through its resistance.
 const LOST: f64 = 200.0;
 
-/// The largest damping with which the constraint of the drive stays kept at the step of the experiment and the stiffness
-/// k: what a run shows; theory says h b = 2 + h^2 k / 2.
+/// The largest damping b, measured by runs, with which the drive's constraint does not drift at the step of the experiment and the
+/// stiffness k; in theory h b = 2 + h^2 k / 2.
 pub fn most_damping(stiffness: f64) -> f64 {
     let kept = |damping: f64| {
         let track = run("", |steps| Method::Euler { steps }, STEP, damping, stiffness);

@@ -1,4 +1,4 @@
-//! A system given by energies as a law of y = (q, q'): its constraints stabilised, or held by multipliers.
+//! A constrained system given by energies as an ODE in y = (q, q') with constraint stabilisation, or as a DAE of index 2.
 
 use field::{Analytic, Over, Scalar};
 use integrators::{Index2Dae, Index2DaeSystem, Ode, System};
@@ -18,7 +18,7 @@ pub struct Stabilised<'a, Q, const N: usize, const C: usize> {
 }
 
 impl<Q: Energies<N, C, Given = f64>, const N: usize, const C: usize> Stabilised<'_, Q, N, C> {
-    /// q'' at an instant; no number where it is not determined, which every integrator refuses.
+    /// q'' at an instant; NaN where it is not determined, which every integrator refuses.
     pub fn acceleration<S: Over<f64> + Analytic>(&self, at: &State<S, N>) -> [S; N] {
         let programme = Linear::<f64, C> { damping: diagonal(self.damping), stiffness: diagonal(self.stiffness) };
         let instant = Instant::of(self.system, at);
@@ -31,7 +31,7 @@ fn diagonal<const C: usize>(gain: f64) -> [[f64; C]; C] {
     std::array::from_fn(|i| std::array::from_fn(|j| if i == j { gain } else { 0.0 }))
 }
 
-/// The state of a slice (q, q').
+/// The state from a slice (q, q').
 pub fn state<S: Scalar, const N: usize>(time: S, y: &[S]) -> State<S, N> {
     State { time, place: std::array::from_fn(|i| y[i]), velocity: std::array::from_fn(|i| y[N + i]) }
 }
@@ -52,7 +52,7 @@ impl<S: Over<f64> + Analytic, Q: Energies<N, C, Given = f64>, const N: usize, co
 
 impl<Q: Energies<N, C, Given = f64>, const N: usize, const C: usize> System for Stabilised<'_, Q, N, C> {}
 
-/// The same state held to f = 0 and f' = 0 by the multipliers (mu, lambda) of Gear, Gupta and Leimkuhler.
+/// The system with f = 0 and f' = 0 enforced by the multipliers (mu, lambda) of Gear, Gupta and Leimkuhler.
 #[derive(Clone, Copy, Debug)]
 pub struct BothHeld<'a, Q, const N: usize, const C: usize>(pub &'a Q);
 
@@ -94,7 +94,7 @@ impl<S: Over<f64> + Analytic, Q: Energies<N, C, Given = f64>, const N: usize, co
 
 impl<Q: Energies<N, C, Given = f64>, const N: usize, const C: usize> Index2DaeSystem for BothHeld<'_, Q, N, C> {}
 
-/// No numbers, which every integrator refuses.
+/// Fills the rates with NaN, which every integrator refuses.
 fn undefined<S: Scalar>(dy: &mut [S]) {
     dy.fill(S::zero() / S::zero());
 }

@@ -1,10 +1,10 @@
-//! Stabilised constraints in steps.
+//! Constraint stabilisation under discretisation: stability regions of the gains, errors and cost.
 //!
 //! # Overview
-//! * [`schemes`]: one step of a method on the law of violations, over any field;
+//! * [`schemes`]: one step of a method on the equation of a violation, over any field;
 //! * [`drive_law`], [`experiment`]: the electromechanical drive, run;
-//! * [`drifting`]: a monitor that says by name that a constraint drifts;
-//! * [`regions`], [`treatments`]: gains and treatments of a constraint, measured.
+//! * [`drifting`]: a monitor that detects drift of a constraint;
+//! * [`regions`], [`treatments`]: stability maps and comparison of treatments, measured.
 
 pub mod bearable;
 pub mod drifting;

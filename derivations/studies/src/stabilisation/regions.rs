@@ -1,4 +1,4 @@
-//! Gains for which a violated constraint of a mechanism is regained, measured, beside the exact region.
+//! Maps of the gains for which the violation of a mechanism's constraint decays, measured, beside the exact stability region.
 
 use super::law::{Stabilised, state};
 use super::schemes::{Scheme, inside_unit_circle};
@@ -9,23 +9,23 @@ use systems::crank_slider::CrankSlider;
 /// The mechanism on which gains and treatments are measured: SI units.
 pub const MECHANISM: CrankSlider<f64> = CrankSlider { inertia: 1.0, mass: 1.0, crank: 0.5, rod: 1.2, weight: 5.0 };
 
-/// What became of a violation.
+/// The fate of a violation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fate {
-    /// Less than a millionth is left after ten steps.
+    /// Below a millionth of its first size after ten steps.
     Gone,
-    /// Less than a thousandth is.
+    /// Below a thousandth after ten steps.
     Fast,
-    /// It is less after each hundred steps.
+    /// Decays more slowly: the last hundred of the steps show less than an earlier hundred.
     Decays,
     Grows,
 }
 
 impl Fate {
-    /// All of them, in the order of a legend.
+    /// All fates, in the order of a legend.
     pub const ALL: [Fate; 4] = [Fate::Gone, Fate::Fast, Fate::Decays, Fate::Grows];
 
-    /// For a legend.
+    /// The text in a legend.
     pub fn name(self) -> &'static str {
         match self {
             Fate::Gone => "measured: below a millionth after ten steps",
@@ -36,29 +36,29 @@ impl Fate {
     }
 }
 
-/// The plane of gains in steps for one method.
+/// The plane of the gains (h b, h^2 k) for one method.
 #[derive(Clone, Debug)]
 pub struct Map {
     pub scheme: Scheme,
-    /// h b and h^2 k, up to these.
+    /// The upper ends of the axes h b and h^2 k.
     pub most: (f64, f64),
     /// Rows from the lowest h^2 k, each over all h b, at the middle of the cells.
     pub rows: Vec<Vec<Fate>>,
-    /// The exact edge, in pieces.
+    /// The exact boundary of the stability region, in pieces.
     pub edges: Vec<Vec<(f64, f64)>>,
     /// The best gains, where they are inside the map.
     pub best: Option<(f64, f64)>,
-    /// Cells whose middle is on the other side of the exact edge than their measured fate says.
+    /// The number of cells whose measured fate contradicts the exact condition at their middle.
     pub mistaken: usize,
 }
 
-/// So short that the mechanism hardly moves while a violation comes or goes.
+/// The step size, s: short enough that the mechanism hardly moves while a violation grows or decays.
 const STEP: f64 = 2e-7;
-/// A violation that has grown so many times would soon leave the range in which the mechanism answers linearly.
+/// The growth factor of a violation at which a run is halted: beyond it the mechanism's response is no longer linear.
 const LOST: f64 = 300.0;
-/// The slider is put off its place by so much, m.
+/// The initial displacement of the slider from its place, m.
 const OFF: f64 = 1e-4;
-/// The violation at which there is nothing more to see: a step's own error, against the first violation.
+/// The violation that is a step's own error, relative to the first violation.
 const FLOOR: f64 = 1e-5;
 
 /// The gains h b and h^2 k that a map shows: the region of an explicit method, a wide range of backward Euler.
@@ -76,7 +76,7 @@ pub fn decays(scheme: Scheme, beta: f64, kappa: f64) -> bool {
     scheme.transition(beta, kappa).is_ok_and(|matrix| inside_unit_circle(matrix).into_iter().all(|s| s > 0.0))
 }
 
-/// What becomes of a violation, in so many columns and rows.
+/// The map of a method with this number of columns and rows.
 pub fn map(scheme: Scheme, columns: usize, rows: usize) -> Map {
     let most = most(scheme);
     let middle = |k: usize, of: usize, most: f64| most * (k as f64 + 0.5) / of as f64;
@@ -91,7 +91,7 @@ pub fn map(scheme: Scheme, columns: usize, rows: usize) -> Map {
     Map { scheme, most, rows: measured, edges: edges(scheme, most), best, mistaken }
 }
 
-/// Runs the mechanism off its constraint.
+/// The fate of a violation with the gains (h b, h^2 k), by a run of the mechanism from a violated constraint.
 pub fn fate(scheme: Scheme, beta: f64, kappa: f64) -> Fate {
     let law = Stabilised { system: &MECHANISM, damping: beta / STEP, stiffness: kappa / (STEP * STEP) };
     let (angle, spin) = (0.7, 6.0);
@@ -102,7 +102,7 @@ pub fn fate(scheme: Scheme, beta: f64, kappa: f64) -> Fate {
     let span = Span::new(0.0, STEP * STEPS as f64, &start);
     let outcome = integrate(&law, scheme.method(STEPS as u32), &Tolerance::both(1e-9), &span, &mut watched);
     let seen = &watched.sizes[..watched.count];
-    // over windows, because what turns in the plane of (f, h f') has no monotone size
+    // maxima over windows, because the size of a violation that rotates in the plane of (f, h f') is not monotone
     let most = |window: std::ops::Range<usize>| seen[window].iter().copied().fold(0.0, f64::max);
     let gone = seen.last().is_some_and(|last| *last < FLOOR);
     if !gone && (!outcome.reached() || most(STEPS - WINDOW..STEPS) >= most(WINDOW..2 * WINDOW)) {
@@ -115,11 +115,11 @@ pub fn fate(scheme: Scheme, beta: f64, kappa: f64) -> Fate {
     }
 }
 
-/// Steps after which a violation that is still there is judged, and over how many it is looked at.
+/// Steps of a run, and steps of each window over which the size of the violation is compared.
 const STEPS: usize = 400;
 const WINDOW: usize = 100;
 
-/// The size of the violation after each step, against the first.
+/// The size of the violation after each step, relative to the first.
 struct Watched {
     first: f64,
     sizes: [f64; STEPS],
@@ -145,7 +145,7 @@ fn size(y: &[f64]) -> f64 {
     found.value[0].hypot(STEP * found.rate[0])
 }
 
-/// Where the exact conditions change: for each beta the values of kappa, joined into the uppermost, the next and so on.
+/// The exact boundary: for each beta the values of kappa, joined into the uppermost curve, the next and so on.
 fn edges(scheme: Scheme, most: (f64, f64)) -> Vec<Vec<(f64, f64)>> {
     const FINE: usize = 600;
     let mut pieces: Vec<Vec<(f64, f64)>> = Vec::new();
@@ -153,7 +153,7 @@ fn edges(scheme: Scheme, most: (f64, f64)) -> Vec<Vec<(f64, f64)>> {
         let beta = most.0 * column as f64 / FINE as f64;
         let place = |row: usize| most.1 * (row as f64 + 0.5) / FINE as f64;
         let inside = |row: usize| decays(scheme, beta, place(row));
-        // from above, because the upper edge goes on where a lower one begins
+        // from above, because the upper curve goes on where a lower one begins
         for (number, row) in (1..FINE).rev().filter(|row| inside(*row) != inside(row - 1)).enumerate() {
             let (mut low, mut high) = (place(row - 1), place(row));
             let below = decays(scheme, beta, low);

@@ -1,13 +1,13 @@
-//! What one step of a method does to a violation y'' = -b y' - k y of a constraint, over any field.
+//! One step of a method on the equation y'' = -b y' - k y of a constraint violation, over any field.
 //!
-//! In the variables (y, h y') a step h depends on beta = h b and kappa = h^2 k alone. The explicit methods are those of
-//! `integrators` run on that law; the implicit ones solve their stage.
+//! In the variables (y, h y') the matrix of a step h depends on beta = h b and kappa = h^2 k alone. The explicit methods are
+//! those of `integrators` run on this equation; the implicit ones solve for their stage.
 
 use field::Scalar;
 use integrators::{Method, euler_step, runge_kutta_4_step};
 use mechanics::definite::{NotDefinite, solve};
 
-/// The methods with a constant step.
+/// Methods with constant step size.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Scheme {
     Euler,
@@ -17,10 +17,10 @@ pub enum Scheme {
 }
 
 impl Scheme {
-    /// All of them, explicit ones first.
+    /// All schemes, explicit ones first.
     pub const ALL: [Scheme; 4] = [Scheme::Euler, Scheme::RungeKutta4, Scheme::BackwardEuler, Scheme::ImplicitMidpoint];
 
-    /// For headings.
+    /// The name in headings.
     pub fn name(self) -> &'static str {
         match self {
             Scheme::Euler => "Euler",
@@ -30,7 +30,7 @@ impl Scheme {
         }
     }
 
-    /// The integrator, with so many equal steps.
+    /// The integration method with a number of equal steps.
     pub fn method(self, steps: u32) -> Method {
         match self {
             Scheme::Euler => Method::Euler { steps },
@@ -40,15 +40,15 @@ impl Scheme {
         }
     }
 
-    /// Of an integrator over a span, with the length of its step; `None` where that varies.
+    /// The scheme of an integration method over a span, s, with its step size, s; `None` where that varies, or for another method.
     pub fn of(method: Method, span: f64) -> Option<(Self, f64)> {
         let steps = method.steps()?;
         let scheme = Self::ALL.into_iter().find(|scheme| scheme.method(steps) == method)?;
         Some((scheme, span / f64::from(steps)))
     }
 
-    /// The gains (beta, kappa) with which a violation goes fastest: the matrix of the step is nilpotent, or zero. Backward
-    /// Euler has none: the larger the gains, the faster.
+    /// The gains (beta, kappa) of the fastest decay, with which the matrix of a step is nilpotent or zero. Backward
+    /// Euler has none: the decay is faster with larger gains.
     pub fn best(self) -> Option<(f64, f64)> {
         match self {
             Scheme::Euler => Some((2.0, 1.0)),
@@ -61,7 +61,7 @@ impl Scheme {
         }
     }
 
-    /// y_1 of y' = A y with a step of one.
+    /// The solution of y' = A y after one step of size one.
     ///
     /// # Errors
     /// [`NotDefinite`] where the stage of an implicit method cannot be solved for in order.
@@ -96,12 +96,12 @@ impl Scheme {
     }
 }
 
-/// The damping with which the four stages of Runge and Kutta cancel a violation, by the stiffness.
+/// The damping beta with which a step of Runge-Kutta 4 is nilpotent, given the stiffness kappa.
 pub fn deadbeat_damping<S: Scalar>(kappa: S) -> S {
     kappa * (S::int(24) - S::int(4) * kappa) / (S::int(24) - kappa.squared())
 }
 
-/// (I - c A) Y = y, then y + (Y - y) / c.
+/// An implicit step with one stage: (I - c A) Y = y, then y + (Y - y) / c.
 fn implicit<S: Scalar, const N: usize>(node: S, matrix: [[S; N]; N], before: [S; N]) -> Result<[S; N], NotDefinite> {
     let one = |yes: bool| if yes { S::one() } else { S::zero() };
     let left = std::array::from_fn(|i| std::array::from_fn(|j| one(i == j) - node * matrix[i][j]));

@@ -1,4 +1,4 @@
-//! From which starts a motor comes into step, and when: a grid of angles and slips under each load, side by side.
+//! The basin of attraction of synchronism, sampled: a grid of initial angles and slips under each load, run as an ensemble.
 
 use super::energy::Wells;
 use super::loaded::{Loaded, NoField};
@@ -10,7 +10,7 @@ use simulation::Axes;
 use std::f64::consts::{PI, TAU};
 use std::fmt;
 
-/// The rotor's starts: even in the angle over a turn, even in the slip from one value to another, without currents.
+/// The rotor's initial states: an even grid of angles over a turn and of slips over an interval, without currents.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Starts {
     pub angles: usize,
@@ -19,33 +19,33 @@ pub struct Starts {
     pub slip: [f64; 2],
 }
 
-/// What became of the starts under one load.
+/// The fates of the initial states under one load.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Share {
     /// N m
     pub load: f64,
     pub starts: usize,
-    /// In step, on a bench for ever: by the energy.
+    /// Number of synchronous motions; on a bench proved by the energy.
     pub in_step: usize,
-    /// Still slipping turn after turn at the end.
+    /// Number of motions that still slip at the end.
     pub slipping: usize,
-    /// The median time after which they were in step, s, to a window.
+    /// The median time to synchronism, s, rounded up to a window.
     pub time: Option<f64>,
 }
 
 impl Share {
-    /// Neither in step at the end nor a turn on in the last quarter of the time: too near to a boundary for it.
+    /// Number of motions that are neither synchronous nor slip by a turn in the last quarter of the time: they start near the boundary.
     pub fn undecided(&self) -> usize {
         self.starts - self.in_step - self.slipping
     }
 }
 
-/// Why there is no answer.
+/// The reason for which no shares were computed.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoShares {
     Field(NoField),
     Motor(NoMotor),
-    /// The law cannot be written down.
+    /// The law cannot be recorded.
     Law(String),
 }
 
@@ -61,18 +61,18 @@ impl fmt::Display for NoShares {
 
 impl std::error::Error for NoShares {}
 
-/// Looks at each motion; a time is known to one of them.
+/// Windows into which the time is divided; times to synchronism are known to a window.
 const WINDOWS: usize = 120;
-/// Of the integration.
+/// The tolerance of the integration.
 const TOLERANCE: f64 = 1e-8;
-/// In a window, for what is given up.
+/// The greatest number of steps in a window.
 const MOST_STEPS: u64 = 100_000;
 
-/// One motion under way.
+/// One motion of the ensemble.
 struct Runner {
     load: usize,
     state: Vec<f64>,
-    /// At the end of each window.
+    /// The rotor's angle at the end of each window, rad.
     angles: Vec<f64>,
     fate: Fate,
 }
@@ -84,13 +84,13 @@ enum Fate {
         window: usize,
     },
     Slipping,
-    /// Its law ended, or its steps did.
+    /// The law ended, or the allowed steps did.
     Lost,
 }
 
-/// What becomes of all starts under each load, N m, within a time, s. On a bench a motion is in step when its energy is
-/// below both balances about it, and then for ever; in a gyrostat, where the carrier has energy of its own, when the field
-/// has not lost it in the last quarter of the time. Deterministic, in one thread.
+/// The fates of all initial states under each load, N m, within a time, s. On a bench a motion is synchronous, and stays so, when its
+/// energy V is below that of both neighbouring unstable equilibria. In a gyrostat, where the carrier has energy of its own, a motion
+/// counts as synchronous when its angle stays within half a turn in the last quarter of the time. Deterministic, in one thread.
 ///
 /// # Errors
 /// [`NoShares`].
@@ -147,7 +147,7 @@ pub fn shares(scene: &Scene, loads: &[f64], starts: Starts, span: f64) -> Result
     Ok(loads.iter().enumerate().map(of_load).collect())
 }
 
-/// The states at which rotors start, everything else as in the scene.
+/// The initial states of the grid; all other data are those of the scene.
 fn grid(scene: &Scene, field_speed: f64, starts: Starts, axes: Axes) -> Vec<Vec<f64>> {
     let even = |[from, to]: [f64; 2], i: usize, count: usize| from + (to - from) * (i as f64 + 0.5) / count as f64;
     let mut one = scene.clone();
@@ -164,7 +164,7 @@ fn grid(scene: &Scene, field_speed: f64, starts: Starts, axes: Axes) -> Vec<Vec<
 }
 
 impl Runner {
-    /// What it is by its angles, where the energy has not told.
+    /// Judges a motion by its angles, where the energy has not decided.
     fn end(&mut self, on_bench: bool) {
         let from = WINDOWS - WINDOWS / 4;
         let Some((last, late)) = self.angles.get(from..).and_then(<[f64]>::split_last) else { return };
@@ -185,7 +185,7 @@ impl Runner {
     }
 }
 
-/// All that are under way, for one window.
+/// The undecided motions as ensemble members for one window.
 struct Window<'a> {
     runners: &'a mut [Runner],
     next: usize,

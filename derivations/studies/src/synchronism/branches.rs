@@ -1,4 +1,4 @@
-//! What a motor can do for ever under a load: stand in step, or slip turn after turn.
+//! Steady states of a synchronous motor under a load by continuation: synchronous equilibria, and periodic slipping.
 
 use super::loaded::Loaded;
 use integrators::{Branch, CurvePoint, Equilibria, Failure, Last, Repeating, Walk, follow, spectrum};
@@ -6,31 +6,31 @@ use nalgebra::{Matrix3, RowVector3, Vector3};
 use std::cell::Cell;
 use std::f64::consts::{PI, TAU};
 
-/// In step: an angle that the rotor keeps.
+/// A synchronous steady state: an equilibrium angle of the rotor in the field.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Standing {
     /// rad
     pub angle: f64,
     /// N m
     pub load: f64,
-    /// The largest real part of an eigenvalue, 1/s: below zero it is stable.
+    /// The largest real part of an eigenvalue, 1/s; negative for a stable state.
     pub growth: f64,
-    /// Whether two angles merge here.
+    /// Whether the load has a fold here: two equilibria merge (saddle-node bifurcation).
     pub fold: bool,
 }
 
-/// Out of step: the field's poles pass the rotor, each turn like the last.
+/// Periodic slipping out of step: the rotor loses a turn on the field in every period.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Slipping {
-    /// Of a turn of the rotor against the field, s.
+    /// The time of a turn of the rotor against the field, s.
     pub period: f64,
     /// N m
     pub load: f64,
-    /// The largest size of a multiplier, that of the motion itself left out: below one it is stable.
+    /// The largest modulus of a Floquet multiplier besides the trivial one; below one for a stable motion.
     pub multiplier: f64,
-    /// Whether two such motions merge here.
+    /// Whether the load has a fold here: two slipping motions merge.
     pub fold: bool,
-    /// Angle, slip and currents at one moment of it.
+    /// Angle, slip and currents at one instant of the motion.
     pub state: Vec<f64>,
 }
 
@@ -40,45 +40,45 @@ impl Slipping {
         -TAU / self.period
     }
 
-    /// Whether neighbours come to it.
+    /// Whether the motion is stable.
     pub fn stable(&self) -> bool {
         self.multiplier < 1.0
     }
 }
 
-/// All that slips behind the field, from fast to slow.
+/// All periodic motions that slip behind the field, from fast to slow.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OutOfStep {
     pub motions: Vec<Slipping>,
-    /// The load to which it tends as the turns become ever longer: there a motion leaves the angle that does not hold and
-    /// comes back to it a turn later. `None` where it was not followed so far.
+    /// The limit of the load, N m, as the period tends to infinity: a homoclinic motion leaves the unstable equilibrium and
+    /// returns to it a turn later. `None` where the continuation did not reach it.
     pub limit: Option<f64>,
 }
 
-/// Steps of the walks, in units of the motor.
+/// Steps of the continuation along equilibria and along slipping motions, in units of the motor.
 const STEP: f64 = 0.15;
 const LONGER_STEP: f64 = 1.5;
-/// Points of a walk.
+/// The greatest number of points of a continuation.
 const MOST: usize = 400;
-/// Of the integration of a turn.
+/// The tolerance of the integration of a turn.
 const TOLERANCE: f64 = 1e-13;
-/// The longest turn, in units of 1/frequency.
+/// The longest period that is followed, in units of 1/frequency.
 const LONGEST: f64 = 120.0;
-/// A load that changes by less, as a share of what the field holds, while turns become longer by 1/frequency, is near its
-/// limit. Much nearer a turn cannot be shot: what it is at its end grows as fast as the load settles.
+/// The load is near its limit when it changes by less than this share of the pull-out torque b while the period grows by 1/frequency.
+/// Nearer to the limit shooting fails: the sensitivity of a turn's end grows as fast as the load settles.
 const SETTLED: f64 = 1e-8;
-/// Turns that may be near it, and how far apart those are that tell it, in units of 1/frequency.
+/// The least period near the limit, and the differences of the periods from which it is extrapolated, in units of 1/frequency.
 const LONG: f64 = 8.0;
 const APART: f64 = 1.5;
-/// The least number of swings' speeds with which the slipping begins.
+/// The slip at which the continuation begins is at least this multiple of the frequency.
 const FAST: f64 = 6.0;
-/// Of that speed, where friction is small.
+/// The greatest number of doublings of that slip, where friction is small.
 const MOST_DOUBLINGS: u32 = 8;
-/// The most that a load is looked at, in units of what the field holds.
+/// The greatest load that is followed, in units of the pull-out torque b.
 const MOST_LOAD: f64 = 50.0;
 
 impl Loaded {
-    /// Every angle in step within half a turn on both sides of the lowest, over the load. In order of the angle.
+    /// All synchronous steady states within half a turn on both sides of the lowest energy, with their loads, in order of the angle.
     pub fn in_step(&self) -> Vec<Standing> {
         let sizes = &self.facts.sizes;
         let bottom = self.facts.bottom;
@@ -104,20 +104,19 @@ impl Loaded {
         places.filter_map(standing).collect()
     }
 
-    /// The greatest load under which the rotor can stand in step, N m.
+    /// The pull-out: the synchronous steady state with the greatest load.
     pub fn pull_out(in_step: &[Standing]) -> Option<&Standing> {
         in_step.iter().filter(|standing| standing.fold).max_by(|a, b| a.load.total_cmp(&b.load))
     }
 
-    /// Every slipping motion from one that the load drives backwards so fast that friction bears it, down to turns so long that
-    /// they nearly rest.
+    /// The branch of slipping motions, from fast slip at which friction balances the load, down to the longest periods.
     ///
     /// # Errors
-    /// [`Failure`] where the first of them is not found, or one of them cannot be followed for a turn.
+    /// [`Failure`] where the first motion is not found, or one of them cannot be integrated for a turn.
     pub fn out_of_step(&self) -> Result<OutOfStep, Failure> {
         let facts = &self.facts;
         let count = facts.sizes.len();
-        // so fast that friction alone asks for more than the field could hold: beyond, nothing turns back
+        // at this slip friction alone exceeds the pull-out torque: the branch has no folds at faster slips
         let asks = |slip: f64| self.own.moment(facts.bottom, -slip) + facts.friction;
         let slow = facts.field_speed.abs().max(FAST * facts.frequency);
         let faster = |doublings: u32| slow * f64::from(1u32 << doublings);
@@ -141,9 +140,9 @@ impl Loaded {
         Ok(OutOfStep { motions, limit })
     }
 
-    /// The load of ever longer turns. The rotor comes to a balance as exp(-a t) and leaves it as exp(r t), with the eigenvalues
-    /// there, so that what is left of the load is a sum of exp(-r T) and exp(-a T) (Shilnikov 1963), and three long motions tell
-    /// the limit. Beyond every balance there is nothing near which it could rest.
+    /// The limit of the load for infinite periods T. The rotor approaches the unstable equilibrium as exp(-a t) and leaves it as
+    /// exp(r t), a and r from the eigenvalues. The load therefore differs from its limit by a sum of exp(-r T) and exp(-a T)
+    /// (Shilnikov 1963), and three long motions determine the limit. `None` without an equilibrium.
     fn limit(&self, motions: &[Slipping]) -> Option<f64> {
         let c = motions.last()?;
         let earlier =
@@ -157,7 +156,7 @@ impl Loaded {
         Some(found.x).filter(|load| load.is_finite())
     }
 
-    /// Turns along their curve, from near a start; the period has the angle's place among the unknowns.
+    /// Slipping motions by continuation from a guess; among the unknowns the period takes the place of the angle.
     fn turns(
         &self,
         start: &[f64],
@@ -185,10 +184,10 @@ impl Loaded {
         Ok((places.into_iter().map(slipping).collect::<Result<_, _>>()?, last))
     }
 
-    /// The slipping motions under one load, from fast to slow.
+    /// The slipping motions under one load, N m, from fast to slow.
     ///
     /// # Errors
-    /// [`Failure`] where one of them cannot be followed for a turn.
+    /// [`Failure`] where one of them cannot be integrated for a turn.
     pub fn slipping_under(&self, load: f64, all: &OutOfStep) -> Result<Vec<Slipping>, Failure> {
         let mut found = Vec::new();
         for pair in all.motions.windows(2) {
@@ -203,14 +202,14 @@ impl Loaded {
             start.push(load);
             let mut towards = vec![0.0; start.len()];
             towards[start.len() - 1] = 1.0;
-            // the first point alone: under this load
+            // only the first point, at this load
             found.extend(self.turns(&start, &towards, 1, &|_| true)?.0);
         }
         Ok(found)
     }
 
-    /// How fast the rotor leaves the balance under a load, and how fast it comes to it, 1/s; currents that swing count by
-    /// how fast they fade.
+    /// The rates, 1/s, at which the rotor leaves the unstable equilibrium under a load and approaches it; of complex
+    /// eigenvalues the real part counts.
     fn rates_at_balance(&self, load: f64) -> Option<[f64; 2]> {
         let all = self.in_step();
         let between = |pair: &&[Standing]| {
@@ -222,7 +221,7 @@ impl Loaded {
         let mut towards = start.clone();
         (start[0], start[sizes.len() - 1], towards[sizes.len() - 1]) = (near[0].angle, load, 1.0);
         let mut rest = Equilibria::new(&*self.law);
-        // the first point alone: on the branch, at this load
+        // only the first point, on the branch at this load
         let walk = Walk { sizes, parameter: sizes.len() - 1, step: STEP, most: 1, within: &|_| true };
         let at = follow(&mut rest, &start, &towards, &walk)?;
         let (n, matrix) = rest.linearised(&at.places.first()?.x);

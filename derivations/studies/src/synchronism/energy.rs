@@ -1,12 +1,12 @@
-//! The energy that decides whether the field has the rotor: it never grows, and wells of it hold whoever is in one.
+//! A Lyapunov function that decides whether a rotor is synchronous: V never grows, and its wells are invariant.
 //!
-//! Seen from the stator's field, with the potential of the drag P = load - m(0, W) that the motor has at synchronism,
+//! In the frame of the stator's field, with the potential of the drag P = load - m(0, W) that the motor has at synchronism,
 //!
 //!   V = 1/2 A' g'^2 + U(g) + sum 1/2 L_k i_k^2 + P g ,    dV/dt = g' (m(g', g' + W) - m(0, W)) - sum R_k i_k^2 .
 //!
-//! Where the law m falls with the speed, as friction does, V never grows. Between two neighbouring angles at which the
-//! rotor could balance, a motion with less V than at either of them stays between them for ever and comes to rest there:
-//! it is in step, whatever it does meanwhile (LaSalle).
+//! If the torque law m decreases with the speed, as friction does, V never grows. Between two neighbouring unstable equilibrium angles,
+//! a motion with less V than at either of them stays between them and tends to an equilibrium: it is synchronous for ever
+//! (LaSalle's invariance principle).
 
 use super::loaded::Loaded;
 use crate::stationary::motor::{MotorStates, NoMotor};
@@ -14,24 +14,24 @@ use field::{Analytic, Base, Over};
 use motor::{Bench, Machine};
 use std::f64::consts::TAU;
 
-/// V at a state of a bench under a load, but for a constant, J.
+/// V at a state of a bench under a load, up to a constant, J.
 pub fn height<P: Base, S: Over<P> + Analytic, M: Machine<P>>(bench: &Bench<P, M>, load: S, state: &[S]) -> S {
     let field_speed = S::lift(bench.machine.frame_speed());
     let drag = load - bench.machine.moment_law(S::zero(), field_speed);
     bench.jacobi(state) + drag * state[0]
 }
 
-/// The angles at which a rotor under a load balances on the field, with V at each: from one to the next a well.
+/// The potential wells of a rotor under a load, each between two neighbouring unstable equilibrium angles, with V at these.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Wells {
     /// (angle, V), in one turn, the least angle first.
     tops: Vec<(f64, f64)>,
-    /// By how much V rises in a turn.
+    /// The change of V over a turn, J.
     rise: f64,
 }
 
 impl Wells {
-    /// Under a load, N m.
+    /// The wells under a load, N m.
     ///
     /// # Errors
     /// [`NoMotor`].
@@ -54,7 +54,7 @@ impl Wells {
         Ok(Wells { tops, rise: at(TAU) - at(0.0) })
     }
 
-    /// Whether V = `height` at an angle is less than at both neighbouring tops: the motion is in step for ever.
+    /// Whether V = `height` at an angle is less than at both neighbouring tops: the motion is synchronous for ever.
     pub fn hold(&self, angle: f64, height: f64) -> bool {
         let Some(first) = self.tops.first() else { return false };
         let turns = ((angle - first.0) / TAU).floor();

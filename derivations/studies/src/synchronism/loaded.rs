@@ -1,4 +1,4 @@
-//! A motor alone whose load is a state that rests: so equilibria and rotations are followed over the load.
+//! A motor alone whose load is a constant state, for continuation of equilibria and slipping motions over the load.
 
 use crate::scene::{Scene, Setup, Start};
 use field::{Analytic, Circle, Over};
@@ -10,7 +10,7 @@ use std::fmt;
 use std::sync::Arc;
 use systems::gyrostat::Gyrostat;
 
-/// The law of a bench with the load for its last state.
+/// The law of a bench with the load torque, N m, as its last state.
 #[derive(Clone, Debug)]
 pub struct UnderLoad(pub Bench<f64, Motor>);
 
@@ -27,11 +27,11 @@ impl<S: Over<f64> + Analytic> Ode<S> for UnderLoad {
     }
 }
 
-/// A motor that follows its field, with what its questions need to know of it.
+/// A motor with an angle to its field, with its law under load and its characteristic quantities.
 #[derive(Clone)]
 pub struct Loaded {
     pub machine: Motor,
-    /// Of the rotor, kg m^2.
+    /// The rotor's axial moment of inertia, kg m^2.
     pub axial: f64,
     /// The law; its state is angle, slip, currents, load.
     pub law: Arc<dyn Law>,
@@ -39,25 +39,25 @@ pub struct Loaded {
     pub(super) own: Arc<UnderLoad>,
 }
 
-/// Sizes of a motor.
+/// Characteristic quantities of a motor.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Facts {
     /// W, rad/s
     pub field_speed: f64,
-    /// What friction takes at synchronism, N m.
+    /// The torque of friction at synchronism, N m.
     pub friction: f64,
-    /// The greatest moment of a field U = -b cos g of the same depth, N m.
+    /// The pull-out torque b of a field U = -b cos g whose range of energy is that of the motor's field, N m.
     pub hold: f64,
-    /// sqrt(b / A'), 1/s: of small swings about synchronism.
+    /// sqrt(b / A'), 1/s: the angular frequency of small oscillations about synchronism.
     pub frequency: f64,
-    /// The angle at which the field holds the rotor lowest, rad.
+    /// The angle of least field energy, rad.
     pub bottom: f64,
     /// The usual size of angle, slip, currents and load.
     pub sizes: Vec<f64>,
 }
 
 impl UnderLoad {
-    /// M without currents, N m.
+    /// The torque M without currents, N m.
     pub(super) fn moment(&self, angle: f64, slip: f64) -> f64 {
         let machine = &self.0.machine;
         let speed = slip + machine.frame_speed();
@@ -70,14 +70,14 @@ impl UnderLoad {
     }
 }
 
-/// Why there is nothing to ask.
+/// The reason for which a motor has no synchronism to study.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoField {
-    /// The machine knows no angle.
+    /// The machine has no angle to its field as a state.
     NoAngle { model: &'static str },
-    /// A supply drives its currents, so that no energy tells who is in step.
+    /// A supply drives its currents: no energy decides synchronism.
     Fed { model: &'static str },
-    /// The field does not hold the rotor.
+    /// The field energy does not depend on the angle.
     Flat { model: &'static str },
 }
 
@@ -159,8 +159,8 @@ impl Loaded {
     }
 }
 
-/// The scene's motor with another number of bars, as their equivalent windings, which do exactly what the bars do; `None`
-/// where it has none.
+/// The scene's motor with another number of bars, as their equivalent windings, which have exactly equal torque; `None`
+/// for a motor without bars.
 pub fn with_bars(scene: &Scene, bars: usize) -> Option<Scene> {
     let given = scene.given.with_count("bars", bars).ok()?;
     let machine = given.model("equivalent_windings").ok()?;
@@ -168,7 +168,7 @@ pub fn with_bars(scene: &Scene, bars: usize) -> Option<Scene> {
     Some(Scene { machine, given, start, ..scene.clone() })
 }
 
-/// The scene's motor without currents, with this damping f / sqrt(A' b); `None` where it cannot be made of the data.
+/// The scene's motor without currents, with the damping f / sqrt(A' b); `None` where the data do not suffice.
 pub fn with_damping(scene: &Scene, damping: f64) -> Option<Scene> {
     let plain = scene.with_model("synchronous").ok()?;
     let motor = Loaded::of(&plain).ok()?;
@@ -176,7 +176,7 @@ pub fn with_damping(scene: &Scene, damping: f64) -> Option<Scene> {
     Some(Scene { machine: given.model("synchronous").ok()?, given, ..plain })
 }
 
-/// The carrier gives way: the moment of inertia that the rotor has against a moment between them, kg m^2. It is
+/// The effective moment of inertia of the rotor in a free carrier under a torque between them, kg m^2:
 /// 1 / (1/A' + l.A^-1 l), as the page `synchronism` proves.
 pub fn giving_way(bodies: &Gyrostat<f64>) -> f64 {
     let (axis, axial) = (bodies.rotor.axis, bodies.rotor.axial);
@@ -184,5 +184,5 @@ pub fn giving_way(bodies: &Gyrostat<f64>) -> f64 {
     1.0 / (1.0 / axial + carrier)
 }
 
-/// Angles at which a turn is looked at.
+/// Angles of a turn at which energy and fluxes are sampled.
 const SAMPLES: u32 = 256;

@@ -1,23 +1,23 @@
-//! Maps of synchronism: the share of starts that come into step, over the load and over what damps.
+//! Maps of pull-in: the share of initial states that reach synchronism, over load and damping, or over load and bars.
 
 use super::basin::{NoShares, Share, Starts, shares};
 use super::loaded::{Loaded, with_damping};
 use crate::scene::{Scene, Setup};
 
-/// One row of the map of the motor without currents: what becomes of the starts under each load.
+/// One row of the map of the motor without currents: the fates of the initial states under each load.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Row {
     /// f / sqrt(A' b)
     pub damping: f64,
     pub shares: Vec<Share>,
-    /// The least load under which the rotor can slip for ever, N m, where it is known.
+    /// The least load with a stable slipping motion, N m, where it is known.
     pub pull_in: Option<f64>,
 }
 
-/// Swings in which a motor without currents is followed; what is left of a disturbance then, as damping times this, decides.
+/// The time of a run of a motor without currents, in units of 1/frequency.
 const SWINGS: f64 = 200.0;
 
-/// Alone on its bench, whatever carries it in the scene.
+/// The scene's motor alone on a bench.
 pub fn alone(scene: &Scene) -> Scene {
     let axial = match &scene.system {
         Setup::Bench { axial } => *axial,
@@ -26,7 +26,7 @@ pub fn alone(scene: &Scene) -> Scene {
     Scene { system: Setup::Bench { axial }, ..scene.clone() }
 }
 
-/// The motor without currents under these drags M + f W, in units of what the field holds.
+/// The row of the motor without currents with a damping, under the drag torques M + f W, in units of the pull-out torque b.
 ///
 /// # Errors
 /// [`NoShares`].
@@ -44,7 +44,8 @@ pub fn over_damping(scene: &Scene, damping: f64, drags: &[f64], starts: (usize, 
     Ok(Row { damping, shares, pull_in })
 }
 
-/// A scene's motor where it is, from standstill to synchronism, under these loads, N m, for a time, s.
+/// The shares of a scene's motor, in its gyrostat or on its bench, from slips between standstill and synchronism, under loads, N m, for
+/// a time, s.
 ///
 /// # Errors
 /// [`NoShares`].

@@ -1,17 +1,15 @@
-//! What a synchronous motor does under load: in step, out of it, and from where it comes into step.
+//! A synchronous motor under load: pull-out, pull-in, and the initial states from which it reaches synchronism.
 //!
 //! # Overview
-//! * [`loaded`]: the motor alone, its load a state that rests;
-//! * [`branches`]: all that it can do for ever under every load, with stability: angles in step up to the pull-out, and
-//!   slipping turn after turn;
-//! * [`pull_in`]: where the slipping begins;
-//! * [`energy`]: what holds a rotor that is in step;
-//! * [`basin`]: which starts come into step, on the bench and in a gyrostat;
-//! * [`maps`]: the share of them over load and damping, over load and bars;
-//! * `claims`: what of this is proved, as a page of the workbench's own.
+//! * [`loaded`]: the motor alone, its load a constant state;
+//! * [`branches`]: all synchronous equilibria up to the pull-out, and all periodic slipping motions, over the load, with stability;
+//! * [`pull_in`]: the least load with stable slipping;
+//! * [`energy`]: a Lyapunov function that proves synchronism;
+//! * [`basin`]: the basin of attraction of synchronism, sampled on the bench and in a gyrostat;
+//! * [`maps`]: the share of synchronous initial states over load and damping, over load and bars.
 //!
-//! Pull-out is the load at which the angles in step end. Pull-in is the least load under which the rotor can slip for ever,
-//! turn after turn alike. Between the two both are stable, and it is the start that decides.
+//! Pull-out is the load at which the synchronous equilibria end, a saddle-node bifurcation. Pull-in is the least load with a stable
+//! slipping motion. Between the two loads both are stable, and the initial state decides. Proofs: `derivations/theorems/src/synchronism.rs`.
 
 pub mod basin;
 pub mod branches;

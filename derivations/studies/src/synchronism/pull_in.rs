@@ -1,11 +1,11 @@
-//! Pull-in: the least load under which a rotor can slip for ever, and how the slipping begins there.
+//! Pull-in: the least load with a stable slipping motion, and the bifurcation at which such motions begin.
 
 use super::branches::{OutOfStep, Slipping};
 
-/// Of a multiplier where two motions merge, which is one there.
+/// The rounding error of a Floquet multiplier at a fold, where it is one.
 const ROUNDING: f64 = 1e-6;
 
-/// Where slipping begins: the least load under which a rotor can slip for ever.
+/// The least load with a stable slipping motion.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PullIn {
     /// N m
@@ -13,21 +13,21 @@ pub struct PullIn {
     pub by: Onset,
 }
 
-/// How the slipping begins.
+/// The bifurcation at which stable slipping begins.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Onset {
-    /// With turns of any length, from a balance to the next.
+    /// Homoclinic: the period tends to infinity as the motion approaches an unstable equilibrium.
     Balance,
-    /// With a motion that splits in two, at this mean slip, rad/s: one of them is stable.
+    /// Fold of slipping motions at this mean slip, rad/s: a stable and an unstable one merge.
     Fold { slip: f64 },
-    /// Where standing ends: with turns of any length as well, and without hysteresis.
+    /// At the pull-out, where the synchronous equilibria end: infinite period, without hysteresis.
     PullOut,
-    /// At the end of what was followed, at this mean slip, rad/s.
+    /// At the end of the continuation, at this mean slip, rad/s.
     End { slip: f64 },
 }
 
 impl OutOfStep {
-    /// The least load under which a rotor can slip for ever, turn after turn alike. `None` where no such motion is stable.
+    /// The pull-in, given the pull-out load, N m. `None` where no slipping motion is stable.
     pub fn pull_in(&self, pull_out: f64) -> Option<PullIn> {
         let at = |one: &Slipping| match one.fold {
             true => PullIn { load: one.load, by: Onset::Fold { slip: one.slip() } },
@@ -38,7 +38,7 @@ impl OutOfStep {
         let last = self.motions.last().filter(|one| one.stable());
         let limit = self.limit.filter(|_| last.is_some()).map(|load| PullIn { load, by: Onset::Balance });
         let least = stable.chain(limit).min_by(|a, b| a.load.total_cmp(&b.load))?;
-        // turns grow without bound towards the pull-out too, and slowly
+        // the period tends to infinity towards the pull-out too, slowly
         let towards = last.is_some_and(|last| last.load == least.load && least.load >= pull_out);
         Some(if towards { PullIn { load: pull_out, by: Onset::PullOut } } else { least })
     }

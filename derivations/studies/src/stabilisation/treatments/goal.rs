@@ -1,4 +1,4 @@
-//! The mechanism on which treatments are compared, its exact motion, and the distance of a run from it.
+//! The motion by which treatments are compared: span, start, exact solution, and errors of a run.
 
 use crate::stabilisation::law::{Stabilised, state};
 use crate::stabilisation::regions::MECHANISM;
@@ -12,13 +12,13 @@ pub const SPAN: f64 = 10.0;
 pub(super) const START: [f64; 2] = [0.7, 6.0];
 const OUTPUTS: usize = 100;
 
-/// The law in the one coordinate that keeps the constraint.
+/// The law in a minimal coordinate.
 pub(super) fn reduced() -> impl System {
     const REDUCED: Reduced<'static, CrankSlider<f64>, 2, 1> = Reduced(&MECHANISM);
     Stabilised::<_, 1, 0> { system: &REDUCED, damping: 0.0, stiffness: 0.0 }
 }
 
-/// (q, q') of the one coordinate and its rate.
+/// (q, q') from the minimal coordinate and its rate.
 pub(super) fn whole<S: Over<f64> + Analytic>(s: &[S]) -> [S; 4] {
     let (q, dq) = Reduced(&MECHANISM).motion(S::zero(), [s[0]], [s[1]]);
     [q[0], q[1], dq[0], dq[1]]
@@ -36,10 +36,10 @@ pub struct Goal {
 }
 
 impl Goal {
-    /// The motion in its one coordinate, to all digits.
+    /// The reference motion, computed in the minimal coordinate.
     ///
     /// # Errors
-    /// Where the reference broke off.
+    /// The failure of the reference's run.
     pub fn new() -> Result<Self, Failure> {
         let exact = reference(&reduced(), &span(&START))?;
         let states: Vec<[f64; 4]> =
@@ -48,16 +48,16 @@ impl Goal {
         Ok(Goal { states, sizes })
     }
 
-    /// One that watches a run.
+    /// An observer that measures a run.
     pub(super) fn watch(&self, minimal: bool) -> Watch<'_> {
         Watch { goal: self, minimal, seen: 0, drift: 0.0, rate_drift: 0.0, error: 0.0 }
     }
 }
 
-/// Looks at the constraint after each step and at the error at the outputs.
+/// An observer of the constraint after each step, and of the error at the outputs.
 pub(super) struct Watch<'a> {
     goal: &'a Goal,
-    /// Whether the state is that of the one coordinate.
+    /// Whether the state is that of the minimal coordinate.
     minimal: bool,
     seen: usize,
     pub drift: f64,

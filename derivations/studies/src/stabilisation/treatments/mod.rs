@@ -1,10 +1,10 @@
-//! Ways to keep a constraint, compared on one mechanism: how far it drifts, how far the motion is off, what it costs.
+//! Constraint stabilisation methods compared on one mechanism: drift of the constraint, error of the motion, cost.
 //!
 //! # Overview
-//! * `goal`: the mechanism, its exact motion, and the distance of a run from it;
+//! * `goal`: the motion, its exact solution, and errors of a run;
 //! * `run`: one run of one treatment;
-//! * `scan`: drift and error by the gain;
-//! * `timed`: the times, side by side.
+//! * `scan`: drift and error against the gain;
+//! * `timed`: computing times.
 
 mod goal;
 mod run;
@@ -21,28 +21,28 @@ use integrators::Failure;
 use run::Run;
 use simulation::work_precision::Formulation;
 
-/// What is done about the constraint.
+/// The treatment of a constraint f = 0 in a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Treatment {
-    /// Lagrange's multipliers, f'' = 0, and nothing else.
+    /// Lagrange's multipliers, f'' = 0, without stabilisation.
     IndexReduction,
     /// f'' = -b f' - k f with the gains of the fastest decay for the method at its step.
     Fastest,
-    /// The same, critically damped with gains of its own time, [`MODERATE`], whatever the step.
+    /// f'' = -b f' - k f, critically damped with the rate [`MODERATE`] at every step size.
     Moderate,
-    /// The same with the rate, 1/s, for which a scan found the least error of this method at this step.
+    /// f'' = -b f' - k f, critically damped with the rate, 1/s, for which a scan found the least error of this method at this step.
     MostAccurate { rate: f64 },
     /// Lagrange's multipliers; after each step the state is moved onto f = 0 and f' = 0, along the reactions.
     Projected,
     /// Gear, Gupta and Leimkuhler: f = 0 and f' = 0, each with its multiplier: half-explicit methods for explicit ones,
     /// Radau IIA for backward Euler, projected Gauss for the midpoint rule.
     GearGuptaLeimkuhler,
-    /// A coordinate that keeps the constraint.
+    /// A minimal coordinate, in which the constraint holds identically.
     Minimal,
 }
 
 impl Treatment {
-    /// All that need no scan.
+    /// All treatments that need no scan.
     pub const PLAIN: [Treatment; 6] = [
         Treatment::IndexReduction,
         Treatment::Fastest,
@@ -52,7 +52,7 @@ impl Treatment {
         Treatment::Minimal,
     ];
 
-    /// For a table.
+    /// The name in tables.
     pub fn name(self) -> String {
         match self {
             Treatment::IndexReduction => "index reduction".into(),
@@ -72,11 +72,11 @@ pub struct Line {
     pub scheme: Scheme,
     pub steps: u32,
     pub treatment: Treatment,
-    /// None where the combination does not exist; a failure where the run broke off.
+    /// `None` where the combination does not exist; a failure where the run broke off.
     pub measured: Option<Result<Measured, Failure>>,
 }
 
-/// The rate at which moderate gains bring a violation back, 1/s.
+/// The decay rate of a violation with moderate gains, 1/s.
 pub const MODERATE: f64 = Formulation::RATE;
 
 /// Every method with a number of steps, and with twice as many.
@@ -91,12 +91,12 @@ pub const RUNS: [(Scheme, u32); 8] = [
     (Scheme::BackwardEuler, 4_000),
 ];
 
-/// One treatment; none where the combination does not exist, a failure where the run broke off.
+/// Measures one treatment; `None` where the combination does not exist, a failure where the run broke off.
 pub fn measure(scheme: Scheme, steps: u32, treatment: Treatment, goal: &Goal) -> Option<Result<Measured, Failure>> {
     Run::new(scheme, steps, treatment).map(|run| run.measure(goal))
 }
 
-/// One method at one step with every treatment.
+/// Measures one method at one step size with every treatment.
 pub fn compare(scheme: Scheme, steps: u32, scan: &Scan, goal: &Goal) -> Vec<Line> {
     let mut treatments = Treatment::PLAIN.to_vec();
     treatments.splice(3..3, scan.best().map(|best| Treatment::MostAccurate { rate: best.rate }));

@@ -1,4 +1,4 @@
-//! One run of one treatment, and what came of it.
+//! One run of one treatment, with its errors and cost.
 
 use super::Treatment;
 use super::goal::{Goal, SPAN, START, reduced, span, whole};
@@ -8,16 +8,16 @@ use crate::stabilisation::schemes::Scheme;
 use integrators::{Failure, Holding, Observer, Outcome, Tolerance, hold, integrate, integrate_projected};
 use systems::crank_slider::CrankSlider;
 
-/// What came of it.
+/// Errors and cost of a run.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measured {
     /// The largest |f| after a step, m^2.
     pub drift: f64,
-    /// The largest |f'|, m^2/s.
+    /// The largest |f'| after a step, m^2/s.
     pub rate_drift: f64,
-    /// The largest error of (q, q') at the outputs, each relative to its size.
+    /// The largest error of (q, q') at the outputs, each component relative to its size.
     pub error: f64,
-    /// Evaluations of the equations of motion, a Jacobian counted as those of its columns.
+    /// Evaluations of the equations of motion; a Jacobian counts as one for each column.
     pub evaluations: u64,
     /// Evaluations of the constraint alone, by which places and velocities are corrected.
     pub corrections: u64,
@@ -31,7 +31,7 @@ pub(super) struct Run {
     pub way: Keeping,
 }
 
-/// How the constraint is kept.
+/// The treatment of the constraint, with its gains.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Keeping {
     /// f'' = -b f' - k f with (h b, h^2 k).
@@ -42,7 +42,7 @@ pub(super) enum Keeping {
 }
 
 impl Run {
-    /// None where the method has no such gains.
+    /// `None` where the method has no such gains.
     pub fn new(scheme: Scheme, steps: u32, treatment: Treatment) -> Option<Self> {
         let h = SPAN / f64::from(steps);
         let critical = |rate: f64| Keeping::Led(2.0 * rate * h, (rate * h).powi(2));
@@ -58,7 +58,7 @@ impl Run {
         Some(Run { scheme, steps, way })
     }
 
-    /// From the start to the end of the span.
+    /// Runs from the start to the end of the span.
     pub fn go(&self, observer: &mut dyn Observer<f64>) -> Outcome<f64> {
         let (method, h) = (self.scheme.method(self.steps), SPAN / f64::from(self.steps));
         let law = |beta: f64, kappa: f64| Stabilised::<CrankSlider<f64>, 2, 1> {
@@ -67,7 +67,7 @@ impl Run {
             stiffness: kappa / (h * h),
         };
         let (held, span_of_all) = (BothHeld::<CrankSlider<f64>, 2, 1>(&MECHANISM), span(&whole(&START)));
-        // followed by no method with a constant step
+        // methods with constant step size ignore the tolerance
         let tolerance = Tolerance::both(1e-9);
         match self.way {
             Keeping::Led(beta, kappa) => integrate(&law(beta, kappa), method, &tolerance, &span_of_all, observer),
@@ -77,7 +77,7 @@ impl Run {
         }
     }
 
-    /// The same method for the equations with both constraints.
+    /// The method of the scheme for the equations with f = 0 and f' = 0.
     fn holding(&self) -> Holding {
         let steps = self.steps;
         match self.scheme {
@@ -88,7 +88,7 @@ impl Run {
         }
     }
 
-    /// Against the exact motion.
+    /// Runs and compares with the exact motion.
     pub fn measure(&self, goal: &Goal) -> Result<Measured, Failure> {
         let mut watch = goal.watch(self.way == Keeping::Minimal);
         let outcome = self.go(&mut watch);

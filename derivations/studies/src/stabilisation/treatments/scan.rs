@@ -1,25 +1,25 @@
-//! Drift and error by the gain, and the gain of the least error.
+//! Drift and error against the gain, and the gain of the least error.
 //!
-//! With gains that stay as they are while the step shrinks a method of order p has the error h^p e(t; b, k) + O(h^(p+1)),
-//! e the same for all steps. The gains of the least error therefore tend to a time of their own, where those of the
-//! fastest decay go with 1/h and 1/h^2. What that time is, no theory here tells: it is measured.
+//! With constant gains a method of order p has the error h^p e(t; b, k) + O(h^(p+1)) as h -> 0, where e does not depend on h.
+//! The gains of the least error therefore tend to a limit, while those of the fastest decay grow as 1/h and 1/h^2. The limit
+//! is measured, since no theory here gives it.
 
 use super::goal::{Goal, SPAN};
 use super::run::{Keeping, Run};
 use crate::stabilisation::schemes::Scheme;
 
-/// Drift and error by the rate w of critically damped gains, b = 2 w, k = w^2, at a constant step.
+/// Drift and error against the rate w of critically damped gains, b = 2 w, k = w^2, at a constant step size.
 #[derive(Clone, Debug)]
 pub struct Scan {
     pub scheme: Scheme,
     pub steps: u32,
-    /// What is measured at the rates that the method bears, in their order.
+    /// The measurements at the rates at which the run stays bounded, in ascending order.
     pub points: Vec<Measure>,
     /// The error without gains.
     pub without: f64,
 }
 
-/// A rate and what it does.
+/// The drift and error at a rate.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measure {
     /// w, 1/s
@@ -30,7 +30,7 @@ pub struct Measure {
 }
 
 impl Scan {
-    /// From the slowest rate to what the method bears, five rates a decade; finer about the least error.
+    /// Scans from the slowest rate to the stability limit, five rates per decade, finer near the least error.
     pub fn of(scheme: Scheme, steps: u32, goal: &Goal) -> Self {
         let h = SPAN / f64::from(steps);
         let measure = |rate: f64| {
@@ -56,7 +56,7 @@ impl Scan {
         Scan { scheme, steps, points, without: without.map_or(f64::INFINITY, |found| found.error) }
     }
 
-    /// The rate of the least error; none where no gain is better than none.
+    /// The measurement of the least error; `None` where no gain beats the run without gains.
     pub fn best(&self) -> Option<Measure> {
         least(&self.points).filter(|best| best.error < self.without)
     }
@@ -66,12 +66,12 @@ fn least(points: &[Measure]) -> Option<Measure> {
     points.iter().copied().min_by(|a, b| a.error.total_cmp(&b.error))
 }
 
-/// 1/s: a violation would take as long as the span to decay by a tenth.
+/// The slowest rate, 1/s: a violation would take as long as the span to decay by a tenth.
 const SLOWEST: f64 = 0.01;
-/// h w: beyond it no explicit method bears the gains.
+/// The largest h w: beyond it no explicit method is stable.
 const FASTEST: f64 = 10.0;
-/// Rates a decade, and between the neighbours of the least error.
+/// Rates per decade, and rates between the neighbours of the least error.
 const A_DECADE: f64 = 5.0;
 const FINER: u32 = 12;
-/// An error beyond which the run is lost.
+/// An error beyond which a run is discarded.
 const LOST: f64 = 10.0;

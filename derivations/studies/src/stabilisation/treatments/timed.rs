@@ -1,10 +1,10 @@
-//! Times of the treatments, side by side.
+//! Computing times of the treatments.
 
 use super::{Line, Run};
 use integrators::taking_turns;
 use std::time::Duration;
 
-/// The median times of the lines that reached the end, s: taken in turns, while nothing else runs.
+/// The median times of the lines that reached the end, s, measured in turns on an otherwise idle machine.
 pub fn times(lines: &[Line], allowed: Duration) -> Vec<Option<f64>> {
     let reached = |line: &&Line| matches!(line.measured, Some(Ok(_)));
     let runs: Vec<Option<Run>> = lines
