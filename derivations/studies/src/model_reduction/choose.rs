@@ -1,6 +1,6 @@
 //! The cheapest reduced model, method and form that meet a tolerance in the outputs that matter.
 //!
-//! What is cheap is counted in evaluations of the law, and never timed: the same scene has the same choice on any machine.
+//! Cost is counted in evaluations of the law, and never timed: a scene has the same choice on any computer.
 
 use super::comparison::Comparison;
 use super::outputs::Watched;
@@ -12,53 +12,53 @@ use super::trial::Trial;
 use integrators::taking_turns;
 use simulation::Law;
 
-/// The method's share of the tolerance, with room for what its pilots do not tell.
+/// The method's share of the tolerance, with a margin for errors that its pilot runs do not show.
 pub(super) const OF_METHOD: f64 = 0.3;
-/// A finer run tells the method's error: their tolerances apart.
+/// The ratio of the tolerances of a run and of the finer one that measures its error.
 pub(super) const FINER: f64 = 1e-2;
 /// Errors below this are rounding.
 pub(super) const ROUNDED: f64 = 1e-15;
-/// Evaluations of a run.
+/// The greatest number of evaluations of a run.
 pub(super) const MOST: u64 = 5_000_000;
 
-/// What is chosen between: the models of a scene, its own first.
+/// The models of a scene among which is chosen, its own first.
 pub trait Models {
-    /// The names of a row.
+    /// The names of the outputs in a row.
     fn columns(&self) -> &[String];
 
     /// The outputs of these names with their sizes, by a coarse run of the scene's own model; and its evaluations.
     ///
     /// # Errors
-    /// Why that does not reach its end.
+    /// The reason for which that run does not reach its end.
     fn watched(&self, names: &[String]) -> Result<(Watched, u64), String>;
 
-    /// A line for each model, judged; and the evaluations that this took.
+    /// A line with a verdict for each model; and the evaluations that the verdicts took.
     fn lines(&self, watched: &Watched, tolerance: f64) -> (Vec<Line>, u64);
 
-    /// A line's model in every form.
+    /// The model of a line in every form.
     fn forms(&self, line: usize) -> Vec<Runnable<'_>>;
 
-    /// Bytes of the code of a line's law, where it is known: what an evaluation costs.
+    /// The code size of a line's law, bytes, where it is known: a measure of the cost of an evaluation.
     fn code_size(&self, _line: usize) -> Option<usize> {
         None
     }
 
-    /// A line's law with its start, where it is known before a run.
+    /// The law of a line with its initial state, where it is known before a run.
     fn start(&self, _line: usize) -> Option<(&dyn Law, &[f64])> {
         None
     }
 
-    /// Whether a line's law changes at events: each begins the run anew.
+    /// Whether a line's law changes at events, each of which restarts the method.
     fn changes(&self, _line: usize) -> bool {
         false
     }
 
-    /// The exact motion as rows at the instants, where it is kept.
+    /// The stored reference motion as rows at the instants, if any.
     fn exact(&self) -> Option<Vec<Vec<f64>>> {
         None
     }
 
-    /// A run that switches between models: a line of its own, last. Plans are those of the lines, the cheapest first.
+    /// A run that switches between models: a line of its own, the last. The trials are those of the lines, the cheapest first.
     fn mixed(&self, _watched: &Watched, _lines: &[Line], _tried: &[Trial], _wish: &Wish) -> Option<Mixed<'_>> {
         None
     }
@@ -74,11 +74,11 @@ pub struct Mixed<'a> {
     pub go: Box<Finer<'a>>,
 }
 
-/// Chooses among the models that a run takes by name. What is promised is the error of a method, and of a smaller model its distance
-/// from the run of the scene's own, each the largest of the whole run; neither is a bound.
+/// Chooses among the models that a run takes by name. The error estimate is the error of a method, and for a smaller model its
+/// distance from the run of the scene's own, each the largest over the run; neither is a bound.
 ///
 /// # Errors
-/// Why the scene's own model does not reach its end even coarsely, or the output that has no value on the way.
+/// The reason for which even a coarse run of the scene's own model does not reach its end, or an output without value on the way.
 pub fn choose(models: &dyn Models, wish: &Wish) -> Result<Receipt, String> {
     let (watched, mut deciding) = models.watched(&wish.outputs)?;
     if let Some((name, time)) = &watched.without_value {
@@ -125,7 +125,7 @@ pub fn choose(models: &dyn Models, wish: &Wish) -> Result<Receipt, String> {
     let times = taking_turns(tried.len(), wish.allowed, |at| go(&tried[at]).is_some());
     let exact = models.exact();
     for (Trial { line, plan, run, error: promised }, time) in tried.into_iter().zip(times) {
-        // what is no number is promised to nobody
+        // a NaN is no estimate
         if promised.is_nan() || promised > wish.tolerance {
             continue;
         }

@@ -1,4 +1,4 @@
-//! Smaller models run beside the scene's own, the most promising first, as long as that is worth its price.
+//! Comparison of smaller models with a run of the scene's own, the most promising first, within a budget of evaluations.
 
 use super::Loss;
 use super::choose::{FINER, Models, OF_METHOD};
@@ -10,40 +10,40 @@ use super::trial::Trial;
 use integrators::Method;
 use std::cell::Cell;
 
-/// Runs of the scene's own model that deciding may cost in all: what its first runs have left of it goes to smaller models, those
-/// of which that are too far off end early.
+/// The budget of deciding, in runs of the scene's own model: smaller models have the part that its first runs have left; runs that
+/// differ too much end early.
 const PRICE: f64 = 3.0;
-/// The least that there is for smaller models, in the same runs.
+/// The least budget for smaller models, in runs of the scene's own model.
 const LEAST: f64 = 1.0;
 /// A model that costs more than this share of the scene's own saves too little.
 const WORTH: f64 = 0.8;
-/// The tolerance that usually serves for an error, as a share of it.
+/// The tolerance that usually suffices for an error, as a share of it.
 const USUAL: f64 = 0.1;
 
-/// The scene's own run, with what smaller models are held against.
+/// The scene's own run and the data of the comparison.
 pub struct Comparison<'a> {
     pub models: &'a dyn Models,
     pub forms: &'a [Vec<Runnable<'a>>],
     pub watched: &'a Watched,
-    /// Largest error allowed.
+    /// The largest relative error allowed.
     pub tolerance: f64,
     pub own: &'a Trial,
-    /// Evaluations that were spent on deciding before.
+    /// Evaluations spent on deciding before the comparison.
     pub before: u64,
-    /// Evaluations of the scene's own law that all of this has taken.
+    /// Cost of the comparison so far, in evaluations of the scene's own law.
     pub spent: u64,
 }
 
 impl Comparison<'_> {
-    /// The models that serve, each with its distance from the scene's own run and the error of that; the verdicts of all others.
+    /// Trials of the models that suffice, each with its distance from the scene's own run plus the error of that run; sets all verdicts.
     pub fn trials(&mut self, lines: &mut [Line]) -> Vec<Trial> {
         let mut order: Vec<usize> =
             (1..lines.len()).filter(|&line| lines[line].verdict == Sufficiency::Suffices).collect();
-        // exact ones first, then those that leave out the most
+        // exact models first, then those with the fewest states
         order.sort_by_key(|&line| (matches!(lines[line].loss, Loss::Small { .. }), lines[line].states));
         let mut found: Vec<Trial> = Vec::new();
         for line in order {
-            // what leaves out less than one that serves saves less
+            // a model with no fewer states than one that suffices saves less
             let served = found.iter().any(|known| lines[known.line].states <= lines[line].states);
             lines[line].verdict = match self.left() > 0.0 && !served {
                 false => Sufficiency::NotTried,
@@ -66,7 +66,7 @@ impl Comparison<'_> {
         (PRICE * own - self.before as f64).max(LEAST * own) - self.spent as f64
     }
 
-    /// The price of an evaluation of a line's law over that of the scene's own.
+    /// The cost of an evaluation of a line's law over that of the scene's own.
     fn share(&self, line: usize) -> f64 {
         match (self.models.code_size(line), self.models.code_size(0)) {
             (Some(code), Some(own)) if own > 0 => code as f64 / own as f64,
@@ -74,14 +74,14 @@ impl Comparison<'_> {
         }
     }
 
-    /// Whether a line's law asks for an implicit method.
+    /// Whether the law of a line is stiff.
     fn is_stiff(&self, line: usize) -> bool {
         let span = self.forms[line].first().map_or(0.0, |form| form.span);
         self.models.start(line).is_some_and(|(law, start)| is_stiff_at(law, start, span))
     }
 
-    /// Whether a model saves nothing whatever its run is: one that is as stiff, or as smooth, is cheaper by its length alone, and
-    /// by an implicit method by its states too.
+    /// Whether a model saves nothing, by an estimate before its run: at equal time scales only shorter code is cheaper, and with
+    /// an implicit method also fewer states.
     fn is_as_dear(&self, line: usize, lines: &[Line]) -> bool {
         let fewer = lines[line].states as f64 / lines[0].states as f64;
         let fastest = |line: usize| self.models.start(line).map(|(law, start)| fastest_at(law, start));
@@ -95,11 +95,11 @@ impl Comparison<'_> {
         cost > WORTH
     }
 
-    /// The run of a line's model beside the scene's own.
+    /// The trial of a line's model against the scene's own run.
     fn trial(&mut self, line: usize, is_approximate: bool) -> Result<Trial, Sufficiency> {
         let usual = (USUAL * OF_METHOD * self.tolerance).max(FINEST);
         let mut tolerance = self.own.plan.tolerance.min(usual);
-        // a model that loses nothing is too far off by its method alone
+        // an exact model is too far off by its method alone
         for is_last in if is_approximate { &[true][..] } else { &[false, true][..] } {
             match self.run_at(line, tolerance) {
                 Err(Sufficiency::TooFar) if !is_last => tolerance = (tolerance * FINER).max(FINEST),
@@ -108,7 +108,7 @@ impl Comparison<'_> {
                     let off = self.own.run.apart(&run, self.watched).ok_or(Sufficiency::NotRun)?;
                     let error = between(method) * off + self.own.error;
                     let plan = Plan { method, tolerance, ..self.own.plan.clone() };
-                    // what is no number is promised to nobody
+                    // false for NaN too
                     return match error <= self.tolerance {
                         true => Ok(Trial { line, plan, run, error }),
                         false => Err(Sufficiency::TooFar),
@@ -119,7 +119,7 @@ impl Comparison<'_> {
         Err(Sufficiency::TooFar)
     }
 
-    /// A run that costs less than the scene's own, by the kind of method that the law asks for.
+    /// A run that costs less than the scene's own, by an explicit or, for a stiff law, an implicit method.
     fn run_at(&mut self, line: usize, tolerance: f64) -> Result<(Method, Run), Sufficiency> {
         let form = self.forms[line].first().ok_or(Sufficiency::NotRun)?;
         let Trial { plan, run: own, error, .. } = self.own;
@@ -140,7 +140,7 @@ impl Comparison<'_> {
             })
         };
         let found = by(is_stiff);
-        // transients may be slow at the start, and not later
+        // a law may be stiff only after the start
         let again = found.is_none() && plan.method.traits().implicit && !is_stiff && !is_too_far.get();
         let found = if again { by(true) } else { found };
         found.ok_or(if is_too_far.get() { Sufficiency::TooFar } else { Sufficiency::NotCheaper })

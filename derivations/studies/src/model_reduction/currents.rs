@@ -1,34 +1,34 @@
-//! What stands for currents that are not followed: an algebraic function of angle and slip.
+//! Quasi-steady values of currents: algebraic functions of angle and slip that replace their equations.
 //!
-//! L i' + R i = -psi'(g) s with the slip s = g'. Three answers, from the richest:
+//! L i' + R i = -psi'(g) s with the slip s = g'. Three approximations, from the richest:
 //!
-//! | stands for i | exact where | small parameter |
+//! | value of i | exact where | small parameter |
 //! |---|---|---|
 //! | the current at the present slip, -s (R psi' - L s psi'')/(R^2 + L^2 s^2) | the slip is constant | (L/R)^2 \|s'\| |
 //! | the resistive current, -psi' s/R | nothing induces: L = 0 | (L/R) \|s\| |
-//! | none, 0 | the rotor is in step | psi'^2 \|s\|/R beside the other moments |
+//! | none, 0 | the rotor is synchronous | psi'^2 \|s\|/R relative to the other torques |
 //!
 //! The first is a solution for fluxes with one harmonic, psi'' + psi constant, and is offered for these only. Windings with
-//! a supply, or in which conductors slide, have currents in step too: for them all currents that would rest at the present
-//! angle and speed stand at once ([`motor::resting_currents`]).
+//! a supply, or with sliding conductors, have currents at synchronism too: all their currents take the steady values at the
+//! present angle and speed ([`motor::resting_currents`]).
 
 use field::{Circle, Over, Tangent};
 use motor::Machine;
 use symbolic::{Hypotheses, Sym, decide};
 
-/// What stands for a current.
+/// The kind of value that replaces a current.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Current {
-    /// That of the present slip, as if it had always been.
+    /// The periodic current at the present slip, held constant.
     AtPresentSlip,
-    /// That of a circuit without inductance.
+    /// The current of a circuit without inductance.
     Resistive,
-    /// None.
+    /// Zero.
     Absent,
 }
 
 impl Current {
-    /// Of a winding of a machine.
+    /// The current of a winding, A, at an angle and slip.
     pub fn of<S, M>(self, machine: &M, winding: usize, angle: Circle<S>, slip: S) -> S
     where
         S: Over<f64>,
@@ -45,7 +45,7 @@ impl Current {
         }
     }
 
-    /// Whether it is offered for a winding.
+    /// Whether this kind is offered for a winding.
     pub fn suits<M: Machine<f64>>(self, machine: &M, winding: usize) -> bool {
         match self {
             Current::AtPresentSlip => machine.resistance(winding) > 0.0 && has_one_harmonic(machine, winding),
@@ -54,7 +54,7 @@ impl Current {
         }
     }
 
-    /// For tables: what was dropped of the currents.
+    /// The dropped part of the currents, in words for tables.
     pub fn dropped(self) -> &'static str {
         match self {
             Current::AtPresentSlip => "their transients; each current is that of the present slip",
@@ -63,7 +63,7 @@ impl Current {
         }
     }
 
-    /// The small parameter's name.
+    /// The small parameter as a formula.
     pub fn parameter(self) -> &'static str {
         match self {
             Current::AtPresentSlip => "(L/R)^2 |slip'|",
@@ -72,7 +72,7 @@ impl Current {
         }
     }
 
-    /// Its value for a time constant, a slip and the slip's rate; none where it asks for more.
+    /// The small parameter for a time constant, a slip and the slip's rate; `None` where it depends on more.
     pub fn value(self, time_constant: f64, slip: f64, rate: f64) -> Option<f64> {
         match self {
             Current::AtPresentSlip => Some(time_constant * time_constant * rate.abs()),

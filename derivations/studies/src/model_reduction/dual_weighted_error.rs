@@ -1,13 +1,13 @@
-//! The error of a lower model by transition matrices: where along the run it comes from, for each output.
+//! The dual-weighted error of a smaller model by transition matrices: its sources along the run, for each output.
 //!
-//! The run is cut into stretches. Over each the richer law starts on the lifted motion and ends a little off it, by the local
-//! defect D_k = y(t_(k+1); Y_k) - Y_(k+1), and its transition matrix P_k comes with it. To first order the error at the end of
-//! the stretch K is
+//! The run is cut into intervals. Over each the richer law starts on the lifted motion and ends off it by the local
+//! defect D_k = y(t_(k+1); Y_k) - Y_(k+1), and gives its transition matrix P_k. To first order the error at the end of
+//! the interval K is
 //!
 //!   e = sum_k P_K ... P_(k+1) D_k + P_K ... P_0 e_0 ,
 //!
-//! and for an output q.y the weights q P_K ... P_(k+1) of all D_k are found by one pass backwards. It is the second route to
-//! what [`error_propagation`](super::error_propagation) finds, and says more: which stretches need the richer model.
+//! and for an output q.y the weights q P_K ... P_(k+1) of all D_k come from one pass backwards. This error equals that of
+//! [`error_propagation`](super::error_propagation) to first order, and also shows which intervals need the richer model.
 
 use super::outputs::Watched;
 use super::sampled_run::INSTANTS;
@@ -15,24 +15,24 @@ use super::{Hierarchy, ReducedModel};
 use integrators::{Failure, Record, Span, Tolerance, integrate, transition};
 use integrators::{Method, System};
 
-/// The parts of an error.
+/// The contributions of the intervals to an error.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shares {
-    /// The ends of the stretches.
+    /// The ends of the intervals, s.
     pub times: Vec<f64>,
-    /// `parts[i][k]`: of the error of output i at the end, the part that comes from stretch k; relative to its size.
+    /// `parts[i][k]`: the contribution of interval k to the final error of output i, relative to its size.
     pub parts: Vec<Vec<f64>>,
-    /// The part of the first state that is not on the lifted motion.
+    /// The contribution of an initial state off the lifted motion, for each output.
     pub start: Vec<f64>,
-    /// The error of each output at each of the instants at which references have theirs; relative to its size.
+    /// The error of each output at each instant of the references, relative to its size.
     pub errors: Vec<Vec<f64>>,
 }
 
 impl Hierarchy {
-    /// The shares of so many stretches, a multiple of the instants.
+    /// The contributions of a number of intervals, a multiple of the instants.
     ///
     /// # Errors
-    /// Where a run stops, or the richer law has no series.
+    /// The failure of a run, or of a richer law without series.
     pub fn shares(
         &self,
         rung: &ReducedModel,
@@ -84,7 +84,7 @@ impl Hierarchy {
         Ok(Shares { times: times[1..].to_vec(), parts, start, errors })
     }
 
-    /// q of an output, relative to its size: rows are affine in the state.
+    /// The vector q of an output, relative to its size, by differences: rows are affine in the state.
     pub(super) fn output(&self, column: usize, size: f64, time: f64, state: &[f64]) -> Vec<f64> {
         let mut moved = state.to_vec();
         let slope = |j: usize, moved: &mut Vec<f64>| {

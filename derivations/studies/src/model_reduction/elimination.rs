@@ -1,12 +1,12 @@
-//! Exact elimination: rows that span all rows, the shares of all rows in them, and K D K^T.
+//! Exact elimination: a basis of rows, the coordinates of all rows in it, and the factorisation K D K^T.
 
 use field::{Rational, Scalar};
 use std::cmp::Ordering;
 
-/// The places of the first rows that span all of them.
+/// The places of the first rows that form a basis of all rows.
 pub fn pivots(rows: &[Vec<Rational>]) -> Vec<usize> {
     let zero = Rational::int(0);
-    // each kept row is reduced, with the column in which it leads
+    // reduced basis rows, each with its pivot column
     let mut reduced: Vec<(usize, Vec<Rational>)> = Vec::new();
     let mut found = Vec::new();
     for (place, row) in rows.iter().enumerate() {
@@ -23,10 +23,10 @@ pub fn pivots(rows: &[Vec<Rational>]) -> Vec<usize> {
     found
 }
 
-/// B of row_k = sum_j B_kj row_(pivot j).
+/// The matrix B of row_k = sum_j B_kj row_(pivot j).
 pub fn shares(rows: &[Vec<Rational>], pivots: &[usize]) -> Vec<Vec<Rational>> {
     let m = pivots.len();
-    // the normal equations have one solution, for the pivots are independent
+    // the normal equations have one solution, since the pivot rows are independent
     let product = |a: &[Rational], b: &[Rational]| a.iter().zip(b).fold(Rational::int(0), |sum, (x, y)| sum + *x * *y);
     let gram: Vec<Vec<Rational>> =
         pivots.iter().map(|&i| pivots.iter().map(|&j| product(&rows[i], &rows[j])).collect()).collect();
@@ -40,7 +40,7 @@ pub fn shares(rows: &[Vec<Rational>], pivots: &[usize]) -> Vec<Vec<Rational>> {
     rows.iter().map(solved).collect()
 }
 
-/// K, unit lower triangular, and D of a positive definite matrix K D K^T.
+/// The factors of a positive definite matrix K D K^T: K unit lower triangular, D diagonal.
 pub fn factored(matrix: &[Vec<Rational>]) -> (Vec<Vec<Rational>>, Vec<Rational>) {
     let n = matrix.len();
     let (zero, one) = (Rational::int(0), Rational::int(1));

@@ -1,12 +1,12 @@
-//! The error of a lower model, carried by the richer one along the lifted motion.
+//! The error equation of a smaller model, by the richer law along the lifted motion.
 //!
-//! With y = Y + a + b + ..., a of the first and b of the second order in the defect,
+//! With y = Y + a + b + ..., a of first and b of second order in the defect,
 //!
 //!   a' = F_y a - d ,    a(0) = y(0) - Y(0) ,
 //!   b' = F_y b + 1/2 F_yy[a, a] ,    b(0) = 0 .
 //!
-//! a is the estimate of the error; it is no bound. How far b is from being small beside it says how far the estimate is to
-//! be believed. All of it comes from the richer law by differentiation: with e and h infinitesimal, F at Y + (e + h) a + 2 e h b
+//! The error estimate is a; it is no bound, and is credible as far as b is small beside it. Both equations come from the
+//! richer law by automatic differentiation: with e and h infinitesimal, F at Y + (e + h) a + 2 e h b
 //! has F_y a at e, and F_yy[a, a] + 2 F_y b at e h.
 
 use super::reduced_model::{Lower, straight};
@@ -31,7 +31,7 @@ pub fn carried(written: &Arc<dyn SymbolicLaw>, lower: &Lower) -> Option<Compiled
         let inputs: Vec<Tangent<Tangent<Sym>>> = moving.chain([Tangent::fixed(Tangent::fixed(time))]).collect();
         let mut moved = vec![Tangent::lift(0.0); n];
         tape.over().evaluate(&inputs, &mut moved);
-        // the defect is differentiated along symbols of its own: the state here may be any expressions
+        // the defect is differentiated by symbols of its own: the state here may be any expressions
         let defect = lower.defect(&*written, time, z);
         let first = moved.iter().zip(defect).map(|(rate, defect)| rate.value.slope - defect);
         let second = moved.iter().map(|rate| rate.slope.slope.half());

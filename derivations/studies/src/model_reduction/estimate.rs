@@ -1,4 +1,4 @@
-//! How far a lower model is off: the carried error at every step of the run that carries it, and at even instants besides.
+//! Error estimates of smaller models: the propagated error at every step of the run of the error equation, and at even instants.
 
 use super::error_propagation::carried;
 use super::outputs::{Watched, largest};
@@ -7,33 +7,33 @@ use super::{Hierarchy, ReducedModel};
 use integrators::{Absolute, Failure, Record, Refusal, Tolerance};
 use simulation::CompiledLaw;
 
-/// Relative, of an error that is carried: it is wanted to a hundredth of itself.
+/// The relative tolerance of the error equation, whose solution is needed to 1/100.
 const CARRIED: f64 = 1e-4;
-/// The error need not be known better than to this share of what is allowed.
+/// The error need not be known better than to this share of the allowed one.
 const OF_ALLOWED: f64 = 1e-2;
 
-/// What a model loses, estimated: relative to the sizes, the largest over the run, for each output.
+/// The error estimate of a model: for each output the largest error over the run, relative to its size.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Estimate {
     pub each: Vec<f64>,
-    /// The largest of them.
+    /// The largest error over the outputs, to first order.
     pub first: f64,
-    /// The time of it, s.
+    /// The time of the largest error, s.
     pub at: f64,
-    /// The largest term of the second order: where it is not small beside the first, the estimate is no estimate.
+    /// The largest second-order term; unless it is small beside the first, the estimate is not believed.
     pub second: f64,
-    /// Of the law that carries the error.
+    /// Evaluations of the error equation.
     pub evaluations: u64,
-    /// Times with the rows of the lower run there, the first order added: better by an order, and of unknown error.
+    /// Times with the rows of the smaller model's run corrected by the first-order error: better by one order, with unknown error.
     pub corrected: Vec<(f64, Vec<f64>)>,
-    /// The largest value of the small parameter along the lower run, where it has one.
+    /// The largest value of the small parameter along the smaller model's run, where it is defined.
     pub small: Option<f64>,
-    /// Whether it was not followed to the end, being beyond all that is allowed: then it is at least this.
+    /// Whether the run was ended early because the error exceeds the allowed one: the estimate is then a lower value.
     pub given_up: bool,
 }
 
 impl Estimate {
-    /// Of a step that loses nothing.
+    /// The estimate of an exact model.
     pub fn nothing(outputs: usize) -> Self {
         Estimate {
             each: vec![0.0; outputs],
@@ -47,31 +47,31 @@ impl Estimate {
         }
     }
 
-    /// What is promised: both orders.
+    /// The sum of first and second order, which is compared with tolerances.
     pub fn promised(&self) -> f64 {
         self.first + self.second
     }
 }
 
-/// How (z, a, b) is read: the lower motion with the error that it makes.
+/// The interpretation of a state (z, a, b) of the error equation: smaller model, first-order and second-order error.
 pub(super) struct Carrying<'a> {
     pub watched: &'a Watched,
     /// Y(t, z)
     pub lift: &'a dyn Fn(f64, &[f64]) -> Vec<f64>,
-    /// Of the richer law.
+    /// The row of outputs from a state of the richer law.
     pub row: &'a dyn Fn(f64, &[f64]) -> Vec<f64>,
-    /// Of the lower motion.
+    /// The small parameter at a state of the smaller model.
     pub small: &'a dyn Fn(f64, &[f64]) -> Option<f64>,
-    /// How many states are followed.
+    /// The number of retained states.
     pub kept: usize,
 }
 
 impl Carrying<'_> {
-    /// Carries from a start, law after law, each to its time. It may err by so much of the sizes of z, and by a small part of
-    /// this tolerance in the errors. Given up at the first step or instant at which more than `most` would be promised.
+    /// Integrates the error equation from a start, law after law, each to its time. `sizes` of z scale the integration's absolute
+    /// tolerances, `tolerance` those of the errors. Ended at the first step or instant at which the estimate exceeds `most`.
     ///
     /// # Errors
-    /// Where a law does not reach its end.
+    /// The failure of the run of a law.
     pub fn estimate(
         &self,
         laws: &[(f64, CompiledLaw)],
@@ -115,7 +115,7 @@ impl Carrying<'_> {
         Ok(found)
     }
 
-    /// What is off at a time.
+    /// Updates the estimate by the errors at a time.
     fn add(&self, found: &mut Estimate, time: f64, state: &[f64]) {
         let (z, errors) = state.split_at(self.kept);
         let y = (self.lift)(time, z);
@@ -126,7 +126,7 @@ impl Carrying<'_> {
         };
         let (first, second) = (moved(&errors[..y.len()]), moved(&errors[y.len()..]));
         let Watched { columns, sizes, .. } = self.watched;
-        // no number where one of them is none: of those the largest is not asked for
+        // NaN if one of them is, which f64::max would hide
         let larger = |a: f64, b: f64| if a >= b || a.is_nan() { a } else { b };
         for (each, (&at, size)) in found.each.iter_mut().zip(columns.iter().zip(sizes)) {
             *each = larger(*each, (first[at] - row[at]).abs() / size);
@@ -143,15 +143,15 @@ impl Carrying<'_> {
 }
 
 impl Hierarchy {
-    /// The loss of a reduced model in the outputs; the tolerance says how well that need be known.
+    /// The error estimate of a reduced model in the outputs, with an accuracy of a share of the tolerance.
     ///
     /// # Errors
-    /// Where the carried error does not reach the end: the lower motion leaves what the richer law allows.
+    /// The failure of the run: the smaller model's motion may leave the domain of the richer law.
     pub fn estimate(&self, rung: &ReducedModel, watched: &Watched, tolerance: f64) -> Result<Estimate, Failure> {
         self.estimate_within(rung, watched, tolerance, f64::INFINITY)
     }
 
-    /// The same, given up at the first step or instant at which more than this would be promised.
+    /// The error estimate of a reduced model, ended at the first step or instant at which it exceeds `most`.
     ///
     /// # Errors
     /// As [`Self::estimate`].
@@ -172,7 +172,7 @@ impl Hierarchy {
         let start = rung.start.iter().copied().chain(first).chain(vec![0.0; n]).collect();
         let sizes: Vec<f64> = match &rung.lower.kept {
             Some(places) => places.iter().map(|&place| watched.states[place]).collect(),
-            // how large states of its own become, its own run tells
+            // the sizes of other states come from a coarse run of the smaller model
             None => {
                 let looks: Vec<f64> = looks(span).collect();
                 let (coarse, _) = followed_at(&*rung.law, &Tolerance::both(COARSE), &looks, &rung.start)?;
@@ -195,8 +195,8 @@ impl Hierarchy {
         carrying.estimate(&[(span, law)], start, &sizes, tolerance, most)
     }
 
-    /// The largest difference of two runs in the outputs, relative to the sizes: a reduced model's beside the law that it is derived
-    /// from.
+    /// The largest difference of the outputs, relative to their sizes, between the runs of a reduced model and of the law from which it
+    /// is derived.
     pub fn difference(&self, rung: &ReducedModel, low: &Record<f64>, rich: &Record<f64>, watched: &Watched) -> f64 {
         let at = |((time, z), y): ((&f64, &Vec<f64>), &Vec<f64>)| {
             let low = self.row(*time, &rung.lifted(*time, z, self.start.len()));

@@ -1,4 +1,4 @@
-//! The first run of a scene's own model: what its outputs are measured by, and what other runs may cost.
+//! The first run of a scene's own model: it gives the sizes of the outputs, and the budget of other runs.
 
 use super::outputs::{Watched, largest};
 use super::plan::{COARSE, LAST, first_of, is_stiff_at};
@@ -7,7 +7,7 @@ use super::sampled_run::looks;
 use integrators::{Failure, Method, Observer, Span, Tolerance};
 use simulation::Problem;
 
-/// Instants of a pilot by Taylor's method: a multiple of those of references.
+/// Output instants of a pilot run by Taylor's method: a multiple of those of references.
 const DENSE: usize = 128;
 
 /// A coarse run.
@@ -19,10 +19,10 @@ pub struct FirstRun {
 }
 
 impl FirstRun {
-    /// A coarse run that reaches the end, and the evaluations of all that were tried.
+    /// A coarse run that reaches the end, and the evaluations of all attempts.
     ///
     /// # Errors
-    /// Why there is none.
+    /// The reason for which no run reaches the end.
     pub fn of(own: &Problem) -> Result<(Self, u64), String> {
         let stiff = is_stiff_at(&*own.law, &own.state, own.span);
         let (mut spent, mut why) = (own.state.len() as u64, None);
@@ -30,7 +30,7 @@ impl FirstRun {
             if why.is_some() {
                 return (None, 0);
             }
-            // a Taylor polynomial has values anywhere for nothing
+            // values of a Taylor polynomial between steps cost nothing
             let times: Vec<f64> = match method {
                 Method::Taylor => (1..=DENSE).map(|k| own.span * (k as f64 / DENSE as f64)).collect(),
                 _ => looks(own.span).collect(),
@@ -43,7 +43,7 @@ impl FirstRun {
             if outcome.reached() && left.is_none() && outcome.time == own.span {
                 return (Some((seen, evaluations)), evaluations);
             }
-            // numbers that overflow do so by any method
+            // numbers that overflow with one method overflow with any
             let overflows = matches!(outcome.failure(), Some(Failure::LeftTheNumbers { .. }));
             if overflows {
                 why = outcome.failure().map(|failure| failure.to_string());
@@ -91,7 +91,7 @@ impl FirstRun {
     }
 }
 
-/// The states of a run at the times that were asked for, and at its steps.
+/// The states of a run at the requested times, and at its steps.
 struct Seen {
     samples: Vec<(f64, Vec<f64>)>,
     steps: Vec<(f64, Vec<f64>)>,

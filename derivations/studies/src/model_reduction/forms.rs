@@ -1,4 +1,4 @@
-//! The models of a scene that is one initial value problem, in every form of its equations.
+//! The models of a scene with one initial value problem, in every form of its equations.
 
 use super::choose::{MOST, Mixed, Models, OF_METHOD};
 use super::estimate::Estimate;
@@ -16,7 +16,7 @@ use std::cell::RefCell;
 use std::sync::Arc;
 use std::time::Instant;
 
-/// The hierarchies of one scene, in each form that it has, and the exact motion where it is kept.
+/// The hierarchies of one scene, in each of its forms, and the stored reference motion, if any.
 pub struct Forms {
     pub ladders: Vec<Hierarchy>,
     pub kept: Option<Stored>,
@@ -25,7 +25,7 @@ pub struct Forms {
 }
 
 impl Forms {
-    /// The forms of these hierarchies, the first form's first.
+    /// The forms of these hierarchies; that of the first form comes first.
     pub fn of(ladders: Vec<Hierarchy>, kept: Option<Stored>) -> Self {
         Forms { ladders, kept, pilot: RefCell::new(None) }
     }
@@ -34,11 +34,11 @@ impl Forms {
 /// The name of a run of several models.
 pub const SWITCHING: &str = "switching";
 const AXES: [Axes; 2] = [Axes::First, Axes::Second];
-/// Of a model whose error is seen beside a run of the scene's own.
+/// The text in place of an estimate, for a model whose error is measured by its run.
 pub(super) const BY_ITS_RUN: &str = "told by its run alone";
 /// A smaller model for less than this share of the run is not worth switching to.
 const WORTH_WHILE: f64 = 0.1;
-/// Nor is one whose run over the whole span has more than this share of the richer one's work.
+/// A smaller model whose run over the whole span takes more than this share of the richer model's work is not worth switching to.
 const CHEAPER: f64 = 0.7;
 
 impl Models for Forms {
@@ -105,14 +105,14 @@ impl Models for Forms {
         Some(kept.reference.times.iter().zip(&kept.reference.states).map(row).collect())
     }
 
-    /// The reduced model that does not suffice for the whole run but for the largest part of it, with the richest that does for the rest.
-    /// Where a smaller model suffices for the whole run nothing is switched: those below it are hardly smaller.
+    /// A switching run: the reduced model that suffices on the largest part of the run, with the richer one on the rest.
+    /// `None` where a smaller model suffices for the whole run: the models below it are hardly smaller.
     fn mixed(&self, watched: &Watched, lines: &[Line], tried: &[Trial], wish: &Wish) -> Option<Mixed<'_>> {
         let ladder = &self.ladders[0];
-        // the law that the reduced models are derived from is the exact one next to the scene's own, or that
+        // the reduced models are derived from the law with lumped windings, if there is one, else from the scene's own
         let rich = usize::from(ladder.lumping.is_some());
         let plan = Plan { axes: Axes::First, ..tried.iter().find(|trial| trial.line == rich)?.plan.clone() };
-        // along stiff windings an explicit method does not switch; and looking for where is dearer than a short run
+        // no switching with a stiff law; and finding the intervals costs more than a short run
         let whole = |line: &Line| line.verdict == Sufficiency::Suffices && matches!(line.loss, Loss::Small { .. });
         let short = plan.foretold < LOOKING as f64;
         if wish.allowed.is_zero() || short || plan.method.traits().implicit || lines.iter().any(whole) {
@@ -153,8 +153,8 @@ impl Models for Forms {
     }
 }
 
-/// Whether a model's run over the whole span is so much cheaper than the richer one's that to run it on a part can be worth
-/// while: evaluations times states, by a method that needs no recording.
+/// Whether a model is so much cheaper than the richer one that running it on a part can pay. The work is evaluations times
+/// states of a run over the whole span, by a method that needs no recording.
 fn cheaper(ladder: &Hierarchy, line: usize, rich: usize) -> bool {
     let work = |line: usize| {
         let states = line.checked_sub(1).map_or(ladder.own.state.len(), |rung| ladder.rungs[rung].start.len());

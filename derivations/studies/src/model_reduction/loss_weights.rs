@@ -1,23 +1,23 @@
-//! How a small change goes on along a run of which states and rates are known here and there: what weighs a loss.
+//! Transition matrices along a run whose states and rates are known at points: they weight local errors.
 //!
 //! By Magnus' expansion to fourth order, with the Jacobians J1, J2 at the two points of Gauss,
 //!
 //!   P = exp(h/2 (J1 + J2) + sqrt(3) h^2/12 (J2 J1 - J1 J2)) ,
 //!
-//! the state there from the cubic through both ends. A hundredth is more than a weight needs, and a series with all directions
-//! in it costs a hundred times as much.
+//! with the states at these points from the cubic through both ends. An accuracy of 1/100 suffices for a weight, and a Taylor
+//! series with all directions costs a hundred times as much.
 
 use integrators::Jacobian;
 use nalgebra::DMatrix;
 
-/// A place on a run: time, state and rates.
+/// A point of a run: time, state and rates.
 pub type Knot = (f64, Vec<f64>, Vec<f64>);
 
-/// h times the norm of J: a stretch is cut into so short steps, but not into more than so many.
+/// The greatest h times the norm of J of a step, and the greatest number of steps of an interval.
 const SHORT: f64 = 8.0;
 const MOST: f64 = 16.0;
 
-/// dy(end)/dy(begin).
+/// The transition matrix dy(end)/dy(begin).
 pub fn propagator(jacobian: &mut Jacobian<'_>, begin: &Knot, end: &Knot) -> DMatrix<f64> {
     let n = begin.1.len();
     let span = end.0 - begin.0;
@@ -39,13 +39,13 @@ pub fn propagator(jacobian: &mut Jacobian<'_>, begin: &Knot, end: &Knot) -> DMat
     })
 }
 
-/// Over one step, with the Jacobians at its points.
+/// The transition matrix of one step, with the Jacobians at its two Gauss points.
 fn over([a, b]: &[DMatrix<f64>; 2], h: f64) -> DMatrix<f64> {
     exponential(&((a + b) * (0.5 * h) + (b * a - a * b) * (3.0_f64.sqrt() * h * h / 12.0)))
 }
 
-/// exp(X) by Pade's approximant of order 6, (120 + 12 X^2 + X (60 + X^2)) / (120 + 12 X^2 - X (60 + X^2)): one solution, and what
-/// fades quickly is small after it. Infinite where that cannot be solved.
+/// exp(X) by the Pade approximant of order 6, (120 + 12 X^2 + X (60 + X^2)) / (120 + 12 X^2 - X (60 + X^2)): it takes one linear
+/// solution, and fast decaying parts stay small. Infinite where the solution fails.
 fn exponential(x: &DMatrix<f64>) -> DMatrix<f64> {
     let unit = DMatrix::identity(x.nrows(), x.ncols());
     let square = x * x;

@@ -1,14 +1,14 @@
-//! Windings that act through the same few fluxes, lumped without any loss: found from the machine's own laws.
+//! Exact lumping of windings with linearly dependent fluxes, found from the machine's own laws.
 //!
-//! Windings with one ratio r = R_k/L_k act on the rotor through sum_k psi_k'(g) i_k alone. Let chi_j be fluxes among theirs
-//! that span all of them, psi_k' = sum_j B_kj chi_j'. The combinations u = B^T i close,
+//! Windings with one ratio r = R_k/L_k act on the rotor through sum_k psi_k'(g) i_k alone. Let fluxes chi_j among theirs
+//! span all of them, psi_k' = sum_j B_kj chi_j'. The combinations u = B^T i obey closed equations,
 //!
 //!   u' = -r u - G chi' g' ,    G = B^T diag(1/L) B ,
 //!
-//! an invariant subspace of the currents; what is orthogonal to it feels no field, does no work and dies out as exp(-r t): it
-//! cannot be observed. With G = K D K^T, K unit lower triangular, j = K^-1 u are the currents of windings with the fluxes
-//! K^T chi, the inductances 1/D and the resistances r/D. All of that is rational in the data; that moment and currents are
-//! the same is then decided over expressions, for all angles, slips and currents.
+//! in an invariant subspace of the currents. Currents orthogonal to it do no work and decay as exp(-r t) without excitation: they
+//! are unobservable. With G = K D K^T, K unit lower triangular, j = K^-1 u are the currents of windings with the fluxes
+//! K^T chi, the inductances 1/D and the resistances r/D. All of these are rational in the data. Equality of torque and currents
+//! is then decided over expressions, for all angles, slips and currents.
 
 use super::currents::has_one_harmonic;
 use super::elimination::{factored, inverse_of_unit, pivots, shares};
@@ -16,22 +16,22 @@ use field::{Base, Circle, Over, Rational, Scalar};
 use motor::{Machine, RotorState, drive, is_fed};
 use symbolic::{Hypotheses, Sym, decide};
 
-/// Harmonics of the fluxes that the angles tell apart. More of them make a proof fail, and never a wrong model.
+/// Harmonics of the fluxes that the sampled angles distinguish. With more harmonics the proof fails: a wrong model is impossible.
 const HARMONICS: i64 = 4;
 
-/// The windings in the place of a machine's, and how currents go from one to the other.
+/// The lumped windings of a machine, and the maps between its currents and theirs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lumping {
     pub windings: Vec<Lump>,
-    /// T of j = T i: a row for each winding.
+    /// T of j = T i: a row for each lumped winding.
     pub down: Vec<Vec<Rational>>,
-    /// U of i = U j + what dies out: a row for each winding of the machine.
+    /// U of i = U j + decaying part: a row for each winding of the machine.
     pub up: Vec<Vec<Rational>>,
     /// r of each winding of the machine, 1/s.
     pub rates: Vec<Rational>,
 }
 
-/// A winding in the place of others.
+/// A lumped winding.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lump {
     pub inductance: Rational,
@@ -41,8 +41,8 @@ pub struct Lump {
 }
 
 impl Lumping {
-    /// Of a machine with exact data; none where nothing is won, or where the data are none that can be computed with
-    /// exactly, or where the proof did not succeed, or where a supply or conductors that slide tell windings apart.
+    /// The lumping of a machine with exact data; `None` where no winding is saved, where the data are not exact, where the
+    /// proof does not succeed, or where a supply or sliding conductors act on the windings.
     pub fn of(machine: &(impl Machine<Sym> + Clone)) -> Option<Self> {
         if is_fed(machine) {
             return None;
@@ -56,7 +56,7 @@ impl Lumping {
             return None;
         }
         let rates: Vec<Rational> = resistances.iter().zip(&inductances).map(|(&r, &l)| r / l).collect();
-        // values at enough angles stand for functions of the angle
+        // values at enough angles determine the functions of the angle
         let angle = |n: i64| Circle::from_half_tangent(Sym::constant(Rational::new(n, 3)));
         let slopes = |k: usize| -> Option<Vec<Rational>> {
             let values = (-HARMONICS..=HARMONICS).map(|n| machine.linkage(k, angle(n).moving(Sym::int(1))).slope);
@@ -75,7 +75,7 @@ impl Lumping {
         (found.windings.len() < count && found.is_exact(machine)).then_some(found)
     }
 
-    /// Adds the windings of one ratio.
+    /// Adds the lumped windings for those of one ratio r.
     fn lump(&mut self, members: &[usize], rate: Rational, slopes: &[Vec<Rational>], inductances: &[Rational]) {
         let zero = Rational::int(0);
         let pivots = pivots(slopes);
@@ -107,7 +107,7 @@ impl Lumping {
         }
     }
 
-    /// Whether the moment is the same and the lumped currents obey their own equations, for all angles, slips, currents.
+    /// Whether the torque is equal and the lumped currents obey their own equations, for all angles, slips, currents.
     fn is_exact(&self, machine: &(impl Machine<Sym> + Clone)) -> bool {
         let lumped = Lumped { machine: machine.clone(), windings: self.over(Sym::constant) };
         let angle = Circle { cos: Sym::symbol("c"), sin: Sym::symbol("s") };
@@ -144,7 +144,7 @@ impl Lumping {
         self.down.iter().map(sum).collect()
     }
 
-    /// How the machine's currents come back from the lumped ones, from what they were at time zero.
+    /// The map from lumped currents to the machine's, for the machine's currents at time zero.
     pub fn recovery(&self, start: &[f64]) -> Recovery {
         let numbers = |row: &Vec<Rational>| row.iter().map(|share| share.to_f64()).collect();
         let up: Vec<Vec<f64>> = self.up.iter().map(numbers).collect();
@@ -154,7 +154,7 @@ impl Lumping {
     }
 }
 
-/// The machine's currents from the lumped ones: i = U j and what those at time zero had beside it, which dies out.
+/// The machine's currents from the lumped ones: i = U j plus the unobservable part of the initial currents, which decays.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Recovery {
     up: Vec<Vec<f64>>,
@@ -164,7 +164,7 @@ pub struct Recovery {
 }
 
 impl Recovery {
-    /// i at a time, from j then.
+    /// i at a time, from j at that time.
     pub fn currents(&self, time: f64, lumped: &[f64]) -> impl Iterator<Item = f64> {
         let each = self.up.iter().zip(&self.rest).zip(&self.rates);
         each.map(move |((row, rest), rate)| match *rest {
@@ -185,7 +185,7 @@ pub struct Lumped<P, M> {
     pub windings: Vec<Winding<P>>,
 }
 
-/// A lump with its data in the machine's field.
+/// A lumped winding with data in the machine's field.
 #[derive(Clone, Debug)]
 pub struct Winding<P> {
     inductance: P,
@@ -194,7 +194,7 @@ pub struct Winding<P> {
 }
 
 impl<P: Base, M: Machine<P>> Lumped<P, M> {
-    /// A machine with the windings that it has.
+    /// A machine with its own windings.
     pub fn unchanged(machine: M) -> Self {
         let winding = |k: usize| Winding {
             inductance: machine.inductance(k),
@@ -240,9 +240,9 @@ impl<P: Base, M: Machine<P>> Machine<P> for Lumped<P, M> {
     }
 }
 
-/// How far the moment can be off, N m, on one motion with slips of at most so much, where windings of nearly one ratio are
+/// A bound on the error of the torque, N m, along a motion with slips of at most `slip`, rad/s, where windings of nearly one ratio are
 /// lumped at the ratio r: |i_k - i_k at r| <= |1/r_k - 1/r| max|psi_k'| max|g'| / L_k, because exp(-r_k t) - exp(-r t) has
-/// one sign, and each acts with psi_k'. A bound for currents that start at zero, not an estimate. `steepest` is max |psi_k'|.
+/// one sign, and each acts with psi_k'. The currents start at zero. `steepest` is max |psi_k'|.
 pub fn merged_at_most(windings: &[(f64, f64, f64)], rate: f64, slip: f64) -> f64 {
     let off = |&(inductance, resistance, steepest): &(f64, f64, f64)| {
         (inductance / resistance - 1.0 / rate).abs() * steepest * steepest * slip / inductance
@@ -250,7 +250,7 @@ pub fn merged_at_most(windings: &[(f64, f64, f64)], rate: f64, slip: f64) -> f64
     windings.iter().map(off).sum()
 }
 
-/// L_k, R_k and max |psi_k'| of each winding: what [`merged_at_most`] asks for. None where a flux has more than one harmonic.
+/// L_k, R_k and max |psi_k'| of each winding, for [`merged_at_most`]. `None` where a flux has more than one harmonic.
 pub fn seen_windings<M: Machine<f64>>(machine: &M) -> Option<Vec<(f64, f64, f64)>> {
     let slope = |k: usize, angle: Circle<f64>| machine.linkage(k, angle.moving(1.0)).slope;
     let quarter = Circle { cos: 0.0, sin: 1.0 };

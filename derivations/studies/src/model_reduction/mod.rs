@@ -1,21 +1,21 @@
-//! The smallest sufficient model: a hierarchy of models under a scene's own, what each step loses, and the choice.
+//! Model reduction: a hierarchy of smaller models under a scene's own, their errors, and the choice of the cheapest sufficient one.
 //!
 //! # Overview
-//! * [`reduced_model`]: a smaller model within a richer one, as a lift and a law; its defect, exact where that vanishes;
-//! * [`lumping`]: windings lumped without any loss, found and proved from the machine's laws; [`elimination`];
-//! * [`currents`]: what stands for currents that are not followed, `slaved` the rungs of that; `resting`: of those that a supply
-//!   feeds; `smaller`: other machines of the scene's data;
+//! * [`reduced_model`]: a smaller model within a richer one, as a lift and a law; its defect, which vanishes for an exact one;
+//! * [`lumping`]: exact lumping of windings, found and proved from the machine's laws; [`elimination`]: its linear algebra;
+//! * [`currents`]: quasi-steady values of currents, `quasi_steady` the models with them; `steady_currents`: the model of windings
+//!   with a supply; `smaller_machines`: smaller motor models of the scene's data;
 //! * [`motors`], [`models`]: the hierarchies of scenes;
-//! * [`outputs`]: what of a run matters; [`sampled_run`]: runs at the instants at which that is seen;
-//! * [`error_propagation`]: the error that the defect makes, carried by the richer law; [`estimate`]: its run;
-//! * [`dual_weighted_error`]: the same by transition matrices, weighed for each output: where along the run an error comes from;
-//! * [`switching`]: a smaller model on those stretches only; [`loss_weights`]: what weighs its losses;
-//! * [`simplification`]: elements that a system as text does without, found in its equations; [`text_models`]: its models;
+//! * [`outputs`]: the outputs of interest; [`sampled_run`]: runs at the instants at which errors are measured;
+//! * [`error_propagation`]: the error equation, driven by the defect; [`estimate`]: the error estimate from its run;
+//! * [`dual_weighted_error`]: the error by transition matrices, weighted for each output, with its sources along the run;
+//! * [`switching`]: a smaller model on a part of the run; [`loss_weights`]: the transition matrices that weight its losses;
+//! * [`simplification`]: elements that a text model can do without, found in its equations; [`text_models`]: its models;
 //! * [`run_rows`]: a run's rows at its steps; [`first_run`]: that of the scene's own model; [`plan`]: the cheapest method and form
-//!   for a law; `trial`: its run with an error, `comparison`: smaller models beside that; [`choose`](mod@choose): the cheapest of
-//!   any [`choose::Models`], as those of [`forms`] are, with its [`receipt`]; [`ReducedScene`]: a scene run by one of them.
+//!   for a law; `trial`: its run with an error, `comparison`: smaller models against that; [`choose`](mod@choose): the cheapest of
+//!   any [`choose::Models`], such as those of [`forms`], with its [`receipt`]; [`ReducedScene`]: a scene run by one of them.
 //!
-//! Key results: a step with a vanishing defect is exact, which is decided over expressions; of every other the error is
+//! A reduction with a vanishing defect is exact, which is decided over expressions. For every other the error is
 //! estimated to first order, with the second order beside it. Neither is a bound; [`lumping::merged_at_most`] is one.
 
 pub mod choose;
@@ -61,58 +61,58 @@ use simulation::work_precision::{Configuration, Formulation, Standing, Treated};
 use simulation::{Law, Problem, Program, SymbolicLaw};
 use std::sync::Arc;
 
-/// What a step down loses.
+/// The error class of a reduced model.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Loss {
-    /// It is the scene's own model.
+    /// The scene's own model.
     Own,
-    /// Nothing: proved here for these data, and for all of them by this claim of the ledger, where there is one.
+    /// Exact: proved here for these data, and for all data by this claim of the ledger, if there is one.
     Nothing { claim: Option<&'static str> },
-    /// Something, that is small where this is.
+    /// Approximate: the error is small where this parameter is.
     Small { parameter: &'static str },
 }
 
 /// A model under the scene's own.
 pub struct ReducedModel {
     pub name: &'static str,
-    /// In words, against the reduced model above.
+    /// The parts that are left out, in words, against the model above.
     pub dropped: String,
     pub loss: Loss,
     pub lower: Lower,
     pub law: Arc<dyn Law>,
     pub start: Vec<f64>,
-    /// The outputs that a run of the scene with the machine of this name shows as they are meant here: none of a model that is
+    /// The outputs that a run of the scene with the machine of this name shows with their meaning here; empty for a model that is
     /// no machine, whose run shows all.
     pub shows: Vec<String>,
-    /// The value of the small parameter at a state with its rates, where it has one there.
+    /// The value of the small parameter at a state with its rates, where it is defined.
     pub small: Option<Box<Small>>,
     lift: Program,
 }
 
 /// A value at (z, z').
 pub type Small = dyn Fn(&[f64], &[f64]) -> Option<f64> + Send + Sync;
-/// The scene's own state at a time, from that of the law that the reduced models are derived from.
+/// The map from time and a state of the law from which the reduced models are derived to the scene's own state.
 pub type Whole = dyn Fn(f64, &[f64]) -> Vec<f64> + Send + Sync;
 
 /// The models of a scene, from the largest.
 pub struct Hierarchy {
     /// The name of the scene's own model.
     pub model: String,
-    /// The scene's own.
+    /// The scene's own problem.
     pub own: Problem,
-    /// The law that the reduced models are derived from: the scene's own, or the exact one next to it.
+    /// The law from which the reduced models are derived: the scene's own, or that with lumped windings.
     pub written: Arc<dyn SymbolicLaw>,
-    /// The same as it runs.
+    /// The compiled form of `written`.
     pub law: Arc<dyn Law>,
     pub start: Vec<f64>,
     pub whole: Box<Whole>,
     pub rungs: Vec<ReducedModel>,
-    /// How windings were lumped, where they were.
+    /// The lumping of the windings, if there is one.
     pub lumping: Option<Lumping>,
 }
 
 impl ReducedModel {
-    /// With its law as straight-line code; `None` where it cannot be recorded.
+    /// A reduced model with its law as straight-line code; `None` where it cannot be recorded.
     pub fn new(name: &'static str, dropped: &str, loss: Loss, lower: Lower, start: Vec<f64>) -> Option<Self> {
         let lift = Program::of(lower.dimension, |time, z| (lower.lift)(time, z))?;
         let law = lower.law()?;
@@ -132,34 +132,34 @@ impl ReducedModel {
     /// The state of the richer law: Y(t, z).
     pub fn lifted(&self, time: f64, z: &[f64], states: usize) -> Vec<f64> {
         let mut y = vec![f64::NAN; states];
-        // where it was recorded it runs, and what it does not write is no number
+        // a recorded program runs; states that it does not write stay NaN
         let _ = self.lift.run(time, z, &mut y);
         y
     }
 
-    /// Whether it is a machine whose run shows these outputs.
+    /// Whether the model is a machine whose run shows these outputs.
     pub fn shows_all(&self, names: &[String]) -> bool {
         !self.shows.is_empty() && names.iter().all(|name| self.shows.contains(name))
     }
 
-    /// Whether it loses nothing.
+    /// Whether the model is exact.
     pub fn is_exact(&self) -> bool {
         !matches!(self.loss, Loss::Small { .. })
     }
 }
 
 impl Hierarchy {
-    /// Why the law of the scene does not hold at a state of the law that the reduced models are derived from, where it does not.
+    /// The reason for which the scene's law does not hold at a state of `written`, if it does not.
     pub fn left(&self, time: f64, state: &[f64]) -> Option<&'static str> {
         self.own.outside(time, &(self.whole)(time, state))
     }
 
-    /// The row of a run, from a state of the law that the reduced models are derived from.
+    /// The row of outputs from a state of `written`.
     pub fn row(&self, time: f64, state: &[f64]) -> Vec<f64> {
         (self.own.row)(time, &(self.whole)(time, state))
     }
 
-    /// The reduced models as ways of an atlas, each with a law of its own.
+    /// The reduced models as configurations for a work-precision study, each with a law of its own.
     pub fn ways(self: &Arc<Self>, formulation: Formulation) -> Vec<Configuration> {
         let way = |(at, rung): (usize, &ReducedModel)| {
             let ladder = Arc::clone(self);

@@ -1,4 +1,4 @@
-//! The hierarchy of a system that is written in its file: its own law, across its events too.
+//! The hierarchy of a text model, with events or without.
 
 use super::outputs::{Watched, largest};
 use super::plan::Runnable;
@@ -10,20 +10,20 @@ use simulation::models::Modelled;
 use simulation::{Axes, Problem};
 use std::sync::Arc;
 
-/// Smaller models of systems that files name by `known_as`; each file may have other values of its parameters.
+/// Smaller models of systems that files name by `known_as`, for the parameter values of a file.
 pub struct Reductions {
-    /// As [`simulation::knowledge::Knowledge`] has it.
+    /// The name, as in [`simulation::knowledge::Knowledge`].
     pub name: &'static str,
     pub rungs: fn(&dyn Modelled) -> Vec<ReducedModel>,
 }
 
 inventory::collect!(Reductions);
 
-/// An event that ends a run before its span leaves instants without rows.
+/// The reason for which a run that an event ends early cannot be compared: instants have no rows.
 const ENDS: &str = "an event ends the run before its span";
 
 impl Hierarchy {
-    /// Of a system that is written in its file.
+    /// The hierarchy of a text model.
     pub fn of_model(scene: &dyn Modelled) -> Self {
         let own = scene.problem(Axes::First);
         let known = inventory::iter::<Reductions>().filter(|one| scene.known_as() == Some(one.name));
@@ -60,7 +60,7 @@ impl Hierarchy {
     }
 }
 
-/// A problem with its events, as a choice runs it.
+/// A problem with its events, to be run by a choice.
 pub(super) fn across_events(axes: Axes, own: &Problem) -> Runnable<'_> {
     Runnable::new(axes, own.span, |method, tolerance, most, times, serves| {
         let span = Span::new(0.0, own.span, &own.state).with_outputs(times).with_evaluations(most);

@@ -1,5 +1,5 @@
-//! The hierarchy of a scene with a motor: its own model, its windings lumped, currents at their quasi-steady values, none, and
-//! the smaller machines that the scene's data make.
+//! The hierarchy of a scene with a motor: its own model, lumped windings, currents at quasi-steady values or zero, and
+//! smaller motor models that the scene's data can make.
 
 use super::lumping::{Lumped, Lumping};
 use super::reduced_model::Lower;
@@ -11,11 +11,11 @@ use simulation::{Axes, SymbolicLaw};
 use std::sync::Arc;
 use systems::gyrostat::driven::Driven;
 
-/// That bars at any angles close in the sums of their currents.
+/// The claim that bars at any angles have closed equations in the sums of their currents.
 const CLOSURE: &str = "konosevich2022/beyond-damper/closure";
 
 impl Hierarchy {
-    /// Of a scene in the axes of a form.
+    /// The hierarchy of a scene in the axes of a form.
     pub fn of_scene(scene: &Scene, axes: Axes) -> Self {
         let own = scene.problem(axes);
         let Within { written, start, whole, lumping, rungs } = Within::of(scene, axes, &own.state);
@@ -27,7 +27,7 @@ impl Hierarchy {
         let mut ladder = Hierarchy { model, own, written, law, start, whole, rungs, lumping };
         let known =
             catalogue::entries().into_iter().map(|entry| entry.name).take_while(|name| *name != scene.machine.name());
-        // the equivalent windings are what lumping finds
+        // lumping finds the equivalent windings
         let known = known.filter(|name| *name != "equivalent_windings").collect::<Vec<_>>();
         for model in known.into_iter().rev() {
             ladder.rungs.extend(smaller_machines::rung(scene, axes, &ladder, model));
@@ -36,7 +36,7 @@ impl Hierarchy {
     }
 }
 
-/// What is derived from the scene's own machine.
+/// The reduced models from the scene's own machine, with the law from which they are derived.
 struct Within {
     written: Arc<dyn SymbolicLaw>,
     start: Vec<f64>,
@@ -76,14 +76,14 @@ impl Within {
     }
 }
 
-/// What is derived from a machine as it is.
+/// The reduced models from a machine without lumping.
 fn unlumped(scene: &Scene, axes: Axes, machine: Motor, start: &[f64]) -> Within {
     let written = written(&scene.system, axes, machine.clone());
     let rungs = quasi_steady::rungs(&machine, &written, start);
     Within { written, start: start.to_vec(), whole: Box::new(|_, y| y.to_vec()), lumping: None, rungs }
 }
 
-/// A system with a machine over expressions.
+/// The symbolic law of a system with a machine.
 pub(super) fn written<M: Machine<f64> + Send + Sync + 'static>(
     system: &Setup,
     axes: Axes,

@@ -1,4 +1,4 @@
-//! The reduced models on which currents are not followed: the richer law at what stands for them.
+//! Reduced models with quasi-steady currents: the richer law with algebraic values in their place.
 
 use super::currents::Current;
 use super::reduced_model::{Fill, Lower};
@@ -8,7 +8,7 @@ use motor::{Machine, RotorState, is_fed};
 use simulation::SymbolicLaw;
 use std::sync::Arc;
 
-/// The fastest windings first.
+/// The reduced models, those that replace only the fastest windings first.
 pub(super) fn rungs<M>(machine: &M, written: &Arc<dyn SymbolicLaw>, start: &[f64]) -> Vec<ReducedModel>
 where
     M: Machine<f64> + Clone + Send + Sync + 'static,
@@ -23,7 +23,7 @@ where
     let time_constant = |k: usize| machine.inductance(k) / machine.resistance(k);
     let mut order: Vec<usize> = (0..windings).collect();
     order.sort_by(|&a, &b| time_constant(a).total_cmp(&time_constant(b)));
-    // of one time constant up to rounding: one class
+    // windings with one time constant up to rounding form one class
     let ends = (1..=windings)
         .filter(|&end| end == windings || time_constant(order[end]) > (1.0 + 1e-9) * time_constant(order[end - 1]));
     let mut rungs = Vec::new();
@@ -42,7 +42,7 @@ where
     rungs
 }
 
-/// The reduced model on which these windings have currents of a kind.
+/// The reduced model on which these windings have currents of one kind.
 fn without<M>(
     machine: &M,
     written: &Arc<dyn SymbolicLaw>,
@@ -75,10 +75,10 @@ where
     Some(rung)
 }
 
-/// Currents as functions of angle and slip.
+/// Quasi-steady currents as functions of angle and slip.
 struct Slaved<M> {
     machine: M,
-    /// Where the rotor's state and the currents begin.
+    /// The places where the rotor's state and the currents begin.
     rotor: usize,
     currents: usize,
     slaved: Vec<usize>,

@@ -1,4 +1,4 @@
-//! What was asked for, what was chosen, and why.
+//! The record of a choice: the request, the models with their verdicts, and the model taken.
 
 use super::Loss;
 use super::estimate::Estimate;
@@ -7,42 +7,42 @@ use super::plan::Plan;
 use super::run_rows::Row;
 use std::time::Duration;
 
-/// What is asked for.
+/// The request of a choice.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Wish {
-    /// Relative to the size of each output.
+    /// The largest allowed error, relative to the size of each output.
     pub tolerance: f64,
     pub outputs: Vec<String>,
-    /// For the times, and before that for where to switch; nothing of either where it is zero.
+    /// The time allowed for measuring times, and before that for the search of a switching run; zero for neither.
     pub allowed: Duration,
 }
 
-/// The share of the tolerance that the model may take; the method has the rest.
+/// The model's share of the tolerance; the method has the rest.
 pub const OF_MODEL: f64 = 0.5;
-/// Where the second order is more than this share of the first, the estimate is no estimate.
+/// An estimate is believed only if its second order is below this share of the first.
 const BELIEVED: f64 = 0.5;
-/// Errors below this share of what is allowed need no belief.
+/// Errors below this share of the allowed one are accepted without that test.
 const MINUTE: f64 = 1e-3;
 
-/// A reduced model as the receipt has it.
+/// A model in the record, with its verdict and best run.
 #[derive(Clone, Debug)]
 pub struct Line {
     pub name: String,
     pub dropped: String,
     pub loss: Loss,
     pub states: usize,
-    /// Why there is none, in words, where it was not carried.
+    /// The error estimate of the model, or the reason for which there is none.
     pub model: Result<Estimate, String>,
-    /// The name by which a run is asked for it; none of a model that no run takes by name.
+    /// The name by which a run takes the model; `None` where no run takes it by name.
     pub asked_as: Option<String>,
-    /// Why it is not taken, where it cannot be.
+    /// Whether the model suffices, or the reason against it.
     pub verdict: Sufficiency,
-    /// The best run of it.
+    /// The best run of the model.
     pub choice: Option<Choice>,
 }
 
 impl Line {
-    /// The scene's own model, by its name.
+    /// The line of the scene's own model.
     pub fn own(name: &str, states: usize, outputs: usize) -> Self {
         let model = Ok(Estimate::nothing(outputs));
         let (name, asked_as, dropped) = (name.to_owned(), Some(name.to_owned()), String::new());
@@ -51,7 +51,7 @@ impl Line {
 }
 
 impl Sufficiency {
-    /// Of a model by its estimate.
+    /// The verdict on a model by its estimate.
     pub fn of(model: &Result<Estimate, String>, tolerance: f64) -> Self {
         match model {
             Err(_) => Sufficiency::NotCarried,
@@ -62,35 +62,35 @@ impl Sufficiency {
     }
 }
 
-/// Whether a reduced model serves.
+/// The verdict on a reduced model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sufficiency {
-    /// It does.
+    /// The model suffices.
     Suffices,
-    /// Its error is estimated above what is allowed.
+    /// The error estimate exceeds the allowed error.
     TooFar,
-    /// The second order is not small: nothing is promised.
+    /// The second order is not small: the estimate is not believed.
     NotBelieved,
-    /// The carried error did not reach the end.
+    /// The run of the error equation did not reach the end.
     NotCarried,
     /// No method reached the end.
     NotRun,
-    /// It costs as much as the scene's own model.
+    /// The run costs as much as that of the scene's own model.
     NotCheaper,
-    /// Trying it would have cost more than it may.
+    /// A trial would have exceeded the budget, or could not have saved anything.
     NotTried,
 }
 
-/// A run.
+/// A run with its cost and errors.
 #[derive(Clone, Debug)]
 pub struct Choice {
     pub plan: Plan,
     pub work: Work,
-    /// The median, s; taken side by side with all others.
+    /// The median time, s, measured in turns with all others.
     pub seconds: Option<f64>,
-    /// Model and method: an estimate.
+    /// The error estimate of model and method together.
     pub promised: f64,
-    /// By the reference that is kept, where there is one.
+    /// The error measured against the stored reference, if there is one.
     pub measured: Option<f64>,
     /// Rows at the instants of the references.
     pub rows: Vec<Row>,
@@ -100,12 +100,12 @@ pub struct Choice {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Work {
     pub evaluations: u64,
-    /// Bytes of the code of the law, where it is known: what an evaluation costs.
+    /// Code size of the law, bytes, where it is known: a measure of the cost of an evaluation.
     pub code: Option<usize>,
 }
 
 impl Work {
-    /// So many times as much as another: by evaluations and code where both codes are known, else by evaluations.
+    /// The ratio to another work: evaluations times code size where both are known, else evaluations.
     pub fn over(self, other: Work) -> f64 {
         let evaluations = self.evaluations as f64 / other.evaluations as f64;
         match (self.code, other.code) {
@@ -115,23 +115,23 @@ impl Work {
     }
 }
 
-/// What was chosen and why.
+/// The record of a choice.
 #[derive(Clone, Debug)]
 pub struct Receipt {
     pub watched: Watched,
     pub tolerance: f64,
-    /// From the scene's own model down.
+    /// The models, from the scene's own down.
     pub lines: Vec<Line>,
-    /// The line that was taken, of those that a run takes by name; none where none serves.
+    /// The line that was taken, of those that a run takes by name; `None` where none suffices.
     pub taken: Option<usize>,
-    /// Evaluations of all pilots, estimates and runs; the transition matrices of a schedule come on top.
+    /// Evaluations of all pilots, estimates and runs, without the transition matrices of a schedule.
     pub deciding: u64,
-    /// Names of a row.
+    /// Names of the outputs in a row.
     pub columns: Vec<String>,
 }
 
 impl Receipt {
-    /// The cheapest line of all: what no run takes by name too.
+    /// The cheapest line of all, including those that no run takes by name.
     pub fn cheapest(&self) -> Option<usize> {
         cheapest(&self.lines, |_| true)
     }
@@ -142,19 +142,19 @@ impl Receipt {
         Some(work(self.lines.first()?)?.over(work(self.lines.get(line)?)?))
     }
 
-    /// What deciding took in runs of the scene's own model.
+    /// The cost of deciding, in runs of the scene's own model.
     pub fn worth(&self) -> Option<f64> {
         Some(self.deciding as f64 / self.lines.first()?.choice.as_ref()?.work.evaluations as f64)
     }
 
-    /// The run from which on it has paid to decide; none where nothing is saved.
+    /// The number of runs after which deciding has paid; `None` where nothing is saved.
     pub fn pays_from(&self) -> Option<u64> {
         let saved = 1.0 - 1.0 / self.saved(self.taken?)?;
         (saved > 0.0).then_some((self.worth()? / saved).ceil() as u64)
     }
 }
 
-/// The line with the least work; of equals the one with fewer states, then the one further down.
+/// The line with the least work; among equals the one with fewer states, then the one further down.
 pub(super) fn cheapest(lines: &[Line], is: impl Fn(&Line) -> bool) -> Option<usize> {
     let serving = lines.iter().enumerate().rev().filter(|(_, line)| is(line));
     let mut serving = serving.filter_map(|(at, line)| Some((at, line.choice.as_ref()?.work, line.states)));

@@ -1,11 +1,11 @@
-//! A smaller model within a richer one: the states that it follows, and what stands for the others.
+//! A smaller model within a richer one: the states that it retains, and the expressions that replace the others.
 //!
-//! With y' = F(t, y) the richer law, a reduced model is a lift y = Y(t, z) and a law z' = f(t, z). The defect
+//! With y' = F(t, y) the richer law, a reduced model is a lift y = Y(t, z) and a law z' = f(t, z). Its defect is
 //!
 //!   d = dY/dt + Y_z f - F(t, Y)
 //!
-//! is what the richer law says against the lifted motion. Where d vanishes identically the step down is exact. Most reduced models
-//! need no law of their own: f are the richer rates of what is followed, at the lifted state.
+//! the residual of the richer law along the lifted motion. If d vanishes identically, the reduction is exact. Most reduced models
+//! need no law of their own: f are the richer rates of the retained states, at the lifted state.
 
 use field::{Analytic, Over};
 use integrators::Ode;
@@ -16,27 +16,27 @@ use symbolic::{Hypotheses, Sym, decide};
 /// A function of time and state, over expressions.
 pub type Expressed = dyn Fn(Sym, &[Sym]) -> Vec<Sym> + Send + Sync;
 
-/// A lift with the law of what is followed.
+/// A lift with the law of the retained states.
 #[derive(Clone)]
 pub struct Lower {
-    /// The number of states that are followed.
+    /// The number of retained states.
     pub dimension: usize,
     /// Y(t, z)
     pub lift: Arc<Expressed>,
     /// f(t, z)
     pub rates: Arc<Expressed>,
-    /// Where the states that are followed stand in the richer one, if they are some of its own: how a state is mapped down.
+    /// The places of the retained states in the richer state, if they are some of its own.
     pub kept: Option<Vec<usize>>,
 }
 
-/// What stands for the states that are not followed, over every field.
+/// Expressions over every field that replace the states which are not retained.
 pub trait Fill: Send + Sync + 'static {
-    /// Completes y, in which what is followed has its place already.
+    /// Completes y, in which the retained states already have their values.
     fn fill<S: Over<f64> + Analytic>(&self, y: &mut [S]);
 }
 
 impl Lower {
-    /// The states at these places are followed by the richer law itself; `fill` completes the whole state.
+    /// A reduction to the states at these places under the richer law; `fill` completes the whole state.
     pub fn keeping(written: &Arc<dyn SymbolicLaw>, kept: Vec<usize>, fill: impl Fill) -> Self {
         let n = written.dimension();
         let places = kept.clone();
@@ -62,7 +62,7 @@ impl Lower {
         }
     }
 
-    /// Another law of the same states.
+    /// A model with another law for all states.
     pub fn other(law: &Arc<dyn SymbolicLaw>) -> Self {
         let n = law.dimension();
         let expressed = Arc::clone(law);
@@ -79,12 +79,12 @@ impl Lower {
         }
     }
 
-    /// What is followed, as it runs; `None` where it cannot be recorded.
+    /// The compiled law of the retained states; `None` where it cannot be recorded.
     pub fn law(&self) -> Option<Arc<dyn Law>> {
         Some(Arc::new(straight(self.dimension, Arc::clone(&self.rates))?))
     }
 
-    /// d, component by component, over symbols for time and state.
+    /// The defect d, component by component, over symbols for time and state.
     pub fn defect(&self, written: &dyn SymbolicLaw, time: Sym, z: &[Sym]) -> Vec<Sym> {
         let (y, f) = ((self.lift)(time, z), (self.rates)(time, z));
         let mut rates = vec![Sym::ZERO; y.len()];
@@ -93,7 +93,7 @@ impl Lower {
         y.iter().zip(rates).map(|(&y, rate)| along(y) - rate).collect()
     }
 
-    /// Whether the defect vanishes identically: then the step down loses nothing, which this proves.
+    /// Whether the defect is proved to vanish identically: the reduction is then exact.
     pub fn is_exact(&self, written: &dyn SymbolicLaw) -> bool {
         let (time, z) = (Sym::symbol("t"), symbols("z", self.dimension));
         let defect = self.defect(written, time, &z);
@@ -101,18 +101,18 @@ impl Lower {
     }
 }
 
-/// Symbols that are counted.
+/// Numbered symbols.
 pub fn symbols(letter: &str, count: usize) -> Vec<Sym> {
     (0..count).map(|i| Sym::symbol(&format!("{letter}{i}"))).collect()
 }
 
-/// A law of expressions.
+/// A law given by expressions.
 struct Straight {
     dimension: usize,
     rates: Arc<Expressed>,
 }
 
-/// A law of expressions as it runs; `None` where it cannot be recorded.
+/// A compiled law from expressions; `None` where it cannot be recorded.
 pub fn straight(dimension: usize, rates: Arc<Expressed>) -> Option<CompiledLaw> {
     let law = CompiledLaw::new(Straight { dimension, rates });
     law.program().is_some().then_some(law)
@@ -128,13 +128,13 @@ impl Ode<Sym> for Straight {
     }
 }
 
-/// A smaller model in numbers, beside the motion of a richer one.
+/// A smaller model in numbers, to be compared with the motion of a richer one.
 pub struct Lifted<'a> {
     /// Y(t, z)
     pub lift: &'a dyn Fn(f64, &[f64]) -> Vec<f64>,
     /// z' = f(t, z)
     pub law: &'a dyn Law,
-    /// Where the states that are followed stand in the richer one.
+    /// The places of the retained states in the richer state.
     pub kept: &'a [usize],
     pub start: &'a [f64],
 }
@@ -145,8 +145,8 @@ impl Lifted<'_> {
         y.iter().zip((self.lift)(time, z)).map(|(y, lifted)| y - lifted).collect()
     }
 
-    /// d at the states of the richer motion that are followed, z = y; the lift is differentiated along the smaller motion over a
-    /// short time to both sides.
+    /// The defect d with z the retained states of the richer motion. The lift is differentiated by differences over a short time `beside`
+    /// to both sides along the smaller motion.
     pub fn defect(&self, richer: &dyn Law, (time, beside): (f64, f64), y: &[f64]) -> Vec<f64> {
         let z: Vec<f64> = self.kept.iter().map(|&place| y[place]).collect();
         let (mut f, mut rates) = (vec![0.0; z.len()], vec![0.0; y.len()]);

@@ -11,16 +11,16 @@ use std::sync::Arc;
 /// A scene with one of its smaller models, by its name.
 pub struct ReducedScene<'a> {
     scene: &'a dyn IvpScene,
-    /// In the axes of each form that the scene has, the first one first.
+    /// The hierarchies in the axes of each form that the scene has, the first form first.
     ladders: Vec<Arc<Hierarchy>>,
     rung: usize,
 }
 
 impl<'a> ReducedScene<'a> {
-    /// A scene with its hierarchies.
+    /// A scene run by the reduced model of this name.
     ///
     /// # Errors
-    /// The names that are known.
+    /// The names of the known models.
     pub fn of(scene: &'a dyn IvpScene, ladders: Vec<Hierarchy>, name: &str) -> Result<Self, Vec<&'static str>> {
         let known: Vec<&str> =
             ladders.first().into_iter().flat_map(|ladder| &ladder.rungs).map(|rung| rung.name).collect();

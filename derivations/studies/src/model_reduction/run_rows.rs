@@ -1,46 +1,46 @@
-//! A run as a choice needs it: rows at the instants that are asked for, and at the method's own steps.
+//! A run with rows of outputs at requested instants, and at the method's own steps.
 //!
-//! Two runs are compared where the coarser one has looked: the finer one is asked for rows at the coarser one's steps. So
-//! nothing is interpolated, and a transient that the coarser run has followed between two instants is compared there.
+//! Two runs are compared at the steps of the coarser one, where the finer one is asked for rows. Nothing is
+//! interpolated, and a transient that the coarser run resolves between two instants is compared there.
 
 use super::outputs::Watched;
 use super::sampled_run::instants;
 use integrators::Observer;
 use std::cell::Cell;
 
-/// A time with what is shown there.
+/// A time with the outputs there.
 pub type Row = (f64, Vec<f64>);
 
-/// Whether a run serves with a row at a time that was asked for; one that does not ends there.
+/// Whether a run is still acceptable with this row at a requested time; otherwise it is ended there.
 pub type Serves<'a> = dyn Fn(f64, &[f64]) -> bool + 'a;
 
-/// Steps of which rows are kept: of more, every second one, every fourth, ...
+/// The greatest number of steps with rows: of longer runs every second step is kept, every fourth, ...
 const KEPT: usize = 256;
 
 /// A run of a plan.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Run {
-    /// At the instants that were asked for.
+    /// Rows at the requested instants.
     pub asked: Vec<Row>,
-    /// At the method's own steps.
+    /// Rows at the method's own steps.
     pub steps: Vec<Row>,
     pub evaluations: u64,
 }
 
 impl Run {
-    /// At the instants of the references.
+    /// The rows at the instants of references.
     pub fn at_instants(&self, span: f64) -> Vec<Row> {
         let known = |(time, _): &&Row| instants(span).any(|instant| instant == *time);
         self.asked.iter().filter(known).cloned().collect()
     }
 
-    /// All times that it has rows of, in their order.
+    /// All times with rows, ascending.
     pub fn times(&self) -> Vec<f64> {
         self.rows().into_iter().map(|(time, _)| *time).collect()
     }
 
-    /// The largest difference from a run that was asked for rows at all times of this one, relative to the sizes; none where
-    /// it was not.
+    /// The largest difference from a finer run, relative to the sizes; `None` where the finer run lacks a row at a time
+    /// at which this run has one.
     pub fn apart(&self, finer: &Run, watched: &Watched) -> Option<f64> {
         let mut rest = finer.asked.iter();
         let off = |(time, row): &Row| {
@@ -50,7 +50,7 @@ impl Run {
         self.rows().into_iter().map(off).try_fold(0.0, |largest, off| Some(f64::max(largest, off?)))
     }
 
-    /// Whether rows of another run, in the order of their times, are no further from this one than so much.
+    /// A test whether rows of another run, in the order of their times, differ from this one by at most `most`.
     pub fn near(&self, watched: &Watched, most: f64) -> impl Fn(f64, &[f64]) -> bool {
         let (rows, next) = (self.rows(), Cell::new(0));
         move |time, row| {
@@ -69,7 +69,7 @@ impl Run {
     }
 }
 
-/// Keeps the rows of a run, and ends it where it leaves its law.
+/// An observer that keeps the rows of a run, and ends it where it leaves its law or is not acceptable.
 pub struct Along<'a, F> {
     row: F,
     outside: &'a dyn Fn(f64, &[f64]) -> bool,
@@ -82,22 +82,22 @@ pub struct Along<'a, F> {
 }
 
 impl<'a, F: Fn(f64, &[f64]) -> Vec<f64>> Along<'a, F> {
-    /// Of a run whose states are shown so.
+    /// An observer with a map from states to rows.
     pub fn of(row: F) -> Self {
         Self::within(row, &|_, _| false, &|_, _| true)
     }
 
-    /// The same with what is outside of its law, and the rows asked for with which it serves.
+    /// An observer that also ends the run where `outside` holds or a requested row is not accepted by `serves`.
     pub fn within(row: F, outside: &'a dyn Fn(f64, &[f64]) -> bool, serves: &'a Serves<'a>) -> Self {
         Along { row, outside, serves, left: false, asked: Vec::new(), steps: Vec::new(), stride: 1, seen: 0 }
     }
 
-    /// Whether it has left its law, or does not serve.
+    /// Whether the run has left its law, or is not acceptable.
     pub fn left(&self) -> bool {
         self.left
     }
 
-    /// Its rows.
+    /// The run with its rows.
     pub fn run(self, evaluations: u64) -> Run {
         Run { asked: self.asked, steps: self.steps, evaluations }
     }

@@ -1,24 +1,24 @@
-//! Runs at the instants at which errors are taken, by whatever method reaches their end.
+//! Runs sampled at the instants at which errors are measured, by an explicit or, for stiff laws, an implicit method.
 
 use integrators::{Failure, Method, Observer, Record, Span, System, Tolerance, integrate};
 
-/// Instants beside the start: those of the references.
+/// Output instants after the start: those of the references.
 pub const INSTANTS: usize = 8;
-/// Evaluations after which an explicit method has met stiffness, or a motion that is not worth following.
+/// Evaluations after which a run is given up: the law is stiff, or the motion too long.
 const PATIENCE: u64 = 100_000;
-/// Relative, of a run that is to show sizes or pilot a choice.
+/// The relative tolerance of a run that gives sizes or pilots a choice.
 pub const COARSE: f64 = 1e-5;
 
-/// Instants beside the start at which an error is looked at, besides every step of the run that carries it. The instants
-/// of the references are among them.
+/// Instants after the start at which an error is evaluated, besides every step of the run that propagates it. They include the
+/// instants of the references.
 pub const LOOKS: usize = 64;
 
-/// The instants of a run from time zero.
+/// The output instants, s, of a run from time zero.
 pub fn instants(span: f64) -> impl Iterator<Item = f64> {
     even(span, INSTANTS)
 }
 
-/// The instants at which an error is looked at.
+/// The instants, s, at which an error is evaluated.
 pub(super) fn looks(span: f64) -> impl Iterator<Item = f64> {
     even(span, LOOKS)
 }
@@ -27,10 +27,10 @@ fn even(span: f64, count: usize) -> impl Iterator<Item = f64> {
     (1..=count).map(move |k| span * (k as f64 / count as f64))
 }
 
-/// A run at the instants, by an explicit method, or where that meets stiffness by an implicit one.
+/// A run sampled at the instants, by an explicit method, or by an implicit one where the explicit one fails.
 ///
 /// # Errors
-/// Where neither reaches the end.
+/// The failure of the implicit method.
 pub fn followed(
     law: &dyn System,
     tolerance: &Tolerance,
@@ -40,10 +40,10 @@ pub fn followed(
     followed_at(law, tolerance, &instants(span).collect::<Vec<_>>(), start)
 }
 
-/// The same from time zero at these times, the last of which is the end.
+/// A run from time zero sampled at these times, the last of which is the end.
 ///
 /// # Errors
-/// Where neither method reaches the end.
+/// The failure of the implicit method.
 pub fn followed_at(
     law: &dyn System,
     tolerance: &Tolerance,
@@ -53,9 +53,9 @@ pub fn followed_at(
     followed_while(law, tolerance, 0.0, times, start, &mut false, &mut |_, _| true)
 }
 
-/// The same from a time to the last of these, as long as it may go on: asked at the outputs and at every step, and from the
-/// beginning anew where the implicit method begins anew.
-/// What is known to be stiff is not tried by the explicit one, and is known after it.
+/// A run from a time to the last output, as long as `goes_on` holds; it is called at outputs and steps, and from the beginning
+/// anew when the implicit method starts.
+/// With `stiff` the explicit method is not tried; `stiff` is set when the implicit one succeeds.
 pub(super) fn followed_while(
     law: &dyn System,
     tolerance: &Tolerance,
@@ -86,7 +86,7 @@ pub(super) fn followed_while(
     implicit.map(|record| (record, spent + evaluations))
 }
 
-/// Keeps what is shown until that is enough.
+/// An observer that records outputs until the run is stopped.
 struct Seen<'a> {
     record: Record<f64>,
     goes_on: &'a mut dyn FnMut(f64, &[f64]) -> bool,

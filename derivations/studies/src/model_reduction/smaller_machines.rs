@@ -1,4 +1,4 @@
-//! The reduced models of smaller machines that a scene's data make.
+//! Reduced models by smaller motor models that a scene's data can make.
 
 use super::motors::written;
 use super::reduced_model::Lower;
@@ -11,8 +11,8 @@ use simulation::Axes;
 use std::sync::Arc;
 use symbolic::Sym;
 
-/// A smaller machine of the scene's data, lifted by the names of the states: an angle that it does not know turns with its
-/// slip, currents that it does not have are absent.
+/// The reduced model by a smaller motor model, lifted by the names of the states: an angle that it lacks is the integral of its
+/// slip, currents that it lacks are zero.
 pub(super) fn rung(scene: &Scene, axes: Axes, ladder: &Hierarchy, model: &'static str) -> Option<ReducedModel> {
     let smaller = scene.with_model(model).ok()?;
     let names = smaller.names();
@@ -56,13 +56,13 @@ pub(super) fn rung(scene: &Scene, axes: Axes, ladder: &Hierarchy, model: &'stati
     let lower = Lower { dimension: start.len(), lift: Arc::new(lift), rates: Arc::new(rates), kept: None };
     let (dropped, parameter) = dropped(model);
     let mut rung = ReducedModel::new(model, dropped, Loss::Small { parameter }, lower, start)?;
-    // its own run counts the slip against its own field
+    // a run of the smaller machine measures the slip against its own field
     let shown = outputs(scene.on_bench(), &smaller.machine);
     rung.shows = shown.into_iter().filter(|name| name != "slip" || lag == 0.0).collect();
     Some(rung)
 }
 
-/// What a smaller machine leaves out, and what must be small for that.
+/// The parts that a smaller machine leaves out, and the parameter that must be small for that, in words.
 fn dropped(model: &str) -> (&'static str, &'static str) {
     match model {
         "synchronous" => ("all currents and the damping by slip", "damping of the swing over one swing"),

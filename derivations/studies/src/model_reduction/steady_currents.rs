@@ -1,4 +1,4 @@
-//! The reduced model of a machine that a supply feeds: its currents are not followed, and not zero either.
+//! The reduced model of a machine with a supply: its currents have their steady values.
 
 use super::quasi_steady::counted;
 use super::reduced_model::{Fill, Lower};
@@ -9,7 +9,7 @@ use simulation::SymbolicLaw;
 use std::sync::Arc;
 use symbolic::symbols;
 
-/// The reduced model on which fed windings, all of them, have the currents that would rest at the present angle and speed.
+/// The reduced model on which all windings have the steady currents at the present angle and speed.
 pub fn rung<M>(machine: &M, written: &Arc<dyn SymbolicLaw>, start: &[f64]) -> Option<ReducedModel>
 where
     M: Machine<f64> + Clone + Send + Sync + 'static,
@@ -37,10 +37,10 @@ where
     Some(rung)
 }
 
-/// The currents that rest, as functions of angle and speed.
+/// The steady currents as functions of angle and speed.
 struct Resting<M> {
     machine: M,
-    /// Where the rotor's state and the currents begin.
+    /// The places where the rotor's state and the currents begin.
     rotor: usize,
     currents: usize,
 }

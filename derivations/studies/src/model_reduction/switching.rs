@@ -1,10 +1,10 @@
-//! A smaller model on those stretches of a run only on which it loses little of the outputs.
+//! Switching runs: a smaller model on those intervals of a run on which it changes the outputs little.
 //!
-//! Along a coarse run of the richer law each stretch is run by the smaller one too: from the state mapped down, and at the
-//! end mapped up again, with the currents that are consistent there. What it is off is weighed by the transition matrices for
-//! every output at the end of every stretch. The smaller model is taken up where this is below a threshold and left where it is above a
-//! higher one, so that it does not come and go; the threshold is the largest with which the sum of what is lost stays within
-//! what is allowed. An estimate, to first order.
+//! Along a coarse run of the richer law each interval is also run by the smaller model, from the state mapped down; at the
+//! end the state is lifted, with consistent currents. The difference is weighted by transition matrices for every output at
+//! the end of every interval. The smaller model is used where this is below a threshold, and left where it is above a
+//! higher one (hysteresis). The threshold is the largest with which the sum of the losses stays within the allowed error. The
+//! estimate is of first order.
 
 use super::loss_weights::{Knot, propagator};
 use super::outputs::Watched;
@@ -14,31 +14,31 @@ use integrators::{Failure, Jacobian, Method, Record, Span, Tolerance, integrate}
 use nalgebra::DMatrix;
 use std::time::Instant;
 
-/// Stretches of a run.
+/// Intervals of a run.
 pub const STRETCHES: usize = 64;
-/// States along each that its matrix is made of.
+/// States along each interval from which its transition matrix is computed.
 const KNOTS: usize = 4;
-/// Jacobians along a course, each dearer than an evaluation.
+/// Jacobians along the coarse run, each more expensive than an evaluation.
 pub const LOOKING: usize = 2 * STRETCHES * KNOTS;
-/// How far above the threshold the smaller model is left.
+/// The ratio of the threshold at which the smaller model is left to that at which it is taken up.
 const HYSTERESIS: f64 = 4.0;
-/// Of the run on which the decision rests.
+/// The tolerance of the coarse run.
 const COARSE: f64 = 1e-8;
 
-/// Where the smaller model runs.
+/// The intervals of a switching run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Schedule {
-    /// The ends of the stretches, with whether the smaller model runs there.
+    /// The end of each interval, s, and whether the smaller model runs on it.
     pub stretches: Vec<(f64, bool)>,
-    /// The error that this makes in the outputs, estimated.
+    /// The error estimate of the outputs.
     pub promised: f64,
 }
 
-/// Method and tolerance on each side.
+/// Method and tolerance of the richer and of the smaller model.
 pub type Sides = [(Method, f64); 2];
 
 impl Schedule {
-    /// The times between which the smaller model runs.
+    /// The intervals, s, on which the smaller model runs.
     pub fn spans(&self) -> Vec<(f64, f64)> {
         let mut spans: Vec<(f64, f64)> = Vec::new();
         let mut begin = 0.0;
@@ -53,27 +53,27 @@ impl Schedule {
         spans
     }
 
-    /// The share of the run.
+    /// The share of the run that the smaller model takes.
     pub fn share(&self) -> f64 {
         self.stretches.iter().filter(|(_, low)| *low).count() as f64 / self.stretches.len() as f64
     }
 }
 
-/// A coarse run of the richer law, with what a small change after each stretch makes of the outputs.
+/// A coarse run of the richer law, with the sensitivities of the outputs to the state after each interval.
 pub struct CoarseRun {
-    /// The ends of the stretches.
+    /// The ends of the intervals, s.
     times: Vec<f64>,
-    /// At their beginnings, and at the end.
+    /// The states at the beginnings of the intervals, and at the end.
     states: Vec<Vec<f64>>,
-    /// Of each stretch, for every output at the end of it and of every later one.
+    /// For each interval: the weights of every output at its end and at the ends of all later ones.
     weights: Vec<Vec<Vec<f64>>>,
 }
 
 impl Hierarchy {
-    /// The course of the richer law.
+    /// The coarse run of the richer law.
     ///
     /// # Errors
-    /// Where its run stops, by the deadline too.
+    /// The failure of the run, which may be the deadline.
     pub fn course(&self, watched: &Watched, deadline: Option<Instant>) -> Result<CoarseRun, Failure> {
         let (n, span) = (self.start.len(), self.own.span);
         let times: Vec<f64> = (1..=STRETCHES).map(|k| span * (k as f64 / STRETCHES as f64)).collect();
@@ -111,8 +111,8 @@ impl Hierarchy {
         Ok(CoarseRun { times, states, weights })
     }
 
-    /// Where a reduced model may run if the outputs may lose so much; `None` where it may nowhere, or where its states are none of the
-    /// richer law's.
+    /// The schedule of a reduced model for an allowed error of the outputs; `None` where it suffices nowhere, or where its states are not
+    /// among those of the richer law.
     pub fn schedule(&self, rung: &ReducedModel, course: &CoarseRun, allowed: f64) -> Option<Schedule> {
         let kept = rung.lower.kept.as_ref()?;
         let losses: Vec<f64> = (0..STRETCHES).map(|k| self.loss(rung, kept, course, k)).collect();
@@ -134,7 +134,7 @@ impl Hierarchy {
         Some(Schedule { stretches, promised }).filter(|schedule| schedule.share() > 0.0)
     }
 
-    /// The largest loss of the outputs by running the stretch k on a reduced model; infinite where that does not reach its end.
+    /// The largest change of an output by a reduced model on the interval k; infinite where its run does not reach the end.
     fn loss(&self, rung: &ReducedModel, kept: &[usize], course: &CoarseRun, k: usize) -> f64 {
         let begin = k.checked_sub(1).map_or(0.0, |before| course.times[before]);
         let (y, end) = (&course.states[k], course.times[k]);
@@ -150,7 +150,7 @@ impl Hierarchy {
         course.weights[k].iter().map(lost).fold(0.0, f64::max)
     }
 
-    /// The run of a schedule, with rows at its steps and at these times; `None` where it does not reach its end.
+    /// The switching run of a schedule, with rows at its steps and at these times; `None` where it does not reach its end.
     pub fn run_switching(
         &self,
         rung: &ReducedModel,

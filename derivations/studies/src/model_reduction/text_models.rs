@@ -1,4 +1,4 @@
-//! The models of a system that is written in its file: its own, those that are known of it, and simplifications that are found.
+//! The models of a text model: its own, known smaller ones, and simplifications that are found.
 
 use super::choose::{Mixed, Models};
 use super::estimate::Estimate;
@@ -19,13 +19,13 @@ use simulation::{Axes, Law, Problem, Stored};
 use std::cell::OnceCell;
 use std::sync::Arc;
 
-/// Bytes of code of a law up to which each of its parameters is tried at zero.
+/// The greatest code size of a law, bytes, for which each of its parameters is tried at zero.
 const MOST_CODE: usize = 20_000;
-/// The share of the code of the scene's own law up to which a law is called shorter.
+/// A law is shorter if its code is at most this share of that of the scene's own law.
 const SHORTER: f64 = 0.8;
 /// Estimates that cost more than this share of a coarse run are not made.
 const WORTH: f64 = 1.0;
-/// An estimate of first order so many times above what is allowed is beyond doubt.
+/// A first-order estimate above this multiple of the allowed error rejects a model without a run.
 const DOUBT: f64 = 10.0;
 const OF_RIGID: &str = "the deflection of this element beside the motion";
 const OF_ELEMENT: &str = "the part of this element beside the others";
@@ -33,9 +33,9 @@ const OF_ELEMENT: &str = "the part of this element beside the others";
 /// The scene with its models.
 pub struct TextModels {
     scene: Arc<dyn Modelled>,
-    /// Its own model, and smaller ones that are known by name.
+    /// The scene's own model, and smaller ones known by name.
     known: Forms,
-    /// Simplifications that were found, with the problem of each.
+    /// The simplifications found, each with its problem.
     found: OnceCell<Vec<Simplified>>,
 }
 
@@ -48,7 +48,7 @@ struct Simplified {
 }
 
 impl TextModels {
-    /// Of a scene with its reference, where one is kept.
+    /// The models of a scene, with its stored reference, if any.
     pub fn of(scene: &Arc<dyn Modelled>, kept: Option<Stored>) -> Self {
         let known = Forms::of(vec![Hierarchy::of_model(&**scene)], kept);
         TextModels { scene: Arc::clone(scene), known, found: OnceCell::new() }
@@ -58,7 +58,7 @@ impl TextModels {
         &self.known.ladders[0].own
     }
 
-    /// Simplifications: exact ones first, then those that leave out the most.
+    /// The simplifications, exact ones first, then those that leave out the most.
     fn simplified(&self, watched: &Watched) -> Vec<Simplified> {
         let own = self.own();
         let mut found: Vec<(Candidate, bool)> = Vec::new();
@@ -75,7 +75,7 @@ impl TextModels {
             }
             found.extend(beyond.into_iter().map(|one| (one, false)));
         }
-        // each element that is left out, or rigid, compiles a law
+        // each element that is left out, or made rigid, compiles a law
         let may_save = watched.stiff || own.switching.is_some() || self.scene.is_written();
         if may_save && own.law.code_size().is_none_or(|bytes| bytes <= MOST_CODE) {
             let elements = self.scene.parameters().into_iter().filter(|one| self.scene.value(&one.name) != Some(0.0));
@@ -96,7 +96,7 @@ impl TextModels {
                 (Some(code), Some(own)) => code as f64 <= SHORTER * own as f64,
                 _ => false,
             };
-            // an element saves by what it makes stiff, by its events, or by its length
+            // leaving out an element saves by less stiffness, fewer events, or shorter code
             let has_fewer_events = own.switching.is_some() && problem.switching.is_none();
             let is_slower = || fastest_at(&*problem.law, &problem.state) < SLOWER * fastest;
             let is_simpler = match candidate.simplification.rigid.is_empty() {
@@ -113,22 +113,22 @@ impl TextModels {
         self.found.get().map_or(0, |found| found.iter().filter(|one| !one.is_exact).count())
     }
 
-    /// Whether estimates cost less than the run that they are made along: else the runs of the models are the better judges.
+    /// Whether estimates cost less than the run along which they are made; otherwise the models are run.
     fn is_worth_estimates(&self, pilot: &FirstRun) -> bool {
         let (own, count) = (self.own(), self.approximate());
         let cost = || Weights::cost(&*own.law, pilot.along.len(), count);
         own.switching.is_none() && count > 0 && cost() as f64 <= WORTH * pilot.run.evaluations as f64
     }
 
-    /// The error of each simplification to first order, along times and states of a run of the scene's own model, where its equations
-    /// have values; none where the run is known too sparsely, or where the law changes at events.
+    /// The first-order error of each simplification along times and states of a run of the scene's own model, `None` where it is
+    /// undefined; `None` for all where the run has too few points, or where the law changes at events.
     pub fn estimates(&self, watched: &Watched, along: &[(f64, Vec<f64>)]) -> Option<Vec<Option<Estimate>>> {
         let found = self.found.get_or_init(|| self.simplified(watched));
         let weights = self.own().switching.is_none().then(|| Weights::along(&*self.own().law, along)).flatten()?;
         Some(found.iter().map(|one| self.estimate(&weights, one, watched)).collect())
     }
 
-    /// The error of a simplification, to first order along a run.
+    /// The first-order error of a simplification along a run.
     fn estimate(&self, weights: &Weights, one: &Simplified, watched: &Watched) -> Option<Estimate> {
         let own = self.own();
         let states = own.state.len();

@@ -1,14 +1,14 @@
-//! A run of a model with the error that is promised of it.
+//! A run of a model with its error estimate.
 
 use super::choose::{FINER, ROUNDED};
 use super::outputs::Watched;
 use super::plan::{FINEST, Plan, between, error_at};
 use super::run_rows::Run;
 
-/// The least power of the tolerance with which errors are believed to go.
+/// The least observed order of the error in the tolerance with which an extrapolation is believed.
 const LEAST_SLOPE: f64 = 0.5;
 
-/// A run of a line's model by a plan, with its error: the largest of the whole run.
+/// A run of a line's model by a plan, with its error, the largest over the run.
 #[derive(Clone, Debug)]
 pub struct Trial {
     pub line: usize,
@@ -18,9 +18,9 @@ pub struct Trial {
 }
 
 impl Trial {
-    /// The run of a plan with the error of its method, no larger than `most` where one of two runs keeps that. Where both pilots are
-    /// coarser the error is told by the slope of theirs; where that is not believed, or too large, a finer run tells it, or takes its
-    /// place. None where no run reaches its end.
+    /// The run of a plan with its method's error, at most `most` where one of two runs achieves that. If both pilots are coarser, the
+    /// error is extrapolated from theirs. If that is not believed, or too large, a finer run measures the error, or replaces the run.
+    /// `None` where no run reaches its end.
     pub fn of_plan(
         (line, mut plan): (usize, Plan),
         watched: &Watched,
@@ -33,7 +33,7 @@ impl Trial {
         let [coarse, fine] = &plan.pilots;
         let by_pilots = match (known, coarse.run.apart(&run, watched), fine.run.apart(&run, watched)) {
             (Some(_), ..) => Some(plan.error_at(plan.tolerance)),
-            // the finer pilot stands for the exact motion, with its own error
+            // the finer pilot replaces the exact motion, with its own error
             (None, _, Some(off)) if plan.tolerance > fine.tolerance => {
                 Some(factor * off + plan.error_at(fine.tolerance))
             }

@@ -1,12 +1,12 @@
-//! The values at which equations of fast states balance: rates that are linear in these states, set to zero.
+//! Quasi-steady values of fast states: their rates, linear in these states, are set to zero and solved.
 
 use symbolic::linear::solve;
 use symbolic::{Hypotheses, Sym, substitute_all};
 
-/// Operations up to which a balance is looked for: it is written into every rate.
+/// The greatest number of operations in rates that are solved: the solution is substituted into every rate.
 const MOST: usize = 4_000;
 
-/// Expressions for unknowns w that make some rates vanish, r(w) = 0; none where these are not linear in w, or do not determine it.
+/// Expressions for unknowns w with r(w) = 0; `None` where the rates r are not linear in w, or do not determine it.
 pub(super) fn balanced(rates: &[Sym], unknowns: &[Sym]) -> Option<Vec<Sym>> {
     if Sym::operations_of(rates) > MOST {
         return None;

@@ -1,13 +1,13 @@
-//! Elements that a smaller model may leave out, found in the equations and along a coarse run.
+//! Candidate simplifications, found in the equations and along a coarse run.
 //!
-//! * A state on which neither an output nor a rate that is followed depends is not followed: exact.
-//! * States whose rates vanish while they stay where they start do stay there: exact.
-//! * States that start alike, and whose rates are alike while they are, stay so: exact.
-//! * A state that relaxes, or a coordinate that swings, many times faster than the run lasts is quasi-steady, the fastest first.
+//! * A state on which neither an output nor a retained rate depends is unfollowed: exact.
+//! * States whose rates vanish at their initial values, whatever the others are, are fixed: exact.
+//! * States with equal initial values and with rates that are equal as long as the states are, are equal: exact.
+//! * A state that relaxes, or a coordinate that oscillates, many times faster than the run lasts is quasi-steady, the fastest first.
 //! * A state that hardly changes along the run is fixed.
-//! * A law that is not linear may be so where states are small.
+//! * A nonlinear law may be linearised where states are small.
 //!
-//! Whether an approximation suffices is decided by its error: these are only worth trying.
+//! Whether an approximation suffices is decided later, by its error.
 
 use super::Simplification;
 use field::Over;
@@ -15,34 +15,34 @@ use integrators::Jacobian;
 use simulation::{Law, SymbolicLaw, traced};
 use symbolic::{Hypotheses, Sym, decide, substitute_all};
 
-/// A transient is fast where it fits so many times into the run.
+/// A transient is fast where the run lasts longer than this many of its time constants.
 const FAST: f64 = 20.0;
-/// Fast parts that are left out together.
+/// The greatest number of fast transients that are left out together.
 const MOST_FAST: usize = 6;
 /// A state hardly changes where its range is below this share of its size.
 const HARDLY: f64 = 1e-2;
-/// States along the run at which rates of transients are looked at.
+/// States along the run at which rates of transients are evaluated.
 const LOOKS: usize = 5;
-/// States up to which equations are searched.
+/// The greatest number of states of laws that are searched.
 const MOST: usize = 60;
-/// Operations of all rates up to which they are linearised.
+/// The greatest number of operations in all rates for which linearisation is a candidate.
 const LINEARISED: usize = 2_000;
-/// Operations of one rate up to which it is decided whether it vanishes.
+/// The greatest number of operations of a rate for which vanishing is decided.
 const DECIDED: usize = 2_000;
 
 /// A system with a coarse run.
 pub struct Facts<'a> {
     pub written: &'a dyn SymbolicLaw,
     pub law: &'a dyn Law,
-    /// Of the states, in their order.
+    /// Names of the states, in their order.
     pub names: &'a [String],
-    /// Times and states.
+    /// Times and states of the run.
     pub along: &'a [(f64, Vec<f64>)],
     /// Whether an output depends on a state.
     pub shown: &'a [bool],
 }
 
-/// What the equations say of each state.
+/// The dependency structure of the equations.
 struct Structure {
     /// Whether the rate i depends on the state j.
     depends: Vec<Vec<bool>>,
@@ -52,16 +52,16 @@ struct Structure {
     is_curved: bool,
 }
 
-/// A part of the motion with a time scale of its own.
+/// A fast transient of a state.
 #[derive(Clone, Copy, Debug)]
 struct Transient {
-    /// The state that is quasi-steady.
+    /// The state that may be quasi-steady.
     state: usize,
     /// 1/s
     rate: f64,
 }
 
-/// A simplification that may suffice, with what is small where it does.
+/// A simplification that may suffice, with its small parameter.
 #[derive(Clone, Debug)]
 pub struct Candidate {
     pub simplification: Simplification,
@@ -73,7 +73,7 @@ const OF_TRANSIENTS: &str = "time of the slowest transient over that of the run"
 const OF_SQUARES: &str = "squares of the states beside them";
 const OF_RANGES: &str = "range of what is fixed over its size";
 
-/// The exact simplification, which may be none, and approximations beyond it.
+/// The exact simplification, which may be empty, and approximations beyond it.
 pub fn candidates(facts: &Facts<'_>) -> (Simplification, Vec<Candidate>) {
     if facts.names.len() > MOST {
         return (Simplification::default(), Vec::new());
@@ -91,7 +91,7 @@ pub fn candidates(facts: &Facts<'_>) -> (Simplification, Vec<Candidate>) {
         ..Simplification::default()
     };
     let gone: Vec<usize> = unfollowed.iter().chain(&fixed).copied().chain(same.iter().map(|(one, _)| *one)).collect();
-    // the balance of a state that another one is would be asked for twice
+    // a state to which another is equal is not balanced: it would be solved for twice
     let kept: Vec<usize> = same.iter().map(|(_, other)| *other).collect();
     let mut fast = structure.transients(facts);
     fast.retain(|one| !gone.contains(&one.state) && !kept.contains(&one.state));
@@ -99,14 +99,14 @@ pub fn candidates(facts: &Facts<'_>) -> (Simplification, Vec<Candidate>) {
     fast.truncate(MOST_FAST);
     let quasi_steady = |fast: &[Transient]| {
         let all: Vec<usize> = fast.iter().map(|one| one.state).collect();
-        // that of a coordinate is the speed's too
+        // a coordinate includes its speed
         let is_speed = |state: &usize| all.iter().any(|&other| structure.speeds[other] == Some(*state));
         let mut places: Vec<usize> = all.iter().copied().filter(|state| !is_speed(state)).collect();
         places.sort_unstable();
         Simplification { quasi_steady: named(&places), ..Simplification::default() }
     };
     let span = facts.span();
-    // the most first: it saves the most
+    // largest first: it saves the most
     let slaved = (1..=fast.len()).rev().map(|count| Candidate {
         simplification: exact.and(&quasi_steady(&fast[..count])),
         parameter: OF_TRANSIENTS,
@@ -114,7 +114,7 @@ pub fn candidates(facts: &Facts<'_>) -> (Simplification, Vec<Candidate>) {
     });
     let mut found: Vec<Candidate> = slaved.collect();
     let still: Vec<(usize, f64)> = facts.still().into_iter().filter(|(place, _)| !gone.contains(place)).collect();
-    // a coordinate stays where it is with its speed alone
+    // a coordinate is fixed only together with its speed
     let moves = |place: usize| structure.speeds[place].is_some_and(|speed| !gone.contains(&speed));
     let still: Vec<(usize, f64)> = still.into_iter().filter(|(place, _)| !moves(*place)).collect();
     let fixed = |still: &[(usize, f64)]| {
@@ -154,7 +154,7 @@ fn structure(written: &dyn SymbolicLaw) -> Structure {
 }
 
 impl Structure {
-    /// States on which nothing depends that is shown, or followed for what is shown.
+    /// States on which no output depends, directly or through retained rates.
     fn unfollowed(&self, shown: &[bool]) -> Vec<usize> {
         let mut needed = shown.to_vec();
         loop {
@@ -168,7 +168,7 @@ impl Structure {
         }
     }
 
-    /// Parts that are fast all along the run.
+    /// Transients that are fast all along the run.
     fn transients(&self, facts: &Facts<'_>) -> Vec<Transient> {
         let n = facts.names.len();
         let span = facts.span();
@@ -184,12 +184,12 @@ impl Structure {
                 matrix
             })
             .collect();
-        // what it falls back by, at the least along the run
+        // the least restoring coefficient along the run
         let falls = |i: usize, j: usize| matrices.iter().map(|matrix| -matrix[i * n + j]).fold(f64::INFINITY, f64::min);
         let mut found = Vec::new();
         for state in 0..n {
             let Some(speed) = self.speeds[state] else {
-                // a speed that swings back is no transient of its own
+                // the speed of an oscillation is no transient of its own
                 let swings = |coordinate: usize| {
                     falls(state, coordinate) > 0.0 && falls(state, state).powi(2) < 4.0 * falls(state, coordinate)
                 };
@@ -199,7 +199,7 @@ impl Structure {
                 continue;
             };
             let (stiffness, damping) = (falls(speed, state), falls(speed, speed).max(0.0));
-            // x'' + c x' + k x: it swings, or creeps back after its speed has
+            // x'' + c x' + k x = 0: underdamped, or overdamped with the slow rate k/c
             let creeps = damping * damping >= 4.0 * stiffness;
             let rate = if creeps { stiffness / damping } else { stiffness.max(0.0).sqrt() };
             found.push(Transient { state, rate });
@@ -210,7 +210,7 @@ impl Structure {
 }
 
 impl Facts<'_> {
-    /// s
+    /// The duration of the run, s.
     fn span(&self) -> f64 {
         self.along.last().map_or(0.0, |(time, _)| *time)
     }
@@ -230,7 +230,7 @@ impl Facts<'_> {
     }
 }
 
-/// States that stay where they start, because their rates vanish there whatever the others do.
+/// States that keep their initial values because their rates vanish there, whatever the others do.
 fn resting(facts: &Facts<'_>, unfollowed: &[usize]) -> Vec<usize> {
     let Some((_, start)) = facts.along.first() else { return Vec::new() };
     let stays = |place: &usize| facts.along.iter().all(|(_, state)| state[*place] == start[*place]);
@@ -257,14 +257,14 @@ fn resting(facts: &Facts<'_>, unfollowed: &[usize]) -> Vec<usize> {
     })
 }
 
-/// Pairs of states of which the first is the second all along: they start alike, and their rates are alike while all pairs are.
+/// Pairs of equal states: they start equal, and their rates are equal as long as all pairs are.
 fn alike(facts: &Facts<'_>, gone: &[usize]) -> Vec<(usize, usize)> {
     let n = facts.names.len();
     let same = |one: usize, other: usize| facts.along.iter().all(|(_, state)| state[one] == state[other]);
     let first = |one: usize| (0..one).find(|other| !gone.contains(other) && same(one, *other));
     let mut found: Vec<(usize, usize)> =
         (0..n).filter(|one| !gone.contains(one)).filter_map(|one| Some((one, first(one)?))).collect();
-    // the first of all that are alike is followed
+    // the first of all equal states is retained
     let others: Vec<usize> = found.iter().map(|(one, _)| *one).collect();
     found.retain(|(_, other)| !others.contains(other));
     if found.is_empty() {

@@ -1,12 +1,12 @@
-//! The error that a smaller model makes, to first order, along a run of the richer one.
+//! The error of a smaller model to first order, along a run of the richer one.
 //!
 //! With e = y - Y(z) the distance of the richer motion from the lifted smaller one, and the defect of the smaller law at the states
 //! of the richer run, d = dY/dt + Y_z f - F(Y),
 //!
 //!   e' = F_y e - d .
 //!
-//! Over a step h, with the Jacobian J in its middle, e goes on by exp(h J) e - h phi_1(h J) d. These matrices are the same for every
-//! smaller model, for which a step costs two evaluations of its law and two of the richer law.
+//! Over a step h, with the Jacobian J in its middle, the new error is exp(h J) e - h phi_1(h J) d. All smaller models share these
+//! matrices; a step then costs each model two evaluations of its law and two of the richer law.
 
 use crate::model_reduction::loss_weights::{Knot, cubic};
 use crate::model_reduction::reduced_model::Lifted;
@@ -16,17 +16,17 @@ use simulation::Law;
 
 /// The time over which a lift is differentiated, as a share of the step.
 const BESIDE: f64 = 1e-4;
-/// Steps here for one of the run: a method of high order has long ones.
+/// Steps of this propagation for one step of the run.
 const FINER: usize = 1;
 
-/// A share of the way over which a cubic is differentiated.
+/// The share of an interval over which a cubic is differentiated by differences.
 const SLOPE: f64 = 1e-3;
-/// The defect may change by this part of it between the richer motion and the smaller one.
+/// The estimate is believed if the defect changes by less than this share between the richer motion and the smaller one.
 const BELIEVED: f64 = 0.5;
-/// A state is followed where its rate is met to this part of its largest one.
+/// A run resolves a state where the cubic's rate is right to this share of the size.
 const MISSED: f64 = 0.1;
 
-/// A run of the richer law with the matrices of its steps.
+/// A run of the richer law with the transition matrices of its steps.
 pub struct Weights {
     /// The start, and the state there.
     start: (f64, Vec<f64>),
@@ -41,9 +41,9 @@ pub struct Distance<'a> {
 }
 
 struct Step {
-    /// Its length, the time in its middle, and the state there.
+    /// The length of the step, the time in its middle, and the state there.
     middle: (f64, f64, Vec<f64>),
-    /// Time and state at its end.
+    /// Time and state at the end of the step.
     end: (f64, Vec<f64>),
     /// exp(h J)
     whole: DMatrix<f64>,
@@ -52,8 +52,8 @@ struct Step {
 }
 
 impl Weights {
-    /// Along times and states of a run, the start first; none where a Jacobian has no value, or where the run is known too
-    /// sparsely to be followed between.
+    /// The matrices along times and states of a run, the start first; `None` where a Jacobian has no value, or where the run has
+    /// too few points to be interpolated.
     pub fn along(law: &dyn Law, run: &[(f64, Vec<f64>)]) -> Option<Self> {
         let start = run.first()?.clone();
         let n = start.1.len();
@@ -100,18 +100,18 @@ impl Weights {
         Some(Weights { start, steps })
     }
 
-    /// The evaluations that weights take along so many states, and the errors of so many smaller models.
+    /// The cost, in evaluations, of the matrices along a number of states and of the errors of a number of smaller models.
     pub fn cost(law: &dyn Law, states: usize, models: usize) -> u64 {
         let share = match (Jacobian::of(law).code_size(), law.code_size()) {
             (Some(own), Some(code)) if code > 0 => own as f64 / code as f64,
             _ => Ode::<f64>::dimension(law) as f64,
         };
-        // a step: its Jacobian, a look at the state in its middle, the rates at its end; four evaluations for each model
+        // a step: its Jacobian, the rates in its middle and at its end; four evaluations for each model
         ((share + 2.0 + 4.0 * models as f64) * (FINER * states) as f64) as u64
     }
 
-    /// e along the run; none where the defect has no value, or where it is another one at the smaller motion, y - e: then the first
-    /// order tells nothing.
+    /// e along the run; `None` where the defect has no value, or where it differs too much at the smaller motion y - e: the first
+    /// order is then meaningless.
     pub fn errors(&self, lower: &Lifted<'_>, law: &dyn Law) -> Option<Vec<Distance<'_>>> {
         let (time, state) = &self.start;
         let mut error = DVector::from_vec(lower.above(*time, state, lower.start));
@@ -134,7 +134,7 @@ impl Weights {
         (change <= BELIEVED * whole_defect).then_some(found)
     }
 
-    /// The largest value of a state along the run, one where it vanishes.
+    /// The largest absolute value of a state along the run; one where it vanishes.
     fn size(&self, state: usize) -> f64 {
         let all = self.steps.iter().map(|step| step.end.1[state].abs());
         let size = all.fold(self.start.1[state].abs(), f64::max);
@@ -142,7 +142,7 @@ impl Weights {
     }
 }
 
-/// Whether the cubic through both ends moves, at a share of the way, as the law says there: else states between are unknown.
+/// Whether the derivative of the cubic through both ends agrees with the law at a share of the interval.
 fn follows(law: &dyn Law, [begin, end]: [&Knot; 2], share: f64, (time, state): (f64, &[f64]), sizes: &[f64]) -> bool {
     let mut rates = vec![0.0; state.len()];
     law.rates(time, state, &mut rates);

@@ -1,17 +1,17 @@
-//! Smaller models of a system that is written in its file, each named by the elements that it leaves out.
+//! Smaller models of a text model, each named by the elements that it leaves out.
 //!
 //! | in the name | left out | exact where |
 //! |---|---|---|
 //! | `without k` | the element whose parameter is k: k = 0 | the element does nothing along the run |
-//! | `rigid k` | the stretch of the spring of stiffness k, the motion in the damper of coefficient k: held at zero | k is without bound |
-//! | `quasi-steady x` | the rate of x: it has the value at which its equation balances | x relaxes at once |
-//! | `fixed x` | the equation of x: it keeps its value at the start, and nothing is added that would hold it there | its rate vanishes |
+//! | `rigid k` | the stretch of the spring of stiffness k, or the motion in the damper of coefficient k: zero | k is infinite |
+//! | `quasi-steady x` | the rate of x: x has the value at which its equation balances | x relaxes at once |
+//! | `fixed x` | the equation of x: x keeps its initial value, without a constraint force | its rate vanishes |
 //! | `unfollowed x` | the equation of x | no output and no other rate depends on x |
-//! | `equal x=y` | the equation of x, which is y all along | it starts as y does, and its rate is the same |
-//! | `linear` | all that is not linear in the states: sines, products and powers have the slopes that they have at zero | there is none |
+//! | `equal x=y` | the equation of x, which equals y | x and y have equal initial values and rates |
+//! | `linear` | all nonlinear terms: the law is linearised about zero | the law is linear |
 //!
-//! Parts are joined by semicolons, names within one by commas: `quasi-steady i1,i2; unfollowed phi`. A name is all that a run
-//! needs: [`SimplifiedScene`].
+//! Parts are joined by semicolons, names within one by commas: `quasi-steady i1,i2; unfollowed phi`. A run takes such a
+//! name: [`SimplifiedScene`].
 
 mod balance;
 pub(super) mod candidates;
@@ -30,28 +30,28 @@ pub struct Simplification {
     pub without: Vec<String>,
     /// Parameters of springs and dampers that grow without bound.
     pub rigid: Vec<String>,
-    /// States whose rates are taken for zero; the speed of a coordinate among them is zero too.
+    /// States whose rates are set to zero; the speed of a coordinate among them is zero too.
     pub quasi_steady: Vec<String>,
-    /// States that stay where they start.
+    /// States that keep their initial values.
     pub fixed: Vec<String>,
-    /// States that nothing asks for.
+    /// States on which no output and no other rate depends.
     pub unfollowed: Vec<String>,
-    /// Pairs `x=y`: a state, and the followed one that it is all along.
+    /// Pairs `x=y`: a state, and the retained state that it equals.
     pub equal: Vec<String>,
-    /// Whether the law is that of first order about the zero of all states.
+    /// Whether the law is linearised about the zero of all states.
     pub linear: bool,
 }
 
-/// The words of a name that names follow.
+/// The keywords of a name that take names of parameters or states.
 const KINDS: [&str; 6] = ["without", "rigid", "quasi-steady", "fixed", "unfollowed", "equal"];
-/// The word that stands alone.
+/// The keyword that takes no names.
 const LINEAR: &str = "linear";
 
 impl Simplification {
-    /// The one of a name.
+    /// Parses the name of a simplification.
     ///
     /// # Errors
-    /// The part that is none, and what is accepted.
+    /// The part that is not understood, with the accepted forms.
     pub fn parse(name: &str) -> Result<Self, String> {
         let mut found = Simplification::default();
         for part in name.split(';').map(str::trim) {
@@ -78,12 +78,12 @@ impl Simplification {
         Ok(found)
     }
 
-    /// Whether it has a law of its own, and not that of other values of parameters.
+    /// Whether the model has a reduced law, and not only other values of parameters.
     pub fn has_own_law(&self) -> bool {
         self.linear || self.lists().iter().skip(2).any(|(_, names)| !names.is_empty())
     }
 
-    /// Both together.
+    /// The simplification by both.
     #[must_use]
     pub fn and(&self, other: &Self) -> Self {
         let mut both = self.clone();
@@ -118,7 +118,7 @@ impl Simplification {
         ]
     }
 
-    /// In words, against the scene's own model.
+    /// The elements left out, in words, against the scene's own model.
     pub fn dropped(&self) -> String {
         let words = [
             "the elements of these parameters: ",

@@ -1,4 +1,4 @@
-//! The law of the states that a smaller model follows.
+//! The law of the states that a simplification retains.
 
 use super::Simplification;
 use super::balance::balanced;
@@ -9,16 +9,16 @@ use simulation::SymbolicLaw;
 use std::sync::Arc;
 use symbolic::{Hypotheses, Sym, apart, decide, substitute_all};
 
-/// The part that a state has in a smaller model.
+/// The role of a state in a smaller model.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Role {
     Followed,
     Fixed(f64),
-    /// The speed of a coordinate that is quasi-steady.
+    /// The speed of a quasi-steady coordinate: zero.
     Resting,
-    /// A state that makes the rate of this one vanish.
+    /// An algebraic state whose value makes the rate of the state at this place vanish.
     Balancing(usize),
-    /// A state that is another one, which is followed.
+    /// A state equal to a retained one.
     Same(usize),
 }
 
@@ -26,10 +26,10 @@ enum Role {
 #[derive(Clone, Debug)]
 struct Roles(Vec<Role>);
 
-/// The law of what is followed, with the lift to all states, from names of states in their order and a start.
+/// The law of the retained states with the lift to all states, from the names of the states and the initial state.
 ///
 /// # Errors
-/// A name that is no state's, or why there is no such law.
+/// A name that is no state's, or the reason for which there is no such law.
 pub(super) fn lower(
     written: &Arc<dyn SymbolicLaw>,
     names: &[String],
@@ -56,7 +56,7 @@ pub(super) fn lower(
         let at = place(name)?;
         let speed = speed_of(&**written, at);
         match speed {
-            // of a coordinate: it balances the rate of its speed, which is at rest
+            // a coordinate balances the rate of its speed, which is zero
             Some(speed) => {
                 roles.0[at] = Role::Balancing(speed);
                 roles.0[speed] = Role::Resting;
@@ -105,7 +105,7 @@ pub(super) fn lower(
     Ok(Lower { dimension: kept.len(), lift: Arc::new(lift), rates: Arc::new(rates), kept: Some(kept) })
 }
 
-/// The state that is the rate of another one, where its rate is that alone.
+/// The state that is the rate of a coordinate, if its rate is a single state.
 fn speed_of(written: &dyn SymbolicLaw, coordinate: usize) -> Option<usize> {
     simulation::traced(written, |traced| {
         let rate = traced.rates[coordinate];
@@ -114,8 +114,8 @@ fn speed_of(written: &dyn SymbolicLaw, coordinate: usize) -> Option<usize> {
 }
 
 impl Roles {
-    /// Whether what is called exact is so: nothing that is followed asks for a state that is not, and states that are called equal
-    /// start so and stay so.
+    /// Checks the exact parts: no retained rate depends on an unfollowed state, and states that are called equal start equal and stay
+    /// equal.
     fn check_exact(
         &self,
         written: &dyn SymbolicLaw,
@@ -126,7 +126,7 @@ impl Roles {
         let is_unfollowed = |at: usize| simplification.unfollowed.contains(&names[at]);
         simulation::traced(written, |traced| {
             for (at, rate) in traced.rates.iter().enumerate().filter(|(at, _)| !is_unfollowed(*at)) {
-                // the rate of a state that is fixed, or another one, is not asked for
+                // the rate of a fixed state, or of one equal to another, is not needed
                 if matches!(self.0[at], Role::Fixed(_) | Role::Same(_)) {
                     continue;
                 }
@@ -165,7 +165,7 @@ impl Roles {
         self.0.iter().enumerate().filter(|(_, role)| **role == Role::Followed).map(|(place, _)| place)
     }
 
-    /// All states by those that are followed; none where the equations do not balance.
+    /// All states as functions of the retained ones; `None` where the balances cannot be solved.
     fn lifted(&self, written: &dyn SymbolicLaw, time: Sym, z: &[Sym]) -> Option<Vec<Sym>> {
         let mut followed = z.iter();
         let mut y: Vec<Sym> = Vec::with_capacity(self.0.len());
@@ -174,7 +174,7 @@ impl Roles {
             y.push(match role {
                 Role::Followed => *followed.next()?,
                 Role::Fixed(value) => Sym::lift(*value),
-                // put in below
+                // replaced below
                 Role::Resting | Role::Same(_) => Sym::ZERO,
                 Role::Balancing(row) => {
                     let unknown = Sym::symbol(&format!("balance{}", unknowns.len()));
@@ -200,7 +200,7 @@ impl Roles {
     }
 }
 
-/// Whether the rates of a law are expressions with values.
+/// Whether all rates of a law are defined.
 fn has_values_at_zero(law: &dyn SymbolicLaw) -> bool {
     simulation::traced(law, |traced| !traced.rates.contains(&Sym::UNDEFINED))
 }

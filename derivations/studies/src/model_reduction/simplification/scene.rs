@@ -17,17 +17,17 @@ pub struct SimplifiedScene {
     /// The scene with the parameters that are zero.
     scene: Arc<dyn Modelled>,
     name: String,
-    /// The law of fewer states, where some are not followed.
+    /// The reduced law, where states are left out.
     reduced: Option<Arc<ReducedModel>>,
-    /// The columns that depend on a state which is not followed.
+    /// Whether each column depends on a state that is left out.
     hidden: Vec<bool>,
 }
 
 impl SimplifiedScene {
-    /// A scene without the elements that are named.
+    /// A scene without the elements of a simplification.
     ///
     /// # Errors
-    /// The name that it does not know, or why there is no such model.
+    /// A name that is unknown, or the reason for which there is no such model.
     pub fn of(scene: &Arc<dyn Modelled>, simplification: &Simplification) -> Result<Self, String> {
         let zero: Vec<&str> = simplification.without.iter().map(String::as_str).collect();
         let unbounded: Vec<&str> = simplification.rigid.iter().map(String::as_str).collect();
@@ -73,17 +73,17 @@ impl SimplifiedScene {
         Ok(SimplifiedScene { scene, name, reduced: Some(Arc::new(reduced)), hidden })
     }
 
-    /// The columns of a run that this model does not show.
+    /// Whether this model has no values for a column of a run.
     pub fn hides(&self, column: usize) -> bool {
         self.hidden[column]
     }
 
-    /// The number of states that are followed.
+    /// The number of retained states.
     pub fn states(&self) -> usize {
         self.reduced.as_ref().map_or_else(|| self.scene.problem(Axes::First).state.len(), |reduced| reduced.start.len())
     }
 
-    /// The problem with all columns of the scene's own run, those that are hidden as their states start.
+    /// The problem with all columns of the scene's own run; hidden columns keep the initial values of their states.
     pub fn whole_problem(&self) -> Problem {
         let own = self.scene.problem(Axes::First);
         let Some(reduced) = &self.reduced else { return own };
@@ -111,7 +111,7 @@ impl SimplifiedScene {
         }
     }
 
-    /// The law that it is a simplification of, with its parameters at zero, and the reduced one, where states are left out.
+    /// The reduced model, where states are left out.
     pub(crate) fn reduced(&self) -> Option<&ReducedModel> {
         self.reduced.as_deref()
     }
