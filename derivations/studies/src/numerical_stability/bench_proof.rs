@@ -1,7 +1,7 @@
-//! What a splitting does at every step between two, proved: a motor on its bench, at an angle that it keeps.
+//! Proved stability of a splitting for all step sizes of an interval: a motor on its bench, at a steady angle.
 //!
-//! There every piece rests, so that a step is the product M(h) of the pieces' matrices, whatever its length: over an interval of
-//! steps its entries are Taylor models in h, and what grows is decided by `grows`.
+//! Every sub-flow has this equilibrium, hence the linearised step is the product M(h) of the sub-flows' matrices for every h. Over an
+//! interval of step sizes its entries are Taylor models in h; `grows` decides whether a multiplier leaves the unit circle.
 
 use super::motions::{Rotor, Stationed};
 use super::multipliers::{Matrix, grows};
@@ -12,29 +12,29 @@ use algebra::real::{Ordered, TaylorModel};
 use field::Rational;
 use integrators::Splitting;
 
-/// A motor at rest on its bench, ready to be composed.
+/// The linearised sub-flows of a motor at an equilibrium on its bench.
 #[derive(Clone, Debug)]
 pub struct Resting {
     pieces: [Piece; 2],
     /// cos g, sin g
     angle: [TaylorModel; 2],
-    /// Nothing takes energy: every piece is Hamilton's, and with a multiplier z there is 1/z.
+    /// Without dissipation: every sub-flow is Hamiltonian, and multipliers come in pairs z, 1/z.
     symmetric: bool,
 }
 
-/// Intervals are halved down to a part in a thousand million.
+/// Intervals are halved down to a relative width of 1e-9.
 const LIMITS: Limits = Limits { sign: 1e-9, motion: 1e-9, most: 1_500 };
 
 impl Resting {
-    /// Of a scene at a stationary motion; `None` in a gyrostat, for motors
-    /// whose flow is not known, and for those with another moment than one linear in the slip.
+    /// The sub-flows of a scene at a stationary motion; `None` in a gyrostat, for motors
+    /// without known flows, and for torques that are not linear in the slip.
     pub fn of(scene: &Scene, motion: &Stationed) -> Option<Self> {
         let (Setup::Bench { axial }, Rotor::InStep { .. }) = (&scene.system, &motion.rotor) else { return None };
         let (pieces, symmetric) = pieces(&scene.machine, *axial)?;
         Some(Resting { pieces, angle: motion.at.angle.each_ref().map(TaylorModel::enclosed), symmetric })
     }
 
-    /// Whether the map grows, for every step between two, s.
+    /// Whether the one-step map is unstable, for every step size of an interval, s.
     pub fn course(&self, splitting: Splitting, ends: [f64; 2]) -> Proved {
         let schedule: Vec<(usize, Rational)> =
             splitting.schedule::<f64>(2).into_iter().map(|(piece, share)| (piece, Rational::exactly(share))).collect();
@@ -46,9 +46,9 @@ impl Resting {
         Proved::by(look, ends, LIMITS)
     }
 
-    /// The matrix of a step.
+    /// The matrix of a step over a range of step sizes.
     fn map(&self, schedule: &[(usize, Rational)], step: &TaylorModel) -> Option<Matrix> {
-        // a composition that is its own mirror image has every flow twice
+        // a symmetric composition has every flow twice
         let mut flows: Vec<(&(usize, Rational), Matrix)> = Vec::new();
         let mut whole: Option<Matrix> = None;
         for one in schedule {

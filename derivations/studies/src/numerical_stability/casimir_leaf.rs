@@ -1,13 +1,13 @@
-//! The surface |v| = 1, x.v = P on which a gyrostat's steps stay, in coordinates.
+//! Coordinates on the Casimir leaf |v| = 1, x.v = P, on which a gyrostat's steps stay.
 //!
-//! Every flow keeps v.v and x.v, so that of the matrix of a step at a fixed point their gradients are left eigenvectors: two
-//! multipliers are exactly one, whatever the step, and those on the surface are the others. With v_a the largest component of v, its
-//! neighbours b and c, the coordinates are
+//! Every flow conserves v.v and x.v. Their gradients are left eigenvectors of the matrix of a step at a fixed point: two
+//! multipliers are exactly one at every step size, and the others belong to the leaf. With v_a the largest component of v and b, c
+//! the next indices, the coordinates are
 //!
 //!   (x_b, x_c, v_b, v_c) ,    v_a = +-(1 - v_b^2 - v_c^2)^1/2 ,    x_a = (P - x_b v_b - x_c v_c)/v_a ,
 //!
-//! then g, p and the fluxes as far as they are states. A rotor that nothing moves keeps p: that is one more multiplier, and no
-//! coordinate.
+//! then g, p and the fluxes as far as they are states. Where the rotor's momentum p is conserved, it is one more unit multiplier
+//! and no coordinate.
 
 use field::{Analytic, Base, Over, Scalar};
 use motor::{Conserved, Machine, Point as RotorPoint, RotorState};
@@ -15,10 +15,10 @@ use nalgebra::Vector3;
 use systems::gyrostat::forms::Form;
 use systems::gyrostat::momenta::{Flows, Point};
 
-/// A step in these coordinates; `None` where it leads off the half on which they hold.
+/// A step in these coordinates; `None` where it leaves the half of the leaf on which they are defined.
 pub(super) type Step<'a, S> = dyn Fn(&[S]) -> Option<Vec<S>> + 'a;
 
-/// Where the integrals have their values.
+/// The leaf with given values of the integrals.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Surface<P> {
     /// a, and the sign of v_a
@@ -26,13 +26,13 @@ pub(super) struct Surface<P> {
     upwards: bool,
     /// P
     along: P,
-    /// p where it is kept
+    /// p where it is conserved
     kept: Option<P>,
     knows_angle: bool,
 }
 
 impl Surface<f64> {
-    /// Through a state (w, v, rotor, ..) of the law.
+    /// The leaf through a state (w, v, rotor, ..) of the law.
     pub fn at(form: &impl Form<f64>, machine: &impl Machine<f64>, state: &[f64]) -> Self {
         let Point { momentum, vertical, rotor } = entered(form, machine, state);
         let kept = machine.rotor() == RotorState::Prescribed || Conserved::by(machine).spin;
@@ -45,12 +45,12 @@ impl Surface<f64> {
         }
     }
 
-    /// The coordinates of that state, without currents.
+    /// The coordinates of a state of the law, without currents.
     pub fn start(&self, form: &impl Form<f64>, machine: &impl Machine<f64>, state: &[f64]) -> Vec<f64> {
         self.chosen(&entered(form, machine, state))
     }
 
-    /// The same with its data in another field.
+    /// The leaf with its data in another field.
     pub fn map<P>(&self, number: impl Fn(f64) -> P) -> Surface<P> {
         let Surface { largest, upwards, along, kept, knows_angle } = *self;
         Surface { largest, upwards, along: number(along), kept: kept.map(number), knows_angle }
@@ -64,7 +64,7 @@ fn entered(form: &impl Form<f64>, machine: &impl Machine<f64>, state: &[f64]) ->
 }
 
 impl<P: Base> Surface<P> {
-    /// The state with these coordinates; `None` where there are too few.
+    /// The state with these coordinates; `None` where coordinates are missing.
     pub fn point<S: Over<P> + Analytic>(&self, at: &[S]) -> Option<Point<S>> {
         let [a, b, c] = [0, 1, 2].map(|k| (self.largest + k) % 3);
         let (mut momentum, mut vertical) = (Vector3::repeat(S::zero()), Vector3::repeat(S::zero()));
@@ -80,13 +80,13 @@ impl<P: Base> Surface<P> {
         Some(Point { momentum, vertical, rotor: RotorPoint { angle, momentum: spin, fluxes: rotor.to_vec() } })
     }
 
-    /// The coordinates of a state on the surface; `None` where v_a may have another sign. `positive`: whether a number is.
+    /// The coordinates of a state on the leaf; `None` where v_a may have the other sign. `positive` tests a number.
     pub fn coordinates<S: Scalar>(&self, point: &Point<S>, positive: fn(&S) -> bool) -> Option<Vec<S>> {
         let size = point.vertical[self.largest];
         positive(&if self.upwards { size } else { -size }).then(|| self.chosen(point))
     }
 
-    /// The coordinates of a state, or of deviations.
+    /// The components that are coordinates, of a state or of a deviation.
     pub fn chosen<S: Scalar>(&self, point: &Point<S>) -> Vec<S> {
         let Point { momentum, vertical, rotor } = point;
         let [b, c] = [1, 2].map(|k| (self.largest + k) % 3);

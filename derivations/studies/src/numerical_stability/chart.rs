@@ -1,4 +1,4 @@
-//! Every method on every stationary motion of a scene: for which steps the map says of the motion what is true.
+//! Charts of every method on every stationary motion of a scene: the step sizes at which the map preserves its stability or instability.
 
 use super::methods::OneStep;
 use super::motions::{AllStationed, NoMotions, Rotor, Stationed};
@@ -8,22 +8,22 @@ use mechanics::one_step_stability::{HalfPlane, Judgement, Mode, Spectrum, StepIn
 use mechanics::steady_rotations::Kind;
 use std::fmt::{self, Write};
 
-/// All of it for one angular velocity.
+/// The chart for one angular velocity.
 pub struct Chart {
     pub all: AllStationed,
-    /// In the order of the motions.
+    /// The methods' rows for each motion, in the order of the motions.
     pub rows: Vec<Vec<Row>>,
 }
 
-/// A method on a motion.
+/// The intervals of step sizes of a method on a motion.
 #[derive(Clone, Debug)]
 pub struct Row {
     pub method: OneStep,
-    /// `None` where thresholds cannot be told apart.
+    /// `None` where thresholds cannot be separated.
     pub steps: Option<Steps>,
 }
 
-/// Every method on a motion with these modes.
+/// The rows of every method on a motion with these modes.
 pub fn rows(modes: &[Mode]) -> Vec<Row> {
     let row = |method: &OneStep| {
         let function = method.function();
@@ -32,19 +32,19 @@ pub fn rows(modes: &[Mode]) -> Vec<Row> {
     OneStep::ALL.iter().map(row).collect()
 }
 
-/// What is known of a motion near it.
+/// The linear stability of a motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ChartedMotion {
-    /// Every eigenvalue but those of the integrals has a negative real part.
+    /// Every eigenvalue, except those of the integrals, has a negative real part.
     Fades,
-    /// None has a positive one, some are imaginary.
+    /// No eigenvalue has a positive real part; this many are imaginary.
     Stays { staying: usize },
-    /// So many have a positive one.
+    /// This many eigenvalues have a positive real part.
     Grows { growing: usize },
 }
 
 impl Chart {
-    /// Of a scene with the angular velocity w, rad/s, about the vertical.
+    /// The chart of a scene with the angular velocity w, rad/s, about the vertical.
     ///
     /// # Errors
     /// [`NoMotions`].
@@ -58,7 +58,7 @@ impl Chart {
         Ok(Chart { all, rows })
     }
 
-    /// For reading.
+    /// The chart as text.
     pub fn text(&self) -> String {
         let mut out = String::new();
         for (place, (motion, rows)) in self.all.motions.iter().zip(&self.rows).enumerate() {
@@ -80,7 +80,7 @@ impl Chart {
         out
     }
 
-    /// All eigenvalues, those that structure explains first.
+    /// All eigenvalues as text, those known from structure first.
     pub fn eigenvalues(&self, spectrum: &Spectrum) -> String {
         let linear = &self.all.linear;
         let mut each = Vec::new();
@@ -97,7 +97,7 @@ impl Chart {
 }
 
 impl Row {
-    /// The steps and what is said of them, in a line.
+    /// The intervals of step sizes with their verdicts, in a line.
     pub fn told(&self) -> String {
         let Some(steps) = &self.steps else { return "not known: thresholds lie too close together".to_owned() };
         let honest = match steps.honest() {
@@ -113,7 +113,7 @@ impl Row {
         if each.is_empty() { honest } else { format!("{honest}; {}", each.join("; ")) }
     }
 
-    /// The steps at which the map begins to grow, or ceases to: what a run can see.
+    /// The step sizes at which the map becomes unstable or stable: the thresholds that runs can measure.
     pub fn edges(&self) -> Vec<&Enclosure> {
         let Some(steps) = &self.steps else { return Vec::new() };
         let turns = steps.stretches.windows(2).map(|pair| (pair[0].growing == 0) != (pair[1].growing == 0));
@@ -121,7 +121,7 @@ impl Row {
     }
 }
 
-/// In the words of a chart.
+/// The word of a chart for a verdict.
 pub fn said(stretch: StepInterval) -> &'static str {
     match stretch.judgement {
         Judgement::Honest => "honest",
@@ -132,7 +132,7 @@ pub fn said(stretch: StepInterval) -> &'static str {
     }
 }
 
-/// `0.5 < h < 2`
+/// An interval of step sizes as text, such as `0.5 < h < 2`.
 fn range(from: Option<&Enclosure>, to: Option<&Enclosure>) -> String {
     match (from, to) {
         (None, None) => "at every step".to_owned(),
@@ -150,7 +150,7 @@ fn eigenvalue(mode: &Mode) -> String {
     }
 }
 
-/// Digits of a number that all values of its enclosure share.
+/// The greatest number of digits of a printed enclosure.
 const DIGITS: usize = 10;
 
 /// The number rounded to ten digits, fewer where its enclosure leaves them open.
@@ -159,11 +159,11 @@ pub fn digits(value: &Enclosure) -> String {
     let written = |x: f64, digits: usize| format!("{x:.*e}", digits - 1);
     let shared = (1..=DIGITS).rev().map(|digits| (written(low, digits), written(high, digits)));
     let text = shared.into_iter().find_map(|(low, high)| (low == high).then_some(low));
-    // a float has so few digits that it reads back as itself
+    // parsed and printed again, the float has the fewest digits
     text.and_then(|text| text.parse::<f64>().ok()).map_or_else(|| format!("{low:e} to {high:e}"), plain)
 }
 
-/// Without an exponent where that is short.
+/// The number without an exponent where that is short.
 fn plain(value: f64) -> String {
     match value.abs() {
         size if size == 0.0 || (1e-4..1e7).contains(&size) => format!("{value}"),
@@ -172,7 +172,7 @@ fn plain(value: f64) -> String {
 }
 
 impl ChartedMotion {
-    /// By its eigenvalues.
+    /// The linear stability by the eigenvalues.
     pub fn of(spectrum: &Spectrum) -> Self {
         match spectrum.growing() {
             [0, 0] => ChartedMotion::Fades,

@@ -1,13 +1,13 @@
-//! Something that depends on a step, followed from short steps to long ones.
+//! Continuation of a fixed point in the step size, from short steps to long ones.
 //!
-//! Far from the law's motion a splitting may have several of its own. The one that is meant is that which comes out of the law's as
-//! the step grows: each is looked for from that of the step before, over steps between where it is not found at once, and none is
-//! looked for beyond the step at which it is lost.
+//! Far from the law's motion a splitting may have several fixed points. The branch that starts at the law's motion for short steps
+//! is followed: each search starts at the fixed point of the step size before, with intermediate step sizes where it fails, and ends
+//! where the branch is lost.
 
-/// Halvings of the way from one step to the next, as ratios.
+/// The greatest number of halvings, in ratio, between one step size and the next.
 const HALVINGS: u32 = 4;
 
-/// What is found at steps, s, in ascending order, at some between them too. `find` begins with what was found before, if anything was.
+/// The results of `find` at ascending step sizes, s, and at some between them. `find` starts from the result before, if there is one.
 pub fn followed<T>(steps: &[f64], find: impl Fn(f64, Option<&T>) -> Option<T>) -> Vec<(f64, T)> {
     let mut found = Vec::new();
     for step in steps {
@@ -33,7 +33,7 @@ fn reached<T>(
     reached(found, middle, halvings - 1, find) && reached(found, step, halvings - 1, find)
 }
 
-/// The last up to a step, s; the first where there is none.
+/// The last result up to a step size, s, or the first of all.
 pub fn before<T>(found: &[(f64, T)], step: f64) -> Option<&T> {
     let up_to = found.partition_point(|(at, _)| *at <= step);
     found.get(up_to.saturating_sub(1)).map(|(_, own)| own)

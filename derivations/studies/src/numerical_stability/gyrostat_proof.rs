@@ -1,18 +1,18 @@
-//! What a splitting does near a gyrostat's stationary motion at every step between two, proved: rests and rotations alike.
+//! Proved stability of a splitting near a gyrostat's stationary motion for all step sizes of an interval: rests and rotations.
 //!
-//! Where the carrier turns the pieces do not rest, and the splitting has a stationary motion of its own, another one for each step h:
-//! a fixed point of its step in the body's axes, in which turning about the vertical changes nothing. Krawczyk's operator encloses
-//! it over an interval of steps as Taylor models in h ([`FixedPoint`]), with the derivative of the step there. Where the carrier
-//! rests with its rotor in balance every piece does: no square of the energy turns anything, and weight and motor push nothing. Then
-//! the fixed point is the law's, whatever the step. It is enclosed once, and the derivative of a step is the product of those of its
-//! flows at this one point. What grows is decided by `grows`; where it stays open or nothing is enclosed, it is said to be tested.
+//! If the carrier rotates, the sub-flows do not rest, and the splitting has a fixed point that depends on the step size h,
+//! in the body's axes, where a rotation about the vertical changes nothing. Krawczyk's operator encloses
+//! it over an interval of step sizes as Taylor models in h ([`FixedPoint`]), with the derivative of the step there. If the carrier
+//! rests with its rotor in balance, every sub-flow rests: no square of the energy turns anything, and weight and torque vanish.
+//! The fixed point is then the law's at every h. It is enclosed once, and the derivative of a step is the product of those of its
+//! flows at this point. Instability is decided by `grows`; where it stays open or nothing is enclosed, the test alone is reported.
 //!
-//! A single step needs no range: over numbers that are enclosed to thirty digits what long compositions make of rounding lasts where
-//! models over floats have become too wide, and the steps that are tested are proved so, one by one.
+//! A single step size needs no range: with numbers enclosed to thirty digits the rounding of long compositions stays small where
+//! models over floats have become too wide. The tested step sizes are proved in this way, one by one.
 //!
-//! A step is taken over `Surface`, which leaves the multipliers out that are one by structure. The step is that which runs, its
-//! laws over models: of the bodies, the integrals and the collocation it has the floats that run, of the motor the decimals, with
-//! windings lumped. A moment that is not linear in the slip takes as many of Newton's steps as it takes when it runs.
+//! A step is taken over `Surface`, which leaves out the multipliers that are one by structure. The step is the one that runs, with
+//! its laws over models: bodies, integrals and collocation have the floats that run, the motor has the decimals, with
+//! windings lumped. A torque that is not linear in the slip takes as many Newton steps as in a run.
 
 use super::casimir_leaf::{Step, Surface};
 use super::continuation::{before, followed};
@@ -38,30 +38,30 @@ pub struct Turning {
     floats: OnSurface<f64>,
     ranges: Over<TaylorModel>,
     points: Over<Ball>,
-    /// The law's motion.
+    /// The law's motion, in floats.
     start: Vec<f64>,
-    /// Nothing takes energy: every piece is Hamilton's, and with a multiplier z there is 1/z.
+    /// Without dissipation: every sub-flow is Hamiltonian, and multipliers come in pairs z, 1/z.
     symmetric: bool,
 }
 
-/// Its steps over enclosures.
+/// The steps over enclosures.
 struct Over<F: Base> {
     steps: OnSurface<F>,
-    /// The law's motion where the carrier rests.
+    /// The enclosed equilibrium of the law where the carrier rests.
     rest: Option<Vec<F>>,
 }
 
-/// A place without an enclosed motion is not searched to the last digit, nor is an edge.
+/// Intervals without an enclosed fixed point, and those with a threshold, are not halved to the last digit.
 const LIMITS: Limits = Limits { sign: 1e-5, motion: 1e-2, most: 200 };
-/// Of Newton's iteration in floats towards the own motion, and when the next correction is rounding.
+/// The greatest number of Newton's iterations in floats for the fixed point, and the relative correction at which they end.
 const ITERATIONS: usize = 12;
 const CONVERGED: f64 = 1e-9;
-/// s, and how far about the floats of a rest it is looked for; they are off by their rounding.
+/// The step size, s, with which an equilibrium is enclosed, and the radius about its floats, which have rounding errors.
 const SHORT: f64 = 0.01;
 const REST: f64 = 1e-9;
 
 impl Turning {
-    /// Of a gyrostat at a stationary motion.
+    /// The proofs for a gyrostat at a stationary motion.
     ///
     /// # Errors
     /// [`Unproved`].
@@ -79,15 +79,15 @@ impl Turning {
         Ok(turning)
     }
 
-    /// Whether every piece rests.
+    /// Whether every sub-flow rests.
     pub fn rests(&self) -> bool {
         self.points.rest.is_some()
     }
 
-    /// Whether the map grows, for every step between two, s; what stays open at one of `steps`, in ascending order, is looked at there
-    /// alone.
+    /// Whether the map is unstable, for all step sizes between two, s; where that stays open at one of `steps`, ascending, it is decided
+    /// there alone.
     pub fn course(&self, splitting: Splitting, ends: [f64; 2], steps: &[f64]) -> Proved {
-        // in floats, for the proof to begin with; a rest is the law's
+        // fixed points in floats, from which the proof starts; an equilibrium is the law's
         let moving = if self.rests() { &[] } else { steps };
         let followed = followed(moving, |step, near: Option<&Vec<f64>>| {
             approached(&*self.floats.step(splitting, step, false), near.unwrap_or(&self.start).clone())
@@ -107,7 +107,7 @@ impl Turning {
         proved
     }
 
-    /// The derivative of a step at its own motion; `None` where that is not enclosed.
+    /// The derivative of a step at its fixed point; `None` where that is not enclosed.
     fn slopes<C: Rounded, const N: usize>(
         &self,
         over: &Over<Model<C, N>>,
@@ -124,12 +124,12 @@ impl Turning {
         }
     }
 
-    /// The law's rest, a fixed point whatever the step: so by a short one; no other fixed point is near.
+    /// The law's equilibrium, a fixed point at every step size, enclosed with a short step, which has no other fixed point nearby.
     fn resting<C: Rounded, const N: usize>(&self, over: &Over<Model<C, N>>) -> Option<Vec<Model<C, N>>> {
         Some(self.own(over, Splitting::Strang, Model::constant(SHORT), &self.start, REST)?.place)
     }
 
-    /// The splitting's own motion for every step of a model; `None` where it is not enclosed.
+    /// The fixed point for all step sizes of a model; `None` where it is not enclosed.
     fn own<C: Rounded, const N: usize>(
         &self,
         over: &Over<Model<C, N>>,
@@ -160,7 +160,7 @@ impl Turning {
     }
 }
 
-/// The values of a step and its derivative, a column after the other.
+/// The values of a step and its derivative, column by column.
 fn derivative<S: Scalar>(step: &Step<'_, Tangent<S>>, at: &[S]) -> Option<Mapped<S>> {
     let column = |moved: usize| {
         let moving = |(k, y): (usize, &S)| if k == moved { Tangent::variable(*y) } else { Tangent::fixed(*y) };
@@ -188,14 +188,14 @@ fn approached(step: &Step<'_, Tangent<f64>>, near: Vec<f64>) -> Option<(Vec<f64>
     None
 }
 
-/// Puts the motor into it.
+/// A gyrostat and its motor.
 struct Near<'a> {
     bodies: &'a Gyrostat<f64>,
     motor: &'a Motor,
 }
 
 impl Near<'_> {
-    /// Near a state of the law in the axes of the second form.
+    /// The proofs near a state of the law in the axes of the second form.
     fn turning(&self, state: &[f64]) -> Result<Turning, Unproved> {
         let machine = self.motor.clone();
         if !has_known_flow(&machine) {
@@ -222,7 +222,7 @@ impl Near<'_> {
         Ok(Turning { floats, ranges, points, start, symmetric })
     }
 
-    /// Its steps over models.
+    /// The steps over models.
     fn over<C: Rounded, const N: usize>(
         &self,
         lumping: Option<&Lumping>,

@@ -9,11 +9,11 @@ use motor::{Kick, Law, Motor, Rule, decay_quotient};
 use systems::gyrostat::forms::SecondForm;
 use systems::gyrostat::momenta::{Flows, Lapse, Point};
 
-/// What a step asks of its field beyond operations.
+/// Operations of a field that a step needs beyond arithmetic.
 pub(super) trait Decaying: Base + Over<f64> + Analytic {
     /// (exp(-a) - exp(-b))/(b - a)
     fn between_decays(a: Self, b: Self) -> Self;
-    /// Whether it is known to be.
+    /// Whether the number is known to be positive.
     fn is_positive(&self) -> bool;
 }
 
@@ -43,12 +43,12 @@ pub(super) struct OnSurface<P: Base> {
     pub machine: Lumped<P, Motor<P>>,
     pub surface: Surface<P>,
     pub law: Law,
-    /// Of a moment that is not linear, with the floats that run.
+    /// The collocation rule for a nonlinear torque, with the floats that run.
     pub rule: Rule<f64>,
 }
 
 impl<P: Decaying> OnSurface<P> {
-    /// A step of a length, s. `rests`: from a state that every piece keeps, so that its enclosure does not widen on the way.
+    /// A step of a length, s. `rests`: the state is an equilibrium of every sub-flow, and its enclosure is not widened on the way.
     pub fn step(&self, splitting: Splitting, length: P, rests: bool) -> Box<Step<'_, Tangent<P>>> {
         let quotient = |a: Tangent<P>, b: Tangent<P>| Tangent::fixed(P::between_decays(a.value, b.value));
         let flows = Flows::<Tangent<P>>::new(&self.form, &self.machine);
@@ -77,7 +77,7 @@ impl<P: Decaying> OnSurface<P> {
     }
 }
 
-/// Puts the values of a state that rests back; the slopes stay.
+/// Restores the values of an equilibrium; the derivatives stay.
 fn hold<P: Scalar>(rest: &Point<Tangent<P>>, at: &mut Point<Tangent<P>>) {
     at.momentum.zip_apply(&rest.momentum, |moved, rest| moved.value = rest.value);
     at.vertical.zip_apply(&rest.vertical, |moved, rest| moved.value = rest.value);
@@ -86,7 +86,7 @@ fn hold<P: Scalar>(rest: &Point<Tangent<P>>, at: &mut Point<Tangent<P>>) {
     at.rotor.fluxes.iter_mut().zip(&rest.rotor.fluxes).for_each(|(moved, rest)| moved.value = rest.value);
 }
 
-/// A fraction; one that is undefined has no bound.
+/// The enclosure of a fraction; an undefined one is unbounded.
 pub(super) fn enclosed<C: Rounded, const N: usize>(value: Rational) -> Model<C, N> {
     Model::constant(0.0).fraction(value).unwrap_or(Model::constant(f64::NAN))
 }

@@ -1,12 +1,12 @@
-//! The linear motion near a stationary one, with exact data: its matrix by differentiation of the law.
+//! The linearised motion near a stationary one, with exact data: its matrix by differentiation of the law.
 //!
-//! Written down once over symbols; at a motion the entries are enclosed. What structure explains is split off exactly:
-//! * an integral I of the law f has I' f = 0 everywhere, so that I' A = 0 where f = 0: an eigenvalue 0 for each. These are
-//!   v.v and x.v of every gyrostat, and the own momentum of a rotor that is left alone;
-//! * without slip and currents, a winding k only enters through its share psi_k' i_k of the moment, and shares that fade at
-//!   one rate R/L add up to one unknown: of n such windings n - 1 eigenvalues are exactly -R/L;
-//!   Where a supply feeds them, currents are states of their own;
-//! * where energy is kept the motion is Hamilton's on the surface of the integrals: with mu there is -mu.
+//! The matrix is symbolic; at a motion its entries are enclosed. Eigenvalues known from structure are split off exactly:
+//! * an integral I of the law f has I' f = 0 everywhere, hence I' A = 0 where f = 0: an eigenvalue 0 for each. The integrals are
+//!   v.v and x.v of every gyrostat, and the own momentum of a free rotor;
+//! * without slip and currents, a winding k enters only through its share psi_k' i_k of the torque, and shares with one decay
+//!   rate R/L add up to one unknown: n such windings have n - 1 eigenvalues exactly -R/L;
+//!   with a supply, the currents are states of their own;
+//! * where energy is conserved the motion is Hamiltonian on the leaf of the integrals: eigenvalues come in pairs mu, -mu.
 
 use super::symbolic_linearisation::linearised;
 use crate::scene::Scene;
@@ -17,25 +17,25 @@ use mechanics::linear_stability::characteristic;
 use mechanics::one_step_stability::{HalfPlane, Mode, Spectrum};
 use symbolic::{Hypotheses, Sym, coefficients, normal};
 
-/// The matrix of a scene's linear motion near any stationary one, over the symbols of its place.
+/// The matrix of a scene's linearised motion near any stationary one, over symbols for its place.
 #[derive(Debug)]
 pub struct Linearised {
     pub(super) matrix: Vec<Vec<Sym>>,
-    /// The currents that a supply feeds there.
+    /// The steady currents at the motion, with a supply.
     pub(super) resting: Vec<Sym>,
     /// w, v, cos g, sin g, g'
     pub(super) symbols: Vec<Sym>,
     /// W, rad/s
     pub(super) field_speed: Rational,
-    /// Rates at which windings fade, each with the number of eigenvalues that are exactly minus that.
+    /// Decay rates of windings, 1/s, each with the number of eigenvalues that are exactly its negative.
     pub idle: Vec<(Rational, usize)>,
-    /// How many eigenvalues are zero because of integrals.
+    /// The number of eigenvalues that are zero because of integrals.
     pub integrals: usize,
-    /// Whether energy is kept.
+    /// Whether energy is conserved.
     pub symmetric: bool,
 }
 
-/// Where a stationary motion is.
+/// The enclosed place of a stationary motion.
 #[derive(Clone, Debug)]
 pub struct At {
     /// w, rad/s, and v
@@ -47,15 +47,15 @@ pub struct At {
     pub rotor_speed: Enclosure,
 }
 
-/// Why there is no linear motion.
+/// The reason for which there is no linearisation.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoLinear {
     Motor(NoMotor),
-    /// The rotor's windings do not know its angle.
+    /// The rotor has windings, but no angle as a state.
     Windings,
     /// The bodies' inertia is not positive.
     Inertia,
-    /// An entry is no fraction of polynomials.
+    /// An entry is not rational.
     NotAlgebraic(Sym),
 }
 
@@ -73,7 +73,7 @@ impl std::fmt::Display for NoLinear {
 impl std::error::Error for NoLinear {}
 
 impl Linearised {
-    /// Of a scene; its data are the decimals that were written.
+    /// The linearisation of a scene; its data are the decimals in the file.
     ///
     /// # Errors
     /// [`NoLinear`].
@@ -82,9 +82,8 @@ impl Linearised {
         linearised(&scene.system, &scene.machine, free)
     }
 
-    /// det(mu - A) at a motion without the eigenvalues that structure explains, monic, coefficients from the constant upwards.
-    /// `None` where an entry is not defined there, or where an integral is none: then the law is not the one it was
-    /// thought to be.
+    /// det(mu - A) at a motion without the eigenvalues known from structure, monic, coefficients from the constant upwards.
+    /// `None` where an entry is undefined, or where a presumed integral is not conserved.
     pub fn polynomial(&self, at: &At, bits: usize) -> Option<Vec<Enclosure>> {
         let places = self.places(at, bits)?;
         let row = |row: &Vec<Sym>| row.iter().map(|entry| value(*entry, &self.symbols, &places, bits)).collect();
@@ -101,13 +100,13 @@ impl Linearised {
         Some([&at.angular_velocity[..], &at.vertical, &at.angle, &[slip]].concat())
     }
 
-    /// The currents at a motion, A; empty where none flow.
+    /// The currents at a motion, A; empty without a supply.
     pub fn currents(&self, at: &At, bits: usize) -> Option<Vec<f64>> {
         let places = self.places(at, bits)?;
         self.resting.iter().map(|&i| value(i, &self.symbols, &places, bits).map(|i| i.to_f64())).collect()
     }
 
-    /// The eigenvalues but for those of the integrals; those of idle windings come last.
+    /// The eigenvalues without those of the integrals; those of idle windings come last.
     pub fn spectrum(&self, at: &At, bits: usize) -> Option<Spectrum> {
         let mut spectrum = Spectrum::of(&self.polynomial(at, bits)?, self.symmetric)?;
         for (rate, count) in &self.idle {
@@ -117,7 +116,7 @@ impl Linearised {
     }
 }
 
-/// The value of a fraction of polynomials in the symbols; the windings' share of the moment is zero at the motion.
+/// The value of a rational expression in the symbols; the windings' share of the torque is zero at the motion.
 fn value(entry: Sym, symbols: &[Sym], places: &[Enclosure], bits: usize) -> Option<Enclosure> {
     let sum = |part: Sym| {
         let mut sum = Enclosure::integer(0, bits);

@@ -1,14 +1,14 @@
-//! What is asked of a step's matrix in floats: its largest multipliers, and the space beside given directions.
+//! Linear algebra of a step's matrix in floats: spectral radius, next multiplier, orthogonal complements.
 
 use nalgebra::{DMatrix, DVector};
 
 /// Squarings of a matrix towards its power.
 const SQUARINGS: i32 = 40;
-/// A singular value of the power, against the largest, is nothing: its multiplier is further in.
+/// A singular value of the power below this share of the largest belongs to a smaller multiplier.
 const FADED: f64 = 1e-9;
 
-/// By Gelfand's formula with 2^40 for the power: what multiplies it besides has no weight left, and multiple eigenvalues, at
-/// which iterations for single ones do not end, are no worse than others.
+/// The spectral radius by Gelfand's formula with the power 2^40: other factors have no weight left, and multiple eigenvalues, at
+/// which iterations for single ones may not converge, are no worse than others.
 pub(super) fn spectral_radius(mut power: DMatrix<f64>) -> f64 {
     let mut logarithm = 0.0;
     for squaring in 0..SQUARINGS {
@@ -23,8 +23,8 @@ pub(super) fn spectral_radius(mut power: DMatrix<f64>) -> f64 {
     logarithm.exp()
 }
 
-/// The largest |multiplier| inside the radius: a high power maps onto the space of those on the radius, and beside that space
-/// the others are left, by themselves, whatever their multiplicities.
+/// The largest |multiplier| inside the spectral radius. A high power maps onto the invariant space of those on the radius; on its
+/// orthogonal complement the others are left, whatever their multiplicities.
 pub(super) fn next_to(matrix: &DMatrix<f64>) -> Option<f64> {
     let mut power = matrix.clone();
     for _ in 0..SQUARINGS {
@@ -42,7 +42,7 @@ pub(super) fn next_to(matrix: &DMatrix<f64>) -> Option<f64> {
     Some(spectral_radius(beside.transpose() * matrix * beside))
 }
 
-/// An orthonormal basis of what is orthogonal to all of them.
+/// An orthonormal basis of the orthogonal complement of the gradients.
 pub(super) fn complement(gradients: &[DVector<f64>], n: usize) -> DMatrix<f64> {
     let filler = |row: usize, column: usize| (1.0 + (row * n + column) as f64).sin();
     let whole = DMatrix::from_fn(n, n, |row, column| match gradients.get(column) {

@@ -1,4 +1,4 @@
-//! Thresholds by runs: the step from which on a perturbed motion stays near under a method, or leaves.
+//! Stability thresholds by runs: step sizes at which a perturbed motion turns from staying near to leaving, or back.
 
 use super::methods::OneStep;
 use super::motions::Stationed;
@@ -13,11 +13,11 @@ use nalgebra::{DMatrix, DVector};
 use simulation::{Axes, Law};
 use std::sync::Arc;
 
-/// What is run.
+/// The method of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Run {
     OneStep(OneStep),
-    /// Where all pieces rest: elsewhere its own stationary motion is not the law's.
+    /// Only where all sub-flows rest: elsewhere the splitting's fixed point is not the law's motion.
     Splitting(Splitting),
 }
 
@@ -27,39 +27,39 @@ pub struct Runs {
     state: Vec<f64>,
 }
 
-/// How far a run begins from the motion, against the size of each component or one.
+/// The initial deviation from the motion, relative to the size of each component or one.
 const OFF: f64 = 1e-7;
-/// Of a difference quotient of a step, against the size of a component or one.
+/// The increment of a difference quotient, relative to the size of a component or one.
 const DIFFERENCE: f64 = 1e-5;
-/// What another mode is multiplied by before a run begins, and how often a step is squared at most for that.
+/// The factor by which other modes are reduced before a run, and the greatest number of squarings of a step for that.
 const FADED: f64 = 1e-16;
 const SQUARINGS: f64 = 24.0;
-/// The first differences, which the others are compared with.
+/// The number of first differences with which the others are compared.
 const FIRST: usize = 2;
-/// Less, or more, than this of the first differences, and the run has told its fate.
+/// A run is decided when differences fall below this share of the first ones, or rise above it.
 const GONE: f64 = 1e-5;
 const LOST: f64 = 1e4;
-/// How far the interval that is halved goes to both sides, as a share of the known threshold, and how often it is: to a part in
-/// ten thousand.
+/// The initial interval of the bisection, as a relative distance to both sides of the known threshold, and the number of
+/// bisections, which give an accuracy of 1/10000.
 const REACH: f64 = 0.2;
 const HALVINGS: u32 = 11;
-/// A threshold is told from its neighbours so far off, as a share of it.
+/// The relative distance from a threshold that runs must resolve.
 pub const APART: f64 = 2.5e-4;
 
 impl Runs {
-    /// Near a motion of a scene.
+    /// Runs near a motion of a scene.
     pub fn near(scene: &Scene, motion: &Stationed) -> Self {
         let scene = Scene { start: motion.start.clone(), ..scene.clone() };
         let problem = scene.problem(Axes::Second);
         Runs { law: problem.law, state: problem.state }
     }
 
-    /// The step, s, near a known one at which runs turn from staying to leaving, or from leaving to staying, to twice
-    /// [`APART`]; `None` where no run can tell, or they do the same on both sides.
+    /// The threshold, s, near a known one, at which runs turn from staying to leaving, or from leaving to staying, to twice
+    /// [`APART`]; `None` where no run can decide, or runs on both sides agree.
     pub fn threshold(&self, method: Run, near: f64, crossing: Crossing) -> Option<f64> {
         let steps = crossing.steps(APART)?;
         let start = self.along_the_mode(method, near, crossing.rest)?;
-        // no further than where a step grows by e: what grows faster is large before it has been compared
+        // within the range where a step grows by at most e: a faster growth saturates before it is compared
         let reach = REACH.min(1.0 / crossing.steepness);
         let [mut low, mut high] = [1.0 - reach, 1.0 + reach].map(|share| share * near);
         let below = self.leaves(method, low, steps, &start);
@@ -73,8 +73,8 @@ impl Runs {
         Some(0.5 * (low + high))
     }
 
-    /// A start in which all that moves is the mode that crosses at this step: the others have faded under many steps, by their
-    /// slowest rate, and what integrals keep is no difference of a step. `None` where a step leads nowhere.
+    /// An initial state displaced along the mode that crosses at this step size: the others have decayed under many steps, and
+    /// displacements that integrals conserve drop out of the difference of a step. `None` where a step fails.
     fn along_the_mode(&self, method: Run, step: f64, rest: f64) -> Option<Vec<f64>> {
         let n = self.state.len();
         let sizes = DVector::from_iterator(n, self.state.iter().map(|y| y.abs().max(1.0)));
@@ -98,9 +98,9 @@ impl Runs {
         Some(start.collect()).filter(|start: &Vec<f64>| start.iter().all(|y| y.is_finite()))
     }
 
-    /// Whether a run of so many steps of this length, s, leaves the motion.
+    /// Whether a run with this step size, s, and number of steps leaves the motion.
     ///
-    /// The differences of neighbouring states tell: what integrals keep of a perturbation drops out of them.
+    /// The differences of neighbouring states decide, since a perturbation that integrals conserve drops out of them.
     fn leaves(&self, method: Run, step: f64, count: usize, start: &[f64]) -> bool {
         let mut watched = Watched { last: start.to_vec(), sizes: Vec::with_capacity(count) };
         let reached = self.run(method, step, count, start, &mut watched).reached();
@@ -111,7 +111,7 @@ impl Runs {
             Some(share) if share < GONE => false,
             Some(share) if share > LOST => true,
             _ if seen.len() < count => !reached,
-            // what has grown until it is no longer small may stay as large as it is: only what falls comes back
+            // growth may have saturated: only decreasing differences count as staying
             _ => most(count - stretch..count) >= (-0.5 * SHOWN).exp() * most(count - 2 * stretch..count - stretch),
         }
     }
@@ -150,7 +150,7 @@ struct Watched {
 }
 
 impl Watched {
-    /// The last difference against the largest of the first.
+    /// The last difference relative to the largest of the first ones.
     fn share(&self) -> Option<f64> {
         let (first, rest) = self.sizes.split_at_checked(FIRST)?;
         Some(rest.last()? / first.iter().copied().fold(0.0, f64::max))
@@ -169,7 +169,7 @@ impl Observer<f64> for Watched {
     }
 }
 
-/// A law that nothing holds: what has a constant step among the methods for held laws runs it too.
+/// An unconstrained law as a DAE without constraints, for collocation methods with constant step size.
 struct Free<'a>(&'a dyn Law);
 
 impl<'a, S: Scalar> Index2Dae<S> for Free<'a>

@@ -1,4 +1,4 @@
-//! The stability functions of the methods with a constant step, derived from their steps.
+//! The stability functions of the Runge-Kutta methods with constant step size, derived from their steps.
 
 use crate::stabilisation::schemes::Scheme;
 use field::Scalar;
@@ -7,7 +7,7 @@ use mechanics::one_step_stability::StabilityFunction;
 use std::fmt;
 use symbolic::{Hypotheses, Sym, normal, univariate};
 
-/// A Runge-Kutta method with a constant step.
+/// A Runge-Kutta method with constant step size.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum OneStep {
     Classical(Scheme),
@@ -15,7 +15,7 @@ pub enum OneStep {
 }
 
 impl OneStep {
-    /// The classics, and collocation with two and three stages. With one stage Gauss is the midpoint rule and Radau IIA is
+    /// The classical methods, and collocation with two and three stages. With one stage Gauss is the midpoint rule and Radau IIA is
     /// backward Euler.
     pub const ALL: [OneStep; 8] = [
         OneStep::Classical(Scheme::Euler),
@@ -28,10 +28,10 @@ impl OneStep {
         OneStep::Collocation(Family::RadauIIA, 3),
     ];
 
-    /// R(z), `z` any expression: the step run on y' = z y.
+    /// R(z) for any expression `z`, by a step on y' = z y.
     ///
-    /// Collocation: u' - z u vanishes at the nodes, so that it is a multiple of their polynomial N, and u of degree s is
-    /// sum_k N^(k) z^(s-k); R is its end over its start.
+    /// For collocation u' - z u vanishes at the nodes, hence is a multiple of their polynomial N, and u of degree s is
+    /// sum_k N^(k) z^(s-k); R is its value at the end over that at the start.
     pub fn run(self, z: Sym) -> Sym {
         match self {
             OneStep::Classical(scheme) => scheme.step([[z]], [Sym::int(1)]).map_or(Sym::UNDEFINED, |[end]| end),
@@ -44,7 +44,7 @@ impl OneStep {
         }
     }
 
-    /// R as a quotient of polynomials; `None` where the step is none.
+    /// R as a quotient of polynomials; `None` where it is not rational.
     pub fn function(self) -> Option<StabilityFunction> {
         let z = Sym::symbol("z");
         let form = normal(self.run(z), &Hypotheses::none()).ok()?;
@@ -56,7 +56,7 @@ impl OneStep {
     }
 }
 
-/// u(c), but for a factor, with u' - z u = -z^(s+1) N.
+/// u(c), up to a factor, with u' - z u = -z^(s+1) N.
 pub fn course(family: Family, stages: u8, place: Sym, z: Sym) -> Sym {
     let mut derivative = nodal(family, stages.into(), place);
     let mut sum = Sym::ZERO;

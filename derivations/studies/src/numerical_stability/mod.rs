@@ -1,19 +1,19 @@
-//! Numerical stability: the map of a method's steps beside a motion that is stable, or is not. Growth that a map hides is called
-//! phantom stability.
+//! Numerical stability: the one-step map of a method near a stable or unstable steady motion. A stable map near an unstable
+//! motion is called phantom stability.
 //!
 //! # Overview
-//! * `claims`: what a step makes of one mode, by method, proved;
 //! * [`methods`]: the stability functions, derived from the steps that run;
-//! * [`linear`]: the linear motion near a stationary one, exactly, as `written` down over symbols;
+//! * [`linear`]: the linearised motion near a stationary one, exactly; `symbolic_linearisation`: its matrix over symbols;
 //! * [`motions`]: the stationary motions of a scene with their eigenvalues;
-//! * [`chart`]: every method on every such motion, every step judged;
-//! * [`measured_thresholds`]: the same thresholds by runs, each as long as [`threshold_run_length`] says it must be;
-//! * [`oscillator`], [`splittings`]: compositions of flows, on one mode exactly, on a motion by their own step and what its matrix (`matrices`) tells ([`tested_steps`]), its motion [`continuation`] from short steps;
-//! * [`bench_proof`]: the same for every step between two on a bench, where all pieces rest, proved from the `pieces` that run;
-//! * [`gyrostat_proof`]: the same near a gyrostat's motions, on the `surface` of the integrals (`stepped` over it), about the motion of a splitting's own, or why not ([`reasons`]);
-//! * `multipliers`: whether they leave the unit circle, over a range of steps; [`step_intervals`]: ranges, halved until that is known;
+//! * [`chart`]: every method on every such motion, with a verdict for every step size;
+//! * [`measured_thresholds`]: the thresholds by runs, whose length [`threshold_run_length`] gives;
+//! * [`oscillator`]: splittings on one mode, exactly; [`splittings`]: splittings near a motion, by the derivative of their step (`matrices`)
+//!   at its fixed point ([`continuation`]), with the result in [`tested_steps`];
+//! * [`bench_proof`]: proofs for all step sizes of an interval on a bench, where all sub-flows (`subflows`) rest;
+//! * [`gyrostat_proof`]: such proofs near a gyrostat's motions, on the `casimir_leaf` of the integrals (`gyrostat_step`), or [`reasons`] against;
+//! * `multipliers`: whether multipliers leave the unit circle, over a range of step sizes; [`step_intervals`]: its subdivision;
 //! * [`oscillation`]: frequencies of a linear motion, and displacements along each;
-//! * [`survey`]: some motions with all of this, for the report.
+//! * [`survey`]: the motions of the report with all of these.
 
 pub mod bench_proof;
 mod casimir_leaf;

@@ -1,26 +1,26 @@
-//! Modes by eigenvalues that are numbers: thresholds of steps are exact for these numbers.
+//! Modes from numerical eigenvalues; thresholds of step sizes are exact for these numbers.
 
 use algebra::complex::Rectangle;
 use algebra::real::Enclosure;
 use mechanics::one_step_stability::{HalfPlane, Mode};
 
-/// Bits of the numbers in which thresholds are found.
+/// Precision of the thresholds, bits.
 const BITS: usize = 128;
 
-/// Eigenvalues, and real parts, below this part of the largest are those of rounding.
+/// Eigenvalues and real parts below this share of the largest are rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// The modes of eigenvalues, real and imaginary parts in 1/s, without those that are zero; and how many these are. Where the energy is kept
-/// there is with an eigenvalue its negative: a real part of rounding is none.
+/// The modes of the nonzero eigenvalues, given by real and imaginary parts in 1/s, and the number of zero ones. Where the energy is
+/// conserved eigenvalues come in pairs mu, -mu: real parts of the size of rounding are then zero.
 ///
 /// # Errors
-/// A real part that vanishes for no known reason, or a number that is none.
+/// A real part that vanishes for no known reason, or a value that is not a number.
 pub fn modes(eigenvalues: &[[f64; 2]], keeps_energy: bool) -> Result<(Vec<Mode>, usize), String> {
     let largest = eigenvalues.iter().map(|[re, im]| re.hypot(*im)).fold(0.0, f64::max);
     let is_zero = |[re, im]: &[f64; 2]| re.hypot(*im) <= ROUNDING * largest;
     let number = |value: f64| Enclosure::float(value, BITS).ok_or("an eigenvalue is no number".to_owned());
     let mut modes = Vec::new();
-    // of a pair the one above
+    // one of each conjugate pair
     for [re, im] in eigenvalues.iter().filter(|value| !is_zero(value) && value[1] >= 0.0).copied() {
         let place = match (im == 0.0, re.abs() <= ROUNDING * largest) {
             (true, _) => HalfPlane::Real(number(re)?),
@@ -39,7 +39,7 @@ mod tests {
     use super::modes;
     use mechanics::one_step_stability::Judgement;
 
-    /// Steps up to which methods are honest.
+    /// The largest step size, s, up to which each method preserves stability and instability.
     fn honest(eigenvalues: &[[f64; 2]], keeps_energy: bool) -> Vec<(String, Result<Option<f64>, Judgement>)> {
         let (modes, _) = modes(eigenvalues, keeps_energy).expect("they have modes");
         let most =
@@ -52,7 +52,7 @@ mod tests {
 
     #[test]
     fn thresholds_are_those_of_the_methods_in_closed_form() {
-        // a damped pair that is one number, and an oscillator
+        // a decaying mode with a zero eigenvalue, and an oscillator
         let fading = honest(&[[-3.0, 0.0], [0.0, 0.0]], false);
         let of = |all: &[(String, Result<Option<f64>, Judgement>)], name: &str| {
             all.iter().find(|(own, _)| own == name).map(|(_, most)| *most).expect("it is there")

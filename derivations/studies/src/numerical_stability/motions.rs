@@ -1,4 +1,4 @@
-//! The stationary motions of a scene, each with its place enclosed and a start for runs.
+//! The stationary motions of a scene, each with an enclosure and an initial state for runs.
 
 use super::linear::{At, Linearised, NoLinear};
 use crate::scene::{Scene, Setup, Start};
@@ -17,30 +17,30 @@ use std::fmt;
 /// One stationary motion and its eigenvalues.
 #[derive(Clone, Debug)]
 pub struct Stationed {
-    /// The carrier: what W is there; `None` on a bench.
+    /// The kind of critical point that W has at the motion of the carrier; `None` on a bench.
     pub kind: Option<Kind>,
     pub rotor: Rotor,
     /// Whether the carrier rests, exactly.
     pub rests: bool,
-    /// v, where it is one of a family whose members behave alike.
+    /// v, where the motion is one of a family whose members have one verdict.
     pub member: Option<Vector3<f64>>,
     pub at: At,
-    /// For runs.
+    /// The initial state for runs.
     pub start: Start,
     /// `None` where eigenvalues coincide, or have a vanishing real part for no known reason.
     pub spectrum: Option<Spectrum>,
 }
 
-/// What the rotor does.
+/// The rotor's motion.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Rotor {
-    /// In step with the field, at this angle, rad, and whether the moment drives back to it.
+    /// Synchronous at this angle, rad; `held` where the torque restores it.
     InStep { angle: f64, held: bool },
     /// At this speed relative to the carrier, rad/s.
     At { speed: f64 },
 }
 
-/// All stationary motions with one angular velocity; of a family one member from each stretch with one verdict.
+/// All stationary motions with one angular velocity; of a family one member from each part with one verdict.
 pub struct AllStationed {
     pub linear: Linearised,
     pub motions: Vec<Stationed>,
@@ -48,7 +48,7 @@ pub struct AllStationed {
     pub families: usize,
 }
 
-/// Why there are none.
+/// The reason for which no motions are known.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoMotions {
     Answer(NoAnswer),
@@ -72,11 +72,11 @@ impl From<NoAnswer> for NoMotions {
     }
 }
 
-/// Bits of everything that is enclosed.
+/// Precision of the enclosures, bits.
 const BITS: usize = 384;
 
 impl AllStationed {
-    /// Of a scene with the angular velocity w, rad/s, about the vertical; on a bench there is none to be given.
+    /// The stationary motions of a scene with the angular velocity w, rad/s, about the vertical, which a bench ignores.
     ///
     /// # Errors
     /// [`NoMotions`].
@@ -110,7 +110,7 @@ impl AllStationed {
                     motions.extend(places_at(&w)?.into_iter().map(|place| place.motion(&own, &linear)));
                     continue;
                 }
-                // for each angle of the rotor, a member of each stretch
+                // for each angle of the rotor, a member of each part of the family
                 for (angle, along) in all.along(case, motion, speed).into_iter().enumerate() {
                     let unknown = StabilityVerdict::CannotTell(Reason::Family);
                     families += usize::from(along.arcs.iter().any(|arc| arc.judged.verdict == unknown));
@@ -148,7 +148,7 @@ impl AllStationed {
     }
 }
 
-/// phi' of a motion.
+/// phi' of a motion, rad/s.
 fn own_speed(scene: &Scene, kept: Kept, value: &Root, w: &[Enclosure; 3]) -> Option<Enclosure> {
     let (Kept::Momentum, Setup::Gyrostat(bodies)) = (kept, &scene.system) else { return Some(value.enclosure(BITS)) };
     let energies = Energies::of(&decimals(bodies));
@@ -159,7 +159,7 @@ fn own_speed(scene: &Scene, kept: Kept, value: &Root, w: &[Enclosure; 3]) -> Opt
     rest.over(&Enclosure::rational(energies.axial, BITS)?)
 }
 
-/// Where the rotor is.
+/// The place and speed of the rotor.
 struct Place {
     rotor: Rotor,
     angle: [Enclosure; 2],
@@ -167,7 +167,7 @@ struct Place {
     speed: Enclosure,
 }
 
-/// All places of the rotor that go with a speed; `None` for one that cannot be enclosed.
+/// All places of the rotor with a speed; `None` for one that cannot be enclosed.
 fn places(motor: &MotorStates, speed: &Enclosure) -> Vec<Option<Place>> {
     let number = |n: i64| Enclosure::integer(n, BITS);
     match motor {
@@ -200,7 +200,7 @@ struct Own<'a> {
     rests: bool,
     vertical: &'a [Enclosure; 3],
     angular_velocity: &'a [Enclosure; 3],
-    /// Of a family: how many eigenvalues are zero beside those of the integrals, by the family and what is conserved with it.
+    /// For a family: the number of zero eigenvalues besides those of the integrals.
     family: Option<usize>,
 }
 
@@ -238,7 +238,7 @@ impl Place {
     }
 }
 
-/// The eigenvalues across a family: without so many zeros more than those of the integrals.
+/// The eigenvalues transverse to a family, without its zeros and those of the integrals.
 fn across(linear: &Linearised, at: &At, zeros: usize) -> Option<Spectrum> {
     let mut polynomial = linear.polynomial(at, BITS)?;
     let rest = polynomial.split_off(zeros.min(polynomial.len()));

@@ -1,21 +1,21 @@
-//! Whether a step's multipliers leave the unit circle, for all steps of an interval at once.
+//! Whether a step's multipliers leave the unit circle, for all step sizes of an interval at once.
 //!
-//! The matrix M(h) of a step has Taylor models in h for its entries, or enclosed numbers where h is one. With s = (2/h)(z - 1)/(z + 1) for a multiplier z the unit disc is
-//! the left half-plane, and Routh's chain counts. Where the chain has a zero that is no threshold, what grows is told by a multiplier
-//! beyond a line further out, and where it grows by much, by the size of a coefficient alone.
+//! The entries of the matrix M(h) of a step are Taylor models in h, or enclosed numbers for a single h. The map
+//! s = (2/h)(z - 1)/(z + 1) of a multiplier z takes the unit disc to the left half-plane, where Routh's scheme counts. If the scheme has
+//! a zero that is no threshold, growth is proved by a root beyond a shifted line, or, if strong, by the size of a coefficient alone.
 
 use algebra::real::{Ordered, TaylorModel};
 use field::Rational;
 use mechanics::linear_stability::{HalfPlanes, characteristic};
 
-/// Row after row.
+/// A matrix, row after row.
 pub(super) type Matrix<R = TaylorModel> = Vec<Vec<R>>;
 
-/// Lines to the right of which a root is looked for, in thousandths of 1/h.
+/// Lines Re s = const to the right of which a root is searched, in thousandths of 1/h.
 const FURTHER: [i64; 3] = [3, 30, 300];
 
-/// Whether a multiplier lies outside of the unit circle at every step of the range, or none does at any; `None` where that is open.
-/// `symmetric`: with a multiplier z there is 1/z, as in steps made of Hamilton's flows.
+/// True if a multiplier lies outside the unit circle at every step size of the range, false if none does at any; `None` if open.
+/// `symmetric`: multipliers come in pairs z, 1/z, as in compositions of Hamiltonian flows.
 pub(super) fn grows<R: Ordered>(map: &Matrix<R>, step: &R, symmetric: bool) -> Option<bool> {
     if leaves(&characteristic(map, step)) {
         return Some(true);
@@ -27,7 +27,7 @@ pub(super) fn grows<R: Ordered>(map: &Matrix<R>, step: &R, symmetric: bool) -> O
     let rates: Matrix<R> = map.iter().enumerate().map(rate).collect::<Option<_>>()?;
     let mut plane = on_the_plane(&characteristic(&rates, step), step);
     if symmetric {
-        // with s there is -s
+        // roots come in pairs s, -s
         plane.iter_mut().rev().skip(1).step_by(2).for_each(|odd| *odd = step.integer(0));
     }
     match HalfPlanes::of(&plane) {
@@ -39,7 +39,7 @@ pub(super) fn grows<R: Ordered>(map: &Matrix<R>, step: &R, symmetric: bool) -> O
     }
 }
 
-/// Whether a coefficient of the polynomial of the multipliers is larger than any that are on the unit circle or inside could make.
+/// Whether a coefficient of the characteristic polynomial is larger than multipliers in the closed unit disc allow.
 fn leaves<R: Ordered>(polynomial: &[R]) -> bool {
     let n = polynomial.len().saturating_sub(1) as i64;
     let mut choices = 1;
@@ -50,7 +50,7 @@ fn leaves<R: Ordered>(polynomial: &[R]) -> bool {
     })
 }
 
-/// The polynomial in s = (2/h)(z - 1)/(z + 1) of one in w = (z - 1)/h, both with the highest power first: w = 2 s/(2 - h s).
+/// A polynomial in w = (z - 1)/h transformed to s = (2/h)(z - 1)/(z + 1), both with the highest power first: w = 2 s/(2 - h s).
 fn on_the_plane<R: Ordered>(rates: &[R], step: &R) -> Vec<R> {
     let n = rates.len().saturating_sub(1);
     let (zero, two) = (step.integer(0), step.integer(2));
@@ -69,7 +69,7 @@ fn on_the_plane<R: Ordered>(rates: &[R], step: &R) -> Vec<R> {
     sum
 }
 
-/// p(s + line), by Horner's rule again and again.
+/// p(s + line), by repeated Horner steps.
 fn shifted<R: Ordered>(polynomial: &[R], line: &R) -> Vec<R> {
     let mut shifted = polynomial.to_vec();
     for end in (1..shifted.len()).rev() {

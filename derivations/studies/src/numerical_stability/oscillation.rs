@@ -1,11 +1,11 @@
-//! Oscillations of a linear motion x' = A x: their frequencies, and a displacement along each.
+//! Oscillations of a linear motion x' = A x: their angular frequencies, and a displacement along each.
 
 use nalgebra::{DMatrix, DVector};
 
-/// Eigenvalues and real parts below this part of the largest eigenvalue are those of rounding.
+/// Eigenvalues and real parts below this share of the largest eigenvalue are rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// Frequencies as near as this part of them are one.
+/// Frequencies with a smaller relative difference count as one.
 const ONE: f64 = 1e-7;
 
 /// The frequencies of the imaginary eigenvalues, rad/s, each once, the lowest first.
@@ -18,7 +18,7 @@ pub fn frequencies(eigenvalues: &[[f64; 2]]) -> Vec<f64> {
     all
 }
 
-/// A displacement that oscillates with a frequency alone: in the kernel of A^2 + w^2.
+/// A displacement that oscillates with one frequency: a vector in the kernel of A^2 + w^2.
 pub fn displaced(a: &DMatrix<f64>, frequency: f64) -> DVector<f64> {
     let n = a.nrows();
     let kernel = a * a + DMatrix::identity(n, n) * (frequency * frequency);
@@ -37,7 +37,7 @@ mod tests {
 
     #[test]
     fn a_displacement_oscillates_with_one_frequency_alone() {
-        // x1'' = -x1, x2'' = -9 x2, turned by 45 degrees
+        // x1'' = -x1, x2'' = -9 x2, rotated by 45 degrees
         let a = DMatrix::from_row_slice(4, 4, &[0., 0., 1., 0., 0., 0., 0., 1., -5., 4., 0., 0., 4., -5., 0., 0.]);
         let all = frequencies(&[[0.0, 1.0], [0.0, -1.0], [1e-17, 3.0], [1e-17, -3.0]]);
         assert_eq!(all, [1.0, 3.0]);

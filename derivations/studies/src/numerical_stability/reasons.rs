@@ -1,24 +1,24 @@
-//! Why of a splitting nothing is proved near a motion.
+//! Reasons for which nothing is proved on a splitting near a motion.
 
 use std::fmt;
 
-/// More unknowns of a step are not enclosed.
+/// The greatest number of unknowns of a step that are enclosed.
 pub(super) const MOST_UNKNOWNS: usize = 12;
 
-/// Why nothing is proved.
+/// The reason for which nothing is proved.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unproved {
-    /// On a bench, for a motor without an angle that it keeps, or one whose flow is not written down.
+    /// On a bench: the motor has no steady angle, or no known flows.
     Bench,
-    /// A member of a family: others are its neighbours, and no operator contracts.
+    /// The motion is a member of a family: with other members nearby no operator contracts.
     Family,
-    /// The flow of the push is not known: there is no splitting either.
+    /// The flow of the kick is not known: there is no splitting either.
     Fed,
-    /// No stationary motion of the splitting's own is found, or no step is taken.
+    /// No fixed point of the splitting is found, or no step is taken.
     Motion,
-    /// The law's rest is not enclosed: it is degenerate.
+    /// The law's equilibrium is degenerate and not enclosed.
     Rest,
-    /// More unknowns than are enclosed.
+    /// More unknowns than `MOST_UNKNOWNS`.
     Many(usize),
 }
 

@@ -1,10 +1,10 @@
-//! The one-step map of a splitting near a stationary motion of its own, by differentiation of the very step that runs.
+//! The one-step map of a splitting near its fixed point, by differentiation of the step that runs.
 //!
-//! The pieces of a law do not rest where their sum does, so that a splitting has a stationary motion of its own near the
-//! true one, with the error of its order; where all pieces rest (the carrier at rest, a motor on its bench) it is the
-//! same. There the map is differentiated by central differences in double-double, which leave 18 digits. A splitting keeps |v|
-//! and x.v, so that its matrix is looked at on the surface of these alone. So it is tested at each step that is asked for; what
-//! it does at every step between them is proved besides, and the edges are those of the proof where that comes to them.
+//! The sub-flows do not rest where their sum does. A splitting therefore has a fixed point near the law's steady motion, off
+//! by an error of its order; the two coincide where all sub-flows rest (the carrier at rest, a motor on its bench).
+//! The map is differentiated by central differences in double-double, accurate to 18 digits. A splitting conserves |v| and
+//! x.v, and its matrix is taken on the leaf of these integrals. The test is made at each requested step size. Proofs cover
+//! all step sizes between, and give the thresholds where they succeed.
 
 use super::bench_proof::Resting;
 use super::continuation::followed;
@@ -26,44 +26,44 @@ use std::sync::Arc;
 pub struct SplitRuns {
     law: Arc<dyn Law>,
     state: Vec<f64>,
-    /// All but the energy, which is an integral of the law and not of a splitting.
+    /// All integrals but the energy, which a splitting does not conserve.
     kept: Vec<Invariant>,
-    /// What is known of every step.
+    /// The start of a proof for all step sizes, or the reason against.
     provable: Result<Provable, Unproved>,
 }
 
-/// What a proof starts from.
+/// The start of a proof.
 enum Provable {
     Resting(Box<Resting>),
     Turning(Box<Turning>),
 }
 
-/// A splitting's own stationary motion, and what its step makes of it.
+/// The fixed point of a splitting, with the multipliers there.
 #[derive(Clone, Debug)]
 pub struct Own {
     pub place: Vec<DoubleDouble>,
-    /// The largest distance from the law's, by component.
+    /// The largest distance from the law's motion, by component.
     pub off: f64,
     /// The largest |multiplier|.
     pub radius: f64,
-    /// The largest that is no further out, where the multipliers could be told apart.
+    /// The largest |multiplier| inside the radius, where multipliers could be separated.
     pub next: Option<f64>,
 }
 
-/// Of a difference, relative to a component or one.
+/// The increment of a difference quotient, relative to a component or one.
 const DIFFERENCE: f64 = 1e-9;
-/// Of Newton's iteration towards the own motion.
+/// The greatest number of Newton's iterations for the fixed point, and the residual at which they end.
 const ITERATIONS: usize = 12;
 const CONVERGED: f64 = 1e-14;
-/// So far beside an edge the growth is looked at, as a share of it.
+/// The relative distance from a threshold at which the growth is evaluated.
 const BESIDE: f64 = 1e-3;
-/// A motion of a splitting's own that is no further from the law's is the law's.
+/// A fixed point within this distance of the law's motion counts as equal to it.
 const RESTS: f64 = 1e-9;
-/// A radius so near to one is one.
+/// A spectral radius within this distance of one counts as one.
 pub const ON_THE_CIRCLE: f64 = 1e-9;
 
 impl SplitRuns {
-    /// Near a motion of a scene.
+    /// Splittings near a motion of a scene.
     pub fn near(scene: &Scene, motion: &Stationed) -> Self {
         let scene = Scene { start: motion.start.clone(), ..scene.clone() };
         let Problem { law, state, invariants, .. } = scene.problem(Axes::Second);
@@ -75,15 +75,15 @@ impl SplitRuns {
         SplitRuns { law, state, kept, provable }
     }
 
-    /// Columns that span the surface of the integrals at a state.
+    /// Columns that span the tangent space of the leaf of the integrals at a state.
     fn surface(&self, place: &[DoubleDouble]) -> DMatrix<f64> {
         let place: Vec<f64> = place.iter().map(|y| y.hi()).collect();
         let gradients: Vec<DVector<f64>> = self.kept.iter().map(|invariant| gradient(invariant, &place)).collect();
         complement(&gradients, place.len())
     }
 
-    /// With steps of a length, s, looked for from that of another step, or from the law's. `None` where the law has no pieces, the
-    /// step leads nowhere, or no stationary motion is found.
+    /// The fixed point for a step size, s, by Newton's method from that of another step size, or from the law's motion. `None` where the
+    /// law has no sub-flows, the step fails, or no fixed point is found.
     pub fn own(&self, splitting: Splitting, step: f64, near: Option<&Own>) -> Option<Own> {
         let mut map = self.law.composed_exact(splitting)?;
         map.prepare(DoubleDouble::from(step));
@@ -91,7 +91,7 @@ impl SplitRuns {
         let mut place: Vec<DoubleDouble> = near.map_or_else(law, |own| own.place.clone());
         let mut surface = self.surface(&place);
         let mut matrix = derivative(&mut *map, &place, &surface)?;
-        // what keeps every piece needs no search, however fast rounding grows
+        // an equilibrium of every sub-flow needs no search, however fast rounding grows
         let rests = matches!(&self.provable, Ok(Provable::Turning(turning)) if turning.rests());
         let mut found = false;
         for _ in 0..ITERATIONS {
@@ -116,14 +116,14 @@ impl SplitRuns {
         (found && radius.is_finite()).then_some(Own { place, off, radius, next })
     }
 
-    /// The longest step, s, with which the program takes the splitting at all: what fades must not grow on the way back.
+    /// The longest step, s, with which the program allows the splitting: negative sub-steps must not amplify decaying parts too much.
     pub fn longest(&self, splitting: Splitting) -> f64 {
         let Some(mut map) = self.law.composed(splitting) else { return 0.0 };
         map.enter(&self.state);
         splitting.longest_step(map.fading())
     }
 
-    /// What the map does with steps up to the longest of these, s, in ascending order.
+    /// Tests and proofs at ascending step sizes, s, up to the longest allowed.
     pub fn course(&self, splitting: Splitting, steps: &[f64]) -> Tested {
         let longest = self.longest(splitting);
         let taken: Vec<f64> = steps.iter().copied().filter(|step| *step <= longest).collect();
@@ -150,7 +150,7 @@ impl SplitRuns {
         Tested { splitting, own, grows, edges, proved, longest }
     }
 
-    /// Between two steps, s, of which one grows.
+    /// The threshold between two step sizes, s, with different stability, by bisection.
     fn edge(&self, splitting: Splitting, (from, below): &(f64, Own), (to, _): &(f64, Own)) -> f64 {
         let (mut low, mut high) = (*from, *to);
         for _ in 0..HALVINGS {
@@ -161,8 +161,8 @@ impl SplitRuns {
         0.5 * (low + high)
     }
 
-    /// How a run can see an edge: by the growth beside it, which changes evenly there. `None` where the splitting does not rest with
-    /// the law: then its runs see the motion of its own too.
+    /// The crossing at a threshold, from the growth on both sides of it. `None` where the fixed point is not the law's
+    /// motion, from which runs start.
     pub fn crossing(&self, splitting: Splitting, edge: f64) -> Option<Crossing> {
         let beside = [1.0 - BESIDE, 1.0 + BESIDE].map(|side| self.own(splitting, side * edge, None));
         let [Some(below), Some(above)] = beside else { return None };
@@ -180,7 +180,7 @@ impl Own {
 }
 
 impl Provable {
-    /// Between two steps, s, and at those that are asked for, in ascending order.
+    /// The verdicts for all step sizes between two, s, and at the requested ones, ascending.
     fn course(&self, splitting: Splitting, ends: [f64; 2], steps: &[f64]) -> Proved {
         match self {
             Provable::Resting(resting) => resting.course(splitting, ends),
@@ -189,9 +189,9 @@ impl Provable {
     }
 }
 
-/// Halvings of a bracket.
+/// Bisections of a bracket.
 const HALVINGS: usize = 16;
-/// The derivative of a step on the surface that columns span.
+/// The derivative of a step, restricted to the space that columns span.
 fn derivative(
     map: &mut dyn Composed<DoubleDouble>,
     place: &[DoubleDouble],
@@ -221,7 +221,7 @@ fn after(map: &mut dyn Composed<DoubleDouble>, from: &[DoubleDouble]) -> Option<
     end.iter().all(|y| y.finite()).then_some(end)
 }
 
-/// By central differences, which are exact for the squares that these integrals are.
+/// The gradient by central differences, which are exact for quadratic integrals.
 fn gradient(invariant: &Invariant, state: &[f64]) -> DVector<f64> {
     let slope = |k: usize| {
         let at = |by: f64| {

@@ -1,54 +1,54 @@
-//! What a splitting does at every step between two, proved stretch by stretch.
+//! Proved stability of a splitting for all step sizes of an interval, by subdivision.
 //!
-//! An interval of steps is looked at as one, and halved where something stays open; what is open still when it is narrow holds a
-//! threshold, or touches one, and stays open.
+//! An interval of step sizes is judged as a whole, and halved where the verdict is open. A narrow interval that is still open
+//! contains a threshold, or touches one, and stays open.
 
-/// All steps from one to another, s, with whether the map grows at each of them: `None` where that is open.
+/// An interval of step sizes, s, and whether the one-step map is unstable at each of them: `None` where that is open.
 pub type StepRange = (f64, f64, Option<bool>);
 
-/// What is proved of all steps between two.
+/// The proved verdicts for all step sizes of an interval.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Proved {
-    /// Neighbours.
+    /// Adjacent intervals with their verdicts.
     pub stretches: Vec<StepRange>,
-    /// Those of them in which no stationary motion of the splitting's own could be enclosed.
+    /// The intervals in which no fixed point of the splitting could be enclosed.
     pub lost: Vec<(f64, f64)>,
-    /// Single steps, s, in what is open, with whether the map grows there.
+    /// Single step sizes, s, within open intervals, and whether the map is unstable there.
     pub alone: Vec<(f64, bool)>,
-    /// How many intervals were looked at.
+    /// The number of intervals that were judged.
     pub looked: usize,
 }
 
-/// What is found of all steps of an interval.
+/// The verdict for all step sizes of an interval.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Found {
     Grows(bool),
     /// A sign stays open.
     Open,
-    /// No stationary motion of the splitting's own is enclosed.
+    /// No fixed point of the splitting is enclosed.
     Lost,
 }
 
-/// How far intervals are halved.
+/// The limits of subdivision.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Limits {
-    /// Intervals with an open sign, as shares of their steps.
+    /// The least relative width of intervals with an open sign.
     pub sign: f64,
-    /// Those without a motion.
+    /// The least relative width of intervals without an enclosed fixed point.
     pub motion: f64,
-    /// Intervals that are looked at in all: what is left then stays open.
+    /// The greatest number of intervals that are judged; the rest stays open.
     pub most: usize,
 }
 
-/// Edges known to this share are told by one number.
+/// Thresholds known to this relative width are given by one number.
 const SHARP: f64 = 3e-5;
 
 impl Proved {
-    /// By looking at intervals.
+    /// The verdicts by subdivision, with `look` as the verdict on an interval.
     pub(super) fn by(look: impl Fn([f64; 2]) -> Found, [from, to]: [f64; 2], limits: Limits) -> Self {
         let known = |low: f64, high: f64| (low, high, look([low, high]));
         let (mut all, mut looked) = (vec![known(from, to)], 1);
-        // the widest first: what no halving settles must not cost the others their turn
+        // level by level: an interval that no halving decides must not use up the budget of the others
         while looked < limits.most {
             let open = |low: f64, high: f64, found: Found| match found {
                 Found::Grows(_) => false,
@@ -89,14 +89,14 @@ impl Proved {
         }
     }
 
-    /// Whether the map grows at a step, s.
+    /// Whether the map is unstable at a step size, s.
     pub fn at(&self, step: f64) -> Option<bool> {
         let single = self.alone.iter().find(|(at, _)| *at == step).map(|(_, grows)| *grows);
         let stretch = self.stretches.iter().find(|(low, high, _)| (*low..=*high).contains(&step));
         single.or(stretch.and_then(|(.., grows)| *grows))
     }
 
-    /// The steps at which that changes, s, each with the width of the interval in which it does so.
+    /// The thresholds, s, at which stability changes, each with the width of its enclosing interval.
     pub fn edges(&self) -> Vec<(f64, f64)> {
         let between = self.stretches.windows(3).filter(|three| {
             let changes =
@@ -106,7 +106,7 @@ impl Proved {
         between.map(|three| (0.5 * (three[1].0 + three[1].1), three[1].1 - three[1].0)).collect()
     }
 
-    /// What is open but for its edges, s, from, to.
+    /// The open intervals, s, without those that enclose thresholds.
     pub fn open(&self) -> Vec<[f64; 2]> {
         let edges = self.edges();
         let open = self
@@ -116,7 +116,7 @@ impl Proved {
         open.map(|(low, high, _)| [*low, *high]).collect()
     }
 
-    /// In words, after "the map".
+    /// The verdicts in words, to follow "the map".
     pub fn told(&self) -> String {
         let mut known = None;
         let mut told = Vec::new();
@@ -140,7 +140,7 @@ impl Proved {
     }
 }
 
-/// What the map does.
+/// The words for a verdict.
 pub(super) fn does(grows: bool) -> &'static str {
     if grows { "grows" } else { "does not grow" }
 }

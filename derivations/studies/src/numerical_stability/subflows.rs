@@ -1,8 +1,8 @@
-//! The pieces of a motor on its bench near the angle that it keeps: the derivatives of their flows, written down once.
+//! The sub-flows of a motor on its bench near its steady angle: symbolic derivatives of the flows.
 //!
-//! The flows that run are run over tangents of expressions. Windings that fade at one rate act through one unknown,
-//! q = sum psi_k' c_k / L_k, so that the deviations (g, p, q_1, q_2, ..) are mapped among themselves, which is decided exactly; what
-//! else their fluxes do fades. Where every piece rests, these matrices are all that a step is made of.
+//! The flows that run are evaluated over tangents of expressions. Windings with one decay rate act through one unknown,
+//! q = sum psi_k' c_k / L_k. The deviations (g, p, q_1, q_2, ..) therefore form an invariant space, which is decided exactly; all
+//! other deviations of the fluxes decay. Where every sub-flow rests, the linearised step is the product of these matrices.
 
 use super::multipliers::Matrix;
 use super::symbolic_linearisation::keeps_energy;
@@ -13,7 +13,7 @@ use num_traits::Zero;
 use std::cell::RefCell;
 use symbolic::{Formulas, Hypotheses, Sym, decide, normal};
 
-/// The derivative of a flow at the resting state.
+/// The derivative of a flow at the equilibrium.
 #[derive(Clone, Debug)]
 pub(super) struct Piece {
     size: usize,
@@ -24,7 +24,7 @@ pub(super) struct Piece {
 }
 
 impl Piece {
-    /// The matrix of the flow of a length, s, at the point of the angle.
+    /// The matrix of the flow over a time, s, at an angle given by its cosine and sine.
     pub fn over(&self, angle: &[TaylorModel; 2], length: &TaylorModel) -> Option<Matrix> {
         let decay = |[a, b]: &[Rational; 2]| {
             let part = |rate: &Rational| Some(length.times(&length.fraction(*rate)?));
@@ -37,8 +37,8 @@ impl Piece {
     }
 }
 
-/// Kick and drift of a motor that knows its angle and whose moment is linear in the slip, and whether nothing takes energy, on a
-/// bench with a moment of inertia A', kg m^2; `None` for others.
+/// Kick and drift of a motor with an angle and a torque that is linear in the slip, on a bench with the moment of inertia A',
+/// kg m^2, and whether the motor is without dissipation; `None` for other motors.
 pub(super) fn pieces(motor: &Motor, axial: f64) -> Option<([Piece; 2], bool)> {
     let machine = motor.decimals();
     let slip = Sym::symbol("s");
@@ -51,7 +51,7 @@ pub(super) fn pieces(motor: &Motor, axial: f64) -> Option<([Piece; 2], bool)> {
     let t = Sym::symbol("t");
     let flows = BenchFlows { axial: Tangent::fixed(near.axial), frame_speed: Tangent::lift(machine.frame_speed()) };
     let decays: RefCell<Vec<([Rational; 2], Sym)>> = RefCell::default();
-    // a rate that is no fraction has no decay here
+    // a rate that is not a constant fraction has no decay here
     let quotient = |a: Tangent<Sym>, b: Tangent<Sym>| {
         let rate = |x: Tangent<Sym>| constant(x.value.diff(t)).unwrap_or(Rational::UNDEFINED);
         let (rates, mut known) = ([rate(a), rate(b)], decays.borrow_mut());
@@ -62,7 +62,7 @@ pub(super) fn pieces(motor: &Motor, axial: f64) -> Option<([Piece; 2], bool)> {
             symbol
         }))
     };
-    // a moment that is linear needs no collocation
+    // a linear torque needs no collocation
     let rule = Rule { nodes: [Tangent::zero(); 4], weights: [Tangent::zero(); 4], matrix: [[Tangent::zero(); 4]; 4] };
     let kick = Kick::new(&machine, Law::Linear, Tangent::fixed(t), flows.compliance(), quotient, rule);
     let pushed = near.matrix(|point| {
@@ -73,7 +73,7 @@ pub(super) fn pieces(motor: &Motor, axial: f64) -> Option<([Piece; 2], bool)> {
     Some((pieces, keeps_energy(&machine)))
 }
 
-/// The resting state, and what is told of deviations from it.
+/// The equilibrium, and the data of the deviations from it.
 struct Near {
     axial: Sym,
     /// g, p and the fluxes at rest.
@@ -94,7 +94,7 @@ impl Near {
         let mut shares: Vec<Vec<Sym>> = Vec::new();
         let mut strengths: Vec<Sym> = Vec::new();
         for (k, psi) in linked.iter().enumerate() {
-            // what fades not at all would be no idle winding
+            // a winding without resistance would not decay
             let rate = constant(machine.resistance(k) / machine.inductance(k)).filter(|rate| rate.sign() == Some(1))?;
             let group = rates.iter().position(|known| *known == rate).unwrap_or_else(|| {
                 rates.push(rate);
@@ -110,7 +110,7 @@ impl Near {
         Some(Near { axial, rest, shares, strengths, slopes: linked.iter().map(|psi| psi.slope).collect() })
     }
 
-    /// What a flow makes of deviations, row after row; `None` where single fluxes do more than their share of q.
+    /// The matrix of a flow on deviations, row after row; `None` where a single flux acts by more than its share of q.
     fn matrix(&self, flow: impl Fn(&mut Point<Tangent<Sym>>)) -> Option<Vec<Vec<Sym>>> {
         let after = |moved: &Point<Sym>| {
             let each = self.rest.fluxes.iter().zip(&moved.fluxes).map(|(value, slope)| Tangent::moving(*value, *slope));
@@ -132,7 +132,7 @@ impl Near {
         };
         let mut columns = vec![after(&unit(0)), after(&unit(1))];
         for (group, strength) in self.strengths.iter().enumerate() {
-            // a unit of q, each winding by its own slope
+            // a unit of q, distributed over the windings by their slopes
             let of = |(share, slope): (&Sym, &Sym)| if share.is_zero() { Sym::ZERO } else { *slope / *strength };
             let fluxes = self.shares[group].iter().zip(&self.slopes).map(of).collect();
             let column = after(&Point { angle: Sym::ZERO, momentum: Sym::ZERO, fluxes });

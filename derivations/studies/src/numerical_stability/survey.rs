@@ -1,4 +1,4 @@
-//! For the report: some scenes' motions, every method on each, with the thresholds by runs.
+//! The survey of the report: motions of some scenes, with every method's thresholds by theory and by runs.
 
 use super::chart::{Chart, Row};
 use super::measured_thresholds::{Run, Runs};
@@ -16,7 +16,7 @@ pub const SCENES: [(&str, f64); 3] = [("permanent_rotation", 6.0), ("hanging_res
 #[derive(Clone, Debug)]
 pub struct Surveyed {
     pub scene: String,
-    /// Which motion, what it does near it, and its eigenvalues.
+    /// The motion in words; `does` is its stability.
     pub motion: String,
     pub does: String,
     pub eigenvalues: String,
@@ -24,29 +24,29 @@ pub struct Surveyed {
     pub splittings: Vec<Split>,
 }
 
-/// A Runge-Kutta method, with its edges exactly and by runs, s; `None` where a run cannot see them.
+/// A Runge-Kutta method with its thresholds, s, exactly and by runs; `None` where no run can measure them.
 #[derive(Clone, Debug)]
 pub struct Method {
     pub row: Row,
     pub edges: Vec<(f64, Option<f64>)>,
 }
 
-/// A splitting, with its edges by the derivative of its step and, where it rests with the law, by runs, s.
+/// A splitting with its thresholds, s, by the derivative of its step and, where its fixed point is the law's, by runs.
 #[derive(Clone, Debug)]
 pub struct Split {
     pub tested: Tested,
     pub edges: Vec<(f64, Option<f64>)>,
 }
 
-/// Steps at which splittings are tested, s: eight a decade.
+/// Step sizes at which splittings are tested, s: eight per decade.
 pub fn steps() -> Vec<f64> {
     (-24..=0).map(|k| 10f64.powf(f64::from(k) / 8.0)).collect()
 }
 
-/// The motions of a scene: on a bench all, otherwise those whose rotor is driven back to its place.
+/// The motions of a scene: on a bench all, otherwise those whose rotor has a restoring torque.
 ///
 /// # Errors
-/// Why there are none, for a reader.
+/// The reason for which no motions are known, in words.
 pub fn survey(scene: &Scene, w: f64) -> Result<Vec<Surveyed>, String> {
     let chart = Chart::of(scene, w).map_err(|reason| reason.to_string())?;
     let shown = chart

@@ -1,4 +1,4 @@
-//! The matrix of the linear motion near any stationary one, written down over symbols by differentiation of the law.
+//! The symbolic matrix of the linearised motion near any stationary one, by differentiation of the law.
 
 use super::linear::{Linearised, NoLinear};
 use crate::scene::Setup;
@@ -11,15 +11,15 @@ use nalgebra::Vector3;
 use symbolic::{Hypotheses, Sym, decide, substitute_all};
 use systems::gyrostat::{Gyrostat, MotionInstant};
 
-/// Windings that fade at one rate.
+/// Windings with one decay rate R/L.
 struct Group {
     decay: Rational,
-    /// What their moment gains by slip, psi_k'^2 / L_k summed up.
+    /// The sum of psi_k'^2 / L_k, by which the rate of their torque depends on the slip.
     strength: Sym,
     count: usize,
 }
 
-/// Writes it down for a motor in a system. `free`: whether the rotor is left alone, so that its own momentum is an integral.
+/// The linearisation for a motor in a system. `free`: the motor exerts no torque, and the rotor's own momentum is an integral.
 pub(super) fn linearised(system: &Setup, motor: &Motor, free: bool) -> Result<Linearised, NoLinear> {
     let machine = motor.decimals();
     let known = machine.rotor();
@@ -29,7 +29,7 @@ pub(super) fn linearised(system: &Setup, motor: &Motor, free: bool) -> Result<Li
     let angle = if known == RotorState::AngleAndSpeed { g.circle() } else { Circle::zero() };
     let fed = is_fed(&machine);
     let groups = if fed { Vec::new() } else { windings(&machine, angle, slip)? };
-    // currents that a supply feeds are states, which rest at the motion; the others are zero there
+    // with a supply the currents are states with steady values at the motion; the others are zero there
     let resting = if fed { resting_currents(&machine, angle, slip) } else { Some(Vec::new()) };
     let resting = resting.ok_or(NoLinear::Motor(NoMotor::NoRest))?;
     let own: Vec<Sym> = (0..resting.len()).map(|k| Sym::symbol(&format!("i{k}"))).collect();
@@ -72,7 +72,7 @@ fn vectors() -> [Vector3<Sym>; 2] {
     ["w", "v"].map(|stem| Vector3::from_fn(|i, _| Sym::symbol(&format!("{stem}{}", i + 1))))
 }
 
-/// Whether friction and windings take nothing, decided exactly.
+/// Whether friction and windings dissipate nothing, decided exactly.
 pub(super) fn keeps_energy(machine: &impl Machine<Sym>) -> bool {
     let slip = Sym::symbol("s");
     let friction = machine.moment_law(slip, slip + machine.frame_speed());
@@ -80,7 +80,7 @@ pub(super) fn keeps_energy(machine: &impl Machine<Sym>) -> bool {
         || machine.windings() == 0 && decide(friction, &Hypotheses::none()).is_zero()
 }
 
-/// The windings by the rates at which they fade, seen near zero currents.
+/// The windings grouped by their decay rates, linearised at zero currents.
 fn windings(machine: &impl Machine<Sym>, angle: Circle<Sym>, slip: Sym) -> Result<Vec<Group>, NoLinear> {
     let currents: Vec<Sym> = (0..machine.windings()).map(|k| Sym::symbol(&format!("i{k}"))).collect();
     if !currents.is_empty() && machine.rotor() != RotorState::AngleAndSpeed {
@@ -104,7 +104,7 @@ fn windings(machine: &impl Machine<Sym>, angle: Circle<Sym>, slip: Sym) -> Resul
     Ok(groups)
 }
 
-/// (w, v), their rates, and phi'': from the theorem of angular momentum of the mass points.
+/// (w, v), their rates, and phi'', from the theorem of angular momentum for the mass points.
 fn carrier(
     bodies: &Gyrostat<Rational>,
     rotor: RotorState,
@@ -134,7 +134,7 @@ fn carrier(
         moment,
     });
     let solved = match rotor {
-        // the rotor's own equation gives the moment that keeps its speed
+        // the rotor's own equation gives the torque that keeps its speed
         RotorState::Prescribed => {
             let inverse = inverse(std::array::from_fn(|i| std::array::from_fn(|j| columns[j][i])))?;
             let [x, y, z] = solved(&inverse, &[missing[0], missing[1], missing[2]]);
@@ -156,7 +156,7 @@ fn inverse<const N: usize>(matrix: [[Rational; N]; N]) -> Result<[[Rational; N];
     Ok(std::array::from_fn(|i| std::array::from_fn(|j| columns[j][i])))
 }
 
-/// The accelerations with which nothing is missing.
+/// The accelerations for which the residuals vanish.
 fn solved<const N: usize>(inverse: &[[Rational; N]; N], missing: &[Sym; N]) -> [Sym; N] {
     std::array::from_fn(|i| {
         let terms = inverse[i].iter().zip(missing);
@@ -164,7 +164,7 @@ fn solved<const N: usize>(inverse: &[[Rational; N]; N], missing: &[Sym; N]) -> [
     })
 }
 
-/// The derivatives of the rates, bordered by the windings' shares of the moment.
+/// The Jacobian of the rates, bordered by the windings' shares of the torque.
 fn matrix(states: &[Sym], rates: &[Sym], share: Sym, slip: Sym, groups: &[Group]) -> Vec<Vec<Sym>> {
     let of_rate = |rate: &Sym| {
         let own = states.iter().map(|state| rate.diff(*state));

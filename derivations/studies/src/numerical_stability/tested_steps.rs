@@ -1,4 +1,4 @@
-//! What a splitting was seen to do near a motion, step by step, beside what is proved of every step.
+//! Stability of a splitting near a motion: tests at single step sizes, beside proofs for all of them.
 
 use super::continuation::before;
 use super::reasons::Unproved;
@@ -6,25 +6,25 @@ use super::splittings::Own;
 use super::step_intervals::{Proved, does};
 use integrators::Splitting;
 
-/// What a splitting was seen to do near a motion.
+/// The test results of a splitting near a motion.
 #[derive(Clone, Debug)]
 pub struct Tested {
     pub splitting: Splitting,
-    /// Its own motions, each with its step, s, in ascending order.
+    /// The fixed points, each with its step size, s, ascending.
     pub own: Vec<(f64, Own)>,
-    /// Whether anything grows, at each step, s, that was asked for; `None` where no step is taken, or no motion of the
-    /// splitting's own is found.
+    /// Whether the map is unstable, at each requested step size, s; `None` where no step is taken, or no fixed point
+    /// is found.
     pub grows: Vec<(f64, Option<bool>)>,
-    /// Between them, where that changes, s: by the proof where there is one.
+    /// The thresholds between them, s: by the proof where there is one.
     pub edges: Vec<f64>,
-    /// What it does at every step between the first and the last, or why nothing is proved of that.
+    /// The proved verdicts for all step sizes between the first and the last, or the reason for which there is no proof.
     pub proved: Result<Proved, Unproved>,
-    /// The longest step that the program takes, s; zero where the law has no splitting.
+    /// The longest step that the program allows, s; zero where the law has no splitting.
     pub longest: f64,
 }
 
 impl Tested {
-    /// In a line.
+    /// The results in a line.
     pub fn told(&self) -> String {
         if self.longest == 0.0 {
             return format!("there is none, since {}", Unproved::Fed);
@@ -52,7 +52,7 @@ impl Tested {
         }
     }
 
-    /// What was seen where the proof leaves something open.
+    /// The test results on an interval that the proof leaves open, in words.
     fn tested_alone(&self, proved: &Proved, [low, high]: [f64; 2]) -> String {
         let inside = self.grows.iter().filter(|(step, _)| (low..=high).contains(step));
         let seen: Vec<(f64, bool)> = inside.filter_map(|(step, grows)| Some((*step, (*grows)?))).collect();
@@ -72,12 +72,12 @@ impl Tested {
         format!("; {says} from {low:.4e} to {high:.4e}: {grows}")
     }
 
-    /// The motion at the last step up to one, s.
+    /// The fixed point at the last step size up to a given one, s.
     pub fn before(&self, step: f64) -> Option<&Own> {
         before(&self.own, step)
     }
 
-    /// Whether a step is refused, since what fades would grow on its way back.
+    /// Whether a step size, s, is refused because negative sub-steps would amplify decaying parts.
     pub fn refuses(&self, step: f64) -> bool {
         step > self.longest
     }

@@ -1,34 +1,34 @@
-//! How long a run must be to tell a step just below a threshold from one just above it.
+//! The length of run that distinguishes a step size just below a stability threshold from one just above it.
 //!
-//! At the threshold the multiplier of one mode is on the unit circle. A share e of the step away from it that mode grows, or
-//! fades, by d = e |d ln|R|/d ln h| a step; the slowest of the others fades by b. Runs begin along the mode, so that the
-//! others are no larger, and a run of N steps shows the mode where
+//! At the threshold the multiplier of one mode is on the unit circle. At a relative distance e from the threshold this mode
+//! grows, or decays, by d = e |d ln|R|/d ln h| a step; the slowest of the others decays by b. Runs begin along the mode, where
+//! the others are no larger, and a run of N steps shows the mode if
 //!
 //!   d exp(d N) > b exp(-b N) :   N > ln(b/d)/(b + d) ,
 //!
-//! and two neighbouring stretches of N/10 steps differ by more than the crests between their samples hide, a part in
-//! thousands, where d N/10 and b N/10 are above a hundredth. Where that takes too many steps no run tells, and none is asked.
+//! and two neighbouring intervals of N/10 steps differ by more than the error of sampled maxima, a few parts in a
+//! thousand, if d N/10 and b N/10 are above a hundredth. Where that takes too many steps no run is made.
 
 use super::methods::OneStep;
 use mechanics::one_step_stability::Spectrum;
 
-/// What happens to a motion's modes in a step of the length of a threshold.
+/// Growth and decay of a motion's modes in a step at a threshold.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossing {
     /// |d ln|R|/d ln h| of the mode that crosses the unit circle.
     pub steepness: f64,
-    /// By how much the logarithm of the slowest of the others falls in a step.
+    /// The decrease of the logarithm of the slowest other mode in a step.
     pub rest: f64,
 }
 
-/// By how much a stretch must differ from the one before.
+/// The relative change from one interval of a run to the next that is significant.
 pub const SHOWN: f64 = 0.01;
 /// The shortest and the longest run, in steps.
 const FEWEST: f64 = 400.0;
 const MOST: f64 = 40_000.0;
 
 impl Crossing {
-    /// Of a Runge-Kutta method whose step is a threshold for one of the modes; `None` where the method has no stability function.
+    /// The crossing of a Runge-Kutta method at a step that is a threshold for one mode; `None` without a stability function.
     pub fn of(method: OneStep, spectrum: &Spectrum, step: f64) -> Option<Self> {
         let function = method.function()?;
         let mut all: Vec<(f64, f64)> = spectrum
@@ -45,28 +45,28 @@ impl Crossing {
         Some(Crossing { steepness: slope.abs(), rest })
     }
 
-    /// The steps of a run that tells a share `apart` of the threshold; `None` where it would be too long, or another mode does
-    /// not fade.
+    /// The number of steps of a run that resolves a relative distance `apart` from the threshold; `None` where it would be too long,
+    /// or another mode does not decay.
     pub fn steps(&self, apart: f64) -> Option<usize> {
         let (growth, rest) = (apart * self.steepness, self.rest);
         if !(growth > 0.0 && rest > 0.0) {
             return None;
         }
-        // nothing else is there
+        // zero where there is no other mode
         let slower = if rest.is_finite() { (rest / growth).ln() / (rest + growth) } else { 0.0 };
         let steps = slower.max(SHOWN / growth * STRETCHES).max(SHOWN / rest * STRETCHES).max(FEWEST);
         (steps <= MOST).then_some(steps.ceil() as usize)
     }
 }
 
-/// How many stretches a run is cut into.
+/// The number of intervals into which a run is cut.
 pub const STRETCHES: f64 = 10.0;
 
 #[cfg(test)]
 mod tests {
     use super::Crossing;
 
-    /// By hand: d = 1e-4; d = 1e-4 and b = e d, with 1/(b + d); nothing but the least.
+    /// Computed by hand: d = 1e-4; d = 1e-4 and b = e d, with 1/(b + d); the shortest run.
     #[test]
     fn a_run_is_as_long_as_the_slower_of_growth_and_rest_asks() {
         let steps = |steepness, rest| Crossing { steepness, rest }.steps(1e-3);
