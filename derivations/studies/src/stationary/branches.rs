@@ -1,8 +1,8 @@
-//! The cone of all axes of rotation, branch by branch over the angular velocity: for pictures, in doubles.
+//! The cone of all axes of steady rotation, branch by branch over the angular velocity, in doubles for pictures.
 //!
-//! In the principal axes of M with k_i = w^2 m_i and b = w h + G the multipliers are the roots of
+//! In the principal axes of M, with k_i = w^2 m_i and b = w h + G, the multipliers are the roots of
 //! sum b_i^2 / (k_i - x)^2 = 1: one beyond either end of the poles, and none or two between neighbours, where the sum is
-//! convex. So no branch can be missed. Between two cuts (folds, zero, and where some b_i vanishes) their number is constant.
+//! convex; no branch is missed. Between two cuts (folds, zero, and where some b_i vanishes) their number is constant.
 
 use mechanics::steady_rotations::Kind;
 use nalgebra::Vector3;
@@ -18,10 +18,10 @@ pub struct Form {
     pub weight: Vector3<f64>,
 }
 
-/// A connected run of stationary directions of one kind.
+/// A connected curve of stationary directions of one kind.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Branch {
-    /// `None` where no real angular velocity goes with the directions: w^2 would be negative.
+    /// `None` where the directions have no real angular velocity: w^2 would be negative.
     pub kind: Option<Kind>,
     /// (v, w) in the order of w.
     pub points: Vec<(Vector3<f64>, f64)>,
@@ -33,10 +33,10 @@ const POINTS: usize = 60;
 const ROUNDING: f64 = 1e-13;
 /// Binary digits of the distance to the next cut that an angular velocity keeps.
 const BITS: i32 = 6;
-/// How near to a cut a branch is followed, as a share of the stretch.
+/// The distance to a cut up to which a branch is followed, as a share of the interval.
 const NEAR: f64 = 1e-9;
 
-/// One stationary direction at one angular velocity: where its multiplier lies, so that neighbours can be joined.
+/// One stationary direction at one angular velocity; `place` locates its multiplier among the poles, to join neighbours.
 struct Here {
     place: (usize, bool, bool),
     kind: Kind,
@@ -75,7 +75,7 @@ impl Form {
         joined(instants, true)
     }
 
-    /// Where only a negative w^2 would balance the weight.
+    /// The branches of directions at which only a negative w^2 would balance the weight.
     fn without_rotation(&self) -> Vec<Branch> {
         let usual = self.usual_speed();
         let at = |k: usize| {
@@ -85,7 +85,7 @@ impl Form {
         joined((0..POINTS).map(at).map(|w| (f64::NAN, self.here(-self.moments * (w * w), self.weight))), false)
     }
 
-    /// The size of angular velocities at which rotation and weight, or rotation and rotor, are in balance.
+    /// The size, rad/s, of angular velocities at which rotation and weight, or rotation and rotor, are comparable.
     fn usual_speed(&self) -> f64 {
         let size = self.moments.max();
         (self.weight.norm() / size).sqrt() + self.spin.norm() / size
@@ -112,7 +112,7 @@ impl Form {
         for pair in poles.windows(2) {
             let [left, right] = [pair[0], pair[1]];
             let gap = k[right] - k[left];
-            // the sum is convex: its least value is where the derivative changes its sign
+            // the sum is convex: its minimum is where the derivative changes its sign
             let slope = |t: f64| {
                 (0..3)
                     .filter(|&i| b[i].abs() > ROUNDING * size)
@@ -157,14 +157,14 @@ impl Form {
     }
 }
 
-/// A number near another, off by at most a part of 2^-BITS of a distance: exact arithmetic with fewer digits is faster.
+/// A number with fewer digits, within 2^-BITS of a distance: exact arithmetic is then faster.
 fn short(value: f64, distance: f64) -> f64 {
     const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
     let unit = f64::from_bits(distance.to_bits() & EXPONENT) * 0.5f64.powi(BITS);
     (value / unit).round() * unit
 }
 
-/// Joins directions whose multipliers have one place.
+/// Joins directions whose multipliers have equal places.
 fn joined(instants: impl Iterator<Item = (f64, Vec<Here>)>, real: bool) -> Vec<Branch> {
     let mut branches: Vec<((usize, bool, bool), Branch)> = Vec::new();
     for (w, all) in instants {
@@ -179,7 +179,7 @@ fn joined(instants: impl Iterator<Item = (f64, Vec<Here>)>, real: bool) -> Vec<B
     branches.into_iter().map(|(_, branch)| branch).collect()
 }
 
-/// Where a function that falls from plus infinity at 0 vanishes: relative precision however small the place is.
+/// The zero of a function that falls from plus infinity at 0, to relative precision.
 fn bisect(f: impl Fn(f64) -> f64, start: f64) -> f64 {
     let mut high = start;
     while f(high) > 0.0 {

@@ -1,4 +1,4 @@
-//! The quadratic form and the vectors of W, from the bodies' energies by differentiation.
+//! The quadratic form and the vectors of the function W, from the bodies' energies by differentiation.
 
 use field::{Base, Rational, Tangent};
 use mechanics::differentiate::{along, gradient, unit};
@@ -6,25 +6,25 @@ use nalgebra::{Matrix3, Vector3};
 use symbolic::Sym;
 use systems::gyrostat::Gyrostat;
 
-/// The second derivatives of T by (w, phi'), and the slope of -V by the vertical.
+/// The second derivatives of T by (w, phi'), and the gradient of -V by the vertical.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Energies<P: field::Scalar> {
-    /// of w with w, kg m^2
+    /// d2T/dw2, kg m^2
     pub tensor: Matrix3<P>,
-    /// of w with phi', kg m^2
+    /// d2T/dw dphi', kg m^2
     pub mixed: Vector3<P>,
-    /// of phi' with phi', kg m^2
+    /// d2T/dphi'2, kg m^2
     pub axial: P,
-    /// N m
+    /// -dV/dv, N m
     pub weight: Vector3<P>,
 }
 
-/// What the rotor keeps, and so which quadratic form decides.
+/// The rotor's constant quantity, which determines the quadratic form M and the vector h of W.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kept {
-    /// Its speed relative to the carrier: M is the whole T'' of w.
+    /// The speed relative to the carrier: M is the second derivative of T by w.
     RelativeSpeed,
-    /// Its own momentum p = dT/dphi' (Routh): M is T'' less what the rotor takes up, and h its share of p.
+    /// The own momentum p = dT/dphi' (Routh): M is that derivative reduced by the rotor's part, and h its share of p.
     Momentum,
 }
 
@@ -45,7 +45,7 @@ impl<P: Base> Energies<P> {
         }
     }
 
-    /// (M, h for a unit of what is kept).
+    /// M, and h for a unit of the constant quantity.
     pub fn quadratic(&self, kept: Kept) -> (Matrix3<P>, Vector3<P>) {
         match kept {
             Kept::RelativeSpeed => (self.tensor, self.mixed),
@@ -58,7 +58,7 @@ impl<P: Base> Energies<P> {
 }
 
 impl Energies<Rational> {
-    /// As constants of expressions.
+    /// The energies as constant expressions.
     pub fn written(&self) -> Energies<Sym> {
         Energies {
             tensor: self.tensor.map(Sym::constant),

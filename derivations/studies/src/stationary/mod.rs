@@ -1,17 +1,16 @@
-//! All stationary motions of a gyrostat with any motor, and the workbench's own page about them.
+//! All stationary motions of a gyrostat with any motor, with their stability, exactly.
 //!
 //! # Overview
-//! * [`energies`]: the quadratic form and the vectors that decide, from the bodies' energies;
-//! * [`motor`]: every stationary speed, angle and current of any machine, and what it can bear;
-//! * [`motions`]: both together, for a scene: every stationary motion for a given angular velocity or momentum;
-//! * [`stability`]: what becomes of small deviations from each;
-//! * [`branches`]: the cone of all of them, for pictures;
-//! * `claims`: the theorems on which this rests.
+//! * [`energies`]: the quadratic form and the vectors of W, from the bodies' energies;
+//! * [`motor`]: every steady speed, angle and current of any machine, and its pull-out torque;
+//! * [`motions`]: every stationary motion of a scene for a given angular velocity or momentum;
+//! * [`stability`]: the stability of each;
+//! * [`branches`]: the cone of all axes of rotation, for pictures.
 //!
-//! A stationary motion: the carrier turns with a constant w about the vertical v, fixed in it, and the rotor keeps its
-//! relative speed. The carrier's equations ask that v be a critical point of W (`mechanics::uniform`); the rotor's that
-//! the motor's moment vanish, friction included; the windings' that every current rest: at zero, unless a supply
-//! feeds it.
+//! In a stationary motion the carrier rotates with a constant w about the vertical v, fixed in the carrier, and the rotor has a
+//! constant relative speed. By the carrier's equations v is a critical point of W (`mechanics::steady_rotations`); by the
+//! rotor's the motor's torque, friction included, vanishes; by the windings' every current is constant: zero, unless a
+//! supply feeds it.
 
 pub mod branches;
 pub mod energies;

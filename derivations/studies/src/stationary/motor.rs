@@ -1,20 +1,20 @@
-//! Every stationary state of a machine: speeds or angles at which its moment vanishes, exactly.
+//! All steady states of a machine: speeds or angles at which its torque vanishes, exactly.
 
 use algebra::real::{Polynomial, Root};
 use field::{Circle, Rational, Scalar};
 use motor::{Loaded, Machine, Motor, NoModel, RotorState, drive, is_fed, resting_currents};
 use symbolic::{Hypotheses, Sym, normal, univariate};
 
-/// What a machine lets its rotor do for ever.
+/// The steady states of a machine's rotor.
 #[derive(Clone, Debug)]
 pub enum MotorStates {
-    /// Any speed: the moment vanishes at all of them.
+    /// Any speed is steady: the torque vanishes at all of them.
     Free,
-    /// The speed that it keeps, rad/s.
+    /// The prescribed speed, rad/s.
     Kept { speed: Root },
-    /// In step with the field: the angles at which the moment vanishes, and whether a supply feeds currents there.
+    /// Synchronous: the angles at which the torque vanishes, and whether a supply feeds currents there.
     InStep { speed: Root, angles: Vec<Angle>, bears: Option<Bears>, fed: bool },
-    /// The speeds relative to the carrier at which the moment vanishes.
+    /// Asynchronous: the speeds relative to the carrier at which the torque vanishes.
     Slipping { speeds: Vec<Slip>, extremes: Vec<Extreme> },
 }
 
@@ -23,9 +23,9 @@ pub enum MotorStates {
 pub struct Angle {
     /// The tangent of half of the angle; `None` at half a turn.
     pub half_tangent: Option<Root>,
-    /// The sign of dM/dg: -1 where the moment drives back to the angle; 0 where two angles merge: pull-out.
+    /// The sign of dM/dg: -1 where the torque is restoring; 0 where two angles merge (pull-out, a saddle-node).
     pub slope: i32,
-    /// Of a machine that a supply feeds, A; none flow in another.
+    /// Steady currents of a machine with a supply, A; empty for another.
     pub currents: Vec<f64>,
 }
 
@@ -33,21 +33,21 @@ pub struct Angle {
 #[derive(Clone, Debug)]
 pub struct Slip {
     pub speed: Root,
-    /// The sign of dM/dphi': -1 where the moment drives back to the speed; 0 where two speeds merge: pull-out.
+    /// The sign of dM/dphi': -1 where the torque is restoring; 0 where two speeds merge (pull-out, a saddle-node).
     pub slope: i32,
-    /// Of a machine that a supply feeds, A.
+    /// Steady currents of a machine with a supply, A.
     pub currents: Vec<f64>,
 }
 
-/// The moments between which the field holds the rotor at some angle, friction at the field's speed included, N m: a further
-/// constant moment M with least <= -M <= greatest lets it stay; at either end both angles merge, beyond it none is left.
+/// The pull-out torques, N m, friction at the field's speed included: with a further constant torque M the rotor has a steady
+/// angle if least <= -M <= greatest; at either end two angles merge, beyond it none is left.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bears {
     pub least: f64,
     pub greatest: f64,
 }
 
-/// Where the moment is greatest or least among neighbouring speeds.
+/// A local maximum or minimum of the torque over the speed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Extreme {
     /// rad/s
@@ -56,16 +56,16 @@ pub struct Extreme {
     pub moment: f64,
 }
 
-/// Why the stationary states of a machine are not known.
+/// The reason for which the steady states of a machine are not known.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoMotor {
-    /// The data do not make it.
+    /// The data do not make a machine.
     Data(NoModel),
-    /// Its moment is no fraction of polynomials with rational coefficients.
+    /// The torque is not a rational function with rational coefficients.
     NotAlgebraic(String),
-    /// No currents rest, or many do.
+    /// The steady currents do not exist, or are not unique.
     NoRest,
-    /// At the field's speed every angle is stationary.
+    /// At the field's speed every angle is steady.
     AnyAngle,
 }
 
@@ -90,7 +90,7 @@ impl std::fmt::Display for NoMotor {
 impl std::error::Error for NoMotor {}
 
 impl MotorStates {
-    /// The stationary states of a machine; its data are the decimals that were written.
+    /// The steady states of a machine; its data are the decimals of the file.
     ///
     /// # Errors
     /// [`NoMotor`].
@@ -98,7 +98,7 @@ impl MotorStates {
         Self::under(motor, 0.0)
     }
 
-    /// The same under a load: a constant moment against the rotor's turning, N m, as the decimal that was written.
+    /// The steady states under a load: a constant torque against the rotor's rotation, N m, taken as an exact decimal.
     ///
     /// # Errors
     /// [`NoMotor`].
@@ -120,7 +120,7 @@ impl MotorStates {
         }
     }
 
-    /// The constant relative speeds of the rotor; `None` where any is one.
+    /// The steady relative speeds of the rotor; `None` where every speed is steady.
     pub fn speeds(&self) -> Option<Vec<&Root>> {
         match self {
             MotorStates::Free => None,
@@ -133,13 +133,13 @@ impl MotorStates {
 }
 
 impl Angle {
-    /// In radians, from -pi to pi.
+    /// The angle in radians, from -pi to pi.
     pub fn radians(&self) -> f64 {
         self.half_tangent.as_ref().map_or(std::f64::consts::PI, |t| 2.0 * t.to_f64().atan())
     }
 }
 
-/// What is left of the moment where every current rests, and these currents where a supply feeds them.
+/// The torque at steady currents, and these currents with a supply.
 struct Resting {
     moment: Sym,
     currents: Vec<Sym>,
@@ -153,14 +153,14 @@ impl Resting {
         Ok(Resting { moment, currents })
     }
 
-    /// As fractions of one unknown.
+    /// Torque and currents as rational functions of one unknown.
     fn fractions(&self, unknown: Sym) -> Result<(Fraction, Vec<Fraction>), NoMotor> {
         let currents = self.currents.iter().map(|&current| Fraction::of(current, unknown)).collect::<Result<_, _>>()?;
         Ok((Fraction::of(self.moment, unknown)?, currents))
     }
 }
 
-/// A fraction of polynomials in one unknown, as coefficients from the constant upwards.
+/// A rational function of one unknown.
 pub(crate) struct Fraction {
     pub numerator: Polynomial,
     pub denominator: Polynomial,
@@ -171,7 +171,7 @@ impl Fraction {
         let wrong = |reason: String| NoMotor::NotAlgebraic(reason);
         let form = normal(expression, &Hypotheses::none()).map_err(|reason| wrong(reason.to_string()))?;
         let dense = |part: Sym| univariate(part, unknown).map_err(|reason| wrong(reason.to_string()));
-        // both over one denominator, so that their ratio is kept
+        // both over one common denominator, which preserves their ratio
         let (above, below) = (dense(form.numerator())?, dense(form.denominator())?);
         let split = above.len();
         let all: Vec<Rational> = above.into_iter().chain(below).collect();
@@ -180,12 +180,12 @@ impl Fraction {
         Ok(Fraction { numerator: Polynomial::new(whole), denominator })
     }
 
-    /// The numerator of the derivative; the denominator is a square.
+    /// The numerator of the derivative, whose denominator is a square.
     fn slope(&self) -> Polynomial {
         &(&self.numerator.derivative() * &self.denominator) - &(&self.numerator * &self.denominator.derivative())
     }
 
-    /// Where it vanishes and is defined.
+    /// The roots at which the function is defined.
     fn roots(&self) -> impl Iterator<Item = Root> + '_ {
         self.numerator.real_roots().into_iter().filter(|root| root.sign_of(&self.denominator) != 0)
     }
@@ -222,7 +222,7 @@ fn in_step(
     let zero = Root::rational(Rational::int(0));
     let at_zero = |p: &Polynomial| zero.as_ref().map_or(0, |zero| zero.sign_of(p));
     if at_zero(&turned.numerator) == 0 {
-        // pi - 2u falls where u rises
+        // pi - 2u decreases with u
         let currents = zero.as_ref().map_or_else(Vec::new, |zero| values(&turned_currents, zero));
         angles.push(Angle { half_tangent: None, slope: -at_zero(&turned.slope()), currents });
     }
@@ -250,7 +250,7 @@ fn slipping(resting: &Resting, speed: Sym) -> Result<MotorStates, NoMotor> {
     Ok(MotorStates::Slipping { speeds, extremes })
 }
 
-/// Where a fraction has no value, none of them has.
+/// The values of functions; empty where one has no value.
 fn values(fractions: &[Fraction], at: &Root) -> Vec<f64> {
     fractions.iter().map(|fraction| fraction.value(at)).collect::<Option<_>>().unwrap_or_default()
 }

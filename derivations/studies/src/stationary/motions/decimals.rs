@@ -1,15 +1,15 @@
-//! A scene's bodies as the fractions that its file writes.
+//! A scene's bodies with the exact decimals of its file.
 
 use field::{Base, Rational};
 use nalgebra::{Matrix3, Vector3};
 use systems::gyrostat::{Carrier, Gyrostat, Rotor};
 
-/// The same bodies with the decimals that were written.
+/// The bodies with the exact decimals of the file.
 pub fn decimals(bodies: &Gyrostat<f64>) -> Gyrostat<Rational> {
     written(bodies, Rational::decimal)
 }
 
-/// The same bodies, each number as something of a field; the inertia symmetric.
+/// The bodies with numbers of another field; the inertia tensor is symmetric.
 pub fn written<P: Base>(bodies: &Gyrostat<f64>, number: impl Fn(f64) -> P) -> Gyrostat<P> {
     let vector = |v: &Vector3<f64>| v.map(&number);
     let matrix = |m: &Matrix3<f64>| m.map(&number);

@@ -1,4 +1,4 @@
-//! Every stationary motion of a scene, for a given angular velocity or a given angular momentum about the vertical.
+//! All stationary motions of a scene, for a given angular velocity or angular momentum about the vertical.
 
 mod decimals;
 mod found;
@@ -21,7 +21,7 @@ use nalgebra::Vector3;
 use simulation::Axes;
 use systems::gyrostat::Gyrostat;
 
-/// A scene's gyrostat and motor, ready to be asked.
+/// A scene's gyrostat and motor, prepared for the search of stationary motions.
 pub struct Stationary<'a> {
     scene: &'a Scene,
     bodies: &'a Gyrostat<f64>,
@@ -32,9 +32,9 @@ pub struct Stationary<'a> {
     pub cases: Vec<Case>,
 }
 
-/// One constant value of what the rotor keeps.
+/// One constant value of the rotor's conserved or prescribed quantity.
 pub struct Case {
-    /// Its relative speed, rad/s; of a free rotor its own momentum, N m s.
+    /// The relative speed, rad/s; for a free rotor its own angular momentum, N m s.
     pub value: Root,
     pub body: Body,
 }
@@ -46,8 +46,8 @@ impl Case {
         Some(Case { value, body })
     }
 
-    /// The same for a picture, where 2^-53 of the value is no difference: a value that is no fraction (Kloss') is replaced by
-    /// its double, since exact answers at hundreds of points in its field take minutes.
+    /// The case for a picture, where a relative error of 2^-53 is invisible: an irrational value (Kloss') is replaced by
+    /// its double, since exact answers at hundreds of points in its number field take minutes.
     pub fn drawn(&self, energies: &Energies<Rational>, kept: Kept) -> Option<Self> {
         let value = self.value.as_rational().unwrap_or_else(|| Rational::exactly(self.value.to_f64()));
         Case::of(energies, kept, Root::rational(value)?)
@@ -58,7 +58,7 @@ impl Case {
 const BITS: usize = 64;
 
 impl<'a> Stationary<'a> {
-    /// The data are the decimals that were written.
+    /// Prepares a scene; its data are the decimals in the file.
     ///
     /// # Errors
     /// [`NoAnswer`].
@@ -80,7 +80,7 @@ impl<'a> Stationary<'a> {
         Ok(Stationary { scene, bodies, energies, approximation, motor, kept, cases })
     }
 
-    /// All with the angular velocity w, rad/s, about the vertical.
+    /// All stationary motions with the angular velocity w, rad/s, about the vertical.
     ///
     /// # Errors
     /// [`NoAnswer`].
@@ -114,7 +114,7 @@ impl<'a> Stationary<'a> {
         Ok(Answer { value: case.value.to_f64(), found, certificate })
     }
 
-    /// All with the angular momentum p, N m s, about the vertical.
+    /// All stationary motions with the angular momentum p, N m s, about the vertical.
     ///
     /// # Errors
     /// [`NoAnswer`].
@@ -123,7 +123,7 @@ impl<'a> Stationary<'a> {
     }
 
     fn answer_at_momentum(&self, case: &Case, p: f64) -> Result<Answer, NoAnswer> {
-        // a rotor that keeps its own momentum carries its part of the whole
+        // a rotor with its own conserved momentum carries its part of the whole
         let exactly = Rational::decimal(p);
         let all = case.body.at_momentum(exactly).ok_or(NoAnswer::NotFinite(p))?;
         let of_motion = |motion: &Turning| {
@@ -144,7 +144,7 @@ impl<'a> Stationary<'a> {
         Ok(Answer { value: case.value.to_f64(), found, certificate })
     }
 
-    /// What becomes of small deviations from the members of a family with the angular velocity w, for each angle of the rotor.
+    /// The stability along a family with the angular velocity w, rad/s, for each angle of the rotor.
     pub fn along(&self, case: &Case, family: &SteadyRotation, w: Rational) -> Vec<Along> {
         let enclosed = |bits| Some((family.direction(bits)?, Enclosure::rational(w, bits)?));
         let axis = |bits| family.axis(bits);
@@ -156,7 +156,7 @@ impl<'a> Stationary<'a> {
         Judge { approximation, energies, motor, kept: *kept, value: &case.value, given }
     }
 
-    /// How many there are for every angular velocity, case by case.
+    /// The number of stationary motions at every angular velocity, case by case.
     pub fn census(&self) -> Vec<Result<Census, Undecided>> {
         self.cases.iter().map(|case| case.body.census()).collect()
     }
@@ -171,7 +171,7 @@ impl<'a> Stationary<'a> {
         self.bodies.angular_momentum(w, rotor_speed)[0].dot(&v)
     }
 
-    /// Judged, and asked by the second route.
+    /// A motion with its stability, and its residual in the equations that run.
     fn found(&self, case: &Case, raw: &Raw<'_>, enclosed: [Enclosure; 3], speed: f64) -> Result<Found, NoAnswer> {
         let judge = self.judge(case, raw.given);
         let plain = |v: &[Enclosure; 3]| Vector3::from(v.each_ref().map(Enclosure::to_f64));
@@ -215,7 +215,7 @@ impl<'a> Stationary<'a> {
         })
     }
 
-    /// The second route: the equations that run, at the state that was found.
+    /// The largest rate at a stationary state by the equations that run, an independent check.
     fn residual(&self, w: Vector3<f64>, v: Vector3<f64>, rotor_speed: f64) -> f64 {
         let places: Vec<(f64, &[f64])> = match &self.motor {
             MotorStates::InStep { angles, .. } => {
@@ -241,13 +241,13 @@ impl<'a> Stationary<'a> {
     }
 }
 
-/// A motion as both kinds of answers have it.
+/// A motion found for a given angular velocity or momentum, not yet judged.
 struct Raw<'a> {
     shape: Shape,
     kind: Kind,
     given: Given,
     multiplier: Option<[f64; 2]>,
-    /// (v, w0) within 2^-bits; of a circle the centre, of the sphere zero
+    /// (v, w0) within 2^-bits; for a circle v is its centre, for a sphere zero
     enclosed: &'a dyn Fn(usize) -> Option<([Enclosure; 3], Enclosure)>,
     axis: &'a dyn Fn(usize) -> Option<[Enclosure; 3]>,
 }

@@ -1,17 +1,17 @@
-//! Why a scene has no answer.
+//! Reasons for which a scene has no answer on its stationary motions.
 
 use crate::stationary::motor::NoMotor;
 use std::fmt;
 
-/// Why there is no answer.
+/// The reason for which there is no answer.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoAnswer {
     /// A motor on a bench has no carrier.
     Bench,
     Motor(NoMotor),
-    /// A number is infinite or no number.
+    /// A number is infinite or not a number.
     NotFinite(f64),
-    /// More bits than are tried would be needed to tell motions apart.
+    /// Motions cannot be separated with the bits that are tried.
     TooFine,
 }
 

@@ -1,4 +1,4 @@
-//! What becomes of small deviations from the members of a family: arc by arc, with the directions at which that changes.
+//! Stability along a family of stationary motions: arc by arc, with the directions at which the verdict changes.
 
 use super::critical::critical;
 use super::family::{Cut, Family, cross, direction};
@@ -15,13 +15,13 @@ use nalgebra::Vector3;
 /// The verdicts along a family with one angle of the rotor.
 #[derive(Clone, Debug)]
 pub struct Along {
-    /// Once round a circle; of a sphere the belts from the pole along the rotor's axis to the other.
+    /// Arcs once round a circle, or belts of a sphere from the pole along the rotor's axis to the other pole.
     pub arcs: Vec<Arc>,
-    /// Single directions that are not like the arcs beside them, in the same order.
+    /// Single directions whose verdict differs from that of the neighbouring arcs, in the order of the arcs.
     pub edges: Vec<Edge>,
 }
 
-/// All members between two edges; all but one where there is one edge, all where there is none.
+/// All members between two edges; all but one member if there is one edge, all if there is none.
 #[derive(Clone, Debug)]
 pub struct Arc {
     /// v at both ends, where there are any
@@ -38,23 +38,23 @@ pub struct Edge {
     pub judged: Judged,
 }
 
-/// A family as it was found: its centre and angular velocity, and the axis of a circle, within 2^-bits.
+/// A family as found: its centre and angular velocity, and the axis of a circle, within 2^-bits.
 pub struct Known<'a> {
     pub shape: Shape,
     pub enclosed: &'a Enclosed<'a>,
     pub axis: &'a dyn Fn(usize) -> Option<[Enclosure; 3]>,
 }
 
-/// Bits of a member's direction.
+/// Precision of a member's direction, bits.
 const MEMBER: usize = 512;
 
 impl Judge<'_> {
-    /// For each angle of a motor in step, else once.
+    /// The stability along a family, for each angle of a synchronous motor, else once.
     pub fn along(&self, known: &Known<'_>) -> Vec<Along> {
         self.angles().into_iter().map(|angle| self.along_at(known, angle)).collect()
     }
 
-    /// With one angle of a motor in step.
+    /// The stability along a family at one angle of a synchronous motor.
     pub(super) fn along_at(&self, known: &Known<'_>, angle: Option<&Angle>) -> Along {
         if self.merges(angle) {
             return self.whole(known, Judged::cannot_tell(self.approximation, Reason::PullOut));
@@ -65,14 +65,14 @@ impl Judge<'_> {
             .unwrap_or_else(|| self.whole(known, Judged::cannot_tell(self.approximation, Reason::Family)))
     }
 
-    /// One verdict for all.
+    /// One verdict for all members.
     fn whole(&self, known: &Known<'_>, judged: Judged) -> Along {
         let member = self.member(known, MEMBER);
         let arcs = member.into_iter().map(|member| Arc { ends: None, member, judged: judged.clone() }).collect();
         Along { arcs, edges: Vec::new() }
     }
 
-    /// Cut where something vanishes, and judged between and at the cuts with fractions and their roots.
+    /// The verdicts by cutting the curve at the zeros of critical functions, judged between and at the cuts with exact numbers.
     fn exactly_along(&self, known: &Known<'_>, angle: Option<&Angle>) -> Option<Along> {
         let (centre, speed) = (known.enclosed)(BITS[0])?;
         let speed = speed.simplest();
@@ -110,7 +110,7 @@ impl Judge<'_> {
         let one = v[0].integer(1);
         let number = |value: Rational| one.fraction(value);
         let [w0, v1, v2, v3, rotor_speed, ..] = self.filled(v, number(speed)?, number(value)?, None, &one)?;
-        // where nothing damps, the angle is a fraction or the moment does not know it
+        // without damping, the angle is rational or the torque does not depend on it
         let [cos, sin] = [&point[0], &point[1]].map(|c| c.as_fraction());
         let (cos, sin) = match (cos, sin) {
             (Some(cos), Some(sin)) => (cos, sin),
@@ -121,7 +121,7 @@ impl Judge<'_> {
         critical(self.approximation, self.energies, &place, momentum)
     }
 
-    /// A symmetry carries one member into all others, and one is judged, with enclosures.
+    /// The verdict on one member, with enclosures, where a symmetry maps it to all others.
     fn by_symmetry(&self, known: &Known<'_>, angle: Option<&Angle>) -> Option<Along> {
         let Shape::Circle { .. } = known.shape else { return None };
         let through = direction(&(known.axis)(BITS[0])?)?;
@@ -145,7 +145,7 @@ impl Judge<'_> {
         Some(self.whole(known, judged))
     }
 
-    /// v of one member of a circle, or any direction of the sphere.
+    /// v of one member of a circle, or a direction of the sphere.
     pub fn member(&self, known: &Known<'_>, bits: usize) -> Option<[Enclosure; 3]> {
         let number = |n: i64| Enclosure::integer(n, bits);
         if known.shape == Shape::Sphere {
@@ -160,7 +160,7 @@ impl Judge<'_> {
     }
 }
 
-/// All that is the same along a family.
+/// Data common to the members of a family.
 struct Exact<'a> {
     judge: &'a Judge<'a>,
     family: &'a Family,
@@ -181,7 +181,7 @@ impl Exact<'_> {
         let approximation = judge.approximation;
         let along = if family.sphere { &judge.energies.mixed } else { &family.axis };
         let symmetric = is_symmetric(approximation, judge.energies, along, Some(self.value));
-        // without weight and rotation no axis is any different from another
+        // without weight and rotation all axes are equivalent
         let moves = !approximation.balanced || speed.sign() != Some(0);
         let axis = Some(fractions(along, &one)?)
             .filter(|axis| symmetric && moves && cross(axis, &v).iter().any(|c| c.sign() != Some(0)));
@@ -189,14 +189,14 @@ impl Exact<'_> {
         Some(Judged::among(approximation, &place, &among, &one, Tower::to_f64))
     }
 
-    /// At a cut that is no fraction nothing is said.
+    /// The verdict at a cut; undecided at an irrational one.
     fn at_cut(&self, cut: &Cut) -> Option<Judged> {
         let exactly = self.family.exactly_at(cut).map(|v| self.at(&v));
         exactly.unwrap_or_else(|| Some(Judged::cannot_tell(self.judge.approximation, Reason::Edge)))
     }
 }
 
-/// Neighbours that are alike are one arc, the direction between them with them.
+/// Joins neighbouring arcs with equal verdicts, including the direction between them.
 fn joined(family: &Family, cuts: &[Cut], arcs: Vec<Arc>, at_cut: impl Fn(&Cut) -> Option<Judged>) -> Option<Along> {
     let alike = |a: &Judged, b: &Judged| a.verdict == b.verdict && a.along == b.along;
     let place = |cut: &Cut| -> Option<Vector3<f64>> {
@@ -205,7 +205,7 @@ fn joined(family: &Family, cuts: &[Cut], arcs: Vec<Arc>, at_cut: impl Fn(&Cut) -
     let count = arcs.len();
     let mut edges: Vec<(usize, Edge)> = Vec::new();
     for (k, cut) in cuts.iter().enumerate() {
-        // an arc lies before and behind each cut of a circle; the poles of a meridian have one
+        // each cut of a circle has an arc on both sides; the poles of a meridian have one
         let before = if family.sphere { k.checked_sub(1) } else { Some((k + count - 1) % count) };
         let behind = Some(k).filter(|k| *k < count);
         let beside: Vec<&Judged> = [before, behind].into_iter().flatten().map(|k| &arcs[k].judged).collect();
@@ -215,7 +215,7 @@ fn joined(family: &Family, cuts: &[Cut], arcs: Vec<Arc>, at_cut: impl Fn(&Cut) -
             continue;
         }
         let mut judged = at_cut(cut)?;
-        // the family leaves the level of the integrals here, if only to second order: what is said across it does not suffice
+        // the family leaves the level of the integrals here to second order: the verdict across it does not suffice
         if beside.iter().any(|one| one.aside < judged.aside)
             && !matches!(judged.verdict, StabilityVerdict::Unstable { .. })
         {

@@ -1,4 +1,4 @@
-//! The first approximation of a scene's gyrostat with its motor: written down once, run over fractions and enclosures.
+//! The linearisation of a scene's gyrostat with its motor: symbolic, evaluated over fractions and enclosures.
 
 use super::linear::{Integral, Linear};
 use super::state::{Layout, StationaryState};
@@ -11,27 +11,27 @@ use nalgebra::Vector3;
 use std::sync::Arc;
 use symbolic::{Formulas, Hypotheses, Sym, decide, symbols};
 
-/// The matrices of [`Linear`] as formulas of the place, their data the decimals that were written.
+/// The matrices of [`Linear`] as formulas of the place, with the decimals of the file as data.
 #[derive(Clone, Debug)]
 pub struct Approximation {
     pub layout: Layout,
-    /// What gives the structural zero roots.
+    /// The integrals, which give the structural zero eigenvalues.
     pub integrals: Vec<Integral>,
-    /// Whether G is conserved: nothing damps, whatever the slip.
+    /// Whether G is conserved: no dissipation at any slip.
     pub conservative: bool,
-    /// Whether the motor's own moment does not depend on the slip: then this neither damps nor drives.
+    /// Whether the motor's own torque does not depend on the slip, and neither damps nor drives.
     pub steady: bool,
-    /// Whether a supply or conductors that slide feed G, so that it judges nothing.
+    /// Whether a supply or sliding conductors feed G, which then decides nothing.
     pub fed: bool,
-    /// Whether no weight acts, so that the angular momentum stays in space: roots at +-i w0.
+    /// Whether no weight acts: the angular momentum is constant in space, with eigenvalues +-i w0.
     pub balanced: bool,
     formulas: Arc<Formulas>,
-    /// What the formulas know by letters: the bodies, the load, a datum of the machine.
+    /// Values of the formulas' letters: the bodies, the load, a datum of the machine.
     letters: Vec<Rational>,
 }
 
 impl Approximation {
-    /// Of bodies, by their energies, with a machine.
+    /// The linearisation of bodies, given by their energies, with a machine.
     ///
     /// # Errors
     /// [`NoMotor`] where its laws are not algebraic.
@@ -39,7 +39,7 @@ impl Approximation {
         Self::with(energies, &motor.decimals())
     }
 
-    /// The same with a machine whose data are constants.
+    /// The linearisation with a machine whose data are constants.
     ///
     /// # Errors
     /// [`NoMotor::NotAlgebraic`].
@@ -47,7 +47,7 @@ impl Approximation {
         Self::lettered(&energies.written(), machine, &[])
     }
 
-    /// The same, with letters among the data of bodies and machine that are given later.
+    /// The linearisation with letters among the data of bodies and machine, whose values are given later.
     pub(super) fn lettered(
         energies: &Energies<Sym>,
         machine: &impl Machine<Sym>,
@@ -81,13 +81,13 @@ impl Approximation {
         })
     }
 
-    /// With values for its letters, those of the bodies among them.
+    /// The linearisation with values for its letters, those of the bodies among them.
     pub(super) fn given(&self, letters: Vec<Rational>, energies: &Energies<Rational>) -> Self {
         let balanced = energies.weight.iter().all(|one| one.sign() == Some(0));
         Approximation { letters, balanced, ..self.clone() }
     }
 
-    /// The matrices at a place; `None` where a number may be undefined, or is not in the field.
+    /// The matrices at a place; `None` where a number may be undefined, or is not in the number field.
     pub fn at<R: Ordered>(&self, place: &[R; 7], one: &R) -> Option<Linear<R>> {
         let letters: Vec<R> = self.letters.iter().map(|value| one.fraction(*value)).collect::<Option<_>>()?;
         let values = self.formulas.values(&[&place[..], &letters].concat(), one)?;
@@ -114,13 +114,13 @@ fn vanishes(expression: Sym) -> bool {
     decide(expression, &Hypotheses::none()).is_zero()
 }
 
-/// Whether the moment never depends on the slip.
+/// Whether the torque law never depends on the slip.
 fn is_steady(machine: &impl Machine<Sym>) -> bool {
     let [slip, speed] = symbols(["slip", "speed"]);
     vanishes(machine.moment_law(Tangent::variable(slip), Tangent::variable(speed)).slope)
 }
 
-/// Whether no moment ever acts: without windings and without an angle, the law alone.
+/// Whether no torque ever acts: no windings, no angle, and a vanishing torque law.
 fn is_free(machine: &impl Machine<Sym>) -> bool {
     let [slip, speed] = symbols(["slip", "speed"]);
     machine.rotor() == RotorState::Speed && machine.windings() == 0 && vanishes(machine.moment_law(slip, speed))

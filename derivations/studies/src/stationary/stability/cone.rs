@@ -1,4 +1,4 @@
-//! What becomes of a tilt at every point of the cone that has a given angular velocity: exactly, at constant speed.
+//! Exact stability at constant rotor speed of every axis of the cone with a given angular velocity.
 
 use super::reduced::{Fate, Reduced};
 use crate::stationary::energies::Energies;
@@ -8,17 +8,17 @@ use field::Rational;
 use nalgebra::Vector3;
 use symbolic::{Formulas, Unbound, symbols};
 
-/// What decides, as formulas of (w0, v, W).
+/// The decisive quantities as formulas of (w0, v, W).
 pub struct Fates(Formulas);
 
-/// Bits that are tried; what then still has no sign is on the edge for all that is known.
+/// The precisions that are tried, bits; a quantity that then has no sign counts as zero.
 const BITS: [usize; 3] = [64, 256, 1024];
 
 impl Fates {
-    /// Of a gyrostat whose rotor keeps its relative speed.
+    /// The formulas for a gyrostat with constant relative speed of the rotor.
     ///
     /// # Errors
-    /// [`Unbound`], never: all is sums, products and quotients.
+    /// [`Unbound`], which cannot occur: the formulas are sums, products and quotients.
     pub fn of(energies: &Energies<Rational>) -> Result<Self, Unbound> {
         let unknowns = symbols(["w0", "v1", "v2", "v3", "W"]);
         let [speed, v1, v2, v3, rotor_speed] = unknowns;
@@ -26,7 +26,7 @@ impl Fates {
         Formulas::of(&motion.deciding(), &unknowns).map(Fates)
     }
 
-    /// All isolated directions with one angular velocity, each with its fate; none where that is undefined.
+    /// All isolated directions with the angular velocity w, rad/s, each with its fate; empty where w is undefined.
     pub fn at(&self, case: &Case, w: f64) -> Vec<(Vector3<f64>, Fate)> {
         let speed = Rational::exactly(w);
         let Some(all) = case.body.rotations(speed) else { return Vec::new() };

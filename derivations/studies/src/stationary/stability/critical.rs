@@ -1,11 +1,11 @@
-//! Where along a family a verdict may change: functions on its curve, one of which vanishes there.
+//! Functions along a family's curve, one of which vanishes wherever a stability verdict changes.
 //!
-//! A verdict changes where a root reaches the imaginary axis or leaves it. With the two classical gyrostats' polynomials in
+//! A verdict changes where an eigenvalue reaches or leaves the imaginary axis. With the two classical gyrostats' polynomials in
 //! s = z^2, C(s) = det T_c (s^2 + a_c s + b_c) at constant speed and F(s) of the free rotor, and the motor's operational
 //! stiffness Z, the characteristic equation is A' s F(s) + Z(z) C(s) = 0. Where the motor damps, Im Z(iy) is not zero
-//! for y not zero, so that a root i y is one of C and of F: their resultant vanishes, or, for y = 0, the constant term of C. Both are
+//! for y not zero. A root i y is then one of C and of F: their resultant vanishes, or, for y = 0, the constant term of C. Both are
 //! claims: `motor/crossing`, `currents/lagging` and `currents/damps`.
-//! Where nothing damps all is a polynomial in s, whose roots change their kind where two are equal or one is zero.
+//! Without damping the characteristic polynomial is one in s, whose roots change their kind where two are equal or one is zero.
 
 use super::approximation::Approximation;
 use super::reduced::Reduced;
@@ -16,7 +16,7 @@ use mechanics::linear_stability::{characteristic, derivative, resultant};
 use nalgebra::Vector3;
 use symbolic::{Formulas, Sym, symbols};
 
-/// The functions that do not vanish everywhere. `None` where they are no functions with fractions, or where not all of the
+/// The functions that do not vanish identically. `None` where they have irrational coefficients, or where not the whole
 /// family is stationary.
 pub fn critical(
     approximation: &Approximation,
@@ -38,7 +38,7 @@ pub fn critical(
     Some(all.into_iter().filter(|function| !function.is_zero()).collect())
 }
 
-/// The polynomial in s itself.
+/// The characteristic polynomial in s of a conservative system.
 fn undamped(approximation: &Approximation, place: &[Conic; 7]) -> Option<Vec<Conic>> {
     let one = place[0].integer(1);
     let linear = approximation.at(place, &one)?;
@@ -50,7 +50,7 @@ fn undamped(approximation: &Approximation, place: &[Conic; 7]) -> Option<Vec<Con
     Some(changes(&in_squares, &one))
 }
 
-/// Where a root is zero, and where two are equal.
+/// The functions that vanish where a root is zero, and where two are equal.
 fn changes(polynomial: &[Conic], one: &Conic) -> Vec<Conic> {
     let equal = (polynomial.len() > 2).then(|| resultant(polynomial, &derivative(polynomial), one));
     polynomial.last().cloned().into_iter().chain(equal).collect()
@@ -59,7 +59,7 @@ fn changes(polynomial: &[Conic], one: &Conic) -> Vec<Conic> {
 fn damped(Classical { kept, free, .. }: Classical) -> Vec<Conic> {
     let (mut kept, mut free) = (kept.to_vec(), free.to_vec());
     let one = kept[0].integer(1);
-    // a zero root of both is one of the family itself
+    // a zero root of both belongs to the family itself
     while kept.len() > 1 && [&kept, &free].iter().all(|p| p.last().is_some_and(Conic::is_zero)) {
         kept.pop();
         free.pop();
@@ -67,7 +67,7 @@ fn damped(Classical { kept, free, .. }: Classical) -> Vec<Conic> {
     let shared = resultant(&kept, &free, &one);
     let mut all = vec![kept[kept.len() - 1].clone(), shared.clone()];
     if shared.is_zero() {
-        // what the motor does not feel changes by itself; the rest where its own factors are equal
+        // roots without effect on the motor change by themselves; the others where the factors' own roots change
         all.extend(changes(&kept, &one));
         all.extend(changes(&free, &one));
         all.extend((1..kept.len()).map(|k| kept[0].times(&free[k]).minus(&free[0].times(&kept[k]))));
@@ -75,7 +75,7 @@ fn damped(Classical { kept, free, .. }: Classical) -> Vec<Conic> {
     all
 }
 
-/// The polynomials in s, and what shows a motion to be stationary, from the reduced equations.
+/// The polynomials in s, and the residuals of a stationary motion, from the reduced equations.
 struct Classical {
     kept: [Conic; 3],
     free: [Conic; 3],
@@ -84,7 +84,7 @@ struct Classical {
 }
 
 impl Classical {
-    /// At (w0, v, W).
+    /// The polynomials at (w0, v, W).
     fn at(energies: &Energies<Rational>, place: [Conic; 5]) -> Option<Self> {
         let energies = energies.written();
         let unknowns = symbols(["w0", "v1", "v2", "v3", "W"]);

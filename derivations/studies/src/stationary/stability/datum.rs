@@ -19,17 +19,17 @@ pub struct Datum {
 
 #[derive(Clone, Debug)]
 pub(super) enum Where {
-    /// A constant moment against the rotor's turning, N m.
+    /// A constant torque against the rotor's rotation, N m.
     Load,
     /// w0, rad/s
     Speed,
-    /// W, rad/s, whatever the motor would keep.
+    /// W, rad/s, in place of the motor's own steady speed.
     RotorSpeed,
-    /// Components of one number.
+    /// Components of a datum of the scene.
     Data { place: DatumPlace, components: Vec<usize> },
 }
 
-/// A scene's data with some changed.
+/// The data of a scene with changed values.
 #[derive(Clone)]
 pub(super) struct Setting {
     pub data: Data,
@@ -54,7 +54,7 @@ impl fmt::Display for Unknown {
 impl std::error::Error for Unknown {}
 
 impl Datum {
-    /// By the name that a file or the command line uses: `load`, `omega0`, `rotor_speed`, `gravity`, `carrier.centre.3`,
+    /// The datum with a name of files or the command line: `load`, `omega0`, `rotor_speed`, `gravity`, `carrier.centre.3`,
     /// `carrier.inertia.12`, `machine.field_speed` and the like.
     ///
     /// # Errors
@@ -81,7 +81,7 @@ impl Datum {
         for (table, known) in Known::of(scene).into_iter().filter(|(table, _)| *table != "start") {
             for Known { key, unit, components, place, .. } in known {
                 let name = if table.is_empty() { key.into_owned() } else { format!("{table}.{key}") };
-                // a symmetric tensor has each component beside the diagonal twice
+                // a symmetric tensor has each off-diagonal component twice
                 let parts: Vec<(String, Vec<usize>)> = match components {
                     1 => vec![(name, vec![0])],
                     6 => [[1, 1], [1, 2], [1, 3], [2, 2], [2, 3], [3, 3]]
@@ -111,7 +111,7 @@ impl Datum {
         matches!(self.place, Where::RotorSpeed)
     }
 
-    /// Its place among the data of the machine.
+    /// The place among the data of the machine.
     pub(super) fn of_machine(&self) -> Option<usize> {
         match self.place {
             Where::Data { place: DatumPlace::Machine(place), .. } => Some(place),
@@ -142,7 +142,7 @@ impl Setting {
         set
     }
 
-    /// T and V as fractions.
+    /// T and V with exact data.
     pub fn energies(&self) -> Option<Energies<Rational>> {
         match &self.data.system {
             Setup::Gyrostat(bodies) => Some(Energies::of(&decimals(bodies))),
@@ -150,7 +150,7 @@ impl Setting {
         }
     }
 
-    /// The same as expressions, the numbers that are not there, NaN, as an unknown.
+    /// T and V as expressions; data that are NaN become the unknown.
     pub fn energies_in(&self, unknown: Sym) -> Option<Energies<Sym>> {
         let number = |x: f64| if x.is_nan() { unknown } else { Sym::constant(Rational::decimal(x)) };
         match &self.data.system {

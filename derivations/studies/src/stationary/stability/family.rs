@@ -1,24 +1,24 @@
-//! Connected families of stationary directions with one angular velocity, as curves that fractions parametrise.
+//! Connected families of stationary directions with one angular velocity, as rational curves.
 //!
-//! A circle is v = c + x e1 + y e2 with |x e1|^2 + |y e2|^2 = 1 - |c|^2. On a sphere of motions everything depends on the
-//! angle from the rotor's axis alone: the tensor is isotropic there and the weight along the axis, or nothing turns and
-//! weighs, and then v is any direction. So a meridian stands for the sphere.
+//! A circle is v = c + x e1 + y e2 with |x e1|^2 + |y e2|^2 = 1 - |c|^2. On a sphere of motions stability depends only on the
+//! angle from the rotor's axis: either the tensor is isotropic and the weight along the axis, or there is neither rotation
+//! nor weight, and v is any direction. A meridian therefore represents the sphere.
 
 use algebra::real::{Conic, ConicPoint, Enclosure, Ordered, Polynomial, Root, Surd};
 use field::{Rational, Scalar};
 use nalgebra::Vector3;
 
-/// A circle of directions, or a meridian for all of them.
+/// A circle of directions, or a meridian that represents a sphere.
 #[derive(Clone, Debug)]
 pub struct Family {
     centre: Vector3<Rational>,
     /// e1 and e2, orthogonal to each other and to the axis
     across: [Vector3<Rational>; 2],
-    /// the circle's axis; across the meridian
+    /// the axis of the circle, or the normal of the meridian's plane
     pub axis: Vector3<Rational>,
     /// 1 - |c|^2
     room: Rational,
-    /// Whether it stands for a sphere: then e1 is the rotor's axis.
+    /// Whether the curve represents a sphere: e1 is then the rotor's axis.
     pub sphere: bool,
 }
 
@@ -29,16 +29,16 @@ pub struct Sample {
     pub side: i32,
 }
 
-/// Where a curve is cut.
+/// A point at which a curve is cut.
 #[derive(Clone, Debug)]
 pub struct Cut {
     pub at: ConicPoint,
-    /// Whether something vanishes here; otherwise y does alone.
+    /// Whether a critical function vanishes here; otherwise only y does.
     pub edge: bool,
 }
 
 impl Cut {
-    /// x greatest, y > 0, x least, y < 0.
+    /// The order along the curve: x greatest, y > 0, x least, y < 0.
     fn quarter(&self) -> u8 {
         match self.at.side {
             0 if is_left(&self.at.x) => 2,
@@ -50,7 +50,7 @@ impl Cut {
 }
 
 impl Family {
-    /// The circle with a centre and an axis, where both are fractions but for the axis' length.
+    /// The circle with a rational centre and an axis with rational ratios.
     pub fn circle(centre: &[Enclosure; 3], axis: &[Enclosure; 3]) -> Option<Self> {
         let centre = Vector3::from(centre.each_ref().map(Enclosure::simplest));
         let axis = direction(axis)?;
@@ -78,14 +78,14 @@ impl Family {
         self.place(&x, &y)
     }
 
-    /// v at a place.
+    /// v at a rational place.
     pub fn exactly(&self, at: Sample) -> Option<[Surd; 3]> {
         let [first, second] = self.squares();
         let y = Surd::root_of((self.room - first * at.x * at.x) / second)?;
         self.place(&at.x.into(), &y.times(&y.integer(at.side.into())))
     }
 
-    /// v at a place that is no fraction.
+    /// v at an irrational place, enclosed.
     pub fn enclosed(&self, x: &Root, side: i32, bits: usize) -> Option<[Enclosure; 3]> {
         let [first, second] = self.squares();
         let x = x.enclosure(2 * bits);
@@ -98,8 +98,8 @@ impl Family {
         self.place(&x, &(&y * &Enclosure::integer(side, 2 * bits)))
     }
 
-    /// The curve cut at points and where y = 0, in the order in which it is run through over y > 0 first; of a meridian the half
-    /// from pole to pole.
+    /// The curve cut at points and where y = 0, in the order along the curve, y > 0 first; for a meridian the half from
+    /// pole to pole.
     pub fn cuts(&self, points: Vec<ConicPoint>) -> Option<Vec<Cut>> {
         let ends = Polynomial::from_rationals(&[-self.room, Rational::int(0), self.squares()[0]])?.real_roots();
         let seam = |x: &Root| Cut { at: ConicPoint { x: x.clone(), side: 0 }, edge: false };
@@ -119,7 +119,7 @@ impl Family {
         Some(cuts)
     }
 
-    /// A place between each cut and the next one; that after the last is before the first.
+    /// A place between each cut and the next one; the last place lies before the first cut.
     pub fn samples(&self, cuts: &[Cut]) -> Option<Vec<Sample>> {
         let next = cuts.iter().skip(1).chain(cuts.first());
         let all = cuts.iter().zip(next).map(|(cut, next)| {
@@ -129,7 +129,7 @@ impl Family {
         all.filter(|sample| !self.sphere || sample.as_ref().is_none_or(|sample| sample.side > 0)).collect()
     }
 
-    /// v at a cut, where it is written with one root.
+    /// v at a cut, where one square root suffices.
     pub fn exactly_at(&self, cut: &Cut) -> Option<[Surd; 3]> {
         if cut.at.side == 0 {
             let x = Surd::root_of(self.room / self.squares()[0])?;
@@ -175,7 +175,7 @@ fn is_left(x: &Root) -> bool {
     x.sign_of(&Polynomial::from_integers([0, 1])) < 0
 }
 
-/// Two vectors orthogonal to one and to each other.
+/// Two vectors orthogonal to a given one and to each other.
 pub fn beside(axis: &Vector3<Rational>) -> [Vector3<Rational>; 2] {
     let least = axis.map(|c| c.to_f64().abs()).imin();
     let unit = Vector3::from_fn(|i, _| Rational::int(i64::from(i == least)));
@@ -183,7 +183,7 @@ pub fn beside(axis: &Vector3<Rational>) -> [Vector3<Rational>; 2] {
     [first, axis.cross(&first)]
 }
 
-/// A vector as fractions with the largest component 1, where its ratios are fractions.
+/// A rational vector with the largest component 1, where the ratios are rational.
 pub fn direction(axis: &[Enclosure; 3]) -> Option<Vector3<Rational>> {
     let largest = (0..3).max_by(|&i, &j| axis[i].to_f64().abs().total_cmp(&axis[j].to_f64().abs()))?;
     let ratio = |i: usize| axis[i].over(&axis[largest]).map(|ratio| ratio.simplest());
@@ -233,7 +233,7 @@ mod tests {
         let at =
             |cut: &Cut| angle(family.enclosed(&cut.at.x, cut.at.side, 60).unwrap().each_ref().map(Enclosure::to_f64));
         let places: Vec<f64> = cuts.iter().map(at).collect();
-        // e1 and e2 may turn either way about the third axis
+        // e1 and e2 may have either orientation about the third axis
         let sense = if (places[1] - places[0]).rem_euclid(TAU) < 3.0 { 1.0 } else { -1.0 };
         for (k, sample) in family.samples(&cuts).unwrap().into_iter().enumerate() {
             let v = family.exactly(sample).unwrap().each_ref().map(Surd::to_f64);

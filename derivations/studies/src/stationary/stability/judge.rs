@@ -9,18 +9,18 @@ use algebra::real::{Enclosure, Ordered, Polynomial, Root, Surd};
 use field::{Rational, Scalar};
 use nalgebra::Vector3;
 
-/// What decides for one constant value of what the rotor keeps.
+/// The data of the verdicts for one value of the rotor's constant quantity.
 pub struct Judge<'a> {
     pub approximation: &'a Approximation,
     pub energies: &'a Energies<Rational>,
     pub motor: &'a MotorStates,
     pub kept: Kept,
-    /// W, or the rotor's own momentum.
+    /// W, rad/s, or the rotor's own momentum, N m s.
     pub value: &'a Root,
     pub given: Given,
 }
 
-/// What all motions that are judged have in common.
+/// The given quantity that all motions share.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Given {
     /// w0, rad/s
@@ -29,19 +29,19 @@ pub enum Given {
     Momentum(Rational),
 }
 
-/// (v, w0) within 2^-bits, where so many bits are to be had.
+/// (v, w0) within 2^-bits, where that precision is available.
 pub type Enclosed<'a> = dyn Fn(usize) -> Option<([Enclosure; 3], Enclosure)> + 'a;
 
-/// Bits that are tried.
+/// The precisions that are tried, bits.
 pub(super) const BITS: [usize; 4] = [256, 512, 1024, 2048];
 
 impl Judge<'_> {
-    /// One verdict for each angle of a motor in step, else one.
+    /// One verdict for each angle of a synchronous motor, else one.
     pub fn verdicts(&self, enclosed: &Enclosed<'_>) -> Vec<Judged> {
         self.angles().into_iter().map(|angle| self.verdict(enclosed, angle, &BITS)).collect()
     }
 
-    /// Those of a motor in step, else none at all, once.
+    /// The angles of a synchronous motor, else a single `None`.
     pub(super) fn angles(&self) -> Vec<Option<&Angle>> {
         match self.motor {
             MotorStates::InStep { angles, .. } => angles.iter().map(Some).collect(),
@@ -49,18 +49,18 @@ impl Judge<'_> {
         }
     }
 
-    /// Whether two states of the rotor are one.
+    /// Whether two steady states of the rotor merge (saddle-node).
     pub(super) fn merges(&self, angle: Option<&Angle>) -> bool {
         angle.is_some_and(|angle| angle.slope == 0) || self.speeds_merge()
     }
 
-    /// W, or the rotor's own momentum, where that is a fraction.
+    /// W, or the rotor's own momentum, where it is rational.
     pub(super) fn value_as_fraction(&self) -> Option<Rational> {
         let value = self.value.enclosure(BITS[0]).simplest();
         Root::rational(value)?.compare(self.value).is_eq().then_some(value)
     }
 
-    /// With an angle of a motor in step, at so many bits one after the other.
+    /// The verdict at an angle of a synchronous motor, with increasing precisions, bits.
     pub(super) fn verdict(&self, enclosed: &Enclosed<'_>, angle: Option<&Angle>, fineness: &[usize]) -> Judged {
         if self.merges(angle) {
             return Judged::cannot_tell(self.approximation, Reason::PullOut);
@@ -74,7 +74,7 @@ impl Judge<'_> {
             if last.verdict != too_fine {
                 break;
             }
-            // what no enclosure sees may vanish
+            // a quantity without a sign may be exactly zero
             if bits == BITS[0]
                 && let Some(place) = self.exact(enclosed, angle)
             {
@@ -87,7 +87,7 @@ impl Judge<'_> {
         last
     }
 
-    /// Two speeds of the rotor in one: no slope of the moment damps.
+    /// Whether two speeds of the rotor merge: the torque then has no damping slope.
     fn speeds_merge(&self) -> bool {
         let MotorStates::Slipping { speeds, .. } = self.motor else { return false };
         speeds.iter().any(|slip| slip.slope == 0 && slip.speed.compare(self.value).is_eq())
@@ -106,8 +106,8 @@ impl Judge<'_> {
         self.filled(v, speed, value, angle.map(|angle| angle.half_tangent.as_ref().map(|t| t.enclosure(bits))), one)
     }
 
-    /// The same as fractions, where they are fractions: the simplest in an enclosure are tried, and are it if they satisfy
-    /// the conditions, which have only one solution there. The cosine may be the root of one.
+    /// The place as fractions, if it is rational: the simplest fractions in the enclosures are tried, and are the place if they satisfy
+    /// the conditions, which have only one solution there. The cosine may be a square root.
     fn exact(&self, enclosed: &Enclosed<'_>, angle: Option<&Angle>) -> Option<[Surd; 7]> {
         let (v, speed) = enclosed(BITS[0])?;
         let (v, speed) = (v.each_ref().map(Enclosure::simplest), speed.simplest());
@@ -129,7 +129,7 @@ impl Judge<'_> {
         Some([speed, v1, v2, v3, rotor_speed, cos, sin])
     }
 
-    /// `half_tangent`: none without an angle, an empty one at half a turn.
+    /// `half_tangent`: `None` without an angle, `Some(None)` at half a turn.
     pub(super) fn filled<R: Ordered>(
         &self,
         v: [R; 3],
@@ -162,7 +162,7 @@ impl Judge<'_> {
     }
 }
 
-/// (cos g, sin g), where the sine is a fraction; (1, 0) without an angle.
+/// (cos g, sin g), where the sine is rational; (1, 0) without an angle.
 pub(super) fn circle_point(angle: Option<&Angle>) -> Option<[Surd; 2]> {
     let (zero, one) = (Rational::int(0), Rational::int(1));
     match angle.map(|angle| &angle.half_tangent) {

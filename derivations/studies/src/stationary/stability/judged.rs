@@ -1,4 +1,4 @@
-//! A verdict with all that it rests on, computed from the matrices over any ordered field.
+//! A stability verdict with its evidence, computed from the matrices over any ordered field.
 
 use super::approximation::Approximation;
 use super::family::cross;
@@ -7,39 +7,39 @@ use super::verdict::{Reason, StabilityVerdict};
 use algebra::real::Ordered;
 use mechanics::linear_stability::{HalfPlanes, Inertia, characteristic, growth};
 
-/// A verdict with what it rests on.
+/// A stability verdict with its evidence.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Judged {
     pub verdict: StabilityVerdict,
-    /// What gives a zero root each.
+    /// The integrals, each with a zero eigenvalue.
     pub integrals: Vec<Integral>,
-    /// In how many directions a family goes on without a change of the integrals: as many further zero roots.
+    /// The number of directions of a family without a change of the integrals: as many further zero eigenvalues.
     pub along: usize,
-    /// In how many directions of the family the energy is not asked to be definite.
+    /// The number of directions of the family in which the energy need not be definite.
     pub aside: usize,
-    /// All zero roots that are explained: a conservative system's last one has a partner.
+    /// The number of explained zero eigenvalues; a conservative system leaves an even number of others.
     pub zeros: usize,
-    /// The roots beside these, where the signs are known.
+    /// The half-planes of the other eigenvalues, where the signs are known.
     pub roots: Option<HalfPlanes>,
-    /// The signs of the energy's second variation where the integrals have their values, across the family; none where the motor feeds
-    /// it.
+    /// The signature of the energy's second variation on the level of the integrals, across the family; `None` where the motor feeds
+    /// the energy.
     pub energy: Option<Inertia>,
-    /// Whether the energy is conserved; otherwise it falls unless the motor drives.
+    /// Whether the energy is conserved; otherwise it decreases unless the motor drives.
     pub conservative: bool,
-    /// Of an unstable motion: between which numbers the largest growth rate lies, 1/s.
+    /// Bounds of the largest growth rate of an unstable motion, 1/s.
     pub growth: Option<[f64; 2]>,
     /// det(mu - A) without the structural zeros, highest power first, rounded.
     pub polynomial: Vec<f64>,
 }
 
-/// What a motion is one of.
+/// The family of which a motion is a member.
 #[derive(Clone, Debug)]
 pub struct Among<R> {
-    /// Independent directions dv in which the family goes on.
+    /// Independent directions dv of the family.
     pub tangents: Vec<[R; 3]>,
-    /// An axis of symmetry, x.n is conserved, beside which v lies.
+    /// An axis n of symmetry, oblique to v: x.n is conserved.
     pub axis: Option<[R; 3]>,
-    /// z^2 + this is known to divide the polynomial.
+    /// A number r with z^2 + r a known divisor of the characteristic polynomial.
     pub pair: Option<R>,
 }
 
@@ -51,7 +51,7 @@ impl<R> Among<R> {
 }
 
 impl Judged {
-    /// Without a computation.
+    /// An undecided verdict without a computation.
     pub fn cannot_tell(approximation: &Approximation, reason: Reason) -> Self {
         Judged {
             verdict: StabilityVerdict::CannotTell(reason),
@@ -67,12 +67,12 @@ impl Judged {
         }
     }
 
-    /// Of an isolated motion at a place (w0, v, W, cos g, sin g). A verdict [`Reason::TooFine`] asks for finer numbers.
+    /// The verdict on an isolated motion at (w0, v, W, cos g, sin g). [`Reason::TooFine`] means that finer numbers are needed.
     pub fn at<R: Ordered>(approximation: &Approximation, place: &[R; 7], one: &R, rounded: impl Fn(&R) -> f64) -> Self {
         Judged::among(approximation, place, &Among::none(), one, rounded)
     }
 
-    /// Of a motion that may be one of a family.
+    /// The verdict on a motion that may be a member of a family.
     pub fn among<R: Ordered>(
         approximation: &Approximation,
         place: &[R; 7],
@@ -102,13 +102,13 @@ impl Judged {
         if *conservative && (polynomial.len() - 1 - zeros) % 2 == 1 {
             zeros += 1;
         }
-        // a structural zero that is excluded is a contradiction
+        // a structural zero eigenvalue that is excluded is a contradiction
         let structural = polynomial.split_off(polynomial.len() - zeros);
         if structural.iter().any(excluded) {
             return undecided(Reason::NotStationary);
         }
         if *conservative {
-            // a conservative system's roots come in pairs mu, -mu
+            // eigenvalues of a conservative system come in pairs mu, -mu
             for c in polynomial.iter_mut().skip(1).step_by(2) {
                 if excluded(c) {
                     return undecided(Reason::NotStationary);
@@ -123,7 +123,7 @@ impl Judged {
         let aside = beside.len();
         let across = [constraints, beside].concat();
         let energy = if *fed { None } else { Inertia::on_subspace(&linear.energy, &across, one) };
-        // where the moment depends on the slip, a slope that damps here damps near by too
+        // where the torque depends on the slip, a slope that damps here damps nearby too
         let (of_slip, of_currents) = linear.damping.split_at(linear.damping.len().min(1));
         let damps = *steady || of_slip.iter().all(|slope| slope.sign() == Some(1));
         let falls = damps && of_currents.iter().all(|one| one.sign().is_some_and(|sign| sign >= 0));
@@ -143,7 +143,7 @@ impl Judged {
         }
     }
 
-    /// Whether the count of roots to the right is that of the energy's negative squares wherever it must be.
+    /// Whether the number of unstable eigenvalues equals that of the energy's negative squares wherever the theorem applies.
     pub fn is_consistent(&self) -> bool {
         match (self.roots, self.energy) {
             (Some(roots), Some(energy)) if !self.conservative && roots.axis == 0 => roots.right == energy.negative,
@@ -152,17 +152,17 @@ impl Judged {
     }
 }
 
-/// What is conserved, and where the energy is to be definite.
+/// The integrals, and the space on which the energy is to be definite.
 struct Kept<R> {
     integrals: Vec<Integral>,
     /// The integrals' differentials.
     rows: Vec<Vec<R>>,
-    /// Independent linear forms.
+    /// Independent linear forms, which vanish on that space.
     constraints: Vec<Vec<R>>,
 }
 
 impl<R: Ordered> Kept<R> {
-    /// `None` where it is not known whether x lies along v.
+    /// The integrals at a place; `None` where it is not known whether x lies along v.
     fn of(approximation: &Approximation, place: &[R; 7], among: &Among<R>, linear: &Linear<R>) -> Option<Self> {
         let (mut integrals, mut rows) = (approximation.integrals.clone(), linear.integrals.clone());
         let [speed, v1, v2, v3, ..] = place;
@@ -199,7 +199,7 @@ impl<R: Ordered> Kept<R> {
         if let Some(axis) = &among.axis {
             integrals.push(Integral::Axis);
             rows.push(along(axis)?);
-            // where p = 0 it follows from the others
+            // for p = 0 it follows from the others
             if excluded(&p) {
                 constraints.push(along(axis)?);
             }
@@ -208,7 +208,7 @@ impl<R: Ordered> Kept<R> {
     }
 }
 
-/// The direction of the state: dw = w0 dv, and the rotor's speed as its own momentum wants it, where that is kept.
+/// The deviation of the state along dv: dw = w0 dv, and the rotor's speed changes with its own momentum conserved, if it is.
 fn moved<R: Ordered>(
     approximation: &Approximation,
     place: &[R; 7],
@@ -227,7 +227,7 @@ fn moved<R: Ordered>(
     Some(state)
 }
 
-/// a.rows
+/// The combination sum_i a_i row_i.
 fn combined<R: Ordered>(a: &[R; 3], rows: &[Vec<R>], like: &R) -> Option<Vec<R>> {
     let columns = rows.first()?.len();
     let zero = like.integer(0);
@@ -239,7 +239,7 @@ fn dot<R: Ordered>(a: &[R], b: &[R], one: &R) -> R {
     a.iter().zip(b).fold(one.integer(0), |sum, (a, b)| sum.plus(&a.times(b)))
 }
 
-/// Surely not zero.
+/// Whether a number is known not to be zero.
 fn excluded<R: Ordered>(number: &R) -> bool {
     number.sign().is_some_and(|sign| sign != 0)
 }

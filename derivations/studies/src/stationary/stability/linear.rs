@@ -1,13 +1,13 @@
-//! The first approximation at a stationary motion, and the energy that judges it, by differentiation.
+//! The linearisation at a stationary motion, and the second variation of the energy, by differentiation.
 //!
-//! The state, in deviations from the stationary motion: w, v, the rotor's angle and speed as far as the machine knows them,
-//! the currents. With x = dT/dw and p' = dT/dphi' the law is
+//! The state, in deviations from the stationary motion, is w, v, the rotor's angle and speed if they are states of the machine,
+//! and the currents. With x = dT/dw and p' = dT/dphi' the law is
 //!
 //!   x' + w x x = Ge x v ,   v' = v x w ,   p'' = M ,   and the windings' own ;
 //!
-//! it keeps v.v and x.v, and p' where no moment acts. What is neither kept nor fed, unless a supply or conductors that slide
-//! feed it, is the energy as the turning field sees it, E - W p' (with the work of the constant load). With the multipliers
-//! w0 and lambda it is stationary:
+//! it conserves v.v and x.v, and p' where no torque acts. The energy in the frame of the rotating field, E - W p' (with the work of
+//! the constant load), never grows, unless a supply or sliding conductors feed it. With the multipliers
+//! w0 and lambda it has a critical point at the motion:
 //!
 //!   G = E - W p' - w0 x.v + 1/2 lambda v.v ,    lambda = w0 x.v + Ge.v .
 
@@ -25,29 +25,29 @@ pub struct Linear<S> {
     pub rates: Vec<Vec<S>>,
     /// The second derivatives of G.
     pub energy: Vec<Vec<S>>,
-    /// What is missing for it to be a motion: zero at a stationary motion.
+    /// The residuals of the law, zero at a stationary motion.
     pub missing: Vec<S>,
-    /// The differentials of what is conserved, as [`Integral`] lists it.
+    /// The differentials of the integrals, as [`Integral`] lists them.
     pub integrals: Vec<Vec<S>>,
     /// x, N m s, and its differential, component by component.
     pub momentum: Vec<S>,
     pub turning: Vec<Vec<S>>,
-    /// What dG/dt takes from the slip: -dm/dg', N m s, and from each current: R, ohm.
+    /// The coefficients of the dissipation: -dm/dg', N m s, of the slip, and R, ohm, of each current.
     pub damping: Vec<S>,
 }
 
-/// What every motion conserves: a zero root of the first approximation each.
+/// The integrals of every motion, each with a zero eigenvalue of the linearisation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Integral {
     /// |v| = 1.
     Vertical,
     /// x.v, the angular momentum about the vertical.
     Momentum,
-    /// The rotor's own momentum, where nothing acts on it.
+    /// The rotor's own angular momentum, where no torque acts on it.
     RotorMomentum,
     /// The angular momentum about an axis of symmetry.
     Axis,
-    /// |x|^2 of a gyrostat without weight, where this does not follow from the others.
+    /// |x|^2 of a gyrostat without weight, where it is independent of the others.
     Size,
 }
 
@@ -60,7 +60,7 @@ impl<P: Base> Energies<P> {
     }
 }
 
-/// What is missing for rates to be those of a motion: vanishes along every motion.
+/// The residuals of the equations of motion for given rates.
 pub fn missing<P: Base, S: Over<P>, M: Machine<P>>(
     energies: &Energies<P>,
     machine: &M,
@@ -88,7 +88,7 @@ pub fn missing<P: Base, S: Over<P>, M: Machine<P>>(
     missing
 }
 
-/// The first variation of what is missing, for deviations from a stationary motion and their rates.
+/// The first variation of the residuals, for deviations from a stationary motion and their rates.
 pub fn variation<P: Base, S: Over<P>, M: Machine<P>>(
     energies: &Energies<P>,
     machine: &M,
@@ -119,7 +119,7 @@ fn energy<P: Base, S: Over<P>, M: Machine<P>>(
 }
 
 impl<S: Scalar> Linear<S> {
-    /// At a stationary motion. `free`: no moment ever acts on the rotor.
+    /// The linearisation at a stationary motion. `free`: no torque ever acts on the rotor.
     pub fn at<P: Base, M: Machine<P>>(
         energies: &Energies<P>,
         machine: &M,
@@ -177,7 +177,7 @@ fn transposed<S: Copy>(columns: Vec<Vec<S>>) -> Vec<Vec<S>> {
     (0..columns.len()).map(|i| columns.iter().map(|column| column[i]).collect()).collect()
 }
 
-/// X with M X = F. The masses are definite, so that no pivot vanishes.
+/// The solution X of M X = F. The mass matrix is definite: no pivot vanishes.
 fn resolved<S: Scalar>(mut mass: Vec<Vec<S>>, mut force: Vec<Vec<S>>) -> Vec<Vec<S>> {
     let size = mass.len();
     for k in 0..size {

@@ -1,8 +1,8 @@
-//! Where rotation about an axis that carries rotor and weight is stable, over two data.
+//! Stability maps, over two data, of the rotation about an axis that carries rotor and weight.
 //!
-//! At one value of the first datum what decides are two polynomials in the second: b, and a^2 - 4 b (`reduced`), written down by the
-//! law itself with the datum as an unknown. Their real
-//! roots are isolated, and between two neighbours nothing changes: so every column of the map is exact, edges included.
+//! At one value of the first datum two polynomials in the second decide: b, and a^2 - 4 b (`reduced`), obtained by running the
+//! law with the datum as an unknown. Their real roots are isolated, and between two neighbours nothing changes: every
+//! column of the map is exact, boundaries included.
 
 use super::reduced::{Fate, Reduced};
 use crate::stationary::energies::Energies;
@@ -11,38 +11,38 @@ use field::{Rational, Scalar};
 use nalgebra::Vector3;
 use symbolic::{Hypotheses, NotPolynomial, Sym, coefficients, normal, univariate};
 
-/// A gyrostat whose rotor and weight lie along one principal axis of A*, and which end of it points down.
+/// A gyrostat whose rotor and weight lie along one principal axis of A*, with the end of the axis that points down.
 #[derive(Clone, Copy, Debug)]
 pub struct OneAxis<S: Scalar = Rational> {
     energies: Energies<S>,
     vertical: Vector3<S>,
 }
 
-/// What is known of one value of the first datum: edges in the second, in ascending order, and what is between them.
+/// A column of the map: the boundaries in the second datum, ascending, and the verdicts between them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Column {
-    /// One fate more than edges.
+    /// The boundaries; there is one fate more than boundaries.
     pub edges: Vec<Edge>,
     pub fates: Vec<Fate>,
 }
 
-/// Where a decisive polynomial vanishes.
+/// A zero of a decisive polynomial.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Edge {
-    /// The second datum.
+    /// The value of the second datum.
     pub at: f64,
-    /// A tilt costs no energy: b = 0; otherwise two pairs of roots meet.
+    /// True for b = 0, where a tilt costs no energy; otherwise two pairs of eigenvalues meet.
     pub neutral: bool,
 }
 
 impl OneAxis {
-    /// `None` where rotor, weight and a principal axis do not agree. `hanging`: the weight points down.
+    /// `None` where rotor, weight and a principal axis are not parallel. `hanging`: the weight points down.
     pub fn of(energies: &Energies<Rational>, hanging: bool) -> Option<Self> {
         let down = energies.weight.iter().find_map(|g| g.sign().filter(|sign| *sign != 0))? > 0;
         Self::about(energies, down == hanging)
     }
 
-    /// All rotor speeds at one angular velocity.
+    /// The column of all rotor speeds at one angular velocity, rad/s.
     pub fn column(&self, speed: Rational) -> Column {
         let unknown = Sym::symbol("W");
         let written = OneAxis { energies: self.energies.written(), vertical: self.vertical.map(Sym::constant) };
@@ -54,8 +54,8 @@ impl OneAxis {
 }
 
 impl<S: Scalar> OneAxis<S> {
-    /// Whichever way the weight points: about the axis itself, or its opposite. Expressions must be in normal form, so that what
-    /// vanishes is zero.
+    /// The rotation about the axis itself, or its opposite, whatever the direction of the weight. Expressions must be in normal
+    /// form: the test for zero is structural.
     pub fn about(energies: &Energies<S>, along: bool) -> Option<Self> {
         let axis = (0..3).find(|i| !energies.mixed[*i].is_zero())?;
         let alone = |v: &Vector3<S>| (0..3).all(|j| j == axis || v[j].is_zero());
@@ -73,11 +73,11 @@ impl<S: Scalar> OneAxis<S> {
 }
 
 impl Column {
-    /// Over the second datum, an unknown in the law of the motion, within a range; `motion` has the same law at values of it. `None`
-    /// where there is no motion.
+    /// The column over the second datum, an unknown in the reduced motion `over`, within a range; `motion` gives the motion at its
+    /// values. `None` where there is no motion.
     ///
     /// # Errors
-    /// [`NotPolynomial`] where b or a^2 - 4 b is none in the unknown.
+    /// [`NotPolynomial`] where b or a^2 - 4 b is not polynomial in the unknown.
     pub fn of(
         over: &Reduced<Sym>,
         unknown: Sym,
@@ -94,8 +94,8 @@ impl Column {
         Column::cut(over, range, &roots, &fate)
     }
 
-    /// The same where the rotor's speed is an irrational number, a second unknown in the law: coefficients and signs are computed
-    /// with in the field of that number.
+    /// The column where the rotor's speed is an irrational number, a second unknown of `over`: coefficients and signs are computed
+    /// in its number field.
     ///
     /// # Errors
     /// [`NotPolynomial`].
@@ -144,14 +144,14 @@ impl Column {
         Ok(fates.map(|fates| Column { edges, fates }))
     }
 
-    /// At a value that is no edge.
+    /// The verdict at a value that is no boundary.
     pub fn at(&self, value: f64) -> Fate {
         let below = self.edges.iter().filter(|edge| edge.at < value).count();
         self.fates.get(below).copied().unwrap_or(Fate::Edge)
     }
 }
 
-/// A fraction of polynomials in the second datum and the rotor's speed: (their powers, coefficient).
+/// A rational function of the second datum and the rotor's speed, as terms (powers, coefficient).
 struct OverKept {
     numerator: Vec<([usize; 2], Rational)>,
     denominator: Vec<([usize; 2], Rational)>,
@@ -171,7 +171,7 @@ impl OverKept {
         Ok(OverKept { numerator, denominator })
     }
 
-    /// The numerator with coefficients in the field of the speed, t = a W: each term times a power of a that is the same for all.
+    /// The numerator with coefficients in the number field of t = a W; all terms are multiplied by one power of a.
     fn over_field(&self, kept: &Root) -> Option<Polynomial> {
         let (generator, lead) = Field::of(kept)?;
         let values: Vec<Rational> = self.numerator.iter().map(|(_, value)| *value).collect();
@@ -187,7 +187,7 @@ impl OverKept {
         Some(Polynomial::new(dense))
     }
 
-    /// At a value of the datum; `None` where the fraction is undefined there.
+    /// The sign at a value of the datum; `None` where the function is undefined there.
     fn sign(&self, at: Rational, kept: &Root) -> Option<i32> {
         let sign = |terms: &[([usize; 2], Rational)]| {
             let mut dense = vec![Rational::int(0); 1 + terms.iter().map(|([_, power], _)| *power).max().unwrap_or(0)];

@@ -2,18 +2,18 @@
 //!
 //! # Overview
 //! * [`state`]: stationary motions and deviations from them;
-//! * [`linear`]: the first approximation and the second variation of the energy, by differentiation, over any field;
-//! * [`approximation`]: both for a scene's gyrostat and motor, written down once and run over fractions and enclosures;
-//! * [`verdict`]: the closed set of answers, and the theorems behind them; [`judged`]: one with what it rests on;
-//! * [`judge`]: of a scene's motions, with enclosures fine enough, and with fractions where all is rational;
-//! * [`family`]: circles and spheres of motions as curves that fractions parametrise; [`critical`]: the functions on them one
-//!   of which vanishes where a verdict changes; [`along`]: the verdicts, arc by arc; [`symmetry`]: where one member stands for all;
+//! * [`linear`]: the linearisation and the second variation of the energy, by differentiation, over any field;
+//! * [`approximation`]: both for a scene's gyrostat and motor, symbolic, evaluated over fractions and enclosures;
+//! * [`verdict`]: the closed set of verdicts, and the theorems behind them; [`judged`]: a verdict with its evidence;
+//! * [`judge`]: verdicts on a scene's motions, with enclosures fine enough, and with fractions where all is rational;
+//! * [`family`]: circles and spheres of motions as rational curves; [`critical`]: functions on them, one of which vanishes
+//!   where a verdict changes; [`along`]: the verdicts, arc by arc; [`symmetry`]: families of which one member represents all;
 //! * [`reduced`]: the two classical gyrostats in three unknowns, for theorems, maps and pictures;
-//! * [`cone`]: the same for every point of the cone, exactly;
-//! * [`map`]: where rotation about the axis of everything is stable, over two speeds; [`plane`]: over any two data
-//!   ([`datum`]); [`region`]: of every motion of any gyrostat, judged at nodes and followed between them;
+//! * [`cone`]: stability at every point of the cone of axes, exactly;
+//! * [`map`]: stability maps of the rotation about an axis with rotor and weight, over two speeds; [`plane`]: over any two data
+//!   ([`datum`]); [`region`]: of every motion of any gyrostat, judged at nodes and followed between them.
 //!
-//! The theorems, in letters, are a page of claims of their own.
+//! The theorems, in letters, are claims in `derivations/theorems/src/stability/`.
 
 pub mod along;
 pub mod approximation;

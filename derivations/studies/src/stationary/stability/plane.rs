@@ -1,9 +1,9 @@
-//! Maps over any two data of a scene, by their names: where the rotation about the axis of rotor and weight is stable, and where
-//! the motor bears it.
+//! Stability maps of the rotation about the axis of rotor and weight, over any two data of a scene, by their names, with the region
+//! in which the motor has a steady state.
 //!
-//! The first datum may be anything: at each of its values the motor's own stationary state is known, and with it W. The second
-//! is one on which T and V, or the speeds, depend as polynomials: then b and a^2 - 4 b are polynomials in it. That they are is found
-//! by the law itself, which is run with the datum as an unknown.
+//! The first datum is arbitrary: at each of its values the motor's own steady state is known, and with it W. T and V, or the
+//! speeds, are polynomials in the second datum; b and a^2 - 4 b are then polynomials in it. This is checked
+//! by running the law with the datum as an unknown.
 
 use super::datum::{Datum, Setting, Where};
 use super::map::{Column, OneAxis};
@@ -17,18 +17,18 @@ use field::{Rational, Scalar};
 use std::fmt;
 use symbolic::{Hypotheses, NotPolynomial, Sym, normal};
 
-/// Why there is no map.
+/// The reason for which there is no map.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoPlane {
     Bench,
-    /// The second datum changes the motor's stationary state.
+    /// The second datum changes the motor's steady state.
     NotPolynomial(String),
-    /// A verdict is no polynomial in the second datum, because of this part.
+    /// A decisive quantity is not polynomial in the second datum, because of this part.
     Bent {
         name: String,
         part: String,
     },
-    /// Somewhere rotor, weight and a principal axis part.
+    /// At this value rotor, weight and a principal axis are not parallel.
     Oblique {
         name: String,
         value: f64,
@@ -36,11 +36,11 @@ pub enum NoPlane {
     NoMotor(String),
 }
 
-/// What is at one value of the first datum.
+/// The map at one value of the first datum.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Cell {
     Decided(Column),
-    /// The motor keeps no speed: it is pulled out.
+    /// The motor has no steady speed: it is pulled out.
     PulledOut,
 }
 
@@ -50,17 +50,17 @@ pub struct Plane<'a> {
     data: Data,
     first: &'a Datum,
     second: &'a Datum,
-    /// w0, rad/s, unless that is one of both
+    /// w0, rad/s, unless it is one of the two data
     speed: f64,
-    /// About the rotor's axis, or its opposite.
+    /// Whether the rotation is about the rotor's axis, or its opposite.
     along: bool,
 }
 
-/// Parts of a range at whose ends it is seen where rotor, weight and axis part, if they do.
+/// Parts of a range at whose ends the alignment of rotor, weight and axis is tested.
 const LOOKED: u32 = 12;
 
 impl<'a> Plane<'a> {
-    /// Over two data, with w0, rad/s, about the rotor's axis or its opposite.
+    /// The map over two data, with w0, rad/s, about the rotor's axis or its opposite.
     ///
     /// # Errors
     /// [`NoPlane`].
@@ -74,7 +74,7 @@ impl<'a> Plane<'a> {
         Ok(Plane { scene, data: Data::of(scene), first, second, speed, along })
     }
 
-    /// At one value of the first datum, the second in a range.
+    /// The map at one value of the first datum, with the second in a range.
     ///
     /// # Errors
     /// [`NoPlane`].
@@ -126,7 +126,7 @@ impl<'a> Plane<'a> {
         column.map(Cell::Decided).ok_or_else(|| NoPlane::Oblique { name: self.second.name.clone(), value: low })
     }
 
-    /// W, or why there is none.
+    /// W, or the cell without one.
     fn kept(&self, here: &Setting) -> Result<Result<Root, Cell>, NoPlane> {
         let fraction = |value: Rational| {
             let undefined = || NoPlane::NoMotor("the rotor's speed is no number".into());
@@ -147,7 +147,7 @@ impl<'a> Plane<'a> {
             }
         };
         let Some(speed) = speed else { return Ok(Err(Cell::PulledOut)) };
-        // a fraction that its polynomial does not show
+        // a rational root that its polynomial does not reveal
         let simplest = speed.enclosure(256).simplest();
         let same = Root::rational(simplest).filter(|root| root.compare(&speed).is_eq());
         Ok(Ok(same.unwrap_or(speed)))
@@ -160,7 +160,7 @@ impl<'a> Plane<'a> {
         states.map_err(|reason| NoPlane::NoMotor(reason.to_string()))
     }
 
-    /// The loads at which the motor is pulled out, N m, where the first datum is the load.
+    /// The pull-out loads, N m, where the first datum is the load.
     pub fn bears(&self) -> Option<Bears> {
         let here = Setting { data: self.data.clone(), load: 0.0, speed: self.speed, rotor_speed: None };
         match (&self.first.place, self.motor(&here)) {
@@ -170,7 +170,7 @@ impl<'a> Plane<'a> {
     }
 }
 
-/// Each entry in normal form.
+/// The energies with each entry in normal form.
 fn tidy(energies: Energies<Sym>) -> Option<Energies<Sym>> {
     let reduced = |entry: Sym| normal(entry, &Hypotheses::none()).map_or(Sym::UNDEFINED, |form| form.to_sym());
     let Energies { tensor, mixed, axial, weight } = energies;

@@ -1,4 +1,4 @@
-//! The first approximation of a gyrostat whose rotor keeps its relative speed or its own momentum, reduced to three unknowns.
+//! The linearisation of a gyrostat whose rotor has a constant relative speed or own momentum, reduced to three unknowns.
 //!
 //! With deviations d nu of the vertical and eta = d omega - w0 d nu: d nu' = nu x eta, and with a tensor T, the rotor's
 //! momentum sigma, H = lambda - w0^2 T, kappa = 2 w0 T nu + sigma and n = kappa - w0 tr(T) nu
@@ -7,17 +7,17 @@
 //!
 //!   det K = z^2 det T (z^4 + a z^2 + b) .
 //!
-//! That this is what the laws come to is proved in `claims`.
+//! `derivations/theorems/src/stability/` proves this reduction.
 
 use crate::stationary::energies::Energies;
 use field::Scalar;
 use mechanics::rotation::{adjugate, determinant};
 use nalgebra::{Matrix3, Vector3};
 
-/// A stationary motion, and what the rotor lends to the carrier.
+/// A stationary motion of a gyrostat with constant relative speed or own momentum of the rotor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reduced<S: Scalar> {
-    /// T: A* where the rotor keeps its relative speed, A where it keeps its own momentum, kg m^2
+    /// T, kg m^2: A* where the rotor's relative speed is constant, A where its own momentum is
     pub tensor: Matrix3<S>,
     /// sigma: A' W l or A' (W + w0 l.nu) l, N m s
     pub spin: Vector3<S>,
@@ -30,7 +30,7 @@ pub struct Reduced<S: Scalar> {
 }
 
 impl<S: Scalar> Reduced<S> {
-    /// A rotor that keeps its relative speed W, rad/s.
+    /// A gyrostat with the constant relative speed W of the rotor, rad/s.
     pub fn kept(energies: &Energies<S>, speed: S, vertical: Vector3<S>, rotor_speed: S) -> Self {
         let Energies { tensor, mixed, weight, .. } = *energies;
         let spin = mixed * rotor_speed;
@@ -38,7 +38,7 @@ impl<S: Scalar> Reduced<S> {
         Reduced { tensor, spin, speed, vertical, multiplier }
     }
 
-    /// A rotor that has this relative speed now, and keeps its own momentum.
+    /// A gyrostat with a free rotor of this relative speed, rad/s, whose own momentum is conserved.
     pub fn free(energies: &Energies<S>, speed: S, vertical: Vector3<S>, rotor_speed: S) -> Self {
         let Energies { tensor, mixed, axial, .. } = *energies;
         let share = mixed / axial;
@@ -50,12 +50,12 @@ impl<S: Scalar> Reduced<S> {
         }
     }
 
-    /// H, N m
+    /// the stiffness H, N m
     pub fn stiffness(&self) -> Matrix3<S> {
         Matrix3::identity() * self.multiplier - self.tensor * self.speed.squared()
     }
 
-    /// kappa, N m s: what a tilt changes of the vertical momentum
+    /// kappa, N m s: the derivative of the vertical momentum by a tilt
     pub fn coupling(&self) -> Vector3<S> {
         self.tensor * self.vertical * (self.speed + self.speed) + self.spin
     }
@@ -90,13 +90,13 @@ impl<S: Scalar> Reduced<S> {
         (self.tensor * self.vertical).dot(&self.vertical)
     }
 
-    /// Q: twice the energy of a tilt with the vertical momentum kept, N m; it counts on the plane across nu.
+    /// Q, N m: twice the energy of a tilt at constant vertical momentum, on the plane orthogonal to nu.
     pub fn energy(&self) -> Matrix3<S> {
         let coupling = self.coupling();
         self.stiffness() + coupling * coupling.transpose() / self.weight()
     }
 
-    /// det T a, det T b, the discriminant of both, and the trace of Q across nu: their signs decide.
+    /// det T a, det T b, their discriminant, and the trace of Q orthogonal to nu: the signs decide stability.
     pub fn deciding(&self) -> [S; 4] {
         let [det, a, b] = self.polynomial();
         let form = self.energy();
@@ -105,29 +105,29 @@ impl<S: Scalar> Reduced<S> {
     }
 }
 
-/// The matrix of a x .
+/// The matrix of the cross product with a.
 pub fn cross<S: Scalar>(a: Vector3<S>) -> Matrix3<S> {
     let zero = S::zero();
     Matrix3::new(zero, -a.z, a.y, a.z, zero, -a.x, -a.y, a.x, zero)
 }
 
-/// What becomes of a tilt, at constant speed and with a motor.
+/// The stability of a tilt, at constant rotor speed and with a motor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fate {
-    /// The energy is definite: stable at constant speed, and with every motor whose own state is stable.
+    /// Definite energy: stable at constant speed, and with every motor whose own steady state is stable.
     ByEnergy,
-    /// The roots are on the axis and the energy is not definite: only gyroscopic forces hold it; a motor that feels it makes it
-    /// unstable.
+    /// Imaginary eigenvalues with indefinite energy: stabilised only by gyroscopic forces; unstable with a motor whose torque responds to
+    /// the motion.
     ByGyroscopes,
     Unstable,
-    /// On the edge between them.
+    /// On the boundary between them.
     Edge,
 }
 
 impl Fate {
     pub const ALL: [Fate; 4] = [Fate::ByEnergy, Fate::ByGyroscopes, Fate::Unstable, Fate::Edge];
 
-    /// For readers.
+    /// The name in pictures and tables.
     pub fn name(self) -> &'static str {
         match self {
             Fate::ByEnergy => "stable by energy, with every motor",
@@ -137,12 +137,12 @@ impl Fate {
         }
     }
 
-    /// From the signs of numbers; those of fractions are exact.
+    /// The fate of a motion, given the sign of numbers; that of fractions is exact.
     pub fn of<S: Scalar>(motion: &Reduced<S>, sign: impl Fn(S) -> i32) -> Fate {
         Fate::by_signs(motion.deciding().map(sign))
     }
 
-    /// From the signs of [`Reduced::deciding`].
+    /// The fate by the signs of [`Reduced::deciding`].
     pub fn by_signs([a, b, apart, trace]: [i32; 4]) -> Fate {
         match (b, a, apart) {
             (1, _, _) if trace > 0 => Fate::ByEnergy,

@@ -1,4 +1,4 @@
-//! Stationary motions and states near them: where what stands, and how it moves along a deviation.
+//! Stationary motions, the layout of states, and states near stationary motions along deviations.
 
 use field::{Base, Circle, Over, Scalar, Tangent};
 use motor::{Machine, RotorState, resting_currents};
@@ -11,13 +11,13 @@ pub struct StationaryState<S> {
     pub speed: S,
     /// v
     pub vertical: Vector3<S>,
-    /// W: phi', rad/s; a machine that knows the angle is in step with its field
+    /// W = phi', rad/s; a machine with an angle is synchronous
     pub rotor_speed: S,
     /// g
     pub angle: Circle<S>,
 }
 
-/// Where what stands in a state.
+/// The layout of a state vector.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Layout {
     pub rotor: RotorState,
@@ -25,7 +25,7 @@ pub struct Layout {
 }
 
 impl Layout {
-    /// Of a machine.
+    /// The layout for a machine.
     pub fn of<P: Base>(machine: &impl Machine<P>) -> Self {
         Layout { rotor: machine.rotor(), windings: machine.windings() }
     }
@@ -44,7 +44,7 @@ impl Layout {
     }
 }
 
-/// A state as the laws want it.
+/// A state in the form that the laws take.
 pub struct State<S> {
     pub w: Vector3<S>,
     pub v: Vector3<S>,
@@ -55,7 +55,7 @@ pub struct State<S> {
 }
 
 impl<S: Scalar> StationaryState<S> {
-    /// The same place with constant coordinates.
+    /// The motion with coordinates of zero derivative.
     pub(super) fn fixed(&self) -> StationaryState<Tangent<S>> {
         let StationaryState { speed, vertical, rotor_speed, angle } = self;
         StationaryState {
@@ -66,8 +66,8 @@ impl<S: Scalar> StationaryState<S> {
         }
     }
 
-    /// The state at deviations that are zero with a slope, the currents from those that rest. (Where none do, from zero,
-    /// which is then seen to be no stationary motion.)
+    /// The state along a deviation with these derivatives, the currents from their steady values. (Without steady values
+    /// from zero, which the residuals then show to be no stationary motion.)
     pub(super) fn state<P: Base, M: Machine<P>>(&self, machine: &M, slopes: &[S]) -> State<Tangent<S>>
     where
         S: Over<P>,
@@ -92,7 +92,7 @@ impl<S: Scalar> StationaryState<S> {
     }
 }
 
-/// A state that moves in one direction, moved in another.
+/// A state with derivatives in one direction, differentiated in another.
 pub(super) fn twice_moved<P: Base, S: Over<P>, M: Machine<P>>(
     inner: &State<Tangent<S>>,
     place: &StationaryState<Tangent<S>>,

@@ -1,4 +1,4 @@
-//! Gyrostats whose carrier, rotor and weight know one axis only.
+//! Gyrostats with an axis of symmetry of carrier, rotor and weight.
 
 use super::approximation::Approximation;
 use super::family::beside;
@@ -9,7 +9,7 @@ use field::Rational;
 use nalgebra::Vector3;
 use symbolic::{Formulas, symbols};
 
-/// Whether nothing tells directions about an axis apart; `value`: the rotor's speed where a machine prescribes it.
+/// Whether the gyrostat is symmetric about an axis; `value`: the rotor's speed where a machine prescribes it.
 pub fn is_symmetric(
     approximation: &Approximation,
     energies: &Energies<Rational>,
@@ -28,7 +28,7 @@ pub fn is_symmetric(
         && vanishes(&energies.weight.cross(axis))
 }
 
-/// A rotor along an axis of symmetry does not feel how this nods: s + a_c divides, of both classical polynomials.
+/// The number a_c for which s + a_c divides both classical polynomials: a rotor along an axis of symmetry does not respond to nutation.
 pub fn unfelt(energies: &Energies<Rational>, place: &[Enclosure; 7], one: &Enclosure) -> Option<Enclosure> {
     let unknowns = symbols(["w0", "v1", "v2", "v3", "W"]);
     let [speed, v1, v2, v3, rotor_speed] = unknowns;

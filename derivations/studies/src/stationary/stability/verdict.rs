@@ -1,61 +1,61 @@
-//! What the first approximation and the energy say of a stationary motion.
+//! Stability verdicts on a stationary motion by its linearisation and energy.
 //!
 //! Three theorems, each with hypotheses that are checked exactly:
 //!
-//! * a root to the right: unstable (Lyapunov's first method);
-//! * all roots but the structural zeros to the left: on every level of the integrals near by there is one stationary motion,
-//!   and motions tend to it exponentially (Lyapunov, Malkin);
+//! * an eigenvalue with positive real part: unstable (Lyapunov's first method);
+//! * all eigenvalues but the structural zeros with negative real parts: every nearby level of the integrals has one stationary
+//!   motion, to which motions tend exponentially (Lyapunov, Malkin);
 //! * G definite where the integrals' differentials vanish, and dG/dt <= 0: stable (Routh, Lyapunov; Arnold: energy-Casimir).
 //!
-//! Of a motion in a connected family all three are said of the family: G is the same function for all of its members, which
-//! share w0 and lambda, so that it is stationary along it. A direction of the family in which no integral changes is one more
-//! zero root, and one along which G does not change; where G is definite across it the family is stable (Morse, Bott), and
-//! where all other roots lie to the left motions tend to the stationary motions of the family and its neighbours. Directions
-//! in which an integral changes are no exception: the neighbours have other integrals.
+//! For a motion in a connected family all three hold for the family: its members share w0 and lambda, hence the function G,
+//! which is stationary along the family. A direction of the family in which no integral changes gives one more
+//! zero eigenvalue, and G does not change along it. If G is definite across the family, the family is stable (Morse, Bott); if
+//! all other eigenvalues have negative real parts, motions tend to the stationary motions of the family and its neighbours.
+//! Directions in which an integral changes are no exception: the neighbours have other values of the integrals.
 //!
-//! Without weight x stays in space, and any multiple of |x - p v|^2, p = x.v, may be added to G: it is enough that G is
+//! Without weight x is constant in space, and any multiple of |x - p v|^2, p = x.v, may be added to G: it suffices that G is
 //! definite where dx = p dv (Finsler).
 //!
-//! A fourth is a check of the first two, where nothing drives and no root is on the axis: there are as many roots to the right
-//! as G has negative squares (Ostrowski, Schneider 1962; Zajac 1964 for systems of this kind).
+//! A fourth theorem checks the first two, without a drive and without eigenvalues on the axis: the number of eigenvalues with
+//! positive real part equals the number of negative squares of G (Ostrowski, Schneider 1962; Zajac 1964 for such systems).
 
 use mechanics::linear_stability::{HalfPlanes, Inertia};
 
-/// What becomes of small deviations.
+/// The stability of a stationary motion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StabilityVerdict {
-    /// They stay small: the energy is definite where the integrals have their values.
+    /// Small deviations stay small: the energy is definite on the level of the integrals.
     Stable,
-    /// They fade, on each level of the integrals towards the stationary motion of this level.
+    /// Small deviations decay, on each level of the integrals towards the stationary motion of this level.
     AsymptoticallyStableModuloIntegrals,
-    /// So many roots lie to the right of the imaginary axis.
+    /// This many eigenvalues have a positive real part.
     Unstable { right: usize },
-    /// The first approximation and the energy do not decide.
+    /// The linearisation and the energy do not decide.
     CannotTell(Reason),
 }
 
-/// Why there is no verdict.
+/// The reason for which there is no verdict.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reason {
-    /// All roots are to the left or on the axis, and the energy has so many negative squares: if this is stable at all, then
-    /// by gyroscopic forces, and the terms beyond the first approximation decide.
+    /// No eigenvalue has a positive real part, and the energy has this many negative squares: the motion can only be stable
+    /// by gyroscopic forces, and nonlinear terms decide.
     Gyroscopic { negative: usize },
-    /// A further root is zero: motions merge, or their neighbours are stationary too.
+    /// A further eigenvalue is zero: motions merge, or their neighbours are stationary too.
     Neutral,
-    /// A family whose numbers are no fractions, and which no symmetry explains.
+    /// A family with irrational data, which no symmetry explains.
     Family,
-    /// A single direction of a family at which something that decides vanishes.
+    /// A single direction of a family at which a decisive quantity vanishes.
     Edge,
     /// Both angles of the rotor, or two of its speeds, merge.
     PullOut,
-    /// A quantity that decides is nearer to zero than 2048 bits tell.
+    /// The sign of a decisive quantity is not known with 2048 bits.
     TooFine,
-    /// The integrals' zero roots are not there: this is no stationary motion.
+    /// The integrals' zero eigenvalues are missing: this is no stationary motion.
     NotStationary,
 }
 
 impl StabilityVerdict {
-    /// `falls`: G is conserved or never grows. `neutral`: a root is zero that nothing explains.
+    /// `falls`: G is conserved or never grows. `neutral`: an eigenvalue is zero without explanation.
     pub(super) fn of(
         roots: Option<HalfPlanes>,
         energy: Option<Inertia>,

@@ -1,30 +1,30 @@
-//! A map as branches: each a motion that was followed from node to node, with at most one place at each.
+//! A map as branches: each is a motion followed from node to node, with at most one place at each.
 
 use super::line::{Border, Link};
 use super::node::{Class, Here, Node};
 use std::collections::VecDeque;
 
-/// All nodes, and what joins them.
+/// All nodes, and the branches that join them.
 #[derive(Clone, Debug)]
 pub struct Atlas {
-    /// Column by column, each from its lowest row.
+    /// The nodes, column by column, each from its lowest row.
     pub columns: Vec<Vec<Node>>,
-    /// Those with most nodes first.
+    /// The branches, those with most nodes first.
     pub branches: Vec<Branch>,
-    /// Where the verdict on a motion of a branch changes, or the branch ends.
+    /// The borders at which the verdict on a branch changes, or the branch ends.
     pub borders: Vec<(usize, Border)>,
-    /// How many motions could not be followed to a neighbour that has as many.
+    /// The number of motions that could not be followed to a neighbour with equally many.
     pub lost: usize,
 }
 
-/// One motion, as far as it was followed.
+/// One motion over the nodes to which it was followed.
 #[derive(Clone, Debug)]
 pub struct Branch {
-    /// Which of the rotor's states that the motor holds.
+    /// The index of the rotor's steady state.
     pub state: usize,
-    /// Its place among the motions of each node.
+    /// The place of the motion among those of each node.
     pub places: Vec<Vec<Option<usize>>>,
-    /// At how many nodes it is.
+    /// The number of nodes of the branch.
     pub nodes: usize,
 }
 
@@ -32,7 +32,7 @@ pub struct Branch {
 type At = (usize, usize, usize);
 
 impl Atlas {
-    /// From the links of each row from left to right, and of each column upwards.
+    /// The atlas from the links of each row from left to right, and of each column upwards.
     pub fn of(columns: Vec<Vec<Node>>, rows: Vec<Vec<Link>>, upwards: Vec<Vec<Link>>) -> Self {
         let mut next: Vec<Vec<Vec<Vec<At>>>> = columns
             .iter()
@@ -81,12 +81,12 @@ impl Atlas {
         Atlas { columns, branches, borders, lost }
     }
 
-    /// A branch at a node.
+    /// The motion of a branch at a node.
     pub fn at(&self, branch: &Branch, column: usize, row: usize) -> Option<&Here> {
         self.columns[column][row].isolated().get(branch.places[column][row]?)
     }
 
-    /// At how many nodes of a branch each verdict is reached.
+    /// The number of nodes of a branch with each verdict.
     pub fn verdicts(&self, branch: &Branch) -> [usize; Class::ALL.len()] {
         let mut counts = [0; Class::ALL.len()];
         for (column, nodes) in self.columns.iter().enumerate() {
@@ -102,7 +102,7 @@ impl Atlas {
 }
 
 impl Branch {
-    /// Breadth first: a node that it has reached by another way is not entered again.
+    /// Extends the branch breadth first; a node that it has already reached is not entered again.
     fn grow(&mut self, from: At, own: usize, next: &[Vec<Vec<Vec<At>>>], number: &mut [Vec<Vec<Option<usize>>>]) {
         let mut open = VecDeque::from([from]);
         while let Some((column, row, place)) = open.pop_front() {

@@ -1,4 +1,4 @@
-//! The law of small deviations with letters for the bodies, the load and a datum of the machine: written down once for a map.
+//! The linearised law with letters for the bodies, the load and a datum of the machine, built once for a map.
 
 use super::Region;
 use crate::scene::Scene;
@@ -13,9 +13,9 @@ use nalgebra::{Matrix3, Vector3};
 use std::sync::Arc;
 use symbolic::Sym;
 
-/// What the letters of the law stand for.
+/// The meaning of the letters of the law.
 pub(super) struct Letters {
-    /// Whether one of the data is W itself, whatever the motor would keep.
+    /// Whether one of the data is W itself, in place of the motor's own steady speed.
     prescribed: bool,
     load: bool,
     /// The place of a datum among those of the machine.
@@ -23,14 +23,14 @@ pub(super) struct Letters {
     approximation: Approximation,
 }
 
-/// What the motor does at one value of the first datum.
+/// The motor's steady states at one value of the first datum.
 pub(super) struct Ground {
     pub motor: MotorStates,
     approximation: Approximation,
     letters: Vec<Rational>,
 }
 
-/// What the rotor keeps, with its angle where the motor holds one.
+/// The rotor's constant quantity, with the angle of a synchronous motor.
 pub(super) struct HeldRotor<'a> {
     pub kept: Kept,
     pub value: Root,
@@ -50,7 +50,7 @@ impl Letters {
 }
 
 impl Region<'_> {
-    /// At one value of the first datum; one for all where that is no business of the motor.
+    /// The motor at one value of the first datum, shared by all values if that datum is not one of the motor.
     pub(super) fn ground(&self, first: f64) -> Result<Arc<Ground>, NoMotor> {
         if self.data[0].is_of_motor() {
             return self.ground_at(first).map(Arc::new);
@@ -64,7 +64,7 @@ impl Region<'_> {
         let given = self.scene.given.with_data(here.data.machine.clone());
         let own = given.model(self.scene.machine.name()).map_err(NoMotor::Data)?;
         let motor = match prescribed {
-            // that of the node
+            // W is the node's own
             true => MotorStates::Free,
             false => MotorStates::under(&own, here.load)?,
         };
@@ -72,14 +72,14 @@ impl Region<'_> {
         letters.extend(load.then(|| Rational::decimal(here.load)));
         letters.extend(machine.map(|place| Rational::decimal(here.data.machine[place])));
         if letters.iter().any(|value| value.sign() != Some(1) && value.sign() != Some(-1)) {
-            // a datum that vanishes may change what is conserved
+            // a datum that vanishes may change the integrals
             let written = Written { motor: &own, load: false, datum: None };
             return Ok(Ground { motor, approximation: written.approximation(*prescribed)?, letters: Vec::new() });
         }
         Ok(Ground { motor, approximation: approximation.clone(), letters })
     }
 
-    /// The states of the rotor to which the moment drives back, or at which they merge.
+    /// The rotor's steady states with a restoring torque, or at which two merge.
     pub(super) fn held<'a>(
         &self,
         ground: &'a Ground,
@@ -113,7 +113,7 @@ impl Region<'_> {
 }
 
 impl Ground {
-    /// With a node's own bodies.
+    /// The linearisation with a node's own bodies.
     pub fn approximation(&self, energies: &Energies<Rational>) -> Approximation {
         let Energies { tensor, mixed, axial, weight } = energies;
         let tensor = (0..3).flat_map(|i| (i..3).map(move |j| tensor[(i, j)]));
@@ -132,7 +132,7 @@ struct Written<'a> {
 impl Written<'_> {
     fn approximation(&self, prescribed: bool) -> Result<Approximation, NoMotor> {
         match prescribed {
-            // the speed is the place's own
+            // the speed is one of the data
             true => self.with(&ConstantSpeed { speed: Sym::symbol("W") }, Vec::new()),
             false => {
                 let machine = self.motor.over(|quantity, value| match self.datum == Some(quantity.name.as_ref()) {

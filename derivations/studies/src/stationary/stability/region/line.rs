@@ -1,4 +1,4 @@
-//! Neighbours on a line of the map: which of their motions are one, and where between them one ends or changes its verdict.
+//! Neighbouring nodes on a line of the map: the motions that they share, and the borders at which one ends or changes its verdict.
 
 use super::Region;
 use super::law::Ground;
@@ -11,39 +11,39 @@ use mechanics::steady_rotations::{self, Data, followed};
 use std::cell::OnceCell;
 use symbolic::{Formulas, Sym, symbols};
 
-/// What two neighbours have to do with each other.
+/// The relation of two neighbouring nodes.
 #[derive(Clone, Debug, Default)]
 pub struct Link {
-    /// Places of one motion among those of the first and of the second.
+    /// The places of each shared motion among those of the first and of the second.
     pub joined: Vec<[usize; 2]>,
     pub borders: Vec<Border>,
-    /// Motions of either that the other has not, though both have equally many: they could not be followed.
+    /// The number of motions that could not be followed, though both nodes have equally many.
     pub lost: usize,
 }
 
-/// Something between two points, both judged as nodes are.
+/// A change between two points, both judged as nodes are.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Border {
     pub change: Change,
     pub between: [[f64; 2]; 2],
-    /// The value of the second datum, w0, where it is a root of a polynomial that was isolated.
+    /// The value of the second datum, w0, rad/s, where it is an isolated root of a polynomial.
     pub exactly: Option<f64>,
-    /// The motion to which it happens: of the first neighbour or of the second, and its place there.
+    /// The motion that changes: the neighbour (first or second), and its place there.
     pub of: (usize, usize),
 }
 
-/// What happens.
+/// The kind of change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Change {
-    /// The verdict on one motion.
+    /// The verdict on one motion changes.
     Verdict,
-    /// Their number: two motions merge.
+    /// Two motions merge (saddle-node).
     Fold,
-    /// The motor holds no speed or angle beyond.
+    /// The motor has no steady speed or angle beyond.
     PullOut,
 }
 
-/// So many times the way between two neighbours is halved: to a third of the width of a printed line.
+/// The number of bisections between two neighbours: down to a third of the width of a printed line.
 const HALVINGS: usize = 5;
 
 /// K and b along a line on which one datum moves.
@@ -51,11 +51,11 @@ struct Line<'a> {
     region: &'a Region<'a>,
     moving: usize,
     formulas: Formulas,
-    /// Where motions merge, of a line over w0.
+    /// The folds of a line over w0, rad/s.
     folds: OnceCell<Vec<f64>>,
 }
 
-/// A point of the line, with what the rotor keeps there.
+/// A point of the line, with the value of the rotor's constant quantity.
 #[derive(Clone)]
 struct Stop {
     values: [f64; 2],
@@ -63,10 +63,10 @@ struct Stop {
 }
 
 impl Region<'_> {
-    /// Of a row of nodes (`moving` 0) or a column (1), each with the next.
+    /// The links of a row of nodes (`moving` 0) or a column (1), each node with the next.
     ///
     /// # Errors
-    /// [`NoMotor`] where the motor has no stationary state that is known.
+    /// [`NoMotor`] where the motor's steady states are not known.
     pub fn links(&self, nodes: &[&Node], moving: usize) -> Result<Vec<Link>, NoMotor> {
         let Some(first) = nodes.first() else { return Ok(Vec::new()) };
         let ground = self.ground(first.values[0])?;
@@ -86,12 +86,12 @@ impl<'a> Line<'a> {
         let (tensor, share) = energies.quadratic(region.kept(ground));
         let matrix = tensor * (speed * speed);
         let vector = share * (speed * kept) + energies.weight;
-        // the matrix is symmetric, so that columns are rows
+        // the matrix is symmetric: columns are rows
         let all: Vec<Sym> = matrix.iter().chain(vector.iter()).copied().collect();
         Some(Line { region, moving, formulas: Formulas::of(&all, &unknowns).ok()?, folds: OnceCell::new() })
     }
 
-    /// Where a motion of one stop is at another.
+    /// The place of a motion of one stop at another stop.
     fn followed(
         &self,
         place: &steady_rotations::EnclosedPoint,
@@ -156,7 +156,7 @@ impl<'a> Line<'a> {
         Ok(link)
     }
 
-    /// Between which two points the verdict on a motion changes.
+    /// The two points between which the verdict on a motion changes.
     fn changed(&self, first: &Node, here: &Here, second: &Node) -> Result<[[f64; 2]; 2], NoMotor> {
         let class = Class::from(here.verdict);
         let mut low = (Stop { values: first.values, value: here.value.clone() }, here.place.clone());
@@ -182,7 +182,7 @@ impl<'a> Line<'a> {
         Ok([low.0.values, high])
     }
 
-    /// Between which two points the number of motions with one state of the rotor changes.
+    /// The two points between which the number of motions with one steady state of the rotor changes.
     fn counted(
         &self,
         first: &Node,

@@ -1,15 +1,15 @@
-//! Maps over any two data of a scene, of all stationary motions: a rotor's axis may be oblique, a kept speed irrational.
+//! Maps of all stationary motions over any two data of a scene; a rotor's axis may be oblique, its speed irrational.
 //!
 //! # Overview
-//! * [`Region`]: a scene, two data with their ranges, and how finely they are gone through;
-//! * `law`: the law of small deviations, written once with letters for all that varies over the map;
-//! * [`node`]: at two values of the data all motions, each judged as for a scene that had these data, by a `spot`;
-//! * [`line`](mod@line): which motions of two neighbours are one, proved; where between them one ends or its verdict changes;
+//! * [`Region`]: a scene, two data with their ranges, and the grid;
+//! * `law`: the linearised law with letters for all that varies over the map;
+//! * [`node`]: all motions at two values of the data, with verdicts by a `spot`;
+//! * [`line`](mod@line): motions of two neighbours that are proved to be one; borders between them, where one ends or its verdict changes;
 //! * [`atlas`]: branches, each with at most one motion at a node.
 //!
-//! At the nodes all is proved. Between two neighbours a motion is followed by Krawczyk's operator over the whole of the way,
-//! and where its verdict changes, or it merges with another, the place is halved between points that are judged as nodes
-//! are. That nothing else happens between neighbours, as an island smaller than the mesh, is not claimed.
+//! At the nodes all verdicts are proved. Between two neighbours a motion is followed by Krawczyk's operator over the whole interval;
+//! where its verdict changes, or it merges with another, the place is found by bisection between points judged as nodes
+//! are. Other events between neighbours, such as an island smaller than the mesh, are not excluded.
 
 pub mod atlas;
 mod law;
@@ -33,26 +33,26 @@ use std::sync::{Arc, OnceLock};
 pub struct Region<'a> {
     scene: &'a Scene,
     data: [&'a Datum; 2],
-    /// The nodes' values of both.
+    /// The values of both data at the nodes.
     pub values: [Vec<f64>; 2],
     general: Setting,
     letters: Letters,
     common: OnceLock<Result<Arc<Ground>, NoMotor>>,
 }
 
-/// Why there is no map.
+/// The reason for which there is no map.
 #[derive(Clone, Debug, PartialEq)]
 pub enum NoRegion {
     Bench,
-    /// Only the first of the two data may change what the motor keeps.
+    /// Only the first of the two data may change the motor's steady state.
     OfMotor(String),
     Motor(NoMotor),
-    /// No moment of the motor's would leave the rotor's speed as it is given.
+    /// A number is infinite or not a number.
     NotFinite(f64),
 }
 
 impl<'a> Region<'a> {
-    /// Over two data in their ranges, in so many columns and rows, with w0, rad/s, unless that is one of both.
+    /// The region over two data in their ranges, with columns and rows of cells, and w0, rad/s, unless it is one of the data.
     ///
     /// # Errors
     /// [`NoRegion`].
@@ -84,7 +84,7 @@ impl<'a> Region<'a> {
     }
 }
 
-/// The middles of cells, rounded to four digits more than the range has, lest the decimals that are computed with be long.
+/// The middles of cells, rounded relative to the range, to keep the exact decimals short.
 pub fn nodes([low, high]: [f64; 2], cells: usize) -> Vec<f64> {
     let step = 10f64.powf((high - low).abs().log10().floor() - 5.0);
     let rounded = |value: f64| {

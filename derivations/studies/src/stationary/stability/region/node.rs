@@ -1,4 +1,4 @@
-//! All stationary motions at two values of the data, each judged as in a scene that had these data.
+//! All stationary motions at two values of the data, each with its verdict.
 
 use super::Region;
 use super::law::Ground;
@@ -10,52 +10,52 @@ use algebra::real::Enclosure;
 use mechanics::steady_rotations::{self, Kind, Shape};
 use nalgebra::Vector3;
 
-/// What becomes of small deviations, without the count of roots.
+/// The class of a verdict, without the number of unstable eigenvalues.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Class {
     AsymptoticallyStable,
     Stable,
     Unstable,
-    /// If it is stable, then by gyroscopic forces.
+    /// The motion can only be stable by gyroscopic forces.
     Gyroscopic,
-    /// Any other reason for which nothing is said.
+    /// Undecided for any other reason.
     Undecided,
 }
 
-/// What is at a node.
+/// A node of the map.
 #[derive(Clone, Debug)]
 pub struct Node {
     pub values: [f64; 2],
     pub place: NodeMotions,
 }
 
-/// Motions, or why there are none.
+/// The motions at a node, or the reason for which there are none.
 #[derive(Clone, Debug)]
 pub enum NodeMotions {
-    /// Isolated ones, and families of which each is judged as a whole.
+    /// Isolated motions, and families.
     Motions { isolated: Vec<Here>, families: Vec<Family> },
-    /// The motor holds no speed or angle.
+    /// The motor has no stable steady speed or angle.
     PulledOut,
     /// No bodies have these data.
     NoBodies,
-    /// More bits than are tried would be needed to tell motions apart.
+    /// Motions cannot be separated with the bits that are tried.
     TooFine,
 }
 
-/// A connected family, and the verdicts along it, one for each stretch.
+/// A connected family, and the verdicts that occur along it.
 pub type Family = (Shape, Vec<StabilityVerdict>);
 
 /// An isolated motion.
 #[derive(Clone, Debug)]
 pub struct Here {
-    /// Which of the rotor's states it is that the motor holds, in ascending order.
+    /// The index of the rotor's steady state, in ascending order.
     pub state: usize,
     pub kind: Kind,
     pub direction: Vector3<f64>,
     pub verdict: StabilityVerdict,
     /// (v, lambda)
     pub(super) place: steady_rotations::EnclosedPoint,
-    /// W, or the rotor's own momentum.
+    /// W, rad/s, or the rotor's own momentum, N m s.
     pub(super) value: Enclosure,
 }
 
@@ -77,7 +77,7 @@ impl From<StabilityVerdict> for Class {
 }
 
 impl Node {
-    /// The isolated motions; none where nothing moves steadily.
+    /// The isolated motions; empty where there are none.
     pub fn isolated(&self) -> &[Here] {
         match &self.place {
             NodeMotions::Motions { isolated, .. } => isolated,
@@ -90,7 +90,7 @@ impl Region<'_> {
     /// All nodes with one value of the first datum, from the lowest.
     ///
     /// # Errors
-    /// [`NoMotor`] where the motor has no stationary state that is known.
+    /// [`NoMotor`] where the motor's steady states are not known.
     pub fn column(&self, column: usize) -> Result<Vec<Node>, NoMotor> {
         let first = self.values[0][column];
         let ground = self.ground(first)?;
@@ -107,7 +107,7 @@ impl Region<'_> {
 }
 
 impl Region<'_> {
-    /// Whether the rotor keeps its relative speed or its own momentum.
+    /// The rotor's constant quantity: relative speed or own momentum.
     pub(super) fn kept(&self, ground: &Ground) -> Kept {
         match ground.motor {
             MotorStates::Free if self.data.iter().all(|datum| !datum.is_rotor_speed()) => Kept::Momentum,

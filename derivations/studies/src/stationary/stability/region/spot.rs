@@ -1,4 +1,4 @@
-//! What finds the motions at two values of the data, and judges each.
+//! The search for the motions at two values of the data, with a verdict on each.
 
 use super::Region;
 use super::law::{Ground, HeldRotor};
@@ -15,7 +15,7 @@ use field::Rational;
 use mechanics::steady_rotations::{self, Body, Data, Kind, count, followed, sharpened};
 use nalgebra::Vector3;
 
-/// What judges at two values of the data.
+/// The data of the search and the verdicts at two values of the data.
 pub(super) struct Spot<'a> {
     region: &'a Region<'a>,
     ground: &'a Ground,
@@ -24,7 +24,7 @@ pub(super) struct Spot<'a> {
     approximation: Approximation,
 }
 
-/// A motion that is not judged yet.
+/// A motion without a verdict yet.
 pub(super) struct Raw<'a> {
     pub state: usize,
     pub kind: Kind,
@@ -34,21 +34,21 @@ pub(super) struct Raw<'a> {
     held: &'a HeldRotor<'a>,
 }
 
-/// By isolation, or carried to an irrational W from a fraction beside it.
+/// A motion found by isolation, or followed to an irrational W from a nearby fraction.
 enum Found {
     Isolated(steady_rotations::SteadyRotation),
     Carried,
 }
 
-/// Bits to which places are enclosed: products of two still fit into two words of the processor.
+/// Precision of places, bits: products of two numbers still fit into two words of the processor.
 pub(super) const BITS: usize = 56;
-/// Bits where motions are counted and folds isolated.
+/// Precision where motions are counted and folds isolated, bits.
 const FINE: usize = 96;
-/// Bits at which signs are looked for first.
+/// The precisions at which signs are tried, bits.
 const FINENESS: [usize; 5] = [128, 256, 512, 1024, 2048];
 
 impl<'a> Spot<'a> {
-    /// `None` where no bodies have these data.
+    /// The spot at two values of the data; `None` where no bodies have these data.
     pub fn of(region: &'a Region<'a>, ground: &'a Ground, values: [f64; 2]) -> Option<Self> {
         let setting = region.setting(values);
         let Setup::Gyrostat(bodies) = &setting.data.system else { return None };
@@ -62,7 +62,7 @@ impl<'a> Spot<'a> {
         self.region.held(self.ground, &self.setting, &self.energies)
     }
 
-    /// `None` where more bits would be needed to tell motions apart.
+    /// The motions with their verdicts; `None` where they cannot be separated with the bits that are tried.
     pub fn place(&self) -> Option<NodeMotions> {
         let held = self.held();
         if held.is_empty() {
@@ -77,7 +77,7 @@ impl<'a> Spot<'a> {
         Some(NodeMotions::Motions { isolated, families })
     }
 
-    /// All isolated ones with one state of the rotor, and the families.
+    /// All isolated motions with one steady state of the rotor, and the families.
     pub fn motions<'b>(&self, state: usize, held: &'b HeldRotor<'b>) -> Option<(Vec<Raw<'b>>, Vec<Family>)> {
         if held.value.as_rational().is_none()
             && let Some(carried) = self.carried(state, held)
@@ -102,7 +102,7 @@ impl<'a> Spot<'a> {
         Body::new(&tensor, &share, value, &self.energies.weight)
     }
 
-    /// The angular velocities at which motions merge, where all are known; not of an irrational W, whose field would take long.
+    /// The angular velocities, rad/s, at which motions merge; `None` where not all are known, or W is irrational, which would take long.
     pub fn folds(&self, held: &HeldRotor<'_>) -> Option<Vec<f64>> {
         held.value.as_rational()?;
         let folds = self.body(held, &held.value)?.folds();
@@ -111,8 +111,8 @@ impl<'a> Spot<'a> {
         all.filter(|_| folds.undecided.is_none())
     }
 
-    /// An irrational W beside a fraction: the motions there, followed to W, are all if as many are there for everything between
-    /// both. `None` where that is not known.
+    /// The motions at an irrational W, followed from those at a nearby fraction. They are all motions if their number is constant
+    /// between the two; `None` where that is not known.
     fn carried<'b>(&self, state: usize, held: &'b HeldRotor<'b>) -> Option<Vec<Raw<'b>>> {
         let value = held.value.enclosure(FINE);
         let beside = Rational::exactly(held.value.to_f64());
@@ -138,7 +138,7 @@ impl<'a> Spot<'a> {
         if same { all.motions.iter().map(raw).collect() } else { None }
     }
 
-    /// K and b with a value of what the rotor keeps.
+    /// K and b for a value of the rotor's constant quantity.
     fn data(&self, held: &HeldRotor<'_>, value: &Enclosure) -> Option<Data> {
         let number = |x: Rational| Enclosure::rational(x, value.bits());
         let (tensor, share) = self.energies.quadratic(held.kept);
@@ -192,7 +192,7 @@ impl<'a> Spot<'a> {
 }
 
 impl Raw<'_> {
-    /// Whether it may be the motion that is known to be the only one in a box.
+    /// Whether this may be the motion that is known to be the only one in a box.
     pub fn is_in(&self, place: &steady_rotations::EnclosedPoint) -> bool {
         self.place.iter().zip(place).all(|(a, b)| !a.is_apart_from(b))
     }
