@@ -4,8 +4,8 @@
 //! * [`systems`]: mechanical systems, as data of bodies and laws of energy;
 //! * [`machines`]: electric motors, each one file of energies and laws of force;
 //! * [`papers`]: a paper a folder, its numbered equations as claims in the paper's own order and letters;
-//! * [`theorems`]: pages of claims of the workbench's own;
-//! * [`studies`]: motions, stability, steps of methods, smaller models.
+//! * [`theorems`]: the workbench's own theorems as claims;
+//! * [`studies`]: steady motions, stability, numerical stability, model reduction.
 //!
 //! Tests of the whole repository stand beside this crate, in `tests/`.
 

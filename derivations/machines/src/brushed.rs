@@ -1,4 +1,4 @@
-//! The motor with brushes on a constant voltage, its field by magnets.
+//! The direct-current motor with brushes and permanent magnets on a constant voltage.
 
 use field::{Base, Circle, Over};
 use motor::{Entry, Machine, RotorState, letter};
@@ -27,7 +27,7 @@ impl<P: Base> Machine<P> for Brushed<P> {
         RotorState::Speed
     }
 
-    /// The field stands in the housing.
+    /// The field is fixed in the housing.
     #[inline(always)]
     fn frame_speed(&self) -> P {
         P::zero()
@@ -68,7 +68,7 @@ impl<P: Base> Machine<P> for Brushed<P> {
     }
 }
 
-/// Among the motors of the catalogue.
+/// The entry in the catalogue of motors.
 pub const ENTRY: Entry = Entry {
     name: "brushed",
     summary: "direct current through brushes, with the armature's current",

@@ -62,7 +62,7 @@ impl<P: Base> Machine<P> for CrossedWindings<P> {
     }
 }
 
-/// Among the motors of the catalogue.
+/// The entry in the catalogue of motors.
 pub const ENTRY: Entry = Entry {
     name: "crossed_windings",
     summary: "asynchronous with the currents of two windings at right angles",

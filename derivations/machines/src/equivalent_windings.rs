@@ -1,26 +1,26 @@
-//! The damper's bars lumped, without any loss, into as many windings as they can act through.
+//! Exact lumping of the damper's bars into one or two equivalent windings.
 //!
 //! A bar at the angle t_n acts on the rotor only through its direction u_n = (cos t_n, sin t_n). With the sums
-//! X = sum i_n cos t_n, Y = sum i_n sin t_n the moment of the damper is -a2 (X cos g - Y sin g), and
+//! X = sum i_n cos t_n, Y = sum i_n sin t_n the torque of the damper is -a2 (X cos g - Y sin g), and
 //!
 //!   L2 (X, Y)' = -R2 (X, Y) + a2 g' G (cos g, -sin g) ,    G = sum u_n u_n^T .
 //!
-//! These close whatever the angles are. N evenly spaced bars have G = N/2 times the identity from N = 3 on: two equal
-//! windings across each other, with flux a2 sqrt(N/2). For N = 1 and N = 2 all bars lie along one line: G has rank one
-//! and one winding, with flux a2 sqrt(N), does the same. The other N - 2 (for N = 2: one) combinations of the currents
-//! feel no field, do no work, and die out as exp(-R2 t / L2).
+//! These equations are closed for any angles. N evenly spaced bars have G = N/2 times the identity for N >= 3: two equal
+//! orthogonal windings with flux a2 sqrt(N/2). For N = 1 and N = 2 all bars lie along one line: G has rank one,
+//! and one winding with flux a2 sqrt(N) is equivalent. The other N - 2 (for N = 2: one) combinations of the currents
+//! are not induced, do no work, and decay as exp(-R2 t / L2).
 
 use super::multi_current::{MultiCurrent, Windings};
 use field::{Analytic, Base, Circle, Over};
 use motor::{Count, Entry, Machine, RotorState, letter};
 use symbolic::Sym;
 
-/// One or two circuits in the place of N evenly spaced bars: a motor with fewer bars and more flux.
+/// A motor with one or two windings equivalent to N evenly spaced bars.
 #[derive(Clone, Debug, PartialEq)]
 pub struct EquivalentWindings<P>(MultiCurrent<P>);
 
 impl<P: Base + Analytic> EquivalentWindings<P> {
-    /// The equivalent of `bars` evenly spaced bars of which one stands at the angle `bar`.
+    /// The equivalent of `bars` evenly spaced bars, one of them at the angle `bar`.
     pub fn new(windings: Windings<P>, bars: usize, bar: Circle<P>) -> Self {
         let lines = if bars < 3 { 1 } else { 2 };
         let a2 = windings.a2 * (P::int(bars as i64) / P::int(lines as i64)).sqrt();
@@ -72,7 +72,7 @@ impl<P: Base> Machine<P> for EquivalentWindings<P> {
     }
 }
 
-/// Among the motors of the catalogue.
+/// The entry in the catalogue of motors.
 pub const ENTRY: Entry = Entry {
     name: "equivalent_windings",
     summary: "synchronous with the damper's bars as one or two equivalent windings",

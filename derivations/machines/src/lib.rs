@@ -1,15 +1,15 @@
 //! Electric motors: one file each, of energies and laws of force.
 //!
 //! # Overview
-//! They form a ladder, from the rotors without a motor ([`motor::ConstantSpeed`], [`motor::FreeRotor`]) to one with every bar of
-//! its damper: [`asynchronous`] and [`kloss`] (moment a function of slip), [`synchronous`]
-//! (moment a function of the angle), [`equivalent_windings`] (damper as two currents), [`multi_current`] (all bars).
-//! Beside it stand [`crossed_windings`] (asynchronous with two currents), [`permanent_magnet`] and [`brushed`] (fed by a
+//! The motors form a hierarchy of models, from rotors without a motor ([`motor::ConstantSpeed`], [`motor::FreeRotor`]) to one with
+//! every bar of its damper: [`asynchronous`] and [`kloss`] (torque a function of slip), [`synchronous`]
+//! (torque a function of the angle), [`equivalent_windings`] (damper as two currents), [`multi_current`] (all bars).
+//! Further motors are [`crossed_windings`] (asynchronous with two currents), [`permanent_magnet`] and [`brushed`] (fed by a
 //! voltage).
-//! [`motor::Machine`] is what each implements.
+//! Each implements [`motor::Machine`].
 //!
-//! To add a motor: one file here, its line below, and one in the list; or its laws as text in a scene; or a list of its own in
-//! a crate of one's own.
+//! To add a motor, write one file here, its line below, and one in the list; or its laws as text in a scene; or a list in
+//! another crate.
 
 pub mod asynchronous;
 pub mod brushed;

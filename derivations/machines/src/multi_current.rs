@@ -30,8 +30,8 @@ reader::quantities! {
     }
 }
 
-/// psi_1 = a1 cos g for the excitation (x is its current less the constant part), psi_n = -a2 sin(g + t_n) for the bar
-/// that stands at the angle t_n on the rotor; U = -b0 cos g; m = -mu g' - f phi'.
+/// Fluxes psi_1 = a1 cos g of the excitation (x is its current less the constant part), psi_n = -a2 sin(g + t_n) of the bar
+/// at the angle t_n on the rotor; U = -b0 cos g; m = -mu g' - f phi'.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MultiCurrent<P> {
     pub windings: Windings<P>,
@@ -40,7 +40,7 @@ pub struct MultiCurrent<P> {
 }
 
 impl<P: Datum> MultiCurrent<P> {
-    /// N bars evenly round the rotor.
+    /// The motor with N evenly spaced bars.
     pub fn evenly(windings: Windings<P>, bars: usize) -> Self {
         let whole = u32::try_from(bars).unwrap_or(u32::MAX);
         let bars = (1..=whole).map(|n| (Circle::turn(n, whole) - Circle::turn(1, 8)).map(P::lift)).collect();
@@ -93,7 +93,7 @@ impl<P: Base> Machine<P> for MultiCurrent<P> {
     }
 }
 
-/// Among the motors of the catalogue.
+/// The entry in the catalogue of motors.
 pub const ENTRY: Entry = Entry {
     name: "multi_current",
     summary: "synchronous with the currents of the excitation and of every damper bar",

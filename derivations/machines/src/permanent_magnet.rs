@@ -72,7 +72,7 @@ impl<P: Base> Machine<P> for PermanentMagnet<P> {
         Some(S::lift(self.magnets.voltage) * if winding == 0 { electric.sin } else { electric.cos })
     }
 
-    /// The other axis' flux, which turning sweeps through this one.
+    /// The flux of the other axis, which rotation couples into this winding.
     #[inline(always)]
     fn motional<S: Over<P>>(&self, winding: usize, currents: &[S]) -> Option<S> {
         let Magnets { flux, along, across, .. } = self.magnets.map(S::lift);
@@ -87,7 +87,7 @@ impl<P: Base> Machine<P> for PermanentMagnet<P> {
     }
 }
 
-/// n g, by halves, so that many poles take few steps.
+/// n g by repeated doubling: many poles take few steps.
 #[inline(always)]
 fn times<S: Scalar>(angle: Circle<S>, n: usize) -> Circle<S> {
     let mut sum = angle;
@@ -101,7 +101,7 @@ fn times<S: Scalar>(angle: Circle<S>, n: usize) -> Circle<S> {
     sum
 }
 
-/// Among the motors of the catalogue.
+/// The entry in the catalogue of motors.
 pub const ENTRY: Entry = Entry {
     name: "permanent_magnet",
     summary: "synchronous with permanent magnets on a constant voltage, with the currents in Park's axes",

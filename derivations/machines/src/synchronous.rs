@@ -38,7 +38,7 @@ impl<P: Base> Machine<P> for Synchronous<P> {
     }
 }
 
-/// Among the motors of the catalogue.
+/// The entry in the catalogue of motors.
 pub const ENTRY: Entry = Entry {
     name: "synchronous",
     summary: "synchronous without currents",

@@ -1,16 +1,16 @@
 //! The electromechanical drive of a crank and slider: alternating source, transformer, rectifier, direct-current motor.
 //!
-//! Charges and flows are coordinates and velocities, as displacements are: an inductance is a mass, a capacitor a spring,
+//! Charges and flows are treated like displacements and velocities: an inductance is a mass, a capacitor a spring,
 //! a resistance friction. The branches are: 1 primary, 2 secondary winding, 3 smoothing capacitor, 4 choke behind the
 //! bridge of diodes, 5 armature, 6 crank, 7 slider. Kirchhoff's law at the capacitor, f3 = f4 - f5, is integrable:
-//! q3 = q4 - q5, so that L needs no massless coordinate.
+//! q3 = q4 - q5, and L needs no massless coordinate.
 //!
 //! * Of the bridge's four diodes two carry (f4 + f2)/2 and two (f4 - f2)/2, by symmetry; their content is in D.
-//! * The field of the motor is constant: the energy K q6 f5 gives the armature the voltage -K f6 and the crank the moment
+//! * The field of the motor is constant: the energy K q6 f5 gives the armature the voltage -K f6 and the crank the torque
 //!   K f5, which together do no work.
 //!
-//! q7 and its flow are tied to q6 by the rod; all other equations are explicit: nine of the first order in
-//! (f1, f2, q3, f4, f5, q6, f6, q7, f7), because of the charges only q3 acts.
+//! q7 and its rate are constrained to q6 by the rod; all other equations are explicit. Since only the charge q3 acts, there are nine
+//! first-order equations in (f1, f2, q3, f4, f5, q6, f6, q7, f7).
 
 use super::crank_slider::CrankSlider;
 use field::{Analytic, Base, Over};
@@ -72,7 +72,7 @@ impl<P: Base> CrankDrive<P> {
     }
 
     /// The content of a diode: 1/2 a i^2 - 1/2 d i (sqrt(i^2 + knee^2) - knee), a and d half the sum and half the
-    /// difference of its two differential resistances. The voltage is its slope; the differential resistance stays
+    /// difference of its two differential resistances. The voltage is the derivative; the differential resistance lies
     /// between the two.
     pub fn diode<S: Over<P> + Analytic>(&self, current: S) -> S {
         let [forward, reverse, knee] = [self.circuit.forward, self.circuit.reverse, self.circuit.knee].map(S::lift);

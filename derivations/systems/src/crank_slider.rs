@@ -1,7 +1,7 @@
 //! Crank and connecting rod: a crank that turns about a fixed axis drives a slider on a line through that axis.
 //!
-//! The coordinates are the crank's angle and the slider's place; the rod ties them by its length. The rod's mass is
-//! shared between its ends, which keeps its mass and its centre, so that its kinetic energy belongs to crank and slider.
+//! The coordinates are the crank's angle and the slider's place; the rod's length is the constraint between them. The rod's
+//! mass is divided between its ends with its mass and centre unchanged, and added to crank and slider.
 
 use field::{Analytic, Base, Over};
 use mechanics::constrained::energies::{Energies, Reducible};

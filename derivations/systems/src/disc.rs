@@ -48,7 +48,7 @@ impl<P: Base> PointSystem<9> for Disc<P> {
     }
 }
 
-/// Two unit vectors, orthogonal; the plane is touched; the point that touches it has no velocity along x and y.
+/// Orthonormality of the two vectors, contact with the plane, and no slip of the contact point along x and y.
 impl<P: Base> Constrained<9, 6> for Disc<P> {
     fn constraints<S: Over<P>>(&self, at: &State<S, 9>) -> [Constraint<S>; 6] {
         let ([r, e, f], [dr, de, df]) = (vectors(at.place), vectors(at.velocity));
@@ -65,7 +65,7 @@ impl<P: Base> Constrained<9, 6> for Disc<P> {
     }
 }
 
-/// The disc's stiffness keeps its two vectors; the plane pushes at the point that touches it, upwards and along.
+/// The reactions: of rigidity on the two vectors; of the plane at the contact point, normal and tangential.
 impl<P: Base> Reactions<9, 6> for Disc<P> {
     fn reactions<S: Over<P>>(&self, at: &State<S, 9>) -> [[S; 9]; 6] {
         let [r, e, f] = vectors(at.place);

@@ -96,7 +96,7 @@ impl<P: Base> PointSystem<12> for ElasticGovernor<P> {
     }
 }
 
-/// The links hold the balls, which turn with the drum; the other rates follow from that of the drum and the sleeve's.
+/// The links hold the balls, which turn with the drum; the other rates follow from those of drum and sleeve.
 impl<P: Base> Constrained<12, 10> for ElasticGovernor<P> {
     fn constraints<S: Over<P>>(&self, at: &State<S, 12>) -> [Constraint<S>; 10] {
         let (place, velocity) = (at.place, at.velocity);
@@ -144,7 +144,7 @@ impl<P: Base> Charted<12, 6, 2> for ElasticGovernor<P> {
 }
 
 impl<P: Base> ElasticGovernor<P> {
-    /// q' where the wheel rolls.
+    /// q' of rolling.
     fn rolling<S: Over<P>>(&self, q: [S; 6], [speed, drift]: [S; 2]) -> [S; 6] {
         let [_, _, _, x, lambda, psi] = q;
         let rolled = S::lift(self.drum) * speed;
@@ -159,8 +159,8 @@ impl<P: Base> ElasticGovernor<P> {
         ]
     }
 
-    /// (omega1', x', x'', lambda', psi') at (omega1, x, x', lambda, psi); the angle of the drum is zero, which no equation
-    /// can see.
+    /// (omega1', x', x'', lambda', psi') at (omega1, x, x', lambda, psi); the angle of the drum is zero, since no equation
+    /// depends on it.
     ///
     /// # Errors
     /// [`NotDefinite`] where neither the sleeve nor the balls have a mass.
@@ -185,13 +185,13 @@ impl<P: Base> ElasticGovernor<P> {
         moving + ((c1 + c2) * shift.squared() - rim).half() + (c1 * delta1 - c2 * delta2) * shift
     }
 
-    /// The power of the shafts and of the rim's moment on the disc, W: the rate of [`energy`](Self::energy).
+    /// The power of the shafts and of the rim's torque on the disc, W: the rate of [`energy`](Self::energy).
     pub fn power<S: Over<P>>(&self, [speed, x, _, _, psi]: [S; 5]) -> S {
         let ElasticGovernor { m1, m2, drill, drum, offset, .. } = self.map(S::lift);
         m1 * speed + (m2 + drill * psi) * drum * speed / (x - offset)
     }
 
-    /// The same governor with the moment M1 and the tension delta2 that (omega1, x0, lambda = psi = 0) needs to be a
+    /// The governor with the torque M1 and the tension delta2 for which (omega1, x0, lambda = psi = 0) is a stationary
     /// motion; c2 must not vanish.
     pub fn stationary_at(self, speed: P) -> Self {
         let m1 = -self.drum * self.m2 / (self.rest - self.offset);
@@ -199,7 +199,7 @@ impl<P: Base> ElasticGovernor<P> {
         ElasticGovernor { m1, delta2: pull / self.c2, ..self }
     }
 
-    /// The first approximation about (omega1, x0) with lambda = psi = 0, in (omega1, x, x', lambda, psi).
+    /// The matrix of the linearisation about (omega1, x0) with lambda = psi = 0, in (omega1, x, x', lambda, psi).
     ///
     /// # Errors
     /// As [`rates_of_state`](Self::rates_of_state).

@@ -44,7 +44,7 @@ impl<P: Base> Constrained<4, 2> for KnifeEdge<P> {
     }
 }
 
-/// The body's stiffness; the ice, across the blade.
+/// The reactions: of rigidity, and of the ice across the blade.
 impl<P: Base> Reactions<4, 2> for KnifeEdge<P> {
     fn reactions<S: Over<P>>(&self, at: &State<S, 4>) -> [[S; 4]; 2] {
         let [_, _, c, s] = at.place;

@@ -57,7 +57,7 @@ impl<P: Base> Contacts<4, 1, 2> for Ladder<P> {
     }
 }
 
-/// The ladder's stiffness; the wall pushes at A, the floor at B.
+/// The reactions: of rigidity, of the wall at A, of the floor at B.
 impl<P: Base> Reactions<4, 3> for Ladder<P> {
     fn reactions<S: Over<P>>(&self, at: &State<S, 4>) -> [[S; 4]; 3] {
         let half = Tangent::lift(self.half_length);

@@ -1,4 +1,4 @@
-//! Mechanical systems.
+//! Mechanical and electromechanical systems: bodies, forces, constraints and energies, generic over the number.
 
 pub mod crank_drive;
 pub mod crank_slider;

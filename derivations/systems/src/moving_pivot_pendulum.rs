@@ -1,4 +1,4 @@
-//! A pendulum whose pivot is moved: a geometric constraint that contains the time.
+//! A pendulum with a moving pivot: a rheonomic geometric constraint.
 //!
 //! Coordinates (x, y) of the bob, y downwards; the pivot is at (s, 0) with s = u t + a t^2/2.
 
@@ -48,7 +48,7 @@ impl<P: Base> Constrained<2, 1> for Swing<P> {
     }
 }
 
-/// The thread, away from the pivot.
+/// The reaction of the thread, directed away from the pivot.
 impl<P: Base> Reactions<2, 1> for Swing<P> {
     fn reactions<S: Over<P>>(&self, at: &State<S, 2>) -> [[S; 2]; 1] {
         let ([x, y], length) = (at.place, S::lift(self.length));

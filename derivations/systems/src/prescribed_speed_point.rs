@@ -1,4 +1,4 @@
-//! A point in the plane whose speed is prescribed: a kinematic constraint that is not linear in the velocity.
+//! A point in the plane with prescribed speed: a kinematic constraint that is not linear in the velocity.
 //!
 //! Coordinates (x, y), y downwards; x'^2 + y'^2 = v^2 with v = u + a t. Its virtual displacements after Chetaev are across
 //! the velocity, so the reaction is along it: a propeller's thrust, which does work.

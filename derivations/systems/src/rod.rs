@@ -55,7 +55,7 @@ impl<P: Base> Contacts<4, 1, 1> for Rod<P> {
     }
 }
 
-/// The rod pushes its ends apart, the guide pushes upwards.
+/// The reactions: the rod's along itself on its ends, the guide's upwards.
 impl<P: Base> Reactions<4, 2> for Rod<P> {
     fn reactions<S: Over<P>>(&self, at: &State<S, 4>) -> [[S; 4]; 2] {
         let ([x, y, x1, y1], length) = (at.place, S::lift(self.length));

@@ -1,7 +1,7 @@
-//! The steered rod: Painleve's rod whose middle moves along the rod.
+//! The steered rod: Painleve's rod with the constraint that the velocity of its middle is along the rod.
 //!
 //! Coordinates (x1, y1, x2, y2) of M1 on the guide and of M2; y points downwards; a horizontal force X acts on M1. The
-//! condition on the middle is kinematic, and in disguise geometric: see the classification.
+//! condition on the middle is kinematic but integrable, as the classification shows.
 
 use field::{Analytic, Base, Over, Scalar, Tangent};
 use mechanics::constrained::contacts::{Closed, Contact, Contacts, Sides};
@@ -23,7 +23,7 @@ pub struct SteeredRod<P> {
     pub drive: P,
     /// f of the guide
     pub friction: P,
-    /// What holds M1 on the guide.
+    /// The sides from which the guide holds M1.
     pub sides: Sides,
 }
 
@@ -58,7 +58,7 @@ impl<P: Base> Contacts<4, 2, 1> for SteeredRod<P> {
     }
 }
 
-/// The rod pushes its ends apart, the steering pushes across the middle, the guide upwards.
+/// The reactions: the rod's along itself on its ends, the steering's across the middle, the guide's upwards.
 impl<P: Base> Reactions<4, 3> for SteeredRod<P> {
     fn reactions<S: Over<P>>(&self, at: &State<S, 4>) -> [[S; 4]; 3] {
         let ([x1, y1, x2, y2], length) = (at.place, S::lift(self.length));

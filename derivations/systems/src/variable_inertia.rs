@@ -1,8 +1,8 @@
 //! One degree of freedom with a variable inertia, losses and a control: d/dt(m(t) y') + w(y, y', t) = u(y, y', t).
 //!
-//! Y = y is what has been produced, learned, turned or covered; y' is the capacity, the rate of learning, the angular
-//! velocity, the velocity. That the momentum is m y' with m' y' in the balance is part of the law: of a point whose mass
-//! leaves or arrives it asks that this mass has no velocity of its own.
+//! y is the amount produced or learned, the angle or the distance; y' is the capacity, the rate of learning, the angular
+//! velocity, the velocity. The law balances the momentum m y', with m' y' in it: for a point of variable mass it holds if the
+//! mass that leaves or arrives has no absolute velocity.
 
 use field::{Analytic, Base, Over, Tangent};
 
@@ -14,10 +14,10 @@ pub trait Growth {
     /// m(t): fund per capacity, inertia of learning, moment of inertia, mass.
     fn inertia<S: Over<Self::Given>>(&self, time: S) -> S;
 
-    /// w(y, y', t): wear, denial of what is known, disturbing moments, resistance.
+    /// w(y, y', t): wear, denial of known information, disturbing torques, resistance.
     fn loss<S: Over<Self::Given> + Analytic>(&self, time: S, y: S, speed: S) -> S;
 
-    /// u(y, y', t): new funds, potential information, moment of the motor, reaction.
+    /// u(y, y', t): new funds, potential information, torque of the motor, reaction.
     fn control<S: Over<Self::Given> + Analytic>(&self, time: S, y: S, speed: S) -> S;
 
     /// d/dt(m y') + w - u along y(t), with y' = `speed` and y'' = `acceleration`.
@@ -71,7 +71,7 @@ pub struct Joint<P> {
     pub rate: P,
     /// g
     pub gravity: P,
-    /// Moment of the motor.
+    /// Torque of the motor.
     pub motor: P,
 }
 

@@ -1,9 +1,9 @@
 //! A symmetric body of variable mass with a gyroscope on its axis, about a fixed point in a Newtonian field.
 //!
 //! Axes of the body: z along the axis of symmetry. (p, q, r) is the angular velocity, gamma the unit vector from the
-//! attracting centre, at the distance R, to the fixed point, nu the gyroscope's constant moment of momentum along z.
+//! attracting centre, at the distance R, to the fixed point, nu the gyroscope's constant angular momentum along z.
 //! A = B, C and the static moment M z_c are functions of the time; body and fuel are taken as solidified at the instant,
-//! and what leaves and what moves inside acts as a moment beside the given ones.
+//! and the action of ejected and of internally moving mass is a torque besides the given ones.
 //!
 //!   G = (A p, A q, C r + nu),   2 T = A (p^2 + q^2) + C r^2,
 //!   U = -g M z_c gamma_3 - 1/2 kappa (A gamma_1^2 + A gamma_2^2 + C gamma_3^2),   g = mu/R^2, kappa = 3 mu/R^3.
@@ -14,7 +14,7 @@ use mechanics::momentum::absolute_rate;
 use mechanics::rotation::determinant;
 use nalgebra::{Matrix3, Vector3};
 
-/// The body at an instant; over tangents, with the rates of what varies.
+/// The body at an instant; over tangents, with the rates of the varying data.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Top<S> {
     /// A = B, kg m^2
@@ -31,7 +31,7 @@ pub struct Top<S> {
     pub tide: S,
 }
 
-/// Where the body is and how it turns.
+/// The body's angular velocity, and the vertical in its axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Attitude<S: Scalar> {
     /// (p, q, r), 1/s
@@ -40,7 +40,7 @@ pub struct Attitude<S: Scalar> {
     pub vertical: Vector3<S>,
 }
 
-/// The quantities that are to be integrals: 2(T - U) up to a constant of the field, G.gamma, C (r - r_0), gamma.gamma - 1.
+/// The prescribed integrals: 2(T - U) up to a constant of the field, G.gamma, C (r - r_0), gamma.gamma - 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Integrals<S> {
     pub energy: S,
@@ -49,7 +49,7 @@ pub struct Integrals<S> {
     pub length: S,
 }
 
-/// The moments that produce prescribed rates of the integrals do not exist, or are not unique.
+/// The torques that produce prescribed rates of the integrals do not exist, or are not unique.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct StationaryInclination;
 
@@ -81,7 +81,7 @@ impl<S> Top<S> {
 }
 
 impl<S: Scalar> Top<S> {
-    /// The same at rest in the parameters: solidified.
+    /// The solidified body: constant parameters.
     pub fn fixed(self) -> Top<Tangent<S>> {
         self.map(Tangent::fixed)
     }
@@ -103,29 +103,29 @@ impl<S: Scalar> Top<S> {
         -(self.gravity * self.static_moment * vertical.z) - (self.tide * tide).half()
     }
 
-    /// The moment of the field about the fixed point, grad U x gamma.
+    /// The torque of the field about the fixed point, grad U x gamma.
     pub fn moment_of_field(&self, vertical: Vector3<S>) -> Vector3<S> {
         let slope = gradient(|g: [Tangent<S>; 3]| self.fixed().force_function(g.into()), vertical.into());
         Vector3::from(slope).cross(&vertical)
     }
 
-    /// dG/dt + w x G - moment, solidified: vanishes along the motion.
+    /// dG/dt + w x G - torque of the solidified body: vanishes along the motion.
     pub fn residual(&self, spin: Vector3<S>, acceleration: Vector3<S>, moment: Vector3<S>) -> Vector3<S> {
         let moving = spin.zip_map(&acceleration, Tangent::moving);
         absolute_rate(self.fixed().momentum(moving), spin) - moment
     }
 
-    /// (p', q', r') under a moment; A and C must not vanish.
+    /// (p', q', r') under a torque; A and C must not vanish.
     pub fn acceleration(&self, spin: Vector3<S>, moment: Vector3<S>) -> Vector3<S> {
         let missing = self.residual(spin, Vector3::zeros(), moment);
         Vector3::new(-missing.x / self.equatorial, -missing.y / self.equatorial, -missing.z / self.axial)
     }
 
-    /// With the field's part counted from gamma across the axis; r_0 is the axial speed aimed at.
+    /// The integrals, with the field's part zero for gamma orthogonal to the axis; r_0 is the prescribed axial speed.
     pub fn integrals(&self, at: &Attitude<S>, axial_speed: S) -> Integrals<S> {
         let across = Vector3::new(S::one(), S::zero(), S::zero());
         let field = self.force_function(at.vertical) - self.force_function(across);
-        // the part of gamma.gamma - 1 in the field's energy vanishes on the motion; 2 (T - U) is written with gamma_3 alone
+        // terms with gamma.gamma - 1 in the field's energy vanish on the motion; 2 (T - U) contains gamma_3 alone
         let length = at.vertical.dot(&at.vertical) - S::one();
         let alone = field + (self.tide * self.equatorial * length).half();
         Integrals {
@@ -142,7 +142,7 @@ pub fn poisson<S: Scalar>(at: &Attitude<S>) -> Vector3<S> {
     at.vertical.cross(&at.spin)
 }
 
-/// The rates of the integrals under a moment, with gamma' given.
+/// The rates of the integrals under a torque, with gamma' given.
 pub fn rates<S: Scalar>(
     top: &Top<Tangent<S>>,
     at: &Attitude<S>,
@@ -164,7 +164,7 @@ pub fn rates<S: Scalar>(
     }
 }
 
-/// The inverse problem: the moment under which energy, vertical and axial momentum change at prescribed rates.
+/// The inverse problem: the torque under which energy, vertical and axial momentum change at prescribed rates.
 ///
 /// # Errors
 /// [`StationaryInclination`] where p gamma_2 = q gamma_1 exactly.

@@ -1,18 +1,18 @@
-//! The programme between two discs under constant moments: a quadrature in closed form.
+//! The programme between two discs under constant torques: a quadrature in closed form.
 //!
 //! (A + B/rho^3) rho' = -r (M1/rho + M2/(a - rho)) with A = J omega2/r, B = J1 omega2 a r, so that
 //!
 //!   -r t = integral of (A rho (a - rho) + B (a - rho)/rho^2) / D(rho),   D = M1 (a - rho) + M2 rho .
 //!
-//! The integrand is rational: polynomials, reciprocals and two logarithms. rho(t) is its inverse, for which there is no
-//! closed form. At the axis of the first disc its shaft is alone with its moment and takes for ever; at that of the second
-//! rho' is infinite.
+//! The integrand is rational, its integral is a sum of powers, reciprocals and two logarithms. The inverse rho(t) has no
+//! closed form. The wheel takes infinite time to reach the axis of the first disc; at the axis of the second rho' is
+//! infinite.
 
 use super::constant::ProgrammeEnd;
 use super::{Gearing, Governor};
 use field::{Base, Scalar};
 
-/// The law of the programme at a kept speed.
+/// The law of the programme at a prescribed speed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Between<P> {
     /// A = J omega2/r
@@ -27,19 +27,19 @@ pub struct Between<P> {
     pub moments: [P; 2],
 }
 
-/// t(rho) up to a constant: a sum of these with their factors.
+/// t(rho) up to a constant, as a sum of elementary functions with these factors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quadrature<S> {
-    /// Of rho^3, rho^2, rho.
+    /// Factors of rho^3, rho^2, rho.
     pub powers: [S; 3],
-    /// Of 1/rho, 1/rho^2.
+    /// Factors of 1/rho, 1/rho^2.
     pub reciprocals: [S; 2],
-    /// Of ln rho and ln |D|.
+    /// Factors of ln rho and ln |D|.
     pub logarithms: [S; 2],
 }
 
 impl<P: Base> Governor<P> {
-    /// The law between two discs at a kept speed, with the moments at t = 0; `None` where the first lever stays.
+    /// The law between two discs at a prescribed speed, with the torques at t = 0; `None` where the first lever is constant.
     pub fn between(&self, speed: P) -> Option<Between<P>> {
         let Gearing::Discs { distance } = self.gearing else { return None };
         let [first, _, wheel] = self.inertia;
@@ -54,12 +54,12 @@ impl<P: Base> Governor<P> {
 }
 
 impl<S: Scalar> Between<S> {
-    /// D(rho): the moments on the wheel, times both levers.
+    /// D(rho): the torques on the wheel, times both levers.
     pub fn pull(&self, rho: S) -> S {
         self.moments[0] * (self.distance - rho) + self.moments[1] * rho
     }
 
-    /// For M1 != 0 and M1 != M2.
+    /// The quadrature for M1 != 0 and M1 != M2.
     pub fn general(&self) -> Quadrature<S> {
         let (a, [m1, m2]) = (self.distance, self.moments);
         let gap = m2 - m1;
@@ -72,7 +72,7 @@ impl<S: Scalar> Between<S> {
         )
     }
 
-    /// For M1 = M2 != 0.
+    /// The quadrature for M1 = M2 != 0.
     pub fn equal(&self) -> Quadrature<S> {
         let (a, m) = (self.distance, self.moments[0]);
         let third = S::one() / (S::int(3) * m * a);
@@ -80,14 +80,14 @@ impl<S: Scalar> Between<S> {
         self.scaled([-third, S::one() / (m + m), S::zero()], S::zero(), reciprocals, [-S::one() / (m * a), S::zero()])
     }
 
-    /// For M1 = 0 != M2.
+    /// The quadrature for M1 = 0 != M2.
     pub fn free_first(&self) -> Quadrature<S> {
         let (a, m) = (self.distance, self.moments[1]);
         let half = S::one() / (m + m);
         self.scaled([S::zero(), -half, a / m], S::zero(), [S::one() / m, -a * half], [S::zero(); 2])
     }
 
-    /// A times powers and their logarithm of D, B times reciprocals and their logarithms, over -r.
+    /// A times the powers with their ln |D|, plus B times the reciprocals with their logarithms, over -r.
     fn scaled(&self, powers: [S; 3], of_powers: S, reciprocals: [S; 2], logarithms: [S; 2]) -> Quadrature<S> {
         let [by_wheel, by_first] = [self.wheel, self.first].map(|inertia| -inertia / self.radius);
         let [of_rho, of_pull] = logarithms.map(|factor| by_first * factor);
@@ -108,7 +108,7 @@ impl<S: Scalar> Between<S> {
 }
 
 impl Between<f64> {
-    /// t at which the wheel passes rho on its way from `start`, s; not a number where it never does. Near M1 = M2 terms of
+    /// The time, s, at which the wheel passes rho on its way from `start`; NaN where it never does. Near M1 = M2 terms of
     /// the size (a M1/(M1 - M2))^3 cancel.
     pub fn time(&self, start: f64, rho: f64) -> f64 {
         let (from, to) = (self.pull(start), self.pull(rho));
@@ -131,11 +131,11 @@ impl Between<f64> {
         polynomial + reciprocal + logarithm(rho / start, near) + logarithm(to / from, far)
     }
 
-    /// What becomes of the wheel.
+    /// The long-time behaviour from `start`.
     pub fn course(&self, start: f64) -> ProgrammeEnd {
         let [m1, m2] = self.moments;
         let outwards = -self.pull(start) / self.first;
-        // without a moment on the second shaft they balance at its axis
+        // without a torque on the second shaft the balance is at its axis
         let balance = if m2 == 0.0 { self.distance } else { m1 * self.distance / (m1 - m2) };
         let attracts = (m2 - m1) / self.first > 0.0;
         if outwards == 0.0 {
@@ -157,7 +157,7 @@ impl Between<f64> {
             ProgrammeEnd::ReachesAxis { .. } | ProgrammeEnd::Grows => self.distance,
             ProgrammeEnd::TendsTo { distance } => distance,
         };
-        // the time grows along the way: halves, from start towards the goal
+        // the time is monotone along the way: bisection from start towards the goal
         let (mut passed, mut ahead) = (start, goal);
         loop {
             let middle = 0.5 * (passed + ahead);

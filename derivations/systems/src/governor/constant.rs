@@ -1,8 +1,8 @@
-//! The programme under constant moments: rho' = eps (k1/rho + k2), in closed form.
+//! The programme under constant torques: rho' = eps (k1/rho + k2), in closed form.
 //!
-//! With k2 = 0 rho^2 = rho_0^2 + 2 eps k1 t. Otherwise y = 1 + k2 rho/k1 satisfies y - ln y = y_0 - ln y_0 + eps k2^2 t/k1,
-//! so that y = -W(-y_0 exp(-y_0 - eps k2^2 t/k1)) with the branch of Lambert's W on which y_0 is. In closed form too is
-//! the end: where M2 drives rho down to the axis it gets there in finite time and with infinite speed.
+//! With k2 = 0 rho^2 = rho_0^2 + 2 eps k1 t. Otherwise y = 1 + k2 rho/k1 satisfies y - ln y = y_0 - ln y_0 + eps k2^2 t/k1:
+//! y = -W(-y_0 exp(-y_0 - eps k2^2 t/k1)) with the branch of Lambert's W on which y_0 is. The end has a closed form
+//! too: if M2 drives rho down to the axis, the wheel reaches it in finite time and with infinite speed.
 
 /// eps, k1, k2 of rho' = eps (k1/rho + k2), and rho at t = 0, all finite, with rho_0 > 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,22 +13,22 @@ pub struct ConstantMoments {
     pub start: f64,
 }
 
-/// How the programme goes on.
+/// The long-time behaviour of the programme.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ProgrammeEnd {
     /// The wheel rests: k1 + k2 rho_0 = 0.
     Rest,
-    /// The wheel comes to the axis of the second disc at this time, s, with infinite speed unless k1 = 0: no motion is
-    /// after it.
+    /// The wheel reaches the axis of the second disc at this time, s, with infinite speed unless k1 = 0; the motion
+    /// ends there.
     ReachesAxis { time: f64 },
-    /// It tends to rho = -k1/k2 from any side: k1 > 0 > k2.
+    /// The wheel tends to rho = -k1/k2 from any side: k1 > 0 > k2.
     TendsTo { distance: f64 },
-    /// It leaves every disc, of however great a radius.
+    /// The wheel leaves a disc of any radius.
     Grows,
 }
 
 impl ConstantMoments {
-    /// t at which the wheel passes rho, s: the quadrature. Not a number where it never does.
+    /// The time, s, at which the wheel passes rho, by the quadrature; NaN where it never does.
     pub fn time(&self, rho: f64) -> f64 {
         let Self { epsilon, of_second, of_first, start } = *self;
         if of_first == 0.0 {
@@ -63,7 +63,7 @@ impl ConstantMoments {
         Some((same_branch(level, scaled) - 1.0) * of_second / of_first)
     }
 
-    /// What becomes of the wheel.
+    /// The long-time behaviour, by the signs of the data.
     pub fn course(&self) -> ProgrammeEnd {
         let Self { epsilon, of_second, of_first, start } = *self;
         let pull = epsilon * (of_second + of_first * start);
@@ -79,7 +79,7 @@ impl ConstantMoments {
     }
 }
 
-/// y of the sign and on the side of 1 on which `from` is, with y - ln|y| = level: Lambert's W, by Newton's method.
+/// The y with y - ln|y| = level that has the sign of `from` and lies on its side of 1: Lambert's W, by Newton's method.
 fn same_branch(level: f64, from: f64) -> f64 {
     // beside 1 for a positive y, between 0 and 1 near exp(-level), below zero between both
     let mut y = if from > 1.0 {

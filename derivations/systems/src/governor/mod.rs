@@ -1,13 +1,13 @@
-//! Friction governors: two shafts with an intermediate wheel between them that is moved to keep the speed of the second.
+//! Friction governors: two shafts and an intermediate wheel that is moved so that the second shaft keeps its speed.
 //!
 //! Coordinates (c1, s1, c2, s2, c, s, rho): the directions of both discs and of the wheel, each a plane body that turns
 //! about a fixed axis, and the distance of the wheel from the axis of the second disc (with a [`Gearing::Drum`]) or of the
-//! first (with [`Gearing::Discs`]). The wheel rolls on both without slipping; a force pushes it along its axle.
+//! first (with [`Gearing::Discs`]). The wheel rolls on both without slipping; a force acts on it along its axle.
 //!
-//! * [`programme`]: the motion of the wheel that keeps the speed, the force that this takes; [`servo`]: the same by multipliers;
-//! * [`constant`]: the same in closed form under constant moments, and where it ends; [`between`]: between two discs;
-//! * [`series`]: the same by powers of a small parameter;
-//! * [`released`]: the motion when the speed is not kept exactly, its first approximation.
+//! * [`programme`]: the motion of the wheel that keeps the speed, and its control force; [`servo`]: as a servo constraint;
+//! * [`constant`]: the programme in closed form under constant torques, and its end; [`between`]: between two discs;
+//! * [`series`]: the programme by powers of a small parameter;
+//! * [`released`]: the motion near the programme, and its linearisation.
 
 pub mod between;
 pub mod constant;
@@ -20,7 +20,7 @@ use field::{Analytic, Base, Over, Scalar};
 use mechanics::constrained::newton::Reactions;
 use mechanics::constrained::{Charted, Constrained, Constraint, PointSystem, State};
 
-/// What the wheel rolls on.
+/// The bodies on which the wheel rolls.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Gearing<P> {
     /// A drum of radius R on the first shaft, along which the wheel slides; on the second disc at rho from its axis.
@@ -29,7 +29,7 @@ pub enum Gearing<P> {
     Discs { distance: P },
 }
 
-/// A moment that grows evenly: M + M' t.
+/// A torque that is linear in the time: M + M' t.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Moment<P> {
     /// at t = 0, N m
@@ -39,7 +39,7 @@ pub struct Moment<P> {
 }
 
 impl<P: Base> Moment<P> {
-    /// A moment that stays.
+    /// A constant torque.
     pub fn constant(start: P) -> Self {
         Moment { start, growth: P::zero() }
     }
@@ -78,7 +78,7 @@ impl<P: Base> Governor<P> {
     }
 }
 
-/// The angular velocity of the first disc, of the second, of the wheel, rad/s.
+/// The angular velocity, rad/s, of a body: first disc, second disc, wheel.
 fn turning<S: Scalar>(at: &State<S, 7>, body: usize) -> S {
     let (cos, sin) = (2 * body, 2 * body + 1);
     at.place[cos] * at.velocity[sin] - at.place[sin] * at.velocity[cos]
@@ -100,7 +100,7 @@ impl<P: Base> PointSystem<7> for Governor<P> {
     }
 }
 
-/// The directions are of length one; the rim of the wheel moves with the first disc and with the second.
+/// The directions are unit vectors; the rim of the wheel moves with the first disc and with the second.
 impl<P: Base> Constrained<7, 5> for Governor<P> {
     fn constraints<S: Over<P>>(&self, at: &State<S, 7>) -> [Constraint<S>; 5] {
         let length = |k: usize| {
@@ -115,7 +115,7 @@ impl<P: Base> Constrained<7, 5> for Governor<P> {
     }
 }
 
-/// Rigidity pulls along each direction; a contact pushes the rim of the wheel one way and the disc the other.
+/// The reaction of rigidity is along each direction; a contact acts on the rim of the wheel and oppositely on the disc.
 impl<P: Base> Reactions<7, 5> for Governor<P> {
     fn reactions<S: Over<P>>(&self, at: &State<S, 7>) -> [[S; 7]; 5] {
         let [c1, s1, c2, s2, c, s, rho] = at.place;

@@ -1,7 +1,7 @@
-//! The programme: where the wheel must be so that the second shaft keeps its speed, and what pushes it there.
+//! The programme: the motion of the wheel with which the second shaft keeps its speed, and the control force for it.
 //!
-//! With omega2' = 0 Appell's equation of omega2 loses its acceleration: it is a condition on rho', affine in it. That of
-//! rho gives the force. The condition of speed is no constraint of contact: nothing pushes on the second shaft to keep it.
+//! With omega2' = 0 Appell's equation for omega2 contains no acceleration: it is a condition on rho', affine in it. The equation for
+//! rho gives the force. The condition on the speed is no contact constraint: no reaction acts on the second shaft.
 
 use super::Governor;
 use field::{Analytic, Base, Over, Tangent};
@@ -10,7 +10,7 @@ use mechanics::constrained::appell::residual;
 use mechanics::constrained::motion::Motion;
 
 impl<P: Base> Governor<P> {
-    /// dS'/dp' - Q' for p = (omega2, rho') at the rates p'; all angles are zero, which no equation can see.
+    /// dS'/dp' - Q' for p = (omega2, rho') at the rates p'; all angles are zero, since no equation depends on them.
     pub fn balance<S: Over<P> + Analytic>(&self, time: S, rho: S, p: [S; 2], rates: [S; 2]) -> [S; 2] {
         let zero = S::zero();
         let motion: Motion<S, 7, 2> = Motion::at(self, time, [zero, zero, zero, rho], p);
@@ -40,7 +40,7 @@ impl<P: Base> Governor<P> {
         self.programme(Tangent::variable(time), Tangent::moving(rho, drift), Tangent::fixed(speed)).slope
     }
 
-    /// u along the programme, N: what is missing in the wheel's equation, beside the push that the data give already.
+    /// The control force u along the programme, N, besides the push of the data: the residual of the wheel's equation.
     pub fn control_force<S: Over<P> + Analytic>(&self, time: S, rho: S, speed: S) -> S
     where
         Tangent<S>: Over<P>,

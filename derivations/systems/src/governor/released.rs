@@ -1,5 +1,5 @@
-//! The governor when its speed is not kept exactly: omega2 = omega2_0 + zeta, rho = rho_0 + rho', and its first
-//! approximation in (zeta, rho', z = rho'') by differentiation of Appell's equations.
+//! The governor near its programme: omega2 = omega2_0 + zeta, rho = rho_0 + rho', with the linearisation
+//! in (zeta, rho', z = rho'') by differentiation of Appell's equations.
 
 use super::Governor;
 use field::{Analytic, Base, Over, Scalar, Tangent};
@@ -10,10 +10,10 @@ use mechanics::definite::NotDefinite;
 use mechanics::differentiate::{along, unit};
 
 impl<P: Base> Governor<P> {
-    /// (omega2', rho', rho'') at (omega2, rho, rho') under a force along the axle besides the data's.
+    /// (omega2', rho', rho'') at (omega2, rho, rho') under a force along the axle besides that of the data, N.
     ///
     /// # Errors
-    /// [`NotDefinite`] where a moment or the mass that the acceleration needs vanishes.
+    /// [`NotDefinite`] where an inertia or mass that the accelerations need vanishes.
     pub fn released<S: Over<P> + Analytic>(
         &self,
         time: S,
@@ -28,7 +28,7 @@ impl<P: Base> Governor<P> {
         Ok([spin, drift, push])
     }
 
-    /// The first approximation x' = A x + b u1 about a state.
+    /// The linearisation x' = A x + b u1 about a state.
     ///
     /// # Errors
     /// As [`released`](Self::released).

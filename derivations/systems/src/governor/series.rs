@@ -1,7 +1,7 @@
 //! The programme by powers of a small parameter: rho rho' = eps (k1 + k2 rho), rho = sum eps^i rho_i(t).
 //!
-//! Each order is a quadrature, rho_0 rho_n' = [n = 1] k1 + k2 rho_(n-1) - sum over 0 < i < n of rho_i rho'_(n-i). Where the
-//! moments are polynomials of the time the rho_i are too, and the quadratures are exact in any field.
+//! Each order is a quadrature, rho_0 rho_n' = [n = 1] k1 + k2 rho_(n-1) - sum over 0 < i < n of rho_i rho'_(n-i). If the
+//! torques are polynomials of the time, the rho_i are too, and the quadratures are exact in any field.
 
 use super::{Gearing, Governor};
 use field::{Base, Scalar};
@@ -15,7 +15,7 @@ pub struct Programme<P> {
 }
 
 impl<P: Base> Governor<P> {
-    /// The programme's law at a kept speed; `None` where the first lever changes: that law has another form.
+    /// The programme's law at a prescribed speed; `None` where the first lever changes: the law then has another form.
     pub fn small_parameter(&self, speed: P) -> Option<Programme<P>> {
         let Gearing::Drum { radius } = self.gearing else { return None };
         let [first, _, wheel] = self.inertia;
@@ -46,7 +46,7 @@ impl<P: Scalar> Programme<P> {
         terms
     }
 
-    /// The sum up to each order at an instant: the approximations that the series gives.
+    /// The partial sums of the series at an instant, up to each order.
     pub fn approximations(&self, start: P, order: usize, time: P) -> Vec<P> {
         let mut power = P::one();
         let mut sum = P::zero();
@@ -86,7 +86,7 @@ fn derivative<P: Scalar>(polynomial: &[P]) -> Vec<P> {
     polynomial.iter().enumerate().skip(1).map(|(power, &coefficient)| P::int(power as i64) * coefficient).collect()
 }
 
-/// The integral from 0 of the polynomial over a divisor.
+/// The integral from 0 of the polynomial, over a divisor.
 fn integral<P: Scalar>(polynomial: &[P], divisor: P) -> Vec<P> {
     let terms = polynomial.iter().enumerate();
     let raised = terms.map(|(power, &coefficient)| coefficient / (divisor * P::int(power as i64 + 1)));

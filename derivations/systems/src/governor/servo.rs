@@ -1,8 +1,8 @@
-//! The programme as a servo constraint: the second shaft's speed is kept by the force along the axle of the wheel.
+//! The programme as a servo constraint: the force along the axle of the wheel keeps the second shaft's speed.
 //!
-//! The condition omega2 - omega = 0 has its gradient along the second shaft, on which nothing pushes to keep it: a multiplier
-//! there would be another machine, one with a motor on that shaft. The push moves omega2' only through rho', which changes the
-//! levers, so that it is found from omega2'' = 0.
+//! The gradient of the condition omega2 - omega = 0 is along the second shaft, on which no control acts: a multiplier
+//! there would mean another machine, with a motor on that shaft. The control force changes omega2' only through rho' and the
+//! levers; it is found from omega2'' = 0.
 
 use super::{Governor, turning};
 use field::{Base, Over};
@@ -10,7 +10,7 @@ use mechanics::constrained::servo::Servo;
 use mechanics::constrained::{Constrained, Constraint, PointSystem, State};
 use mechanics::differentiate::unit;
 
-/// A governor that keeps the speed of its second shaft.
+/// A governor with a prescribed speed of its second shaft.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Kept<P> {
     pub governor: Governor<P>,

@@ -1,16 +1,16 @@
-//! Which data belong to bodies that can exist, and whose motion is determined.
+//! Conditions for data of bodies that can exist, with a determined motion.
 
 use super::Gyrostat;
 use nalgebra::{Matrix3, Vector3};
 use std::fmt;
 
-/// How far from equality (relative to the size of the tensor) a condition may be missed by rounding of the input.
+/// The violation of a condition by rounding of the input that is tolerated, relative to the size of the tensor.
 const ROUNDING: f64 = 1e-12;
 
-/// A condition that the data break: which, and by what value.
+/// A condition that the data violate, with the value.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Inadmissible {
-    /// A datum is infinite or no number.
+    /// A datum is infinite or not a number.
     NotFinite { quantity: &'static str, value: f64 },
     /// A datum must be positive.
     NotPositive { quantity: &'static str, value: f64 },
@@ -26,7 +26,7 @@ pub enum Inadmissible {
     Triangle { about: &'static str, largest: f64, sum_of_others: f64 },
     /// A' > 2 B'.
     RotorTriangle { axial: f64, twice_transverse: f64 },
-    /// The bodies exist, but nothing that could turn about the rotor's axis has inertia: A is singular, D = 0.
+    /// The carrier has no inertia about the rotor's axis: A is singular, D = 0, and the motion is undetermined.
     Undetermined { moment: f64 },
 }
 
@@ -72,7 +72,7 @@ impl fmt::Display for Inadmissible {
 impl std::error::Error for Inadmissible {}
 
 impl Gyrostat<f64> {
-    /// Checks that both bodies can exist and move in a determined way; every condition that is broken comes back, not
+    /// Checks that both bodies can exist and that their motion is determined; the error lists every violated condition, not
     /// only the first.
     pub fn admissible(&self) -> Result<(), Vec<Inadmissible>> {
         let mut broken = self.not_finite();
@@ -108,7 +108,7 @@ impl Gyrostat<f64> {
             .collect()
     }
 
-    /// What the data come to must be in the range of numbers too.
+    /// The violations by derived quantities outside the range of numbers.
     fn too_large(&self) -> Vec<Inadmissible> {
         let carrier = &self.carrier;
         let sizes = [
@@ -142,7 +142,7 @@ impl Gyrostat<f64> {
         }
     }
 
-    /// The tensor about O, and what it leaves about the centre of mass, must both be tensors of bodies.
+    /// The tensors about O and about the centre of mass must both be inertia tensors of bodies.
     fn check_carrier(&self, broken: &mut Vec<Inadmissible>) {
         let tensor = self.carrier.inertia;
         let size = tensor.norm();
@@ -175,7 +175,7 @@ impl Gyrostat<f64> {
         }
     }
 
-    /// A must be positive definite, so that the equations of motion can be solved for the accelerations.
+    /// A must be positive definite: the equations of motion can then be solved for the accelerations.
     fn check_motion(&self, broken: &mut Vec<Inadmissible>) {
         let moment = self.reduced_tensor().symmetric_eigenvalues().min();
         if moment <= ROUNDING * self.full_tensor().norm() {

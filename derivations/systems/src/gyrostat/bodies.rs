@@ -30,7 +30,7 @@ pub struct Rotor<P: Scalar> {
     pub transverse: P,
 }
 
-/// The system of both in the field of gravity.
+/// Carrier and rotor in the field of gravity.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Gyrostat<P: Scalar> {
     pub carrier: Carrier<P>,
@@ -76,7 +76,7 @@ impl<P: Base> Gyrostat<P> {
         MassMoments::from_inertia(S::lift(*mass), centre.map(S::lift), inertia.map(S::lift))
     }
 
-    /// The mass points of the rotor about C'. Being balanced, they have the same moments at every angle of the rotor.
+    /// The mass points of the rotor about C'. Being balanced, they have equal moments at every angle of the rotor.
     pub fn rotor_points<S: Over<P>>(&self) -> MassMoments<S> {
         let Rotor { mass, axis, axial, transverse, .. } = self.rotor.lift::<S>();
         let along = axis * axis.transpose();
@@ -115,7 +115,7 @@ impl<P: Base> Gyrostat<P> {
 }
 
 impl<P: Base> Rotor<P> {
-    /// The same rotor seen in a larger field.
+    /// The rotor in a larger field.
     pub fn lift<S: Over<P>>(&self) -> Rotor<S> {
         Rotor {
             mass: S::lift(self.mass),

@@ -1,4 +1,4 @@
-//! The gyrostat driven by a motor: the system of first-order equations that runs.
+//! The gyrostat driven by a motor, as a system of first-order equations.
 
 use super::forms::Form;
 use super::vectors::cross;
@@ -25,7 +25,7 @@ impl<P: Base, F: Form<P>, M: Machine<P>> Driven<P, F, M> {
         Driven { form, machine, circuits, field: PhantomData }
     }
 
-    /// 6 + the rotor's states + the currents.
+    /// The number of states: 6 + the rotor's + the currents.
     pub fn dimension(&self) -> usize {
         6 + self.machine.rotor().dimension() + self.machine.windings()
     }
@@ -43,7 +43,7 @@ impl<P: Base, F: Form<P>, M: Machine<P>> Driven<P, F, M> {
         self.rates_under(S::zero(), y, dy);
     }
 
-    /// The same with a further moment of the load between carrier and rotor, against the rotor's turning, N m.
+    /// The right-hand side with a load torque between carrier and rotor, against the rotor's rotation, N m.
     #[inline(always)]
     pub fn rates_under<S: Over<P> + Analytic>(&self, load: S, y: &[S], dy: &mut [S]) {
         let (w, v) = (Vector3::new(y[0], y[1], y[2]), Vector3::new(y[3], y[4], y[5]));
@@ -96,7 +96,7 @@ impl<P: Base, F: Form<P>, M: Machine<P>> Driven<P, F, M> {
         self.form.energy(w.map(Tangent::fixed), v.map(Tangent::fixed), speed).slope
     }
 
-    /// E - W p, the energy as seen from the stator's field: without supply and sliding windings what it loses is heat.
+    /// E - W p, the energy in the frame of the stator's field: without supply and sliding windings its loss is heat.
     pub fn jacobi<S: Over<P> + Analytic>(&self, y: &[S]) -> S {
         self.energy(y) - S::lift(self.machine.frame_speed()) * self.rotor_momentum(y)
     }
@@ -137,7 +137,7 @@ impl<F: Form<f64>, M: Machine<f64>> Powered for Driven<f64, F, M> {
     }
 }
 
-/// Many gyrostats side by side, each with data of its own.
+/// A batch of gyrostats, each with its own data.
 impl<const L: usize, const FUSED: bool, F, M> Ode<Batch<L, FUSED>> for Driven<Batch<L, FUSED>, F, M>
 where
     F: Form<Batch<L, FUSED>>,

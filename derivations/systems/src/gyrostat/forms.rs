@@ -16,12 +16,12 @@ use super::vectors::{by_component, dot, less, less_dot, lift, plus, two_crosses}
 use field::{Base, Divisor, Over, Scalar};
 use nalgebra::{Matrix3, Vector3};
 
-/// A way to write the equations of motion: data in its own axes, solved for the accelerations.
+/// A form of the equations of motion, with data in its own axes, solved for the accelerations.
 pub trait Form<P: Base> {
-    /// (w', phi'') under the moment M on the rotor.
+    /// (w', phi'') under the torque M on the rotor.
     fn accelerations<S: Over<P>>(&self, w: Vector3<S>, v: Vector3<S>, rotor_speed: S, moment: S) -> (Vector3<S>, S);
 
-    /// w' with the rotor kept at its speed (phi'' = 0), and the moment M that this takes.
+    /// w' with a constant rotor speed (phi'' = 0), and the torque M that this takes.
     fn prescribed<S: Over<P>>(&self, w: Vector3<S>, v: Vector3<S>, rotor_speed: S) -> (Vector3<S>, S);
 
     /// x, the angular momentum about O.
@@ -30,11 +30,11 @@ pub trait Form<P: Base> {
     /// T - Ge.v, the mechanical energy.
     fn energy<S: Over<P>>(&self, w: Vector3<S>, v: Vector3<S>, rotor_speed: S) -> S;
 
-    /// The same energy in the momenta; `kept`: of a rotor that is kept at its speed.
+    /// The energy in the momenta; `kept`: the rotor's speed is prescribed.
     fn momenta(&self, kept: bool) -> Momenta<P>;
 }
 
-/// What both forms hold, in their own axes.
+/// The data of both forms, in their own axes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct Data<P: Scalar> {
     /// principal moments of the form's tensor
@@ -55,7 +55,7 @@ impl<P: Base> Data<P> {
         Data { moments, mobility, axis, axial: Divisor::new(axial), weight }
     }
 
-    /// x x w + Ge x v, what the momentum of this form gains in the turning axes.
+    /// x x w + Ge x v, the rate of the form's momentum in the rotating axes.
     #[inline(always)]
     fn gain<S: Over<P>>(&self, momentum: Vector3<S>, w: Vector3<S>, v: Vector3<S>) -> Vector3<S> {
         two_crosses(momentum, w, lift(self.weight), v)
@@ -66,7 +66,7 @@ impl<P: Base> Data<P> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FirstForm<P: Scalar> {
     data: Data<P>,
-    /// 1 / (1/A' + l.(A^-1 l)): what couples the reaction of a prescribed speed to its cause
+    /// 1 / (1/A' + l.(A^-1 l)): the coupling of a prescribed speed's reaction to the other torques
     reaction: P,
 }
 
@@ -81,7 +81,7 @@ pub struct SecondForm<P: Scalar> {
 }
 
 impl<P: Base> FirstForm<P> {
-    /// From the principal moments of A and the vectors l, Ge in its principal axes.
+    /// The form from the principal moments of A and the vectors l, Ge in its principal axes.
     pub fn new(moments: Vector3<P>, axis: Vector3<P>, axial: P, weight: Vector3<P>) -> Self {
         let data = Data::new(moments, axis, axial, weight);
         let reaction = P::one() / (P::one() / axial + axis.dot(&axis.component_mul(&data.mobility)));
@@ -90,7 +90,7 @@ impl<P: Base> FirstForm<P> {
 }
 
 impl<P: Base> SecondForm<P> {
-    /// From the principal moments of A* and the vectors l, Ge in its principal axes.
+    /// The form from the principal moments of A* and the vectors l, Ge in its principal axes.
     pub fn new(moments: Vector3<P>, axis: Vector3<P>, axial: P, weight: Vector3<P>) -> Self {
         let data = Data::new(moments, axis, axial, weight);
         let response = axis.component_mul(&data.mobility);
@@ -129,7 +129,7 @@ impl<P: Base> Form<P> for FirstForm<P> {
         (own + spin).half() - self.data.weight.map(S::lift).dot(&v)
     }
 
-    /// Kept: A*^-1 = A^-1 - n n^T / (1/A' + l.n) with n = A^-1 l (Sherman and Morrison).
+    /// For a prescribed speed A*^-1 = A^-1 - n n^T / (1/A' + l.n) with n = A^-1 l (Sherman and Morrison).
     fn momenta(&self, kept: bool) -> Momenta<P> {
         let Data { mobility, axis, axial, weight, .. } = self.data;
         let oblique = axis.component_mul(&mobility);
@@ -175,7 +175,7 @@ impl<P: Base> Form<P> for SecondForm<P> {
         (own + axial * rotor_speed * rotor_speed).half() + mixed - self.data.weight.map(S::lift).dot(&v)
     }
 
-    /// Free: A^-1 = A*^-1 + (A'/D) n n^T with n = A*^-1 l (Sherman and Morrison).
+    /// For a free rotor A^-1 = A*^-1 + (A'/D) n n^T with n = A*^-1 l (Sherman and Morrison).
     fn momenta(&self, kept: bool) -> Momenta<P> {
         let Data { mobility, axis, axial, weight, .. } = self.data;
         let share = if kept { P::zero() } else { axial.value() * self.inverse_d };
@@ -198,7 +198,7 @@ impl Gyrostat<f64> {
         (SecondForm::new(moments, axis, axial, weight), principal.axes)
     }
 
-    /// What a form is made of: the principal moments of its tensor, and l, A', Ge in its principal axes.
+    /// The data of a form: the principal moments of its tensor, and l, A', Ge in its principal axes.
     pub fn form_data(&self, principal: &Principal) -> (Vector3<f64>, Vector3<f64>, f64, Vector3<f64>) {
         let own = self.in_axes(&principal.axes);
         (principal.moments, own.rotor.axis, own.rotor.axial, own.weight())

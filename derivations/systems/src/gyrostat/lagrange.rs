@@ -1,7 +1,7 @@
-//! Lagrange's top with a rotor along its axis, in closed form: what long runs are measured by.
+//! Lagrange's top with a rotor along its axis, in closed form, against which long runs are measured.
 //!
-//! Of a gyrostat with the transverse moment A (about O), whose weight G and free rotor lie along its axis of symmetry l, the
-//! momenta X = x.l and k = x.v and the energy h = A |w|^2/2 - G u of w across l stay, and u = v.l obeys
+//! A gyrostat with the transverse moment of inertia A (about O), whose weight G and free rotor lie along its axis of symmetry l,
+//! conserves the momenta X = x.l and k = x.v and the energy h = A |w|^2/2 - G u with w across l, and u = v.l obeys
 //!
 //!   A^2 u'^2 = 2 A (1 - u^2) (h + G u) - (k - X u)^2 = 2 A G (u - u1) (u - u2) (u3 - u) ,   u1 < -1 <= u2 <= u <= u3 <= 1 :
 //!
@@ -14,7 +14,7 @@ use nalgebra::Vector3;
 /// A nutation from a turning point (u' = 0 at time zero).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Nutation {
-    /// of u, s
+    /// period of u, s
     pub period: f64,
     /// u and u' a quarter of a period, or any number of periods more, after the start
     pub quarter: (f64, f64),
@@ -30,7 +30,7 @@ pub struct Top {
 }
 
 impl Top {
-    /// From w and v with l, w and v in one plane; none where u rests or G is not positive.
+    /// The nutation from w and v, with l, w and v in one plane; `None` where u is constant or G is not positive.
     pub fn nutation(&self, w: Vector3<f64>, v: Vector3<f64>) -> Option<Nutation> {
         let Top { transverse: a, weight: g, axis, spin } = *self;
         let (u, along) = (v.dot(&axis), w.dot(&axis));

@@ -1,4 +1,4 @@
-//! The gyrostat in its momenta: Hamilton's equations on se(3)* with a rotor, split into flows that are known.
+//! The gyrostat in its momenta: Hamilton's equations on se(3)* with a rotor, split into explicit sub-flows.
 //!
 //! With x the angular momentum about O, v the vertical, p = A' (w.l + phi') the rotor's spin and U(g) the energy of its
 //! magnets in the field that turns with W,
@@ -7,18 +7,18 @@
 //!
 //!   x' = x x dH/dx + v x dH/dv ,   v' = v x dH/dx ,   g' = dH/dp ,   p' = -dH/dg + friction .
 //!
-//! Whatever H is, v.v and x.v stay (Casimir functions), and a moment between rotor and carrier changes neither. The sum
-//! is split into squares (in an inertia tensor's principal axes: Reich 1994, McLachlan 1993): each of the terms
+//! For any H, v.v and x.v are conserved (Casimir functions), and a torque between rotor and carrier changes neither. The sum
+//! is split into squares (in an inertia tensor's principal axes: Reich 1994, McLachlan 1993):
 //!
 //! | term | flow |
 //! |---|---|
-//! | 1/2 m_k y_k^2, y = x - q l | x and v turn about axis k with the constant speed m_k y_k, and g by -l_k of that |
-//! | 1/2 s (n.y)^2 | the same about n, where the tensor is not diagonal in the form's axes |
-//! | p^2/(2 A') - W p | g grows steadily; this goes with any of the others, since it commutes with all |
-//! | -Ge.v + U(g) with windings and friction | v and g rest; x, p and the currents move, see [`motor::Kick`] |
+//! | 1/2 m_k y_k^2, y = x - q l | x and v rotate about axis k with the constant speed m_k y_k, and g by -l_k times it |
+//! | 1/2 s (n.y)^2 | the rotation about n, if the tensor is not diagonal in the form's axes |
+//! | p^2/(2 A') - W p | g grows linearly; the term commutes with all others and is combined with one of them |
+//! | -Ge.v + U(g) with windings and friction | v and g are constant; x, p and the currents change, see [`motor::Kick`] |
 //!
-//! With q = p for a free rotor, and q = A' phi' for one that is kept at its speed: then p is no variable, and x is the
-//! momentum of all less a constant along l.
+//! Here q = p for a free rotor, and q = A' phi' for one with prescribed speed: then p is no variable, and x is the
+//! total angular momentum less a constant along l.
 
 use super::driven::Driven;
 use super::forms::Form;
@@ -32,7 +32,7 @@ use motor::{
 use nalgebra::Vector3;
 use simulation::Running;
 
-/// What H is made of, in the axes of a form.
+/// The data of H, in the axes of a form.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Momenta<P: Scalar> {
     /// m_k
@@ -49,7 +49,7 @@ pub struct Momenta<P: Scalar> {
     pub weight: Vector3<P>,
 }
 
-/// A state in which the pieces flow.
+/// The state of the sub-flows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Point<S: Scalar> {
     /// x
@@ -60,21 +60,21 @@ pub struct Point<S: Scalar> {
     pub rotor: RotorPoint<S>,
 }
 
-/// H over a field, with what follows from it.
+/// H over a field, with derived data, for its sub-flows.
 #[derive(Clone, Copy, Debug)]
 pub struct Flows<S: Scalar> {
     momenta: Momenta<S>,
     /// n / |n|, and s n.n
     unit: Vector3<S>,
     oblique_mobility: S,
-    /// 1/A', and zero for a rotor that is kept
+    /// 1/A', and zero for a rotor with prescribed speed
     rotor_mobility: S,
     /// W
     frame_speed: S,
 }
 
 impl<S: Analytic> Flows<S> {
-    /// Of a form with a machine.
+    /// The sub-flows of a form with a machine.
     pub fn new<P: Base>(form: &impl Form<P>, machine: &impl Machine<P>) -> Self
     where
         S: Over<P>,
@@ -99,12 +99,12 @@ impl<S: Analytic> Flows<S> {
         }
     }
 
-    /// How many squares there are.
+    /// The number of squares.
     pub fn squares(&self) -> usize {
         if self.momenta.share.is_zero() { 3 } else { 4 }
     }
 
-    /// d(g')/dp at a fixed x: what an impulse on the rotor does to its slip.
+    /// d(g')/dp at fixed x: the response of the slip to an impulse on the rotor.
     pub fn compliance(&self) -> S {
         let l = self.momenta.axis;
         self.rotor_mobility + l.dot(&self.angular_velocity(l))
@@ -115,13 +115,13 @@ impl<S: Analytic> Flows<S> {
         y.component_mul(&self.momenta.mobility) + self.unit * (self.oblique_mobility * self.unit.dot(&y))
     }
 
-    /// (w, g'); the slip of a rotor that is kept means nothing.
+    /// (w, g'); the slip of a rotor with prescribed speed has no meaning.
     pub fn velocities(&self, at: &Point<S>) -> (Vector3<S>, S) {
         let w = self.angular_velocity(at.momentum - self.momenta.axis * at.rotor.momentum);
         (w, at.rotor.momentum * self.rotor_mobility - self.frame_speed - w.dot(&self.momenta.axis))
     }
 
-    /// The rotor's steady drift, which goes with the first square.
+    /// The flow of p^2/(2 A') - W p, which is combined with the first square.
     fn drift(&self, length: S, at: &mut Point<S>) {
         at.rotor.angle += length * (at.rotor.momentum * self.rotor_mobility - self.frame_speed);
     }
@@ -150,8 +150,8 @@ impl<S: Analytic> Flows<S> {
         at.rotor.angle -= self.momenta.axis.dot(&self.unit) * angle;
     }
 
-    /// The flow at resting v and g: the weight moves x, the machine the rest. Gives what is left of the equation it
-    /// solves by iteration.
+    /// The flow at constant v and g: the weight changes x, the machine the rest. Returns the residual of the equation that
+    /// is solved by iteration.
     #[inline]
     pub fn push<P: Base, A: Acting<P, S>>(&self, machine: &A, by: &Kick<S>, at: &mut Point<S>) -> S
     where
@@ -168,7 +168,7 @@ impl<S: Analytic> Flows<S> {
         left
     }
 
-    /// The flow of a piece, the push first and then the squares. Gives what is left, as the push does.
+    /// The flow of a piece, in the order push, squares. Returns the residual, as the push does.
     #[inline]
     pub fn flow<P: Base, A: Acting<P, S>>(&self, machine: &A, piece: usize, lapse: &Lapse<S>, at: &mut Point<S>) -> S
     where
@@ -184,7 +184,7 @@ impl<S: Analytic> Flows<S> {
         S::zero()
     }
 
-    /// From a state (w, v, rotor, currents) of the law.
+    /// The point from a state (w, v, rotor, currents) of the law.
     pub fn enter<P: Base>(&self, form: &impl Form<P>, machine: &impl Machine<P>, y: &[S]) -> Point<S>
     where
         S: Over<P>,
@@ -202,7 +202,7 @@ impl<S: Analytic> Flows<S> {
         }
     }
 
-    /// To a state of the law.
+    /// The state of the law from a point.
     #[inline]
     pub fn leave<P: Base, A: Acting<P, S>>(&self, machine: &A, at: &Point<S>, y: &mut [S])
     where
@@ -217,7 +217,7 @@ impl<S: Analytic> Flows<S> {
     }
 }
 
-/// The pieces of a gyrostat with a machine: the push, then the squares.
+/// The sub-flows of a gyrostat with a machine: the push, then the squares.
 #[derive(Clone, Debug)]
 pub struct GyrostatPieces<'a, S: Scalar, F, M> {
     form: &'a F,
@@ -267,7 +267,7 @@ impl<S: Real + Running, F: Form<f64>, M: Machine<f64>> Pieces<S> for GyrostatPie
     }
 }
 
-/// What a piece wants to know of a length of time.
+/// Data of a piece that depend on the time step.
 #[derive(Clone, Debug)]
 pub enum Lapse<S> {
     Push(Kick<S>),
@@ -275,7 +275,7 @@ pub enum Lapse<S> {
 }
 
 impl<F: Form<f64>, M: Machine<f64>> Driven<f64, F, M> {
-    /// The pieces over a field, by programs where there are some; none where the flow of the [`Kick`] is not known.
+    /// The sub-flows over a field, by programs if given; `None` where the flow of the [`Kick`] is not known.
     pub fn in_momenta<'a, S: Real>(&'a self, programs: Option<&'a Programs>) -> Option<GyrostatPieces<'a, S, F, M>> {
         let Driven { form, machine, .. } = self;
         let flows = Flows::new(form, machine);

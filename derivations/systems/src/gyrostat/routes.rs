@@ -1,7 +1,7 @@
-//! The equations of motion of the gyrostat by four routes that share nothing but the bodies' data.
+//! The equations of motion of the gyrostat by four principles that share only the bodies' data.
 //!
-//! Each route returns four residuals that vanish along the motion: three of the carrier (moments about the body axes,
-//! N m) and one of the rotor (moment about l, N m).
+//! Each principle gives four residuals that vanish along the motion: three of the carrier (torques about the body axes,
+//! N m) and one of the rotor (torque about l, N m).
 
 use super::Gyrostat;
 use field::{Analytic, Base, Over, Tangent};
@@ -12,7 +12,7 @@ use mechanics::rotation::{angular_velocity, euler, euler_forms, inverse, vertica
 use mechanics::{appell::appell, hamel::boltzmann_hamel, lagrange::lagrange};
 use nalgebra::{Matrix4, Vector3};
 
-/// An instant of a motion: velocities, accelerations, the vertical, and the moment on the rotor.
+/// An instant of a motion: velocities, accelerations, the vertical, and the torque on the rotor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MotionInstant<S: field::Scalar> {
     /// w, rad/s
@@ -30,7 +30,7 @@ pub struct MotionInstant<S: field::Scalar> {
 }
 
 impl<P: Base> Gyrostat<P> {
-    /// x, the angular momentum of all mass points about O, and that of the rotor's about C', kg m^2/s.
+    /// x, the angular momentum of all mass points about O, and that of the rotor's points about C', kg m^2/s.
     pub fn angular_momentum<S: Over<P>>(&self, w: Vector3<S>, rotor_speed: S) -> [Vector3<S>; 2] {
         let [carrier, rotor] = self.velocities::<S>(w, rotor_speed);
         let own = AffineField::place(Vector3::zeros());
@@ -40,7 +40,7 @@ impl<P: Base> Gyrostat<P> {
         [of_carrier + of_rotor, self.rotor_points::<S>().cross(&own, &rotor)]
     }
 
-    /// The theorem of angular momentum: for all mass points about O, and for the rotor's about C' in the direction l.
+    /// The theorem of angular momentum: for all mass points about O, and for the rotor's points about C' in the direction l.
     pub fn by_momentum<S: Over<P>>(&self, motion: &MotionInstant<S>) -> [S; 4] {
         let w = motion.angular_velocity;
         let moving = Vector3::from(along(w.into(), motion.angular_acceleration.into()));
@@ -123,7 +123,7 @@ impl<P: Base> Gyrostat<P> {
     }
 }
 
-/// A matrix of the carrier with the rotor's own angle beside it.
+/// A matrix of the carrier, extended by the rotor's own angle.
 fn bordered<S: field::Scalar>(m: nalgebra::Matrix3<S>) -> Matrix4<S> {
     let mut bordered = Matrix4::identity();
     bordered.fixed_view_mut::<3, 3>(0, 0).copy_from(&m);

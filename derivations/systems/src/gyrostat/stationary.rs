@@ -11,7 +11,7 @@
 use field::{Base, Over, Scalar};
 use nalgebra::Vector3;
 
-/// What the conditions need of a gyrostat with a rotor at a given relative speed, in the principal axes of A*.
+/// The data of the conditions for a gyrostat with a rotor at a given relative speed, in the principal axes of A*.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stationary<P: Scalar> {
     /// principal moments of A*, kg m^2
@@ -25,7 +25,7 @@ pub struct Stationary<P: Scalar> {
 }
 
 impl<P: Base> Stationary<P> {
-    /// F, N m: the moment that is missing for w0 v to be a motion.
+    /// F, N m: the residual torque, which vanishes if w0 v is a motion.
     pub fn missing_moment<S: Over<P>>(&self, v: Vector3<S>, w0: S) -> Vector3<S> {
         let momentum = v.component_mul(&self.moments.map(S::lift)) * w0 + self.axis.map(S::lift) * S::lift(self.spin);
         (momentum * w0 + self.weight.map(S::lift)).cross(&v)
@@ -44,7 +44,7 @@ impl<P: Base> Stationary<P> {
         lean * lean + spin * spin * v.dot(&axis.cross(&weight)) * axis.dot(&tilt)
     }
 
-    /// (numerator, denominator) of w0 = A' W (v.(l x Ge)) / (Ge.t), the angular velocity that goes with a direction on
+    /// (numerator, denominator) of w0 = A' W (v.(l x Ge)) / (Ge.t), the angular velocity of a direction on
     /// the surface.
     pub fn speed<S: Over<P>>(&self, v: Vector3<S>) -> (S, S) {
         let (axis, weight) = (self.axis.map(S::lift), self.weight.map(S::lift));

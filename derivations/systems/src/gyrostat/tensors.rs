@@ -12,18 +12,18 @@ impl<P: Base> Gyrostat<P> {
         self.carrier.inertia + points.inertia() + (Matrix3::identity() * h.dot(&h) - h * h.transpose()) * m
     }
 
-    /// A = A* - A' l l^T, the tensor without the rotor's moment about its own axis, kg m^2: from the mass points of a rotor that has
-    /// none. The difference of two tensors would lose the digits of 1/D.
+    /// A = A* - A' l l^T, the tensor without the rotor's axial moment of inertia, kg m^2: from the mass points of a rotor without
+    /// it. The difference of two tensors would lose the digits of 1/D.
     pub fn reduced_tensor(&self) -> Matrix3<P> {
         Gyrostat { rotor: Rotor { axial: P::zero(), ..self.rotor }, ..*self }.full_tensor()
     }
 
-    /// Gamma e = g (m0 c0 + m' h), N m: the moment of the weight about O is (Gamma e) x v.
+    /// Gamma e = g (m0 c0 + m' h), N m: the torque of the weight about O is (Gamma e) x v.
     pub fn weight(&self) -> Vector3<P> {
         self.first_moment() * self.gravity
     }
 
-    /// The same gyrostat with its data in axes whose unit vectors are the columns of `axes`.
+    /// The gyrostat with its data in axes whose unit vectors are the columns of `axes`.
     pub fn in_axes(&self, axes: &Matrix3<P>) -> Self {
         let back = axes.transpose();
         Gyrostat {
@@ -46,8 +46,8 @@ pub struct Principal {
 }
 
 impl Principal {
-    /// From the eigenvectors; the third axis completes a right-handed frame, and each of the first two points so that
-    /// its largest component is positive: the same tensor always gives the same frame.
+    /// Principal axes from the eigenvectors. The third axis completes a right-handed frame, and the largest component of
+    /// each of the first two is positive, which makes the frame unique.
     pub fn of(tensor: &Matrix3<f64>) -> Self {
         let eigen = tensor.symmetric_eigen();
         let mut order = [0, 1, 2];
@@ -64,12 +64,12 @@ impl Principal {
     }
 }
 
-/// What the physical data come to: both tensors with their principal axes, and the weight.
+/// Derived data: both tensors with their principal axes, and the weight.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Derived {
-    /// of A
+    /// principal axes of A
     pub reduced: Principal,
-    /// of A*
+    /// principal axes of A*
     pub full: Principal,
     /// the columns are the axes of A* in the axes of A
     pub rotation: Matrix3<f64>,

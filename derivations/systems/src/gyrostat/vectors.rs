@@ -1,6 +1,6 @@
-//! Vectors of numbers of any field, always inlined: nalgebra's are where they are short, and over lanes they are not, so
-//! that a law would leave the code that was compiled for wide registers. Products and sums are rounded together where
-//! the field does so.
+//! Operations on vectors over any field, always inlined: nalgebra's are not inlined over batches, and calls would leave
+//! the code that was compiled for wide registers. Products and sums are rounded together (fused) where the field
+//! does this.
 
 use field::{Over, Scalar};
 use nalgebra::Vector3;
@@ -26,7 +26,7 @@ pub(super) fn cross<S: Scalar>(a: Vector3<S>, b: Vector3<S>) -> Vector3<S> {
     })
 }
 
-/// a x b + c x d, each by itself: a momentum a is known last, and little then waits for it.
+/// a x b + c x d, computed separately: the momentum a is known last, and few operations then depend on it.
 #[inline(always)]
 pub(super) fn two_crosses<S: Scalar>(a: Vector3<S>, b: Vector3<S>, c: Vector3<S>, d: Vector3<S>) -> Vector3<S> {
     let (first, second) = (cross(a, b), cross(c, d));
@@ -51,7 +51,7 @@ pub(super) fn less<S: Scalar>(a: Vector3<S>, b: Vector3<S>, s: S) -> Vector3<S> 
     each(|i| a[i].less_product(b[i], s))
 }
 
-/// The same vector, seen in the larger field.
+/// The vector in a larger field.
 #[inline(always)]
 pub(super) fn lift<P: Scalar, S: Over<P>>(a: Vector3<P>) -> Vector3<S> {
     each(|i| S::lift(a[i]))

@@ -1,7 +1,7 @@
 //! The error of a smaller model to first order, along a run of the richer one.
 //!
-//! With e = y - Y(z) the distance of the richer motion from the lifted smaller one, and the defect of the smaller law at the states
-//! of the richer run, d = dY/dt + Y_z f - F(Y),
+//! With e = y - Y(z) the distance of the richer motion from the lifted smaller one, and d = dY/dt + Y_z f - F(Y) the defect
+//! (the residual of the smaller law) at the states along the richer run,
 //!
 //!   e' = F_y e - d .
 //!
