@@ -1,11 +1,11 @@
-//! The workbench's own pages of claims: theorems on which its studies rest, and the principles on every system.
+//! The workbench's own theorems, as pages of claims: those on which its studies rest, and the equality of the principles.
 //!
 //! # Overview
 //! * [`principles`]: the principles of mechanics, equal on every system;
-//! * [`regimes`]: when motion with friction is determined;
-//! * [`stabilisation`]: stabilised constraints in steps;
-//! * [`stationary`], [`stability`]: all stationary motions of a gyrostat with any motor, and whether they are stable;
-//! * [`numerical_stability`]: stability of a motion beside that of a method's steps on it;
+//! * [`regimes`]: existence and uniqueness of motion with friction;
+//! * [`stabilisation`]: constraint stabilisation under discretisation;
+//! * [`stationary`], [`stability`]: all stationary motions of a gyrostat with any motor, and their stability;
+//! * [`numerical_stability`]: stability of a method's one-step map against that of the motion;
 //! * [`synchronism`]: a synchronous motor under load.
 
 pub mod numerical_stability;

@@ -1,4 +1,4 @@
-//! The theorems on which "none is missing" rests, in the letters of section 6 of Konosevich & Konosevich 2022.
+//! The theorems on completeness of the stationary motions, in the letters of section 6 of Konosevich & Konosevich 2022.
 
 use claims::{Condition, Page, Paper};
 use field::{Circle, Scalar};
@@ -39,7 +39,7 @@ pub fn page() -> Page {
     page
 }
 
-/// The conditions by both routes: critical points of W, and the bodies' equations of motion.
+/// The conditions in both forms: critical points of W, and the bodies' equations of motion.
 fn gradient(page: &mut Page, s: &Letters) {
     let g = s.in_axes_of_a_star();
     let energies = Energies::of(&g);
@@ -98,7 +98,7 @@ fn momentum(page: &mut Page, s: &Letters) {
     )]);
 }
 
-/// Pull-out: both angles merge.
+/// Pull-out: both angles merge (saddle-node).
 fn motor(page: &mut Page, s: &Letters) {
     let f = letter("f");
     let machine = Synchronous { field_speed: s.omega_field, b0: s.b0, f };
@@ -150,7 +150,7 @@ impl Multipliers {
     }
 }
 
-/// One direction for each root.
+/// Each root gives one direction.
 fn multiplier(page: &mut Page, s: &Letters, m: &Multipliers) {
     let symmetric =
         Matrix3::from_fn(|i, j| if i == j { m.alpha[i] - m.lambda } else { letter(["δ1", "δ2", "δ3"][3 - i - j]) });
@@ -180,7 +180,7 @@ fn multiplier(page: &mut Page, s: &Letters, m: &Multipliers) {
     )]);
 }
 
-/// One root beyond either end, none or two in each gap.
+/// There is one root beyond either end, and none or two in each gap.
 fn gaps(page: &mut Page, m: &Multipliers) {
     let fourth = (0..3).fold(Sym::ZERO, |sum, i| sum + m.delta[i].powi(2) / (m.lambda - m.alpha[i]).powi(4));
     let curvature = m.excess().diff(m.lambda).diff(m.lambda);
@@ -193,7 +193,7 @@ fn gaps(page: &mut Page, m: &Multipliers) {
         .follows([Equal(m.excess().diff(m.lambda), -(Sym::int(2) * slope))]);
 }
 
-/// Eigenvalues that b does not see.
+/// Eigenvalues whose eigenspace is orthogonal to b.
 fn beyond(page: &mut Page, m: &Multipliers) {
     let z = letter("ν3");
     let at = [(m.delta.z, Sym::ZERO), (m.lambda, m.alpha.z)];

@@ -1,4 +1,4 @@
-//! What is proved of a motor under load, in the letters of Konosevich & Konosevich 2022 and M for the load.
+//! Theorems on a synchronous motor under load, in the letters of Konosevich & Konosevich 2022, with M for the load.
 
 use claims::{Condition, Page, Paper};
 use field::{Circle, Scalar};
@@ -67,7 +67,7 @@ fn determinant(state: &[Sym], rates: &[Sym]) -> Sym {
     laplace(&matrix)
 }
 
-/// By the first row.
+/// The determinant by Laplace expansion along the first row.
 fn laplace(matrix: &DMatrix<Sym>) -> Sym {
     if matrix.nrows() == 0 {
         return Sym::int(1);

@@ -18,7 +18,7 @@ pub fn claims(page: &mut Page, s: &Letters) {
     bounds(page, s);
 }
 
-/// What every machine conserves.
+/// Integrals that every machine conserves.
 fn integrals(page: &mut Page, s: &Letters) {
     let g = s.general();
     let moving = Vector3::from(along(s.w.into(), s.dw.into()));

@@ -1,4 +1,4 @@
-//! Beyond the paper: what the bars of the damper do, how many windings they are worth, and at constant slip.
+//! Beyond the paper: the bars of the damper, their equivalent windings, and their torque at constant slip.
 
 use super::alphabet::{current, letter, number, one};
 use super::letters::Letters;
@@ -21,7 +21,7 @@ pub fn claims(page: &mut Page, s: &Letters) {
     constant_slip(page, s);
 }
 
-/// The motor with N bars and its equivalent have the same moment, and the equivalent's currents, as combinations of
+/// The motor with N bars and its equivalent have equal torque, and the equivalent's currents, as combinations of
 /// the bars', obey the equivalent's equations: j_k = sum_n i_n (u_n . d_k) / w, with d_k the equivalent's axes and w the
 /// root of N or N/2.
 fn reduction(page: &mut Page, s: &Letters, bars: u32, slug: &'static str) {
@@ -110,7 +110,7 @@ fn every_number(page: &mut Page, s: &Letters) {
         ]);
 }
 
-/// What the other combinations of currents do: for N = 3 the sum, for N = 2 the sum, for N = 4 two.
+/// The other combinations of currents decay freely: for N = 3 the sum, for N = 2 the sum, for N = 4 two.
 fn other_modes(page: &mut Page, s: &Letters) {
     let mut decays = Vec::new();
     for (bars, modes) in

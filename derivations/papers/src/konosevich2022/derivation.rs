@@ -1,5 +1,5 @@
-//! Equations of motion of the paper's gyrostat and of its motor, for reading: derived by a chosen principle, brought to normal form,
-//! solved for nothing.
+//! Equations of motion of the paper's gyrostat and of its motor as text: derived by a chosen principle, in normal form, not
+//! solved for the accelerations.
 
 use super::alphabet::letter;
 use super::letters::Letters;

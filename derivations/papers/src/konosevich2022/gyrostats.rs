@@ -13,7 +13,7 @@ use systems::gyrostat::{Carrier, Gyrostat, MotionInstant, Rotor};
 /// A gyrostat with a direction, a field speed and, where it matters, an angular velocity about the vertical.
 #[derive(Clone, Copy, Debug)]
 pub struct Example {
-    /// What it shows.
+    /// The statement that the example illustrates or refutes.
     pub name: &'static str,
     pub gyrostat: Gyrostat<Rational>,
     /// Gamma, N m
@@ -24,7 +24,7 @@ pub struct Example {
     pub vertical: Vector3<Rational>,
     /// W, rad/s
     pub field_speed: Rational,
-    /// w0, rad/s; `None` where the statement is about all of them
+    /// w0, rad/s; `None` where the statement is about all values
     pub angular_velocity: Option<Rational>,
 }
 
@@ -235,7 +235,7 @@ impl Example {
         )
     }
 
-    /// The rotation about the vertical with an angular velocity, the rotor keeping the field's speed without a moment.
+    /// The rotation about the vertical with an angular velocity, the rotor at the field's speed without a torque.
     pub fn rotation(&self, angular_velocity: Rational) -> MotionInstant<Rational> {
         MotionInstant {
             angular_velocity: self.vertical * angular_velocity,
@@ -247,7 +247,7 @@ impl Example {
         }
     }
 
-    /// The moments about O that are missing for this rotation to be a motion, by the theorem of angular momentum.
+    /// The residual torques about O of this rotation, by the theorem of angular momentum.
     pub fn missing_moments(&self, angular_velocity: Rational) -> Vector3<Rational> {
         let [x, y, z, _] = self.gyrostat.by_momentum(&self.rotation(angular_velocity));
         Vector3::new(x, y, z)

@@ -1,4 +1,4 @@
-//! Everything that the paper names, as symbols, and the gyrostat written in them.
+//! The quantities that the paper names, as symbols, and the gyrostat in these symbols.
 
 use super::alphabet::{current, cyclic, letter, tensor, vector};
 use field::{Analytic, Circle};
@@ -8,7 +8,7 @@ use num_traits::Zero;
 use symbolic::{Hypotheses, Sym};
 use systems::gyrostat::{Carrier, Gyrostat, MotionInstant, Rotor};
 
-/// Everything that the paper names.
+/// The quantities that the paper names.
 pub struct Letters {
     pub w: Vector3<Sym>,
     pub dw: Vector3<Sym>,
@@ -83,8 +83,8 @@ impl Letters {
         }
     }
 
-    /// The gyrostat in the principal axes of A: the carrier's tensor is what the rotor leaves of diag(A1, A2, A3), and
-    /// the carrier's centre what it leaves of the weight Gamma e.
+    /// The gyrostat in the principal axes of A: the carrier's tensor is diag(A1, A2, A3) less the rotor's part, and
+    /// the carrier's centre follows likewise from the weight Gamma e.
     pub fn in_axes_of_a(&self) -> Gyrostat<Sym> {
         self.with_reduced_tensor(Matrix3::from_diagonal(&self.a))
     }
@@ -128,7 +128,7 @@ impl Letters {
         }
     }
 
-    /// The same with the rotor's angle measured from the field: phi' = g' + W.
+    /// An instant with the rotor's angle measured from the field: phi' = g' + W.
     pub fn motion_from_field(&self) -> MotionInstant<Sym> {
         MotionInstant { rotor_speed: self.dgamma + self.omega_field, rotor_acceleration: self.ddgamma, ..self.motion() }
     }
@@ -145,7 +145,7 @@ impl Letters {
         }
     }
 
-    /// The electric constants; friction is left to the moment M2.
+    /// The electric constants; friction is the torque M2.
     pub fn windings(&self) -> Windings<Sym> {
         Windings {
             field_speed: self.omega_field,
@@ -167,7 +167,7 @@ impl Letters {
         MultiCurrent { windings: self.windings(), bars: (1..=bars).map(|n| angle(n).circle()).collect() }
     }
 
-    /// The same with its N bars evenly spaced from -pi/4 on; N divides 24, where the angles are roots of 2 and 3.
+    /// The motor with N bars evenly spaced from -pi/4 on; N divides 24, for which the angles have roots of 2 and 3.
     pub fn evenly_spaced(&self, bars: u32) -> MultiCurrent<Sym> {
         let back = Circle::exact_turn(1, 8).unwrap_or(Circle::zero());
         let bars = (1..=bars).filter_map(|n| Circle::exact_turn(n, bars)).map(|turn| turn - back).collect();

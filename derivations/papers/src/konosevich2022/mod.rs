@@ -10,10 +10,10 @@
 //! coefficient is written A'D" before (5.4); bold type of vectors throughout.
 //!
 //! # Key results
-//! Refuted as printed: the sign of the angular velocity in statement 3D; that every direction (statement 3B), every
-//! axis of the cone (3C), every solution of (7.4) and (7.7) (statements 5 and 6) is an axis of rotation; that the moment of
-//! any asynchronous motor is dissipative about its working speed; that each of the relations (6.5) follows from the
-//! other two; that D = 0 is excluded by definition. Each comes with an exact gyrostat and with what holds instead.
+//! Refuted as printed: the sign of the angular velocity in statement 3D; every direction (statement 3B), every
+//! axis of the cone (3C), every solution of (7.4) and (7.7) (statements 5 and 6) is an axis of rotation; the torque of
+//! any asynchronous motor is dissipative about its working speed; each of the relations (6.5) follows from the
+//! other two; D = 0 is excluded by definition. Each refutation has an exact gyrostat and a corrected statement.
 
 mod alphabet;
 mod beyond;

@@ -1,4 +1,4 @@
-//! Beyond the paper: the balance of power for every machine, and a function that never grows.
+//! Beyond the paper: the power balance of every machine, and a Lyapunov function.
 
 use super::alphabet::{current, letter};
 use super::letters::Letters;
@@ -102,7 +102,7 @@ fn falling(s: &Letters, bars: u32) -> Sym {
     moment * speed + stored.slope - s.omega_field * moment - friction(s.omega_field) * s.dgamma
 }
 
-/// The same balance for each rung of the ladder: M phi' and what the circuits store, against supply, law and heat.
+/// The power balance for each motor model: M phi' and the rate of stored energy, against supply, law and heat.
 fn every_machine(page: &mut Page, s: &Letters) {
     let [k, f, pull_out, pull_out_slip] = ["k", "f", "Mk", "sk"].map(letter);
     let field_speed = s.omega_field;

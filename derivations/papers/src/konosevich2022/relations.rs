@@ -1,4 +1,4 @@
-//! The relations (6.5) as vectors, and what the statements of section 7 need of them.
+//! The relations (6.5) as vectors, for the statements of section 7.
 //!
 //! F = w0^2 G + A' W w0 u + Gamma n, with G = A*nu x nu, u = l x nu, n = e x nu; all three are orthogonal to nu, and
 //! V* = l.G, S* = e.G, Pi* = nu.(l x e) = -e.u = l.n, Delta* = G.G.
@@ -30,7 +30,7 @@ pub struct Relations {
 }
 
 impl Relations {
-    /// In the paper's letters.
+    /// The relations in the paper's letters.
     pub fn new(s: &Letters) -> Self {
         let spin = s.axial * s.omega_field;
         let (tilt, axis) = (s.tilt(), s.l.cross(&s.nu));

@@ -1,4 +1,4 @@
-//! Section 3: the motors. Moments and currents by Lagrange-Maxwell from the energies, and what is said of their signs.
+//! Section 3: the motors. Torques and currents by Lagrange-Maxwell from the energies, and the statements on their signs.
 
 use super::alphabet::{current, letter, number};
 use super::letters::Letters;
@@ -46,7 +46,7 @@ impl<M: Machine<Sym>> Machine<Sym> for WithFriction<M> {
     }
 }
 
-/// The moment and the rates of the currents of a machine with the friction M2(g' + W).
+/// The torque and the rates of the currents of a machine with the friction M2(g' + W).
 pub fn driven<M: Machine<Sym>>(machine: M, s: &Letters, currents: &[Sym]) -> (Sym, Vec<Sym>) {
     let machine = WithFriction { machine, friction: friction(s.dgamma + s.omega_field) };
     let mut rates = vec![Sym::zero(); currents.len()];
@@ -177,7 +177,7 @@ fn linear_moment(s: &Letters, speed: Sym) -> Sym {
     k * (s.omega_field - speed) - f * speed
 }
 
-/// The sign claim for moments that are not monotonic.
+/// The sign claim for torques that are not monotonic.
 fn kloss(page: &mut Page, s: &Letters) {
     let [pull_out, critical, f] = ["Mk", "sk", "f"].map(letter);
     let machine = Kloss { field_speed: s.omega_field, pull_out, pull_out_slip: critical, f };

@@ -134,7 +134,7 @@ fn currents(page: &mut Page, s: &Letters) {
         .holds(current_equations(s, bars, &rates[mechanical.len()..]));
 }
 
-/// What runs is what was derived: the accelerations of the code satisfy the equations.
+/// The accelerations of the code that runs satisfy the derived equations.
 fn solved(page: &mut Page, s: &Letters) {
     let g = s.in_axes_of_a();
     let form = FirstForm::new(s.a, s.l, s.axial, s.e * s.big_gamma);

@@ -143,7 +143,7 @@ fn determinant_identity(page: &mut Page, s: &Letters) {
     .holds([Line::formula(determinant(&tensor), name, product * determinant(&scaled))]);
 }
 
-/// Can D vanish? Any axes will do, D being invariant: here the first along l. A = C C^T with C upper triangular.
+/// Zeros of D. D is invariant; the first axis is along l here, and A = C C^T with C upper triangular.
 fn singular(page: &mut Page, s: &Letters) {
     let c = |index: &str| Sym::named(&format!("C{index}"), &format!("C_{{{index}}}"));
     let axial = s.axial;

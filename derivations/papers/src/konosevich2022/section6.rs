@@ -1,4 +1,4 @@
-//! Section 6: which constant states are motions.
+//! Section 6: conditions for constant states to be motions.
 
 use super::alphabet::{current, letter, number, one};
 use super::gyrostats;

@@ -18,7 +18,7 @@ pub fn claims(page: &mut Page, s: &Letters) {
     free_rotor(page, s);
 }
 
-/// 8.1: the rotor kept at the relative speed W.
+/// 8.1: the rotor with the prescribed relative speed W.
 fn constant_speed(page: &mut Page, s: &Letters) {
     let g = s.in_axes_of_a_star();
     let motion = MotionInstant { rotor_speed: s.omega_field, rotor_acceleration: Sym::ZERO, ..s.motion() };
@@ -52,7 +52,7 @@ fn constant_speed(page: &mut Page, s: &Letters) {
     .follows((0..3).map(|i| Condition::Equal(-stationary[i], s.conditions()[i])));
 }
 
-/// 8.2: the rotor by inertia, in both forms.
+/// 8.2: the free rotor, in both forms.
 fn free_rotor(page: &mut Page, s: &Letters) {
     let p = letter("p′");
     let rest = letter("Ω⁰");

@@ -131,7 +131,7 @@ pub const LETTERS: &[claims::alphabet::Letter<3>] = &[
     ("p₁₁", "P_{11}", [0, 0, -1]),
     ("p₁₂", "P_{12}", [0, -1, -2]),
     ("p₁₃", "P_{13}", [0, -1, -1]),
-    // of the criterion: V has no dimension
+    // the criterion: V has no dimension
     ("q₁", "q_1", [0, 0, 1]),
     ("q₂", "q_2", [0, -2, 1]),
     ("q₃", "q_3", [0, -2, -1]),

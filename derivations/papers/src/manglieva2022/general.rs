@@ -1,8 +1,8 @@
 //! The general theory's systems: coordinates with masses under constraints that are arbitrary to the second order.
 //!
-//! At a place, which is taken for the origin, the equations of motion know of a constraint its derivatives to the second
-//! order, of a kinematic one those to the first: these are symbols. What is proved of them is proved of every smooth
-//! constraint whose gradient allows it to be solved for the coordinate that is named.
+//! At a place, taken as the origin, the equations of motion depend on a constraint by its derivatives to the second
+//! order, on a kinematic one by those to the first: these are symbols. A proof for them holds for every smooth
+//! constraint whose gradient allows it to be solved for the named coordinate.
 
 use super::alphabet::{indexed, letter};
 use field::{Analytic, Over};

@@ -46,7 +46,7 @@ impl Default for LadderLetters {
     }
 }
 
-/// What a unit of each reaction does to the coordinates: normal and tangential, at the wall and at the floor.
+/// The generalised forces of a unit of each reaction: normal and tangential, at the wall and at the floor.
 #[derive(Clone, Copy, Debug)]
 pub struct Pushes {
     pub normal: [[Sym; 4]; 2],
@@ -82,7 +82,7 @@ impl LadderLetters {
         })
     }
 
-    /// m x'' - X - reactions in each coordinate: in the last two what rigidity has to balance.
+    /// m x'' - X - reactions in each coordinate; rigidity balances the last two.
     pub fn newton(&self, acceleration: [Sym; 4], reactions: [Sym; 4]) -> [Sym; 4] {
         let (masses, weight): ([Sym; 4], [Sym; 4]) = (self.ladder.masses(), self.ladder.force(&self.motion().state));
         std::array::from_fn(|i| masses[i] * acceleration[i] - weight[i] - reactions[i])
@@ -98,7 +98,7 @@ impl LadderLetters {
         self.normal_reactions_at(self.turning())
     }
 
-    /// The same at given accelerations of the coordinates.
+    /// The normal reactions at given accelerations of the coordinates.
     pub fn normal_reactions_at(&self, acceleration: [Sym; 4]) -> [Sym; 2] {
         let Pushes { normal, tangential } = self.pushes();
         let missing = self.newton(acceleration, [Sym::ZERO; 4]);
@@ -115,7 +115,7 @@ impl LadderLetters {
         self.reactions([wall, floor], [self.at_wall * wall, self.at_floor * floor])
     }
 
-    /// The equation of motion: what is missing along the chart with sliding friction at both ends.
+    /// The residual of the equation of motion along the chart with sliding friction at both ends.
     pub fn balance(&self) -> Sym {
         let [balance] = self.motion().generalised(self.newton(self.turning(), self.sliding(self.normal_reactions())));
         balance

@@ -25,10 +25,10 @@
 //! a floor; the motion of the steered rod as a Lagrange equation, (1.95), (1.96), (1.99), loses the friction at its second
 //! point, while (1.98) is right; the ladder leaves the wall at cos alpha = 2/3 cos alpha_0, not at twice it.
 //!
-//! Of the friction governors of chapter 3 the programme and its quadrature are right; friction has the wrong sign in the
-//! force that keeps the speed, the second governor moves the other way, the rim's characteristic polynomial is right in two
-//! coefficients of six, read with the sign of the rim's force that Z has; (3.17) has the other sign, with which no motion
-//! of positive data is stable at a kept speed. Controllability is J2 M1/R != n rho M2, not rho' != 0; Riccati's equation needs its end.
+//! For the friction governors of chapter 3 the programme and its quadrature are right. Friction has the wrong sign in the
+//! force that keeps the speed, and the second governor moves the other way. Two of the six coefficients of the rim's characteristic
+//! polynomial are right, read with the sign of the rim's force in Z; (3.17) has the other sign, with which no motion with positive
+//! data is stable at a prescribed speed. Controllability is J2 M1/R != n rho M2, not rho' != 0; Riccati's equation needs a final condition.
 
 mod alphabet;
 mod alphabet3;

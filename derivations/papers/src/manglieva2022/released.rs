@@ -1,4 +1,4 @@
-//! Section 3.2's released governor in the paper's letters: its first approximation, its regulator.
+//! Section 3.2's released governor in the paper's letters: its linearisation and its optimal regulator.
 
 use super::alphabet::{letter, letters, tidy};
 use super::governor::GovernorLetters;

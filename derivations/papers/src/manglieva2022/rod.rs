@@ -129,7 +129,7 @@ impl RodLetters {
         or_undefined(extended(self.rod.masses(), self.directions(), self.reactions(reactions)))
     }
 
-    /// The same after Painleve.
+    /// The reactions combined after Painleve.
     pub fn painleve(&self, reactions: [Sym; 3]) -> Combined<Sym, 4, 2> {
         or_undefined(painleve(self.directions(), self.reactions(reactions)))
     }
@@ -169,7 +169,7 @@ impl RodLetters {
         [0, 1].map(|i| tidy(normal[i] + friction[i] + normal[i + 2] + friction[i + 2]))
     }
 
-    /// The same by the motion: the sums of m x'' - X over both points.
+    /// The guide's (R_x, R_y) by the motion: the sums of m x'' - X over both points.
     pub fn contact_by(&self, acceleration: [Sym; 4]) -> [Sym; 2] {
         let (masses, weights): ([Sym; 4], _) = (self.rod.masses(), self.given_force());
         [0, 1].map(|axis| {

@@ -102,7 +102,7 @@ fn reactions(page: &mut Page, s: &LadderLetters) {
     ]);
 }
 
-/// What the introduction of the task says of Appell's conclusion.
+/// The statement of the task's introduction on Appell's conclusion.
 fn normal_reactions_and_friction(page: &mut Page, s: &LadderLetters) {
     let [derived_a, _] = s.normal_reactions();
     let at_rest = derived_a.substitute(&[(s.dalpha, Sym::ZERO), (s.ddalpha, s.acceleration())]);

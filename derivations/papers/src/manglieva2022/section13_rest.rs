@@ -43,7 +43,7 @@ pub fn claims(page: &mut Page, s: &SteeredLetters) {
     page.claim("section1.3-static", "pull", r"$\lambda_1\cos\theta+\lambda_2\sin\theta$ at rest, as printed")
         .follows([Equal(pull, m2 / (m1 + m2) * (drive - m1 * g * double.sin))]);
 
-    // what keeps M1 at rest: the motion's equation with no acceleration
+    // the friction that keeps M1 at rest: the equation of motion without acceleration
     let [missing] = s.motion().generalised(s.newton([Sym::ZERO; 4], s.friction()));
     let mu = tidy(-(missing.substitute(&[(s.mu, Sym::ZERO)]) / tidy(missing.diff(s.mu))));
     page.claim("section1.3-static", "friction", r"friction at $M_1$ that keeps the rod at rest")

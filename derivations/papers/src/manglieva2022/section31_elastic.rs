@@ -17,7 +17,7 @@ pub fn claims(page: &mut Page, s: &ElasticLetters) {
     stationary(page, s);
 }
 
-/// What Appell's equations see of an acceleration energy.
+/// The derivatives of an acceleration energy that enter Appell's equations.
 fn seen(s: &ElasticLetters, energy: Sym) -> [Sym; 2] {
     s.rates.map(|rate| tidy(energy.diff(rate)))
 }
@@ -189,7 +189,7 @@ fn motion(page: &mut Page, s: &ElasticLetters) {
         )]);
 }
 
-/// E' less what Appell's equations leave: the power, whatever the accelerations.
+/// E' less the residuals of Appell's equations: the power, for any accelerations.
 fn power(page: &mut Page, s: &ElasticLetters) {
     let ([w, x, dx, lambda, psi], [dw, ddx]) = (s.state, s.rates);
     let [second, across, turn] = s.rolling();

@@ -56,7 +56,7 @@ fn energy(page: &mut Page, s: &GovernorLetters) {
     )
     .holds([Line::formula(s.acceleration_energy(), name, discs(s.ddrho))]);
     page.correct();
-    // what Appell's equations see of S: its derivatives by the accelerations
+    // only the derivatives of S by the accelerations enter Appell's equations
     let seen = |energy: Sym| [tidy(energy.diff(s.dspeed)), energy.diff(s.ddrho)];
     let rim = s.drho * s.speed + s.rho * s.dspeed;
     let reduced =

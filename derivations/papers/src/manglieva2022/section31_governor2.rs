@@ -42,14 +42,14 @@ fn kinematics(page: &mut Page, s: &GovernorLetters) {
     ]);
 }
 
-/// m x'' - X along the tangents of first disc, second disc and wheel, with the speed kept.
+/// m x'' - X along the tangents of first disc, second disc and wheel, at the prescribed speed.
 fn missing(s: &GovernorLetters) -> [Sym; 3] {
     let (masses, force): ([Sym; 7], [Sym; 7]) = (s.governor.masses(), s.governor.force(&s.motion().state));
     let acceleration = s.acceleration();
     [1, 3, 5].map(|i| tidy((masses[i] * acceleration[i] - force[i]).substitute(&[(s.dspeed, Sym::ZERO)])))
 }
 
-/// F1, F2: what each disc needs, over what a unit of the contact's force does to it.
+/// F1, F2: the residual of each disc over the effect of a unit contact force on it.
 fn contact_forces(s: &GovernorLetters) -> [Sym; 2] {
     let [.., first, second] = s.governor.reactions(&s.motion().state);
     let [on_first, on_second, _] = missing(s);
@@ -132,7 +132,7 @@ fn motion(page: &mut Page, s: &GovernorLetters) {
     page.correct();
 }
 
-/// Under constant moments, beyond the paper: dt/drho of the quadrature against the programme of Appell's equations.
+/// Under constant torques, beyond the paper: dt/drho of the quadrature against the programme of Appell's equations.
 fn quadrature(page: &mut Page, s: &GovernorLetters) {
     let drift = |with: [Sym; 2]| -> Sym {
         let drift: Sym = s.governor.programme(Sym::ZERO, s.rho, s.speed);

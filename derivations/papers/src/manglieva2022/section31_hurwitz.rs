@@ -37,7 +37,7 @@ impl Quintic {
         Quintic { derived: by_powers(&matrix), ball: s.ball, a: s.a, b: s.b, twist }
     }
 
-    /// What is right, by the names.
+    /// The correct coefficients, in the paper's names.
     pub fn right(&self) -> [Sym; 6] {
         let [theta, m0, v, alpha, beta] = letters(["θ₀", "m₀", "V", "α₁", "β₁"]);
         let [phi1, phi2, phi3, phi4] = letters(["Φ₁", "Φ₂", "Φ₃", "Φ₄"]);

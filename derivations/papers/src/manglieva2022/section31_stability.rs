@@ -1,4 +1,4 @@
-//! Section 3.1: the first approximation of the elastic governor and its characteristic equation.
+//! Section 3.1: the linearised elastic governor and its characteristic equation.
 
 use super::alphabet::{int, letter, letters, tidy};
 use super::elastic::{AS_PRINTED, AS_STIFFNESS, ElasticLetters};
@@ -16,7 +16,7 @@ pub fn claims(page: &mut Page, s: &ElasticLetters) {
     section31_hurwitz::claims(page, &quintic);
 }
 
-/// The equations (3.20), (3.21) as they come by differentiation, on deviations written with a prime.
+/// The equations (3.20), (3.21) by differentiation, for deviations written with a prime.
 fn first_approximation(page: &mut Page, s: &ElasticLetters) {
     let [dw, ddx, dx, x, w, w0] = letters(["ω̇′", "ẍ′", "ẋ′", "x′", "ω′", "ω₀"]);
     let [lambda, psi, dlambda, dpsi] = letters(["λᵉ", "ψ", "λ̇ᵉ", "ψ̇"]);
@@ -184,7 +184,7 @@ fn polynomial(page: &mut Page, s: &ElasticLetters, q: &Quintic) {
     }
 }
 
-/// (3.17) and Z cannot both be right; which sign lets the motion be stable.
+/// (3.17) and Z contradict each other; the sign with which the motion can be stable.
 fn sign_of_rim(page: &mut Page, q: &Quintic) {
     let entry = "section3.1-quintic";
     let [theta, m0, v, alpha, beta] = letters(["θ₀", "m₀", "V", "α₁", "β₁"]);

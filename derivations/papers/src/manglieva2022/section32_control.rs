@@ -1,4 +1,4 @@
-//! Section 3.2: controllability of the first approximation, (3.30)-(3.32).
+//! Section 3.2: controllability of the linearised equations, (3.30)-(3.32).
 
 use super::alphabet::{exact, letter, letters, tidy};
 use super::released::ReleasedLetters;

@@ -63,7 +63,7 @@ impl Default for SteeredLetters {
     }
 }
 
-/// Where the reactions push, as the paper counts them: along the rod, across it (the same way at both ends), on the guide.
+/// The directions of the reactions as the paper counts them: along the rod, across it (equal at both ends), on the guide.
 type Directions = [[Sym; 4]; 3];
 
 impl SteeredLetters {
@@ -120,7 +120,7 @@ impl SteeredLetters {
         or_undefined(extended(self.rod.masses(), self.directions(), self.reactions(reactions)))
     }
 
-    /// The same after Painleve.
+    /// The reactions combined after Painleve.
     pub fn painleve(&self, reactions: [Sym; 4]) -> Combined<Sym, 4, 3> {
         or_undefined(painleve(self.directions(), self.reactions(reactions)))
     }

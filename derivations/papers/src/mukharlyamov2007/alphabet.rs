@@ -194,7 +194,7 @@ const LETTERS: &[Letter<3>] = &[
     ("bᴬ", "b", [1, 2, -1]),
 ];
 
-/// Of the drive of section 6, as it is completed here; kg, m, s, A.
+/// The letters of the drive of section 6, as completed here: (name, LaTeX, exponents of kg, m, s, A).
 const DRIVE: &[Letter<4>] = &[
     ("E₀", "E_0", [1, 2, -3, -1]),
     ("Ωᵈ", r"\Omega", [0, 0, -1, 0]),

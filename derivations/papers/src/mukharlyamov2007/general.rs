@@ -1,8 +1,8 @@
 //! The general theory's system: three coordinates with masses, a geometric and a kinematic constraint, both arbitrary to
 //! the second order at the place considered, and neither of them kept there.
 //!
-//! The place is the origin. The equations of motion know of f(q, t) its value and its derivatives to the second order, of
-//! phi(q, q', t) those to the first and, in the velocities, to the second: all are symbols.
+//! The place is the origin. The equations of motion depend on f(q, t) by its value and its derivatives to the second order, on
+//! phi(q, q', t) by those to the first and, in the velocities, to the second: all are symbols.
 
 use super::alphabet::{indexed, letter};
 use field::Over;

@@ -3,17 +3,17 @@
 //! # Overview
 //! The paper's sections in order, each a file of claims or several. The general theory is judged on systems that are
 //! arbitrary to the second order (`general.rs`), the analogies on one law of growth (`systems/growth.rs`), section 7 on a
-//! body with a gyroscope whose equations come from its moment of momentum and its force function
-//! (`systems/variable_top.rs`, `top.rs`): the right sides h, the moments, V and its derivative are differentiated from
+//! body with a gyroscope whose equations come from its angular momentum and its force function
+//! (`systems/variable_top.rs`, `top.rs`): the right sides h, the torques, V and its derivative are differentiated from
 //! these, with A(t), C(t), M(t), z_c(t) as tangents.
 //!
 //! Damaged in the text at hand, and restored here: the index of lambda in (7); 4A for 4a in the first inequality;
 //! f_3 = r - r_0 in V.
 //!
 //! # Key results
-//! Multipliers that make violations obey any law exist and are found (10), exactly. That the violations obey (13) does not
-//! follow from d'Alembert's and Lagrange's principle: it is a programme. (19) has a wrong letter; h_1, h_2, h_3 and the
-//! moments of the variable mass miss terms; on the permanent rotation itself no moments keep the integrals (17) unless the
+//! Multipliers that make violations obey any law exist and are found (10), exactly. The law (13) of the violations is a programme:
+//! it does not follow from d'Alembert's and Lagrange's principle. (19) has a wrong letter; h_1, h_2, h_3 and the
+//! torques of the variable mass miss terms; on the permanent rotation itself no torques keep the integrals (17) unless the
 //! data obey two conditions. (21) has a wrong sign. V has a wrong coefficient and counts the field three times; corrected it
 //! proves stability, never asymptotic stability: the axial speed is constant on every motion.
 

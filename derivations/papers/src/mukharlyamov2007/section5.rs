@@ -39,7 +39,7 @@ fn displacements(page: &mut Page) {
         .follows((0..3).flat_map(|i| [Equal(by_velocity[i][0], rows[0][i]), Equal(by_velocity[i][1], rows[1][i])]));
 }
 
-/// What the principle gives for coordinates q and redundant y: E_i and E_y are d/dt dT/dq' - dT/dq - ... for each.
+/// The equations by the principle for coordinates q and redundant y: E_i and E_y are d/dt dT/dq' - dT/dq - ... for each.
 fn principle(page: &mut Page) {
     let [e1, e2, ey, f1, f2, lambda] = letters(["E1", "E2", "Ey", "f1", "f2", "λ"]);
     let work = [Zero(e1 + f1 * ey), Zero(e2 + f2 * ey)];

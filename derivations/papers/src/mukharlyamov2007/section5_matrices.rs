@@ -79,7 +79,7 @@ fn function(page: &mut Page) {
         .follows([Equal(v, (form(&a, moved) + form(&k, y) + eps * rest(y)).half())]);
 }
 
-/// How large the gain epsilon may be.
+/// A bound on the gain epsilon.
 fn gain(page: &mut Page) {
     let (lower, inner) = (triangle(["g21", "g31", "g32"]), triangle(["n21", "n31", "n32"]));
     let (d, alpha): (Vector, Vector) = (indexed("d#"), indexed("α#"));

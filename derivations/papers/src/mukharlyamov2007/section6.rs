@@ -88,7 +88,7 @@ fn drive() -> CrankDrive<Sym> {
     CrankDrive { circuit, mechanism: CrankSlider { inertia, mass, crank, rod, weight } }
 }
 
-/// What can be proved of the completed drive.
+/// Theorems on the completed drive.
 fn completed(page: &mut Page) {
     let drive = drive();
     let at = State {

@@ -35,7 +35,7 @@ fn equations(page: &mut Page, s: &TopLetters) {
     let mass = Tangent::moving(m, dm);
     let gyroscope = Vector3::new(Sym::ZERO, Sym::ZERO, now.gyroscope).map(Tangent::fixed);
     let momentum = rigid * turning + at.cross(&(turning.cross(&at) + inside)) * mass + gyroscope;
-    // what leaves takes its momentum along
+    // the ejected mass carries its momentum away
     let taken = place.cross(&(spin.cross(&place) + leaving)) * dm;
     let moment = vector(["X", "Yᴹ", "Z"]);
     let derived = absolute_rate(momentum, spin) - taken - moment;

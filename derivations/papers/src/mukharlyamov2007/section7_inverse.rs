@@ -1,4 +1,4 @@
-//! Section 7: the perturbation equations, and the linear equations (18) for the moments with their right sides h.
+//! Section 7: the perturbation equations, and the linear equations (18) for the control torques with their right sides h.
 
 use super::alphabet::{exact, int, letter, letters};
 use super::top::{TopLetters, combination, half, vector};
@@ -33,7 +33,7 @@ fn perturbations(page: &mut Page) {
     page.correct();
 }
 
-/// The rates of f_1, f_2, f_3 under the moments X~, Y~, Z~ with gamma' free.
+/// The rates of f_1, f_2, f_3 under the torques X~, Y~, Z~ with gamma' free.
 fn found(s: &TopLetters, moment: Vector3<Sym>, vertical_rate: Vector3<Sym>) -> Integrals<Sym> {
     rates(&s.top, &s.at, s.aim, moment, vertical_rate)
 }

@@ -1,4 +1,4 @@
-//! Section 7: the bundle V of integrals, its quadratic form, and where it is definite.
+//! Section 7: the combination V of integrals, its quadratic form, and conditions for definiteness.
 
 use super::alphabet::{exact, int, letter, letters};
 use super::top::{TopLetters, field, half, perturbations, perturbed, unperturbed};
@@ -43,7 +43,7 @@ impl Bundle {
         Bundle { tide: s.tide, integrals: s.printed_integrals(), length: gamma.dot(&gamma) - int(1) }
     }
 
-    /// V with a coefficient of f_3 and a value of omega^2; f_3 stands for r - r_0, as its dimension asks.
+    /// V with a coefficient of f_3 and a value of omega^2; f_3 means r - r_0, as its dimension requires.
     fn value(&self, of_axial: Sym, square: Sym) -> Sym {
         let ([a, c, n], [f1, f2, _]) = (body(), self.integrals);
         let f3 = letter("r") - letter("r₀");
@@ -67,7 +67,7 @@ impl Bundle {
         n * n / (int(2) * a) + self.tide * (a - c) - weight()
     }
 
-    /// The same without the Newtonian field: (C r_0 + nu)^2/(2A) - M g z_c.
+    /// The coefficient `of_directions` without the Newtonian field: (C r_0 + nu)^2/(2A) - M g z_c.
     pub fn without_field(&self) -> Sym {
         let [a, _, n] = body();
         n * n / (int(2) * a) - weight()

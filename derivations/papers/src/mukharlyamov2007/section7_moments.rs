@@ -1,4 +1,4 @@
-//! Section 7: the moments (19), where they do not exist, their parts, and the force function (20).
+//! Section 7: the control torques (19), their singularity, their parts, and the force function (20).
 
 use super::alphabet::{dot, indexed, int, letter, letters};
 use super::top::{TopLetters, half, vector};
@@ -205,7 +205,7 @@ fn singular(page: &mut Page, s: &TopLetters) {
         ]);
 }
 
-/// p = q = gamma_1 = gamma_2 = 0, gamma_3 = 1, r = r_0, under any moment.
+/// The permanent rotation p = q = gamma_1 = gamma_2 = 0, gamma_3 = 1, r = r_0, under any torque.
 fn permanent(page: &mut Page, s: &TopLetters) {
     let zero = Sym::ZERO;
     let at = Attitude { spin: Vector3::new(zero, zero, s.aim), vertical: Vector3::new(zero, zero, Sym::ONE) };

@@ -59,7 +59,7 @@ fn equations(page: &mut Page, s: &TopLetters) {
         .holds([Line::formula(kept.energy + wrong, letter("ḟ₁"), int(4) * (a - c) * p * q * r)]);
 }
 
-/// The same with A(t), C(t), M(t), z_c(t), as V is used with it.
+/// (21) with A(t), C(t), M(t), z_c(t), as it is used for V.
 fn varying(page: &mut Page, s: &TopLetters) {
     let ([p, q, r], [g1, g2, g3]): ([Sym; 3], [Sym; 3]) = (s.at.spin.into(), s.at.vertical.into());
     let [da, dc, g] = letters(["Ȧ", "Ċ", "g"]);
@@ -92,7 +92,7 @@ fn permanent(page: &mut Page, s: &TopLetters) {
         .follows(field(s).map(|rate| Zero(unperturbed(perturbed(rate)))));
 }
 
-/// The equations that stand nowhere.
+/// The perturbation equations, which the text lacks.
 fn perturbed_motion(page: &mut Page, s: &TopLetters) {
     let [x1, x2, x3, x4, x5, x6] = perturbations();
     page.claim(

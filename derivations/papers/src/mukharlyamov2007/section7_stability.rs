@@ -1,4 +1,4 @@
-//! Section 7: what the inequalities say of a body whose mass changes.
+//! Section 7: consequences of the inequalities for a body of variable mass.
 
 use super::alphabet::{int, letter};
 use super::section7_lyapunov::{Bundle, body};
@@ -41,7 +41,7 @@ fn printed(bundle: &Bundle) -> [Sym; 4] {
     ]
 }
 
-/// The axial speed.
+/// The constant axial speed excludes asymptotic stability.
 fn not_asymptotic(page: &mut Page, s: &TopLetters) {
     let bundle = Bundle::new(s);
     let [x1, x2, x3, x4, x5, x6] = perturbations();
@@ -117,7 +117,7 @@ fn definite(page: &mut Page, bundle: &Bundle) {
         .by_signs([Positive(bound - late)]);
 }
 
-/// What follows.
+/// Stability by V, under the corrected conditions.
 fn stable(page: &mut Page, bundle: &Bundle) {
     let ([a, c, n], [x1, x2, x3, x4, x5, x6]) = (body(), perturbations());
     let (da, de, dn, dm) = (varying(a), varying(c * c / a), varying(n), varying(n * c / a));

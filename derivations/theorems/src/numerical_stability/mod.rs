@@ -1,4 +1,4 @@
-//! What a step makes of y' = z y: of what grows, of what stays, of what fades.
+//! Theorems on one-step maps on y' = z y: growing, constant and decaying modes.
 
 mod alphabet;
 
@@ -51,7 +51,7 @@ fn n(value: i64) -> Sym {
     Sym::int(value)
 }
 
-/// R of each method.
+/// The stability function R of each method.
 fn functions(page: &mut Page) {
     let [z, c, r] = letters(["z", "c", "R"]);
     let mut say = |slug: &'static str, says: &str, method: OneStep, printed: Sym| {
@@ -112,7 +112,7 @@ fn functions(page: &mut Page) {
     .follows([Equal(one(gauss(1)), one(MIDPOINT)), Equal(one(radau(1)), one(BACKWARD_EULER))]);
 }
 
-/// |R(i y)|^2 = R(i y) R(-i y).
+/// The imaginary axis: |R(i y)|^2 = R(i y) R(-i y).
 fn axis(page: &mut Page) {
     let [z, y, m] = letters(["z", "y", "m"]);
     let rules = Hypotheses::none().rule(z, 2, -y.powi(2));
@@ -228,7 +228,7 @@ fn plane(page: &mut Page) {
     real(page);
 }
 
-/// Where Radau IIA with three stages begins to hide a real mode.
+/// The step size from which Radau IIA with three stages hides the growth of a real mode.
 fn real(page: &mut Page) {
     let [z, a] = letters(["z", "a"]);
     let cubic = |z: Sym| z.powi(3) - n(12) * z.powi(2) + n(12) * z - n(120);
@@ -256,7 +256,7 @@ fn real(page: &mut Page) {
     ]);
 }
 
-/// q'' = -k q in steps of the splittings.
+/// The splittings on q'' = -k q.
 fn kick_and_drift(page: &mut Page) {
     let [kappa, t] = letters(["κ", "T"]);
     let [[p, q], [r, s]] = step(Splitting::Strang, kappa);

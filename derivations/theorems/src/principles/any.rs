@@ -6,7 +6,7 @@ use mechanics::constrained::multipliers::{Reaction, multipliers};
 use mechanics::constrained::{Constrained, Constraint, PointSystem, State};
 use symbolic::Sym;
 
-/// Masses, rows of constraints and what is in them beside the accelerations.
+/// Masses, constraint rows J, and the terms beta without accelerations.
 #[derive(Clone, Copy, Debug)]
 pub struct AnySystem<const N: usize, const C: usize> {
     pub masses: [Sym; N],
@@ -15,7 +15,7 @@ pub struct AnySystem<const N: usize, const C: usize> {
 }
 
 impl<const N: usize, const C: usize> AnySystem<N, C> {
-    /// Every datum a letter of its own.
+    /// A system with a distinct letter for every datum.
     pub fn new() -> Self {
         AnySystem {
             masses: numbered("m"),

@@ -1,4 +1,4 @@
-//! The systems that the principles are compared on.
+//! The systems on which the principles are compared.
 
 use super::alphabet::{letter, letters};
 use super::equal::Case;
@@ -69,8 +69,8 @@ pub fn disc() -> Case<Disc<Sym>, 9, 6, 5, 3> {
     }
 }
 
-/// The disc with the axes of space and those in the disc turned so that psi = phi = 0 at this instant: no loss, because
-/// the plane is the same in all directions and so is the disc.
+/// The disc with axes in space and in the disc chosen so that psi = phi = 0 at this instant, without loss of generality,
+/// since plane and disc are isotropic.
 pub fn disc_in_axes() -> Case<Disc<Sym>, 9, 6, 5, 3> {
     let case = disc();
     let (time, [x, y, _, theta, _], p) = case.at;

@@ -1,7 +1,7 @@
-//! The method of combining constraints, as theorems on (M, J, R): what exists, what is unique, what friction leaves alone.
+//! The method of combining constraints, as theorems on (M, J, R): existence, uniqueness, independence of friction.
 //!
-//! Sizes (N, C) are (2, 1), (3, 1), (3, 2), (4, 2) with every entry of M, J, R a symbol. Rows of kinematic constraints
-//! stand in J as well as those of geometric ones, so that nonholonomic systems are included.
+//! Sizes (N, C) are (2, 1), (3, 1), (3, 2), (4, 2) with every entry of M, J, R a symbol. J contains rows of geometric
+//! and of kinematic constraints: nonholonomic systems are included.
 
 use super::alphabet::{letter, letters};
 use super::any::{AnySystem, numbered};
@@ -16,7 +16,7 @@ use symbolic::{Hypotheses, Sym};
 
 use Condition::{Equal, NonZero, Zero};
 
-/// What a size contributes to the claims over all sizes.
+/// The conditions of each size (N, C), collected for the claims over all sizes.
 #[derive(Default)]
 struct Sizes {
     exists: Vec<Condition>,
@@ -155,7 +155,7 @@ fn unique<const N: usize, const C: usize>(page: &mut Page, slug: &'static str) {
         .by_combination(lambdas.chain(frictions));
 }
 
-/// Without the full rank: sum (R^tau_i)^2/m_i is a combination too, so that R^tau and R^n are unique even then.
+/// Without full rank sum (R^tau_i)^2/m_i is a combination too: R^tau and R^n are unique even then.
 fn unique_parts<const N: usize, const C: usize>(page: &mut Page) {
     let any = AnySystem::<N, C>::new();
     let (lambda, friction): ([Sym; C], [Sym; N]) = (numbered("λ"), numbered("R"));
@@ -196,7 +196,7 @@ fn painleves_choice(page: &mut Page) {
     page.correct();
 }
 
-/// The contact itself: what Coulomb's law compares is not the multiplier of the decomposition.
+/// The contact itself: Coulomb's law compares the contact's reactions, not the multiplier of the decomposition.
 fn rod(page: &mut Page) {
     let case = cases::rod();
     let state = case.motion().state;

@@ -1,4 +1,4 @@
-//! One system, every principle: the same accelerations.
+//! Equality of the accelerations of one system by every principle.
 
 use claims::{Condition, Page};
 use mechanics::constrained::classify::{Class, Unclassified, classify};
@@ -11,11 +11,11 @@ use symbolic::Sym;
 
 use Condition::{Equal, Zero};
 
-/// A system at an instant that is free but for the constraints.
+/// A system at a general instant.
 pub struct Case<Q, const N: usize, const C: usize, const K: usize, const R: usize> {
-    /// The entry of the page.
+    /// The name of the entry in the page.
     pub entry: &'static str,
-    /// What it is called in a sentence.
+    /// The name in a sentence.
     pub name: &'static str,
     pub system: Q,
     /// t, q, p
@@ -32,13 +32,13 @@ impl<Q, const N: usize, const C: usize, const K: usize, const R: usize> Case<Q, 
 where
     Q: Charted<N, K, R, Given = Sym> + Constrained<N, C> + Reactions<N, C>,
 {
-    /// The system on its way.
+    /// The motion of the system at the instant.
     pub fn motion(&self) -> Motion<Sym, N, R> {
         let (time, q, p) = self.at;
         Motion::at(&self.system, time, q, p)
     }
 
-    /// What kind of constraints these are.
+    /// The class of the constraints, by Frobenius' theorem.
     ///
     /// # Errors
     /// [`Unclassified`] where the prover gave up.
@@ -46,8 +46,8 @@ where
         classify(&self.system, self.at.0, self.motion().state.place)
     }
 
-    /// By Lagrange's multipliers, under the given forces and others. What cannot be solved is undefined, and the claims
-    /// about it are then red.
+    /// Accelerations by Lagrange's multipliers, under the given forces and others. They are undefined where the equations cannot be
+    /// solved, and claims about them then fail.
     pub fn by_multipliers(&self, others: [Sym; N]) -> Reaction<Sym, N, C> {
         let state = self.motion().state;
         let given: [Sym; N] = self.system.force(&state);
@@ -56,7 +56,7 @@ where
         multipliers(&self.system, &state, force).unwrap_or(undefined)
     }
 
-    /// That the chart keeps the constraints.
+    /// The claim that the chart satisfies the constraints.
     pub fn chart(&self, page: &mut Page) {
         let state = self.motion().state;
         let values = self.system.constraints(&state).map(|constraint| constraint.value());
@@ -70,7 +70,7 @@ where
         .follows(values.into_iter().chain(first).map(Zero));
     }
 
-    /// That the principles which use the chart or the reactions give the accelerations of Lagrange's multipliers.
+    /// The claims that the principles which use the chart or the reactions give the accelerations of Lagrange's multipliers.
     pub fn claims(&self, page: &mut Page) {
         let motion = self.motion();
         let force = self.system.force(&motion.state);
@@ -97,7 +97,7 @@ where
         self.combining(page, &motion);
     }
 
-    /// The extended friction moves no constraint: rows times fields vanish, so the multipliers do not see it.
+    /// The extended friction has no component along the constraints: rows times fields vanish, and the multipliers do not change.
     fn combining(&self, page: &mut Page, motion: &Motion<Sym, N, R>) {
         let masses: [Sym; N] = self.system.masses();
         let friction = std::array::from_fn(|i| {
@@ -109,7 +109,7 @@ where
             .follows((0..C).map(|k| Equal(with.multipliers[k], without.multipliers[k])));
     }
 
-    /// Gauss: the minimum over what the constraints admit, and that it is one.
+    /// Gauss' principle: the minimum over the admissible accelerations, and the proof that it is one.
     pub fn gauss(&self, page: &mut Page) {
         let state = self.motion().state;
         let (masses, force) = (self.system.masses(), self.system.force(&state));
@@ -130,7 +130,7 @@ where
             .follows([Equal(more, kinetic_energy(masses, varied))]);
     }
 
-    /// Ideal constraints without time in them do no work: the power of the forces is that of the inertia.
+    /// Ideal scleronomic constraints do no work: the power of the forces equals that of the inertia.
     pub fn energy(&self, page: &mut Page) {
         let state = self.motion().state;
         let (masses, force): ([Sym; N], [Sym; N]) = (self.system.masses(), self.system.force(&state));
@@ -141,7 +141,7 @@ where
             .follows([Zero(power)]);
     }
 
-    /// Shulgin: redundant coordinates, with the lost term put back.
+    /// Shulgin's equations in redundant coordinates, with the lost term restored.
     pub fn shulgin(&self, page: &mut Page) {
         let motion = self.motion();
         let state = motion.state;

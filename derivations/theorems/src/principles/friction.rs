@@ -110,7 +110,7 @@ fn contact(page: &mut Page) {
         .follows((0..2).map(|j| Equal(slopes[j], moving[j] - excess * of_law(j))));
 }
 
-/// Where the motion that the minimum should be does not exist.
+/// A state at which the motion that would be the minimum does not exist.
 fn paradox(page: &mut Page) {
     let case = cases::rod();
     let state = case.motion().state;

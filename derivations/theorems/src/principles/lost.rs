@@ -1,4 +1,4 @@
-//! Energies into which a constraint was put: when that is right, and the term that it loses.
+//! Substitution of a constraint into an energy: the condition under which it is right, and the term that is lost otherwise.
 
 use super::alphabet::{letter, letters};
 use super::cases;
@@ -24,7 +24,7 @@ pub fn claims(page: &mut Page) {
     kept_speed(page);
 }
 
-/// The operator in redundant coordinates, and the inertia sum m x'' dx'/dp that it should be; undefined where the dependent
+/// The operator in redundant coordinates, and the inertia sum m x'' dx'/dp that it should equal; undefined where the dependent
 /// coordinates are not determined.
 fn redundant<Q, const N: usize, const C: usize, const K: usize, const R: usize>(
     case: &Case<Q, N, C, K, R>,
@@ -140,7 +140,7 @@ fn knife_edge(page: &mut Page) {
         )]);
 }
 
-/// The condition: what the lost term is made of.
+/// The condition under which the lost term vanishes.
 fn condition(page: &mut Page) {
     let (sleigh, disc) = (cases::knife_edge(), cases::disc());
     let (of_sleigh, of_disc) = (
@@ -154,7 +154,7 @@ fn condition(page: &mut Page) {
         .follows(all.map(|(lost, brackets)| Equal(lost, brackets)));
 }
 
-/// The widely read fault: the rolling put into T, and Lagrange's equations on Euler's angles alone.
+/// A widespread fault: rolling substituted into T, and Lagrange's equations for Euler's angles alone.
 fn disc(page: &mut Page) {
     let case = cases::disc();
     let rates = letters(["ψ̈", "θ̈", "φ̈"]);
@@ -203,7 +203,7 @@ fn disc(page: &mut Page) {
         ]);
 }
 
-/// A constraint that is not linear in the velocities leaves nothing in the energy.
+/// A nonlinear kinematic constraint, substituted into the energy, loses the whole inertia.
 fn kept_speed(page: &mut Page) {
     let case = cases::kept_speed();
     let rates = [letter("χ̇")];

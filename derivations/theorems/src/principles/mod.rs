@@ -1,19 +1,19 @@
-//! The principles of mechanics, equal on every system; where one is valid under a condition only, the condition.
+//! The equality of the principles of mechanics on every system, with the conditions of those that are not always valid.
 //!
 //! # Overview
 //! * [`cases`]: the systems, each a [`Case`] at a general instant;
-//! * `equal`: what every principle gives for one of them, beside Lagrange's multipliers;
+//! * `equal`: the accelerations by every principle for one system, against Lagrange's multipliers;
 //! * `combining`, `friction`: Painleve's method of combining constraints and Gauss' principle with friction, as theorems
 //!   on masses, rows of constraints and reactions that are all symbols;
-//! * `lost`: constraints put into the energy, and the term that this loses;
-//! * `museum`: public faults, each with what it lost;
-//! * `programmed`: violated constraints that are led by a law of their own, and the drift of those that are not.
+//! * `lost`: constraints substituted into the energy, and the lost term;
+//! * `museum`: published faults, each with the lost term;
+//! * `programmed`: constraint stabilisation (Baumgarte and generalisations), and drift without it.
 //!
 //! # Key results
-//! Gauss' principle with friction holds with the law of friction substituted where the friction is that of the extended
-//! decomposition, and not where it is the contact's. Painleve's own choice leaves the multipliers alone if and only if the
-//! masses commute with the projector onto the virtual displacements. A constraint put into the energy loses a term where
-//! it is not integrable, unless the momentum that the brackets multiply vanishes.
+//! Gauss' principle with friction holds with the law of friction substituted if the friction is that of the extended
+//! decomposition, and fails if it is the contact's. Painleve's own choice leaves the multipliers unchanged if and only if the
+//! masses commute with the projector onto the virtual displacements. Substitution of a constraint that is not integrable into
+//! the energy loses a term, unless the momentum that the brackets multiply vanishes.
 
 mod alphabet;
 mod any;

@@ -1,5 +1,5 @@
-//! Two public faults: Appell's equations made by writing q'' for q' in the kinetic energy; a test whose expected result
-//! comes from the same wrong kinematics as the code.
+//! Two published faults: Appell's equations made by writing q'' for q' in the kinetic energy; a test whose expected result
+//! comes from the wrong kinematics of the code itself.
 
 use super::alphabet::{letter, letters};
 use super::cases;
@@ -75,7 +75,7 @@ pub fn claims(page: &mut Page) {
     kinematics_of_the_code(page);
 }
 
-/// Code and expectation agree, because both are derived from the chart; the constraint was asked by neither.
+/// Code and expectation agree because both are derived from the chart; neither checks the constraint.
 fn kinematics_of_the_code(page: &mut Page) {
     let case = cases::knife_edge();
     let code = Reversed(case.system);

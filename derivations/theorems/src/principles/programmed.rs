@@ -1,7 +1,7 @@
-//! Programmed constraints: multipliers that lead violations y of the constraints by y'' = Y, and what they are not.
+//! Programmed constraints: multipliers with which violations y of the constraints obey y'' = Y, compared with Lagrange's.
 //!
-//! The theorem is on masses, rows and rates that are symbols; that the rates of a system are affine in the accelerations
-//! with these rows, on the constraints or off them, is shown system by system.
+//! The theorem is on symbolic masses, rows and rates. For each system it is shown that its rates are affine in the accelerations
+//! with these rows, on the constraints and off them.
 
 use super::alphabet::{letter, letters};
 use super::any::{AnySystem, dot, numbered};
@@ -57,7 +57,7 @@ fn or_undefined<Q: Constrained<N, C, Given = Sym>, const N: usize, const C: usiz
     leading_to(system, at, force, wanted).unwrap_or(undefined)
 }
 
-/// Gauss: of all accelerations with these rates the least constrained one.
+/// Gauss' principle: the accelerations are the least constrained ones with these rates.
 fn least<const N: usize, const C: usize>(page: &mut Page, slug: &'static str) {
     let any = AnySystem::<N, C>::new();
     let (force, wanted, shift): ([Sym; N], [Sym; C], [Sym; N]) = (numbered("X"), numbered("Y1"), numbered("δ"));

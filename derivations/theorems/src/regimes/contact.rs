@@ -1,4 +1,4 @@
-//! One rough contact of any system: b and W are symbols.
+//! One rough contact of any system, with symbols for b and W.
 
 use super::alphabet::letter;
 use claims::{Condition, Line, Page};

@@ -1,4 +1,4 @@
-//! The ladder in motion: for which friction is its motion determined?
+//! The ladder in motion: the friction up to which its motion is unique.
 
 use super::alphabet::{angle, letter};
 use claims::{Condition, Line, Page, Point};
@@ -23,7 +23,7 @@ pub fn claims(page: &mut Page) {
     moving(page);
 }
 
-/// The ladder of mass m and moment m l^2 / kappa on wall and floor, without load.
+/// The ladder of mass m and moment of inertia m l^2 / kappa on wall and floor, without load.
 pub fn leaning(alpha: Circle<Sym>, kappa: Sym, friction: [Sym; 2]) -> Option<Dry<Sym, 2>> {
     let [m, l, g] = ["m", "l", "g"].map(letter);
     let ladder = Ladder { mass: m, inertia: m * l.powi(2) / kappa, half_length: l, gravity: g, friction };

@@ -1,7 +1,7 @@
-//! The ladder at rest: under every friction, some load lets it stay or slide.
+//! The ladder at rest: for every friction there is a load under which it may stay or slide.
 //!
-//! Two sets of reactions whose difference is what slides the ladder belong to one load (the second set, reversed). The
-//! difference has one free number P. Of the four limits of friction at rest two grow with the reactions, and two are the
+//! One load belongs to two sets of reactions, whose difference accelerates the ladder (the second set, reversed). The
+//! difference has one free number P. Two of the four limits of friction at rest grow with the reactions, the other two are the
 //! margins here. Sliding down is sliding up with wall and floor, cos and sin exchanged.
 
 use super::alphabet::{angle, letter};
@@ -23,11 +23,11 @@ pub fn claims(page: &mut Page) {
     }
 }
 
-/// A way to slide, told from the contact whose friction decides: the wall for up, the floor for down.
+/// A direction of sliding, described from the contact whose friction decides: the wall for up, the floor for down.
 struct Case {
     way: [Direction; 2],
     decides: usize,
-    /// Angle at which it can be, as the reader sees it.
+    /// The range of angles in which both motions are possible, in LaTeX.
     steep: &'static str,
     sense: &'static str,
     slugs: [&'static str; 4],
@@ -55,13 +55,13 @@ const SLIDES_DOWN: Case = Case {
 /// (N, T) at the contact that decides and at the other one.
 type Reactions = [[Sym; 2]; 2];
 
-/// What the construction is made of, from the contact that decides.
+/// The data of the construction, from the contact that decides.
 struct Data {
     /// cos and sin of the angle from the deciding contact's line.
     angle: Circle<Sym>,
     kappa: Sym,
     friction: [Sym; 2],
-    /// What the other contact's normal reaction is more than that at rest.
+    /// P: the normal reaction at the deciding contact, at rest less that in sliding.
     surplus: Sym,
     normal: [Sym; 2],
 }
@@ -78,13 +78,13 @@ impl Data {
         (self.kappa - Sym::int(1)) / (Sym::int(2) * self.kappa)
     }
 
-    /// On the cones, against the slip.
+    /// The reactions of sliding: on the friction cones, against the slip.
     fn sliding(&self) -> Reactions {
         let ([f1, f2], [n1, n2]) = (self.friction, self.normal);
         [[n1, -f1 * n1], [n2, f2 * n2]]
     }
 
-    /// The same less what slides the ladder.
+    /// The reactions of rest: those of sliding less the part that accelerates the ladder.
     fn resting(&self) -> Reactions {
         let (force, p, Circle { cos, sin }) = (Self::force(), self.surplus, self.angle);
         let [[n1, t1], [n2, t2]] = self.sliding();
@@ -92,7 +92,7 @@ impl Data {
         [[n1 + p, t1 - force * sin + fall], [n2 - fall, t2 + force * cos - p]]
     }
 
-    /// At rest, the limits against the slip.
+    /// The margins of friction at rest, against the slip.
     fn margins(&self) -> [Sym; 2] {
         let ([f1, f2], [[n1, t1], [n2, t2]]) = (self.friction, self.resting());
         [f1 * n1 + t1, f2 * n2 - t2]
@@ -110,7 +110,7 @@ impl Case {
         Circle { cos, sin }
     }
 
-    /// With every letter free.
+    /// The data with every letter free.
     fn data(&self, alpha: Circle<Sym>) -> Data {
         let [fa, fb, na, nb, kappa, surplus] = ["fA", "fB", "nA", "nB", "kappa", "P"].map(letter);
         let (friction, normal) = (self.ordered([fa, fb]), self.ordered([na, nb]));

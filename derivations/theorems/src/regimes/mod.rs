@@ -1,4 +1,4 @@
-//! Regimes of contacts with friction: when motion is determined.
+//! Regimes of contacts with friction: existence and uniqueness of motion.
 
 mod alphabet;
 mod contact;

@@ -30,7 +30,7 @@ pub fn slip_determinant<Q: Contacts<4, 1, 1, Given = Sym>>(system: &Q, place: [S
     dry.map_or(Sym::UNDEFINED, |dry| Cramer::of(&dry, &[Mode::Slip(direction, Face::Front)]).determinant)
 }
 
-/// Where a determinant, which is affine in the friction, vanishes.
+/// The friction at which a determinant, affine in the friction, vanishes.
 fn critical_friction(determinant: impl Fn(Sym) -> Sym) -> Sym {
     let smooth = determinant(Sym::ZERO);
     smooth / (smooth - determinant(Sym::ONE))
@@ -61,7 +61,7 @@ fn painleve(page: &mut Page) {
         .follows([Equal(critical.powi(2) - Sym::int(4) * k * (k + Sym::int(1)), room.powi(2))]);
 }
 
-/// A rod of mass m with the moment J = m l^2 / kappa about its centre.
+/// A rod of mass m with the moment of inertia J = m l^2 / kappa about its centre.
 fn with_inertia(kappa: Sym, friction: Sym) -> SlenderRod<Sym> {
     let [m, l, g] = ["m", "l", "g"].map(letter);
     SlenderRod { mass: m, inertia: m * l.powi(2) / kappa, half_length: l, gravity: g, friction }
@@ -98,7 +98,7 @@ fn rod(page: &mut Page) {
         .follows([Equal(square, room.powi(2))]);
 }
 
-/// J = m l^2 / 3.
+/// The uniform rod, J = m l^2 / 3.
 fn uniform(page: &mut Page) {
     let c = letter("c");
     let three = Sym::int(3);

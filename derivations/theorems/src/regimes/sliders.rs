@@ -1,4 +1,4 @@
-//! Painleve and Klein's sliders: both faces of the rough guide are looked at.
+//! Painleve and Klein's sliders, with contact on either face of the rough guide.
 
 use super::alphabet::{angle, letter};
 use claims::{Line, Page};

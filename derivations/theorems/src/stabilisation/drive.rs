@@ -1,4 +1,4 @@
-//! The electromechanical drive: nine equations from its energies, and what else is true of it.
+//! The electromechanical drive: nine equations from its energies, and further theorems.
 
 use super::alphabet::{letter, letters};
 use claims::{Condition, Line, Page};
@@ -12,7 +12,7 @@ use systems::crank_slider::CrankSlider;
 
 use Condition::{Equal, NonZero, Zero};
 
-/// Every datum a letter.
+/// The drive with a letter for every datum.
 fn drive() -> CrankDrive<Sym> {
     let [amplitude, frequency, l1, l2, mutual, r1, r2] = letters(["E0", "Ω", "L1", "L2", "M", "R1", "R2"]);
     let [forward, reverse, knee, c3, l4, r4, l5, r5] = letters(["Rf", "Rr", "i0", "C", "L4", "R4", "L5", "R5"]);

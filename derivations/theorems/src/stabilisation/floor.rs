@@ -1,4 +1,4 @@
-//! What no gains remove: a step leaves the constraint by its own error.
+//! The floor of a stabilised constraint: each step leaves the constraint by its own error, which no gains remove.
 
 use super::alphabet::{letter, letters};
 use claims::{Condition, Page};

@@ -1,6 +1,6 @@
-//! For which gains a violation of a constraint decays in steps, and with which it goes fastest.
+//! The stability region of the gains of constraint stabilisation under discretisation, and the gains of the fastest decay.
 //!
-//! beta = h b and kappa = h^2 k are the gains of y'' + b y' + k y = 0 in steps h.
+//! beta = h b and kappa = h^2 k are the gains of y'' + b y' + k y = 0 with the step size h.
 
 use super::alphabet::{letter, letters};
 use claims::{Condition, Line, Page};
@@ -38,7 +38,7 @@ fn unit_circle(page: &mut Page) {
         ]);
 }
 
-/// Three lines: what is positive where a violation decays, times a factor.
+/// Three lines: the expressions that are positive where a violation decays, times a factor.
 fn conditions(scheme: Scheme, factor: Sym, printed: [Sym; 3]) -> Vec<Line> {
     let [beta, kappa] = letters(["β", "κ"]);
     let found = inside_unit_circle(transition(scheme, beta, kappa));
@@ -103,7 +103,7 @@ fn regions(page: &mut Page) {
         .by_signs(outside.map(Positive));
 }
 
-/// What a step makes of y' = -b y.
+/// The factor of a step on y' = -b y.
 fn factor(scheme: Scheme, beta: Sym) -> Sym {
     scheme.step([[-beta]], [Sym::int(1)]).map_or(Sym::UNDEFINED, |[y]| y)
 }

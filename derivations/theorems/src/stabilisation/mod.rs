@@ -1,4 +1,4 @@
-//! Stabilised constraints in steps: which gains a method bears, and the drive that is held by them.
+//! Constraint stabilisation under discretisation: the stability region of the gains for each method, and a stabilised drive.
 
 mod alphabet;
 mod drive;

@@ -1,4 +1,4 @@
-//! Circles of motions: what is the same for all of their members.
+//! Circles of motions: quantities common to all members.
 
 use super::letters::kept;
 use claims::{Condition, Page};

@@ -1,4 +1,4 @@
-//! The law and its variation, what gives zero roots, the energy, the polynomial of the rotor of constant speed.
+//! The law and its variation, structural zero eigenvalues, the energy, the polynomial of the rotor of constant speed.
 
 use super::alphabet::{letter, vector};
 use super::letters::{free, kept, stationary, unit_vectors};
@@ -90,7 +90,7 @@ impl Deviation {
         }
     }
 
-    /// As a state: d omega = w0 d nu + eta.
+    /// The deviation of the state: d omega = w0 d nu + eta.
     fn state(&self, w0: Sym) -> Vec<Sym> {
         let w = self.vertical * w0 + self.turning;
         w.iter().chain(self.vertical.iter()).copied().chain([self.angle, self.slip]).collect()
@@ -146,7 +146,7 @@ fn energy(page: &mut Page, s: &Letters) {
         .under(&unit_vectors(s))
         .follows([Equal(form(&linear.energy), kinetic + potential)]);
     let along = linear.integrals[1].iter().zip(&state).fold(Sym::ZERO, |sum, (&slope, &own)| sum + slope * own);
-    // eta shifted along nu until x.nu is kept by the tilt alone
+    // eta shifted along nu so that the tilt alone conserves x.nu
     let twice = |eta: Vector3<Sym>| {
         (carrier.tensor * eta).dot(&eta) + s.axial * y.slip * (Sym::int(2) * s.l.dot(&eta) + y.slip)
     };

@@ -40,7 +40,7 @@ pub fn stationary(s: &Letters) -> Energies<Sym> {
     }
 }
 
-/// Both are used: |nu| = 1 and |l| = 1.
+/// The hypotheses |nu| = 1 and |l| = 1.
 pub fn unit_vectors(s: &Letters) -> Hypotheses {
     s.unit_vertical.clone().unit_vector(s.l.into())
 }

@@ -1,4 +1,4 @@
-//! How a motor enters: through one function of z, between the two classical gyrostats.
+//! The motor in the characteristic equation: one function of z, between the two classical gyrostats.
 
 use super::alphabet::{letter, vector};
 use super::letters::{free, kept, stationary, unit_vectors};
@@ -24,7 +24,7 @@ pub fn claims(page: &mut Page, s: &Letters) {
     damping(page);
 }
 
-/// Z(z): the moment against a deviation of the rotor's angle that grows as exp(z t), the currents following.
+/// The operational stiffness Z(z): the torque against a deviation of the rotor's angle as exp(z t), with its currents.
 fn stiffness(machine: &impl Machine<Sym>, angle: Circle<Sym>, z: Sym) -> Sym {
     let windings = machine.windings();
     let (moved, slip) = (angle.moving(Sym::int(1)), Tangent::moving(Sym::ZERO, z));
@@ -34,7 +34,7 @@ fn stiffness(machine: &impl Machine<Sym>, angle: Circle<Sym>, z: Sym) -> Sym {
         (moment.slope, rates)
     };
     let (_, induced) = rates(&vec![Tangent::fixed(Sym::ZERO); windings]);
-    // at rest each current fades by itself
+    // at rest each current decays by itself
     let some = paper::letter("x");
     let mut fading = vec![Tangent::fixed(Sym::ZERO); windings];
     let moving = vec![Tangent::moving(Sym::ZERO, some); windings];
@@ -104,7 +104,7 @@ fn motor(page: &mut Page, s: &Letters) {
     crossing(page);
 }
 
-/// Where a verdict can change along a family: all that is looked for there.
+/// The condition for a change of the verdict along a family.
 fn crossing(page: &mut Page) {
     let [square, of_kept, of_free] = ["σ", "pc", "pf"].map(letter);
     let [front, real, imaginary] = ["J", "X", "Y"].map(letter);
@@ -121,7 +121,7 @@ fn crossing(page: &mut Page) {
         ]);
 }
 
-/// Along the last row.
+/// Expansion along the last row.
 fn expanded(m: &Matrix4<Sym>) -> Sym {
     (0..4).fold(Sym::ZERO, |sum, column| {
         let others: Vec<usize> = (0..4).filter(|j| *j != column).collect();
