@@ -17,14 +17,14 @@ use reader::Family as _;
 use simulation::Axes;
 use std::time::Instant;
 
-/// Steps: two registers a number, so that one is computed while the other is waited for.
+/// Width of the batches of steps: two registers for each number, for latency hiding.
 const WIDE: usize = 16;
 const MEMBERS: u64 = 2048;
 const SPAN: f64 = 2.0;
 const REPEATS: usize = 9;
 const STEPS: usize = 20_000;
 
-/// A gyrostat that swings while its rotor runs beside the field.
+/// A gyrostat that oscillates while its rotor slips against the field.
 const SCENE: &str = r#"
 title = "bench"
 system = "gyrostat"
@@ -66,18 +66,18 @@ fn main() {
     }
 }
 
-/// Members that differ in all their data and in their starts.
+/// Ensemble members that differ in all their data and in their starts.
 struct Spread<'a> {
     next: u64,
     parameters: &'a [f64],
     state: &'a [f64],
     steps: u64,
     failed: u64,
-    /// Where they end, one after the other.
+    /// The final states, one after the other.
     ends: Vec<f64>,
 }
 
-/// Around one, by a percent.
+/// A factor near one, different for each member, within a percent.
 fn near_one(member: u64, i: usize) -> f64 {
     1.0 + 1e-4 * ((member * 37 + 11 * i as u64) % 101) as f64
 }

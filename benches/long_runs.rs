@@ -50,7 +50,7 @@ fn main() {
     }
 }
 
-/// What the report needs of a course.
+/// The data of a run that the report uses.
 fn kept(course: &MethodRun) -> Value {
     let sample = |s: &Sample| json!([s.revolutions, s.energy, s.swing, s.length, s.momentum, s.phase]);
     json!({

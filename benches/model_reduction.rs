@@ -1,6 +1,6 @@
-//! The worth of estimates of lower models: estimate over true error on the scenes with a motor, on 1,000 random motors and on 1,000
-//! random systems as text, for which choices are judged too: `cargo bench --bench model_reduction`, or with
-//! another number behind it, and with `texts` for these alone.
+//! Effectivity of error estimates of reduced models: estimate over true error on the scenes with a motor, on 1,000 random motors and on
+//! 1,000 random text models, whose choices are judged too: `cargo bench --bench model_reduction`, or with
+//! another number behind it, and with `texts` for the text models alone.
 
 #[path = "../tests/motions/model_reduction/drawn.rs"]
 mod drawn;
@@ -20,10 +20,10 @@ use std::path::Path;
 
 const SCENES: [&str; 7] =
     ["bench", "spin_up", "pull_out", "hanging_rest", "permanent_rotation", "stiff_damper", "asynchronous_drive"];
-/// Runs tight enough for errors down to here.
+/// The tolerance of reference runs, and the least error that is compared with them.
 const TIGHT: f64 = 1e-11;
 const LEAST: f64 = 1e-8;
-/// Shares of the second order up to which estimates are sorted.
+/// Classes of estimates, by the share of the second order.
 const DOUBTS: [f64; 3] = [0.1, 0.5, f64::INFINITY];
 
 /// A reduced model of a scene: (its name, true error, first order, second order).
@@ -78,7 +78,7 @@ fn row(name: &str, found: &mut [f64]) {
     println!("{name:<36}{:>6}{cells}", found.len());
 }
 
-/// The effectivities of every reduced model that loses something, and the count of those without a number.
+/// The effectivities of every approximate reduced model, and the number of models without an estimate.
 fn seen(scene: &Scene) -> (Vec<Seen>, usize) {
     let ladder = Hierarchy::of_scene(scene, Axes::First);
     let span = ladder.own.span;
@@ -86,7 +86,7 @@ fn seen(scene: &Scene) -> (Vec<Seen>, usize) {
     let Ok((watched, _)) = ladder.watched(&scene.run.outputs) else { return (all, 1) };
     for rung in ladder.rungs.iter().filter(|rung| matches!(rung.loss, Loss::Small { .. })) {
         let estimate = ladder.estimate(rung, &watched, 1e-6);
-        // where the error is largest by the estimate, too
+        // also at the time at which the estimate is largest
         let mut times: Vec<f64> = instants(span).chain(estimate.as_ref().ok().map(|found| found.at)).collect();
         times.retain(|time| *time > 0.0);
         times.sort_by(f64::total_cmp);

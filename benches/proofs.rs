@@ -22,7 +22,7 @@ use std::time::Instant;
 use symbolic::linear::solve;
 use symbolic::{Hypotheses, Sym, decide, symbols};
 
-/// A letter, what is shown, and the seconds that each of its parts takes.
+/// A letter, the statement in words, and a function for the seconds of each of its parts.
 type Statement = (&'static str, &'static str, fn() -> Vec<f64>);
 
 const STATEMENTS: [Statement; 7] = [
@@ -55,7 +55,7 @@ fn main() {
     }
 }
 
-/// Seconds to derive and to judge a page of the ledger, each claim cross-examined, and what takes longest.
+/// Prints the seconds to derive and to judge a page of the ledger, each claim cross-examined, and the slowest claims.
 fn pages(paper: &'static Paper) {
     let judging = move || {
         let start = Instant::now();
@@ -220,7 +220,7 @@ impl Course {
         }
     }
 
-    /// W and what happens to the carrier along it, w = W q'.
+    /// W and the carrier's motion, w = W q'.
     fn motion(&self, moment: Sym) -> (Matrix3<Sym>, MotionInstant<Sym>) {
         let [position, velocity, acceleration] =
             [self.angles, self.rates, self.accelerations].map(|[a, b, c, _]| [a, b, c]);
@@ -284,7 +284,7 @@ fn from_bodies() -> [f64; 2] {
     [deriving, start.elapsed().as_secs_f64()]
 }
 
-/// The same where the tensor of all masses and the weight are the data.
+/// Seconds to derive and prove where the tensor of all masses and the weight are the data.
 fn from_tensor() -> [f64; 2] {
     let start = Instant::now();
     let [axial, moment] = symbols(["Ap", "M"]);

@@ -1,7 +1,7 @@
-//! Nanoseconds for one right-hand side and for its whole Jacobian as they run, machine code made at run time; for the same law
-//! compiled with the project, and for eight directions of it by num-dual. Of the gyrostat with 8 states (synchronous motor) and
-//! 15 (six damper bars), in both forms; operations, circle points apart, and what share they are of the most that this
-//! processor can; the second form beside straight-line C, compiled for any processor of this kind, and for this one.
+//! Nanoseconds for one right-hand side and for its whole Jacobian as machine code made at run time; for the law
+//! compiled with the project, and for eight directions of it by num-dual. The law is the gyrostat with 8 states (synchronous motor)
+//! and 15 (six damper bars), in both forms. Further: operations, without circle points, and their share of the processor's
+//! peak rate; the second form beside straight-line C, compiled for any processor of this kind, and for this one.
 //!
 //! `cargo bench --bench rates`. Instructions of 1000 right-hand sides and 1000 Jacobians of the second form with 15 states, or with 8:
 //!
@@ -79,7 +79,7 @@ fn recorded<F: Form<f64>, M: Machine<f64>>(law: &Driven<f64, F, M>) -> Option<(T
     Some((Tape::record(&inputs, &rates).ok()?, Tape::record(&inputs, &entries).ok()?))
 }
 
-/// Both as machine code, as they run.
+/// Both as machine code.
 fn written<F: Form<f64>, M: Machine<f64>>(law: &Driven<f64, F, M>) -> Option<(Code, Code)> {
     let (tape, entries) = recorded(law)?;
     Some((Code::of(&tape.arranged())?, Code::of(&entries.arranged())?))
@@ -101,7 +101,7 @@ fn row<F: Form<f64>, M: Machine<f64>>(form: &str, law: &Driven<f64, F, M>, peak:
     );
 }
 
-/// Ours and C take turns; medians.
+/// Median times of our code and of C, measured in turns.
 fn beside<F: Form<f64>, M: Machine<f64>>(
     native: bool,
     law: &Driven<f64, F, M>,
@@ -163,7 +163,7 @@ fn one_call(code: &Code, n: usize, outputs: usize) -> f64 {
     })
 }
 
-/// The same of a compiled law.
+/// Nanoseconds of a call of a compiled law.
 fn nanoseconds<S: Over<f64> + Analytic, F: Form<f64>, M: Machine<f64>>(law: &Driven<f64, F, M>) -> f64 {
     let mut state: Vec<S> = start(law.dimension()).into_iter().map(S::lift).collect();
     let mut rates = state.clone();

@@ -39,7 +39,7 @@ fn rod<S: Base + Over<S> + Ordered>(spin: i64) -> f64 {
     microseconds::<_, S, 1>(&rod, &at)
 }
 
-/// The fastest of some repetitions: the least disturbed.
+/// The fastest of some repetitions, which is the least disturbed.
 fn microseconds<Q, S, const K: usize>(system: &Q, at: &State<S, 4>) -> f64
 where
     Q: Contacts<4, 1, K>,

@@ -39,7 +39,7 @@ fn main() {
     row("census of all w: folds and counts", bodies.iter().map(|(b, _)| microseconds(|| b.census().ok())));
 }
 
-/// Every motion of so many gyrostats by both ways.
+/// Compares the stationary motions of a number of gyrostats by both methods.
 fn compare(gyrostats: usize) {
     let mut runner = TestRunner::new(Config { rng_seed: RngSeed::Fixed(1834), ..Config::default() });
     let drawn = (physical::gyrostat(), -400..=400i64, -900..=900i64);

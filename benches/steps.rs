@@ -1,5 +1,5 @@
-//! Nanoseconds for a step of the splitting methods, as multiples of a step of the classical Runge-Kutta method taken in
-//! turns with them: `cargo bench --bench steps`. And the same at equal accuracy: what a run costs until its error is 1e-6.
+//! Time for a step of the splitting methods, as multiples of a step of the classical Runge-Kutta method, measured in
+//! turns with them: `cargo bench --bench steps`. Also at equal accuracy: the time of a run with the error 1e-6.
 
 use dalembert_derivations::studies::scene::Scene;
 use integrators::{Method, Span, Splitting, Tolerance, integrate, taking_turns};

@@ -47,7 +47,7 @@ unsafe impl GlobalAlloc for Counting {
 #[global_allocator]
 static COUNTING: Counting = Counting;
 
-/// How often a piece of work asked for memory.
+/// The number of allocations of a piece of work.
 fn allocations(work: impl FnOnce()) -> usize {
     let before = ALLOCATIONS.get();
     work();
@@ -63,7 +63,7 @@ fn by_rates(form: impl Form<f64>, machine: Motor) -> usize {
         assert!(dy.iter().any(|rate| !rate.is_zero()));
         count
     }
-    // with the work that is done on it, which runs with it
+    // with the metered work as a further state
     let law = Metered(Driven::new(form, machine));
     over::<f64>(&law) + over::<Dual8>(&law) + over::<DoubleDouble>(&law)
 }
@@ -198,7 +198,7 @@ fn the_equations_of_mechanisms_and_their_power_allocate_nothing() {
     fn over<S: Over<f64> + Analytic>(law: &dyn Ode<S>, state: &[f64]) -> usize {
         let y: Vec<S> = state.iter().map(|y| S::lift(*y)).collect();
         let mut dy = vec![S::zero(); y.len()];
-        // its program is made when it is first run
+        // the program is made at the first call
         law.rates(S::lift(0.0), &y, &mut dy);
         allocations(|| law.rates(S::lift(0.1), &y, &mut dy))
     }

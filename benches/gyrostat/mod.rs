@@ -1,4 +1,4 @@
-//! The gyrostat that is timed, and its motor's windings.
+//! The gyrostat of the timings, and its motor's windings.
 
 use dalembert_derivations::machines::multi_current::Windings;
 use dalembert_derivations::systems::gyrostat::{Carrier, Gyrostat, Rotor};

@@ -1,4 +1,4 @@
-//! Choices for random systems as text, beside the truth: promises, prices, what brute force finds, and estimates.
+//! Choices for random text models against true errors: estimates, cost, and the best choice by brute force.
 
 use super::drawn_texts::scene;
 use super::row;
@@ -15,13 +15,13 @@ use std::time::Duration;
 /// Instants at which runs are compared with the exact one.
 const DENSE: usize = 2_000;
 const TOLERANCES: [f64; 3] = [1e-2, 1e-4, 1e-6];
-/// Methods that brute force tries.
+/// The methods of the brute force search.
 const METHODS: [Method; 3] = [Method::Taylor, Method::DormandPrince8, Method::RadauIIA { stages: 5 }];
 const FINER: [f64; 5] = [1e-4, 1e-5, 1e-6, 1e-7, 1e-8];
-/// Estimates of errors between these are compared.
+/// The range of errors in which estimates are compared.
 const ESTIMATED: [f64; 2] = [1e-7, 0.1];
 
-/// Choices of a kind, counted by how they ended.
+/// The numbers of choices of a kind, by outcome.
 #[derive(Clone, Copy, Debug, Default)]
 struct Counts {
     choices: usize,
@@ -29,12 +29,12 @@ struct Counts {
     none: usize,
     /// The tolerance was not kept.
     broken: usize,
-    /// The error was above the one promised.
+    /// The error was above its estimate.
     above: usize,
     smaller: usize,
     /// Deciding cost more than three runs of the scene's own model.
     dear: usize,
-    /// Brute force found a smaller model at half the cost, and whether one that saves was taken.
+    /// Brute force found a smaller model at half the cost; `taken` counts those of which a cheaper one was taken.
     halves: usize,
     taken: usize,
 }
@@ -116,7 +116,7 @@ fn judge(scene: &Arc<dyn Modelled>, tolerance: f64, counts: &mut Counts, ratios:
     ratios.extend(effectivities(scene, &models, &receipt, &dense, &off));
 }
 
-/// The least work of a line's model with which it serves, by any of the methods at any of the tolerances.
+/// The least work with which a line's model suffices, by any of the methods at any of the tolerances.
 fn least_work(
     models: &TextModels,
     line: usize,
@@ -133,7 +133,7 @@ fn least_work(
     METHODS.into_iter().filter_map(by).reduce(|best, work| if work.over(best) < 1.0 { work } else { best })
 }
 
-/// Estimates along a run over the true errors of the models.
+/// Effectivities: estimates along a run over the true errors of the models.
 fn effectivities(
     scene: &Arc<dyn Modelled>,
     models: &TextModels,

@@ -1,4 +1,4 @@
-//! The most that one core of this processor can.
+//! The peak floating-point rate of one core of this processor.
 
 use pulp::{Arch, Simd, WithSimd};
 use std::hint::black_box;
@@ -7,7 +7,7 @@ use std::time::Instant;
 const REPEATS: usize = 9;
 const CALLS: u32 = 200_000;
 
-/// Additions and multiplications in a nanosecond, by chains of them that do not wait for each other.
+/// Additions and multiplications in a nanosecond, by independent chains of them.
 pub fn flops_per_nanosecond() -> f64 {
     struct Chains;
     impl WithSimd for Chains {

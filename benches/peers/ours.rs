@@ -26,7 +26,7 @@ mod residual;
 
 const AXES: Axes = Axes::Second;
 const CALLS: u32 = 20_000;
-/// A run is repeated so often, or until so much time is gone.
+/// A run is repeated this often, or until this time has passed.
 const RUNS: usize = 25;
 const PATIENCE: Duration = Duration::from_millis(10);
 
@@ -61,7 +61,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let exact = reference(law, &span)?;
     let lifted: Vec<DoubleDouble> = problem.state.iter().map(|y| DoubleDouble::lift(*y)).collect();
     let finer = Span::new(0.0, problem.span, &lifted);
-    // to the others the time is a state
+    // for the other tools the time is a state
     let row = |state: &mut dyn Iterator<Item = f64>, time: f64| {
         let time = code.knows_time.then_some(time);
         state.chain(time).map(|y| format!("{y:?}")).collect::<Vec<_>>().join(" ")
@@ -124,11 +124,11 @@ fn problem(scene: &AnyScene) -> Problem {
     }
 }
 
-/// The right-hand side and its Jacobian, for the others.
+/// The right-hand side and its Jacobian, for the other tools.
 struct Exported {
     rates: Tape,
     jacobian: Tape,
-    /// Whether the law knows the time, which is then the last state.
+    /// Whether the law depends on the time, which is then the last state.
     knows_time: bool,
 }
 
@@ -151,7 +151,7 @@ impl Exported {
         })
     }
 
-    /// And what its constants lose when they are rounded.
+    /// Writes the code, and the rounding errors of its constants.
     fn write(&self, folder: &Path) -> Result<(), Box<dyn Error>> {
         let Exported { rates, jacobian, .. } = self;
         let both = |language| format!("{}\n{}", rates.source(language, "rates"), jacobian.source(language, "jacobian"));

@@ -14,7 +14,7 @@ use model::{Model, Trace};
 use std::fmt::Write;
 use symbolic::{Language, Sym, Tape, Untapeable, substitute_all};
 
-/// The header `dae.h`; none of a model without constraints, whose constraints change, or whose masses do.
+/// The header `dae.h`; `None` for a model without constraints, or with switches or contacts.
 pub fn header(model: &Model) -> Option<String> {
     if model.constraints.is_empty() || !model.switches.is_empty() || !model.contacts.is_empty() {
         return None;
@@ -22,7 +22,7 @@ pub fn header(model: &Model) -> Option<String> {
     symbolic::apart(|| {
         let trace = Trace::of(model);
         let equations = Equations::of(&trace);
-        // a square system: rates of coordinates stand for those of frames that turn freely too
+        // a square system: rates of coordinates also describe freely rotating frames
         let index1 = Residual::index1(&trace, &equations);
         let mut text = format!("#define NQ {}\n#define NU {}\n", trace.coordinates.len(), trace.speeds.len());
         text += &index1.source(&trace, "index1").ok()?;
@@ -74,7 +74,7 @@ impl Residual {
         Residual { unknowns, rates, is }
     }
 
-    /// The function and its slopes, parameters by their values.
+    /// The function and its derivatives, with the values of the parameters.
     fn source(&self, trace: &Trace<'_>, name: &str) -> Result<String, Untapeable> {
         let inputs: Vec<Sym> = [&self.unknowns[..], &[trace.time], &self.rates].concat();
         let is = substitute_all(&self.is, &values(trace));
@@ -112,7 +112,7 @@ fn coordinate_rates(trace: &Trace<'_>) -> Vec<Sym> {
     (0..trace.coordinates.len()).map(|k| Sym::symbol(&format!("rate of coordinate {k}"))).collect()
 }
 
-/// q' - T u - what is pushed.
+/// q' - T u, less the terms of the multipliers mu.
 fn moved(trace: &Trace<'_>, pushed: &[Sym]) -> Vec<Sym> {
     let by_speeds = trace.position_rates.iter().zip(pushed);
     coordinate_rates(trace).into_iter().zip(by_speeds).map(|(rate, (&by, &push))| rate - by - push).collect()

@@ -1,5 +1,5 @@
-//! The same right-hand side as straight-line C: exported from the recorded law, and written by hand; compiled by
-//! `gcc -O3`, where there is one, for any processor of this kind or for this one (`-march=native`).
+//! The gyrostat's right-hand side as straight-line C: exported from the recorded law, and written by hand; compiled by
+//! `gcc -O3`, if available, for any processor of this kind or for this one (`-march=native`).
 
 use dalembert_derivations::machines::multi_current::Windings;
 use dalembert_derivations::systems::gyrostat::Gyrostat;
@@ -7,14 +7,14 @@ use std::fmt::Write;
 use std::process::Command;
 use symbolic::{Language, Tape};
 
-/// Nanoseconds a call.
+/// Nanoseconds per call.
 pub struct InC {
     pub exported: f64,
     pub by_hand: f64,
     pub jacobian: f64,
 }
 
-/// Of the second form, for any processor or for this one; `None` without a compiler, or where the two do not agree.
+/// Times of the second form in C, for any processor or for this one; `None` without a compiler, or where the two codes disagree.
 pub fn in_c(
     native: bool,
     n: usize,

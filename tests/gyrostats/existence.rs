@@ -9,7 +9,7 @@ use nalgebra::{Matrix3, Vector3};
 use num_traits::Zero;
 use proptest::prelude::*;
 
-/// The one condition that is broken.
+/// The single violated condition.
 fn only(g: &Gyrostat<f64>) -> Result<Inadmissible, TestCaseError> {
     match g.admissible() {
         Err(broken) if broken.len() == 1 => Ok(broken[0].clone()),

@@ -1,4 +1,4 @@
-//! The laws of every gyrostat that exists, at random ones made of mass points.
+//! Properties of every gyrostat, tested on random ones made of mass points.
 
 mod existence;
 mod models;

@@ -1,4 +1,4 @@
-//! What every machine of the list leaves conserved, and where its power goes.
+//! Integrals and power balance of every machine of the catalogue.
 
 use crate::physical::machines::{Sample, every_machine, numbers, with_data};
 use crate::physical::rate::{Rate, rate};
@@ -9,7 +9,7 @@ use motor::{Conserved, Machine, Motor, RotorState, drive, heat, is_fed, motional
 use nalgebra::Vector3;
 use proptest::prelude::*;
 
-/// What one machine does at one state.
+/// Rates, torque and power of one machine at one state.
 #[derive(Clone, Copy, Debug)]
 struct Instant {
     /// d(v.v)/dt
@@ -39,7 +39,7 @@ struct Instant {
     slip: f64,
     /// W, rad/s
     frame_speed: f64,
-    /// what the machine is said to conserve
+    /// the integrals that the machine declares
     conserved: Conserved,
 }
 
@@ -80,7 +80,7 @@ impl Instant {
     }
 }
 
-/// A law of every machine in both forms.
+/// Tests a property of every machine in both forms.
 fn always(
     g: &dalembert_derivations::systems::gyrostat::Gyrostat<field::Rational>,
     sample: &Sample,
@@ -104,7 +104,7 @@ fn in_both_forms(
     Ok(())
 }
 
-/// What is said to be conserved is, and nothing else.
+/// Exactly the declared integrals are conserved.
 fn conserves_what_it_is_said_to(now: &Instant) -> bool {
     now.conserved.jacobi == now.jacobi.is(&[]) && now.conserved.spin == now.rotor_momentum.is(&[])
 }
@@ -159,7 +159,7 @@ proptest! {
         in_both_forms(&g, &sample, with_data("multi_current", &data, 3), conserves_what_it_is_said_to)?;
     }
 
-    /// What slides takes from E - W p unless its frame rests, and a supply feeds it.
+    /// Sliding conductors change E - W p unless their frame rests, and so does a supply.
     #[test]
     fn a_motor_without_losses_keeps_its_energy_only_without_supply_and_turning_axes(
         g in gyrostat(), sample in numbers(), voltage in 0..2u8, field_speed in 0..2u8

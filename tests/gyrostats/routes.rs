@@ -1,4 +1,4 @@
-//! Independent principles give one motion, and both forms of the equations have it.
+//! Independent principles give equal motions, which both forms of the equations have.
 
 use crate::physical::machines::numbers;
 use crate::physical::{fixed, gyrostat, motion, rounded, rounded_twice};
@@ -18,7 +18,7 @@ fn orientation() -> impl Strategy<Value = [[DoubleDouble; 4]; 3]> {
         .prop_map(|(angles, rates, accelerations)| [angles, rates, accelerations].map(|x| x.map(DoubleDouble::from)))
 }
 
-/// The same motion in quasi-velocities.
+/// The motion in quasi-velocities.
 fn seen_from_the_body([angles, rates, accelerations]: [[DoubleDouble; 4]; 3]) -> MotionInstant<DoubleDouble> {
     let three = |[a, b, c, _]: [DoubleDouble; 4]| [a, b, c];
     let forms = euler_forms(along(three(angles), three(rates)));
@@ -37,7 +37,7 @@ fn largest<S: Into<DoubleDouble>>(parts: impl IntoIterator<Item = S>) -> f64 {
     parts.into_iter().map(|x| x.into().hi().abs()).fold(0.0, f64::max)
 }
 
-/// How large the terms of the equations are, N m.
+/// The size of the terms of the equations, N m.
 fn size(g: &Gyrostat<f64>, m: &MotionInstant<f64>) -> f64 {
     let speed = 1.0 + m.angular_velocity.norm() + m.rotor_speed.abs();
     let rates = m.angular_acceleration.norm() + m.rotor_acceleration.abs();
@@ -73,7 +73,7 @@ proptest! {
         let off = |other: [DoubleDouble; 4]| largest((0..4).map(|i| momentum[i] - other[i]));
         prop_assert!(off(g.by_appell(&motion)) <= allowed);
         prop_assert!(off(g.by_hamel(angles, &motion)) <= allowed, "{:e} {allowed:e}", off(g.by_hamel(angles, &motion)));
-        // Lagrange's coordinates see the moments through the transpose of w = W q'
+        // in Lagrange's coordinates the torques are multiplied by the transpose of W, w = W q'
         let lagrange = g.by_lagrange(angles, rates, accelerations, motion.moment);
         let forms: Matrix3<DoubleDouble> = euler_forms([angles[0], angles[1], angles[2]]);
         let seen = forms.transpose() * Vector3::new(momentum[0], momentum[1], momentum[2]);

@@ -1,4 +1,4 @@
-//! Steady rotations of random gyrostats by the polynomial of the gyrostat and by the search that takes any text.
+//! Steady rotations of random gyrostats by the polynomial of the gyrostat and by the search over boxes for text models.
 
 use crate::physical::gyrostat;
 use crate::physical::steady::compared;

@@ -1,9 +1,9 @@
-//! CONTRIBUTING.md adds a motor; this does what it says, in a copy of the project, and runs the laws of all machines. So
-//! does the program with `new motor`, in the same copy.
+//! The instructions of CONTRIBUTING.md for a new motor are carried out in a copy of the project, in which the tests of all machines
+//! then run. The command `new motor` is tested in the copy too.
 //!
-//! A copy that cargo builds, and not an `include!` of the example, because the promise is about the whole: one file, two
-//! lines, no other change. The copy keeps the times of the files and shares the folder of build products, so that only
-//! the crate of the motors, under a version of its own, and those that use it are built anew: seconds.
+//! A copy that cargo builds is needed, not an `include!` of the example, because the promise concerns the whole: one file, two
+//! lines, no other change. The copy keeps the times of the files and shares the folder of build products. Only
+//! the crate of the motors, under another version, and the crates that use it are built anew, in seconds.
 
 use claims::finding::PropertyVerdict;
 use dalembert_derivations::studies::conformance::conform;
@@ -37,8 +37,8 @@ fn blocks(section: &str) -> Vec<Block> {
     blocks
 }
 
-/// A folder outside of the project that goes when the test ends. Its place is always the same for a project, so that
-/// cargo compiles the next time only what differs.
+/// A folder outside of the project that is deleted when the test ends. Its place is constant for a project: cargo
+/// then compiles only the differences the next time.
 struct Copy(PathBuf);
 
 impl Copy {
@@ -57,7 +57,7 @@ impl Drop for Copy {
     }
 }
 
-/// Files with their times, so that cargo sees nothing new in them.
+/// Copies files with their times: cargo then finds nothing new in them.
 fn copy(from: &Path, to: &Path) {
     if from.is_dir() {
         fs::create_dir_all(to).expect("a folder can be made");
@@ -72,14 +72,14 @@ fn copy(from: &Path, to: &Path) {
     }
 }
 
-/// Puts a line at the end of the modules, or of the list of motors.
+/// The text with a line added at the end of the modules, or of the list of motors.
 fn listed(text: &str, line: &str) -> String {
     let end = if line.starts_with("pub mod ") { "\n\nmotor::submit! {" } else { "\n        ]," };
     let (before, after) = text.split_once(end).expect("the list ends");
     format!("{before}\n{}{end}{after}", line.trim_end())
 }
 
-/// A version of its own keeps the copy's products apart from the project's; other crates ask for one like it.
+/// The manifest with another version, which separates the copy's build products from the project's; other crates accept it.
 fn with_own_version(manifest: &str) -> String {
     manifest.replacen("version.workspace = true", concat!("version = \"", env!("CARGO_PKG_VERSION"), "+copy\""), 1)
 }
@@ -91,14 +91,14 @@ fn change(path: &Path, by: impl Fn(&str) -> String) {
     fs::write(path, changed).expect("a file can be written");
 }
 
-/// What CONTRIBUTING says of motors.
+/// The code blocks of the section on motors in CONTRIBUTING.md.
 fn motors() -> Vec<Block> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let text = fs::read_to_string(root.join("CONTRIBUTING.md")).expect("there is a CONTRIBUTING.md");
     blocks(text.split("\n## ").find(|section| section.starts_with("Add a motor")).expect("it adds a motor"))
 }
 
-/// What the program begins, in a folder that is a project.
+/// Runs `dalembert new motor` for a folder that is a project.
 fn begin(root: &Path, name: &str, project: &Path) {
     let output = Command::new(env!("CARGO"))
         .current_dir(root)

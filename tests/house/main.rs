@@ -1,4 +1,4 @@
-//! The rules of the house, the list of broken laws, and the instructions for contributors.
+//! The rules of the repository, the list of mutants, and the instructions for contributors.
 
 mod circles;
 mod contributing;

@@ -1,4 +1,4 @@
-//! The list of broken laws can be run, and the reviewed table of what notices them is of this list.
+//! Consistency of the list of mutants: each can be applied, and the reviewed table of their detection belongs to this list.
 //!
 //! The run itself takes minutes: `tests/mutants/run.py`.
 
@@ -8,13 +8,13 @@ use std::path::Path;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// A law broken in one place.
+/// A mutant: a law changed in one place.
 struct Mutant {
     file: String,
     name: String,
     old: String,
     new: String,
-    /// why nothing can notice it
+    /// the reason for which no test can detect it
     equivalent: Option<String>,
 }
 
@@ -22,7 +22,7 @@ struct Mutant {
 struct Row<'a> {
     file: &'a str,
     name: &'a str,
-    /// how many claims and laws noticed, and one of them; or what else became of the mutant
+    /// the numbers of claims and of tests that detect the mutant, and one of them; or another outcome
     cells: Vec<&'a str>,
 }
 
@@ -31,7 +31,7 @@ fn read(path: &str) -> String {
     fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
-/// As they stand in the list.
+/// The mutants in the order of the list.
 fn mutants() -> Vec<Mutant> {
     let text = read("tests/mutants/mutants.toml");
     let table = DeTable::parse(&text).unwrap_or_else(|error| panic!("mutants.toml: {error}"));
@@ -75,7 +75,7 @@ fn rows(page: &str) -> Vec<Row<'_>> {
     rows
 }
 
-/// Whether some claim or some law noticed.
+/// Whether some claim or some test detects the mutant.
 fn caught(cells: &[&str]) -> bool {
     let [claims, laws, _one] = cells else { return false };
     [claims, laws].iter().filter_map(|count| count.parse::<u32>().ok()).sum::<u32>() > 0
@@ -90,7 +90,7 @@ fn every_mutant_breaks_one_place() {
     }
 }
 
-/// The page on which a mutant stands: its crate's, its study's, or its folder's in a crate with many.
+/// The page of a mutant: that of its crate, of its study, or of its folder in a crate with many mutants.
 fn page_of(mutant: &Mutant) -> String {
     let parts: Vec<&str> = mutant.file.split('/').collect();
     match parts[..] {

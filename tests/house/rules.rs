@@ -1,4 +1,4 @@
-//! The rules of the house: who may use whom, what stands beside a dependency, what the machinery may know.
+//! The rules of the repository: layers of crates, reasons for dependencies, machinery independent of content, and others.
 
 use serde_json::Value;
 use std::collections::HashMap;

@@ -1,4 +1,4 @@
-//! What kind of constraints the systems have, found by Frobenius' theorem.
+//! Classification of the systems' constraints by Frobenius' theorem.
 
 use dalembert_derivations::systems::knife_edge::KnifeEdge;
 use dalembert_derivations::theorems::principles::{cases, letter};
@@ -54,7 +54,7 @@ fn time_and_nonlinearity_are_seen() {
     );
 }
 
-/// Pairs of constraints on four coordinates, each with what the theory says.
+/// Pairs of constraints on four coordinates, each with its class by theory.
 #[derive(Clone, Copy, Debug)]
 enum Pair {
     /// d(x y) = 0 and d(z + x y + t^2) = 0

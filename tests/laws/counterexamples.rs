@@ -1,5 +1,5 @@
-//! The examples that carry the ledger's refutations, seen by a route that never saw the paper: each is a pair of bodies
-//! that exist, and the theorem of angular momentum of their mass points says whether it turns about the vertical.
+//! The counterexamples of the ledger's refutations, checked independently of the paper: each is a pair of admissible bodies,
+//! and the theorem of angular momentum for their mass points decides whether they rotate about the vertical.
 
 use crate::physical::{MassPoint, inertia, rounded, total_mass};
 use dalembert_derivations::papers::konosevich2022::gyrostats::{self, Example};
@@ -10,7 +10,7 @@ use num_traits::Zero;
 
 type Vector = Vector3<Rational>;
 
-/// The missing moments are w0^2 G + w0 u + n; three values give the coefficients.
+/// The coefficients of the residual torques w0^2 G + w0 u + n, from three values.
 fn coefficients(example: &Example) -> [Vector; 3] {
     let at = |w0: i64| example.missing_moments(Rational::int(w0));
     let (rest, plus, minus) = (at(0), at(1), at(-1));
@@ -18,7 +18,7 @@ fn coefficients(example: &Example) -> [Vector; 3] {
     [(plus + minus) * half - rest, (plus - minus) * half, rest]
 }
 
-/// Whether the rotation with the example's own angular velocity is a motion, by momentum and by Appell alike.
+/// Whether the rotation with the example's own angular velocity is a motion, by the theorem of momentum and by Appell's equations.
 fn is_motion(example: &Example) -> bool {
     let w0 = example.angular_velocity.expect("the example has an angular velocity");
     let motion = example.rotation(w0);
@@ -79,7 +79,7 @@ fn by_two_of_three_relations_the_third_moment_alone_is_missing() {
     assert!(missing.x.is_zero() && missing.y.is_zero() && !missing.z.is_zero(), "{missing}");
 }
 
-/// In these examples the vertical is a principal direction, so that w0^2 has no coefficient: w0 u + n = 0 with w0 != 0
+/// In these examples the vertical is a principal direction, and w0^2 has no coefficient: w0 u + n = 0 with w0 != 0
 /// needs n parallel to u, and u = 0 where n = 0.
 #[test]
 fn where_no_angular_velocity_is_named_none_but_zero_makes_a_motion() {
@@ -93,7 +93,7 @@ fn where_no_angular_velocity_is_named_none_but_zero_makes_a_motion() {
     }
 }
 
-/// Simpson's rule is exact for the moments of a uniform rod, so that three mass points have the same.
+/// Simpson's rule is exact for the moments of a uniform rod: three mass points have equal moments.
 #[test]
 fn the_rod_of_section_5_has_d_zero_from_its_masses() {
     let rod = gyrostats::rod();

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use symbolic::Language;
 
-/// What the printed functions must give: the rates, then the Jacobian by dual numbers, at the start of the scene.
+/// The expected values of the printed functions at the start of the scene: the rates, then the Jacobian by dual numbers.
 struct Expected {
     state: Vec<f64>,
     values: Vec<f64>,

@@ -115,7 +115,7 @@ fn number() -> impl Strategy<Value = [f64; 5]> {
         .prop_map(|([d, e, de, f], size, negative)| [if negative { -size } else { size }, d, e, de, f])
 }
 
-/// For such numbers no term on the way exceeds 2^9, second derivatives included: so 2^12 units are a few roundings of
+/// For such numbers no intermediate term exceeds 2^9, second derivatives included: 2^12 units are a few roundings of
 /// the largest.
 fn agree<S: Rounded>(laws: Vec<(&str, S, S)>) -> Result<(), TestCaseError> {
     for (law, left, right) in laws {
@@ -258,7 +258,7 @@ fn exact_parts_of_a_turn_are_the_parts_of_a_turn() {
     assert_eq!(Circle::<f64>::exact_turn(1, 0), None);
 }
 
-/// The laws of the circle leave open how fast a point turns with its angle.
+/// The laws of the circle do not determine the derivative of a point by its angle.
 #[test]
 fn a_point_turns_at_the_rate_of_its_angle() {
     let angle = Tangent::moving(0.7, 3.0).circle();
@@ -266,7 +266,7 @@ fn a_point_turns_at_the_rate_of_its_angle() {
     assert!((angle.sin.slope - 3.0 * 0.7f64.cos()).abs() < 1e-15);
 }
 
-/// A law of one varied angle with data that rest, by every operation, each of two ways round.
+/// A law of one varied angle with constant data, by every operation, each with the operands in both orders.
 fn of_one_angle<T: Over<Rational>>(angle: Circle<T>, [p, q]: [Rational; 2]) -> Vec<T> {
     let (Circle { cos, sin }, [p, q], four) = (angle, [p, q].map(T::lift), T::int(4));
     let rest = [p + q, p - q, p * q, p / four, -p, T::zero(), T::one(), p.and_product(p, q), p % four];
@@ -288,7 +288,7 @@ proptest! {
     }
 }
 
-/// Beside double-double: near quarter turns too, where little of an angle is left.
+/// Compared with double-double, also near quarter turns, where cancellation is strong.
 #[test]
 fn cosine_and_sine_are_off_by_less_than_a_unit_of_the_last_place() {
     let many = (-4000..4000).map(|n| f64::from(n) * 0.39 + 1e-9 * f64::from(n * n));

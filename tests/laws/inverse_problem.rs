@@ -1,4 +1,4 @@
-//! The moments that keep the integrals of a top of variable mass: at random exact data, and where they do not exist.
+//! The torques that conserve given integrals of a top of variable mass: at random exact data, and at the singularity.
 
 use dalembert_derivations::systems::variable_top::{Attitude, StationaryInclination, Top, poisson, prescribing, rates};
 use field::{Over, Rational, Tangent};
@@ -85,7 +85,7 @@ fn on_the_permanent_rotation_no_moment_keeps_two_integrals_of_a_body_that_grows(
     }
 }
 
-/// The top that does not change, in the Newtonian field: y = (p, q, r, gamma).
+/// The top with constant data in the Newtonian field: y = (p, q, r, gamma).
 struct Constant(Top<f64>);
 
 impl<S: Over<f64>> Ode<S> for Constant {
@@ -108,7 +108,7 @@ fn attitude<S: field::Scalar>(y: &[S]) -> Attitude<S> {
     Attitude { spin: Vector3::new(y[0], y[1], y[2]), vertical: Vector3::new(y[3], y[4], y[5]) }
 }
 
-/// How far the axis leaves the vertical, and the energy integral its first value, after a push of a millionth.
+/// The deviations of the axis from the vertical, and of the energy integral from its first value, after a push of 1e-6.
 fn pushed(static_moment: f64) -> [f64; 2] {
     let top = Top { equatorial: 2.0, axial: 1.0, static_moment, gyroscope: 0.0, gravity: 1.0, tide: 1.0 };
     let energy = move |_: f64, y: &[f64]| top.integrals(&attitude(y), 1.0).energy;

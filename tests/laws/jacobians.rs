@@ -14,8 +14,8 @@ use simulation::{Axes, CompiledLaw, SymbolicLaw};
 use std::path::Path;
 use std::sync::Arc;
 
-/// Whether the system has slopes of its own, after comparing them with those of a law at a few states: they may differ by so much of the
-/// largest.
+/// Whether the system has its own Jacobian, after comparing it with that of a law at a few states, to `allowed` relative to the
+/// largest entry.
 fn compared(
     system: &dyn System,
     law: &dyn Ode<Dual8>,
@@ -62,11 +62,11 @@ fn the_jacobian_of_a_machine_is_that_of_dual_numbers() {
             }
         }
     }
-    // else nothing was compared
+    // otherwise nothing was compared
     assert!(with.contains(&"synchronous") && with.contains(&"multi_current"), "{with:?}");
 }
 
-/// Whether a scene's law has slopes of its own, after comparing them with those of dual numbers about its start.
+/// Whether a scene's law has its own Jacobian, after comparing it with dual numbers near the start.
 fn is_that_of_dual_numbers(name: &str, allowed: f64) -> bool {
     scenes::register(|_| ());
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes").join(name).with_extension("toml");

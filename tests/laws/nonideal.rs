@@ -1,5 +1,5 @@
-//! The examples that carry refutations about rods and ladders with friction, seen by a route that never saw the paper:
-//! Lagrange's equations of the first kind of the systems with numbers for letters, the contact's reactions as forces.
+//! The counterexamples on rods and ladders with friction, checked independently of the paper:
+//! Lagrange's equations of the first kind of the systems with numerical data, the contact's reactions as forces.
 
 use dalembert_derivations::systems::ladder::{Ladder, LeaningLadder};
 use dalembert_derivations::systems::rod::Rod;
@@ -17,7 +17,7 @@ fn int(n: i64) -> Rational {
     Rational::int(n)
 }
 
-/// The rod of (1.22) at rest but for its sliding, cos theta = 3/5, sin theta = 4/5, under the guide's reactions.
+/// The rod of (1.22), which slides without rotation, cos theta = 3/5, sin theta = 4/5, under the guide's reactions.
 fn rod_under([rx, ry]: [Rational; 2]) -> [Rational; 4] {
     let one = int(1);
     let rod = Rod { guided: one, free: one, length: one, gravity: one, friction: ratio(1, 2), sides: Sides::One };

@@ -1,5 +1,5 @@
-//! One law over many fields: written down as an expression it has the values of the law that runs, and three routes to
-//! its derivatives agree.
+//! One law over many fields: as an expression it has the values of the law that runs, and three methods of
+//! differentiation agree.
 
 use crate::physical::fixed;
 use dalembert_derivations::machines::multi_current::{MultiCurrent, Windings};
@@ -13,11 +13,11 @@ use proptest::prelude::*;
 use std::convert::Infallible;
 use symbolic::Sym;
 
-/// How many parameters the laws have, and how many variables.
+/// The numbers of parameters and of variables of the laws.
 const PARAMETERS: usize = 39;
 const VARIABLES: usize = 18;
 
-/// Numbers in the order in which they are asked for.
+/// Numbers, taken in order.
 struct Given<I>(I);
 
 impl<P, I: Iterator<Item = P>> Given<I> {
@@ -100,8 +100,8 @@ fn value(expression: Sym, parameters: &[f64], variables: &[f64]) -> f64 {
     expression.evaluate_analytic(&number).expect("every symbol has a value")
 }
 
-/// Equal but for rounding. The laws are sums of a few dozen products of up to six numbers below 2, over numbers above
-/// 1/4: terms on the way stay below 2^12.
+/// Equality up to rounding. The laws are sums of a few dozen products of up to six numbers below 2, over numbers above
+/// 1/4: intermediate terms stay below 2^12.
 fn close(a: f64, b: f64) -> bool {
     (a - b).abs() <= 4096.0 * 64.0 * f64::EPSILON
 }

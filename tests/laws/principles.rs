@@ -1,4 +1,4 @@
-//! The principles beyond their proofs: larger systems at random exact data, and the laws that are proved as they run.
+//! Tests of the principles beyond their proofs: larger systems at random exact data, and the proved laws in floats.
 
 use dalembert_derivations::systems::disc::Disc;
 use dalembert_derivations::systems::knife_edge::KnifeEdge;
@@ -156,7 +156,7 @@ fn coordinates_that_are_no_split_are_refused() {
     assert!(Split::<4, 2, 2>::new([3, 1]).is_some());
 }
 
-/// Upwards at its lowest point; its stiffness takes the push from there to the centre.
+/// The reaction is upwards at the lowest point; rigidity transmits it to the centre.
 #[test]
 fn the_plane_carries_the_weight_of_a_disc_that_stands() {
     let [mass, second_moment, radius, gravity] = [3, 1, 2, 10].map(Rational::int);
@@ -168,7 +168,7 @@ fn the_plane_carries_the_weight_of_a_disc_that_stands() {
     assert_eq!(stands.reactions, [0, 60, 0, 30, 0, 0].map(Rational::int));
 }
 
-/// The greatest difference between what the principles make of a motion, relative to the accelerations.
+/// The greatest difference between the accelerations by the principles, relative to their size.
 fn spread<Q, const N: usize, const C: usize, const K: usize, const R: usize>(
     system: &Q,
     (time, q, p): (f64, [f64; K], [f64; R]),

@@ -1,4 +1,4 @@
-//! Euler's angles are what their names say. Lagrange's equations hold in any coordinates, so they cannot tell.
+//! Euler's angles have their usual meaning, which Lagrange's equations, valid in any coordinates, cannot verify.
 
 use field::Analytic;
 use mechanics::rotation::{euler, euler_forms, vertical};

@@ -1,4 +1,4 @@
-//! The brushed motor from a turning armature, and against what textbooks say of it.
+//! The brushed motor derived from a rotating armature, and compared with textbook results.
 
 use crate::{assert_equal, number, symbol};
 use dalembert_derivations::machines::brushed::Brushed;
@@ -9,8 +9,8 @@ use motor::{Bench, Machine, drive, heat, resting_currents, supplied};
 use num_traits::Zero;
 use symbolic::{Sym, symbols};
 
-/// Two windings that turn with the rotor, in the field of magnets that rest; the brushes keep the current across this field,
-/// at -90 degrees in space, and feel the windings' voltages along it.
+/// Two windings rotate with the rotor in the field of fixed magnets; the brushes keep the current orthogonal to this field,
+/// at -90 degrees in space, and connect to the windings' voltages along it.
 #[test]
 fn an_armature_whose_current_brushes_hold_in_space_is_the_machine() {
     let Ok(machine) = Brushed::<Sym>::read(symbol);
@@ -56,14 +56,14 @@ fn the_steady_speed_is_that_of_textbooks() {
     let mut rates = [number(1, 1)];
     assert_eq!(drive(&machine, Circle::zero(), speed, &current, &mut rates), Rational::zero());
     assert_eq!(rates, [Rational::zero()]);
-    // locked: all of the voltage on the resistance
+    // locked rotor: all of the voltage is on the resistance
     let locked = resting_currents(&machine, Circle::zero(), Rational::zero());
     assert_eq!(locked, Some(vec![u / r]));
     let ideal = Brushed { resistance: Rational::zero(), ..machine };
     assert_eq!(resting_currents(&ideal, Circle::zero(), Rational::zero()), None);
 }
 
-/// A bench with the work that is done on it.
+/// A bench with the work of its supply as a state.
 struct Metered(Bench<f64, Brushed<f64>>);
 
 impl<S: Over<f64> + Analytic> Ode<S> for Metered {

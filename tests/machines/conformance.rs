@@ -1,4 +1,4 @@
-//! Every motor of the list does what a motor must, and each check notices one that does not.
+//! Every motor of the catalogue conforms, and each check rejects a motor that does not.
 
 use claims::finding::{Finding, PropertyVerdict};
 use dalembert_derivations::machines::asynchronous::Asynchronous;
@@ -18,7 +18,7 @@ fn no_motor_of_the_list_fails_a_check() {
     }
 }
 
-/// The table of a written motor on a bench; whatever its data, the checks are to judge them.
+/// The scene of a text motor on a bench, with data of any kind allowed, since the checks judge them.
 fn text(machine: &str) -> Scene {
     let text = format!(
         "title = \"t\"\nsystem = \"bench\"\nallow = [\"zero resistance\", \"negative resistance\", \"negative friction\"]\n\
@@ -52,7 +52,7 @@ fn a_sound_winding_fails_nothing() {
     assert_eq!(failed_by(&wound("l", "r", "")), []);
 }
 
-/// A denominator of degree 128, which no normal form holds: the motor may be sound for all that is known.
+/// A denominator of degree 128 exceeds the normal form: the motor remains undecided.
 #[test]
 fn what_the_prover_gives_up_is_undecided_and_does_not_fail() {
     let scene = text(
@@ -97,7 +97,7 @@ fn a_winding_almost_without_inductance_is_too_stiff_to_be_told() {
     assert_eq!(found, [("stiffness", "the fastest motion hides the slowest in rounding".to_owned())]);
 }
 
-/// A motor whose friction is not of the unit that it says.
+/// A motor whose friction has not the declared unit.
 static OF_ANOTHER_UNIT: Entry = Entry {
     name: "of_another_unit",
     summary: "deceives",

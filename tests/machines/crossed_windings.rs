@@ -1,4 +1,4 @@
-//! Two crossed windings beside the models that they must agree with.
+//! Two crossed windings compared with equivalent models.
 
 use crate::number;
 use dalembert_derivations::machines::asynchronous::Asynchronous;
@@ -31,8 +31,8 @@ fn two_bars_at_right_angles_without_excitation_are_the_machine() {
     }
 }
 
-/// With the currents of the present slip: Kloss' moment, pull-out a^2/(2 L) at the slip R/L; its slope at synchronism is
-/// that of the asynchronous motor with k = a^2/R.
+/// With the currents of the present slip the torque is Kloss', pull-out a^2/(2 L) at the slip R/L; the derivative at synchronism
+/// equals the asynchronous motor's with k = a^2/R.
 #[test]
 fn at_constant_slip_the_moment_is_that_of_kloss_and_near_synchronism_the_linear_one() {
     let (field_speed, flux, inductance, resistance, f) = (150.0, 0.025, 1.6e-3, 0.064, 4e-4);

@@ -1,4 +1,4 @@
-//! Machines of practice against first principles that do not pass through their files.
+//! Motor models against first principles that do not use the code of the models.
 
 mod brushed;
 mod conformance;

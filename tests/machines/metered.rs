@@ -1,4 +1,4 @@
-//! What supply, friction and heat do to the energy that the turning field sees, metered along runs.
+//! The power balance of supply, friction and heat in the frame of the rotating field, metered along runs.
 
 use dalembert_derivations::studies::scene::Scene;
 use reader::Family;

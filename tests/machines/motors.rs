@@ -1,4 +1,4 @@
-//! The ladder of motors: where one is another in disguise, and what each does on a bench.
+//! The hierarchy of motor models: their equivalences and limits, and their behaviour on a bench.
 
 use crate::physical::machines::{Sample, every_machine, numbers};
 use crate::physical::rate::rate;
@@ -22,7 +22,7 @@ fn windings() -> Windings<f64> {
     Windings { field_speed: 9.0, b0: 0.8, a1: 0.5, l1: 0.3, r1: 0.7, a2: 0.4, l2: 0.2, r2: 0.9, mu: 0.02, f: 0.05 }
 }
 
-/// The state after a time, by so many steps of the classical Runge-Kutta method.
+/// The state after a time, by a number of steps of the classical Runge-Kutta method.
 fn after(law: impl SymbolicLaw + 'static, state: &[f64], time: f64, steps: u32) -> Vec<f64> {
     let system = CompiledLaw::new(law);
     let (method, span) = (Method::RungeKutta4 { steps }, Span::new(0.0, time, state));
@@ -97,7 +97,7 @@ fn off_the_bench(machine: Motor, sample: &Sample) -> f64 {
     at_rest.max(largest_gap(&end[6..], &after(bench, &state[6..], 1.0, 200)))
 }
 
-/// Whether what a bench loses, W, is what its laws say.
+/// Whether the power loss of a bench, W, agrees with its laws.
 fn goes_where_it_is_sent(machine: Motor, sample: &Sample) -> bool {
     let bench = Bench { machine, axial: 0.7 };
     let y: Vec<f64> = sample.state(6 + bench.dimension()).split_off(6);
@@ -140,12 +140,12 @@ proptest! {
         let (angle, mut rates) = (Circle::from_half_tangent(half), [o; 3]);
         let moment = drive(&idle, angle, slip, &currents, &mut rates);
         prop_assert_eq!(moment, drive(&synchronous, angle, slip, &[], &mut []));
-        // M = -b0 sin g - f phi', and each current dies out by itself
+        // M = -b0 sin g - f phi', and each current decays by itself
         prop_assert_eq!(moment, -(b0 * angle.sin) - f * (slip + field_speed));
         prop_assert_eq!(rates, [-(r1 / l1 * currents[0]), -(r2 / l2 * currents[1]), -(r2 / l2 * currents[2])]);
     }
 
-    /// Kloss' moment is the linear one with the slope 2 m_k / (s_k W), over 1 + (s/s_k)^2: equal at small slip.
+    /// Kloss' torque is the linear one with the slope 2 m_k / (s_k W), over 1 + (s/s_k)^2: equal at small slip.
     #[test]
     fn kloss_moment_is_the_linear_one_at_small_slip(data in [positive(), positive(), positive(), positive()], slip in rational()) {
         let [field_speed, pull_out, pull_out_slip, f] = data;
@@ -181,7 +181,7 @@ proptest! {
     }
 }
 
-/// -N/2 a2^2 R2 g' / (R2^2 + L2^2 g'^2): Kloss' moment with critical slip R2 / (L2 W) and pull-out moment N a2^2 / (4 L2).
+/// -N/2 a2^2 R2 g' / (R2^2 + L2^2 g'^2): Kloss' torque with critical slip R2 / (L2 W) and pull-out torque N a2^2 / (4 L2).
 #[test]
 fn at_constant_slip_the_damper_has_kloss_moment() {
     let damper = Windings { b0: 0.0, a1: 0.0, mu: 0.0, f: 0.0, ..windings() };
@@ -190,7 +190,7 @@ fn at_constant_slip_the_damper_has_kloss_moment() {
         let pull_out = bars as f64 * a2 * a2 / (4.0 * l2);
         let kloss = Kloss { field_speed, pull_out, pull_out_slip: r2 / (l2 * field_speed), f: 0.0 };
         for slip in [-9.0, -2.0, 0.3, 5.0] {
-            // a rotor that nothing slows down
+            // a rotor with practically infinite inertia
             let bench = Bench { machine: MultiCurrent::evenly(damper, bars), axial: 1e12 };
             let mut start = vec![0.0; bench.dimension()];
             start[1] = slip;

@@ -1,4 +1,4 @@
-//! Windings that induce in each other become a motor as text in currents of which none does.
+//! Windings with mutual inductances as a text motor in decoupled currents.
 
 use dalembert_derivations::studies::scene::Scene;
 use field::Analytic;

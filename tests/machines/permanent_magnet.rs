@@ -1,4 +1,4 @@
-//! The motor with magnets from its two resting phases, whose inductance depends on the angle.
+//! The permanent-magnet motor derived from its two stationary phases, whose inductance depends on the angle.
 
 use crate::{assert_equal, number, symbol};
 use dalembert_derivations::machines::permanent_magnet::{Magnets, PermanentMagnet};
@@ -15,7 +15,7 @@ fn electric<S: Scalar>(angle: Circle<S>, pole_pairs: usize) -> Circle<S> {
     (1..pole_pairs).fold(angle, |sum, _| sum + angle)
 }
 
-/// A vector in axes that are turned by an angle, in those that rest.
+/// A vector given in rotated axes, transformed to the axes at rest.
 fn at_rest<S: Scalar>(by: Circle<S>, [d, q]: [S; 2]) -> [S; 2] {
     [by.cos * d - by.sin * q, by.sin * d + by.cos * q]
 }
@@ -82,7 +82,7 @@ fn parks_transformation_of_the_phases_by_lagrange_and_maxwell_is_the_machine() {
     }
 }
 
-/// In Park's axes the coenergy knows no angle; what is left are the brackets of the axes' fields.
+/// In Park's axes the coenergy does not depend on the angle; the motional terms are the brackets of the axes' fields.
 #[test]
 fn the_motional_terms_are_those_of_boltzmann_and_hamel() {
     for pole_pairs in 1..=3 {

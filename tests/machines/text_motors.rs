@@ -1,4 +1,4 @@
-//! A motor whose laws stand in a scene is that of the catalogue: the same programs, which do what the law does as it is compiled.
+//! A motor as text equals that of the catalogue: equal programs, with the values of the compiled law.
 
 use crate::physical::rounded;
 use dalembert_derivations::machines::asynchronous::Asynchronous;
@@ -72,7 +72,7 @@ fn with_bars(degrees: &[f64]) -> (MultiCurrent<f64>, Motor) {
     (MultiCurrent { windings, bars }, text)
 }
 
-/// Motors of the catalogue, and what is written for them.
+/// Motors of the catalogue, each with its text.
 fn twins() -> Vec<(Motor, Motor)> {
     let slip = "k = \"0.02 N m s\"\nf = \"0.05 N m s\"\n";
     let kloss = "pull_out = \"0.8 N m\"\npull_out_slip = \"0.2\"\nf = \"0.05 N m s\"\n";
@@ -130,7 +130,7 @@ fn twins() -> Vec<(Motor, Motor)> {
     ]
 }
 
-/// What a law comes to: columns of its Taylor recurrence, operations of its straight-line code.
+/// The size of a law: columns of its Taylor recurrence, operations of its straight-line code.
 fn counts(law: &impl Ode<Sym>) -> (usize, usize) {
     let state: Vec<Sym> = (0..law.dimension()).map(|i| Sym::symbol(&format!("y{i}"))).collect();
     let mut rates = vec![Sym::ZERO; state.len()];
@@ -140,7 +140,7 @@ fn counts(law: &impl Ode<Sym>) -> (usize, usize) {
     (recurrence.columns::<8>(), Tape::record(&state, &rates).expect("it is a program").operations())
 }
 
-/// On a bench and in a gyrostat, in both forms.
+/// The sizes on a bench and in a gyrostat, in both forms.
 fn all_counts(machine: &(impl Machine<f64> + Clone)) -> [(usize, usize); 3] {
     let g = rounded(&gyrostats::opposite_sign().gyrostat);
     [
@@ -163,7 +163,7 @@ fn every_motor_written_as_text_comes_to_programs_of_the_same_length() {
     }
 }
 
-/// Data by their units, no two alike.
+/// A value of a datum, different for different names.
 fn datum(quantity: &Quantity) -> f64 {
     0.3 + 0.01 * quantity.name.bytes().map(f64::from).sum::<f64>() % 1.0
 }
@@ -172,7 +172,7 @@ fn given(quantity: &'static Quantity) -> Result<f64, Infallible> {
     Ok(datum(quantity))
 }
 
-/// Whether the motor of a name does what a law does as it is compiled: names, counts, rates.
+/// Asserts that the motor of a name agrees with the compiled law: names, counts, rates.
 fn is_compiled(name: &str, law: &(impl Machine<f64> + Clone)) {
     let motor = catalogue::sampled(name, datum, 5).expect("it is in the catalogue");
     assert_eq!(motor.rotor(), law.rotor(), "{name}");
@@ -243,7 +243,7 @@ fn expressed(machine: impl Machine<f64>) -> Vec<Sym> {
     rates
 }
 
-/// The code of a law, recorded in a thread of its own, so that it finds no other's expressions.
+/// The code of a law, recorded in a separate thread with an empty expression graph.
 fn code(machine: impl Machine<f64> + Send + 'static) -> Vec<String> {
     let tape = std::thread::spawn(move || {
         let rates = expressed(machine);
@@ -274,7 +274,7 @@ fn by_both(law: &impl Separable, state: &[f64]) {
     assert!(plain < 1e-13 && exact < 1e-28, "{plain:e} {exact:e}");
 }
 
-/// The largest difference after a few steps, relative to a number or to one; none of a law without pieces.
+/// The largest difference after a few steps, relative to a number or to one; `None` for a law without sub-flows.
 fn off_by<S: Real + Running>(law: &impl Separable, programs: &Programs, state: &[f64]) -> f64 {
     let start: Vec<S> = state.iter().map(|y| S::lift(*y)).collect();
     let after = |programs: Option<&Programs>| {
@@ -295,7 +295,7 @@ fn off_by<S: Real + Running>(law: &impl Separable, programs: &Programs, state: &
 #[test]
 fn its_kicks_by_programs_are_those_of_its_laws_one_by_one() {
     let y: Vec<f64> = (0..20).map(|i| (1.0 + 3.0 * f64::from(i)).sin()).collect();
-    // a moment that bends, with windings
+    // a nonlinear torque, with windings
     let bent = "field_energy = \"-b0*cos(g)\"\nmoment_law = \"-mu*g'/(1 + g'*g'*s*s) - f*phi'\"\n";
     let with_time = format!("{WINDINGS}s = \"0.3 s\"\nt = \"20 deg\"\n");
     let bent = written(DATA, bent, &with_time, &(winding("a1*cos(g)", 1) + &winding("-a2*sin(2*g + t)", 2)));

@@ -1,9 +1,9 @@
-//! What the choices of the atlas cost in evaluations, locked; and that their models are what they say.
+//! Snapshots of the cost, in evaluations, of the work-precision study's configurations; and tests of their models.
 //!
-//! The counts must be the same on every machine. Where a method runs in double-double it does so here: what differs there
-//! between machines is 1e-16 times smaller than what decides on a step. Dormand-Prince runs in `f64` on rates computed in
-//! double-double and rounded, which is correct rounding of every cosine. Taylor's method in `f64` chooses its instructions
-//! when it runs, and rounds by them: its counts here are those of its series in double-double.
+//! The counts must be equal on every computer. Methods run in double-double where they can: differences between computers
+//! are then 1e-16 times smaller than the errors that control the steps. Dormand-Prince runs in `f64` on rates computed in
+//! double-double and rounded, which rounds every cosine correctly. Taylor's method in `f64` chooses its instructions
+//! at run time, which changes rounding: its counts here are those of its series in double-double.
 
 use dalembert_derivations::studies::AnyScene;
 use field::DoubleDouble;
@@ -22,7 +22,7 @@ fn open(name: &str) -> AnyScene {
     AnyScene::open(&path).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// A law whose `f64` is its double-double, rounded.
+/// A law whose `f64` values are rounded from double-double.
 struct Rounded<'a>(&'a dyn System);
 
 fn lifted(y: &[f64]) -> Vec<DoubleDouble> {
@@ -65,12 +65,12 @@ impl System for Rounded<'_> {
 const TOLERANCES: [f64; 5] = [1e-3, 1e-5, 1e-7, 1e-9, 1e-11];
 const STEPS: [u32; 3] = [250, 1_000, 4_000];
 const ERRORS: [f64; 3] = [1e-3, 1e-6, 1e-9];
-/// In one run; less where explicit methods are known to spend all of them.
+/// The greatest number of evaluations in one run; fewer where explicit methods are known to use up all of them.
 const EVALUATIONS: u64 = 20_000;
 const STIFF: u64 = 4_000;
 const INSTANTS: usize = 8;
-/// Errors below are counted as this: what is less may be rounding of a row, which is not the same on every machine, and a
-/// count between two tolerances is read off by the errors of both.
+/// Smaller errors count as this: they may be rounding of a row, which differs between computers, and counts between two
+/// tolerances are interpolated by the errors of both.
 const ROUNDING: f64 = 1e-11;
 
 /// The exact motion: to 16 digits, by a method in double-double.
@@ -89,7 +89,7 @@ fn goal(scene: &dyn IvpScene, stiff: bool) -> Goal {
     Goal::of(&problem.columns, &problem.row, &reference, scene.observed(&reference))
 }
 
-/// The methods of a way, each with what it is run by: (name, runs).
+/// The methods of a configuration, each with its runs: (name, runs).
 fn runs(way: &Configuration, stiff: bool, tolerance: impl Fn(f64) -> Tolerance) -> Vec<(String, Vec<Attempted>)> {
     let adaptive =
         |method: Method| (method.to_string(), TOLERANCES.map(|each| (Some(method), tolerance(each), None)).to_vec());
@@ -126,7 +126,7 @@ fn runs(way: &Configuration, stiff: bool, tolerance: impl Fn(f64) -> Tolerance) 
 
 type Attempted = (Option<Method>, Tolerance, Option<Holding>);
 
-/// Evaluations, and the error or why there is none.
+/// Evaluations, and the error or the reason for which there is none.
 fn run(
     way: &Configuration,
     goal: &Goal,
@@ -236,7 +236,7 @@ fn the_work_of_every_choice_is_what_was_reviewed() {
     });
 }
 
-/// Of the scenes with bars, on what both have in common: angular velocity, direction, rotor angle and slip.
+/// The scenes with bars are compared in the outputs that both have: angular velocity, direction, rotor angle and slip.
 #[test]
 fn two_windings_have_the_motion_of_all_bars_and_smaller_models_have_not() {
     let scene = open("spin_up");
@@ -262,7 +262,7 @@ fn over(name: &str, span: &str) -> AnyScene {
     AnyScene::parse(name, &text.join("\n")).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// Minimal coordinates and every treatment of redundant ones have one motion.
+/// Minimal coordinates and every treatment of redundant ones have equal motions.
 #[test]
 fn every_formulation_of_a_mechanism_tends_to_one_motion() {
     for (name, span) in [

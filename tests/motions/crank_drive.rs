@@ -1,4 +1,5 @@
-//! The electromechanical drive as text: its runs end as theory says, its energy is the work on it, and it is the drive of the experiment.
+//! The electromechanical drive as a text model: the fates of its runs agree with theory, its energy with the work, its law with the
+//! experiment's.
 
 use super::knowledge::{by, open, run};
 use dalembert_derivations::studies::AnyScene;
@@ -41,7 +42,7 @@ fn every_run_ends_as_it_should_and_is_diagnosed_by_name() {
     assert_eq!(std::fs::read_dir("scenes/drive").expect("it is there").count(), scenes.len() + 1, "beside references");
 }
 
-/// Euler is far from it: what it violates is no constraint.
+/// Euler's run is excluded, since it violates the constraint grossly.
 #[test]
 fn the_energy_is_the_work_on_the_drive() {
     let scene = open("drive/stiff_diode");
@@ -51,7 +52,7 @@ fn the_energy_is_the_work_on_the_drive() {
     assert!(deviation.largest < 1e-6 * work, "{deviation:?}, work {work}");
 }
 
-/// The crate's Radau5 goes on with factors of other steps, and Kvaerno's iteration wants less than rounding: both are dealt with.
+/// The crate's Radau5 reuses factors of other steps, and Kvaerno's iteration may require less than rounding: both are handled.
 #[test]
 fn implicit_methods_meet_tight_tolerances_on_stiff_circuits() {
     for name in ["drive/stiff_diode", "drive/euler_bears"] {
@@ -66,7 +67,7 @@ fn implicit_methods_meet_tight_tolerances_on_stiff_circuits() {
     }
 }
 
-/// The step that Euler bears is longest for an instant: between a hundred instants it was missed.
+/// The stability limit of Euler's step has a short maximum, which a sampling at a hundred instants missed.
 #[test]
 fn the_longest_step_that_euler_bears_is_found() {
     let (_, told) = run("drive/euler_bears");

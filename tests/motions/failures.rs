@@ -1,10 +1,10 @@
-//! The catalogue of failure: what is measured is what theory says, and nothing ends in a number that is none.
+//! The catalogue of failure: measured thresholds agree with theory, and no run returns NaN.
 
 use dalembert_derivations::studies::failures::{self, Failing, Fate, Found};
 use std::path::Path;
 use std::sync::LazyLock;
 
-/// Each way with what was found, on two threads.
+/// Each entry with its results, measured on two threads.
 static FOUND: LazyLock<Vec<(&Failing, Found)>> = LazyLock::new(|| {
     scenes::register(|_| ());
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes");
@@ -39,7 +39,7 @@ fn nothing_that_is_tried_ends_in_a_number_that_is_none() {
     }
 }
 
-/// A catalogue of failures in which nothing fails would be none, and so would one without a way out.
+/// Every entry needs a method that fails, and one that survives.
 #[test]
 fn in_every_way_something_fails_and_something_holds() {
     for (failing, found) in FOUND.iter() {
@@ -58,7 +58,7 @@ fn the_catalogue_reads_as_reviewed() {
     }
 }
 
-/// What does not depend on the machine.
+/// The part of the results that does not depend on the computer, as text.
 fn page(failing: &Failing, found: &Found) -> String {
     let Failing { title, scene, why, advice, .. } = failing;
     let mut text = format!("{title}\nscenes/{scene}\n\n{why}\n");
@@ -78,7 +78,7 @@ fn page(failing: &Failing, found: &Found) -> String {
     text + &format!("\n\n{advice}\n")
 }
 
-/// Times and sizes are the run's.
+/// The text without numbers, since times and sizes vary between computers.
 fn without_numbers(text: &str) -> String {
     let mut out = String::new();
     for word in text.split(' ') {

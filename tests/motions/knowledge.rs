@@ -1,4 +1,4 @@
-//! Scenes of systems of which more is known: they end as they should, beside closed forms and theory.
+//! Scenes with known facts (`known_as`): their ends, compared with closed forms and theory.
 
 use dalembert_derivations::studies::governors::{self, SPEED, growth};
 use integrators::{Failure, Method, Refusal};
@@ -56,7 +56,7 @@ fn runs_agree_with_their_closed_forms() {
     }
 }
 
-/// The constraint on the wheel's place knows the balance of the moments; the speed follows from the equations of motion alone.
+/// The constraint on the wheel's place contains the balance of the torques; the speed follows from the equations of motion alone.
 #[test]
 fn the_second_shaft_keeps_its_speed() {
     for name in ["drum_programme", "between_discs"] {
@@ -89,7 +89,7 @@ fn a_blow_up_is_where_the_closed_form_says() {
     }
 }
 
-/// A step that is as long as ever would land on the other side, where the law has values again.
+/// A long step would land on the other side of the axis, where the law has values again.
 #[test]
 fn no_method_steps_over_the_axis() {
     let scene = open("governors/blow_up");
@@ -110,7 +110,7 @@ fn no_method_steps_over_the_axis() {
     }
 }
 
-/// The rate of the linear theory, seen over forty seconds of the motion.
+/// The rate of growth or decay over forty seconds of the motion, against linear theory.
 #[test]
 fn the_elastic_governor_leaves_or_regains_its_stationary_motion_as_fast_as_theory_says() {
     for (name, load) in [("elastic_stable", 20.0), ("elastic_unstable", 23.0)] {
@@ -136,7 +136,7 @@ fn the_elastic_governor_leaves_or_regains_its_stationary_motion_as_fast_as_theor
     }
 }
 
-/// The moments of the one grow with the time, the source of the other alternates: the tape must know the time.
+/// Both laws depend on the time: torques that grow, and an alternating source.
 #[test]
 fn taylors_method_follows_laws_with_the_time_in_them() {
     for name in ["governors/released", "drive/euler_bears"] {
@@ -153,7 +153,7 @@ fn taylors_method_follows_laws_with_the_time_in_them() {
     }
 }
 
-/// Closed forms and theory hold for these equations alone: a file with others is not known.
+/// Closed forms and theory hold for these equations alone: a file with others is refused.
 #[test]
 fn a_file_with_other_equations_is_refused_under_a_known_name() {
     scenes::register(|_| ());

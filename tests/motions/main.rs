@@ -1,4 +1,4 @@
-//! Whole motions, minutes of them: the atlas, the catalogue of failures, mechanisms, reduced models, synchronism.
+//! Long tests on whole motions: work-precision study, catalogue of failure, mechanisms, model reduction, synchronism.
 
 mod atlas;
 mod crank_drive;

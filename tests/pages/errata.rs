@@ -1,4 +1,4 @@
-//! Known errata of the papers in Rust: whether the program finds what was meant, the typed corrections withheld.
+//! Known errata of the papers in Rust: whether the program finds the corrections when the typed ones are withheld.
 
 use claims::catalogue::papers;
 use claims::{Claim, Condition, Line, Page, Statement, Verdict};
@@ -11,10 +11,10 @@ use symbolic::{Hypotheses, Sym, decide};
 /// The papers whose errata are typed in.
 const PAPERS: [&str; 3] = ["konosevich2022", "manglieva2022", "mukharlyamov2007"];
 
-/// One of so many errata is tried; all with `EVERY_ERRATUM=1`, those whose name holds a text with `ERRATUM=text`.
+/// One in this many errata is tried; all with `EVERY_ERRATUM=1`, those whose name contains a text with `ERRATUM=text`.
 const STEP: usize = 12;
 
-/// Time for one equation: what is not found by then counts as not found.
+/// The time limit for one equation.
 const LIMIT: Duration = Duration::from_secs(60);
 
 /// The outcome for an entry of the ledger that is refuted.
@@ -24,7 +24,7 @@ enum Outcome {
     Missed,
     Found {
         edits: String,
-        /// The typed correction says the same of every equation.
+        /// Whether every found equation is one of the typed correction.
         is_typed: bool,
     },
 }
@@ -63,7 +63,7 @@ fn outcome(page: &Page, claim: &Claim) -> Outcome {
     Outcome::Found { edits: edits.join(", "), is_typed }
 }
 
-/// Whether what was typed as the correction has an equality that a formula could be edited into.
+/// Whether the typed correction has an equality, which edits of a formula could give.
 fn is_equation(typed: Option<&Claim>) -> bool {
     match typed.map(|typed| &typed.statement) {
         Some(Statement::Equations { .. }) => true,

@@ -1,4 +1,4 @@
-//! The second gate: what the ledger says, locked as pages for review, a section of a paper each.
+//! The second gate: snapshots of the ledger as pages for review, one for each section of a paper.
 
 use claims::catalogue::papers;
 use claims::{Judged, Verdict, render};
@@ -6,10 +6,10 @@ use dalembert_derivations as _;
 use std::collections::HashSet;
 use std::sync::LazyLock;
 
-/// A reviewer reads a page at one sitting.
+/// The greatest size of a page that a reviewer reads at one sitting.
 const MOST_BYTES: usize = 20 * 1024;
 
-/// Each paper with its claims: judged once, and the papers side by side, for expressions stay in their thread.
+/// Each paper with its claims, judged once, each paper in a thread, since expressions stay in their thread.
 static JUDGED: LazyLock<Vec<(&str, Vec<Judged>)>> = LazyLock::new(|| {
     std::thread::scope(|scope| {
         let running = papers().into_iter().map(|paper| (paper.key, scope.spawn(|| (paper.page)().judge())));

@@ -1,11 +1,11 @@
-//! A row of the ledger is read alone: every sentence, of every paper, is held to what that takes.
+//! Every row of the ledger must be understandable alone: tests of all its sentences.
 
 use claims::catalogue::papers;
 use claims::{Judged, Verdict};
 use dalembert_derivations as _;
 use std::sync::LazyLock;
 
-/// A statement is read at once up to this.
+/// The greatest length of a statement.
 const MOST_CHARACTERS: usize = 600;
 
 /// Every row, corrections included.
@@ -25,7 +25,7 @@ fn with_correction(mut claim: Judged) -> Vec<Judged> {
     std::iter::once(claim).chain(correction.into_iter().flat_map(|correction| with_correction(*correction))).collect()
 }
 
-/// Lists the rows that are at fault.
+/// Asserts that no row has a fault, and lists the rows that have it.
 fn none(fault: &str, at_fault: impl Fn(&Judged) -> bool) {
     let offenders: Vec<String> =
         ROWS.iter().filter(|row| at_fault(row)).map(|row| format!("{}  {}", row.id, row.statement())).collect();

@@ -1,4 +1,4 @@
-//! What a reviewer reads: the ledger's pages and rows, the verdicts on motors.
+//! Pages for review: the ledger's pages and rows, the verdicts on motors.
 
 mod errata;
 mod ledger;

@@ -1,4 +1,4 @@
-//! Papers that are files, as they are judged: locked as pages for review, and beside the same paper in Rust.
+//! Verdicts on papers that are files: snapshots for review, and comparison with these papers in Rust.
 
 use claims::catalogue::papers;
 use claims::{Statement, Verdict};
@@ -73,7 +73,7 @@ fn a_file_and_a_page_in_rust_have_the_same_verdicts() {
             let here = here.unwrap_or_else(|| panic!("{key} has no claim {of_file}"));
             let (there, is_corrected) = verdict_in_rust(paper, of_page);
             assert_eq!(here.judged.verdict, there, "{key}/{of_file}: {}", here.text());
-            // what was typed as the correction is found from the print
+            // the typed correction is found from the printed formula
             let is_found = !here.corrections.is_empty();
             assert_eq!(is_found, is_corrected && there == Verdict::Refuted, "{key}/{of_file}: {}", here.text());
         }

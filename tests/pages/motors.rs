@@ -1,4 +1,4 @@
-//! What the kit says of every motor of the list and of the scenes, as a page for review.
+//! Conformance of every motor of the catalogue and of the scenes, as a page for review.
 
 use dalembert_derivations::studies::conformance::{conform, page, sample};
 use dalembert_derivations::studies::scene::Scene;

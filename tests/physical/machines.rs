@@ -1,4 +1,4 @@
-//! Every machine of the list, whatever it is called, with random data.
+//! Every machine of the catalogue with random data.
 
 use motor::{Motor, catalogue};
 use proptest::prelude::*;
@@ -16,7 +16,7 @@ pub fn with_data(name: &str, data: &[(&str, f64)], count: usize) -> Motor {
     motor.unwrap_or_else(|| panic!("{name} is in the catalogue"))
 }
 
-/// Numbers for the data of a machine and for a state, as many as any machine may ask for.
+/// Numbers for the data of a machine and for a state, enough for any machine.
 #[derive(Clone, Debug)]
 pub struct Sample {
     data: Vec<f64>,

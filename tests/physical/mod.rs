@@ -1,4 +1,4 @@
-//! Random gyrostats that exist, because they are made of mass points, and every machine with random data.
+//! Random gyrostats made of mass points, which are therefore admissible, and every machine with random data.
 
 #![allow(dead_code, reason = "each test uses its part")]
 
@@ -115,12 +115,12 @@ pub fn bodies() -> impl Strategy<Value = Bodies> {
         .prop_map(|(carrier, (rotor, axis), centre, gravity)| Bodies { carrier, rotor, centre, axis, gravity })
 }
 
-/// Any gyrostat that exists.
+/// Any admissible gyrostat.
 pub fn gyrostat() -> impl Strategy<Value = Gyrostat<Rational>> {
     bodies().prop_map(|bodies| bodies.gyrostat())
 }
 
-/// The same data in another field.
+/// The data in another field.
 pub fn seen<S: Scalar>(g: &Gyrostat<Rational>, number: impl Fn(Rational) -> S + Copy) -> Gyrostat<S> {
     Gyrostat {
         carrier: Carrier {
@@ -139,12 +139,12 @@ pub fn seen<S: Scalar>(g: &Gyrostat<Rational>, number: impl Fn(Rational) -> S + 
     }
 }
 
-/// In double precision.
+/// The gyrostat in double precision.
 pub fn rounded(g: &Gyrostat<Rational>) -> Gyrostat<f64> {
     seen(g, Rational::to_f64)
 }
 
-/// In double-double, where the axis is of length one to 31 digits and not only to 16.
+/// The gyrostat in double-double, in which the axis has length one to 31 digits and not only to 16.
 pub fn rounded_twice(g: &Gyrostat<Rational>) -> Gyrostat<DoubleDouble> {
     seen(g, |x| {
         let big = x.to_big().expect("no division by zero");

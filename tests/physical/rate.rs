@@ -1,8 +1,8 @@
-//! Rates along a motion, with an honest measure of their rounding.
+//! Rates along a motion, with the size of their terms as a measure of rounding.
 
 use field::Tangent;
 
-/// The rate of a quantity, and the sum of the terms' sizes in which it is made up.
+/// The rate of a quantity, and the sum of the sizes of its terms.
 #[derive(Clone, Copy, Debug)]
 pub struct Rate {
     pub value: f64,

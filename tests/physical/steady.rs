@@ -1,4 +1,4 @@
-//! Steady rotations of a gyrostat two ways: by the polynomial of its tensor, and by the search over boxes on a text of its bodies.
+//! Steady rotations of a gyrostat by two methods: the polynomial of its tensor, and the search over boxes on a text model.
 
 use algebra::real::{Enclosure, Root};
 use dalembert_derivations::studies::stationary::energies::{Energies, Kept};
@@ -14,10 +14,10 @@ use std::fmt::Write;
 /// Directions of the vertical nearer than this to the third axis of the carrier are left out, rad: Euler's angles are singular there.
 const POLE: f64 = 1e-3;
 
-/// Boxes that are looked at, at most.
+/// The greatest number of boxes that are examined.
 const BOXES: usize = 200_000;
 
-/// The directions of the vertical in the carrier by both ways.
+/// The directions of the vertical in the carrier by both methods.
 pub struct Compared {
     pub by_polynomial: Vec<Vector3<f64>>,
     pub by_boxes: Vec<Vector3<f64>>,
@@ -27,7 +27,7 @@ pub struct Compared {
 }
 
 impl Compared {
-    /// The largest distance of a direction of one way from the nearest of the other; none where their numbers differ.
+    /// The largest distance of a direction by one method from the nearest of the other; `None` where their numbers differ.
     pub fn distance(&self) -> Option<f64> {
         let nearest = |v: &Vector3<f64>, all: &[Vector3<f64>]| {
             all.iter().map(|other| (other - v).norm()).fold(f64::INFINITY, f64::min)
@@ -99,7 +99,7 @@ inertia = { axes = "T", xx = "B", yy = "B", zz = "A" }
 theta = "1 rad"
 "#;
 
-/// Both ways, with an angular velocity about the vertical and the speed of the rotor in the carrier, rad/s; none where rotations form families.
+/// Both methods for an angular velocity about the vertical and a rotor speed in the carrier, rad/s; `None` if rotations form families.
 pub fn compared(bodies: &Gyrostat<Rational>, w: Rational, speed: Rational) -> Option<Compared> {
     let energies = Energies::of(bodies);
     let (tensor, share) = energies.quadratic(Kept::RelativeSpeed);

@@ -1,4 +1,4 @@
-//! Runs with constant steps beside shorter ones: what is right is never named, and what crosses a pole always is.
+//! Step-halving checks of runs with constant steps: no accurate run is flagged, and every run that crosses a pole is.
 
 use dalembert_derivations::studies::AnyScene;
 use integrators::{Method, Parting};
@@ -40,7 +40,7 @@ fn scenes() -> Vec<(PathBuf, AnyScene)> {
     found
 }
 
-/// The largest distance of a column from that of another run, against its size there.
+/// The largest distance of a column from that of another run, relative to its size.
 fn apart(a: &Trajectory, b: &Trajectory) -> f64 {
     let sizes = |i: usize| b.rows.iter().map(|row| row[i].abs()).fold(0.0, f64::max);
     let all: Vec<f64> = (0..b.names.len()).map(sizes).collect();
@@ -50,7 +50,7 @@ fn apart(a: &Trajectory, b: &Trajectory) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// Methods and numbers of steps that bring a run to a hundredth of every column's size, on every scene; and those that do not.
+/// Methods and numbers of steps with errors below 1/100 of every column's size, on every scene, and those with larger errors.
 #[test]
 fn what_is_right_is_never_named() {
     let (mut right, mut wrong, mut named, mut failed) = (0, 0, 0, Vec::new());
@@ -83,7 +83,7 @@ fn what_is_right_is_never_named() {
     assert!(failed.is_empty() && right > 100 && 2 * named > wrong, "{failed:#?}");
 }
 
-/// What a scene asks for itself.
+/// The scenes run with their own methods.
 #[test]
 fn no_scene_with_constant_steps_of_its_own_is_named() {
     let mut seen = 0;
@@ -99,7 +99,7 @@ fn no_scene_with_constant_steps_of_its_own_is_named() {
     assert!(seen > 0);
 }
 
-/// The blow-up of a governor, and (19) where p g2 = q g1: constant steps end with the law, or jump over its end and are named.
+/// The blow-up of a governor, and (19) at p g2 = q g1: runs with constant steps end with the law, or jump over its end and are flagged.
 #[test]
 fn whoever_crosses_a_pole_is_named() {
     scenes::register(|_| ());

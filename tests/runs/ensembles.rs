@@ -1,4 +1,4 @@
-//! Ensembles: each member is the single run of that member, whoever runs beside it.
+//! Ensembles: each member's run equals its single run, whatever the other members of its batch.
 
 use dalembert_derivations::machines::multi_current::{MultiCurrent, Windings};
 use dalembert_derivations::studies::scene::Scene;
@@ -119,7 +119,7 @@ fn results_are_the_same_to_the_last_bit_with_any_number_of_threads() {
     let one = rows(&scene, 1);
     assert_eq!(one, rows(&scene, 3));
     assert!(one.iter().zip(1..).all(|(row, number)| row.number == number) && one.len() == 40);
-    // who begins later finds the same
+    // a run that begins later gives equal results
     let mut tail = Vec::new();
     scene.run(30..=40, 2, |row| {
         tail.push(row);
@@ -136,7 +136,7 @@ fn every_machine_and_both_systems_have_ensembles_that_agree_with_single_runs() {
     let counts = ["bars", "pole_pairs", "pull_out_slip"];
     for name in motor::catalogue::entries().into_iter().map(|entry| entry.name) {
         let all = short(9).replace("[start]", &format!("{data}\n[start]"));
-        // each machine takes what it knows
+        // each machine takes the data that it has
         let known = |line: &str| {
             let key = line.split(" =").next().unwrap_or_default();
             !line.contains(" = \"") && !counts.contains(&key) || keys(name).contains(&key)
@@ -219,7 +219,7 @@ fn what_is_wrong_with_an_ensemble_is_told_at_its_place() {
     }
 }
 
-/// y' = p y, which leaves the numbers where y does, and takes no steps of its own.
+/// y' = p y, with infinite values where y overflows.
 struct Growth {
     rates: Batch<4>,
     series: Vec<[Batch<4>; 1]>,
@@ -295,8 +295,8 @@ fn a_member_that_fails_disturbs_no_other_and_nobody_waits_for_the_slowest() {
     assert!(members.ended.iter().position(|end| end.0 == 4) > members.ended.iter().position(|end| end.0 == 5));
 }
 
-/// Gyrostats with bars, one a lane, each a little different, from the first of so many on; and where they are after
-/// fifty steps.
+/// States after fifty steps of a batch of gyrostats with bars, one in each lane, all slightly different, numbered from
+/// `first`.
 fn side_by_side<const L: usize, const FUSED: bool>(first: usize) -> Vec<Batch<L, FUSED>> {
     let lanes = |value: f64| Batch(std::array::from_fn(|lane| value * (1.0 + 1e-2 * (first + lane) as f64)));
     let form = SecondForm::new(

@@ -1,6 +1,6 @@
-//! Sliding with friction in every form of the equations, from one state over a stretch without events: Lagrange's first
-//! kind and the regimes in Cartesian coordinates, the second kind and Appell's in a chart, the papers' printed equations
-//! as corrected.
+//! Sliding with friction in every form of the equations, from one state over an interval without events: in Cartesian coordinates
+//! Lagrange's equations (first kind) and the regimes, in a chart Lagrange's equations (second kind) and Appell's, and the papers'
+//! printed equations as corrected.
 
 use claims::{Claim, Line, Statement};
 use dalembert_derivations::papers::manglieva2022;
@@ -92,7 +92,7 @@ where
 
 impl<Q: Contacts<4, C, K, Given = f64>, const C: usize, const K: usize, const D: usize> Law for FirstKind<Q, C, K, D> {}
 
-/// By the regime in which every contact slides as it does.
+/// The equations of the regime in which every contact slides in its direction.
 struct InRegime<Q, const C: usize, const K: usize>(Sliding<Q, C, K>);
 
 impl<Q: Contacts<4, C, K, Given = f64>, const C: usize, const K: usize> InRegime<Q, C, K> {
@@ -100,7 +100,7 @@ impl<Q: Contacts<4, C, K, Given = f64>, const C: usize, const K: usize> InRegime
         self.0.ways.map(|way| if way > 0.0 { Direction::Forwards } else { Direction::Backwards })
     }
 
-    /// Whether it is the one motion at a state.
+    /// Whether the regime is the unique motion at a state.
     fn is_the_motion(&self, at: &State<f64, 4>) -> bool {
         let system = &self.0.closed.0;
         let dry = Dry::of(system, at, system.force(at)).expect("regular");
@@ -204,7 +204,7 @@ impl Printed {
     }
 }
 
-/// The equation of a claim of the paper; of a refuted one, what holds instead.
+/// The equation of a claim of the paper; of a refuted claim, its correction.
 fn equation(id: &str) -> Line {
     let page = (manglieva2022::PAPER.page)();
     let of = |claim: &Claim| match &claim.statement {
@@ -282,7 +282,7 @@ fn the_rod_slides_alike_in_every_form() {
     close(&expected, &last, "(1.29) as corrected");
 }
 
-/// What the comparison is worth: the equation as it was printed leads elsewhere.
+/// The comparison is sensitive: the equation as printed gives another motion.
 #[test]
 fn the_refuted_equation_of_the_rod_slides_differently() {
     let lines = ["manglieva2022/eq1.29/sliding", "manglieva2022/eq1.29/turning-corrected"].map(equation);

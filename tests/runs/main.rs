@@ -1,4 +1,4 @@
-//! Runs beside what they should give: references, closed forms, other steps, other formulations.
+//! Runs compared with references, closed forms, other step sizes and other formulations.
 
 mod beside;
 mod closed_forms;

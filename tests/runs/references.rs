@@ -1,4 +1,4 @@
-//! What errors are measured by: kept for every scene, made by two methods, and their own where a scene has changed.
+//! Stored reference solutions: present for every scene, made by two methods, and recomputed where a scene has changed.
 
 use dalembert_derivations::studies::AnyScene;
 use field::{DoubleDouble, Over};
@@ -14,7 +14,7 @@ use std::time::Duration;
 /// The digits that every scene's reference has.
 const DIGITS: f64 = 25.0;
 
-/// Those whose system is written in the file are for `crates/scenes`, which reads them.
+/// Scene files without text models, which are tested in `crates/scenes`.
 fn files(folder: &Path) -> Vec<PathBuf> {
     let entries = std::fs::read_dir(folder).expect("the project has scenes");
     let mut paths: Vec<PathBuf> = entries.map(|entry| entry.expect("it can be listed").path()).collect();
@@ -28,7 +28,7 @@ fn is_own(path: &PathBuf) -> bool {
     path.extension().is_some_and(|end| end == "toml") && !holds_its_system()
 }
 
-/// Every scene that is one initial value problem, with what is kept of it.
+/// Every scene that is one initial value problem, with its stored reference.
 fn all() -> Vec<(String, Problem, Stored)> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let open = |path: PathBuf| {
@@ -92,7 +92,7 @@ fn what_is_written_is_read_again_to_the_last_digit() {
 
 #[test]
 fn references_that_are_made_again_are_those_that_are_kept() {
-    // those that take a second or two
+    // scenes whose references take a second or two
     let quick = ["spin_up", "/stiff_diode", "stiff_damper", "pull_out", "between_discs.", "volterra"];
     for (name, mut problem, kept) in
         all().into_iter().filter(|(name, ..)| quick.iter().any(|quick| name.contains(quick)))
@@ -115,7 +115,7 @@ fn references_that_are_made_again_are_those_that_are_kept() {
     }
 }
 
-/// A third family in another precision comes as close as it can.
+/// A method of a third family, in `f64`, agrees with each reference up to its own errors.
 #[test]
 fn every_kept_reference_agrees_with_a_run_in_f64() {
     for (name, problem, kept) in all() {

@@ -1,4 +1,4 @@
-//! The state-transition matrix of a run, beside differences of runs in double-double by another method.
+//! The state-transition matrix of a run, compared with differences of runs in double-double by another method.
 
 use dalembert_derivations::studies::AnyScene;
 use field::{Analytic, DoubleDouble, Over};
@@ -110,7 +110,7 @@ impl<S: Over<f64> + Analytic> Ode<S> for Carried {
     }
 }
 
-/// At rest in a saddle nothing moves but the derivatives; what is carried by time alone has derivatives that rest.
+/// At a saddle point the state is constant and only the derivatives change; for a law of the time alone the derivatives are constant.
 #[test]
 fn value_and_derivatives_are_followed_each_where_the_other_rests() {
     let (tolerance, span) = (Tolerance::both(1e-13), (0.0, 20.0));

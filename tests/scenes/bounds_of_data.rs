@@ -3,7 +3,7 @@
 use dalembert_derivations::studies::scene::Scene;
 use reader::{Allowed, Bound, Family};
 
-/// A motor of the list alone on a bench, with its data as a small motor has them but for some.
+/// A motor of the catalogue on a bench, with the data of a small motor except for one.
 fn on_a_bench(model: &str, other: &str, value: &str, allowed: &str) -> String {
     let motor = dalembert_derivations::studies::conformance::sample(model).expect("it is in the catalogue");
     let numbers = motor.data().map(|(quantity, number)| {
@@ -67,11 +67,11 @@ fn masses_inductances_resistances_and_friction_of_every_scene_are_judged() {
             continue;
         }
         let text = std::fs::read_to_string(&path).expect("a scene is text");
-        // of a system that is written in its file, `crates/scenes` judges masses as they come out of its expressions
+        // in text models, `crates/scenes` judges the masses that result from expressions
         if text.contains("\n[coordinates]") {
             continue;
         }
-        // what varies over an ensemble, and the parameters of motors as text, are judged by the laws that they enter
+        // data of an ensemble, and parameters of text motors, are judged by the laws that contain them
         let end = text.find("[ensemble").or_else(|| text.find("[machine.parameters]")).unwrap_or(text.len());
         for line in text[..end].lines() {
             let Some((key, value)) = line.split_once(" = \"") else { continue };
@@ -81,7 +81,7 @@ fn masses_inductances_resistances_and_friction_of_every_scene_are_judged() {
             let (Some(number), true) = (number, units.iter().any(|unit| value.ends_with(&format!(" {unit}")))) else {
                 continue;
             };
-            // a moment of momentum has the unit of friction, and a mutual inductance either sign
+            // an angular momentum has the unit of friction, and a mutual inductance either sign
             if ["gyroscope", "mutual"].contains(&key.trim()) {
                 continue;
             }

@@ -1,4 +1,4 @@
-//! The scenes of the project: each is read, conserves what it must, runs alike in both forms, and does what it says.
+//! The scenes of the project: each is read, conserves its integrals, has equal runs in both forms, and moves as described.
 
 use dalembert_derivations::studies::scene::Scene;
 use integrators::Method;
@@ -25,7 +25,7 @@ fn all() -> Vec<(String, Scene)> {
     names.into_iter().map(|name| (name.clone(), scene(&name))).collect()
 }
 
-/// In the first form, with a tolerance that leaves nothing to doubt.
+/// A run in the first form that must reach its end.
 fn run(scene: &Scene) -> Trajectory {
     let trajectory = scene.simulate(&scene.choice(), |_| ());
     assert!(trajectory.outcome.reached(), "{}: {:?}", scene.title, trajectory.outcome.end);
@@ -73,7 +73,7 @@ fn a_state_of_either_form_turns_back_into_the_data() {
     }
 }
 
-/// The two forms share no axes and no formula for the accelerations; the free scenes multiply a rounding error by 1e5.
+/// The two forms share no axes and no formula for the accelerations; scenes with free rotors amplify a rounding error by 1e5.
 #[test]
 fn both_forms_give_the_same_motion() {
     for (name, scene) in all() {
@@ -184,7 +184,7 @@ fn each_rung_of_the_ladder_is_made_of_the_data_or_names_what_is_missing() {
     assert!(error.contains("`speed`"), "{error}");
 }
 
-/// The equivalent windings lose nothing: the same motion as all eight bars.
+/// The equivalent windings are exact: their motion equals that of all eight bars.
 #[test]
 fn the_equivalent_windings_move_like_all_bars() {
     let all = scene("spin_up");

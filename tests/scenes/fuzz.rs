@@ -1,7 +1,7 @@
-//! Whatever a scene file holds, the reader ends: with a scene, or with messages that point into the text.
+//! For any scene file the reader terminates, with a scene or with messages that point into the text.
 //!
-//! The files are the project's own, torn: pieces cut, doubled, exchanged, numbers and words put in the places of others. A few
-//! thousand in passing; a million by `PROPTEST_CASES=1000000 cargo test --release --test scenes fuzz`.
+//! The files are mutations of the project's own: pieces cut, doubled, exchanged, numbers and words replaced by others. A few
+//! thousand by default; a million by `PROPTEST_CASES=1000000 cargo test --release --test scenes fuzz`.
 
 use dalembert_derivations::studies::AnyScene;
 use proptest::prelude::*;
@@ -11,7 +11,7 @@ use reader::Family;
 use simulation::Axes;
 use std::path::{Path, PathBuf};
 
-/// What readers stumble over.
+/// Words that are difficult for readers.
 const WORDS: &[&str] = &[
     "0",
     "-0",
@@ -86,17 +86,17 @@ const WORDS: &[&str] = &[
 /// A change of a text, at places that are parts of it.
 #[derive(Clone, Debug)]
 enum Tear {
-    /// A piece goes.
+    /// Deletes a piece.
     Cut(Index, Index),
-    /// A piece comes again elsewhere.
+    /// Repeats a piece elsewhere.
     Double(Index, Index, Index),
-    /// A word is put in.
+    /// Inserts a word.
     Word(Index, Index),
-    /// A value gives way to a word.
+    /// Replaces a value by a word.
     Value(Index, Index),
-    /// Two lines change places.
+    /// Exchanges two lines.
     Lines(Index, Index),
-    /// A letter becomes another.
+    /// Replaces a letter.
     Letter(Index, char),
 }
 
@@ -121,7 +121,7 @@ fn place(text: &str, at: Index) -> usize {
     place
 }
 
-/// Not more than a line or two.
+/// A range of at most a line or two.
 fn piece(text: &str, a: Index, b: Index) -> std::ops::Range<usize> {
     let (start, mut end) = (place(text, a), place(text, a) + b.index(80));
     while !text.is_char_boundary(end.min(text.len())) {

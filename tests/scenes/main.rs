@@ -1,4 +1,4 @@
-//! Scene files: what they hold, what a wrong one is told, what they bound.
+//! Scene files: their content, messages on mistakes, bounds of data.
 
 mod bounds_of_data;
 mod files;

@@ -1,4 +1,4 @@
-//! Whatever is wrong with a scene file is told at its place, with what would be accepted.
+//! Every mistake in a scene file is reported at its place, with an accepted alternative.
 //!
 //! Each test first asserts what the message points at, then compares the whole message with its snapshot.
 
@@ -230,7 +230,7 @@ fn the_sound_motor_as_text_is_accepted() {
     Scene::parse("scene.toml", &written(&[])).unwrap_or_else(|error| panic!("{error}"));
 }
 
-/// The same for the scene whose motor is written.
+/// One test a case for the scene with a text motor.
 macro_rules! refuses_laws {
     ($($name:ident: [$(($from:literal, $to:literal)),+ $(,)?] => [$($marked:literal),* $(,)?];)*) => {$(
         #[test]

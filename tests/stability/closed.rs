@@ -1,4 +1,4 @@
-//! Cases that are known in closed form, edges among them, with exact data.
+//! Stability in closed form, boundaries included, with exact data.
 
 use dalembert_derivations::machines::asynchronous::Asynchronous;
 use dalembert_derivations::studies::scene::Scene;
@@ -50,7 +50,7 @@ impl Axes {
         self.judged(&ConstantSpeed { speed: Sym::constant(speed) }, w0, speed)
     }
 
-    /// An asynchronous motor that keeps this speed.
+    /// An asynchronous motor with this steady speed.
     fn driven(&self, w0: Rational, h: Rational) -> Judged {
         let speed = h * r(2, 1);
         let field_speed = Sym::constant(speed);
@@ -69,7 +69,7 @@ fn rest() -> Rational {
 fn a_hanging_rest_is_stable_at_every_speed_of_the_rotor() {
     for h in [r(0, 1), r(1, 7), r(-40, 1)] {
         assert_eq!(HANGING.kept(rest(), h).verdict, StabilityVerdict::Stable);
-        // the rotor along the vertical feels no tilt: stable, but tilts do not fade
+        // a rotor along the vertical does not respond to a tilt: stable, but tilts do not decay
         assert_eq!(HANGING.driven(rest(), h).verdict, StabilityVerdict::Stable);
         let across = Axes { rotor: [1, 0, 0], weight: 1 };
         assert_eq!(across.kept(rest(), h).verdict, StabilityVerdict::Stable);

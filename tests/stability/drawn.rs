@@ -1,4 +1,4 @@
-//! Two hundred gyrostats made of mass points with five motors each, beside the eigenvalues of the equations that run.
+//! Verdicts on two hundred gyrostats made of mass points with five motors each, against eigenvalues of the equations that run.
 
 use crate::physical::{gyrostat, rounded};
 use crate::running::{Law, eigenvalues, state};
@@ -25,11 +25,11 @@ use symbolic::Sym;
 
 const GYROSTATS: usize = 200;
 
-/// An eigenvalue this near to the imaginary axis, as a share of the largest, is on it for all that floats tell: of a
-/// conservative system, where pairs may be close, and of a damped one.
+/// An eigenvalue this near to the imaginary axis, relative to the largest, cannot be told from one on it in floats: for a
+/// conservative system, where pairs may be close, and for a damped one.
 const NEAR: [f64; 2] = [1e-6, 1e-10];
 
-/// What the five motors of a gyrostat share: tan(g/2) = -1/10 where the motor follows its field.
+/// The common data of the five motors of a gyrostat: tan(g/2) = -1/10 for a motor with an angle.
 #[derive(Clone, Copy)]
 struct Data {
     speed: i64,
@@ -93,7 +93,7 @@ impl Data {
     }
 }
 
-/// A gyrostat turning with w, its rotor keeping a value.
+/// A gyrostat that rotates with w, with a value of the rotor's constant quantity.
 struct Turning<'a> {
     bodies: &'a Gyrostat<Rational>,
     kept: Kept,
@@ -101,7 +101,7 @@ struct Turning<'a> {
     w: Rational,
 }
 
-/// How often each verdict was found, and how often floats could not count.
+/// The number of occurrences of each verdict, and of cases that floats leave open.
 #[derive(Default)]
 struct Counts {
     verdicts: BTreeMap<String, usize>,
@@ -248,8 +248,8 @@ fn every_count_is_that_of_floats_and_a_motor_leaves_what_the_energy_holds() {
         { insta::assert_snapshot!("drawn", page) });
 }
 
-/// Stable at constant speed by energy: asymptotically with a motor. By gyroscopic forces alone: unstable with it. Without
-/// weight a tilt in space is felt by none, and does not fade; and what is stable as a maximum of the energy a motor takes down.
+/// Stability by energy at constant speed is asymptotic with a motor; stability by gyroscopic forces alone is lost with it. Without
+/// weight no motor responds to a tilt in space, which does not decay; a maximum of the energy is unstable with a motor.
 fn agrees(kept: &Judged, with_motor: StabilityVerdict, balanced: bool) {
     let negative = kept.energy.map_or(0, |energy| energy.negative);
     let expected = match kept.verdict {

@@ -1,4 +1,4 @@
-//! Families of motions of degenerate gyrostats: their verdicts beside the eigenvalues of the equations that run.
+//! Families of motions of degenerate gyrostats: their verdicts against eigenvalues of the equations that run.
 
 use crate::running::{Law, eigenvalues, run, state};
 use crate::tops::{
@@ -12,7 +12,7 @@ use mechanics::steady_rotations::Shape;
 use motor::ConstantSpeed;
 use nalgebra::Vector3;
 
-/// The verdicts on all arcs with one angle, and the directions that are apart.
+/// The verdicts on all arcs with one angle, and those on single directions.
 fn told(along: &Along) -> (Vec<StabilityVerdict>, Vec<([f64; 3], StabilityVerdict)>) {
     let rounded = |v: Vector3<f64>| [v.x, v.y, v.z].map(|x| (x * 1e12).round() / 1e12 + 0.0);
     let edges = along.edges.iter().map(|edge| (rounded(edge.direction), edge.judged.verdict));
@@ -26,7 +26,7 @@ fn a_symmetric_top_that_precesses_is_stable_as_a_family_with_every_motor_that_ho
     let top = lagrange();
     let whole = |all: Vec<(Shape, Vec<Along>)>| -> Vec<StabilityVerdict> {
         let [(Shape::Circle { .. }, along)] = &all[..] else { panic!("one circle: {all:?}") };
-        // the tangent of the circle is one more zero root, and one more integral goes with it
+        // the tangent of the circle gives one more zero eigenvalue, with one more integral
         let one = |along: &Along| {
             assert!(along.edges.is_empty() && along.arcs[0].judged.along == 1, "{along:?}");
             along.arcs[0].judged.verdict
@@ -42,7 +42,7 @@ fn a_symmetric_top_that_precesses_is_stable_as_a_family_with_every_motor_that_ho
 
 #[test]
 fn beside_an_oblique_rotor_a_circle_is_stable_where_its_axis_has_the_smaller_moment() {
-    // but for where the momentum is greatest and least along the circle
+    // except where the momentum is greatest and least along the circle
     let open = StabilityVerdict::CannotTell(Reason::Edge);
     let ends = [([-0.8, 0.0, 0.6], open), ([0.8, 0.0, 0.6], open)];
     let verdicts = |all: Vec<(Shape, Vec<Along>)>, angle: usize| -> Vec<StabilityVerdict> {
@@ -59,8 +59,8 @@ fn beside_an_oblique_rotor_a_circle_is_stable_where_its_axis_has_the_smaller_mom
     assert!(told(&flat[0].1[0]).0.iter().all(|one| matches!(one, StabilityVerdict::Unstable { .. })), "{flat:?}");
 }
 
-/// With the rotor across the axis of symmetry and v3 = 0 the body nutates without turning about the rotor's axis where
-/// A1 w l.v = A'W: no motor damps that.
+/// With the rotor orthogonal to the axis of symmetry and v3 = 0 the body nutates without rotation about the rotor's axis where
+/// A1 w l.v = A'W, which no motor damps.
 #[test]
 fn beside_a_rotor_that_does_not_feel_the_nutation_two_directions_of_a_circle_are_not_asymptotically_stable() {
     let top = circling([5, 5, 2], along([1, 0, 0]), r(0, 1), [r(1, 1), r(3, 1)]);
@@ -72,7 +72,7 @@ fn beside_a_rotor_that_does_not_feel_the_nutation_two_directions_of_a_circle_are
     assert_eq!((&arcs[..], &apart[..]), (&[ASYMPTOTIC; 4][..], &[[0.6, -0.8, 0.0], [0.6, 0.8, 0.0]][..]));
 }
 
-/// Where the angle is no minimum of the energy and the circle none either, both may be kept by gyroscopes, on a part of the circle.
+/// If neither the angle nor the circle is a minimum of the energy, both may be stabilised gyroscopically on a part of the circle.
 #[test]
 fn along_a_circle_two_pairs_meet_and_what_gyroscopes_keep_is_lost() {
     let top = circling([4, 4, 7], [r(3, 5), r(0, 1), r(4, 5)], r(4, 5), [r(3, 1), r(1, 1)]);
@@ -113,7 +113,7 @@ fn without_weight_the_size_of_the_momentum_makes_a_family_stable() {
 
 #[test]
 fn a_family_that_is_stable_stays_near_and_one_that_is_not_leaves() {
-    /// From w = 2 v with this v3.
+    /// The distance from w = 2 v with this v3.
     fn off(state: &[f64], v3: f64) -> f64 {
         let apart = (0..3).map(|i| (state[i] - 2.0 * state[3 + i]).powi(2)).sum::<f64>().sqrt();
         apart + (state[5] - v3).abs()

@@ -1,4 +1,4 @@
-//! Identities of the first approximation at random exact stationary motions.
+//! Identities of the linearisation at random exact stationary motions.
 
 use crate::physical::{axes, fixed, gyrostat};
 use dalembert_derivations::machines::synchronous::Synchronous;
@@ -61,7 +61,7 @@ impl Drawn {
 proptest! {
     #![proptest_config(fixed(40))]
 
-    /// d/dt of the energy's second variation is what the damping takes: G'' A + A^T G'' = -2 diag, exactly.
+    /// The rate of the energy's second variation equals the damping: G'' A + A^T G'' = -2 diag, exactly.
     #[test]
     fn the_energy_loses_what_the_damping_takes(drawn in drawn()) {
         let machine = synchronous(&drawn);
@@ -78,7 +78,7 @@ proptest! {
         }
     }
 
-    /// The integrals' differentials annihilate the first approximation.
+    /// The integrals' differentials are left null vectors of the linearisation.
     #[test]
     fn every_integral_gives_a_zero_root(drawn in drawn()) {
         let linear = Linear::at(&drawn.energies, &FreeRotor::default(), &drawn.place, true);

@@ -1,4 +1,4 @@
-//! The stability of stationary motions: beside eigenvalues of the equations that run, in closed cases, beside runs.
+//! Stability of stationary motions: against eigenvalues of the equations that run, closed forms, and runs.
 
 mod closed;
 mod drawn;

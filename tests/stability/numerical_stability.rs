@@ -1,4 +1,4 @@
-//! What the steps of methods make of stationary motions: exact thresholds beside runs, and the matrix beside the law that runs.
+//! Numerical stability of stationary motions: exact thresholds against runs, and the exact matrix against the law that runs.
 
 use dalembert_derivations::machines::synchronous::Synchronous;
 use dalembert_derivations::studies::numerical_stability::chart::{Chart, ChartedMotion, Row};
@@ -61,7 +61,7 @@ fn every_step_of_every_method_is_judged_as_reviewed() {
     }
 }
 
-/// Every edge that runs can see: some multipliers leave the circle by 1e-10 a step.
+/// Every threshold that runs can measure; some multipliers leave the circle by only 1e-10 a step.
 #[test]
 fn thresholds_by_runs_are_the_exact_ones() {
     let (mut measured, mut unseen) = (0, 0);
@@ -103,7 +103,7 @@ fn the_midpoint_rule_and_gauss_are_honest_at_every_step_and_backward_euler_hides
     }
 }
 
-/// The second route: the law that runs, in other axes and in floats, differentiated by dual numbers.
+/// An independent method: the law that runs, in other axes and in floats, differentiated by dual numbers.
 #[test]
 fn the_exact_eigenvalues_are_those_of_the_law_that_runs() {
     // those with currents that a supply feeds
@@ -135,7 +135,7 @@ fn the_exact_eigenvalues_are_those_of_the_law_that_runs() {
     }
 }
 
-/// By Hamilton's equations; the matrix is computed without them.
+/// Hamilton's equations imply this; the matrix is computed without them.
 #[test]
 fn where_energy_is_kept_the_odd_coefficients_vanish_to_a_hundred_digits() {
     for (name, model, w) in [("permanent_rotation", "constant_speed", 6.0), ("hanging_rest", "free_rotor", 0.0)] {
@@ -155,7 +155,7 @@ fn where_energy_is_kept_the_odd_coefficients_vanish_to_a_hundred_digits() {
     assert!(!Linearised::of(&scene, &stationary.motor).expect("its law is algebraic").symmetric);
 }
 
-/// The tables that run: 1 + z b (I - z A)^-1 1 in double-double.
+/// The Butcher tables that run: 1 + z b (I - z A)^-1 1 in double-double.
 #[test]
 fn the_tables_of_collocation_have_the_exact_stability_functions() {
     for (family, stages) in [(Family::Gauss, 2), (Family::Gauss, 3), (Family::RadauIIA, 2), (Family::RadauIIA, 3)] {
@@ -196,7 +196,7 @@ fn solved(table: &Collocation<DoubleDouble>, z: DoubleDouble) -> DoubleDouble {
     table.weights.iter().zip(stages).fold(one, |sum, (b, y)| sum + z * *b * y)
 }
 
-/// A synchronous motor without friction, whose swing is kick and drift alone.
+/// A synchronous motor without friction, whose oscillation consists of kick and drift alone.
 #[test]
 fn splittings_stay_bounded_where_their_traces_say() {
     let machine = Synchronous { field_speed: 0.0, b0: 0.25, f: 0.0 };
@@ -232,7 +232,7 @@ fn splittings_stay_bounded_where_their_traces_say() {
     }
 }
 
-/// Where all pieces rest, by the derivative of the very step and by runs.
+/// On a bench, where all sub-flows rest: thresholds by the derivative of the step and by runs.
 #[test]
 fn the_map_of_a_splitting_and_its_runs_leave_at_one_step() {
     let scene = scene("bench");
@@ -251,8 +251,8 @@ fn the_map_of_a_splitting_and_its_runs_leave_at_one_step() {
     }
 }
 
-/// Every step between the first and the last by Taylor models of the pieces, and some of them by the derivative of the step that runs.
-/// The window of Blanes and Moan's of order 4, 2e-4 wide, lies between tested steps.
+/// Every step size between the first and the last by Taylor models of the sub-flows, and some by the derivative of the step that runs.
+/// The instability window of Blanes and Moan's splitting of order 4, 2e-4 wide, lies between tested step sizes.
 #[test]
 fn on_the_bench_what_a_splitting_does_between_the_tested_steps_is_proved() {
     let scene = scene("bench");
@@ -268,8 +268,8 @@ fn on_the_bench_what_a_splitting_does_between_the_tested_steps_is_proved() {
     assert_eq!(windows, 1);
 }
 
-/// The second route: the step that runs, in floats of twice the length, differentiated by differences. At every tested step that is
-/// proved, in the middle of every stretch, beside every edge.
+/// An independent method: the step that runs, in double-double, differentiated by differences, at every tested step size that is
+/// proved, in the middle of every interval, beside every threshold.
 fn beside_the_map_that_runs(near: &SplitRuns, splitting: Splitting, motion: &str) -> (Tested, Proved) {
     let tested = near.course(splitting, &steps());
     println!("{motion}, {splitting:?}: {}", tested.told());
@@ -288,8 +288,8 @@ fn beside_the_map_that_runs(near: &SplitRuns, splitting: Splitting, motion: &str
     (tested, proved)
 }
 
-/// Carriers at rest, where all pieces rest, and turning, where a splitting has a motion of its own. How far a proof reaches between
-/// two tested steps goes with rounding, and no page of review says it.
+/// Carriers at rest, where all sub-flows rest, and rotating, where a splitting has its own fixed point. The range of a proof between
+/// two tested step sizes depends on rounding, and is not in the snapshot.
 #[test]
 fn near_gyrostats_what_a_splitting_does_between_the_tested_steps_is_proved_as_far_as_its_row_says() {
     let rows = |(name, scene, w): &(&str, Scene, f64)| {
@@ -325,7 +325,7 @@ fn near_gyrostats_what_a_splitting_does_between_the_tested_steps_is_proved_as_fa
     }
 }
 
-/// Nothing takes energy: the edges are those of the oscillator's trace, exactly.
+/// Without dissipation the thresholds are those of the oscillator's trace, exactly.
 #[test]
 fn without_losses_the_proved_edges_are_those_of_the_oscillator() {
     let scene = scene("closed_forms/unloaded_motor");
@@ -370,7 +370,7 @@ fn what_is_found_is_carried_on_over_steps_between_and_not_beyond_where_it_is_los
     assert!(lost.iter().all(|(step, _)| *step < 1e9 && *step != 1.2), "{lost:?}");
 }
 
-/// From the law's own motion, far away at so long a step, it is not found.
+/// A search from the law's own motion, far away at a long step, does not find the fixed point.
 #[test]
 fn a_splittings_own_motion_is_followed_from_short_steps() {
     let scene = scene("permanent_rotation");

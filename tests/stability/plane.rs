@@ -1,4 +1,4 @@
-//! Maps over two data of a scene, by their names, beside closed forms.
+//! Maps over two data of a scene, by their names, against closed forms.
 
 use dalembert_derivations::studies::scene::Scene;
 use dalembert_derivations::studies::stationary::stability::datum::Datum;

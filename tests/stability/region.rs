@@ -1,4 +1,4 @@
-//! Maps of every motion over two data: beside single scenes, beside exact columns, beside the discriminant.
+//! Maps of every motion over two data: against single scenes, exact columns, and the discriminant.
 
 use dalembert_derivations::studies::scene::{Scene, Setup};
 use dalembert_derivations::studies::stationary::energies::{Energies, Kept};
@@ -39,7 +39,7 @@ fn with_bodies(scene: &Scene, change: impl Fn(&mut Gyrostat<f64>)) -> Scene {
     other
 }
 
-/// A node's motions are those of the scene with its data, and so are the verdicts, at the angles that the motor holds.
+/// Asserts that a node's motions and verdicts equal those of the scene with its data, at the stable angles of the motor.
 fn as_alone(node: &Node, alone: &Scene, speed: f64) {
     let all = Stationary::of(alone).unwrap();
     let held: Vec<bool> = match &all.motor {

@@ -1,4 +1,4 @@
-//! Stabilised constraints as they run, beside the exact regions of their gains.
+//! Runs with constraint stabilisation, against the exact stability regions of the gains.
 
 use dalembert_derivations::studies::stabilisation::drive_law::UNKNOWNS;
 use dalembert_derivations::studies::stabilisation::experiment;
@@ -64,7 +64,7 @@ fn the_mechanism_regains_its_constraint_where_theory_says() {
     }
 }
 
-/// A treatment with so many steps, and with twice as many.
+/// A treatment with a number of steps, and with twice as many.
 fn of(goal: &Goal, scheme: Scheme, steps: u32, treatment: Treatment) -> [Measured; 2] {
     [steps, 2 * steps].map(|steps| {
         let found = measure(scheme, steps, treatment, goal).expect("the combination exists");
@@ -72,7 +72,7 @@ fn of(goal: &Goal, scheme: Scheme, steps: u32, treatment: Treatment) -> [Measure
     })
 }
 
-/// Which power of the step the error goes with.
+/// The observed order of the error in the step size.
 fn order([coarse, fine]: [Measured; 2]) -> f64 {
     (coarse.error / fine.error).log2()
 }

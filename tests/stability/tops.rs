@@ -1,5 +1,5 @@
-//! Degenerate gyrostats with a motor, whose stationary motions form families: each arc is judged beside the eigenvalues of the
-//! equations that run.
+//! Degenerate gyrostats with a motor, whose stationary motions form families: the verdict on each arc is compared with eigenvalues of
+//! the equations that run.
 
 use crate::running::{Law, eigenvalues, state};
 use algebra::real::{Enclosure, Root};
@@ -31,7 +31,7 @@ pub struct Top {
     pub weight: [Rational; 3],
 }
 
-/// A rotor's machine: as formulas, as it runs, and its stationary states.
+/// A rotor's machine: as formulas, as it runs, and its steady states.
 pub struct Driven<E, M> {
     exact: E,
     running: M,
@@ -70,7 +70,7 @@ pub fn by_slip(speed: Rational) -> Driven<Asynchronous<Sym>, Asynchronous<f64>> 
     }
 }
 
-/// With b0 = 1 and sin g = -3/5 at the angle that holds, 4/5 its cosine.
+/// A synchronous motor with b0 = 1 and sin g = -3/5, cos g = 4/5 at the stable angle.
 pub fn in_step(speed: Rational) -> Driven<Synchronous<Sym>, Synchronous<f64>> {
     let f = r(3, 5) / speed;
     let angle = |t: Rational, slope: i32| Angle { half_tangent: Root::rational(t), slope, currents: Vec::new() };
@@ -88,7 +88,7 @@ pub fn in_step(speed: Rational) -> Driven<Synchronous<Sym>, Synchronous<f64>> {
     }
 }
 
-/// Without friction, held at g = 0 and driven away at g = pi.
+/// A synchronous motor without friction, stable at g = 0 and unstable at g = pi.
 pub fn without_friction(speed: Rational, b0: Rational) -> Driven<Synchronous<Sym>, Synchronous<f64>> {
     let held = Angle { half_tangent: Root::rational(r(0, 1)), slope: -1, currents: Vec::new() };
     let driven_away = Angle { half_tangent: None, slope: 1, currents: Vec::new() };

@@ -15,7 +15,7 @@ pub fn ladder(friction: Rational) -> Ladder<Rational> {
     Ladder { mass: one, inertia: q(1, 3), half_length: one, gravity: q(10, 1), friction: [friction; 2] }
 }
 
-/// On wall and floor with the angle from the wall to the ladder, turning.
+/// The state of the ladder on wall and floor with an angle from the wall and an angular velocity.
 pub fn leaning(angle: Circle<Rational>, spin: Rational) -> State<Rational, 4> {
     let (c, s) = (angle.cos, angle.sin);
     State { time: q(0, 1), place: [s, c, c, s], velocity: [spin * c, -spin * s, -spin * s, spin * c] }
@@ -30,7 +30,7 @@ fn a_steep_ladder_on_rough_ground_stays_with_undetermined_reactions() {
     assert!(!found.determined);
 }
 
-/// With both cones around the line of its ends nothing bounds the push along it.
+/// If both friction cones contain the line between the ends, the reactions along it are unbounded.
 #[test]
 fn a_ladder_that_is_wedged_has_reactions_without_bound() {
     let wedged = leaning(Circle { cos: q(3, 5), sin: q(4, 5) }, q(0, 1));

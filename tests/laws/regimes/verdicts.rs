@@ -1,4 +1,4 @@
-//! What the tests ask: the verdict on a state, and its name.
+//! The verdict on a state, and the name of a regime, for the tests.
 
 use field::{Over, Rational};
 use mechanics::constrained::State;

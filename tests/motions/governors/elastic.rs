@@ -1,4 +1,4 @@
-//! The governor with an elastic rim: Hurwitz beside eigenvalues, energy, the maps.
+//! The governor with an elastic rim: Hurwitz' conditions against eigenvalues, energy, the maps.
 
 use super::*;
 use dalembert_derivations::studies::governors::{SPEED, governor as of_the_maps, growth, has_positive_minors};
@@ -76,7 +76,7 @@ fn the_map_of_stability_is_bounded_by_hurwitz_curve() {
     }
 }
 
-/// At l = 1/2, x = 3/5 the balls are at 2/5 from the axis: all is fractions.
+/// At l = 1/2, x = 3/5 the balls are at 2/5 from the axis: all numbers are rational.
 #[test]
 fn the_multipliers_of_the_elastic_governor_give_the_accelerations_of_appells_equations() {
     let data = |name: &str| match name {

@@ -1,4 +1,4 @@
-//! The friction governors run: programme, stability, optimal stabilisation, each seen by two routes.
+//! Runs of the friction governors: programme, stability, optimal stabilisation, each by two methods.
 
 mod elastic;
 mod programme;
@@ -51,7 +51,7 @@ impl<S: Over<f64> + Analytic> Ode<S> for Programme {
 impl System for Programme {}
 
 fn run(system: &dyn System, span: Span<'_, f64>) -> Vec<f64> {
-    // many times what any of them takes: a law that has no motion fails by its outcome and not by endless steps
+    // many times the evaluations of any of them: a law without motion then fails by its outcome instead of endless steps
     let span = span.with_evaluations(100_000);
     let outcome = integrate(system, Method::DormandPrince8, &Tolerance::both(1e-13), &span, &mut ());
     assert_eq!(outcome.failure(), None);

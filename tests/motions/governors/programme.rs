@@ -166,7 +166,7 @@ fn the_counterexamples_to_rank_and_to_staying_on_the_disc_are_governors() {
     assert_eq!(leaving.distance(4.0), Some(3.0), "past the edge of a disc of radius 2");
 }
 
-/// Every form of the quadrature, every course, and the ends.
+/// Every form of the quadrature, every long-time behaviour, and the ends.
 #[test]
 fn between_two_discs_the_programme_is_the_quadrature() {
     let between = |first: f64, second: f64| Governor {

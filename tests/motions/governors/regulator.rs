@@ -1,4 +1,4 @@
-//! Optimal stabilisation: the cost beside Riccati's value.
+//! Optimal stabilisation: the cost of a run against the value by Riccati's equation.
 
 use super::*;
 

@@ -1,4 +1,4 @@
-//! The programme by multipliers and a control: beside Appell's equations, exactly.
+//! The programme by multipliers and a control force: compared with Appell's equations, exactly.
 
 use super::*;
 use dalembert_derivations::systems::governor::servo::Kept;
@@ -10,7 +10,7 @@ use mechanics::constrained::{Charted, State};
 use mechanics::differentiate::along;
 use symbolic::Sym;
 
-/// Expressions of fractions alone are fractions: the chart asks for a field with cosines, at angles that are zero.
+/// A fraction as an expression: the chart needs a field with cosines, here only at zero angles.
 fn ratio(n: i64, d: i64) -> Sym {
     Sym::ratio(n, d)
 }
@@ -58,7 +58,7 @@ fn the_control_is_the_force_of_appells_equations_and_the_wheel_moves_as_the_prog
             let found: Steered<_, 7, 1> = steered(&kept, none, &state).expect("the contacts are independent");
             let [time, rho, speed] = at;
             assert_eq!(found.acceleration[6], kept.governor.programme_acceleration(time, rho, speed));
-            // beside the push that the data give
+            // besides the push of the data
             assert_eq!(found.controls[0] + kept.governor.push, kept.governor.control_force(time, rho, speed));
             let still = violation(&kept, none.0, &state).expect("they are");
             assert_eq!(

@@ -1,4 +1,4 @@
-//! Random motors, alone and in gyrostats, as scene files: from a seed, so that each is the same for ever.
+//! Random motors, alone and in gyrostats, as scene files, reproducible by a seed.
 
 use simulation::ensemble::draw::Draw;
 use std::fmt::Write;
@@ -24,13 +24,13 @@ impl Numbers {
         low + (high - low) * self.even()
     }
 
-    /// Evenly in the logarithm.
+    /// A number with an even distribution of its logarithm.
     pub fn scale(&mut self, low: f64, high: f64) -> f64 {
         low * (high / low).powf(self.even())
     }
 }
 
-/// A scene: on a bench or in a gyrostat, in step or not, with any currents' time constants.
+/// A scene: on a bench or in a gyrostat, synchronous or not, with any time constants of the currents.
 pub fn scene(seed: u64) -> String {
     let mut draw = Numbers::new(seed, "motor");
     let mut text = String::from("title = \"drawn\"\n");

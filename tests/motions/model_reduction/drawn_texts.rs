@@ -1,4 +1,4 @@
-//! Random systems as text, of many kinds: from a seed, so that each is the same for ever.
+//! Random text models of many kinds, reproducible by a seed.
 
 use super::drawn::Numbers;
 

@@ -1,4 +1,4 @@
-//! What an estimate is worth: beside the true error, and by a second route.
+//! Error estimates compared with true errors, and with a second method.
 
 use super::{corrected, drawn, exactly, ladder, scene, tight, truly};
 use dalembert_derivations::studies::model_reduction::Loss;
@@ -6,7 +6,7 @@ use dalembert_derivations::studies::model_reduction::sampled_run::followed;
 use dalembert_derivations::studies::scene::Scene;
 use reader::Family;
 
-/// Where the second order is small beside the first, the estimate is the error up to that.
+/// If the second order is small relative to the first, the estimate equals the error up to the second order.
 #[test]
 fn an_estimate_is_the_error_up_to_its_second_order_on_every_scene_with_a_motor() {
     let mut believed = 0;
@@ -40,7 +40,7 @@ fn an_estimate_is_the_error_up_to_its_second_order_on_every_scene_with_a_motor()
     assert!(believed >= 14, "{believed}");
 }
 
-/// Which a wrong sign, or a term that is missing, would not do.
+/// This fails with a wrong sign or a missing term in the error equation.
 #[test]
 fn an_estimate_that_is_added_leaves_an_error_of_the_second_order() {
     let scene = scene("hanging_rest");
@@ -78,7 +78,7 @@ fn an_error_that_cannot_be_estimated_is_not_believed() {
     }
 }
 
-/// Weighed backwards by transition matrices of the richer law, and carried forwards by its derivatives.
+/// The dual-weighted error, backwards by transition matrices, against the error equation, forwards by derivatives.
 #[test]
 fn two_routes_to_an_error_agree() {
     for (name, model) in [
@@ -107,7 +107,7 @@ fn two_routes_to_an_error_agree() {
     }
 }
 
-/// Both routes above know the size of an error alone.
+/// Signs of errors are checked too; the tests above compare sizes alone.
 #[test]
 fn shares_add_up_to_what_the_richer_run_is_above_the_lower_one_with_its_sign() {
     for (name, model) in [

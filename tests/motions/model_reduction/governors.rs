@@ -1,4 +1,4 @@
-//! The same hierarchy under governors.
+//! Model reduction of the governors.
 
 use super::{of_mechanism, truly};
 use dalembert_derivations::studies::model_reduction::{Hierarchy, Loss};

@@ -1,4 +1,4 @@
-//! Windings lumped without loss, and what merging of unlike ones costs.
+//! Exact lumping of windings, and the error of merging windings with different time constants.
 
 use super::{ladder, scene};
 use dalembert_derivations::studies::model_reduction::currents::Current;
@@ -89,7 +89,7 @@ fn bars_of_one_ratio_at_any_angles_come_to_two_windings_and_every_current_comes_
     assert_eq!(lumping.windings.len(), 2);
     let machine = bars(&ONE_RATIO, Rational::to_f64);
     let lumped = Lumped { machine: machine.clone(), windings: lumping.over(Rational::to_f64) };
-    // currents that are no answer to any field: a part of them can only die out
+    // currents that no field induces: a part of them can only decay
     let currents = [1.0, -2.0, 0.5, 3.0, -1.5];
     let all = run(&machine, &[&[0.3, -12.0], &currents[..]].concat());
     let two = run(&lumped, &[&[0.3, -12.0], &lumping.lumped(&currents)[..]].concat());
@@ -113,7 +113,7 @@ fn windings_of_two_ratios_stay_two_families() {
     assert_eq!(Lumping::of(&bars(&line, Sym::constant)).expect("it is exact").windings.len(), 1);
 }
 
-/// In spin_up the excitation has the damper's ratio, 40/s, and joins it; in stiff_damper it has not.
+/// In spin_up the excitation has the damper's ratio, 40/s, and is lumped with it; in stiff_damper it is not.
 #[test]
 fn the_scenes_damper_and_excitation_are_lumped_by_their_ratios() {
     for (name, own, lumped) in [("spin_up", 9, 2), ("bench", 9, 2), ("stiff_damper", 9, 3)] {
@@ -156,7 +156,7 @@ fn the_currents_that_stand_for_others_obey_their_circuits_at_constant_slip() {
     }
 }
 
-/// All bars on the way of one motor, and the same bars at one ratio on the same way.
+/// All bars along the motion of one motor, and the bars merged at one ratio along this motion.
 struct SameWay {
     bars: Bars<f64>,
     merged: Bars<f64>,

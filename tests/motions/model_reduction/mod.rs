@@ -1,4 +1,4 @@
-//! The hierarchy of models: what is lumped without loss, what an estimate is worth, what is chosen.
+//! Model reduction: exact lumping, error estimates, the choice.
 
 mod choice;
 mod drawn;
@@ -27,7 +27,7 @@ fn scene(name: &str) -> Scene {
     Scene::open(&path(name)).unwrap_or_else(|error| panic!("{error}"))
 }
 
-/// The hierarchy of a mechanism, or of a system as text, over another span.
+/// The hierarchy of a text model over another span.
 fn of_mechanism(name: &str, span: &str) -> Hierarchy {
     scenes::register(|_| ());
     let text = std::fs::read_to_string(path(name)).expect("a scene");
@@ -42,7 +42,7 @@ fn ladder(scene: &Scene) -> Hierarchy {
     Hierarchy::of_scene(scene, Axes::First)
 }
 
-/// Tight enough for any error that is compared here.
+/// A tolerance tight enough for any error that is compared here.
 fn tight() -> Tolerance {
     Tolerance::both(1e-11)
 }
@@ -51,7 +51,7 @@ fn exactly(ladder: &Hierarchy) -> Record<f64> {
     followed(&*ladder.law, &tight(), ladder.own.span, &ladder.start).expect("it reaches its end").0
 }
 
-/// At these times, the last of which is the end.
+/// The richer model's states at these times, the last of which is the end.
 fn exactly_at(ladder: &Hierarchy, times: &[f64]) -> Record<f64> {
     followed_at(&*ladder.law, &tight(), times, &ladder.start).expect("it reaches its end").0
 }
@@ -65,7 +65,7 @@ fn truly(ladder: &Hierarchy, rung: &ReducedModel, found: &Estimate, watched: &Wa
     Some(ladder.difference(rung, &low, &exactly_at(ladder, &times), watched))
 }
 
-/// What the run of an estimate with the first order added is off, where it was looked at.
+/// The largest error of a smaller model's run corrected by the first-order estimate, at the sampled times.
 fn corrected(ladder: &Hierarchy, found: &Estimate, watched: &Watched) -> f64 {
     let times: Vec<f64> = found.corrected.iter().map(|(time, _)| *time).collect();
     let exact = exactly_at(ladder, &times);

@@ -1,4 +1,4 @@
-//! What is chosen for systems that are written in their files: promises are kept, and a smaller model that serves is taken.
+//! The choice for text models: errors stay below their estimates, and a smaller model that suffices is taken.
 
 use super::drawn_texts::{KINDS, scene};
 use dalembert_derivations::studies::model_reduction::{
@@ -57,7 +57,7 @@ fn what_is_taken_of_random_systems_keeps_its_tolerance_over_the_whole_run() {
     assert!(smaller >= 20, "{smaller}");
 }
 
-/// The elements that are left out are those whose time scales say so, and a run by the name that is printed is the same run.
+/// The elements that are left out are those with fast time scales, and a run by the printed name repeats the run.
 #[test]
 fn a_motor_of_small_inductance_is_run_without_its_transient_and_a_short_pendulum_apart_is_not_followed() {
     let taken = |text: &str, tolerance: f64| {
@@ -81,7 +81,7 @@ fn a_motor_of_small_inductance_is_run_without_its_transient_and_a_short_pendulum
     assert_eq!(taken(&motor.join("\n"), 1e-2), "quasi-steady drive.q'; unfollowed theta,drive.q");
 }
 
-/// A transient of the time constant T that a smaller model leaves out is off by its first value, and by T times the rate after it.
+/// A transient of the time constant T that is left out gives the error of its first value, and then of T times the rate.
 #[test]
 fn the_error_of_a_transient_that_is_left_out_is_that_of_its_closed_form() {
     let text = "title = \"creeping\"\n[parameters]\nm = \"1 g\"\n[coordinates]\nx = \"m\"\n[points]\nA = \"O + x*N.x\"\n\
@@ -115,7 +115,7 @@ impl Observer<f64> for Along {
     }
 }
 
-/// A block that dry friction of this size hardly slows, or a motor whose inductance is so small beside it.
+/// A block with negligible dry friction, with further text, such as a motor with negligible inductance.
 fn sliding(extra: &str) -> String {
     format!(
         "title = \"sliding\"\n[parameters]\nm = \"1 kg\"\nk = \"1 N/m\"\nF = \"1e-9 N\"\nL = \"1e-5 H\"\n[coordinates]\nx = \"m\"\n{extra}\n\
@@ -123,7 +123,7 @@ fn sliding(extra: &str) -> String {
     )
 }
 
-/// An element that is left out has no condition that is watched for, and the run is that of the closed form.
+/// An element that is left out brings no event condition, and the run agrees with the closed form.
 #[test]
 fn dry_friction_that_hardly_acts_is_left_out_with_its_condition() {
     let scene = opened(&sliding("[energies]\nkinetic = \"m*x'^2/2\""));
@@ -141,7 +141,7 @@ fn dry_friction_that_hardly_acts_is_left_out_with_its_condition() {
     assert!(refused.contains("`F` is left out"), "{refused}");
 }
 
-/// A current whose inductance is left out obeys U = R i, and what it moves keeps its condition.
+/// A current whose inductance is left out obeys U = R i, and the block that it moves keeps its event condition.
 #[test]
 fn an_inductance_beside_a_condition_is_left_out_and_the_condition_stays() {
     let motor = "q = \"C\"\n[energies]\nkinetic = \"m*x'^2/2 + L*q'^2/2\"\n[[force]]\nalong = \"q\"\nis = \"(3 V) - (2 ohm)*q'\"\n\
@@ -160,7 +160,7 @@ fn an_inductance_beside_a_condition_is_left_out_and_the_condition_stays() {
     assert!(off < 1e-3, "{off:e}");
 }
 
-/// Two masses on a spring of stiffness K, of which the second starts with a velocity, and the first stands on a spring of its own.
+/// Two masses joined by a spring of stiffness K; the second has an initial velocity, the first another spring to the ground.
 fn pair(spring: &str) -> String {
     format!(
         "title = \"pair\"\n[parameters]\nm = \"1 kg\"\nM = \"2 kg\"\nk = \"12 N/m\"\nK = \"1e7 N/m\"\n[coordinates]\nx = \"m\"\ny = \"m\"\n\
@@ -170,7 +170,7 @@ fn pair(spring: &str) -> String {
     )
 }
 
-/// However the spring is written, the limit is one mass of m + M, whose momentum is that of the start: x = 2 sin(2 t)/2.
+/// For each description of the spring, the limit is one mass m + M with the initial momentum: x = 2 sin(2 t)/2.
 #[test]
 fn a_spring_without_bound_joins_two_masses_and_keeps_their_momentum() {
     let springs = [
@@ -199,7 +199,7 @@ fn what_is_no_spring_and_no_damper_does_not_grow_without_bound() {
     }
 }
 
-/// An element that is left out has the law of the same data with zero in its place, wherever that has one.
+/// The model without an element has the law of the data with zero for its parameter, wherever that law exists.
 #[test]
 fn what_is_left_out_is_what_is_zero() {
     let mut compared = 0;
@@ -228,7 +228,7 @@ fn what_is_left_out_is_what_is_zero() {
     assert!(compared >= 25, "{compared}");
 }
 
-/// The eigenvalues of two blocks on one spring, one of them on a floor, once took an iteration that did not end.
+/// The eigenvalues of two blocks on one spring, one of them on a floor: their iteration once did not terminate.
 #[test]
 fn two_blocks_on_a_spring_of_which_one_touches_a_floor_are_decided() {
     let text = "title = \"blocks\"\ngravity = \"-g*N.y\"\n[parameters]\nm = \"1 kg\"\ng = \"9.81 m/s^2\"\nK = \"1e3 N/m\"\n\

@@ -1,4 +1,4 @@
-//! Which starts come into step.
+//! Basins of attraction of synchronism: initial states that reach it.
 
 use super::{pendulum, scene};
 use dalembert_derivations::studies::scene::{Scene, Setup};
@@ -37,7 +37,7 @@ fn the_same_motor_with_all_its_bars_and_with_its_equivalent_windings_has_the_sam
     assert_eq!(lumped, shares(&scene, &loads, starts, 3.0).expect("a motor"));
 }
 
-/// The rotor's axis vertical, principal, with the centre of mass on it.
+/// A gyrostat with a vertical principal rotor axis through the centre of mass.
 const UPRIGHT: &str = r#"
     title = "Upright"
     description = "The carrier turns about the vertical, and gives way to the motor."
@@ -50,7 +50,7 @@ const UPRIGHT: &str = r#"
     run = { span = "1 s", samples = 1, tolerance = 1e-9, outputs = ["slip"] }
 "#;
 
-/// A carrier with twice the rotor's moment of inertia: the rotor is as light as two thirds of itself.
+/// With a carrier of twice the rotor's moment of inertia the effective moment of inertia is two thirds of the rotor's.
 #[test]
 fn in_an_upright_gyrostat_the_same_starts_come_into_step_as_with_a_lighter_rotor_on_a_bench() {
     let upright = Scene::parse("upright.toml", UPRIGHT).unwrap_or_else(|error| panic!("{error}"));

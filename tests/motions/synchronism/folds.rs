@@ -1,4 +1,4 @@
-//! Pull-out: the angles in step over the load.
+//! Pull-out: synchronous steady angles over the load.
 
 use super::{loaded, pendulum, scene};
 use dalembert_derivations::studies::stationary::motor::{MotorStates, NoMotor};
@@ -37,7 +37,7 @@ fn between_the_folds_the_angle_is_stable_and_beyond_it_is_not() {
         for one in all.iter().filter(|one| !one.fold) {
             assert_eq!(one.growth < 0.0, one.angle.abs() < FRAC_PI_2, "{one:?}");
         }
-        // at a fold an eigenvalue is zero, but for rounding among the windings'
+        // at a fold an eigenvalue is zero, up to rounding among those of the windings
         assert!(folds(&all).iter().all(|fold| fold.growth.abs() < 1e-10 * motor.facts.frequency));
     }
 }

@@ -1,4 +1,4 @@
-//! A synchronous motor under load: its folds, its slipping, and which starts come into step.
+//! A synchronous motor under load: folds, slipping motions, and basins of attraction.
 
 mod basin;
 mod folds;

@@ -1,4 +1,4 @@
-//! Motions that repeat, found by shooting: against closed forms.
+//! Periodic motions by shooting, against closed forms.
 
 use field::{Analytic, Over};
 use integrators::{Ode, Repeating, System, Walk, follow};

@@ -1,4 +1,4 @@
-//! Pull-in: motions that slip turn after turn, and the load below which there is none.
+//! Pull-in: periodic slipping motions, and the load below which there is none.
 
 use super::{loaded, pendulum, scene};
 use dalembert_derivations::studies::synchronism::branches::Slipping;
@@ -7,12 +7,12 @@ use dalembert_derivations::studies::synchronism::pull_in::Onset;
 use integrators::{Method, Ode, Span, Tolerance, integrate, transition};
 use std::f64::consts::PI;
 
-/// Of the integration of a turn.
+/// The tolerance of the integration of a turn.
 const TOLERANCE: f64 = 1e-13;
-/// A turn in which rounding grows by less than exp(10).
+/// The longest turn, in which rounding grows by less than exp(10), in units of the motor.
 const SHORT: f64 = 10.0;
 
-/// The drag M + f W from which on the pendulum can slip, in units of what holds.
+/// The least drag M + f W under which the pendulum can slip, in units of the pull-out torque.
 fn pull_in(damping: f64) -> (f64, Onset) {
     let motor = loaded(&pendulum(damping));
     let found = motor.out_of_step().expect("it slips");
@@ -31,7 +31,7 @@ fn for_small_damping_the_pull_in_is_that_of_the_work_along_the_separatrix_to_thi
     }
 }
 
-/// The second route: the motion that leaves the balance, run until it falls back into the next well or passes it.
+/// An independent method: the motion that leaves the unstable equilibrium, run until it falls back into the next well or passes it.
 fn by_the_unstable_motion(damping: f64) -> f64 {
     let motor = loaded(&pendulum(damping));
     let passes = |drag: f64| {
@@ -76,17 +76,17 @@ fn multipliers_are_what_friction_leaves_of_a_turn() {
             let known = (-damping * one.period).exp();
             let bound = error_of_the_multiplier(&motor, one);
             assert!((one.multiplier - known).abs() <= bound, "{one:?} {known} {bound:e}");
-            // what is off grows near the balance as long as the turn rests there, and the bound with it
+            // near the equilibrium the error grows as long as the turn stays there, and the bound with it
             assert!(one.period > SHORT || bound < 1e-6, "{one:?} {bound:e}");
         }
         assert!(found.motions.iter().all(Slipping::stable));
     }
 }
 
-/// A bound of what the multiplier errs by. It is [f, u]/s at the end of a turn, u the deviation that began as a unit of slip and
-/// f = (s, s'). A step errs by e |u| in u and by e (1 + |y|) in the state y, e the tolerance; the latter turns f by |Df|
-/// times as much. Every such error stands in a bracket with f or with u, which only shrinks up to the end: N steps err
-/// by less than N e |u| (|f| + |Df| (1 + |y|))/s. All sizes are largest where the turn is looked at, at the bottom of the field.
+/// A bound on the error of the multiplier, which is [f, u]/s at the end of a turn, u the deviation that began as a unit of slip and
+/// f = (s, s'). A step has the error e |u| in u and e (1 + |y|) in the state y, e the tolerance; the latter changes f by |Df|
+/// times as much. Every such error stands in a bracket with f or with u, which only shrinks up to the end: the error of N steps
+/// is below N e |u| (|f| + |Df| (1 + |y|))/s. All sizes are largest where the turn begins, at the bottom of the field.
 fn error_of_the_multiplier(motor: &Loaded, one: &Slipping) -> f64 {
     let start = [&one.state[..], &[one.load]].concat();
     let found = transition(&*motor.law, &Tolerance::both(TOLERANCE), (0.0, one.period), &start).expect("a turn");
@@ -100,7 +100,7 @@ fn error_of_the_multiplier(motor: &Loaded, one: &Slipping) -> f64 {
     found.steps as f64 * TOLERANCE * u * (f[0].hypot(f[1]) + slopes * size) / f[0].abs()
 }
 
-/// Beyond the damping 1.19 (Tricomi's curve meets the pull-out) slipping begins where standing ends.
+/// Beyond the damping 1.19 (Tricomi's curve meets the pull-out) slipping begins where the synchronous equilibria end.
 #[test]
 fn strong_damping_leaves_no_hysteresis() {
     assert_eq!(pull_in(1.25), (1.0, Onset::PullOut));
@@ -110,7 +110,7 @@ fn strong_damping_leaves_no_hysteresis() {
     assert!(motor.out_of_step().expect("it slips").motions.iter().all(Slipping::stable));
 }
 
-/// What the bars add, and where: the torque of three bars or more is Kloss', so that slipping has folds like its humps.
+/// The torque of three bars or more is Kloss', and the slipping motions have folds as its extrema.
 #[test]
 fn damper_bars_raise_the_pull_in_and_leave_the_pull_out() {
     let scene = scene("bench");

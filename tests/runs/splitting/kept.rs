@@ -1,4 +1,4 @@
-//! What the steps keep: |v|, x.v, brackets, the energy within bounds, the rate at which volumes shrink.
+//! Quantities that splitting steps preserve: |v|, x.v, the Poisson bracket, the energy within bounds, the contraction of volumes.
 
 use super::runs::{self, SCENES, split};
 use dalembert_derivations::studies::scene::Setup;
@@ -19,7 +19,7 @@ fn drift(name: &str, model: Option<&str>, method: Method, time: f64, invariant: 
     ((found.value)(time, &outcome.state) - (found.value)(0.0, &problem.state)).abs() / scale
 }
 
-/// Each of n turns rounds v by about half a unit, in any direction: a random walk of about sqrt(n) units, and not n.
+/// Each of n rotations rounds v by about half a unit in a random direction: a random walk of about sqrt(n) units, and not n.
 /// Four times that is allowed; n units would be far more.
 #[test]
 fn the_length_of_the_vertical_and_the_vertical_momentum_walk_at_random() {
@@ -44,8 +44,8 @@ fn a_rotor_without_moment_keeps_its_spin_exactly() {
     assert!(spin < 1e-16, "{spin:e}");
 }
 
-/// Sixteen times as long, on a motion that is not integrable: the energy swings within the same bounds, which go with the
-/// step as the order says. How that of other methods drifts, is measured on a motion that is known: `long.rs`.
+/// Sixteen times as long, on a motion that is not integrable: the energy error oscillates within equal bounds, which scale with the
+/// step size as the order says. Energy drift of other methods is measured on a motion in closed form: `long.rs`.
 #[test]
 fn the_energy_swings_within_bounds_that_have_the_order_of_the_method() {
     for (splitting, order) in [(Splitting::Strang, 2.0), (Splitting::BlanesMoan4, 4.0)] {
@@ -81,7 +81,7 @@ fn matrix(step: impl Fn(&[DoubleDouble]) -> Vec<DoubleDouble>, at: &[DoubleDoubl
 
 const STEP: f64 = 0.01;
 
-/// det of the matrix of a step, and what the divergence of the law makes of it.
+/// The determinant of the matrix of a step, and its value by the divergence of the law.
 fn volumes(bodies: &Gyrostat<f64>, machine: Motor, state: &[f64], splitting: Splitting) -> (f64, f64) {
     let law = Driven::new(bodies.first_form().0, machine);
     let n = state.len();
@@ -101,7 +101,7 @@ fn volumes(bodies: &Gyrostat<f64>, machine: Motor, state: &[f64], splitting: Spl
     (matrix(step, &twice).determinant(), (STEP * divergence).exp())
 }
 
-/// Friction and resistance shrink volumes at a constant rate: every step does so exactly, of whatever length and order.
+/// Friction and resistance contract volumes at a constant rate: every step does so exactly, for any step size and order.
 #[test]
 fn volumes_shrink_exactly_as_the_divergence_of_the_law_says() {
     for (name, model) in [("pull_out", None), ("spin_up", Some("synchronous")), ("free_rotor", None)] {
@@ -130,7 +130,7 @@ fn bracket(z: &[DoubleDouble]) -> DMatrix<f64> {
     b
 }
 
-/// M B(z) M^T = B(step(z)): without friction a step is as much a Hamiltonian motion as the motion itself.
+/// M B(z) M^T = B(step(z)): without friction a step is a Poisson map, as the flow itself.
 #[test]
 fn without_friction_a_step_keeps_the_bracket() {
     let scene = runs::scene("spin_up", Some("synchronous"));

@@ -1,12 +1,12 @@
-//! Long runs beside a closed form: errors grow as theory says.
+//! Long runs compared with a closed form: errors grow as theory predicts.
 //!
-//! The modified equation of a method of even order p is f + h^p f_p + h^(p+1) f_(p+1) + .. . Law and methods are reversible:
-//! f_p then is, f_(p+1) is the opposite of that. Over a nutation, its own mirror image in time, f_p takes from the energy what
-//! it gave. So at whole numbers of revolutions (and a quarter, everywhere)
+//! The modified equation of a method of even order p is f + h^p f_p + h^(p+1) f_(p+1) + .. . The law is reversible, and f_p is
+//! too, while f_(p+1) is the opposite. Over a nutation, which is symmetric in time, f_p changes the energy by nothing.
+//! At whole numbers of revolutions (and a quarter, everywhere) the errors are therefore
 //!
 //!   energy = a h^p + b h^(p+1) n ,   phase = c h^p n + d h^(p+1) n^2 ,   v.v as the energy ;
 //!
-//! b and d are zero where an energy near the true one is kept. All of these are read off samples at a few n.
+//! b and d are zero where a modified energy is conserved. All coefficients are determined from samples at a few n.
 
 use dalembert_derivations::studies::long_runs::{Constant, LongRun, MethodRun, Pace, Sample};
 use integrators::{Method, Span, Splitting, Tolerance, integrate};
@@ -30,7 +30,7 @@ fn at(course: &MethodRun, n: u32) -> &Sample {
     course.samples.iter().find(near).expect("it is sampled")
 }
 
-/// Of a line through two of the samples.
+/// The slope of a line through two of the samples.
 fn slope(course: &MethodRun, [from, to]: [u32; 2], of: fn(&Sample) -> f64) -> f64 {
     let (from, to) = (at(course, from), at(course, to));
     (of(to) - of(from)) / (to.revolutions - from.revolutions)
@@ -51,7 +51,7 @@ fn parabola(course: &MethodRun, [one, two]: [u32; 2]) -> (f64, f64) {
     (a - d * t, d)
 }
 
-/// The closed form and a method of order 12 agree to rounding: two ways that share nothing but the data.
+/// The closed form and a method of order 12, which share only the data, agree to rounding.
 #[test]
 fn the_closed_form_is_the_motion() {
     let run = LongRun::new().expect("the top nutates");
@@ -80,7 +80,7 @@ fn runge_kutta_loses_energy_and_length_as_h5_n_and_phase_as_h4_n_and_h5_n2() {
     assert!((linear - 4.0).abs() < 0.1, "{linear}");
 }
 
-/// Its steps follow the motion, many in a nutation: what one nutation loses the next one does.
+/// The steps adapt to the motion, many in a nutation: each nutation loses equal energy.
 #[test]
 fn a_method_that_follows_a_tolerance_loses_energy_linearly_and_phase_quadratically() {
     let course = course(Pace::Tolerance(Method::DormandPrince8, 1e-8), 500);
@@ -106,8 +106,8 @@ fn a_splitting_bounds_its_energy_and_loses_its_phase_linearly_both_as_its_order_
     }
 }
 
-/// The energy that single steps from points of the true motion gain, added up, and what a run has gained; over steps that
-/// begin at `from`. They agree but for h times what they are: the second route to the constants above.
+/// The sum of the energy gains of single steps from points of the true motion, and the gain of a run, over the steps that
+/// begin at `from`. They agree up to a relative difference of order h: an independent check of the constants above.
 fn gains(method: Constant, each: u32, [from, to]: [u32; 2]) -> [f64; 2] {
     let run = LongRun::new().expect("the top nutates");
     let (system, step) = (run.system(), run.period() / f64::from(each));
@@ -144,9 +144,9 @@ fn what_single_steps_gain_on_the_true_motion_adds_up_to_what_runs_gain() {
     }
 }
 
-/// Beside the same run in double-double, over twelve starts that differ by a turn about the axis: the root of the mean square
-/// of a random walk goes with the root of its length, and would go with its length if rounding had a direction. Of order 8, so
-/// that no swing of the energy shows the phase.
+/// Compared with double-double, over twelve starts that differ by a rotation about the axis: the root mean square of a
+/// random walk grows as the root of its length, and would grow as its length if rounding were biased. The order 8 makes the
+/// oscillation of the energy negligible.
 #[test]
 fn what_rounding_adds_walks_at_random() {
     let method: Constant = |steps| Method::Split { splitting: Splitting::KahanLi8, steps };

@@ -1,4 +1,4 @@
-//! The splitting methods on the gyrostat: pieces that are the law, what they keep, their orders, their dissipation.
+//! The splitting methods on the gyrostat: consistency of the sub-flows, preserved quantities, orders, dissipation.
 
 mod heat;
 mod kept;

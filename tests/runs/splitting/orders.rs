@@ -1,4 +1,4 @@
-//! Orders on nonlinear motions are theory's, by a reference of another family; a run back undoes a run.
+//! Orders of splittings on nonlinear motions, against references of another family; symmetry: a run backwards undoes a run.
 
 use super::runs::{self, SCENES, error, split};
 use field::DoubleDouble;
@@ -12,7 +12,7 @@ fn after(problem: &Problem, splitting: Splitting, steps: u32, [from, to]: [f64; 
     outcome.state
 }
 
-/// By Gauss' collocation in double-double.
+/// The final state by Gauss' collocation in double-double.
 fn exact(problem: &Problem) -> Vec<f64> {
     let twice: Vec<DoubleDouble> = problem.state.iter().map(|y| DoubleDouble::from(*y)).collect();
     let (gauss, span) = (Method::Gauss { stages: 8 }, Span::new(0.0, TIME, &twice));
@@ -45,7 +45,7 @@ fn every_composition_has_its_order_with_every_kind_of_motor_in_both_forms() {
                 let pair = [run(steps), run(2 * steps)];
                 let (order, theory) = ((pair[0] / pair[1]).log2(), f64::from(splitting.order()));
                 let what = format!("{name} {model:?} {axes} {}", splitting.name());
-                // an even order is no other even number: half a one below, one above
+                // tells even orders apart: half a unit below, one above
                 assert!(
                     (-0.5..1.0).contains(&(order - theory)),
                     "{what}: {:.1e} {:.1e}, order {order:.2}",
@@ -57,7 +57,7 @@ fn every_composition_has_its_order_with_every_kind_of_motor_in_both_forms() {
     }
 }
 
-/// A composition is symmetric: its step of -h is the inverse, friction and all.
+/// A composition is symmetric: its step of -h is the inverse, with friction too.
 #[test]
 fn a_run_back_undoes_a_run_to_rounding() {
     for (name, model) in SCENES {
@@ -71,7 +71,7 @@ fn a_run_back_undoes_a_run_to_rounding() {
             assert!(far > 1e-3 && left < 1e-11, "{name} {model:?} {}: {far:.1e} {left:.1e}", splitting.name());
         }
     }
-    // so is no Runge-Kutta method
+    // an explicit Runge-Kutta method is not symmetric
     let problem = runs::problem("free_rotor", None, Axes::First);
     let kutta = |span: Span<'_, f64>| runs::run(&problem, Method::RungeKutta4 { steps: 10 }, &span).state;
     let back = kutta(Span::new(0.1, 0.0, &kutta(Span::new(0.0, 0.1, &problem.state))));
@@ -95,7 +95,7 @@ fn in_double_double_only_what_is_known_to_as_many_digits_runs() {
     }
 }
 
-/// The kick solves a moment that is not linear by iteration: a step that is far too long fails by name.
+/// The kick solves for a nonlinear torque by iteration: a step that is far too long fails by name.
 #[test]
 fn a_step_too_long_for_the_iteration_fails_by_name() {
     let problem = runs::problem("asynchronous_drive", None, Axes::First);

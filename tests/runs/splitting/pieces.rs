@@ -1,4 +1,4 @@
-//! The pieces are the law: their fields sum to it, proved; each flow is a flow.
+//! Consistency of the sub-flows: their vector fields sum to the law, proved; each has the flow property.
 
 use crate::physical::machines::{every_machine, numbers};
 use crate::physical::{fixed, gyrostat, rounded};
@@ -20,7 +20,7 @@ use proptest::prelude::*;
 use std::convert::Infallible;
 use symbolic::{Hypotheses, Sym, decide};
 
-/// What the pieces add to a state in no time, by their flows, and what the law says: (sum of the pieces, law).
+/// The sum of the sub-flows' derivatives at time zero, and the rates of the law: (sum, law).
 fn both<P: Base, S: Over<P> + Analytic, F: Form<P>, M: Machine<P>>(
     driven: &Driven<P, F, M>,
     law: Law,
@@ -63,7 +63,7 @@ fn both<P: Base, S: Over<P> + Analytic, F: Form<P>, M: Machine<P>>(
     (sum, rates)
 }
 
-/// A point of symbols; a rotor that is kept has the momentum A' W.
+/// A point of symbols; a rotor with prescribed speed has the momentum A' W.
 fn symbolic<M: Machine<Sym>>(machine: &M, axial: Sym) -> Point<Sym> {
     let three = |stem: &str| Vector3::from_fn(|k, _| Sym::symbol(&format!("{stem}{}", k + 1)));
     let kept = machine.rotor() == RotorState::Prescribed;
@@ -128,7 +128,7 @@ fn gap<S: Real>(a: &[S], b: &[S]) -> f64 {
     a.iter().zip(b).map(|(a, b)| (*a - *b).magnitude().approx() / size(*b)).fold(0.0, f64::max)
 }
 
-/// Whether the pieces of a machine sum to the law, and whether each of its flows is one.
+/// Tests that the sub-flows of a machine sum to the law, and that each has the flow property.
 fn is_sound(g: &Gyrostat<f64>, machine: Motor, state: &[f64]) -> Result<(), TestCaseError> {
     if !has_known_flow(&machine) {
         let driven = Driven::new(g.first_form().0, machine.clone());
@@ -158,8 +158,8 @@ fn in_form<F: Form<f64>, M: Machine<f64> + Sync>(
     are_flows(&driven, state)
 }
 
-/// There and back, and two parts for the whole: to 28 digits, and for a flow that is solved by a method of order 8 to
-/// what that leaves over steps as short as these.
+/// Tests inversion and composition of each flow: to 28 digits, and for a flow that is solved by a method of order 8 to the
+/// error of that method over such short steps.
 fn are_flows(separable: &impl Separable, state: &[f64]) -> Result<(), TestCaseError> {
     let Some(pieces) = separable.pieces::<DoubleDouble>() else { return Err(TestCaseError::fail("no pieces")) };
     let state: Vec<DoubleDouble> = state.iter().map(|y| DoubleDouble::from(*y)).collect();

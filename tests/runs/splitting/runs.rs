@@ -1,4 +1,4 @@
-//! What the tests run: scenes with their own motor or another.
+//! The runs of the tests: scenes with their own motor or another.
 
 use dalembert_derivations::studies::scene::Scene;
 use integrators::{Method, Outcome, Span, Splitting, Tolerance, integrate};

@@ -1,5 +1,5 @@
-//! Stiff windings: a step that goes back in time where their currents would grow is refused, and what is taken is no
-//! worse than a wrong friction.
+//! Stiff windings: a negative sub-step in which their currents would grow is refused, and the error of accepted steps is
+//! moderate.
 
 use super::runs::{self, split};
 use integrators::{End, Failure, Method, Outcome, Span, Splitting, Tolerance, integrate};
@@ -14,7 +14,7 @@ fn run(problem: &Problem, method: Method) -> Outcome<f64> {
     integrate(&*problem.law, method, &Tolerance::both(1e-10), &span, &mut ())
 }
 
-/// What is taken errs less than the splitting of order 2, which never goes back, does at the same step.
+/// Accepted steps have a smaller error than the splitting of order 2, without negative sub-steps, at equal step size.
 #[test]
 fn a_step_that_would_let_currents_grow_backwards_is_refused_by_name_before_it_is_taken() {
     let problem = runs::problem("stiff_damper", None, Axes::First);

@@ -1,4 +1,4 @@
-//! Cases that are known in closed form, families among them.
+//! Stationary motions in closed form, families included.
 
 use algebra::real::{Enclosure, Root};
 use field::{Rational, Scalar};

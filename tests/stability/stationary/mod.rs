@@ -1,4 +1,4 @@
-//! All stationary motions: of a thousand random gyrostats beside an independent search, in closed cases, for every motor.
+//! All stationary motions: of a thousand random gyrostats against an independent search, in closed form, for every motor.
 
 mod closed;
 mod momentum;

@@ -1,4 +1,4 @@
-//! Motions with a given vertical momentum, beside those with a given angular velocity; folds beside counts.
+//! Motions with a given vertical momentum, against those with a given angular velocity; folds against counts.
 
 use crate::physical::{fixed, gyrostat};
 use algebra::real::{Enclosure, Root};
@@ -11,7 +11,7 @@ use proptest::prelude::*;
 proptest! {
     #![proptest_config(fixed(60))]
 
-    /// Turn with some w; the momentum of each motion found there must give that motion back.
+    /// The momentum of each motion with a given w must give that motion back.
     #[test]
     fn every_motion_is_found_again_by_its_momentum(bodies in gyrostat(), w in 1..60i64, speed in -900..900i64) {
         let (w, speed) = (Rational::new(w, 10), Rational::new(speed, 10));
@@ -40,7 +40,7 @@ proptest! {
         }
     }
 
-    /// Two more or two fewer motions on the other side of a fold, and only there.
+    /// The number of motions changes by two at a fold, and only there.
     #[test]
     fn the_number_of_motions_changes_at_folds_alone(bodies in gyrostat(), speed in -900..900i64) {
         let energies = Energies::of(&bodies);

@@ -1,4 +1,4 @@
-//! The stationary states of every motor, and every motion of the scenes beside the equations that run.
+//! The steady states of every motor, and every motion of the scenes against the equations that run.
 
 use dalembert_derivations::studies::scene::{Scene, Start};
 use dalembert_derivations::studies::stationary::motions::Stationary;
@@ -75,7 +75,7 @@ fn kloss_motor_has_one_or_three_speeds() {
     assert_eq!(slopes(&with("asynchronous_drive", &[("f = \"4e-4 N m s\"", "f = \"1.9e-3 N m s\"")])), [-1, 1, -1]);
 }
 
-/// Six angles, as three pairs of poles ask for, and the phasor diagram's currents at each: the law that runs rests there.
+/// Three pairs of poles give six angles, each with the currents of the phasor diagram: the law that runs is steady there.
 #[test]
 fn a_motor_on_a_supply_rests_with_the_currents_that_its_law_keeps() {
     let scene = scene("machines/permanent_magnet_bench");
@@ -115,7 +115,7 @@ fn a_brushed_motor_has_one_speed_and_one_current() {
     assert_eq!(MotorStates::of(&ideal.machine).map(|_| ()), Err(NoMotor::NoRest));
 }
 
-/// Crossed windings feel the slip alone: in step friction has nothing against it, and without friction any angle will do.
+/// The torque of crossed windings depends on the slip alone: at synchronism nothing balances friction, and without friction any angle is steady.
 #[test]
 fn crossed_windings_are_never_held_in_step() {
     let found = motor(&scene("machines/crossed_windings_bench"));

@@ -72,7 +72,7 @@ fn none_is_missed_on_a_thousand_gyrostats() {
         kinds.get(&Kind::Degenerate).unwrap_or(&0)
     );
     let _ = writeln!(page, "isolated and certified: {certified}; beyond these the search found 0");
-    // what the search itself misses may differ in its last few on other processors
+    // the few motions that the search misses may differ on other processors
     assert!(by_search * 100 >= certified * 99, "the search found {by_search} of {certified}: it is no witness");
     let _ = writeln!(page, "\nstretches of angular velocity with a constant number, every twentieth gyrostat:");
     for (count, gyrostats) in folds {
