@@ -1,5 +1,5 @@
 //! Seconds to build and to prove the statements that a prover of mechanics must decide at once: `cargo bench --bench
-//! proofs`. `benches/peers/proofs.py` puts SymPy and FLINT beside; it asks for one statement after the other
+//! proofs`. `benches/peers/proofs.py` compares with SymPy and FLINT; it requests one statement after the other
 //! (`-- --answer`: letters in, JSON out).
 //!
 //! Then the pages of the ledger, once each.

@@ -160,7 +160,7 @@ fn a_step_by_the_programs_of_a_written_motor_allocates_nothing() {
     assert_eq!(by_steps(g.first_form().0, machine), 0);
 }
 
-/// The uniform ladder on wall and floor, with the direction from which it is seen.
+/// The uniform ladder on wall and floor, with a state at rest.
 fn ladder() -> (Ladder<f64>, State<f64, 4>) {
     let ladder = Ladder { mass: 1.0, inertia: 1.0 / 3.0, half_length: 1.0, gravity: 9.81, friction: [0.3; 2] };
     (ladder, State { time: 0.0, place: [0.6, 0.8, 0.8, 0.6], velocity: [0.0; 4] })

@@ -41,7 +41,7 @@ proptest! {
         prop_assert_eq!(rounded(&g).admissible(), Ok(()));
     }
 
-    /// Plates have J1 = J2 + J3 and single points no moment about one axis: equalities that rounding must not break.
+    /// Plates have J1 = J2 + J3, and single points zero inertia about one axis: equalities that rounding must not violate.
     #[test]
     fn plates_rods_and_single_points_are_accepted(bodies in bodies(), points in 1..7usize, flat in 0..3usize) {
         let mut g = bodies.gyrostat();

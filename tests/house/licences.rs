@@ -5,7 +5,7 @@ use spdx::{Expression, Licensee, ParseMode};
 use std::collections::BTreeSet;
 use std::process::Command;
 
-/// Licences that ask for no more than their text beside a copy.
+/// Licences that require no more than their text with a copy.
 const ACCEPTED: [&str; 9] = [
     "MIT",
     "Apache-2.0",

@@ -18,7 +18,7 @@ trait Rounded: Scalar {
     /// The distance from 1 to the next number.
     const EPSILON: f64 = f64::EPSILON;
 
-    /// From a value and what may serve as derivatives (or as low digits).
+    /// A number from a value and derivatives (or low digits).
     fn from_parts(parts: [f64; 5]) -> Self;
 
     /// The largest component.

@@ -106,7 +106,7 @@ fn close(a: f64, b: f64) -> bool {
     (a - b).abs() <= 4096.0 * 64.0 * f64::EPSILON
 }
 
-/// The bodies' data are below 1/2, the moments of the forms and what follows above 1: no form comes near D = 0.
+/// The bodies' data are below 1/2, the forms' moments of inertia and all further data above 1: no form comes near D = 0.
 fn parameters() -> impl Strategy<Value = Vec<f64>> {
     prop::collection::vec(0.25..0.5f64, PARAMETERS).prop_map(|mut p| {
         p[18..].iter_mut().for_each(|p| *p *= 4.0);

@@ -61,7 +61,7 @@ fn winding(flux: &str, of: u8) -> String {
 
 const FIELD_AND_FRICTION: &str = "field_energy = \"-b0*cos(g)\"\nmoment_law = \"-(mu*g' + f*phi')\"\n";
 
-/// The motor with bars at some angles, as it is compiled and as text; the bars of both have the same bits.
+/// The motor with bars at some angles, compiled and as text; the data of the bars agree to the last bit.
 fn with_bars(degrees: &[f64]) -> (MultiCurrent<f64>, Motor) {
     let windings =
         Windings { field_speed: 9.0, b0: 0.8, a1: 0.5, l1: 0.3, r1: 0.7, a2: 0.4, l2: 0.2, r2: 0.9, mu: 0.02, f: 0.05 };

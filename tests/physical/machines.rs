@@ -4,7 +4,7 @@ use motor::{Motor, catalogue};
 use proptest::prelude::*;
 use reader::Allowed;
 
-/// A machine of the catalogue with so many bars, every other datum the same.
+/// A machine of the catalogue with a number of bars, and 0.7 for every other datum.
 pub fn with_bars(name: &str, bars: usize) -> Motor {
     catalogue::sampled(name, |_| 0.7, bars).unwrap_or_else(|| panic!("{name} is in the catalogue"))
 }

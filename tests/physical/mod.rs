@@ -16,7 +16,7 @@ use proptest::test_runner::RngSeed;
 
 pub type Vector = Vector3<Rational>;
 
-/// The same random cases in every run.
+/// A configuration with a fixed seed: every run has equal random cases.
 pub fn fixed(cases: u32) -> ProptestConfig {
     ProptestConfig { cases, rng_seed: RngSeed::Fixed(1834), failure_persistence: None, ..ProptestConfig::default() }
 }
@@ -153,7 +153,7 @@ pub fn rounded_twice(g: &Gyrostat<Rational>) -> Gyrostat<DoubleDouble> {
     })
 }
 
-/// Any instant: velocities, accelerations and moment unrelated to each other.
+/// Any instant, with independent velocities, accelerations and torque.
 pub fn motion() -> impl Strategy<Value = MotionInstant<Rational>> {
     let number = || fraction(-30..31, 7);
     (vector(-30..31, 7), axes(), number(), vector(-30..31, 7), number(), number()).prop_map(

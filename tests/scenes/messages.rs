@@ -1,6 +1,6 @@
 //! Every mistake in a scene file is reported at its place, with an accepted alternative.
 //!
-//! Each test first asserts what the message points at, then compares the whole message with its snapshot.
+//! Each test first asserts the places to which the message points, then compares the whole message with its snapshot.
 
 use dalembert_derivations::studies::scene::Scene;
 use reader::{Family, SceneError};
@@ -66,7 +66,7 @@ fn compare(name: &str, error: &SceneError) {
     settings.bind(|| insta::assert_snapshot!(name, error.to_string()));
 }
 
-/// One test a case: its name as a sentence, the edits of the sound scene, what the marks stand under.
+/// One test a case: its name as a sentence, the edits of the sound scene, the marked texts.
 macro_rules! refuses {
     ($($name:ident: [$(($from:literal, $to:literal)),+ $(,)?] => [$($marked:literal),* $(,)?];)*) => {$(
         #[test]

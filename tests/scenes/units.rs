@@ -1,4 +1,4 @@
-//! Units and quantities: a table of what is accepted, with its value in SI, and of what is not.
+//! Units and quantities: a table of accepted texts with their SI values, and of rejected ones.
 
 use std::f64::consts::{PI, TAU};
 use units::quantity::{NoQuantity, parse};

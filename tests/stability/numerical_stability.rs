@@ -353,7 +353,7 @@ fn a_member_of_a_family_is_judged_across_it() {
     assert_eq!((chart.all.motions.len(), chart.all.families), (3, 0));
     let member = &chart.all.motions[2];
     let spectrum = member.spectrum.as_ref().unwrap();
-    // two zeros of the circle beside those of the integrals leave the nodding alone
+    // without the two zeros of the circle and those of the integrals only the nutation is left
     let [mode] = &spectrum.modes[..] else { panic!("{spectrum:?}") };
     assert!(member.member.is_some() && matches!(mode.place, HalfPlane::Imaginary(_)), "{mode:?}");
     assert_eq!(ChartedMotion::of(spectrum), ChartedMotion::Stays { staying: 2 });
@@ -361,7 +361,7 @@ fn a_member_of_a_family_is_judged_across_it() {
 
 #[test]
 fn what_is_found_is_carried_on_over_steps_between_and_not_beyond_where_it_is_lost() {
-    // it is found where what was found before is near enough
+    // the search succeeds where the result before is near enough
     let near = |step: f64, before: Option<&f64>| before.is_none_or(|before| step < 1.5 * before).then_some(step);
     let found = followed(&[1.0, 1.4, 8.0], near);
     assert!(found.iter().any(|(step, _)| *step == 8.0) && found.is_sorted_by(|(a, _), (b, _)| a < b), "{found:?}");

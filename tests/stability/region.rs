@@ -66,7 +66,7 @@ fn nodes_are_judged_as_scenes_that_have_their_data() {
         as_alone(&nodes[0], &with_bodies(&scene, |bodies| bodies.carrier.centre.x = centre), speed);
         nodes[0].isolated().len()
     };
-    // every bar of a damper; a speed that is irrational; a rotor that keeps its own momentum
+    // a damper with all bars; an irrational speed; a rotor with its own momentum conserved
     assert_eq!(
         [at("spin_up", 60.0, 0.004), at("asynchronous_drive", 40.0, -0.003), at("free_rotor", 7.0, 0.01)],
         [6, 4, 2]
@@ -99,7 +99,7 @@ fn a_verdict_is_bracketed_about_the_edge_that_is_known_exactly() {
         let changes: Vec<f64> = changes.map(|(edge, _)| edge.at).collect();
         let own = borders.iter().filter(|border| {
             let node = nodes.iter().rfind(|node| node.values[1] <= border.between[0][1]).unwrap();
-            // where a tilt costs nothing a pair splits off, and their number changes
+            // where a tilt costs no energy a pair of motions branches off, and the number of motions changes
             border.change != Change::PullOut && border.of == (0, place(node))
         });
         let brackets: Vec<[f64; 2]> = own.map(|border| border.between.map(|values| values[1])).collect();
@@ -142,7 +142,7 @@ fn motions_merge_where_the_discriminant_vanishes() {
         .filter(|border| border.change == Change::Fold)
         .map(|border| border.between.map(|v| v[1]))
         .collect();
-    // both motions that merge say so
+    // the border is found on both merging motions
     assert_eq!(folds.len() % 2, 0);
     folds.dedup();
     assert!(!folds.is_empty());

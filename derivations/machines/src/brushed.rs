@@ -5,8 +5,8 @@ use motor::{Entry, Machine, RotorState, letter};
 use symbolic::Sym;
 
 reader::quantities! {
-    /// L i' = v - R i - k phi', M = k i - f phi', k the flux: the commutator keeps the armature's current across the magnets' field while
-    /// the conductors turn through it, so that nothing depends on the angle.
+    /// L i' = v - R i - k phi', M = k i - f phi', k the flux: the commutator keeps the armature's current orthogonal to the magnets' field
+    /// while the conductors rotate through it, and nothing depends on the angle.
     pub struct Brushed {
         /// voltage at the brushes
         voltage: "V",

@@ -5,8 +5,8 @@ use motor::{Entry, Machine, RotorState, letter};
 use symbolic::Sym;
 
 reader::quantities! {
-    /// psi_1 = a cos g, psi_2 = a sin g, a the flux: closed windings without magnet and excitation, which feel the field by its slip
-    /// alone; m = -f phi'.
+    /// psi_1 = a cos g, psi_2 = a sin g, a the flux: short-circuited windings without magnet and excitation, whose currents depend on the
+    /// field by the slip alone; m = -f phi'.
     pub struct CrossedWindings {
         /// speed of the stator's field
         field_speed: "rad/s",

@@ -5,8 +5,8 @@ use motor::{Entry, Machine, RotorState, letter};
 use symbolic::Sym;
 
 reader::quantities! {
-    /// With the slip ratio s = (W - phi') / W: m = 2 m_k s s_k / (s^2 + s_k^2) - f phi'. The moment of the motor falls
-    /// again beyond the slip s_k, so the sum with friction can vanish at up to three speeds.
+    /// With the slip ratio s = (W - phi') / W: m = 2 m_k s s_k / (s^2 + s_k^2) - f phi'. The torque of the motor decreases
+    /// again beyond the slip s_k: its sum with friction can vanish at up to three speeds.
     pub struct Kloss {
         /// speed of the stator's field
         field_speed: "rad/s" != 0,

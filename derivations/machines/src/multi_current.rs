@@ -5,7 +5,7 @@ use motor::{Count, Datum, Entry, Machine, RotorState, letter};
 use symbolic::Sym;
 
 reader::quantities! {
-    /// The electric and mechanical constants; the equivalent windings use the same.
+    /// The electric and mechanical constants, also those of the equivalent windings.
     pub struct Windings {
         /// speed of the stator's field
         field_speed: "rad/s",

@@ -64,7 +64,7 @@ pub fn has_positive_minors(data: &ElasticGovernor<f64>, speed: f64) -> bool {
     minors.is_ok_and(|minors| minors.iter().all(|minor| *minor > 0.0))
 }
 
-/// The largest real part of an eigenvalue of the first approximation, 1/s; `None` where none was found.
+/// The largest real part of an eigenvalue of the linearisation, 1/s; `None` where none was found.
 pub fn growth(data: &ElasticGovernor<f64>, speed: f64) -> Option<f64> {
     let matrix = data.first_approximation(speed).ok()?;
     spectrum(matrix.len(), matrix.as_flattened())?.first().map(|root| root.re)

@@ -64,7 +64,7 @@ fn a_ladder_at_rest_may_stay_or_slide_up_under_one_load() {
     let dry = Dry::of(&system, &at, load).expect("one constraint");
     let mut found = Vec::new();
     consistent(&dry, &[Touch::Rest; 2], |regime| found.push((regime.regime, regime.motion[0][1])));
-    // at the floor's limit the same rest has other names
+    // at the floor's limit of friction several regimes describe this rest
     found.dedup_by_key(|(_, motion)| *motion);
     let up = [Mode::Slip(Forwards, Face::Front), Mode::Slip(Backwards, Face::Front)];
     assert_eq!(found, [([Mode::Stick(Face::Front); 2], q(0, 1)), (up, q(24, 13))]);

@@ -45,7 +45,7 @@ fn every_composition_has_its_order_with_every_kind_of_motor_in_both_forms() {
                 let pair = [run(steps), run(2 * steps)];
                 let (order, theory) = ((pair[0] / pair[1]).log2(), f64::from(splitting.order()));
                 let what = format!("{name} {model:?} {axes} {}", splitting.name());
-                // tells even orders apart: half a unit below, one above
+                // half a unit below to one above distinguishes even orders
                 assert!(
                     (-0.5..1.0).contains(&(order - theory)),
                     "{what}: {:.1e} {:.1e}, order {order:.2}",

@@ -39,7 +39,7 @@ fn both<P: Base, S: Over<P> + Analytic, F: Form<P>, M: Machine<P>>(
             fluxes: at.rotor.fluxes.iter().copied().map(fixed).collect(),
         },
     };
-    // to the first power of a moment: exponentials are lines, and any rule whose weights sum to one is exact
+    // to first order in the time: exponentials are linear, and any rule whose weights sum to one is exact
     let line = |a: Tangent<S>, b: Tangent<S>| Tangent::fixed(S::one()) - (a + b).half();
     let quarter = Tangent::fixed(S::ratio(1, 4));
     let zero = Tangent::fixed(S::zero());
@@ -175,7 +175,7 @@ fn are_flows(separable: &impl Separable, state: &[f64]) -> Result<(), TestCaseEr
     };
     let t = 2.0_f64.powi(-10);
     for piece in 0..pieces.pieces() {
-        // the data are rounded to f64, mobilities apart from moments: there and back in coordinates is not exact
+        // the data are rounded to f64, mobilities independently of moments of inertia: the change of coordinates is not exactly invertible
         let back = gap(&after(piece, &[t, -t]), &after(piece, &[]));
         prop_assert!(back < 1e-26, "piece {piece} back: {back:e}");
         let parts = gap(&after(piece, &[t, 2.0 * t]), &after(piece, &[3.0 * t]));

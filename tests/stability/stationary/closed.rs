@@ -60,7 +60,7 @@ fn at_rest_the_centre_of_mass_is_above_or_below() {
 
 #[test]
 fn a_heavy_symmetric_top_precesses_on_a_circle_where_it_is_fast_enough() {
-    // moments (4, 4, 2), weight 8 along the axis: (4 - 2) w^2 cos = 8 up to the sign
+    // principal moments (4, 4, 2), weight 8 along the axis: (4 - 2) w^2 cos = 8 up to the sign
     let top = body([4, 4, 2], [0; 3], [0, 0, 8]);
     let slow = shapes(&top, r(1, 1));
     assert_eq!(slow.len(), 2, "{slow:?}");

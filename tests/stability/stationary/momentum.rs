@@ -52,7 +52,7 @@ proptest! {
             let (before, after) = (pair[0].isolated as i64, pair[1].isolated as i64);
             prop_assert!(pair[0].to == 0.0 || (before - after).abs() <= 2, "{before} to {after}");
         }
-        // samples inside each stretch agree with its count
+        // counts at samples inside each interval agree
         for stretch in &census.stretches {
             let (from, to) = (stretch.from.max(-1e3), stretch.to.min(1e3));
             for share in [0.03, 0.37, 0.91] {

@@ -71,7 +71,7 @@ fn kloss_motor_has_one_or_three_speeds() {
         other => panic!("{other:?}"),
     };
     assert_eq!(slopes(&scene("asynchronous_drive")), [-1]);
-    // a load that the motor bears near synchronism and far from it
+    // a load with steady speeds near synchronism and far from it
     assert_eq!(slopes(&with("asynchronous_drive", &[("f = \"4e-4 N m s\"", "f = \"1.9e-3 N m s\"")])), [-1, 1, -1]);
 }
 

@@ -90,7 +90,7 @@ const LETTERS: &[Letter<4>] = &[
     ("sn", r"\sin 2nh", [0, 0, 0, 0]),
     ("ct", r"\cos t", [0, 0, 0, 0]),
     ("st", r"\sin t", [0, 0, 0, 0]),
-    // ours: a multiplier with what it multiplies, moments of inertia
+    // ours: a multiplier and its coefficients, moments of inertia
     ("λ", r"\lambda", [1, 2, -2, 0]),
     ("α#", r"\alpha_#", [1, 2, -2, 0]),
     ("δ#", r"\delta_#", [1, 2, -2, 0]),

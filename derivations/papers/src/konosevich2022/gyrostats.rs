@@ -1,7 +1,7 @@
 //! Exact gyrostats that exist, as counterexamples and examples.
 //!
 //! Each is given by bodies. The rotor has m' = 1 kg, its centre in O, and A' = B'; the carrier 100 kg. Then A* is the
-//! carrier's tensor plus A' times the identity, so that the principal axes are those of the data.
+//! carrier's tensor plus A' times the identity: the principal axes are those of the data.
 
 use super::letters::Letters;
 use claims::Point;
@@ -96,7 +96,7 @@ fn balanced(full: [i64; 3]) -> Data {
     }
 }
 
-/// (3C) three different moments, vertical along a principal axis that is not the rotor's.
+/// (3C) three different principal moments, vertical along a principal axis that is not the rotor's.
 pub fn principal_axis() -> Example {
     Data {
         full: [3, 4, 5],

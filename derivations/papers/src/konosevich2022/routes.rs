@@ -1,4 +1,4 @@
-//! Beyond the paper: the equations of motion by four principles are the same equations, in arbitrary axes.
+//! Beyond the paper: equality of the equations of motion by four principles, in arbitrary axes.
 
 use super::alphabet::letter;
 use super::letters::Letters;

@@ -83,7 +83,7 @@ pub fn claims(page: &mut Page, s: &Letters) {
     rotor(page, s);
 }
 
-/// (2.8), and the same with the terms in A' dropped.
+/// (2.8), and (2.8) without the terms in A'.
 fn components(page: &mut Page, s: &Letters, slug: &'static str, tensor: Matrix3<Sym>, axial: Sym) {
     let g = s.general();
     let (l, h, a0) = (s.l, s.h, g.carrier.inertia);

@@ -132,7 +132,7 @@ fn multi_current(page: &mut Page, s: &Letters, bars: u32, slug: &'static str) {
         .holds([Line::formula(moment, s.moment, printed)]);
 }
 
-/// The equations of the currents, the last of (3.3) and (4.7), beside rates that were derived.
+/// The equations of the currents, the last of (3.3) and (4.7), compared with derived rates.
 pub fn current_equations(s: &Letters, bars: u32, rates: &[Sym]) -> Vec<Line> {
     let gamma = s.angle();
     let line = |inductance: Sym, name: Sym, rate: Sym, right: Sym| {

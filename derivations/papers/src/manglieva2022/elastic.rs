@@ -8,7 +8,7 @@ use mechanics::constrained::{Charted, PointSystem, kinetic_energy};
 use symbolic::{Hypotheses, Sym};
 use systems::elastic_governor::ElasticGovernor;
 
-/// The reading of the signs of the rim's force and moment up to (3.22).
+/// The reading of the signs of the rim's force and torque up to (3.22).
 pub const AS_PRINTED: &str = r"Judged with the printed force $+a\lambda$ and moment $+b\psi$: a rim that resists then has $a<0$, $b<0$. The printed $Z$ belongs to $-a\lambda$.";
 
 /// The reading of these signs from Z on.
@@ -185,7 +185,7 @@ impl ElasticLetters {
         self.named(wanted, Hypotheses::none().given(self.drill, -self.b))
     }
 
-    /// Those of a rim that resists, whose moment on the disc is b psi.
+    /// The values for a rim that resists, whose torque on the disc is b psi.
     pub fn names_of_stiffness(&self, wanted: &[&str]) -> Hypotheses {
         self.named(wanted, Hypotheses::none())
     }

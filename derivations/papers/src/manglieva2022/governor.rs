@@ -122,7 +122,7 @@ impl GovernorLetters {
         self.governor.balance(Sym::ZERO, self.rho, [self.speed, self.drho], [self.dspeed, self.ddrho]).map(tidy)
     }
 
-    /// The same with the speed kept.
+    /// dS'/dp' - Q' at the prescribed speed, omega2' = 0.
     pub fn kept(&self) -> [Sym; 2] {
         self.balance().map(|side| tidy(side.substitute(&[(self.dspeed, Sym::ZERO)])))
     }

@@ -16,7 +16,7 @@ pub fn claims(page: &mut Page, s: &RodLetters) {
     eliminated(page, s);
 }
 
-/// (1.20)-(1.23). y points downwards, so that a floor which pushes makes R_y negative.
+/// (1.20)-(1.23). y points downwards: a floor that pushes makes R_y negative.
 fn law(page: &mut Page, s: &RodLetters) {
     let (c, sin) = (s.point.cos, s.point.sin);
     let [name_x, name_y] = letters(["Rx", "Ry"]);
@@ -43,7 +43,7 @@ fn law(page: &mut Page, s: &RodLetters) {
     ];
     for (equation, way, slug, corrected, when) in ways {
         let way_of = int(way);
-        // the mirror image for the way back: M1 stands on the other side, so that both examples are one
+        // the mirror image for backward sliding: M1 is on the other side, and both examples are equivalent
         let at = exact([
             ("m", 1, 1),
             ("m1", 1, 1),
@@ -99,7 +99,7 @@ fn law(page: &mut Page, s: &RodLetters) {
         );
 }
 
-/// (1.24)-(1.28) and what is said of them.
+/// (1.24)-(1.28) and the statements on them.
 fn multipliers(page: &mut Page, s: &RodLetters) {
     let (c, sin) = (s.point.cos, s.point.sin);
     let place = [s.x, Sym::ZERO, s.x + s.l * c, s.l * sin];

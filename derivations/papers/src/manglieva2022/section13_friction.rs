@@ -51,7 +51,7 @@ fn combination(page: &mut Page, s: &SteeredLetters) {
             Line::formula(of_friction[0], letter("ρ1x"), -rho21 * c - rho22 * sin),
             Line::formula(of_friction[1], letter("ρ1y"), -rho21 * sin + rho22 * c),
         ]);
-    // friction at M1 and M2 as (1.68) has it, and what the constraints say of it over the masses
+    // friction at M1 and M2 by (1.68), and the constraints on its quotient by the masses
     let friction = [rx + of_friction[0], ry - y + of_friction[1], of_friction[2], of_friction[3]];
     let vertical = friction[1];
     page.claim(

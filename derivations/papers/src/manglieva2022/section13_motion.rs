@@ -169,7 +169,7 @@ fn multipliers(page: &mut Page, s: &SteeredLetters) {
     .follows(s.multipliers(any).map(|multiplier| Zero(multiplier.diff(p))));
 }
 
-/// (1.90)-(1.91): the same by Painleve's displacements, with mu the force of friction at M1.
+/// (1.90)-(1.91): equations of motion and multipliers by Painleve's displacements, with mu the force of friction at M1.
 fn painleve(page: &mut Page, s: &SteeredLetters) {
     let (c, sin) = (s.point.cos, s.point.sin);
     let [mu, q] = letters(["μᴾ", "q"]);

@@ -1,6 +1,6 @@
 //! Section 2.1: nonholonomic systems with friction, (2.1)-(2.9).
 //!
-//! Four coordinates, one geometric and one nonlinear kinematic constraint, so that r = 2 velocities are free.
+//! Four coordinates with one geometric and one nonlinear kinematic constraint: r = 2 velocities are free.
 
 use super::alphabet::{indexed, int, letter, letters};
 use super::general::{Mixed, dot, first_kind, friction, mixed, with_friction};

@@ -26,7 +26,7 @@ fn combined(page: &mut Page) {
     let changed = force.map(|f| f.substitute(&[(mu1, mu1 + change1), (mu2, mu2 + change2)]));
     let displaced =
         |by: [Sym; 2]| -> Four { std::array::from_fn(|i| by[0] * motion.fields[0][i] + by[1] * motion.fields[1][i]) };
-    // the work of R^n = m x'' - X - R^tau on what friction points to
+    // the work of R^n = m x'' - X - R^tau on the displacements of friction
     let works = |at: Four| {
         motion.fields.map(|field| (0..4).fold(Sym::ZERO, |sum, i| sum + (masses[i] * at[i] - force[i]) * field[i]))
     };

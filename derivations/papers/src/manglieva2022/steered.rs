@@ -104,7 +104,7 @@ impl SteeredLetters {
         std::array::from_fn(|i| (0..3).fold(Sym::ZERO, |sum, k| sum + multipliers[k] * directions[k][i]))
     }
 
-    /// The same by the letters.
+    /// The forces of the constraints for the letters lambda_1, lambda_2, lambda.
     pub fn named_constraints(&self) -> [Sym; 4] {
         self.of_constraints([self.lambda1, self.lambda2, self.lambda])
     }

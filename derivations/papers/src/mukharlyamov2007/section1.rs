@@ -124,7 +124,7 @@ fn joint(page: &mut Page) {
     .follows([Equal(joint.residual(Sym::ZERO, [angle, speed, acceleration]), derived)]);
 }
 
-/// (4) and what it says about the mass that leaves.
+/// (4) and its assumption on the ejected mass.
 fn point(page: &mut Page) {
     let [x, dx, ddx, m, dm, beta, k, push, u] = letters(["x", "ẋ", "ẍ", "m", "ṁ", "β", "k", "Rᶠ", "u"]);
     let law = VariablePoint { mass: m, mass_rate: dm, resistance: beta, stiffness: k, push };
@@ -135,7 +135,7 @@ fn point(page: &mut Page) {
         r"(4) has the form of (1) with $w=\beta\dot x+kx$, $u=R$, which is the program's law of the point",
     )
     .defines([Line::equation(law.residual(Sym::ZERO, [x, dx, ddx]), left, push)]);
-    // momentum of the point and of what has left it
+    // momentum of the point and of the ejected mass
     let carried = Tangent::moving(m, dm) * Tangent::moving(dx, ddx);
     let balance = carried.slope - dm * u + beta * dx + k * x - push;
     page.claim("eq4", "variable-mass", r"(4) is the equation of a point of variable mass without other forces; from the momentum of the point and of the mass that has left with the velocity $u$ in space")

@@ -129,7 +129,7 @@ impl Bundle {
             .follows([Equal(slope(printed, x3), c * n / a), Equal(slope(printed, x6), int(4) * self.tide * (a - c))]);
     }
 
-    /// The form and what is left.
+    /// The quadratic form, and the terms of higher order.
     fn form(&self, page: &mut Page) {
         let ([a, c, _], [_, _, _, x4, x5, x6]) = (body(), perturbations());
         let square = x4 * x4 + x5 * x5 + x6 * x6;
@@ -139,7 +139,7 @@ impl Bundle {
             .follows([Equal(self.corrected(), self.quadratic() + left)]);
     }
 
-    /// Squares.
+    /// Definiteness of the form by squares.
     fn definite(&self, page: &mut Page) {
         let ([a, c, n], [x1, x2, x3, x4, x5, x6]) = (body(), perturbations());
         let shift = |x: Sym, y: Sym, by: Sym| (x - by * y).powi(2);

@@ -1,6 +1,6 @@
 //! Zhukovskii and Volterra's gyrostat, its rotor along the principal axis k.
 //!
-//! With the moments A of the first form and the constant p of the rotor, the momentum x = A w + p e_k keeps its length,
+//! With the principal moments A of the first form and the constant p of the rotor, the momentum x = A w + p e_k keeps its length,
 //! x.x = g, and the energy keeps A w.w = h. Hence with u = w_k
 //!
 //!   A_i (A_i - A_j) w_i^2 = g - (A_k u + p)^2 - A_j (h - A_k u^2) =: n_i ,

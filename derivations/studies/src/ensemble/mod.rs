@@ -1,7 +1,7 @@
 //! Ensembles of scenes with a motor.
 //!
 //! # Overview
-//! * [`open`]: a scene with a table `[ensemble]` that says what varies, from a file;
+//! * [`open`]: a scene with a table `[ensemble]` of the varying numbers, from a file;
 //! * [`known`]: the numbers that may vary;
 //! * [`kind`]: the law with a symbol for each number that may vary; `driven_system`: the members.
 

@@ -10,7 +10,7 @@ use std::cell::Cell;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
-/// The folder beside other scenes.
+/// The folder of entries within a folder of scenes.
 pub(super) const FOLDER: &str = "failures";
 
 /// The bisection is finer than the comparison with theory by this factor.

@@ -31,7 +31,7 @@ impl Scene {
         state
     }
 
-    /// Turns w and v of a state from the axes of a form into the axes of the data, so that results of both can be
+    /// Transforms w and v of a state from the axes of a form to the axes of the data, in which results of both forms can be
     /// compared.
     pub fn back(&self, axes: Axes) -> impl Fn(&mut [f64]) + use<> {
         let frame = matches!(self.system, Setup::Gyrostat(_)).then(|| self.frame(axes));

@@ -81,7 +81,7 @@ impl ConstantMoments {
 
 /// The y with y - ln|y| = level that has the sign of `from` and lies on its side of 1: Lambert's W, by Newton's method.
 fn same_branch(level: f64, from: f64) -> f64 {
-    // beside 1 for a positive y, between 0 and 1 near exp(-level), below zero between both
+    // initial guesses: near 1 for a positive y, near exp(-level) between 0 and 1, between both bounds below zero
     let mut y = if from > 1.0 {
         let height = (level - 1.0).max(0.0);
         1.0 + (2.0 * height).sqrt() + height

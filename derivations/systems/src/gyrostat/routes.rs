@@ -74,7 +74,7 @@ impl<P: Base> Gyrostat<P> {
     }
 
     /// Lagrange's equations in Euler's angles and the rotor's angle, from L = T - V; residuals for each coordinate.
-    /// `moment` is the generalised force of the rotor's angle.
+    /// `moment` is the generalised force of the rotor's angle, the torque M.
     pub fn by_lagrange<S: Over<P> + Analytic>(
         &self,
         angles: [S; 4],
