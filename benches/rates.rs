@@ -79,7 +79,7 @@ fn recorded<F: Form<f64>, M: Machine<f64>>(law: &Driven<f64, F, M>) -> Option<(T
     Some((Tape::record(&inputs, &rates).ok()?, Tape::record(&inputs, &entries).ok()?))
 }
 
-/// Both as machine code.
+/// The rates and their Jacobian's entries as machine code.
 fn written<F: Form<f64>, M: Machine<f64>>(law: &Driven<f64, F, M>) -> Option<(Code, Code)> {
     let (tape, entries) = recorded(law)?;
     Some((Code::of(&tape.arranged())?, Code::of(&entries.arranged())?))

@@ -17,7 +17,7 @@ struct Moving {
     acceleration: Vector,
 }
 
-/// In axes that turn with w every absolute rate is the relative one and w x (.).
+/// A point's absolute velocity and acceleration, in axes that turn with w: a' = (relative rate of a) + w x a.
 fn moving(
     point: MassPoint,
     centre: Vector,

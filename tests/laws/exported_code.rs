@@ -31,7 +31,7 @@ fn expected(scene: &Scene, axes: Axes) -> Expected {
     Expected { state: problem.state, values }
 }
 
-/// Both functions in a language.
+/// Source of the rates and of their Jacobian in a language.
 fn printed(scene: &Scene, axes: Axes, language: Language) -> String {
     let (rates, jacobian) = (scene.tape(axes), scene.jacobian_tape(axes));
     let (Ok(rates), Ok(jacobian)) = (rates, jacobian) else { panic!("the law has a tape") };

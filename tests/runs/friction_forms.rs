@@ -133,7 +133,7 @@ where
 
 impl<Q: Contacts<4, C, K, Given = f64>, const C: usize, const K: usize> Law for InRegime<Q, C, K> {}
 
-/// In the chart (q, p): by the second kind, or by Appell.
+/// The sliding motion in the chart (q, p): by the equations of the second kind, or by Appell's.
 struct InChart<Q, const C: usize, const K: usize, const D: usize, const A: usize, const R: usize> {
     sliding: Sliding<Q, C, K>,
     appell: bool,

@@ -11,7 +11,7 @@ fn scene() -> Scene {
     Scene::open(Path::new("scenes/closed_forms/upright_rotation.toml")).unwrap()
 }
 
-/// At one load, over the height of the carrier's centre of mass, about the opposite of the rotor's axis.
+/// The cell at one load over the height of the carrier's centre of mass, about the opposite of the rotor's axis.
 fn over_height(load: f64, w: f64) -> Cell {
     let scene = scene();
     let [load_datum, height] = ["load", "carrier.centre.3"].map(|name| Datum::named(&scene, name).unwrap());

@@ -192,7 +192,7 @@ pub fn circling(moments: [i64; 3], axis: [Rational; 3], v3: Rational, [w, spin]:
     Top { moments, axis, weight: [-w * spin * axis[0], r(0, 1), along] }
 }
 
-/// With w = 2 and A'W = 5/2 on the circle v3 = 3/5.
+/// A top with w = 2 and A'W = 5/2 on the circle v3 = 3/5.
 pub fn oblique(moments: [i64; 3]) -> Top {
     circling(moments, [r(3, 5), r(0, 1), r(4, 5)], r(3, 5), [r(2, 1), r(5, 2)])
 }

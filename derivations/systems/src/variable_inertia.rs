@@ -67,7 +67,7 @@ pub struct Joint<P> {
     pub load: P,
     /// Distance of the load from the axis at t = 0.
     pub distance: P,
-    /// Its rate.
+    /// Constant rate of that distance.
     pub rate: P,
     /// g
     pub gravity: P,

@@ -67,7 +67,7 @@ impl std::fmt::Display for StationaryInclination {
 impl std::error::Error for StationaryInclination {}
 
 impl<S> Top<S> {
-    /// Every parameter under a map.
+    /// The top with `f` applied to every parameter.
     pub fn map<T>(self, f: impl Fn(S) -> T) -> Top<T> {
         Top {
             equatorial: f(self.equatorial),

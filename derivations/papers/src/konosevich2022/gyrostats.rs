@@ -44,7 +44,7 @@ struct Data {
 }
 
 impl Data {
-    /// With A' = B' = 1 and W = 1.
+    /// The example of these data, with A' = B' = 1 and W = 1.
     fn example(self, name: &'static str) -> Example {
         let (mass, gravity) = (Rational::int(100), Rational::int(10));
         let gamma = Rational::int(self.gamma);

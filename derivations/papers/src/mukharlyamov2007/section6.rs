@@ -58,7 +58,7 @@ fn constraint(page: &mut Page) {
         )]);
 }
 
-/// Every datum of the drive a letter.
+/// The drive with a letter for every datum.
 fn drive() -> CrankDrive<Sym> {
     let [l1, l2, l4, l5] = letters(["Lᵈ1", "Lᵈ2", "Lᵈ4", "Lᵈ5"]);
     let [r1, r2, r4, r5] = letters(["Rᵈ1", "Rᵈ2", "Rᵈ4", "Rᵈ5"]);

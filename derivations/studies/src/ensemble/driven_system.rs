@@ -162,7 +162,7 @@ impl Shown<'_> {
         row
     }
 
-    /// Which of the invariants of its kind the member keeps.
+    /// For each invariant of its kind, whether the member conserves it.
     fn keeps(&self) -> [bool; 4] {
         [self.frame.is_some(), self.frame.is_some(), self.conserved.jacobi, self.conserved.spin]
     }

@@ -120,7 +120,7 @@ fn critical(motor: &Motor) -> Option<Rational> {
 
 /// The torque on a rotor at synchronism, over b0, by its angle and the friction over b0.
 struct Standing {
-    /// Without friction, and with 1 N m s.
+    /// The motor without friction, and with a coefficient of friction of 1 N m s.
     motors: [Motor; 2],
     unit: f64,
 }

@@ -36,7 +36,7 @@ pub struct Lumping {
 pub struct Lump {
     pub inductance: Rational,
     pub resistance: Rational,
-    /// Its flux as a sum of the machine's: (winding, factor).
+    /// The terms of its flux in the fluxes of the machine's windings: (winding, factor).
     pub shares: Vec<(usize, Rational)>,
 }
 

@@ -100,7 +100,7 @@ impl Data {
 }
 
 impl Case {
-    /// From (wall, floor) to (deciding, other) and back.
+    /// A pair reordered from (wall, floor) to (deciding, other), or back.
     fn ordered<T: Copy>(&self, [a, b]: [T; 2]) -> [T; 2] {
         if self.decides == 0 { [a, b] } else { [b, a] }
     }

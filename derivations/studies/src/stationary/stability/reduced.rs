@@ -120,7 +120,7 @@ pub enum Fate {
     /// the motion.
     ByGyroscopes,
     Unstable,
-    /// On the boundary between them.
+    /// On the boundary between two of the other cases.
     Edge,
 }
 
