@@ -3,7 +3,7 @@
 use crate::clock::Keeps;
 pub use crate::output::Format;
 use crate::{
-    bodies, chart, choose, conform, derive, ensemble, export, failures, inverse, ledger, linearise, motor, new,
+    bodies, chart, choose, conform, derive, draw, ensemble, export, failures, inverse, ledger, linearise, motor, new,
     numerical_stability, prove, reference, regimes, regulate, report, review, run, scenes, stationary,
 };
 use clap::{Parser, Subcommand};
@@ -57,6 +57,7 @@ impl Arguments {
             Some(Command::Review(asked)) if asked.file.is_some() => ("review", Part, Some(USUAL)),
             Some(Command::Review(_)) => ("review", Nothing, None),
             Some(Command::Derive(_)) => ("derive", Nothing, Some(USUAL)),
+            Some(Command::Draw(_)) => ("draw", Nothing, Some(USUAL)),
             Some(Command::Export(_)) => ("export", Nothing, Some(USUAL)),
             Some(Command::Inverse(_)) => ("inverse", Nothing, Some(USUAL)),
             Some(Command::Linearise(_)) => ("linearise", Nothing, Some(USUAL)),
@@ -102,6 +103,8 @@ pub enum Command {
     Review(review::Asked),
     /// Equations of motion by a chosen principle
     Derive(derive::Asked),
+    /// A sketch of a system, drawn from its model: bodies, joints, springs, surfaces; still, or moving as a run does
+    Draw(draw::Asked),
     /// A system that is written in its file, for other programs: a unit of FMI 3.0, a Modelica model, code that runs
     #[command(after_long_help = export::HELP)]
     Export(export::Asked),

@@ -12,7 +12,7 @@
 //!
 //! # Overview
 //! * `arguments`: the command line; what can be asked of a command stands beside it;
-//! * `report`, `ledger` with `judge`, `review`, `derive`, `linearise`, `inverse`, `regulate`, `bodies`, `run`, `ensemble`, `regimes`, `stationary`, `numerical-stability`, `motor`, `conform`, `new`,
+//! * `report`, `ledger` with `judge`, `review`, `derive`, `draw`, `linearise`, `inverse`, `regulate`, `bodies`, `run`, `ensemble`, `regimes`, `stationary`, `numerical-stability`, `motor`, `conform`, `new`,
 //!   `failures`, `chart`, `choose`, `reference`, `scenes`: one file for each command;
 //! * `export`: a system for other simulators;
 //! * `summary`, `csv`, `pictures`, `sphere`: a run as text, JSON, a table and the data of pictures;
@@ -33,6 +33,7 @@ mod clock;
 mod conform;
 mod csv;
 mod derive;
+mod draw;
 mod ensemble;
 mod exit;
 mod export;
@@ -56,6 +57,7 @@ mod report;
 mod review;
 mod run;
 mod scenes;
+mod sketch;
 mod spectrum;
 mod speed;
 mod sphere;
@@ -106,6 +108,7 @@ pub fn run() -> ExitCode {
         Some(Command::Judge(asked)) => ledger::paper_file::judge(&asked),
         Some(Command::Review(asked)) => review::review(&asked),
         Some(Command::Derive(asked)) => derive::derive(&asked),
+        Some(Command::Draw(asked)) => draw::draw(&asked),
         Some(Command::Export(asked)) => export::export(&asked),
         Some(Command::Inverse(asked)) => inverse::show(&asked),
         Some(Command::Linearise(asked)) => linearise::linearise(&asked),

@@ -18,7 +18,7 @@ mod zero_test;
 pub(crate) use characteristics::solved_in_short;
 pub use characteristics::{Characteristics, SolvedMotion};
 pub use constraints::{Equation, Level, equations as constraints_of, implied as implied_constraints};
-pub(crate) use constraints::{held_of, independent};
+pub(crate) use constraints::{ScalarConstraint, held_of, independent};
 pub(crate) use elimination::solve_sparse;
 pub use elimination::{Pushes, Singular};
 pub(crate) use generic_point::{Dependence, circuits as generic_circuits, courses, depends};

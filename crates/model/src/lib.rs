@@ -32,6 +32,7 @@ mod elaboration;
 pub mod equations;
 pub mod expression;
 mod fault;
+pub mod geometry;
 mod joints;
 mod judgements;
 mod parts;

@@ -66,7 +66,7 @@ fn agreed(one: Sym, other: Sym, point: u64) -> f64 {
 }
 
 /// A number between 1/5 and 6/5 for a name, the same each time.
-fn drawn(name: &str, point: u64) -> DoubleDouble {
+pub(crate) fn drawn(name: &str, point: u64) -> DoubleDouble {
     let mut hash = 0xcbf2_9ce4_8422_2325_u64 ^ point.wrapping_mul(0x9e37_79b9_7f4a_7c15);
     for byte in name.bytes() {
         hash = (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);

@@ -24,6 +24,7 @@ pub mod exchange;
 mod failure_entry;
 mod first_motion;
 mod formulations;
+pub mod geometry;
 mod hybrid;
 mod implicit;
 mod inductances;

@@ -86,6 +86,18 @@ impl Drawing {
         }
     }
 
+    /// A path with more attributes, and with what moves it.
+    pub fn path_with(&mut self, d: &str, class: &str, attributes: &str, moved: &str) {
+        let d = d.replace(" -", "-");
+        let _ = write!(self.body, "<path class=\"{class}\" d=\"{d}\"{attributes}>{moved}</path>");
+    }
+
+    /// A text with more attributes, and with what moves it.
+    pub fn text_with(&mut self, (x, y): (f64, f64), class: &str, text: &str, attributes: &str, moved: &str) {
+        let (x, y, text) = (coordinate(x), coordinate(y), html!((text)).0);
+        let _ = write!(self.body, "<text class=\"{class}\" x=\"{x}\" y=\"{y}\"{attributes}>{text}{moved}</text>");
+    }
+
     pub fn path_with_tooltip(&mut self, d: &str, class: &str, tooltip: &str) {
         if d.is_empty() {
             return;
@@ -140,7 +152,12 @@ impl Drawing {
 
     /// The picture as a file of its own, under its title.
     pub fn standalone(&self, title: &str) -> String {
-        let style = format!("<style>{STYLE}</style>");
+        self.standalone_in(title, STYLE)
+    }
+
+    /// The same with other styles.
+    pub fn standalone_in(&self, title: &str, style: &str) -> String {
+        let style = format!("<style>{style}</style>");
         self.element(title, " xmlns=\"http://www.w3.org/2000/svg\"", &style)
     }
 

@@ -4,6 +4,7 @@ pub(crate) mod areas;
 pub(crate) mod branches;
 pub(crate) mod number;
 pub(crate) mod sheet;
+pub(crate) mod sketch;
 pub(crate) mod sphere;
 pub(crate) mod timings;
 pub(crate) mod trajectory;

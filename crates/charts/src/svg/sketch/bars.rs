@@ -1,0 +1,13 @@
+//! Elements between two places, as paths along their first axis.
+
+/// A spring of the length of a stretched path.
+pub(super) const SPRING: &str = "M0 0H15l5-8 10 16 10-16 10 16 10-16 10 16 10-16 5 8H100";
+
+/// A dashpot: a piston in a cylinder.
+pub(super) const DASHPOT: &str = "M0 0H45M45-5V5M36-8H65V8H36M65 0H100";
+
+/// A dashpot beside a spring of the same ends.
+pub(super) const DASHPOT_BESIDE: &str = "M6 0V18H45M45 13V23M36 10H65V26H36M65 18H94V0";
+
+/// A force between two places: arrows away from each other.
+pub(super) const ACTUATOR: &str = "M0 0H100M12-6L0 0 12 6M88-6L100 0 88 6";

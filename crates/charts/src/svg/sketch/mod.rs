@@ -1,0 +1,128 @@
+//! A mechanism as a mechanician sketches it: bodies, joints, springs, supports, at one instant or along a run.
+//!
+//! Every part stands at places and along directions, by their numbers, and an [`Instant`] says where these are. One instant gives a still;
+//! several give a picture that moves by itself, in a page and as an image, without a script: what is rigid is moved, what changes its
+//! shape has a path for each instant.
+
+mod bars;
+mod camera;
+mod extent;
+mod labels;
+mod marks;
+mod plates;
+mod pose;
+mod shapes;
+mod surfaces;
+mod timeline;
+
+pub use camera::View;
+
+use super::drawing::Drawing;
+use camera::Camera;
+use extent::scale_bar;
+use labels::Labels;
+use shapes::shapes;
+use timeline::Timeline;
+
+/// A mechanism with its parts and its places.
+#[derive(Clone, Debug, Default)]
+pub struct Sketch {
+    pub title: String,
+    pub parts: Vec<SketchPart>,
+    /// Names at places, plain text; those of greater weight come first.
+    pub names: Vec<(usize, String)>,
+    /// At least one; times are even along a run.
+    pub instants: Vec<Instant>,
+    pub view: View,
+    /// The names of the axes x, y and z of the ground.
+    pub axes: [String; 3],
+    /// Whether lengths are those of the model, so that a scale is drawn.
+    pub has_scale: bool,
+    /// Text below the picture.
+    pub note: String,
+}
+
+/// The places and directions of a mechanism at a time.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Instant {
+    /// In seconds.
+    pub time: f64,
+    /// In metres, along the axes of the ground.
+    pub places: Vec<[f64; 3]>,
+    /// Along the axes of the ground; of those that are lengths in metres.
+    pub directions: Vec<[f64; 3]>,
+}
+
+/// A part, at places and along directions by their numbers.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SketchPart {
+    /// A rigid body through places that are fixed in it, in a colour by its number.
+    Plate { corners: Vec<usize>, colour: usize },
+    /// A rigid rod without a mass.
+    Rod([usize; 2]),
+    /// A line on which one place moves beside another.
+    Telescope([usize; 2]),
+    Spring([usize; 2]),
+    Dashpot([usize; 2]),
+    /// A force between two places that is neither of a spring nor of a dashpot.
+    Actuator([usize; 2]),
+    /// A body that is a point with a mass.
+    Particle { at: usize, colour: usize },
+    /// The centre of mass of a body.
+    Centre(usize),
+    /// A joint.
+    Pin(usize),
+    /// A place that is fixed in the ground, with something held there.
+    Support(usize),
+    /// A block that slides along a line.
+    Block { at: usize, along: usize, colour: usize },
+    /// The line that it slides on, through a place of the first instant.
+    Guide { at: usize, along: usize },
+    /// A closed curve about a place: an ellipse by its two half axes, lengths among the directions.
+    Ring { at: usize, axes: [usize; 2], colour: usize, spoke: bool },
+    /// The axes of a frame that turns.
+    Triad { at: usize, axes: [usize; 3], colour: usize },
+    /// A surface that is touched at a place, with its normal towards the body.
+    Surface { at: usize, normal: usize, of_ground: bool },
+    /// A force on a place, whose size is not drawn.
+    Arrow { at: usize, along: usize },
+}
+
+impl Sketch {
+    /// The sketch as an SVG file: still with one instant, moving with several.
+    pub fn svg(&self) -> String {
+        self.drawing().standalone_in(&self.title, STYLE)
+    }
+
+    /// The sketch inside a page, which has the [`STYLE`] of sketches.
+    pub fn embedded(&self) -> String {
+        self.drawing().embedded(&self.title)
+    }
+
+    fn drawing(&self) -> Drawing {
+        let mut drawing = Drawing::default();
+        let Some(first) = self.instants.first() else { return drawing };
+        let camera = Camera::of(self);
+        let timeline = Timeline::of(&self.instants);
+        let shapes = shapes(self, &camera);
+        drawing.open("sketch");
+        shapes.iter().for_each(|shape| shape.draw(&mut drawing, &timeline));
+        let names = Labels::of(self, &camera, first);
+        names.draw(&mut drawing, &timeline);
+        camera.draw_axes(&mut drawing, &self.axes);
+        drawing.height = camera.height;
+        if self.has_scale {
+            scale_bar(&mut drawing, &camera);
+        }
+        timeline.draw(&mut drawing);
+        drawing.close();
+        drawing.paragraph(&self.note, "small");
+        drawing
+    }
+}
+
+/// The looks of sketches, in light and dark.
+pub const STYLE: &str = include_str!("sketch.css");
+
+#[cfg(test)]
+mod tests;

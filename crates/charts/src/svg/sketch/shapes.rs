@@ -1,0 +1,158 @@
+//! The parts of a mechanism as strokes on the paper, from the back to the front.
+
+use super::bars::{ACTUATOR, DASHPOT, DASHPOT_BESIDE, SPRING};
+use super::camera::{Camera, arrow};
+use super::marks::{block, circle, ellipse, polyline, quarters, segments, support};
+use super::plates;
+use super::pose::{Flat, Pose};
+use super::surfaces::{guide, surface};
+use super::timeline::Timeline;
+use super::{Instant, Sketch, SketchPart};
+use crate::svg::drawing::Drawing;
+
+/// Colours of bodies.
+const COLOURS: usize = 6;
+/// Half the width of marks, in pixels.
+const MASS: f64 = 6.5;
+const PIN: f64 = 3.6;
+const CENTRE: f64 = 5.5;
+/// The length of an arrow.
+const ARROW: f64 = 44.0;
+
+/// A stroke with its looks and its motion.
+#[derive(Clone, Debug)]
+pub(super) struct Shape {
+    layer: u8,
+    class: String,
+    pub pose: Pose,
+}
+
+impl Shape {
+    pub fn new(layer: u8, class: impl Into<String>, pose: Pose) -> Self {
+        Shape { layer, class: class.into(), pose }
+    }
+
+    pub fn draw(&self, drawing: &mut Drawing, timeline: &Timeline) {
+        self.pose.draw(drawing, &self.class, timeline);
+    }
+}
+
+/// What all parts see: the sketch and its places on the paper.
+#[derive(Clone, Copy)]
+pub(super) struct Scene<'a> {
+    pub sketch: &'a Sketch,
+    pub camera: &'a Camera,
+}
+
+impl Scene<'_> {
+    /// A place at an instant, on the paper.
+    pub fn at(&self, instant: &Instant, place: usize) -> Flat {
+        instant.places.get(place).map_or((0.0, 0.0), |place| self.camera.place(*place))
+    }
+
+    /// Something of every instant.
+    pub fn each<T>(&self, of: impl Fn(&Instant) -> T) -> Vec<T> {
+        self.sketch.instants.iter().map(of).collect()
+    }
+
+    /// A direction at an instant; none of a number that there is not.
+    pub fn direction(instant: &Instant, number: usize) -> [f64; 3] {
+        instant.directions.get(number).copied().unwrap_or_default()
+    }
+
+    fn mark(&self, place: usize, path: impl Fn(Flat) -> String) -> Pose {
+        Pose::through(&self.each(|instant| vec![self.at(instant, place)]), |points| path(points[0]))
+    }
+
+    fn line(&self, ends: [usize; 2]) -> Pose {
+        Pose::through(&self.each(|instant| ends.map(|end| self.at(instant, end)).to_vec()), polyline)
+    }
+
+    fn bar(&self, ends: [usize; 2], path: &str) -> Pose {
+        Pose::between(&self.each(|instant| ends.map(|end| self.at(instant, end))), path)
+    }
+
+    /// A path that begins at a place and has the direction of another point.
+    fn towards(&self, place: usize, along: usize, path: impl Fn(Flat, Flat) -> String) -> Pose {
+        let points = self.each(|instant| {
+            let (from, way) = (self.at(instant, place), self.camera.share(Scene::direction(instant, along)));
+            vec![from, (from.0 + ARROW * way.0, from.1 + ARROW * way.1)]
+        });
+        Pose::through(&points, |points| path(points[0], points[1]))
+    }
+}
+
+/// All strokes of a sketch.
+pub(super) fn shapes(sketch: &Sketch, camera: &Camera) -> Vec<Shape> {
+    let scene = Scene { sketch, camera };
+    let mut all: Vec<Shape> = sketch.parts.iter().flat_map(|part| strokes(scene, part)).collect();
+    all.sort_by_key(|shape| shape.layer);
+    all
+}
+
+fn strokes(scene: Scene<'_>, part: &SketchPart) -> Vec<Shape> {
+    let coloured = |class: &str, colour: usize| format!("{class} b{}", colour % COLOURS);
+    match part {
+        SketchPart::Plate { corners, colour } => plates::plate(scene, corners, &coloured("", *colour)),
+        SketchPart::Rod(ends) => vec![Shape::new(3, "rod", scene.line(*ends))],
+        SketchPart::Telescope(ends) => vec![Shape::new(3, "telescope", scene.line(*ends))],
+        SketchPart::Spring(ends) => vec![Shape::new(4, "spring", scene.bar(*ends, SPRING))],
+        SketchPart::Dashpot(ends) => {
+            let has_spring = scene.sketch.parts.contains(&SketchPart::Spring(*ends));
+            vec![Shape::new(4, "dashpot", scene.bar(*ends, if has_spring { DASHPOT_BESIDE } else { DASHPOT }))]
+        }
+        SketchPart::Actuator(ends) => vec![Shape::new(4, "force", scene.bar(*ends, ACTUATOR))],
+        SketchPart::Particle { at, colour } => {
+            vec![Shape::new(7, coloured("mass", *colour), scene.mark(*at, |at| circle(at, MASS)))]
+        }
+        SketchPart::Centre(at) => vec![
+            Shape::new(6, "centre", scene.mark(*at, |at| circle(at, CENTRE))),
+            Shape::new(6, "quarters", scene.mark(*at, |at| quarters(at, CENTRE))),
+        ],
+        SketchPart::Pin(at) => vec![Shape::new(8, "pin", scene.mark(*at, |at| circle(at, PIN)))],
+        SketchPart::Support(at) => vec![Shape::new(1, "surface", scene.mark(*at, support))],
+        SketchPart::Block { at, along, colour } => {
+            let path = |from: Flat, to: Flat| block(from, (to.0 - from.0, to.1 - from.1));
+            vec![Shape::new(5, coloured("block", *colour), scene.towards(*at, *along, path))]
+        }
+        SketchPart::Guide { at, along } => vec![Shape::new(0, "guide", guide(scene, *at, *along))],
+        SketchPart::Ring { at, axes, colour, spoke } => {
+            let points = scene.each(|instant| {
+                let place = instant.places.get(*at).copied().unwrap_or_default();
+                let end = |axis: usize| {
+                    let axis = Scene::direction(instant, axis);
+                    scene.camera.place(std::array::from_fn(|k| place[k] + axis[k]))
+                };
+                vec![scene.camera.place(place), end(axes[0]), end(axes[1])]
+            });
+            let path = |points: &[Flat]| ellipse(points[0], points[1], points[2]);
+            let class = if *spoke { "disc" } else { "curve" };
+            let mut strokes = vec![Shape::new(2, coloured(class, *colour), Pose::through(&points, path))];
+            if *spoke {
+                let path = |points: &[Flat]| polyline(&points[..2]);
+                strokes.push(Shape::new(2, coloured("curve", *colour), Pose::through(&points, path)));
+            }
+            strokes
+        }
+        SketchPart::Triad { at, axes, colour } => {
+            let of_axis = |axis: usize| {
+                let points = scene.each(|instant| {
+                    let place = instant.places.get(*at).copied().unwrap_or_default();
+                    let axis = Scene::direction(instant, axis);
+                    vec![scene.camera.place(place), scene.camera.place(std::array::from_fn(|k| place[k] + axis[k]))]
+                });
+                Pose::through(&points, |points| arrow(points[0], points[1], 6.0))
+            };
+            axes.iter().map(|axis| Shape::new(6, coloured("triad", *colour), of_axis(*axis))).collect()
+        }
+        SketchPart::Surface { at, normal, of_ground } => surface(scene, *at, *normal, *of_ground),
+        SketchPart::Arrow { at, along } => {
+            vec![Shape::new(9, "force", scene.towards(*at, *along, |from, to| arrow(from, to, 8.0)))]
+        }
+    }
+}
+
+/// Segments between pairs of places, over all instants.
+pub(super) fn segments_between(scene: Scene<'_>, ends: &[usize]) -> Pose {
+    Pose::through(&scene.each(|instant| ends.iter().map(|end| scene.at(instant, *end)).collect()), segments)
+}

@@ -1,0 +1,86 @@
+//! Surfaces that are touched, and the lines that blocks slide on: as long as the places of all instants need.
+
+use super::camera::{cross, dot, unit};
+use super::marks::{polygon, segments};
+use super::pose::{Flat, Pose};
+use super::shapes::{Scene, Shape};
+
+/// Beyond the places that are touched, in pixels.
+const BEYOND: f64 = 42.0;
+/// Strokes of the hatching, and how far apart they are.
+const HATCH: f64 = 8.0;
+
+/// A surface at a place: a hatched line where it is seen from its edge, else a patch.
+pub(super) fn surface(scene: Scene<'_>, at: usize, normal: usize, of_ground: bool) -> Vec<Shape> {
+    let normals = scene.each(|instant| unit(Scene::direction(instant, normal)).unwrap_or([0.0, 1.0, 0.0]));
+    let Some(first) = normals.first().copied() else { return Vec::new() };
+    let rests = of_ground && normals.iter().all(|normal| dot(*normal, first) > 1.0 - 1e-9);
+    let places = scene.each(|instant| instant.places.get(at).copied().unwrap_or_default());
+    // along a resting surface the places of all instants are one after the other
+    let reach = |along: [f64; 3], here: [f64; 3]| -> (f64, f64) {
+        if !rests {
+            return (0.0, 0.0);
+        }
+        let offsets = places.iter().map(|place| dot(along, *place) - dot(along, here));
+        offsets.fold((0.0, 0.0), |(low, high): (f64, f64), offset| (low.min(offset), high.max(offset)))
+    };
+    let is_edge = normals.iter().all(|normal| scene.camera.depth(*normal).abs() < 1e-6);
+    let beyond = BEYOND / scene.camera.scale;
+    let corner = |here: [f64; 3], ways: &[([f64; 3], f64)]| {
+        let place = std::array::from_fn(|k| ways.iter().fold(here[k], |sum, (way, length)| sum + way[k] * length));
+        scene.camera.place(place)
+    };
+    let drawn = if rests { 1 } else { places.len() };
+    let frames = places.iter().zip(&normals).take(drawn);
+    if is_edge {
+        let points: Vec<Vec<Flat>> = frames
+            .map(|(place, normal)| {
+                let along = unit(cross(scene.camera.towards(), *normal)).unwrap_or([1.0, 0.0, 0.0]);
+                let (low, high) = reach(along, *place);
+                [low - beyond, high + beyond].map(|length| corner(*place, &[(along, length)])).to_vec()
+            })
+            .collect();
+        let path = |ends: &[Flat]| hatched([ends[0], ends[1]], of_ground);
+        return vec![Shape::new(0, "surface", Pose::through(&points, path))];
+    }
+    let points: Vec<Vec<Flat>> = frames
+        .map(|(place, normal)| {
+            let other = if normal[0].abs() < 0.8 { [1.0, 0.0, 0.0] } else { [0.0, 1.0, 0.0] };
+            let first = unit(cross(cross(*normal, other), *normal)).unwrap_or(other);
+            let second = cross(*normal, first);
+            let (a, b) = (reach(first, *place), reach(second, *place));
+            let corners = [(a.0, b.0, -1.0, -1.0), (a.1, b.0, 1.0, -1.0), (a.1, b.1, 1.0, 1.0), (a.0, b.1, -1.0, 1.0)];
+            corners
+                .map(|(x, y, right, up)| corner(*place, &[(first, x + right * beyond), (second, y + up * beyond)]))
+                .to_vec()
+        })
+        .collect();
+    vec![Shape::new(0, "patch", Pose::through(&points, polygon))]
+}
+
+/// A line with strokes on its right, as it goes from its first end to its second.
+fn hatched([from, to]: [Flat; 2], of_ground: bool) -> String {
+    let mut ends = vec![from, to];
+    let length = (to.0 - from.0).hypot(to.1 - from.1);
+    if of_ground && length > 0.0 {
+        let (ux, uy) = ((to.0 - from.0) / length, (to.1 - from.1) / length);
+        let count = (length / HATCH).floor() as usize;
+        for k in 1..=count {
+            let (x, y) = (from.0 + k as f64 * HATCH * ux, from.1 + k as f64 * HATCH * uy);
+            ends.extend([(x, y), (x - 6.0 * (ux + uy), y - 6.0 * (uy - ux))]);
+        }
+    }
+    segments(&ends)
+}
+
+/// The line that a block slides on, through all its places.
+pub(super) fn guide(scene: Scene<'_>, at: usize, along: usize) -> Pose {
+    let beyond = BEYOND / scene.camera.scale;
+    let Some(first) = scene.sketch.instants.first() else { return Pose::Still(String::new()) };
+    let along = unit(Scene::direction(first, along)).unwrap_or([1.0, 0.0, 0.0]);
+    let place = first.places.get(at).copied().unwrap_or_default();
+    let offsets = scene.each(|instant| instant.places.get(at).map_or(0.0, |now| dot(along, *now) - dot(along, place)));
+    let (low, high) = offsets.iter().fold((0.0, 0.0), |(low, high): (f64, f64), x| (low.min(*x), high.max(*x)));
+    let end = |length: f64| scene.camera.place(std::array::from_fn(|k| place[k] + length * along[k]));
+    Pose::Still(segments(&[end(low - beyond), end(high + beyond)]))
+}

@@ -1,0 +1,50 @@
+use super::{Instant, Sketch, SketchPart};
+
+/// A bar about a pin of the ground, at some angles in degrees.
+fn bar(angles: &[f64]) -> Sketch {
+    let instant = |(number, angle): (usize, &f64)| {
+        let (sin, cos) = angle.to_radians().sin_cos();
+        let places = vec![[0.0; 3], [2.0 * sin, -2.0 * cos, 0.0]];
+        Instant { time: number as f64, places, directions: Vec::new() }
+    };
+    Sketch {
+        title: "A bar".into(),
+        parts: vec![
+            SketchPart::Support(0),
+            SketchPart::Plate { corners: vec![0, 1], colour: 0 },
+            SketchPart::Spring([0, 1]),
+            SketchPart::Pin(0),
+        ],
+        names: vec![(1, "<P>".into())],
+        instants: angles.iter().enumerate().map(instant).collect(),
+        has_scale: true,
+        ..Sketch::default()
+    }
+}
+
+#[test]
+fn a_still_has_every_part_and_name_and_moves_nothing() {
+    let svg = bar(&[0.0]).svg();
+    for shown in ["class=\"bar b0\"", "class=\"surface\"", "class=\"pin\"", ">&lt;P&gt;</text>", "A bar"] {
+        assert!(svg.contains(shown), "{shown}: {svg}");
+    }
+    assert!(!svg.contains("<animate") && !svg.contains("NaN") && svg.ends_with("</svg>"));
+}
+
+#[test]
+fn a_bar_that_swings_is_turned_as_a_whole_and_loops_without_a_script() {
+    let svg = bar(&[0.0, 30.0, 60.0]).svg();
+    assert!(svg.contains("type=\"rotate\" values=\"0;-30;-60\"") && svg.contains("repeatCount=\"indefinite\""), "{svg}");
+    assert!(!svg.contains("<script") && !svg.contains("attributeName=\"d\""), "{svg}");
+    assert!(svg.contains("as quick as the motion"), "{svg}");
+}
+
+#[test]
+fn nothing_and_places_that_are_no_numbers_are_pictures() {
+    assert!(Sketch::default().svg().ends_with("</svg>"));
+    let mut lost = bar(&[0.0]);
+    lost.instants[0].places[1] = [f64::NAN; 3];
+    assert!(lost.svg().ends_with("</svg>"));
+    lost.parts.push(SketchPart::Rod([0, 99]));
+    assert!(lost.svg().ends_with("</svg>"));
+}

@@ -1,0 +1,113 @@
+//! The time of a moving picture: real, slowed or quickened by a round factor, and always the same way from its first to its last instant.
+
+use super::Instant;
+use crate::svg::drawing::{Anchor, Drawing, LINE, WIDTH};
+use crate::svg::number::{coordinate, significant};
+
+/// A motion takes at least and at most so many seconds to be seen.
+const SEEN: (f64, f64) = (2.0, 20.0);
+
+/// From the first instant to the last.
+pub(super) struct Timeline {
+    span: (f64, f64),
+    /// Seconds of the picture.
+    seconds: f64,
+    /// How many times slower, or quicker, than the motion.
+    slowed: f64,
+    quickened: f64,
+}
+
+impl Timeline {
+    pub fn of(instants: &[Instant]) -> Self {
+        let time = |instant: Option<&Instant>| instant.map_or(0.0, |instant| instant.time);
+        let span = (time(instants.first()), time(instants.last()));
+        let length = span.1 - span.0;
+        let (mut slowed, mut quickened) = (1.0, 1.0);
+        if length > 0.0 && length < SEEN.0 {
+            slowed = round(SEEN.0 / length);
+        } else if length > SEEN.1 {
+            quickened = round(length / SEEN.1);
+        }
+        Timeline { span, seconds: length * slowed / quickened, slowed, quickened }
+    }
+
+    fn moves(&self) -> bool {
+        self.seconds > 0.0
+    }
+
+    /// The values of an attribute over all instants.
+    pub fn values(&self, attribute: &str, values: &[String]) -> String {
+        match self.moves() {
+            false => String::new(),
+            true => format!("<animate attributeName=\"{attribute}\" values=\"{}\"{}/>", values.join(";"), self.runs()),
+        }
+    }
+
+    /// The values of a part of a transformation, after those before it.
+    pub fn transform(&self, kind: &str, values: &[String]) -> String {
+        if !self.moves() {
+            return String::new();
+        }
+        let behind = if kind == "translate" { "" } else { " additive=\"sum\"" };
+        let (values, runs) = (values.join(";"), self.runs());
+        format!("<animateTransform attributeName=\"transform\" type=\"{kind}\" values=\"{values}\"{behind}{runs}/>")
+    }
+
+    fn runs(&self) -> String {
+        format!(" dur=\"{}s\" repeatCount=\"indefinite\"", significant(self.seconds, 4))
+    }
+
+    /// A bar on which the time goes along, with its ends and its pace.
+    pub fn draw(&self, drawing: &mut Drawing) {
+        if !self.moves() {
+            return;
+        }
+        let (left, right, y) = (8.0, WIDTH - 8.0, drawing.height + 8.0);
+        drawing.line((left, y), (right, y), "axis faint");
+        let ends = [left, right].map(|x| format!("{} {}", coordinate(x), coordinate(y))).to_vec();
+        let start = format!(" transform=\"translate({})\"", ends[0]);
+        drawing.path_with("M0-5V5", "now", &start, &self.transform("translate", &ends));
+        let second = |time: f64| format!("{} s", significant(time, 3));
+        drawing.text((left, y + LINE + 2.0), Anchor::Start, "small", &second(self.span.0));
+        drawing.text((right, y + LINE + 2.0), Anchor::End, "small", &second(self.span.1));
+        drawing.text((0.5 * (left + right), y + LINE + 2.0), Anchor::Middle, "small", &self.pace());
+        drawing.height = y + LINE + 8.0;
+    }
+
+    fn pace(&self) -> String {
+        match (self.slowed, self.quickened) {
+            (slowed, _) if slowed > 1.0 => format!("{} times slower than the motion", significant(slowed, 3)),
+            (_, quickened) if quickened > 1.0 => format!("{} times quicker than the motion", significant(quickened, 3)),
+            _ => "as quick as the motion".to_owned(),
+        }
+    }
+}
+
+/// The least of 1, 2, 5, 10, 20, ... that is not below a number.
+fn round(least: f64) -> f64 {
+    let power = 10_f64.powf(least.log10().floor());
+    [1.0, 2.0, 5.0, 10.0].into_iter().map(|digit| digit * power).find(|factor| *factor >= least).unwrap_or(least)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn timeline(end: f64) -> Timeline {
+        Timeline::of(&[0.0, end].map(|time| Instant { time, ..Instant::default() }))
+    }
+
+    #[test]
+    fn short_motions_are_slowed_and_long_ones_quickened() {
+        let paces: Vec<(f64, String)> =
+            [0.03, 5.0, 300.0].map(timeline).iter().map(|time| (time.seconds, time.pace())).collect();
+        assert_eq!(paces[0], (3.0, "100 times slower than the motion".into()));
+        assert_eq!(paces[1], (5.0, "as quick as the motion".into()));
+        assert_eq!(paces[2], (15.0, "20 times quicker than the motion".into()));
+    }
+
+    #[test]
+    fn one_instant_moves_nothing() {
+        assert_eq!(timeline(0.0).values("d", &["M0 0".into()]), "");
+    }
+}

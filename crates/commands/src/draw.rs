@@ -1,0 +1,215 @@
+//! `dalembert draw`: a sketch of a system, drawn from its model: still, or moving as a run does.
+
+use crate::arguments::{Format, finite};
+use crate::clock;
+use crate::exit::{Exit, placed, print, warn};
+use crate::output::{Form, Provenance, Writes};
+use crate::progress::Progress;
+use crate::sketch::sketch;
+use ::scenes::geometry::{Figure, Geometry};
+use ::scenes::{ModelScene, SystemText, Task, start_of};
+use charts::Sketch;
+use clap::Args;
+use model::Model;
+use simulation::{Axes, Choice, IvpScene};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// What is drawn, and when.
+#[derive(Args, Debug)]
+pub struct Asked {
+    /// The scene, a TOML file with points, bodies or frames; values of parameters are those of the file
+    #[arg(value_name = "SCENE.toml")]
+    pub scene: PathBuf,
+    /// The picture; without it, it is printed
+    #[arg(long, value_name = "FILE.svg")]
+    pub out: Option<PathBuf>,
+    /// Replaces the file of --out even where `draw` did not write what stands there
+    #[arg(long, requires = "out")]
+    pub force: bool,
+    /// The motion of a run, as a picture that moves without a script, again and again
+    #[arg(long, conflicts_with = "time")]
+    pub animate: bool,
+    /// The instant of a run that is drawn, in seconds; without it the start
+    #[arg(long, value_name = "S", value_parser = instant, allow_negative_numbers = true)]
+    pub time: Option<f64>,
+    /// From where it is seen: a direction from the system to the eye, along x, y and z of the ground
+    #[arg(long, value_name = "X,Y,Z", value_parser = direction, allow_hyphen_values = true)]
+    pub view: Option<Direction>,
+}
+
+/// A direction of sight.
+#[derive(Clone, Copy, Debug)]
+pub struct Direction([f64; 3]);
+
+fn direction(text: &str) -> Result<Direction, String> {
+    let accepted = || "three numbers that are not all zero, such as 1,-2,0.5, are accepted".to_owned();
+    let parts: Vec<f64> = text.split(',').map(|part| finite(part.trim())).collect::<Result<_, _>>().map_err(|_| accepted())?;
+    let direction: [f64; 3] = parts.try_into().map_err(|_| accepted())?;
+    let length = direction.iter().fold(0.0, |length: f64, part| length.hypot(*part));
+    if length > 0.0 && length.is_finite() { Ok(Direction(direction.map(|part| part / length))) } else { Err(accepted()) }
+}
+
+fn instant(text: &str) -> Result<f64, String> {
+    let value = finite(text)?;
+    if value >= 0.0 { Ok(value) } else { Err("a time from 0 to the end of the run, in seconds, is accepted".to_owned()) }
+}
+
+/// Pictures of a motion, and the least of a system with many parts.
+const PICTURES: usize = 240;
+const FEWEST: usize = 24;
+/// A moving picture has about so many bytes at most.
+const LARGEST: usize = 1_500_000;
+/// Bytes of one part in one picture.
+const BYTES: usize = 24;
+
+/// A turn by more than this between two pictures, in rad, is not seen as it is.
+const SEEN_TURN: f64 = 2.5;
+
+/// Draws the system.
+pub fn draw(asked: &Asked) -> Result<Exit, Exit> {
+    let writes = Writes { command: "draw", force: asked.force, reads: vec![&asked.scene] };
+    let output = writes.optional(asked.out.as_deref(), &[Form::Picture])?;
+    let provenance = Provenance::of(writes.maker(), &asked.scene);
+    let text = SystemText::read(&asked.scene)?;
+    let towards = asked.view.map(|Direction(direction)| direction);
+    let work = Progress::new("draw");
+    let (drawn, ending) = match (asked.animate, asked.time) {
+        (false, None) => (still(&asked.scene, &text, towards)?, Exit::Done),
+        (false, Some(time)) => (at_time(&asked.scene, &text, time, towards)?, Exit::Done),
+        (true, _) => moving(&asked.scene, &text, towards)?,
+    };
+    drop(work);
+    let picture = drawn.svg();
+    match output {
+        Some(output) => output.write_text(&(provenance.markup() + &picture))?.tell(Format::Text)?,
+        None => print(&format!("{picture}\n"))?,
+    }
+    Ok(ending)
+}
+
+/// The sketch of a text at its start; parameters and inputs without values count as one and as nothing.
+fn still(path: &Path, text: &SystemText, towards: Option<[f64; 3]>) -> Result<Sketch, Exit> {
+    let (title, mut model) = ::scenes::parse_titled(&text.name, &text.text, Task::Run)?;
+    let open = close(&mut model)?;
+    let start = start_of(&model).map_err(|issue| placed(path, issue))?;
+    let geometry = geometry(path, &Arc::new(model), &start)?;
+    let mut drawn = sketch(&title, &geometry, &[geometry.figure(0.0, &start)], towards);
+    if !open.is_empty() {
+        drawn.note += &format!(" Parameters without a value are drawn as 1: {}.", open.join(", "));
+    }
+    Ok(drawn)
+}
+
+/// Gives parameters without a value one, and inputs without one zero; the names of these parameters.
+fn close(model: &mut Model) -> Result<Vec<String>, Exit> {
+    model.close_inputs();
+    let open = model.parameters.iter().filter(|parameter| parameter.value.is_none());
+    let open: Vec<(String, f64)> = open.map(|parameter| (parameter.name.clone(), 1.0)).collect();
+    model.set_values(&open).map_err(Exit::refused)?;
+    Ok(open.into_iter().map(|(name, _)| name).collect())
+}
+
+/// The geometry of a model; where it has none, the reason.
+fn geometry(path: &Path, model: &Arc<Model>, state: &[f64]) -> Result<Geometry, Exit> {
+    let refused = |why: String| Exit::refused(format!("{}: {why}", path.display()));
+    let geometry = Geometry::of(model, state).map_err(|why| refused(format!("its places have no values: {why}")))?;
+    if !geometry.is_seen() {
+        let accepted = "a system with [points], [frames] or [bodies] is accepted";
+        let why = "there is nothing to draw: its energies and forces are written in coordinates alone, which have no places";
+        return Err(refused(format!("{why}; {accepted}")));
+    }
+    if !geometry.figure(0.0, state).has_values() {
+        let accepted = "a start from which positions are numbers is accepted";
+        return Err(refused(format!("a position has no value at the start; {accepted}")));
+    }
+    Ok(geometry)
+}
+
+/// The run of a text.
+fn scene(text: &SystemText) -> Result<ModelScene, Exit> {
+    Ok(ModelScene::parse(&text.name, &text.text)?)
+}
+
+fn choice(scene: &ModelScene, samples: usize) -> Choice {
+    Choice { samples, allowed: clock::left(), ..scene.run().choice() }
+}
+
+/// The sketch of a run at an instant.
+fn at_time(path: &Path, text: &SystemText, time: f64, towards: Option<[f64; 3]>) -> Result<Sketch, Exit> {
+    let scene = scene(text)?;
+    let span = scene.run.span;
+    if time > span {
+        let accepted = format!("a time from 0 to {span} s is accepted");
+        return Err(Exit::refused(format!("{}: --time {time}: the run ends at {span} s; {accepted}", path.display())));
+    }
+    let geometry = geometry(path, &scene.model, &scene.start)?;
+    let state = if time > 0.0 {
+        let mut problem = scene.problem(Axes::First);
+        problem.span = time;
+        let run = problem.simulate_while(&choice(&scene, 1), |_| clock::goes_on());
+        if let Some(why) = run.stopped().filter(|_| run.outcome.time < time) {
+            let reached = run.outcome.time;
+            return Err(Exit::refused(format!(
+                "{}: --time {time}: the run stopped at {reached} s: {why}; a time from 0 to {reached} s is accepted",
+                path.display()
+            )));
+        }
+        run.outcome.state
+    } else {
+        scene.start.clone()
+    };
+    let mut drawn = sketch(&scene.title, &geometry, &[geometry.figure(time, &state)], towards);
+    drawn.note = format!("At {time} s. {}", drawn.note);
+    Ok(drawn)
+}
+
+/// The sketch of a run from its start to its end.
+fn moving(path: &Path, text: &SystemText, towards: Option<[f64; 3]>) -> Result<(Sketch, Exit), Exit> {
+    let scene = scene(text)?;
+    let geometry = geometry(path, &scene.model, &scene.start)?;
+    let first = [geometry.figure(0.0, &scene.start)];
+    let parts = sketch("", &geometry, &first, towards).parts.len();
+    let pictures = (LARGEST / (BYTES * parts.max(1))).clamp(FEWEST, PICTURES);
+    let problem = scene.problem(Axes::First);
+    let mut progress = Progress::new(&scene.title);
+    let run = problem.simulate_while(&choice(&scene, pictures), |fraction| {
+        progress.set(fraction);
+        clock::goes_on()
+    });
+    drop(progress);
+    let states = scene.model.positions() + scene.model.speeds();
+    let figures = run.times.iter().zip(&run.rows).map(|(time, row)| geometry.figure(*time, &row[..states]));
+    let figures: Vec<Figure> = figures.filter(Figure::has_values).collect();
+    let mut drawn = sketch(&scene.title, &geometry, &figures, towards);
+    let step = run.times.get(1).map_or(0.0, |time| time - run.times[0]);
+    if fastest_turn(&scene.model, &run.rows) * step > SEEN_TURN {
+        drawn.note += " Something turns faster than these pictures follow, and seems slower, or to turn backwards.";
+    }
+    let Some(why) = run.stopped() else { return Ok((drawn, Exit::Done)) };
+    let told = format!("the run stopped at {} s: {why}", charts::significant(run.outcome.time, 4));
+    drawn.note += &format!(" The motion ends early: {told}.");
+    warn(&format!("{}: {told}; the motion up to there is drawn", path.display()));
+    Ok((drawn, Exit::Stopped))
+}
+
+/// The largest rate of an angle along a run, in rad/s.
+fn fastest_turn(model: &Model, rows: &[Vec<f64>]) -> f64 {
+    let names = model.state_names();
+    let turns = names.iter().enumerate().skip(model.positions()).filter(|(_, (_, unit))| unit == "rad/s");
+    let turns: Vec<usize> = turns.map(|(place, _)| place).collect();
+    rows.iter().flat_map(|row| turns.iter().map(|place| row[*place].abs())).fold(0.0, f64::max)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::direction;
+
+    #[test]
+    fn a_view_is_three_numbers_that_are_not_all_zero() {
+        assert!(direction("1, -2,0.5").is_ok() && direction("0,0,1e-200").is_ok());
+        for wrong in ["", "1,2", "0,0,0", "1,2,3,4", "a,b,c", "1,2,nan", "inf,0,0"] {
+            assert!(direction(wrong).is_err_and(|told| told.contains("1,-2,0.5")), "{wrong}");
+        }
+    }
+}

@@ -1,0 +1,211 @@
+//! Bodies: links through places that are fixed in them, wheels, blocks on lines, particles, and ellipsoids of inertia.
+
+use super::parts::{Parts, Vector, scaled, sum};
+use ::scenes::geometry::{Ellipsoid, Figure, Wheel};
+use charts::SketchPart;
+
+/// How bodies are drawn.
+pub struct Drawn {
+    /// Whether lengths are those of the model.
+    pub is_to_scale: bool,
+    pub note: &'static str,
+}
+
+/// The radius of a body whose size nothing tells, as a part of the size of the whole.
+const UNTOLD: f64 = 0.16;
+/// Places of a body that stand for it, so that its ellipsoid is not drawn.
+const ENOUGH: usize = 3;
+
+const NOT_TO_SCALE: &str = "The model gives these bodies no places: they are drawn beside each other, not to scale.";
+const UNTOLD_SIZE: &str = "The model gives no sizes: bodies are ellipsoids in the shape of their moments of inertia.";
+
+pub fn draw(parts: &mut Parts<'_>) -> Drawn {
+    let geometry = parts.geometry;
+    let mut linked = vec![false; parts.bodies.len()];
+    for (number, link) in geometry.links.iter().enumerate() {
+        let colour = link.bodies.first().copied().unwrap_or(number);
+        parts.add(SketchPart::Plate { corners: link.places.clone(), colour });
+        for &body in &link.bodies {
+            linked[body] = true;
+            let middle = link.places.clone();
+            let centre = geometry.centre(body);
+            let at = centre.unwrap_or_else(|| parts.place(move |figure| mean(figure, &middle)));
+            parts.bodies[body] = Some(at);
+        }
+    }
+    let mut untold = Vec::new();
+    let mut is_to_scale = geometry.size > 0.0;
+    for (body, is_linked) in linked.into_iter().enumerate() {
+        let model = &geometry.model.bodies[body];
+        let centre = geometry.centre(body);
+        let wheel = geometry.wheels.iter().find(|wheel| wheel.body == body);
+        if let Some(at) = centre {
+            parts.bodies[body] = Some(at);
+        }
+        match (centre, wheel) {
+            (Some(at), Some(wheel)) => {
+                is_to_scale = true;
+                round(parts, at, *wheel);
+            }
+            (Some(at), None) if slides(parts, at) => block(parts, body, at),
+            (Some(at), None) => {
+                let places = geometry.links.iter().filter(|link| link.bodies.contains(&body));
+                let places = places.map(|link| link.places.len()).max().unwrap_or(1);
+                match places < ENOUGH && model.frame.is_some() && (places < 2 || geometry.plane.is_none()) {
+                    true if ellipsoid(parts, body, at) => is_to_scale = true,
+                    _ => parts.add(SketchPart::Particle { at, colour: body }),
+                }
+                if model.frame.is_some() && model.inertia.is_some() {
+                    parts.parts.retain(|part| *part != SketchPart::Particle { at, colour: body });
+                    parts.add(SketchPart::Centre(at));
+                }
+            }
+            (None, _) if !is_linked => untold.push(body),
+            (None, _) => {}
+        }
+    }
+    let is_flat = geometry.plane.is_some();
+    let beside = is_flat && untold.len() > 1;
+    let largest = untold.iter().filter_map(|body| shape(parts, *body)).map(|shape| longest(&shape)).fold(0.0, f64::max);
+    for (number, &body) in untold.iter().enumerate() {
+        let whole = if geometry.size > 0.0 { UNTOLD * geometry.size } else { 1.0 };
+        let shift = if beside { 2.7 * whole * number as f64 } else { 0.0 };
+        let right = right(parts);
+        let at = parts.place(move |figure| sum(figure.places[0], scaled(right, shift)));
+        parts.bodies[body] = Some(at);
+        let share = shape(parts, body).map_or(1.0, |shape| (longest(&shape) / largest).clamp(0.45, 1.0));
+        schematic(parts, body, at, whole * share);
+    }
+    let note = match (untold.is_empty(), beside, is_to_scale) {
+        (true, ..) => "",
+        (false, true, false) => NOT_TO_SCALE,
+        (false, ..) => UNTOLD_SIZE,
+    };
+    frames_alone(parts);
+    Drawn { is_to_scale, note }
+}
+
+/// The direction in which bodies without places stand beside each other.
+fn right(parts: &Parts<'_>) -> Vector {
+    match parts.geometry.plane {
+        Some(normal) if normal[0].abs() > 0.5 => [0.0, 1.0, 0.0],
+        _ => [1.0, 0.0, 0.0],
+    }
+}
+
+fn mean(figure: &Figure, places: &[usize]) -> Vector {
+    let all = places.iter().fold([0.0; 3], |all, place| sum(all, figure.places[*place]));
+    scaled(all, 1.0 / places.len().max(1) as f64)
+}
+
+/// Whether a body is a block on a line: one that touches nothing itself.
+fn slides(parts: &Parts<'_>, at: usize) -> bool {
+    let geometry = parts.geometry;
+    let mut contacts = geometry.model.contacts.iter().filter(|contact| !contact.is_line);
+    geometry.slides.iter().any(|(place, _)| *place == at) && !contacts.any(|contact| geometry.first[contact.point.0] == at)
+}
+
+fn block(parts: &mut Parts<'_>, body: usize, at: usize) {
+    let known = parts.geometry.slides.iter().find(|(place, _)| *place == at);
+    let Some(&(_, along)) = known else { return };
+    let along = parts.direction(move |_| along);
+    parts.add(SketchPart::Guide { at, along });
+    parts.add(SketchPart::Block { at, along, colour: body });
+}
+
+/// A wheel across its axis, or a ball.
+fn round(parts: &mut Parts<'_>, at: usize, wheel: Wheel) {
+    let Wheel { body, radius, axis, .. } = wheel;
+    let Some(frame) = parts.geometry.model.bodies[body].frame.map(|frame| frame.0) else { return };
+    let mut half = |k: usize| parts.direction(move |figure| scaled(figure.frames[frame][k], radius));
+    let axes = [half(0), half(1), half(2)];
+    match (axis, parts.geometry.plane) {
+        (Some(axis), _) => ring(parts, at, axes, axis, (body, true)),
+        (None, Some(normal)) => {
+            let across = (0..3).find(|axis| normal[*axis].abs() > 0.9).unwrap_or(2);
+            ring(parts, at, axes, across, (body, true));
+        }
+        (None, None) => (0..3).for_each(|axis| ring(parts, at, axes, axis, (body, axis == 2))),
+    }
+    parts.add(SketchPart::Centre(at));
+}
+
+/// The ellipse across one of three half axes.
+fn ring(parts: &mut Parts<'_>, at: usize, axes: [usize; 3], across: usize, (colour, spoke): (usize, bool)) {
+    let axes = [axes[(across + 1) % 3], axes[(across + 2) % 3]];
+    parts.add(SketchPart::Ring { at, axes, colour, spoke });
+}
+
+/// The ellipsoid of a body at the first time.
+fn shape(parts: &Parts<'_>, body: usize) -> Option<Ellipsoid> {
+    parts.geometry.ellipsoid(parts.figures.first()?, body)
+}
+
+fn longest(shape: &Ellipsoid) -> f64 {
+    shape.lengths.iter().copied().fold(0.0, f64::max)
+}
+
+/// Draws the ellipsoid of a body with a mass; whether it has one.
+fn ellipsoid(parts: &mut Parts<'_>, body: usize, at: usize) -> bool {
+    let Some(shape) = shape(parts, body).filter(|shape| shape.has_mass) else { return false };
+    rings(parts, body, at, shape, 1.0);
+    true
+}
+
+/// A body whose size nothing tells.
+fn schematic(parts: &mut Parts<'_>, body: usize, at: usize, size: f64) {
+    let whole = Ellipsoid { axes: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], lengths: [1.0, 1.0, 0.0], has_mass: false };
+    let shape = shape(parts, body).unwrap_or(whole);
+    let by = size / longest(&shape);
+    rings(parts, body, at, shape, by);
+}
+
+/// Ellipses across the axes of an ellipsoid, and in space the axes of its frame.
+fn rings(parts: &mut Parts<'_>, body: usize, at: usize, shape: Ellipsoid, by: f64) {
+    let Some(frame) = parts.geometry.model.bodies[body].frame.map(|frame| frame.0) else { return };
+    let axes_frame = parts.geometry.inertia_frame(body).unwrap_or(frame);
+    let Ellipsoid { axes, lengths, .. } = shape;
+    let mut half = |k: usize| {
+        let (axis, length) = (axes[k], by * lengths[k]);
+        parts.direction(move |figure| {
+            let along = (0..3).fold([0.0; 3], |all, j| sum(all, scaled(figure.frames[axes_frame][j], axis[j])));
+            scaled(along, length)
+        })
+    };
+    let half_axes = [half(0), half(1), half(2)];
+    match lengths.iter().position(|length| *length == 0.0) {
+        Some(thin) => ring(parts, at, half_axes, thin, (body, true)),
+        None => match parts.geometry.plane {
+            Some(normal) => {
+                let across = (0..3).find(|axis| normal[*axis].abs() > 0.9).unwrap_or(2);
+                ring(parts, at, half_axes, across, (body, true));
+            }
+            None => (0..3).for_each(|axis| ring(parts, at, half_axes, axis, (body, false))),
+        },
+    }
+    if parts.geometry.plane.is_none() {
+        triad(parts, frame, at, (1.35 * by * longest(&shape), body));
+    }
+}
+
+fn triad(parts: &mut Parts<'_>, frame: usize, at: usize, (length, colour): (f64, usize)) {
+    let mut axis = |k: usize| parts.direction(move |figure| scaled(figure.frames[frame][k], length));
+    let axes = [axis(0), axis(1), axis(2)];
+    parts.add(SketchPart::Triad { at, axes, colour });
+}
+
+/// Frames of a system in which nothing else is seen: those that no other turns in.
+fn frames_alone(parts: &mut Parts<'_>) {
+    if !parts.parts.is_empty() {
+        return;
+    }
+    let frames = &parts.geometry.model.frames;
+    let is_parent = |frame: usize| frames.iter().any(|other| other.parent.is_some_and(|(parent, _)| parent.0 == frame));
+    let last: Vec<usize> = (1..frames.len()).filter(|frame| !is_parent(*frame)).collect();
+    for (colour, frame) in last.into_iter().enumerate() {
+        let name = parts.geometry.model.frames[frame].name.clone();
+        triad(parts, frame, 0, (1.0, colour));
+        let beyond = parts.place(move |figure| sum(figure.places[0], scaled(figure.frames[frame][0], 1.08)));
+        parts.names.push((beyond, name));
+    }
+}

@@ -1,0 +1,65 @@
+//! What holds and drives bodies: pins, supports, rods, springs, dampers, surfaces that are touched, forces.
+
+use super::parts::{Parts, scaled, sum};
+use charts::SketchPart;
+use model::geometry::Action;
+
+pub fn draw(parts: &mut Parts<'_>) {
+    let geometry = parts.geometry;
+    for element in &geometry.elements {
+        parts.add(match element.action {
+            Action::Elastic => SketchPart::Spring(element.ends),
+            Action::Viscous => SketchPart::Dashpot(element.ends),
+            Action::Given => SketchPart::Actuator(element.ends),
+        });
+    }
+    geometry.rods.iter().for_each(|ends| parts.add(SketchPart::Rod(*ends)));
+    for ends in &geometry.telescopes {
+        parts.add(SketchPart::Telescope(*ends));
+    }
+    joined(parts);
+    for touch in 0..parts.figures.first().map_or(0, |figure| figure.touches.len()) {
+        let contact = &geometry.model.contacts[parts.figures[0].touches[touch].contact];
+        let foot = parts.place(move |figure| {
+            let touch = figure.touches[touch];
+            sum(figure.places[touch.point], scaled(touch.normal, -touch.gap))
+        });
+        let normal = parts.direction(move |figure| figure.touches[touch].normal);
+        if !contact.is_line {
+            parts.add(SketchPart::Surface { at: foot, normal, of_ground: contact.with.is_none() });
+        }
+    }
+    for force in 0..parts.figures.first().map_or(0, |figure| figure.forces.len()) {
+        let acts = |figure: &scenes::geometry::Figure| figure.forces[force].1.iter().any(|part| *part != 0.0 && part.is_finite());
+        if parts.figures.iter().any(acts) {
+            let at = geometry.first[parts.figures[0].forces[force].0];
+            let along = parts.direction(move |figure| figure.forces[force].1);
+            parts.add(SketchPart::Arrow { at, along });
+        }
+    }
+}
+
+/// Places at which parts are joined to each other, and to the ground.
+fn joined(parts: &mut Parts<'_>) {
+    let geometry = parts.geometry;
+    let links: Vec<&Vec<usize>> = geometry.links.iter().map(|link| &link.places).collect();
+    let ends: Vec<usize> = geometry.elements.iter().map(|element| element.ends).chain(geometry.rods.iter().copied()).flatten().collect();
+    for &place in &geometry.ground {
+        let on_line = geometry.telescopes.iter().any(|ends| ends[0] == place);
+        if links.iter().any(|link| link.contains(&place)) || ends.contains(&place) || on_line {
+            parts.add(SketchPart::Support(place));
+            parts.add(SketchPart::Pin(place));
+        }
+    }
+    // a place of one link that is always at a place of another, as constraints hold it, or that is in both
+    let all: Vec<(usize, usize)> =
+        links.iter().enumerate().flat_map(|(link, places)| places.iter().map(move |place| (link, *place))).collect();
+    for (number, &(link, place)) in all.iter().enumerate() {
+        let meets = all[..number].iter().any(|&(other, there)| other != link && (there == place || parts.coincide(there, place)));
+        let on_block = geometry.slides.iter().any(|(block, _)| parts.coincide(*block, place));
+        let is_rod = geometry.rods.iter().flatten().any(|end| *end == place);
+        if meets || on_block || is_rod {
+            parts.add(SketchPart::Pin(place));
+        }
+    }
+}

@@ -1,0 +1,38 @@
+//! A system as a sketch: its geometry as parts at places, seen from where a mechanician would look.
+
+mod bodies;
+mod joints;
+mod names;
+mod parts;
+mod view;
+
+use ::scenes::geometry::{Figure, Geometry};
+use charts::{Instant, Sketch};
+use parts::Parts;
+
+/// The sketch of a system at one time or at several, seen from a direction or from where its kind is seen best.
+pub fn sketch(title: &str, geometry: &Geometry, figures: &[Figure], towards: Option<[f64; 3]>) -> Sketch {
+    let mut parts = Parts::of(geometry, figures);
+    let bodies = bodies::draw(&mut parts);
+    joints::draw(&mut parts);
+    names::name(&mut parts);
+    let view = view::view(geometry, figures, towards);
+    let Parts { parts, names, instants, .. } = parts;
+    let axes = ["x", "y", "z"].map(str::to_owned);
+    Sketch {
+        title: title.to_owned(),
+        parts,
+        names,
+        instants,
+        view,
+        axes,
+        has_scale: bodies.is_to_scale,
+        note: bodies.note.to_owned(),
+    }
+}
+
+/// Everything of the figures, before parts add places and directions of their own.
+fn instants(figures: &[Figure]) -> Vec<Instant> {
+    let one = |figure: &Figure| Instant { time: figure.time, places: figure.places.clone(), directions: Vec::new() };
+    figures.iter().map(one).collect()
+}

@@ -1,0 +1,179 @@
+//! Distances of two places that energies, generalised forces and constraints are functions of.
+//!
+//! A function of a distance alone has a slope along the coordinates that is parallel to that of the distance, at every point. So a term
+//! k (r - l)^2/2 of the potential energy is a spring, and a constraint x^2 + y^2 = l^2 a rod, however they are written.
+
+use super::{Action, Element, Place, terms, written_distances};
+use crate::equations::{Level, ScalarConstraint, held_of};
+use crate::{Along, Trace, Zero};
+use field::DoubleDouble;
+use symbolic::Sym;
+
+/// Points at which slopes are compared.
+const POINTS: u64 = 3;
+/// Slopes are parallel up to this part of their squares.
+const PARALLEL: f64 = 1e-12;
+/// Numbers that differ by a smaller part are one.
+const VARIES: f64 = 1e-6;
+/// More pairs of places, times the coordinates, are not compared.
+const MOST: usize = 60_000;
+
+/// A covector along the coordinates at each point; none where it has no values.
+type Slopes = Vec<Vec<f64>>;
+
+/// The value of a place and its displacement along each coordinate, at one point.
+type Displaced = ([f64; 3], Vec<[f64; 3]>);
+
+/// A covector along the coordinates that may be that of a distance.
+struct Sought {
+    /// None of a constraint.
+    action: Option<Action>,
+    slope: Vec<Sym>,
+    /// Pairs of points whose distance stands in it as it is written.
+    written: Vec<[usize; 2]>,
+}
+
+/// Elements by energies and generalised forces, and rods by constraints.
+pub(super) fn along_distances(trace: &Trace<'_>, places: &[Place]) -> (Vec<Element>, Vec<[usize; 2]>) {
+    let sought = sought(trace);
+    let pairs = places.len() * places.len() / 2;
+    if sought.is_empty() || pairs * trace.speeds.len() > MOST {
+        return (Vec::new(), Vec::new());
+    }
+    let displaced = displaced(trace, places);
+    let (mut elements, mut rods) = (Vec::new(), Vec::new());
+    for Sought { action, slope, written } in sought {
+        let Some(slope) = values(trace, &slope) else { continue };
+        let is_spring = |forces: &[Stretched]| action != Some(Action::Elastic) || varies(forces.iter().map(|one| one.force));
+        let fits = |ends: &[usize; 2]| {
+            let found = stretched(&displaced, *ends, &slope);
+            found.filter(|found| is_spring(found)).is_some_and(|found| {
+                // along one coordinate every distance is a function of every other one
+                written.contains(ends) || along_several(&slope) || !varies(found.iter().map(|one| one.rate))
+            })
+        };
+        let others = (0..places.len()).flat_map(|b| (0..b).map(move |a| [a, b]));
+        // as it is written; else between named points rather than others, from the origin rather than from elsewhere
+        let unnamed = |ends: &[usize; 2]| ends.iter().filter(|end| places[**end].name.is_empty()).count();
+        let found = written.iter().copied().find(|ends| fits(ends));
+        let Some(ends) = found.or_else(|| others.filter(fits).min_by_key(unnamed)) else { continue };
+        match action {
+            Some(action) => elements.push(Element { ends, action }),
+            None => rods.push(ends),
+        }
+    }
+    elements.dedup();
+    (elements, rods)
+}
+
+/// All covectors that may be those of distances.
+fn sought(trace: &Trace<'_>) -> Vec<Sought> {
+    let model = trace.model;
+    let by_each = |slope: &dyn Fn(usize) -> Sym| (0..trace.speeds.len()).map(slope).collect();
+    let mut found = Vec::new();
+    for (id, _) in model.energies.potential.into_iter().flat_map(|sum| terms(trace, sum)) {
+        let slope = by_each(&|i| trace.by_coordinate(trace.scalar(id), i));
+        found.push(Sought { action: Some(Action::Elastic), slope, written: written_distances(trace, id) });
+    }
+    for (id, _) in model.energies.dissipation.into_iter().flat_map(|sum| terms(trace, sum)) {
+        let slope = by_each(&|i| trace.by_speed(trace.scalar(id), i));
+        found.push(Sought { action: Some(Action::Viscous), slope, written: written_distances(trace, id) });
+    }
+    for force in &model.generalised {
+        let Along::Speed(along) = force.along else { continue };
+        for (id, _) in terms(trace, force.is) {
+            let term = trace.scalar(id);
+            let used = term.symbols_of();
+            let has = |letters: &[Sym]| letters.iter().any(|letter| used.contains(letter));
+            let action = match (has(&trace.coordinates), has(&trace.speeds)) {
+                (true, false) => Action::Elastic,
+                (false, true) => Action::Viscous,
+                _ => continue,
+            };
+            let slope = by_each(&|i| if i == along { term } else { Sym::ZERO });
+            found.push(Sought { action: Some(action), slope, written: Vec::new() });
+        }
+    }
+    for (place, constraint) in model.constraints.iter().enumerate() {
+        let Zero::Scalar(zero) = constraint.zero else { continue };
+        let held = held_of(trace, place).into_iter().filter(|held| trace.level_of(held.zero) == Level::Position);
+        let of_held = |held: ScalarConstraint| {
+            let slope = by_each(&|i| trace.by_coordinate(held.zero, i));
+            Sought { action: None, slope, written: written_distances(trace, zero) }
+        };
+        found.extend(held.map(of_held));
+    }
+    found
+}
+
+/// Whether a covector has more than one component.
+fn along_several(slope: &Slopes) -> bool {
+    slope.iter().all(|slope| slope.iter().filter(|part| **part != 0.0).count() > 1)
+}
+
+/// A distance at one point.
+#[derive(Clone, Copy)]
+struct Stretched {
+    /// The force along it.
+    force: f64,
+    /// Its slope along the coordinates, by its length.
+    rate: f64,
+}
+
+/// The force along a distance at each point, where a slope is parallel to that of the distance.
+fn stretched(displaced: &[Vec<Displaced>], [a, b]: [usize; 2], slope: &Slopes) -> Option<Vec<Stretched>> {
+    let one = |(places, slope): (&Vec<Displaced>, &Vec<f64>)| {
+        let (first, second) = (&places[a], &places[b]);
+        let way: [f64; 3] = std::array::from_fn(|k| second.0[k] - first.0[k]);
+        let distance = way.iter().map(|part| part * part).sum::<f64>().sqrt();
+        let along = |i: usize| (0..3).map(|k| way[k] * (second.1[i][k] - first.1[i][k])).sum::<f64>() / distance;
+        let own: Vec<f64> = (0..slope.len()).map(along).collect();
+        let [square, product, other] = [(&own, &own), (&own, slope), (slope, slope)]
+            .map(|(a, b)| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>());
+        // the square of the sine between them
+        let is_parallel = square * other - product * product <= PARALLEL * square * other;
+        let found = Stretched { force: product / square, rate: square.sqrt() };
+        (square > PARALLEL && other > 0.0 && is_parallel && distance.is_finite()).then_some(found)
+    };
+    displaced.iter().zip(slope).map(one).collect()
+}
+
+/// Whether numbers differ.
+fn varies(numbers: impl Iterator<Item = f64>) -> bool {
+    let (low, high) = numbers.fold((f64::MAX, f64::MIN), |(low, high), number| (low.min(number), high.max(number)));
+    high - low > VARIES * low.abs().max(high.abs())
+}
+
+/// Places and their displacements at each point.
+fn displaced(trace: &Trace<'_>, places: &[Place]) -> Vec<Vec<Displaced>> {
+    let speeds = trace.speeds.len();
+    let at = |point: u64| {
+        let value = |of: Sym| value(trace, of, point).unwrap_or(f64::NAN);
+        let one = |place: &Place| {
+            let slope = |i: usize| place.position.map(|part| value(trace.by_coordinate(part, i)));
+            (place.position.map(value), (0..speeds).map(slope).collect())
+        };
+        places.iter().map(one).collect()
+    };
+    (0..POINTS).map(at).collect()
+}
+
+/// Values of expressions at each point.
+fn values(trace: &Trace<'_>, of: &[Sym]) -> Option<Slopes> {
+    (0..POINTS).map(|point| of.iter().map(|each| value(trace, *each, point)).collect::<Option<Vec<_>>>()).collect()
+}
+
+/// The value of an expression at a point: coordinates, speeds and the time differ between points, parameters do not.
+fn value(trace: &Trace<'_>, of: Sym, point: u64) -> Option<f64> {
+    if let Some(constant) = of.as_constant() {
+        return Some(constant.to_f64());
+    }
+    let drawn = |name: &str| {
+        let letter = Sym::symbol(name);
+        let point = if trace.parameters.contains(&letter) { 0 } else { point };
+        let pi = (letter == trace.pi).then(|| DoubleDouble::from(std::f64::consts::PI));
+        Some(pi.unwrap_or_else(|| crate::real_points::drawn(name, point)))
+    };
+    let found = of.evaluate_analytic(&drawn).ok();
+    found.map(|value: DoubleDouble| value.hi()).filter(|value| value.is_finite())
+}

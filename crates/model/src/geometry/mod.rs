@@ -1,0 +1,98 @@
+//! The geometry of a model over symbols: its places, and what acts between two of them.
+
+mod distances;
+mod elements;
+mod places;
+
+pub use elements::{Action, Element};
+pub use places::Place;
+
+use crate::arena::{Part, Scalar, Vector as Form};
+use crate::{BodyId, FrameId, PointId, ScalarId, Trace, Vector};
+use symbolic::Sym;
+
+/// The places of a model, with what acts between them.
+#[derive(Clone, Debug)]
+pub struct Geometry {
+    /// Points of the model by their numbers, then places that ways between them pass.
+    pub places: Vec<Place>,
+    /// Forces along the line of two places.
+    pub elements: Vec<Element>,
+    /// Pairs of places whose distance a constraint holds.
+    pub rods: Vec<[usize; 2]>,
+    /// Forces at places that are no elements, along the axes of the ground.
+    pub forces: Vec<(usize, [Sym; 3])>,
+    /// Points at which a body is said to move, and that need not be fixed in it: where a wheel rolls.
+    pub touched: Vec<(BodyId, PointId)>,
+}
+
+impl Geometry {
+    /// The geometry of a traced model.
+    pub fn of(trace: &Trace<'_>) -> Self {
+        let places = places::places(trace);
+        let (mut elements, forces) = elements::of_forces(trace);
+        let (by_energies, rods) = distances::along_distances(trace, &places);
+        elements.extend(by_energies.into_iter().filter(|found| !elements.contains(found)).collect::<Vec<_>>());
+        Geometry { places, elements, rods, forces, touched: touched(trace) }
+    }
+}
+
+/// The axes of a frame, along those of the ground.
+pub fn frame_axes(trace: &Trace<'_>, frame: FrameId) -> [[Sym; 3]; 3] {
+    std::array::from_fn(|axis| trace.express(Vector::axis(frame, axis), FrameId::GROUND))
+}
+
+/// Bodies with points of theirs in velocities and in forces.
+fn touched(trace: &Trace<'_>) -> Vec<(BodyId, PointId)> {
+    let of_velocities = trace.model.arena.parts.iter().filter_map(|part| match part {
+        Part::Vector(Form::Velocity { of, .. }) => Some(*of),
+        _ => None,
+    });
+    let of_forces = trace.model.forces.iter().filter_map(|force| match force {
+        crate::Force::On { at, .. } => Some(*at),
+        crate::Force::Between { .. } => None,
+    });
+    let mut found: Vec<(BodyId, PointId)> = Vec::new();
+    for material in of_velocities.chain(of_forces) {
+        let Some(body) = material.body else { continue };
+        if trace.model.bodies[body.0].centre != Some(material.point) && !found.contains(&(body, material.point)) {
+            found.push((body, material.point));
+        }
+    }
+    found
+}
+
+/// The terms of a sum, each with whether it is subtracted.
+fn terms(trace: &Trace<'_>, sum: ScalarId) -> Vec<(ScalarId, bool)> {
+    let (mut open, mut found) = (vec![(sum, false)], Vec::new());
+    while let Some((id, is_negative)) = open.pop() {
+        match trace.model.arena.scalar_at(id) {
+            Some(Scalar::Sum(a, b)) => open.extend([(*b, is_negative), (*a, is_negative)]),
+            Some(Scalar::Difference(a, b)) => open.extend([(*b, !is_negative), (*a, is_negative)]),
+            Some(Scalar::Negation(a)) => open.push((*a, !is_negative)),
+            _ => found.push((id, is_negative)),
+        }
+    }
+    found
+}
+
+/// Pairs of points whose distance stands in a scalar as it is written.
+fn written_distances(trace: &Trace<'_>, scalar: ScalarId) -> Vec<[usize; 2]> {
+    let arena = &trace.model.arena;
+    let (mut open, mut found) = (vec![scalar], Vec::new());
+    while let Some(id) = open.pop() {
+        match arena.scalar_at(id) {
+            Some(
+                Scalar::Sum(a, b) | Scalar::Difference(a, b) | Scalar::Product(a, b) | Scalar::Quotient(a, b),
+            ) => open.extend([*a, *b]),
+            Some(Scalar::Negation(a) | Scalar::Power(a, _) | Scalar::Function(_, a) | Scalar::RateOf(a)) => open.push(*a),
+            Some(Scalar::Norm(way) | Scalar::Dot(way, _)) => {
+                if let Some(Form::Between { from, to }) = arena.vector_at(*way) {
+                    found.push([from.0.min(to.0), from.0.max(to.0)]);
+                }
+            }
+            _ => {}
+        }
+    }
+    found
+}

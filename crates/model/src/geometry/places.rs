@@ -1,0 +1,65 @@
+//! The places of a model: its points, and those that ways between them pass.
+//!
+//! A point that is found by ways in several frames passes places where one way ends and the next begins: `O + r*A.x + l*B.x` passes the
+//! pin at `O + r*A.x`.
+
+use crate::arena::Vector as Form;
+use crate::{FrameId, Trace, Vector, VectorId};
+use symbolic::Sym;
+
+/// A place.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Place {
+    /// Of a named point; empty of others.
+    pub name: String,
+    /// From the origin, along the axes of the ground.
+    pub position: [Sym; 3],
+    /// The place that it is found from, with the frame of the way; none of the origin.
+    pub base: Option<(usize, FrameId)>,
+}
+
+/// Points by their numbers, then the places between them.
+pub(super) fn places(trace: &Trace<'_>) -> Vec<Place> {
+    let model = trace.model;
+    let ground = |vector: Vector| trace.express(vector, FrameId::GROUND);
+    let mut between: Vec<Place> = Vec::new();
+    let mut places: Vec<Place> = Vec::new();
+    for (number, point) in model.points.iter().enumerate() {
+        let name = if number == 0 && point.name.is_empty() { "O".to_owned() } else { point.name.clone() };
+        let position = ground(trace.position(crate::PointId(number)));
+        let base = point.base.map(|(base, way)| {
+            let parts = parts(trace, way);
+            let (mut from, mut at) = (base.0, trace.position(base));
+            for part in parts.iter().take(parts.len().saturating_sub(1)) {
+                at = trace.sum(at, *part);
+                between.push(Place { name: String::new(), position: ground(at), base: Some((from, part.frame)) });
+                from = model.points.len() + between.len() - 1;
+            }
+            (from, parts.last().map_or(FrameId::GROUND, |part| part.frame))
+        });
+        places.push(Place { name, position, base });
+    }
+    places.extend(between);
+    places
+}
+
+/// A way as a sum of ways, each in a frame of its own.
+fn parts(trace: &Trace<'_>, way: VectorId) -> Vec<Vector> {
+    let (mut open, mut found): (_, Vec<Vector>) = (vec![(way, false)], Vec::new());
+    while let Some((id, is_negative)) = open.pop() {
+        match trace.model.arena.vector_at(id) {
+            Some(Form::Sum(a, b)) => open.extend([(*b, is_negative), (*a, is_negative)]),
+            Some(Form::Difference(a, b)) => open.extend([(*b, !is_negative), (*a, is_negative)]),
+            Some(Form::Negation(a)) => open.push((*a, !is_negative)),
+            _ => {
+                let vector = trace.vector(id);
+                let vector = if is_negative { vector.map(|part| -part) } else { vector };
+                match found.last_mut() {
+                    Some(last) if last.frame == vector.frame => *last = trace.sum(*last, vector),
+                    _ => found.push(vector),
+                }
+            }
+        }
+    }
+    found
+}

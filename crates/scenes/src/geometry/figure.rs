@@ -1,0 +1,212 @@
+//! Places, axes, normals and inertias of a system as a program of the time and the state.
+
+use crate::compiled_system::NotCompiled;
+use crate::letters::Letters;
+use crate::program::recorded;
+use model::geometry::{Element, frame_axes};
+use model::{FrameId, Inertia, Model, Trace};
+use simulation::Program;
+use symbolic::{Sym, substitute_all};
+
+/// A vector along the axes of the ground.
+type Vector = [f64; 3];
+
+/// Where everything is at a time.
+#[derive(Clone, Debug, Default)]
+pub struct Figure {
+    pub time: f64,
+    pub places: Vec<Vector>,
+    /// The axes x, y and z of each frame.
+    pub frames: Vec<[Vector; 3]>,
+    pub touches: Vec<Touch>,
+    /// Forces that stand between no two places, each at a place.
+    pub forces: Vec<(usize, Vector)>,
+    /// Mass, and the moments xx, yy, zz, xy, xz, yz of each body; zero where it has none.
+    pub inertias: Vec<[f64; 7]>,
+    pub gravity: Vector,
+}
+
+/// A contact.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Touch {
+    /// Its place in the model.
+    pub contact: usize,
+    pub point: usize,
+    pub normal: Vector,
+    pub gap: f64,
+}
+
+/// What of the geometry is no number.
+#[derive(Debug, Default)]
+pub(super) struct Symbolic {
+    pub names: Vec<String>,
+    /// The place that each is found from, with the frame of the way.
+    pub bases: Vec<Option<(usize, FrameId)>>,
+    pub elements: Vec<Element>,
+    pub rods: Vec<[usize; 2]>,
+    /// Bodies with points at which they are said to move.
+    pub touched: Vec<(usize, usize)>,
+    /// The places that forces act on.
+    forces: Vec<usize>,
+    /// The contacts of planes, and the points that touch.
+    contacts: Vec<(usize, usize)>,
+}
+
+/// The program, and how its values are read.
+#[derive(Debug)]
+pub(super) struct Recorded {
+    program: Program,
+    states: usize,
+    positions: usize,
+    places: usize,
+    frames: usize,
+    bodies: usize,
+    switches: usize,
+    forces: Vec<usize>,
+    contacts: Vec<(usize, usize)>,
+}
+
+/// States about the start at which the structure is looked at.
+const SAMPLES: u64 = 5;
+/// Trials of the cases of conditions: one may decide another.
+const TRIALS: usize = 4;
+
+impl Recorded {
+    /// Writes the geometry of a model down.
+    pub fn of(model: &Model) -> Result<(Self, Symbolic), NotCompiled> {
+        let states = model.positions() + model.speeds();
+        let switches = model.switches.len();
+        let mut symbolic = Symbolic::default();
+        let program = recorded(states + switches, |time, inputs| {
+            let (state, cases) = inputs.split_at(states);
+            let (found, values) = written(model, (time, state), cases);
+            symbolic = found;
+            values
+        })?;
+        let (forces, contacts) = (symbolic.forces.clone(), symbolic.contacts.clone());
+        let (places, frames, bodies) = (symbolic.names.len(), model.frames.len(), model.bodies.len());
+        let positions = model.positions();
+        Ok((Recorded { program, states, positions, places, frames, bodies, switches, forces, contacts }, symbolic))
+    }
+
+    /// Where everything is.
+    pub fn figure(&self, time: f64, state: &[f64]) -> Figure {
+        let length =
+            3 * self.places + 9 * self.frames + 4 * self.contacts.len() + 3 * self.forces.len() + 7 * self.bodies + 3;
+        let mut values = vec![f64::NAN; length + self.switches];
+        let mut inputs = [state.get(..self.states).unwrap_or(state), &vec![1.0; self.switches]].concat();
+        for _ in 0..TRIALS {
+            // a state of another length has no places
+            let _ = self.program.run(time, &inputs, &mut values);
+            let cases = values[length..].iter().map(|value| if *value > 0.0 { 1.0 } else { 0.0 }).collect::<Vec<_>>();
+            if inputs[self.states.min(inputs.len())..] == cases[..] {
+                break;
+            }
+            inputs.truncate(self.states);
+            inputs.extend(cases);
+        }
+        let mut left = values.into_iter();
+        let mut vector = || -> Vector { std::array::from_fn(|_| left.next().unwrap_or(f64::NAN)) };
+        let places = (0..self.places).map(|_| vector()).collect();
+        let frames = (0..self.frames).map(|_| [vector(), vector(), vector()]).collect();
+        let normals: Vec<Vector> = self.contacts.iter().map(|_| vector()).collect();
+        let forces = self.forces.iter().map(|place| (*place, vector())).collect();
+        let gravity = vector();
+        let touches = self.contacts.iter().zip(normals);
+        let touches = touches.map(|((contact, point), normal)| {
+            let gap = left.next().unwrap_or(f64::NAN);
+            Touch { contact: *contact, point: *point, normal, gap }
+        });
+        let touches = touches.collect();
+        let inertias = (0..self.bodies).map(|_| std::array::from_fn(|_| left.next().unwrap_or(f64::NAN))).collect();
+        Figure { time, places, frames, touches, forces, inertias, gravity }
+    }
+
+    /// Figures at several states about one: coordinates and time moved by steps that follow no line.
+    pub fn samples(&self, state: &[f64]) -> Vec<Figure> {
+        let moved = |sample: u64, share: f64| {
+            let part = |place: u64| 2.0 * fraction(sample * 1_009 + place) - 1.0;
+            let step = |(place, value): (usize, &f64)| value + share * (0.3 + value.abs()) * part(place as u64 + 1);
+            let coordinates = state.iter().take(self.positions).enumerate().map(step);
+            let speeds = state.iter().skip(self.positions).copied();
+            self.figure(share * fraction(sample), &coordinates.chain(speeds).collect::<Vec<_>>())
+        };
+        let mut found = vec![self.figure(0.0, state)];
+        for sample in 1..=SAMPLES {
+            // far away an expression may have no value
+            let near = [1.0, 0.1, 0.01].into_iter().map(|share| moved(sample, share)).find(Figure::has_values);
+            found.extend(near);
+        }
+        found
+    }
+}
+
+impl Figure {
+    /// Whether places and frames are numbers.
+    pub fn has_values(&self) -> bool {
+        self.places.iter().chain(self.frames.iter().flatten()).flatten().all(|value| value.is_finite())
+    }
+}
+
+/// The geometry over letters, and all its values: conditions last.
+fn written(model: &Model, (time, state): (Sym, &[Sym]), cases: &[Sym]) -> (Symbolic, Vec<Sym>) {
+    let trace = Trace::of(model);
+    let geometry = model::geometry::Geometry::of(&trace);
+    let letters = Letters::with_data(time, state);
+    let choice: Vec<(Sym, Sym)> = trace.switches.iter().copied().zip(cases.iter().copied()).collect();
+    let put = |expressions: &[Sym]| letters.put_into(&trace, &substitute_all(expressions, &choice));
+    let inputs = [state, cases, &[time]].concat();
+    let has_value = |expressions: &[Sym]| {
+        put(expressions).iter().all(|each| each.symbols_of().iter().all(|letter| inputs.contains(letter)))
+    };
+    let contacts = model.contacts.iter().enumerate().filter(|(_, contact)| contact.one_way.is_none());
+    let contacts: Vec<(usize, usize)> = contacts.map(|(place, contact)| (place, contact.point.0)).collect();
+    let forces: Vec<(usize, [Sym; 3])> = geometry.forces.into_iter().filter(|(_, is)| has_value(is)).collect();
+    let ground = |vector| trace.express(vector, FrameId::GROUND);
+    let mut values: Vec<Sym> = geometry.places.iter().flat_map(|place| place.position).collect();
+    values.extend((0..model.frames.len()).flat_map(|frame| frame_axes(&trace, FrameId(frame)).into_iter().flatten()));
+    values.extend(contacts.iter().flat_map(|(contact, _)| ground(trace.vector(model.contacts[*contact].normal))));
+    values.extend(forces.iter().flat_map(|(_, is)| *is));
+    values.extend(model.gravity.map_or([Sym::ZERO; 3], |gravity| ground(trace.vector(gravity))));
+    values.extend(contacts.iter().map(|(contact, _)| trace.scalar(model.contacts[*contact].gap)));
+    for body in &model.bodies {
+        values.push(body.mass.map_or(Sym::ZERO, |mass| trace.scalar(mass)));
+        values.extend(moments(&trace, body.inertia.as_ref()));
+    }
+    values.extend(model.switches.iter().map(|switch| trace.scalar(*switch)));
+    let values = put(&values);
+    // a reaction is none of the geometry
+    let known = |each: Sym| if each.symbols_of().iter().all(|letter| inputs.contains(letter)) { each } else { Sym::ZERO };
+    let symbolic = Symbolic {
+        bases: geometry.places.iter().map(|place| place.base).collect(),
+        names: geometry.places.into_iter().map(|place| place.name).collect(),
+        elements: geometry.elements,
+        rods: geometry.rods,
+        touched: geometry.touched.into_iter().map(|(body, point)| (body.0, point.0)).collect(),
+        forces: forces.into_iter().map(|(place, _)| place).collect(),
+        contacts,
+    };
+    (symbolic, values.into_iter().map(known).collect())
+}
+
+/// The moments xx, yy, zz, xy, xz, yz of an inertia.
+fn moments(trace: &Trace<'_>, inertia: Option<&Inertia>) -> [Sym; 6] {
+    let mut moments = [Sym::ZERO; 6];
+    match inertia {
+        None => {}
+        Some(Inertia::Axial(axial)) => moments[2] = trace.scalar(*axial),
+        Some(Inertia::OfShaft { moment, axis }) => moments[*axis] = trace.scalar(*moment),
+        Some(Inertia::Tensor { entries, .. }) => {
+            moments = entries.map(|entry| entry.map_or(Sym::ZERO, |entry| trace.scalar(entry)));
+        }
+    }
+    moments
+}
+
+/// A number between 0 and 1, always the same for a place.
+fn fraction(place: u64) -> f64 {
+    let mut bits = place.wrapping_add(1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    ((bits ^ (bits >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
+}

@@ -1,0 +1,70 @@
+//! The ellipsoid of a body by its inertia: homogeneous, or a thin plate where one of its axes has no length.
+
+use super::figure::Figure;
+use super::Geometry;
+use model::Inertia;
+use nalgebra::{Matrix3, SymmetricEigen, Vector3};
+
+/// Half axes that are shorter than this part of the longest are none.
+const FLAT: f64 = 1e-3;
+
+/// An ellipsoid by its half axes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ellipsoid {
+    /// Along the axes of its frame, each of length one.
+    pub axes: [[f64; 3]; 3],
+    /// In metres; where a body has no mass, parts of the longest.
+    pub lengths: [f64; 3],
+    pub has_mass: bool,
+}
+
+impl Geometry {
+    /// The frame of a body's inertia.
+    pub fn inertia_frame(&self, body: usize) -> Option<usize> {
+        let body = self.model.bodies.get(body)?;
+        match body.inertia.as_ref()? {
+            Inertia::Tensor { axes, .. } => Some(axes.0),
+            Inertia::Axial(_) | Inertia::OfShaft { .. } => body.frame.map(|frame| frame.0),
+        }
+    }
+
+    /// The ellipsoid of a body that has an inertia, along the axes of [`Geometry::inertia_frame`].
+    pub fn ellipsoid(&self, figure: &Figure, body: usize) -> Option<Ellipsoid> {
+        let [mass, xx, yy, zz, xy, xz, yz] = *figure.inertias.get(body)?;
+        let has_mass = mass > 0.0;
+        let mass = if has_mass { mass } else { 1.0 };
+        let unit = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let (axes, lengths) = match self.model.bodies.get(body)?.inertia.as_ref()? {
+            // the radius of gyration
+            Inertia::Axial(_) => (unit, [(zz / mass).sqrt(), (zz / mass).sqrt(), 0.0]),
+            Inertia::OfShaft { axis, .. } => {
+                let radius = ([xx, yy, zz][*axis] / mass).sqrt();
+                (unit, std::array::from_fn(|k| if k == *axis { 0.0 } else { radius }))
+            }
+            Inertia::Tensor { .. } => {
+                let tensor = Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz);
+                if !tensor.iter().all(|entry| entry.is_finite()) {
+                    return None;
+                }
+                let SymmetricEigen { eigenvalues, eigenvectors } = SymmetricEigen::new(tensor);
+                let is_diagonal = [xy, xz, yz].iter().all(|entry| *entry == 0.0);
+                let (moments, axes) = match is_diagonal {
+                    true => (Vector3::new(xx, yy, zz), unit),
+                    false => (eigenvalues, std::array::from_fn(|k| eigenvectors.column(k).into_owned().into())),
+                };
+                // integrals of the squares along each axis
+                let squares: [f64; 3] = std::array::from_fn(|k| (0.5 * moments.sum() - moments[k]).max(0.0) / mass);
+                let largest = squares.iter().copied().fold(0.0, f64::max);
+                let is_plate = squares.iter().any(|square| *square <= FLAT * FLAT * largest);
+                (axes, squares.map(|square| if is_plate { 2.0 * square.sqrt() } else { (5.0 * square).sqrt() }))
+            }
+        };
+        let longest = lengths.iter().copied().fold(0.0, f64::max);
+        if !(longest > 0.0 && longest.is_finite()) {
+            return None;
+        }
+        let lengths = lengths.map(|length| if length <= FLAT * longest { 0.0 } else { length });
+        let lengths = if has_mass { lengths } else { lengths.map(|length| length / longest) };
+        Some(Ellipsoid { axes, lengths, has_mass })
+    }
+}

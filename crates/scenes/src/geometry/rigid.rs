@@ -1,0 +1,250 @@
+//! What places keep at all states: fixed in the ground, fixed in a frame together, on a line.
+
+use super::figure::{Figure, Symbolic};
+use super::Wheel;
+use model::{FrameId, Model};
+
+type Vector = [f64; 3];
+
+/// Lengths that differ by less than this part of the size are one.
+const SAME: f64 = 1e-7;
+
+/// Places that are fixed together in a frame.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Link {
+    /// By the first of those that are one.
+    pub places: Vec<usize>,
+    /// A frame that turns with it.
+    pub frame: usize,
+    /// The bodies that it is part of.
+    pub bodies: Vec<usize>,
+}
+
+/// The structure of a system.
+#[derive(Debug, Default)]
+pub(super) struct Structure {
+    pub first: Vec<usize>,
+    pub ground: Vec<usize>,
+    pub links: Vec<Link>,
+    pub slides: Vec<(usize, Vector)>,
+    pub telescopes: Vec<[usize; 2]>,
+    pub plane: Option<Vector>,
+    pub size: f64,
+    /// The first of the frames that turn together with each.
+    pub turning: Vec<usize>,
+}
+
+impl Structure {
+    pub fn of(model: &Model, samples: &[Figure], symbolic: &Symbolic) -> Self {
+        let size = size(samples);
+        let near = if size > 0.0 { SAME * size } else { SAME };
+        let places = symbolic.names.len();
+        let first = firsts(samples, symbolic, near);
+        let turning = turning_together(model, samples);
+        let mut ground = Vec::new();
+        let mut links: Vec<Link> = Vec::new();
+        for frame in (0..model.frames.len()).filter(|frame| turning[*frame] == *frame) {
+            for class in fixed_together(samples, frame, &first, near) {
+                if frame == 0 && class.contains(&first[0]) {
+                    ground = class;
+                } else if class.len() > 1 {
+                    links.push(Link { places: class, frame, bodies: Vec::new() });
+                }
+            }
+        }
+        name_bodies(model, &mut links, (&first, &turning));
+        // places on the axis of a turn are fixed in two frames
+        let all = links.clone();
+        let is_part = |(number, link): (usize, &Link)| {
+            !all.iter().enumerate().any(|(other, larger)| {
+                let within = link.places.iter().all(|place| larger.places.contains(place));
+                let is_first = (link.places.len(), link.bodies.is_empty(), number)
+                    .cmp(&(larger.places.len(), larger.bodies.is_empty(), other));
+                let is_less = link.places.len() < larger.places.len() || is_first.is_gt();
+                other != number && within && is_less && link.bodies.iter().all(|body| larger.bodies.contains(body))
+            })
+        };
+        let links = all.iter().enumerate().filter(|(number, link)| is_part((*number, link)));
+        let links = links.map(|(_, link)| link.clone()).collect();
+        let moving = (0..places).filter(|place| first[*place] == *place && !ground.contains(place));
+        let slides = moving.filter_map(|place| Some((place, line_of(samples.iter().map(|at| at.places[place]), near)?)));
+        let slides = slides.collect();
+        let telescope = |(place, base): (usize, &Option<(usize, FrameId)>)| {
+            let (from, frame) = (*base)?;
+            let turned = turning[frame.0];
+            let way = |at: &Figure| within(&at.frames[turned], difference(at.places[place], at.places[from]));
+            let is_line = turned != 0 && line_of(samples.iter().map(way).chain([[0.0; 3]]), near).is_some();
+            is_line.then_some([from, place])
+        };
+        let telescopes = symbolic.bases.iter().enumerate().filter_map(telescope).collect();
+        let plane = plane(samples, near);
+        Structure { first, ground, links, slides, telescopes, plane, size, turning }
+    }
+}
+
+/// Links without the points at which wheels touch what they roll on: these only pass.
+pub(super) fn without_touched(links: Vec<Link>, wheels: &[Wheel], model: &Model, first: &[usize]) -> Vec<Link> {
+    let touches = |link: &Link, place: usize| {
+        wheels.iter().any(|wheel| {
+            let centre = model.bodies[wheel.body].centre.map(|centre| first[centre.0]);
+            first[wheel.point] == place && centre.is_some_and(|centre| link.places.contains(&centre))
+        })
+    };
+    let kept = links.into_iter().map(|mut link| {
+        let passing: Vec<usize> = link.places.iter().copied().filter(|place| touches(&link, *place)).collect();
+        link.places.retain(|place| !passing.contains(place));
+        link
+    });
+    kept.filter(|link| link.places.len() > 1).collect()
+}
+
+/// The bodies of links: those that turn with one of its frames, by their centres where they have some.
+fn name_bodies(model: &Model, links: &mut [Link], (first, turning): (&[usize], &[usize])) {
+    for (number, body) in model.bodies.iter().enumerate() {
+        let turned = body.frame.map_or(0, |frame| turning[frame.0]);
+        for link in links.iter_mut().filter(|link| link.frame == turned) {
+            let is_there = match body.centre {
+                Some(centre) => link.places.contains(&first[centre.0]),
+                // about a place of the ground
+                None => link.places.contains(&first[0]),
+            };
+            if is_there {
+                link.bodies.push(number);
+            }
+        }
+    }
+}
+
+/// The first place of those that are one, a named one where there is one.
+fn firsts(samples: &[Figure], symbolic: &Symbolic, near: f64) -> Vec<usize> {
+    let count = symbolic.names.len();
+    let mut first: Vec<usize> = (0..count).collect();
+    let mut known: Vec<usize> = Vec::new();
+    let named = (0..count).filter(|place| !symbolic.names[*place].is_empty());
+    let others = (0..count).filter(|place| symbolic.names[*place].is_empty());
+    for place in named.chain(others) {
+        let is_one = |other: &&usize| samples.iter().all(|at| length(difference(at.places[place], at.places[**other])) <= near);
+        match known.iter().find(is_one) {
+            Some(other) => first[place] = *other,
+            None => known.push(place),
+        }
+    }
+    first
+}
+
+/// The first of the frames that keep their angles to each other.
+fn turning_together(model: &Model, samples: &[Figure]) -> Vec<usize> {
+    let mut first: Vec<usize> = (0..model.frames.len()).collect();
+    for frame in 0..model.frames.len() {
+        let beside = |other: usize, at: &Figure| at.frames[frame].map(|axis| within(&at.frames[other], axis));
+        let keeps = |other: &usize| {
+            let start = beside(*other, &samples[0]);
+            let same = |at: &Figure| {
+                beside(*other, at).iter().flatten().zip(start.iter().flatten()).all(|(a, b)| (a - b).abs() <= SAME)
+            };
+            first[*other] == *other && samples.iter().all(same)
+        };
+        if let Some(other) = (0..frame).find(keeps) {
+            first[frame] = other;
+        }
+    }
+    first
+}
+
+/// Classes of places that are fixed together in a frame.
+fn fixed_together(samples: &[Figure], frame: usize, first: &[usize], near: f64) -> Vec<Vec<usize>> {
+    let inside: Vec<Vec<Vector>> =
+        samples.iter().map(|at| at.places.iter().map(|place| within(&at.frames[frame], *place)).collect()).collect();
+    let mut classes: Vec<Vec<usize>> = Vec::new();
+    for place in (0..first.len()).filter(|place| first[*place] == *place) {
+        let fits = |class: &&mut Vec<usize>| {
+            let other = class[0];
+            let start = difference(inside[0][place], inside[0][other]);
+            inside.iter().all(|at| length(difference(difference(at[place], at[other]), start)) <= near)
+        };
+        match classes.iter_mut().find(fits) {
+            Some(class) => class.push(place),
+            None => classes.push(vec![place]),
+        }
+    }
+    classes
+}
+
+/// The direction of the line on which points move; none where they rest, or leave every line.
+fn line_of(points: impl Iterator<Item = Vector>, near: f64) -> Option<Vector> {
+    let points: Vec<Vector> = points.collect();
+    let start = *points.first()?;
+    let ways: Vec<Vector> = points.iter().map(|point| difference(*point, start)).collect();
+    let far = ways.iter().copied().max_by(|a, b| length(*a).total_cmp(&length(*b)))?;
+    let size = length(far);
+    if size <= 100.0 * near {
+        return None;
+    }
+    let along = far.map(|part| part / size);
+    let off = |way: &Vector| {
+        let share = dot(*way, along);
+        length(std::array::from_fn(|k| way[k] - share * along[k]))
+    };
+    ways.iter().all(|way| off(way) <= near).then_some(along)
+}
+
+/// The normal of the plane in which all places move and about which all frames turn.
+fn plane(samples: &[Figure], near: f64) -> Option<Vector> {
+    let axes = samples.first()?.frames.first()?;
+    let is_normal = |normal: &Vector| {
+        let start = samples[0].places.first().map_or(0.0, |place| dot(*normal, *place));
+        samples.iter().all(|at| {
+            let flat = at.places.iter().all(|place| (dot(*normal, *place) - start).abs() <= near);
+            // an axis of every frame stays the normal
+            let turns = (0..at.frames.len()).all(|frame| {
+                (0..3).any(|axis| samples.iter().all(|at| dot(at.frames[frame][axis], *normal).abs() >= 1.0 - SAME))
+            });
+            flat && turns
+        })
+    };
+    // of several, as of a motion on a line, the one that points to the reader first
+    let known = [axes[2], axes[1], axes[0]].into_iter().find(is_normal);
+    known.or_else(|| {
+        // a plane that leans, through three places
+        let places: Vec<Vector> = samples.iter().flat_map(|at| at.places.iter().copied()).collect();
+        let start = *places.first()?;
+        let far = places.iter().map(|place| difference(*place, start)).max_by(|a, b| length(*a).total_cmp(&length(*b)))?;
+        let widest = places.iter().map(|place| cross(far, difference(*place, start)));
+        let widest = widest.max_by(|a, b| length(*a).total_cmp(&length(*b)))?;
+        let size = length(widest);
+        (size > 0.0).then(|| widest.map(|part| part / size)).filter(is_normal)
+    })
+}
+
+/// The largest distance of two places at one time, as far as boxes tell it.
+fn size(samples: &[Figure]) -> f64 {
+    let of = |at: &Figure| {
+        let along = |k: usize| {
+            let (low, high) = at.places.iter().fold((f64::MAX, f64::MIN), |(low, high), place| (low.min(place[k]), high.max(place[k])));
+            high - low
+        };
+        length([along(0), along(1), along(2)])
+    };
+    samples.iter().map(of).fold(0.0, f64::max)
+}
+
+/// A vector along the axes of a frame.
+fn within(axes: &[Vector; 3], vector: Vector) -> Vector {
+    axes.map(|axis| dot(axis, vector))
+}
+
+pub(super) fn difference(a: Vector, b: Vector) -> Vector {
+    std::array::from_fn(|k| a[k] - b[k])
+}
+
+pub(super) fn dot(a: Vector, b: Vector) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+fn cross(a: Vector, b: Vector) -> Vector {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+pub(super) fn length(vector: Vector) -> f64 {
+    dot(vector, vector).sqrt()
+}

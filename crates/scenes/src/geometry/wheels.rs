@@ -1,0 +1,29 @@
+//! Bodies that roll: a point at which they are said to move keeps its distance from the centre, and is not fixed in them.
+
+use super::Wheel;
+use super::figure::{Figure, Symbolic};
+use super::rigid::{Structure, difference, dot, length};
+use model::Model;
+
+/// Parts of a radius that differ by less are one.
+const SAME: f64 = 1e-7;
+
+pub(super) fn wheels(model: &Model, samples: &[Figure], symbolic: &Symbolic, structure: &Structure) -> Vec<Wheel> {
+    let mut found: Vec<Wheel> = Vec::new();
+    for &(body, point) in &symbolic.touched {
+        let (Some(frame), Some(centre)) = (model.bodies[body].frame, model.bodies[body].centre) else { continue };
+        let arm = |at: &Figure| difference(at.places[point], at.places[centre.0]);
+        let radius = samples.first().map_or(0.0, |at| length(arm(at)));
+        let keeps = samples.iter().all(|at| (length(arm(at)) - radius).abs() <= SAME * radius);
+        let turned = structure.turning[frame.0];
+        let inside = |at: &Figure| at.frames[turned].map(|axis| dot(axis, arm(at)));
+        let is_fixed = samples.iter().all(|at| length(difference(inside(at), inside(&samples[0]))) <= SAME * radius);
+        let is_known = found.iter().any(|wheel| wheel.body == body);
+        if radius <= 0.0 || !keeps || is_fixed || is_known {
+            continue;
+        }
+        let across = |axis: &usize| samples.iter().all(|at| inside(at)[*axis].abs() <= SAME * radius);
+        found.push(Wheel { body, point, radius, axis: (0..3).find(across) });
+    }
+    found
+}
