@@ -85,6 +85,7 @@ impl Geometry {
             elements.iter().any(|element| element.ends == *ends || element.ends == [ends[1], ends[0]])
         };
         let telescopes: Vec<[usize; 2]> = once(&structure.telescopes).into_iter().filter(|ends| !is_joined(ends)).collect();
+        let rods = once(&symbolic.rods);
         let links = rigid::without_touched(structure.links, &wheels, model, &structure.first);
         Ok(Geometry {
             model: Arc::clone(model),
@@ -94,7 +95,7 @@ impl Geometry {
             links,
             slides: structure.slides,
             telescopes,
-            rods: once(&symbolic.rods),
+            rods,
             elements,
             wheels,
             plane: structure.plane,
